@@ -1,0 +1,12 @@
+#include "common/real.hpp"
+
+#include <boost/math/constants/constants.hpp>
+
+namespace treedyn {
+
+const Real& pi() {
+  static const Real value = boost::math::constants::pi<Real>();
+  return value;
+}
+
+}  // namespace treedyn
