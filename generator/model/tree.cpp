@@ -17,7 +17,8 @@ std::vector<int> depths(const Tree& tree) {
   std::vector<int> result;
   result.reserve(tree.links.size());
   for (const Link& link : tree.links) {
-    result.push_back(link.father == kGround ? 1 : result[static_cast<std::size_t>(link.father)] + 1);
+    result.push_back(link.father == kGround ? 1
+                                            : result[static_cast<std::size_t>(link.father)] + 1);
   }
   return result;
 }

@@ -1,4 +1,5 @@
-// A tree-structured robot as every later stage sees it: plain data that `description` has checked once.
+// A tree-structured robot as every later stage sees it: plain data that `description` has checked
+// once.
 #pragma once
 
 #include <array>
@@ -20,9 +21,9 @@ enum class JointType { kRevolute, kPrismatic };
 
 /// Mass properties of one link, everything fixed to it included.
 struct Inertia {
-  Real mass = 0;           ///< kg
-  Vector3 com{};           ///< centre of mass from the link's origin, link frame, m; zero if massless
-  Matrix3 about_com{};     ///< symmetric inertia tensor about the centre of mass, link frame, kg m^2
+  Real mass = 0;        ///< kg
+  Vector3 com{};        ///< centre of mass from the link's origin, link frame, m; zero if massless
+  Matrix3 about_com{};  ///< symmetric inertia tensor about the centre of mass, link frame, kg m^2
 };
 
 /// The joint of a link to its father, EQUATIONS.md 1.2: x_father = offset + rotation * x_joint.
@@ -30,16 +31,17 @@ struct Joint {
   std::string name;        ///< as the file writes it
   std::string identifier;  ///< a C++ identifier, unique among the joints
   JointType type = JointType::kRevolute;
-  Vector3 axis{};          ///< unit axis, joint frame (equals the link frame)
-  Vector3 offset{};        ///< joint origin in the father's link frame, m
-  Matrix3 rotation{};      ///< joint frame -> father's link frame at q = 0
+  Vector3 axis{};      ///< unit axis, joint frame (equals the link frame)
+  Vector3 offset{};    ///< joint origin in the father's link frame, m
+  Matrix3 rotation{};  ///< joint frame -> father's link frame at q = 0
   Location where;
 };
 
 /// A moving link. The link frame is the joint frame moved by the joint ("main frame").
 struct Link {
-  std::string name;        ///< as the file writes it
-  int father = kGround;    ///< index of the father, always smaller than the own index; kGround for roots
+  std::string name;  ///< as the file writes it
+  int father =
+      kGround;  ///< index of the father, always smaller than the own index; kGround for roots
   Joint joint;
   Inertia inertia;
   Location where;
@@ -48,9 +50,9 @@ struct Link {
 /// Any link frame of the file: moving, merged into a moving link, or fixed to the ground.
 struct Frame {
   std::string name;
-  int link = kGround;      ///< the moving link that carries it, or kGround
-  Matrix3 rotation{};      ///< frame -> carrying link's frame (base frame for ground)
-  Vector3 origin{};        ///< in the carrying link's frame, m
+  int link = kGround;  ///< the moving link that carries it, or kGround
+  Matrix3 rotation{};  ///< frame -> carrying link's frame (base frame for ground)
+  Vector3 origin{};    ///< in the carrying link's frame, m
 };
 
 /// A point whose position, Jacobian or force is asked for.
@@ -62,7 +64,8 @@ struct Point {
   Vector3 at{};            ///< in the carrying link's frame (base frame for ground), m
 };
 
-/// Joint coordinate i as a function of the independent coordinates u: q_i = multiplier * u[coordinate] + offset.
+/// Joint coordinate i as a function of the independent coordinates u: q_i = multiplier *
+/// u[coordinate] + offset.
 struct Drive {
   int coordinate = 0;
   Real multiplier = 1;
@@ -72,20 +75,21 @@ struct Drive {
 /// A constant that snapping replaced by an exact value.
 struct Snap {
   Location where;
-  std::string what;        ///< "joint 'elbow': rpy[0]"
-  std::string from;        ///< as written
-  std::string to;          ///< "pi/2"
-  Real change = 0;         ///< |exact - written|, rad or 1
+  std::string what;  ///< "joint 'elbow': rpy[0]"
+  std::string from;  ///< as written
+  std::string to;    ///< "pi/2"
+  Real change = 0;   ///< |exact - written|, rad or 1
 };
 
 struct Tree {
-  std::string name;        ///< as the file writes it
-  std::string identifier;  ///< a C++ identifier
-  std::vector<Link> links;     ///< fathers before sons; joint i is the joint of link i
-  std::vector<Drive> drives;   ///< one per link; identity unless mimic joints are reduced
-  std::vector<int> coordinates;  ///< the link whose joint is independent coordinate k (size: degrees of freedom)
-  std::vector<Frame> frames;   ///< every link of the file, in file order
-  std::vector<Point> points;   ///< the model's own named points, in file order
+  std::string name;           ///< as the file writes it
+  std::string identifier;     ///< a C++ identifier
+  std::vector<Link> links;    ///< fathers before sons; joint i is the joint of link i
+  std::vector<Drive> drives;  ///< one per link; identity unless mimic joints are reduced
+  std::vector<int>
+      coordinates;  ///< the link whose joint is independent coordinate k (size: degrees of freedom)
+  std::vector<Frame> frames;  ///< every link of the file, in file order
+  std::vector<Point> points;  ///< the model's own named points, in file order
   std::vector<Snap> snaps;
   std::vector<Warning> warnings;
 
@@ -99,7 +103,8 @@ std::vector<std::vector<int>> sons(const Tree& tree);
 /// Number of links on the path root..i, i included (1 for a root link), for every link.
 std::vector<int> depths(const Tree& tree);
 
-/// True iff `ancestor` is `link` or lies on its path to the ground: d_ij of the reachability matrix D.
+/// True iff `ancestor` is `link` or lies on its path to the ground: d_ij of the reachability matrix
+/// D.
 bool reaches(const Tree& tree, int link, int ancestor);
 
 }  // namespace treedyn::model

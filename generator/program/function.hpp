@@ -1,0 +1,53 @@
+// A function to be generated: its signature and, for every output element, an expression of the
+// inputs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "program/graph.hpp"
+
+namespace treedyn::program {
+
+/// An argument of a generated function: `const Scalar name[size]` or `Scalar name[size]`.
+struct Array {
+  std::string name;
+  int size = 0;
+  std::string unit;  ///< "rad|m"
+};
+
+/// What the header, the manifest and `treedyn list` say of a function.
+struct Signature {
+  std::string name;      ///< mass_matrix
+  std::string equation;  ///< (2)
+  std::string brief;     ///< "Joint-space inertia matrix A(q), row-major, symmetric."
+  std::vector<Array> inputs;
+  std::vector<Array> outputs;
+};
+
+/// \invariant `outputs` holds one value for each element of all output arrays, in order.
+struct Function {
+  Signature signature;
+  Graph graph;
+  std::vector<Ref> outputs;
+};
+
+/// Operations that one call executes, INTERFACE.md 5: a negation or a copy costs nothing.
+struct Cost {
+  int add = 0;
+  int mul = 0;
+  int div = 0;
+  int sqrt = 0;
+  int sin = 0;
+  int cos = 0;
+
+  /// add + mul + div, the number that PERFORMANCE.md compares.
+  [[nodiscard]] int total() const { return add + mul + div; }
+  bool operator==(const Cost&) const = default;
+};
+
+/// Every reachable node counts once. O(size of the graph).
+Cost cost(const Graph& graph, std::span<const Ref> outputs);
+inline Cost cost(const Function& function) { return cost(function.graph, function.outputs); }
+
+}  // namespace treedyn::program

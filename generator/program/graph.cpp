@@ -1,0 +1,175 @@
+#include "program/graph.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/error.hpp"
+
+namespace treedyn::program {
+
+namespace {
+
+/// Relative distance below which two constants are the same number, reached along two ways.
+const Real& same_constant() {
+  static const Real value("1e-38");
+  return value;
+}
+
+std::uint64_t pack(Ref a, Ref b) {
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
+         static_cast<std::uint64_t>(static_cast<std::uint32_t>(b));
+}
+
+}  // namespace
+
+Graph::Graph() : nodes_(1), hints_(1) {}
+
+Ref Graph::make(Kind kind, Ref a, Ref b) {
+  const auto [place, is_new] =
+      table_.try_emplace(Key{pack(a, b), kind}, static_cast<Ref>(nodes_.size()));
+  if (is_new) {
+    nodes_.push_back({kind, a, b});
+    hints_.push_back({nullptr, body_, nullptr});
+  }
+  return place->second;
+}
+
+Ref Graph::constant(const Real& value) {
+  if (value == 0) {
+    return 0;
+  }
+  const Real magnitude = abs(value);
+  const auto key = static_cast<double>(magnitude);
+  for (auto it = constant_table_.lower_bound(key * (1 - 1e-14));
+       it != constant_table_.end() && it->first <= key * (1 + 1e-14); ++it) {
+    const Real& known = constants_[static_cast<std::size_t>(node(it->second).a)];
+    if (abs(known - magnitude) <= magnitude * same_constant()) {
+      return value < 0 ? -it->second : it->second;
+    }
+  }
+  constants_.push_back(magnitude);
+  const Ref made = make(Kind::kConstant, static_cast<Ref>(constants_.size() - 1), 0);
+  constant_table_.emplace(key, made);
+  return value < 0 ? -made : made;
+}
+
+Ref Graph::input(int array, int element) { return make(Kind::kInput, array, element); }
+
+bool Graph::is_constant(Ref a) const { return a == 0 || node(a).kind == Kind::kConstant; }
+
+Real Graph::value(Ref a) const {
+  TREEDYN_EXPECT(is_constant(a));
+  if (a == 0) {
+    return 0;
+  }
+  const Real& magnitude = constants_[static_cast<std::size_t>(node(a).a)];
+  return a < 0 ? Real(-magnitude) : magnitude;
+}
+
+Ref Graph::add_constant(Ref sum, Ref constant) {
+  const Real a = value(sum);
+  const Real b = value(constant);
+  const Real total = a + b;
+  return negligible(total, std::max(Real(abs(a)), Real(abs(b)))) ? 0 : this->constant(total);
+}
+
+Ref Graph::add(Ref a, Ref b) {
+  if (a == 0 || b == 0) {
+    return a + b;
+  }
+  if (a == -b) {
+    return 0;
+  }
+  if (is_constant(a) && is_constant(b)) {
+    return add_constant(a, b);
+  }
+  if (std::abs(b) < std::abs(a)) {
+    std::swap(a, b);
+  }
+  return a < 0 ? -make(Kind::kAdd, -a, -b) : make(Kind::kAdd, a, b);
+}
+
+Ref Graph::multiply(Ref a, Ref b) {
+  if (a == 0 || b == 0) {
+    return 0;
+  }
+  const bool negative = (a < 0) != (b < 0);
+  a = std::abs(a);
+  b = std::abs(b);
+  if (is_constant(b)) {
+    std::swap(a, b);
+  }
+  Ref product = 0;
+  if (is_constant(a) && value(a) == 1) {
+    product = b;
+  } else if (is_constant(a) && is_constant(b)) {
+    product = constant(value(a) * value(b));
+  } else if (const Node& n = node(b);
+             is_constant(a) && n.kind == Kind::kMultiply && is_constant(n.a)) {
+    product = multiply(constant(value(a) * value(n.a)), n.b);  // c1 (c2 x) = (c1 c2) x
+  } else {
+    if (!is_constant(a) && b < a) {
+      std::swap(a, b);
+    }
+    product = make(Kind::kMultiply, a, b);
+  }
+  return negative ? -product : product;
+}
+
+Ref Graph::divide(Ref a, Ref b) {
+  TREEDYN_EXPECT(b != 0);
+  if (a == 0) {
+    return 0;
+  }
+  if (is_constant(b)) {
+    return multiply(a, constant(1 / value(b)));
+  }
+  const Ref quotient = make(Kind::kDivide, std::abs(a), std::abs(b));
+  return (a < 0) != (b < 0) ? -quotient : quotient;
+}
+
+Ref Graph::sin(Ref a) {
+  if (is_constant(a)) {
+    return constant(boost::multiprecision::sin(value(a)));
+  }
+  return a < 0 ? -make(Kind::kSin, -a, 0) : make(Kind::kSin, a, 0);
+}
+
+Ref Graph::cos(Ref a) {
+  if (is_constant(a)) {
+    return constant(boost::multiprecision::cos(value(a)));
+  }
+  return make(Kind::kCos, std::abs(a), 0);
+}
+
+Ref Graph::sqrt(Ref a) {
+  TREEDYN_EXPECT(a >= 0);
+  return is_constant(a) ? constant(boost::multiprecision::sqrt(value(a))) : make(Kind::kSqrt, a, 0);
+}
+
+void Graph::name(Ref a, const char* symbol, int body, const char* component) {
+  if (a == 0 || is_constant(a) || node(a).kind == Kind::kInput || hint(a).symbol != nullptr) {
+    return;
+  }
+  hints_[index(a)] = {symbol, body, component};
+}
+
+std::vector<Ref> reachable(const Graph& graph, std::span<const Ref> outputs) {
+  std::vector<bool> needed(graph.size(), false);
+  for (const Ref output : outputs) {
+    needed[static_cast<std::size_t>(std::abs(output))] = true;
+  }
+  std::vector<Ref> order;
+  for (std::size_t k = graph.size() - 1; k > 0; --k) {
+    if (needed[k]) {
+      order.push_back(static_cast<Ref>(k));
+      for_each_operand(graph.node(static_cast<Ref>(k)), [&](Ref operand) {
+        needed[static_cast<std::size_t>(std::abs(operand))] = true;
+      });
+    }
+  }
+  std::reverse(order.begin(), order.end());
+  return order;
+}
+
+}  // namespace treedyn::program

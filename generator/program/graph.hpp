@@ -1,0 +1,144 @@
+// Scalar expressions as a graph in which every value exists once.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "common/real.hpp"
+
+namespace treedyn::program {
+
+/// A value: 0 is the number zero, +k is node k, -k its negative. A sign is part of the use of a
+/// value and costs nothing.
+using Ref = std::int32_t;
+
+enum class Kind : std::uint8_t { kConstant, kInput, kAdd, kMultiply, kDivide, kSin, kCos, kSqrt };
+
+/// One node. kConstant: a = index of the (positive) constant. kInput: a = array, b = element.
+/// kAdd: a > 0, b of either sign. kMultiply, kDivide, kSin, kCos, kSqrt: operands positive, b
+/// unused by functions.
+struct Node {
+  Kind kind = Kind::kConstant;
+  Ref a = 0;
+  Ref b = 0;
+};
+
+/// How a reader of the generated code would call a value: symbol, body, component ("omega", 3,
+/// "x"). Pointers to string literals; nullptr: no name, a numbered temporary of the body.
+struct Hint {
+  const char* symbol = nullptr;
+  int body = -1;
+  const char* component = nullptr;
+};
+
+/// Grows by hash-consing: equal operations on equal operands are the same node, so shared
+/// subexpressions are shared from the start; zeros, ones and constant operations vanish here.
+///
+/// Node numbers are given in order of creation, therefore ascending order is a valid order of
+/// evaluation, and the same calls give the same graph on every run.
+class Graph {
+ public:
+  Graph();
+
+  Ref constant(const Real& value);
+  Ref input(int array, int element);
+  Ref add(Ref a, Ref b);
+  Ref multiply(Ref a, Ref b);
+  Ref divide(Ref a, Ref b);
+  Ref sin(Ref a);
+  Ref cos(Ref a);
+  Ref sqrt(Ref a);
+
+  [[nodiscard]] bool is_constant(Ref a) const;
+  /// \pre is_constant(a)
+  [[nodiscard]] Real value(Ref a) const;
+  [[nodiscard]] const Node& node(Ref a) const { return nodes_[index(a)]; }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+
+  /// Names the node behind `a` unless it has a name already; constants and inputs keep theirs.
+  void name(Ref a, const char* symbol, int body, const char* component = nullptr);
+  [[nodiscard]] const Hint& hint(Ref a) const { return hints_[index(a)]; }
+  void set_hint(Ref a, const Hint& hint) { hints_[index(a)] = hint; }
+  /// The body that new nodes belong to (temporaries are numbered per body).
+  void set_body(int body) { body_ = body; }
+
+ private:
+  static std::size_t index(Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
+  Ref make(Kind kind, Ref a, Ref b);
+  Ref add_constant(Ref sum, Ref constant);
+
+  struct Key {
+    std::uint64_t operands;
+    Kind kind;
+    bool operator==(const Key&) const = default;
+  };
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const {
+      std::uint64_t x = key.operands * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(key.kind);
+      x ^= x >> 29U;
+      return static_cast<std::size_t>(x * 0xBF58476D1CE4E5B9ULL);
+    }
+  };
+
+  std::vector<Node> nodes_;
+  std::vector<Hint> hints_;
+  std::vector<Real> constants_;
+  std::unordered_map<Key, Ref, KeyHash> table_;  // looked up, never iterated
+  std::multimap<double, Ref> constant_table_;
+  int body_ = -1;
+};
+
+/// Calls `visit(operand)` for every operand of a node that is itself a node.
+template <class Visit>
+void for_each_operand(const Node& node, Visit visit) {
+  if (node.kind == Kind::kConstant || node.kind == Kind::kInput) {
+    return;
+  }
+  visit(node.a);
+  if (node.b != 0) {
+    visit(node.b);
+  }
+}
+
+/// The nodes that `outputs` need, ascending: a valid order of evaluation.
+std::vector<Ref> reachable(const Graph& graph, std::span<const Ref> outputs);
+
+/// An expression with the operators of mathematics; a default-constructed one is zero.
+class Expr {
+ public:
+  Expr() = default;
+  Expr(Graph& graph, Ref ref) : graph_(&graph), ref_(ref) {}
+
+  [[nodiscard]] Ref ref() const { return ref_; }
+  [[nodiscard]] bool is_zero() const { return ref_ == 0; }
+  [[nodiscard]] bool is_constant() const { return ref_ == 0 || graph_->is_constant(ref_); }
+  [[nodiscard]] Real value() const { return ref_ == 0 ? Real(0) : graph_->value(ref_); }
+  bool operator==(const Expr& other) const { return ref_ == other.ref_; }
+
+  Expr operator-() const { return Expr(graph_, -ref_); }
+  friend Expr operator+(Expr a, Expr b) { return combine(a, b, a.ref_, b.ref_); }
+  friend Expr operator-(Expr a, Expr b) { return combine(a, b, a.ref_, -b.ref_); }
+  friend Expr operator*(Expr a, Expr b) {
+    return a.is_zero() || b.is_zero() ? Expr() : Expr(a.graph_, a.graph_->multiply(a.ref_, b.ref_));
+  }
+  friend Expr operator/(Expr a, Expr b) {
+    return a.is_zero() ? Expr() : Expr(a.graph_, a.graph_->divide(a.ref_, b.ref_));
+  }
+  Expr& operator+=(Expr other) { return *this = *this + other; }
+  Expr& operator-=(Expr other) { return *this = *this - other; }
+
+ private:
+  Expr(Graph* graph, Ref ref) : graph_(graph), ref_(ref) {}
+  static Expr combine(Expr a, Expr b, Ref x, Ref y) {
+    Graph* graph = a.graph_ != nullptr ? a.graph_ : b.graph_;
+    return x == 0 && y == 0 ? Expr() : Expr(graph, graph->add(x, y));
+  }
+
+  Graph* graph_ = nullptr;
+  Ref ref_ = 0;
+};
+
+}  // namespace treedyn::program

@@ -1,0 +1,32 @@
+// From a tree to the functions of INTERFACE.md 3: equations (2)-(11), simplified by the sparsity of D.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/tree.hpp"
+#include "program/function.hpp"
+
+namespace treedyn::simplify {
+
+enum class ForwardDynamics { kCheapest, kFactor, kArticulated };
+
+struct Options {
+  model::Vector3 gravity{};            ///< m/s^2, base frame
+  std::vector<model::Point> points;    ///< in the order of the generated arrays
+  int effort = 1000;                   ///< moves of the variant search per function; 0: none
+  ForwardDynamics forward_dynamics = ForwardDynamics::kCheapest;
+};
+
+/// The functions that can be generated, in the order of INTERFACE.md 3.
+const std::vector<std::string>& function_names();
+
+/// Name, equation, arguments and units of a function, before any expression is built.
+/// \pre `name` is one of function_names().
+program::Signature signature(const std::string& name, int dof, int points);
+
+/// The cheapest formulation found; deterministic.
+/// \pre `name` is one of function_names().
+program::Function formulate(const model::Tree& tree, const std::string& name, const Options& options);
+
+}  // namespace treedyn::simplify
