@@ -1,4 +1,5 @@
-// From a tree to the functions of INTERFACE.md 3: equations (2)-(11), simplified by the sparsity of D.
+// From a tree to the functions of INTERFACE.md 3: equations (2)-(11), simplified by the sparsity of
+// D.
 #pragma once
 
 #include <string>
@@ -12,9 +13,9 @@ namespace treedyn::simplify {
 enum class ForwardDynamics { kCheapest, kFactor, kArticulated };
 
 struct Options {
-  model::Vector3 gravity{};            ///< m/s^2, base frame
-  std::vector<model::Point> points;    ///< in the order of the generated arrays
-  int effort = 1000;                   ///< moves of the variant search per function; 0: none
+  model::Vector3 gravity{};          ///< m/s^2, base frame
+  std::vector<model::Point> points;  ///< in the order of the generated arrays
+  int effort = 1000;                 ///< moves of the variant search per function; 0: none
   ForwardDynamics forward_dynamics = ForwardDynamics::kCheapest;
 };
 
@@ -27,6 +28,7 @@ program::Signature signature(const std::string& name, int dof, int points);
 
 /// The cheapest formulation found; deterministic.
 /// \pre `name` is one of function_names().
-program::Function formulate(const model::Tree& tree, const std::string& name, const Options& options);
+program::Function formulate(const model::Tree& tree, const std::string& name,
+                            const Options& options);
 
 }  // namespace treedyn::simplify

@@ -1,0 +1,40 @@
+#include "simplify/formulate.hpp"
+
+#include "common/error.hpp"
+#include "simplify/functions.hpp"
+#include "simplify/search.hpp"
+
+namespace treedyn::simplify {
+
+const std::vector<std::string>& function_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const Recipe& recipe : recipes()) {
+      result.emplace_back(recipe.name);
+    }
+    return result;
+  }();
+  return names;
+}
+
+program::Signature signature(const std::string& name, int dof, int points) {
+  const Recipe& recipe = recipe_of(name);
+  const auto arrays = [&](const std::vector<Argument>& arguments) {
+    std::vector<program::Array> result;
+    for (const Argument& argument : arguments) {
+      result.push_back({argument.name, argument.size(dof, points), argument.unit});
+    }
+    return result;
+  };
+  return {recipe.name, recipe.equation, recipe.brief, arrays(recipe.inputs),
+          arrays(recipe.outputs)};
+}
+
+program::Function formulate(const model::Tree& tree, const std::string& name,
+                            const Options& options) {
+  program::Function function = cheapest(tree, recipe_of(name), options);
+  function.signature = signature(name, tree.dof(), static_cast<int>(options.points.size()));
+  return function;
+}
+
+}  // namespace treedyn::simplify

@@ -1,0 +1,398 @@
+#include "simplify/frames.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace treedyn::simplify {
+
+namespace {
+
+const Real kTiny("1e-40");
+
+/// The tree while frames and parameters are being chosen. Every operation changes the description,
+/// not the robot.
+class Workbench {
+ public:
+  Workbench(const model::Tree& tree, const Vector3& gravity, const Variant& variant);
+  NormalTree run();
+
+ private:
+  [[nodiscard]] std::size_t size() const { return tree_.links.size(); }
+  NormalLink& link(int i) { return tree_.links[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const LinkVariant& choice(int i) const {
+    return variant_.links[static_cast<std::size_t>(i)];
+  }
+
+  void turn_half(int i);
+  void slide(int i, const Real& distance);
+  void turn(int i, const Turn& turn);
+  void scale_lengths(const Real& unit);
+  void regroup(int i);
+  void move_to_father(int i, const Real& mass, const Real& moment, const Real& pseudo);
+
+  [[nodiscard]] std::optional<Real> slide_distance(int i);
+  [[nodiscard]] Turn frame_turn(int i);
+  [[nodiscard]] Turn turn_to_son(int i);
+  void clean_constants();
+
+  const model::Tree& model_;
+  const Variant& variant_;
+  NormalTree tree_;
+};
+
+/// A rotation whose third column is `axis`; a relabelling of axes if `axis` is one of them.
+Matrix3 frame_with_z(const Vector3& axis, int& sign) {
+  sign = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (abs(abs(axis[k]) - 1) < kTiny) {
+      sign = axis[k] < 0 ? -1 : 1;
+      Matrix3 relabel{};
+      for (std::size_t column = 0; column < 3; ++column) {
+        relabel[3 * ((k + 1 + column) % 3) + column] = 1;
+      }
+      return relabel;
+    }
+  }
+  const auto largest = static_cast<std::size_t>(
+      std::max_element(axis.begin(), axis.end(),
+                       [](const Real& a, const Real& b) { return abs(a) < abs(b); }) -
+      axis.begin());
+  Vector3 helper{};
+  helper[(largest + 1) % 3] = 1;
+  Vector3 x = cross(helper, axis);
+  x = Real(1 / sqrt(dot(x, x))) * x;
+  const Vector3 y = cross(axis, x);
+  return {x[0], y[0], axis[0], x[1], y[1], axis[1], x[2], y[2], axis[2]};
+}
+
+/// E = tr(J)/2 - J about the origin, from the tensor about the centre of mass.
+Matrix3 pseudo_inertia(const model::Inertia& inertia) {
+  const Matrix3& j = inertia.about_com;
+  const Real half_trace = (j[0] + j[4] + j[8]) / 2;
+  return half_trace * identity() - j + inertia.mass * outer(inertia.com, inertia.com);
+}
+
+Workbench::Workbench(const model::Tree& tree, const Vector3& gravity, const Variant& variant)
+    : model_(tree), variant_(variant) {
+  tree_.gravity = gravity;
+  std::vector<Matrix3> frame;  // normal frame -> original link frame
+  for (int i = 0; i < tree.size(); ++i) {
+    const model::Link& source = tree.links[static_cast<std::size_t>(i)];
+    NormalLink made;
+    made.father = source.father;
+    made.revolute = source.joint.type == model::JointType::kRevolute;
+    const Matrix3 p = frame_with_z(source.joint.axis, made.sign);
+    const bool root = source.father == model::kGround;
+    const Matrix3 father = root ? identity() : frame[static_cast<std::size_t>(source.father)];
+    made.rotation = clean(multiply(multiply(transpose(father), source.joint.rotation), p));
+    made.offset = multiply_transposed(father, source.joint.offset);
+    made.mass = source.inertia.mass;
+    made.moment = multiply_transposed(p, source.inertia.mass * source.inertia.com);
+    made.pseudo = congruence(transpose(p), pseudo_inertia(source.inertia));
+    made.to_normal = transpose(p);
+    frame.push_back(p);
+    if (!root) {
+      link(source.father).sons.push_back(i);
+    }
+    tree_.links.push_back(made);
+  }
+}
+
+/// Rotates the frame of link i by `t` about its own axis.
+void Workbench::turn(int i, const Turn& t) {
+  if (t.is_identity()) {
+    return;
+  }
+  NormalLink& l = link(i);
+  const Matrix3 q = about_z(t);
+  l.rotation = clean(multiply(l.rotation, q));
+  l.moment = multiply_transposed(q, l.moment);
+  l.pseudo = congruence(transpose(q), l.pseudo);
+  l.to_normal = multiply(transpose(q), l.to_normal);
+  for (const int son : l.sons) {
+    link(son).rotation = clean(multiply(transpose(q), link(son).rotation));
+    link(son).offset = multiply_transposed(q, link(son).offset);
+  }
+}
+
+/// Turns the frame of link i by pi about x: its axis then points the other way.
+void Workbench::turn_half(int i) {
+  NormalLink& l = link(i);
+  const Matrix3 q = {1, 0, 0, 0, -1, 0, 0, 0, -1};
+  l.rotation = clean(multiply(l.rotation, q));
+  l.moment = multiply(q, l.moment);
+  l.pseudo = congruence(q, l.pseudo);
+  l.to_normal = multiply(q, l.to_normal);
+  l.sign = -l.sign;
+  for (const int son : l.sons) {
+    link(son).rotation = clean(multiply(q, link(son).rotation));
+    link(son).offset = multiply(q, link(son).offset);
+  }
+}
+
+/// Moves the origin of revolute link i by `distance` along its axis.
+void Workbench::slide(int i, const Real& distance) {
+  if (distance == 0) {
+    return;
+  }
+  NormalLink& l = link(i);
+  const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
+  l.offset = l.offset + distance * z;
+  const Vector3 r = {0, 0, -distance};  // the old origin seen from the new one
+  l.origin = l.origin + multiply_transposed(l.to_normal, Vector3{0, 0, distance});
+  l.pseudo = l.pseudo + outer(r, l.moment) + outer(l.moment, r) + l.mass * outer(r, r);
+  l.moment = l.moment + l.mass * r;
+  for (const int son : l.sons) {
+    link(son).offset = link(son).offset + r;
+  }
+}
+
+/// Distance along z_i to the foot of the common normal with the father's axis.
+Real foot_to_father(const NormalLink& l) {
+  const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
+  const Real sine2 = z[0] * z[0] + z[1] * z[1];
+  if (sine2 < kTiny) {
+    return -l.offset[2] / z[2];
+  }
+  return -(l.offset[0] * z[0] + l.offset[1] * z[1]) / sine2;
+}
+
+/// Distance along the father's z axis to the foot of the common normal with the axis of its son
+/// `l`.
+Real foot_on_father(const NormalLink& l) {
+  const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
+  const Real sine2 = z[0] * z[0] + z[1] * z[1];
+  return sine2 < kTiny ? l.offset[2] : l.offset[2] + foot_to_father(l) * z[2];
+}
+
+std::optional<Real> Workbench::slide_distance(int i) {
+  const NormalLink& l = link(i);
+  const bool root = l.father == model::kGround;
+  Slide slide = choice(i).slide;
+  if (slide == Slide::kAuto) {
+    const bool massless_inside = l.mass == 0 && !l.sons.empty();
+    slide = root ? Slide::kSon : massless_inside ? Slide::kNone : Slide::kFather;
+  }
+  if (slide == Slide::kFather && !root) {
+    return foot_to_father(l);
+  }
+  if (slide == Slide::kSon && !l.sons.empty()) {
+    return foot_on_father(link(l.sons.front()));
+  }
+  return std::nullopt;
+}
+
+/// x along the common normal with the first son's axis (parallel axes: towards its origin).
+Turn Workbench::turn_to_son(int i) {
+  const NormalLink& son = link(link(i).sons.front());
+  const EulerZxz euler = euler_zxz(son.rotation);
+  return euler.alpha.s == 0 ? turn_to(son.offset[0], son.offset[1]) : euler.gamma;
+}
+
+Turn Workbench::frame_turn(int i) {
+  const NormalLink& l = link(i);
+  FrameAngle angle = choice(i).angle;
+  if (angle == FrameAngle::kAuto) {
+    if (!l.sons.empty()) {
+      return turn_to_son(i);
+    }
+    angle = FrameAngle::kFirstMoment;
+  }
+  const Matrix3& e = l.pseudo;
+  switch (angle) {
+    case FrameAngle::kFirstMoment:
+      return turn_to(l.moment[0], l.moment[1]);
+    case FrameAngle::kProductXy: {
+      const Turn twice = turn_to(e[0] - e[4], 2 * e[1]);
+      return turn_by(angle_of(twice) / 2);
+    }
+    default:
+      return turn_to(e[2], e[5]);
+  }
+}
+
+/// Moves mass at the origin, first moment along z and E_zz from revolute link i to its father:
+/// exact, because the joint cannot feel them (EQUATIONS.md 8).
+void Workbench::move_to_father(int i, const Real& mass, const Real& moment, const Real& pseudo) {
+  NormalLink& l = link(i);
+  l.mass -= mass;
+  l.moment[2] -= moment;
+  l.pseudo[8] -= pseudo;
+  const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
+  const Vector3 h = moment * z;
+  const Vector3 received = h + mass * l.offset;
+  if (l.father == model::kGround) {
+    tree_.ground_moment = tree_.ground_moment + received;
+    return;
+  }
+  NormalLink& f = link(l.father);
+  const Vector3& r = l.offset;
+  f.pseudo = f.pseudo + pseudo * outer(z, z) + outer(r, h) + outer(h, r) + mass * outer(r, r);
+  f.moment = f.moment + received;
+  f.mass += mass;
+}
+
+void Workbench::regroup(int i) {
+  const LinkVariant& how = choice(i);
+  NormalLink& l = link(i);
+  if (!l.revolute || how.mass == MassGauge::kNothing) {
+    return;
+  }
+  Real mass = l.mass;
+  const Real moment = l.moment[2];
+  if (how.mass == MassGauge::kKeepMass) {
+    mass = 0;
+  } else if (how.mass != MassGauge::kAll && l.father != model::kGround) {
+    const auto axis =
+        static_cast<std::size_t>(how.mass) - static_cast<std::size_t>(MassGauge::kCancelX);
+    if (abs(l.offset[axis]) > kTiny) {
+      const Real present = link(l.father).moment[axis] + l.rotation[3 * axis + 2] * moment;
+      mass = -present / l.offset[axis];
+    }
+  }
+  Real pseudo = l.pseudo[8];
+  switch (how.tensor) {
+    case TensorGauge::kZz:
+      break;
+    case TensorGauge::kZzPlusXx:
+      pseudo += l.pseudo[0];
+      break;
+    case TensorGauge::kZzPlusYy:
+      pseudo += l.pseudo[4];
+      break;
+    case TensorGauge::kKeep:
+      pseudo = 0;
+      break;
+  }
+  move_to_father(i, mass, moment, pseudo);
+}
+
+void Workbench::scale_lengths(const Real& unit) {
+  tree_.unit = unit;
+  tree_.gravity = Real(1 / unit) * tree_.gravity;
+  for (NormalLink& l : tree_.links) {
+    l.offset = Real(1 / unit) * l.offset;
+    l.moment = unit * l.moment;
+    l.mass *= unit * unit;
+  }
+}
+
+/// Zeroes what rounding at 50 digits left of exact cancellations.
+void Workbench::clean_constants() {
+  Real mass = 0;
+  Real moment = 0;
+  Real pseudo = 0;
+  Real offset = 0;
+  const auto raise = [](Real& bound, const auto& values) {
+    for (const Real& value : values) {
+      bound = std::max(bound, Real(abs(value)));
+    }
+  };
+  for (const NormalLink& l : tree_.links) {
+    mass = std::max(mass, Real(abs(l.mass)));
+    raise(moment, l.moment);
+    raise(pseudo, l.pseudo);
+    raise(offset, l.offset);
+  }
+  const auto drop = [](auto& values, const Real& bound) {
+    for (Real& value : values) {
+      value = negligible(value, bound) ? Real(0) : value;
+    }
+  };
+  for (NormalLink& l : tree_.links) {
+    l.mass = negligible(l.mass, mass) ? Real(0) : l.mass;
+    drop(l.moment, moment);
+    drop(l.pseudo, pseudo);
+    drop(l.offset, offset);
+  }
+}
+
+NormalTree Workbench::run() {
+  const int n = static_cast<int>(size());
+  for (int i = 0; i < n; ++i) {
+    if (link(i).father != model::kGround && link(i).rotation[8] == -1) {
+      turn_half(i);
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    if (link(i).revolute) {
+      if (const std::optional<Real> distance = slide_distance(i)) {
+        slide(i, *distance);
+      }
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    if (link(i).revolute) {
+      turn(i, frame_turn(i));
+    }
+  }
+  clean_constants();
+  if (variant_.unit_length > 0) {
+    scale_lengths(unit_lengths(model_)[static_cast<std::size_t>(variant_.unit_length - 1)]);
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    regroup(i);
+  }
+  clean_constants();
+  for (NormalLink& l : tree_.links) {
+    l.euler = euler_zxz(l.rotation);
+  }
+  return std::move(tree_);
+}
+
+}  // namespace
+
+NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Variant& variant) {
+  return Workbench(tree, gravity, variant).run();
+}
+
+std::vector<Real> unit_lengths(const model::Tree& tree) {
+  std::vector<Real> lengths;
+  for (const model::Link& link : tree.links) {
+    if (link.joint.type == model::JointType::kPrismatic) {
+      return {};
+    }
+  }
+  Variant plain;
+  plain.links.resize(tree.links.size());
+  for (const NormalLink& link : normal_form(tree, {}, plain).links) {
+    for (const Real& component : link.offset) {
+      const Real length = abs(component);
+      const bool known = std::any_of(lengths.begin(), lengths.end(), [&](const Real& other) {
+        return abs(other - length) < Real("1e-9") * length;
+      });
+      if (length > Real("1e-9") && !known) {
+        lengths.push_back(length);
+      }
+    }
+  }
+  std::sort(lengths.begin(), lengths.end());
+  return lengths;
+}
+
+bool has_free_base(const model::Tree& tree) {
+  if (tree.size() < 7) {
+    return false;
+  }
+  const auto link = [&](int i) -> const model::Link& {
+    return tree.links[static_cast<std::size_t>(i)];
+  };
+  for (int i = 0; i < 6; ++i) {
+    const model::Link& l = link(i);
+    const auto type = i < 3 ? model::JointType::kPrismatic : model::JointType::kRevolute;
+    const bool at_origin = l.joint.offset == Vector3{};
+    const bool massless = l.inertia.mass == 0 && l.inertia.about_com == Matrix3{};
+    if (l.father != i - 1 || l.joint.type != type || !(at_origin || i == 0) ||
+        (i < 5 && !massless)) {
+      return false;
+    }
+  }
+  for (int i = 6; i < tree.size(); ++i) {
+    if (link(i).father < 5) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace treedyn::simplify

@@ -1,0 +1,63 @@
+// The table of functions that can be generated: signature and formulation of each (INTERFACE.md 3).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simplify/formulate.hpp"
+#include "simplify/kinematics.hpp"
+
+namespace treedyn::simplify {
+
+/// An argument whose size is factor * N^n * P^p.
+struct Argument {
+  const char* name;
+  int factor;
+  int power_of_dof;
+  int power_of_points;
+  const char* unit;
+
+  [[nodiscard]] int size(int dof, int points) const;
+};
+
+/// Everything a formulation may look at.
+struct Task {
+  const model::Tree& tree;
+  const NormalTree& normal;
+  const Options& options;
+  const Kinematics& kinematics;
+};
+
+/// Which choices of a Variant can change the cost of a function.
+struct Freedom {
+  bool regrouping = false;   ///< inertial parameters may move to the father
+  bool moment_form = false;  ///< velocities and link moments occur
+  bool tensor_form = false;  ///< composite bodies occur
+  bool trunk = false;        ///< a free base may be treated as one body
+  bool articulated = false;  ///< two methods exist
+};
+
+struct Recipe {
+  const char* name;
+  const char* equation;
+  const char* brief;
+  std::vector<Argument> inputs;
+  std::vector<Argument> outputs;
+  Inputs places;  ///< which of `inputs` are q, qd, qdd, tau
+  Freedom freedom;
+  std::vector<Expr> (*build)(const Task& task);
+};
+
+/// In the order of INTERFACE.md 3.
+const std::vector<Recipe>& recipes();
+/// \pre `name` is in the table.
+const Recipe& recipe_of(const std::string& name);
+
+/// One formulation of a function, as it comes from the equations: no algebraic pass has run.
+program::Function build(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                        const Variant& variant);
+
+/// The variant before any search.
+Variant plain_variant(const model::Tree& tree);
+
+}  // namespace treedyn::simplify

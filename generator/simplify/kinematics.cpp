@@ -1,0 +1,329 @@
+#include "simplify/kinematics.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace treedyn::simplify {
+
+namespace {
+
+constexpr std::size_t kX = 0;
+constexpr std::size_t kZ = 2;
+
+Angle combine(const Angle& a, const Angle& b, int sign) {
+  std::map<int, Real> terms(a.terms.begin(), a.terms.end());
+  for (const auto& [coordinate, coefficient] : b.terms) {
+    terms[coordinate] += sign * coefficient;
+  }
+  Angle result;
+  for (const auto& [coordinate, coefficient] : terms) {
+    if (coefficient != 0) {
+      result.terms.emplace_back(coordinate, coefficient);
+    }
+  }
+  result.turn = a.turn * (sign > 0 ? b.turn : b.turn.inverse());
+  return result;
+}
+
+Angle constant_angle(const Turn& turn) { return {{}, turn}; }
+
+/// Turns (c, s) by multiples of pi/2: cos(x + k pi/2), sin(x + k pi/2).
+std::pair<Expr, Expr> quarter_turned(Expr c, Expr s, const Turn& quarter) {
+  if (quarter.s == 0) {
+    return quarter.c > 0 ? std::pair(c, s) : std::pair(-c, -s);
+  }
+  return quarter.s > 0 ? std::pair(-s, c) : std::pair(s, -c);
+}
+
+}  // namespace
+
+Angle operator+(const Angle& a, const Angle& b) { return combine(a, b, 1); }
+Angle operator-(const Angle& a, const Angle& b) { return combine(a, b, -1); }
+
+Vec3 PlaneRotation::forward(const Vec3& v) const {
+  const std::size_t i = (axis + 1) % 3;
+  const std::size_t j = (axis + 2) % 3;
+  Vec3 r = v;
+  r[i] = c * v[i] - s * v[j];
+  r[j] = s * v[i] + c * v[j];
+  return r;
+}
+
+Vec3 PlaneRotation::backward(const Vec3& v) const { return PlaneRotation{axis, c, -s}.forward(v); }
+
+Mat3 PlaneRotation::forward_symmetric(const Mat3& a) const {
+  const std::size_t i = (axis + 1) % 3;
+  const std::size_t j = (axis + 2) % 3;
+  Mat3 r = a;
+  const Expr xx = a[i][i];
+  const Expr yy = a[j][j];
+  const Expr xy = a[i][j];
+  if (s.is_zero()) {
+    // a half turn leaves the block as it is
+  } else if (c.is_zero()) {
+    r[i][i] = yy;
+    r[j][j] = xx;
+    r[i][j] = r[j][i] = -xy;
+  } else {
+    const Expr two_c_xy = xy.is_constant() ? c * (xy + xy) : (c + c) * xy;
+    const Expr u = s * (xx - yy) + two_c_xy;
+    const Expr t = s * u;
+    r[i][i] = xx - t;
+    r[j][j] = yy + t;
+    r[i][j] = r[j][i] = c * u - xy;
+  }
+  const Vec3 off = forward(column(a, axis));
+  r[i][axis] = r[axis][i] = off[i];
+  r[j][axis] = r[axis][j] = off[j];
+  return r;
+}
+
+Mat3 PlaneRotation::forward_general(const Mat3& h) const {
+  const std::size_t i = (axis + 1) % 3;
+  const std::size_t j = (axis + 2) % 3;
+  Mat3 r = h;
+  if (c.is_zero()) {
+    r[i][i] = h[j][j];
+    r[j][j] = h[i][i];
+    r[i][j] = -h[j][i];
+    r[j][i] = -h[i][j];
+  } else if (!s.is_zero()) {
+    const Expr u = s * (h[i][i] - h[j][j]) + c * (h[i][j] + h[j][i]);
+    const Expr t = s * u;
+    const Expr cu = c * u;
+    r[i][i] = h[i][i] - t;
+    r[j][j] = h[j][j] + t;
+    r[i][j] = cu - h[j][i];
+    r[j][i] = cu - h[i][j];
+  }
+  const Vec3 last_column = forward(column(h, axis));
+  const Vec3 last_row = forward(h[axis]);
+  for (const std::size_t k : {i, j}) {
+    r[k][axis] = last_column[k];
+    r[axis][k] = last_row[k];
+  }
+  return r;
+}
+
+Kinematics::Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& normal,
+                       const Variant& variant, const Inputs& inputs)
+    : graph_(graph), tree_(tree), normal_(normal), variant_(variant), inputs_(inputs) {
+  find_runs();
+  place_frames();
+  for (int i = 0; i < size(); ++i) {
+    place_link(i);
+  }
+}
+
+Expr Kinematics::coordinate(int array, int k) const { return {graph_, graph_.input(array, k)}; }
+
+Expr Kinematics::rate(int i, int array) const {
+  if (array < 0) {
+    return {};
+  }
+  const model::Drive& drive = tree_.drives[index(i)];
+  return constant(graph_, link(i).sign * drive.multiplier) * coordinate(array, drive.coordinate);
+}
+
+Expr Kinematics::force(int i) const {
+  const Expr tau = coordinate(inputs_.tau, tree_.drives[index(i)].coordinate);
+  return link(i).sign > 0 ? tau : -tau;
+}
+
+Expr Kinematics::slide(int i) const {
+  const model::Drive& drive = tree_.drives[index(i)];
+  const Expr q = constant(graph_, drive.multiplier) * coordinate(inputs_.q, drive.coordinate) +
+                 constant(graph_, drive.offset);
+  return link(i).sign > 0 ? q : -q;
+}
+
+Angle Kinematics::joint_angle(int i) const {
+  if (!link(i).revolute) {
+    return {};
+  }
+  const model::Drive& drive = tree_.drives[index(i)];
+  const Turn offset = drive.offset == 0 ? Turn{} : turn_by(link(i).sign * drive.offset);
+  if (drive.multiplier == 0) {
+    return constant_angle(offset);
+  }
+  return {{{drive.coordinate, link(i).sign * drive.multiplier}}, offset};
+}
+
+std::pair<Expr, Expr> Kinematics::cosine_and_sine(const Angle& angle) const {
+  const Turn& turn = angle.turn;
+  if (angle.terms.empty()) {
+    return {constant(graph_, turn.c), constant(graph_, turn.s)};
+  }
+  const int flip = angle.terms.front().second > 0 ? 1 : -1;  // first coefficient positive
+  Expr sum;
+  for (const auto& [k, coefficient] : angle.terms) {
+    sum += constant(graph_, flip * coefficient) * coordinate(inputs_.q, k);
+  }
+  const Turn quarter = turn.is_quarter() ? turn : Turn{};
+  if (!turn.is_quarter()) {
+    sum += constant(graph_, flip * angle_of(turn));
+  }
+  const Expr c(graph_, graph_.cos(sum.ref()));
+  const Expr s(graph_, graph_.sin(sum.ref()));
+  return quarter_turned(c, flip > 0 ? s : -s, quarter);
+}
+
+void Kinematics::append(std::vector<PlaneRotation>& steps, std::size_t axis,
+                        const Angle& angle) const {
+  if (angle.terms.empty() && angle.turn.is_identity()) {
+    return;
+  }
+  const auto [c, s] = cosine_and_sine(angle);
+  steps.push_back({axis, c, s});
+}
+
+void Kinematics::find_runs() {
+  head_.assign(index(size()), -1);
+  run_.resize(index(size()));
+  std::vector<bool> continued(index(size()), false);
+  for (int i = 0; i < size(); ++i) {
+    const int f = link(i).father;
+    if (!link(i).revolute) {
+      continue;
+    }
+    const bool parallel =
+        f != model::kGround && link(f).revolute && link(i).euler.alpha.is_identity();
+    if (parallel && choice(i).merge_parallel && !continued[index(f)]) {
+      continued[index(f)] = true;
+      head_[index(i)] = head_[index(f)];
+    } else {
+      head_[index(i)] = i;
+    }
+    run_[index(head_[index(i)])].push_back(i);
+  }
+}
+
+/// The frame of a run follows the first `cut` turns; the other links are turned against it by
+/// frame_angle_.
+void Kinematics::place_frames() {
+  frame_angle_.resize(index(size()));
+  run_angle_.resize(index(size()));
+  for (int head = 0; head < size(); ++head) {
+    const std::vector<int>& members = run_[index(head)];
+    std::vector<Angle> cumulated = {Angle{}};
+    for (const int i : members) {
+      Angle angle = joint_angle(i) + constant_angle(link(i).euler.epsilon);
+      if (i != head) {
+        angle = angle + constant_angle(link(i).euler.gamma);
+      }
+      cumulated.push_back(cumulated.back() + angle);
+    }
+    const std::size_t cut = std::min<std::size_t>(choice(head).cut, members.size());
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      frame_angle_[index(members[k])] = cumulated[k + 1] - cumulated[cut];
+    }
+    run_angle_[index(head)] = cumulated[cut];
+  }
+}
+
+void Kinematics::place_link(int i) {
+  const NormalLink& l = link(i);
+  const Angle father_angle = l.father == model::kGround ? Angle{} : frame_angle_[index(l.father)];
+  graph_.set_body(i);
+  Vec3 s = constant(graph_, l.offset);
+  std::vector<PlaneRotation> to_frame;
+  append(to_frame, kZ, father_angle);
+  for (const PlaneRotation& step : to_frame) {
+    s = step.forward(s);
+  }
+  std::vector<PlaneRotation> steps;
+  if (!shares_frame(i)) {
+    const Angle last = l.revolute ? run_angle_[index(i)] : constant_angle(l.euler.epsilon);
+    const Angle first = father_angle + constant_angle(l.euler.gamma);
+    if (l.euler.alpha.is_identity()) {
+      append(steps, kZ, first + last);
+    } else {
+      append(steps, kZ, first);
+      append(steps, kX, constant_angle(l.euler.alpha));
+      append(steps, kZ, last);
+    }
+  }
+  rotations_.push_back(std::move(steps));
+  if (!l.revolute) {
+    s = s + slide(i) * axis_in_father(i);
+  }
+  name(graph_, s, "s", i);
+  offset_.push_back(s);
+}
+
+Vec3 Kinematics::axis_in_father(int i) const {
+  return to_father(i, {Expr(), Expr(), constant(graph_, Real(1))});
+}
+
+Vec3 Kinematics::to_father(int i, Vec3 v) const {
+  const auto& steps = rotations_[index(i)];
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    v = step->forward(v);
+  }
+  return v;
+}
+
+Vec3 Kinematics::from_father(int i, Vec3 v) const {
+  for (const PlaneRotation& step : rotations_[index(i)]) {
+    v = step.backward(v);
+  }
+  return v;
+}
+
+Mat3 Kinematics::to_father_symmetric(int i, Mat3 s) const {
+  const auto& steps = rotations_[index(i)];
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    s = step->forward_symmetric(s);
+  }
+  return s;
+}
+
+Mat3 Kinematics::to_father_general(int i, Mat3 h) const {
+  const auto& steps = rotations_[index(i)];
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    h = step->forward_general(h);
+  }
+  return h;
+}
+
+Vec3 Kinematics::ground_acceleration() const { return -constant(graph_, normal_.gravity); }
+
+Kinematics::Body Kinematics::body(int i) const {
+  const NormalLink& l = link(i);
+  Body body{constant(graph_, l.mass), constant(graph_, l.moment), constant(graph_, l.pseudo)};
+  std::vector<PlaneRotation> steps;
+  append(steps, kZ, frame_angle_[index(i)]);
+  for (const PlaneRotation& step : steps) {
+    body.moment = step.forward(body.moment);
+    body.pseudo = step.forward_symmetric(body.pseudo);
+  }
+  return body;
+}
+
+Vec3 Kinematics::point(int i, const Vector3& at) const {
+  const NormalLink& l = link(i);
+  Vec3 v = constant(graph_, Real(1 / normal_.unit) * multiply(l.to_normal, at - l.origin));
+  std::vector<PlaneRotation> steps;
+  append(steps, kZ, frame_angle_[index(i)]);
+  for (const PlaneRotation& step : steps) {
+    v = step.forward(v);
+  }
+  return v;
+}
+
+Mat3 Kinematics::orientation(int i) const {
+  Mat3 m = constant(graph_, link(i).to_normal);
+  std::vector<PlaneRotation> steps;
+  append(steps, kZ, frame_angle_[index(i)]);
+  for (const PlaneRotation& step : steps) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 v = step.forward(column(m, k));
+      m[0][k] = v[0];
+      m[1][k] = v[1];
+      m[2][k] = v[2];
+    }
+  }
+  return m;
+}
+
+}  // namespace treedyn::simplify

@@ -1,0 +1,123 @@
+// Expression frames: the frames in which the recursions of EQUATIONS.md 7 are written down.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "simplify/frames.hpp"
+#include "simplify/spatial.hpp"
+
+namespace treedyn::simplify {
+
+/// A joint angle or a sum of such, plus a constant turn: sum of coefficient * u[coordinate] + turn.
+struct Angle {
+  std::vector<std::pair<int, Real>> terms;  ///< ascending coordinates, coefficients not zero
+  Turn turn;
+};
+Angle operator+(const Angle& a, const Angle& b);
+Angle operator-(const Angle& a, const Angle& b);
+
+/// One plane rotation about the x (axis 0) or z (axis 2) axis.
+struct PlaneRotation {
+  std::size_t axis = 2;
+  Expr c;
+  Expr s;
+
+  [[nodiscard]] Vec3 forward(const Vec3& v) const;   ///< R v
+  [[nodiscard]] Vec3 backward(const Vec3& v) const;  ///< R^T v
+  /// R S R^T for symmetric S with u = s d + 2 c xy, t = s u: 4 multiplications instead of 10.
+  [[nodiscard]] Mat3 forward_symmetric(const Mat3& s) const;
+  /// R H R^T for general H.
+  [[nodiscard]] Mat3 forward_general(const Mat3& h) const;
+};
+
+/// Where the inputs of a function stand: the array numbers of q, qd, qdd, tau; -1: not an input
+/// (zero).
+struct Inputs {
+  int q = 0;
+  int qd = -1;
+  int qdd = -1;
+  int tau = -1;
+};
+
+/// The kinematics of a tree in expression frames.
+///
+/// A run of parallel axes shares one frame, which carries the sum of the angles up to the run's
+/// `cut`; so the rotation between a link and its father is at most one compound rotation, and none
+/// inside a run.
+class Kinematics {
+ public:
+  Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& normal,
+             const Variant& variant, const Inputs& inputs);
+
+  [[nodiscard]] int size() const { return static_cast<int>(normal_.links.size()); }
+  [[nodiscard]] const NormalLink& link(int i) const { return normal_.links[index(i)]; }
+  [[nodiscard]] const LinkVariant& choice(int i) const { return variant_.links[index(i)]; }
+  [[nodiscard]] const Variant& variant() const { return variant_; }
+  [[nodiscard]] Graph& graph() const { return graph_; }
+
+  /// The joint's speed, acceleration, force along +z of the normal frame; zero where not an input.
+  [[nodiscard]] Expr speed(int i) const { return rate(i, inputs_.qd); }
+  [[nodiscard]] Expr acceleration(int i) const { return rate(i, inputs_.qdd); }
+  [[nodiscard]] Expr force(int i) const;
+
+  /// -g in the base frame: the acceleration of a ground that replaces gravity.
+  [[nodiscard]] Vec3 ground_acceleration() const;
+
+  /// s'_i (convention B of EQUATIONS.md 1.1) in the father's expression frame, with the slide.
+  [[nodiscard]] const Vec3& offset(int i) const { return offset_[index(i)]; }
+  /// The rotations between link i and its father, outermost first; empty inside a run of parallel
+  /// axes.
+  [[nodiscard]] const std::vector<PlaneRotation>& rotations(int i) const {
+    return rotations_[index(i)];
+  }
+  /// True if link i shares the expression frame of its father.
+  [[nodiscard]] bool shares_frame(int i) const {
+    return head_[index(i)] != i && head_[index(i)] >= 0;
+  }
+
+  [[nodiscard]] Vec3 to_father(int i, Vec3 v) const;
+  [[nodiscard]] Vec3 from_father(int i, Vec3 v) const;
+  [[nodiscard]] Mat3 to_father_symmetric(int i, Mat3 s) const;
+  [[nodiscard]] Mat3 to_father_general(int i, Mat3 h) const;
+  /// The joint axis in the father's expression frame.
+  [[nodiscard]] Vec3 axis_in_father(int i) const;
+
+  /// Mass, first moment and pseudo-inertia of link i alone, in its expression frame.
+  struct Body {
+    Expr mass;
+    Vec3 moment;
+    Mat3 pseudo;
+  };
+  [[nodiscard]] Body body(int i) const;
+  /// A point or direction given in the model's frame of link i, in the link's expression frame.
+  [[nodiscard]] Vec3 point(int i, const Vector3& at) const;
+  [[nodiscard]] Mat3 orientation(int i) const;  ///< model frame of link i -> expression frame
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  void find_runs();
+  void place_frames();
+  void place_link(int i);
+  [[nodiscard]] Angle joint_angle(int i) const;
+  [[nodiscard]] Expr coordinate(int array, int k) const;
+  [[nodiscard]] Expr rate(int i, int array) const;
+  [[nodiscard]] Expr slide(int i) const;
+  /// Appends the rotation about `axis` by `angle` unless it is the identity.
+  void append(std::vector<PlaneRotation>& steps, std::size_t axis, const Angle& angle) const;
+  [[nodiscard]] std::pair<Expr, Expr> cosine_and_sine(const Angle& angle) const;
+
+  Graph& graph_;
+  const model::Tree& tree_;
+  const NormalTree& normal_;
+  const Variant& variant_;
+  Inputs inputs_;
+  std::vector<int> head_;  ///< first link of the run of parallel axes; -1 for prismatic joints
+  std::vector<std::vector<int>> run_;  ///< members of the run, at its head
+  std::vector<Angle> frame_angle_;  ///< expression frame -> normal frame: turn of the link about z
+  std::vector<Angle> run_angle_;    ///< the turn that the frame of a run carries, at its head
+  std::vector<Vec3> offset_;
+  std::vector<std::vector<PlaneRotation>> rotations_;
+};
+
+}  // namespace treedyn::simplify
