@@ -1,0 +1,204 @@
+#include "block/block.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "block/print.hpp"
+
+namespace treedyn::block {
+namespace {
+
+std::string to_string(const Side& side) {
+  const std::string size = side.size == 1 ? "" : fmt::format("{}", side.size);
+  switch (side.set) {
+    case Set::kLinks:
+      return size + "N";
+    case Set::kPoints:
+      return size + "P";
+    case Set::kOne:
+      break;
+  }
+  return size.empty() ? "1" : size;
+}
+
+[[noreturn]] void misfit(const char* operation, const Expression& a, const Expression& b) {
+  throw std::logic_error(fmt::format("{} of {} ({}) and {} ({}) does not conform", operation,
+                                     print(a), to_string(a.shape()), print(b),
+                                     to_string(b.shape())));
+}
+
+/// True for 1x1 blocks, which the size rule may turn into 3x3 blocks.
+bool scalar_blocks(const Shape& shape) { return shape.rows.size == 1 && shape.cols.size == 1; }
+
+Shape kronecker(Shape shape) {
+  shape.rows.size *= 3;
+  shape.cols.size *= 3;
+  return shape;
+}
+
+Shape sum_shape(const Expression& a, const Expression& b) {
+  if (a.shape() == b.shape()) {
+    return a.shape();
+  }
+  if (scalar_blocks(a.shape()) && kronecker(a.shape()) == b.shape()) {
+    return b.shape();
+  }
+  if (scalar_blocks(b.shape()) && kronecker(b.shape()) == a.shape()) {
+    return a.shape();
+  }
+  misfit("sum", a, b);
+}
+
+Shape product_shape(const Expression& a, const Expression& b) {
+  Shape x = a.shape();
+  Shape y = b.shape();
+  if (x.cols.size != y.rows.size) {
+    if (scalar_blocks(x)) {
+      x = kronecker(x);
+    } else if (scalar_blocks(y)) {
+      y = kronecker(y);
+    }
+  }
+  if (x.cols != y.rows) {
+    misfit("product", a, b);
+  }
+  return {.rows = x.rows, .cols = y.cols};
+}
+
+Shape skew_shape(const Expression& a) {
+  Shape shape = a.shape();
+  if (shape.rows.size != 3 || shape.cols.size != 1) {
+    throw std::logic_error(
+        fmt::format("Λ of {} ({}); expected 3-vectors", print(a), to_string(shape)));
+  }
+  shape.cols.size = 3;
+  return shape;
+}
+
+Expression make(Kind kind, const Shape& shape, std::vector<Expression> operands) {
+  Node node;
+  node.kind = kind;
+  node.shape = shape;
+  node.operands = std::move(operands);
+  return Expression(std::move(node));
+}
+
+void append(std::vector<Expression>& list, Kind kind, const Expression& a) {
+  if (a.kind() == kind) {
+    list.insert(list.end(), a.operands().begin(), a.operands().end());
+  } else {
+    list.push_back(a);
+  }
+}
+
+const Expression& unnamed(const Expression& a) {
+  return a.kind() == Kind::kNamed ? unnamed(a.operands().front()) : a;
+}
+
+}  // namespace
+
+std::string to_string(const Shape& shape) {
+  return to_string(shape.rows) + "×" + to_string(shape.cols);
+}
+
+Expression::Expression(Node node) : node_(std::make_shared<const Node>(std::move(node))) {}
+
+Expression leaf(const std::string& name, Structure structure, const Shape& shape) {
+  Node node;
+  node.kind = Kind::kLeaf;
+  node.shape = shape;
+  node.name = name;
+  node.structure = structure;
+  return Expression(std::move(node));
+}
+
+Expression named(const std::string& name, const Expression& expression) {
+  Node node;
+  node.kind = Kind::kNamed;
+  node.shape = expression.shape();
+  node.name = name;
+  node.operands = {expression};
+  return Expression(std::move(node));
+}
+
+Expression operator+(const Expression& a, const Expression& b) {
+  const Shape shape = sum_shape(a, b);
+  std::vector<Expression> terms;
+  append(terms, Kind::kSum, a);
+  append(terms, Kind::kSum, b);
+  return make(Kind::kSum, shape, std::move(terms));
+}
+
+Expression operator-(const Expression& a, const Expression& b) { return a + (-b); }
+
+Expression operator*(const Expression& a, const Expression& b) {
+  if (a.kind() == Kind::kScaled) {  // (r X) Y = r (X Y)
+    return a.node().factor * (a.operands().front() * b);
+  }
+  const Shape shape = product_shape(a, b);
+  std::vector<Expression> factors;
+  append(factors, Kind::kProduct, a);
+  append(factors, Kind::kProduct, b);
+  return make(Kind::kProduct, shape, std::move(factors));
+}
+
+Expression operator*(int factor, const Expression& a) { return Ratio{factor, 1} * a; }
+
+Expression operator*(const Ratio& factor, const Expression& a) {
+  Ratio total = factor;
+  Expression scaled = a;
+  if (a.kind() == Kind::kScaled) {
+    total.numerator *= a.node().factor.numerator;
+    total.denominator *= a.node().factor.denominator;
+    scaled = a.operands().front();
+  }
+  Node node;
+  node.kind = Kind::kScaled;
+  node.shape = a.shape();
+  node.factor = total;
+  node.operands = {scaled};
+  return Expression(std::move(node));
+}
+
+Expression operator-(const Expression& a) { return -1 * a; }
+
+Expression transpose(const Expression& a) {
+  return make(Kind::kTranspose, {.rows = a.shape().cols, .cols = a.shape().rows}, {a});
+}
+
+Expression skew(const Expression& a) { return make(Kind::kSkew, skew_shape(a), {a}); }
+
+Expression skew_transpose(const Expression& a) {
+  return make(Kind::kSkewTranspose, skew_shape(a), {a});
+}
+
+Expression diagb(const Expression& x) {
+  if (x.shape().cols != Side{}) {
+    throw std::logic_error(
+        fmt::format("diagb of {} ({}); expected a column", print(x), to_string(x.shape())));
+  }
+  const Shape shape{.rows = x.shape().rows, .cols = {x.shape().rows.set, 1}};
+  return make(Kind::kDiagonal, shape, {x});
+}
+
+bool equal(const Expression& a, const Expression& b) {
+  const Node& x = unnamed(a).node();
+  const Node& y = unnamed(b).node();
+  if (&x == &y) {
+    return true;
+  }
+  if (x.kind != y.kind || x.shape != y.shape || x.name != y.name || x.factor != y.factor ||
+      x.operands.size() != y.operands.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < x.operands.size(); ++i) {
+    if (!equal(x.operands[i], y.operands[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace treedyn::block

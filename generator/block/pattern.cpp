@@ -1,0 +1,115 @@
+#include "block/pattern.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+namespace treedyn::block {
+namespace {
+
+using Rows = std::vector<std::vector<int>>;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<int> row(const Pattern& a, int i) {
+  std::vector<int> result;
+  for (int block = a.begin(i); block < a.end(i); ++block) {
+    result.push_back(a.column(block));
+  }
+  return result;
+}
+
+}  // namespace
+
+Pattern::Pattern(int cols, const Rows& columns_of_row) : cols_(cols) {
+  for (const std::vector<int>& columns : columns_of_row) {
+    column_.insert(column_.end(), columns.begin(), columns.end());
+    start_.push_back(static_cast<int>(column_.size()));
+  }
+}
+
+int Pattern::find(int i, int j) const {
+  const auto first = column_.begin() + begin(i);
+  const auto last = column_.begin() + end(i);
+  const auto found = std::lower_bound(first, last, j);
+  return found != last && *found == j ? static_cast<int>(found - column_.begin()) : -1;
+}
+
+Pattern transpose(const Pattern& a) {
+  Rows rows(at(a.cols()));
+  for (int i = 0; i < a.rows(); ++i) {
+    for (const int j : row(a, i)) {
+      rows[at(j)].push_back(i);
+    }
+  }
+  return {a.rows(), rows};
+}
+
+Pattern unite(const Pattern& a, const Pattern& b) {
+  Rows rows(at(a.rows()));
+  for (int i = 0; i < a.rows(); ++i) {
+    const std::vector<int> x = row(a, i);
+    const std::vector<int> y = row(b, i);
+    std::set_union(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(rows[at(i)]));
+  }
+  return {a.cols(), rows};
+}
+
+Pattern product(const Pattern& a, const Pattern& b) {
+  Rows rows(at(a.rows()));
+  std::vector<bool> present(at(b.cols()));
+  for (int i = 0; i < a.rows(); ++i) {
+    present.assign(present.size(), false);
+    for (const int k : row(a, i)) {
+      for (int block = b.begin(k); block < b.end(k); ++block) {
+        present[at(b.column(block))] = true;
+      }
+    }
+    for (int j = 0; j < b.cols(); ++j) {
+      if (present[at(j)]) {
+        rows[at(i)].push_back(j);
+      }
+    }
+  }
+  return {b.cols(), rows};
+}
+
+Pattern diagonal(int n) {
+  Rows rows(at(n));
+  for (int i = 0; i < n; ++i) {
+    rows[at(i)] = {i};
+  }
+  return {n, rows};
+}
+
+Pattern full(int rows, int cols) {
+  std::vector<int> all(at(cols));
+  std::iota(all.begin(), all.end(), 0);
+  return {cols, Rows(at(rows), all)};
+}
+
+Pattern reachability(const Index& index) {
+  Rows rows(at(index.links()));
+  for (int i = 0; i < index.links(); ++i) {
+    const int f = index.father[at(i)];
+    if (f >= 0) {
+      rows[at(i)] = rows[at(f)];  // fathers come first, so the columns ascend
+    }
+    rows[at(i)].push_back(i);
+  }
+  return {index.links(), rows};
+}
+
+std::string to_text(const Pattern& pattern) {
+  std::string result;
+  for (int i = 0; i < pattern.rows(); ++i) {
+    std::string line(at(pattern.cols()), '.');
+    for (const int j : row(pattern, i)) {
+      line[at(j)] = 'x';
+    }
+    result += line + '\n';
+  }
+  return result;
+}
+
+}  // namespace treedyn::block

@@ -1,0 +1,404 @@
+#include "block/plan.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "block/association.hpp"
+#include "common/error.hpp"
+
+namespace treedyn::block {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+int count(const Index& index, Set set) {
+  switch (set) {
+    case Set::kLinks:
+      return index.links();
+    case Set::kPoints:
+      return index.points();
+    case Set::kOne:
+      break;
+  }
+  return 1;
+}
+
+Pattern leaf_pattern(const Expression& e, const Index& index) {
+  const int rows = count(index, e.shape().rows.set);
+  const int cols = count(index, e.shape().cols.set);
+  std::vector<std::vector<int>> blocks(at(rows));
+  switch (e.node().structure) {
+    case Structure::kIdentity:
+    case Structure::kDiagonal:
+      return diagonal(rows);
+    case Structure::kReachability:
+      return reachability(index);
+    case Structure::kOnes:
+    case Structure::kFull:
+      return full(rows, cols);
+    case Structure::kRevolute:
+      for (int i = 0; i < rows; ++i) {
+        if (index.revolute[at(i)]) {
+          blocks[at(i)] = {i};
+        }
+      }
+      break;
+    case Structure::kCarrier:
+      for (int p = 0; p < cols; ++p) {
+        if (index.carrier[at(p)] >= 0) {
+          blocks[at(index.carrier[at(p)])].push_back(p);
+        }
+      }
+      break;
+  }
+  return {cols, blocks};
+}
+
+/// The transpose pushed down to the symbols: (X Y + Z)^T = Y^T X^T + Z^T.
+Expression push_transpose(const Expression& e) {
+  const std::vector<Expression>& x = e.operands();
+  switch (e.kind()) {
+    case Kind::kNamed:
+      return push_transpose(x.front());
+    case Kind::kTranspose:
+      return x.front();
+    case Kind::kScaled:
+      return e.node().factor * push_transpose(x.front());
+    case Kind::kSum: {
+      Expression sum = push_transpose(x.front());
+      for (std::size_t k = 1; k < x.size(); ++k) {
+        sum = sum + push_transpose(x[k]);
+      }
+      return sum;
+    }
+    case Kind::kProduct: {
+      Expression product = push_transpose(x.back());
+      for (std::size_t k = x.size() - 1; k-- > 0;) {
+        product = product * push_transpose(x[k]);
+      }
+      return product;
+    }
+    default:
+      return transpose(e);
+  }
+}
+
+bool constant_expression(const Expression& e) {
+  if (e.kind() == Kind::kLeaf) {
+    return is_constant(e.node().structure);
+  }
+  return std::all_of(e.operands().begin(), e.operands().end(), constant_expression);
+}
+
+// The factors of a product with names and nested products opened; rational factors go to `factor`.
+void flatten(const Expression& e, std::vector<Expression>& factors, Ratio& factor) {
+  switch (e.kind()) {
+    case Kind::kNamed:
+      return flatten(e.operands().front(), factors, factor);
+    case Kind::kScaled:
+      factor.numerator *= e.node().factor.numerator;
+      factor.denominator *= e.node().factor.denominator;
+      return flatten(e.operands().front(), factors, factor);
+    case Kind::kProduct:
+      for (const Expression& operand : e.operands()) {
+        flatten(operand, factors, factor);
+      }
+      return;
+    default:
+      factors.push_back(e);
+  }
+}
+
+}  // namespace
+
+Plan::Plan(Index index) : index_(std::move(index)) {
+  const Pattern d = reachability(index_);
+  const int n = index_.links();
+  identity_ = constant(constant_step(diagonal(n), std::vector<int>(at(n), 1)));
+  const int d_step = constant(constant_step(d, std::vector<int>(at(d.blocks()), 1)));
+  const int dt_step = constant(transpose_step(step(d_step)));
+  const int strict = add_sum({{d_step, {}}, {identity_, {-1, 1}}});
+  const int strict_t = add_sum({{dt_step, {}}, {identity_, {-1, 1}}});
+  path_sums_ = {{d_step, {false, false, false}}, {dt_step, {true, false, false}}};
+  path_sums_[strict] = {false, true, false};
+  path_sums_[strict_t] = {true, true, false};
+  path_sums_.erase(identity_);  // D = E if every link is a root
+}
+
+int Plan::leaf(const std::string& name) const {
+  const auto found = leaves_.find(name);
+  return found == leaves_.end() ? -1 : found->second;
+}
+
+std::vector<int> Plan::needed(const std::vector<int>& results) const {
+  std::vector<bool> wanted(steps_.size(), false);
+  for (const int result : results) {
+    wanted[at(result)] = true;
+  }
+  std::vector<int> list;
+  for (int i = static_cast<int>(steps_.size()) - 1; i >= 0; --i) {
+    const Step& s = step(i);
+    if (!wanted[at(i)] || s.operands.empty()) {
+      continue;
+    }
+    list.push_back(i);
+    for (const int operand : s.operands) {
+      wanted[at(operand)] = true;
+    }
+  }
+  std::reverse(list.begin(), list.end());
+  return list;
+}
+
+std::vector<const Step*> Plan::operands(const std::vector<int>& ids) const {
+  std::vector<const Step*> result;
+  for (const int id : ids) {
+    result.push_back(&step(id));
+  }
+  return result;
+}
+
+bool Plan::is_constant(const std::vector<int>& ids) const {
+  return std::all_of(ids.begin(), ids.end(),
+                     [this](int id) { return step(id).operation == Operation::kConstant; });
+}
+
+int Plan::append(Step step) {
+  step.offset = storage_;
+  storage_ += step.numbers();
+  steps_.push_back(std::move(step));
+  return static_cast<int>(steps_.size()) - 1;
+}
+
+int Plan::constant(Step step) {
+  if (step.operation != Operation::kConstant) {  // a transposed constant, see the constructor
+    step = constant_step(step.pattern, std::vector<int>(at(step.pattern.blocks()), 1));
+  }
+  const auto key = std::make_pair(step.pattern, step.constants);
+  const auto found = constants_.find(key);
+  if (found != constants_.end()) {
+    return found->second;
+  }
+  const int id = append(std::move(step));
+  constants_.emplace(key, id);
+  return id;
+}
+
+/// Completes a step whose operands are set: constants are folded, the rest is remembered under
+/// `key`.
+int Plan::finish(const Key& key, Step step) {
+  if (is_constant(step.operands) && step.block_size() == 1) {
+    return constant(folded(step, operands(step.operands)));
+  }
+  const int id = append(std::move(step));
+  known_.emplace(key, id);
+  return id;
+}
+
+int Plan::add(const Expression& e) {
+  switch (e.kind()) {
+    case Kind::kLeaf:
+      return add_leaf(e);
+    case Kind::kNamed:
+      return add(e.operands().front());
+    case Kind::kSum: {
+      std::vector<Scaled> terms;
+      for (const Expression& term : e.operands()) {
+        const bool scaled = term.kind() == Kind::kScaled;
+        terms.push_back(
+            {add(scaled ? term.operands().front() : term), scaled ? term.node().factor : Ratio{}});
+      }
+      return add_sum(terms);
+    }
+    case Kind::kScaled:
+      return add_sum({{add(e.operands().front()), e.node().factor}});
+    case Kind::kProduct:
+      return add_product(e);
+    default:
+      return add_unary(e);
+  }
+}
+
+int Plan::add_leaf(const Expression& e) {
+  const Node& node = e.node();
+  const Pattern blocks = leaf_pattern(e, index_);
+  if (treedyn::block::is_constant(node.structure)) {
+    return constant(constant_step(blocks, std::vector<int>(at(blocks.blocks()), 1)));
+  }
+  const auto found = leaves_.find(node.name);
+  if (found != leaves_.end()) {
+    return found->second;
+  }
+  Step step;
+  step.operation = Operation::kLeaf;
+  step.name = node.name;
+  step.pattern = blocks;
+  step.height = node.shape.rows.size;
+  step.width = node.shape.cols.size;
+  return leaves_[node.name] = append(std::move(step));
+}
+
+int Plan::add_sum(const std::vector<Scaled>& terms) {
+  std::vector<Scaled> kept;
+  for (const Scaled& term : terms) {
+    if (step(term.step).pattern.blocks() > 0) {
+      kept.push_back(term);
+    }
+  }
+  if (kept.empty()) {
+    return terms.front().step;
+  }
+  if (kept.size() == 1 && kept.front().factor == Ratio{}) {
+    return kept.front().step;
+  }
+  Key key{static_cast<int>(Operation::kSum)};
+  std::vector<int> ids;
+  std::vector<Ratio> factors;
+  for (const Scaled& term : kept) {
+    key.insert(key.end(), {term.step, term.factor.numerator, term.factor.denominator});
+    ids.push_back(term.step);
+    factors.push_back(term.factor);
+  }
+  const auto found = known_.find(key);
+  if (found != known_.end()) {
+    return found->second;
+  }
+  Step result = sum_step(operands(ids), std::move(factors));
+  result.operands = std::move(ids);
+  return finish(key, std::move(result));
+}
+
+int Plan::add_unary(const Expression& e) {
+  const int operand = add(e.operands().front());
+  const Key key{-1 - static_cast<int>(e.kind()), operand};
+  const auto found = known_.find(key);
+  if (found != known_.end()) {
+    return found->second;
+  }
+  Step result;
+  switch (e.kind()) {
+    case Kind::kTranspose:
+      result = transpose_step(step(operand));
+      break;
+    case Kind::kSkew:
+      result = skew_step(step(operand), Operation::kSkew);
+      break;
+    case Kind::kSkewTranspose:
+      result = skew_step(step(operand), Operation::kSkewTranspose);
+      break;
+    default:
+      result = diagonal_step(step(operand));
+  }
+  result.operands = {operand};
+  return finish(key, std::move(result));
+}
+
+int Plan::add_product(const Expression& e) {
+  std::vector<Expression> factors;
+  Ratio factor;
+  flatten(e, factors, factor);
+  int result = -1;
+  if (e.shape().cols == Side{}) {
+    result = add(factors.back());
+    for (std::size_t k = factors.size() - 1; k-- > 0;) {
+      result = apply(factors[k], result);
+    }
+  } else {
+    std::vector<int> ids;
+    for (const Expression& f : factors) {
+      ids.push_back(add(f));
+    }
+    result = chain(ids);
+  }
+  return add_sum({{result, factor}});
+}
+
+/// e times a column: (X + Y) v = X v + Y v, (X Y) v = X (Y v), so that only columns are computed.
+int Plan::apply(const Expression& e, int column) {
+  const std::vector<Expression>& x = e.operands();
+  switch (e.kind()) {
+    case Kind::kNamed:
+      return apply(x.front(), column);
+    case Kind::kScaled:
+      return add_sum({{apply(x.front(), column), e.node().factor}});
+    case Kind::kProduct:
+      for (std::size_t k = x.size(); k-- > 0;) {
+        column = apply(x[k], column);
+      }
+      return column;
+    case Kind::kSum: {
+      if (constant_expression(e)) {
+        return multiply(add(e), column);
+      }
+      std::vector<Scaled> terms;
+      for (const Expression& term : x) {
+        terms.push_back({apply(term, column), {}});
+      }
+      return add_sum(terms);
+    }
+    case Kind::kTranspose: {
+      const Expression pushed = push_transpose(x.front());
+      return pushed.kind() == Kind::kTranspose ? multiply(add(pushed), column)
+                                               : apply(pushed, column);
+    }
+    default:
+      return multiply(add(e), column);
+  }
+}
+
+const PathSum* Plan::as_path_sum(int step) const {
+  const auto found = path_sums_.find(step);
+  return found == path_sums_.end() ? nullptr : &found->second;
+}
+
+int Plan::multiply(int a, int b) {
+  if (a == identity_ || b == identity_) {
+    return a == identity_ ? b : a;
+  }
+  if (const PathSum* sum = as_path_sum(a); sum != nullptr && !is_constant({b})) {
+    return path_sum(*sum, a, b);
+  }
+  if (const PathSum* sum = as_path_sum(b); sum != nullptr && !is_constant({a})) {
+    return path_sum({!sum->subtree, sum->strict, true}, b, a);  // x D sums over descendants
+  }
+  const Key key{static_cast<int>(Operation::kProduct), a, b};
+  const auto found = known_.find(key);
+  if (found != known_.end()) {
+    return found->second;
+  }
+  Step result = product_step(step(a), step(b));
+  result.operands = {a, b};
+  return finish(key, std::move(result));
+}
+
+int Plan::path_sum(const PathSum& sum, int matrix, int x) {
+  const Key key{static_cast<int>(Operation::kPathSum), matrix, x, sum.on_right ? 1 : 0};
+  const auto found = known_.find(key);
+  if (found != known_.end()) {
+    return found->second;
+  }
+  Step result = path_sum_step(sum, step(x), index_);
+  result.operands = {x};
+  return finish(key, std::move(result));
+}
+
+int Plan::chain(const std::vector<int>& factors) {
+  std::vector<Factor> matrices;
+  for (const int f : factors) {
+    const Step& s = step(f);
+    matrices.push_back({s.pattern, s.height, s.width, as_path_sum(f) != nullptr});
+  }
+  const std::vector<Split> order = associate(matrices);
+  std::vector<int> values = factors;
+  for (const Split& split : order) {  // innermost products first
+    values[at(split.left)] = multiply(values[at(split.left)], values[at(split.right)]);
+  }
+  return values.front();
+}
+
+Pattern pattern(const Expression& expression, const Index& index) {
+  Plan plan(index);
+  return plan.step(plan.add(expression)).pattern;
+}
+
+}  // namespace treedyn::block

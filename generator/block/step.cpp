@@ -1,0 +1,235 @@
+#include "block/step.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "common/error.hpp"
+
+namespace treedyn::block {
+namespace {
+
+using Rows = std::vector<std::vector<int>>;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> result;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  return result;
+}
+
+Rows rows_of(const Pattern& pattern) {
+  Rows rows(at(pattern.rows()));
+  for (int i = 0; i < pattern.rows(); ++i) {
+    for (int block = pattern.begin(i); block < pattern.end(i); ++block) {
+      rows[at(i)].push_back(pattern.column(block));
+    }
+  }
+  return rows;
+}
+
+// "Lines" are the rows for a left factor D and the columns for a right factor.
+Rows path_sum_lines(const PathSum& sum, const Rows& x, const Index& index) {
+  const int n = index.links();
+  Rows lines = sum.strict ? Rows(x.size()) : x;
+  if (!sum.subtree) {
+    for (int i = 0; i < n; ++i) {
+      const int f = index.father[at(i)];
+      if (f >= 0) {
+        lines[at(i)] = united(lines[at(i)], lines[at(f)]);
+        lines[at(i)] = sum.strict ? united(lines[at(i)], x[at(f)]) : lines[at(i)];
+      }
+    }
+    return lines;
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    const int f = index.father[at(i)];
+    if (f >= 0) {
+      lines[at(f)] = united(lines[at(f)], lines[at(i)]);
+      lines[at(f)] = sum.strict ? united(lines[at(f)], x[at(i)]) : lines[at(f)];
+    }
+  }
+  return lines;
+}
+
+// Adds line `from` of the operand (or of the result itself) to line `to` of the result.
+class LineAdder {
+ public:
+  LineAdder(Step& result, const Step& x, bool columns)
+      : result_(result), x_(x), columns_(columns) {}
+
+  void add(int to, int from, bool from_result) {
+    const Pattern& source = from_result ? result_.pattern : x_.pattern;
+    const int others = columns_ ? source.rows() : source.cols();
+    for (int other = 0; other < others; ++other) {
+      const int left = columns_ ? source.find(other, from) : source.find(from, other);
+      if (left >= 0) {
+        const int target =
+            columns_ ? result_.pattern.find(other, to) : result_.pattern.find(to, other);
+        result_.terms.push_back({target, left, from_result ? 1 : 0});
+      }
+    }
+  }
+
+ private:
+  Step& result_;
+  const Step& x_;
+  bool columns_;
+};
+
+void path_sum_terms(const PathSum& sum, Step& result, const Step& x, const Index& index) {
+  LineAdder lines(result, x, sum.on_right);
+  const int n = index.links();
+  for (int k = 0; k < n; ++k) {
+    const int i = sum.subtree ? n - 1 - k : k;
+    const int f = index.father[at(i)];
+    if (!sum.strict) {
+      lines.add(i, i, false);
+    }
+    if (f < 0) {
+      continue;
+    }
+    const int to = sum.subtree ? f : i;
+    const int from = sum.subtree ? i : f;
+    lines.add(to, from, true);
+    if (sum.strict) {
+      lines.add(to, from, false);
+    }
+  }
+}
+
+Step same_blocks(const Step& a, Operation operation) {
+  Step result;
+  result.operation = operation;
+  result.height = a.height;
+  result.width = a.width;
+  result.pattern = a.pattern;
+  for (int block = 0; block < a.pattern.blocks(); ++block) {
+    result.terms.push_back({block, block, 0});
+  }
+  return result;
+}
+
+}  // namespace
+
+Step constant_step(Pattern pattern, std::vector<int> values) {
+  Step result;
+  result.operation = Operation::kConstant;
+  result.pattern = std::move(pattern);
+  result.constants = std::move(values);
+  return result;
+}
+
+Step sum_step(const std::vector<const Step*>& operands, std::vector<Ratio> factors) {
+  Step result;
+  result.operation = Operation::kSum;
+  result.pattern = operands.front()->pattern;
+  for (const Step* operand : operands) {
+    result.pattern = unite(result.pattern, operand->pattern);
+    result.height = std::max(result.height, operand->height);  // size rule
+    result.width = std::max(result.width, operand->width);
+  }
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    const Pattern& source = operands[k]->pattern;
+    for (int i = 0; i < source.rows(); ++i) {
+      for (int block = source.begin(i); block < source.end(i); ++block) {
+        const int target = result.pattern.find(i, source.column(block));
+        result.terms.push_back({target, block, static_cast<int>(k)});
+      }
+    }
+  }
+  result.factors = std::move(factors);
+  return result;
+}
+
+Step product_step(const Step& a, const Step& b) {
+  TREEDYN_EXPECT(a.pattern.cols() == b.pattern.rows());
+  Step result;
+  result.operation = Operation::kProduct;
+  result.height = a.block_size() == 1 ? b.height : a.height;
+  result.width = b.block_size() == 1 ? a.width : b.width;
+  result.pattern = product(a.pattern, b.pattern);
+  for (int i = 0; i < a.pattern.rows(); ++i) {
+    for (int left = a.pattern.begin(i); left < a.pattern.end(i); ++left) {
+      const int k = a.pattern.column(left);
+      for (int right = b.pattern.begin(k); right < b.pattern.end(k); ++right) {
+        const int target = result.pattern.find(i, b.pattern.column(right));
+        result.terms.push_back({target, left, right});
+      }
+    }
+  }
+  return result;
+}
+
+Step path_sum_step(const PathSum& sum, const Step& x, const Index& index) {
+  const Pattern lines_of_x = sum.on_right ? transpose(x.pattern) : x.pattern;
+  const Pattern lines(lines_of_x.cols(), path_sum_lines(sum, rows_of(lines_of_x), index));
+  Step result;
+  result.operation = Operation::kPathSum;
+  result.height = x.height;
+  result.width = x.width;
+  result.pattern = sum.on_right ? transpose(lines) : lines;
+  path_sum_terms(sum, result, x, index);
+  return result;
+}
+
+Step transpose_step(const Step& a) {
+  Step result;
+  result.operation = Operation::kTranspose;
+  result.height = a.width;
+  result.width = a.height;
+  result.pattern = transpose(a.pattern);
+  for (int i = 0; i < a.pattern.rows(); ++i) {
+    for (int block = a.pattern.begin(i); block < a.pattern.end(i); ++block) {
+      result.terms.push_back({result.pattern.find(a.pattern.column(block), i), block, 0});
+    }
+  }
+  return result;
+}
+
+Step skew_step(const Step& a, Operation operation) {
+  Step result = same_blocks(a, operation);
+  result.width = 3;
+  return result;
+}
+
+Step diagonal_step(const Step& a) {
+  Step result = same_blocks(a, Operation::kDiagonal);
+  Rows rows = rows_of(a.pattern);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].empty()) {
+      rows[i] = {static_cast<int>(i)};
+    }
+  }
+  result.pattern = Pattern(a.pattern.rows(), rows);
+  return result;
+}
+
+Step folded(const Step& step, const std::vector<const Step*>& operands) {
+  std::vector<int> values(at(step.pattern.blocks()), 0);
+  for (const Term& term : step.terms) {
+    const std::size_t k = step.operation == Operation::kSum ? at(term.right) : 0;
+    int value = operands[k]->constants[at(term.left)];
+    if (step.operation == Operation::kSum) {
+      TREEDYN_EXPECT(step.factors[k].denominator == 1);
+      value *= step.factors[k].numerator;
+    } else if (step.operation == Operation::kProduct) {
+      value *= operands[1]->constants[at(term.right)];
+    }
+    values[at(term.target)] += value;
+  }
+  Rows rows(at(step.pattern.rows()));
+  std::vector<int> kept;
+  for (int i = 0; i < step.pattern.rows(); ++i) {
+    for (int block = step.pattern.begin(i); block < step.pattern.end(i); ++block) {
+      if (values[at(block)] != 0) {
+        rows[at(i)].push_back(step.pattern.column(block));
+        kept.push_back(values[at(block)]);
+      }
+    }
+  }
+  return constant_step(Pattern(step.pattern.cols(), rows), std::move(kept));
+}
+
+}  // namespace treedyn::block

@@ -1,0 +1,11 @@
+#include "engine/engine.hpp"
+
+#include "engine/definitions.hpp"
+
+namespace treedyn::engine {
+
+template class Engine<float>;
+template class Engine<double>;
+template class Engine<long double>;
+
+}  // namespace treedyn::engine

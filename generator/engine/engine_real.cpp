@@ -1,0 +1,14 @@
+// Software floats, apart from engine.cpp because they take long to compile.
+#include <boost/multiprecision/eigen.hpp>
+
+#include "common/real.hpp"
+#include "engine/definitions.hpp"
+#include "engine/engine.hpp"
+
+namespace treedyn::engine {
+
+template class Engine<Real>;
+template class Engine<boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>,
+                                                    boost::multiprecision::et_off>>;
+
+}  // namespace treedyn::engine

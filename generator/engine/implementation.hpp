@@ -1,0 +1,162 @@
+// What Engine is made of; included by the files that instantiate it.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "block/evaluate.hpp"
+#include "block/plan.hpp"
+#include "engine/coordinates.hpp"
+#include "engine/engine.hpp"
+#include "engine/factor.hpp"
+#include "engine/outputs.hpp"
+#include "equations/kinematics.hpp"
+
+namespace treedyn::engine {
+
+template <class Scalar>
+class Engine<Scalar>::Implementation {
+ public:
+  Implementation(const model::Tree& tree, std::span<const model::Point> points,
+                 const model::Vector3& gravity)
+      : coordinates_(tree, convert),
+        outputs_(equations::index_of(tree, points)),
+        constants_(equations::constants_of<Scalar>(tree, points, convert)),
+        evaluation_(outputs_.plan()),
+        leaves_(evaluation_),
+        poses_(tree.links.size()),
+        sine_(tree.links.size()),
+        cosine_(tree.links.size()),
+        q_(tree.links.size()),
+        full_(largest_output()),
+        result_(full_.size()),
+        factor_(coordinates_.dof(), coordinates_.dof()),
+        solution_(coordinates_.dof()) {
+    write_constant_leaves(gravity);
+  }
+
+  [[nodiscard]] int dof() const { return coordinates_.dof(); }
+  [[nodiscard]] int links() const { return static_cast<int>(q_.size()); }
+  [[nodiscard]] int points() const { return static_cast<int>(constants_.points.size()); }
+
+  std::span<const Scalar> evaluate(Function function,
+                                   std::span<const std::span<const Scalar>> inputs) {
+    set_inputs(signatures()[static_cast<std::size_t>(function)], inputs);
+    if (function == Function::kPointRotations) {
+      return rotations();
+    }
+    if (function == Function::kForwardDynamics) {
+      return forward_dynamics(inputs.back());
+    }
+    const Output& output = outputs_.of(function);
+    evaluation_.run(output.steps);
+    return reduced(output);
+  }
+
+ private:
+  static Scalar convert(const Real& x) { return static_cast<Scalar>(x); }
+
+  [[nodiscard]] std::size_t largest_output() const {
+    int largest = 0;
+    for (const Signature& signature : signatures()) {
+      const Argument& out = signature.output;
+      const int size = out.rows.count(links(), points()) * out.cols.count(links(), points());
+      largest = std::max(largest, size);
+    }
+    return static_cast<std::size_t>(largest);
+  }
+
+  void write_constant_leaves(const model::Vector3& gravity) {
+    const std::span<Scalar> mass = evaluation_.leaf("m^d");
+    const std::span<Scalar> g = evaluation_.leaf("g");
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      mass[i] = constants_.links[i].mass;
+      for (std::size_t n = 0; n < 3; ++n) {
+        g[3 * i + n] = convert(gravity[n]);
+      }
+    }
+  }
+
+  void set_inputs(const Signature& signature, std::span<const std::span<const Scalar>> inputs) {
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const std::string_view name = signature.inputs[k].name;
+      if (name == "q") {
+        set_positions(inputs[k]);
+      } else if (name == "qd") {
+        coordinates_.expand_rates(inputs[k], evaluation_.leaf("q̇"));
+        coordinates_.expand_rates(inputs[k], evaluation_.leaf("q̇^d"));
+      } else if (name == "qdd") {
+        coordinates_.expand_rates(inputs[k], evaluation_.leaf("q̈"));
+      } else if (name == "f" || name == "n") {
+        std::copy(inputs[k].begin(), inputs[k].end(),
+                  evaluation_.leaf(name == "f" ? "f_b" : "n_b").begin());
+      }
+    }
+  }
+
+  void set_positions(std::span<const Scalar> u) {
+    using std::cos;
+    using std::sin;
+    coordinates_.expand_positions(u, q_);
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      if (constants_.links[i].revolute) {
+        sine_[i] = sin(q_[i]);
+        cosine_[i] = cos(q_[i]);
+      }
+    }
+    equations::compute_poses<Scalar>(constants_, {sine_, cosine_, q_}, poses_);
+    leaves_.write(constants_, poses_);
+  }
+
+  std::span<const Scalar> rotations() {
+    for (std::size_t p = 0; p < constants_.points.size(); ++p) {
+      const int link = constants_.points[p].link;
+      const equations::Matrix3<Scalar> R = link == model::kGround
+                                               ? equations::Matrix3<Scalar>::Identity()
+                                               : poses_.R[static_cast<std::size_t>(link)];
+      std::copy_n(R.data(), 9, result_.data() + 9 * p);
+    }
+    return {result_.data(), 9 * constants_.points.size()};
+  }
+
+  /// tau - B - G = A qdd
+  std::span<const Scalar> forward_dynamics(std::span<const Scalar> tau) {
+    const Output& forces = outputs_.of(Function::kForwardDynamics);  // B + G
+    evaluation_.run(forces.steps);
+    const std::span<const Scalar> h = reduced(forces);
+    for (int i = 0; i < dof(); ++i) {
+      solution_(i) = tau[static_cast<std::size_t>(i)] - h[static_cast<std::size_t>(i)];
+    }
+    const Output& inertia = outputs_.of(Function::kMassMatrix);
+    evaluation_.run(inertia.steps);
+    factor_ = Eigen::Map<const Matrix>(reduced(inertia).data(), dof(), dof());
+    factorize(factor_);
+    solve_factorized(factor_, solution_);
+    return {solution_.data(), static_cast<std::size_t>(dof())};
+  }
+
+  /// The value of `output` in independent coordinates.
+  std::span<const Scalar> reduced(const Output& output) {
+    const int rows = output.rows.count(links(), points());
+    const int cols = output.cols.count(links(), points());
+    const std::span<Scalar> full(full_.data(), static_cast<std::size_t>(rows * cols));
+    evaluation_.write(output.step, output.shape, full);
+    return coordinates_.reduce(output.reduction, full, static_cast<std::size_t>(cols), result_);
+  }
+
+  Coordinates<Scalar> coordinates_;
+  Outputs outputs_;
+  equations::Constants<Scalar> constants_;
+  block::Evaluation<Scalar> evaluation_;
+  equations::LeafWriter<Scalar> leaves_;
+  equations::Poses<Scalar> poses_;
+  std::vector<Scalar> sine_, cosine_, q_;
+  std::vector<Scalar> full_, result_;
+  Matrix factor_;
+  Vector solution_;
+};
+
+}  // namespace treedyn::engine

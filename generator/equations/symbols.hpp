@@ -1,0 +1,44 @@
+// The symbols of EQUATIONS.md 1 and 2 as block leaves. Columns of ones and W are our additions.
+#pragma once
+
+#include "block/block.hpp"
+
+namespace treedyn::equations {
+
+using block::Expression;
+
+inline constexpr block::Side kOne{block::Set::kOne, 1};
+inline constexpr block::Side kLinks{block::Set::kLinks, 1};     // N
+inline constexpr block::Side kLinks3{block::Set::kLinks, 3};    // 3N
+inline constexpr block::Side kPoints{block::Set::kPoints, 1};   // P
+inline constexpr block::Side kPoints3{block::Set::kPoints, 3};  // 3P
+
+// Known from the tree alone.
+inline const Expression D = leaf("D", block::Structure::kReachability, {kLinks, kLinks});
+inline const Expression E = leaf("E", block::Structure::kIdentity, {kLinks, kLinks});
+inline const Expression sigma = leaf("σ", block::Structure::kRevolute, {kLinks, kLinks});
+/// W, N x P: 1 iff link i carries point p. The paper has one point on every link: W = E.
+inline const Expression W = leaf("W", block::Structure::kCarrier, {kLinks, kPoints});
+/// Columns of ones: x^d ones is the column of the blocks of x^d.
+inline const Expression ones = leaf("1_N", block::Structure::kOnes, {kLinks, kOne});
+inline const Expression ones_P = leaf("1_P", block::Structure::kOnes, {kPoints, kOne});
+
+// Constants of the links and functions of q (EQUATIONS.md 1.2, all vectors in the base frame).
+inline const Expression m_d = leaf("m^d", block::Structure::kDiagonal, {kLinks, kLinks});
+inline const Expression J_d = leaf("J_c^d", block::Structure::kDiagonal, {kLinks3, kLinks3});
+inline const Expression z_d = leaf("z^d", block::Structure::kDiagonal, {kLinks3, kLinks});
+inline const Expression s_d = leaf("s^d", block::Structure::kDiagonal, {kLinks3, kLinks});
+inline const Expression l_d = leaf("l^d", block::Structure::kDiagonal, {kLinks3, kLinks});
+inline const Expression c_d = leaf("c^d", block::Structure::kDiagonal, {kLinks3, kLinks});
+inline const Expression t_d = leaf("t^d", block::Structure::kDiagonal, {kPoints3, kPoints});
+
+// Motion and forces.
+inline const Expression qd_d = leaf("q̇^d", block::Structure::kDiagonal, {kLinks, kLinks});
+inline const Expression qd = leaf("q̇", block::Structure::kFull, {kLinks, kOne});
+inline const Expression qdd = leaf("q̈", block::Structure::kFull, {kLinks, kOne});
+inline const Expression f_b = leaf("f_b", block::Structure::kFull, {kPoints3, kOne});
+inline const Expression n_b = leaf("n_b", block::Structure::kFull, {kPoints3, kOne});
+/// The gravity vector, once for every link.
+inline const Expression g = leaf("g", block::Structure::kFull, {kLinks3, kOne});
+
+}  // namespace treedyn::equations
