@@ -1,0 +1,32 @@
+// The statements of one function, split into parts that a compiler digests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/literal.hpp"
+#include "emit/names.hpp"
+#include "program/function.hpp"
+
+namespace treedyn::emit {
+
+/// A part of a function: the statements of one C++ function body.
+struct Part {
+  std::vector<std::string> lines;  ///< without indentation; comments and statements
+  std::vector<bool> uses;          ///< which arrays it touches: inputs, then outputs
+};
+
+/// The body of a function. One part: a plain function; several: functions that share a workspace.
+struct Body {
+  std::vector<Part> parts;
+  std::vector<std::string> workspace;  ///< values that one part computes and another one needs
+  int statements = 0;
+  int structural_zeros = 0;
+};
+
+/// Order, names and statements of a function. Every line fits into 100 columns with an indentation
+/// of two; the operations are exactly those of the graph.
+/// \throws std::range_error if a constant is too large for the scalar type.
+Body body(const program::Function& function, const Vocabulary& words, Scalar scalar);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,13 @@
+# treedyn_embed_templates(OUTPUT): the files templates/*.in as text inside the program, so that it
+# runs from any place. One line here per file.
+function(treedyn_embed_templates output)
+  set(TEMPLATE_CASES "")
+  foreach(name IN ITEMS model.hpp model.cpp)
+    set(file ${PROJECT_SOURCE_DIR}/templates/${name}.in)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    string(APPEND TEMPLATE_CASES
+           "  if (name == \"${name}\") {\n    return R\"template(${text})template\";\n  }\n")
+  endforeach()
+  configure_file(${CMAKE_CURRENT_SOURCE_DIR}/emit/templates.cpp.in ${output} @ONLY)
+endfunction()

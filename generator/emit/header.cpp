@@ -1,0 +1,204 @@
+#include "emit/header.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "emit/layout.hpp"
+#include "emit/names.hpp"
+#include "emit/template_file.hpp"
+
+namespace treedyn::emit {
+
+namespace {
+
+constexpr std::size_t kLongestCell = 32;
+
+const model::Link& link_of(const model::Tree& tree, int coordinate) {
+  const auto k = static_cast<std::size_t>(coordinate);
+  return tree.links[static_cast<std::size_t>(tree.coordinates[k])];
+}
+
+/// Rows of a table as comment lines, columns two spaces apart.
+std::string comment_table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> width(rows.front().size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      width[k] = std::max(width[k], row[k].size());
+    }
+  }
+  std::string result;
+  for (const auto& row : rows) {
+    std::string line = "// ";
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      line += fmt::format("  {:{}}", row[k], k + 1 < row.size() ? width[k] : 0);
+    }
+    result += line + "\n";
+  }
+  return result;
+}
+
+std::string joint_table(const model::Tree& tree) {
+  std::vector<std::vector<std::string>> rows = {{"joint", "link", "index", "type", "unit"}};
+  for (int k = 0; k < tree.dof(); ++k) {
+    const model::Link& link = link_of(tree, k);
+    const bool revolute = link.joint.type == model::JointType::kRevolute;
+    rows.push_back({for_comment(link.joint.name, kLongestCell),
+                    for_comment(link.name, kLongestCell), std::to_string(k),
+                    revolute ? "revolute" : "prismatic", revolute ? "rad" : "m"});
+  }
+  return comment_table(rows);
+}
+
+std::string point_table(const std::vector<model::Point>& points) {
+  if (points.empty()) {
+    return {};
+  }
+  std::vector<std::vector<std::string>> rows = {{"point", "link", "index", "at (link frame, m)"}};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const model::Point& point = points[k];
+    rows.push_back(
+        {for_comment(point.name, kLongestCell), for_comment(point.link_name, kLongestCell),
+         std::to_string(k),
+         fmt::format("{:.6g}, {:.6g}, {:.6g}", point.at[0].convert_to<double>(),
+                     point.at[1].convert_to<double>(), point.at[2].convert_to<double>())});
+  }
+  return "//\n" + comment_table(rows);
+}
+
+/// `namespace joint { ... }` with one constant a name; nothing without names.
+std::string index_namespace(const std::string& name, const std::vector<std::string>& identifiers) {
+  if (identifiers.empty()) {
+    return {};
+  }
+  std::string result = fmt::format("\n/// Index of every {}.\nnamespace {} {{\n", name, name);
+  for (std::size_t k = 0; k < identifiers.size(); ++k) {
+    const std::string left = fmt::format("inline constexpr int {} =", identifiers[k]);
+    const std::string right = fmt::format("{};", k);
+    const bool fits = left.size() + 1 + right.size() <= kColumns;
+    result += left + (fits ? " " : "\n    ") + right + "\n";
+  }
+  return result + fmt::format("}}  // namespace {}\n", name);
+}
+
+std::vector<std::string> joint_identifiers(const model::Tree& tree) {
+  std::vector<std::string> result;
+  for (int k = 0; k < tree.dof(); ++k) {
+    result.push_back(link_of(tree, k).joint.identifier);
+  }
+  return result;
+}
+
+std::vector<std::string> point_identifiers(const std::vector<model::Point>& points) {
+  std::vector<std::string> result;
+  for (const model::Point& point : points) {
+    result.push_back(point.identifier);
+  }
+  return result;
+}
+
+std::string array_doc(const program::Array& array, bool output, std::size_t name_width) {
+  return wrapped(array.unit, fmt::format("/// \\param{} {:{}}  {}, ", output ? "[out]" : "     ",
+                                         array.name, name_width, array.size));
+}
+
+std::string function_doc(const program::Function& function) {
+  const program::Signature& signature = function.signature;
+  std::size_t name_width = 0;
+  for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
+    for (const program::Array& array : *arrays) {
+      name_width = std::max(name_width, array.name.size());
+    }
+  }
+  std::string result = wrapped(signature.brief, "/// ") + "///\n";
+  for (const program::Array& array : signature.inputs) {
+    result += array_doc(array, false, name_width);
+  }
+  for (const program::Array& array : signature.outputs) {
+    result += array_doc(array, true, name_width);
+  }
+  return result + wrapped(fmt::format("Equation {}. Cost: {}.", signature.equation,
+                                      cost_text(program::cost(function))),
+                          "/// ");
+}
+
+std::string declarations(const Unit& unit) {
+  std::string result;
+  for (const program::Function& function : unit.functions) {
+    const program::Signature& signature = function.signature;
+    const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
+    result += "\n";
+    result += function_doc(function) +
+              declaration("void " + signature.name, parameters(signature, all), " noexcept;") +
+              "\n";
+  }
+  return result;
+}
+
+bool is_plain(char c) {
+  constexpr std::string_view kPlain = "_-.,:=/+%@";
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         kPlain.find(c) != std::string_view::npos;
+}
+
+/// `word` for a shell: as it is, in quotes, or with octal escapes if it holds anything that could
+/// end a comment or a line.
+std::string quoted(const std::string& word) {
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) {
+    return word;
+  }
+  const bool simple = std::all_of(word.begin(), word.end(),
+                                  [](char c) { return is_plain(c) || c == ' ' || c == '('; });
+  if (simple) {
+    return "'" + word + "'";
+  }
+  std::string result = "$'";
+  for (const char c : word) {
+    result += is_plain(c) || c == ' ' ? std::string(1, c)
+                                      : fmt::format("\\{:03o}", static_cast<std::uint8_t>(c));
+  }
+  return result + "'";
+}
+
+}  // namespace
+
+std::string command_comment(const std::vector<std::string>& command) {
+  std::string line;
+  for (const std::string& word : command) {
+    line += line.empty() ? "" : " ";
+    line += quoted(word);
+  }
+  return wrapped(line, "//   ", 4);
+}
+
+int father_coordinate(const model::Tree& tree, int k) {
+  int link = link_of(tree, k).father;
+  while (link != model::kGround) {
+    const auto found = std::find(tree.coordinates.begin(), tree.coordinates.end(), link);
+    if (found != tree.coordinates.end()) {
+      return static_cast<int>(found - tree.coordinates.begin());
+    }
+    link = tree.links[static_cast<std::size_t>(link)].father;
+  }
+  return -1;
+}
+
+std::string header_text(const Unit& unit) {
+  const model::Tree& tree = *unit.tree;
+  return fill(template_text("model.hpp"),
+              {{"name", unit.name},
+               {"model", for_comment(tree.name, kLongestCell * 2)},
+               {"command", command_comment(unit.command)},
+               {"joints", joint_table(tree)},
+               {"points", point_table(unit.points)},
+               {"scalar", type_name(unit.scalar)},
+               {"dof", std::to_string(tree.dof())},
+               {"point_count", std::to_string(unit.points.size())},
+               {"joint_indices", index_namespace("joint", joint_identifiers(tree))},
+               {"point_indices", index_namespace("point", point_identifiers(unit.points))},
+               {"functions", declarations(unit)}});
+}
+
+}  // namespace treedyn::emit

@@ -1,0 +1,19 @@
+// Strings and lists in JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace treedyn::emit {
+
+/// `text` in quotes: control characters escaped, bytes that are no UTF-8 replaced by U+FFFD.
+std::string json_string(std::string_view text);
+
+/// `{"key": value, ...}` on one line; the values are JSON already.
+std::string json_object(const std::vector<std::pair<std::string, std::string>>& members);
+
+/// `[value, ...]`, one value a line at the given indentation; "[]" if there is none.
+std::string json_lines(const std::vector<std::string>& values, int indentation);
+
+}  // namespace treedyn::emit

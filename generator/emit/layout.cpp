@@ -1,0 +1,82 @@
+#include "emit/layout.hpp"
+
+#include <fmt/format.h>
+
+namespace treedyn::emit {
+
+std::string wrapped(std::string_view text, std::string_view prefix, std::size_t hang) {
+  std::string result(prefix);
+  std::size_t column = prefix.size();
+  bool first_word = true;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    if (!first_word && column + 1 + word.size() > kColumns) {
+      result += fmt::format("\n{}{:{}}", prefix, "", hang);
+      column = prefix.size() + hang;
+    } else if (!first_word) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+    first_word = false;
+  }
+  return result + "\n";
+}
+
+std::string declaration(const std::string& head, const std::vector<std::string>& arguments,
+                        const std::string& ending) {
+  std::string result = head + "(";
+  const std::size_t indentation = result.size();
+  std::size_t column = indentation;
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    const bool last = k + 1 == arguments.size();
+    const std::string piece = arguments[k] + (last ? ")" + ending : ",");
+    if (k > 0 && column + 1 + piece.size() > kColumns) {
+      result += fmt::format("\n{:{}}", "", indentation);
+      column = indentation;
+    } else if (k > 0) {
+      result += ' ';
+      ++column;
+    }
+    result += piece;
+    column += piece.size();
+  }
+  return result;
+}
+
+std::vector<std::string> parameters(const program::Signature& signature,
+                                    const std::vector<bool>& uses) {
+  std::vector<std::string> result;
+  const auto add = [&](const program::Array& array, const char* type) {
+    const bool used = uses[result.size()];
+    result.push_back(fmt::format("{} {}{}{}[{}]", type, used ? "" : "/*", array.name,
+                                 used ? "" : "*/", array.size));
+  };
+  for (const program::Array& array : signature.inputs) {
+    add(array, "const Scalar");
+  }
+  for (const program::Array& array : signature.outputs) {
+    add(array, "Scalar");
+  }
+  return result;
+}
+
+std::string cost_text(const program::Cost& cost) {
+  std::string result;
+  const auto add = [&](int count, const char* what) {
+    if (count > 0) {
+      result += fmt::format("{}{} {}", result.empty() ? "" : ", ", count, what);
+    }
+  };
+  add(cost.mul, "mul");
+  add(cost.add, "add");
+  add(cost.div, "div");
+  add(cost.sqrt, "sqrt");
+  add(cost.sin, "sin");
+  add(cost.cos, "cos");
+  return result.empty() ? "none" : result;
+}
+
+}  // namespace treedyn::emit

@@ -1,0 +1,30 @@
+// Lines and declarations the way clang-format leaves them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "program/function.hpp"
+
+namespace treedyn::emit {
+
+inline constexpr std::size_t kColumns = 100;
+
+/// `text` broken at spaces into lines of at most 100 columns, each after `prefix`; continued lines
+/// get `hang` more spaces. Ends with a line feed.
+std::string wrapped(std::string_view text, std::string_view prefix, std::size_t hang = 0);
+
+/// `void name(argument, ...) noexcept` and `ending`, continued under the first argument.
+std::string declaration(const std::string& head, const std::vector<std::string>& arguments,
+                        const std::string& ending);
+
+/// `const Scalar q[6]` for every input, `Scalar A[36]` for every output; an array that `uses` does
+/// not hold is an unnamed parameter, `const Scalar /*q*/[6]`.
+std::vector<std::string> parameters(const program::Signature& signature,
+                                    const std::vector<bool>& uses);
+
+/// "12 mul, 8 add, 1 sin"; "none" if nothing is computed.
+std::string cost_text(const program::Cost& cost);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,36 @@
+#include "emit/literal.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace treedyn::emit {
+
+namespace {
+
+template <class T>
+std::string digits(const Real& value) {
+  const T rounded = value.convert_to<T>();
+  if (!std::isfinite(rounded)) {
+    throw std::range_error(fmt::format("the constant {} is too large for {}", value.str(6),
+                                       sizeof(T) == sizeof(float) ? "float" : "double"));
+  }
+  std::string text = fmt::format("{}", rounded);
+  if (text.find_first_of(".e") == std::string::npos) {
+    text += ".0";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string type_name(Scalar scalar) { return scalar == Scalar::kFloat ? "float" : "double"; }
+
+std::string literal(const Real& value, Scalar scalar) {
+  return scalar == Scalar::kFloat ? digits<float>(value) + "f" : digits<double>(value);
+}
+
+std::string decimal(const Real& value) { return fmt::format("{}", value.convert_to<double>()); }
+
+}  // namespace treedyn::emit

@@ -1,0 +1,23 @@
+// Numbers as C++ literals.
+#pragma once
+
+#include <string>
+
+#include "common/real.hpp"
+
+namespace treedyn::emit {
+
+/// The only floating-point type of a generated file.
+enum class Scalar { kDouble, kFloat };
+
+/// "double" or "float".
+std::string type_name(Scalar scalar);
+
+/// The shortest decimal that reads back as `value` rounded to nearest in the scalar type: `0.5`,
+/// `1e-05f`. \throws std::range_error if the value is too large for the type.
+std::string literal(const Real& value, Scalar scalar);
+
+/// `value` in plain JSON and for the reader: shortest digits that read back as the same double.
+std::string decimal(const Real& value);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,90 @@
+#include "emit/manifest.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/header.hpp"
+#include "emit/json.hpp"
+
+namespace treedyn::emit {
+
+namespace {
+
+std::string joint_json(const model::Tree& tree, int k) {
+  const auto link = static_cast<std::size_t>(tree.coordinates[static_cast<std::size_t>(k)]);
+  const model::Joint& joint = tree.links[link].joint;
+  const bool revolute = joint.type == model::JointType::kRevolute;
+  return json_object({{"name", json_string(joint.name)},
+                      {"identifier", json_string(joint.identifier)},
+                      {"index", std::to_string(k)},
+                      {"type", revolute ? "\"revolute\"" : "\"prismatic\""},
+                      {"father", std::to_string(father_coordinate(tree, k))},
+                      {"unit", revolute ? "\"rad\"" : "\"m\""}});
+}
+
+std::string joints_json(const model::Tree& tree) {
+  std::vector<std::string> joints;
+  for (int k = 0; k < tree.dof(); ++k) {
+    joints.push_back(joint_json(tree, k));
+  }
+  return json_lines(joints, 4);
+}
+
+std::string points_json(const std::vector<model::Point>& points) {
+  std::vector<std::string> result;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    result.push_back(json_object({{"name", json_string(points[k].name)},
+                                  {"identifier", json_string(points[k].identifier)},
+                                  {"index", std::to_string(k)},
+                                  {"link", json_string(points[k].link_name)}}));
+  }
+  return json_lines(result, 4);
+}
+
+std::string arrays_json(const std::vector<program::Array>& arrays) {
+  std::string result = "[";
+  for (const program::Array& array : arrays) {
+    result += fmt::format("{}{}", result.size() > 1 ? ", " : "",
+                          json_object({{"name", json_string(array.name)},
+                                       {"size", std::to_string(array.size)},
+                                       {"unit", json_string(array.unit)}}));
+  }
+  return result + "]";
+}
+
+std::string operations_json(const program::Cost& cost) {
+  return json_object({{"add", std::to_string(cost.add)},
+                      {"mul", std::to_string(cost.mul)},
+                      {"div", std::to_string(cost.div)},
+                      {"sqrt", std::to_string(cost.sqrt)},
+                      {"sin", std::to_string(cost.sin)},
+                      {"cos", std::to_string(cost.cos)}});
+}
+
+std::string function_json(const program::Function& function, const Body& body) {
+  const program::Signature& signature = function.signature;
+  return fmt::format(
+      "{{\"name\": {}, \"equation\": {},\n     \"inputs\": {},\n     \"outputs\": {},\n"
+      "     \"operations\": {},\n     \"statements\": {}, \"structural_zeros\": {}}}",
+      json_string(signature.name), json_string(signature.equation), arrays_json(signature.inputs),
+      arrays_json(signature.outputs), operations_json(program::cost(function)), body.statements,
+      body.structural_zeros);
+}
+
+}  // namespace
+
+std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
+  std::vector<std::string> functions;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    functions.push_back(function_json(unit.functions[k], bodies[k]));
+  }
+  return fmt::format(
+      "{{\n  \"name\": {},\n  \"tool\": {},\n  \"model\": {},\n  \"options\": {},\n"
+      "  \"dof\": {},\n  \"joints\": {},\n  \"points\": {},\n  \"functions\": {}\n}}\n",
+      json_string(unit.name), json_string(unit.tool),
+      json_object(
+          {{"file", json_string(unit.model_file)}, {"sha256", json_string(unit.model_sha256)}}),
+      json_object(unit.options), unit.tree->dof(), joints_json(*unit.tree),
+      points_json(unit.points), json_lines(functions, 4));
+}
+
+}  // namespace treedyn::emit

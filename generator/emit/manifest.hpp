@@ -1,0 +1,15 @@
+// NAME.json: the same facts for programs, INTERFACE.md 5.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/body.hpp"
+#include "emit/unit.hpp"
+
+namespace treedyn::emit {
+
+/// \param bodies one per function of the unit, in order
+std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,218 @@
+#include "emit/names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace treedyn::emit {
+
+using program::Kind;
+using program::Ref;
+
+namespace {
+
+constexpr std::size_t kLongestBody = 16;
+constexpr std::size_t kLongestJoint = 22;
+constexpr std::size_t kLongestCommentName = 60;
+
+bool is_alphanumeric(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+std::vector<std::string> words_of(const std::string& identifier) {
+  std::vector<std::string> words(1);
+  for (const char c : identifier) {
+    if (c == '_') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+std::string joined(const std::vector<std::string>& words, std::size_t letters) {
+  std::string result;
+  for (const std::string& word : words) {
+    result += result.empty() ? "" : "_";
+    result += word.substr(0, letters);
+  }
+  return result;
+}
+
+/// As many letters of every word as fit; empty if not even one does.
+std::string shorter_words(const std::string& identifier, std::size_t longest) {
+  const std::vector<std::string> words = words_of(identifier);
+  for (std::size_t letters = longest; letters > 0; --letters) {
+    std::string candidate = joined(words, letters);
+    if (candidate.size() <= longest) {
+      return candidate;
+    }
+  }
+  return {};
+}
+
+std::string without_link_ending(const std::string& identifier) {
+  constexpr std::string_view kEnding = "_link";
+  if (identifier.size() > kEnding.size() && identifier.ends_with(kEnding)) {
+    return identifier.substr(0, identifier.size() - kEnding.size());
+  }
+  return identifier;
+}
+
+}  // namespace
+
+std::string identifier_part(std::string_view text) {
+  std::string result(text);
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return !is_alphanumeric(c); }, '_');
+  return result;
+}
+
+std::string for_comment(std::string_view text, std::size_t longest) {
+  constexpr std::string_view kHarmless = "_.:+- /()";
+  const bool harmless = std::all_of(text.begin(), text.end(), [&](char c) {
+    return is_alphanumeric(c) || kHarmless.find(c) != std::string_view::npos;
+  });
+  const bool spaced = text.empty() || text.front() == ' ' || text.back() == ' ' ||
+                      text.find("  ") != std::string_view::npos;
+  std::string result = harmless && !spaced ? std::string(text) : identifier_part(text);
+  if (result.size() > longest) {
+    result = result.substr(0, longest - 3) + "...";
+  }
+  return result;
+}
+
+std::vector<std::string> shortened(const std::vector<std::string>& identifiers,
+                                   std::size_t longest) {
+  std::vector<std::string> result;
+  std::set<std::string> taken;
+  for (const std::string& identifier : identifiers) {
+    std::string name = without_link_ending(identifier);
+    if (name.size() > longest) {
+      name = shorter_words(name, longest);
+    }
+    if (name.empty() || !taken.insert(name).second) {
+      name = identifier.size() <= longest ? identifier : std::string();
+      for (std::size_t n = result.size(); name.empty() || !taken.insert(name).second; ++n) {
+        name = fmt::format("b{}", n);
+      }
+    }
+    result.push_back(name);
+  }
+  return result;
+}
+
+Vocabulary vocabulary(const model::Tree& tree) {
+  Vocabulary words;
+  std::vector<std::string> bodies;
+  for (const model::Link& link : tree.links) {
+    bodies.push_back(identifier_part(link.name));
+    words.body_comments.push_back(for_comment(link.name, kLongestCommentName));
+  }
+  std::vector<std::string> joints;
+  for (const int link : tree.coordinates) {
+    joints.push_back(tree.links[static_cast<std::size_t>(link)].joint.identifier);
+  }
+  words.bodies = shortened(bodies, kLongestBody);
+  words.joints = shortened(joints, kLongestJoint);
+  return words;
+}
+
+LocalNames::LocalNames(const program::Function& function, const Vocabulary& words,
+                       const std::vector<Ref>& operations)
+    : function_(function),
+      words_(words),
+      names_(function.graph.size()),
+      last_number_(words.bodies.size() + 1, 0) {
+  for (const program::Array& array : function.signature.inputs) {
+    taken_.insert(array.name);
+  }
+  for (const program::Array& array : function.signature.outputs) {
+    taken_.insert(array.name);
+  }
+  taken_.insert("w");  // the workspace
+  for (const Ref value : operations) {
+    const Kind kind = function.graph.node(value).kind;
+    std::string name = kind == Kind::kSin || kind == Kind::kCos ? trigonometric(value) : "";
+    if (name.empty()) {
+      name = hinted(value);
+    }
+    if (!name.empty()) {
+      claim(value, name);
+    }
+  }
+}
+
+std::string LocalNames::trigonometric(Ref value) const {
+  const program::Node& node = function_.graph.node(value);
+  const program::Node& angle = function_.graph.node(node.a);
+  const char* letter = node.kind == Kind::kSin ? "s" : "c";
+  if (angle.kind == Kind::kInput && static_cast<std::size_t>(angle.b) < words_.joints.size()) {
+    return fmt::format("{}_{}", letter, words_.joints[static_cast<std::size_t>(angle.b)]);
+  }
+  const int body = function_.graph.hint(value).body;
+  if (function_.graph.hint(value).symbol == nullptr && body >= 0) {
+    return fmt::format("{}_{}", letter, words_.bodies[static_cast<std::size_t>(body)]);
+  }
+  return {};
+}
+
+std::string LocalNames::hinted(Ref value) const {
+  const program::Hint& hint = function_.graph.hint(value);
+  if (hint.symbol == nullptr) {
+    return {};
+  }
+  std::string name = hint.symbol;
+  if (hint.body >= 0) {
+    name += "_" + words_.bodies[static_cast<std::size_t>(hint.body)];
+  }
+  if (hint.component != nullptr) {
+    name += fmt::format("_{}", hint.component);
+  }
+  return name.size() <= kLongestLocal ? name : std::string();
+}
+
+void LocalNames::claim(Ref value, const std::string& name) {
+  std::string unique = name;
+  if (is_reserved(unique)) {
+    unique += "_";
+  }
+  for (int n = 2; !taken_.insert(unique).second; ++n) {
+    unique = fmt::format("{}_{}", name, n);
+  }
+  if (unique.size() <= kLongestLocal) {
+    names_[index(value)] = unique;
+  }
+}
+
+std::string LocalNames::temporary_stem(Ref value) const {
+  const int body = function_.graph.hint(value).body;
+  return body < 0 ? std::string("t_")
+                  : fmt::format("t_{}_", words_.bodies[static_cast<std::size_t>(body)]);
+}
+
+void LocalNames::assign(Ref value) {
+  std::string& name = names_[index(value)];
+  if (!name.empty()) {
+    return;
+  }
+  const int body = function_.graph.hint(value).body;
+  int& number = body < 0 ? last_number_.back() : last_number_[static_cast<std::size_t>(body)];
+  do {
+    name = fmt::format("{}{}", temporary_stem(value), ++number);
+  } while (is_reserved(name) || !taken_.insert(name).second);
+}
+
+int LocalNames::width(Ref value) const {
+  const std::string& name = names_[index(value)];
+  if (!name.empty()) {
+    return static_cast<int>(name.size());
+  }
+  const auto most_digits = static_cast<int>(fmt::formatted_size("{}", function_.graph.size()));
+  return static_cast<int>(temporary_stem(value).size()) + most_digits;
+}
+
+}  // namespace treedyn::emit

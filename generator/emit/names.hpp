@@ -1,0 +1,69 @@
+// Names in generated code: of joints, bodies, and the locals of a function.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/tree.hpp"
+#include "program/function.hpp"
+
+namespace treedyn::emit {
+
+/// Longest local: with it, a statement with two operands fits into 100 columns in any case.
+inline constexpr std::size_t kLongestLocal = 24;
+
+/// True for C++ keywords and for names that a namespace or local in generated code must avoid:
+/// macros and global functions of the C standard library, `main`, `std`.
+bool is_reserved(std::string_view name);
+
+/// Every byte outside [A-Za-z0-9_] as `_`: a part of an identifier.
+std::string identifier_part(std::string_view text);
+
+/// `text` if it is harmless inside a comment, else `identifier_part`; at most `longest` characters.
+std::string for_comment(std::string_view text, std::size_t longest);
+
+/// Identifiers of at most `longest` characters, unique: the given ones without a common "_link"
+/// ending, long ones with shortened words ("left_shou_pitc").
+std::vector<std::string> shortened(const std::vector<std::string>& identifiers,
+                                   std::size_t longest);
+
+/// What the text of a model calls its links and independent joints.
+struct Vocabulary {
+  std::vector<std::string> bodies;         ///< by link, short
+  std::vector<std::string> joints;         ///< by coordinate, short
+  std::vector<std::string> body_comments;  ///< by link, the name as a comment shows it
+};
+Vocabulary vocabulary(const model::Tree& tree);
+
+/// The names of a function's values: `omega_forearm_x` where the graph has a hint, `s_elbow` for
+/// the sine of a joint angle, otherwise `t_forearm_1` counted in each body.
+class LocalNames {
+ public:
+  /// \param operations all operations of the function in order
+  LocalNames(const program::Function& function, const Vocabulary& words,
+             const std::vector<program::Ref>& operations);
+
+  /// The next temporary's name for a value without a hint; keeps names that exist.
+  void assign(program::Ref value);
+  /// \pre the value has a hint or `assign` was called.
+  [[nodiscard]] const std::string& at(program::Ref value) const { return names_[index(value)]; }
+  /// Upper bound of the length of the name, also before `assign`.
+  [[nodiscard]] int width(program::Ref value) const;
+
+ private:
+  static std::size_t index(program::Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
+  [[nodiscard]] std::string hinted(program::Ref value) const;
+  [[nodiscard]] std::string trigonometric(program::Ref value) const;
+  [[nodiscard]] std::string temporary_stem(program::Ref value) const;
+  void claim(program::Ref value, const std::string& name);
+
+  const program::Function& function_;
+  const Vocabulary& words_;
+  std::vector<std::string> names_;
+  std::vector<int> last_number_;  // by body; the last entry is for no body
+  std::set<std::string> taken_;
+};
+
+}  // namespace treedyn::emit

@@ -1,0 +1,12 @@
+// SHA-256 (FIPS 180-4) of the model file, for the manifest.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace treedyn::emit {
+
+/// 64 lower-case hexadecimal digits.
+std::string sha256(std::string_view bytes);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,17 @@
+// C++ text with @slots@: the only place where the layout of a generated file is written down.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace treedyn::emit {
+
+/// A file of the folder templates/, built into the program. \pre `name` is one of them.
+std::string_view template_text(std::string_view name);
+
+/// `text` with every `@slot@` replaced by its value; a slot alone on its line whose value is empty
+/// takes the line with it. An unknown or an unused slot is a broken invariant.
+std::string fill(std::string_view text, const std::map<std::string, std::string>& slots);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,27 @@
+#include "emit/unit.hpp"
+
+#include "emit/body.hpp"
+#include "emit/header.hpp"
+#include "emit/manifest.hpp"
+#include "emit/source.hpp"
+
+namespace treedyn::emit {
+
+std::vector<std::string> file_names(const std::string& name) {
+  return {name + ".hpp", name + ".cpp", name + ".json"};
+}
+
+std::vector<File> emit_files(const Unit& unit) {
+  const Vocabulary words = vocabulary(*unit.tree);
+  std::vector<Body> bodies;
+  bodies.reserve(unit.functions.size());
+  for (const program::Function& function : unit.functions) {
+    bodies.push_back(body(function, words, unit.scalar));
+  }
+  const std::vector<std::string> names = file_names(unit.name);
+  return {{names[0], header_text(unit)},
+          {names[1], source_text(unit, bodies)},
+          {names[2], manifest_text(unit, bodies)}};
+}
+
+}  // namespace treedyn::emit

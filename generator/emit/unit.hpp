@@ -1,0 +1,40 @@
+// What is written for one model, and the three files that come of it.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "emit/literal.hpp"
+#include "model/tree.hpp"
+#include "program/function.hpp"
+
+namespace treedyn::emit {
+
+/// Everything that the generated files say.
+struct Unit {
+  std::string name;  ///< file stem and namespace
+  const model::Tree* tree = nullptr;
+  std::vector<model::Point> points;
+  std::vector<program::Function> functions;
+  Scalar scalar = Scalar::kDouble;
+  std::vector<std::string> command;  ///< program and arguments that reproduce the files
+  std::string tool;                  ///< "treedyn 0.1.0", for the manifest only
+  std::string model_file;            ///< base name, "-" for standard input
+  std::string model_sha256;
+  std::vector<std::pair<std::string, std::string>> options;  ///< for the manifest; values are JSON
+};
+
+struct File {
+  std::string name;
+  std::string text;
+};
+
+/// The names of the files that `emit_files` makes, in its order.
+std::vector<std::string> file_names(const std::string& name);
+
+/// NAME.hpp, NAME.cpp, NAME.json. The same unit gives the same bytes everywhere.
+/// \throws std::range_error if a constant is too large for the scalar type.
+std::vector<File> emit_files(const Unit& unit);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,303 @@
+#include "program/schedule.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "common/error.hpp"
+
+namespace treedyn::program {
+
+namespace {
+
+/// An operand this many operations away from its only user keeps its statement: inlining it would
+/// keep its own operands alive for so long.
+constexpr int kFar = 24;
+
+std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
+
+bool is_operation(const Graph& graph, Ref a) {
+  const Kind kind = graph.node(a).kind;
+  return a != 0 && kind != Kind::kConstant && kind != Kind::kInput;
+}
+
+bool is_trigonometric(Kind kind) { return kind == Kind::kSin || kind == Kind::kCos; }
+
+/// For every sine the cosine of the same angle and the other way round; 0: none is needed.
+std::vector<Ref> trigonometric_partners(const Graph& graph, const std::vector<Ref>& nodes) {
+  std::vector<Ref> by_angle(graph.size(), 0);
+  std::vector<Ref> partner(graph.size(), 0);
+  for (const Ref k : nodes) {
+    const Node& node = graph.node(k);
+    if (!is_trigonometric(node.kind)) {
+      continue;
+    }
+    Ref& first = by_angle[index(node.a)];
+    if (first != 0) {
+      partner[index(k)] = first;
+      partner[index(first)] = k;
+    }
+    first = k;
+  }
+  return partner;
+}
+
+/// Registers that each value needs if its operands are computed one after the other (Sethi,
+/// Ullman), as if the graph were a tree.
+std::vector<int> register_needs(const Graph& graph, const std::vector<Ref>& nodes) {
+  std::vector<int> need(graph.size(), 0);
+  for (const Ref k : nodes) {
+    const Node& node = graph.node(k);
+    if (!is_operation(graph, k)) {
+      continue;
+    }
+    const int a = need[index(node.a)];
+    const int b = node.b != 0 ? need[index(node.b)] : 0;
+    need[index(k)] = a == b ? a + 1 : std::max(a, b);
+  }
+  return need;
+}
+
+/// Appends `root` and what it needs to `order`, operands first.
+class DepthFirst {
+ public:
+  DepthFirst(const Graph& graph, const std::vector<Ref>& nodes)
+      : graph_(graph),
+        need_(register_needs(graph, nodes)),
+        partner_(trigonometric_partners(graph, nodes)),
+        seen_(graph.size(), false) {}
+
+  void visit(Ref root, std::vector<Ref>& order) {
+    std::vector<std::pair<Ref, bool>> stack{{std::abs(root), false}};
+    while (!stack.empty()) {
+      const auto [k, operands_done] = stack.back();
+      stack.pop_back();
+      if (seen_[index(k)] || !is_operation(graph_, k)) {
+        continue;
+      }
+      if (operands_done) {
+        append(k, order);
+        continue;
+      }
+      stack.emplace_back(k, true);
+      push_operands(graph_.node(k), stack);
+    }
+  }
+
+ private:
+  void append(Ref k, std::vector<Ref>& order) {
+    for (const Ref each : {k, partner_[index(k)]}) {
+      if (each != 0) {
+        seen_[index(each)] = true;
+        order.push_back(each);
+      }
+    }
+  }
+
+  void push_operands(const Node& node, std::vector<std::pair<Ref, bool>>& stack) const {
+    Ref first = std::abs(node.a);
+    Ref second = std::abs(node.b);
+    if (second != 0 && need_[index(second)] > need_[index(first)]) {
+      std::swap(first, second);
+    }
+    if (second != 0) {
+      stack.emplace_back(second, false);
+    }
+    stack.emplace_back(first, false);
+  }
+
+  const Graph& graph_;
+  std::vector<int> need_;
+  std::vector<Ref> partner_;
+  std::vector<bool> seen_;
+};
+
+std::vector<Ref> algorithm_order(const Graph& graph, const std::vector<Ref>& nodes) {
+  const std::vector<Ref> partner = trigonometric_partners(graph, nodes);
+  std::vector<bool> seen(graph.size(), false);
+  std::vector<Ref> order;
+  for (const Ref k : nodes) {
+    for (const Ref each : {k, partner[index(k)]}) {
+      if (is_operation(graph, each) && !seen[index(each)]) {
+        seen[index(each)] = true;
+        order.push_back(each);
+      }
+    }
+  }
+  return order;
+}
+
+}  // namespace
+
+std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs,
+                                     Order order) {
+  const std::vector<Ref> nodes = reachable(graph, outputs);
+  if (order == Order::kAlgorithm) {
+    return algorithm_order(graph, nodes);
+  }
+  DepthFirst walk(graph, nodes);
+  std::vector<Ref> result;
+  for (const Ref output : outputs) {
+    walk.visit(output, result);
+  }
+  return result;
+}
+
+int largest_live_count(const Graph& graph, std::span<const Ref> operations) {
+  std::vector<std::size_t> last_use(graph.size(), 0);
+  for (std::size_t at = 0; at < operations.size(); ++at) {
+    for_each_operand(graph.node(operations[at]),
+                     [&](Ref operand) { last_use[index(operand)] = at; });
+  }
+  std::vector<int> change(operations.size() + 1, 0);
+  for (std::size_t at = 0; at < operations.size(); ++at) {
+    const std::size_t end = last_use[index(operations[at])];
+    if (end > at) {
+      ++change[at];
+      --change[end];
+    }
+  }
+  int live = 0;
+  int largest = 0;
+  for (const int step : change) {
+    live += step;
+    largest = std::max(largest, live);
+  }
+  return largest;
+}
+
+std::vector<Ref> cheapest_order(const Graph& graph, std::span<const Ref> outputs) {
+  std::vector<Ref> algorithm = operations_in_order(graph, outputs, Order::kAlgorithm);
+  std::vector<Ref> depth_first = operations_in_order(graph, outputs, Order::kDepthFirst);
+  return largest_live_count(graph, depth_first) < largest_live_count(graph, algorithm) ? depth_first
+                                                                                       : algorithm;
+}
+
+namespace {
+
+bool is_sum(const Graph& graph, Ref a, const Schedule& schedule) {
+  return schedule.is_inlined(a) && graph.node(a).kind == Kind::kAdd;
+}
+
+bool is_product(const Graph& graph, Ref a, const Schedule& schedule) {
+  const Kind kind = graph.node(a).kind;
+  return schedule.is_inlined(a) && (kind == Kind::kMultiply || kind == Kind::kDivide);
+}
+
+}  // namespace
+
+Shape shape(const Graph& graph, const Node& node, const Schedule& schedule) {
+  const bool a_sum = is_sum(graph, node.a, schedule);
+  const bool b_sum = node.b != 0 && is_sum(graph, node.b, schedule);
+  Shape result;
+  if (node.kind == Kind::kAdd) {
+    result.swapped = b_sum && !a_sum && node.b > 0;
+    result.second_in_parentheses = b_sum && !result.swapped;
+  } else if (node.kind == Kind::kMultiply || node.kind == Kind::kDivide) {
+    const bool a_product = is_product(graph, node.a, schedule);
+    const bool b_product = is_product(graph, node.b, schedule);
+    result.swapped = node.kind == Kind::kMultiply && b_product && !a_product;
+    result.first_in_parentheses = a_sum && !result.swapped;
+    result.second_in_parentheses = result.swapped ? a_sum : b_sum || b_product;
+  }
+  return result;
+}
+
+namespace {
+
+/// Builds a schedule operation by operation; an operand waits (is inlined) until it no longer fits.
+class Inliner {
+ public:
+  Inliner(const Graph& graph, const Measure& measure) : graph_(graph), measure_(measure) {
+    result_.inlined.assign(graph.size(), false);
+    width_.assign(graph.size(), 0);
+  }
+
+  void mark_candidates(std::span<const Ref> outputs, std::span<const Ref> operations);
+
+  void add(Ref k) {
+    const Node& node = graph_.node(k);
+    while (expression_width(node) > measure_.available(k) && materialise_widest(node)) {
+    }
+    width_[index(k)] = expression_width(node);
+    if (!result_.inlined[index(k)]) {
+      result_.statements.push_back(k);
+    }
+  }
+
+  Schedule take() { return std::move(result_); }
+
+ private:
+  int operand_width(Ref a) const {
+    return result_.is_inlined(a) ? width_[index(a)] : measure_.atom(std::abs(a));
+  }
+
+  int expression_width(const Node& node) const {
+    if (node.b == 0) {
+      return operand_width(node.a) + 6;  // "sqrt()"
+    }
+    const Shape form = shape(graph_, node, result_);
+    return operand_width(node.a) + operand_width(node.b) + 3 + (form.first_in_parentheses ? 2 : 0) +
+           (form.second_in_parentheses ? 2 : 0);
+  }
+
+  /// Gives the widest waiting operand a statement; false if none waits.
+  bool materialise_widest(const Node& node) {
+    Ref widest = 0;
+    for_each_operand(node, [&](Ref operand) {
+      if (result_.is_inlined(operand) &&
+          (widest == 0 || operand_width(operand) > operand_width(widest))) {
+        widest = std::abs(operand);
+      }
+    });
+    if (widest == 0) {
+      return false;
+    }
+    result_.inlined[index(widest)] = false;
+    result_.statements.push_back(widest);
+    return true;
+  }
+
+  const Graph& graph_;
+  const Measure& measure_;
+  Schedule result_;
+  std::vector<int> width_;
+};
+
+void Inliner::mark_candidates(std::span<const Ref> outputs, std::span<const Ref> operations) {
+  std::vector<int> uses(graph_.size(), 0);
+  std::vector<std::size_t> place(graph_.size(), 0);
+  for (const Ref output : outputs) {
+    uses[index(output)] += 2;
+  }
+  for (std::size_t at = 0; at < operations.size(); ++at) {
+    place[index(operations[at])] = at;
+    for_each_operand(graph_.node(operations[at]), [&](Ref operand) { ++uses[index(operand)]; });
+  }
+  for (std::size_t at = 0; at < operations.size(); ++at) {
+    const Node& user = graph_.node(operations[at]);
+    for_each_operand(user, [&](Ref operand) {
+      const Kind kind = graph_.node(operand).kind;
+      const bool named = graph_.hint(operand).symbol != nullptr &&
+                         !(kind == Kind::kMultiply && user.kind == Kind::kAdd);
+      result_.inlined[index(operand)] = is_operation(graph_, operand) && !is_trigonometric(kind) &&
+                                        !is_trigonometric(user.kind) && !named &&
+                                        uses[index(operand)] == 1 &&
+                                        at - place[index(operand)] <= kFar;
+    });
+  }
+}
+
+}  // namespace
+
+Schedule schedule(const Graph& graph, std::span<const Ref> outputs, std::span<const Ref> operations,
+                  const Measure& measure) {
+  Inliner inliner(graph, measure);
+  inliner.mark_candidates(outputs, operations);
+  for (const Ref k : operations) {
+    inliner.add(k);
+  }
+  return inliner.take();
+}
+
+}  // namespace treedyn::program

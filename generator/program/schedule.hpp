@@ -1,0 +1,62 @@
+// From a graph to statements: their order, and which values are written inside the expression of
+// their only user.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "program/function.hpp"
+
+namespace treedyn::program {
+
+enum class Order {
+  kAlgorithm,   ///< order of creation: forward sweep, backward sweep
+  kDepthFirst,  ///< every output after exactly what it needs, the operand with more needs first
+};
+
+/// The operations (no constants, no inputs) that `outputs` need, in an order in which every operand
+/// precedes its user; sine and cosine of one angle stand side by side. O(size of the graph).
+std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs, Order order);
+
+/// The largest number of results that are alive at once if `operations` are executed in order; an
+/// estimate of registers and stack.
+int largest_live_count(const Graph& graph, std::span<const Ref> operations);
+
+/// The order with the smaller `largest_live_count`; algorithm order if equal.
+std::vector<Ref> cheapest_order(const Graph& graph, std::span<const Ref> outputs);
+
+/// Columns that the text of a value takes.
+struct Measure {
+  std::function<int(Ref)> atom;       ///< name or literal of the value, where it is used
+  std::function<int(Ref)> available;  ///< room for the expression in the value's own statement
+};
+
+/// Which operand of a node stands in parentheses, and whether the two change places (both are
+/// exact in floating point: addition and multiplication commute).
+struct Shape {
+  bool swapped = false;
+  bool first_in_parentheses = false;
+  bool second_in_parentheses = false;
+};
+
+/// \invariant every operation is either in `statements` or inlined into exactly one user.
+struct Schedule {
+  std::vector<Ref> statements;  ///< in order of execution
+  std::vector<bool> inlined;    ///< by node number
+
+  [[nodiscard]] bool is_inlined(Ref a) const {
+    return inlined[static_cast<std::size_t>(a < 0 ? -a : a)];
+  }
+};
+
+/// Shape of `node` if the inlined operands are written in place: the text then groups exactly as
+/// the graph does.
+Shape shape(const Graph& graph, const Node& node, const Schedule& schedule);
+
+/// Values with one use and no name of their own are inlined where the line is wide enough, and a
+/// product always goes into its sum so that compilers can contract the two.
+Schedule schedule(const Graph& graph, std::span<const Ref> outputs, std::span<const Ref> operations,
+                  const Measure& measure);
+
+}  // namespace treedyn::program
