@@ -111,12 +111,9 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   std::string functions;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const program::Signature& signature = unit.functions[k].signature;
-    functions +=
-        "
-        ";
-        functions +=
-        bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k].parts.front())
-                                    : split_function(signature, bodies[k]);
+    functions += "\n";
+    functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k].parts.front())
+                                             : split_function(signature, bodies[k]);
   }
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"command", command_comment(unit.command)},
