@@ -30,11 +30,13 @@ struct Task {
 
 /// Which choices of a Variant can change the cost of a function.
 struct Freedom {
-  bool regrouping = false;   ///< inertial parameters may move to the father
-  bool moment_form = false;  ///< velocities and link moments occur
-  bool tensor_form = false;  ///< composite bodies occur
-  bool trunk = false;        ///< a free base may be treated as one body
-  bool articulated = false;  ///< two methods exist
+  bool regrouping = false;    ///< inertial parameters may move to the father
+  bool moment_form = false;   ///< velocities and link moments occur
+  bool tensor_form = false;   ///< composite bodies occur
+  bool trunk = false;         ///< a free base may be treated as one body
+  bool articulated = false;   ///< two methods exist
+  bool two_ways = false;      ///< points: from the root or to the root
+  bool fixed_frames = false;  ///< results refer to the model\'s own link origins: no slide
 };
 
 struct Recipe {

@@ -130,7 +130,7 @@ Expr Kinematics::force(int i) const {
   return link(i).sign > 0 ? tau : -tau;
 }
 
-Expr Kinematics::slide(int i) const {
+Expr Kinematics::displacement(int i) const {
   const model::Drive& drive = tree_.drives[index(i)];
   const Expr q = constant(graph_, drive.multiplier) * coordinate(inputs_.q, drive.coordinate) +
                  constant(graph_, drive.offset);
@@ -245,7 +245,7 @@ void Kinematics::place_link(int i) {
   }
   rotations_.push_back(std::move(steps));
   if (!l.revolute) {
-    s = s + slide(i) * axis_in_father(i);
+    s = s + displacement(i) * axis_in_father(i);
   }
   name(graph_, s, "s", i);
   offset_.push_back(s);

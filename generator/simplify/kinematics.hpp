@@ -61,6 +61,9 @@ class Kinematics {
   [[nodiscard]] Expr acceleration(int i) const { return rate(i, inputs_.qdd); }
   [[nodiscard]] Expr force(int i) const;
 
+  /// The slide of a prismatic joint along +z of its normal frame.
+  [[nodiscard]] Expr displacement(int i) const;
+
   /// -g in the base frame: the acceleration of a ground that replaces gravity.
   [[nodiscard]] Vec3 ground_acceleration() const;
 
@@ -102,7 +105,6 @@ class Kinematics {
   [[nodiscard]] Angle joint_angle(int i) const;
   [[nodiscard]] Expr coordinate(int array, int k) const;
   [[nodiscard]] Expr rate(int i, int array) const;
-  [[nodiscard]] Expr slide(int i) const;
   /// Appends the rotation about `axis` by `angle` unless it is the identity.
   void append(std::vector<PlaneRotation>& steps, std::size_t axis, const Angle& angle) const;
   [[nodiscard]] std::pair<Expr, Expr> cosine_and_sine(const Angle& angle) const;

@@ -35,6 +35,7 @@ class NewtonEuler {
         load_(static_cast<std::size_t>(k.size())) {}
 
   void set_motion(int i, const Motion& motion) { at(i) = motion; }
+  [[nodiscard]] const Motion& motion_of(int i) { return at(i); }
   /// Motion of link i from its father's. \param ground acceleration of the ground
   void forward(int i, const Vec3& ground);
   /// F_i = m a + Omega h,  M_i = vee(Omega E) + h x a.
@@ -226,6 +227,16 @@ Motion motion(const Vec3& omega, const Vec3& alpha, const Vec3& a) {
   m.Omega[2][1] += alpha[0];
   m.xx_zz = m.Omega[0][0] - m.Omega[2][2];
   return m;
+}
+
+std::vector<Motion> motions(const Kinematics& k, const Vec3& ground) {
+  NewtonEuler sweep(k);
+  std::vector<Motion> result;
+  for (int i = 0; i < k.size(); ++i) {
+    sweep.forward(i, ground);
+    result.push_back(sweep.motion_of(i));
+  }
+  return result;
 }
 
 std::vector<Expr> inverse_dynamics(const Kinematics& k, const Vec3& ground) {

@@ -28,6 +28,9 @@ struct Wrench {
   Vec3 moment;
 };
 
+/// Motion of every link for the rates and accelerations that are inputs, fathers first.
+std::vector<Motion> motions(const Kinematics& kinematics, const Vec3& ground);
+
 /// A qdd + B + G for the rates and accelerations that are inputs; `ground` is the ground's
 /// acceleration
 /// (-g gives G its place, zero leaves it out). Joint order. O(N).

@@ -43,7 +43,9 @@ struct Variant {
   int unit_length = 0;          ///< 0: metre; k: the k-th of `unit_lengths`, a length of the robot
   bool inertia_tensor = false;  ///< composite bodies by inertia tensors instead of pseudo-inertias
   bool trunk = true;            ///< a free base is treated as one body with six velocities
-  bool articulated = false;     ///< forward dynamics by articulated bodies instead of factoring A
+  bool from_root =
+      false;  ///< points by frames carried from the root instead of vectors carried to it
+  bool articulated = false;  ///< forward dynamics by articulated bodies instead of factoring A
   auto operator<=>(const Variant&) const = default;
 };
 

@@ -1,0 +1,56 @@
+#include "simplify/energy.hpp"
+
+#include "simplify/points.hpp"
+
+namespace treedyn::simplify {
+
+namespace {
+
+/// 2 T of one body: m v.v + 2 v.(omega x h) + omega.J omega, J = tr(E) - E.
+Expr twice_kinetic_energy(Graph& graph, const Kinematics::Body& body, const Velocity& velocity) {
+  const auto& [x, y, z] = velocity.omega;
+  const Mat3& e = body.pseudo;
+  const Vec3 momentum = body.mass * velocity.origin;
+  const Vec3 turning = cross(velocity.omega, body.moment);
+  const Expr two = constant(graph, Real(2));
+  const Expr rotation =
+      sum(graph, {(y * y + z * z) * e[0][0], (x * x + z * z) * e[1][1], (x * x + y * y) * e[2][2]});
+  const Expr products = sum(graph, {(x * y) * e[0][1], (x * z) * e[0][2], (y * z) * e[1][2]});
+  return dot(velocity.origin, momentum + two * turning) + (rotation - two * products);
+}
+
+}  // namespace
+
+Expr kinetic_energy(const Kinematics& k) {
+  const std::vector<Velocity> velocity = velocities(k);
+  Expr twice;
+  for (int i = 0; i < k.size(); ++i) {
+    k.graph().set_body(i);
+    twice += twice_kinetic_energy(k.graph(), k.body(i), velocity[static_cast<std::size_t>(i)]);
+  }
+  return constant(k.graph(), Real("0.5")) * twice;
+}
+
+Expr potential_energy(const Kinematics& k, const NormalTree& normal) {
+  std::vector<Kinematics::Body> subtree;
+  for (int i = 0; i < k.size(); ++i) {
+    subtree.push_back(k.body(i));
+  }
+  Vec3 moment = constant(k.graph(), normal.ground_moment);
+  for (int i = k.size() - 1; i >= 0; --i) {  // h_f += h + m s
+    k.graph().set_body(i);
+    const Kinematics::Body& own = subtree[static_cast<std::size_t>(i)];
+    const Vec3 carried = k.to_father(i, own.moment) + own.mass * k.offset(i);
+    const int f = k.link(i).father;
+    if (f == model::kGround) {
+      moment = moment + carried;
+    } else {
+      Kinematics::Body& father = subtree[static_cast<std::size_t>(f)];
+      father.moment = father.moment + carried;
+      father.mass += own.mass;
+    }
+  }
+  return dot(k.ground_acceleration(), moment);
+}
+
+}  // namespace treedyn::simplify

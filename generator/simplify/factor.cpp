@@ -1,0 +1,68 @@
+#include "simplify/factor.hpp"
+
+#include <ranges>
+
+#include "common/error.hpp"
+
+namespace treedyn::simplify {
+
+Factorization::Factorization(Graph& graph, int size, const SparseSymmetric& matrix)
+    : rows_(static_cast<std::size_t>(size)),
+      pivot_(static_cast<std::size_t>(size)),
+      inverse_(static_cast<std::size_t>(size)) {
+  std::vector<std::map<int, Expr>> a(static_cast<std::size_t>(size));  // row k, columns <= k
+  for (const auto& [place, entry] : matrix) {
+    TREEDYN_EXPECT(place.first >= place.second);
+    if (!entry.is_zero()) {
+      a[static_cast<std::size_t>(place.first)][place.second] = entry;
+    }
+  }
+  for (int k = size - 1; k >= 0; --k) {
+    graph.set_body(k);
+    std::map<int, Expr>& row = a[static_cast<std::size_t>(k)];
+    const Expr pivot = row[k];
+    TREEDYN_EXPECT(!pivot.is_zero());
+    const Expr inverse = constant(graph, Real(1)) / pivot;
+    graph.name(inverse.ref(), "inverse_pivot", k);
+    pivot_[static_cast<std::size_t>(k)] = pivot;
+    inverse_[static_cast<std::size_t>(k)] = inverse;
+    row.erase(k);
+    for (const auto& [i, a_ki] : row | std::views::reverse) {
+      const Expr l_ki = a_ki * inverse;
+      for (const auto& [j, a_kj] : row) {
+        if (j <= i) {
+          Expr& target = a[static_cast<std::size_t>(i)][j];
+          target = target - l_ki * a_kj;
+        }
+      }
+      rows_[static_cast<std::size_t>(k)].emplace_back(i, l_ki);
+    }
+  }
+}
+
+Expr Factorization::lower(int k, int i) const {
+  for (const auto& [column, entry] : row(k)) {
+    if (column == i) {
+      return entry;
+    }
+  }
+  return {};
+}
+
+std::vector<Expr> Factorization::solve(std::vector<Expr> x) const {
+  for (int k = size() - 1; k >= 0; --k) {  // L^T y = right
+    for (const auto& [i, l_ki] : row(k)) {
+      x[static_cast<std::size_t>(i)] -= l_ki * x[static_cast<std::size_t>(k)];
+    }
+  }
+  for (int k = 0; k < size(); ++k) {  // Delta, then L x = y
+    Expr& x_k = x[static_cast<std::size_t>(k)];
+    x_k = x_k * inverse_pivot(k);
+    for (const auto& [i, l_ki] : row(k)) {
+      x_k -= l_ki * x[static_cast<std::size_t>(i)];
+    }
+  }
+  return x;
+}
+
+}  // namespace treedyn::simplify

@@ -1,0 +1,39 @@
+// A = L^T Delta L without fill-in, EQUATIONS.md 7.4.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "simplify/composite.hpp"
+
+namespace treedyn::simplify {
+
+/// L (unit lower triangular) and Delta of a symmetric matrix, eliminated from the last row to the
+/// first. Zero entries stay zero and cost nothing: with fathers before sons only ancestor entries
+/// are touched.
+class Factorization {
+ public:
+  /// \param size rows of the matrix; entries that are absent are zero.
+  Factorization(Graph& graph, int size, const SparseSymmetric& matrix);
+
+  /// x of A x = right, by one sweep to the root and one back.
+  [[nodiscard]] std::vector<Expr> solve(std::vector<Expr> right) const;
+
+  /// L_ki for i < k; zero where absent.
+  [[nodiscard]] Expr lower(int k, int i) const;
+  [[nodiscard]] Expr pivot(int k) const { return pivot_[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] Expr inverse_pivot(int k) const { return inverse_[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] int size() const { return static_cast<int>(pivot_.size()); }
+  /// The columns i < k with L_ki not zero, descending.
+  [[nodiscard]] const std::vector<std::pair<int, Expr>>& row(int k) const {
+    return rows_[static_cast<std::size_t>(k)];
+  }
+
+ private:
+  std::vector<std::vector<std::pair<int, Expr>>> rows_;
+  std::vector<Expr> pivot_;
+  std::vector<Expr> inverse_;
+};
+
+}  // namespace treedyn::simplify
