@@ -1,0 +1,42 @@
+#include "program/constants.hpp"
+
+#include <algorithm>
+
+#include "common/error.hpp"
+
+namespace treedyn::program {
+
+namespace {
+
+/// Relative distance below which two constants are the same number, reached along two ways.
+const Real& same_constant() {
+  static const Real value("1e-38");
+  return value;
+}
+
+}  // namespace
+
+int ConstantTable::find_or_add(const Real& value) {
+  TREEDYN_EXPECT(value > 0);
+  const auto key = static_cast<double>(value);
+  for (auto it = table_.lower_bound(key * (1 - 1e-14));
+       it != table_.end() && it->first <= key * (1 + 1e-14); ++it) {
+    if (abs(this->value(it->second) - value) <= value * same_constant()) {
+      return it->second;
+    }
+  }
+  const auto index = static_cast<int>(values_.size());
+  values_.push_back(value);
+  table_.emplace(key, index);
+  return index;
+}
+
+int ConstantTable::product(int a, int b) {
+  const auto [place, is_new] = products_.try_emplace(std::minmax(a, b), 0);
+  if (is_new) {
+    place->second = find_or_add(value(a) * value(b));
+  }
+  return place->second;
+}
+
+}  // namespace treedyn::program

@@ -1,0 +1,26 @@
+// Fewer operations for the same values.
+#pragma once
+
+#include "program/function.hpp"
+
+namespace treedyn::program {
+
+/// How hard `optimise` tries.
+struct Effort {
+  int rounds = 3;  ///< repetitions of each order of the passes
+  int moves = 0;   ///< steps of the local search that follows
+};
+
+/// An equivalent function with at most as many operations (add + mul + div, sin, cos, sqrt).
+///
+/// Sums and products are taken apart and put together again: factored (`factor_sums`) and shared
+/// (`share_pairs`), in the order of the passes that pays most; see network.hpp. Values that
+/// survive keep their names; nodes are numbered near the original order. The result depends on
+/// the arguments alone.
+Function optimise(const Function& function, const Effort& effort = {});
+
+/// The number of operations that one round of passes reaches: cheap enough for the inner loop of a
+/// search over formulations. Not less than what `optimise` reaches.
+int estimate_operations(const Graph& graph, std::span<const Ref> outputs);
+
+}  // namespace treedyn::program
