@@ -10,7 +10,8 @@
 
 namespace treedyn::description {
 
-/// What carries the root of the robot, INTERFACE.md 4: the ground, or six one-DOF joints base_px .. base_rx.
+/// What carries the root of the robot, INTERFACE.md 4: the ground, or six one-DOF joints base_px ..
+/// base_rx.
 enum class Base { kFixed, kAxes };
 
 /// URDF mimic joints: eliminated (`Tree::drives`), or joints of their own.
@@ -22,7 +23,8 @@ struct ReadOptions {
   Real snap = Real("1e-9");  ///< tolerance of snapping, rad; 0 switches it off
 };
 
-/// Reads and checks a URDF (`*.urdf`) or a tree description (`*.yaml`, `*.yml`, `*.json`; "-": YAML on standard input).
+/// Reads and checks a URDF (`*.urdf`) or a tree description (`*.yaml`, `*.yml`, `*.json`; "-": YAML
+/// on standard input).
 ///
 /// Fixed joints are merged, decimals close to exact angles are snapped (`Tree::snaps`).
 /// Linear in the size of the file; memory is bounded whatever the file holds.
@@ -30,21 +32,26 @@ struct ReadOptions {
 model::Tree read_model(const std::string& path, const ReadOptions& options);
 
 /// The same from text that was read already; `file` is the name in messages.
-model::Tree parse_yaml(const std::string& text, const std::string& file, const ReadOptions& options);
-model::Tree parse_urdf(const std::string& text, const std::string& file, const ReadOptions& options);
+model::Tree parse_yaml(const std::string& text, const std::string& file,
+                       const ReadOptions& options);
+model::Tree parse_urdf(const std::string& text, const std::string& file,
+                       const ReadOptions& options);
 
-/// The points of `--points LIST`, INTERFACE.md 2: comma-separated `name`, `name=link`, `name=link:x,y,z`, or `all`.
-/// \throws InputError for an unknown link, a malformed number or a name used twice.
+/// The points of `--points LIST`, INTERFACE.md 2: comma-separated `name`, `name=link`,
+/// `name=link:x,y,z`, or `all`. \throws InputError for an unknown link, a malformed number or a
+/// name used twice.
 std::vector<model::Point> resolve_points(const model::Tree& tree, const std::string& list);
 
-/// Joints about (or along) which everything that they move has no inertia: A(q) is singular in every position
-/// and forward dynamics has no solution. One warning a joint, in joint order; not part of `Tree::warnings`.
+/// Joints about (or along) which everything that they move has no inertia: A(q) is singular in
+/// every position and forward dynamics has no solution. One warning a joint, in joint order; not
+/// part of `Tree::warnings`.
 std::vector<Warning> joints_without_inertia(const model::Tree& tree);
 
 /// What `treedyn vet` reports of a model that can be read.
 struct Vetted {
   model::Tree tree;
-  std::vector<Warning> findings;  ///< near misses of snapping, doubtful inertias, joints without inertia
+  std::vector<Warning>
+      findings;  ///< near misses of snapping, doubtful inertias, joints without inertia
 };
 /// \throws InputError as `read_model`.
 Vetted vet_model(const std::string& path, const ReadOptions& options);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,14 @@ struct Inertia {
   Matrix3 about_com{};  ///< symmetric inertia tensor about the centre of mass, link frame, kg m^2
 };
 
+/// Limits of a joint as the file states them; they bound nothing here, later stages may use them.
+struct Limits {
+  std::optional<Real> lower;     ///< rad or m
+  std::optional<Real> upper;     ///< rad or m
+  std::optional<Real> velocity;  ///< rad/s or m/s
+  std::optional<Real> effort;    ///< N m or N
+};
+
 /// The joint of a link to its father, EQUATIONS.md 1.2: x_father = offset + rotation * x_joint.
 struct Joint {
   std::string name;        ///< as the file writes it
@@ -35,6 +44,7 @@ struct Joint {
   Vector3 offset{};    ///< joint origin in the father's link frame, m
   Matrix3 rotation{};  ///< joint frame -> father's link frame at q = 0
   Location where;
+  Limits limits;
 };
 
 /// A moving link. The link frame is the joint frame moved by the joint ("main frame").

@@ -1,0 +1,103 @@
+// A robot description as a file writes it: texts with their places, nothing resolved, nothing
+// computed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/error.hpp"
+
+namespace treedyn::description {
+
+/// A place in the file of the RawTree; line and column count from 1.
+struct Place {
+  int line = 0;
+  int column = 0;
+};
+
+struct Text {
+  std::string text;
+  Place where;
+};
+
+/// Numbers as written, and the place of the whole.
+struct Numbers {
+  std::vector<Text> values;
+  Place where;
+};
+
+/// x_outer = xyz + R(rpy or matrix) x_inner; what is missing is the identity.
+struct RawPose {
+  std::optional<Numbers> xyz;
+  std::optional<Numbers> rpy;
+  std::optional<Numbers> matrix;
+};
+
+struct RawLimits {
+  std::optional<Text> lower;
+  std::optional<Text> upper;
+  std::optional<Text> velocity;
+  std::optional<Text> effort;
+};
+
+/// Position of the joint = multiplier * position of `joint` + offset.
+struct RawMimic {
+  Text joint;
+  std::optional<Text> multiplier;
+  std::optional<Text> offset;
+};
+
+struct RawJoint {
+  Text name;
+  Text type;
+  Text father;  ///< a link, or "ground" in a tree description
+  Text son;
+  RawPose pose;  ///< joint frame in the father's link frame
+  std::optional<Numbers> axis;
+  RawLimits limits;
+  std::optional<RawMimic> mimic;
+  Place where;
+};
+
+struct RawInertia {
+  Text mass;
+  RawPose pose;                   ///< centre of mass and the frame of the tensor, in the link frame
+  std::optional<Numbers> tensor;  ///< ixx ixy ixz iyy iyz izz about the centre of mass
+  Place where;
+};
+
+struct RawLink {
+  Text name;
+  std::optional<RawInertia> inertia;
+  Place where;
+};
+
+struct RawPoint {
+  Text name;
+  Text link;
+  std::optional<Numbers> at;
+};
+
+struct RawParameter {
+  Text name;
+  Text value;
+};
+
+enum class Format { kYaml, kUrdf };
+
+struct RawTree {
+  Format format = Format::kYaml;
+  std::string file;  ///< as messages show it
+  Text name;
+  std::vector<RawParameter> parameters;
+  std::vector<RawLink> links;
+  std::vector<RawJoint> joints;  ///< in a tree description joint k is the joint of link k
+  std::vector<RawPoint> points;
+};
+
+inline Location location(const RawTree& raw, const Place& place) {
+  return {raw.file, place.line, place.column};
+}
+
+}  // namespace treedyn::description

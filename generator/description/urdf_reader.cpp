@@ -1,0 +1,200 @@
+#include "description/urdf_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "description/xml_element.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+/// Which elements are read, by the element around them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kRead = {{
+    {"robot", "link"},
+    {"robot", "joint"},
+    {"link", "inertial"},
+    {"inertial", "origin"},
+    {"inertial", "mass"},
+    {"inertial", "inertia"},
+    {"joint", "parent"},
+    {"joint", "child"},
+    {"joint", "origin"},
+    {"joint", "axis"},
+    {"joint", "limit"},
+    {"joint", "mimic"},
+}};
+
+bool wanted(std::string_view father, std::string_view child) {
+  return std::find(kRead.begin(), kRead.end(), std::pair(father, child)) != kRead.end();
+}
+
+/// An element and how messages call it.
+struct Part {
+  const std::string& file;
+  const Element& element;
+  std::string what;
+
+  [[noreturn]] void fail(const Place& where, const std::string& message) const {
+    throw InputError({file, where.line, where.column}, fmt::format("{}: {}", what, message));
+  }
+
+  /// The only child of that name, or nullptr.
+  [[nodiscard]] const Element* find(std::string_view name) const {
+    const Element* result = nullptr;
+    for (const Element& child : element.children) {
+      if (child.name != name) {
+        continue;
+      }
+      if (result != nullptr) {
+        fail(child.where, fmt::format("second <{}>; expected one", name));
+      }
+      result = &child;
+    }
+    return result;
+  }
+
+  [[nodiscard]] const Element& get(std::string_view name) const {
+    const Element* const child = find(name);
+    if (child == nullptr) {
+      fail(element.where, fmt::format("has no <{}>", name));
+    }
+    return *child;
+  }
+
+  [[nodiscard]] Text text(const Element& of, std::string_view key) const {
+    const std::string* const value = of.attribute(key);
+    if (value == nullptr) {
+      fail(of.where, fmt::format("<{}> has no attribute '{}'", of.name, key));
+    }
+    return {*value, of.where};
+  }
+
+  [[nodiscard]] static std::optional<Text> optional_text(const Element& of, std::string_view key) {
+    const std::string* const value = of.attribute(key);
+    return value == nullptr ? std::nullopt : std::optional(Text{*value, of.where});
+  }
+};
+
+constexpr std::string_view kSpaces = " \t\r\n";
+
+/// `text` without the spaces around it: URDF writers put them into scalar attributes too.
+Text trimmed(Text text) {
+  const std::size_t first = std::min(text.text.find_first_not_of(kSpaces), text.text.size());
+  const std::size_t last = text.text.find_last_not_of(kSpaces);
+  text.text = last == std::string::npos ? "" : text.text.substr(first, last - first + 1);
+  return text;
+}
+
+std::optional<Text> optional_number(const Element& of, std::string_view key) {
+  const std::optional<Text> text = Part::optional_text(of, key);
+  return text ? std::optional(trimmed(*text)) : std::nullopt;
+}
+
+/// The numbers of an attribute such as xyz="0 0 1".
+std::optional<Numbers> numbers(const Element& of, std::string_view key) {
+  const std::string* const value = of.attribute(key);
+  if (value == nullptr) {
+    return std::nullopt;
+  }
+  Numbers result{{}, of.where};
+  std::size_t at = value->find_first_not_of(kSpaces);
+  while (at != std::string::npos) {
+    const std::size_t end = std::min(value->find_first_of(kSpaces, at), value->size());
+    result.values.push_back({value->substr(at, end - at), of.where});
+    at = value->find_first_not_of(kSpaces, end);
+  }
+  return result;
+}
+
+RawPose read_origin(const Part& part) {
+  const Element* const origin = part.find("origin");
+  return origin == nullptr
+             ? RawPose{}
+             : RawPose{numbers(*origin, "xyz"), numbers(*origin, "rpy"), std::nullopt};
+}
+
+RawInertia read_inertia(const Part& part) {
+  const Element& tensor = part.get("inertia");
+  RawInertia inertia{trimmed(part.text(part.get("mass"), "value")), read_origin(part),
+                     Numbers{{}, tensor.where}, part.element.where};
+  for (const std::string_view key : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
+    inertia.tensor->values.push_back(trimmed(part.text(tensor, key)));
+  }
+  return inertia;
+}
+
+std::string called(std::string_view kind, const Element& element) {
+  const std::string* const name = element.attribute("name");
+  return name == nullptr ? std::string(kind) : fmt::format("{} '{}'", kind, shown(*name));
+}
+
+RawLink read_link(const std::string& file, const Element& element) {
+  const Part part{file, element, called("link", element)};
+  RawLink link{part.text(element, "name"), std::nullopt, element.where};
+  if (const Element* const inertial = part.find("inertial")) {
+    link.inertia = read_inertia({file, *inertial, part.what});
+  }
+  return link;
+}
+
+RawLimits read_limits(const Element* element) {
+  return element == nullptr
+             ? RawLimits{}
+             : RawLimits{optional_number(*element, "lower"), optional_number(*element, "upper"),
+                         optional_number(*element, "velocity"),
+                         optional_number(*element, "effort")};
+}
+
+RawJoint read_joint(const std::string& file, const Element& element) {
+  const Part part{file, element, called("joint", element)};
+  RawJoint joint;
+  joint.where = element.where;
+  joint.name = part.text(element, "name");
+  joint.type = part.text(element, "type");
+  joint.father = part.text(part.get("parent"), "link");
+  joint.son = part.text(part.get("child"), "link");
+  joint.pose = read_origin(part);
+  joint.axis = Numbers{{{"1", {}}, {"0", {}}, {"0", {}}}, element.where};  // of the URDF format
+  if (const Element* const axis = part.find("axis")) {
+    joint.axis = numbers(*axis, "xyz");
+    if (!joint.axis) {
+      part.fail(axis->where, "<axis> has no attribute 'xyz'");
+    }
+  }
+  joint.limits = read_limits(part.find("limit"));
+  if (const Element* const mimic = part.find("mimic")) {
+    joint.mimic = RawMimic{part.text(*mimic, "joint"), optional_number(*mimic, "multiplier"),
+                           optional_number(*mimic, "offset")};
+  }
+  return joint;
+}
+
+}  // namespace
+
+RawTree read_urdf(const std::string& text, const std::string& file) {
+  const Element root = parse_xml(text, file, wanted);
+  const Part robot{file, root, "robot"};
+  if (root.name != "robot") {
+    robot.fail(root.where, fmt::format("root element is <{}>; expected <robot>", shown(root.name)));
+  }
+  RawTree raw;
+  raw.format = Format::kUrdf;
+  raw.file = file;
+  raw.name = robot.text(root, "name");
+  for (const Element& child : root.children) {
+    if (child.name == "link") {
+      raw.links.push_back(read_link(file, child));
+    } else {
+      raw.joints.push_back(read_joint(file, child));
+    }
+  }
+  return raw;
+}
+
+}  // namespace treedyn::description

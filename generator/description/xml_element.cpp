@@ -1,0 +1,132 @@
+#include "description/xml_element.hpp"
+
+#include <expat.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace treedyn::description {
+
+namespace {
+
+constexpr std::size_t kMaxDepth = 64;
+constexpr std::size_t kMaxElements = 1'000'000;  // that are kept
+
+/// Builds the elements with a stack of its own. A mistake stops expat and is thrown after it has
+/// returned, for exceptions must not cross C code.
+class Builder {
+ public:
+  Builder(const std::string& file, Wanted wanted)
+      : file_(file), wanted_(wanted), parser_(XML_ParserCreate(nullptr)) {
+    TREEDYN_EXPECT(parser_ != nullptr);
+    XML_SetUserData(parser_.get(), this);
+    XML_SetElementHandler(parser_.get(), on_start, on_end);
+    XML_SetStartDoctypeDeclHandler(parser_.get(), on_doctype);
+  }
+
+  Element parse(const std::string& text) {
+    const auto size = static_cast<int>(text.size());
+    const XML_Status status = XML_Parse(parser_.get(), text.data(), size, XML_TRUE);
+    if (problem_) {
+      throw InputError({file_, where_.line, where_.column}, *problem_);
+    }
+    if (status != XML_STATUS_OK) {
+      const Place where = here();
+      throw InputError(
+          {file_, where.line, where.column},
+          fmt::format("{}; expected XML", XML_ErrorString(XML_GetErrorCode(parser_.get()))));
+    }
+    return std::move(root_);
+  }
+
+ private:
+  static Builder& self(void* data) { return *static_cast<Builder*>(data); }
+  static void on_start(void* data, const XML_Char* name, const XML_Char** attributes) {
+    self(data).start(name, attributes);
+  }
+  static void on_end(void* data, const XML_Char*) { self(data).end(); }
+  static void on_doctype(void* data, const XML_Char*, const XML_Char*, const XML_Char*, int) {
+    self(data).stop("document type declarations are not supported; expected <robot>");
+  }
+
+  [[nodiscard]] Place here() const {
+    return {static_cast<int>(XML_GetCurrentLineNumber(parser_.get())),
+            static_cast<int>(XML_GetCurrentColumnNumber(parser_.get())) + 1};
+  }
+
+  void stop(const std::string& message) {
+    if (!problem_) {
+      problem_ = message;
+      where_ = here();
+      XML_StopParser(parser_.get(), XML_FALSE);
+    }
+  }
+
+  void start(const XML_Char* name, const XML_Char** attributes) {
+    if (open_.size() + skipped_ == kMaxDepth) {
+      stop(fmt::format("nested too deeply; expected at most {} levels", kMaxDepth));
+    } else if (skipped_ > 0 || (!open_.empty() && !wanted_(open_.back().name, name))) {
+      ++skipped_;
+    } else if (++elements_ > kMaxElements) {
+      stop(fmt::format("too many elements; expected at most {}", kMaxElements));
+    } else {
+      Element element;
+      element.name = name;
+      element.where = here();
+      for (const XML_Char** a = attributes; *a != nullptr; a += 2) {
+        element.attributes.emplace_back(a[0], a[1]);
+      }
+      open_.push_back(std::move(element));
+    }
+  }
+
+  void end() {
+    if (problem_) {
+      return;
+    }
+    if (skipped_ > 0) {
+      --skipped_;
+      return;
+    }
+    Element element = std::move(open_.back());
+    open_.pop_back();
+    if (open_.empty()) {
+      root_ = std::move(element);
+    } else {
+      open_.back().children.push_back(std::move(element));
+    }
+  }
+
+  const std::string& file_;
+  Wanted wanted_;
+  struct Free {
+    void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
+  };
+  std::unique_ptr<XML_ParserStruct, Free> parser_;
+  std::vector<Element> open_;
+  std::size_t skipped_ = 0;  ///< levels below the last element that is kept
+  std::size_t elements_ = 0;
+  Element root_;
+  std::optional<std::string> problem_;
+  Place where_;
+};
+
+}  // namespace
+
+const std::string* Element::attribute(std::string_view key) const {
+  const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                  [key](const auto& a) { return a.first == key; });
+  return found == attributes.end() ? nullptr : &found->second;
+}
+
+Element parse_xml(const std::string& text, const std::string& file, Wanted wanted) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw InputError({file, 1, 1}, "file is empty; expected a robot description");
+  }
+  return Builder(file, wanted).parse(text);
+}
+
+}  // namespace treedyn::description

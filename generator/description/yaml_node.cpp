@@ -1,0 +1,243 @@
+#include "description/yaml_node.hpp"
+
+#include <yaml.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+constexpr std::size_t kMaxDepth = 32;
+constexpr std::size_t kMaxValues = 1'000'000;
+
+int to_int(std::size_t n) { return static_cast<int>(std::min<std::size_t>(n, 2'000'000'000)); }
+
+Place place(const yaml_mark_t& mark) { return {to_int(mark.line) + 1, to_int(mark.column) + 1}; }
+
+/// Line and column of a byte; a column counts bytes here, for the text may be no UTF-8.
+Place place_of_byte(const std::string& text, std::size_t offset) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
+  const auto line = std::count(text.begin(), end, '\n');
+  const std::size_t start = text.rfind('\n', offset == 0 ? 0 : offset - 1);
+  const std::size_t column = start == std::string::npos || line == 0 ? offset : offset - start - 1;
+  return {static_cast<int>(line) + 1, to_int(column) + 1};
+}
+
+bool is_null(const std::string& text) {
+  return text.empty() || text == "~" || text == "null" || text == "Null" || text == "NULL";
+}
+
+/// libyaml's parser and the event it made last.
+class Events {
+ public:
+  Events(const std::string& text, const std::string& file) : text_(text), file_(file) {
+    if (yaml_parser_initialize(&parser_) == 0) {
+      throw InputError({file, 0, 0}, "out of memory");
+    }
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(text.data());
+    yaml_parser_set_input_string(&parser_, bytes, text.size());
+  }
+  ~Events() {
+    drop();
+    yaml_parser_delete(&parser_);
+  }
+  Events(const Events&) = delete;
+  Events& operator=(const Events&) = delete;
+
+  const yaml_event_t& next() {
+    drop();
+    if (yaml_parser_parse(&parser_, &event_) == 0) {
+      fail();
+    }
+    held_ = true;
+    return event_;
+  }
+
+ private:
+  void drop() {
+    if (held_) {
+      yaml_event_delete(&event_);
+    }
+    held_ = false;
+  }
+
+  [[noreturn]] void fail() const {
+    const char* const problem = parser_.problem == nullptr ? "malformed" : parser_.problem;
+    const bool of_bytes = parser_.error == YAML_READER_ERROR;
+    const Place where =
+        of_bytes ? place_of_byte(text_, parser_.problem_offset) : place(parser_.problem_mark);
+    throw InputError({file_, where.line, where.column},
+                     fmt::format("{}; expected YAML or JSON", problem));
+  }
+
+  const std::string& text_;
+  const std::string& file_;
+  yaml_parser_t parser_{};
+  yaml_event_t event_{};
+  bool held_ = false;
+};
+
+/// Makes nodes of events with a stack of its own: no recursion.
+class Builder {
+ public:
+  explicit Builder(const std::string& file) : file_(file) {}
+
+  void add(const yaml_event_t& event) {
+    switch (event.type) {
+      case YAML_SCALAR_EVENT:
+        scalar(event);
+        break;
+      case YAML_SEQUENCE_START_EVENT:
+        open(event, NodeKind::kSequence, event.data.sequence_start.anchor,
+             event.data.sequence_start.tag);
+        break;
+      case YAML_MAPPING_START_EVENT:
+        open(event, NodeKind::kMapping, event.data.mapping_start.anchor,
+             event.data.mapping_start.tag);
+        break;
+      case YAML_SEQUENCE_END_EVENT:
+      case YAML_MAPPING_END_EVENT:
+        close();
+        break;
+      case YAML_ALIAS_EVENT:
+        fail(place(event.start_mark), "aliases are not supported; expected the value itself");
+      default:
+        break;
+    }
+  }
+
+  Node take_root() { return std::move(root_); }
+
+ private:
+  [[noreturn]] void fail(const Place& where, const std::string& message) const {
+    throw InputError({file_, where.line, where.column}, message);
+  }
+
+  void refuse_properties(const yaml_event_t& event, const yaml_char_t* anchor,
+                         const yaml_char_t* tag) const {
+    if (anchor != nullptr || tag != nullptr) {
+      fail(place(event.start_mark), "anchors and tags are not supported; expected a plain value");
+    }
+  }
+
+  bool expects_key() const {
+    return !open_.empty() && open_.back().kind == NodeKind::kMapping && !has_key_;
+  }
+
+  void scalar(const yaml_event_t& event) {
+    const auto& scalar = event.data.scalar;
+    refuse_properties(event, scalar.anchor, scalar.tag);
+    const std::string text(reinterpret_cast<const char*>(scalar.value), scalar.length);
+    const Place where = place(event.start_mark);
+    if (expects_key()) {
+      key_ = {text, where};
+      has_key_ = true;
+      return;
+    }
+    Node node;
+    node.empty = scalar.style == YAML_PLAIN_SCALAR_STYLE && is_null(text);
+    node.text = text;
+    node.where = where;
+    if (scalar.style != YAML_PLAIN_SCALAR_STYLE) {
+      ++node.where.column;  // of the first character, behind the quote
+    }
+    attach(std::move(node));
+  }
+
+  void open(const yaml_event_t& event, NodeKind kind, const yaml_char_t* anchor,
+            const yaml_char_t* tag) {
+    const Place where = place(event.start_mark);
+    refuse_properties(event, anchor, tag);
+    if (expects_key()) {
+      fail(where, "key is not a scalar; expected a word");
+    }
+    if (open_.size() == kMaxDepth) {
+      fail(where, fmt::format("nested too deeply; expected at most {} levels", kMaxDepth));
+    }
+    Node node;
+    node.kind = kind;
+    node.where = where;
+    node.key = std::exchange(key_, {});
+    has_key_ = false;
+    open_.push_back(std::move(node));
+  }
+
+  void close() {
+    Node node = std::move(open_.back());
+    open_.pop_back();
+    if (node.kind == NodeKind::kMapping) {
+      refuse_duplicate_keys(node);
+    }
+    key_ = node.key;
+    has_key_ = true;
+    attach(std::move(node));
+  }
+
+  void attach(Node node) {
+    if (++values_ > kMaxValues) {
+      fail(node.where, fmt::format("too many values; expected at most {}", kMaxValues));
+    }
+    node.key = std::exchange(key_, {});
+    has_key_ = false;
+    if (open_.empty()) {
+      root_ = std::move(node);
+    } else {
+      open_.back().items.push_back(std::move(node));
+    }
+  }
+
+  void refuse_duplicate_keys(const Node& mapping) const {
+    std::vector<const Node*> sorted;
+    for (const Node& item : mapping.items) {
+      sorted.push_back(&item);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Node* a, const Node* b) { return a->key.text < b->key.text; });
+    const auto twice =
+        std::adjacent_find(sorted.begin(), sorted.end(),
+                           [](const Node* a, const Node* b) { return a->key.text == b->key.text; });
+    if (twice != sorted.end()) {
+      const Text& second = (*std::next(twice))->key;
+      fail(second.where, fmt::format("key '{}' is repeated, first in line {}; expected it once",
+                                     shown(second.text), (*twice)->key.where.line));
+    }
+  }
+
+  const std::string& file_;
+  std::vector<Node> open_;
+  Node root_;
+  Text key_;
+  bool has_key_ = false;
+  std::size_t values_ = 0;
+};
+
+}  // namespace
+
+Node parse_yaml_node(const std::string& text, const std::string& file) {
+  Events events(text, file);
+  Builder builder(file);
+  int documents = 0;
+  while (true) {
+    const yaml_event_t& event = events.next();
+    if (event.type == YAML_STREAM_END_EVENT) {
+      break;
+    }
+    if (event.type == YAML_DOCUMENT_START_EVENT && ++documents > 1) {
+      const Place where = place(event.start_mark);
+      throw InputError({file, where.line, where.column}, "second document; expected one");
+    }
+    builder.add(event);
+  }
+  if (documents == 0) {
+    throw InputError({file, 1, 1}, "file is empty; expected a tree description");
+  }
+  return builder.take_root();
+}
+
+}  // namespace treedyn::description

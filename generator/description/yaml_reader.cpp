@@ -1,0 +1,219 @@
+#include "description/yaml_reader.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "common/decimal.hpp"
+#include "description/yaml_node.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+using Keys = std::initializer_list<std::string_view>;
+
+/// A mapping whose keys are known, and how messages call it.
+class Fields {
+ public:
+  Fields(const std::string& file, const Node& node, std::string what, Keys keys)
+      : file_(file), node_(node), what_(std::move(what)) {
+    if (node.kind != NodeKind::kMapping) {
+      fail(node.where, fmt::format("is no mapping; expected the keys {}", fmt::join(keys, ", ")));
+    }
+    for (const Node& item : node.items) {
+      if (std::find(keys.begin(), keys.end(), item.key.text) == keys.end()) {
+        fail(item.key.where, fmt::format("unknown key '{}'; expected one of {}",
+                                         shown(item.key.text), fmt::join(keys, ", ")));
+      }
+    }
+  }
+
+  [[noreturn]] void fail(const Place& where, const std::string& message) const {
+    throw InputError({file_, where.line, where.column}, fmt::format("{}: {}", what_, message));
+  }
+
+  [[nodiscard]] const Node* find(std::string_view key) const {
+    const auto item = std::find_if(node_.items.begin(), node_.items.end(),
+                                   [key](const Node& n) { return n.key.text == key; });
+    return item == node_.items.end() ? nullptr : &*item;
+  }
+
+  [[nodiscard]] const Node& get(std::string_view key) const {
+    const Node* const node = find(key);
+    if (node == nullptr) {
+      fail(node_.where, fmt::format("key '{}' is missing", key));
+    }
+    return *node;
+  }
+
+  [[nodiscard]] Text scalar(const Node& node) const {
+    if (node.kind != NodeKind::kScalar || node.empty) {
+      fail(node.where,
+           fmt::format("{} is {}; expected a single value", described(node), kind(node)));
+    }
+    return {node.text, node.where};
+  }
+
+  [[nodiscard]] Text text(std::string_view key) const { return scalar(get(key)); }
+
+  [[nodiscard]] std::optional<Text> optional_text(std::string_view key) const {
+    const Node* const node = find(key);
+    return node == nullptr ? std::nullopt : std::optional<Text>(scalar(*node));
+  }
+
+  [[nodiscard]] std::optional<Numbers> numbers(std::string_view key) const {
+    const Node* const node = find(key);
+    if (node == nullptr) {
+      return std::nullopt;
+    }
+    sequence(*node);
+    Numbers result{{}, node->where};
+    for (const Node& item : node->items) {
+      result.values.push_back(scalar(item));
+    }
+    return result;
+  }
+
+  const std::vector<Node>& sequence(const Node& node) const {
+    if (node.kind != NodeKind::kSequence) {
+      fail(node.where, fmt::format("{} is {}; expected a list", described(node), kind(node)));
+    }
+    return node.items;
+  }
+
+ private:
+  static std::string described(const Node& node) {
+    return node.key.text.empty() ? "entry" : fmt::format("'{}'", shown(node.key.text));
+  }
+  static std::string_view kind(const Node& node) {
+    switch (node.kind) {
+      case NodeKind::kSequence:
+        return "a list";
+      case NodeKind::kMapping:
+        return "a mapping";
+      default:
+        return node.empty ? "empty" : "a single value";
+    }
+  }
+
+  const std::string& file_;
+  const Node& node_;
+  std::string what_;
+};
+
+/// "link 'x'" if the mapping says so, else "link 3".
+std::string called(std::string_view kind, const Node& node, std::size_t index) {
+  for (const Node& item : node.items) {
+    if (item.key.text == "name" && item.kind == NodeKind::kScalar && !item.text.empty()) {
+      return fmt::format("{} '{}'", kind, shown(item.text));
+    }
+  }
+  return fmt::format("{} {}", kind, index + 1);
+}
+
+RawLimits read_limits(const std::string& file, const Node& node, const std::string& what) {
+  const Fields fields(file, node, what + ": limits", {"lower", "upper", "velocity", "effort"});
+  return {fields.optional_text("lower"), fields.optional_text("upper"),
+          fields.optional_text("velocity"), fields.optional_text("effort")};
+}
+
+void read_rotation(const std::string& file, const Node& node, const std::string& what,
+                   RawPose& pose) {
+  const Fields fields(file, node, what + ": rotation", {"rpy", "matrix"});
+  pose.rpy = fields.numbers("rpy");
+  pose.matrix = fields.numbers("matrix");
+  if (pose.rpy.has_value() == pose.matrix.has_value()) {
+    fields.fail(node.where, fmt::format("has {}; expected either rpy or matrix",
+                                        pose.rpy ? "both rpy and matrix" : "no entry"));
+  }
+}
+
+RawJoint read_joint(const std::string& file, const Node& node, const Text& link,
+                    const std::string& of_link) {
+  const std::string what = called(of_link + ": joint", node, 0);
+  const Fields fields(file, node, what, {"name", "type", "axis", "offset", "rotation", "limits"});
+  RawJoint joint;
+  joint.name = fields.optional_text("name").value_or(Text{link.text, node.where});
+  joint.type = fields.text("type");
+  joint.son = link;
+  joint.where = node.where;
+  joint.axis = fields.numbers("axis");
+  joint.pose.xyz = fields.numbers("offset");
+  if (const Node* const rotation = fields.find("rotation")) {
+    read_rotation(file, *rotation, what, joint.pose);
+  }
+  if (const Node* const limits = fields.find("limits")) {
+    joint.limits = read_limits(file, *limits, what);
+  }
+  return joint;
+}
+
+void read_link(const Node& node, std::size_t index, RawTree& raw) {
+  const std::string what = called("link", node, index);
+  const Fields fields(raw.file, node, what, {"name", "father", "joint", "mass", "com", "inertia"});
+  RawLink link{fields.text("name"), std::nullopt, node.where};
+  RawJoint joint = read_joint(raw.file, fields.get("joint"), link.name, what);
+  joint.father = fields.text("father");
+  if (fields.find("mass") != nullptr) {
+    link.inertia = RawInertia{fields.text("mass"), {}, fields.numbers("inertia"), node.where};
+    link.inertia->pose.xyz = fields.numbers("com");
+  } else if (const Node* const lone =
+                 fields.find("com") != nullptr ? fields.find("com") : fields.find("inertia")) {
+    fields.fail(lone->key.where,
+                fmt::format("'{}' without a mass; expected mass too", lone->key.text));
+  }
+  raw.links.push_back(std::move(link));
+  raw.joints.push_back(std::move(joint));
+}
+
+void read_point(const Node& node, std::size_t index, RawTree& raw) {
+  const Fields fields(raw.file, node, called("point", node, index), {"name", "link", "at"});
+  raw.points.push_back({fields.text("name"), fields.text("link"), fields.numbers("at")});
+}
+
+void read_parameters(const Node& node, RawTree& raw) {
+  if (node.kind != NodeKind::kMapping) {
+    throw InputError(location(raw, node.where), "parameters: is no mapping; expected name: value");
+  }
+  for (const Node& item : node.items) {
+    if (item.kind != NodeKind::kScalar || item.empty) {
+      throw InputError(
+          location(raw, item.where),
+          fmt::format("parameter '{}' has no value; expected a number or an expression",
+                      shown(item.key.text)));
+    }
+    raw.parameters.push_back({item.key, {item.text, item.where}});
+  }
+}
+
+}  // namespace
+
+RawTree read_yaml(const std::string& text, const std::string& file) {
+  const Node root = parse_yaml_node(text, file);
+  RawTree raw;
+  raw.format = Format::kYaml;
+  raw.file = file;
+  const Fields fields(raw.file, root, "tree description",
+                      {"name", "parameters", "links", "points"});
+  raw.name = fields.text("name");
+  if (const Node* const parameters = fields.find("parameters")) {
+    read_parameters(*parameters, raw);
+  }
+  const std::vector<Node>& links = fields.sequence(fields.get("links"));
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    read_link(links[k], k, raw);
+  }
+  if (const Node* const points = fields.find("points")) {
+    const std::vector<Node>& items = fields.sequence(*points);
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      read_point(items[k], k, raw);
+    }
+  }
+  return raw;
+}
+
+}  // namespace treedyn::description

@@ -1,0 +1,436 @@
+#include "symbolic/constant.hpp"
+
+#include <algorithm>
+#include <array>
+#include <locale>
+#include <map>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <ginac/ginac.h>
+
+#include "common/decimal.hpp"
+#include "common/error.hpp"
+
+namespace treedyn::symbolic {
+
+namespace {
+
+constexpr std::size_t kMaxLength = 1000;      // characters of an expression
+constexpr std::size_t kMaxDigits = 100;       // of a number in it
+constexpr int kMaxDepth = 50;                 // nested parentheses, functions and exponents
+constexpr std::size_t kMaxSize = 5000;        // operations after substitution of parameters
+constexpr std::size_t kMaxBits = 8000;        // numerator or denominator of an exact rational
+constexpr int kMaxExponent = 64;              // numerator or denominator of an exponent
+constexpr int kDigits = 100;                  // of an evaluation; 50 are kept
+const char* const kVanishing = "1e-80";       // smaller results are exact zeros
+const char* const kLargestAngle = "1000000";  // of sin, cos and tan: keeps 50 digits
+
+/// An exact value and the number of operations that make it.
+struct Exact {
+  GiNaC::ex value;
+  std::size_t size = 1;
+};
+
+/// Sets GiNaC's global precision for the lifetime of the object.
+class Precision {
+ public:
+  Precision() : before_(static_cast<long>(GiNaC::Digits)) { GiNaC::Digits = kDigits; }
+  ~Precision() { GiNaC::Digits = before_; }
+  Precision(const Precision&) = delete;
+  Precision& operator=(const Precision&) = delete;
+
+ private:
+  long before_;
+};
+
+/// The value in 50 digits, from an evaluation in 100. \pre it is real and has no symbol.
+Real to_real(const GiNaC::ex& value) {
+  const GiNaC::ex number = value.evalf();
+  TREEDYN_EXPECT(GiNaC::is_a<GiNaC::numeric>(number));
+  TREEDYN_EXPECT(GiNaC::ex_to<GiNaC::numeric>(number).is_real());
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << number;
+  const Real result(text.str());
+  return abs(result) < Real(kVanishing) ? Real(0) : result;
+}
+
+/// `value`, or the 0, 1 or -1 that it is but for the rounding of 100 digits: keeps roots and arcs
+/// real.
+GiNaC::ex tidy(const GiNaC::ex& value) {
+  const Real x = to_real(value);
+  for (const int k : {-1, 0, 1}) {
+    if (x == k) {
+      return k;
+    }
+  }
+  return value;
+}
+
+/// Digits and a power of ten as an exact rational.
+GiNaC::ex exact_decimal(std::string_view text) {
+  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+  long power = e < text.size() ? std::stol(std::string(text.substr(e + 1))) : 0;
+  std::string digits(text.substr(0, e));
+  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+    power -= static_cast<long>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  return GiNaC::numeric(digits.c_str()) * GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(power));
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+using Function = GiNaC::ex (*)(const GiNaC::ex&);
+
+/// A function, and the arguments for which it is real and finite.
+struct FunctionRow {
+  std::string_view name;
+  Function apply;
+  bool (*accepts)(const Real&);
+  std::string_view domain;
+};
+
+bool any_angle(const Real& x) { return abs(x) <= Real(kLargestAngle); }
+bool regular_angle(const Real& x) { return any_angle(x) && abs(cos(x)) > Real("1e-40"); }
+bool anything(const Real&) { return true; }
+bool not_negative(const Real& x) { return x >= 0; }
+bool at_most_one(const Real& x) { return abs(x) <= 1; }
+
+GiNaC::ex apply_sqrt(const GiNaC::ex& x) { return GiNaC::sqrt(x); }
+GiNaC::ex apply_sin(const GiNaC::ex& x) { return GiNaC::sin(x); }
+GiNaC::ex apply_cos(const GiNaC::ex& x) { return GiNaC::cos(x); }
+GiNaC::ex apply_tan(const GiNaC::ex& x) { return GiNaC::sin(x) / GiNaC::cos(x); }
+GiNaC::ex apply_asin(const GiNaC::ex& x) { return GiNaC::asin(x); }
+GiNaC::ex apply_acos(const GiNaC::ex& x) { return GiNaC::acos(x); }
+GiNaC::ex apply_atan(const GiNaC::ex& x) { return GiNaC::atan(x); }
+
+constexpr std::array<FunctionRow, 7> kFunctions = {{
+    {"sqrt", apply_sqrt, not_negative, "an argument that is not negative"},
+    {"sin", apply_sin, any_angle, "an angle of at most 1e6"},
+    {"cos", apply_cos, any_angle, "an angle of at most 1e6"},
+    {"tan", apply_tan, regular_angle, "an angle of at most 1e6 that is no odd multiple of pi/2"},
+    {"asin", apply_asin, at_most_one, "an argument from -1 to 1"},
+    {"acos", apply_acos, at_most_one, "an argument from -1 to 1"},
+    {"atan", apply_atan, anything, ""},
+}};
+
+const FunctionRow* find_function(std::string_view name) {
+  const auto* const row = std::find_if(kFunctions.begin(), kFunctions.end(),
+                                       [name](const FunctionRow& f) { return f.name == name; });
+  return row == kFunctions.end() ? nullptr : row;
+}
+
+using Names = std::map<std::string, Exact, std::less<>>;
+
+/// Recursive descent over one expression; the grammar is in the header.
+class Parser {
+ public:
+  Parser(std::string_view text, const Names& names) : text_(text), names_(names) {}
+
+  Exact whole() {
+    const Exact result = sum();
+    skip_spaces();
+    if (at_ < text_.size()) {
+      fail(at_, fmt::format("unexpected '{}'; expected an operator or the end", rest()));
+    }
+    return result;
+  }
+
+ private:
+  [[noreturn]] static void fail(std::size_t offset, const std::string& message) {
+    throw ConstantError(offset, message);
+  }
+
+  /// The next word or character, for messages.
+  [[nodiscard]] std::string rest() const {
+    std::size_t end = at_;
+    while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) {
+      ++end;
+    }
+    return shown(text_.substr(at_, std::max<std::size_t>(end - at_, 1)));
+  }
+
+  void skip_spaces() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) {
+      ++at_;
+    }
+  }
+
+  bool take(char c) {
+    skip_spaces();
+    const bool found = at_ < text_.size() && text_[at_] == c;
+    if (found) {
+      ++at_;
+    }
+    return found;
+  }
+
+  Exact checked(std::size_t start, const GiNaC::ex& value, std::size_t size) const {
+    if (size > kMaxSize) {
+      fail(start, fmt::format("expression of {} operations is too large; expected at most {}", size,
+                              kMaxSize));
+    }
+    if (GiNaC::is_a<GiNaC::numeric>(value)) {
+      const auto& x = GiNaC::ex_to<GiNaC::numeric>(value);
+      if (static_cast<std::size_t>(std::max(x.numer().int_length(), x.denom().int_length())) >
+          kMaxBits) {
+        fail(start, "exact value has too many digits; expected at most 2400");
+      }
+    }
+    return {value, size};
+  }
+
+  Exact sum() {
+    const std::size_t start = at_;
+    Exact left = product();
+    while (true) {
+      if (take('+')) {
+        const Exact right = product();
+        left = checked(start, left.value + right.value, left.size + right.size + 1);
+      } else if (take('-')) {
+        const Exact right = product();
+        left = checked(start, left.value - right.value, left.size + right.size + 1);
+      } else {
+        return left;
+      }
+    }
+  }
+
+  Exact product() {
+    const std::size_t start = at_;
+    Exact left = factor();
+    while (true) {
+      if (take('*')) {
+        const Exact right = factor();
+        left = checked(start, left.value * right.value, left.size + right.size + 1);
+      } else if (take('/')) {
+        const std::size_t divisor = at_;
+        const Exact right = factor();
+        expect_not_zero(divisor, right.value);
+        left = checked(start, left.value / right.value, left.size + right.size + 1);
+      } else {
+        return left;
+      }
+    }
+  }
+
+  static void expect_not_zero(std::size_t start, const GiNaC::ex& divisor) {
+    if (divisor.is_zero() || to_real(divisor) == 0) {
+      fail(start, "division by zero; expected a divisor that is not zero");
+    }
+  }
+
+  Exact factor() {
+    bool negative = false;
+    while (true) {
+      if (take('-')) {
+        negative = !negative;
+      } else if (!take('+')) {
+        break;
+      }
+    }
+    Exact result = power();
+    if (negative) {
+      result.value = -result.value;
+    }
+    return result;
+  }
+
+  Exact power() {
+    const std::size_t start = at_;
+    Exact base = primary();
+    if (!take('^')) {
+      return base;
+    }
+    base.value = tidy(base.value);
+    const std::size_t place = at_;
+    enter(place);
+    const Exact exponent = factor();
+    --depth_;
+    expect_power(start, place, base.value, exponent.value);
+    return checked(start, GiNaC::pow(base.value, exponent.value), base.size + exponent.size + 1);
+  }
+
+  static void expect_power(std::size_t start, std::size_t place, const GiNaC::ex& base,
+                           const GiNaC::ex& exponent) {
+    const bool rational = GiNaC::is_a<GiNaC::numeric>(exponent) &&
+                          GiNaC::ex_to<GiNaC::numeric>(exponent).is_rational();
+    const GiNaC::numeric e = rational ? GiNaC::ex_to<GiNaC::numeric>(exponent) : GiNaC::numeric(0);
+    if (!rational || abs(e.numer()) > kMaxExponent || e.denom() > kMaxExponent) {
+      fail(place, fmt::format("exponent is not a ratio of integers up to {}", kMaxExponent));
+    }
+    const Real value = to_real(base);
+    if (value == 0 && !e.is_positive()) {
+      fail(start, "division by zero; expected a base that is not zero");
+    }
+    if (value < 0 && !e.is_integer()) {
+      fail(start, "negative base with a fractional exponent; expected a base that is not negative");
+    }
+    if (value != 0 && abs(log10(abs(value)) * Real(e.to_double())) > 300) {
+      fail(start, "power is out of range; expected a magnitude from 1e-300 to 1e300");
+    }
+  }
+
+  void enter(std::size_t place) {
+    if (++depth_ > kMaxDepth) {
+      fail(place,
+           fmt::format("expression is nested too deeply; expected at most {} levels", kMaxDepth));
+    }
+  }
+
+  Exact primary() {
+    skip_spaces();
+    const std::size_t start = at_;
+    if (at_ == text_.size()) {
+      fail(start, "expression ends too early; expected a number, a name or '('");
+    }
+    if (is_digit(text_[at_]) || text_[at_] == '.') {
+      return number();
+    }
+    if (is_letter(text_[at_])) {
+      return name();
+    }
+    if (take('(')) {
+      return parenthesis(start);
+    }
+    fail(start, fmt::format("unexpected '{}'; expected a number, a name or '('", rest()));
+  }
+
+  /// What follows '(' up to and with ')'.
+  Exact parenthesis(std::size_t start) {
+    enter(start);
+    Exact inner = sum();
+    if (!take(')')) {
+      fail(start, "'(' is not closed; expected ')'");
+    }
+    --depth_;
+    return inner;
+  }
+
+  Exact number() {
+    const std::size_t start = at_;
+    const auto digits = [this] {
+      while (at_ < text_.size() && is_digit(text_[at_])) {
+        ++at_;
+      }
+    };
+    digits();
+    if (at_ < text_.size() && text_[at_] == '.') {
+      ++at_;
+      digits();
+    }
+    if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
+      ++at_;
+      if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) {
+        ++at_;
+      }
+      digits();
+    }
+    const std::string_view written = text_.substr(start, at_ - start);
+    const Decimal decimal = read_decimal(written);
+    if (!decimal) {
+      fail(start, describe(decimal.error, written));
+    }
+    if (written.size() > kMaxDigits) {
+      fail(start, fmt::format("number of {} characters is too long; expected at most {}",
+                              written.size(), kMaxDigits));
+    }
+    return {decimal.value == 0 ? GiNaC::ex(0) : exact_decimal(written), 1};
+  }
+
+  Exact name() {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) {
+      ++at_;
+    }
+    const std::string_view word = text_.substr(start, at_ - start);
+    if (const FunctionRow* function = find_function(word)) {
+      return call(*function, start);
+    }
+    if (word == "pi") {
+      return {GiNaC::Pi, 1};
+    }
+    const auto known = names_.find(word);
+    if (known == names_.end()) {
+      fail(start, fmt::format("'{}' is unknown; expected a parameter, pi or one of sqrt, sin, cos, "
+                              "tan, asin, acos, atan",
+                              shown(word)));
+    }
+    return known->second;
+  }
+
+  Exact call(const FunctionRow& function, std::size_t start) {
+    if (!take('(')) {
+      fail(start, fmt::format("'{}' has no argument; expected '('", function.name));
+    }
+    Exact argument = parenthesis(at_ - 1);
+    argument.value = tidy(argument.value);
+    if (!function.accepts(to_real(argument.value))) {
+      fail(start, fmt::format("{} of {} is not defined; expected {}", function.name,
+                              to_real(argument.value).str(6), function.domain));
+    }
+    return checked(start, function.apply(argument.value), argument.size + 1);
+  }
+
+  std::string_view text_;
+  const Names& names_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+Exact parse(std::string_view text, const Names& names) {
+  if (text.size() > kMaxLength) {
+    throw ConstantError(
+        0, fmt::format("expression of {} characters is too long; expected at most {}", text.size(),
+                       kMaxLength));
+  }
+  const Precision precision;
+  try {
+    return Parser(text, names).whole();
+  } catch (const ConstantError&) {
+    throw;
+  } catch (const std::exception& problem) {  // GiNaC: poles; CLN: overflow
+    throw ConstantError(0,
+                        fmt::format("'{}' cannot be evaluated ({})", shown(text), problem.what()));
+  }
+}
+
+}  // namespace
+
+struct Constants::Table {
+  Names names;
+};
+
+Constants::Constants() : table_(std::make_unique<Table>()) {}
+Constants::~Constants() = default;
+Constants::Constants(Constants&&) noexcept = default;
+Constants& Constants::operator=(Constants&&) noexcept = default;
+
+void Constants::define(const std::string& name, std::string_view text) {
+  const bool identifier =
+      !name.empty() && is_letter(name.front()) &&
+      std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
+  if (!identifier) {
+    throw ConstantError(
+        0, fmt::format("parameter name '{}' is not a word of letters, digits and _", shown(name)));
+  }
+  if (name == "pi" || find_function(name) != nullptr || table_->names.count(name) > 0) {
+    throw ConstantError(0, fmt::format("parameter name '{}' is taken; expected a new name", name));
+  }
+  table_->names.emplace(name, parse(text, table_->names));
+}
+
+Real Constants::evaluate(std::string_view text) const {
+  const Exact exact = parse(text, table_->names);
+  const Precision precision;
+  const Real value = to_real(exact.value);
+  if (value != 0 && (abs(value) > Real("1e300") || abs(value) < Real("1e-300"))) {
+    throw ConstantError(0, describe(DecimalError::kOutOfRange, text));
+  }
+  return value;
+}
+
+}  // namespace treedyn::symbolic
