@@ -35,6 +35,8 @@ class Outputs {
   }
 
  private:
+  void add(Function function, const block::Expression& expression);
+
   block::Plan plan_;
   std::vector<Output> outputs_;
 };

@@ -10,27 +10,24 @@ using block::skew;            // Λ(X): positions kept
 using block::skew_transpose;  // Λ^T(X): blocks transposed, positions kept (E11)
 using block::transpose;       // ^T: block positions swapped (E10)
 
-Attached points() { return {named("D_P", transpose(W) * D), t_d}; }
+Attached points() {
+  const Expression D_P = named("D_P", transpose(W) * D);
+  return {"", D_P, t_d, named("t_fD", D_P * s_d * (D - E) + t_d * D_P)};
+}
 
-Attached centres_of_mass() { return {D, named("(l+c)^d", l_d + c_d)}; }
+Attached centres_of_mass() {
+  return {"(c_ii)", D, named("c_ii^d", l_d + c_d), joint_to_com_vectors()};
+}
 
 // (6)
 Expression joint_to_link_vectors() { return named("l_D", D * s_d * (D - E) + l_d * D); }
 
 // (7)
-Expression joint_to_com_vectors() {
-  return named("c_fD", joint_to_point_vectors(centres_of_mass()));
-}
+Expression joint_to_com_vectors() { return named("c_fD", joint_to_link_vectors() + c_d * D); }
 
-// (7) with t for l + c, and the rows of D that belong to the points
-Expression joint_to_point_vectors(const Attached& at) {
-  return named("t_fD", at.D_P * s_d * (D - E) + at.t_d * at.D_P);
-}
-
-// J_v = D z^d (E-σ) + Λ^T(c_fD) z^d σ
+// below (2)
 Expression velocity_jacobian(const Attached& at) {
-  const Expression t_fD = joint_to_point_vectors(at);
-  return at.D_P * z_d * (E - sigma) + skew_transpose(t_fD) * z_d * sigma;
+  return named("J_v", at.D_P * z_d * (E - sigma) + skew_transpose(at.t_fD) * z_d * sigma);
 }
 
 Expression angular_jacobian() { return named("J_ω", D * z_d * sigma); }
@@ -38,12 +35,12 @@ Expression angular_jacobian() { return named("J_ω", D * z_d * sigma); }
 // (2)  The subscripts c_f^p, c_fb, c_fd of the print are one matrix, c_fD (E13).
 Expression mass_matrix() {
   const Expression c_fD = joint_to_com_vectors();
-  const Expression J_v = D * z_d * (E - sigma) + skew_transpose(c_fD) * z_d * sigma;
+  const Expression J_v = velocity_jacobian(centres_of_mass());  // the bracket of both halves
   const Expression z_dT = transpose(z_d);
   const Expression D_T = transpose(D);
-  return named("A",
-               sigma * z_dT * (-transpose(skew(c_fD)) * m_d * J_v + D_T * J_d * D * z_d * sigma) +
-                   (E - sigma) * z_dT * D_T * m_d * J_v);
+  const Expression revolute = -transpose(skew(c_fD)) * m_d * J_v + D_T * J_d * D * z_d * sigma;
+  const Expression prismatic = D_T * m_d * J_v;
+  return named("A", sigma * z_dT * revolute + (E - sigma) * z_dT * prismatic);
 }
 
 // K of (3), T1 + T2 + T3.
@@ -52,12 +49,12 @@ Expression mass_matrix() {
 // E4: the outer Λ^T of T3 is missing in the prismatic half; here both halves share this K.
 // E16: the factor 2 of T2 is right and complete, T3 takes no prismatic rates.
 Expression bias_matrix(const Attached& at) {
-  const Expression t_fD = joint_to_point_vectors(at);
+  const Expression& t_fD = at.t_fD;
   const Expression T1 = skew_transpose(t_fD) * skew_transpose(z_d * sigma * qd_d) * (D - E);
   const Expression T2 = 2 * at.D_P * skew_transpose(z_d * (E - sigma) * qd_d) * (D - E);
   const Expression T3 = skew_transpose(skew_transpose(t_fD) * z_d * sigma * qd_d * D +
                                        skew_transpose(t_fD) * diagb((D - E) * z_d * sigma * qd));
-  return T1 + T2 + T3;
+  return named("K" + at.label, T1 + T2 + T3);
 }
 
 // (3)  One K in both halves. E5: the last factor is the column z^d σ q̇, not z^d σ q̇^d.
@@ -68,12 +65,11 @@ Expression bias_force() {
   const Expression w = z_d * sigma * qd;
   const Expression z_dT = transpose(z_d);
   const Expression D_T = transpose(D);
-  return named("B", sigma * z_dT *
-                            (-transpose(skew(c_fD)) * m_d * K +
-                             D_T * J_d * D * sigma * qd_d * skew_transpose(z_d) * (D - E) +
-                             D_T * skew(diagb(D * w)) * J_d * D) *
-                            w +
-                        (E - sigma) * z_dT * D_T * m_d * K * w);
+  const Expression revolute = -transpose(skew(c_fD)) * m_d * K +
+                              D_T * J_d * D * sigma * qd_d * skew_transpose(z_d) * (D - E) +
+                              D_T * skew(diagb(D * w)) * J_d * D;
+  const Expression prismatic = D_T * m_d * K;
+  return named("B", sigma * z_dT * revolute * w + (E - sigma) * z_dT * prismatic * w);
 }
 
 // (9); (4) is its misprinted copy (E6: there the last term is (E-σ) z^d instead of (E-σ) z^dT D^T).
@@ -81,8 +77,9 @@ Expression bias_force() {
 Expression force_jacobian_transpose(const Attached& at) {
   const Expression z_dT = transpose(z_d);
   const Expression D_PT = transpose(at.D_P);
-  return named("C", sigma * z_dT * ((transpose(D) - E) * skew(s_d) * D_PT + D_PT * skew(at.t_d)) +
-                        (E - sigma) * z_dT * D_PT);
+  const Expression revolute = (transpose(D) - E) * skew(s_d) * D_PT + D_PT * skew(at.t_d);
+  const Expression prismatic = D_PT;
+  return named("C" + at.label, sigma * z_dT * revolute + (E - sigma) * z_dT * prismatic);
 }
 
 // (5) = (11)
@@ -92,14 +89,17 @@ Expression moment_jacobian_transpose(const Attached& at) {
 
 // (8), the external forces; n_b, not n'_b, stands here (E12)
 Expression applied_force() {
-  return force_jacobian_transpose(points()) * f_b + moment_jacobian_transpose(points()) * n_b;
+  return named(
+      "Q", force_jacobian_transpose(points()) * f_b + moment_jacobian_transpose(points()) * n_b);
 }
 
 // E7
 Expression moment_of_forces() { return named("n_f", skew(t_d) * f_b); }
 
 // (1) without external forces
-Expression inverse_dynamics() { return mass_matrix() * qdd + bias_force() + gravity_force(); }
+Expression inverse_dynamics() {
+  return named("τ", mass_matrix() * qdd + bias_force() + gravity_force());
+}
 
 // 6.5: gravity is a force f_i = m_i g at the centre of mass, so C takes t_i = c_ii (E20)
 Expression gravity_force() {

@@ -15,6 +15,8 @@
 // W = E.
 #pragma once
 
+#include <string>
+
 #include "block/block.hpp"
 
 namespace treedyn::equations {
@@ -23,26 +25,24 @@ using block::Expression;
 
 /// Points attached to links: where their links stand in the tree, and their places.
 struct Attached {
-  Expression D_P;  ///< P x N: row p is the row of D of the link that carries point p
-  Expression
-      t_d;  ///< 3P x P: t_p, point p minus P_i, base frame; contains the slide of link i (E15)
+  std::string label;  ///< of what depends on the points: C(c_ii)
+  Expression D_P;     ///< P x N: row p is the row of D of the link that carries point p
+  Expression t_d;   ///< 3P x P: t_p, point p minus P_i, base frame; contains the link's slide (E15)
+  Expression t_fD;  ///< 3P x N, m: block (p,j) = point p minus P_j for j ≼ i
 };
 
-/// The points that were asked for: D_P = W^T D.
+/// The points that were asked for: D_P = W^T D, t_fD = D_P s^d (D-E) + t^d D_P.
 Attached points();
-/// The centres of mass: one on every link, t_i = c_ii = l_ii + c_i.
+/// The centres of mass: one on every link, t_i = c_ii = l_ii + c_i, t_fD = c_fD.
 Attached centres_of_mass();
 
 /// (6) l_D, 3N x N, m: block (i,j) = O_i - P_j for j ≼ i.
 Expression joint_to_link_vectors();
 /// (7) c_fD, 3N x N, m: block (i,j) = CoM of link i minus P_j for j ≼ i.
 Expression joint_to_com_vectors();
-/// t_fD, 3P x N, m: block (p,j) = point p minus P_j for j ≼ i; (7) for any points.
-Expression joint_to_point_vectors(const Attached& at);
-
 /// J_v of the centres of mass (3N x N) or of points (3P x N), C^T of (9).
 Expression velocity_jacobian(const Attached& at);
-/// J_ω = D z^d σ, 3N x N.
+/// J_ω = D z^d σ, 3N x N; A = J_v^T m^d J_v + J_ω^T J_c^d J_ω.
 Expression angular_jacobian();
 
 /// (2) A(q), N x N, kg m^2 | kg m | kg.

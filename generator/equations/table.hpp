@@ -1,0 +1,23 @@
+// The equation index: every function that is one block expression, by name and number.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "block/block.hpp"
+
+namespace treedyn::equations {
+
+struct Equation {
+  std::string_view name;    ///< of the generated function
+  std::string_view number;  ///< in EQUATIONS.md
+  block::Expression expression;
+};
+
+/// In the order of the functions of the generated code.
+std::span<const Equation> table();
+
+/// nullptr if there is none of that name.
+const Equation* find(std::string_view name);
+
+}  // namespace treedyn::equations
