@@ -29,7 +29,11 @@ std::vector<std::string> names(const Json& items) {
 }
 
 FunctionInfo function_info(const Json& entry) {
-  FunctionInfo result{entry.at("name"), sizes(entry.at("inputs")), sizes(entry.at("outputs")), {}};
+  FunctionInfo result{entry.at("name"),
+                      names(entry.at("inputs")),
+                      sizes(entry.at("inputs")),
+                      sizes(entry.at("outputs")),
+                      {}};
   const std::array<const char*, 6> kinds{"add", "mul", "div", "sqrt", "sin", "cos"};
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     result.operations[k] = entry.at("operations").at(kinds[k]).get<long>();
@@ -41,7 +45,9 @@ FunctionInfo function_info(const Json& entry) {
 
 Manifest read_manifest(const std::filesystem::path& path) {
   const Json json = Json::parse(read_file(path));
-  Manifest result{json.at("options").at("scalar"),
+  Manifest result{json.at("model").at("file"),
+                  json.at("options").at("base"),
+                  json.at("options").at("scalar"),
                   json.at("dof"),
                   names(json.at("joints")),
                   names(json.at("points")),

@@ -10,12 +10,15 @@ namespace treedyn::support {
 
 struct FunctionInfo {
   std::string name;
-  std::vector<int> inputs;           ///< sizes of the input arrays, in order
-  std::vector<int> outputs;          ///< sizes of the output arrays, in order
-  std::array<long, 6> operations{};  ///< add, mul, div, sqrt, sin, cos of one call
+  std::vector<std::string> arguments;  ///< names of the input arrays, in order
+  std::vector<int> inputs;             ///< their sizes
+  std::vector<int> outputs;            ///< sizes of the output arrays, in order
+  std::array<long, 6> operations{};    ///< add, mul, div, sqrt, sin, cos of one call
 };
 
 struct Manifest {
+  std::string model;   ///< base name of the model file
+  std::string base;    ///< "fixed" or "axes"
   std::string scalar;  ///< "double" or "float"
   int dof = 0;
   std::vector<std::string> joints;  ///< names as the model writes them, in generated order

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace treedyn::support {
@@ -25,24 +27,46 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// Coordinates: zeros, all pi/2, all -pi/2, a mixture of both, large angles, then random ones in
-/// [-pi, pi]. All exact in float.
-inline std::vector<std::vector<double>> positions(std::size_t dof, std::size_t count,
-                                                  std::uint64_t seed) {
+/// Values for every argument of INTERFACE.md 3 by its name: q, qd, qdd, tau, f, n.
+using Sample = std::map<std::string, std::vector<double>>;
+
+/// Samples with the coordinates zero, all pi/2, all -pi/2, a mixture of both, large (up to 1e2 and
+/// 1e4), then random in [-pi, pi]; the rest random in [-1, 1], zero in the first. All exact in
+/// float.
+inline std::vector<Sample> samples(std::size_t dof, std::size_t points, std::size_t count,
+                                   std::uint64_t seed) {
   const double right = static_cast<double>(std::numbers::pi_v<float> / 2);
   Random random(seed);
-  std::vector<std::vector<double>> result{std::vector<double>(dof, 0.0),
-                                          std::vector<double>(dof, right),
-                                          std::vector<double>(dof, -right)};
   std::vector<double> mixture(dof);
   for (double& x : mixture) {
     x = random() < 0 ? -right : right;
   }
-  result.push_back(mixture);
-  result.push_back(random.list(dof, 100));
-  result.push_back(random.list(dof, 10000));
-  while (result.size() < count) {
-    result.push_back(random.list(dof, std::numbers::pi));
+  std::vector<std::vector<double>> positions{std::vector<double>(dof, 0.0),
+                                             std::vector<double>(dof, right),
+                                             std::vector<double>(dof, -right),
+                                             mixture,
+                                             random.list(dof, 100),
+                                             random.list(dof, 10000)};
+  std::vector<Sample> result;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double scale = k == 0 ? 0 : 1;
+    result.push_back(
+        {{"q", k < positions.size() ? positions[k] : random.list(dof, std::numbers::pi)},
+         {"qd", random.list(dof, scale)},
+         {"qdd", random.list(dof, scale)},
+         {"tau", random.list(dof, scale)},
+         {"f", random.list(3 * points, scale)},
+         {"n", random.list(3 * points, scale)}});
+  }
+  return result;
+}
+
+/// The values of the named arguments, in order.
+inline std::vector<std::vector<double>> arguments(const Sample& sample,
+                                                  const std::vector<std::string>& names) {
+  std::vector<std::vector<double>> result;
+  for (const std::string& name : names) {
+    result.push_back(sample.at(name));
   }
   return result;
 }

@@ -1,0 +1,128 @@
+// Compiled generated code against the generic engine at 50 digits, every committed model, both
+// scalar types. The tolerance of every number is the running error bound of the code itself
+// (support/measured.hpp), so it follows from the operations executed and the sizes of the operands.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "description/read.hpp"
+#include "engine/engine.hpp"
+#include "support/cases.hpp"
+#include "support/models.hpp"
+#include "support/states.hpp"
+
+namespace treedyn {
+namespace {
+
+using support::Committed;
+using support::CompiledModel;
+using support::FunctionInfo;
+using support::Measurement;
+using support::Sample;
+using support::Variant;
+
+constexpr std::size_t kStates = 200;
+
+std::vector<Real> to_real(const std::vector<double>& values) {
+  return {values.begin(), values.end()};
+}
+
+/// The same code twice: as it is, and with error bounds.
+struct Code {
+  CompiledModel plain;
+  CompiledModel measured;
+};
+
+/// The same model in the generic engine, in 50 digits.
+class Reference {
+ public:
+  explicit Reference(const Committed& model)
+      : tree_(read(model)), engine_(tree_, tree_.points, gravity()) {}
+
+  std::vector<Real> evaluate(const FunctionInfo& function, const Sample& sample) {
+    std::vector<std::vector<Real>> inputs;
+    for (const std::string& name : function.arguments) {
+      inputs.push_back(to_real(sample.at(name)));
+    }
+    return engine_.evaluate(function.name, inputs);
+  }
+
+ private:
+  static model::Tree read(const Committed& model) {
+    description::ReadOptions options;
+    options.base =
+        model.manifest.base == "axes" ? description::Base::kAxes : description::Base::kFixed;
+    return description::read_model(model.model.string(), options);
+  }
+  static model::Vector3 gravity() { return {Real(0), Real(0), Real("-9.81")}; }
+
+  model::Tree tree_;
+  engine::Engine<Real> engine_;
+};
+
+/// How far the outputs of one call are from the reference, in units of their bounds.
+double ratio(const std::vector<double>& x, const std::vector<double>& bounds,
+             const std::vector<Real>& expected) {
+  double largest = x.size() == expected.size() ? 0 : HUGE_VAL;
+  for (std::size_t k = 0; k < std::min(x.size(), expected.size()); ++k) {
+    const double error = static_cast<double>(abs(Real(x[k]) - expected[k]));
+    const bool inside = error <= bounds[k];
+    largest = std::max(largest, inside ? (error == 0 ? 0 : error / bounds[k]) : HUGE_VAL);
+  }
+  return largest;
+}
+
+/// Compares one function in one state. The bound itself must be small, or it would prove nothing:
+/// forward dynamics may lose the condition of A, everything else only the cancellation of a sum.
+void expect_inside_bounds(const Code& code, const FunctionInfo& function, const Sample& sample,
+                          const std::vector<Real>& expected) {
+  const auto inputs = support::arguments(sample, function.arguments);
+  const std::vector<double> x = code.plain.call(function.name, inputs);
+  const Measurement m = code.measured.measure(function.name, inputs);
+  EXPECT_LE(ratio(x, m.bounds, expected), 1.0) << function.name;
+  EXPECT_LE(ratio(m.values, m.bounds, expected), 1.0) << function.name << ", measured";
+  EXPECT_EQ(m.operations, function.operations) << function.name;
+}
+
+class GeneratedCode : public testing::TestWithParam<Committed> {};
+
+void expect_equal_to_engine(const Committed& model, const Code& code) {
+  Reference reference(model);
+  const auto& manifest = code.plain.manifest();
+  const auto dof = static_cast<std::size_t>(manifest.dof);
+  for (const Sample& sample : support::samples(dof, manifest.points.size(), kStates, 1)) {
+    for (const FunctionInfo& function : manifest.functions) {
+      expect_inside_bounds(code, function, sample, reference.evaluate(function, sample));
+    }
+    if (testing::Test::HasFailure()) {
+      return;  // one state says enough
+    }
+  }
+}
+
+TEST_P(GeneratedCode, CommittedFunctionsEqualTheEngine) {
+  const Committed& model = GetParam();
+  expect_equal_to_engine(model, {CompiledModel(model.folder, model.stem),
+                                 CompiledModel(model.folder, model.stem, Variant::kMeasured)});
+}
+
+TEST_P(GeneratedCode, AllFunctionsInDoubleEqualTheEngine) {
+  expect_equal_to_engine(GetParam(),
+                         {support::with_all_functions(GetParam(), "double", Variant::kPlain),
+                          support::with_all_functions(GetParam(), "double", Variant::kMeasured)});
+}
+
+TEST_P(GeneratedCode, AllFunctionsInFloatEqualTheEngine) {
+  expect_equal_to_engine(GetParam(),
+                         {support::with_all_functions(GetParam(), "float", Variant::kPlain),
+                          support::with_all_functions(GetParam(), "float", Variant::kMeasured)});
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, GeneratedCode,
+                         testing::ValuesIn(support::committed(TREEDYN_SOURCE_DIR)),
+                         [](const auto& info) { return support::test_name(info.param); });
+
+}  // namespace
+}  // namespace treedyn

@@ -1,0 +1,57 @@
+#include "support/models.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+namespace treedyn::support {
+
+namespace fs = std::filesystem;
+
+std::vector<Committed> committed(const fs::path& source_dir) {
+  std::vector<Committed> result;
+  for (const auto& folder : fs::directory_iterator(source_dir / "generated")) {
+    for (const auto& file : fs::directory_iterator(folder.path())) {
+      if (file.path().extension() == ".json") {
+        const Manifest manifest = read_manifest(file.path());
+        result.push_back({folder.path(), file.path().stem().string(),
+                          source_dir / "models" / manifest.model, manifest});
+      }
+    }
+  }
+  if (result.empty()) {
+    throw std::runtime_error("no generated code in generated/");
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Committed& a, const Committed& b) { return a.folder < b.folder; });
+  return result;
+}
+
+std::vector<Committed> committed_models(const fs::path& source_dir) {
+  std::vector<Committed> result = committed(source_dir);
+  std::erase_if(result, [](const Committed& c) { return c.manifest.scalar != "double"; });
+  return result;
+}
+
+std::string test_name(const Committed& committed) {
+  std::string result = committed.folder.filename().string();
+  std::erase_if(result, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
+  return result;
+}
+
+CompiledModel with_all_functions(const Committed& committed, const std::string& scalar,
+                                 Variant variant) {
+  std::string functions =
+      "mass_matrix,bias_force,gravity_force,inverse_dynamics,forward_dynamics,"
+      "joint_to_link_vectors,joint_to_com_vectors,kinetic_energy,potential_energy";
+  if (!committed.manifest.points.empty()) {
+    functions +=
+        ",point_positions,point_velocities,point_rotations,force_jacobian_transpose,"
+        "moment_jacobian_transpose,point_bias_acceleration,angular_bias_acceleration,applied_force";
+  }
+  return generate_and_compile(
+      committed.model,
+      {"--base", committed.manifest.base, "--scalar", scalar, "--functions", functions}, variant);
+}
+
+}  // namespace treedyn::support
