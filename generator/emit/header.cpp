@@ -164,13 +164,17 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-std::string command_comment(const std::vector<std::string>& command) {
+std::string shell_line(const std::vector<std::string>& words) {
   std::string line;
-  for (const std::string& word : command) {
+  for (const std::string& word : words) {
     line += line.empty() ? "" : " ";
     line += quoted(word);
   }
-  return wrapped(line, "//   ", 4);
+  return line;
+}
+
+std::string command_comment(const std::vector<std::string>& command) {
+  return wrapped(shell_line(command), "//   ", 4);
 }
 
 int father_coordinate(const model::Tree& tree, int k) {

@@ -9,7 +9,10 @@ namespace treedyn::emit {
 
 std::string header_text(const Unit& unit);
 
-/// The command line as comment lines, quoted for a shell.
+/// Words as one line that a POSIX shell (bash, zsh) reads back; nothing in it can end a comment.
+std::string shell_line(const std::vector<std::string>& words);
+
+/// The command line as comment lines.
 std::string command_comment(const std::vector<std::string>& command);
 
 /// The independent joint that moves the father of the link of coordinate `k`; -1: none.

@@ -51,15 +51,6 @@ std::string arrays_json(const std::vector<program::Array>& arrays) {
   return result + "]";
 }
 
-std::string operations_json(const program::Cost& cost) {
-  return json_object({{"add", std::to_string(cost.add)},
-                      {"mul", std::to_string(cost.mul)},
-                      {"div", std::to_string(cost.div)},
-                      {"sqrt", std::to_string(cost.sqrt)},
-                      {"sin", std::to_string(cost.sin)},
-                      {"cos", std::to_string(cost.cos)}});
-}
-
 std::string function_json(const program::Function& function, const Body& body) {
   const program::Signature& signature = function.signature;
   return fmt::format(
@@ -71,6 +62,15 @@ std::string function_json(const program::Function& function, const Body& body) {
 }
 
 }  // namespace
+
+std::string operations_json(const program::Cost& cost) {
+  return json_object({{"add", std::to_string(cost.add)},
+                      {"mul", std::to_string(cost.mul)},
+                      {"div", std::to_string(cost.div)},
+                      {"sqrt", std::to_string(cost.sqrt)},
+                      {"sin", std::to_string(cost.sin)},
+                      {"cos", std::to_string(cost.cos)}});
+}
 
 std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
   std::vector<std::string> functions;

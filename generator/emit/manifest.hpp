@@ -9,6 +9,9 @@
 
 namespace treedyn::emit {
 
+/// {"add": 1, ...}
+std::string operations_json(const program::Cost& cost);
+
 /// \param bodies one per function of the unit, in order
 std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies);
 

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include "pipeline.hpp"
+
+namespace treedyn {
+
+namespace {
+
+template <std::size_t n>
+std::string numbers(const std::array<Real, n>& values) {
+  std::string result;
+  for (const Real& value : values) {
+    result += fmt::format(" {}", value.str(20));
+  }
+  return result;
+}
+
+std::string model_text(const model::Tree& tree) {
+  std::string result = fmt::format("tree {}\n", tree.identifier);
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const model::Link& link = tree.links[i];
+    result += fmt::format(
+        "link {} {} father {} joint {} {}\n  axis{}\n  offset{}\n  rotation{}\n  mass {}\n"
+        "  com{}\n  inertia{}\n  coordinate {} * {} + {}\n",
+        i, link.name, link.father, link.joint.identifier,
+        link.joint.type == model::JointType::kRevolute ? "revolute" : "prismatic",
+        numbers(link.joint.axis), numbers(link.joint.offset), numbers(link.joint.rotation),
+        link.inertia.mass.str(20), numbers(link.inertia.com), numbers(link.inertia.about_com),
+        tree.drives[i].coordinate, tree.drives[i].multiplier.str(20),
+        tree.drives[i].offset.str(20));
+  }
+  return result;
+}
+
+const char* kind_name(program::Kind kind) {
+  switch (kind) {
+    case program::Kind::kConstant:
+      return "constant";
+    case program::Kind::kInput:
+      return "input";
+    case program::Kind::kAdd:
+      return "add";
+    case program::Kind::kMultiply:
+      return "mul";
+    case program::Kind::kDivide:
+      return "div";
+    case program::Kind::kSin:
+      return "sin";
+    case program::Kind::kCos:
+      return "cos";
+    case program::Kind::kSqrt:
+      return "sqrt";
+  }
+  return "";
+}
+
+/// One value a line: number, operation, operands; a minus sign is part of the use.
+std::string program_text(const program::Function& function) {
+  const program::Graph& graph = function.graph;
+  std::string result = fmt::format("function {}\n", function.signature.name);
+  for (const program::Ref k : program::reachable(graph, function.outputs)) {
+    const program::Node& node = graph.node(k);
+    result += fmt::format("  {} = {}", k, kind_name(node.kind));
+    if (node.kind == program::Kind::kConstant) {
+      result += " " + graph.value(k).str(20);
+    } else if (node.kind == program::Kind::kInput) {
+      result += fmt::format(
+          " {}[{}]", function.signature.inputs[static_cast<std::size_t>(node.a)].name, node.b);
+    }
+    program::for_each_operand(node,
+                              [&](program::Ref operand) { result += fmt::format(" {}", operand); });
+    result += "\n";
+  }
+  return result + fmt::format("  outputs {}\n", fmt::join(function.outputs, " "));
+}
+
+}  // namespace
+
+const std::vector<std::string>& stages() {
+  static const std::vector<std::string> names = {"model", "equations", "program", "emit"};
+  return names;
+}
+
+std::string dump(const Request& request, const std::string& stage) {
+  const Model model = read(request);
+  if (stage == "model") {
+    return model_text(model.tree);
+  }
+  if (stage == "equations") {
+    return equations_text(model, request);
+  }
+  const std::vector<program::Function> functions =
+      formulate(model, request, [](const std::string&) {});
+  std::string result;
+  if (stage == "program") {
+    for (const program::Function& function : functions) {
+      result += program_text(function);
+    }
+    return result;
+  }
+  for (const emit::File& file : emit_files(model, request, functions)) {
+    result += file.text;
+  }
+  return result;
+}
+
+}  // namespace treedyn

@@ -1,0 +1,173 @@
+#include "files.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+
+namespace treedyn {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const std::string& what, int error) {
+  throw InputError({path, 0, 0},
+                   fmt::format("{}: {}", what, std::generic_category().message(error)));
+}
+
+constexpr std::size_t kMostInput = std::size_t{64} << 20U;
+
+/// The rest of a stream, or a little more than `most` bytes of it; nothing on errors.
+std::optional<std::string> read_stream(std::FILE* stream, std::size_t most) {
+  std::string text;
+  std::array<char, 1 << 16> buffer{};
+  while (text.size() <= most) {
+    const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream);
+    if (count == 0) {
+      break;
+    }
+    text.append(buffer.data(), count);
+  }
+  return std::ferror(stream) != 0 ? std::nullopt : std::optional(std::move(text));
+}
+
+/// Makes missing folders; unmakes them unless `keep` is called.
+class Folders {
+ public:
+  void make(const fs::path& folder) {
+    if (folder.empty() || fs::is_directory(folder)) {
+      return;
+    }
+    make(folder.parent_path());
+    if (::mkdir(folder.c_str(), 0777) == 0) {
+      made_.push_back(folder);
+    } else if (errno != EEXIST || !fs::is_directory(folder)) {
+      fail(folder.string(), "cannot make the output folder", errno == EEXIST ? ENOTDIR : errno);
+    }
+  }
+  void keep() { made_.clear(); }
+
+  Folders() = default;
+  Folders(const Folders&) = delete;
+  Folders& operator=(const Folders&) = delete;
+  ~Folders() {
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
+      ::rmdir(folder->c_str());
+    }
+  }
+
+ private:
+  std::vector<fs::path> made_;
+};
+
+/// A complete copy of a file's new content beside its place; removed unless it was put there.
+class Temporary {
+ public:
+  explicit Temporary(const OutputFile& file) : target_(file.path) {
+    const fs::path folder = fs::path(target_).parent_path();
+    path_ =
+        (folder / (".treedyn-" + fs::path(target_).filename().string().substr(0, 200) + "-XXXXXX"))
+            .string();
+    const int descriptor = ::mkstemp(path_.data());
+    if (descriptor < 0) {
+      path_.clear();
+      fail(target_, "cannot write", errno);
+    }
+    const int error = write_all(descriptor, file.text);
+    const int close_error = ::close(descriptor) == 0 ? 0 : errno;
+    if (error != 0 || close_error != 0) {
+      ::unlink(path_.c_str());
+      fail(target_, "cannot write", error != 0 ? error : close_error);
+    }
+  }
+  Temporary(Temporary&& other) noexcept
+      : target_(std::move(other.target_)), path_(std::exchange(other.path_, {})) {}
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  Temporary& operator=(Temporary&&) = delete;
+  ~Temporary() {
+    if (!path_.empty()) {
+      ::unlink(path_.c_str());
+    }
+  }
+
+  void put_in_place() {
+    if (::rename(path_.c_str(), target_.c_str()) != 0) {
+      fail(target_, "cannot write", errno);
+    }
+    path_.clear();
+  }
+
+ private:
+  static int write_all(int descriptor, std::string_view text) {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(descriptor, 0666 & ~mask) != 0) {
+      return errno;
+    }
+    while (!text.empty()) {
+      const ssize_t written = ::write(descriptor, text.data(), text.size());
+      if (written < 0 && errno != EINTR) {
+        return errno;
+      }
+      text.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+    }
+    return ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+  }
+
+  std::string target_;
+  std::string path_;
+};
+
+}  // namespace
+
+std::optional<std::string> read_file(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  return file == nullptr ? std::nullopt : read_stream(file.get(), std::string::npos);
+}
+
+std::string read_standard_input() {
+  const std::optional<std::string> text = read_stream(stdin, kMostInput);
+  if (!text || text->size() > kMostInput) {
+    throw InputError({"-", 0, 0}, text ? "input is too large; expected at most 64 MiB"
+                                       : "standard input cannot be read");
+  }
+  return *text;
+}
+
+int write_files(const std::vector<OutputFile>& files) {
+  Folders folders;
+  std::vector<Temporary> temporaries;
+  temporaries.reserve(files.size());
+  for (const OutputFile& file : files) {
+    if (read_file(file.path) == file.text) {
+      continue;
+    }
+    if (fs::is_directory(file.path)) {
+      fail(file.path, "cannot write", EISDIR);
+    }
+    folders.make(fs::path(file.path).parent_path());
+    temporaries.emplace_back(file);
+  }
+  for (Temporary& temporary : temporaries) {
+    temporary.put_in_place();
+  }
+  folders.keep();
+  return static_cast<int>(temporaries.size());
+}
+
+}  // namespace treedyn

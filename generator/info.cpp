@@ -1,0 +1,267 @@
+#include "info.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "block/pattern.hpp"
+#include "common/decimal.hpp"
+#include "emit/header.hpp"
+#include "emit/json.hpp"
+#include "emit/layout.hpp"
+#include "emit/manifest.hpp"
+
+namespace treedyn {
+
+namespace {
+
+using emit::json_object;
+using emit::json_string;
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Columns two spaces apart, two spaces in front.
+std::string table(const Rows& rows) {
+  std::vector<std::size_t> width(rows.front().size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      width[k] = std::max(width[k], row[k].size());
+    }
+  }
+  std::string result;
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      result += fmt::format("  {:{}}", row[k], k + 1 < row.size() ? width[k] : 0);
+    }
+    result += "\n";
+  }
+  return result;
+}
+
+const model::Link& link_of(const Model& model, int coordinate) {
+  const auto k = static_cast<std::size_t>(coordinate);
+  return model.tree.links[static_cast<std::size_t>(model.tree.coordinates[k])];
+}
+
+bool is_revolute(const model::Link& link) { return link.joint.type == model::JointType::kRevolute; }
+
+std::string joint_table(const Model& model) {
+  Rows rows = {{"index", "joint", "type", "father", "link", "mass/kg"}};
+  for (int k = 0; k < model.tree.dof(); ++k) {
+    const model::Link& link = link_of(model, k);
+    rows.push_back({std::to_string(k), shown(link.joint.name),
+                    is_revolute(link) ? "revolute" : "prismatic",
+                    std::to_string(emit::father_coordinate(model.tree, k)), shown(link.name),
+                    emit::decimal(link.inertia.mass)});
+  }
+  return table(rows);
+}
+
+/// Joints that follow another one: q = multiplier u + offset.
+std::string mimic_lines(const Model& model) {
+  std::string result;
+  for (int i = 0; i < model.tree.size(); ++i) {
+    const model::Drive& drive = model.tree.drives[static_cast<std::size_t>(i)];
+    const int master = model.tree.coordinates[static_cast<std::size_t>(drive.coordinate)];
+    if (master != i) {
+      result += fmt::format(
+          "  {} = {} {} + {}\n", shown(model.tree.links[static_cast<std::size_t>(i)].joint.name),
+          emit::decimal(drive.multiplier), shown(link_of(model, drive.coordinate).joint.name),
+          emit::decimal(drive.offset));
+    }
+  }
+  return result.empty() ? result : "\nmimic joints\n" + result;
+}
+
+/// The rows of D: 'x' where the column's link is the row's link or carries it.
+std::vector<std::string> reachability_rows(const model::Tree& tree) {
+  block::Index index;
+  for (const model::Link& link : tree.links) {
+    index.father.push_back(link.father);
+    index.revolute.push_back(is_revolute(link));
+  }
+  std::vector<std::string> rows(1);
+  for (const char c : block::to_text(block::reachability(index))) {
+    if (c == '\n') {
+      rows.emplace_back();
+    } else {
+      rows.back() += c;
+    }
+  }
+  rows.resize(tree.links.size());
+  return rows;
+}
+
+std::string reachability_text(const model::Tree& tree) {
+  Rows rows;
+  const std::vector<std::string> matrix = reachability_rows(tree);
+  std::size_t blocks = 0;
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    rows.push_back({matrix[i], shown(tree.links[i].name)});
+    blocks += static_cast<std::size_t>(std::count(matrix[i].begin(), matrix[i].end(), 'x'));
+  }
+  return fmt::format("\nD, one row a link ({} of {} blocks are zero)\n{}",
+                     matrix.size() * matrix.size() - blocks, matrix.size() * matrix.size(),
+                     table(rows));
+}
+
+Real total_mass(const model::Tree& tree) {
+  Real sum = 0;
+  for (const model::Link& link : tree.links) {
+    sum += link.inertia.mass;
+  }
+  return sum;
+}
+
+std::string point_table(const Model& model) {
+  if (model.points.empty()) {
+    return {};
+  }
+  Rows rows = {{"index", "point", "link", "at/m"}};
+  for (std::size_t k = 0; k < model.points.size(); ++k) {
+    const model::Point& point = model.points[k];
+    rows.push_back({std::to_string(k), shown(point.name), shown(point.link_name),
+                    fmt::format("{}, {}, {}", emit::decimal(point.at[0]),
+                                emit::decimal(point.at[1]), emit::decimal(point.at[2]))});
+  }
+  return "\npoints\n" + table(rows);
+}
+
+std::string snap_table(const model::Tree& tree) {
+  if (tree.snaps.empty()) {
+    return "\nsnapped constants: none\n";
+  }
+  Rows rows = {{"place", "what", "written", "taken as", "change"}};
+  for (const model::Snap& snap : tree.snaps) {
+    rows.push_back({to_string(snap.where), shown(snap.what), shown(snap.from), snap.to,
+                    fmt::format("{:.1e}", snap.change.convert_to<double>())});
+  }
+  return "\nsnapped constants\n" + table(rows);
+}
+
+std::string cost_table(const std::vector<program::Function>& functions) {
+  Rows rows = {{"function", "equation", "values", "mul + add + div", "of these"}};
+  for (const program::Function& function : functions) {
+    const program::Cost cost = program::cost(function);
+    rows.push_back({function.signature.name, function.signature.equation,
+                    std::to_string(function.outputs.size()), std::to_string(cost.total()),
+                    emit::cost_text(cost)});
+  }
+  return "\nfunctions, operations in one call\n" + table(rows);
+}
+
+std::string json_list(const std::vector<std::string>& values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
+
+std::string vector_json(const model::Vector3& v) {
+  return json_list({emit::decimal(v[0]), emit::decimal(v[1]), emit::decimal(v[2])});
+}
+
+std::vector<std::string> joints_json(const Model& model) {
+  std::vector<std::string> result;
+  for (int k = 0; k < model.tree.dof(); ++k) {
+    const model::Link& link = link_of(model, k);
+    result.push_back(
+        json_object({{"name", json_string(link.joint.name)},
+                     {"identifier", json_string(link.joint.identifier)},
+                     {"index", std::to_string(k)},
+                     {"type", json_string(is_revolute(link) ? "revolute" : "prismatic")},
+                     {"father", std::to_string(emit::father_coordinate(model.tree, k))},
+                     {"link", json_string(link.name)},
+                     {"mass", emit::decimal(link.inertia.mass)}}));
+  }
+  return result;
+}
+
+std::vector<std::string> links_json(const model::Tree& tree) {
+  std::vector<std::string> result;
+  const std::vector<std::string> matrix = reachability_rows(tree);
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const model::Link& link = tree.links[i];
+    const model::Drive& drive = tree.drives[i];
+    result.push_back(json_object({{"name", json_string(link.name)},
+                                  {"father", std::to_string(link.father)},
+                                  {"mass", emit::decimal(link.inertia.mass)},
+                                  {"com", vector_json(link.inertia.com)},
+                                  {"coordinate", std::to_string(drive.coordinate)},
+                                  {"multiplier", emit::decimal(drive.multiplier)},
+                                  {"offset", emit::decimal(drive.offset)},
+                                  {"D", json_string(matrix[i])}}));
+  }
+  return result;
+}
+
+std::vector<std::string> points_json(const Model& model) {
+  std::vector<std::string> result;
+  for (const model::Point& point : model.points) {
+    result.push_back(json_object({{"name", json_string(point.name)},
+                                  {"identifier", json_string(point.identifier)},
+                                  {"link", json_string(point.link_name)},
+                                  {"at", vector_json(point.at)}}));
+  }
+  return result;
+}
+
+std::vector<std::string> snaps_json(const model::Tree& tree) {
+  std::vector<std::string> result;
+  for (const model::Snap& snap : tree.snaps) {
+    result.push_back(json_object({{"line", std::to_string(snap.where.line)},
+                                  {"column", std::to_string(snap.where.column)},
+                                  {"what", json_string(snap.what)},
+                                  {"from", json_string(snap.from)},
+                                  {"to", json_string(snap.to)},
+                                  {"change", emit::decimal(snap.change)}}));
+  }
+  return result;
+}
+
+std::vector<std::string> functions_json(const std::vector<program::Function>& functions) {
+  std::vector<std::string> result;
+  for (const program::Function& function : functions) {
+    result.push_back(json_object({{"name", json_string(function.signature.name)},
+                                  {"equation", json_string(function.signature.equation)},
+                                  {"values", std::to_string(function.outputs.size())},
+                                  {"operations", emit::operations_json(program::cost(function))}}));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string info_text(const Model& model, const Request& request,
+                      const std::vector<program::Function>& functions) {
+  const bool axes = request.read.base == description::Base::kAxes;
+  return fmt::format("{}: {} joints, {} moving links, {} kg, base {}\n\njoints\n",
+                     shown(model.tree.name), model.tree.dof(), model.tree.size(),
+                     emit::decimal(total_mass(model.tree)), axes ? "axes" : "fixed") +
+         joint_table(model) + mimic_lines(model) + reachability_text(model.tree) +
+         point_table(model) + snap_table(model.tree) + cost_table(functions);
+}
+
+std::string info_json(const Model& model, const Request& request,
+                      const std::vector<program::Function>& functions) {
+  const bool axes = request.read.base == description::Base::kAxes;
+  return fmt::format(
+      "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
+      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}\n}}\n",
+      json_string(model.tree.name), json_string(axes ? "axes" : "fixed"), model.tree.dof(),
+      emit::decimal(total_mass(model.tree)), emit::json_lines(joints_json(model), 4),
+      emit::json_lines(links_json(model.tree), 4), emit::json_lines(points_json(model), 4),
+      emit::json_lines(snaps_json(model.tree), 4), emit::json_lines(functions_json(functions), 4));
+}
+
+std::string list_functions() {
+  Rows rows;
+  for (const std::string& name : simplify::function_names()) {
+    const program::Signature signature = simplify::signature(name, 1, 1);
+    rows.push_back({name, signature.equation, signature.brief});
+  }
+  std::string result;
+  for (const std::vector<std::string>& row : rows) {
+    result += fmt::format("{:30} {:8} {}\n", row[0], row[1], row[2]);
+  }
+  return result;
+}
+
+}  // namespace treedyn

@@ -1,0 +1,22 @@
+// What `treedyn info` and `treedyn list` say.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline.hpp"
+
+namespace treedyn {
+
+/// Joints, order, D with its zero blocks, sizes, masses, snapped constants and the cost of every
+/// function.
+std::string info_text(const Model& model, const Request& request,
+                      const std::vector<program::Function>& functions);
+/// The same facts as one JSON object.
+std::string info_json(const Model& model, const Request& request,
+                      const std::vector<program::Function>& functions);
+
+/// One function a line: name, equation, what it is.
+std::string list_functions();
+
+}  // namespace treedyn

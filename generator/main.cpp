@@ -1,0 +1,409 @@
+// The command line: options to pipeline, results to the user. Nothing else prints.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "check.hpp"
+#include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "emit/names.hpp"
+#include "files.hpp"
+#include "info.hpp"
+#include "numeric.hpp"
+#include "pipeline.hpp"
+#include "version.hpp"
+#include "vet.hpp"
+
+namespace {
+
+using namespace treedyn;
+
+/// Exit codes, INTERFACE.md 2.
+constexpr int kFailure = 1;
+constexpr int kUsage = 2;
+
+struct Settings {
+  Request request;
+  std::string output;
+  std::string depfile;
+  std::string dump;
+  std::string error_format = "text";
+  std::string list_of;
+  bool json = false;
+  bool equations = false;
+  bool numeric = false;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void print_error(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+void print_warnings(const Settings& settings, const std::vector<Warning>& warnings) {
+  for (const Warning& warning : warnings) {
+    if (!settings.quiet) {
+      print_error(fmt::format("{}: warning: {}\n", to_string(warning.where), warning.message));
+    }
+  }
+}
+
+Trace trace_of(const Settings& settings) {
+  return [verbose = settings.verbose](const std::string& line) {
+    if (verbose) {
+      print_error(line + "\n");
+    }
+  };
+}
+
+std::vector<std::string> paths(const Settings& settings, const std::string& name) {
+  std::vector<std::string> result;
+  for (const std::string& file : emit::file_names(name)) {
+    result.push_back((std::filesystem::path(settings.output) / file).string());
+  }
+  return result;
+}
+
+int run_generate(const Settings& settings) {
+  if (!settings.dump.empty()) {
+    print(dump(settings.request, settings.dump));
+    return 0;
+  }
+  const Model model = read(settings.request);
+  print_warnings(settings, warnings_of(model));
+  const std::vector<emit::File> files = generate(model, settings.request, trace_of(settings));
+  std::vector<OutputFile> outputs;
+  const std::vector<std::string> places = paths(settings, model.name);
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    outputs.push_back({places[k], files[k].text});
+  }
+  if (!settings.depfile.empty()) {
+    outputs.push_back({settings.depfile, depfile_text(places, settings.request.model)});
+  }
+  const int changed = write_files(outputs);
+  trace_of(settings)(fmt::format("{} of {} files written", changed, outputs.size()));
+  return 0;
+}
+
+int run_check(const Settings& settings) {
+  const Model model = read(settings.request);
+  print_warnings(settings, warnings_of(model));
+  const std::vector<emit::File> files = generate(model, settings.request, trace_of(settings));
+  const std::string report = check_files(files, settings.output);
+  if (report.empty()) {
+    return 0;
+  }
+  print(report);
+  if (settings.numeric) {
+    print(numeric_report(model, files, settings.output));
+  }
+  print(fmt::format("to update: {}\n", update_command(settings.request, settings.output)));
+  return kFailure;
+}
+
+int run_outputs(const Settings& settings) {
+  for (const std::string& path : paths(settings, read(settings.request).name)) {
+    print(path + "\n");
+  }
+  return 0;
+}
+
+int run_info(const Settings& settings) {
+  const Model model = read(settings.request);
+  print_warnings(settings, warnings_of(model));
+  if (settings.equations) {
+    print(equations_text(model, settings.request));
+    return 0;
+  }
+  const std::vector<program::Function> functions =
+      formulate(model, settings.request, trace_of(settings));
+  print(settings.json ? info_json(model, settings.request, functions)
+                      : info_text(model, settings.request, functions));
+  return 0;
+}
+
+int run_vet(const Settings& settings) {
+  const std::vector<Finding> findings = vet(settings.request);
+  print(findings_text(findings, settings.error_format));
+  return findings.empty() ? 0 : kFailure;
+}
+
+int run_list(const Settings& settings) {
+  if (settings.list_of == "functions") {
+    print(list_functions());
+  }
+  return 0;  // effects and integrators: there are none without scenes
+}
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> result(1);
+  for (const char c : list) {
+    if (c == ',') {
+      result.emplace_back();
+    } else {
+      result.back() += c;
+    }
+  }
+  return result;
+}
+
+Real number(const std::string& option, const std::string& text) {
+  const Decimal decimal = read_decimal(text);
+  if (!decimal) {
+    throw CLI::ValidationError(option, describe(decimal.error, text));
+  }
+  return decimal.value;
+}
+
+void add_name(CLI::App& command, Request& request) {
+  command
+      .add_option_function<std::string>(
+          "--name",
+          [&request](const std::string& name) {
+            if (to_identifier(name) != name || emit::is_reserved(name)) {
+              throw CLI::ValidationError(
+                  "--name", fmt::format("{} is not usable as a namespace; expected an identifier "
+                                        "that C++ and its library leave free",
+                                        shown(name)));
+            }
+            request.name = name;
+          },
+          "file stem and namespace; default: the model's own name")
+      ->type_name("NAME");
+}
+
+void add_model(CLI::App& command, Request& request) {
+  command
+      .add_option("MODEL", request.model,
+                  "URDF (*.urdf) or tree description (*.yaml); -: YAML on standard input")
+      ->required();
+  command
+      .add_option_function<std::string>(
+          "--base",
+          [&request](const std::string& base) {
+            if (base == "free") {
+              throw CLI::ValidationError("--base", "free is not there yet; expected fixed or axes");
+            }
+            if (base != "fixed" && base != "axes") {
+              throw CLI::ValidationError(
+                  "--base", fmt::format("{} is no base; expected fixed or axes", shown(base)));
+            }
+            request.read.base =
+                base == "axes" ? description::Base::kAxes : description::Base::kFixed;
+          },
+          "what carries the root: fixed (the ground), axes (six joints); default fixed")
+      ->type_name("fixed|axes");
+  command
+      .add_option_function<std::string>(
+          "--snap",
+          [&request](const std::string& text) {
+            request.read.snap = number("--snap", text);
+            if (request.read.snap < 0) {
+              throw CLI::ValidationError("--snap", "a tolerance is not negative");
+            }
+          },
+          "tolerance in rad below which decimals become exact angles; default 1e-9, 0: off")
+      ->type_name("TOL");
+  command
+      .add_option_function<std::string>(
+          "--mimic",
+          [&request](const std::string& mimic) {
+            request.read.mimic = mimic == "independent" ? description::Mimic::kIndependent
+                                                        : description::Mimic::kReduce;
+          },
+          "URDF mimic joints; default reduce")
+      ->check(CLI::IsMember({"reduce", "independent"}))
+      ->type_name("reduce|independent");
+}
+
+void set_functions(Request& request, const std::string& list) {
+  const std::vector<std::string>& known = simplify::function_names();
+  for (const std::string& name : split(list)) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw CLI::ValidationError(
+          "--functions", fmt::format("there is no function {}; expected some of {}", shown(name),
+                                     fmt::join(known, ",")));
+    }
+    request.functions.push_back(name);
+  }
+}
+
+void set_gravity(Request& request, const std::string& text) {
+  const std::vector<std::string> values = split(text);
+  if (values.size() != 3) {
+    throw CLI::ValidationError("--gravity", "expected three numbers x,y,z");
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    request.gravity[k] = number("--gravity", values[k]);
+  }
+}
+
+void set_forward_dynamics(Request& request, const std::string& choice) {
+  using simplify::ForwardDynamics;
+  request.forward_dynamics = choice == "factor"        ? ForwardDynamics::kFactor
+                             : choice == "articulated" ? ForwardDynamics::kArticulated
+                                                       : ForwardDynamics::kCheapest;
+}
+
+void add_generation(CLI::App& command, Request& request) {
+  add_model(command, request);
+  add_name(command, request);
+  command
+      .add_option_function<std::string>(
+          "--scalar",
+          [&request](const std::string& scalar) {
+            request.scalar = scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
+          },
+          "the only floating-point type of the output; default double")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->type_name("double|float");
+  command
+      .add_option_function<std::string>(
+          "--functions", [&request](const std::string& list) { set_functions(request, list); },
+          "comma-separated; treedyn list functions names them")
+      ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--points", [&request](const std::string& list) { request.points = list; },
+          "comma-separated name, name=link, name=link:x,y,z, or all; default: the model's points")
+      ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--gravity", [&request](const std::string& text) { set_gravity(request, text); },
+          "m/s^2 in the base frame; default 0,0,-9.81")
+      ->type_name("x,y,z");
+  command.add_option("--effort", request.effort, "search effort in moves; 0: none")
+      ->check(CLI::Range(0, 1000000000))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--forward-dynamics",
+          [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
+          "method of forward_dynamics; default cheapest")
+      ->check(CLI::IsMember({"cheapest", "factor", "articulated"}))
+      ->type_name("cheapest|factor|articulated");
+}
+
+void add_talk(CLI::App& command, Settings& settings) {
+  command.add_flag("-q,--quiet", settings.quiet, "no warnings");
+  command.add_flag("-v,--verbose", settings.verbose, "cost and time of every function");
+}
+
+CLI::App* add_output_command(CLI::App& app, const char* name, const char* what,
+                             Settings& settings) {
+  CLI::App* command = app.add_subcommand(name, what);
+  add_generation(*command, settings.request);
+  add_talk(*command, settings);
+  command->add_option("-o,--output", settings.output, "folder of the files; created if missing")
+      ->type_name("DIR");
+  return command;
+}
+
+void require_output(const Settings& settings) {
+  if (settings.output.empty()) {
+    throw CLI::RequiredError("-o DIR");
+  }
+}
+
+void add_commands(CLI::App& app, Settings& settings) {
+  CLI::App* generate = add_output_command(
+      app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder", settings);
+  generate->add_option("--depfile", settings.depfile, "also write a Make-style dependency file")
+      ->type_name("FILE");
+  generate
+      ->add_option("--dump", settings.dump, "print what leaves a stage instead of writing files")
+      ->check(CLI::IsMember(stages()))
+      ->type_name(fmt::format("{}", fmt::join(stages(), "|")));
+  CLI::App* check = add_output_command(
+      app, "check", "compare a folder with what generate would write; 1 if it differs", settings);
+  check->add_flag("--numeric", settings.numeric,
+                  "compile old and new functions and compare values");
+  add_output_command(app, "outputs", "print the paths that generate would write", settings);
+
+  CLI::App* info = app.add_subcommand("info", "joints, D, masses, snapped constants, costs");
+  add_generation(*info, settings.request);
+  add_talk(*info, settings);
+  info->add_flag("--json", settings.json, "as JSON");
+  info->add_flag("--equations", settings.equations,
+                 "the block equations with the zero blocks of D");
+
+  CLI::App* vet = app.add_subcommand("vet", "report what looks wrong in a model");
+  add_model(*vet, settings.request);
+  vet->add_option("--error-format", settings.error_format, "default text")
+      ->check(CLI::IsMember({"text", "gcc", "json"}))
+      ->type_name("text|gcc|json");
+
+  CLI::App* list = app.add_subcommand("list", "names that other commands accept");
+  list->add_option("WHAT", settings.list_of, "functions, effects or integrators")
+      ->required()
+      ->check(CLI::IsMember({"functions", "effects", "integrators"}))
+      ->type_name("");
+}
+
+int run(const CLI::App& app, const Settings& settings) {
+  if (app.got_subcommand("generate")) {
+    return run_generate(settings);
+  }
+  if (app.got_subcommand("check")) {
+    return run_check(settings);
+  }
+  if (app.got_subcommand("outputs")) {
+    return run_outputs(settings);
+  }
+  if (app.got_subcommand("info")) {
+    return run_info(settings);
+  }
+  return app.got_subcommand("vet") ? run_vet(settings) : run_list(settings);
+}
+
+int usage_error(const std::string& message) {
+  print_error(fmt::format("treedyn: {}; see treedyn --help\n", message));
+  return kUsage;
+}
+
+int main_without_exceptions(int argc, char** argv) {
+  Settings settings;
+  CLI::App app("Flat C++ functions for the dynamics of tree-structured robots.", "treedyn");
+  app.set_version_flag("--version", fmt::format("treedyn {}", kVersion));
+  app.require_subcommand(1);
+  add_commands(app, settings);
+  try {
+    app.parse(argc, argv);
+    const bool writes = app.got_subcommand("generate") && settings.dump.empty();
+    if (writes || app.got_subcommand("check") || app.got_subcommand("outputs")) {
+      require_output(settings);
+    }
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return usage_error(error.what());
+  }
+  try {
+    return run(app, settings);
+  } catch (const InputError& error) {
+    print_error(fmt::format("{}\n", error.what()));
+  } catch (const std::bad_alloc&) {
+    print_error("treedyn: out of memory\n");
+  } catch (const std::exception& error) {
+    print_error(fmt::format("treedyn: internal error: {}\n", error.what()));
+  }
+  return kFailure;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a full quota is an error of write(), reported like others
+  const int status = main_without_exceptions(argc, argv);
+  if (std::fflush(stdout) != 0) {
+    print_error("treedyn: cannot write to standard output\n");
+    return kFailure;
+  }
+  return status;
+}

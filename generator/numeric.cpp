@@ -1,0 +1,153 @@
+#include "numeric.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "emit/numeric_driver.hpp"
+#include "files.hpp"
+
+namespace treedyn {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that vanishes with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_((fs::temp_directory_path() / "treedyn-XXXXXX").string()) {
+    if (::mkdtemp(path_.data()) == nullptr) {
+      throw InputError({path_, 0, 0}, "cannot make a temporary folder");
+    }
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  [[nodiscard]] fs::path path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// Runs a program found on PATH; its output goes to a file. \returns true if it exits with 0.
+bool succeeds(std::vector<std::string> words, const std::string& output) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) {
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t process = 0;
+  const int error =
+      ::posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  return error == 0 && ::waitpid(process, &status, 0) == process && WIFEXITED(status) &&
+         WEXITSTATUS(status) == 0;
+}
+
+std::string find_compiler(const std::string& scratch) {
+  const char* chosen = std::getenv("CXX");  // NOLINT(concurrency-mt-unsafe): one thread
+  for (const std::string candidate : {chosen != nullptr ? chosen : "", "c++", "g++", "clang++"}) {
+    if (!candidate.empty() && succeeds({candidate, "--version"}, scratch)) {
+      return candidate;
+    }
+  }
+  return {};
+}
+
+using Values = std::map<std::string, std::vector<double>>;
+
+/// The values of the functions in `folder`; empty if something does not compile or run.
+Values values_of(const std::string& compiler, const std::string& name, const fs::path& folder,
+                 const std::vector<program::Signature>& functions) {
+  const TemporaryFolder scratch;
+  const std::string driver = (scratch.path() / "driver.cpp").string();
+  const std::string program = (scratch.path() / "driver").string();
+  const std::string printed = (scratch.path() / "values").string();
+  write_files({{driver, emit::numeric_driver(name, functions)}});
+  if (!succeeds({compiler, "-std=c++17", "-O1", "-I", folder.string(), driver,
+                 (folder / (name + ".cpp")).string(), "-o", program},
+                printed) ||
+      !succeeds({program}, printed)) {
+    return {};
+  }
+  Values result;
+  std::istringstream lines(read_file(printed).value_or(""));
+  for (std::string function, number; lines >> function >> number;) {
+    double value = std::nan("");
+    std::from_chars(number.data(), number.data() + number.size(), value);
+    result[function].push_back(value);
+  }
+  return result;
+}
+
+std::string distance_line(const std::string& function, const std::vector<double>& old_values,
+                          const std::vector<double>& new_values) {
+  double distance = 0;
+  double largest = 0;
+  for (std::size_t k = 0; k < std::min(old_values.size(), new_values.size()); ++k) {
+    const double difference = std::abs(old_values[k] - new_values[k]);
+    distance = difference > distance || std::isnan(difference) ? difference : distance;
+    largest = std::max(largest, std::abs(new_values[k]));
+  }
+  return fmt::format("numeric: {}: largest distance {:.3g}, largest value {:.3g}\n", function,
+                     distance, largest);
+}
+
+}  // namespace
+
+std::string numeric_report(const Model& model, const std::vector<emit::File>& files,
+                           const std::string& folder) {
+  const TemporaryFolder fresh;
+  const std::string compiler = find_compiler((fresh.path() / "version").string());
+  if (compiler.empty()) {
+    return "numeric: no C++ compiler found ($CXX, c++, g++, clang++)\n";
+  }
+  for (const emit::File& file : files) {
+    write_files({{(fresh.path() / file.name).string(), file.text}});
+  }
+  const std::string header =
+      read_file((fs::path(folder) / (model.name + ".hpp")).string()).value_or("");
+  std::vector<program::Signature> common;
+  std::string report;
+  for (const std::string& name : model.functions) {
+    const program::Signature signature =
+        simplify::signature(name, model.tree.dof(), static_cast<int>(model.points.size()));
+    if (header.find(emit::declaration_text(signature)) != std::string::npos) {
+      common.push_back(signature);
+    } else {
+      report += fmt::format("numeric: {}: not in the old files\n", name);
+    }
+  }
+  const Values old_values = values_of(compiler, model.name, folder, common);
+  const Values new_values = values_of(compiler, model.name, fresh.path(), common);
+  for (const program::Signature& signature : common) {
+    report += old_values.contains(signature.name) && new_values.contains(signature.name)
+                  ? distance_line(signature.name, old_values.at(signature.name),
+                                  new_values.at(signature.name))
+                  : fmt::format("numeric: {}: the old files do not compile\n", signature.name);
+  }
+  return report;
+}
+
+}  // namespace treedyn

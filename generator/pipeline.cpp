@@ -1,0 +1,262 @@
+#include "pipeline.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <stdexcept>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "emit/header.hpp"
+#include "emit/layout.hpp"
+#include "emit/names.hpp"
+#include "emit/sha256.hpp"
+#include "equations/table.hpp"
+#include "files.hpp"
+#include "prove.hpp"
+#include "symbolic/dump.hpp"
+#include "version.hpp"
+
+namespace treedyn {
+
+namespace {
+
+const Request kDefaults;
+
+bool needs_inertia(const std::string& function) { return function == "forward_dynamics"; }
+
+std::pair<Source, model::Tree> load(const Request& request) {
+  if (request.model == "-") {
+    const std::string text = read_standard_input();
+    return {{"-", emit::sha256(text)}, description::parse_yaml(text, "-", request.read)};
+  }
+  model::Tree tree = description::read_model(request.model, request.read);
+  const std::optional<std::string> text = read_file(request.model);
+  if (!text) {
+    throw InputError({request.model, 0, 0}, "cannot be read");
+  }
+  return {{std::filesystem::path(request.model).filename().string(), emit::sha256(*text)},
+          std::move(tree)};
+}
+
+/// The functions asked for, in the order of INTERFACE.md 3.
+std::vector<std::string> functions_of(const Request& request, bool has_points) {
+  std::vector<std::string> wanted = request.functions;
+  if (wanted.empty()) {
+    wanted = {"mass_matrix", "bias_force", "gravity_force", "inverse_dynamics", "forward_dynamics"};
+    if (has_points) {
+      wanted.insert(wanted.end(), {"point_positions", "force_jacobian_transpose"});
+    }
+  }
+  std::vector<std::string> result;
+  for (const std::string& name : simplify::function_names()) {
+    if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) {
+      result.push_back(name);
+    }
+  }
+  return result;
+}
+
+bool is_empty(const program::Signature& signature) {
+  const auto empty = [](const program::Array& array) {
+    return array.size == 0;
+  };
+  return std::any_of(signature.inputs.begin(), signature.inputs.end(), empty) ||
+         std::any_of(signature.outputs.begin(), signature.outputs.end(), empty);
+}
+
+void check_functions(const Model& model, const Location& where) {
+  for (const std::string& name : model.functions) {
+    const auto points = static_cast<int>(model.points.size());
+    if (points == 0 && is_empty(simplify::signature(name, model.tree.dof(), points))) {
+      throw InputError(where, fmt::format("function '{}' needs points and the model has none; "
+                                          "expected --points",
+                                          name));
+    }
+    const std::vector<Warning> singular = description::joints_without_inertia(model.tree);
+    if (needs_inertia(name) && !singular.empty()) {
+      throw InputError(singular.front().where,
+                       fmt::format("{}; function '{}' has no solution, expected inertia or "
+                                   "--functions without it",
+                                   singular.front().message, name));
+    }
+  }
+}
+
+simplify::Options simplify_options(const Model& model, const Request& request) {
+  return {request.gravity, model.points, request.effort, request.forward_dynamics};
+}
+
+std::string list_of(const std::vector<std::string>& values) {
+  return fmt::format("{}", fmt::join(values, ","));
+}
+
+std::string gravity_text(const model::Vector3& g) {
+  return fmt::format("{},{},{}", emit::decimal(g[0]), emit::decimal(g[1]), emit::decimal(g[2]));
+}
+
+std::string forward_dynamics_text(simplify::ForwardDynamics choice) {
+  switch (choice) {
+    case simplify::ForwardDynamics::kCheapest:
+      break;
+    case simplify::ForwardDynamics::kFactor:
+      return "factor";
+    case simplify::ForwardDynamics::kArticulated:
+      return "articulated";
+  }
+  return "cheapest";
+}
+
+std::string base_text(description::Base base) {
+  return base == description::Base::kAxes ? "axes" : "fixed";
+}
+
+std::string mimic_text(description::Mimic mimic) {
+  return mimic == description::Mimic::kIndependent ? "independent" : "reduce";
+}
+
+std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", text); }
+
+std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
+  return {{"scalar", in_quotes(emit::type_name(request.scalar))},
+          {"base", in_quotes(base_text(request.read.base))},
+          {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
+          {"snap", emit::decimal(request.read.snap)},
+          {"mimic", in_quotes(mimic_text(request.read.mimic))},
+          {"effort", std::to_string(request.effort)},
+          {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))}};
+}
+
+}  // namespace
+
+Model read(const Request& request) {
+  Model model;
+  std::tie(model.source, model.tree) = load(request);
+  const Location where{request.model, 0, 0};
+  if (model.tree.dof() == 0) {
+    throw InputError(where, "the model has no moving joint; expected at least one");
+  }
+  model.points =
+      request.points ? description::resolve_points(model.tree, *request.points) : model.tree.points;
+  model.functions = functions_of(request, !model.points.empty());
+  check_functions(model, where);
+  model.name = request.name.value_or(model.tree.identifier);
+  model.name += emit::is_reserved(model.name) ? "_" : "";
+  return model;
+}
+
+std::vector<program::Function> formulate(const Model& model, const Request& request,
+                                         const Trace& trace) {
+  std::vector<program::Function> functions;
+  const simplify::Options options = simplify_options(model, request);
+  for (const std::string& name : model.functions) {
+    const auto start = std::chrono::steady_clock::now();
+    functions.push_back(simplify::formulate(model.tree, name, options));
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    trace(fmt::format("{}: {} ({:.1f} s)", name, emit::cost_text(program::cost(functions.back())),
+                      time.count()));
+  }
+  return functions;
+}
+
+void prove(const Model& model, const Request& request,
+           const std::vector<program::Function>& functions) {
+  prove_functions(model.tree, model.points, request.gravity, functions);
+}
+
+std::vector<emit::File> emit_files(const Model& model, const Request& request,
+                                   std::vector<program::Function> functions) {
+  emit::Unit unit;
+  unit.name = model.name;
+  unit.tree = &model.tree;
+  unit.points = model.points;
+  unit.functions = std::move(functions);
+  unit.scalar = request.scalar;
+  unit.command = {"treedyn", "generate", model.source.file};
+  for (const std::string& option : options_of(request)) {
+    unit.command.push_back(option);
+  }
+  unit.tool = fmt::format("treedyn {}", kVersion);
+  unit.model_file = model.source.file;
+  unit.model_sha256 = model.source.sha256;
+  unit.options = manifest_options(request);
+  try {
+    return emit::emit_files(unit);
+  } catch (const std::range_error& error) {
+    throw InputError({request.model, 0, 0}, error.what());
+  }
+}
+
+std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace) {
+  std::vector<program::Function> functions = formulate(model, request, trace);
+  prove(model, request, functions);
+  return emit_files(model, request, std::move(functions));
+}
+
+std::vector<Warning> warnings_of(const Model& model) {
+  std::vector<Warning> warnings = model.tree.warnings;
+  const std::vector<Warning> singular = description::joints_without_inertia(model.tree);
+  warnings.insert(warnings.end(), singular.begin(), singular.end());
+  return warnings;
+}
+
+std::string equations_text(const Model& model, const Request& request) {
+  symbolic::DumpOptions options;
+  for (const std::string& name : model.functions) {
+    if (equations::find(name) != nullptr) {
+      options.functions.push_back(name);
+    }
+  }
+  return symbolic::dump(model.tree, model.points, request.gravity, options);
+}
+
+std::vector<std::string> options_of(const Request& request) {
+  std::vector<std::string> result;
+  const auto add = [&](bool given, const char* option, const std::string& value) {
+    if (given) {
+      result.insert(result.end(), {option, value});
+    }
+  };
+  add(request.name.has_value(), "--name", request.name.value_or(""));
+  add(request.read.base != kDefaults.read.base, "--base", base_text(request.read.base));
+  add(request.scalar != kDefaults.scalar, "--scalar", emit::type_name(request.scalar));
+  add(!request.functions.empty(), "--functions", list_of(request.functions));
+  add(request.points.has_value(), "--points", request.points.value_or(""));
+  add(request.gravity != kDefaults.gravity, "--gravity", gravity_text(request.gravity));
+  add(request.read.snap != kDefaults.read.snap, "--snap", emit::decimal(request.read.snap));
+  add(request.read.mimic != kDefaults.read.mimic, "--mimic", mimic_text(request.read.mimic));
+  add(request.effort != kDefaults.effort, "--effort", std::to_string(request.effort));
+  add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
+      forward_dynamics_text(request.forward_dynamics));
+  return result;
+}
+
+std::string update_command(const Request& request, const std::string& folder) {
+  std::vector<std::string> words = {"treedyn", "generate", request.model};
+  for (const std::string& option : options_of(request)) {
+    words.push_back(option);
+  }
+  words.insert(words.end(), {"-o", folder});
+  return emit::shell_line(words);
+}
+
+std::string depfile_text(const std::vector<std::string>& outputs, const std::string& model) {
+  const auto escaped = [](const std::string& path) {
+    std::string result;
+    for (const char c : path) {
+      result += c == ' ' || c == '#' ? "\\" : c == '$' ? "$" : "";
+      result += c;
+    }
+    return result;
+  };
+  std::string result;
+  for (const std::string& output : outputs) {
+    result += result.empty() ? "" : " ";
+    result += escaped(output);
+  }
+  return fmt::format("{}:{}{}\n", result, model == "-" ? "" : " ",
+                     model == "-" ? "" : escaped(model));
+}
+
+}  // namespace treedyn

@@ -1,0 +1,88 @@
+// The stages of the generator in the order in which data flows through them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/read.hpp"
+#include "emit/unit.hpp"
+#include "model/tree.hpp"
+#include "program/function.hpp"
+#include "simplify/formulate.hpp"
+
+namespace treedyn {
+
+/// What to generate: the options of the command line, checked.
+struct Request {
+  std::string model;  ///< path, "-" for standard input
+  description::ReadOptions read;
+  std::optional<std::string> name;     ///< file stem and namespace; default: the model's own
+  std::optional<std::string> points;   ///< --points; default: the model's own
+  std::vector<std::string> functions;  ///< empty: the default set
+  model::Vector3 gravity = {0, 0, Real("-9.81")};
+  emit::Scalar scalar = emit::Scalar::kDouble;
+  int effort = simplify::Options{}.effort;
+  simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
+};
+
+/// Where the model came from.
+struct Source {
+  std::string file;  ///< base name, "-" for standard input
+  std::string sha256;
+};
+
+/// The model and everything that was asked of it.
+struct Model {
+  Source source;
+  std::string name;
+  model::Tree tree;
+  std::vector<model::Point> points;
+  std::vector<std::string> functions;
+};
+
+/// Called with a line about every stage when it is done, for -v.
+using Trace = std::function<void(const std::string&)>;
+
+/// Text or file to tree, points and the list of functions.
+/// \throws InputError for mistakes in the model, or a function that it does not have.
+Model read(const Request& request);
+
+/// Tree to programs: one per function, each compared with the engine.
+std::vector<program::Function> formulate(const Model& model, const Request& request,
+                                         const Trace& trace);
+
+/// Stops the program, naming the function, if a formulation differs from the block equations
+/// evaluated with 50 digits.
+void prove(const Model& model, const Request& request,
+           const std::vector<program::Function>& functions);
+
+/// Programs to text.
+std::vector<emit::File> emit_files(const Model& model, const Request& request,
+                                   std::vector<program::Function> functions);
+
+/// A model to text: `formulate`, `prove`, `emit_files`.
+std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace);
+
+/// Remarks on a model that do not stop the program.
+std::vector<Warning> warnings_of(const Model& model);
+
+/// The block equations of the model's functions with the zero blocks of D.
+std::string equations_text(const Model& model, const Request& request);
+
+/// The stages whose results `dump` shows.
+const std::vector<std::string>& stages();
+/// What leaves a stage, as text. \pre `stage` is one of `stages()`.
+std::string dump(const Request& request, const std::string& stage);
+
+/// The options of the command line that reproduces a request: those that are not the defaults.
+std::vector<std::string> options_of(const Request& request);
+
+/// The command that brings a folder up to date, quoted for a shell.
+std::string update_command(const Request& request, const std::string& folder);
+
+/// A Make rule: the outputs depend on the model. Nothing depends on standard input.
+std::string depfile_text(const std::vector<std::string>& outputs, const std::string& model);
+
+}  // namespace treedyn

@@ -1,0 +1,83 @@
+#include "prove.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "engine/engine.hpp"
+#include "program/interpret.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// Larger robots get one state: the engine's block products grow as N^3.
+constexpr int kLargestForTwoStates = 20;
+
+using Values = std::vector<Real>;
+
+/// The same numbers on every machine (splitmix64), in (-2, 2).
+class States {
+ public:
+  Real next() {
+    state_ += 0x9E3779B97F4A7C15ULL;
+    std::uint64_t x = state_;
+    x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
+    x ^= x >> 31U;
+    return Real(static_cast<std::int64_t>(x)) / Real(std::int64_t{1} << 62U);
+  }
+
+  std::vector<Values> inputs(const program::Signature& signature) {
+    std::vector<Values> result;
+    for (const program::Array& array : signature.inputs) {
+      result.emplace_back();
+      std::generate_n(std::back_inserter(result.back()), array.size, [&] { return next(); });
+    }
+    return result;
+  }
+
+ private:
+  std::uint64_t state_ = 1;
+};
+
+Values interpreted(const program::Function& function, const std::vector<Values>& inputs) {
+  const std::vector<std::span<const Real>> spans(inputs.begin(), inputs.end());
+  return program::interpret<Real>(function, spans);
+}
+
+void compare(const std::string& name, const Values& ours, const Values& engines) {
+  Real largest = 0;
+  for (const Real& value : engines) {
+    largest = std::max(largest, Real(abs(value)));
+  }
+  const Real tolerance = largest * Real("1e-35") + Real("1e-40");
+  for (std::size_t k = 0; k < engines.size(); ++k) {
+    if (ours.size() != engines.size() || !(abs(ours[k] - engines[k]) <= tolerance)) {
+      throw std::logic_error(fmt::format(
+          "function '{}' differs from its block equation in element {}: {} instead of {}", name, k,
+          ours.at(k).str(20), engines[k].str(20)));
+    }
+  }
+}
+
+}  // namespace
+
+void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
+                     const model::Vector3& gravity,
+                     const std::vector<program::Function>& functions) {
+  engine::Engine<Real> engine(tree, points, gravity);
+  States states;
+  for (int count = tree.size() <= kLargestForTwoStates ? 2 : 1; count > 0; --count) {
+    for (const program::Function& function : functions) {
+      const std::vector<Values> inputs = states.inputs(function.signature);
+      compare(function.signature.name, interpreted(function, inputs),
+              engine.evaluate(function.signature.name, inputs));
+    }
+  }
+}
+
+}  // namespace treedyn

@@ -1,0 +1,18 @@
+// Programs against the block equations, before anything is written.
+#pragma once
+
+#include <vector>
+
+#include "model/tree.hpp"
+#include "program/function.hpp"
+
+namespace treedyn {
+
+/// Evaluates every function and its block equation (engine) with 50 digits at fixed pseudo-random
+/// states and compares, 1e-35 relative to the largest value.
+/// \throws std::logic_error naming the function that differs: a mistake of ours.
+void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
+                     const model::Vector3& gravity,
+                     const std::vector<program::Function>& functions);
+
+}  // namespace treedyn

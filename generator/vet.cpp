@@ -1,0 +1,52 @@
+#include "vet.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/json.hpp"
+
+namespace treedyn {
+
+namespace {
+
+const char* severity(const Finding& finding) { return finding.is_error ? "error" : "warning"; }
+
+std::string json_finding(const Finding& finding) {
+  return emit::json_object({{"file", emit::json_string(finding.where.file)},
+                            {"line", std::to_string(finding.where.line)},
+                            {"column", std::to_string(finding.where.column)},
+                            {"severity", emit::json_string(severity(finding))},
+                            {"message", emit::json_string(finding.message)}});
+}
+
+}  // namespace
+
+std::vector<Finding> vet(const Request& request) {
+  std::vector<Finding> findings;
+  try {
+    for (const Warning& warning : description::vet_model(request.model, request.read).findings) {
+      findings.push_back({warning.where, warning.message, false});
+    }
+  } catch (const InputError& error) {
+    findings.push_back({error.where(), error.message(), true});
+  }
+  return findings;
+}
+
+std::string findings_text(const std::vector<Finding>& findings, const std::string& format) {
+  if (format == "json") {
+    std::vector<std::string> values;
+    for (const Finding& finding : findings) {
+      values.push_back(json_finding(finding));
+    }
+    return emit::json_lines(values, 2) + "\n";
+  }
+  std::string result;
+  for (const Finding& finding : findings) {
+    result += format == "gcc" ? fmt::format("{}: {}: {}\n", to_string(finding.where),
+                                            severity(finding), finding.message)
+                              : fmt::format("{}: {}\n", to_string(finding.where), finding.message);
+  }
+  return result;
+}
+
+}  // namespace treedyn
