@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -45,6 +46,19 @@ constexpr std::array<BaseRow, 6> kBaseAxes = {{
     {"base_rx", model::JointType::kRevolute, {1, 0, 0}},
 }};
 
+/// Snaps or findings by line and column.
+template <typename Record>
+std::vector<Record> in_file_order(std::vector<Record> records) {
+  std::stable_sort(records.begin(), records.end(), [](const Record& a, const Record& b) {
+    return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
+  });
+  return records;
+}
+
+bool is_zero(const Matrix3& tensor) {
+  return std::all_of(tensor.begin(), tensor.end(), [](const Real& x) { return x == 0; });
+}
+
 /// One model in the making.
 class Resolver {
  public:
@@ -66,8 +80,9 @@ class Resolver {
     check_identifiers(joint_names(), "joint");
     resolve_mimics(raw_, skeleton_, numbers_, options_.mimic == Mimic::kReduce, tree_);
     resolve_named_points(raw_, numbers_, tree_);
-    tree_.snaps = snapper_.log().snaps;
-    return {std::move(tree_), snapper_.log().misses};
+    tree_.snaps = in_file_order(snapper_.log().snaps);
+    findings_.insert(findings_.begin(), snapper_.log().misses.begin(), snapper_.log().misses.end());
+    return {std::move(tree_), in_file_order(std::move(findings_))};
   }
 
  private:
@@ -227,6 +242,7 @@ class Resolver {
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
       const model::Inertia inertia =
           resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, tree_.warnings);
+      vet_inertia(raw_.links[k], inertia);
       const int carrier = carrier_index(placements_[k]);
       if (carrier != model::kGround && raw_.links[k].inertia) {
         bodies[index(carrier)].push_back(
@@ -235,6 +251,20 @@ class Resolver {
     }
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       tree_.links[k].inertia = combined(bodies[k]);
+    }
+  }
+
+  /// What is likely a slip: a mass with zeros for its tensor, a tensor without a mass.
+  void vet_inertia(const RawLink& link, const model::Inertia& inertia) {
+    const char* fault = nullptr;
+    if (inertia.mass != 0 && link.inertia->tensor && is_zero(inertia.about_com)) {
+      fault = "has a mass, and zeros for its inertia";
+    } else if (inertia.mass == 0 && !is_zero(inertia.about_com)) {
+      fault = "has an inertia, but no mass";
+    }
+    if (fault != nullptr) {
+      findings_.push_back(
+          {location(raw_, link.where), fmt::format("link '{}' {}", shown(link.name.text), fault)});
     }
   }
 
@@ -263,6 +293,7 @@ class Resolver {
   Snapper snapper_;
   Skeleton skeleton_;
   model::Tree tree_;
+  std::vector<Warning> findings_;
   std::vector<Placement> placements_;  ///< per link of the file: its frame in its carrier
   std::vector<Placement>
       joint_frames_;  ///< per link: its joint's frame at q = 0 in the father's carrier
