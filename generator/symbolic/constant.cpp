@@ -1,30 +1,24 @@
 #include "symbolic/constant.hpp"
 
 #include <algorithm>
-#include <array>
-#include <locale>
 #include <map>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <ginac/ginac.h>
 
 #include "common/decimal.hpp"
-#include "common/error.hpp"
+#include "symbolic/exact.hpp"
 
 namespace treedyn::symbolic {
 
 namespace {
 
-constexpr std::size_t kMaxLength = 1000;      // characters of an expression
-constexpr std::size_t kMaxDigits = 100;       // of a number in it
-constexpr int kMaxDepth = 50;                 // nested parentheses, functions and exponents
-constexpr std::size_t kMaxSize = 5000;        // operations after substitution of parameters
-constexpr std::size_t kMaxBits = 8000;        // numerator or denominator of an exact rational
-constexpr int kMaxExponent = 64;              // numerator or denominator of an exponent
-constexpr int kDigits = 100;                  // of an evaluation; 50 are kept
-const char* const kVanishing = "1e-80";       // smaller results are exact zeros
-const char* const kLargestAngle = "1000000";  // of sin, cos and tan: keeps 50 digits
+constexpr std::size_t kMaxLength = 1000;  // characters of an expression
+constexpr std::size_t kMaxDigits = 100;   // of a number in it
+constexpr int kMaxDepth = 50;             // nested parentheses, functions and exponents
+constexpr std::size_t kMaxSize = 5000;    // operations after substitution of parameters
+constexpr std::size_t kMaxBits = 8000;    // numerator or denominator of an exact rational
+constexpr int kMaxExponent = 64;          // numerator or denominator of an exponent
 
 /// An exact value and the number of operations that make it.
 struct Exact {
@@ -32,96 +26,8 @@ struct Exact {
   std::size_t size = 1;
 };
 
-/// Sets GiNaC's global precision for the lifetime of the object.
-class Precision {
- public:
-  Precision() : before_(static_cast<long>(GiNaC::Digits)) { GiNaC::Digits = kDigits; }
-  ~Precision() { GiNaC::Digits = before_; }
-  Precision(const Precision&) = delete;
-  Precision& operator=(const Precision&) = delete;
-
- private:
-  long before_;
-};
-
-/// The value in 50 digits, from an evaluation in 100. \pre it is real and has no symbol.
-Real to_real(const GiNaC::ex& value) {
-  const GiNaC::ex number = value.evalf();
-  TREEDYN_EXPECT(GiNaC::is_a<GiNaC::numeric>(number));
-  TREEDYN_EXPECT(GiNaC::ex_to<GiNaC::numeric>(number).is_real());
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << number;
-  const Real result(text.str());
-  return abs(result) < Real(kVanishing) ? Real(0) : result;
-}
-
-/// `value`, or the 0, 1 or -1 that it is but for the rounding of 100 digits: keeps roots and arcs
-/// real.
-GiNaC::ex tidy(const GiNaC::ex& value) {
-  const Real x = to_real(value);
-  for (const int k : {-1, 0, 1}) {
-    if (x == k) {
-      return k;
-    }
-  }
-  return value;
-}
-
-/// Digits and a power of ten as an exact rational.
-GiNaC::ex exact_decimal(std::string_view text) {
-  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
-  long power = e < text.size() ? std::stol(std::string(text.substr(e + 1))) : 0;
-  std::string digits(text.substr(0, e));
-  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
-    power -= static_cast<long>(digits.size() - point - 1);
-    digits.erase(point, 1);
-  }
-  return GiNaC::numeric(digits.c_str()) * GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(power));
-}
-
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-using Function = GiNaC::ex (*)(const GiNaC::ex&);
-
-/// A function, and the arguments for which it is real and finite.
-struct FunctionRow {
-  std::string_view name;
-  Function apply;
-  bool (*accepts)(const Real&);
-  std::string_view domain;
-};
-
-bool any_angle(const Real& x) { return abs(x) <= Real(kLargestAngle); }
-bool regular_angle(const Real& x) { return any_angle(x) && abs(cos(x)) > Real("1e-40"); }
-bool anything(const Real&) { return true; }
-bool not_negative(const Real& x) { return x >= 0; }
-bool at_most_one(const Real& x) { return abs(x) <= 1; }
-
-GiNaC::ex apply_sqrt(const GiNaC::ex& x) { return GiNaC::sqrt(x); }
-GiNaC::ex apply_sin(const GiNaC::ex& x) { return GiNaC::sin(x); }
-GiNaC::ex apply_cos(const GiNaC::ex& x) { return GiNaC::cos(x); }
-GiNaC::ex apply_tan(const GiNaC::ex& x) { return GiNaC::sin(x) / GiNaC::cos(x); }
-GiNaC::ex apply_asin(const GiNaC::ex& x) { return GiNaC::asin(x); }
-GiNaC::ex apply_acos(const GiNaC::ex& x) { return GiNaC::acos(x); }
-GiNaC::ex apply_atan(const GiNaC::ex& x) { return GiNaC::atan(x); }
-
-constexpr std::array<FunctionRow, 7> kFunctions = {{
-    {"sqrt", apply_sqrt, not_negative, "an argument that is not negative"},
-    {"sin", apply_sin, any_angle, "an angle of at most 1e6"},
-    {"cos", apply_cos, any_angle, "an angle of at most 1e6"},
-    {"tan", apply_tan, regular_angle, "an angle of at most 1e6 that is no odd multiple of pi/2"},
-    {"asin", apply_asin, at_most_one, "an argument from -1 to 1"},
-    {"acos", apply_acos, at_most_one, "an argument from -1 to 1"},
-    {"atan", apply_atan, anything, ""},
-}};
-
-const FunctionRow* find_function(std::string_view name) {
-  const auto* const row = std::find_if(kFunctions.begin(), kFunctions.end(),
-                                       [name](const FunctionRow& f) { return f.name == name; });
-  return row == kFunctions.end() ? nullptr : row;
-}
 
 using Names = std::map<std::string, Exact, std::less<>>;
 
@@ -245,7 +151,7 @@ class Parser {
     if (!take('^')) {
       return base;
     }
-    base.value = tidy(base.value);
+    base.value = tidied(base.value);
     const std::size_t place = at_;
     enter(place);
     const Exact exponent = factor();
@@ -367,7 +273,7 @@ class Parser {
       fail(start, fmt::format("'{}' has no argument; expected '('", function.name));
     }
     Exact argument = parenthesis(at_ - 1);
-    argument.value = tidy(argument.value);
+    argument.value = tidied(argument.value);
     if (!function.accepts(to_real(argument.value))) {
       fail(start, fmt::format("{} of {} is not defined; expected {}", function.name,
                               to_real(argument.value).str(6), function.domain));
