@@ -83,6 +83,16 @@ Ref Graph::add(Ref a, Ref b) {
   if (is_constant(a) && is_constant(b)) {
     return add_constant(a, b);
   }
+  if (is_constant(a)) {
+    std::swap(a, b);
+  }
+  if (const Node n = node(a);
+      is_constant(b) && n.kind == Kind::kAdd) {  // (x + c1) + c2 = x + (c1 + c2)
+    const auto [x, c] = is_constant(n.a) ? std::pair(n.b, n.a) : std::pair(n.a, n.b);
+    if (is_constant(c)) {
+      return add(a < 0 ? -x : x, add_constant(a < 0 ? -c : c, b));
+    }
+  }
   if (std::abs(b) < std::abs(a)) {
     std::swap(a, b);
   }

@@ -13,7 +13,8 @@ class CompositeBodies {
   explicit CompositeBodies(const Kinematics& kinematics)
       : k_(kinematics), terms_(static_cast<std::size_t>(k_.size())) {
     for (int i = 0; i < k_.size(); ++i) {
-      const Kinematics::Body own = k_.body(i);
+      const Kinematics::Body own =
+          k_.variant().inertia_tensor ? k_.body_with_inertia_tensor(i) : k_.body(i);
       Terms& t = at(i);
       t.mass.push_back(own.mass);
       for (std::size_t a = 0; a < 3; ++a) {
@@ -21,11 +22,6 @@ class CompositeBodies {
         for (std::size_t b = a; b < 3; ++b) {
           t.tensor[a][b].push_back(own.pseudo[a][b]);
         }
-      }
-    }
-    if (k_.variant().inertia_tensor) {
-      for (int i = 0; i < k_.size(); ++i) {
-        to_inertia_tensor(at(i));
       }
     }
   }
@@ -80,18 +76,6 @@ class CompositeBodies {
     std::array<std::array<std::vector<Expr>, 3>, 3> tensor;
   };
   Terms& at(int i) { return terms_[static_cast<std::size_t>(i)]; }
-
-  static void to_inertia_tensor(Terms& t) {
-    const Expr xx = t.tensor[0][0].front();
-    const Expr yy = t.tensor[1][1].front();
-    const Expr zz = t.tensor[2][2].front();
-    t.tensor[0][0].front() = yy + zz;
-    t.tensor[1][1].front() = xx + zz;
-    t.tensor[2][2].front() = xx + yy;
-    t.tensor[0][1].front() = -t.tensor[0][1].front();
-    t.tensor[0][2].front() = -t.tensor[0][2].front();
-    t.tensor[1][2].front() = -t.tensor[1][2].front();
-  }
 
   /// 2 s_a h_a and m s_a^2, merged into one product where s is not constant.
   static std::array<Expr, 2> diagonal_shift(Expr h, Expr mass, Expr s) {

@@ -331,6 +331,8 @@ program::Function build(const model::Tree& tree, const Recipe& recipe, const Opt
       used.links[i].mass = MassGauge::kNothing;
       used.links[i].slide = Slide::kNone;
     }
+    used.links[4].cut =
+        LinkVariant::kWholeRun;  // forward dynamics needs the second axis as a frame axis
   }
   if (recipe.freedom.fixed_frames) {
     for (LinkVariant& link : used.links) {

@@ -288,9 +288,14 @@ Mat3 Kinematics::to_father_general(int i, Mat3 h) const {
 
 Vec3 Kinematics::ground_acceleration() const { return -constant(graph_, normal_.gravity); }
 
-Kinematics::Body Kinematics::body(int i) const {
+Kinematics::Body Kinematics::body_with_inertia_tensor(int i) const {
+  const Matrix3& e = link(i).pseudo;
+  return rotated_body(i, Real(e[0] + e[4] + e[8]) * identity() - e);
+}
+
+Kinematics::Body Kinematics::rotated_body(int i, const Matrix3& tensor) const {
   const NormalLink& l = link(i);
-  Body body{constant(graph_, l.mass), constant(graph_, l.moment), constant(graph_, l.pseudo)};
+  Body body{constant(graph_, l.mass), constant(graph_, l.moment), constant(graph_, tensor)};
   std::vector<PlaneRotation> steps;
   append(steps, kZ, frame_angle_[index(i)]);
   for (const PlaneRotation& step : steps) {

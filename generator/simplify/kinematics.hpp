@@ -92,7 +92,9 @@ class Kinematics {
     Vec3 moment;
     Mat3 pseudo;
   };
-  [[nodiscard]] Body body(int i) const;
+  [[nodiscard]] Body body(int i) const { return rotated_body(i, link(i).pseudo); }
+  /// The same with the inertia tensor tr(E) - E in place of the pseudo-inertia E.
+  [[nodiscard]] Body body_with_inertia_tensor(int i) const;
   /// A point or direction given in the model's frame of link i, in the link's expression frame.
   [[nodiscard]] Vec3 point(int i, const Vector3& at) const;
   [[nodiscard]] Mat3 orientation(int i) const;  ///< model frame of link i -> expression frame
@@ -102,6 +104,7 @@ class Kinematics {
   void find_runs();
   void place_frames();
   void place_link(int i);
+  [[nodiscard]] Body rotated_body(int i, const Matrix3& tensor) const;
   [[nodiscard]] Angle joint_angle(int i) const;
   [[nodiscard]] Expr coordinate(int array, int k) const;
   [[nodiscard]] Expr rate(int i, int array) const;

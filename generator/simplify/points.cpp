@@ -200,8 +200,8 @@ std::vector<Expr> point_rotations(const Kinematics& k, const Points& points) {
   std::vector<Expr> result;
   for (const model::Point& point : points) {
     const bool ground = point.link == model::kGround;
-    const Mat3 r = ground ? constant(k.graph(), identity())
-                          : frames.rotation(point.link) * k.orientation(point.link);
+    const Mat3 own = constant(k.graph(), point.rotation);
+    const Mat3 r = ground ? own : frames.rotation(point.link) * (k.orientation(point.link) * own);
     for (const Vec3& row : r) {
       append(result, row);
     }

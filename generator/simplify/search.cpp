@@ -1,9 +1,329 @@
 #include "simplify/search.hpp"
 
+#include <algorithm>
+#include <map>
+#include <random>
+#include <string>
+
+#include "program/optimise.hpp"
+
 namespace treedyn::simplify {
 
+namespace {
+
+/// Operations that one sine-cosine pair is worth.
+constexpr int kTrigonometryWeight = 8;
+/// Graphs above this size get proportionally fewer moves.
+constexpr std::size_t kReferenceSize = 1500;
+/// One evaluation with algebraic passes counts as this many moves.
+constexpr int kOptimisedMove = 8;
+/// Formulations that are compared after the algebraic passes.
+constexpr std::size_t kFinalists = 24;
+/// Random changes between two restarts from the best variant.
+constexpr int kCycle = 400;
+
+int weight(const program::Cost& cost) {
+  return cost.total() + kTrigonometryWeight * std::max(cost.sin, cost.cos);
+}
+
+/// One free choice: setting number k of `settings`.
+struct Choice {
+  int settings = 0;
+  std::vector<int>
+      links;  ///< symmetric links that take the same setting; empty: a choice of the whole variant
+  void (*set)(Variant&, const std::vector<int>& links, int setting) = nullptr;
+};
+
+template <class Field, class Value>
+void set_links(Variant& variant, const std::vector<int>& links, Field field, Value value) {
+  for (const int i : links) {
+    variant.links[static_cast<std::size_t>(i)].*field = value;
+  }
+}
+
+template <auto field, class Enum>
+void set_enum(Variant& variant, const std::vector<int>& links, int setting) {
+  set_links(variant, links, field, static_cast<Enum>(setting));
+}
+
+template <auto field>
+void set_flag(Variant& variant, const std::vector<int>& links, int setting) {
+  set_links(variant, links, field, setting != 0);
+}
+
+void set_cut(Variant& variant, const std::vector<int>& links, int setting) {
+  const std::uint8_t cut =
+      setting == 3 ? LinkVariant::kWholeRun : static_cast<std::uint8_t>(setting);
+  set_links(variant, links, &LinkVariant::cut, cut);
+}
+
+/// Shape of the subtree of every link, as text: links with equal text can be treated alike.
+std::vector<std::string> subtree_shapes(const model::Tree& tree) {
+  const std::vector<std::vector<int>> sons = model::sons(tree);
+  std::vector<std::string> shape(sons.size());
+  for (std::size_t i = sons.size(); i-- > 0;) {
+    shape[i] = tree.links[i].joint.type == model::JointType::kRevolute ? "(r" : "(p";
+    for (const int son : sons[i]) {
+      shape[i] += shape[static_cast<std::size_t>(son)];
+    }
+    shape[i] += ")";
+  }
+  return shape;
+}
+
+/// Links of equal depth and equal subtree shape: the same joint of similar limbs.
+std::vector<std::vector<int>> similar_links(const model::Tree& tree) {
+  const std::vector<std::string> shape = subtree_shapes(tree);
+  const std::vector<int> depth = model::depths(tree);
+  std::map<std::pair<int, std::string>, std::vector<int>> groups;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    groups[{depth[i], shape[i]}].push_back(static_cast<int>(i));
+  }
+  std::vector<std::vector<int>> result;
+  for (auto& [key, links] : groups) {
+    result.push_back(std::move(links));
+  }
+  return result;
+}
+
+void add_link_choices(const Freedom& freedom, const std::vector<int>& links, bool parallel,
+                      std::vector<Choice>& choices) {
+  if (parallel) {
+    choices.push_back({2, links, set_flag<&LinkVariant::merge_parallel>});
+  }
+  choices.push_back({4, links, set_cut});
+  choices.push_back({4, links, set_enum<&LinkVariant::angle, FrameAngle>});
+  if (!freedom.fixed_frames) {
+    choices.push_back({4, links, set_enum<&LinkVariant::slide, Slide>});
+  }
+  if (freedom.regrouping) {
+    choices.push_back({6, links, set_enum<&LinkVariant::mass, MassGauge>});
+    choices.push_back({4, links, set_enum<&LinkVariant::tensor, TensorGauge>});
+  }
+  if (freedom.moment_form) {
+    choices.push_back({2, links, set_flag<&LinkVariant::column_of_father>});
+    choices.push_back({2, links, set_flag<&LinkVariant::tensor_moment>});
+  }
+}
+
+void add_global_choices(const model::Tree& tree, const Freedom& freedom,
+                        std::vector<Choice>& choices) {
+  const auto add = [&](bool wanted, int settings,
+                       void (*set)(Variant&, const std::vector<int>&, int)) {
+    if (wanted && settings > 1) {
+      choices.push_back({settings, {}, set});
+    }
+  };
+  const int lengths = freedom.regrouping ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
+  add(true, lengths, [](Variant& v, const std::vector<int>&, int k) { v.unit_length = k; });
+  add(freedom.tensor_form, 2,
+      [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });
+  add(freedom.trunk && has_free_base(tree), 2,
+      [](Variant& v, const std::vector<int>&, int k) { v.trunk = k != 0; });
+  add(freedom.two_ways, 2,
+      [](Variant& v, const std::vector<int>&, int k) { v.from_root = k != 0; });
+}
+
+std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom) {
+  std::vector<Choice> choices;
+  const NormalTree normal = normal_form(tree, {}, plain_variant(tree));
+  for (const std::vector<int>& links : similar_links(tree)) {
+    const NormalLink& first = normal.links[static_cast<std::size_t>(links.front())];
+    if (first.revolute) {
+      const bool parallel = first.father != model::kGround && first.euler.alpha.is_identity() &&
+                            normal.links[static_cast<std::size_t>(first.father)].revolute;
+      add_link_choices(freedom, links, parallel, choices);
+    }
+  }
+  add_global_choices(tree, freedom, choices);
+  return choices;
+}
+
+class Search {
+ public:
+  Search(const model::Tree& tree, const Recipe& recipe, const Options& options,
+         const Variant& start)
+      : tree_(tree),
+        recipe_(recipe),
+        options_(options),
+        choices_(choices_of(tree, recipe.freedom)) {
+    const program::Function first = build(tree_, recipe_, options_, start);
+    const std::size_t size = std::max(first.graph.size(), kReferenceSize);
+    moves_ = static_cast<int>(static_cast<std::size_t>(options.effort) * kReferenceSize / size);
+    note(start, weight(program::cost(first)));
+  }
+
+  program::Function run();
+
+ private:
+  using Cache = std::map<Variant, int>;
+
+  void note(const Variant& variant, int cost);
+  int raw_cost(const Variant& variant);
+  int optimised_cost(const Variant& variant);
+  /// First-improvement descent over all choices in random order; stops when `limit` moves are left.
+  template <class Evaluate>
+  void descend(Variant& variant, int& cost, int limit, Evaluate evaluate);
+  template <class Evaluate>
+  void anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluate evaluate);
+  Variant perturbed(Variant variant);
+  std::uint64_t random(std::size_t bound) { return generator_() % bound; }
+
+  const model::Tree& tree_;
+  const Recipe& recipe_;
+  const Options& options_;
+  std::vector<Choice> choices_;
+  int moves_ = 0;
+  std::mt19937_64 generator_{20110602};
+  Cache raw_;
+  Cache optimised_;
+  std::vector<std::pair<int, Variant>>
+      finalists_;  ///< cheapest before the algebraic passes, ascending
+};
+
+void Search::note(const Variant& variant, int cost) {
+  raw_.emplace(variant, cost);
+  const std::pair<int, Variant> entry(cost, variant);
+  finalists_.insert(std::upper_bound(finalists_.begin(), finalists_.end(), entry), entry);
+  if (finalists_.size() > kFinalists) {
+    finalists_.pop_back();
+  }
+}
+
+int Search::raw_cost(const Variant& variant) {
+  const auto known = raw_.find(variant);
+  if (known != raw_.end()) {
+    return known->second;
+  }
+  --moves_;
+  const int cost = weight(program::cost(build(tree_, recipe_, options_, variant)));
+  note(variant, cost);
+  return cost;
+}
+
+int Search::optimised_cost(const Variant& variant) {
+  const auto known = optimised_.find(variant);
+  if (known != optimised_.end()) {
+    return known->second;
+  }
+  moves_ -= kOptimisedMove;
+  const program::Function function = build(tree_, recipe_, options_, variant);
+  const program::Cost raw = program::cost(function);
+  const int cost =
+      weight(raw) - raw.total() + program::estimate_operations(function.graph, function.outputs);
+  return optimised_.emplace(variant, cost).first->second;
+}
+
+template <class Evaluate>
+void Search::descend(Variant& variant, int& cost, int limit, Evaluate evaluate) {
+  std::vector<std::size_t> order(choices_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+  }
+  for (bool improved = true; improved;) {
+    improved = false;
+    for (std::size_t i = order.size(); i > 1; --i) {
+      std::swap(order[i - 1], order[random(i)]);
+    }
+    for (const std::size_t n : order) {
+      for (int setting = 0; setting < choices_[n].settings; ++setting) {
+        if (moves_ <= limit) {
+          return;
+        }
+        Variant trial = variant;
+        choices_[n].set(trial, choices_[n].links, setting);
+        const int trial_cost = evaluate(trial);
+        if (trial_cost < cost) {
+          cost = trial_cost;
+          variant = trial;
+          improved = true;
+        }
+      }
+    }
+  }
+}
+
+Variant Search::perturbed(Variant variant) {
+  const std::uint64_t changes = 1 + random(3);
+  for (std::uint64_t k = 0; k < changes; ++k) {
+    const Choice& choice = choices_[random(choices_.size())];
+    choice.set(variant, choice.links,
+               static_cast<int>(random(static_cast<std::size_t>(choice.settings))));
+  }
+  return variant;
+}
+
+/// Threshold accepting: a random change is kept if it costs at most `tolerance` more, which shrinks
+/// to nothing over a cycle; the next cycle starts from the best variant found.
+template <class Evaluate>
+void Search::anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluate evaluate) {
+  const int most_attempts = 20 * std::max(moves_ - limit, 0);  // a bound where few variants exist
+  Variant current = best;
+  int current_cost = best_cost;
+  for (int attempt = 0; attempt < most_attempts && moves_ > limit; ++attempt) {
+    const int phase = attempt % cycle;
+    if (phase == 0) {
+      current = best;
+      current_cost = best_cost;
+    }
+    const int tolerance = best_cost / 25 * (cycle - phase) / cycle;
+    const Variant trial = perturbed(current);
+    const int cost = evaluate(trial);
+    if (cost <= current_cost + static_cast<int>(random(static_cast<std::size_t>(tolerance) + 1))) {
+      current = trial;
+      current_cost = cost;
+      if (cost < best_cost) {
+        best = trial;
+        best_cost = cost;
+      }
+    }
+  }
+}
+
+program::Function Search::run() {
+  const auto raw = [this](const Variant& variant) {
+    return raw_cost(variant);
+  };
+  const auto optimised = [this](const Variant& variant) {
+    return optimised_cost(variant);
+  };
+  Variant best = finalists_.front().second;
+  int cost = finalists_.front().first;
+  const int half = moves_ / 2;
+  if (!choices_.empty()) {
+    descend(best, cost, half, raw);
+    anneal(best, cost, half, kCycle, raw);
+  }
+  cost = optimised_cost(best);
+  for (const auto& [raw_cost, variant] : finalists_) {
+    if (const int c = moves_ > 0 ? optimised_cost(variant) : cost; c < cost) {
+      cost = c;
+      best = variant;
+    }
+  }
+  if (!choices_.empty()) {
+    descend(best, cost, half / 2, optimised);
+    anneal(best, cost, half / 4, kCycle / 4, optimised);
+    descend(best, cost, 0, optimised);
+  }
+  return program::optimise(build(tree_, recipe_, options_, best));
+}
+
+}  // namespace
+
 program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options) {
-  return build(tree, recipe, options, plain_variant(tree));
+  Variant start = plain_variant(tree);
+  const bool two_methods = recipe.freedom.articulated;
+  start.articulated = two_methods && options.forward_dynamics == ForwardDynamics::kArticulated;
+  program::Function function = Search(tree, recipe, options, start).run();
+  if (two_methods && options.forward_dynamics == ForwardDynamics::kCheapest) {
+    start.articulated = true;
+    program::Function other = Search(tree, recipe, options, start).run();
+    if (weight(program::cost(other)) < weight(program::cost(function))) {
+      return other;
+    }
+  }
+  return function;
 }
 
 }  // namespace treedyn::simplify
