@@ -33,7 +33,7 @@ model::Point on_frame(const std::string& name, const model::Frame& frame, const 
   for (Real& entry : moved) {
     entry = negligible(entry, scale) ? Real(0) : entry;
   }
-  return {name, to_identifier(name), frame.name, frame.link, frame.origin + moved};
+  return {name, to_identifier(name), frame.name, frame.link, frame.origin + moved, frame.rotation};
 }
 
 /// "a, b, c", shortened.
@@ -63,7 +63,7 @@ class PointList {
       more = next(result);
     }
     for (const model::Point& point : result) {
-      names.push_back({point.name, point.identifier, {}});
+      names.push_back({point.name, point.identifier, {"--points", 0, 0}});
     }
     check_identifiers(names, "point");
     return result;
@@ -71,7 +71,7 @@ class PointList {
 
  private:
   [[noreturn]] static void fail(const std::string& message) {
-    throw InputError({}, "--points: " + message);
+    throw InputError({"--points", 0, 0}, message);
   }
 
   /// Up to the next comma; false if there was none.

@@ -1,0 +1,202 @@
+// What the two formats allow, what they ignore, and how fast they read.
+#include <chrono>
+#include <clocale>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "description/algebra.hpp"
+#include "description/text_models.hpp"
+
+namespace treedyn::description {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+TEST(ReadYaml, AcceptsJson) {
+  const model::Tree tree = yaml(R"({"name": "m", "links": [
+    {"name": "a", "father": "ground", "mass": 1.5e0, "com": [0, 0, "1/3"],
+     "joint": {"name": "j", "type": "revolute", "axis": [0, 0, 1], "rotation": {"rpy": ["pi/2", 0, 0]}}}]})");
+  EXPECT_EQ(tree.links[0].inertia.com[2], Real(1) / 3);
+  EXPECT_EQ(tree.links[0].joint.rotation[7], Real(1));
+}
+
+TEST(ReadYaml, AcceptsTabsAndEscapesInJson) {
+  EXPECT_EQ(yaml("{\n\t\"name\":\"a\\/"
+                 "b\",\n\t\"links\":[{\"name\":\"a\",\"father\":\"ground\",\"mass\":1,\n\t\t"
+                 "\"joint\":{\"type\":\"revolute\",\"axis\":[0,0,1]}}]}")
+                .name,
+            "a/b");
+}
+
+TEST(ReadYaml, EvaluatesParametersInOrder) {
+  const model::Tree tree = yaml(
+      "name: m\nparameters: {H: 1.8, c: 0.433*H}\nlinks:\n- {name: a, father: ground, mass: 2*H, "
+      "com: [0, 0, -c], "
+      "joint: {type: revolute, axis: [0, sqrt(2)/2, -sqrt(2)/2]}}\n");
+  EXPECT_EQ(tree.links[0].inertia.mass, Real(36) / 10);
+  EXPECT_EQ(tree.links[0].inertia.com[2], -Real(7794) / 10000);
+  EXPECT_EQ(tree.links[0].joint.axis[2], -sqrt(Real(2)) / 2);
+}
+
+TEST(ReadYaml, TakesNamesOfDigitsAndQuotedWords) {
+  EXPECT_EQ(yaml("name: 7\nlinks:\n- {name: \"null\", father: ground, mass: 1, joint: {type: "
+                 "revolute, axis: [0, 0, 1]}}\n")
+                .links[0]
+                .name,
+            "null");
+}
+
+TEST(ReadUrdf, IgnoresWhatItDoesNotKnow) {
+  const model::Tree tree =
+      urdf(R"(<?xml version="1.0"?><!-- comment --><robot name="m" xmlns:xacro="http://x">
+    <gazebo><joint name="j"/></gazebo><transmission name="t"><joint name="j"/></transmission><material name="grey"/>
+    <link name="base"><visual><origin xyz="nonsense"/></visual><sensor/></link>
+    <link name="a"><inertial><mass value=" 2 "/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+    <joint name="j" type="revolute"><parent link="base"/><child link="a"/><axis xyz="  0
+      1	0 "/><dynamics damping="x"/><safety_controller/><calibration/></joint></robot>)");
+  EXPECT_EQ(tree.links[0].inertia.mass, Real(2));
+  EXPECT_EQ(tree.links[0].joint.axis, (Vector3{0, 1, 0}));
+}
+
+TEST(ReadUrdf, ReadsOtherEncodings) {
+  const std::string text = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + one_joint("");
+  EXPECT_EQ(urdf(text).size(), 1);
+}
+
+TEST(Readers, DoNotDependOnTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) {
+    std::setlocale(LC_ALL, name);
+    EXPECT_EQ(yaml(one_link("type: revolute, axis: [0.5, 0, 0]", "mass: 1.5 + sqrt(0.25)"))
+                  .links[0]
+                  .inertia.mass,
+              Real(2));
+    EXPECT_EQ(urdf(one_joint("<origin xyz=\"0.5 1e-1 0\"/>")).links[0].joint.offset[0], Real(0.5));
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(ReadModel, ChoosesTheFormatByTheEndOfTheName) {
+  const std::filesystem::path folder = testing::TempDir();
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::FILE* const file = std::fopen((folder / name).string().c_str(), "wb");
+    std::fwrite(text.data(), 1, text.size(), file);
+    std::fclose(file);
+    return (folder / name).string();
+  };
+  const std::string tree = one_link("type: revolute, axis: [0, 0, 1]");
+  EXPECT_EQ(read_model(write("a.yaml", tree), options()).size(), 1);
+  EXPECT_EQ(read_model(write("a.yml", tree), options()).size(), 1);
+  EXPECT_EQ(read_model(write("a.json", tree), options()).size(), 1);
+  EXPECT_EQ(read_model(write("a.urdf", one_joint("")), options()).size(), 1);
+  EXPECT_THROW(read_model(write("a.xml", one_joint("")), options()), InputError);
+  EXPECT_THROW(read_model((folder / "missing.yaml").string(), options()), InputError);
+  EXPECT_THROW(read_model(folder.string() + "/.yaml", options()), InputError);
+}
+
+/// A URDF of more than 10 MB: a tree of links with inertias, meshes and transmissions.
+std::string large_urdf() {
+  std::string text = "<robot name=\"large\"><link name=\"l0\"/>\n";
+  for (int k = 1; text.size() < (std::size_t{10} << 20); ++k) {
+    text += fmt::format(
+        "<link name=\"l{0}\"><visual><geometry><mesh "
+        "filename=\"package://robot/meshes/l{0}.stl\"/></geometry></visual>\n"
+        "<inertial><origin xyz=\"0.1 -0.02 {0}e-4\" rpy=\"0.1 0.2 0.3\"/><mass value=\"1.{0}\"/>"
+        "<inertia ixx=\"0.11\" ixy=\"0.001\" ixz=\"-0.002\" iyy=\"0.12\" iyz=\"0.003\" "
+        "izz=\"0.13\"/></inertial></link>\n"
+        "<joint name=\"j{0}\" type=\"revolute\"><parent link=\"l{1}\"/><child link=\"l{0}\"/>"
+        "<origin xyz=\"0.1 0.25 -0.3\" rpy=\"0 1.57079632679 0.5\"/><axis xyz=\"0 0 1\"/>"
+        "<limit lower=\"-1.5\" upper=\"1.5\" effort=\"10\" velocity=\"3\"/></joint>\n"
+        "<transmission name=\"t{0}\"><joint name=\"j{0}\"/><actuator "
+        "name=\"m{0}\"/></transmission>\n",
+        k, k / 2);
+  }
+  return text + "</robot>\n";
+}
+
+TEST(ReadUrdf, AcceptsTenMegabytes) {
+  const std::string text = large_urdf();
+  const auto start = Clock::now();
+  const model::Tree tree = urdf(text);
+  EXPECT_GT(tree.size(), 10000);
+  EXPECT_LT(Clock::now() - start, std::chrono::seconds(60));
+}
+
+/// Reads garbage, which must end with an error within seconds.
+template <typename Read>
+void expect_fast_refusal(const Read& read, const std::string& text, const std::string& what) {
+  const auto start = Clock::now();
+  EXPECT_THROW(read(text), InputError) << what;
+  EXPECT_LT(Clock::now() - start, std::chrono::seconds(20)) << what;
+}
+
+std::string repeated(const std::string& part) {
+  std::string text;
+  while (text.size() < (std::size_t{10} << 20)) {
+    text += part;
+  }
+  return text;
+}
+
+TEST(Readers, RefuseTenMegabytesOfGarbageFast) {
+  const auto from_yaml = [](const std::string& text) {
+    yaml(text);
+  };
+  const auto from_urdf = [](const std::string& text) {
+    urdf(text);
+  };
+  for (const char* part :
+       {"[",     "{",   "- ",  "a: ", "? ",     "\"",         "'",        "x",    "\n",
+        "- a\n", "&a ", "*a ", "!t ", "a: b\n", "[],",        "[a, ",     "{a: ", "|\n",
+        ">\n ",  "#",   "%",   "\t",  "---\n",  "0123456789", "\xff\xfe", "\x01"}) {
+    expect_fast_refusal(from_yaml, repeated(part), part);
+    expect_fast_refusal(from_yaml, "name: m\nlinks: " + repeated(part), part);
+  }
+  for (const char* part : {"<a>", "<a", "<a/>", "<!--", "<![CDATA[", "&amp;", "x", " ", "<?p ?>",
+                           "</a>", "\xff", "<link name=\"a\"/>"}) {
+    expect_fast_refusal(from_urdf, repeated(part), part);
+    expect_fast_refusal(from_urdf, "<robot name=\"m\">" + repeated(part), part);
+    expect_fast_refusal(from_urdf, "<robot name=\"m\" a=\"" + repeated(part), part);
+  }
+}
+
+TEST(ReadUrdf, RefusesEntitiesBeforeTheyGrow) {
+  std::string text = "<?xml version=\"1.0\"?><!DOCTYPE lolz [<!ENTITY l0 \"lol\">";
+  for (int k = 1; k < 12; ++k) {
+    text += fmt::format(
+        "<!ENTITY l{0} \"&l{1};&l{1};&l{1};&l{1};&l{1};&l{1};&l{1};&l{1};&l{1};&l{1};\">", k,
+        k - 1);
+  }
+  text += "]><robot name=\"&l11;\"/>";
+  EXPECT_EQ(urdf_error(text),
+            "m.urdf:1:37: document type declarations are not supported; expected <robot>");
+}
+
+TEST(ReadYaml, RefusesAliasesBeforeTheyGrow) {
+  EXPECT_EQ(yaml_error("a: &a [x, x]\nb: &b [*a, *a]\n"),
+            "m.yaml:1:4: anchors and tags are not supported; expected a plain value");
+}
+
+TEST(Readers, StandAnyTruncation) {
+  const std::string tree =
+      "name: m\nparameters: {H: 2}\nlinks:\n- {name: a, father: ground, mass: sqrt(H), joint: "
+      "{name: j, type: revolute, "
+      "axis: [0, 0, 1], rotation: {rpy: [pi/2, 0, 0]}}}\npoints:\n- {name: p, link: a, at: [1, 2, "
+      "3]}\n";
+  const std::string robot = one_joint("<origin xyz=\"1 2 3\"/><axis xyz=\"0 0 1\"/>");
+  EXPECT_EQ(yaml_error(tree), "");
+  EXPECT_EQ(urdf_error(robot), "");
+  for (std::size_t k = 0; k < robot.size(); ++k) {
+    EXPECT_NE(urdf_error(robot.substr(0, k)), "") << k;
+  }
+  for (std::size_t k = 0; k < tree.find("points") - 2; ++k) {
+    EXPECT_NE(yaml_error(tree.substr(0, k)), "") << k;
+  }
+}
+
+}  // namespace
+}  // namespace treedyn::description

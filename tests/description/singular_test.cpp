@@ -1,0 +1,90 @@
+// Joints without inertia, and what vet says of them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "description/text_models.hpp"
+
+namespace treedyn::description {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Names of the joints without inertia in a chain; every entry is "joint fields | link fields".
+std::vector<std::string> singular_joints(const std::vector<std::string>& links) {
+  std::string text = "name: m\nlinks:\n";
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const std::size_t bar = links[k].find('|');
+    text += fmt::format("- {{name: l{}, father: {}, joint: {{name: j{}, {}}}{}}}\n", k,
+                        k == 0 ? "ground" : fmt::format("l{}", k - 1), k, links[k].substr(0, bar),
+                        links[k].substr(bar + 1));
+  }
+  std::vector<std::string> names;
+  for (const Warning& warning : joints_without_inertia(yaml(text))) {
+    const std::size_t start = warning.message.find('\'') + 1;
+    names.push_back(warning.message.substr(start, warning.message.find('\'', start) - start));
+  }
+  return names;
+}
+
+const char* const kTurnZ = "type: revolute, axis: [0, 0, 1], offset: [1, 0.5, 0.25]";
+const char* const kTurnX = "type: revolute, axis: [1, 0, 0], offset: [1, 0.5, 0.25]";
+const char* const kSlideZ = "type: prismatic, axis: [0, 0, 1]";
+
+std::string joint(const char* what, const char* body) { return fmt::format("{}|{}", what, body); }
+
+TEST(JointsWithoutInertia, AreNoneInAnOrdinaryArm) {
+  EXPECT_THAT(singular_joints({joint(kTurnZ, ", mass: 1, com: [1, 0, 0]"),
+                               joint(kTurnX, ", mass: 1, com: [0, 1, 0]")}),
+              IsEmpty());
+}
+
+TEST(JointsWithoutInertia, IncludeAMasslessLeaf) {
+  EXPECT_THAT(singular_joints({joint(kTurnZ, ", mass: 1, com: [1, 0, 0]"), joint(kTurnX, "")}),
+              ElementsAre("j1"));
+}
+
+TEST(JointsWithoutInertia, IncludeAPointMassOnTheAxis) {
+  EXPECT_THAT(singular_joints({joint(kTurnZ, ", mass: 1, com: [0, 0, 2]")}), ElementsAre("j0"));
+  EXPECT_THAT(singular_joints(
+                  {joint("type: revolute, axis: [1, 2, 3]", ", mass: 1, com: [0.1, 0.2, 0.3]")}),
+              ElementsAre("j0"));
+}
+
+TEST(JointsWithoutInertia, IncludeTheFirstOfTwoParallelJointsWithNothingBetweenThem) {
+  EXPECT_THAT(
+      singular_joints({joint("type: revolute, axis: [0, 0, 1]", ""),
+                       joint("type: revolute, axis: [0, 0, 1]", ", mass: 1, com: [1, 0, 0]")}),
+      ElementsAre("j0"));
+}
+
+TEST(JointsWithoutInertia, SpareMasslessLinksThatCarryABody) {
+  EXPECT_THAT(
+      singular_joints({joint(kSlideZ, ""), joint(kTurnX, ""),
+                       joint(kTurnZ, ", mass: 1, com: [1, 2, 3], inertia: [1, 0, 0, 2, 0, 2.5]")}),
+      IsEmpty());
+}
+
+TEST(JointsWithoutInertia, SpareAPrismaticJointWithAnyMass) {
+  EXPECT_THAT(singular_joints({joint(kSlideZ, ", mass: 1e-9")}), IsEmpty());
+  EXPECT_THAT(singular_joints({joint(kSlideZ, ", mass: 0, inertia: [1, 0, 0, 1, 0, 1]")}),
+              ElementsAre("j0"));
+}
+
+TEST(JointsWithoutInertia, SayAboutOrAlong) {
+  const auto turn =
+      joints_without_inertia(yaml(one_link("type: revolute, axis: [0, 0, 1]", "mass: 0")));
+  ASSERT_EQ(turn.size(), 1U);
+  EXPECT_EQ(
+      turn[0].message,
+      "joint 'j': what it moves has no inertia about its axis; forward dynamics has no solution");
+  EXPECT_EQ(turn[0].where.line, 5);
+  const auto slide =
+      joints_without_inertia(yaml(one_link("type: prismatic, axis: [0, 0, 1]", "mass: 0")));
+  EXPECT_EQ(
+      slide.at(0).message,
+      "joint 'j': what it moves has no inertia along its axis; forward dynamics has no solution");
+}
+
+}  // namespace
+}  // namespace treedyn::description
