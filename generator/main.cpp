@@ -160,6 +160,11 @@ Real number(const std::string& option, const std::string& text) {
   return decimal.value;
 }
 
+/// A check whose words the option's type name already shows.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::IsMember(words).description("");
+}
+
 void add_name(CLI::App& command, Request& request) {
   command
       .add_option_function<std::string>(
@@ -217,7 +222,7 @@ void add_model(CLI::App& command, Request& request) {
                                                         : description::Mimic::kReduce;
           },
           "URDF mimic joints; default reduce")
-      ->check(CLI::IsMember({"reduce", "independent"}))
+      ->check(one_of({"reduce", "independent"}))
       ->type_name("reduce|independent");
 }
 
@@ -260,7 +265,7 @@ void add_generation(CLI::App& command, Request& request) {
             request.scalar = scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
           },
           "the only floating-point type of the output; default double")
-      ->check(CLI::IsMember({"double", "float"}))
+      ->check(one_of({"double", "float"}))
       ->type_name("double|float");
   command
       .add_option_function<std::string>(
@@ -286,7 +291,7 @@ void add_generation(CLI::App& command, Request& request) {
           "--forward-dynamics",
           [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
           "method of forward_dynamics; default cheapest")
-      ->check(CLI::IsMember({"cheapest", "factor", "articulated"}))
+      ->check(one_of({"cheapest", "factor", "articulated"}))
       ->type_name("cheapest|factor|articulated");
 }
 
@@ -318,7 +323,7 @@ void add_commands(CLI::App& app, Settings& settings) {
       ->type_name("FILE");
   generate
       ->add_option("--dump", settings.dump, "print what leaves a stage instead of writing files")
-      ->check(CLI::IsMember(stages()))
+      ->check(one_of(stages()))
       ->type_name(fmt::format("{}", fmt::join(stages(), "|")));
   CLI::App* check = add_output_command(
       app, "check", "compare a folder with what generate would write; 1 if it differs", settings);
@@ -336,13 +341,13 @@ void add_commands(CLI::App& app, Settings& settings) {
   CLI::App* vet = app.add_subcommand("vet", "report what looks wrong in a model");
   add_model(*vet, settings.request);
   vet->add_option("--error-format", settings.error_format, "default text")
-      ->check(CLI::IsMember({"text", "gcc", "json"}))
+      ->check(one_of({"text", "gcc", "json"}))
       ->type_name("text|gcc|json");
 
   CLI::App* list = app.add_subcommand("list", "names that other commands accept");
   list->add_option("WHAT", settings.list_of, "functions, effects or integrators")
       ->required()
-      ->check(CLI::IsMember({"functions", "effects", "integrators"}))
+      ->check(one_of({"functions", "effects", "integrators"}))
       ->type_name("");
 }
 
@@ -387,7 +392,8 @@ int main_without_exceptions(int argc, char** argv) {
   try {
     return run(app, settings);
   } catch (const InputError& error) {
-    print_error(fmt::format("{}\n", error.what()));
+    print_error(error.where().file.empty() ? fmt::format("treedyn: {}\n", error.message())
+                                           : fmt::format("{}\n", error.what()));
   } catch (const std::bad_alloc&) {
     print_error("treedyn: out of memory\n");
   } catch (const std::exception& error) {

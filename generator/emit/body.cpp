@@ -22,6 +22,8 @@ constexpr int kIndentation = 2;
 constexpr std::size_t kLargestFunction = 500;
 constexpr std::size_t kSmallestPart = 200;
 constexpr std::size_t kLargestPart = 400;
+/// Fewer statements for one body get no comment.
+constexpr int kShortestRun = 3;
 
 std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
 
@@ -61,7 +63,8 @@ class Writer {
   std::string input(const program::Node& node) const;
   std::string text(const Statement& statement) const;
   std::string right_side(const Statement& statement) const;
-  void note_body(const Statement& statement, Part& part, int& current) const;
+  int body_of(const Statement& statement) const;
+  void note_body(std::size_t at, Part& part, int& current) const;
   void note_arrays(const Statement& statement, Part& part) const;
   std::size_t output_array(int output) const;
   bool is_operation(Ref a) const {
@@ -296,16 +299,29 @@ std::string Writer::text(const Statement& statement) const {
   return line;
 }
 
-/// A comment line wherever the statements turn to another body.
-void Writer::note_body(const Statement& statement, Part& part, int& current) const {
-  if (statement.copy_of >= 0 || !is_operation(statement.value)) {
+/// The body that a statement computes something for, -1 if it stores a result that exists.
+int Writer::body_of(const Statement& statement) const {
+  const bool computes = statement.copy_of < 0 && is_operation(statement.value) &&
+                        (statement.output < 0 || !is_local(statement.value));
+  return computes ? graph_.hint(statement.value).body : -1;
+}
+
+/// A comment line where at least three statements in a row begin to compute for another body.
+void Writer::note_body(std::size_t at, Part& part, int& current) const {
+  const int body = body_of(statements_[at]);
+  if (body < 0 || body == current) {
     return;
   }
-  const int body = graph_.hint(statement.value).body;
-  if (body != current && body >= 0) {
-    part.lines.push_back("// " + words_.body_comments[static_cast<std::size_t>(body)]);
-    current = body;
+  int run = 0;
+  for (; at < statements_.size() && run < kShortestRun; ++at) {
+    const int next = body_of(statements_[at]);
+    if (next >= 0 && next != body) {
+      return;
+    }
+    run += next == body ? 1 : 0;
   }
+  part.lines.push_back(fmt::format("// {}", words_.body_comments[static_cast<std::size_t>(body)]));
+  current = body;
 }
 
 void Writer::note_arrays(const Statement& statement, Part& part) const {
@@ -314,6 +330,7 @@ void Writer::note_arrays(const Statement& statement, Part& part) const {
     part.uses[inputs + output_array(statement.output)] = true;
   }
   visit_atoms(statement, [&](Ref value) {
+    part.uses_workspace |= shared_[index(value)] && part_of_[index(value)] != statement.part;
     if (graph_.node(value).kind == Kind::kInput) {
       part.uses[static_cast<std::size_t>(graph_.node(value).a)] = true;
     }
@@ -330,7 +347,8 @@ Body Writer::write() {
 
   Body result;
   int current = -1;
-  for (const Statement& statement : statements_) {
+  for (std::size_t at = 0; at < statements_.size(); ++at) {
+    const Statement& statement = statements_[at];
     if (result.parts.size() <= statement.part) {
       result.parts.push_back({{},
                               std::vector<bool>(function_.signature.inputs.size() +
@@ -338,13 +356,14 @@ Body Writer::write() {
       current = -1;
     }
     Part& part = result.parts.back();
-    note_body(statement, part, current);
+    note_body(at, part, current);
     note_arrays(statement, part);
     part.lines.push_back(text(statement));
     ++result.statements;
     if (statement.output < 0 && shared_[index(statement.value)]) {
       const std::string& name = names_.at(statement.value);
       result.workspace.push_back(name);
+      part.uses_workspace = true;
       part.lines.push_back(fmt::format("w.{} = {};", name, name));
       ++result.statements;
     }

@@ -14,6 +14,7 @@ namespace treedyn::emit {
 struct Part {
   std::vector<std::string> lines;  ///< without indentation; comments and statements
   std::vector<bool> uses;          ///< which arrays it touches: inputs, then outputs
+  bool uses_workspace = false;
 };
 
 /// The body of a function. One part: a plain function; several: functions that share a workspace.

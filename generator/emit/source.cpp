@@ -10,8 +10,9 @@ namespace treedyn::emit {
 
 namespace {
 
+/// What follows the opening brace.
 std::string block(const std::vector<std::string>& lines) {
-  std::string result = "{\n";
+  std::string result = "\n";
   for (const std::string& line : lines) {
     result += "  " + line + "\n";
   }
@@ -19,7 +20,7 @@ std::string block(const std::vector<std::string>& lines) {
 }
 
 std::string whole_function(const program::Signature& signature, const Part& part) {
-  return declaration("void " + signature.name, parameters(signature, part.uses), " noexcept ") +
+  return declaration("void " + signature.name, parameters(signature, part.uses), " noexcept {") +
          block(part.lines);
 }
 
@@ -68,25 +69,31 @@ std::string split_function(const program::Signature& signature, const Body& body
       names.push_back(array.name);
     }
   }
-  std::string result = "namespace {\n\n" + workspace(type, body.workspace);
-  std::vector<std::string> calls = {type + " w;"};
+  std::string result = "namespace {\n";
+  std::vector<std::string> calls;
+  if (!body.workspace.empty()) {
+    result += "\n" + workspace(type, body.workspace);
+    calls.push_back(type + " w;");
+  }
   for (std::size_t k = 0; k < body.parts.size(); ++k) {
     const Part& part = body.parts[k];
     const std::string name = fmt::format("{}_{}", signature.name, k + 1);
     std::vector<std::string> declared = chosen(parameters(signature, all), part);
-    declared.push_back(type + "& w");
+    std::vector<std::string> passed = chosen(names, part);
+    if (part.uses_workspace) {
+      declared.push_back(type + "& w");
+      passed.emplace_back("w");
+    }
     result += "\n";
     result +=
-        declaration("[[gnu::noinline]] void " + name, declared, " noexcept ") + block(part.lines);
-    std::vector<std::string> passed = chosen(names, part);
-    passed.emplace_back("w");
+        declaration("[[gnu::noinline]] void " + name, declared, " noexcept {") + block(part.lines);
     calls.push_back(fmt::format("{}({});", name, fmt::join(passed, ", ")));
     for (std::size_t array = 0; array < used.size(); ++array) {
       used[array] = used[array] || part.uses[array];
     }
   }
   return result + "\n}  // namespace\n\n" +
-         declaration("void " + signature.name, parameters(signature, used), " noexcept ") +
+         declaration("void " + signature.name, parameters(signature, used), " noexcept {") +
          block(calls);
 }
 
