@@ -113,10 +113,9 @@ class Engine<Scalar>::Implementation {
 
   std::span<const Scalar> rotations() {
     for (std::size_t p = 0; p < constants_.points.size(); ++p) {
-      const int link = constants_.points[p].link;
-      const equations::Matrix3<Scalar> R = link == model::kGround
-                                               ? equations::Matrix3<Scalar>::Identity()
-                                               : poses_.R[static_cast<std::size_t>(link)];
+      const auto& [link, at, own] = constants_.points[p];
+      const equations::Matrix3<Scalar> R =
+          link == model::kGround ? own : poses_.R[static_cast<std::size_t>(link)] * own;
       std::copy_n(R.data(), 9, result_.data() + 9 * p);
     }
     return {result_.data(), 9 * constants_.points.size()};

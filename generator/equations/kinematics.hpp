@@ -24,6 +24,7 @@ struct Constants {
   struct Point {
     int link;
     Vector3<Scalar> at;
+    Matrix3<Scalar> rotation;  ///< frame of the named link -> link
   };
   std::vector<Link> links;
   std::vector<Point> points;
@@ -45,7 +46,8 @@ Constants<Scalar> constants_of(const model::Tree& tree, std::span<const model::P
          matrix3<Scalar>(link.inertia.about_com, convert), convert(link.inertia.mass)});
   }
   for (const model::Point& point : points) {
-    result.points.push_back({point.link, vector3<Scalar>(point.at, convert)});
+    result.points.push_back(
+        {point.link, vector3<Scalar>(point.at, convert), matrix3<Scalar>(point.rotation, convert)});
   }
   return result;
 }

@@ -72,6 +72,8 @@ struct Point {
   std::string link_name;   ///< the link named in the file or on the command line (may be merged)
   int link = kGround;      ///< the moving link that carries it, or kGround
   Vector3 at{};            ///< in the carrying link's frame (base frame for ground), m
+  /// Frame of the named link -> carrying link's frame; not the identity for links that were merged.
+  Matrix3 rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
 /// Joint coordinate i as a function of the independent coordinates u: q_i = multiplier *

@@ -13,6 +13,7 @@ template <class T>
 struct Point {
   int body = -1;
   Vec<T> at{};
+  Mat<T> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< frame whose rotation is asked for -> body
 };
 
 template <class T>
@@ -77,7 +78,7 @@ class Evaluation {
   [[nodiscard]] List point_rotations() const {
     List result;
     for (const Point<T>& point : problem_.points) {
-      const Mat<T> R = carrier(point).R;
+      const Mat<T> R = carrier(point).R * point.rotation;
       result.insert(result.end(), R.begin(), R.end());
     }
     return result;

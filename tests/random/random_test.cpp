@@ -47,7 +47,7 @@ struct Trio {
     problem.robot = oracle::from_tree<Real>(tree);
     problem.gravity = kGravity;
     for (const model::Point& point : tree.points) {
-      problem.points.push_back({point.link, point.at});
+      problem.points.push_back({point.link, point.at, point.rotation});
     }
   }
   const model::Tree& tree;
