@@ -158,7 +158,7 @@ Ref Graph::sqrt(Ref a) {
 }
 
 void Graph::name(Ref a, const char* symbol, int body, const char* component) {
-  if (a == 0 || is_constant(a) || node(a).kind == Kind::kInput || hint(a).symbol != nullptr) {
+  if (a <= 0 || is_constant(a) || node(a).kind == Kind::kInput || hint(a).symbol != nullptr) {
     return;
   }
   hints_[index(a)] = {symbol, body, component};

@@ -58,7 +58,8 @@ class Graph {
   [[nodiscard]] const Node& node(Ref a) const { return nodes_[index(a)]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
-  /// Names the node behind `a` unless it has a name already; constants and inputs keep theirs.
+  /// Names the value `a` unless it has a name already, is a constant or an input, or stands for the
+  /// negative of a node.
   void name(Ref a, const char* symbol, int body, const char* component = nullptr);
   [[nodiscard]] const Hint& hint(Ref a) const { return hints_[index(a)]; }
   void set_hint(Ref a, const Hint& hint) { hints_[index(a)] = hint; }
