@@ -1,0 +1,123 @@
+// quadruped.hpp: dynamics of the model quadruped
+//
+// This file was generated from your model and belongs to you; wherever a licence is needed:
+// SPDX-License-Identifier: 0BSD
+//
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+//   treedyn generate quadruped.yaml --effort 1000
+//
+//   joint                  link               index  type      unit
+//   front_left_abduction   front_left_hip     0      revolute  rad
+//   front_left_hip         front_left_thigh   1      revolute  rad
+//   front_left_knee        front_left_shank   2      revolute  rad
+//   front_right_abduction  front_right_hip    3      revolute  rad
+//   front_right_hip        front_right_thigh  4      revolute  rad
+//   front_right_knee       front_right_shank  5      revolute  rad
+//   hind_left_abduction    hind_left_hip      6      revolute  rad
+//   hind_left_hip          hind_left_thigh    7      revolute  rad
+//   hind_left_knee         hind_left_shank    8      revolute  rad
+//   hind_right_abduction   hind_right_hip     9      revolute  rad
+//   hind_right_hip         hind_right_thigh   10     revolute  rad
+//   hind_right_knee        hind_right_shank   11     revolute  rad
+//
+//   point             link               index  at (link frame, m)
+//   front_left_foot   front_left_shank   0      0, 0, -0.175
+//   front_right_foot  front_right_shank  1      0, 0, -0.175
+//   hind_left_foot    hind_left_shank    2      0, 0, -0.175
+//   hind_right_foot   hind_right_shank   3      0, 0, -0.175
+
+#pragma once
+
+namespace quadruped {
+
+/// The only floating-point type in use.
+using Scalar = double;
+/// Length of q, qd, qdd and tau.
+inline constexpr int kDof = 12;
+/// Number of points.
+inline constexpr int kPoints = 4;
+
+/// Index of every joint.
+namespace joint {
+inline constexpr int front_left_abduction = 0;
+inline constexpr int front_left_hip = 1;
+inline constexpr int front_left_knee = 2;
+inline constexpr int front_right_abduction = 3;
+inline constexpr int front_right_hip = 4;
+inline constexpr int front_right_knee = 5;
+inline constexpr int hind_left_abduction = 6;
+inline constexpr int hind_left_hip = 7;
+inline constexpr int hind_left_knee = 8;
+inline constexpr int hind_right_abduction = 9;
+inline constexpr int hind_right_hip = 10;
+inline constexpr int hind_right_knee = 11;
+}  // namespace joint
+
+/// Index of every point.
+namespace point {
+inline constexpr int front_left_foot = 0;
+inline constexpr int front_right_foot = 1;
+inline constexpr int hind_left_foot = 2;
+inline constexpr int hind_right_foot = 3;
+}  // namespace point
+
+// Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and
+// must not overlap inputs. Nothing is allocated, thrown or kept between calls.
+
+/// Joint-space inertia matrix A(q); N x N, row-major, symmetric.
+///
+/// \param      q  12, rad|m
+/// \param[out] A  144, kg m^2|kg m|kg
+/// Equation (2). Cost: 52 mul, 44 add, 8 sin, 8 cos.
+void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept;
+
+/// Coriolis and centrifugal joint forces B(q, qd), without gravity.
+///
+/// \param      q   12, rad|m
+/// \param      qd  12, rad/s|m/s
+/// \param[out] B   12, N m|N
+/// Equation (3). Cost: 108 mul, 68 add, 8 sin, 8 cos.
+void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept;
+
+/// Gravity term G(q) of A qdd + B + G = tau.
+///
+/// \param      q  12, rad|m
+/// \param[out] G  12, N m|N
+/// Equation 6.5. Cost: 36 mul, 16 add, 12 sin, 12 cos.
+void gravity_force(const Scalar q[12], Scalar G[12]) noexcept;
+
+/// Joint forces tau = A(q) qdd + B(q, qd) + G(q).
+///
+/// \param      q    12, rad|m
+/// \param      qd   12, rad/s|m/s
+/// \param      qdd  12, rad/s^2|m/s^2
+/// \param[out] tau  12, N m|N
+/// Equation (1). Cost: 220 mul, 156 add, 12 sin, 12 cos.
+void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
+                      Scalar tau[12]) noexcept;
+
+/// Joint accelerations qdd of A(q) qdd + B(q, qd) + G(q) = tau.
+///
+/// \param      q    12, rad|m
+/// \param      qd   12, rad/s|m/s
+/// \param      tau  12, N m|N
+/// \param[out] qdd  12, rad/s^2|m/s^2
+/// Equation (1). Cost: 264 mul, 176 add, 8 div, 12 sin, 12 cos.
+void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
+                      Scalar qdd[12]) noexcept;
+
+/// Positions of the points, base frame.
+///
+/// \param      q  12, rad|m
+/// \param[out] p  12, m
+/// Equation 1.2. Cost: 32 mul, 28 add, 12 sin, 12 cos.
+void point_positions(const Scalar q[12], Scalar p[12]) noexcept;
+
+/// C of the points, transposed Jacobian; N x 3P, row-major.
+///
+/// \param      q  12, rad|m
+/// \param[out] C  144, m|1
+/// Equation (9). Cost: 48 mul, 20 add, 12 sin, 12 cos.
+void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept;
+
+}  // namespace quadruped
