@@ -92,7 +92,11 @@ void rotate(Matrix3& a, std::size_t p, std::size_t q) {
 
 Vector3 eigenvalues(const Matrix3& a) {
   Matrix3 rest = a;
-  for (int sweep = 0; sweep < 12; ++sweep) {  // quadratic convergence: 50 digits after 6 or 7
+  const auto off_diagonal = [&rest] {
+    return abs(rest[1]) + abs(rest[2]) + abs(rest[5]);
+  };
+  const Real enough = off_diagonal() * Real("1e-25");  // the eigenvalues are off by its square
+  for (int sweep = 0; sweep < 12 && off_diagonal() > enough; ++sweep) {
     rotate(rest, 0, 1);
     rotate(rest, 0, 2);
     rotate(rest, 1, 2);

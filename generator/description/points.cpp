@@ -137,7 +137,8 @@ class PointList {
     std::array<std::string_view, 3> words = {x, {}, {}};
     for (std::size_t k = 1; k < 3; ++k) {
       if (!more) {
-        fail(fmt::format("point '{}' has {} numbers; expected 3", shown(name), k));
+        fail(fmt::format("point '{}' has {} number{}; expected 3", shown(name), k,
+                         k == 1 ? "" : "s"));
       }
       more = take(words[k]);
     }

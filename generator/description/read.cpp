@@ -21,7 +21,8 @@ namespace {
 constexpr std::size_t kMaxFileSize = std::size_t{64} << 20;
 
 [[noreturn]] void fail_to_read(const std::string& path) {
-  throw InputError({path, 0, 0}, fmt::format("cannot be read ({})", std::strerror(errno)));
+  throw InputError({path, 0, 0},
+                   fmt::format("cannot be read ({}); expected a file", std::strerror(errno)));
 }
 
 std::string read_stream(std::FILE* stream, const std::string& path) {

@@ -226,8 +226,8 @@ class Resolver {
                          limit(raw.limits.effort, name + ": effort limit")};
     if (result.lower && result.upper && *result.lower > *result.upper) {
       fail(raw.limits.lower->where,
-           fmt::format("{}: lower limit {} is above the upper limit {}", name,
-                       shown(raw.limits.lower->text), shown(raw.limits.upper->text)));
+           fmt::format("{}: lower limit {} is above the upper limit {}; expected lower <= upper",
+                       name, shown(raw.limits.lower->text), shown(raw.limits.upper->text)));
     }
     return result;
   }

@@ -167,7 +167,9 @@ void connect(const RawTree& raw, Skeleton& skeleton) {
     carrier = static_cast<int>(k);
     const bool on_ground = raw.format == Format::kYaml && joint.father.text == kGroundName;
     skeleton.father[index(son)] =
-        on_ground ? model::kGround : find_link(raw, skeleton, joint, joint.father, "father");
+        on_ground ? model::kGround
+                  : find_link(raw, skeleton, joint, joint.father,
+                              raw.format == Format::kYaml ? "father" : "parent");
   }
 }
 

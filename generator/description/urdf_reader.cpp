@@ -62,7 +62,7 @@ struct Part {
   [[nodiscard]] const Element& get(std::string_view name) const {
     const Element* const child = find(name);
     if (child == nullptr) {
-      fail(element.where, fmt::format("has no <{}>", name));
+      fail(element.where, fmt::format("has no <{}>; expected one", name));
     }
     return *child;
   }
@@ -70,7 +70,7 @@ struct Part {
   [[nodiscard]] Text text(const Element& of, std::string_view key) const {
     const std::string* const value = of.attribute(key);
     if (value == nullptr) {
-      fail(of.where, fmt::format("<{}> has no attribute '{}'", of.name, key));
+      fail(of.where, fmt::format("<{}> has no attribute '{}'; expected it here", of.name, key));
     }
     return {*value, of.where};
   }
@@ -164,7 +164,7 @@ RawJoint read_joint(const std::string& file, const Element& element) {
   if (const Element* const axis = part.find("axis")) {
     joint.axis = numbers(*axis, "xyz");
     if (!joint.axis) {
-      part.fail(axis->where, "<axis> has no attribute 'xyz'");
+      part.fail(axis->where, "<axis> has no attribute 'xyz'; expected it here");
     }
   }
   joint.limits = read_limits(part.find("limit"));

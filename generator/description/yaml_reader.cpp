@@ -45,7 +45,7 @@ class Fields {
   [[nodiscard]] const Node& get(std::string_view key) const {
     const Node* const node = find(key);
     if (node == nullptr) {
-      fail(node_.where, fmt::format("key '{}' is missing", key));
+      fail(node_.where, fmt::format("key '{}' is missing; expected it here", key));
     }
     return *node;
   }

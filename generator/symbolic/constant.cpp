@@ -59,6 +59,12 @@ class Parser {
     return shown(text_.substr(at_, std::max<std::size_t>(end - at_, 1)));
   }
 
+  /// The text from `start` up to a space, an operator or a parenthesis.
+  [[nodiscard]] std::string_view word(std::size_t start) const {
+    return text_.substr(start,
+                        std::min(text_.find_first_of(" \t+-*/^()", start), text_.size()) - start);
+  }
+
   void skip_spaces() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) {
       ++at_;
@@ -166,7 +172,8 @@ class Parser {
                           GiNaC::ex_to<GiNaC::numeric>(exponent).is_rational();
     const GiNaC::numeric e = rational ? GiNaC::ex_to<GiNaC::numeric>(exponent) : GiNaC::numeric(0);
     if (!rational || abs(e.numer()) > kMaxExponent || e.denom() > kMaxExponent) {
-      fail(place, fmt::format("exponent is not a ratio of integers up to {}", kMaxExponent));
+      fail(place, fmt::format("exponent is not simple; expected a ratio of integers up to {}",
+                              kMaxExponent));
     }
     const Real value = to_real(base);
     if (value == 0 && !e.is_positive()) {
@@ -238,7 +245,8 @@ class Parser {
     const std::string_view written = text_.substr(start, at_ - start);
     const Decimal decimal = read_decimal(written);
     if (!decimal) {
-      fail(start, describe(decimal.error, written));
+      fail(start,
+           describe(decimal.error, decimal.error == DecimalError::kSyntax ? word(start) : written));
     }
     if (written.size() > kMaxDigits) {
       fail(start, fmt::format("number of {} characters is too long; expected at most {}",
@@ -321,7 +329,8 @@ void Constants::define(const std::string& name, std::string_view text) {
       std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
   if (!identifier) {
     throw ConstantError(
-        0, fmt::format("parameter name '{}' is not a word of letters, digits and _", shown(name)));
+        0,
+        fmt::format("parameter name '{}' is no word; expected letters, digits and _", shown(name)));
   }
   if (name == "pi" || find_function(name) != nullptr || table_->names.count(name) > 0) {
     throw ConstantError(0, fmt::format("parameter name '{}' is taken; expected a new name", name));

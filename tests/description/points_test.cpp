@@ -79,7 +79,7 @@ TEST(ResolvePoints, NameTheMistake) {
   EXPECT_EQ(error_of("a=b"),
             "--points: point 'a': link 'b' is unknown; expected one of ns:foot, shank, table");
   EXPECT_EQ(error_of("a=shank:1,2"), "--points: point 'a' has 2 numbers; expected 3");
-  EXPECT_EQ(error_of("a=shank:1"), "--points: point 'a' has 1 numbers; expected 3");
+  EXPECT_EQ(error_of("a=shank:1"), "--points: point 'a' has 1 number; expected 3");
   EXPECT_EQ(error_of("a=shank:1,2,x"),
             "--points: point 'a': 'x' is not a number; expected a decimal such as 0.25 or -1.5e-3");
   EXPECT_EQ(error_of("heel,,shank"),

@@ -99,8 +99,8 @@ TEST(Constants, NameTheMistakeAndItsPlace) {
   EXPECT_EQ(error("sin 1"), "0: 'sin' has no argument; expected '('");
   EXPECT_EQ(error("(-2)^(1/2)"),
             "0: negative base with a fractional exponent; expected a base that is not negative");
-  EXPECT_EQ(error("2^pi"), "2: exponent is not a ratio of integers up to 64");
-  EXPECT_EQ(error("2^65"), "2: exponent is not a ratio of integers up to 64");
+  EXPECT_EQ(error("2^pi"), "2: exponent is not simple; expected a ratio of integers up to 64");
+  EXPECT_EQ(error("2^65"), "2: exponent is not simple; expected a ratio of integers up to 64");
 }
 
 TEST(Constants, StayWithinTheirLimits) {
