@@ -49,8 +49,9 @@ Real NumberReader::number(const Text& text, const std::string& what) const {
 template <std::size_t size>
 std::array<Real, size> NumberReader::list(const Numbers& numbers, const std::string& what) const {
   if (numbers.values.size() != size) {
-    throw InputError(location(raw_, numbers.where), fmt::format("{} has {} numbers; expected {}",
-                                                                what, numbers.values.size(), size));
+    throw InputError(location(raw_, numbers.where),
+                     fmt::format("{} has {} number{}; expected {}", what, numbers.values.size(),
+                                 numbers.values.size() == 1 ? "" : "s", size));
   }
   std::array<Real, size> result;
   std::transform(numbers.values.begin(), numbers.values.end(), result.begin(),
