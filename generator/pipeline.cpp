@@ -24,7 +24,11 @@ namespace {
 
 const Request kDefaults;
 
-bool needs_inertia(const std::string& function) { return function == "forward_dynamics"; }
+/// Functions that divide by the pivots of A.
+bool needs_inertia(const std::string& function) {
+  return function == "forward_dynamics" || function == "mass_matrix_factor" ||
+         function == "mass_matrix_solve" || function == "mass_matrix_inverse";
+}
 
 std::pair<Source, model::Tree> load(const Request& request) {
   if (request.model == "-") {

@@ -64,6 +64,69 @@ void compare(const std::string& name, const Values& ours, const Values& engines)
   }
 }
 
+/// a b for row-major n x n matrices.
+Values product(const Values& a, const Values& b, std::size_t n) {
+  Values result(n * (b.size() / n));
+  const std::size_t columns = b.size() / n;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t j = 0; j < columns; ++j) {
+        result[i * columns + j] += a[i * n + k] * b[k * columns + j];
+      }
+    }
+  }
+  return result;
+}
+
+/// L^T diag(d) L of the concatenated L and d.
+Values multiplied_out(const Values& factors, std::size_t n) {
+  Values transposed(n * n);
+  Values scaled(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      transposed[j * n + i] = factors[i * n + j];
+      scaled[i * n + j] = factors[n * n + i] * factors[i * n + j];
+    }
+  }
+  return product(transposed, scaled, n);
+}
+
+Values identity(std::size_t n) {
+  Values result(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    result[i * n + i] = 1;
+  }
+  return result;
+}
+
+/// Functions that have no equation of their own are held against the equations they stand for.
+void prove_function(const program::Function& function, engine::Engine<Real>& engine,
+                    States& states) {
+  const std::string& name = function.signature.name;
+  const std::vector<Values> inputs = states.inputs(function.signature);
+  const Values ours = interpreted(function, inputs);
+  const auto n = static_cast<std::size_t>(engine.dof());
+  const auto mass_matrix = [&] {
+    return engine.evaluate("mass_matrix", {inputs[0]});
+  };
+  if (name == "mass_matrix_factor") {
+    compare(name, multiplied_out(ours, n), mass_matrix());
+  } else if (name == "mass_matrix_solve") {
+    compare(name, product(mass_matrix(), ours, n), inputs[1]);
+  } else if (name == "mass_matrix_inverse") {
+    compare(name, product(mass_matrix(), ours, n), identity(n));
+  } else if (name == "dynamics_terms") {
+    Values expected = mass_matrix();
+    for (const Values& term :
+         {engine.evaluate("bias_force", inputs), engine.evaluate("gravity_force", {inputs[0]})}) {
+      expected.insert(expected.end(), term.begin(), term.end());
+    }
+    compare(name, ours, expected);
+  } else {
+    compare(name, ours, engine.evaluate(name, inputs));
+  }
+}
+
 }  // namespace
 
 void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
@@ -73,9 +136,7 @@ void prove_functions(const model::Tree& tree, const std::vector<model::Point>& p
   States states;
   for (int count = tree.size() <= kLargestForTwoStates ? 2 : 1; count > 0; --count) {
     for (const program::Function& function : functions) {
-      const std::vector<Values> inputs = states.inputs(function.signature);
-      compare(function.signature.name, interpreted(function, inputs),
-              engine.evaluate(function.signature.name, inputs));
+      prove_function(function, engine, states);
     }
   }
 }

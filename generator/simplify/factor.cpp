@@ -7,7 +7,8 @@
 namespace treedyn::simplify {
 
 Factorization::Factorization(Graph& graph, int size, const SparseSymmetric& matrix)
-    : rows_(static_cast<std::size_t>(size)),
+    : graph_(&graph),
+      rows_(static_cast<std::size_t>(size)),
       pivot_(static_cast<std::size_t>(size)),
       inverse_(static_cast<std::size_t>(size)) {
   std::vector<std::map<int, Expr>> a(static_cast<std::size_t>(size));  // row k, columns <= k
@@ -40,13 +41,19 @@ Factorization::Factorization(Graph& graph, int size, const SparseSymmetric& matr
   }
 }
 
-Expr Factorization::lower(int k, int i) const {
-  for (const auto& [column, entry] : row(k)) {
-    if (column == i) {
-      return entry;
+/// L Y = 1: y_kj = -sum over i of L_ki y_ij.
+std::vector<std::map<int, Expr>> Factorization::inverse_of_lower() const {
+  std::vector<std::map<int, Expr>> y(rows_.size());
+  for (int k = 0; k < size(); ++k) {
+    std::map<int, Expr>& row_k = y[static_cast<std::size_t>(k)];
+    for (const auto& [i, l_ki] : row(k)) {
+      for (const auto& [j, y_ij] : y[static_cast<std::size_t>(i)]) {
+        row_k[j] -= l_ki * y_ij;
+      }
     }
+    row_k[k] = constant(*graph_, Real(1));
   }
-  return {};
+  return y;
 }
 
 std::vector<Expr> Factorization::solve(std::vector<Expr> x) const {

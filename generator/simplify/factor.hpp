@@ -20,10 +20,10 @@ class Factorization {
   /// x of A x = right, by one sweep to the root and one back.
   [[nodiscard]] std::vector<Expr> solve(std::vector<Expr> right) const;
 
-  /// L_ki for i < k; zero where absent.
-  [[nodiscard]] Expr lower(int k, int i) const;
   [[nodiscard]] Expr pivot(int k) const { return pivot_[static_cast<std::size_t>(k)]; }
   [[nodiscard]] Expr inverse_pivot(int k) const { return inverse_[static_cast<std::size_t>(k)]; }
+  /// The rows of L^-1, diagonal included; its zero pattern is that of L for a tree.
+  [[nodiscard]] std::vector<std::map<int, Expr>> inverse_of_lower() const;
   [[nodiscard]] int size() const { return static_cast<int>(pivot_.size()); }
   /// The columns i < k with L_ki not zero, descending.
   [[nodiscard]] const std::vector<std::pair<int, Expr>>& row(int k) const {
@@ -31,6 +31,7 @@ class Factorization {
   }
 
  private:
+  Graph* graph_;
   std::vector<std::vector<std::pair<int, Expr>>> rows_;
   std::vector<Expr> pivot_;
   std::vector<Expr> inverse_;

@@ -50,7 +50,7 @@ struct Recipe {
   std::vector<Expr> (*build)(const Task& task);
 };
 
-/// In the order of INTERFACE.md 3.
+/// In the order of INTERFACE.md 3, further functions behind.
 const std::vector<Recipe>& recipes();
 /// \pre `name` is in the table.
 const Recipe& recipe_of(const std::string& name);

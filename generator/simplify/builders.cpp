@@ -1,0 +1,213 @@
+#include "simplify/builders.hpp"
+
+#include "simplify/articulated.hpp"
+#include "simplify/composite.hpp"
+#include "simplify/energy.hpp"
+#include "simplify/factor.hpp"
+#include "simplify/forward.hpp"
+#include "simplify/points.hpp"
+#include "simplify/sweeps.hpp"
+
+namespace treedyn::simplify {
+
+namespace {
+
+/// Dense row-major matrix of the degrees of freedom: T^T A T for reduced mimic joints (q = T u +
+/// q0).
+std::vector<Expr> dense(const Task& task, const SparseSymmetric& a) {
+  const auto n = static_cast<std::size_t>(task.tree.dof());
+  std::vector<Expr> result(n * n);
+  for (const auto& [place, entry] : a) {
+    const model::Drive& row = task.tree.drives[static_cast<std::size_t>(place.first)];
+    const model::Drive& column = task.tree.drives[static_cast<std::size_t>(place.second)];
+    const Expr scaled =
+        constant(task.kinematics.graph(), row.multiplier * column.multiplier) * entry;
+    const auto i = static_cast<std::size_t>(row.coordinate);
+    const auto j = static_cast<std::size_t>(column.coordinate);
+    result[i * n + j] += scaled;
+    if (place.first != place.second) {
+      result[j * n + i] += scaled;
+    }
+  }
+  return result;
+}
+
+/// T^T tau.
+std::vector<Expr> reduced(const Task& task, const std::vector<Expr>& tau) {
+  std::vector<Expr> result(static_cast<std::size_t>(task.tree.dof()));
+  for (std::size_t i = 0; i < tau.size(); ++i) {
+    const model::Drive& drive = task.tree.drives[i];
+    result[static_cast<std::size_t>(drive.coordinate)] +=
+        constant(task.kinematics.graph(), drive.multiplier) * tau[i];
+  }
+  return result;
+}
+
+bool by_trunk(const Task& task) {
+  return task.kinematics.variant().trunk && has_free_base(task.tree);
+}
+
+Expr input(const Task& task, int array, int element) {
+  Graph& graph = task.kinematics.graph();
+  return {graph, graph.input(array, element)};
+}
+
+/// N x 3P, row-major; rows of reduced mimic joints add up: T^T C.
+std::vector<Expr> dense(const Task& task, const std::vector<JacobianBlock>& blocks) {
+  const std::size_t width = 3 * task.options.points.size();
+  std::vector<Expr> result(static_cast<std::size_t>(task.tree.dof()) * width);
+  for (const JacobianBlock& block : blocks) {
+    const model::Drive& drive = task.tree.drives[static_cast<std::size_t>(block.joint)];
+    const Expr multiplier = constant(task.kinematics.graph(), drive.multiplier);
+    for (std::size_t n = 0; n < 3; ++n) {
+      const std::size_t column = 3 * static_cast<std::size_t>(block.point) + n;
+      result[static_cast<std::size_t>(drive.coordinate) * width + column] +=
+          multiplier * block.value[n];
+    }
+  }
+  return result;
+}
+
+/// A = L^T Delta L in the independent coordinates.
+Factorization factorization(const Task& task) {
+  const std::vector<Expr> a = build_mass_matrix(task);
+  const int n = task.tree.dof();
+  SparseSymmetric lower;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      lower[{i, j}] = a[static_cast<std::size_t>(i * n + j)];
+    }
+  }
+  return {task.kinematics.graph(), n, lower};
+}
+
+}  // namespace
+
+std::vector<Expr> build_mass_matrix(const Task& task) {
+  return dense(
+      task, by_trunk(task) ? mass_matrix_by_trunk(task.kinematics) : mass_matrix(task.kinematics));
+}
+
+/// (3): no acceleration, no gravity.
+std::vector<Expr> build_bias_force(const Task& task) {
+  return reduced(task, inverse_dynamics(task.kinematics, {}));
+}
+
+/// 6.5 and (1): the ground accelerates by -g.
+std::vector<Expr> build_with_gravity(const Task& task) {
+  return reduced(task, inverse_dynamics(task.kinematics, task.kinematics.ground_acceleration()));
+}
+
+/// (1) solved for qdd.
+std::vector<Expr> build_forward_dynamics(const Task& task) {
+  const Kinematics& k = task.kinematics;
+  const bool one_joint_one_coordinate = task.tree.dof() == task.tree.size();
+  if (by_trunk(task) && one_joint_one_coordinate) {
+    return forward_dynamics_by_trunk(k, -k.ground_acceleration(), k.variant().articulated);
+  }
+  if (k.variant().articulated && one_joint_one_coordinate) {
+    return articulated_forward_dynamics(k, k.ground_acceleration());
+  }
+  const std::vector<Expr> bias = build_with_gravity(task);
+  std::vector<Expr> right;
+  for (int i = 0; i < task.tree.dof(); ++i) {
+    right.push_back(input(task, 2, i) - bias[static_cast<std::size_t>(i)]);
+  }
+  return factorization(task).solve(right);
+}
+
+std::vector<Expr> build_dynamics_terms(const Task& task) {
+  const Kinematics& k = task.kinematics;
+  const Kinematics at_rest(k.graph(), task.tree, task.normal, k.variant(), {.q = 0});
+  const std::vector<Expr> bias = build_bias_force(task);
+  const std::vector<Expr> gravity =
+      build_with_gravity({task.tree, task.normal, task.options, at_rest});
+  std::vector<Expr> result = build_mass_matrix(task);
+  result.insert(result.end(), bias.begin(), bias.end());
+  result.insert(result.end(), gravity.begin(), gravity.end());
+  return result;
+}
+
+std::vector<Expr> build_mass_matrix_factor(const Task& task) {
+  const Factorization factor = factorization(task);
+  const auto n = static_cast<std::size_t>(factor.size());
+  std::vector<Expr> result(n * n + n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const int row = static_cast<int>(i);
+    for (const auto& [j, l_ij] : factor.row(row)) {
+      result[i * n + static_cast<std::size_t>(j)] = l_ij;
+    }
+    result[i * n + i] = constant(task.kinematics.graph(), Real(1));
+    result[n * n + i] = factor.pivot(row);
+  }
+  return result;
+}
+
+std::vector<Expr> build_mass_matrix_solve(const Task& task) {
+  std::vector<Expr> right;
+  for (int i = 0; i < task.tree.dof(); ++i) {
+    right.push_back(input(task, 1, i));
+  }
+  return factorization(task).solve(right);
+}
+
+/// A^-1 = L^-1 Delta^-1 L^-T; L^-1 has the zero pattern of D.
+std::vector<Expr> build_mass_matrix_inverse(const Task& task) {
+  const Factorization factor = factorization(task);
+  const std::vector<std::map<int, Expr>> y = factor.inverse_of_lower();
+  const std::size_t n = y.size();
+  std::vector<Expr> result(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      Expr entry;
+      for (const auto& [k, y_jk] : y[j]) {
+        const auto y_ik = y[i].find(k);
+        if (y_ik != y[i].end()) {
+          entry += y_ik->second * (y_jk * factor.inverse_pivot(k));
+        }
+      }
+      result[i * n + j] = result[j * n + i] = entry;
+    }
+  }
+  return result;
+}
+
+std::vector<Expr> build_point_positions(const Task& task) {
+  return point_positions(task.kinematics, task.options.points);
+}
+std::vector<Expr> build_point_velocities(const Task& task) {
+  return point_velocities(task.kinematics, task.options.points);
+}
+std::vector<Expr> build_point_rotations(const Task& task) {
+  return point_rotations(task.kinematics, task.options.points);
+}
+std::vector<Expr> build_point_bias(const Task& task) {
+  return point_bias_acceleration(task.kinematics, task.options.points);
+}
+std::vector<Expr> build_angular_bias(const Task& task) {
+  return angular_bias_acceleration(task.kinematics, task.options.points);
+}
+
+std::vector<Expr> build_force_jacobian(const Task& task) {
+  return dense(task, force_jacobian_transpose(task.kinematics, task.options.points));
+}
+std::vector<Expr> build_moment_jacobian(const Task& task) {
+  return dense(task, moment_jacobian_transpose(task.kinematics, task.options.points));
+}
+std::vector<Expr> build_applied_force(const Task& task) {
+  return reduced(task, applied_force(task.kinematics, task.options.points, 1, 2));
+}
+std::vector<Expr> build_link_vectors(const Task& task) {
+  return joint_to_link_vectors(task.kinematics);
+}
+std::vector<Expr> build_com_vectors(const Task& task) {
+  return joint_to_com_vectors(task.kinematics, task.tree);
+}
+std::vector<Expr> build_kinetic_energy(const Task& task) {
+  return {kinetic_energy(task.kinematics)};
+}
+std::vector<Expr> build_potential_energy(const Task& task) {
+  return {potential_energy(task.kinematics, task.normal)};
+}
+
+}  // namespace treedyn::simplify

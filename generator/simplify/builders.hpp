@@ -1,0 +1,31 @@
+// The expressions of every generated function, one builder each, in the independent coordinates.
+#pragma once
+
+#include <vector>
+
+#include "simplify/functions.hpp"
+
+namespace treedyn::simplify {
+
+std::vector<Expr> build_mass_matrix(const Task& task);
+std::vector<Expr> build_bias_force(const Task& task);
+std::vector<Expr> build_with_gravity(const Task& task);
+std::vector<Expr> build_forward_dynamics(const Task& task);
+std::vector<Expr> build_dynamics_terms(const Task& task);
+std::vector<Expr> build_mass_matrix_factor(const Task& task);
+std::vector<Expr> build_mass_matrix_solve(const Task& task);
+std::vector<Expr> build_mass_matrix_inverse(const Task& task);
+std::vector<Expr> build_point_positions(const Task& task);
+std::vector<Expr> build_point_velocities(const Task& task);
+std::vector<Expr> build_point_rotations(const Task& task);
+std::vector<Expr> build_point_bias(const Task& task);
+std::vector<Expr> build_angular_bias(const Task& task);
+std::vector<Expr> build_force_jacobian(const Task& task);
+std::vector<Expr> build_moment_jacobian(const Task& task);
+std::vector<Expr> build_applied_force(const Task& task);
+std::vector<Expr> build_link_vectors(const Task& task);
+std::vector<Expr> build_com_vectors(const Task& task);
+std::vector<Expr> build_kinetic_energy(const Task& task);
+std::vector<Expr> build_potential_energy(const Task& task);
+
+}  // namespace treedyn::simplify
