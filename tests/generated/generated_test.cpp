@@ -122,7 +122,7 @@ TEST_P(GeneratedCode, AllFunctionsInFloatEqualTheEngine) {
 
 INSTANTIATE_TEST_SUITE_P(Models, GeneratedCode,
                          testing::ValuesIn(support::committed(TREEDYN_SOURCE_DIR)),
-                         [](const auto& info) { return support::test_name(info.param); });
+                         [](const auto& model) { return support::test_name(model.param); });
 
 }  // namespace
 }  // namespace treedyn

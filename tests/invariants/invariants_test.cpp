@@ -166,44 +166,44 @@ TEST_P(Invariants, GravityForceIsTheSlopeOfThePotentialEnergy) {
 }
 
 /// Position, velocity and the work of the joint forces.
-struct Run {
+struct Course {
   Vector q;
   Vector qd;
   double work = 0;
 };
 
 /// RK4 with the joint forces tau(t) = amplitude * sin(t).
-Run integrate(const Dynamics& dynamics, Run run, const Vector& amplitude, double duration,
-              int steps) {
+Course integrate(const Dynamics& dynamics, Course run, const Vector& amplitude, double duration,
+                 int steps) {
   const double h = duration / steps;
-  const auto rate = [&](const Run& at, double t) {
+  const auto rate = [&](const Course& at, double t) {
     const Vector tau = amplitude * std::sin(t);
-    return Run{at.qd, dynamics.acceleration(at.q, at.qd, tau), at.qd.dot(tau)};
+    return Course{at.qd, dynamics.acceleration(at.q, at.qd, tau), at.qd.dot(tau)};
   };
-  const auto moved = [](const Run& from, const Run& by, double s) {
-    return Run{from.q + s * by.q, from.qd + s * by.qd, from.work + s * by.work};
+  const auto moved = [](const Course& from, const Course& by, double s) {
+    return Course{from.q + s * by.q, from.qd + s * by.qd, from.work + s * by.work};
   };
   for (int k = 0; k < steps; ++k) {
     const double t = k * h;
-    const Run k1 = rate(run, t);
-    const Run k2 = rate(moved(run, k1, h / 2), t + h / 2);
-    const Run k3 = rate(moved(run, k2, h / 2), t + h / 2);
-    const Run k4 = rate(moved(run, k3, h), t + h);
+    const Course k1 = rate(run, t);
+    const Course k2 = rate(moved(run, k1, h / 2), t + h / 2);
+    const Course k3 = rate(moved(run, k2, h / 2), t + h / 2);
+    const Course k4 = rate(moved(run, k3, h), t + h);
     run = moved(moved(moved(moved(run, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
   }
   return run;
 }
 
 /// |E(end) - E(start) - work| of a run.
-double energy_defect(const Dynamics& dynamics, const Run& start, const Vector& amplitude,
+double energy_defect(const Dynamics& dynamics, const Course& start, const Vector& amplitude,
                      int steps) {
-  const Run end = integrate(dynamics, start, amplitude, 0.02, steps);
+  const Course end = integrate(dynamics, start, amplitude, 0.02, steps);
   return std::fabs(dynamics.energy(end.q, end.qd) - dynamics.energy(start.q, start.qd) - end.work);
 }
 
 TEST_P(Invariants, EnergyGrowsByTheWorkOfTheJointForces) {
   const auto [q, qd] = state(dynamics_.dof());
-  const Run start{q, qd, 0};
+  const Course start{q, qd, 0};
   const double scale = dynamics_.G(q).cwiseAbs().maxCoeff() + dynamics_.A(q).cwiseAbs().maxCoeff();
   const Vector amplitude = 0.1 * scale * Vector::Ones(q.size());
   const double coarse = energy_defect(dynamics_, start, amplitude, 50);
@@ -218,15 +218,15 @@ TEST_P(Invariants, HorizontalMomentumOfAFreeRobotIsConserved) {
     return;  // the ground takes the momentum
   }
   const auto [q, qd] = state(dynamics_.dof());
-  const auto momentum = [&](const Run& run) {
+  const auto momentum = [&](const Course& run) {
     return Vector((dynamics_.A(run.q) * run.qd).head(3));
   };
-  const Run start{q, qd, 0};
+  const Course start{q, qd, 0};
   const Vector none = Vector::Zero(q.size());
   const double duration = 0.02;
   const double weight = dynamics_.G(q)[2];  // d/dt p_z = -m g
   const auto defect = [&](int steps) {
-    const Run end = integrate(dynamics_, start, none, duration, steps);
+    const Course end = integrate(dynamics_, start, none, duration, steps);
     const Vector expected = momentum(start) - Vector::Unit(3, 2) * weight * duration;
     return (momentum(end) - expected).cwiseAbs().maxCoeff();
   };
@@ -237,7 +237,7 @@ TEST_P(Invariants, HorizontalMomentumOfAFreeRobotIsConserved) {
 
 INSTANTIATE_TEST_SUITE_P(Models, Invariants,
                          testing::ValuesIn(support::committed_models(TREEDYN_SOURCE_DIR)),
-                         [](const auto& info) { return support::test_name(info.param); });
+                         [](const auto& model) { return support::test_name(model.param); });
 
 }  // namespace
 }  // namespace treedyn
