@@ -15,7 +15,9 @@ std::atomic<long> g_allocations{0};
 
 // Eigen allocates with malloc, the standard library with operator new, which calls malloc.
 #if defined(__SANITIZE_ADDRESS__)
-#include <sanitizer/allocator_interface.h>
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*,
+                                                                  std::size_t),
+                                                         void (*)(const volatile void*));
 namespace {
 void count(const volatile void* /*memory*/, std::size_t /*size*/) { ++g_allocations; }
 void ignore(const volatile void* /*memory*/) {}
