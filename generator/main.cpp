@@ -1,4 +1,5 @@
 // The command line: options to pipeline, results to the user. Nothing else prints.
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -372,6 +373,20 @@ int usage_error(const std::string& message) {
   return kUsage;
 }
 
+/// CLI11 takes an unknown command for a positional argument and says less.
+void require_known_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  if (!word.empty() && word.front() != '-' &&
+      std::find(names.begin(), names.end(), word) == names.end()) {
+    throw CLI::ParseError(fmt::format("there is no command {}; expected one of {}", shown(word),
+                                      fmt::join(names, ", ")),
+                          kUsage);
+  }
+}
+
 int main_without_exceptions(int argc, char** argv) {
   Settings settings;
   CLI::App app("Flat C++ functions for the dynamics of tree-structured robots.", "treedyn");
@@ -379,6 +394,7 @@ int main_without_exceptions(int argc, char** argv) {
   app.require_subcommand(1);
   add_commands(app, settings);
   try {
+    require_known_command(app, argc > 1 ? argv[1] : "");
     app.parse(argc, argv);
     const bool writes = app.got_subcommand("generate") && settings.dump.empty();
     if (writes || app.got_subcommand("check") || app.got_subcommand("outputs")) {

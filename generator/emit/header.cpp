@@ -100,8 +100,10 @@ std::vector<std::string> point_identifiers(const std::vector<model::Point>& poin
 }
 
 std::string array_doc(const program::Array& array, bool output, std::size_t name_width) {
-  return wrapped(array.unit, fmt::format("/// \\param{} {:{}}  {}, ", output ? "[out]" : "     ",
-                                         array.name, name_width, array.size));
+  const std::string unit = array.unit.empty() ? "" : fmt::format(", {}", array.unit);
+  return wrapped(
+      fmt::format("{}{}", array.size, unit),
+      fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name, name_width));
 }
 
 std::string function_doc(const program::Function& function) {

@@ -87,18 +87,21 @@ std::string for_comment(std::string_view text, std::size_t longest) {
 
 std::vector<std::string> shortened(const std::vector<std::string>& identifiers,
                                    std::size_t longest) {
+  const std::set<std::string> originals(identifiers.begin(), identifiers.end());
   std::vector<std::string> result;
   std::set<std::string> taken;
   for (const std::string& identifier : identifiers) {
     std::string name = without_link_ending(identifier);
+    name = originals.contains(name) ? identifier : name;
     if (name.size() > longest) {
       name = shorter_words(name, longest);
     }
-    if (name.empty() || !taken.insert(name).second) {
-      name = identifier.size() <= longest ? identifier : std::string();
-      for (std::size_t n = result.size(); name.empty() || !taken.insert(name).second; ++n) {
-        name = fmt::format("b{}", n);
-      }
+    const bool is_anothers = name != identifier && originals.contains(name);
+    if (name.empty() || is_anothers || !taken.insert(name).second) {
+      int n = static_cast<int>(result.size());
+      do {
+        name = fmt::format("b{}", n++);
+      } while (originals.contains(name) || !taken.insert(name).second);
     }
     result.push_back(name);
   }

@@ -1,0 +1,296 @@
+// The real program: exit codes, messages, files.
+#include <sys/stat.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace treedyn {
+namespace {
+
+namespace fs = std::filesystem;
+
+using support::Outcome;
+using support::read_file;
+using support::write_file;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kModel = TREEDYN_SOURCE_DIR "/models/two_link.yaml";
+
+class Cli : public testing::Test {
+ protected:
+  static Outcome treedyn(std::vector<std::string> arguments, const std::string& input = {}) {
+    arguments.insert(arguments.begin(), TREEDYN_EXECUTABLE);
+    return support::run(arguments, input);
+  }
+  std::string out() const { return (folder_.path() / "out").string(); }
+  fs::path file(const std::string& name) const { return folder_.path() / "out" / name; }
+  std::string scratch(const std::string& name) const { return (folder_.path() / name).string(); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(out()), fs::directory_iterator()));
+  }
+  /// A model with one joint and the given lines beside it.
+  std::string one_joint(const std::string& mass) const {
+    write_file(scratch("one.yaml"),
+               "name: one\nlinks:\n  - name: a\n    father: ground\n    joint: {name: j, type: "
+               "revolute, axis: [0, 0, 1]}\n    mass: " +
+                   mass + "\n");
+    return scratch("one.yaml");
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+void expect_usage_error(const Outcome& outcome, const std::string& what) {
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr(what));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(Cli, WritesThreeFilesAndSaysNothing) {
+  const Outcome outcome = treedyn({"generate", kModel, "-o", out()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_EQ(files(), 3U);
+  EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("//   treedyn generate two_link.yaml\n"));
+}
+
+TEST_F(Cli, ReadsYamlFromStandardInput) {
+  const Outcome outcome = treedyn({"generate", "-", "-o", out()}, read_file(kModel));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"model\": {\"file\": \"-\""));
+}
+
+TEST_F(Cli, DoesNotTouchFilesThatWouldNotChange) {
+  treedyn({"generate", kModel, "-o", out()});
+  struct stat before {};
+  ::stat(file("two_link.hpp").c_str(), &before);
+  treedyn({"generate", kModel, "-o", out()});
+  struct stat after {};
+  ::stat(file("two_link.hpp").c_str(), &after);
+  EXPECT_EQ(before.st_ino, after.st_ino);
+  EXPECT_EQ(before.st_mtim.tv_nsec, after.st_mtim.tv_nsec);
+}
+
+TEST_F(Cli, NamesTheOutputsWithoutWritingThem) {
+  const Outcome outcome = treedyn({"outputs", kModel, "--name", "arm", "-o", out()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, file("arm.hpp").string() + "\n" + file("arm.cpp").string() + "\n" +
+                             file("arm.json").string() + "\n");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Cli, WritesADependencyFile) {
+  treedyn({"generate", kModel, "-o", out(), "--depfile", scratch("d.d")});
+  EXPECT_EQ(read_file(scratch("d.d")), file("two_link.hpp").string() + " " +
+                                           file("two_link.cpp").string() + " " +
+                                           file("two_link.json").string() + ": " + kModel + "\n");
+}
+
+TEST_F(Cli, ChecksThatFilesAreUpToDate) {
+  treedyn({"generate", kModel, "-o", out()});
+  const Outcome outcome = treedyn({"check", kModel, "-o", out()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST_F(Cli, ShowsWhatDiffersWhatIsMissingAndWhatIsSurplus) {
+  treedyn({"generate", kModel, "-o", out()});
+  const std::string source = read_file(file("two_link.cpp"));
+  write_file(file("old_name.cpp"), source);
+  write_file(file("mine.cpp"), "int mine();\n");
+  write_file(file("two_link.cpp"), source + "// edited\n");
+  fs::remove(file("two_link.hpp"));
+  const Outcome outcome = treedyn({"check", kModel, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("missing: " + file("two_link.hpp").string() + "\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("surplus: " + file("old_name.cpp").string() + "\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("--- " + file("two_link.cpp").string() + "\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n }  // namespace two_link\n-// edited\n"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("to update: treedyn generate " + kModel + " -o " + out() + "\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("mine.cpp")));
+  EXPECT_EQ(read_file(file("two_link.cpp")), source + "// edited\n");
+}
+
+TEST_F(Cli, LetsModelsShareAFolder) {
+  treedyn({"generate", kModel, "-o", out()});
+  treedyn({"generate", TREEDYN_SOURCE_DIR "/models/polar.yaml", "-o", out()});
+  EXPECT_EQ(treedyn({"check", kModel, "-o", out()}).status, 0);
+}
+
+TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
+  treedyn({"generate", kModel, "-o", out()});
+  std::string source = read_file(file("two_link.cpp"));
+  const std::size_t at = source.find("A[3] = 22.5;");
+  ASSERT_NE(at, std::string::npos);
+  write_file(file("two_link.cpp"), source.replace(at, 12, "A[3] = 23.0;"));
+  const Outcome outcome = treedyn({"check", kModel, "-o", out(), "--numeric"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("numeric: mass_matrix: largest distance 0.5,"));
+  EXPECT_THAT(outcome.out, HasSubstr("numeric: bias_force: largest distance 0,"));
+}
+
+TEST_F(Cli, ReturnsTwoForWrongUsage) {
+  expect_usage_error(treedyn({}), "subcommand");
+  expect_usage_error(treedyn({"generate"}), "MODEL");
+  expect_usage_error(treedyn({"generate", kModel}), "-o DIR");
+  expect_usage_error(treedyn({"simulate", kModel}), "simulate");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--no-such-option"}, "--no-such-option"},
+      {{"--scalar", "half"}, "half"},
+      {{"--base", "free"}, "--base"},
+      {{"--base", "wheels"}, "wheels"},
+      {{"--mimic", "never"}, "never"},
+      {{"--functions", "mass_matrix,no_such"}, "no_such"},
+      {{"--functions", ""}, "--functions"},
+      {{"--gravity", "0,0"}, "--gravity"},
+      {{"--gravity", "0,0,x"}, "--gravity"},
+      {{"--snap", "much"}, "--snap"},
+      {{"--snap=-1"}, "--snap"},
+      {{"--effort", "-1"}, "--effort"},
+      {{"--effort", "all"}, "--effort"},
+      {{"--name", "3d"}, "--name"},
+      {{"--name", "class"}, "--name"},
+      {{"--name", "std"}, "--name"},
+      {{"--forward-dynamics", "magic"}, "magic"},
+  };
+  for (const auto& [options, what] : wrong) {
+    std::vector<std::string> arguments = {"generate", kModel, "-o", out()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expect_usage_error(treedyn(arguments), what);
+  }
+  expect_usage_error(treedyn({"list", "robots"}), "robots");
+  expect_usage_error(treedyn({"vet", kModel, "--error-format", "xml"}), "xml");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Cli, ReturnsOneAndWritesNothingForWrongInput) {
+  const std::string model = scratch("bad.yaml");
+  write_file(model, "name: bad\nlinks: [{name: a, father: nobody}]\n");
+  const Outcome outcome = treedyn({"generate", model, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, StartsWith(model + ":2:"));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  EXPECT_FALSE(fs::exists(out()));
+  EXPECT_EQ(treedyn({"generate", scratch("nothing.yaml"), "-o", out()}).status, 1);
+  EXPECT_EQ(treedyn({"generate", kModel, "--points", "tip=nowhere", "-o", out()}).status, 1);
+}
+
+TEST_F(Cli, RefusesForwardDynamicsOfAJointWithoutInertia) {
+  const std::string model = one_joint("0");
+  const Outcome outcome = treedyn({"generate", model, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("joint 'j'"));
+  const Outcome without = treedyn({"generate", model, "--functions", "mass_matrix", "-o", out()});
+  EXPECT_EQ(without.status, 0);
+  EXPECT_THAT(without.err, HasSubstr("warning: joint 'j'"));
+  EXPECT_EQ(treedyn({"generate", model, "--functions", "mass_matrix", "-q", "-o", out()}).err, "");
+}
+
+TEST_F(Cli, RefusesPointFunctionsWithoutPoints) {
+  const Outcome outcome =
+      treedyn({"generate", one_joint("1"), "--functions", "point_positions", "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("point_positions"));
+}
+
+TEST_F(Cli, ReportsFoldersThatCannotBeWritten) {
+  write_file(scratch("file"), "");
+  for (const std::string& folder : {scratch("file"), scratch("file") + "/below"}) {
+    const Outcome outcome = treedyn({"generate", kModel, "-o", folder});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("cannot"));
+  }
+  fs::create_directories(file("two_link.json"));  // a folder stands where a file should
+  const Outcome outcome = treedyn({"generate", kModel, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(files(), 1U);
+}
+
+/// Runs the program with files limited to some kilobytes: what a full disk looks like to it.
+Outcome with_small_disk(const std::string& arguments) {
+  return support::run({"sh", "-c", "ulimit -f 2; exec " TREEDYN_EXECUTABLE " " + arguments});
+}
+
+TEST_F(Cli, LeavesNothingHalfWrittenOnAFullDisk) {
+  const Outcome fresh = with_small_disk("generate " + kModel + " -o " + out() + "/deep");
+  EXPECT_EQ(fresh.status, 1);
+  EXPECT_THAT(fresh.err, HasSubstr("cannot write"));
+  EXPECT_FALSE(fs::exists(out()));
+
+  treedyn({"generate", kModel, "-o", out()});
+  const std::string before = read_file(file("two_link.hpp"));
+  const Outcome again = with_small_disk("generate " + kModel + " --gravity 0,0,1 -o " + out());
+  EXPECT_EQ(again.status, 1);
+  EXPECT_EQ(read_file(file("two_link.hpp")), before);
+  EXPECT_EQ(files(), 3U);
+}
+
+TEST_F(Cli, ReportsAFullStandardOutput) {
+  const Outcome outcome =
+      support::run({"sh", "-c", TREEDYN_EXECUTABLE " info " + kModel + " > /dev/full"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("standard output"));
+}
+
+TEST_F(Cli, VetsInThreeFormats) {
+  EXPECT_EQ(treedyn({"vet", kModel}).status, 0);
+  const std::string model = scratch("bad.yaml");
+  write_file(model, "name: bad\nlinks: [{name: a, father: nobody}]\n");
+  const Outcome text = treedyn({"vet", model});
+  EXPECT_EQ(text.status, 1);
+  EXPECT_THAT(text.out, StartsWith(model + ":2:"));
+  EXPECT_THAT(treedyn({"vet", model, "--error-format", "gcc"}).out, HasSubstr(": error: "));
+  EXPECT_THAT(treedyn({"vet", model, "--error-format", "json"}).out,
+              HasSubstr("\"severity\": \"error\""));
+}
+
+TEST_F(Cli, TellsVersionHelpAndNames) {
+  EXPECT_THAT(treedyn({"--version"}).out, StartsWith("treedyn "));
+  const Outcome help = treedyn({"--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, HasSubstr("generate"));
+  EXPECT_THAT(treedyn({"list", "functions"}).out, HasSubstr("mass_matrix "));
+  EXPECT_EQ(treedyn({"list", "integrators"}).status, 0);
+}
+
+TEST_F(Cli, TellsAboutAModel) {
+  const Outcome text = treedyn({"info", kModel});
+  EXPECT_EQ(text.status, 0);
+  EXPECT_THAT(text.out, HasSubstr("two_link: 2 joints"));
+  EXPECT_THAT(text.out, HasSubstr("  x.  upper_arm\n  xx  forearm\n"));
+  EXPECT_THAT(treedyn({"info", kModel, "--json"}).out, HasSubstr("\"dof\": 2"));
+  EXPECT_THAT(treedyn({"info", kModel, "--equations"}).out, HasSubstr("c_fD = l_D + c^d D"));
+}
+
+TEST_F(Cli, PrintsWhatLeavesAStage) {
+  EXPECT_THAT(treedyn({"generate", kModel, "--dump", "model"}).out,
+              HasSubstr("link 1 forearm father 0"));
+  EXPECT_THAT(treedyn({"generate", kModel, "--dump", "program"}).out,
+              HasSubstr("function mass_matrix\n"));
+  EXPECT_THAT(treedyn({"generate", kModel, "--dump", "emit"}).out,
+              HasSubstr("namespace two_link {"));
+}
+
+TEST_F(Cli, RepeatsTheOptionsThatMatterInTheHeader) {
+  treedyn({"generate", kModel, "-o", out(), "--scalar", "float", "--base", "fixed", "--effort", "0",
+           "--gravity", "0,-9.81,0", "--points", "tip=forearm:1,0,0", "--functions",
+           "mass_matrix"});
+  EXPECT_THAT(
+      read_file(file("two_link.hpp")),
+      HasSubstr("//   treedyn generate two_link.yaml --scalar float --functions mass_matrix "
+                "--points\n//       tip=forearm:1,0,0 --gravity 0,-9.81,0 --effort 0\n"));
+}
+
+}  // namespace
+}  // namespace treedyn

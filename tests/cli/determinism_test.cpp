@@ -1,0 +1,59 @@
+// The same bytes on every run: 20 fresh processes with randomised addresses, two locales, two
+// working directories.
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace treedyn {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kModels = TREEDYN_SOURCE_DIR "/models";
+
+/// Everything in a folder, one file after the other by name.
+std::string content(const fs::path& folder) {
+  std::string result;
+  for (const char* name : {"puma560.hpp", "puma560.cpp", "puma560.json"}) {
+    result += support::read_file(folder / name);
+  }
+  return result;
+}
+
+/// What generate writes for puma560 when a shell starts it like this.
+std::string generated(const std::string& before, const std::string& model) {
+  const support::TemporaryFolder folder;
+  const support::Outcome outcome = support::run(
+      {"sh", "-c",
+       before + " " TREEDYN_EXECUTABLE " generate " + model + " -q -o " + folder.path().string()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return content(folder.path());
+}
+
+TEST(Determinism, AddressesAreRandomised) {
+  std::ifstream setting("/proc/sys/kernel/randomize_va_space");
+  int value = 0;
+  setting >> value;
+  EXPECT_GT(value, 0) << "the next test proves less than it says";
+}
+
+TEST(Determinism, TwentyRunsWriteTheSameBytes) {
+  const std::string first = generated("", kModels + "/puma560.yaml");
+  EXPECT_GT(first.size(), 10000U);
+  for (int run = 1; run < 20; ++run) {
+    ASSERT_EQ(generated("", kModels + "/puma560.yaml"), first);
+  }
+}
+
+TEST(Determinism, LocaleAndWorkingDirectoryDoNotMatter) {
+  const std::string first = generated("LC_ALL=C", kModels + "/puma560.yaml");
+  EXPECT_EQ(generated("LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8", kModels + "/puma560.yaml"), first);
+  EXPECT_EQ(generated("cd " + kModels + " &&", "puma560.yaml"), first);
+  EXPECT_EQ(generated("cd / &&", "." + kModels + "/puma560.yaml"), first);
+}
+
+}  // namespace
+}  // namespace treedyn

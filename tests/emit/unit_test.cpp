@@ -1,0 +1,279 @@
+// Whole generated files: what they compute, what they cost, and how compilers and clang-format see
+// them.
+#include "emit/unit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program/interpret.hpp"
+#include "program/random_function.hpp"
+#include "support/compiled.hpp"
+#include "support/process.hpp"
+#include "support/states.hpp"
+
+namespace treedyn::emit {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+model::Tree tree(const std::vector<std::string>& names) {
+  model::Tree result;
+  result.name = "robot";
+  for (const std::string& name : names) {
+    model::Link link;
+    link.name = name;
+    link.father = result.size() - 1;
+    link.joint.name = name;
+    link.joint.identifier = fmt::format("j{}", result.size());
+    result.coordinates.push_back(result.size());
+    result.drives.push_back({result.size(), 1, 0});
+    result.links.push_back(link);
+  }
+  return result;
+}
+
+model::Tree plain_tree(int links) {
+  std::vector<std::string> names;
+  for (int i = 0; i < links; ++i) {
+    names.push_back(fmt::format("link_{}", i));
+  }
+  return tree(names);
+}
+
+Unit unit(const model::Tree& tree, const program::Function& function,
+          Scalar scalar = Scalar::kDouble) {
+  Unit result;
+  result.name = "robot";
+  result.tree = &tree;
+  result.functions = {function};
+  result.functions[0].signature.brief = "What the test says.";
+  result.functions[0].signature.equation = "(0)";
+  result.scalar = scalar;
+  result.command = {"treedyn", "generate", "robot.yaml"};
+  result.tool = "treedyn test";
+  result.model_file = "robot.yaml";
+  result.options = {{"scalar", fmt::format("\"{}\"", type_name(scalar))}, {"base", "\"fixed\""}};
+  return result;
+}
+
+void write(const std::filesystem::path& folder, const Unit& unit) {
+  for (const File& file : emit_files(unit)) {
+    support::write_file(folder / file.name, file.text);
+  }
+}
+
+/// A function of four joints with what emission treats in a special way: outputs that are equal,
+/// negative, zero, constant, an input, used elsewhere.
+program::Function special_function() {
+  program::Function f;
+  program::Graph& g = f.graph;
+  f.signature = {"special", "(0)", "Special.", {{"q", 4, "rad"}, {"qd", 4, ""}}, {{"A", 12, ""}}};
+  const program::Ref s = g.sin(g.input(0, 0));
+  const program::Ref c = g.cos(g.input(0, 0));
+  const program::Ref difference = g.add(g.multiply(s, g.input(0, 1)), -c);
+  const program::Ref inverse = g.divide(g.constant(1), g.add(g.constant(2), g.multiply(c, c)));
+  const program::Ref root = g.sqrt(g.add(g.constant(3), g.multiply(s, s)));
+  f.outputs = {difference,
+               -difference,
+               0,
+               g.constant(Real(1) / 3),
+               g.input(0, 2),
+               -g.input(0, 2),
+               inverse,
+               -inverse,
+               -root,
+               -g.constant(2),
+               g.add(root, -inverse),
+               -g.add(s, -g.multiply(c, root))};
+  return f;
+}
+
+/// Values and operation counts of compiled code against the interpreter and the graph.
+void expect_same_as_program(const program::Function& function, int links, Scalar scalar) {
+  const model::Tree robot = plain_tree(links);
+  const support::TemporaryFolder folder;
+  write(folder.path(), unit(robot, function, scalar));
+  const support::CompiledModel code(folder.path(), "robot", support::Variant::kMeasured);
+  support::Random random(3);
+  support::CompiledModel::Inputs inputs;
+  std::vector<std::span<const double>> spans;
+  for (const program::Array& array : function.signature.inputs) {
+    inputs.push_back(random.list(static_cast<std::size_t>(array.size)));
+  }
+  spans.assign(inputs.begin(), inputs.end());
+  const support::Measurement m = code.measure(function.signature.name, inputs);
+  const std::vector<double> expected = program::interpret<double>(function, spans);
+  ASSERT_EQ(m.values.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_LE(std::abs(m.values[k] - expected[k]), 2 * m.bounds[k] + 1e-13 * std::abs(expected[k]))
+        << k;
+  }
+  const program::Cost cost = program::cost(function);
+  EXPECT_EQ(m.operations,
+            (std::array<long, 6>{cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos}));
+  EXPECT_EQ(m.operations, code.manifest().function(function.signature.name).operations);
+}
+
+TEST(EmitFiles, ComputesSpecialOutputsLikeTheProgram) {
+  expect_same_as_program(special_function(), 4, Scalar::kDouble);
+  expect_same_as_program(special_function(), 4, Scalar::kFloat);
+}
+
+TEST(EmitFiles, ComputesRandomFunctionsLikeTheProgramAtTheSameCost) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    expect_same_as_program(program::random_function(seed, 300), 4, Scalar::kDouble);
+  }
+}
+
+TEST(EmitFiles, ComputesSplitFunctionsLikeTheProgramAtTheSameCost) {
+  expect_same_as_program(program::spatial_chain(30), 30, Scalar::kDouble);
+  expect_same_as_program(program::random_function(4, 3000), 4, Scalar::kDouble);
+}
+
+TEST(EmitFiles, WritesEqualNegativeAndZeroOutputsAsAssignments) {
+  const model::Tree robot = plain_tree(4);
+  const std::string source = emit_files(unit(robot, special_function()))[1].text;
+  EXPECT_THAT(source, HasSubstr("A[0] = s_j0 * q[1] - c_j0;\n  A[1] = -A[0];"));
+  EXPECT_THAT(source, HasSubstr("A[2] = 0.0;"));
+  EXPECT_THAT(source, HasSubstr("A[3] = 0.3333333333333333;"));
+  EXPECT_THAT(source, HasSubstr("A[5] = -q[2];"));
+  EXPECT_THAT(source, HasSubstr("const Scalar /*qd*/[4]"));
+}
+
+TEST(EmitFiles, WritesFloatLiteralsOnlyInFloatCode) {
+  const model::Tree robot = plain_tree(4);
+  const std::string source = emit_files(unit(robot, special_function(), Scalar::kFloat))[1].text;
+  EXPECT_THAT(source, HasSubstr("0.33333334f"));
+  EXPECT_THAT(source, Not(ContainsRegex("[0-9][.][0-9]+[^0-9f]")));
+}
+
+TEST(EmitFiles, SplitsALargeFunctionIntoPartsOfAtMost400Statements) {
+  const model::Tree robot = plain_tree(40);
+  std::istringstream source(emit_files(unit(robot, program::spatial_chain(40)))[1].text);
+  int parts = 0;
+  int lines = 0;
+  for (std::string line; std::getline(source, line);) {
+    if (line.starts_with("[[gnu::noinline]]")) {
+      ++parts;
+      lines = 0;
+    }
+    lines += line.ends_with(';') && !line.starts_with("  w.") ? 1 : 0;
+    EXPECT_LE(lines, 400);
+    EXPECT_LE(line.size(), 100U);
+  }
+  EXPECT_GE(parts, 5);
+}
+
+TEST(EmitFiles, NumbersTheTemporariesOfEveryBodyFromOne) {
+  const model::Tree robot = plain_tree(2);
+  program::Function f;
+  f.signature = {"f", "", "F.", {{"q", 2, ""}}, {{"B", 4, ""}}};
+  for (const int body : {1, 0}) {
+    f.graph.set_body(body);
+    const program::Ref x = f.graph.multiply(f.graph.input(0, body), f.graph.input(0, body));
+    f.outputs.push_back(f.graph.add(x, f.graph.constant(1)));
+    f.outputs.push_back(f.graph.multiply(x, f.graph.constant(3)));
+  }
+  const std::string source = emit_files(unit(robot, f))[1].text;
+  EXPECT_THAT(source, HasSubstr("const Scalar t_link_1_1 = q[1] * q[1];"));
+  EXPECT_THAT(source, HasSubstr("const Scalar t_link_0_1 = q[0] * q[0];"));
+}
+
+constexpr const char* kWarnings =
+    "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion "
+    "-Wold-style-cast -Wnull-dereference -Wnon-virtual-dtor -Woverloaded-virtual -Wundef "
+    "-Wformat=2 "
+    "-Wimplicit-fallthrough -Wmissing-declarations -Wredundant-decls -Wextra-semi -Wfloat-equal "
+    "-Wvla -Walloca -Werror -fno-exceptions -fno-rtti -fno-math-errno -std=c++17 -O2 -c -o "
+    "/dev/null";
+constexpr const char* kOnlyGnu =
+    "-Wuseless-cast -Wduplicated-cond -Wduplicated-branches -Wlogical-op -Wcast-align=strict";
+
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> result;
+  for (std::string word; stream >> word;) {
+    result.push_back(word);
+  }
+  return result;
+}
+
+void expect_no_warnings(const std::filesystem::path& source) {
+  for (const char* compiler : {"g++", "clang++"}) {
+    std::vector<std::string> command = words(fmt::format(
+        "{} {} {}", compiler, kWarnings, std::string_view(compiler) == "g++" ? kOnlyGnu : ""));
+    command.push_back(source.string());
+    const support::Outcome outcome = support::run(command);
+    EXPECT_EQ(outcome.status, 0) << compiler << "\n" << outcome.err.substr(0, 2000);
+  }
+}
+
+void expect_formatted(const std::filesystem::path& file) {
+  const std::string text = support::read_file(file);
+  const support::Outcome outcome = support::run(
+      {"clang-format", "--style=file:" TREEDYN_SOURCE_DIR "/.clang-format", file.string()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto [ours, theirs] =
+      std::mismatch(text.begin(), text.end(), outcome.out.begin(), outcome.out.end());
+  EXPECT_TRUE(text == outcome.out) << "from here clang-format writes\n"
+                                   << std::string(theirs, outcome.out.end()).substr(0, 300);
+}
+
+void expect_clean(const Unit& unit) {
+  const support::TemporaryFolder folder;
+  write(folder.path(), unit);
+  expect_no_warnings(folder.path() / "robot.cpp");
+  expect_formatted(folder.path() / "robot.cpp");
+  expect_formatted(folder.path() / "robot.hpp");
+}
+
+TEST(EmitFiles, CompilesWithoutWarningsAndIsFormatted) {
+  const model::Tree four = plain_tree(4);
+  expect_clean(unit(four, special_function()));
+  expect_clean(unit(four, special_function(), Scalar::kFloat));
+  expect_clean(unit(plain_tree(12), program::spatial_chain(12)));
+}
+
+TEST(EmitFiles, SurvivesHostileNames) {
+  model::Tree robot = tree({"PI", "E", "*/ int x;", "a\nb\\", std::string(10000, 'x'),
+                            "\xe2\x80\xae", "int", "\"", "link", "link_link"});
+  robot.name = "*/\n#error";
+  program::Function f = program::spatial_chain(10);
+  for (program::Ref k = 1; k < static_cast<program::Ref>(f.graph.size()); ++k) {
+    const program::Kind kind = f.graph.node(k).kind;
+    if (kind == program::Kind::kAdd || kind == program::Kind::kMultiply) {
+      f.graph.set_hint(k, {k % 3 == 0 ? "M" : nullptr, k % 10, k % 2 == 0 ? "2" : nullptr});
+    }
+  }
+  Unit hostile = unit(robot, f);
+  hostile.command = {"treedyn", "generate", "*/\n\\.yaml", "--points", std::string(150, 'p')};
+  hostile.points = {{"*/", "n__", "a\nb", 0, {}}};
+  expect_clean(hostile);
+}
+
+TEST(EmitFiles, IsTheSameTextEveryTime) {
+  const model::Tree robot = plain_tree(12);
+  const std::vector<File> first = emit_files(unit(robot, program::spatial_chain(12)));
+  const std::vector<File> second = emit_files(unit(robot, program::spatial_chain(12)));
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    EXPECT_EQ(first[k].text, second[k].text);
+  }
+}
+
+TEST(EmitFiles, RefusesConstantsThatFloatCannotHold) {
+  program::Function f;
+  f.signature = {"f", "", "F.", {{"q", 1, ""}}, {{"B", 1, ""}}};
+  f.outputs = {f.graph.multiply(f.graph.constant(Real("1e40")), f.graph.input(0, 0))};
+  const model::Tree robot = plain_tree(1);
+  EXPECT_THROW(emit_files(unit(robot, f, Scalar::kFloat)), std::range_error);
+}
+
+}  // namespace
+}  // namespace treedyn::emit

@@ -1,0 +1,137 @@
+#include "program/schedule.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "program/random_function.hpp"
+
+namespace treedyn::program {
+namespace {
+
+Measure wide() {
+  return {[](Ref) { return 4; },
+          [](Ref) {
+            return 80;
+          }};
+}
+
+Schedule schedule_all(const Graph& graph, const std::vector<Ref>& outputs) {
+  return schedule(graph, outputs, operations_in_order(graph, outputs, Order::kAlgorithm), wide());
+}
+
+TEST(OperationsInOrder, KeepsEveryDefinitionBeforeItsFirstUse) {
+  for (const Order order : {Order::kAlgorithm, Order::kDepthFirst}) {
+    const Function function = random_function(7, 300);
+    const std::vector<Ref> nodes = operations_in_order(function.graph, function.outputs, order);
+    std::set<Ref> done;
+    for (const Ref k : nodes) {
+      for_each_operand(function.graph.node(k), [&](Ref operand) {
+        const Kind kind = function.graph.node(operand).kind;
+        EXPECT_TRUE(kind == Kind::kConstant || kind == Kind::kInput ||
+                    done.contains(std::abs(operand)));
+      });
+      EXPECT_TRUE(done.insert(k).second);
+    }
+    const std::vector<Ref> all = reachable(function.graph, function.outputs);
+    const auto operations = std::count_if(all.begin(), all.end(), [&](Ref k) {
+      const Kind kind = function.graph.node(k).kind;
+      return kind != Kind::kConstant && kind != Kind::kInput;
+    });
+    EXPECT_EQ(nodes.size(), static_cast<std::size_t>(operations));
+  }
+}
+
+TEST(OperationsInOrder, KeepsSineAndCosineOfOneAngleTogether) {
+  Graph g;
+  const Ref q = g.input(0, 0);
+  const Ref s = g.sin(q);
+  const Ref x = g.add(g.multiply(s, s), g.input(0, 1));
+  const Ref c = g.cos(q);
+  const std::vector<Ref> outputs = {x, c};
+  for (const Order order : {Order::kAlgorithm, Order::kDepthFirst}) {
+    const std::vector<Ref> nodes = operations_in_order(g, outputs, order);
+    const auto at_s = std::find(nodes.begin(), nodes.end(), s);
+    const auto at_c = std::find(nodes.begin(), nodes.end(), c);
+    EXPECT_EQ(std::abs(at_s - at_c), 1);
+  }
+}
+
+TEST(LargestLiveCount, CountsResultsThatAreStillNeeded) {
+  Graph g;
+  const Ref a = g.sin(g.input(0, 0));
+  const Ref b = g.sin(g.input(0, 1));
+  const Ref c = g.sin(g.input(0, 2));
+  const Ref sum = g.add(g.add(a, b), c);
+  const std::vector<Ref> outputs = {sum};
+  EXPECT_EQ(largest_live_count(g, operations_in_order(g, outputs, Order::kAlgorithm)), 3);
+  EXPECT_EQ(largest_live_count(g, operations_in_order(g, outputs, Order::kDepthFirst)), 2);
+}
+
+TEST(Schedule, InlinesAProductIntoItsSum) {
+  Graph g;
+  const Ref product = g.multiply(g.input(0, 0), g.input(0, 1));
+  const Ref sum = g.add(product, g.input(0, 2));
+  const Schedule result = schedule_all(g, {sum});
+  EXPECT_TRUE(result.is_inlined(product));
+  EXPECT_EQ(result.statements, (std::vector<Ref>{sum}));
+}
+
+TEST(Schedule, GivesAValueWithTwoUsesItsOwnStatement) {
+  Graph g;
+  const Ref product = g.multiply(g.input(0, 0), g.input(0, 1));
+  const Ref first = g.add(product, g.input(0, 2));
+  const Ref second = g.add(product, g.input(0, 3));
+  const Schedule result = schedule_all(g, {first, second});
+  EXPECT_EQ(result.statements, (std::vector<Ref>{product, first, second}));
+}
+
+TEST(Schedule, GivesNamedSumsTheirOwnStatement) {
+  Graph g;
+  const Ref sum = g.add(g.input(0, 0), g.input(0, 1));
+  g.name(sum, "omega", 0, "x");
+  const Ref product = g.multiply(sum, g.input(0, 2));
+  EXPECT_EQ(schedule_all(g, {product}).statements, (std::vector<Ref>{sum, product}));
+}
+
+TEST(Schedule, MakesTwoStatementsOfWhatDoesNotFit) {
+  Graph g;
+  const Ref left = g.multiply(g.input(0, 0), g.input(0, 1));
+  const Ref right = g.multiply(g.input(0, 2), g.input(0, 3));
+  const Ref sum = g.add(left, right);
+  const std::vector<Ref> outputs = {sum};
+  const Measure narrow = {[](Ref) { return 4; },
+                          [](Ref) {
+                            return 20;
+                          }};
+  const Schedule result =
+      schedule(g, outputs, operations_in_order(g, outputs, Order::kAlgorithm), narrow);
+  EXPECT_EQ(result.statements.size(), 2U);
+  EXPECT_NE(result.is_inlined(left), result.is_inlined(right));
+}
+
+TEST(Shape, PutsParenthesesWhereTheGraphGroupsOtherwise) {
+  Graph g;
+  const Ref a = g.input(0, 0);
+  const Ref b = g.input(0, 1);
+  const Ref c = g.input(0, 2);
+  const Ref difference = g.add(a, -g.add(b, c));
+  const Schedule one = schedule_all(g, {difference});
+  EXPECT_TRUE(shape(g, g.node(difference), one).second_in_parentheses);
+  const Ref quotient = g.divide(a, g.multiply(b, c));
+  const Schedule two = schedule_all(g, {quotient});
+  EXPECT_TRUE(shape(g, g.node(quotient), two).second_in_parentheses);
+}
+
+TEST(Shape, SwapsASumToTheFrontInsteadOfParentheses) {
+  Graph g;
+  const Ref a = g.input(0, 0);
+  const Ref sum = g.add(a, g.add(g.input(0, 1), g.input(0, 2)));
+  const Shape form = shape(g, g.node(sum), schedule_all(g, {sum}));
+  EXPECT_TRUE(form.swapped);
+  EXPECT_FALSE(form.first_in_parentheses || form.second_in_parentheses);
+}
+
+}  // namespace
+}  // namespace treedyn::program
