@@ -77,9 +77,9 @@ Numbers reordered_matrix(const Numbers& values, std::size_t width,
 
 model::Link read_link(const json& file, std::size_t i, int father) {
   model::Link link;
-  link.name = "link" + std::to_string(i + 1);
+  link.name = std::string("link").append(std::to_string(i + 1));
   link.father = father;
-  link.joint.name = "joint" + std::to_string(i + 1);
+  link.joint.name = std::string("joint").append(std::to_string(i + 1));
   link.joint.identifier = link.joint.name;
   link.joint.type = file.at("sigma").at(i).get<int>() == 1 ? model::JointType::kRevolute
                                                            : model::JointType::kPrismatic;
@@ -102,7 +102,7 @@ void read_tree(const json& file, const std::vector<std::size_t>& order, GoldenCa
     golden.tree.drives.push_back({static_cast<int>(k), 1, 0});
     golden.tree.coordinates.push_back(static_cast<int>(k));
     model::Point point;
-    point.name = "t" + std::to_string(i + 1);
+    point.name = std::string("t").append(std::to_string(i + 1));
     point.identifier = point.name;
     point.link_name = golden.tree.links.back().name;
     point.link = static_cast<int>(k);

@@ -1,6 +1,6 @@
 #include "symbolic/constant.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <string>
 
 #include <fmt/format.h>
@@ -120,7 +120,7 @@ TEST(Constants, StayWithinTheirLimits) {
 TEST(Constants, RefuseParametersThatGrowExponentially) {
   Constants constants;
   constants.define("p0", "pi + sqrt(2)");
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   std::string message;
   for (int k = 0; k < 60 && message.empty(); ++k) {
     try {
@@ -130,7 +130,7 @@ TEST(Constants, RefuseParametersThatGrowExponentially) {
     }
   }
   EXPECT_EQ(message, "expression of 8188 operations is too large; expected at most 5000");
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  EXPECT_LT(std::clock() - start, 20 * CLOCKS_PER_SEC);
 }
 
 TEST(Constants, RefuseExactNumbersThatGrowExponentially) {
