@@ -21,7 +21,8 @@ void tidy(Matrix3& tensor) {
 }
 
 /// How far the principal moments may be off by the rounding of the decimals: twice the largest row
-/// sum of six roundings (Gershgorin), and 1e-15 kg m^2 for what a CAD program leaves of zero.
+/// sum of six roundings (Gershgorin); 1e-6 of the largest entry for single precision inside of a
+/// CAD program, and 1e-15 kg m^2 for what it leaves of zero.
 Real moment_tolerance(const Numbers& written, const Matrix3& tensor) {
   const Real scale = *std::max_element(
       tensor.begin(), tensor.end(), [](const Real& a, const Real& b) { return abs(a) < abs(b); });
@@ -29,7 +30,7 @@ Real moment_tolerance(const Numbers& written, const Matrix3& tensor) {
   for (const Text& text : written.values) {
     largest = std::max(largest, NumberReader::rounding(text, abs(scale)));
   }
-  return 6 * largest + Real("1e-12") * abs(scale) + Real("1e-15");
+  return 6 * largest + Real("1e-6") * abs(scale) + Real("1e-15");
 }
 
 std::string shown(const Real& value) { return fmt::format("{:.6g}", value.convert_to<double>()); }

@@ -211,23 +211,26 @@ class Resolver {
     return joint;
   }
 
+  /// A limit; infinite and huge ones are none.
   [[nodiscard]] std::optional<Real> limit(const std::optional<Text>& text,
                                           const std::string& what) const {
     constexpr std::array<std::string_view, 6> kNone = {"inf",  "-inf",  "+inf",
                                                        ".inf", "-.inf", "+.inf"};
-    const bool none = !text || std::find(kNone.begin(), kNone.end(), text->text) != kNone.end();
+    const bool none = !text || std::find(kNone.begin(), kNone.end(), text->text) != kNone.end() ||
+                      read_decimal(text->text).error == DecimalError::kOutOfRange;
     return none ? std::nullopt : std::optional(numbers_.number(*text, what));
   }
 
-  [[nodiscard]] model::Limits limits(const RawJoint& raw, const std::string& name) const {
+  model::Limits limits(const RawJoint& raw, const std::string& name) {
     model::Limits result{limit(raw.limits.lower, name + ": lower limit"),
                          limit(raw.limits.upper, name + ": upper limit"),
                          limit(raw.limits.velocity, name + ": velocity limit"),
                          limit(raw.limits.effort, name + ": effort limit")};
     if (result.lower && result.upper && *result.lower > *result.upper) {
-      fail(raw.limits.lower->where,
-           fmt::format("{}: lower limit {} is above the upper limit {}; expected lower <= upper",
-                       name, shown(raw.limits.lower->text), shown(raw.limits.upper->text)));
+      tree_.warnings.push_back(
+          {location(raw_, raw.limits.lower->where),
+           fmt::format("{}: lower limit {} is above the upper limit {}", name,
+                       shown(raw.limits.lower->text), shown(raw.limits.upper->text))});
     }
     return result;
   }

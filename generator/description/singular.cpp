@@ -173,10 +173,87 @@ std::vector<bool> zero_pivots(const model::Tree& tree) {
   return zero;
 }
 
+/// A(q) of the independent joints, A_r = T^T A T, by composite bodies (EQUATIONS.md 7.3); dense,
+/// row-major.
+std::vector<Real> reduced_mass_matrix(const model::Tree& tree) {
+  const auto n = static_cast<std::size_t>(tree.dof());
+  std::vector<Real> a(n * n, Real(0));
+  const auto add_entry = [&](int i, int j, const Real& value) {
+    const model::Drive& row = tree.drives[index(i)];
+    const model::Drive& column = tree.drives[index(j)];
+    a[index(row.coordinate) * n + index(column.coordinate)] +=
+        row.multiplier * column.multiplier * value;
+  };
+  std::vector<Spatial> composite;
+  for (const model::Link& link : tree.links) {
+    composite.push_back(spatial_inertia(link.inertia));
+  }
+  const auto position = [&](int i) {
+    const model::Drive& drive = tree.drives[index(i)];
+    return Real(drive.multiplier * general_position(drive.coordinate) + drive.offset);
+  };
+  for (int i = tree.size() - 1; i >= 0; --i) {
+    const model::Link& link = tree.links[index(i)];
+    Motion force = product(composite[index(i)], joint_motion(link.joint));
+    add_entry(i, i, dot(joint_motion(link.joint), force));
+    for (int j = i; tree.links[index(j)].father != model::kGround;) {
+      force = product(transposed(to_link(tree.links[index(j)].joint, position(j))), force);
+      j = tree.links[index(j)].father;
+      const Real entry = dot(joint_motion(tree.links[index(j)].joint), force);
+      add_entry(i, j, entry);
+      add_entry(j, i, entry);
+    }
+    if (link.father != model::kGround) {
+      const Spatial x = to_link(link.joint, position(i));
+      add(composite[index(link.father)], product(transposed(x), product(composite[index(i)], x)));
+    }
+  }
+  return a;
+}
+
+/// The same for joints tied by mimics: a joint counts only if its coordinate has a zero pivot in
+/// A_r.
+std::vector<bool> zero_reduced_pivots(const model::Tree& tree) {
+  const auto n = static_cast<std::size_t>(tree.dof());
+  std::vector<Real> a = reduced_mass_matrix(tree);
+  Real scale = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    scale = std::max(scale, a[k * n + k]);
+  }
+  std::vector<bool> zero(tree.links.size(), false);
+  std::vector<Real> diagonal;
+  for (std::size_t k = 0; k < n; ++k) {
+    diagonal.push_back(a[k * n + k]);
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    const Real d = a[k * n + k];
+    if (negligible(diagonal[k], scale) || d <= diagonal[k] * Real("1e-25")) {
+      zero[index(tree.coordinates[k])] = true;
+      continue;
+    }
+    for (std::size_t i = 0; i < k; ++i) {
+      const Real factor = a[k * n + i] / d;
+      for (std::size_t j = 0; j < k && factor != 0; ++j) {
+        a[i * n + j] -= factor * a[k * n + j];
+      }
+    }
+  }
+  return zero;
+}
+
+/// Where A of the model's coordinates is singular. A mimic can only add inertia to a coordinate, so
+/// the O(N) test of the free tree comes first.
+std::vector<bool> singular_joints(const model::Tree& tree) {
+  std::vector<bool> zero = zero_pivots(tree);
+  const bool tied = tree.dof() < tree.size();
+  const bool suspicious = std::find(zero.begin(), zero.end(), true) != zero.end();
+  return tied && suspicious ? zero_reduced_pivots(tree) : zero;
+}
+
 }  // namespace
 
 std::vector<Warning> joints_without_inertia(const model::Tree& tree) {
-  const std::vector<bool> zero = zero_pivots(tree);
+  const std::vector<bool> zero = singular_joints(tree);
   std::vector<Warning> result;
   for (int i = 0; i < tree.size(); ++i) {
     const model::Joint& joint = tree.links[index(i)].joint;

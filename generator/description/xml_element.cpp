@@ -15,6 +15,24 @@ namespace {
 constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxElements = 1'000'000;  // that are kept
 
+/// `text` with what urdfdom's parser tolerates and XML does not made spaces: "--" and bytes beyond
+/// ASCII inside of comments. Places stay as they are.
+std::string tolerated(std::string text) {
+  std::size_t start = text.find("<!--");
+  while (start != std::string::npos) {
+    const std::size_t end = text.find("-->", start + 4);
+    if (end == std::string::npos) {
+      break;
+    }
+    for (std::size_t k = start + 4; k < end; ++k) {
+      const bool odd = text[k] == '-' || static_cast<unsigned char>(text[k]) >= 0x80;
+      text[k] = odd ? ' ' : text[k];
+    }
+    start = text.find("<!--", end);
+  }
+  return text;
+}
+
 /// Builds the elements with a stack of its own. A mistake stops expat and is thrown after it has
 /// returned, for exceptions must not cross C code.
 class Builder {
@@ -27,7 +45,8 @@ class Builder {
     XML_SetStartDoctypeDeclHandler(parser_.get(), on_doctype);
   }
 
-  Element parse(const std::string& text) {
+  Element parse(const std::string& original) {
+    const std::string text = tolerated(original);
     const auto size = static_cast<int>(text.size());
     const XML_Status status = XML_Parse(parser_.get(), text.data(), size, XML_TRUE);
     if (problem_) {

@@ -1,7 +1,7 @@
 // What the two formats allow, what they ignore, and how fast they read.
-#include <chrono>
 #include <clocale>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <string>
 
@@ -14,7 +14,8 @@
 namespace treedyn::description {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Processor time of this program in seconds: other programs on the machine do not count.
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 TEST(ReadYaml, AcceptsJson) {
   const model::Tree tree = yaml(R"({"name": "m", "links": [
@@ -60,6 +61,29 @@ TEST(ReadUrdf, IgnoresWhatItDoesNotKnow) {
       1	0 "/><dynamics damping="x"/><safety_controller/><calibration/></joint></robot>)");
   EXPECT_EQ(tree.links[0].inertia.mass, Real(2));
   EXPECT_EQ(tree.links[0].joint.axis, (Vector3{0, 1, 0}));
+}
+
+TEST(ReadUrdf, ToleratesCommentsThatAreNoXml) {
+  EXPECT_EQ(urdf("<?xml version=\"1.0\"?>\n<!-- ---- Andr\xe9 -- 2014 ---->" +
+                 one_joint("<!------ axis ------>"))
+                .size(),
+            1);
+  EXPECT_EQ(urdf_error("<!-- -- -->\n\n" + one_joint("<axis xyz=\"0 0 0\"/>")),
+            "m.urdf:6:71: joint 'j': axis [0, 0, 0] has zero length; expected a non-zero vector");
+}
+
+TEST(ReadUrdf, AcceptsFixedJointsWithAnAxisOfZeros) {
+  EXPECT_EQ(urdf(R"(<robot name="m"><link name="a"/><link name="b"/><link name="c"/>
+    <joint name="f" type="fixed"><parent link="a"/><child link="b"/><axis xyz="0 0 0"/></joint>
+    <joint name="r" type="revolute"><parent link="b"/><child link="c"/><limit lower="-inf" upper="1.7976931348623157e308"/></joint></robot>)")
+                .size(),
+            1);
+}
+
+TEST(ReadUrdf, WarnsOfReversedLimits) {
+  const model::Tree tree = urdf(one_joint("<limit lower=\"1\" upper=\"-1\"/>"));
+  ASSERT_EQ(tree.warnings.size(), 1U);
+  EXPECT_EQ(tree.warnings[0].message, "joint 'j': lower limit 1 is above the upper limit -1");
 }
 
 TEST(ReadUrdf, ReadsOtherEncodings) {
@@ -120,18 +144,18 @@ std::string large_urdf() {
 
 TEST(ReadUrdf, AcceptsTenMegabytes) {
   const std::string text = large_urdf();
-  const auto start = Clock::now();
+  const double start = seconds();
   const model::Tree tree = urdf(text);
   EXPECT_GT(tree.size(), 10000);
-  EXPECT_LT(Clock::now() - start, std::chrono::seconds(60));
+  EXPECT_LT(seconds() - start, 60);
 }
 
 /// Reads garbage, which must end with an error within seconds.
 template <typename Read>
 void expect_fast_refusal(const Read& read, const std::string& text, const std::string& what) {
-  const auto start = Clock::now();
+  const double start = seconds();
   EXPECT_THROW(read(text), InputError) << what;
-  EXPECT_LT(Clock::now() - start, std::chrono::seconds(20)) << what;
+  EXPECT_LT(seconds() - start, 20) << what;
 }
 
 std::string repeated(const std::string& part) {

@@ -71,6 +71,27 @@ TEST(JointsWithoutInertia, SpareAPrismaticJointWithAnyMass) {
               ElementsAre("j0"));
 }
 
+TEST(JointsWithoutInertia, SpareMasslessFollowersOfAMimicWhoseLeaderMovesAMass) {
+  const auto hand = [](const char* mass) {
+    return fmt::format(
+        "<robot name=\"hand\"><link name=\"palm\"/><link name=\"finger\"><inertial><origin xyz=\"1 "
+        "0 0\"/><mass value=\"{}\"/>"
+        "<inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" "
+        "izz=\"0\"/></inertial></link><link name=\"tip\"/>"
+        "<joint name=\"j\" type=\"revolute\"><parent link=\"palm\"/><child link=\"finger\"/><axis "
+        "xyz=\"0 0 1\"/></joint>"
+        "<joint name=\"k\" type=\"revolute\"><parent link=\"palm\"/><child link=\"tip\"/><axis "
+        "xyz=\"0 0 1\"/>"
+        "<mimic joint=\"j\" multiplier=\"-2\"/></joint></robot>",
+        mass);
+  };
+  EXPECT_THAT(joints_without_inertia(urdf(hand("1"))), IsEmpty());
+  EXPECT_EQ(joints_without_inertia(urdf(hand("0"))).size(), 1U) << "of one coordinate";
+  EXPECT_EQ(joints_without_inertia(urdf(hand("1"), options("0", Base::kFixed, Mimic::kIndependent)))
+                .size(),
+            1U);
+}
+
 TEST(JointsWithoutInertia, SayAboutOrAlong) {
   const auto turn =
       joints_without_inertia(yaml(one_link("type: revolute, axis: [0, 0, 1]", "mass: 0")));

@@ -1,0 +1,324 @@
+#include "description/scene_reader.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "description/resolve.hpp"
+#include "description/scene_bodies.hpp"
+#include "description/scene_fields.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+/// One scene in the making.
+class SceneReader {
+ public:
+  SceneReader(const std::string& file, const Node& root)
+      : file_(file),
+        root_(file, root, "scene file", {"schema", "id", "model", "scene", "expected", "verified"}),
+        fields_(file, root_.get("scene"), "scene",
+                {"gravity", "q0", "qd0", "tau", "t0", "duration", "joint_springs", "point_springs",
+                 "body_torques", "forces", "constraints", "redundant", "active", "phases",
+                 "start_phase"}) {}
+
+  model::Scene run() {
+    scene_.name = root_.text_or("id", "scene");
+    scene_.tree = resolve(read_bodies(file_, root_.get("model"), scene_.name),
+                          {.base = Base::kFixed, .mimic = Mimic::kIndependent, .snap = 0})
+                      .tree;
+    const std::size_t dof = scene_.tree.links.size();
+    scene_.gravity = fields_.vector("gravity");
+    scene_.q0 = fields_.numbers("q0", dof);
+    scene_.qd0 = fields_.numbers("qd0", dof);
+    scene_.tau = fields_.find("tau") == nullptr ? std::vector<Real>{} : fields_.numbers("tau", dof);
+    scene_.t0 = fields_.number_or("t0", 0);
+    scene_.duration = fields_.amount_or("duration", 0);
+    read_effects();
+    read_all("constraint", "constraints", &SceneReader::read_constraint);
+    read_phases();
+    return std::move(scene_);
+  }
+
+ private:
+  void read_all(const char* kind, const char* key,
+                void (SceneReader::*read)(const Node&, const std::string&)) {
+    const std::vector<Node>& items = fields_.list(key);
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      (this->*read)(items[k], called(kind, items[k], k));
+    }
+  }
+
+  void read_effects() {
+    read_all("joint spring", "joint_springs", &SceneReader::read_joint_spring);
+    read_all("point spring", "point_springs", &SceneReader::read_point_spring);
+    read_all("body torque", "body_torques", &SceneReader::read_torque);
+    read_all("force", "forces", &SceneReader::read_force);
+  }
+
+  [[nodiscard]] int joint(const SceneFields& fields) const {
+    return fields.integer("joint", 1, scene_.tree.size()) - 1;
+  }
+
+  /// The index of a point of a body; equal points exist once.
+  int point(const SceneFields& fields, bool at_origin = false) {
+    const int link = fields.integer("body", 1, scene_.tree.size()) - 1;
+    const model::Vector3 at = at_origin ? model::Vector3{} : fields.vector("point");
+    for (std::size_t k = 0; k < scene_.points.size(); ++k) {
+      if (scene_.points[k].link == link && scene_.points[k].at == at) {
+        return static_cast<int>(k);
+      }
+    }
+    model::Point result;
+    result.name = result.identifier = fmt::format("point_{}", scene_.points.size() + 1);
+    result.link_name = scene_.tree.links[static_cast<std::size_t>(link)].name;
+    result.link = link;
+    result.at = at;
+    scene_.points.push_back(std::move(result));
+    return static_cast<int>(scene_.points.size()) - 1;
+  }
+
+  void read_joint_spring(const Node& node, const std::string& what) {
+    const SceneFields fields(file_, node, what, {"name", "joint", "k", "d", "q0"});
+    scene_.joint_springs.push_back(
+        {joint(fields), fields.number("k"), fields.number_or("d", 0), fields.number_or("q0", 0)});
+  }
+
+  void read_point_spring(const Node& node, const std::string& what) {
+    const SceneFields fields(file_, node, what,
+                             {"name", "body", "point", "anchor", "k", "d", "rest_length"});
+    scene_.point_springs.push_back({point(fields), fields.vector("anchor"), fields.number("k"),
+                                    fields.number_or("d", 0), fields.amount_or("rest_length", 0)});
+  }
+
+  void read_torque(const Node& node, const std::string& what) {
+    const SceneFields fields(file_, node, what, {"name", "body", "torque"});
+    scene_.torques.push_back({point(fields, true), fields.vector("torque")});
+  }
+
+  void read_force(const Node& node, const std::string& what) {
+    const SceneFields fields(file_, node, what,
+                             {"name", "type", "joint", "friction", "body", "point", "normal",
+                              "height", "k", "n", "c", "mu", "vs"});
+    const std::string type = fields.text("type");
+    if (type == "joint_coulomb") {
+      scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0)});
+    } else if (type == "ground_point" || type == "ground_point_hc") {
+      read_contact(fields, type == "ground_point_hc");
+    } else {
+      fields.fail(fields.get("type").where,
+                  fmt::format("type '{}' is unknown; expected joint_coulomb, ground_point or "
+                              "ground_point_hc",
+                              shown(type)));
+    }
+  }
+
+  void read_contact(const SceneFields& fields, bool tangential) {
+    model::GroundContact contact;
+    contact.point = point(fields);
+    contact.plane = {fields.direction("normal"), fields.number_or("height", 0)};
+    contact.stiffness = fields.number("k");
+    contact.exponent = fields.number_or("n", 1);
+    contact.dissipation = fields.number_or("c", 0);
+    if (contact.exponent < 1) {
+      fields.fail(fields.get("n").where, "exponent 'n' is below 1; expected 1 or more");
+    }
+    if (tangential) {
+      contact.friction = fields.amount_or("mu", 0);
+      contact.slip_speed = fields.amount_or("vs", 0);
+      if (contact.friction > 0 && contact.slip_speed == 0) {
+        fields.fail(fields.where(), "friction without 'vs'; expected a slip speed above 0");
+      }
+    }
+    scene_.contacts.push_back(std::move(contact));
+  }
+
+  std::vector<model::Vector3> directions(const SceneFields& fields) const {
+    std::vector<model::Vector3> result;
+    for (const Node& item : fields.items(fields.get("dirs"))) {
+      result.push_back(fields.vector_of(item));
+      if (result.back() == model::Vector3{}) {
+        fields.fail(item.where, "direction has zero length; expected a direction");
+      }
+    }
+    if (result.empty()) {
+      fields.fail(fields.get("dirs").where, "'dirs' is empty; expected at least one direction");
+    }
+    return result;
+  }
+
+  [[nodiscard]] model::Curve curve(const Node& node, const std::string& what) const {
+    const SceneFields fields(file_, node, what + ": curve",
+                             {"center", "velocity", "u", "v", "A1", "A2", "omega", "phase"});
+    const auto vector = [&](const char* key) {
+      return fields.find(key) == nullptr ? model::Vector3{} : fields.vector(key);
+    };
+    return {fields.vector("center"),
+            vector("velocity"),
+            vector("u"),
+            vector("v"),
+            fields.number_or("A1", 0),
+            fields.number_or("A2", 0),
+            fields.number_or("omega", 0),
+            fields.number_or("phase", 0)};
+  }
+
+  void read_constraint(const Node& node, const std::string& what) {
+    const SceneFields fields(file_, node, what, {"name", "type", "body", "point", "dirs", "curve"});
+    model::Constraint constraint;
+    constraint.name = fields.text_or("name", fmt::format("{}", scene_.constraints.size() + 1));
+    const std::string type = fields.text("type");
+    if (type != "point" && type != "orientation") {
+      fields.fail(fields.get("type").where,
+                  fmt::format("type '{}' is unknown; expected point or orientation", shown(type)));
+    }
+    const bool is_point = type == "point";
+    constraint.kind =
+        is_point ? model::ConstraintKind::kPoint : model::ConstraintKind::kOrientation;
+    constraint.point = point(fields, !is_point);
+    constraint.directions = directions(fields);
+    if (is_point) {
+      constraint.curve = curve(fields.get("curve"), what);
+    }
+    refuse_second(constraint.name, fields);
+    scene_.constraints.push_back(std::move(constraint));
+  }
+
+  void refuse_second(const std::string& name, const SceneFields& fields) const {
+    const bool exists = std::any_of(scene_.constraints.begin(), scene_.constraints.end(),
+                                    [&](const model::Constraint& c) { return c.name == name; });
+    if (exists) {
+      fields.fail(fields.where(), "another constraint has this name; expected different names");
+    }
+  }
+
+  [[nodiscard]] int constraint(const SceneFields& fields, const Node& node) const {
+    const std::string name = fields.scalar(node).text;
+    for (std::size_t k = 0; k < scene_.constraints.size(); ++k) {
+      if (scene_.constraints[k].name == name) {
+        return static_cast<int>(k);
+      }
+    }
+    fields.fail(node.where, fmt::format("constraint '{}' is not defined; expected one of "
+                                        "'constraints'",
+                                        shown(name)));
+  }
+
+  [[nodiscard]] std::vector<int> constraints(const SceneFields& fields, const char* key) const {
+    std::vector<int> result;
+    for (const Node& item : fields.list(key)) {
+      result.push_back(constraint(fields, item));
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  [[nodiscard]] int phase(const SceneFields& fields, const char* key) const {
+    const std::string name = fields.text(key);
+    const auto& phases = scene_.phases;
+    const auto found = std::find_if(phases.begin(), phases.end(),
+                                    [&](const model::Phase& p) { return p.name == name; });
+    if (found == phases.end()) {
+      fields.fail(fields.get(key).where,
+                  fmt::format("phase '{}' is not defined; expected one of 'phases'", shown(name)));
+    }
+    return static_cast<int>(found - phases.begin());
+  }
+
+  void read_phases() {
+    const std::vector<Node>& nodes = fields_.list("phases");
+    if (nodes.empty()) {
+      read_lone_phase();
+      return;
+    }
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const std::string what = called("phase", nodes[k], k);
+      const SceneFields fields(file_, nodes[k], what, {"name", "active", "until"});
+      scene_.phases.push_back({fields.text("name"), constraints(fields, "active"), {}});
+    }
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const SceneFields fields(file_, nodes[k], called("phase", nodes[k], k),
+                               {"name", "active", "until"});
+      for (const Node& item : fields.list("until")) {
+        scene_.phases[k].until.push_back(event(item, "event of " + called("phase", nodes[k], k)));
+      }
+    }
+    scene_.start_phase = fields_.find("start_phase") == nullptr ? 0 : phase(fields_, "start_phase");
+  }
+
+  /// Without phases `active` names what acts; without it everything does.
+  void read_lone_phase() {
+    model::Phase all;
+    for (std::size_t k = 0; k < scene_.constraints.size(); ++k) {
+      all.active.push_back(static_cast<int>(k));
+    }
+    if (fields_.find("active") != nullptr) {
+      all.active = constraints(fields_, "active");
+    }
+    scene_.phases.push_back(std::move(all));
+  }
+
+  model::Event event(const Node& node, const std::string& what) {
+    const SceneFields fields(file_, node, what,
+                             {"point", "normal", "height", "crossing", "not_before", "impact",
+                              "pin_where_it_lands", "rest_below", "then"});
+    if (fields.text_or("crossing", "falling") != "falling") {
+      fields.fail(fields.get("crossing").where, "unknown crossing; expected falling");
+    }
+    model::Event result;
+    result.point =
+        point(SceneFields(file_, fields.get("point"), what + ": point", {"body", "point"}));
+    result.plane = {fields.direction("normal"), fields.number_or("height", 0)};
+    result.not_before = fields.amount_or("not_before", 0);
+    if (const Node* const impact = fields.find("impact")) {
+      result.impact = read_impact(*impact, what + ": impact", fields);
+    }
+    result.pins = constraints(fields, "pin_where_it_lands");
+    result.then = phase(fields, "then");
+    return result;
+  }
+
+  [[nodiscard]] model::Impact read_impact(const Node& node, const std::string& what,
+                                          const SceneFields& event) const {
+    const SceneFields fields(file_, node, what, {"constraints", "restitution", "rest_below"});
+    model::Impact impact{constraints(fields, "constraints"), fields.amount_or("restitution", 0),
+                         fields.amount_or("rest_below", event.amount_or("rest_below", 0))};
+    if (impact.restitution > 1) {
+      fields.fail(fields.get("restitution").where, "restitution is above 1; expected 0 to 1");
+    }
+    return impact;
+  }
+
+  const std::string& file_;
+  SceneFields root_;
+  SceneFields fields_;
+  model::Scene scene_;
+};
+
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf())) {
+    throw InputError({path, 0, 0},
+                     fmt::format("cannot be read ({}); expected a file", std::strerror(errno)));
+  }
+  return std::move(text).str();
+}
+
+}  // namespace
+
+model::Scene parse_scene(const std::string& text, const std::string& file) {
+  const Node root = parse_yaml_node(text, file);
+  return SceneReader(file, root).run();
+}
+
+model::Scene read_scene(const std::string& path) { return parse_scene(file_text(path), path); }
+
+}  // namespace treedyn::description
