@@ -251,6 +251,29 @@ std::string info_json(const Model& model, const Request& request,
       emit::json_lines(snaps_json(model.tree), 4), emit::json_lines(functions_json(functions), 4));
 }
 
+std::string passes_text(const Model& model, const Request& request) {
+  const simplify::Options options = simplify_options(model, request);
+  Rows rows = {{"pass"}};
+  for (const std::string& function : model.functions) {
+    const std::vector<simplify::PassCost> costs =
+        simplify::pass_costs(model.tree, function, options);
+    rows.front().push_back(function);
+    rows.resize(costs.size() + 1);
+    for (std::size_t k = 0; k < costs.size(); ++k) {
+      const program::Cost& cost = costs[k].cost;
+      if (rows[k + 1].empty()) {
+        rows[k + 1].push_back(costs[k].pass);
+      }
+      rows[k + 1].push_back(fmt::format("{} + {}", cost.total(), std::max(cost.sin, cost.cos)));
+    }
+  }
+  return fmt::format(
+             "operations (add + mul + div) + pairs of sin and cos of {}, each row with the "
+             "passes above it\n\n",
+             shown(model.tree.name)) +
+         table(rows);
+}
+
 std::string list_functions() {
   Rows rows;
   for (const std::string& name : simplify::function_names()) {

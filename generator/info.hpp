@@ -16,6 +16,9 @@ std::string info_text(const Model& model, const Request& request,
 std::string info_json(const Model& model, const Request& request,
                       const std::vector<program::Function>& functions);
 
+/// Operations of every function with each pass and all before it: what a pass gains.
+std::string passes_text(const Model& model, const Request& request);
+
 /// One function a line: name, equation, what it is.
 std::string list_functions();
 

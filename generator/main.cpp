@@ -38,6 +38,7 @@ struct Settings {
   std::string list_of;
   bool json = false;
   bool equations = false;
+  bool passes = false;
   bool numeric = false;
   bool quiet = false;
   bool verbose = false;
@@ -119,6 +120,10 @@ int run_info(const Settings& settings) {
   print_warnings(settings, warnings_of(model));
   if (settings.equations) {
     print(equations_text(model, settings.request));
+    return 0;
+  }
+  if (settings.passes) {
+    print(passes_text(model, settings.request));
     return 0;
   }
   const std::vector<program::Function> functions =
@@ -256,6 +261,22 @@ void set_forward_dynamics(Request& request, const std::string& choice) {
                                                        : ForwardDynamics::kCheapest;
 }
 
+/// Names of passes, comma-separated.
+void set_without(Request& request, const std::string& list) {
+  for (const std::string& name : split(list)) {
+    const auto& known = simplify::passes();
+    const auto found =
+        std::find_if(known.begin(), known.end(),
+                     [&](const simplify::PassInfo& info) { return name == info.name; });
+    if (found == known.end()) {
+      throw CLI::ValidationError(
+          "--without", fmt::format("there is no pass {}; expected some of {}", shown(name),
+                                   fmt::join(pass_names(), ",")));
+    }
+    request.without.push_back(found->pass);
+  }
+}
+
 void add_generation(CLI::App& command, Request& request) {
   add_model(command, request);
   add_name(command, request);
@@ -287,6 +308,11 @@ void add_generation(CLI::App& command, Request& request) {
       ->check(CLI::Range(0, 1000000000))
       ->type_name("N")
       ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--without", [&request](const std::string& list) { set_without(request, list); },
+          "passes to switch off, comma-separated; treedyn info --passes shows what each one gains")
+      ->type_name("LIST");
   command
       .add_option_function<std::string>(
           "--forward-dynamics",
@@ -336,6 +362,7 @@ void add_commands(CLI::App& app, Settings& settings) {
   add_generation(*info, settings.request);
   add_talk(*info, settings);
   info->add_flag("--json", settings.json, "as JSON");
+  info->add_flag("--passes", settings.passes, "operations of every function, pass by pass");
   info->add_flag("--equations", settings.equations,
                  "the block equations with the zero blocks of D");
 

@@ -88,10 +88,6 @@ void check_functions(const Model& model, const Location& where) {
   }
 }
 
-simplify::Options simplify_options(const Model& model, const Request& request) {
-  return {request.gravity, model.points, request.effort, request.forward_dynamics};
-}
-
 std::string list_of(const std::vector<std::string>& values) {
   return fmt::format("{}", fmt::join(values, ","));
 }
@@ -120,6 +116,18 @@ std::string mimic_text(description::Mimic mimic) {
   return mimic == description::Mimic::kIndependent ? "independent" : "reduce";
 }
 
+/// The names of the passes that are switched off, in order.
+std::vector<std::string> names_without(const Request& request) {
+  std::vector<std::string> names;
+  for (const simplify::PassInfo& info : simplify::passes()) {
+    if (std::find(request.without.begin(), request.without.end(), info.pass) !=
+        request.without.end()) {
+      names.emplace_back(info.name);
+    }
+  }
+  return names;
+}
+
 std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", text); }
 
 std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
@@ -129,10 +137,23 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
           {"snap", emit::decimal(request.read.snap)},
           {"mimic", in_quotes(mimic_text(request.read.mimic))},
           {"effort", std::to_string(request.effort)},
-          {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))}};
+          {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))},
+          {"without", in_quotes(list_of(names_without(request)))}};
 }
 
 }  // namespace
+
+simplify::Options simplify_options(const Model& model, const Request& request) {
+  return {request.gravity, model.points, request.effort, request.forward_dynamics, request.without};
+}
+
+std::vector<std::string> pass_names() {
+  std::vector<std::string> names;
+  for (const simplify::PassInfo& info : simplify::passes()) {
+    names.emplace_back(info.name);
+  }
+  return names;
+}
 
 Model read(const Request& request) {
   Model model;
@@ -233,6 +254,7 @@ std::vector<std::string> options_of(const Request& request) {
   add(request.effort != kDefaults.effort, "--effort", std::to_string(request.effort));
   add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
       forward_dynamics_text(request.forward_dynamics));
+  add(!request.without.empty(), "--without", list_of(names_without(request)));
   return result;
 }
 

@@ -25,6 +25,7 @@ struct Request {
   emit::Scalar scalar = emit::Scalar::kDouble;
   int effort = simplify::Options{}.effort;
   simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
+  std::vector<simplify::Pass> without;  ///< passes that are switched off
 };
 
 /// Where the model came from.
@@ -53,6 +54,9 @@ Model read(const Request& request);
 std::vector<program::Function> formulate(const Model& model, const Request& request,
                                          const Trace& trace);
 
+/// What the formulations of a model are free to choose from.
+simplify::Options simplify_options(const Model& model, const Request& request);
+
 /// Stops the program, naming the function, if a formulation differs from the block equations
 /// evaluated with 50 digits.
 void prove(const Model& model, const Request& request,
@@ -70,6 +74,9 @@ std::vector<Warning> warnings_of(const Model& model);
 
 /// The block equations of the model's functions with the zero blocks of D.
 std::string equations_text(const Model& model, const Request& request);
+
+/// Names of the passes, in order.
+std::vector<std::string> pass_names();
 
 /// The stages whose results `dump` shows.
 const std::vector<std::string>& stages();

@@ -2,11 +2,13 @@
 // D.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "model/tree.hpp"
 #include "program/function.hpp"
+#include "simplify/passes.hpp"
 
 namespace treedyn::simplify {
 
@@ -17,6 +19,11 @@ struct Options {
   std::vector<model::Point> points;  ///< in the order of the generated arrays
   int effort = 4000;                 ///< moves of the variant search per function; 0: none
   ForwardDynamics forward_dynamics = ForwardDynamics::kCheapest;
+  std::vector<Pass> without;  ///< passes that are switched off
+
+  [[nodiscard]] bool has(Pass pass) const {
+    return std::find(without.begin(), without.end(), pass) == without.end();
+  }
 };
 
 /// The functions that can be generated, in the order of INTERFACE.md 3.

@@ -200,6 +200,8 @@ Turn Workbench::frame_turn(int i) {
   }
   const Matrix3& e = l.pseudo;
   switch (angle) {
+    case FrameAngle::kKeep:
+      return {};
     case FrameAngle::kFirstMoment:
       return turn_to(l.moment[0], l.moment[1]);
     case FrameAngle::kProductXy: {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -86,27 +87,30 @@ std::vector<std::vector<int>> similar_links(const model::Tree& tree) {
   return result;
 }
 
-void add_link_choices(const Freedom& freedom, const std::vector<int>& links, bool parallel,
-                      std::vector<Choice>& choices) {
-  if (parallel) {
-    choices.push_back({2, links, set_flag<&LinkVariant::merge_parallel>});
-  }
-  choices.push_back({4, links, set_cut});
-  choices.push_back({4, links, set_enum<&LinkVariant::angle, FrameAngle>});
-  if (!freedom.fixed_frames) {
-    choices.push_back({4, links, set_enum<&LinkVariant::slide, Slide>});
-  }
-  if (freedom.regrouping) {
-    choices.push_back({6, links, set_enum<&LinkVariant::mass, MassGauge>});
-    choices.push_back({4, links, set_enum<&LinkVariant::tensor, TensorGauge>});
-  }
-  if (freedom.moment_form) {
-    choices.push_back({2, links, set_flag<&LinkVariant::column_of_father>});
-    choices.push_back({2, links, set_flag<&LinkVariant::tensor_moment>});
-  }
+void add_link_choices(const Freedom& freedom, const Options& options, const std::vector<int>& links,
+                      bool parallel, std::vector<Choice>& choices) {
+  const auto add = [&](bool wanted, int settings,
+                       void (*set)(Variant&, const std::vector<int>&, int)) {
+    if (wanted) {
+      choices.push_back({settings, links, set});
+    }
+  };
+  const bool runs = options.has(Pass::kParallel);
+  const bool frames = options.has(Pass::kNormals);
+  const bool gauges = freedom.regrouping && options.has(Pass::kRegrouping);
+  add(parallel && runs, 2, set_flag<&LinkVariant::merge_parallel>);
+  add(runs, 4, set_cut);
+  add(frames, 4, set_enum<&LinkVariant::angle, FrameAngle>);
+  add(frames && !freedom.fixed_frames, 4, set_enum<&LinkVariant::slide, Slide>);
+  add(gauges, 6, set_enum<&LinkVariant::mass, MassGauge>);
+  add(gauges, 4, set_enum<&LinkVariant::tensor, TensorGauge>);
+  add(freedom.moment_form && options.has(Pass::kColumn), 2,
+      set_flag<&LinkVariant::column_of_father>);
+  add(freedom.moment_form && options.has(Pass::kPseudoInertia), 2,
+      set_flag<&LinkVariant::tensor_moment>);
 }
 
-void add_global_choices(const model::Tree& tree, const Freedom& freedom,
+void add_global_choices(const model::Tree& tree, const Freedom& freedom, const Options& options,
                         std::vector<Choice>& choices) {
   const auto add = [&](bool wanted, int settings,
                        void (*set)(Variant&, const std::vector<int>&, int)) {
@@ -114,28 +118,33 @@ void add_global_choices(const model::Tree& tree, const Freedom& freedom,
       choices.push_back({settings, {}, set});
     }
   };
-  const int lengths = freedom.regrouping ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
+  const bool gauges = freedom.regrouping && options.has(Pass::kRegrouping);
+  const int lengths = gauges ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
   add(true, lengths, [](Variant& v, const std::vector<int>&, int k) { v.unit_length = k; });
-  add(freedom.tensor_form, 2,
+  add(freedom.tensor_form && options.has(Pass::kPseudoInertia), 2,
       [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });
-  add(freedom.trunk && has_free_base(tree), 2,
+  add(freedom.trunk && has_free_base(tree) && options.has(Pass::kTrunk), 2,
       [](Variant& v, const std::vector<int>&, int k) { v.trunk = k != 0; });
   add(freedom.two_ways, 2,
       [](Variant& v, const std::vector<int>&, int k) { v.from_root = k != 0; });
 }
 
-std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom) {
+std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom,
+                               const Options& options) {
   std::vector<Choice> choices;
+  if (!options.has(Pass::kSearch)) {
+    return choices;
+  }
   const NormalTree normal = normal_form(tree, {}, plain_variant(tree));
   for (const std::vector<int>& links : similar_links(tree)) {
     const NormalLink& first = normal.links[static_cast<std::size_t>(links.front())];
     if (first.revolute) {
       const bool parallel = first.father != model::kGround && first.euler.alpha.is_identity() &&
                             normal.links[static_cast<std::size_t>(first.father)].revolute;
-      add_link_choices(freedom, links, parallel, choices);
+      add_link_choices(freedom, options, links, parallel, choices);
     }
   }
-  add_global_choices(tree, freedom, choices);
+  add_global_choices(tree, freedom, options, choices);
   return choices;
 }
 
@@ -146,7 +155,7 @@ class Search {
       : tree_(tree),
         recipe_(recipe),
         options_(options),
-        choices_(choices_of(tree, recipe.freedom)) {
+        choices_(choices_of(tree, recipe.freedom, options)) {
     const program::Function first = build(tree_, recipe_, options_, start);
     const std::size_t size = std::max(first.graph.size(), kReferenceSize);
     moves_ = static_cast<int>(static_cast<std::size_t>(options.effort) * kReferenceSize / size);
@@ -158,7 +167,13 @@ class Search {
  private:
   using Cache = std::map<Variant, int>;
 
+  [[nodiscard]] std::vector<int> all_links() const {
+    std::vector<int> links(tree_.links.size());
+    std::iota(links.begin(), links.end(), 0);
+    return links;
+  }
   void note(const Variant& variant, int cost);
+  void drop_what_does_not_pay(Variant& variant, int& cost);
   int raw_cost(const Variant& variant);
   int optimised_cost(const Variant& variant);
   /// First-improvement descent over all choices in random order; stops when `limit` moves are left.
@@ -209,8 +224,10 @@ int Search::optimised_cost(const Variant& variant) {
   moves_ -= kOptimisedMove;
   const program::Function function = build(tree_, recipe_, options_, variant);
   const program::Cost raw = program::cost(function);
-  const int cost =
-      weight(raw) - raw.total() + program::estimate_operations(function.graph, function.outputs);
+  const int total = options_.has(Pass::kAlgebra)
+                        ? program::estimate_operations(function.graph, function.outputs)
+                        : raw.total();
+  const int cost = weight(raw) - raw.total() + total;
   return optimised_.emplace(variant, cost).first->second;
 }
 
@@ -280,6 +297,32 @@ void Search::anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluat
   }
 }
 
+/// Tries to do without each pass that is on, for the whole tree: no pass may add operations.
+void Search::drop_what_does_not_pay(Variant& variant, int& cost) {
+  const auto consider = [&](const Variant& trial) {
+    if (const int trial_cost = raw_cost(trial); trial_cost < cost) {
+      cost = trial_cost;
+      variant = trial;
+    }
+  };
+  for (const PassInfo& info : passes()) {
+    if (options_.has(info.pass)) {
+      Variant trial = variant;
+      switch_off({info.pass}, trial);
+      consider(trial);
+      if (info.pass == Pass::kParallel) {
+        trial = variant;
+        set_links(trial, all_links(), &LinkVariant::cut, std::uint8_t{0});
+        consider(trial);
+      } else if (info.pass == Pass::kPseudoInertia) {
+        trial = variant;
+        set_links(trial, all_links(), &LinkVariant::tensor_moment, true);
+        consider(trial);
+      }
+    }
+  }
+}
+
 program::Function Search::run() {
   const auto raw = [this](const Variant& variant) {
     return raw_cost(variant);
@@ -289,6 +332,7 @@ program::Function Search::run() {
   };
   Variant best = finalists_.front().second;
   int cost = finalists_.front().first;
+  drop_what_does_not_pay(best, cost);
   const int half = moves_ / 2;
   if (!choices_.empty()) {
     descend(best, cost, half, raw);
@@ -296,7 +340,7 @@ program::Function Search::run() {
   }
   cost = optimised_cost(best);
   for (const auto& [raw_cost, variant] : finalists_) {
-    if (const int c = moves_ > 0 ? optimised_cost(variant) : cost; c < cost) {
+    if (const int c = half > 0 ? optimised_cost(variant) : cost; c < cost) {
       cost = c;
       best = variant;
     }
@@ -306,13 +350,15 @@ program::Function Search::run() {
     anneal(best, cost, half / 4, kCycle / 4, optimised);
     descend(best, cost, 0, optimised);
   }
-  return program::optimise(build(tree_, recipe_, options_, best));
+  program::Function function = build(tree_, recipe_, options_, best);
+  return options_.has(Pass::kAlgebra) ? program::optimise(function) : std::move(function);
 }
 
 }  // namespace
 
 program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options) {
   Variant start = plain_variant(tree);
+  switch_off(options.without, start);
   const bool two_methods = recipe.freedom.articulated;
   start.articulated = two_methods && options.forward_dynamics == ForwardDynamics::kArticulated;
   program::Function function = Search(tree, recipe, options, start).run();

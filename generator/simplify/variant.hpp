@@ -11,7 +11,7 @@ namespace treedyn::simplify {
 /// Place of a revolute link's origin along its axis.
 enum class Slide : std::uint8_t { kAuto, kNone, kFather, kSon };
 /// Angle of a link frame about its own axis, chosen so that a constant vanishes.
-enum class FrameAngle : std::uint8_t { kAuto, kFirstMoment, kProductXy, kProductXz };
+enum class FrameAngle : std::uint8_t { kAuto, kFirstMoment, kProductXy, kProductXz, kKeep };
 /// How much mass a revolute link passes to its father (EQUATIONS.md 8): all of it, or as much as
 /// makes the x, y or z component of the father's first moment vanish, none, or no parameter at all.
 enum class MassGauge : std::uint8_t { kAll, kCancelX, kCancelY, kCancelZ, kKeepMass, kNothing };
