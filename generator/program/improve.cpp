@@ -1,34 +1,58 @@
 #include "program/improve.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 
 #include "program/expand.hpp"
 #include "program/passes.hpp"
 #include "program/random.hpp"
+#include "program/window.hpp"
 
 namespace treedyn::program {
 
 namespace {
 
-constexpr std::string_view kOrders[] = {"fsp", "sfp", "sp", "fps", "psf"};
+constexpr std::array<std::string_view, 5> kOrders = {"fsp", "sfp", "sp", "fps", "psf"};
 constexpr int kMostExpansions = 4;
+constexpr int kWindow = 80;
+constexpr int kMovesPerWindow = 20;
 
-}  // namespace
-
-Network improve(Network network, int moves, std::uint64_t seed) {
-  Random random(seed);
+Network improve_whole(Network network, int moves, Random& random) {
   int fewest = operations(network);
   for (int move = 0; move < moves; ++move) {
     Network next = network;
     expand_at_random(next, random, 1 + random.below(kMostExpansions));
-    const std::string_view order = kOrders[random.below(static_cast<int>(std::size(kOrders)))];
-    next = run_passes(normalise(next), order, random.next() | 1U);
+    const auto order = static_cast<std::size_t>(random.below(static_cast<int>(kOrders.size())));
+    next = run_passes(normalise(next), kOrders[order], random.next() | 1U);
     const int count = operations(next);
     if (count <= fewest) {
       fewest = count;
       network = std::move(next);
     }
+  }
+  return network;
+}
+
+Network improve_window(const Network& network, int moves, Random& random) {
+  Window window = cut_window(network, random_neighbourhood(network, random, kWindow));
+  window.network = improve_whole(std::move(window.network), moves, random);
+  return with_window(network, window);
+}
+
+}  // namespace
+
+Network improve(Network network, int moves, std::uint64_t seed) {
+  Random random(seed);
+  for (int left = moves; left > 0; left -= kMovesPerWindow) {
+    const int now = std::min(left, kMovesPerWindow);
+    const int count = operations(network);
+    if (count == 0) {
+      break;
+    }
+    network = count <= kWindow ? improve_whole(std::move(network), now, random)
+                               : improve_window(network, now, random);
   }
   return network;
 }

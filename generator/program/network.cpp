@@ -85,18 +85,27 @@ void visit(const Network& network, int root, std::vector<bool>& done, std::vecto
   }
 }
 
+/// Ascending.
 std::vector<int> needed_items(const Network& network) {
   std::vector<bool> needed(static_cast<std::size_t>(network.size()), false);
-  std::vector<int> items;
+  std::vector<int> open;
   const auto need = [&](Ref a) {
     if (a != 0 && !needed[at(a)]) {
       needed[at(a)] = true;
-      items.push_back(std::abs(a));
+      open.push_back(std::abs(a));
     }
   };
   std::ranges::for_each(network.outputs(), need);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    std::ranges::for_each(network.operands(items[i]), need);
+  while (!open.empty()) {
+    const int k = open.back();
+    open.pop_back();
+    std::ranges::for_each(network.operands(k), need);
+  }
+  std::vector<int> items;
+  for (int k = 1; k < network.size(); ++k) {
+    if (needed[at(k)]) {
+      items.push_back(k);
+    }
   }
   return items;
 }
@@ -104,12 +113,14 @@ std::vector<int> needed_items(const Network& network) {
 /// The needed items, operands first, otherwise by position.
 std::vector<Step> evaluation_order(const Network& network) {
   std::vector<int> items = needed_items(network);
-  std::ranges::sort(items, [&](int a, int b) {
-    const int pa = network.item(a).position;
-    const int pb = network.item(b).position;
-    return pa != pb ? pa < pb : a < b;
-  });
+  const auto position = [&](int k) {
+    return network.item(k).position;
+  };
+  if (!std::ranges::is_sorted(items, {}, position)) {
+    std::ranges::stable_sort(items, {}, position);
+  }
   std::vector<bool> done(static_cast<std::size_t>(network.size()), false);
+  done[0] = true;
   std::vector<Step> order;
   order.reserve(items.size());
   for (const int root : items) {
@@ -216,9 +227,25 @@ Network flat(Network network) {
   return builder.finish(mapped(image, network.outputs()));
 }
 
+bool has_unneeded_operations(const Network& network) {
+  const std::vector<int> count = uses(network);
+  for (int k = 1; k < network.size(); ++k) {
+    if (count[at(k)] == 0 && !network.operands(k).empty()) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
-Network normalise(const Network& network) { return flat(without_duplicates(network)); }
+Network normalise(const Network& network) {
+  Network normal = flat(without_duplicates(network));
+  while (has_unneeded_operations(normal)) {  // terms cancelled when sums became one
+    normal = flat(without_duplicates(normal));
+  }
+  return normal;
+}
 
 Network network_of(const Graph& graph, std::span<const Ref> outputs) {
   NetworkBuilder builder(std::make_shared<ConstantTable>(), graph.size());
@@ -235,7 +262,7 @@ Network network_of(const Graph& graph, std::span<const Ref> outputs) {
     const Item leaf{node.kind, node.a, node.b, k};
     image[at(k)] = rebuild(builder, leaf, operands, k);
   }
-  return flat(builder.finish(mapped(image, outputs)));
+  return normalise(builder.finish(mapped(image, outputs)));
 }
 
 std::vector<int> uses(const Network& network) {

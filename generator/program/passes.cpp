@@ -7,19 +7,26 @@
 
 namespace treedyn::program {
 
+namespace {
+
+int run_pass(Network& network, char pass, std::uint64_t seed) {
+  switch (pass) {
+    case 'f':
+      return factor_sums(network, seed);
+    case 's':
+      return share_pairs(network, Kind::kAdd, seed);
+    default:
+      return share_pairs(network, Kind::kMultiply, seed);
+  }
+}
+
+}  // namespace
+
 Network run_passes(Network network, std::string_view order, std::uint64_t seed) {
   for (const char pass : order) {
-    switch (pass) {
-      case 'f':
-        factor_sums(network, seed);
-        break;
-      case 's':
-        share_pairs(network, Kind::kAdd, seed);
-        break;
-      default:
-        share_pairs(network, Kind::kMultiply, seed);
+    if (run_pass(network, pass, seed) > 0) {
+      network = normalise(network);
     }
-    network = normalise(network);
   }
   return network;
 }
