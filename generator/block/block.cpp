@@ -17,6 +17,8 @@ std::string to_string(const Side& side) {
       return size + "N";
     case Set::kPoints:
       return size + "P";
+    case Set::kRows:
+      return size + "r";
     case Set::kOne:
       break;
   }

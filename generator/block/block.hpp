@@ -12,7 +12,7 @@
 namespace treedyn::block {
 
 /// What the rows or columns of a block matrix count.
-enum class Set { kOne, kLinks, kPoints };
+enum class Set { kOne, kLinks, kPoints, kRows };
 
 /// One side of a shape: `set` blocks, each `size` (1 or 3) numbers high or wide.
 struct Side {
@@ -27,7 +27,7 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-/// "N×N", "3N×P", "3N×1": the shape in numbers, N links and P points.
+/// "N×N", "3N×P", "3N×1": the shape in numbers, N links, P points, r rows.
 std::string to_string(const Shape& shape);
 
 /// Which blocks of a leaf may differ from zero, for any tree.
@@ -37,6 +37,7 @@ enum class Structure {
   kRevolute,      ///< sigma: block (i,i) iff joint i is revolute
   kCarrier,       ///< W: block (i,p) iff link i carries point p
   kOnes,          ///< a full column of ones
+  kRowPoints,     ///< S: block (p,a) iff row a acts on point p; the values depend on the state
   kDiagonal,      ///< block (i,i); the values depend on the state
   kFull,          ///< every block; the values depend on the state
 };

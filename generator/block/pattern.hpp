@@ -12,9 +12,12 @@ struct Index {
   std::vector<int> father;     ///< per link, -1 for the ground; smaller than the link's own index
   std::vector<bool> revolute;  ///< per link
   std::vector<int> carrier;    ///< per point: the link that carries it, -1 for the ground
+  std::vector<std::vector<int>>
+      row_points;  ///< per row of reactions: the points it acts on, ascending
 
   [[nodiscard]] int links() const { return static_cast<int>(father.size()); }
   [[nodiscard]] int points() const { return static_cast<int>(carrier.size()); }
+  [[nodiscard]] int rows() const { return static_cast<int>(row_points.size()); }
 };
 
 /// Positions of the blocks of a matrix that may differ from zero, row by row.

@@ -17,6 +17,8 @@ int count(const Index& index, Set set) {
       return index.links();
     case Set::kPoints:
       return index.points();
+    case Set::kRows:
+      return index.rows();
     case Set::kOne:
       break;
   }
@@ -36,6 +38,8 @@ Pattern leaf_pattern(const Expression& e, const Index& index) {
     case Structure::kOnes:
     case Structure::kFull:
       return full(rows, cols);
+    case Structure::kRowPoints:
+      return transpose(Pattern(rows, index.row_points));
     case Structure::kRevolute:
       for (int i = 0; i < rows; ++i) {
         if (index.revolute[at(i)]) {

@@ -59,12 +59,14 @@ std::string transposed(const Expression& e) {
   return fmt::format("{}{}", name, superscript ? "T" : "^T");
 }
 
-std::string compact(std::string difference) {  // "D - E" reads "D-E" inside a product
-  const std::size_t minus = difference.find(" - ");
-  if (difference.size() <= 9 && minus != std::string::npos) {
-    difference.replace(minus, 3, "-");
+/// "D - E" reads "D-E" inside a product.
+std::string compact(const std::string& sum) {
+  constexpr std::size_t kShort = 9;
+  const std::size_t minus = sum.find(" - ");
+  if (sum.size() > kShort || minus == std::string::npos) {
+    return sum;
   }
-  return difference;
+  return fmt::format("{}-{}", sum.substr(0, minus), sum.substr(minus + 3));
 }
 
 std::string text(const Expression& e, Binding needed) {

@@ -117,6 +117,22 @@ Expression angular_bias_acceleration() {
   return named("γ_n", points().D_P * sigma * qd_d * skew_transpose(z_d) * (D - E) * w);
 }
 
+// 6.2, R = S λ: L_R S
+Expression reaction_jacobian_transpose() {
+  return named(
+      "J^T", force_jacobian_transpose(points()) * S_f + moment_jacobian_transpose(points()) * S_n);
+}
+
+// 6.2: S^T (γ_f + ω × u ; γ_n) + Ṡ^T L_R^T q̇
+Expression reaction_bias_acceleration() {
+  const Expression C = force_jacobian_transpose(points());
+  const Expression H = moment_jacobian_transpose(points());
+  const Expression omega = transpose(H) * qd;
+  const Expression gamma_f = point_bias_acceleration() + skew(diagb(omega)) * u;
+  return named("γ", transpose(S_f) * gamma_f + transpose(S_n) * angular_bias_acceleration() +
+                        transpose(Sd_f) * transpose(C) * qd + transpose(Sd_n) * omega);
+}
+
 Expression point_positions() { return named("p", points().D_P * s_d * ones + t_d * ones_P); }
 
 Expression point_velocities() {

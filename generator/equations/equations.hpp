@@ -78,6 +78,13 @@ Expression point_bias_acceleration();
 /// 6.1 γ_n = α0, 3P: angular accelerations of the links that carry the points for q̈ = 0.
 Expression angular_bias_acceleration();
 
+/// 6.2 J^T = C_R S_f + H S_n, N x r: unit reactions along the columns of S. A row between two links
+/// a, b has +d at its point of a and -d at its point of b.
+Expression reaction_jacobian_transpose();
+/// 6.2 γ, r: J q̈ + γ is the acceleration along the rows. With Ṡ for directions that move and u for
+/// contact points that creep over their links.
+Expression reaction_bias_acceleration();
+
 /// p, 3P: positions, base frame (s_i of a root link is P_i here).
 Expression point_positions();
 /// v = C^T q̇, 3P.

@@ -32,6 +32,18 @@ inline const Expression l_d = leaf("l^d", block::Structure::kDiagonal, {kLinks3,
 inline const Expression c_d = leaf("c^d", block::Structure::kDiagonal, {kLinks3, kLinks});
 inline const Expression t_d = leaf("t^d", block::Structure::kDiagonal, {kPoints3, kPoints});
 
+// Rows of reactions, 6.2: directions at points (a point may serve several rows, a row several
+// points).
+inline constexpr block::Side kRows{block::Set::kRows, 1};  // r
+inline const Expression S_f = leaf("S_f", block::Structure::kRowPoints, {kPoints3, kRows});
+inline const Expression S_n = leaf("S_n", block::Structure::kRowPoints, {kPoints3, kRows});
+/// Their rates of change, for directions that move.
+inline const Expression Sd_f = leaf("Ṡ_f", block::Structure::kRowPoints, {kPoints3, kRows});
+inline const Expression Sd_n = leaf("Ṡ_n", block::Structure::kRowPoints, {kPoints3, kRows});
+/// Velocities of contact points relative to their links, 6.2 (rolling); 0 for points attached to
+/// links.
+inline const Expression u = leaf("u", block::Structure::kFull, {kPoints3, kOne});
+
 // Motion and forces.
 inline const Expression qd_d = leaf("q̇^d", block::Structure::kDiagonal, {kLinks, kLinks});
 inline const Expression qd = leaf("q̇", block::Structure::kFull, {kLinks, kOne});

@@ -16,6 +16,7 @@ using Eigen::MatrixXd;
 inline int count(const Side& side, const Index& index) {
   const int n = side.set == Set::kLinks    ? index.links()
                 : side.set == Set::kPoints ? index.points()
+                : side.set == Set::kRows   ? index.rows()
                                            : 1;
   return n * side.size;
 }

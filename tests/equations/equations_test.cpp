@@ -52,6 +52,13 @@ TEST(AccelerationRows, ReadLikeTheirSource) {
             "γ_n = D_P σ q̇^d Λ^T(z^d) (D-E) z^d σ q̇");
 }
 
+TEST(ReactionRows, ReadLikeTheirSource) {
+  EXPECT_EQ(print_definition(reaction_jacobian_transpose()), "J^T = C S_f + H S_n");
+  EXPECT_EQ(print_definition(reaction_bias_acceleration()),
+            "γ = S_f^T (γ_f + Λ(diagb(H^T q̇)) u) + S_n^T γ_n + Ṡ_f^T C^T q̇ + Ṡ_n^T H^T q̇");
+  EXPECT_EQ(block::to_string(reaction_jacobian_transpose().shape()), "N×r");
+}
+
 TEST(MomentOfForces, CarriesTheSkewMatrixThatPrintLeavesOut) {
   EXPECT_EQ(print_definition(moment_of_forces()), "n_f = Λ(t^d) f_b");
 }

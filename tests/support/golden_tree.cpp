@@ -109,6 +109,12 @@ void read_tree(const json& file, const std::vector<std::size_t>& order, GoldenCa
     point.at = reals<3>(file.at("t").at(i));
     golden.points.push_back(point);
   }
+  for (const json& row : file.value("constraints", json::array())) {
+    model::Point point;
+    point.link = position[row.at("link").get<std::size_t>()];
+    point.at = reals<3>(row.at("point"));
+    golden.rows.push_back({point, row.at("kind") == "moment", reals<3>(row.at("direction"))});
+  }
 }
 
 void read_expected(const json& expected, const std::vector<std::size_t>& order,
@@ -153,6 +159,14 @@ GoldenCase read_golden(const std::string& path) {
   golden.f = reordered(flat(file.at("f")), 3, order);
   golden.n = reordered(flat(file.at("n")), 3, order);
   read_expected(file.at("expected"), order, golden);
+  for (const json& row : golden.rows.empty() ? json() : file.at("expected_constrained").at("J")) {
+    const Numbers ordered = reordered(flat(row), 1, order);
+    Numbers& J = golden.expected["J"];
+    J.insert(J.end(), ordered.begin(), ordered.end());
+  }
+  if (!golden.rows.empty()) {
+    golden.expected["gamma"] = flat(file.at("expected_constrained").at("gamma"));
+  }
   return golden;
 }
 

@@ -11,6 +11,13 @@
 
 namespace treedyn::support {
 
+/// A constraint row: a unit force or moment on a link.
+struct GoldenRow {
+  model::Point point;  ///< link in tree order
+  bool moment = false;
+  model::Vector3 direction{};  ///< base frame
+};
+
 /// A file of tests/data/golden. Links and joint arrays are in the order of `tree` (fathers first).
 struct GoldenCase {
   std::string name;
@@ -18,7 +25,8 @@ struct GoldenCase {
   std::vector<model::Point> points;  ///< t of every link, in tree order
   model::Vector3 gravity{};
   std::vector<double> q, qd, qdd_in, tau;
-  std::vector<double> f, n;  ///< 3 N, in tree order
+  std::vector<double> f, n;     ///< 3 N, in tree order
+  std::vector<GoldenRow> rows;  ///< empty without constraints
   /// R [9N], O [3N], P [3N], A [N N], B, C [N 3N], H, G, gamma_f, gamma_n, qdd, tau_id, row-major,
   /// in tree order; G on the right-hand side as in the file.
   std::map<std::string, std::vector<double>> expected;
