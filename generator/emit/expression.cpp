@@ -1,6 +1,7 @@
 #include "emit/expression.hpp"
 
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,9 +31,10 @@ struct Printer {
 
   [[nodiscard]] std::string binary(const Node& node, char sign) const {
     const Shape form = shape(graph, node, schedule);
-    const std::string a = operand(node.a, form.first_in_parentheses);
-    const std::string b = operand(node.b, form.second_in_parentheses);
-    return form.swapped ? fmt::format("{} {} {}", b, sign, a) : fmt::format("{} {} {}", a, sign, b);
+    const auto [first, second] =
+        form.swapped ? std::pair(node.b, node.a) : std::pair(node.a, node.b);
+    return fmt::format("{} {} {}", operand(first, form.first_in_parentheses), sign,
+                       operand(second, form.second_in_parentheses));
   }
 
   [[nodiscard]] std::string operation(Ref k) const {
