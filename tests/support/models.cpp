@@ -8,15 +8,25 @@ namespace treedyn::support {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void append(const fs::path& source_dir, const fs::path& folder, std::vector<Committed>& result) {
+  for (const auto& file : fs::directory_iterator(folder)) {
+    if (file.path().extension() == ".json") {
+      const Manifest manifest = read_manifest(file.path());
+      result.push_back(
+          {folder, file.path().stem().string(), source_dir / "models" / manifest.model, manifest});
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<Committed> committed(const fs::path& source_dir) {
   std::vector<Committed> result;
   for (const auto& folder : fs::directory_iterator(source_dir / "generated")) {
-    for (const auto& file : fs::directory_iterator(folder.path())) {
-      if (file.path().extension() == ".json") {
-        const Manifest manifest = read_manifest(file.path());
-        result.push_back({folder.path(), file.path().stem().string(),
-                          source_dir / "models" / manifest.model, manifest});
-      }
+    if (folder.is_directory()) {
+      append(source_dir, folder.path(), result);
     }
   }
   if (result.empty()) {
