@@ -105,6 +105,30 @@ Matrix3 nearest_rotation(Matrix3 m) {
   return m;
 }
 
+/// An entry of a rotation or axis, the exact value next to it, and whether it takes that value.
+struct Entry {
+  Real value;
+  Exact exact;
+  bool snaps = false;
+};
+
+/// Normalises the entries with the snapping ones exact; those that do not stay exact snap no more.
+/// \return true if all stayed exact
+template <std::size_t size, typename Project>
+bool settled(std::array<Entry, size>& entries, const Project& project,
+             std::array<Real, size>& result) {
+  std::transform(entries.begin(), entries.end(), result.begin(),
+                 [](const Entry& entry) { return entry.snaps ? entry.exact.value : entry.value; });
+  result = project(result);
+  bool all = true;
+  for (std::size_t k = 0; k < size; ++k) {
+    if (entries[k].snaps && abs(result[k] - entries[k].exact.value) > rounding_limit()) {
+      entries[k].snaps = all = false;
+    }
+  }
+  return all;
+}
+
 std::string element(const std::string& what, std::size_t index) {
   return fmt::format("{}[{}]", what, index);
 }
@@ -161,32 +185,21 @@ template <std::size_t size, typename Project>
 std::array<Real, size> Snapper::snap_entries(const std::array<Real, size>& given,
                                              const Numbers& written, const std::string& what,
                                              const Project& project) {
-  std::array<Exact, size> exact;
-  std::array<bool, size> snaps{};
-  for (std::size_t k = 0; k < size; ++k) {
-    exact[k] = nearest_exact(given[k]);
-    snaps[k] = abs(given[k] - exact[k].value) <= std::max(tolerance_, rounding_limit());
-  }
+  std::array<Entry, size> entries;
+  std::transform(given.begin(), given.end(), entries.begin(), [this](const Real& value) {
+    const Exact exact = nearest_exact(value);
+    const bool near = abs(value - exact.value) <= std::max(tolerance_, rounding_limit());
+    return Entry{value, exact, near};
+  });
   std::array<Real, size> result;
-  for (bool settled = false; !settled;) {
-    std::array<Real, size> wish = given;
-    for (std::size_t k = 0; k < size; ++k) {
-      wish[k] = snaps[k] ? exact[k].value : given[k];
-    }
-    result = project(wish);
-    settled = true;
-    for (std::size_t k = 0; k < size; ++k) {
-      if (snaps[k] && abs(result[k] - exact[k].value) > rounding_limit()) {
-        snaps[k] = settled = false;
-      }
-    }
+  while (!settled(entries, project, result)) {
   }
   for (std::size_t k = 0; k < size; ++k) {
+    const Entry& entry = entries[k];
     result[k] = tidied_entry(result[k]);
-    const bool telling =
-        exact[k].value != 1 && exact[k].value != -1;  // the others in its row tell more
-    if (snaps[k] || (telling && abs(given[k] - exact[k].value) > tolerance_)) {
-      record(given[k], exact[k].value, exact[k].text, written.values[k], element(what, k));
+    const bool telling = abs(entry.exact.value) != 1;  // the others in its row tell more
+    if (entry.snaps || (telling && abs(entry.value - entry.exact.value) > tolerance_)) {
+      record(entry.value, entry.exact.value, entry.exact.text, written.values[k], element(what, k));
     }
   }
   return result;
