@@ -121,9 +121,10 @@ std::string function_doc(const program::Function& function) {
   for (const program::Array& array : signature.outputs) {
     result += array_doc(array, true, name_width);
   }
-  return result + wrapped(fmt::format("Equation {}. Cost: {}.", signature.equation,
-                                      cost_text(program::cost(function))),
-                          "/// ");
+  return result + "///\n" +
+         wrapped(fmt::format("Equation {}. Cost: {}.", signature.equation,
+                             cost_text(program::cost(function))),
+                 "/// ");
 }
 
 std::string declarations(const Unit& unit) {

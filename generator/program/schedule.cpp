@@ -42,77 +42,10 @@ std::vector<Ref> trigonometric_partners(const Graph& graph, const std::vector<Re
   return partner;
 }
 
-/// Registers that each value needs if its operands are computed one after the other (Sethi,
-/// Ullman), as if the graph were a tree.
-std::vector<int> register_needs(const Graph& graph, const std::vector<Ref>& nodes) {
-  std::vector<int> need(graph.size(), 0);
-  for (const Ref k : nodes) {
-    const Node& node = graph.node(k);
-    if (!is_operation(graph, k)) {
-      continue;
-    }
-    const int a = need[index(node.a)];
-    const int b = node.b != 0 ? need[index(node.b)] : 0;
-    need[index(k)] = a == b ? a + 1 : std::max(a, b);
-  }
-  return need;
-}
+}  // namespace
 
-/// Appends `root` and what it needs to `order`, operands first.
-class DepthFirst {
- public:
-  DepthFirst(const Graph& graph, const std::vector<Ref>& nodes)
-      : graph_(graph),
-        need_(register_needs(graph, nodes)),
-        partner_(trigonometric_partners(graph, nodes)),
-        seen_(graph.size(), false) {}
-
-  void visit(Ref root, std::vector<Ref>& order) {
-    std::vector<std::pair<Ref, bool>> stack{{std::abs(root), false}};
-    while (!stack.empty()) {
-      const auto [k, operands_done] = stack.back();
-      stack.pop_back();
-      if (seen_[index(k)] || !is_operation(graph_, k)) {
-        continue;
-      }
-      if (operands_done) {
-        append(k, order);
-        continue;
-      }
-      stack.emplace_back(k, true);
-      push_operands(graph_.node(k), stack);
-    }
-  }
-
- private:
-  void append(Ref k, std::vector<Ref>& order) {
-    for (const Ref each : {k, partner_[index(k)]}) {
-      if (each != 0) {
-        seen_[index(each)] = true;
-        order.push_back(each);
-      }
-    }
-  }
-
-  void push_operands(const Node& node, std::vector<std::pair<Ref, bool>>& stack) const {
-    Ref first = std::abs(node.a);
-    Ref second = std::abs(node.b);
-    if (second != 0 && need_[index(second)] > need_[index(first)]) {
-      std::swap(first, second);
-    }
-    if (second != 0) {
-      stack.emplace_back(second, false);
-    }
-    stack.emplace_back(first, false);
-  }
-
-  const Graph& graph_;
-  std::vector<int> need_;
-  std::vector<Ref> partner_;
-  std::vector<bool> seen_;
-};
-
-std::vector<Ref> algorithm_order(const Graph& graph, const std::vector<Ref>& nodes) {
+std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs) {
+  const std::vector<Ref> nodes = reachable(graph, outputs);
   const std::vector<Ref> partner = trigonometric_partners(graph, nodes);
   std::vector<bool> seen(graph.size(), false);
   std::vector<Ref> order;
@@ -125,52 +58,6 @@ std::vector<Ref> algorithm_order(const Graph& graph, const std::vector<Ref>& nod
     }
   }
   return order;
-}
-
-}  // namespace
-
-std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs,
-                                     Order order) {
-  const std::vector<Ref> nodes = reachable(graph, outputs);
-  if (order == Order::kAlgorithm) {
-    return algorithm_order(graph, nodes);
-  }
-  DepthFirst walk(graph, nodes);
-  std::vector<Ref> result;
-  for (const Ref output : outputs) {
-    walk.visit(output, result);
-  }
-  return result;
-}
-
-int largest_live_count(const Graph& graph, std::span<const Ref> operations) {
-  std::vector<std::size_t> last_use(graph.size(), 0);
-  for (std::size_t at = 0; at < operations.size(); ++at) {
-    for_each_operand(graph.node(operations[at]),
-                     [&](Ref operand) { last_use[index(operand)] = at; });
-  }
-  std::vector<int> change(operations.size() + 1, 0);
-  for (std::size_t at = 0; at < operations.size(); ++at) {
-    const std::size_t end = last_use[index(operations[at])];
-    if (end > at) {
-      ++change[at];
-      --change[end];
-    }
-  }
-  int live = 0;
-  int largest = 0;
-  for (const int step : change) {
-    live += step;
-    largest = std::max(largest, live);
-  }
-  return largest;
-}
-
-std::vector<Ref> cheapest_order(const Graph& graph, std::span<const Ref> outputs) {
-  std::vector<Ref> algorithm = operations_in_order(graph, outputs, Order::kAlgorithm);
-  std::vector<Ref> depth_first = operations_in_order(graph, outputs, Order::kDepthFirst);
-  return largest_live_count(graph, depth_first) < largest_live_count(graph, algorithm) ? depth_first
-                                                                                       : algorithm;
 }
 
 namespace {

@@ -10,21 +10,15 @@
 
 namespace treedyn::program {
 
-enum class Order {
-  kAlgorithm,   ///< order of creation: forward sweep, backward sweep
-  kDepthFirst,  ///< every output after exactly what it needs, the operand with more needs first
-};
-
-/// The operations (no constants, no inputs) that `outputs` need, in an order in which every operand
-/// precedes its user; sine and cosine of one angle stand side by side. O(size of the graph).
-std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs, Order order);
-
-/// The largest number of results that are alive at once if `operations` are executed in order; an
-/// estimate of registers and stack.
-int largest_live_count(const Graph& graph, std::span<const Ref> operations);
-
-/// The order with the smaller `largest_live_count`; algorithm order if equal.
-std::vector<Ref> cheapest_order(const Graph& graph, std::span<const Ref> outputs);
+/// The operations (no constants, no inputs) that `outputs` need, in order of creation, so that
+/// every operand precedes its user; sine and cosine of one angle stand side by side. O(size of the
+/// graph).
+///
+/// This is the order of the algorithm: forward sweep, backward sweep. Measured with g++ 12 -O3
+/// against depth-first order and against list scheduling for few live values (hyq, bolt, ur5, a
+/// 35-joint humanoid, chains, trees): it is the fastest or within the noise of it for A, and 10 to
+/// 50 % faster than both for B, tau and qdd, although its number of live values is often larger.
+std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs);
 
 /// Columns that the text of a value takes.
 struct Measure {

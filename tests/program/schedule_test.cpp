@@ -18,29 +18,27 @@ Measure wide() {
 }
 
 Schedule schedule_all(const Graph& graph, const std::vector<Ref>& outputs) {
-  return schedule(graph, outputs, operations_in_order(graph, outputs, Order::kAlgorithm), wide());
+  return schedule(graph, outputs, operations_in_order(graph, outputs), wide());
 }
 
 TEST(OperationsInOrder, KeepsEveryDefinitionBeforeItsFirstUse) {
-  for (const Order order : {Order::kAlgorithm, Order::kDepthFirst}) {
-    const Function function = random_function(7, 300);
-    const std::vector<Ref> nodes = operations_in_order(function.graph, function.outputs, order);
-    std::set<Ref> done;
-    for (const Ref k : nodes) {
-      for_each_operand(function.graph.node(k), [&](Ref operand) {
-        const Kind kind = function.graph.node(operand).kind;
-        EXPECT_TRUE(kind == Kind::kConstant || kind == Kind::kInput ||
-                    done.contains(std::abs(operand)));
-      });
-      EXPECT_TRUE(done.insert(k).second);
-    }
-    const std::vector<Ref> all = reachable(function.graph, function.outputs);
-    const auto operations = std::count_if(all.begin(), all.end(), [&](Ref k) {
-      const Kind kind = function.graph.node(k).kind;
-      return kind != Kind::kConstant && kind != Kind::kInput;
+  const Function function = random_function(7, 300);
+  const std::vector<Ref> nodes = operations_in_order(function.graph, function.outputs);
+  std::set<Ref> done;
+  for (const Ref k : nodes) {
+    for_each_operand(function.graph.node(k), [&](Ref operand) {
+      const Kind kind = function.graph.node(operand).kind;
+      EXPECT_TRUE(kind == Kind::kConstant || kind == Kind::kInput ||
+                  done.contains(std::abs(operand)));
     });
-    EXPECT_EQ(nodes.size(), static_cast<std::size_t>(operations));
+    EXPECT_TRUE(done.insert(k).second);
   }
+  const std::vector<Ref> all = reachable(function.graph, function.outputs);
+  const auto operations = std::count_if(all.begin(), all.end(), [&](Ref k) {
+    const Kind kind = function.graph.node(k).kind;
+    return kind != Kind::kConstant && kind != Kind::kInput;
+  });
+  EXPECT_EQ(nodes.size(), static_cast<std::size_t>(operations));
 }
 
 TEST(OperationsInOrder, KeepsSineAndCosineOfOneAngleTogether) {
@@ -50,23 +48,10 @@ TEST(OperationsInOrder, KeepsSineAndCosineOfOneAngleTogether) {
   const Ref x = g.add(g.multiply(s, s), g.input(0, 1));
   const Ref c = g.cos(q);
   const std::vector<Ref> outputs = {x, c};
-  for (const Order order : {Order::kAlgorithm, Order::kDepthFirst}) {
-    const std::vector<Ref> nodes = operations_in_order(g, outputs, order);
-    const auto at_s = std::find(nodes.begin(), nodes.end(), s);
-    const auto at_c = std::find(nodes.begin(), nodes.end(), c);
-    EXPECT_EQ(std::abs(at_s - at_c), 1);
-  }
-}
-
-TEST(LargestLiveCount, CountsResultsThatAreStillNeeded) {
-  Graph g;
-  const Ref a = g.sin(g.input(0, 0));
-  const Ref b = g.sin(g.input(0, 1));
-  const Ref c = g.sin(g.input(0, 2));
-  const Ref sum = g.add(g.add(a, b), c);
-  const std::vector<Ref> outputs = {sum};
-  EXPECT_EQ(largest_live_count(g, operations_in_order(g, outputs, Order::kAlgorithm)), 3);
-  EXPECT_EQ(largest_live_count(g, operations_in_order(g, outputs, Order::kDepthFirst)), 2);
+  const std::vector<Ref> nodes = operations_in_order(g, outputs);
+  const auto at_s = std::find(nodes.begin(), nodes.end(), s);
+  const auto at_c = std::find(nodes.begin(), nodes.end(), c);
+  EXPECT_EQ(std::abs(at_s - at_c), 1);
 }
 
 TEST(Schedule, InlinesAProductIntoItsSum) {
@@ -105,8 +90,7 @@ TEST(Schedule, MakesTwoStatementsOfWhatDoesNotFit) {
                           [](Ref) {
                             return 20;
                           }};
-  const Schedule result =
-      schedule(g, outputs, operations_in_order(g, outputs, Order::kAlgorithm), narrow);
+  const Schedule result = schedule(g, outputs, operations_in_order(g, outputs), narrow);
   EXPECT_EQ(result.statements.size(), 2U);
   EXPECT_NE(result.is_inlined(left), result.is_inlined(right));
 }
