@@ -37,11 +37,7 @@ int Pattern::find(int i, int j) const {
 
 Pattern transpose(const Pattern& a) {
   Rows rows(at(a.cols()));
-  for (int i = 0; i < a.rows(); ++i) {
-    for (const int j : row(a, i)) {
-      rows[at(j)].push_back(i);
-    }
-  }
+  a.visit([&](int i, int j, int) { rows[at(j)].push_back(i); });
   return {a.rows(), rows};
 }
 
@@ -60,14 +56,10 @@ Pattern product(const Pattern& a, const Pattern& b) {
   std::vector<bool> present(at(b.cols()));
   for (int i = 0; i < a.rows(); ++i) {
     present.assign(present.size(), false);
-    for (const int k : row(a, i)) {
-      for (int block = b.begin(k); block < b.end(k); ++block) {
-        present[at(b.column(block))] = true;
-      }
-    }
-    for (int j = 0; j < b.cols(); ++j) {
-      if (present[at(j)]) {
-        rows[at(i)].push_back(j);
+    a.visit_row(i, [&](int k, int) { b.visit_row(k, [&](int j, int) { present[at(j)] = true; }); });
+    for (std::size_t j = 0; j < present.size(); ++j) {
+      if (present[j]) {
+        rows[at(i)].push_back(static_cast<int>(j));
       }
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,27 @@ class Pattern {
   /// The block at (i, j), -1 if it is zero. O(log of the row's blocks).
   [[nodiscard]] int find(int i, int j) const;
 
+  /// Calls visit(row, column, block) for every block, row by row.
+  template <class Visit>
+  void visit(const Visit& visit) const {
+    for (int i = 0; i < rows(); ++i) {
+      for (int block = begin(i); block < end(i); ++block) {
+        visit(i, column(block), block);
+      }
+    }
+  }
+  /// Calls visit(column, block) for every block of row i.
+  template <class Visit>
+  void visit_row(int i, const Visit& visit) const {
+    for (int block = begin(i); block < end(i); ++block) {
+      visit(column(block), block);
+    }
+  }
+
   friend bool operator==(const Pattern&, const Pattern&) = default;
-  friend auto operator<=>(const Pattern&, const Pattern&) = default;
+  friend bool operator<(const Pattern& a, const Pattern& b) {
+    return std::tie(a.cols_, a.start_, a.column_) < std::tie(b.cols_, b.start_, b.column_);
+  }
 
  private:
   int cols_ = 0;

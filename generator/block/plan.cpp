@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "block/association.hpp"
+#include "block/rewrite.hpp"
 #include "common/error.hpp"
 
 namespace treedyn::block {
@@ -28,7 +29,7 @@ int count(const Index& index, Set set) {
 Pattern leaf_pattern(const Expression& e, const Index& index) {
   const int rows = count(index, e.shape().rows.set);
   const int cols = count(index, e.shape().cols.set);
-  std::vector<std::vector<int>> blocks(at(rows));
+  std::vector<std::vector<int>> columns;  // rows of the transpose
   switch (e.node().structure) {
     case Structure::kIdentity:
     case Structure::kDiagonal:
@@ -40,77 +41,18 @@ Pattern leaf_pattern(const Expression& e, const Index& index) {
       return full(rows, cols);
     case Structure::kRowPoints:
       return transpose(Pattern(rows, index.row_points));
+    case Structure::kCarrier:
+      for (const int carrier : index.carrier) {
+        columns.push_back(carrier < 0 ? std::vector<int>{} : std::vector<int>{carrier});
+      }
+      return transpose(Pattern(rows, columns));
     case Structure::kRevolute:
       for (int i = 0; i < rows; ++i) {
-        if (index.revolute[at(i)]) {
-          blocks[at(i)] = {i};
-        }
+        columns.push_back(index.revolute[at(i)] ? std::vector<int>{i} : std::vector<int>{});
       }
-      break;
-    case Structure::kCarrier:
-      for (int p = 0; p < cols; ++p) {
-        if (index.carrier[at(p)] >= 0) {
-          blocks[at(index.carrier[at(p)])].push_back(p);
-        }
-      }
-      break;
+      return {rows, columns};
   }
-  return {cols, blocks};
-}
-
-/// The transpose pushed down to the symbols: (X Y + Z)^T = Y^T X^T + Z^T.
-Expression push_transpose(const Expression& e) {
-  const std::vector<Expression>& x = e.operands();
-  switch (e.kind()) {
-    case Kind::kNamed:
-      return push_transpose(x.front());
-    case Kind::kTranspose:
-      return x.front();
-    case Kind::kScaled:
-      return e.node().factor * push_transpose(x.front());
-    case Kind::kSum: {
-      Expression sum = push_transpose(x.front());
-      for (std::size_t k = 1; k < x.size(); ++k) {
-        sum = sum + push_transpose(x[k]);
-      }
-      return sum;
-    }
-    case Kind::kProduct: {
-      Expression product = push_transpose(x.back());
-      for (std::size_t k = x.size() - 1; k-- > 0;) {
-        product = product * push_transpose(x[k]);
-      }
-      return product;
-    }
-    default:
-      return transpose(e);
-  }
-}
-
-bool constant_expression(const Expression& e) {
-  if (e.kind() == Kind::kLeaf) {
-    return is_constant(e.node().structure);
-  }
-  return std::all_of(e.operands().begin(), e.operands().end(), constant_expression);
-}
-
-// The factors of a product with names and nested products opened; rational factors go to `factor`.
-void flatten(const Expression& e, std::vector<Expression>& factors, Ratio& factor) {
-  switch (e.kind()) {
-    case Kind::kNamed:
-      return flatten(e.operands().front(), factors, factor);
-    case Kind::kScaled:
-      factor.numerator *= e.node().factor.numerator;
-      factor.denominator *= e.node().factor.denominator;
-      return flatten(e.operands().front(), factors, factor);
-    case Kind::kProduct:
-      for (const Expression& operand : e.operands()) {
-        flatten(operand, factors, factor);
-      }
-      return;
-    default:
-      factors.push_back(e);
-  }
+  return {};
 }
 
 }  // namespace
@@ -156,6 +98,7 @@ std::vector<int> Plan::needed(const std::vector<int>& results) const {
 
 std::vector<const Step*> Plan::operands(const std::vector<int>& ids) const {
   std::vector<const Step*> result;
+  result.reserve(ids.size());
   for (const int id : ids) {
     result.push_back(&step(id));
   }
@@ -205,15 +148,8 @@ int Plan::add(const Expression& e) {
       return add_leaf(e);
     case Kind::kNamed:
       return add(e.operands().front());
-    case Kind::kSum: {
-      std::vector<Scaled> terms;
-      for (const Expression& term : e.operands()) {
-        const bool scaled = term.kind() == Kind::kScaled;
-        terms.push_back(
-            {add(scaled ? term.operands().front() : term), scaled ? term.node().factor : Ratio{}});
-      }
-      return add_sum(terms);
-    }
+    case Kind::kSum:
+      return add_terms(e);
     case Kind::kScaled:
       return add_sum({{add(e.operands().front()), e.node().factor}});
     case Kind::kProduct:
@@ -221,6 +157,16 @@ int Plan::add(const Expression& e) {
     default:
       return add_unary(e);
   }
+}
+
+int Plan::add_terms(const Expression& sum) {
+  std::vector<Scaled> terms;
+  for (const Expression& term : sum.operands()) {
+    const bool scaled = term.kind() == Kind::kScaled;
+    terms.push_back(
+        {add(scaled ? term.operands().front() : term), scaled ? term.node().factor : Ratio{}});
+  }
+  return add_sum(terms);
 }
 
 int Plan::add_leaf(const Expression& e) {
@@ -309,6 +255,7 @@ int Plan::add_product(const Expression& e) {
     }
   } else {
     std::vector<int> ids;
+    ids.reserve(factors.size());
     for (const Expression& f : factors) {
       ids.push_back(add(f));
     }
@@ -330,16 +277,8 @@ int Plan::apply(const Expression& e, int column) {
         column = apply(x[k], column);
       }
       return column;
-    case Kind::kSum: {
-      if (constant_expression(e)) {
-        return multiply(add(e), column);
-      }
-      std::vector<Scaled> terms;
-      for (const Expression& term : x) {
-        terms.push_back({apply(term, column), {}});
-      }
-      return add_sum(terms);
-    }
+    case Kind::kSum:
+      return constant_expression(e) ? multiply(add(e), column) : apply_terms(e, column);
     case Kind::kTranspose: {
       const Expression pushed = push_transpose(x.front());
       return pushed.kind() == Kind::kTranspose ? multiply(add(pushed), column)
@@ -348,6 +287,15 @@ int Plan::apply(const Expression& e, int column) {
     default:
       return multiply(add(e), column);
   }
+}
+
+int Plan::apply_terms(const Expression& sum, int column) {
+  std::vector<Scaled> terms;
+  terms.reserve(sum.operands().size());
+  for (const Expression& term : sum.operands()) {
+    terms.push_back({apply(term, column), {}});
+  }
+  return add_sum(terms);
 }
 
 const PathSum* Plan::as_path_sum(int step) const {
@@ -388,6 +336,7 @@ int Plan::path_sum(const PathSum& sum, int matrix, int x) {
 
 int Plan::chain(const std::vector<int>& factors) {
   std::vector<Factor> matrices;
+  matrices.reserve(factors.size());
   for (const int f : factors) {
     const Step& s = step(f);
     matrices.push_back({s.pattern, s.height, s.width, as_path_sum(f) != nullptr});

@@ -51,10 +51,12 @@ class Plan {
   [[nodiscard]] bool is_constant(const std::vector<int>& ids) const;
 
   int add_leaf(const Expression& e);
+  int add_terms(const Expression& sum);
   int add_sum(const std::vector<Scaled>& terms);
   int add_unary(const Expression& e);
   int add_product(const Expression& e);
   int apply(const Expression& e, int column);
+  int apply_terms(const Expression& sum, int column);
   int multiply(int a, int b);
   int path_sum(const PathSum& sum, int matrix, int x);
   int chain(const std::vector<int>& factors);

@@ -21,33 +21,40 @@ std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
 
 Rows rows_of(const Pattern& pattern) {
   Rows rows(at(pattern.rows()));
-  for (int i = 0; i < pattern.rows(); ++i) {
-    for (int block = pattern.begin(i); block < pattern.end(i); ++block) {
-      rows[at(i)].push_back(pattern.column(block));
-    }
-  }
+  pattern.visit([&](int i, int j, int) { rows[at(i)].push_back(j); });
   return rows;
 }
 
-// "Lines" are the rows for a left factor D and the columns for a right factor.
-Rows path_sum_lines(const PathSum& sum, const Rows& x, const Index& index) {
-  const int n = index.links();
-  Rows lines = sum.strict ? Rows(x.size()) : x;
-  if (!sum.subtree) {
-    for (int i = 0; i < n; ++i) {
-      const int f = index.father[at(i)];
-      if (f >= 0) {
-        lines[at(i)] = united(lines[at(i)], lines[at(f)]);
-        lines[at(i)] = sum.strict ? united(lines[at(i)], x[at(f)]) : lines[at(i)];
-      }
-    }
-    return lines;
-  }
-  for (int i = n - 1; i >= 0; --i) {
+// "Lines" are the rows for a left factor D and the columns for a right factor: the line that a sum
+// adds to, and the line that it adds.
+struct Edge {
+  int to = 0;
+  int from = 0;
+};
+
+/// The links with fathers in the order of the sum: from the roots down, or (subtree) from the
+/// leaves up.
+std::vector<Edge> edges(const PathSum& sum, const Index& index) {
+  std::vector<Edge> result;
+  for (int i = 0; i < index.links(); ++i) {
     const int f = index.father[at(i)];
     if (f >= 0) {
-      lines[at(f)] = united(lines[at(f)], lines[at(i)]);
-      lines[at(f)] = sum.strict ? united(lines[at(f)], x[at(i)]) : lines[at(f)];
+      result.push_back(sum.subtree ? Edge{f, i} : Edge{i, f});
+    }
+  }
+  if (sum.subtree) {
+    std::reverse(result.begin(), result.end());
+  }
+  return result;
+}
+
+Rows path_sum_lines(const PathSum& sum, const Rows& x, const Index& index) {
+  Rows lines = sum.strict ? Rows(x.size()) : x;
+  for (const Edge& edge : edges(sum, index)) {
+    std::vector<int>& line = lines[at(edge.to)];
+    line = united(line, lines[at(edge.from)]);
+    if (sum.strict) {
+      line = united(line, x[at(edge.from)]);
     }
   }
   return lines;
@@ -80,21 +87,13 @@ class LineAdder {
 
 void path_sum_terms(const PathSum& sum, Step& result, const Step& x, const Index& index) {
   LineAdder lines(result, x, sum.on_right);
-  const int n = index.links();
-  for (int k = 0; k < n; ++k) {
-    const int i = sum.subtree ? n - 1 - k : k;
-    const int f = index.father[at(i)];
-    if (!sum.strict) {
-      lines.add(i, i, false);
-    }
-    if (f < 0) {
-      continue;
-    }
-    const int to = sum.subtree ? f : i;
-    const int from = sum.subtree ? i : f;
-    lines.add(to, from, true);
+  for (int i = 0; i < index.links() && !sum.strict; ++i) {
+    lines.add(i, i, false);
+  }
+  for (const Edge& edge : edges(sum, index)) {
+    lines.add(edge.to, edge.from, true);
     if (sum.strict) {
-      lines.add(to, from, false);
+      lines.add(edge.to, edge.from, false);
     }
   }
 }
@@ -109,6 +108,20 @@ Step same_blocks(const Step& a, Operation operation) {
     result.terms.push_back({block, block, 0});
   }
   return result;
+}
+
+int folded_term(const Step& step, const Term& term, const std::vector<const Step*>& operands) {
+  switch (step.operation) {
+    case Operation::kSum: {
+      const Ratio& factor = step.factors[at(term.right)];
+      TREEDYN_EXPECT(factor.denominator == 1);
+      return factor.numerator * operands[at(term.right)]->constants[at(term.left)];
+    }
+    case Operation::kProduct:
+      return operands[0]->constants[at(term.left)] * operands[1]->constants[at(term.right)];
+    default:
+      return operands[0]->constants[at(term.left)];
+  }
 }
 
 }  // namespace
@@ -131,13 +144,9 @@ Step sum_step(const std::vector<const Step*>& operands, std::vector<Ratio> facto
     result.width = std::max(result.width, operand->width);
   }
   for (std::size_t k = 0; k < operands.size(); ++k) {
-    const Pattern& source = operands[k]->pattern;
-    for (int i = 0; i < source.rows(); ++i) {
-      for (int block = source.begin(i); block < source.end(i); ++block) {
-        const int target = result.pattern.find(i, source.column(block));
-        result.terms.push_back({target, block, static_cast<int>(k)});
-      }
-    }
+    operands[k]->pattern.visit([&](int i, int j, int block) {
+      result.terms.push_back({result.pattern.find(i, j), block, static_cast<int>(k)});
+    });
   }
   result.factors = std::move(factors);
   return result;
@@ -150,15 +159,11 @@ Step product_step(const Step& a, const Step& b) {
   result.height = a.block_size() == 1 ? b.height : a.height;
   result.width = b.block_size() == 1 ? a.width : b.width;
   result.pattern = product(a.pattern, b.pattern);
-  for (int i = 0; i < a.pattern.rows(); ++i) {
-    for (int left = a.pattern.begin(i); left < a.pattern.end(i); ++left) {
-      const int k = a.pattern.column(left);
-      for (int right = b.pattern.begin(k); right < b.pattern.end(k); ++right) {
-        const int target = result.pattern.find(i, b.pattern.column(right));
-        result.terms.push_back({target, left, right});
-      }
-    }
-  }
+  a.pattern.visit([&](int i, int k, int left) {
+    b.pattern.visit_row(k, [&](int j, int right) {
+      result.terms.push_back({result.pattern.find(i, j), left, right});
+    });
+  });
   return result;
 }
 
@@ -180,11 +185,9 @@ Step transpose_step(const Step& a) {
   result.height = a.width;
   result.width = a.height;
   result.pattern = transpose(a.pattern);
-  for (int i = 0; i < a.pattern.rows(); ++i) {
-    for (int block = a.pattern.begin(i); block < a.pattern.end(i); ++block) {
-      result.terms.push_back({result.pattern.find(a.pattern.column(block), i), block, 0});
-    }
-  }
+  a.pattern.visit([&](int i, int j, int block) {
+    result.terms.push_back({result.pattern.find(j, i), block, 0});
+  });
   return result;
 }
 
@@ -209,26 +212,16 @@ Step diagonal_step(const Step& a) {
 Step folded(const Step& step, const std::vector<const Step*>& operands) {
   std::vector<int> values(at(step.pattern.blocks()), 0);
   for (const Term& term : step.terms) {
-    const std::size_t k = step.operation == Operation::kSum ? at(term.right) : 0;
-    int value = operands[k]->constants[at(term.left)];
-    if (step.operation == Operation::kSum) {
-      TREEDYN_EXPECT(step.factors[k].denominator == 1);
-      value *= step.factors[k].numerator;
-    } else if (step.operation == Operation::kProduct) {
-      value *= operands[1]->constants[at(term.right)];
-    }
-    values[at(term.target)] += value;
+    values[at(term.target)] += folded_term(step, term, operands);
   }
   Rows rows(at(step.pattern.rows()));
   std::vector<int> kept;
-  for (int i = 0; i < step.pattern.rows(); ++i) {
-    for (int block = step.pattern.begin(i); block < step.pattern.end(i); ++block) {
-      if (values[at(block)] != 0) {
-        rows[at(i)].push_back(step.pattern.column(block));
-        kept.push_back(values[at(block)]);
-      }
+  step.pattern.visit([&](int i, int j, int block) {
+    if (values[at(block)] != 0) {
+      rows[at(i)].push_back(j);
+      kept.push_back(values[at(block)]);
     }
-  }
+  });
   return constant_step(Pattern(step.pattern.cols(), rows), std::move(kept));
 }
 

@@ -38,8 +38,8 @@ class Coordinates {
   }
 
   /// `full` (row-major, `cols` wide) in independent coordinates; the result stands in `out`.
-  std::span<const Scalar> reduce(Reduction reduction, std::span<const Scalar> full,
-                                 std::size_t cols, std::span<Scalar> out) const {
+  [[nodiscard]] std::span<const Scalar> reduce(Reduction reduction, std::span<const Scalar> full,
+                                               std::size_t cols, std::span<Scalar> out) const {
     switch (reduction) {
       case Reduction::kRows:
         return rows(full, cols, out);
@@ -62,8 +62,8 @@ class Coordinates {
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(dof_); }
 
-  std::span<const Scalar> rows(std::span<const Scalar> full, std::size_t cols,
-                               std::span<Scalar> out) const {
+  [[nodiscard]] std::span<const Scalar> rows(std::span<const Scalar> full, std::size_t cols,
+                                             std::span<Scalar> out) const {
     const std::span<Scalar> result = out.first(size() * cols);
     std::fill(result.begin(), result.end(), Scalar(0));
     for (std::size_t i = 0; i < drives_.size(); ++i) {
@@ -74,7 +74,8 @@ class Coordinates {
     return result;
   }
 
-  std::span<const Scalar> rows_and_cols(std::span<const Scalar> full, std::span<Scalar> out) const {
+  [[nodiscard]] std::span<const Scalar> rows_and_cols(std::span<const Scalar> full,
+                                                      std::span<Scalar> out) const {
     const std::span<Scalar> result = out.first(size() * size());
     std::fill(result.begin(), result.end(), Scalar(0));
     for (std::size_t i = 0; i < drives_.size(); ++i) {
@@ -86,13 +87,12 @@ class Coordinates {
     return result;
   }
 
-  std::span<const Scalar> selection(std::span<const Scalar> full, std::span<Scalar> out) const {
-    for (std::size_t i = 0; i < size(); ++i) {
-      for (std::size_t n = 0; n < 3; ++n) {
-        for (std::size_t j = 0; j < size(); ++j) {
-          out[(3 * i + n) * size() + j] =
-              full[(3 * selected_[i] + n) * drives_.size() + selected_[j]];
-        }
+  [[nodiscard]] std::span<const Scalar> selection(std::span<const Scalar> full,
+                                                  std::span<Scalar> out) const {
+    for (std::size_t row = 0; row < 3 * size(); ++row) {
+      const std::size_t full_row = 3 * selected_[row / 3] + row % 3;
+      for (std::size_t j = 0; j < size(); ++j) {
+        out[row * size() + j] = full[full_row * drives_.size() + selected_[j]];
       }
     }
     return out.first(3 * size() * size());

@@ -17,9 +17,7 @@ void factorize(Matrix& A) {
         continue;
       }
       const Scalar a = A(k, i) / A(k, k);
-      for (Eigen::Index j = 0; j <= i; ++j) {
-        A(i, j) -= a * A(k, j);
-      }
+      A.row(i).head(i + 1) -= a * A.row(k).head(i + 1);
       A(k, i) = a;
     }
   }

@@ -78,8 +78,7 @@ Expression force_jacobian_transpose(const Attached& at) {
   const Expression z_dT = transpose(z_d);
   const Expression D_PT = transpose(at.D_P);
   const Expression revolute = (transpose(D) - E) * skew(s_d) * D_PT + D_PT * skew(at.t_d);
-  const Expression prismatic = D_PT;
-  return named("C" + at.label, sigma * z_dT * revolute + (E - sigma) * z_dT * prismatic);
+  return named("C" + at.label, sigma * z_dT * revolute + (E - sigma) * z_dT * D_PT);
 }
 
 // (5) = (11)

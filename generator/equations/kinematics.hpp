@@ -115,7 +115,7 @@ void compute_poses(const Constants<Scalar>& constants, const JointPositions<Scal
 template <class Scalar>
 class LeafWriter {
  public:
-  LeafWriter(block::Evaluation<Scalar>& evaluation)
+  explicit LeafWriter(block::Evaluation<Scalar>& evaluation)
       : z_(evaluation.leaf("z^d")),
         s_(evaluation.leaf("s^d")),
         l_(evaluation.leaf("l^d")),

@@ -67,8 +67,8 @@ std::string links_text(const model::Tree& tree) {
 }
 
 std::string pattern_text(const block::Pattern& pattern, int most_blocks) {
-  const std::string head = fmt::format("  blocks that are not zero: {} of {}\n", pattern.blocks(),
-                                       static_cast<long long>(pattern.rows()) * pattern.cols());
+  std::string head = fmt::format("  blocks that are not zero: {} of {}\n", pattern.blocks(),
+                                 static_cast<long long>(pattern.rows()) * pattern.cols());
   if (pattern.cols() == 1 || pattern.cols() > most_blocks || pattern.rows() > most_blocks) {
     return head;
   }
@@ -114,13 +114,13 @@ class Dump {
     }
     const Entries expanded = expansion_->expand(e);
     std::string result;
-    for (int i = 0; i < expanded.rows; ++i) {
-      for (int j = 0; j < expanded.cols; ++j) {
-        const Polynomial entry = polynomial(expansion_->ring(), expanded.at(i, j));
-        if (!entry.empty()) {
-          result += fmt::format("  [{},{}] = {}\n", i, j,
-                                to_text(expansion_->ring(), entry, options_.most_terms));
-        }
+    for (int n = 0; n < expanded.rows * expanded.cols; ++n) {
+      const int i = n / expanded.cols;
+      const int j = n % expanded.cols;
+      const Polynomial entry = polynomial(expansion_->ring(), expanded.at(i, j));
+      if (!entry.empty()) {
+        result += fmt::format("  [{},{}] = {}\n", i, j,
+                              to_text(expansion_->ring(), entry, options_.most_terms));
       }
     }
     return result;

@@ -12,8 +12,8 @@ namespace treedyn::symbolic {
 class Expanded {
  public:
   Expanded() = default;
-  Expanded(int value)
-      : value_(value) {}  // NOLINT(google-explicit-constructor): Eigen writes Scalar(0), 1
+  // NOLINTNEXTLINE(google-explicit-constructor): Eigen and `block` write numbers as scalars
+  Expanded(int value) : value_(value) {}
   Expanded(const Ring& ring, const GiNaC::ex& value);
 
   [[nodiscard]] const GiNaC::ex& value() const { return value_; }
@@ -48,6 +48,7 @@ struct NumTraits<treedyn::symbolic::Expanded> : GenericNumTraits<treedyn::symbol
   using Real = treedyn::symbolic::Expanded;
   using NonInteger = treedyn::symbolic::Expanded;
   using Nested = treedyn::symbolic::Expanded;
+  // NOLINTBEGIN(readability-identifier-naming): Eigen's names
   enum {
     IsComplex = 0,
     IsInteger = 0,
@@ -57,6 +58,7 @@ struct NumTraits<treedyn::symbolic::Expanded> : GenericNumTraits<treedyn::symbol
     AddCost = 100,
     MulCost = 1000
   };
+  // NOLINTEND(readability-identifier-naming)
 };
 
 }  // namespace Eigen

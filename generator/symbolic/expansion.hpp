@@ -18,7 +18,8 @@ struct Entries {
   int cols = 0;
   std::vector<Expanded> values;
   [[nodiscard]] const Expanded& at(int i, int j) const {
-    return values[static_cast<std::size_t>(i * cols + j)];
+    return values[static_cast<std::size_t>(i) * static_cast<std::size_t>(cols) +
+                  static_cast<std::size_t>(j)];
   }
 };
 

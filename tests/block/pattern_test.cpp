@@ -13,7 +13,7 @@ namespace {
 using namespace equations;  // NOLINT(google-build-using-namespace): the symbols
 
 // 0 - 1 - 2, 1 - 3, and a second root 4 with son 5; joint 1 is prismatic.
-Index two_trees() { return {{-1, 0, 1, 1, -1, 4}, {true, false, true, true, true, true}, {}}; }
+Index two_trees() { return {{-1, 0, 1, 1, -1, 4}, {true, false, true, true, true, true}, {}, {}}; }
 
 bool is_ancestor(const Index& index, int j, int i) {  // j ≼ i
   while (i > j) {
