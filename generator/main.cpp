@@ -101,6 +101,9 @@ int run_check(const Settings& settings) {
     return 0;
   }
   print(report);
+  if (settings.numeric && settings.request.target.lanes > 1) {
+    throw CLI::ValidationError("--numeric", "compares functions of one state; expected --lanes 1");
+  }
   if (settings.numeric) {
     print(numeric_report(model, files, settings.output));
   }
@@ -284,11 +287,27 @@ void add_generation(CLI::App& command, Request& request) {
       .add_option_function<std::string>(
           "--scalar",
           [&request](const std::string& scalar) {
-            request.scalar = scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
+            request.target.scalar =
+                scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
           },
           "the only floating-point type of the output; default double")
       ->check(one_of({"double", "float"}))
       ->type_name("double|float");
+  command
+      .add_option("--lanes", request.target.lanes,
+                  "states computed at once, one a lane of a vector")
+      ->check(one_of({"1", "2", "4", "8", "16"}))
+      ->type_name("1|2|4|8|16")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--sincos",
+          [&request](const std::string& choice) {
+            request.target.builtin_sincos = choice == "builtin";
+          },
+          "sine and cosine of the C library or written into the source; default libm")
+      ->check(one_of({"libm", "builtin"}))
+      ->type_name("libm|builtin");
   command
       .add_option_function<std::string>(
           "--functions", [&request](const std::string& list) { set_functions(request, list); },

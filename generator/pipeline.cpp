@@ -131,7 +131,10 @@ std::vector<std::string> names_without(const Request& request) {
 std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", text); }
 
 std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
-  return {{"scalar", in_quotes(emit::type_name(request.scalar))},
+  return {{"scalar", in_quotes(emit::type_name(request.target.scalar))},
+          {"lanes", std::to_string(request.target.lanes)},
+          {"sincos", in_quotes(request.target.builtin_sincos || request.target.lanes > 1 ? "builtin"
+                                                                                         : "libm")},
           {"base", in_quotes(base_text(request.read.base))},
           {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
           {"snap", emit::decimal(request.read.snap)},
@@ -197,7 +200,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
   unit.tree = &model.tree;
   unit.points = model.points;
   unit.functions = std::move(functions);
-  unit.scalar = request.scalar;
+  unit.target = request.target;
   unit.command = {"treedyn", "generate", model.source.file};
   for (const std::string& option : options_of(request)) {
     unit.command.push_back(option);
@@ -245,7 +248,11 @@ std::vector<std::string> options_of(const Request& request) {
   };
   add(request.name.has_value(), "--name", request.name.value_or(""));
   add(request.read.base != kDefaults.read.base, "--base", base_text(request.read.base));
-  add(request.scalar != kDefaults.scalar, "--scalar", emit::type_name(request.scalar));
+  add(request.target.scalar != kDefaults.target.scalar, "--scalar",
+      emit::type_name(request.target.scalar));
+  add(request.target.lanes != kDefaults.target.lanes, "--lanes",
+      std::to_string(request.target.lanes));
+  add(request.target.builtin_sincos, "--sincos", "builtin");
   add(!request.functions.empty(), "--functions", list_of(request.functions));
   add(request.points.has_value(), "--points", request.points.value_or(""));
   add(request.gravity != kDefaults.gravity, "--gravity", gravity_text(request.gravity));

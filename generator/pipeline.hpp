@@ -22,7 +22,7 @@ struct Request {
   std::optional<std::string> points;   ///< --points; default: the model's own
   std::vector<std::string> functions;  ///< empty: the default set
   model::Vector3 gravity = {0, 0, Real("-9.81")};
-  emit::Scalar scalar = emit::Scalar::kDouble;
+  emit::Target target;
   int effort = simplify::Options{}.effort;
   simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
   std::vector<simplify::Pass> without;  ///< passes that are switched off

@@ -38,11 +38,11 @@ struct Statement {
 
 class Writer {
  public:
-  Writer(const program::Function& function, const Vocabulary& words, Scalar scalar)
+  Writer(const program::Function& function, const Vocabulary& words, const Target& target)
       : function_(function),
         graph_(function.graph),
         words_(words),
-        scalar_(scalar),
+        target_(target),
         operations_(program::operations_in_order(graph_, function.outputs)),
         names_(function, words, operations_) {}
 
@@ -63,6 +63,7 @@ class Writer {
   std::string atom(Ref value, std::size_t part) const;
   std::string input(const program::Node& node) const;
   std::string text(const Statement& statement) const;
+  std::string broadcast(Ref value) const;
   std::string right_side(const Statement& statement) const;
   int body_of(const Statement& statement) const;
   void note_body(std::size_t at, Part& part, int& current) const;
@@ -79,7 +80,7 @@ class Writer {
   const program::Function& function_;
   const program::Graph& graph_;
   const Vocabulary& words_;
-  Scalar scalar_;
+  Target target_;
   std::vector<Ref> operations_;
   LocalNames names_;
   program::Schedule schedule_;
@@ -266,7 +267,7 @@ std::string Writer::input(const program::Node& node) const {
 std::string Writer::atom(Ref value, std::size_t part) const {
   const program::Node& node = graph_.node(value);
   if (node.kind == Kind::kConstant) {
-    return literal(graph_.value(value), scalar_);
+    return literal(graph_.value(value), target_.scalar);
   }
   if (node.kind == Kind::kInput) {
     return input(node);
@@ -275,10 +276,20 @@ std::string Writer::atom(Ref value, std::size_t part) const {
   return elsewhere ? "w." + names_.at(value) : names_.at(value);
 }
 
+/// A constant in every lane.
+std::string Writer::broadcast(Ref value) const {
+  return value == 0 ? "Scalar{}"
+                    : fmt::format("Scalar{{}} {} {}", value < 0 ? '-' : '+',
+                                  literal(graph_.value(std::abs(value)), target_.scalar));
+}
+
 std::string Writer::right_side(const Statement& statement) const {
   const Ref value = statement.value;
+  if (target_.lanes > 1 && (value == 0 || graph_.node(value).kind == Kind::kConstant)) {
+    return broadcast(value);
+  }
   if (value == 0) {
-    return literal(0, scalar_);
+    return literal(0, target_.scalar);
   }
   if (statement.copy_of >= 0) {
     const Ref original = function_.outputs[static_cast<std::size_t>(statement.copy_of)];
@@ -376,8 +387,8 @@ Body Writer::write() {
 
 }  // namespace
 
-Body body(const program::Function& function, const Vocabulary& words, Scalar scalar) {
-  return Writer(function, words, scalar).write();
+Body body(const program::Function& function, const Vocabulary& words, const Target& target) {
+  return Writer(function, words, target).write();
 }
 
 }  // namespace treedyn::emit

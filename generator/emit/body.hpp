@@ -28,6 +28,6 @@ struct Body {
 /// Order, names and statements of a function. Every line fits into 100 columns with an indentation
 /// of two; the operations are exactly those of the graph.
 /// \throws std::range_error if a constant is too large for the scalar type.
-Body body(const program::Function& function, const Vocabulary& words, Scalar scalar);
+Body body(const program::Function& function, const Vocabulary& words, const Target& target);
 
 }  // namespace treedyn::emit

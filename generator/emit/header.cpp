@@ -121,10 +121,24 @@ std::string function_doc(const program::Function& function) {
   for (const program::Array& array : signature.outputs) {
     result += array_doc(array, true, name_width);
   }
-  return result + "///\n" +
-         wrapped(fmt::format("Equation {}. Cost: {}.", signature.equation,
-                             cost_text(program::cost(function))),
-                 "/// ");
+  return result + wrapped(fmt::format("Equation {}. Cost: {}.", signature.equation,
+                                      cost_text(program::cost(function))),
+                          "/// ");
+}
+
+std::string scalar_declaration(const Target& target) {
+  const std::string type = type_name(target.scalar);
+  if (target.lanes == 1) {
+    return fmt::format("/// The only floating-point type in use.\nusing Scalar = {};\n", type);
+  }
+  return fmt::format(
+      "/// States that are computed at once.\n"
+      "inline constexpr int kLanes = {0};\n"
+      "/// One value of every state, the only floating-point type in use: value[lane] is that of a "
+      "state.\n"
+      "/// For a processor with vectors of this size (-march), or with -Wno-psabi.\n"
+      "using Scalar [[gnu::vector_size(kLanes * sizeof({1}))]] = {1};\n",
+      target.lanes, type);
 }
 
 std::string declarations(const Unit& unit) {
@@ -200,7 +214,7 @@ std::string header_text(const Unit& unit) {
                {"command", command_comment(unit.command)},
                {"joints", joint_table(tree)},
                {"points", point_table(unit.points)},
-               {"scalar", type_name(unit.scalar)},
+               {"scalar", scalar_declaration(unit.target)},
                {"dof", std::to_string(tree.dof())},
                {"point_count", std::to_string(unit.points.size())},
                {"joint_indices", index_namespace("joint", joint_identifiers(tree))},

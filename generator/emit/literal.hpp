@@ -10,6 +10,13 @@ namespace treedyn::emit {
 /// The only floating-point type of a generated file.
 enum class Scalar { kDouble, kFloat };
 
+/// What the generated functions compute with.
+struct Target {
+  Scalar scalar = Scalar::kDouble;
+  int lanes = 1;                ///< states at once; more than one: Scalar is a vector type
+  bool builtin_sincos = false;  ///< sin and cos without a library; always with several lanes
+};
+
 /// "double" or "float".
 std::string type_name(Scalar scalar);
 

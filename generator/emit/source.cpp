@@ -4,6 +4,7 @@
 
 #include "emit/header.hpp"
 #include "emit/layout.hpp"
+#include "emit/sincos.hpp"
 #include "emit/template_file.hpp"
 
 namespace treedyn::emit {
@@ -97,19 +98,22 @@ std::string split_function(const program::Signature& signature, const Body& body
          block(calls);
 }
 
-std::string using_declarations(const std::vector<program::Function>& functions) {
+/// Where sin, cos and sqrt come from.
+std::string mathematics(const Unit& unit) {
   program::Cost total;
-  for (const program::Function& function : functions) {
+  for (const program::Function& function : unit.functions) {
     const program::Cost cost = program::cost(function);
     total.cos += cost.cos;
     total.sin += cost.sin;
     total.sqrt += cost.sqrt;
   }
   std::string result;
-  result += total.cos > 0 ? "using std::cos;\n" : "";
-  result += total.sin > 0 ? "using std::sin;\n" : "";
+  const bool library = !unit.target.builtin_sincos && unit.target.lanes == 1;
+  result += library && total.cos > 0 ? "using std::cos;\n" : "";
+  result += library && total.sin > 0 ? "using std::sin;\n" : "";
   result += total.sqrt > 0 ? "using std::sqrt;\n" : "";
-  return result.empty() ? result : "\n" + result;
+  result = result.empty() ? result : "\n" + result;
+  return !library && total.sin + total.cos > 0 ? result + sincos_text(unit.target) : result;
 }
 
 }  // namespace
@@ -124,7 +128,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   }
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"command", command_comment(unit.command)},
-                                           {"using", using_declarations(unit.functions)},
+                                           {"using", mathematics(unit)},
                                            {"functions", functions}});
 }
 

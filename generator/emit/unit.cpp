@@ -16,7 +16,7 @@ std::vector<File> emit_files(const Unit& unit) {
   std::vector<Body> bodies;
   bodies.reserve(unit.functions.size());
   for (const program::Function& function : unit.functions) {
-    bodies.push_back(body(function, words, unit.scalar));
+    bodies.push_back(body(function, words, unit.target));
   }
   const std::vector<std::string> names = file_names(unit.name);
   return {{names[0], header_text(unit)},

@@ -17,7 +17,7 @@ struct Unit {
   const model::Tree* tree = nullptr;
   std::vector<model::Point> points;
   std::vector<program::Function> functions;
-  Scalar scalar = Scalar::kDouble;
+  Target target;
   std::vector<std::string> command;  ///< program and arguments that reproduce the files
   std::string tool;                  ///< "treedyn 0.1.0", for the manifest only
   std::string model_file;            ///< base name, "-" for standard input
