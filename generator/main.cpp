@@ -101,9 +101,6 @@ int run_check(const Settings& settings) {
     return 0;
   }
   print(report);
-  if (settings.numeric && settings.request.target.lanes > 1) {
-    throw CLI::ValidationError("--numeric", "compares functions of one state; expected --lanes 1");
-  }
   if (settings.numeric) {
     print(numeric_report(model, files, settings.output));
   }
@@ -359,6 +356,9 @@ CLI::App* add_output_command(CLI::App& app, const char* name, const char* what,
 void require_output(const Settings& settings) {
   if (settings.output.empty()) {
     throw CLI::RequiredError("-o DIR");
+  }
+  if (settings.numeric && settings.request.target.lanes > 1) {
+    throw CLI::ValidationError("--numeric", "compares functions of one state; expected --lanes 1");
   }
 }
 

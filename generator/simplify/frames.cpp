@@ -41,15 +41,14 @@ class Workbench {
 };
 
 /// A rotation whose third column is `axis`; a relabelling of axes if `axis` is one of them.
-Matrix3 frame_with_z(const Vector3& axis, int& sign) {
-  sign = 1;
+Matrix3 frame_with_z(const Vector3& axis) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (abs(abs(axis[k]) - 1) < kTiny) {
-      sign = axis[k] < 0 ? -1 : 1;
+      const bool negative = axis[k] < 0;
       Matrix3 relabel{};
-      for (std::size_t column = 0; column < 3; ++column) {
-        relabel[3 * ((k + 1 + column) % 3) + column] = 1;
-      }
+      relabel[3 * ((k + 1) % 3) + (negative ? 1 : 0)] = 1;
+      relabel[3 * ((k + 2) % 3) + (negative ? 0 : 1)] = 1;
+      relabel[3 * k + 2] = negative ? -1 : 1;
       return relabel;
     }
   }
@@ -81,7 +80,7 @@ Workbench::Workbench(const model::Tree& tree, const Vector3& gravity, const Vari
     NormalLink made;
     made.father = source.father;
     made.revolute = source.joint.type == model::JointType::kRevolute;
-    const Matrix3 p = frame_with_z(source.joint.axis, made.sign);
+    const Matrix3 p = frame_with_z(source.joint.axis);
     const bool root = source.father == model::kGround;
     const Matrix3 father = root ? identity() : frame[static_cast<std::size_t>(source.father)];
     made.rotation = clean(multiply(multiply(transpose(father), source.joint.rotation), p));
