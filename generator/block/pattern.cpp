@@ -19,6 +19,16 @@ std::vector<int> row(const Pattern& a, int i) {
   return result;
 }
 
+std::vector<int> positions(const std::vector<bool>& present) {
+  std::vector<int> result;
+  for (std::size_t j = 0; j < present.size(); ++j) {
+    if (present[j]) {
+      result.push_back(static_cast<int>(j));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Pattern::Pattern(int cols, const Rows& columns_of_row) : cols_(cols) {
@@ -54,14 +64,13 @@ Pattern unite(const Pattern& a, const Pattern& b) {
 Pattern product(const Pattern& a, const Pattern& b) {
   Rows rows(at(a.rows()));
   std::vector<bool> present(at(b.cols()));
+  const auto mark_row = [&](int k, int /*block*/) {
+    b.visit_row(k, [&](int j, int /*block*/) { present[at(j)] = true; });
+  };
   for (int i = 0; i < a.rows(); ++i) {
     present.assign(present.size(), false);
-    a.visit_row(i, [&](int k, int) { b.visit_row(k, [&](int j, int) { present[at(j)] = true; }); });
-    for (std::size_t j = 0; j < present.size(); ++j) {
-      if (present[j]) {
-        rows[at(i)].push_back(static_cast<int>(j));
-      }
-    }
+    a.visit_row(i, mark_row);
+    rows[at(i)] = positions(present);
   }
   return {b.cols(), rows};
 }
