@@ -135,11 +135,32 @@ void generate(const fs::path& model, const std::vector<std::string>& options,
   }
 }
 
+namespace {
+
+/// A folder of the cache for the output of this tool for this model and these options: the tool is
+/// a function of them (the tests of determinism show it), so what stands there need not be made
+/// again.
+fs::path cached_output(const fs::path& model, const std::vector<std::string>& options) {
+  static const std::string tool = read_file(TREEDYN_EXECUTABLE);
+  std::string key = tool + model.string() + read_file(model);
+  for (const std::string& option : options) {
+    key += '\n' + option;
+  }
+  return fs::path(TREEDYN_TEST_CACHE) / content_hash(key);
+}
+
+}  // namespace
+
 CompiledModel generate_and_compile(const fs::path& model, const std::vector<std::string>& options,
                                    Variant variant) {
-  const TemporaryFolder folder;
-  generate(model, options, folder.path());
-  return {folder.path(), "generated", variant};
+  const fs::path output = cached_output(model, options);
+  if (!fs::exists(output)) {
+    const fs::path partial = output.string() + fmt::format(".{}", getpid());
+    generate(model, options, partial);
+    std::error_code made_by_another_test;
+    fs::rename(partial, output, made_by_another_test);
+  }
+  return {output, "generated", variant};
 }
 
 }  // namespace treedyn::support

@@ -51,7 +51,7 @@ class CompiledModel {
 void generate(const std::filesystem::path& model, const std::vector<std::string>& options,
               const std::filesystem::path& folder);
 
-/// The same in one step: generated in a temporary folder, compiled, loaded.
+/// The same in one step: generated, compiled, loaded; the output is kept in the cache, too.
 CompiledModel generate_and_compile(const std::filesystem::path& model,
                                    const std::vector<std::string>& options,
                                    Variant variant = Variant::kPlain);

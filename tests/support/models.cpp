@@ -59,9 +59,10 @@ CompiledModel with_all_functions(const Committed& committed, const std::string& 
         ",point_positions,point_velocities,point_rotations,force_jacobian_transpose,"
         "moment_jacobian_transpose,point_bias_acceleration,angular_bias_acceleration,applied_force";
   }
-  return generate_and_compile(
-      committed.model,
-      {"--base", committed.manifest.base, "--scalar", scalar, "--functions", functions}, variant);
+  return generate_and_compile(committed.model,
+                              {"--base", committed.manifest.base, "--scalar", scalar, "--functions",
+                               functions, "--effort", "100"},
+                              variant);
 }
 
 }  // namespace treedyn::support

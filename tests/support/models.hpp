@@ -27,7 +27,8 @@ std::vector<Committed> committed_models(const std::filesystem::path& source_dir)
 /// Names for gtest's parametrised tests.
 std::string test_name(const Committed& committed);
 
-/// The model with every function of INTERFACE.md 3, generated and compiled now.
+/// The model with every function of INTERFACE.md 3, generated and compiled now; with less effort
+/// than the committed code, which stands for the default.
 CompiledModel with_all_functions(const Committed& committed, const std::string& scalar,
                                  Variant variant);
 
