@@ -9,15 +9,34 @@
 
 namespace treedyn::program {
 
+/// Element of an input array at the point number `point`, in +-[1/4, 1].
+inline double sample_input(int array, int element, int point) {
+  const std::uint64_t name = static_cast<std::uint64_t>(static_cast<std::uint32_t>(array)) << 32U |
+                             static_cast<std::uint32_t>(element);
+  const double u =
+      Random(scramble(name) + static_cast<std::uint64_t>(point) * 0x10001U).symmetric();
+  return u < 0 ? u * 0.75 - 0.25 : u * 0.75 + 0.25;
+}
+
+/// Sine and cosine are replaced by rational points 2t / (1 + t^2), (1 - t^2) / (1 + t^2) of the
+/// circle, t an odd irrational function of the argument: every machine computes the same and only
+/// c^2 + s^2 = 1 and what follows from it holds; sums of angles mean nothing.
+template <class Scalar>
+Scalar sample_function(Kind kind, const Scalar& a) {
+  using std::sqrt;
+  const Scalar square = a * a;
+  if (kind == Kind::kSqrt) {
+    return sqrt(a < 0 ? Scalar(-a) : a);
+  }
+  const Scalar t = a * Scalar(sqrt(square + Scalar(1.25)));
+  const Scalar scale = 1 / (1 + t * t);
+  return kind == Kind::kSin ? Scalar(2 * t * scale) : Scalar((1 - t * t) * scale);
+}
+
 /// The value of every node that `outputs` need, at the point number `point`; others are zero.
-///
-/// Only + - * / and sqrt, so that every machine computes the same: sine and cosine are replaced by
-/// the rational points 2t / (1 + t^2), (1 - t^2) / (1 + t^2) of the circle at t = the argument.
-/// Identities of sines and cosines of one argument hold, sums of angles mean nothing.
-/// Inputs lie in +-[1/4, 1]. O(size of the graph).
+/// O(size of the graph).
 template <class Scalar>
 std::vector<Scalar> fingerprint(const Graph& graph, std::span<const Ref> outputs, int point) {
-  using std::sqrt;
   std::vector<Scalar> value(graph.size(), Scalar(0));
   const auto at = [&](Ref a) -> Scalar {
     return a < 0 ? Scalar(-value[static_cast<std::size_t>(-a)])
@@ -30,14 +49,9 @@ std::vector<Scalar> fingerprint(const Graph& graph, std::span<const Ref> outputs
       case Kind::kConstant:
         result = from_real<Scalar>(graph.value(k));
         break;
-      case Kind::kInput: {
-        const double u = Random(scramble(static_cast<std::uint64_t>(node.a) << 32U |
-                                         static_cast<std::uint32_t>(node.b)) +
-                                static_cast<std::uint64_t>(point) * 0x10001U)
-                             .symmetric();
-        result = Scalar(u < 0 ? u * 0.75 - 0.25 : u * 0.75 + 0.25);
+      case Kind::kInput:
+        result = Scalar(sample_input(node.a, node.b, point));
         break;
-      }
       case Kind::kAdd:
         result = at(node.a) + at(node.b);
         break;
@@ -48,16 +62,10 @@ std::vector<Scalar> fingerprint(const Graph& graph, std::span<const Ref> outputs
         result = at(node.a) / at(node.b);
         break;
       case Kind::kSin:
-        result = 2 * at(node.a) / (1 + at(node.a) * at(node.a));
-        break;
       case Kind::kCos:
-        result = (1 - at(node.a) * at(node.a)) / (1 + at(node.a) * at(node.a));
+      case Kind::kSqrt:
+        result = sample_function(node.kind, at(node.a));
         break;
-      case Kind::kSqrt: {
-        const Scalar a = at(node.a);
-        result = sqrt(a < 0 ? Scalar(-a) : a);
-        break;
-      }
     }
   }
   return value;

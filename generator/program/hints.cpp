@@ -37,18 +37,20 @@ std::vector<Known> known_values(const Function& function) {
   return known;
 }
 
-/// The node with the given values or their negatives, a named one if possible, or 0. (A name
-/// belongs to a node, whatever the sign with which the node is used.)
+/// The node with the given values, a named one if possible, or one with the opposite values
+/// (negative), or 0.
 Ref find(const std::vector<Known>& known, const Graph& graph, double first, double second) {
   const double magnitude = std::abs(first);
   auto it = std::ranges::lower_bound(known, magnitude * (1 - 1e-11), {},
                                      [](const Known& k) { return std::abs(k.first); });
   Ref found = 0;
   for (; it != known.end() && std::abs(it->first) <= magnitude * (1 + 1e-11); ++it) {
-    const double sign = (first < 0) == (it->first < 0) ? 1 : -1;
-    if (same(first, sign * it->first) && same(second, sign * it->second) &&
-        (found == 0 || (!is_named(graph, found) && is_named(graph, it->node)))) {
+    const bool equal = same(first, it->first) && same(second, it->second);
+    const bool opposite = same(first, -it->first) && same(second, -it->second);
+    if (equal && (found <= 0 || (!is_named(graph, found) && is_named(graph, it->node)))) {
       found = it->node;
+    } else if (opposite && found == 0) {
+      found = -it->node;
     }
   }
   return found;
@@ -77,8 +79,10 @@ void transfer_hints(const Function& from, Function& to) {
     const auto i = static_cast<std::size_t>(k);
     const Ref old = find(known, from.graph, first[i], second[i]);
     Hint hint{nullptr, user[i] == 0 ? -1 : to.graph.hint(user[i]).body, nullptr};
-    if (old != 0) {
+    if (old > 0) {
       hint = from.graph.hint(old);
+    } else if (old < 0) {
+      hint.body = from.graph.hint(old).body;
     }
     to.graph.set_hint(k, hint);
   });

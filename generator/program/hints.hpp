@@ -5,8 +5,9 @@
 
 namespace treedyn::program {
 
-/// Nodes of `to` that have the value of a node of `from`, or its negative, take its hint; a value
-/// that is new gets the body of its first user. Values are compared by `fingerprint`. O(n log n).
+/// Nodes of `to` that have the value of a node of `from` take its hint, those of the opposite value
+/// its body; a value that is new gets the body of its first user. Values are compared by
+/// `fingerprint`. O(n log n).
 void transfer_hints(const Function& from, Function& to);
 
 }  // namespace treedyn::program

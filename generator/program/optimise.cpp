@@ -1,14 +1,44 @@
 #include "program/optimise.hpp"
 
+#include <utility>
+
 #include "program/hints.hpp"
 #include "program/improve.hpp"
 #include "program/passes.hpp"
+#include "program/resubstitute.hpp"
 
 namespace treedyn::program {
 
+namespace {
+
+/// The local search is interrupted so often to look for equal values.
+constexpr int kParts = 4;
+
+/// `resubstitute` until it saves nothing more.
+Network resubstituted(Network network) {
+  for (int fewest = operations(network);;) {
+    Network next = network;
+    if (resubstitute(next) == 0) {
+      return network;
+    }
+    next = run_all_orders(normalise(next), 1);
+    if (operations(next) >= fewest) {
+      return network;
+    }
+    fewest = operations(next);
+    network = std::move(next);
+  }
+}
+
+}  // namespace
+
 Function optimise(const Function& function, const Effort& effort) {
   const Network start = network_of(function.graph, function.outputs);
-  const Network best = improve(run_all_orders(start, effort.rounds), effort.moves);
+  Network best = resubstituted(run_all_orders(start, effort.rounds));
+  for (int part = 0; part < kParts && effort.moves > 0; ++part) {
+    const auto seed = static_cast<std::uint64_t>(part + 1);
+    best = resubstituted(improve(std::move(best), effort.moves / kParts, seed));
+  }
   Function result{function.signature, {}, {}};
   result.graph = graph_of(best, result.outputs);
   transfer_hints(function, result);

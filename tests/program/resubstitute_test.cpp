@@ -1,0 +1,116 @@
+#include "program/resubstitute.hpp"
+
+#include <gtest/gtest.h>
+
+#include "program/optimise.hpp"
+#include "program/random_function.hpp"
+
+namespace treedyn::program {
+namespace {
+
+/// q = a, b, c, d; s and c of a.
+class Resubstitute : public ::testing::Test {
+ protected:
+  Ref times(Ref x, Ref y) { return graph_.multiply(x, y); }
+  Ref plus(Ref x, Ref y) { return graph_.add(x, y); }
+  Ref square(Ref x) { return times(x, x); }
+
+  /// Operations that are left; the values must be the same.
+  int left(std::vector<Ref> outputs) {
+    Function before{{"f", "", "", {{"q", 4, ""}}, {{"y", 1, ""}}}, graph_, outputs};
+    Network network = network_of(graph_, outputs);
+    resubstitute(network);
+    network = normalise(network);
+    Function after{before.signature, {}, {}};
+    after.graph = graph_of(network, after.outputs);
+    EXPECT_LT(largest_difference(before, after), Real(1e-40));
+    return operations(network);
+  }
+
+  Graph graph_;
+  const Ref a_ = graph_.input(0, 0), b_ = graph_.input(0, 1), c_ = graph_.input(0, 2),
+            d_ = graph_.input(0, 3);
+  const Ref sine_ = graph_.sin(a_), cosine_ = graph_.cos(a_);
+};
+
+TEST_F(Resubstitute, KnowsTheUnitCircle) {
+  EXPECT_EQ(left({plus(b_, plus(square(sine_), square(cosine_))), graph_.constant(1)}), 1);
+}
+
+TEST_F(Resubstitute, UsesTheSquareOfTheCosine) {
+  const Ref one = graph_.constant(1);
+  const Ref cosine_squared = square(cosine_);
+  EXPECT_EQ(left({cosine_squared, times(b_, plus(one, -square(sine_)))}), 2);
+}
+
+TEST_F(Resubstitute, UsesTheSquareOfTheSine) {
+  const Ref one = graph_.constant(1);
+  EXPECT_EQ(left({square(sine_), times(b_, plus(one, -square(cosine_)))}), 2);
+}
+
+TEST_F(Resubstitute, FindsZeros) {
+  // s (c b) - c (s b), written so that no product is shared
+  const Ref zero = plus(times(sine_, times(cosine_, b_)), -times(cosine_, times(sine_, b_)));
+  EXPECT_EQ(left({zero, b_}), 0);
+}
+
+TEST_F(Resubstitute, FindsEqualValuesOfAnotherForm) {
+  const Ref expanded = plus(times(b_, c_), times(b_, d_));
+  const Ref factored = times(b_, plus(c_, d_));
+  EXPECT_EQ(left({factored, plus(a_, expanded)}), 3);
+}
+
+TEST_F(Resubstitute, FindsASumOfExistingValues) {
+  // (b + c) d and (b - c) d exist, 2 b d is their sum.
+  const Ref plus_d = times(plus(b_, c_), d_);
+  const Ref minus_d = times(plus(b_, -c_), d_);
+  const Ref sum = plus(plus(times(b_, d_), times(a_, d_)), plus(times(b_, d_), -times(a_, d_)));
+  EXPECT_LE(left({plus_d, minus_d, sum}), 5);
+}
+
+TEST_F(Resubstitute, FindsAProductOfExistingValues) {
+  const Ref sum = plus(b_, c_);
+  const Ref difference = plus(b_, -c_);
+  EXPECT_EQ(left({sum, difference, plus(square(b_), -square(c_))}), 3);
+}
+
+TEST_F(Resubstitute, FindsAMultiple) {
+  const Ref value = plus(times(graph_.constant(2), b_), times(graph_.constant(3), c_));
+  const Ref multiple = plus(times(graph_.constant(4), b_), times(graph_.constant(6), c_));
+  EXPECT_EQ(left({value, multiple}), 4);
+}
+
+TEST_F(Resubstitute, LeavesValuesThatOnlyAgreeRoughly) {
+  const Ref one = times(graph_.constant(Real("0.3")), plus(b_, c_));
+  const Ref two = times(graph_.constant(Real("0.30000000000000000000000001")), plus(b_, c_));
+  EXPECT_EQ(left({one, two}), 3);
+}
+
+TEST_F(Resubstitute, DoesNotTakeSinesOfDifferentAnglesForEachOther) {
+  const Ref other = graph_.sin(b_);
+  EXPECT_EQ(left({plus(square(sine_), square(other)), square(cosine_)}), 4);
+}
+
+TEST(ResubstituteAtRandom, KeepsTheValues) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Function before = random_function(seed, 90);
+    Network network = network_of(before.graph, before.outputs);
+    const int operations_before = operations(network);
+    resubstitute(network);
+    network = normalise(network);
+    EXPECT_LE(operations(network), operations_before) << seed;
+    Function after{before.signature, {}, {}};
+    after.graph = graph_of(network, after.outputs);
+    EXPECT_LT(largest_difference(before, after), Real(1e-38)) << seed;
+  }
+}
+
+TEST(ResubstituteAtRandom, LosesAtMostAFactorFourOfAccuracy) {
+  for (const int links : {3, 5, 8}) {
+    const Function before = spatial_chain(links);
+    EXPECT_LT(rounding_error(optimise(before, {3, 1000})), 4 * rounding_error(before)) << links;
+  }
+}
+
+}  // namespace
+}  // namespace treedyn::program
