@@ -17,7 +17,7 @@ enum class ForwardDynamics { kCheapest, kFactor, kArticulated };
 struct Options {
   model::Vector3 gravity{};          ///< m/s^2, base frame
   std::vector<model::Point> points;  ///< in the order of the generated arrays
-  int effort = 4000;                 ///< moves of the variant search per function; 0: none
+  int effort = 2000;                 ///< moves of the variant search per function; 0: none
   ForwardDynamics forward_dynamics = ForwardDynamics::kCheapest;
   std::vector<Pass> without;  ///< passes that are switched off
 
