@@ -68,6 +68,21 @@ std::string point_table(const std::vector<model::Point>& points) {
   return "//\n" + comment_table(rows);
 }
 
+/// `inline constexpr int name = value;`, broken where clang-format breaks what is too long.
+std::string index_constant(const std::string& name, std::size_t value) {
+  const std::size_t type = std::string_view("inline constexpr int ").size();
+  const std::size_t number = std::to_string(value).size() + 1;
+  const bool fits = type + name.size() + 3 + number <= kColumns;
+  const bool breaks_after_type = type + name.size() + 2 > kColumns;
+  const bool breaks_after_equal =
+      !fits && (!breaks_after_type || name.size() + 7 + number > kColumns);
+  return fmt::format("inline constexpr int{}{} ={}{};\n", breaks_after_type ? "\n    " : " ", name,
+                     !breaks_after_equal ? " "
+                     : breaks_after_type ? "\n        "
+                                         : "\n    ",
+                     value);
+}
+
 /// `namespace joint { ... }` with one constant a name; nothing without names.
 std::string index_namespace(const std::string& name, const std::vector<std::string>& identifiers) {
   if (identifiers.empty()) {
@@ -75,10 +90,7 @@ std::string index_namespace(const std::string& name, const std::vector<std::stri
   }
   std::string result = fmt::format("\n/// Index of every {}.\nnamespace {} {{\n", name, name);
   for (std::size_t k = 0; k < identifiers.size(); ++k) {
-    const std::string left = fmt::format("inline constexpr int {} =", identifiers[k]);
-    const std::string right = fmt::format("{};", k);
-    const bool fits = left.size() + 1 + right.size() <= kColumns;
-    result += left + (fits ? " " : "\n    ") + right + "\n";
+    result += index_constant(identifiers[k], k);
   }
   return result + fmt::format("}}  // namespace {}\n", name);
 }

@@ -1,0 +1,66 @@
+# Installs treedyn, moves the installation, and builds a project that uses it: the program and the
+# package have to be relocatable.
+#   cmake -DBUILD=<build> -DSOURCE=<source> -DCXX=<compiler> -P package_test.cmake
+cmake_minimum_required(VERSION 3.25)
+set(scratch ${BUILD}/package_test)
+file(REMOVE_RECURSE ${scratch})
+
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${scratch}/first --component Unspecified
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${scratch}/first ${scratch}/second)
+
+file(WRITE ${scratch}/project/CMakeLists.txt [[
+cmake_minimum_required(VERSION 3.25)
+project(consumer CXX)
+find_package(treedyn 0.1 REQUIRED)
+treedyn_generate(arm MODEL arm.yaml OPTIONS --scalar float --functions gravity_force)
+add_executable(consumer main.cpp)
+target_link_libraries(consumer PRIVATE arm)
+enable_testing()
+treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
+              OPTIONS --scalar float --functions gravity_force)
+]])
+file(WRITE ${scratch}/project/main.cpp [[
+#include "two_link.hpp"
+
+int main() {
+  const two_link::Scalar q[2] = {0, 0};
+  two_link::Scalar G[2];
+  two_link::gravity_force(q, G);
+  return G[two_link::joint::elbow] > 0 ? 0 : 1;
+}
+]])
+file(COPY_FILE ${SOURCE}/models/two_link.yaml ${scratch}/project/arm.yaml)
+
+function(run)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+set(build ${scratch}/build)
+run(${CMAKE_COMMAND} -S ${scratch}/project -B ${build} -G Ninja -DCMAKE_CXX_COMPILER=${CXX}
+    -DCMAKE_PREFIX_PATH=${scratch}/second)
+run(${CMAKE_COMMAND} --build ${build})
+run(${build}/consumer)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${build})
+
+run(${CMAKE_COMMAND} --build ${build})  # nothing is left to do
+if(NOT output MATCHES "no work to do")
+  message(FATAL_ERROR "the second build did something:\n${output}")
+endif()
+file(READ ${scratch}/project/arm.yaml model)
+string(REPLACE "a1: 1," "a1: 2," changed "${model}")
+file(WRITE ${scratch}/project/arm.yaml "${changed}")
+run(${CMAKE_COMMAND} --build ${build})
+if(changed STREQUAL model OR NOT output MATCHES "treedyn generate arm.yaml")
+  message(FATAL_ERROR "a changed model was not generated again:\n${output}")
+endif()
+foreach(file IN ITEMS share/doc/treedyn/LICENSE share/treedyn/templates/model.cpp.in bin/treedyn)
+  if(NOT EXISTS ${scratch}/second/${file})
+    message(FATAL_ERROR "${file} was not installed")
+  endif()
+endforeach()
