@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_fields.hpp"
 
@@ -41,15 +42,14 @@ Numbers upper_half(const SceneFields& fields, const Node& node) {
   for (const auto& [upper, lower] : {std::pair(1, 3), std::pair(2, 6), std::pair(5, 7)}) {
     const Text& a = all.values[static_cast<std::size_t>(upper)];
     const Text& b = all.values[static_cast<std::size_t>(lower)];
-    if (fields.number_of({.text = a.text, .where = a.where}) !=
-        fields.number_of({.text = b.text, .where = b.where})) {
+    if (read_decimal(a.text).value != read_decimal(b.text).value) {
       fields.fail(b.where, fmt::format("'{}' is not symmetric, {} differs from {}; expected equal "
                                        "entries",
                                        node.key.text, b.text, a.text));
     }
   }
   Numbers result{{}, node.where};
-  for (const std::size_t k : {0, 1, 2, 4, 5, 8}) {
+  for (const std::size_t k : {0U, 1U, 2U, 4U, 5U, 8U}) {
     result.values.push_back(all.values[k]);
   }
   return result;

@@ -1,0 +1,125 @@
+#include "scene_dynamics.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "engine/engine.hpp"
+#include "program/combine.hpp"
+#include "simplify/functions.hpp"
+#include "simulation/tape_dynamics.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// The formulation that comes first, without a search: quick to make for any tree.
+program::Function function_of(const model::Scene& scene, const std::string& name) {
+  simplify::Options options;
+  options.gravity = scene.gravity;
+  options.points = scene.points;
+  options.effort = 0;
+  program::Function function = simplify::build(scene.tree, simplify::recipe_of(name), options,
+                                               simplify::plain_variant(scene.tree));
+  function.signature =
+      simplify::signature(name, scene.tree.dof(), static_cast<int>(scene.points.size()));
+  return function;
+}
+
+program::Function combined(const model::Scene& scene, const std::vector<std::string>& names,
+                           const std::vector<std::string>& inputs) {
+  std::vector<program::Function> functions;
+  std::transform(names.begin(), names.end(), std::back_inserter(functions),
+                 [&](const std::string& name) { return function_of(scene, name); });
+  std::vector<program::Array> arrays;
+  for (const std::string& input : inputs) {
+    arrays.push_back({input, scene.tree.dof(), ""});
+  }
+  return program::combine(functions, arrays);
+}
+
+/// Evaluates the block equations themselves.
+class EngineDynamics final : public simulation::Dynamics {
+ public:
+  explicit EngineDynamics(const model::Scene& scene)
+      : engine_(scene.tree, scene.points, scene.gravity),
+        zero_(simulation::Vector::Zero(scene.tree.dof())) {}
+
+  void evaluate(const simulation::Vector& q, const simulation::Vector& qd,
+                simulation::Terms& terms) override {
+    run(engine::Function::kMassMatrix, {q}, terms, 0);
+    run(engine::Function::kInverseDynamics, {q, qd, zero_}, terms, 1);
+    evaluate_geometry(q, terms);
+    if (terms.needs().points) {
+      run(engine::Function::kPointBiasAcceleration, {q, qd}, terms, 4);
+    }
+    if (terms.needs().rotations) {
+      run(engine::Function::kAngularBiasAcceleration, {q, qd}, terms, 7);
+    }
+  }
+
+  void evaluate_geometry(const simulation::Vector& q, simulation::Terms& terms) override {
+    if (terms.needs().points) {
+      run(engine::Function::kPointPositions, {q}, terms, 2);
+      run(engine::Function::kForceJacobianTranspose, {q}, terms, 3);
+    }
+    if (terms.needs().rotations) {
+      run(engine::Function::kPointRotations, {q}, terms, 5);
+      run(engine::Function::kMomentJacobianTranspose, {q}, terms, 6);
+    }
+  }
+
+ private:
+  void run(engine::Function function,
+           std::initializer_list<std::reference_wrapper<const simulation::Vector>> inputs,
+           simulation::Terms& terms, std::size_t array) {
+    std::array<std::span<const double>, 3> spans;
+    std::size_t count = 0;
+    for (const simulation::Vector& input : inputs) {
+      spans[count++] = {input.data(), static_cast<std::size_t>(input.size())};
+    }
+    const std::span<const double> result = engine_.evaluate(function, {spans.data(), count});
+    std::copy(result.begin(), result.end(),
+              terms.values().begin() + static_cast<std::ptrdiff_t>(terms.offset(array)));
+  }
+
+  engine::Engine<double> engine_;
+  simulation::Vector zero_;
+};
+
+}  // namespace
+
+simulation::Needs needs_of(const model::Scene& scene) {
+  simulation::Needs needs;
+  needs.points = !scene.points.empty();
+  needs.rotations =
+      !scene.torques.empty() || std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                                            [](const model::Constraint& c) {
+                                              return c.kind == model::ConstraintKind::kOrientation;
+                                            });
+  return needs;
+}
+
+std::unique_ptr<simulation::Dynamics> program_dynamics(const model::Scene& scene) {
+  std::vector<std::string> terms = {"mass_matrix", "inverse_dynamics"};
+  std::vector<std::string> geometry;
+  const simulation::Needs needs = needs_of(scene);
+  if (needs.points) {
+    terms.insert(terms.end(),
+                 {"point_positions", "force_jacobian_transpose", "point_bias_acceleration"});
+    geometry.insert(geometry.end(), {"point_positions", "force_jacobian_transpose"});
+  }
+  if (needs.rotations) {
+    terms.insert(terms.end(),
+                 {"point_rotations", "moment_jacobian_transpose", "angular_bias_acceleration"});
+    geometry.insert(geometry.end(), {"point_rotations", "moment_jacobian_transpose"});
+  }
+  return std::make_unique<simulation::TapeDynamics>(combined(scene, terms, {"q", "qd"}),
+                                                    combined(scene, geometry, {"q"}));
+}
+
+std::unique_ptr<simulation::Dynamics> engine_dynamics(const model::Scene& scene) {
+  return std::make_unique<EngineDynamics>(scene);
+}
+
+}  // namespace treedyn

@@ -1,0 +1,143 @@
+#include "simulation/integrator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/LU>
+
+namespace treedyn::simulation {
+
+namespace {
+
+/// Steps of Newton's iteration of an implicit stage, and the relative change that ends it.
+constexpr int kNewtonSteps = 8;
+constexpr double kNewtonChange = 1e-13;
+/// Relative difference step of the Jacobian, the root of the rounding of double.
+constexpr double kDifference = 1.5e-8;
+
+/// qd+ = qd + h qdd(q, qd), q+ = q + h qd+.
+class SemiImplicitEuler final : public Integrator {
+ public:
+  void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
+            Vector& error) override {
+    const Eigen::Index n = y.size() / 2;
+    rate(t, y, k_);
+    result = y;
+    result.tail(n) += h * k_.tail(n);
+    result.head(n) += h * result.tail(n);
+    error.resize(0);
+  }
+  [[nodiscard]] int error_order() const override { return 0; }
+
+ private:
+  Vector k_;
+};
+
+/// The classical method of order 4.
+class Rk4 final : public Integrator {
+ public:
+  void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
+            Vector& error) override {
+    rate(t, y, k1_);
+    rate(t + h / 2, y + h / 2 * k1_, k2_);
+    rate(t + h / 2, y + h / 2 * k2_, k3_);
+    rate(t + h, y + h * k3_, k4_);
+    result = y + h / 6 * (k1_ + 2 * k2_ + 2 * k3_ + k4_);
+    error.resize(0);
+  }
+  [[nodiscard]] int error_order() const override { return 0; }
+
+ private:
+  Vector k1_, k2_, k3_, k4_;
+};
+
+/// An integrator without its error estimate: steps are as long as asked for.
+class FixedDopri5 final : public Integrator {
+ public:
+  void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
+            Vector& error) override {
+    method_->step(rate, t, h, y, result, error);
+    error.resize(0);
+  }
+  [[nodiscard]] int error_order() const override { return 0; }
+
+ private:
+  std::unique_ptr<Integrator> method_ = make_dopri5();
+};
+
+/// Two implicit stages of order 2, L-stable: gamma = 1 - 1/sqrt(2) (Alexander, 1977).
+class Sdirk2 final : public Integrator {
+ public:
+  void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
+            Vector& error) override {
+    const double gamma = 1 - std::sqrt(0.5);
+    factor(rate, t, h * gamma, y);
+    k1_ = rate_;
+    stage(rate, t + gamma * h, h * gamma, y, k1_);
+    k2_ = k1_;
+    stage(rate, t + h, h * gamma, y + h * (1 - gamma) * k1_, k2_);
+    result = y + h * ((1 - gamma) * k1_ + gamma * k2_);
+    error.resize(0);
+  }
+  [[nodiscard]] int error_order() const override { return 0; }
+
+ private:
+  /// E - h gamma df/dy by differences; leaves f in rate_.
+  void factor(const Rate& rate, double t, double hg, const Vector& y) {
+    rate(t, y, rate_);
+    Eigen::MatrixXd M = Eigen::MatrixXd::Identity(y.size(), y.size());
+    Vector moved = y;
+    Vector f;
+    for (Eigen::Index k = 0; k < y.size(); ++k) {
+      const double d = kDifference * std::max(1.0, std::fabs(y[k]));
+      moved[k] = y[k] + d;
+      rate(t, moved, f);
+      M.col(k) -= hg / d * (f - rate_);
+      moved[k] = y[k];
+    }
+    lu_.compute(M);
+  }
+
+  /// k = f(t, y + h gamma k) by simplified Newton steps.
+  void stage(const Rate& rate, double t, double hg, const Vector& y, Vector& k) {
+    for (int n = 0; n < kNewtonSteps; ++n) {
+      rate(t, y + hg * k, rate_);
+      const Vector change = lu_.solve(rate_ - k);
+      k += change;
+      if (change.norm() <= kNewtonChange * k.norm()) {
+        break;
+      }
+    }
+  }
+
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Vector rate_, k1_, k2_;
+};
+
+template <class Method>
+std::unique_ptr<Integrator> make() {
+  return std::make_unique<Method>();
+}
+
+constexpr std::array<IntegratorRow, 6> kIntegrators = {{
+    {"fehlberg78", "adaptive, order 8 with an estimate of order 7", make_fehlberg78},
+    {"dopri5", "adaptive, order 5 with an estimate of order 4", make_dopri5},
+    {"dopri5-fixed", "fixed steps, order 5", make<FixedDopri5>},
+    {"rk4", "fixed steps, order 4", make<Rk4>},
+    {"semi-implicit-euler", "fixed steps, order 1, symplectic", make<SemiImplicitEuler>},
+    {"sdirk2", "fixed steps, implicit, order 2, for stiff contact", make<Sdirk2>},
+}};
+
+}  // namespace
+
+std::span<const IntegratorRow> integrators() { return kIntegrators; }
+
+std::unique_ptr<Integrator> make_integrator(std::string_view name) {
+  const auto found = std::find_if(kIntegrators.begin(), kIntegrators.end(),
+                                  [&](const IntegratorRow& row) { return row.name == name; });
+  return found == kIntegrators.end() ? nullptr : found->make();
+}
+
+}  // namespace treedyn::simulation

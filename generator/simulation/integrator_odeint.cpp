@@ -1,0 +1,66 @@
+// Methods with an error estimate, from Boost.odeint.
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <vector>
+
+#include "simulation/integrator.hpp"
+
+namespace treedyn::simulation {
+
+namespace {
+
+using State = std::vector<double>;
+namespace odeint = boost::numeric::odeint;
+
+void copy(const State& from, Vector& to) {
+  to = VectorMap(from.data(), static_cast<Eigen::Index>(from.size()));
+}
+
+template <class Stepper, int order>
+class OdeintIntegrator final : public Integrator {
+ public:
+  void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
+            Vector& error) override {
+    const auto system = [&](const State& x, State& dxdt, double time) {
+      copy(x, x_);
+      rate(time, x_, rate_);
+      std::copy(rate_.begin(), rate_.end(), dxdt.begin());
+    };
+    from_.assign(y.begin(), y.end());
+    to_.resize(from_.size());
+    error_.resize(from_.size());
+    derivative_.resize(from_.size());
+    system(from_, derivative_, t);
+    run(system, t, h);
+    copy(to_, result);
+    copy(error_, error);
+  }
+  [[nodiscard]] int error_order() const override { return order; }
+
+ private:
+  template <class System>
+  void run(const System& system, double t, double h) {
+    if constexpr (order == 4) {
+      State end(from_.size());
+      stepper_.do_step(system, from_, derivative_, t, to_, end, h, error_);
+    } else {
+      stepper_.do_step(system, from_, derivative_, t, to_, h, error_);
+    }
+  }
+
+  Stepper stepper_;
+  State from_, to_, error_, derivative_;
+  Vector x_, rate_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_dopri5() {
+  return std::make_unique<OdeintIntegrator<odeint::runge_kutta_dopri5<State>, 4>>();
+}
+
+std::unique_ptr<Integrator> make_fehlberg78() {
+  return std::make_unique<OdeintIntegrator<odeint::runge_kutta_fehlberg78<State>, 7>>();
+}
+
+}  // namespace treedyn::simulation

@@ -1,0 +1,169 @@
+#include "simulation/system.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace treedyn::simulation {
+
+namespace {
+
+Needs needs_of(const model::Scene& scene) {
+  const bool holds = std::any_of(
+      scene.constraints.begin(), scene.constraints.end(),
+      [](const model::Constraint& c) { return c.kind == model::ConstraintKind::kOrientation; });
+  return {!scene.points.empty(), !scene.torques.empty() || holds};
+}
+
+double largest(const Vector& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+System::System(const model::Scene& scene, Dynamics& dynamics, double stabilisation)
+    : dynamics_(dynamics),
+      alpha_(stabilisation),
+      constraints_(scene),
+      forces_(scene),
+      terms_(scene.tree.dof(), static_cast<int>(scene.points.size()), needs_of(scene)),
+      A_(scene.tree.dof()) {
+  for (const model::JointFriction& friction : scene.frictions) {
+    frictions_.push_back({friction.joint, static_cast<double>(friction.force), 0});
+  }
+}
+
+int System::sticking() const {
+  return static_cast<int>(std::count_if(frictions_.begin(), frictions_.end(),
+                                        [](const DryFriction& f) { return f.direction == 0; }));
+}
+
+/// J of the active rows, then one row for every sticking joint.
+void System::jacobian(const Terms& terms) {
+  constraints_.jacobian(terms, J_);
+  const int rows = constraints_.rows();
+  if (const int more = sticking(); more > 0) {
+    J_.conservativeResize(rows + more, dof());
+    J_.bottomRows(more).setZero();
+    int row = rows;
+    for (const DryFriction& friction : frictions_) {
+      if (friction.direction == 0) {
+        J_(row++, friction.joint) = 1;
+      }
+    }
+  }
+}
+
+void System::factor_inertia(double t) {
+  A_.compute(terms_.A());
+  if (A_.info() != Eigen::Success) {
+    throw std::runtime_error(
+        fmt::format("the inertia matrix is not positive definite at t = {} s", t));
+  }
+}
+
+void System::add_stabilisation(double t, const Vector& qd) {
+  const int rows = constraints_.rows();
+  constraints_.errors(terms_, t, phi_);
+  constraints_.velocities(t, rate_);
+  rate_ = J_.topRows(rows) * qd - rate_;
+  rhs_ -= 2 * alpha_ * rate_ + alpha_ * alpha_ * phi_;
+}
+
+const Solution& System::accelerate(double t, const Vector& q, const Vector& qd) {
+  dynamics_.evaluate(q, qd, terms_);
+  factor_inertia(t);
+  forces_.generalized(terms_, q, qd, Q_);
+  for (const DryFriction& friction : frictions_) {
+    Q_[friction.joint] -= friction.direction * friction.force;
+  }
+  x_ = A_.matrixL().solve(Q_ - terms_.h());  // A = L L^T, x = L^-1 (Q - B - G)
+  solution_.rank = 0;
+  jacobian(terms_);
+  const int rows = constraints_.rows();
+  if (J_.rows() > 0) {
+    constraints_.accelerations(terms_, t, rhs_);
+    if (alpha_ > 0) {
+      add_stabilisation(t, qd);
+    }
+    rhs_.conservativeResize(J_.rows());
+    rhs_.tail(J_.rows() - rows).setZero();
+    W_ = A_.matrixL().solve(J_.transpose());  // K = W^T W
+    solve_.factor(W_);
+    x_ += solve_.preimage(rhs_ - W_.transpose() * x_);  // K lambda = a_des - gamma - J qdd_0
+    all_lambda_ = solve_.multipliers();
+    solution_.rank = solve_.rank();
+  }
+  solution_.qdd = A_.matrixU().solve(x_);
+  solution_.lambda = rows == 0 ? Vector() : Vector(all_lambda_.head(rows));
+  solution_.residual = J_.rows() == 0 ? 0 : largest(J_ * solution_.qdd - rhs_);
+  return solution_;
+}
+
+double System::holding_force(std::size_t friction) const {
+  int row = constraints_.rows();
+  for (std::size_t k = 0; k < friction; ++k) {
+    row += frictions_[k].direction == 0 ? 1 : 0;
+  }
+  return all_lambda_[row];
+}
+
+void System::project(double t, Vector& q, Vector& qd) {
+  const int rows = constraints_.rows();
+  if (rows + sticking() == 0) {
+    return;
+  }
+  for (int k = 0; k < kProjectionSteps; ++k) {
+    constraints_.errors(geometry(q), t, phi_);
+    if (!(largest(phi_) > kProjectionError)) {
+      break;
+    }
+    constraints_.jacobian(terms_, J_);
+    W_ = J_.transpose();
+    solve_.factor(W_);
+    q -= solve_.preimage(phi_);  // J dq = -phi
+  }
+  jacobian(geometry(q));
+  W_ = J_.transpose();
+  solve_.factor(W_);
+  constraints_.velocities(t, rate_);
+  rate_.conservativeResize(J_.rows());
+  rate_.tail(J_.rows() - rows).setZero();
+  qd -= solve_.preimage(J_ * qd - rate_);  // J dqd = -(J qd - c')
+}
+
+Vector System::impact(double t, const Vector& q, Vector& qd, const std::vector<int>& constraints,
+                      double restitution) {
+  const std::vector<int> before = constraints_.active();
+  constraints_.activate(constraints);
+  dynamics_.evaluate(q, qd, terms_);
+  factor_inertia(t);
+  constraints_.jacobian(terms_, J_);
+  constraints_.velocities(t, rate_);
+  W_ = A_.matrixL().solve(J_.transpose());
+  solve_.factor(W_);
+  const Vector y = solve_.preimage(-(1 + restitution) * (J_ * qd - rate_));  // K P = -(1+e) J qd
+  qd += A_.matrixU().solve(y);                                               // A dqd = J^T P
+  Vector impulse = solve_.multipliers();
+  constraints_.activate(before);
+  return impulse;
+}
+
+double System::violation(double t, const Vector& q) {
+  if (constraints_.rows() == 0) {
+    return 0;
+  }
+  constraints_.errors(geometry(q), t, phi_);
+  return largest(phi_);
+}
+
+const Terms& System::geometry(const Vector& q) {
+  dynamics_.evaluate_geometry(q, terms_);
+  return terms_;
+}
+
+double System::elastic_energy(const Vector& q) {
+  const Terms& terms = geometry(q);
+  return forces_.elastic_energy(q, terms.p());
+}
+
+}  // namespace treedyn::simulation

@@ -1,0 +1,85 @@
+// Accelerations, reactions, impacts and corrections of a scene in one state.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include "model/scene.hpp"
+#include "simulation/constraints.hpp"
+#include "simulation/min_norm.hpp"
+
+namespace treedyn::simulation {
+
+enum class Drift { kNone, kBaumgarte, kProjection };
+
+/// Newton steps of one projection, and the position error (m, rad) at which it is content.
+inline constexpr int kProjectionSteps = 3;
+inline constexpr double kProjectionError = 1e-15;
+
+/// What (8) gives for one state.
+struct Solution {
+  Vector qdd;           ///< N, unique
+  Vector lambda;        ///< r, smallest Euclidean norm, on the links
+  int rank = 0;         ///< of the active rows
+  double residual = 0;  ///< max |J qdd + gamma - a_des|
+};
+
+/// Dry friction of a joint: the sign of its velocity while it slips, 0 while it sticks.
+struct DryFriction {
+  int joint = 0;
+  double force = 0;
+  int direction = 0;
+};
+
+class System {
+ public:
+  /// \param stabilisation  alpha of a_des - 2 alpha phi' - alpha^2 phi, 1/s; 0: none
+  System(const model::Scene& scene, Dynamics& dynamics, double stabilisation);
+
+  [[nodiscard]] int dof() const { return terms_.dof(); }
+  Constraints& constraints() { return constraints_; }
+  std::vector<DryFriction>& frictions() { return frictions_; }
+  Forces& forces() { return forces_; }
+
+  /// EQUATIONS.md 6.2, 6.3. \throws std::runtime_error if A is not positive definite
+  const Solution& accelerate(double t, const Vector& q, const Vector& qd);
+  /// The force that holds a sticking joint, of the last `accelerate`.
+  [[nodiscard]] double holding_force(std::size_t friction) const;
+
+  /// q and qd on the active rows by smallest corrections; leaves singular directions alone.
+  void project(double t, Vector& q, Vector& qd);
+  /// EQUATIONS.md 6.4 for all rows of `constraints`; changes qd. \return impulses, N s or N m s
+  Vector impact(double t, const Vector& q, Vector& qd, const std::vector<int>& constraints,
+                double restitution);
+  /// Largest position error of the active rows, m or rad.
+  double violation(double t, const Vector& q);
+
+  /// p, C, R, H in this position.
+  const Terms& geometry(const Vector& q);
+  /// T + U apart from gravity's part: energy of springs and contacts.
+  double elastic_energy(const Vector& q);
+
+ private:
+  void jacobian(const Terms& terms);
+  void factor_inertia(double t);
+  void add_stabilisation(double t, const Vector& qd);
+  [[nodiscard]] int sticking() const;
+
+  Dynamics& dynamics_;
+  double alpha_;
+  Constraints constraints_;
+  Forces forces_;
+  std::vector<DryFriction> frictions_;
+  Terms terms_;
+  Eigen::LLT<Eigen::MatrixXd> A_;
+  MinimumNorm solve_;
+  Solution solution_;
+  Matrix J_, W_;
+  Vector Q_, rhs_, phi_, rate_, x_;
+  Vector all_lambda_;
+};
+
+}  // namespace treedyn::simulation

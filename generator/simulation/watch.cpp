@@ -1,0 +1,52 @@
+#include "simulation/watch.hpp"
+
+#include <cmath>
+
+namespace treedyn::simulation {
+
+double Watch::value(System& system, double t, const Vector& y) const {
+  const Eigen::Index n = system.dof();
+  switch (kind) {
+    case Kind::kEvent:
+    case Kind::kContact:
+      return plane.height(system.geometry(y.head(n)).p().segment<3>(3 * point));
+    case Kind::kSlip:
+      return y[n + system.frictions()[index].joint];
+    case Kind::kStick:
+      system.accelerate(t, y.head(n), y.tail(n));
+      return system.frictions()[index].force - std::fabs(system.holding_force(index));
+  }
+  return 0;
+}
+
+double Watch::slope(System& system, const Vector& y) const {
+  if (!has_slope()) {
+    return 0;
+  }
+  const Eigen::Index n = system.dof();
+  const auto C = system.geometry(y.head(n)).C().middleCols<3>(3 * point);
+  return (C * plane.normal()).dot(y.tail(n));
+}
+
+int Watch::side_of(System& system, double t, const Vector& y) const {
+  const double g = value(system, t, y);
+  if (has_slope() && std::fabs(g) < kOnPlane) {
+    return slope(system, y) >= 0 ? 1 : -1;
+  }
+  return g >= 0 ? 1 : -1;
+}
+
+int Watch::first_change(double h, double end, double end_slope) const {
+  for (int k = 1; k < kScans && has_slope(); ++k) {
+    const double s = static_cast<double>(k) / kScans;
+    const double u = 1 - s;  // cubic through both ends
+    const double g = u * u * (1 + 2 * s) * start + s * s * (3 - 2 * s) * end +
+                     s * u * h * (u * start_slope - s * end_slope);
+    if (g * side < 0) {
+      return k;
+    }
+  }
+  return end * side < 0 ? kScans : 0;
+}
+
+}  // namespace treedyn::simulation

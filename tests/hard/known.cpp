@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "hard/quantities.hpp"
+
+namespace treedyn::hard {
+
+namespace {
+
+using simulation::Vector;
+
+/// What a quantity may look at.
+struct Context {
+  const support::Json& entry;
+  const model::Scene& scene;
+  Run& run;
+
+  [[nodiscard]] simulation::Simulator& simulator() const { return run.simulator(); }
+};
+
+Eigen::Vector3d upward(const model::Scene& scene) {
+  const Eigen::Vector3d g = simulation::vector_of(scene.gravity);
+  return g.norm() > 0 ? Eigen::Vector3d(-g / g.norm()) : Eigen::Vector3d(0, 0, 1);
+}
+
+/// Sum over the force rows of the component against gravity.
+double total_vertical(const Context& c, const Vector& reactions) {
+  const simulation::Constraints& rows = c.simulator().system().constraints();
+  double sum = 0;
+  for (int k = 0; k < reactions.size(); ++k) {
+    sum += rows.is_force(k) ? reactions[k] * rows.direction(k).dot(upward(c.scene)) : 0;
+  }
+  return sum;
+}
+
+/// The impact of all constraints in the state of now.
+struct AllAtOnce {
+  Vector impulse;
+  Vector qd;
+  Vector qdd;
+  double vertical;
+};
+
+AllAtOnce impact_of_all(const Context& c) {
+  simulation::System& system = c.simulator().system();
+  const std::vector<int> before = system.constraints().active();
+  std::vector<int> all;
+  for (std::size_t k = 0; k < c.scene.constraints.size(); ++k) {
+    all.push_back(static_cast<int>(k));
+  }
+  AllAtOnce result;
+  result.qd = c.simulator().qd();
+  const double t = c.simulator().time();
+  result.impulse = system.impact(t, c.simulator().q(), result.qd, all, 0);
+  system.constraints().activate(all);
+  result.qdd = system.accelerate(t, c.simulator().q(), result.qd).qdd;
+  result.vertical = total_vertical(c, result.impulse);
+  system.constraints().activate(before);
+  return result;
+}
+
+const simulation::EventRecord& event_of(const Context& c) {
+  const simulation::EventRecord* const event = c.run.event(c.entry.at("event").get<std::size_t>());
+  if (event == nullptr) {
+    throw std::runtime_error("an event is missing");
+  }
+  return *event;
+}
+
+Values point_of(const Context& c) {
+  const std::vector<double> at = support::flat(c.entry.at("point"));
+  return values_of(
+      c.run.pose().point(c.entry.at("body").get<int>() - 1, Eigen::Vector3d(at.data())));
+}
+
+using Evaluate = Values (*)(const Context&);
+
+const std::map<std::string, Evaluate>& table() {
+  static const std::map<std::string, Evaluate> result = {
+      {"q",
+       [](const Context& c) {
+         return values_of(c.simulator().q());
+       }},
+      {"qd",
+       [](const Context& c) {
+         return values_of(c.simulator().qd());
+       }},
+      {"qdd",
+       [](const Context& c) {
+         return values_of(c.simulator().solution().qdd);
+       }},
+      {"lambda",
+       [](const Context& c) {
+         return values_of(c.simulator().solution().lambda);
+       }},
+      {"lambda_min_norm",
+       [](const Context& c) {
+         return values_of(c.simulator().solution().lambda);
+       }},
+      {"rank",
+       [](const Context& c) {
+         return Values{double(c.simulator().solution().rank)};
+       }},
+      {"point", point_of},
+      {"energy",
+       [](const Context& c) {
+         return Values{c.run.energy()};
+       }},
+      {"kinetic_energy",
+       [](const Context& c) {
+         return Values{c.run.pose().kinetic_energy()};
+       }},
+      {"energy_drift_rel",
+       [](const Context& c) {
+         return Values{c.run.energy_drift()};
+       }},
+      {"linear_momentum",
+       [](const Context& c) {
+         return values_of(c.run.pose().linear_momentum());
+       }},
+      {"angular_momentum_about_origin",
+       [](const Context& c) {
+         return values_of(c.run.pose().angular_momentum());
+       }},
+      {"constraint_violation_max",
+       [](const Context& c) {
+         return Values{c.run.violation()};
+       }},
+      {"constraint_acceleration_residual",
+       [](const Context& c) {
+         return Values{c.simulator().solution().residual};
+       }},
+      {"total_vertical_reaction",
+       [](const Context& c) {
+         return Values{total_vertical(c, c.simulator().solution().lambda)};
+       }},
+      {"total_vertical_impulse",
+       [](const Context& c) {
+         return Values{impact_of_all(c).vertical};
+       }},
+      {"impulses_min_norm",
+       [](const Context& c) {
+         return values_of(impact_of_all(c).impulse);
+       }},
+      {"qd_after_impact",
+       [](const Context& c) {
+         return values_of(impact_of_all(c).qd);
+       }},
+      {"qdd_after_impact",
+       [](const Context& c) {
+         return values_of(impact_of_all(c).qdd);
+       }},
+      {"finite",
+       [](const Context& c) {
+         return Values{c.run.finite() ? 1.0 : 0.0};
+       }},
+      {"event_time",
+       [](const Context& c) {
+         return Values{event_of(c).time};
+       }},
+      {"q_at_event",
+       [](const Context& c) {
+         return values_of(event_of(c).q);
+       }},
+      {"qd_before_event",
+       [](const Context& c) {
+         return values_of(event_of(c).qd_before);
+       }},
+      {"qd_after_event",
+       [](const Context& c) {
+         return values_of(event_of(c).qd_after);
+       }},
+      {"impulse_at_event",
+       [](const Context& c) {
+         return values_of(event_of(c).impulse);
+       }},
+  };
+  return result;
+}
+
+/// "q[3]" as "q" and 3; the index of the entry otherwise, 0 if there is none.
+std::pair<std::string, std::size_t> split(const std::string& name, const support::Json& entry) {
+  const std::size_t bracket = name.find('[');
+  if (bracket != std::string::npos && name.back() == ']') {
+    return {name.substr(0, bracket),
+            std::stoul(name.substr(bracket + 1, name.size() - bracket - 2))};
+  }
+  return {name, entry.value("index", std::size_t{0})};
+}
+
+}  // namespace
+
+std::optional<Values> known_quantity(const std::string& name, const support::Json& entry,
+                                     const model::Scene& scene, Run& run) {
+  const auto [base, index] = split(name, entry);
+  const auto row = table().find(base);
+  if (row == table().end()) {
+    return std::nullopt;
+  }
+  const Values all = row->second({entry, scene, run});
+  return index == 0 ? all : Values{all.at(index - 1)};
+}
+
+}  // namespace treedyn::hard
