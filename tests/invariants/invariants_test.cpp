@@ -213,10 +213,10 @@ TEST_P(Invariants, EnergyGrowsByTheWorkOfTheJointForces) {
   EXPECT_LE(fine, std::max(coarse / 8, rounding));  // fourth order: 16
 }
 
-TEST_P(Invariants, HorizontalMomentumOfAFreeRobotIsConserved) {
-  if (GetParam().manifest.joints.front() != "base_px") {
-    return;  // the ground takes the momentum
-  }
+/// Robots on six base joints; the ground takes the momentum of all others.
+class FreeRobot : public Invariants {};
+
+TEST_P(FreeRobot, HasTheMomentumThatGravityGivesIt) {
   const auto [q, qd] = state(dynamics_.dof());
   const auto momentum = [&](const Course& run) {
     return Vector((dynamics_.A(run.q) * run.qd).head(3));
@@ -234,6 +234,15 @@ TEST_P(Invariants, HorizontalMomentumOfAFreeRobotIsConserved) {
       1e4 * static_cast<double>(q.size()) * kUnit * (weight + dynamics_.A(q).cwiseAbs().maxCoeff());
   EXPECT_LE(defect(100), std::max(defect(50) / 8, rounding));
 }
+
+std::vector<Committed> free_robots() {
+  std::vector<Committed> result = support::committed_models(TREEDYN_SOURCE_DIR);
+  std::erase_if(result, [](const Committed& c) { return c.manifest.base != "axes"; });
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, FreeRobot, testing::ValuesIn(free_robots()),
+                         [](const auto& model) { return support::test_name(model.param); });
 
 INSTANTIATE_TEST_SUITE_P(Models, Invariants,
                          testing::ValuesIn(support::committed_models(TREEDYN_SOURCE_DIR)),

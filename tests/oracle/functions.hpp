@@ -62,6 +62,44 @@ class Evaluation {
     }
     return solve(mass_matrix(), rest);
   }
+  /// A, B and G, one after the other.
+  [[nodiscard]] List dynamics_terms() const {
+    List result = mass_matrix();
+    for (const List& part : {bias_force(), gravity_force()}) {
+      result.insert(result.end(), part.begin(), part.end());
+    }
+    return result;
+  }
+  [[nodiscard]] List mass_matrix_inverse() const {
+    const List A = mass_matrix();
+    List result;
+    for (std::size_t k = 0; k < n_; ++k) {
+      List unit(n_);
+      unit[k] = T(1);
+      const List row = solve(A, unit);  // the inverse is symmetric
+      result.insert(result.end(), row.begin(), row.end());
+    }
+    return result;
+  }
+  /// L (unit lower triangular) and d of A = L^T diag(d) L: elimination from the last joint on.
+  [[nodiscard]] List mass_matrix_factor() const {
+    List A = mass_matrix();
+    List L(n_ * n_);
+    List d(n_);
+    for (std::size_t k = n_; k-- > 0;) {
+      d[k] = A[k * n_ + k];
+      for (std::size_t i = 0; i <= k; ++i) {
+        L[k * n_ + i] = A[k * n_ + i] / d[k];
+      }
+      for (std::size_t i = 0; i < k; ++i) {
+        for (std::size_t j = 0; j < k; ++j) {
+          A[i * n_ + j] -= L[k * n_ + i] * A[k * n_ + j];
+        }
+      }
+    }
+    L.insert(L.end(), d.begin(), d.end());
+    return L;
+  }
   [[nodiscard]] List point_positions() const {
     return per_point([](const Motion<T>& m, const Vec<T>& arm) { return m.origin + arm; });
   }

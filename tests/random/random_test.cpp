@@ -90,11 +90,12 @@ void expect_agreement(Trio& trio, const program::Function& function,
   const std::vector<std::span<const Real>> spans(inputs.begin(), inputs.end());
   const std::string& name = function.signature.name;
   const RealList program = program::interpret<Real>(function, spans);
-  const RealList engine = trio.engine.evaluate(name, inputs);
   const RealList oracle = oracle::evaluate(trio.problem, name, inputs);
   RC_LOG() << name << '\n';
-  RC_ASSERT(largest_difference(engine, oracle) <= kTolerance);
-  RC_ASSERT(largest_difference(program, engine) <= kTolerance);
+  RC_ASSERT(largest_difference(program, oracle) <= kTolerance);
+  if (engine::find_signature(name) != nullptr) {
+    RC_ASSERT(largest_difference(trio.engine.evaluate(name, inputs), oracle) <= kTolerance);
+  }
 }
 
 model::Tree read(const nlohmann::json& description) {
@@ -114,7 +115,7 @@ RC_GTEST_PROP(RandomTree, ProgramAndEngineAndOracleAgree, ()) {
   const auto samples = support::samples(static_cast<std::size_t>(tree.dof()), tree.points.size(), 9,
                                         *rc::gen::arbitrary<std::uint64_t>());
   for (const std::string& name : simplify::function_names()) {
-    const bool solves = name == "forward_dynamics";
+    const bool solves = name == "forward_dynamics" || name.starts_with("mass_matrix_");
     if (solves && !std::all_of(samples.begin(), samples.end(), [&](const support::Sample& sample) {
           return solvable(trio.problem, sample);
         })) {

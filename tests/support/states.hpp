@@ -27,7 +27,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// Values for every argument of INTERFACE.md 3 by its name: q, qd, qdd, tau, f, n.
+/// Values for every argument of INTERFACE.md 3 by its name: q, qd, qdd, tau, f, n, b.
 using Sample = std::map<std::string, std::vector<double>>;
 
 /// Samples with the coordinates zero, all pi/2, all -pi/2, a mixture of both, large (up to 1e2 and
@@ -55,6 +55,7 @@ inline std::vector<Sample> samples(std::size_t dof, std::size_t points, std::siz
          {"qd", random.list(dof, scale)},
          {"qdd", random.list(dof, scale)},
          {"tau", random.list(dof, scale)},
+         {"b", random.list(dof, scale)},
          {"f", random.list(3 * points, scale)},
          {"n", random.list(3 * points, scale)}});
   }
