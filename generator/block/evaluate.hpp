@@ -36,6 +36,10 @@ class Evaluation {
 
  private:
   Scalar* data(const Step& step) { return values_.data() + step.offset; }
+  std::span<Scalar> block(const Step& step, int n) {
+    const int size = step.block_size();
+    return {data(step) + n * size, static_cast<std::size_t>(size)};
+  }
   void run(const Step& step);
   void sum(const Step& step);
   void product(const Step& step);
@@ -102,25 +106,29 @@ void Evaluation<Scalar>::run(const Step& step) {
   }
 }
 
+namespace detail {
+
+/// y += factor * x for blocks `width` wide; by the size rule a single number x stands for x times
+/// the unit matrix.
+template <class Scalar>
+void add_block(const Scalar& factor, std::span<const Scalar> x, std::span<Scalar> y, int width) {
+  const bool single = x.size() != y.size();
+  const std::size_t stride = single ? static_cast<std::size_t>(width) + 1 : 1;
+  for (std::size_t n = 0; n < y.size(); n += stride) {
+    y[n] += factor * x[single ? 0 : n];
+  }
+}
+
+}  // namespace detail
+
 template <class Scalar>
 void Evaluation<Scalar>::sum(const Step& step) {
-  const int size = step.block_size();
   for (const Term& term : step.terms) {
     const auto k = static_cast<std::size_t>(term.right);
-    const Step& operand = plan_->step(step.operands[k]);
     const Ratio& ratio = step.factors[k];
     const Scalar factor = Scalar(ratio.numerator) / Scalar(ratio.denominator);
-    const Scalar* x = data(operand) + term.left * operand.block_size();
-    Scalar* y = data(step) + term.target * size;
-    if (operand.block_size() == size) {
-      for (int n = 0; n < size; ++n) {
-        y[n] += factor * x[n];
-      }
-    } else {  // size rule: x stands for x times the unit matrix
-      for (int n = 0; n < size; n += step.width + 1) {
-        y[n] += factor * x[0];
-      }
-    }
+    detail::add_block<Scalar>(factor, block(plan_->step(step.operands[k]), term.left),
+                              block(step, term.target), step.width);
   }
 }
 
@@ -141,11 +149,10 @@ void Evaluation<Scalar>::transpose(const Step& step) {
   const int size = step.block_size();
   const Scalar* source = data(plan_->step(step.operands.front()));
   for (const Term& term : step.terms) {
-    for (int i = 0; i < step.height; ++i) {
-      for (int j = 0; j < step.width; ++j) {
-        data(step)[term.target * size + i * step.width + j] =
-            source[term.left * size + j * step.height + i];
-      }
+    for (int n = 0; n < size; ++n) {
+      const int i = n / step.width;
+      const int j = n % step.width;
+      data(step)[term.target * size + n] = source[term.left * size + j * step.height + i];
     }
   }
 }
@@ -234,23 +241,19 @@ void Evaluation<Scalar>::write(int step, const Shape& shape, std::span<Scalar> o
   const int height = shape.rows.size;
   const int width = shape.cols.size;
   const int stride = s.pattern.cols() * width;
-  const bool kronecker = s.block_size() == 1 && height * width > 1;
   std::fill(out.begin(), out.end(), Scalar(0));
-  for (int i = 0; i < s.pattern.rows(); ++i) {
-    for (int block = s.pattern.begin(i); block < s.pattern.end(i); ++block) {
-      Scalar* target = out.data() + i * height * stride + s.pattern.column(block) * width;
-      const Scalar* source = values_.data() + s.offset + block * s.block_size();
-      for (int n = 0; n < height * width; ++n) {
-        const int row = n / width;
-        const int col = n % width;
-        if (!kronecker) {
-          target[row * stride + col] = source[n];
-        } else if (row == col) {
-          target[row * stride + col] = source[0];
-        }
+  s.pattern.visit([&](int i, int j, int block) {
+    Scalar* target = out.data() + i * height * stride + j * width;
+    const Scalar* source = values_.data() + s.offset + block * s.block_size();
+    for (int n = 0; n < height * width; ++n) {
+      const bool single = s.block_size() == 1;
+      const int row = n / width;
+      const int col = n % width;
+      if (!single || row == col) {
+        target[row * stride + col] = source[single ? 0 : n];
       }
     }
-  }
+  });
 }
 
 }  // namespace treedyn::block

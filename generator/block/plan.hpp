@@ -39,7 +39,7 @@ class Plan {
  private:
   using Key = std::vector<int>;
   struct Scaled {
-    int step;
+    int step = -1;
     Ratio factor;
   };
 
