@@ -23,7 +23,7 @@ TEST(ToIdentifier, PrefixesALeadingDigitOrUnderscore) {
 
 TEST(ToIdentifier, AppendsAnUnderscoreToReservedWords) {
   for (const char* word : {"class", "int", "xor", "co_await", "constinit", "requires", "char8_t",
-                           "and_eq", "std", "NULL", "NAN", "linux", "errno"}) {
+                           "and_eq", "std", "NULL", "NAN", "linux", "errno", "INT_MAX"}) {
     EXPECT_EQ(to_identifier(word), std::string(word) + "_");
   }
 }
