@@ -8,8 +8,8 @@ namespace treedyn {
 namespace {
 
 // Sorted (a test checks). C++20 [lex.key], [lex.digraph]; object-like macros of <cmath>, <cstddef>,
-// <cstdio> and <cerrno> without a leading underscore; macros that g++ predefines in GNU mode;
-// namespace std.
+// <cstdio>, <cstdlib>, <climits>, <cfloat> and <cerrno> without a leading underscore; macros that
+// g++ predefines in GNU mode; namespace std.
 constexpr std::array<std::string_view, 144> kReservedWords = {
     "CHAR_BIT",
     "DBL_EPSILON",
