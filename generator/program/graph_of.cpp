@@ -58,7 +58,7 @@ Ref GraphWriter::write_product(std::span<const Ref> factors) {
 
 Ref GraphWriter::write_sum(std::span<const Ref> terms) {
   std::vector<Ref> order(terms.begin(), terms.end());
-  std::ranges::stable_partition(order, [&](Ref term) { return !later_[at(term)]; });
+  std::stable_partition(order.begin(), order.end(), [&](Ref term) { return !later_[at(term)]; });
   Ref sum = 0;
   for (const Ref term : order) {
     if (later_[at(term)]) {

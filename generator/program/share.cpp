@@ -112,9 +112,10 @@ void Sharing::group() {
   std::ranges::sort(pairs_, [](const Pair& p, const Pair& q) {
     return p.key() != q.key() ? p.key() < q.key() : p.item < q.item;
   });
-  const auto [first, last] = std::ranges::unique(
-      pairs_, [](const Pair& p, const Pair& q) { return p.key() == q.key() && p.item == q.item; });
-  pairs_.erase(first, last);
+  const auto same = [](const Pair& p, const Pair& q) {
+    return p.key() == q.key() && p.item == q.item;
+  };
+  pairs_.erase(std::unique(pairs_.begin(), pairs_.end(), same), pairs_.end());
   groups_.clear();
   for (std::size_t i = 0; i < pairs_.size();) {
     std::size_t j = i + 1;

@@ -1,6 +1,5 @@
 #include "simplify/factor.hpp"
 
-#include <ranges>
 
 #include "common/error.hpp"
 
@@ -28,7 +27,8 @@ Factorization::Factorization(Graph& graph, int size, const SparseSymmetric& matr
     pivot_[static_cast<std::size_t>(k)] = pivot;
     inverse_[static_cast<std::size_t>(k)] = inverse;
     row.erase(k);
-    for (const auto& [i, a_ki] : row | std::views::reverse) {
+    for (auto entry = row.rbegin(); entry != row.rend(); ++entry) {
+      const auto& [i, a_ki] = *entry;
       const Expr l_ki = a_ki * inverse;
       for (const auto& [j, a_kj] : row) {
         if (j <= i) {
