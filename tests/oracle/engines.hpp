@@ -25,9 +25,9 @@ class Engine {
   virtual Vector origins(const Vector& q) = 0;
 };
 
-/// True if MuJoCo can represent the robot: every massless body has exactly one son (it then becomes
-/// one body with several joints), and every inertia is positive definite and satisfies the triangle
-/// inequality.
+/// True if MuJoCo can represent the robot: every massless body has no inertia and exactly one son
+/// (they then become one body with several joints), and every inertia is positive definite and
+/// satisfies the triangle inequality.
 bool mujoco_reads(const Robot<double>& robot);
 
 /// \pre mujoco_reads(robot)

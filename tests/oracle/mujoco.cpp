@@ -203,7 +203,7 @@ bool mujoco_reads(const Robot<double>& robot) {
   const auto all_sons = sons(robot);
   for (std::size_t i = 0; i < robot.size(); ++i) {
     if (robot[i].mass == 0) {
-      if (all_sons[i].size() != 1) {
+      if (all_sons[i].size() != 1 || robot[i].inertia != Mat<double>{}) {
         return false;
       }
       continue;

@@ -1,0 +1,42 @@
+// README.md shows what is there: its excerpts are text of the committed output.
+#include <map>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace treedyn {
+namespace {
+
+/// The code blocks of README.md that stand after a marker <!-- excerpt: FILE -->, by file.
+std::map<std::string, std::string> excerpts() {
+  const std::string marker = "<!-- excerpt: ";
+  std::istringstream readme(support::read_file(TREEDYN_SOURCE_DIR "/README.md"));
+  std::map<std::string, std::string> result;
+  std::string file;
+  bool inside = false;
+  for (std::string line; std::getline(readme, line);) {
+    if (line.starts_with(marker)) {
+      file = line.substr(marker.size(), line.find(" -->") - marker.size());
+    } else if (line.starts_with("```") && !file.empty()) {
+      inside = !inside;
+      file = inside ? file : "";
+    } else if (inside) {
+      result[file] += line + "\n";
+    }
+  }
+  return result;
+}
+
+TEST(Readme, ShowsTextOfTheCommittedOutput) {
+  const auto shown = excerpts();
+  EXPECT_EQ(shown.size(), 2U);
+  for (const auto& [file, text] : shown) {
+    const std::string committed = support::read_file(TREEDYN_SOURCE_DIR "/" + file);
+    EXPECT_NE(committed.find(text), std::string::npos) << file << " has no longer\n" << text;
+  }
+}
+
+}  // namespace
+}  // namespace treedyn
