@@ -7,7 +7,7 @@ namespace treedyn::simulation {
 void MinimumNorm::factor(const Matrix& W) {
   svd_.compute(W, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Vector& sigma = svd_.singularValues();
-  const double least = sigma.size() == 0 ? 0 : std::sqrt(kRankThreshold) * sigma[0];
+  const double least = sigma.size() == 0 ? 0 : std::sqrt(threshold_) * sigma[0];
   rank_ = 0;
   while (rank_ < sigma.size() && sigma[rank_] > least) {
     ++rank_;

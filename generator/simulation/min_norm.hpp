@@ -22,10 +22,12 @@ class MinimumNorm {
   /// lambda of smallest norm with W lambda = y of the last `preimage`: lambda = K^+ b.
   [[nodiscard]] const Vector& multipliers();
   [[nodiscard]] int rank() const { return rank_; }
+  void set_threshold(double threshold) { threshold_ = threshold; }
 
  private:
   Eigen::JacobiSVD<Eigen::MatrixXd> svd_;
   int rank_ = 0;
+  double threshold_ = kRankThreshold;
   Vector scaled_;
   Vector y_;
   Vector lambda_;

@@ -63,7 +63,11 @@ void Simulator::rate(double t, const Vector& y, Vector& dy) {
   dy.tail(n) = system_.accelerate(t, y.head(n), y.tail(n)).qdd;
 }
 
-double Simulator::error_ratio() const {
+double Simulator::error_ratio(double h) {
+  if (settings_.drift == Drift::kProjection) {
+    system_.remove_normal(t_ + h, next_, error_);
+  }
+  // what the projection corrects is no error
   const auto scale = 1 + y_.array().abs().max(next_.array().abs());
   const double ratio = (error_.array().abs() / scale).maxCoeff() / settings_.tolerance;
   return next_.allFinite() && error_.allFinite() ? ratio : std::numeric_limits<double>::infinity();
@@ -81,7 +85,7 @@ double Simulator::step(double longest) {
   const double least = kShortestStep * duration_;
   for (double h = std::min({suggested_, most, longest});;) {
     integrator_->step(rate_, t_, h, y_, next_, error_);
-    const double ratio = error_ratio();
+    const double ratio = error_ratio(h);
     const double factor = kCaution * std::pow(ratio, -1.0 / (order + 1));
     if (ratio <= 1 || (h <= least && next_.allFinite())) {
       const double grown = h * std::clamp(factor, kLeastFactor, kMostFactor);
@@ -219,6 +223,10 @@ double Simulator::refine(Watch& watch, double low, double high) {
   };
   if (!beyond(high)) {
     return -1;
+  }
+  if (low > 0 && beyond(low)) {
+    high = low;
+    low = 0;
   }
   const double resolution = std::numeric_limits<double>::epsilon() * (std::fabs(t_) + high) / 8;
   while (high - low > resolution) {

@@ -63,7 +63,7 @@ class Simulator {
 
   void rate(double t, const Vector& y, Vector& dy);
   double step(double longest);
-  [[nodiscard]] double error_ratio() const;
+  double error_ratio(double h);
   void start_phase(int phase, const std::vector<int>& active);
   void build_watches();
   void begin_watches();

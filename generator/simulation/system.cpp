@@ -107,28 +107,50 @@ double System::holding_force(std::size_t friction) const {
   return all_lambda_[row];
 }
 
+/// Rows and inertia in this position, for corrections that leave alone what reactions cannot
+/// change.
+void System::factor_rows(double t, const Vector& q, const Vector& qd) {
+  dynamics_.evaluate(q, qd, terms_);
+  factor_inertia(t);
+  jacobian(terms_);
+  W_ = A_.matrixL().solve(J_.transpose());
+  solve_.factor(W_);
+}
+
 void System::project(double t, Vector& q, Vector& qd) {
   const int rows = constraints_.rows();
   if (rows + sticking() == 0) {
     return;
   }
-  for (int k = 0; k < kProjectionSteps; ++k) {
-    constraints_.errors(geometry(q), t, phi_);
-    if (!(largest(phi_) > kProjectionError)) {
+  for (int k = 0;; ++k) {
+    factor_rows(t, q, qd);
+    constraints_.errors(terms_, t, phi_);
+    if (k == kProjectionSteps || !(largest(phi_) > kProjectionError)) {
       break;
     }
-    constraints_.jacobian(terms_, J_);
-    W_ = J_.transpose();
-    solve_.factor(W_);
-    q -= solve_.preimage(phi_);  // J dq = -phi
+    pad(phi_);
+    q -= A_.matrixU().solve(solve_.preimage(phi_));  // J dq = -phi, dq = A^-1 J^T x
   }
-  jacobian(geometry(q));
-  W_ = J_.transpose();
-  solve_.factor(W_);
   constraints_.velocities(t, rate_);
-  rate_.conservativeResize(J_.rows());
-  rate_.tail(J_.rows() - rows).setZero();
-  qd -= solve_.preimage(J_ * qd - rate_);  // J dqd = -(J qd - c')
+  pad(rate_);
+  qd -= A_.matrixU().solve(solve_.preimage(J_ * qd - rate_));  // J dqd = -(J qd - c')
+}
+
+void System::remove_normal(double t, const Vector& y, Vector& error) {
+  if (constraints_.rows() + sticking() == 0) {
+    return;
+  }
+  const int n = dof();
+  factor_rows(t, y.head(n), y.tail(n));
+  error.head(n) -= A_.matrixU().solve(solve_.preimage(J_ * error.head(n)));
+  error.tail(n) -= A_.matrixU().solve(solve_.preimage(J_ * error.tail(n)));
+}
+
+/// Zeros for the rows of sticking joints.
+void System::pad(Vector& rows) const {
+  const Eigen::Index size = rows.size();
+  rows.conservativeResize(J_.rows());
+  rows.tail(J_.rows() - size).setZero();
 }
 
 Vector System::impact(double t, const Vector& q, Vector& qd, const std::vector<int>& constraints,

@@ -43,14 +43,19 @@ class System {
   Constraints& constraints() { return constraints_; }
   std::vector<DryFriction>& frictions() { return frictions_; }
   Forces& forces() { return forces_; }
+  /// Instead of kRankThreshold, to see what depends on it.
+  void set_rank_threshold(double threshold) { solve_.set_threshold(threshold); }
 
   /// EQUATIONS.md 6.2, 6.3. \throws std::runtime_error if A is not positive definite
   const Solution& accelerate(double t, const Vector& q, const Vector& qd);
   /// The force that holds a sticking joint, of the last `accelerate`.
   [[nodiscard]] double holding_force(std::size_t friction) const;
 
-  /// q and qd on the active rows by smallest corrections; leaves singular directions alone.
+  /// q and qd on the active rows by the smallest corrections in the metric A, those that reactions
+  /// make: what a singular position let go is undone behind it.
   void project(double t, Vector& q, Vector& qd);
+  /// Takes from an error of y = (q; qd) what `project` corrects: its part across the rows.
+  void remove_normal(double t, const Vector& y, Vector& error);
   /// EQUATIONS.md 6.4 for all rows of `constraints`; changes qd. \return impulses, N s or N m s
   Vector impact(double t, const Vector& q, Vector& qd, const std::vector<int>& constraints,
                 double restitution);
@@ -65,6 +70,8 @@ class System {
  private:
   void jacobian(const Terms& terms);
   void factor_inertia(double t);
+  void factor_rows(double t, const Vector& q, const Vector& qd);
+  void pad(Vector& rows) const;
   void add_stabilisation(double t, const Vector& qd);
   [[nodiscard]] int sticking() const;
 
