@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate biped.yaml --base axes --effort 1000
+//   treedyn generate biped.yaml --base axes
 //
 //   joint              link               index  type       unit
 //   base_px            base_px            0      prismatic  m
@@ -80,7 +80,7 @@ inline constexpr int right_toe = 3;
 ///
 /// \param      q  18, rad|m
 /// \param[out] A  324, kg m^2|kg m|kg
-/// Equation (2). Cost: 683 mul, 515 add, 15 sin, 15 cos.
+/// Equation (2). Cost: 661 mul, 499 add, 15 sin, 15 cos.
 void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept;
 
 /// Coriolis and centrifugal joint forces B(q, qd), without gravity.
@@ -88,14 +88,14 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept;
 /// \param      q   18, rad|m
 /// \param      qd  18, rad/s|m/s
 /// \param[out] B   18, N m|N
-/// Equation (3). Cost: 660 mul, 627 add, 15 sin, 15 cos.
+/// Equation (3). Cost: 658 mul, 617 add, 15 sin, 15 cos.
 void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept;
 
 /// Gravity term G(q) of A qdd + B + G = tau.
 ///
 /// \param      q  18, rad|m
 /// \param[out] G  18, N m|N
-/// Equation 6.5. Cost: 119 mul, 91 add, 14 sin, 14 cos.
+/// Equation 6.5. Cost: 115 mul, 89 add, 14 sin, 14 cos.
 void gravity_force(const Scalar q[18], Scalar G[18]) noexcept;
 
 /// Joint forces tau = A(q) qdd + B(q, qd) + G(q).
@@ -104,7 +104,7 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept;
 /// \param      qd   18, rad/s|m/s
 /// \param      qdd  18, rad/s^2|m/s^2
 /// \param[out] tau  18, N m|N
-/// Equation (1). Cost: 699 mul, 644 add, 15 sin, 15 cos.
+/// Equation (1). Cost: 699 mul, 642 add, 15 sin, 15 cos.
 void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[18],
                       Scalar tau[18]) noexcept;
 
@@ -114,7 +114,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
 /// \param      qd   18, rad/s|m/s
 /// \param      tau  18, N m|N
 /// \param[out] qdd  18, rad/s^2|m/s^2
-/// Equation (1). Cost: 1666 mul, 1601 add, 17 div, 15 sin, 15 cos.
+/// Equation (1). Cost: 1664 mul, 1589 add, 17 div, 15 sin, 15 cos.
 void forward_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar tau[18],
                       Scalar qdd[18]) noexcept;
 
@@ -122,14 +122,14 @@ void forward_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar tau[
 ///
 /// \param      q  18, rad|m
 /// \param[out] p  12, m
-/// Equation 1.2. Cost: 104 mul, 92 add, 15 sin, 15 cos.
+/// Equation 1.2. Cost: 100 mul, 86 add, 15 sin, 15 cos.
 void point_positions(const Scalar q[18], Scalar p[12]) noexcept;
 
 /// C of the points, transposed Jacobian; N x 3P, row-major.
 ///
 /// \param      q  18, rad|m
 /// \param[out] C  216, m|1
-/// Equation (9). Cost: 328 mul, 200 add, 15 sin, 15 cos.
+/// Equation (9). Cost: 322 mul, 190 add, 15 sin, 15 cos.
 void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept;
 
 }  // namespace biped

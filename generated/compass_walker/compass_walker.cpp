@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate compass_walker.yaml --effort 1000
+//   treedyn generate compass_walker.yaml
 
 #include "compass_walker.hpp"
 
@@ -15,20 +15,20 @@ using std::cos;
 using std::sin;
 
 void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
-  // left_leg
   const Scalar c_left_hip = cos(q[2]);
   const Scalar s_left_hip = sin(q[2]);
-  A[2] = -2.5 * c_left_hip;
-  A[8] = A[2];
   // right_leg
   const Scalar c_right_hip = cos(q[3]);
   const Scalar s_right_hip = sin(q[3]);
-  A[3] = -2.5 * c_right_hip;
-  A[12] = A[3];
-  A[6] = 2.5 * s_left_hip;
-  A[9] = A[6];
   A[7] = 2.5 * s_right_hip;
   A[13] = A[7];
+  A[3] = -2.5 * c_right_hip;
+  A[12] = A[3];
+  // left_leg
+  A[6] = 2.5 * s_left_hip;
+  A[9] = A[6];
+  A[2] = -2.5 * c_left_hip;
+  A[8] = A[2];
   A[0] = 20.0;
   A[5] = 20.0;
   A[10] = 1.25;
@@ -44,22 +44,20 @@ void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
   const Scalar s_left_hip = sin(q[2]);
   const Scalar c_right_hip = cos(q[3]);
   const Scalar s_right_hip = sin(q[3]);
-  const Scalar Omega_left_leg_xx = qd[2] * qd[2];
-  const Scalar F_left_leg_x = 2.5 * Omega_left_leg_xx;
-  const Scalar Omega_right_leg_xx = qd[3] * qd[3];
-  const Scalar F_right_leg_x = 2.5 * Omega_right_leg_xx;
+  const Scalar t_left_leg_1 = qd[2] * qd[2] * 2.5;
+  const Scalar t_right_leg_1 = qd[3] * qd[3] * 2.5;
   // hip
-  B[0] = s_right_hip * F_right_leg_x + s_left_hip * F_left_leg_x;
-  B[1] = c_right_hip * F_right_leg_x + c_left_hip * F_left_leg_x;
+  B[0] = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1;
+  B[1] = c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1;
   B[2] = 0.0;
   B[3] = 0.0;
 }
 
 void gravity_force(const Scalar q[4], Scalar G[4]) noexcept {
   const Scalar s_left_hip = sin(q[2]);
+  const Scalar s_right_hip = sin(q[3]);
   G[2] = 24.525 * s_left_hip;
   // right_leg
-  const Scalar s_right_hip = sin(q[3]);
   G[3] = 24.525 * s_right_hip;
   G[1] = 196.2;
   G[0] = 0.0;
@@ -67,29 +65,28 @@ void gravity_force(const Scalar q[4], Scalar G[4]) noexcept {
 
 void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4],
                       Scalar tau[4]) noexcept {
+  const Scalar a_hip_z = 9.81 + qdd[1];
   // left_leg
+  const Scalar t_left_leg_1 = qd[2] * qd[2];
   const Scalar c_left_hip = cos(q[2]);
   const Scalar s_left_hip = sin(q[2]);
-  const Scalar t_left_leg_1 = 2.5 * c_left_hip;
-  const Scalar Omega_left_leg_xx = qd[2] * qd[2];
   const Scalar t_left_leg_2 = 2.5 * s_left_hip;
-  const Scalar t_hip_1 = 20.0 * qdd[0] - qdd[2] * t_left_leg_1;
+  const Scalar t_left_leg_3 = 2.5 * c_left_hip;
+  tau[2] = 1.25 * qdd[2] - (qdd[0] * t_left_leg_3 - a_hip_z * t_left_leg_2);
   // right_leg
+  const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar c_right_hip = cos(q[3]);
   const Scalar s_right_hip = sin(q[3]);
-  const Scalar t_right_leg_1 = 2.5 * c_right_hip;
-  const Scalar Omega_right_leg_xx = qd[3] * qd[3];
   const Scalar t_right_leg_2 = 2.5 * s_right_hip;
+  const Scalar t_right_leg_3 = 2.5 * c_right_hip;
+  tau[3] = 1.25 * qdd[3] - (qdd[0] * t_right_leg_3 - a_hip_z * t_right_leg_2);
+  // left_leg
+  const Scalar t_left_leg_4 = 20.0 * qdd[0] - qdd[2] * t_left_leg_3;
+  const Scalar t_left_leg_5 = t_left_leg_4 + t_left_leg_1 * t_left_leg_2;
+  tau[0] = t_left_leg_5 - qdd[3] * t_right_leg_3 + t_right_leg_1 * t_right_leg_2;
   // hip
-  const Scalar t_hip_2 = t_hip_1 + Omega_left_leg_xx * t_left_leg_2 - qdd[3] * t_right_leg_1;
-  tau[0] = t_hip_2 + Omega_right_leg_xx * t_right_leg_2;
-  const Scalar a_hip_z = 9.81 + qdd[1];
-  const Scalar t_hip_3 = 20.0 * a_hip_z + Omega_left_leg_xx * t_left_leg_1;
-  const Scalar t_hip_4 = t_hip_3 + qdd[2] * t_left_leg_2 + Omega_right_leg_xx * t_right_leg_1;
-  tau[1] = t_hip_4 + qdd[3] * t_right_leg_2;
-  tau[2] = 1.25 * qdd[2] - qdd[0] * t_left_leg_1 + a_hip_z * t_left_leg_2;
-  // right_leg
-  tau[3] = 1.25 * qdd[3] - qdd[0] * t_right_leg_1 + a_hip_z * t_right_leg_2;
+  const Scalar t_hip_1 = 20.0 * a_hip_z + t_left_leg_1 * t_left_leg_3 + qdd[2] * t_left_leg_2;
+  tau[1] = t_hip_1 + t_right_leg_1 * t_right_leg_3 + qdd[3] * t_right_leg_2;
 }
 
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
@@ -112,35 +109,35 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   // hip
   const Scalar inverse_pivot_hip = 1.0 / t_left_leg_6;
   const Scalar t_hip_1 = tau[1] - s_right_hip * t_right_leg_2 - c_right_hip * t_right_leg_1;
-  const Scalar u_hip = t_hip_1 - s_left_hip * t_left_leg_2 - c_left_hip * t_left_leg_1;
-  const Scalar t_hip_2 = t_left_leg_4 * inverse_pivot_hip;
+  const Scalar t_hip_2 = t_hip_1 - s_left_hip * t_left_leg_2 - c_left_hip * t_left_leg_1;
+  const Scalar t_hip_3 = t_left_leg_4 * inverse_pivot_hip;
   // slide
-  const Scalar inverse_pivot_slide = 1.0 / (20.0 - t_left_leg_5 - t_left_leg_4 * t_hip_2);
+  const Scalar inverse_pivot_slide = 1.0 / (20.0 - t_left_leg_5 - t_left_leg_4 * t_hip_3);
   const Scalar t_slide_1 = tau[0] + c_right_hip * t_right_leg_2 - s_right_hip * t_right_leg_1;
   const Scalar t_slide_2 = t_slide_1 + c_left_hip * t_left_leg_2 - s_left_hip * t_left_leg_1;
-  const Scalar u_slide = t_slide_2 - u_hip * t_hip_2;
+  const Scalar u_slide = t_slide_2 - t_hip_2 * t_hip_3;
   const Scalar t_slide_3 = inverse_pivot_slide * u_slide;
   qdd[0] = t_slide_3;
   // hip
-  const Scalar t_hip_3 = u_hip - 9.81 * t_left_leg_6 - t_left_leg_4 * t_slide_3;
-  const Scalar t_hip_4 = inverse_pivot_hip * t_hip_3;
-  qdd[1] = t_hip_4;
-  const Scalar t_hip_5 = 9.81 + t_hip_4;
-  qdd[2] = 0.8 * (tau[2] - 2.5 * (s_left_hip * t_hip_5 - c_left_hip * t_slide_3));
+  const Scalar t_hip_4 = t_hip_2 - 9.81 * t_left_leg_6 - t_left_leg_4 * t_slide_3;
+  const Scalar t_hip_5 = inverse_pivot_hip * t_hip_4;
+  qdd[1] = t_hip_5;
+  const Scalar t_hip_6 = 9.81 + t_hip_5;
+  qdd[2] = 0.8 * (tau[2] - 2.5 * (s_left_hip * t_hip_6 - c_left_hip * t_slide_3));
   // right_leg
-  qdd[3] = 0.8 * (tau[3] - 2.5 * (s_right_hip * t_hip_5 - c_right_hip * t_slide_3));
+  qdd[3] = 0.8 * (tau[3] - 2.5 * (s_right_hip * t_hip_6 - c_right_hip * t_slide_3));
 }
 
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
-  const Scalar s_left_hip = sin(q[2]);
   const Scalar c_left_hip = cos(q[2]);
-  p[0] = q[0] - s_left_hip;
-  p[2] = q[1] - c_left_hip;
-  const Scalar s_right_hip = sin(q[3]);
+  const Scalar s_left_hip = sin(q[2]);
   const Scalar c_right_hip = cos(q[3]);
-  p[3] = q[0] - s_right_hip;
+  const Scalar s_right_hip = sin(q[3]);
   // slide
+  p[2] = q[1] - c_left_hip;
+  p[0] = q[0] - s_left_hip;
   p[5] = q[1] - c_right_hip;
+  p[3] = q[0] - s_right_hip;
   p[1] = 0.0;
   p[4] = 0.0;
 }

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate compass_walker.yaml --effort 1000
+//   treedyn generate compass_walker.yaml
 //
 //   joint      link       index  type       unit
 //   hip_x      slide      0      prismatic  m

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate polar.yaml --effort 1000
+//   treedyn generate polar.yaml
 
 #include "polar.hpp"
 
@@ -23,10 +23,10 @@ void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
 }
 
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
-  const Scalar Omega_shoulder_xx = qd[0] * qd[0];
-  B[1] = (2.739975 - 4.25 * q[1]) * Omega_shoulder_xx;
-  // shoulder_link
-  B[0] = -(qd[0] * qd[1]) * 5.47995 - 8.5 * q[1];
+  const Scalar t_shoulder_1 = qd[0] * (5.47995 - 8.5 * q[1]);
+  B[1] = qd[0] * t_shoulder_1 * 0.5;
+  // boom
+  B[0] = -qd[1] * t_shoulder_1;
 }
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
@@ -39,29 +39,30 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
                       Scalar tau[2]) noexcept {
-  const Scalar s_shoulder = sin(q[0]);
+  // shoulder_link
   const Scalar c_shoulder = cos(q[0]);
-  const Scalar a_boom_x = 9.81 * s_shoulder - q[1] * qdd[0] - qd[0] * qd[1] * 2.0;
-  const Scalar F_boom_x = 4.25 * a_boom_x + 2.739975 * qdd[0];
-  tau[0] = 2.739975 * a_boom_x - q[1] * F_boom_x + 2.528 * qdd[0];
-  const Scalar Omega_shoulder_xx = qd[0] * qd[0];
+  const Scalar s_shoulder = sin(q[0]);
+  const Scalar t_shoulder_1 = qd[0] * qd[0];
   // boom
-  const Scalar a_boom_z = qdd[1] + 9.81 * c_shoulder - q[1] * Omega_shoulder_xx;
-  tau[1] = 4.25 * a_boom_z + 2.739975 * Omega_shoulder_xx;
+  const Scalar t_boom_1 = 9.81 * s_shoulder - q[1] * qdd[0] - qd[0] * qd[1] * 2.0;
+  const Scalar a_boom_z = qdd[1] + 9.81 * c_shoulder - q[1] * t_shoulder_1;
+  tau[1] = 4.25 * a_boom_z + 2.739975 * t_shoulder_1;
+  // shoulder_link
+  tau[0] = 2.739975 * t_boom_1 - q[1] * (4.25 * t_boom_1 + 2.739975 * qdd[0]) + 2.528 * qdd[0];
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
-  const Scalar s_shoulder = sin(q[0]);
-  const Scalar c_shoulder = cos(q[0]);
-  const Scalar a_boom_x = 9.81 * s_shoulder - qd[0] * qd[1] * 2.0;
-  const Scalar t_boom_1 = 4.25 * q[1];
   // shoulder_link
+  const Scalar c_shoulder = cos(q[0]);
+  const Scalar s_shoulder = sin(q[0]);
+  const Scalar t_shoulder_1 = qd[0] * qd[0];
+  const Scalar a_boom_z = 9.81 * c_shoulder - q[1] * t_shoulder_1;
+  const Scalar t_boom_1 = 4.25 * q[1];
+  const Scalar M_shoulder_z = (9.81 * s_shoulder - qd[0] * qd[1] * 2.0) * (2.739975 - t_boom_1);
   const Scalar inverse_pivot_shoulder = 1.0 / (2.528 - q[1] * (5.47995 - t_boom_1));
-  qdd[0] = (tau[0] - a_boom_x * (2.739975 - t_boom_1)) * inverse_pivot_shoulder;
-  const Scalar Omega_shoulder_xx = qd[0] * qd[0];
-  const Scalar a_boom_z = 9.81 * c_shoulder - q[1] * Omega_shoulder_xx;
-  qdd[1] = 0.23529411764705882 * (tau[1] - 4.25 * a_boom_z - 2.739975 * Omega_shoulder_xx);
+  qdd[0] = (tau[0] - M_shoulder_z) * inverse_pivot_shoulder;
+  qdd[1] = 0.23529411764705882 * (tau[1] - 4.25 * a_boom_z - 2.739975 * t_shoulder_1);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
@@ -74,9 +75,9 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
-  // shoulder_link
   const Scalar c_shoulder = cos(q[0]);
   C[5] = c_shoulder;
+  // boom
   const Scalar s_shoulder = sin(q[0]);
   C[3] = s_shoulder;
   C[0] = c_shoulder * q[1];

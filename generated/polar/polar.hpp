@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate polar.yaml --effort 1000
+//   treedyn generate polar.yaml
 //
 //   joint     link           index  type       unit
 //   shoulder  shoulder_link  0      revolute   rad
@@ -50,7 +50,7 @@ void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept;
 /// \param      q   2, rad|m
 /// \param      qd  2, rad/s|m/s
 /// \param[out] B   2, N m|N
-/// Equation (3). Cost: 6 mul, 2 add.
+/// Equation (3). Cost: 5 mul, 1 add.
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept;
 
 /// Gravity term G(q) of A qdd + B + G = tau.

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate puma560.yaml --effort 1000
+//   treedyn generate puma560.yaml
 //
 //   joint   link   index  type      unit
 //   joint1  link1  0      revolute  rad
@@ -50,14 +50,14 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept;
 /// \param      q   6, rad|m
 /// \param      qd  6, rad/s|m/s
 /// \param[out] B   6, N m|N
-/// Equation (3). Cost: 126 mul, 92 add, 4 sin, 4 cos.
+/// Equation (3). Cost: 127 mul, 79 add, 4 sin, 4 cos.
 void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept;
 
 /// Gravity term G(q) of A qdd + B + G = tau.
 ///
 /// \param      q  6, rad|m
 /// \param[out] G  6, N m|N
-/// Equation 6.5. Cost: 21 mul, 9 add, 4 sin, 4 cos.
+/// Equation 6.5. Cost: 17 mul, 7 add, 4 sin, 4 cos.
 void gravity_force(const Scalar q[6], Scalar G[6]) noexcept;
 
 /// Joint forces tau = A(q) qdd + B(q, qd) + G(q).
@@ -66,7 +66,7 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept;
 /// \param      qd   6, rad/s|m/s
 /// \param      qdd  6, rad/s^2|m/s^2
 /// \param[out] tau  6, N m|N
-/// Equation (1). Cost: 144 mul, 119 add, 4 sin, 4 cos.
+/// Equation (1). Cost: 144 mul, 113 add, 4 sin, 4 cos.
 void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6],
                       Scalar tau[6]) noexcept;
 
@@ -76,7 +76,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
 /// \param      qd   6, rad/s|m/s
 /// \param      tau  6, N m|N
 /// \param[out] qdd  6, rad/s^2|m/s^2
-/// Equation (1). Cost: 257 mul, 201 add, 4 div, 4 sin, 4 cos.
+/// Equation (1). Cost: 255 mul, 183 add, 4 div, 4 sin, 4 cos.
 void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6],
                       Scalar qdd[6]) noexcept;
 

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate quadruped.yaml --effort 1000
+//   treedyn generate quadruped.yaml
 //
 //   joint                  link               index  type      unit
 //   front_left_abduction   front_left_hip     0      revolute  rad
@@ -102,7 +102,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 /// \param      qd   12, rad/s|m/s
 /// \param      tau  12, N m|N
 /// \param[out] qdd  12, rad/s^2|m/s^2
-/// Equation (1). Cost: 264 mul, 176 add, 8 div, 12 sin, 12 cos.
+/// Equation (1). Cost: 256 mul, 176 add, 8 div, 12 sin, 12 cos.
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept;
 

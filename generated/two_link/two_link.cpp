@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate two_link.yaml --effort 1000
+//   treedyn generate two_link.yaml
 
 #include "two_link.hpp"
 
@@ -28,12 +28,9 @@ void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar s_elbow = sin(q[1]);
   const Scalar t_forearm_1 = 25.0 * s_elbow;
-  const Scalar Omega_upper_arm_xx = qd[0] * qd[0];
-  const Scalar M_forearm_z = t_forearm_1 * Omega_upper_arm_xx;
+  const Scalar M_forearm_z = qd[0] * qd[0] * t_forearm_1;
   B[1] = M_forearm_z;
-  const Scalar Omega_forearm_xx = omega_forearm_z * omega_forearm_z;
-  // upper_arm
-  B[0] = M_forearm_z - t_forearm_1 * Omega_forearm_xx;
+  B[0] = M_forearm_z - omega_forearm_z * omega_forearm_z * t_forearm_1;
 }
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
@@ -49,17 +46,17 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
                       Scalar tau[2]) noexcept {
-  const Scalar c_elbow = cos(q[1]);
-  const Scalar s_elbow = sin(q[1]);
   const Scalar c_shoulder = cos(q[0]);
   const Scalar s_shoulder = sin(q[0]);
   // forearm
+  const Scalar c_elbow = cos(q[1]);
+  const Scalar s_elbow = sin(q[1]);
   const Scalar t_forearm_1 = s_elbow * (9.81 * s_shoulder - qd[0] * qd[0]);
   const Scalar a_forearm_y = c_elbow * (qdd[0] + 9.81 * c_shoulder) - t_forearm_1;
+  const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar alpha_forearm_z = qdd[0] + qdd[1];
   const Scalar M_forearm_z = 22.5 * alpha_forearm_z + 25.0 * a_forearm_y;
   tau[1] = M_forearm_z;
-  const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar t_forearm_2 = s_elbow * omega_forearm_z * omega_forearm_z;
   // upper_arm
   const Scalar t_upper_arm_1 = M_forearm_z + 72.5 * qdd[0] + 735.75 * c_shoulder;
@@ -68,27 +65,27 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
-  // forearm
-  const Scalar omega_forearm_z = qd[0] + qd[1];
-  const Scalar s_elbow = sin(q[1]);
-  const Scalar c_elbow = cos(q[1]);
-  const Scalar t_forearm_1 = 25.0 * s_elbow;
-  const Scalar t_forearm_2 = 25.0 * c_elbow;
-  const Scalar t_forearm_3 = 1.1111111111111112 * c_elbow;
-  const Scalar t_forearm_4 = t_forearm_2 * t_forearm_3;
-  // upper_arm
   const Scalar c_shoulder = cos(q[0]);
   const Scalar s_shoulder = sin(q[0]);
-  const Scalar t_upper_arm_1 = 9.81 * c_shoulder;
-  const Scalar t_upper_arm_2 = tau[1] - tau[0] - omega_forearm_z * omega_forearm_z * t_forearm_1;
-  const Scalar t_upper_arm_3 = tau[1] - t_forearm_1 * (qd[0] * qd[0] - 9.81 * s_shoulder);
-  const Scalar t_upper_arm_4 = t_upper_arm_2 + (75.0 - t_forearm_4) * t_upper_arm_1;
+  // forearm
+  const Scalar omega_forearm_z = qd[0] + qd[1];
+  const Scalar c_elbow = cos(q[1]);
+  const Scalar s_elbow = sin(q[1]);
+  const Scalar t_forearm_1 = 25.0 * c_elbow;
+  const Scalar t_forearm_2 = 25.0 * s_elbow;
+  const Scalar t_forearm_3 = 1.1111111111111112 * c_elbow;
+  const Scalar t_forearm_4 = t_forearm_1 * t_forearm_3;
+  // upper_arm
   const Scalar inverse_pivot_upper_arm = 1.0 / (72.5 - t_forearm_4);
-  const Scalar t_upper_arm_5 = t_upper_arm_4 + t_forearm_3 * t_upper_arm_3;
+  const Scalar t_upper_arm_1 = 9.81 * c_shoulder;
+  const Scalar t_upper_arm_2 = tau[1] - t_forearm_2 * (qd[0] * qd[0] - 9.81 * s_shoulder);
+  const Scalar t_upper_arm_3 = tau[1] - tau[0] - omega_forearm_z * omega_forearm_z * t_forearm_2;
+  const Scalar t_upper_arm_4 = t_upper_arm_3 + (75.0 - t_forearm_4) * t_upper_arm_1;
+  const Scalar t_upper_arm_5 = t_upper_arm_4 + t_forearm_3 * t_upper_arm_2;
   const Scalar t_upper_arm_6 = inverse_pivot_upper_arm * t_upper_arm_5;
   qdd[0] = -t_upper_arm_6;
   // forearm
-  const Scalar t_forearm_5 = t_upper_arm_3 - t_forearm_2 * (t_upper_arm_1 - t_upper_arm_6);
+  const Scalar t_forearm_5 = t_upper_arm_2 - t_forearm_1 * (t_upper_arm_1 - t_upper_arm_6);
   qdd[1] = 0.044444444444444446 * (t_forearm_5 + 22.5 * t_upper_arm_6);
 }
 

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: 0BSD
 //
 // GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
-//   treedyn generate two_link.yaml --effort 1000
+//   treedyn generate two_link.yaml
 //
 //   joint     link       index  type      unit
 //   shoulder  upper_arm  0      revolute  rad
