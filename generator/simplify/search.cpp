@@ -1,6 +1,7 @@
 #include "simplify/search.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <random>
@@ -18,6 +19,10 @@ constexpr int kTrigonometryWeight = 8;
 constexpr std::size_t kReferenceSize = 1500;
 /// One evaluation with algebraic passes counts as this many moves.
 constexpr int kOptimisedMove = 8;
+/// Moves of the algebraic local search for each move of the search among formulations.
+constexpr int kAlgebraMoves = 5;
+/// Functions with more operations get proportionally fewer of them.
+constexpr int kReferenceOperations = 3000;
 /// Formulations that are compared after the algebraic passes.
 constexpr std::size_t kFinalists = 24;
 /// Random changes between two restarts from the best variant.
@@ -172,6 +177,7 @@ class Search {
     std::iota(links.begin(), links.end(), 0);
     return links;
   }
+  [[nodiscard]] program::Effort algebra_effort(const program::Function& function) const;
   void note(const Variant& variant, int cost);
   void drop_what_does_not_pay(Variant& variant, int& cost);
   int raw_cost(const Variant& variant);
@@ -323,6 +329,17 @@ void Search::drop_what_does_not_pay(Variant& variant, int& cost) {
   }
 }
 
+/// Moves of the algebraic local search, fewer for large functions; none without a search.
+program::Effort Search::algebra_effort(const program::Function& function) const {
+  program::Effort effort;
+  if (options_.has(Pass::kSearch)) {
+    const std::int64_t operations = std::max(program::cost(function).total(), kReferenceOperations);
+    effort.moves = static_cast<int>(std::int64_t{kAlgebraMoves} * options_.effort *
+                                    kReferenceOperations / operations);
+  }
+  return effort;
+}
+
 program::Function Search::run() {
   const auto raw = [this](const Variant& variant) {
     return raw_cost(variant);
@@ -351,7 +368,8 @@ program::Function Search::run() {
     descend(best, cost, 0, optimised);
   }
   program::Function function = build(tree_, recipe_, options_, best);
-  return options_.has(Pass::kAlgebra) ? program::optimise(function) : std::move(function);
+  return options_.has(Pass::kAlgebra) ? program::optimise(function, algebra_effort(function))
+                                      : std::move(function);
 }
 
 }  // namespace
