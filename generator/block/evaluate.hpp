@@ -235,24 +235,37 @@ void Evaluation<Scalar>::product(const Step& step) {
   }
 }
 
+namespace detail {
+
+/// Copies a row-major block `width` wide into a matrix `stride` wide; a single number fills the
+/// diagonal.
+template <class Scalar>
+void write_block(std::span<const Scalar> block, int size, int width, Scalar* target, int stride) {
+  const bool single = block.size() == 1;
+  for (int n = 0; n < size; ++n) {
+    const int row = n / width;
+    const int col = n % width;
+    if (!single || row == col) {
+      target[row * stride + col] = block[single ? 0 : static_cast<std::size_t>(n)];
+    }
+  }
+}
+
+}  // namespace detail
+
 template <class Scalar>
 void Evaluation<Scalar>::write(int step, const Shape& shape, std::span<Scalar> out) const {
   const Step& s = plan_->step(step);
   const int height = shape.rows.size;
   const int width = shape.cols.size;
   const int stride = s.pattern.cols() * width;
+  const auto block_size = static_cast<std::size_t>(s.block_size());
   std::fill(out.begin(), out.end(), Scalar(0));
   s.pattern.visit([&](int i, int j, int block) {
-    Scalar* target = out.data() + i * height * stride + j * width;
-    const Scalar* source = values_.data() + s.offset + block * s.block_size();
-    for (int n = 0; n < height * width; ++n) {
-      const bool single = s.block_size() == 1;
-      const int row = n / width;
-      const int col = n % width;
-      if (!single || row == col) {
-        target[row * stride + col] = source[single ? 0 : n];
-      }
-    }
+    const std::span<const Scalar> source =
+        blocks(step).subspan(static_cast<std::size_t>(block) * block_size, block_size);
+    detail::write_block(source, height * width, width, out.data() + i * height * stride + j * width,
+                        stride);
   });
 }
 

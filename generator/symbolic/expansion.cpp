@@ -84,7 +84,8 @@ Entries Expansion::expand(const block::Expression& expression) const {
   Entries entries;
   entries.rows = blocks.rows() * expression.shape().rows.size;
   entries.cols = blocks.cols() * expression.shape().cols.size;
-  entries.values.resize(static_cast<std::size_t>(entries.rows * entries.cols));
+  entries.values.resize(static_cast<std::size_t>(entries.rows) *
+                        static_cast<std::size_t>(entries.cols));
   evaluation.write(result, expression.shape(), entries.values);
   return entries;
 }
