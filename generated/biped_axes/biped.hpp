@@ -80,7 +80,7 @@ inline constexpr int right_toe = 3;
 ///
 /// \param      q  18, rad|m
 /// \param[out] A  324, kg m^2|kg m|kg
-/// Equation (2). Cost: 661 mul, 499 add, 15 sin, 15 cos.
+/// Equation (2). Cost: 656 mul, 488 add, 15 sin, 15 cos.
 void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept;
 
 /// Coriolis and centrifugal joint forces B(q, qd), without gravity.
@@ -104,7 +104,7 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept;
 /// \param      qd   18, rad/s|m/s
 /// \param      qdd  18, rad/s^2|m/s^2
 /// \param[out] tau  18, N m|N
-/// Equation (1). Cost: 699 mul, 642 add, 15 sin, 15 cos.
+/// Equation (1). Cost: 699 mul, 638 add, 15 sin, 15 cos.
 void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[18],
                       Scalar tau[18]) noexcept;
 
@@ -114,7 +114,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
 /// \param      qd   18, rad/s|m/s
 /// \param      tau  18, N m|N
 /// \param[out] qdd  18, rad/s^2|m/s^2
-/// Equation (1). Cost: 1664 mul, 1589 add, 17 div, 15 sin, 15 cos.
+/// Equation (1). Cost: 1645 mul, 1587 add, 17 div, 15 sin, 15 cos.
 void forward_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar tau[18],
                       Scalar qdd[18]) noexcept;
 
@@ -129,7 +129,7 @@ void point_positions(const Scalar q[18], Scalar p[12]) noexcept;
 ///
 /// \param      q  18, rad|m
 /// \param[out] C  216, m|1
-/// Equation (9). Cost: 322 mul, 190 add, 15 sin, 15 cos.
+/// Equation (9). Cost: 318 mul, 192 add, 15 sin, 15 cos.
 void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept;
 
 }  // namespace biped

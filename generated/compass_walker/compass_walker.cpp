@@ -42,13 +42,14 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
 void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
   const Scalar c_left_hip = cos(q[2]);
   const Scalar s_left_hip = sin(q[2]);
+  // right_leg
   const Scalar c_right_hip = cos(q[3]);
   const Scalar s_right_hip = sin(q[3]);
-  const Scalar t_left_leg_1 = qd[2] * qd[2] * 2.5;
-  const Scalar t_right_leg_1 = qd[3] * qd[3] * 2.5;
+  const Scalar t_right_leg_1 = qd[3] * qd[3];
+  const Scalar t_left_leg_1 = qd[2] * qd[2];
   // hip
-  B[0] = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1;
-  B[1] = c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1;
+  B[0] = 2.5 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1);
+  B[1] = 2.5 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1);
   B[2] = 0.0;
   B[3] = 0.0;
 }
@@ -67,23 +68,23 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
                       Scalar tau[4]) noexcept {
   const Scalar a_hip_z = 9.81 + qdd[1];
   // left_leg
-  const Scalar t_left_leg_1 = qd[2] * qd[2];
   const Scalar c_left_hip = cos(q[2]);
   const Scalar s_left_hip = sin(q[2]);
+  const Scalar t_left_leg_1 = 2.5 * c_left_hip;
   const Scalar t_left_leg_2 = 2.5 * s_left_hip;
-  const Scalar t_left_leg_3 = 2.5 * c_left_hip;
-  tau[2] = 1.25 * qdd[2] - (qdd[0] * t_left_leg_3 - a_hip_z * t_left_leg_2);
+  const Scalar t_left_leg_3 = qd[2] * qd[2];
+  tau[2] = 1.25 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
   // right_leg
-  const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar c_right_hip = cos(q[3]);
   const Scalar s_right_hip = sin(q[3]);
+  const Scalar t_right_leg_1 = 2.5 * c_right_hip;
   const Scalar t_right_leg_2 = 2.5 * s_right_hip;
-  const Scalar t_right_leg_3 = 2.5 * c_right_hip;
-  tau[3] = 1.25 * qdd[3] - (qdd[0] * t_right_leg_3 - a_hip_z * t_right_leg_2);
+  const Scalar t_right_leg_3 = qd[3] * qd[3];
+  tau[3] = 1.25 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
   // left_leg
-  const Scalar t_left_leg_4 = 20.0 * qdd[0] - qdd[2] * t_left_leg_3;
-  const Scalar t_left_leg_5 = t_left_leg_4 + t_left_leg_1 * t_left_leg_2;
-  tau[0] = t_left_leg_5 - qdd[3] * t_right_leg_3 + t_right_leg_1 * t_right_leg_2;
+  const Scalar t_left_leg_4 = 20.0 * qdd[0] - qdd[2] * t_left_leg_1;
+  const Scalar t_left_leg_5 = t_left_leg_4 + t_left_leg_2 * t_left_leg_3;
+  tau[0] = t_left_leg_5 - qdd[3] * t_right_leg_1 + t_right_leg_2 * t_right_leg_3;
   // hip
   const Scalar t_hip_1 = 20.0 * a_hip_z + t_left_leg_1 * t_left_leg_3 + qdd[2] * t_left_leg_2;
   tau[1] = t_hip_1 + t_right_leg_1 * t_right_leg_3 + qdd[3] * t_right_leg_2;
@@ -95,37 +96,31 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   const Scalar s_left_hip = sin(q[2]);
   const Scalar c_right_hip = cos(q[3]);
   const Scalar s_right_hip = sin(q[3]);
-  const Scalar t_left_leg_1 = qd[2] * qd[2] * 2.5;
-  // right_leg
-  const Scalar t_right_leg_1 = qd[3] * qd[3] * 2.5;
-  const Scalar t_right_leg_2 = 2.0 * tau[3];
-  const Scalar t_right_leg_3 = 5.0 * c_right_hip;
-  // left_leg
-  const Scalar t_left_leg_2 = 2.0 * tau[2];
-  const Scalar t_left_leg_3 = 5.0 * c_left_hip;
-  const Scalar t_left_leg_4 = s_right_hip * t_right_leg_3 + s_left_hip * t_left_leg_3;
-  const Scalar t_left_leg_5 = c_right_hip * t_right_leg_3 + c_left_hip * t_left_leg_3;
-  const Scalar t_left_leg_6 = 10.0 + t_left_leg_5;
-  // hip
-  const Scalar inverse_pivot_hip = 1.0 / t_left_leg_6;
-  const Scalar t_hip_1 = tau[1] - s_right_hip * t_right_leg_2 - c_right_hip * t_right_leg_1;
-  const Scalar t_hip_2 = t_hip_1 - s_left_hip * t_left_leg_2 - c_left_hip * t_left_leg_1;
-  const Scalar t_hip_3 = t_left_leg_4 * inverse_pivot_hip;
+  const Scalar t_left_leg_1 = 5.0 * (c_right_hip * c_right_hip + c_left_hip * c_left_hip);
+  const Scalar t_left_leg_2 = 10.0 + t_left_leg_1;
+  const Scalar inverse_pivot_hip = 1.0 / t_left_leg_2;
+  const Scalar t_left_leg_3 = 5.0 * (c_right_hip * s_right_hip + c_left_hip * s_left_hip);
+  const Scalar t_hip_1 = inverse_pivot_hip * t_left_leg_3;
+  const Scalar inverse_pivot_slide = 1.0 / (20.0 - t_left_leg_1 - t_left_leg_3 * t_hip_1);
+  const Scalar t_right_leg_1 = qd[3] * qd[3];
+  const Scalar t_left_leg_4 = qd[2] * qd[2];
+  const Scalar t_hip_2 = 2.5 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4);
+  const Scalar t_hip_3 = tau[1] - t_hip_2 - 2.0 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
   // slide
-  const Scalar inverse_pivot_slide = 1.0 / (20.0 - t_left_leg_5 - t_left_leg_4 * t_hip_3);
-  const Scalar t_slide_1 = tau[0] + c_right_hip * t_right_leg_2 - s_right_hip * t_right_leg_1;
-  const Scalar t_slide_2 = t_slide_1 + c_left_hip * t_left_leg_2 - s_left_hip * t_left_leg_1;
-  const Scalar u_slide = t_slide_2 - t_hip_2 * t_hip_3;
+  const Scalar t_slide_1 = 2.5 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4);
+  const Scalar t_slide_2 = 2.0 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
+  const Scalar u_slide = tau[0] - t_slide_1 - t_hip_1 * t_hip_3 + t_slide_2;
   const Scalar t_slide_3 = inverse_pivot_slide * u_slide;
   qdd[0] = t_slide_3;
-  // hip
-  const Scalar t_hip_4 = t_hip_2 - 9.81 * t_left_leg_6 - t_left_leg_4 * t_slide_3;
+  const Scalar t_hip_4 = t_hip_3 - t_left_leg_3 * t_slide_3 - 9.81 * t_left_leg_2;
   const Scalar t_hip_5 = inverse_pivot_hip * t_hip_4;
   qdd[1] = t_hip_5;
-  const Scalar t_hip_6 = 9.81 + t_hip_5;
-  qdd[2] = 0.8 * (tau[2] - 2.5 * (s_left_hip * t_hip_6 - c_left_hip * t_slide_3));
+  // left_leg
+  const Scalar t_left_leg_5 = 2.0 * t_slide_3;
+  const Scalar t_left_leg_6 = 19.62 + 2.0 * t_hip_5;
+  qdd[2] = 0.8 * tau[2] + c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
   // right_leg
-  qdd[3] = 0.8 * (tau[3] - 2.5 * (s_right_hip * t_hip_6 - c_right_hip * t_slide_3));
+  qdd[3] = 0.8 * tau[3] + c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;
 }
 
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {

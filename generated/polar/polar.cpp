@@ -39,30 +39,27 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
                       Scalar tau[2]) noexcept {
-  // shoulder_link
   const Scalar c_shoulder = cos(q[0]);
   const Scalar s_shoulder = sin(q[0]);
-  const Scalar t_shoulder_1 = qd[0] * qd[0];
   // boom
-  const Scalar t_boom_1 = 9.81 * s_shoulder - q[1] * qdd[0] - qd[0] * qd[1] * 2.0;
-  const Scalar a_boom_z = qdd[1] + 9.81 * c_shoulder - q[1] * t_shoulder_1;
-  tau[1] = 4.25 * a_boom_z + 2.739975 * t_shoulder_1;
+  const Scalar t_boom_1 = 4.25 * q[1];
+  const Scalar t_boom_2 = 2.739975 - t_boom_1;
+  tau[1] = 41.6925 * c_shoulder + 4.25 * qdd[1] + qd[0] * qd[0] * t_boom_2;
   // shoulder_link
-  tau[0] = 2.739975 * t_boom_1 - q[1] * (4.25 * t_boom_1 + 2.739975 * qdd[0]) + 2.528 * qdd[0];
+  const Scalar t_shoulder_1 = t_boom_2 * (9.81 * s_shoulder - qd[0] * qd[1] * 2.0);
+  tau[0] = qdd[0] * (2.528 - q[1] * (5.47995 - t_boom_1)) + t_shoulder_1;
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
-  // shoulder_link
   const Scalar c_shoulder = cos(q[0]);
   const Scalar s_shoulder = sin(q[0]);
-  const Scalar t_shoulder_1 = qd[0] * qd[0];
-  const Scalar a_boom_z = 9.81 * c_shoulder - q[1] * t_shoulder_1;
-  const Scalar t_boom_1 = 4.25 * q[1];
-  const Scalar M_shoulder_z = (9.81 * s_shoulder - qd[0] * qd[1] * 2.0) * (2.739975 - t_boom_1);
-  const Scalar inverse_pivot_shoulder = 1.0 / (2.528 - q[1] * (5.47995 - t_boom_1));
-  qdd[0] = (tau[0] - M_shoulder_z) * inverse_pivot_shoulder;
-  qdd[1] = 0.23529411764705882 * (tau[1] - 4.25 * a_boom_z - 2.739975 * t_shoulder_1);
+  const Scalar t_boom_1 = 0.6447 - q[1];
+  const Scalar t_boom_2 = qd[0] * t_boom_1;
+  const Scalar t_shoulder_1 = tau[0] - s_shoulder * t_boom_1 * 41.6925 + qd[1] * t_boom_2 * 8.5;
+  qdd[0] = 1.0 / (2.528 - q[1] * (5.47995 - 4.25 * q[1])) * t_shoulder_1;
+  // boom
+  qdd[1] = -(9.81 * c_shoulder - 0.23529411764705882 * tau[1] + qd[0] * t_boom_2);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {

@@ -66,7 +66,7 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept;
 /// \param      qd   2, rad/s|m/s
 /// \param      qdd  2, rad/s^2|m/s^2
 /// \param[out] tau  2, N m|N
-/// Equation (1). Cost: 14 mul, 8 add, 1 sin, 1 cos.
+/// Equation (1). Cost: 11 mul, 7 add, 1 sin, 1 cos.
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
                       Scalar tau[2]) noexcept;
 
@@ -76,7 +76,7 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
 /// \param      qd   2, rad/s|m/s
 /// \param      tau  2, N m|N
 /// \param[out] qdd  2, rad/s^2|m/s^2
-/// Equation (1). Cost: 13 mul, 8 add, 1 div, 1 sin, 1 cos.
+/// Equation (1). Cost: 11 mul, 7 add, 1 div, 1 sin, 1 cos.
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept;
 

@@ -42,7 +42,7 @@ inline constexpr int joint6 = 5;
 ///
 /// \param      q  6, rad|m
 /// \param[out] A  36, kg m^2|kg m|kg
-/// Equation (2). Cost: 66 mul, 55 add, 4 sin, 4 cos.
+/// Equation (2). Cost: 64 mul, 53 add, 4 sin, 4 cos.
 void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept;
 
 /// Coriolis and centrifugal joint forces B(q, qd), without gravity.
@@ -50,14 +50,14 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept;
 /// \param      q   6, rad|m
 /// \param      qd  6, rad/s|m/s
 /// \param[out] B   6, N m|N
-/// Equation (3). Cost: 127 mul, 79 add, 4 sin, 4 cos.
+/// Equation (3). Cost: 124 mul, 79 add, 4 sin, 4 cos.
 void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept;
 
 /// Gravity term G(q) of A qdd + B + G = tau.
 ///
 /// \param      q  6, rad|m
 /// \param[out] G  6, N m|N
-/// Equation 6.5. Cost: 17 mul, 7 add, 4 sin, 4 cos.
+/// Equation 6.5. Cost: 14 mul, 7 add, 4 sin, 4 cos.
 void gravity_force(const Scalar q[6], Scalar G[6]) noexcept;
 
 /// Joint forces tau = A(q) qdd + B(q, qd) + G(q).
@@ -66,7 +66,7 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept;
 /// \param      qd   6, rad/s|m/s
 /// \param      qdd  6, rad/s^2|m/s^2
 /// \param[out] tau  6, N m|N
-/// Equation (1). Cost: 144 mul, 113 add, 4 sin, 4 cos.
+/// Equation (1). Cost: 143 mul, 113 add, 4 sin, 4 cos.
 void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6],
                       Scalar tau[6]) noexcept;
 
@@ -76,7 +76,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
 /// \param      qd   6, rad/s|m/s
 /// \param      tau  6, N m|N
 /// \param[out] qdd  6, rad/s^2|m/s^2
-/// Equation (1). Cost: 255 mul, 183 add, 4 div, 4 sin, 4 cos.
+/// Equation (1). Cost: 249 mul, 181 add, 4 div, 4 sin, 4 cos.
 void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6],
                       Scalar qdd[6]) noexcept;
 

@@ -76,7 +76,7 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
 /// \param      qd   2, rad/s|m/s
 /// \param      tau  2, N m|N
 /// \param[out] qdd  2, rad/s^2|m/s^2
-/// Equation (1). Cost: 16 mul, 12 add, 1 div, 2 sin, 2 cos.
+/// Equation (1). Cost: 15 mul, 12 add, 1 div, 2 sin, 2 cos.
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept;
 

@@ -198,7 +198,7 @@ std::vector<Expr> build_applied_force(const Task& task) {
   return reduced(task, applied_force(task.kinematics, task.options.points, 1, 2));
 }
 std::vector<Expr> build_link_vectors(const Task& task) {
-  return joint_to_link_vectors(task.kinematics);
+  return joint_to_link_vectors(task.kinematics, task.tree);
 }
 std::vector<Expr> build_com_vectors(const Task& task) {
   return joint_to_com_vectors(task.kinematics, task.tree);

@@ -348,12 +348,13 @@ std::vector<std::vector<Vec3>> path_vectors(const Kinematics& k, const BaseFrame
   return rows;
 }
 
-std::vector<Expr> row_major(const std::vector<std::vector<Vec3>>& blocks) {
+/// The blocks of the links whose joints are independent, row-major.
+std::vector<Expr> row_major(const std::vector<std::vector<Vec3>>& blocks, const model::Tree& tree) {
   std::vector<Expr> result;
-  for (const std::vector<Vec3>& row : blocks) {
+  for (const int i : tree.coordinates) {
     for (std::size_t n = 0; n < 3; ++n) {
-      for (const Vec3& block : row) {
-        result.push_back(block[n]);
+      for (const int j : tree.coordinates) {
+        result.push_back(blocks[index(i)][index(j)][n]);
       }
     }
   }
@@ -362,9 +363,9 @@ std::vector<Expr> row_major(const std::vector<std::vector<Vec3>>& blocks) {
 
 }  // namespace
 
-std::vector<Expr> joint_to_link_vectors(const Kinematics& k) {
+std::vector<Expr> joint_to_link_vectors(const Kinematics& k, const model::Tree& tree) {
   const BaseFrames frames(k);
-  return row_major(path_vectors(k, frames));
+  return row_major(path_vectors(k, frames), tree);
 }
 
 std::vector<Expr> joint_to_com_vectors(const Kinematics& k, const model::Tree& tree) {
@@ -377,7 +378,7 @@ std::vector<Expr> joint_to_com_vectors(const Kinematics& k, const model::Tree& t
       blocks[index(i)][index(j)] = blocks[index(i)][index(j)] + in_base;
     }
   }
-  return row_major(blocks);
+  return row_major(blocks, tree);
 }
 
 }  // namespace treedyn::simplify

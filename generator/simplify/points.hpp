@@ -47,8 +47,9 @@ std::vector<JacobianBlock> moment_jacobian_transpose(const Kinematics& kinematic
 /// \param f, n array numbers of the forces and moments, 3 P each, base frame
 std::vector<Expr> applied_force(const Kinematics& kinematics, const Points& points, int f, int n);
 
-/// l_D of (6), 3N x N row-major: block (i, j) = O_i - P_j for j on the path of i.
-std::vector<Expr> joint_to_link_vectors(const Kinematics& kinematics);
+/// l_D of (6), 3N x N row-major: block (i, j) = O_i - P_j for j on the path of i. Of reduced mimic
+/// joints the links of the independent joints remain.
+std::vector<Expr> joint_to_link_vectors(const Kinematics& kinematics, const model::Tree& tree);
 /// c_fD of (7), 3N x N row-major: the same to the centres of mass.
 std::vector<Expr> joint_to_com_vectors(const Kinematics& kinematics, const model::Tree& tree);
 
