@@ -87,8 +87,8 @@ Implementation compiled(const std::filesystem::path& model, const Vector& gravit
     list += (list.empty() ? "" : ",") + function;
   }
   const std::vector<std::string> options{
-      "--snap",      "0", "--gravity", fmt::format("{},{},{}", gravity[0], gravity[1], gravity[2]),
-      "--functions", list};
+      "--snap",      "0",  "--gravity", fmt::format("{},{},{}", gravity[0], gravity[1], gravity[2]),
+      "--functions", list, "--effort",  "200"};
   const support::CompiledModel code = support::generate_and_compile(model, options);
   return {"code", code.manifest().joints,
           [code](const std::string& function, const Inputs& inputs) {

@@ -65,7 +65,8 @@ Robot make_robot(const std::filesystem::path& file, const Json& data, bool snapp
   }
   options.insert(options.end(), {"--functions", functions});
   if (!snapped) {
-    options.insert(options.end(), {"--snap", "0"});
+    options.insert(options.end(),
+                   {"--snap", "0", "--effort", "100"});  // the snapped run searches as users do
   }
   CompiledModel code = support::generate_and_compile(
       file.parent_path() / data.at("urdf").get<std::string>(), options);
