@@ -1,0 +1,317 @@
+#include "command_line.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "emit/names.hpp"
+#include "version.hpp"
+
+namespace treedyn {
+
+namespace {
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> result(1);
+  for (const char c : list) {
+    if (c == ',') {
+      result.emplace_back();
+    } else {
+      result.back() += c;
+    }
+  }
+  return result;
+}
+
+Real number(const std::string& option, const std::string& text) {
+  const Decimal decimal = read_decimal(text);
+  if (!decimal) {
+    throw CLI::ValidationError(option, describe(decimal.error, text));
+  }
+  return decimal.value;
+}
+
+/// A check whose words the option's type name already shows.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::IsMember(words).description("");
+}
+
+void add_name(CLI::App& command, Request& request) {
+  command
+      .add_option_function<std::string>(
+          "--name",
+          [&request](const std::string& name) {
+            if (to_identifier(name) != name || emit::is_reserved(name)) {
+              throw CLI::ValidationError(
+                  "--name", fmt::format("{} is not usable as a namespace; expected an identifier "
+                                        "that C++ and its library leave free",
+                                        shown(name)));
+            }
+            request.name = name;
+          },
+          "file stem and namespace; default: the model's own name")
+      ->type_name("NAME");
+}
+
+void add_model(CLI::App& command, Request& request) {
+  command
+      .add_option("MODEL", request.model,
+                  "URDF (*.urdf) or tree description (*.yaml); -: YAML on standard input")
+      ->required();
+  command
+      .add_option_function<std::string>(
+          "--base",
+          [&request](const std::string& base) {
+            if (base == "free") {
+              throw CLI::ValidationError("--base", "free is not there yet; expected fixed or axes");
+            }
+            if (base != "fixed" && base != "axes") {
+              throw CLI::ValidationError(
+                  "--base", fmt::format("{} is no base; expected fixed or axes", shown(base)));
+            }
+            request.read.base =
+                base == "axes" ? description::Base::kAxes : description::Base::kFixed;
+          },
+          "what carries the root: fixed (the ground), axes (six joints); default fixed")
+      ->type_name("fixed|axes");
+  command
+      .add_option_function<std::string>(
+          "--snap",
+          [&request](const std::string& text) {
+            request.read.snap = number("--snap", text);
+            if (request.read.snap < 0) {
+              throw CLI::ValidationError("--snap", "a tolerance is not negative");
+            }
+          },
+          "tolerance in rad below which decimals become exact angles; default 1e-9, 0: off")
+      ->type_name("TOL");
+  command
+      .add_option_function<std::string>(
+          "--mimic",
+          [&request](const std::string& mimic) {
+            request.read.mimic = mimic == "independent" ? description::Mimic::kIndependent
+                                                        : description::Mimic::kReduce;
+          },
+          "URDF mimic joints; default reduce")
+      ->check(one_of({"reduce", "independent"}))
+      ->type_name("reduce|independent");
+}
+
+void set_functions(Request& request, const std::string& list) {
+  const std::vector<std::string>& known = simplify::function_names();
+  for (const std::string& name : split(list)) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw CLI::ValidationError(
+          "--functions", fmt::format("there is no function {}; expected some of {}", shown(name),
+                                     fmt::join(known, ",")));
+    }
+    request.functions.push_back(name);
+  }
+}
+
+void set_gravity(Request& request, const std::string& text) {
+  const std::vector<std::string> values = split(text);
+  if (values.size() != 3) {
+    throw CLI::ValidationError("--gravity", "expected three numbers x,y,z");
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    request.gravity[k] = number("--gravity", values[k]);
+  }
+}
+
+void set_forward_dynamics(Request& request, const std::string& choice) {
+  using simplify::ForwardDynamics;
+  request.forward_dynamics = choice == "factor"        ? ForwardDynamics::kFactor
+                             : choice == "articulated" ? ForwardDynamics::kArticulated
+                                                       : ForwardDynamics::kCheapest;
+}
+
+/// Names of passes, comma-separated.
+void set_without(Request& request, const std::string& list) {
+  for (const std::string& name : split(list)) {
+    const auto& known = simplify::passes();
+    const auto found =
+        std::find_if(known.begin(), known.end(),
+                     [&](const simplify::PassInfo& info) { return name == info.name; });
+    if (found == known.end()) {
+      throw CLI::ValidationError(
+          "--without", fmt::format("there is no pass {}; expected some of {}", shown(name),
+                                   fmt::join(pass_names(), ",")));
+    }
+    request.without.push_back(found->pass);
+  }
+}
+
+void add_generation(CLI::App& command, Request& request) {
+  add_model(command, request);
+  add_name(command, request);
+  command
+      .add_option_function<std::string>(
+          "--scalar",
+          [&request](const std::string& scalar) {
+            request.target.scalar =
+                scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
+          },
+          "the only floating-point type of the output; default double")
+      ->check(one_of({"double", "float"}))
+      ->type_name("double|float");
+  command
+      .add_option("--lanes", request.target.lanes,
+                  "states computed at once, one a lane of a vector")
+      ->check(one_of({"1", "2", "4", "8", "16"}))
+      ->type_name("1|2|4|8|16")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--sincos",
+          [&request](const std::string& choice) {
+            request.target.builtin_sincos = choice == "builtin";
+          },
+          "sine and cosine of the C library or written into the source; default libm")
+      ->check(one_of({"libm", "builtin"}))
+      ->type_name("libm|builtin");
+  command
+      .add_option_function<std::string>(
+          "--functions", [&request](const std::string& list) { set_functions(request, list); },
+          "comma-separated; treedyn list functions names them")
+      ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--points", [&request](const std::string& list) { request.points = list; },
+          "comma-separated name, name=link, name=link:x,y,z, or all; default: the model's points")
+      ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--gravity", [&request](const std::string& text) { set_gravity(request, text); },
+          "m/s^2 in the base frame; default 0,0,-9.81")
+      ->type_name("x,y,z");
+  command.add_option("--effort", request.effort, "search effort in moves; 0: none")
+      ->check(CLI::Range(0, 1000000000))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--without", [&request](const std::string& list) { set_without(request, list); },
+          "passes to switch off, comma-separated; treedyn info --passes shows what each one gains")
+      ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--forward-dynamics",
+          [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
+          "method of forward_dynamics; default cheapest")
+      ->check(one_of({"cheapest", "factor", "articulated"}))
+      ->type_name("cheapest|factor|articulated");
+}
+
+void add_talk(CLI::App& command, Settings& settings) {
+  command.add_flag("-q,--quiet", settings.quiet, "no warnings");
+  command.add_flag("-v,--verbose", settings.verbose, "also what was done, with times");
+}
+
+CLI::App* add_output_command(CLI::App& app, const char* name, const char* what,
+                             Settings& settings) {
+  CLI::App* command = app.add_subcommand(name, what);
+  add_generation(*command, settings.request);
+  add_talk(*command, settings);
+  command->add_option("-o,--output", settings.output, "folder of the files; created if missing")
+      ->type_name("DIR");
+  return command;
+}
+
+void require_output(const Settings& settings) {
+  if (settings.output.empty()) {
+    throw CLI::RequiredError("-o DIR");
+  }
+  if (settings.numeric && settings.request.target.lanes > 1) {
+    throw CLI::ValidationError("--numeric", "compares functions of one state; expected --lanes 1");
+  }
+}
+
+void add_commands(CLI::App& app, Settings& settings) {
+  CLI::App* generate = add_output_command(
+      app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder", settings);
+  generate->add_option("--depfile", settings.depfile, "also write a Make-style dependency file")
+      ->type_name("FILE");
+  generate
+      ->add_option("--dump", settings.dump, "print what leaves a stage instead of writing files")
+      ->check(one_of(stages()))
+      ->type_name(fmt::format("{}", fmt::join(stages(), "|")));
+  CLI::App* check = add_output_command(
+      app, "check", "compare a folder with what generate would write; 1 if it differs", settings);
+  check->add_flag("--numeric", settings.numeric,
+                  "compile old and new functions and compare values");
+  add_output_command(app, "outputs", "print the paths that generate would write", settings);
+
+  CLI::App* info = app.add_subcommand("info", "joints, D, masses, snapped constants, costs");
+  add_generation(*info, settings.request);
+  add_talk(*info, settings);
+  info->add_flag("--json", settings.json, "as JSON");
+  info->add_flag("--passes", settings.passes, "operations of every function, pass by pass");
+  info->add_flag("--equations", settings.equations,
+                 "the block equations with the zero blocks of D");
+
+  CLI::App* vet = app.add_subcommand("vet", "report what looks wrong in a model");
+  add_model(*vet, settings.request);
+  add_talk(*vet, settings);
+  vet->add_option("--error-format", settings.error_format, "default text")
+      ->check(one_of({"text", "gcc", "json"}))
+      ->type_name("text|gcc|json");
+
+  CLI::App* list = app.add_subcommand("list", "names that other commands accept");
+  add_talk(*list, settings);
+  list->add_option("WHAT", settings.list_of, "functions, effects or integrators")
+      ->required()
+      ->check(one_of({"functions", "effects", "integrators"}))
+      ->type_name("");
+}
+/// CLI11 takes an unknown command for a positional argument and says less.
+void require_known_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  if (!word.empty() && word.front() != '-' &&
+      std::find(names.begin(), names.end(), word) == names.end()) {
+    throw CLI::ParseError(fmt::format("there is no command {}; expected one of {}", shown(word),
+                                      fmt::join(names, ", ")),
+                          kUsage);
+  }
+}
+void require_options(const CLI::App& app, const Settings& settings) {
+  const bool writes = app.got_subcommand("generate") && settings.dump.empty();
+  if (writes || app.got_subcommand("check") || app.got_subcommand("outputs")) {
+    require_output(settings);
+  }
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+  CommandLine result;
+  CLI::App app("Flat C++ functions for the dynamics of tree-structured robots.", "treedyn");
+  app.set_version_flag("--version", fmt::format("treedyn {}", kVersion));
+  app.require_subcommand(1);
+  add_commands(app, result.settings);
+  try {
+    require_known_command(app, argc > 1 ? argv[1] : "");
+    app.parse(argc, argv);
+    require_options(app, result.settings);
+    result.settings.command = app.get_subcommands().front()->get_name();
+  } catch (const CLI::Success& success) {  // --help, --version
+    std::ostringstream out;
+    std::ostringstream error;
+    result.status = app.exit(success, out, error);
+    result.out = out.str();
+  } catch (const CLI::ParseError& error) {
+    result.status = kUsage;
+    result.error = fmt::format("treedyn: {}; see treedyn --help\n", error.what());
+  }
+  return result;
+}
+
+}  // namespace treedyn

@@ -1,0 +1,42 @@
+// The words of a command line as settings; the only place that knows CLI11.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "pipeline.hpp"
+
+namespace treedyn {
+
+/// Exit codes, INTERFACE.md 2.
+inline constexpr int kFailure = 1;
+inline constexpr int kUsage = 2;
+
+/// What a command line asks for.
+struct Settings {
+  std::string command;  ///< "generate", "check", ...
+  Request request;
+  std::string output;
+  std::string depfile;
+  std::string dump;
+  std::string error_format = "text";
+  std::string list_of;
+  bool json = false;
+  bool equations = false;
+  bool passes = false;
+  bool numeric = false;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+/// A command to run, or what to print and return at once.
+struct CommandLine {
+  Settings settings;
+  std::optional<int> status;  ///< set if there is nothing to run: 0 for --help, kUsage for mistakes
+  std::string out;            ///< for standard output
+  std::string error;          ///< for standard error
+};
+
+CommandLine read_command_line(int argc, const char* const* argv);
+
+}  // namespace treedyn
