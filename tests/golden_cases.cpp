@@ -112,6 +112,7 @@ Implementation interpreted(const model::Tree& tree, const Vector& gravity) {
   simplify::Options options;
   options.gravity = to_vector3(gravity);
   options.points = tree.points;
+  options.effort = 100;  // other variants than the executable finds with its default
   std::map<std::string, program::Function> programs;
   for (const std::string& name : functions()) {
     programs.emplace(name, simplify::formulate(tree, name, options));
