@@ -8,6 +8,10 @@ namespace treedyn::simplify {
 namespace {
 
 const Real kTiny("1e-40");
+/// Squared sine of the angle between axes that count as parallel for the choice of origins: the
+/// feet of their common normal are far away (1e12 m for the 1e-12 rad of a rounded right angle),
+/// and inertias about them would cancel. Any slide is exact, so only the cost depends on this.
+const Real kNearlyParallel("1e-6");
 
 /// The tree while frames and parameters are being chosen. Every operation changes the description,
 /// not the robot.
@@ -150,7 +154,7 @@ void Workbench::slide(int i, const Real& distance) {
 Real foot_to_father(const NormalLink& l) {
   const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
   const Real sine2 = z[0] * z[0] + z[1] * z[1];
-  if (sine2 < kTiny) {
+  if (sine2 < kNearlyParallel) {
     return -l.offset[2] / z[2];
   }
   return -(l.offset[0] * z[0] + l.offset[1] * z[1]) / sine2;
@@ -161,7 +165,7 @@ Real foot_to_father(const NormalLink& l) {
 Real foot_on_father(const NormalLink& l) {
   const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
   const Real sine2 = z[0] * z[0] + z[1] * z[1];
-  return sine2 < kTiny ? l.offset[2] : l.offset[2] + foot_to_father(l) * z[2];
+  return sine2 < kNearlyParallel ? l.offset[2] : l.offset[2] + foot_to_father(l) * z[2];
 }
 
 std::optional<Real> Workbench::slide_distance(int i) {
