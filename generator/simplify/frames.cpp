@@ -237,6 +237,13 @@ void Workbench::move_to_father(int i, const Real& mass, const Real& moment, cons
   f.mass += mass;
 }
 
+/// True if a mass may be chosen by its moment along `axis`: over a lever that is the rounding of a
+/// zero (1e-12 m beside 1 m) it would be huge, and cancel later.
+bool is_lever(const Vector3& offset, std::size_t axis) {
+  const Real length = abs(offset[0]) + abs(offset[1]) + abs(offset[2]);
+  return abs(offset[axis]) > Real("1e-6") + length * Real("1e-4");
+}
+
 void Workbench::regroup(int i) {
   const LinkVariant& how = choice(i);
   NormalLink& l = link(i);
@@ -250,7 +257,7 @@ void Workbench::regroup(int i) {
   } else if (how.mass != MassGauge::kAll && l.father != model::kGround) {
     const auto axis =
         static_cast<std::size_t>(how.mass) - static_cast<std::size_t>(MassGauge::kCancelX);
-    if (abs(l.offset[axis]) > kTiny) {
+    if (is_lever(l.offset, axis)) {
       const Real present = link(l.father).moment[axis] + l.rotation[3 * axis + 2] * moment;
       mass = -present / l.offset[axis];
     }
