@@ -322,9 +322,29 @@ std::vector<T> evaluate(const Problem<T>& problem, const std::string& function,
         [](const auto& e, const auto&) {
           return e.kinetic_energy();
         }}},
-      {"potential_energy", {false, [](const auto& e, const auto&) {
-                              return e.potential_energy();
-                            }}}};
+      {"potential_energy",
+       {false,
+        [](const auto& e, const auto&) {
+          return e.potential_energy();
+        }}},
+      {"dynamics_terms",
+       {true,
+        [](const auto& e, const auto&) {
+          return e.dynamics_terms();
+        }}},
+      {"mass_matrix_factor",
+       {false,
+        [](const auto& e, const auto&) {
+          return e.mass_matrix_factor();
+        }}},
+      {"mass_matrix_inverse",
+       {false,
+        [](const auto& e, const auto&) {
+          return e.mass_matrix_inverse();
+        }}},
+      {"mass_matrix_solve", {false, [](const auto& e, const auto& x) {
+                               return solve(e.mass_matrix(), x[1]);
+                             }}}};
   const Entry& entry = kTable.at(function);
   const std::vector<T> rest(problem.robot.size());
   return entry.step(Evaluation<T>(problem, in.at(0), entry.has_velocity ? in.at(1) : rest), in);
