@@ -16,7 +16,9 @@ std::string to_string(const Location& where) {
 }
 
 InputError::InputError(const Location& where, const std::string& message)
-    : std::runtime_error(fmt::format("{}: {}", to_string(where), message)), where_(where), message_(message) {}
+    : std::runtime_error(fmt::format("{}: {}", to_string(where), message)),
+      where_(where),
+      message_(message) {}
 
 void broken_invariant(const char* condition, const char* file, int line) {
   std::fprintf(stderr, "treedyn: broken invariant at %s:%d: %s\n", file, line, condition);

@@ -1,6 +1,5 @@
 #include "simplify/factor.hpp"
 
-
 #include "common/error.hpp"
 
 namespace treedyn::simplify {
