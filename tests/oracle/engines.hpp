@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "oracle/recursive.hpp"
@@ -29,6 +30,10 @@ class Engine {
 /// (they then become one body with several joints), and every inertia is positive definite and
 /// satisfies the triangle inequality.
 bool mujoco_reads(const Robot<double>& robot);
+
+/// The robot as MuJoCo reads it: body i is "body<i>", its joint "joint<i>". \pre
+/// mujoco_reads(robot)
+std::string mjcf(const Robot<double>& robot, const Vec<double>& gravity);
 
 /// \pre mujoco_reads(robot)
 /// \throws std::runtime_error with MuJoCo's message if it refuses the model.

@@ -125,7 +125,7 @@ class Mujoco final : public Engine {
   Mujoco(const Robot<double>& robot, const Vec<double>& gravity) {
     const support::TemporaryFolder folder;
     const std::string file = folder.path() / "robot.xml";
-    support::write_file(file, Writer(robot, gravity).xml());
+    support::write_file(file, mjcf(robot, gravity));
     std::string error(1000, '\0');
     model_.reset(mj_loadXML(file.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
     if (model_ == nullptr) {
@@ -214,6 +214,10 @@ bool mujoco_reads(const Robot<double>& robot) {
     }
   }
   return true;
+}
+
+std::string mjcf(const Robot<double>& robot, const Vec<double>& gravity) {
+  return Writer(robot, gravity).xml();
 }
 
 std::unique_ptr<Engine> make_mujoco(const Robot<double>& robot, const Vec<double>& gravity) {
