@@ -80,7 +80,7 @@ inline constexpr int right_toe = 3;
 ///
 /// \param      q  18, rad|m
 /// \param[out] A  324, kg m^2|kg m|kg
-/// Equation (2). Cost: 656 mul, 488 add, 15 sin, 15 cos.
+/// Equation (2). Cost: 656 mul, 487 add, 15 sin, 15 cos.
 void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept;
 
 /// Coriolis and centrifugal joint forces B(q, qd), without gravity.
@@ -88,7 +88,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept;
 /// \param      q   18, rad|m
 /// \param      qd  18, rad/s|m/s
 /// \param[out] B   18, N m|N
-/// Equation (3). Cost: 658 mul, 617 add, 15 sin, 15 cos.
+/// Equation (3). Cost: 659 mul, 613 add, 15 sin, 15 cos.
 void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept;
 
 /// Gravity term G(q) of A qdd + B + G = tau.
@@ -114,7 +114,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
 /// \param      qd   18, rad/s|m/s
 /// \param      tau  18, N m|N
 /// \param[out] qdd  18, rad/s^2|m/s^2
-/// Equation (1). Cost: 1645 mul, 1587 add, 17 div, 15 sin, 15 cos.
+/// Equation (1). Cost: 1637 mul, 1590 add, 17 div, 15 sin, 15 cos.
 void forward_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar tau[18],
                       Scalar qdd[18]) noexcept;
 
@@ -129,7 +129,7 @@ void point_positions(const Scalar q[18], Scalar p[12]) noexcept;
 ///
 /// \param      q  18, rad|m
 /// \param[out] C  216, m|1
-/// Equation (9). Cost: 318 mul, 192 add, 15 sin, 15 cos.
+/// Equation (9). Cost: 316 mul, 194 add, 15 sin, 15 cos.
 void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept;
 
 }  // namespace biped

@@ -20,15 +20,15 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   // right_leg
   const Scalar c_right_hip = cos(q[3]);
   const Scalar s_right_hip = sin(q[3]);
-  A[7] = 2.5 * s_right_hip;
-  A[13] = A[7];
   A[3] = -2.5 * c_right_hip;
   A[12] = A[3];
+  A[7] = 2.5 * s_right_hip;
+  A[13] = A[7];
+  A[2] = -2.5 * c_left_hip;
+  A[8] = A[2];
   // left_leg
   A[6] = 2.5 * s_left_hip;
   A[9] = A[6];
-  A[2] = -2.5 * c_left_hip;
-  A[8] = A[2];
   A[0] = 20.0;
   A[5] = 20.0;
   A[10] = 1.25;
@@ -48,8 +48,8 @@ void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_1 = qd[2] * qd[2];
   // hip
-  B[0] = 2.5 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1);
   B[1] = 2.5 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1);
+  B[0] = 2.5 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1);
   B[2] = 0.0;
   B[3] = 0.0;
 }
@@ -72,22 +72,20 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
   const Scalar s_left_hip = sin(q[2]);
   const Scalar t_left_leg_1 = 2.5 * c_left_hip;
   const Scalar t_left_leg_2 = 2.5 * s_left_hip;
-  const Scalar t_left_leg_3 = qd[2] * qd[2];
   tau[2] = 1.25 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
+  const Scalar t_left_leg_3 = qd[2] * qd[2];
   // right_leg
   const Scalar c_right_hip = cos(q[3]);
   const Scalar s_right_hip = sin(q[3]);
-  const Scalar t_right_leg_1 = 2.5 * c_right_hip;
-  const Scalar t_right_leg_2 = 2.5 * s_right_hip;
+  const Scalar t_right_leg_1 = 2.5 * s_right_hip;
+  const Scalar t_right_leg_2 = 2.5 * c_right_hip;
+  tau[3] = a_hip_z * t_right_leg_1 - qdd[0] * t_right_leg_2 + 1.25 * qdd[3];
   const Scalar t_right_leg_3 = qd[3] * qd[3];
-  tau[3] = 1.25 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
-  // left_leg
-  const Scalar t_left_leg_4 = 20.0 * qdd[0] - qdd[2] * t_left_leg_1;
-  const Scalar t_left_leg_5 = t_left_leg_4 + t_left_leg_2 * t_left_leg_3;
-  tau[0] = t_left_leg_5 - qdd[3] * t_right_leg_1 + t_right_leg_2 * t_right_leg_3;
   // hip
-  const Scalar t_hip_1 = 20.0 * a_hip_z + t_left_leg_1 * t_left_leg_3 + qdd[2] * t_left_leg_2;
-  tau[1] = t_hip_1 + t_right_leg_1 * t_right_leg_3 + qdd[3] * t_right_leg_2;
+  const Scalar t_hip_1 = 20.0 * qdd[0] - qdd[2] * t_left_leg_1 + t_left_leg_2 * t_left_leg_3;
+  tau[0] = t_hip_1 - qdd[3] * t_right_leg_2 + t_right_leg_1 * t_right_leg_3;
+  const Scalar t_hip_2 = 20.0 * a_hip_z + t_left_leg_1 * t_left_leg_3 + qdd[2] * t_left_leg_2;
+  tau[1] = t_hip_2 + qdd[3] * t_right_leg_1 + t_right_leg_2 * t_right_leg_3;
 }
 
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
@@ -109,14 +107,14 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   // slide
   const Scalar t_slide_1 = 2.5 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4);
   const Scalar t_slide_2 = 2.0 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
-  const Scalar u_slide = tau[0] - t_slide_1 - t_hip_1 * t_hip_3 + t_slide_2;
-  const Scalar t_slide_3 = inverse_pivot_slide * u_slide;
-  qdd[0] = t_slide_3;
-  const Scalar t_hip_4 = t_hip_3 - t_left_leg_3 * t_slide_3 - 9.81 * t_left_leg_2;
+  const Scalar t_slide_3 = tau[0] - t_slide_1 - t_hip_1 * t_hip_3 + t_slide_2;
+  const Scalar t_slide_4 = inverse_pivot_slide * t_slide_3;
+  qdd[0] = t_slide_4;
+  const Scalar t_hip_4 = t_hip_3 - t_left_leg_3 * t_slide_4 - 9.81 * t_left_leg_2;
   const Scalar t_hip_5 = inverse_pivot_hip * t_hip_4;
   qdd[1] = t_hip_5;
   // left_leg
-  const Scalar t_left_leg_5 = 2.0 * t_slide_3;
+  const Scalar t_left_leg_5 = 2.0 * t_slide_4;
   const Scalar t_left_leg_6 = 19.62 + 2.0 * t_hip_5;
   qdd[2] = 0.8 * tau[2] + c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
   // right_leg
@@ -140,8 +138,8 @@ void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
 void force_jacobian_transpose(const Scalar q[4], Scalar C[24]) noexcept {
   C[12] = -cos(q[2]);
   C[14] = sin(q[2]);
-  // right_leg
   C[21] = -cos(q[3]);
+  // right_leg
   C[23] = sin(q[3]);
   C[0] = 1.0;
   C[3] = 1.0;

@@ -52,7 +52,7 @@ inline constexpr int flange = 0;
 ///
 /// \param      q  7, rad|m
 /// \param[out] A  49, kg m^2|kg m|kg
-/// Equation (2). Cost: 148 mul, 138 add, 6 sin, 6 cos.
+/// Equation (2). Cost: 147 mul, 139 add, 6 sin, 6 cos.
 void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept;
 
 /// Coriolis and centrifugal joint forces B(q, qd), without gravity.
@@ -86,7 +86,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
 /// \param      qd   7, rad/s|m/s
 /// \param      tau  7, N m|N
 /// \param[out] qdd  7, rad/s^2|m/s^2
-/// Equation (1). Cost: 512 mul, 471 add, 6 div, 6 sin, 6 cos.
+/// Equation (1). Cost: 510 mul, 468 add, 6 div, 6 sin, 6 cos.
 void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7],
                       Scalar qdd[7]) noexcept;
 

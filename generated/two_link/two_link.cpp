@@ -30,14 +30,15 @@ void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
   const Scalar t_forearm_1 = 25.0 * s_elbow;
   const Scalar M_forearm_z = qd[0] * qd[0] * t_forearm_1;
   B[1] = M_forearm_z;
+  // upper_arm
   B[0] = M_forearm_z - omega_forearm_z * omega_forearm_z * t_forearm_1;
 }
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   // forearm
-  const Scalar c_shoulder = cos(q[0]);
   const Scalar t_forearm_1 = q[0] + q[1];
   const Scalar c_forearm = cos(t_forearm_1);
+  const Scalar c_shoulder = cos(q[0]);
   const Scalar M_forearm_z = 245.25 * c_forearm;
   G[1] = M_forearm_z;
   // upper_arm
@@ -59,7 +60,7 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   tau[1] = M_forearm_z;
   const Scalar t_forearm_2 = s_elbow * omega_forearm_z * omega_forearm_z;
   // upper_arm
-  const Scalar t_upper_arm_1 = M_forearm_z + 72.5 * qdd[0] + 735.75 * c_shoulder;
+  const Scalar t_upper_arm_1 = M_forearm_z + 735.75 * c_shoulder + 72.5 * qdd[0];
   tau[0] = t_upper_arm_1 + 25.0 * (c_elbow * alpha_forearm_z - t_forearm_2);
 }
 
@@ -69,8 +70,8 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar s_shoulder = sin(q[0]);
   // forearm
   const Scalar omega_forearm_z = qd[0] + qd[1];
-  const Scalar c_elbow = cos(q[1]);
   const Scalar s_elbow = sin(q[1]);
+  const Scalar c_elbow = cos(q[1]);
   const Scalar t_forearm_1 = c_elbow * c_elbow * 27.77777777777778;
   const Scalar inverse_pivot_upper_arm = 1.0 / (72.5 - t_forearm_1);
   const Scalar t_upper_arm_1 = 9.81 * c_shoulder;
@@ -88,14 +89,14 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
   // forearm
-  const Scalar c_shoulder = cos(q[0]);
-  const Scalar s_shoulder = sin(q[0]);
   const Scalar t_forearm_1 = q[0] + q[1];
   const Scalar c_forearm = cos(t_forearm_1);
   const Scalar s_forearm = sin(t_forearm_1);
+  const Scalar c_shoulder = cos(q[0]);
+  const Scalar s_shoulder = sin(q[0]);
   // upper_arm
-  p[0] = c_shoulder + c_forearm;
-  p[2] = s_shoulder + s_forearm;
+  p[0] = c_forearm + c_shoulder;
+  p[2] = s_forearm + s_shoulder;
   p[1] = 0.0;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/error.hpp"
+#include "program/copy.hpp"
 
 namespace treedyn::program {
 
@@ -20,36 +21,6 @@ std::vector<int> places_of(const Signature& signature, const std::vector<Array>&
   return places;
 }
 
-Ref copy_node(const Graph& from, Ref k, const std::vector<int>& places,
-              const std::vector<Ref>& copies, Graph& to) {
-  const Node& node = from.node(k);
-  const auto copy = [&](Ref a) {
-    const Ref positive = copies[static_cast<std::size_t>(a < 0 ? -a : a)];
-    return a < 0 ? -positive : positive;
-  };
-  switch (node.kind) {
-    case Kind::kConstant:
-      return to.constant(from.value(k));
-    case Kind::kInput: {
-      const int place = places[static_cast<std::size_t>(node.a)];
-      return place < 0 ? 0 : to.input(place, node.b);
-    }
-    case Kind::kAdd:
-      return to.add(copy(node.a), copy(node.b));
-    case Kind::kMultiply:
-      return to.multiply(copy(node.a), copy(node.b));
-    case Kind::kDivide:
-      return to.divide(copy(node.a), copy(node.b));
-    case Kind::kSin:
-      return to.sin(copy(node.a));
-    case Kind::kCos:
-      return to.cos(copy(node.a));
-    case Kind::kSqrt:
-      return to.sqrt(copy(node.a));
-  }
-  return 0;
-}
-
 }  // namespace
 
 Function combine(std::span<const Function> functions, const std::vector<Array>& inputs) {
@@ -59,12 +30,17 @@ Function combine(std::span<const Function> functions, const std::vector<Array>& 
     const std::vector<int> places = places_of(function.signature, inputs);
     std::vector<Ref> copies(function.graph.size(), 0);
     for (const Ref k : reachable(function.graph, function.outputs)) {
-      copies[static_cast<std::size_t>(k)] =
-          copy_node(function.graph, k, places, copies, result.graph);
+      const Node& node = function.graph.node(k);
+      Ref& copy = copies[static_cast<std::size_t>(k)];
+      if (node.kind == Kind::kInput) {
+        const int place = places[static_cast<std::size_t>(node.a)];
+        copy = place < 0 ? 0 : result.graph.input(place, node.b);
+      } else {
+        copy = copy_node(function.graph, k, copies, result.graph);
+      }
     }
     for (const Ref output : function.outputs) {
-      const Ref copy = copies[static_cast<std::size_t>(output < 0 ? -output : output)];
-      result.outputs.push_back(output < 0 ? -copy : copy);
+      result.outputs.push_back(copy_of(copies, output));
     }
     const auto& outputs = function.signature.outputs;
     result.signature.outputs.insert(result.signature.outputs.end(), outputs.begin(), outputs.end());

@@ -22,14 +22,15 @@ std::uint64_t pack(Ref a, Ref b) {
 
 }  // namespace
 
-Graph::Graph() : nodes_(1), hints_(1) {}
+Graph::Graph() : nodes_(1), hints_(2), sections_(1) {}
 
 Ref Graph::make(Kind kind, Ref a, Ref b) {
   const auto [place, is_new] =
       table_.try_emplace(Key{pack(a, b), kind}, static_cast<Ref>(nodes_.size()));
   if (is_new) {
     nodes_.push_back({kind, a, b});
-    hints_.push_back({nullptr, body_, nullptr});
+    hints_.resize(hints_.size() + 2, {nullptr, body_, nullptr});
+    sections_.push_back(section_);
   }
   return place->second;
 }
@@ -158,10 +159,16 @@ Ref Graph::sqrt(Ref a) {
 }
 
 void Graph::name(Ref a, const char* symbol, int body, const char* component) {
-  if (a <= 0 || is_constant(a) || node(a).kind == Kind::kInput || hint(a).symbol != nullptr) {
+  ++section_;
+  if (is_constant(a) || node(a).kind == Kind::kInput || hint(a).symbol != nullptr) {
     return;
   }
-  hints_[index(a)] = {symbol, body, component};
+  set_hint(a, {symbol, body, component});
+}
+
+void Graph::set_body(int body) {
+  ++section_;
+  body_ = body;
 }
 
 std::vector<Ref> reachable(const Graph& graph, std::span<const Ref> outputs) {

@@ -27,7 +27,8 @@ struct Node {
 };
 
 /// How a reader of the generated code would call a value: symbol, body, component ("omega", 3,
-/// "x"). Pointers to string literals; nullptr: no name, a numbered temporary of the body.
+/// "x"). Pointers to string literals; nullptr: no name, a numbered temporary of the body. A value
+/// and its negative may have different names.
 struct Hint {
   const char* symbol = nullptr;
   int body = -1;
@@ -38,7 +39,8 @@ struct Hint {
 /// subexpressions are shared from the start; zeros, ones and constant operations vanish here.
 ///
 /// Node numbers are given in order of creation, therefore ascending order is a valid order of
-/// evaluation, and the same calls give the same graph on every run.
+/// evaluation, and the same calls give the same graph on every run. The order within a `section`
+/// is the compiler's, which evaluates the operands of a + b in any order: see `canonical`.
 class Graph {
  public:
   Graph();
@@ -58,16 +60,20 @@ class Graph {
   [[nodiscard]] const Node& node(Ref a) const { return nodes_[index(a)]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
-  /// Names the value `a` unless it has a name already, is a constant or an input, or stands for the
-  /// negative of a node.
+  /// Names the value `a` unless it has a name already or is a constant or an input. Begins a
+  /// section.
   void name(Ref a, const char* symbol, int body, const char* component = nullptr);
-  [[nodiscard]] const Hint& hint(Ref a) const { return hints_[index(a)]; }
-  void set_hint(Ref a, const Hint& hint) { hints_[index(a)] = hint; }
-  /// The body that new nodes belong to (temporaries are numbered per body).
-  void set_body(int body) { body_ = body; }
+  [[nodiscard]] const Hint& hint(Ref a) const { return hints_[hint_index(a)]; }
+  void set_hint(Ref a, const Hint& hint) { hints_[hint_index(a)] = hint; }
+  /// The body that new nodes belong to (temporaries are numbered per body). Begins a section.
+  void set_body(int body);
+  /// The section in which a node was made: ascending numbers of the stretches of code between two
+  /// calls of `name` or `set_body`.
+  [[nodiscard]] int section(Ref a) const { return sections_[index(a)]; }
 
  private:
   static std::size_t index(Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
+  static std::size_t hint_index(Ref a) { return 2 * index(a) + static_cast<std::size_t>(a < 0); }
   Ref make(Kind kind, Ref a, Ref b);
   Ref add_constant(Ref sum, Ref constant);
 
@@ -85,11 +91,13 @@ class Graph {
   };
 
   std::vector<Node> nodes_;
-  std::vector<Hint> hints_;
+  std::vector<Hint> hints_;  ///< two for each node: of its value, of the negative
+  std::vector<int> sections_;
   std::vector<Real> constants_;
   std::unordered_map<Key, Ref, KeyHash> table_;  // looked up, never iterated
   std::multimap<double, Ref> constant_table_;
   int body_ = -1;
+  int section_ = 0;
 };
 
 /// Calls `visit(operand)` for every operand of a node that is itself a node.

@@ -78,13 +78,11 @@ void transfer_hints(const Function& from, Function& to) {
   std::for_each(order.rbegin(), order.rend(), [&](Ref k) {
     const auto i = static_cast<std::size_t>(k);
     const Ref old = find(known, from.graph, first[i], second[i]);
-    Hint hint{nullptr, user[i] == 0 ? -1 : to.graph.hint(user[i]).body, nullptr};
-    if (old > 0) {
-      hint = from.graph.hint(old);
-    } else if (old < 0) {
-      hint.body = from.graph.hint(old).body;
+    const int body = user[i] == 0 ? -1 : to.graph.hint(user[i]).body;
+    for (const Ref sign : {1, -1}) {
+      to.graph.set_hint(sign * k,
+                        old != 0 ? from.graph.hint(sign * old) : Hint{nullptr, body, nullptr});
     }
-    to.graph.set_hint(k, hint);
   });
 }
 

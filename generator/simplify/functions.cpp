@@ -1,5 +1,7 @@
 #include "simplify/functions.hpp"
 
+#include "program/canonical.hpp"
+
 namespace treedyn::simplify {
 
 int Argument::size(int dof, int points) const {
@@ -42,7 +44,7 @@ program::Function build(const model::Tree& tree, const Recipe& recipe, const Opt
   for (const Expr& output : recipe.build({tree, normal, options, kinematics})) {
     function.outputs.push_back(output.ref());
   }
-  return function;
+  return program::canonical(function);
 }
 
 }  // namespace treedyn::simplify

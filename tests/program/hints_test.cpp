@@ -55,15 +55,16 @@ TEST(TransferHints, DoesNotNameTheNegative) {
   Function from;
   const Ref a = from.graph.input(0, 0);
   const Ref b = from.graph.input(0, 1);
+  from.graph.set_body(1);
   const Ref difference = from.graph.add(a, -b);
-  from.graph.set_hint(difference, {"d", 1, "x"});
+  from.graph.name(difference, "d", 1, "x");
   from.outputs = {difference};
   Function to;
   const Ref first = to.graph.input(0, 1);
   to.outputs = {-to.graph.add(first, -to.graph.input(0, 0))};
   transfer_hints(from, to);
-  EXPECT_EQ(to.graph.hint(to.outputs[0]).symbol, nullptr);
-  EXPECT_EQ(to.graph.hint(to.outputs[0]).body, 1);
+  EXPECT_EQ(to.graph.hint(-to.outputs[0]).symbol, nullptr);
+  EXPECT_EQ(to.graph.hint(-to.outputs[0]).body, 1);
 }
 
 TEST(TransferHints, DoesNotNameAnotherValue) {
