@@ -17,6 +17,29 @@ namespace treedyn::description {
 
 namespace {
 
+/// c(t) = center + velocity t + A1 cos(omega t + phase) u + A2 sin(omega t + phase) v.
+struct Harmonic {
+  model::Vector3 center, velocity, u, v;
+  Real A1, A2, omega, phase;
+};
+
+model::Curve curve_of(const Harmonic& h) {
+  using model::Expression;
+  const Expression t(model::Variable{model::Quantity::kTime, 0});
+  const Expression angle = h.omega * t + h.phase;
+  const Expression c = cos(angle);
+  const Expression s = sin(angle);
+  model::Curve result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Expression a = h.A1 * h.u[k];
+    const Expression b = h.A2 * h.v[k];
+    result.position[k] = h.center[k] + h.velocity[k] * t + a * c + b * s;
+    result.velocity[k] = h.velocity[k] + h.omega * (b * c - a * s);
+    result.acceleration[k] = -(h.omega * h.omega) * (a * c + b * s);
+  }
+  return result;
+}
+
 /// One scene in the making.
 class SceneReader {
  public:
@@ -99,7 +122,9 @@ class SceneReader {
 
   void read_torque(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what, {"name", "body", "torque"});
-    scene_.torques.push_back({point(fields, true), fields.vector("torque")});
+    const int at = point(fields, true);
+    const model::Vector3 value = fields.vector("torque");
+    scene_.torques.push_back({at, {value[0], value[1], value[2]}});
   }
 
   void read_force(const Node& node, const std::string& what) {
@@ -108,7 +133,7 @@ class SceneReader {
                               "height", "k", "n", "c", "mu", "vs"});
     const std::string type = fields.text("type");
     if (type == "joint_coulomb") {
-      scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0)});
+      scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0), 0});
     } else if (type == "ground_point" || type == "ground_point_hc") {
       read_contact(fields, type == "ground_point_hc");
     } else {
@@ -159,14 +184,15 @@ class SceneReader {
     const auto vector = [&](const char* key) {
       return fields.find(key) == nullptr ? model::Vector3{} : fields.vector(key);
     };
-    return {fields.vector("center"),
-            vector("velocity"),
-            vector("u"),
-            vector("v"),
-            fields.number_or("A1", 0),
-            fields.number_or("A2", 0),
-            fields.number_or("omega", 0),
-            fields.number_or("phase", 0)};
+    const Harmonic harmonic{fields.vector("center"),
+                            vector("velocity"),
+                            vector("u"),
+                            vector("v"),
+                            fields.number_or("A1", 0),
+                            fields.number_or("A2", 0),
+                            fields.number_or("omega", 0),
+                            fields.number_or("phase", 0)};
+    return curve_of(harmonic);
   }
 
   void read_constraint(const Node& node, const std::string& what) {

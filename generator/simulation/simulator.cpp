@@ -294,7 +294,7 @@ void Simulator::fire(const model::Event& event) {
   }
   const Terms& terms = system_.geometry(record.q);
   for (const int c : event.pins) {
-    system_.constraints().pin(c, t_, terms);
+    system_.constraints().pin(c, t_, record.q, terms);
   }
   y_ << record.q, record.qd_after;
   start_phase(event.then, active);
