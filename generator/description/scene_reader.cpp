@@ -58,9 +58,10 @@ class SceneReader {
                       .tree;
     const std::size_t dof = scene_.tree.links.size();
     scene_.gravity = fields_.vector("gravity");
-    scene_.q0 = fields_.numbers("q0", dof);
-    scene_.qd0 = fields_.numbers("qd0", dof);
-    scene_.tau = fields_.find("tau") == nullptr ? std::vector<Real>{} : fields_.numbers("tau", dof);
+    scene_.q0 = fields_.numbers_of_joints("q0", dof);
+    scene_.qd0 = fields_.numbers_of_joints("qd0", dof);
+    scene_.tau = fields_.find("tau") == nullptr ? std::vector<Real>{}
+                                                : fields_.numbers_of_joints("tau", dof);
     scene_.t0 = fields_.number_or("t0", 0);
     scene_.duration = fields_.amount_or("duration", 0);
     read_effects();
@@ -131,7 +132,7 @@ class SceneReader {
     const SceneFields fields(file_, node, what,
                              {"name", "type", "joint", "friction", "body", "point", "normal",
                               "height", "k", "n", "c", "mu", "vs"});
-    const std::string type = fields.text("type");
+    const std::string type = fields.text("type").text;
     if (type == "joint_coulomb") {
       scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0), 0});
     } else if (type == "ground_point" || type == "ground_point_hc") {
@@ -166,7 +167,7 @@ class SceneReader {
 
   std::vector<model::Vector3> directions(const SceneFields& fields) const {
     std::vector<model::Vector3> result;
-    for (const Node& item : fields.items(fields.get("dirs"))) {
+    for (const Node& item : fields.sequence(fields.get("dirs"))) {
       result.push_back(fields.vector_of(item));
       if (result.back() == model::Vector3{}) {
         fields.fail(item.where, "direction has zero length; expected a direction");
@@ -199,7 +200,7 @@ class SceneReader {
     const SceneFields fields(file_, node, what, {"name", "type", "body", "point", "dirs", "curve"});
     model::Constraint constraint;
     constraint.name = fields.text_or("name", fmt::format("{}", scene_.constraints.size() + 1));
-    const std::string type = fields.text("type");
+    const std::string type = fields.text("type").text;
     if (type != "point" && type != "orientation") {
       fields.fail(fields.get("type").where,
                   fmt::format("type '{}' is unknown; expected point or orientation", shown(type)));
@@ -247,7 +248,7 @@ class SceneReader {
   }
 
   [[nodiscard]] int phase(const SceneFields& fields, const char* key) const {
-    const std::string name = fields.text(key);
+    const std::string name = fields.text(key).text;
     const auto& phases = scene_.phases;
     const auto found = std::find_if(phases.begin(), phases.end(),
                                     [&](const model::Phase& p) { return p.name == name; });
@@ -267,7 +268,7 @@ class SceneReader {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const std::string what = called("phase", nodes[k], k);
       const SceneFields fields(file_, nodes[k], what, {"name", "active", "until"});
-      scene_.phases.push_back({fields.text("name"), constraints(fields, "active"), {}});
+      scene_.phases.push_back({fields.text("name").text, constraints(fields, "active"), {}});
     }
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const SceneFields fields(file_, nodes[k], called("phase", nodes[k], k),
