@@ -12,6 +12,7 @@
 #include "description/resolve.hpp"
 #include "description/scene_bodies.hpp"
 #include "description/scene_fields.hpp"
+#include "description/scene_yaml.hpp"
 
 namespace treedyn::description {
 
@@ -38,6 +39,14 @@ model::Curve curve_of(const Harmonic& h) {
     result.acceleration[k] = -(h.omega * h.omega) * (a * c + b * s);
   }
   return result;
+}
+
+/// A file of hard_cases: its bodies stand in it.
+bool is_case(const Node& root) {
+  return std::any_of(root.items.begin(), root.items.end(), [](const Node& item) {
+    return item.key.text == "schema" ||
+           (item.key.text == "model" && item.kind == NodeKind::kMapping);
+  });
 }
 
 /// One scene in the making.
@@ -343,7 +352,7 @@ std::string file_text(const std::string& path) {
 
 model::Scene parse_scene(const std::string& text, const std::string& file) {
   const Node root = parse_yaml_node(text, file);
-  return SceneReader(file, root).run();
+  return is_case(root) ? SceneReader(file, root).run() : read_scene_yaml(root, file);
 }
 
 model::Scene read_scene(const std::string& path) { return parse_scene(file_text(path), path); }

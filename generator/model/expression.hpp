@@ -195,6 +195,7 @@ Value Expression::evaluate(const OfConstant& constant, const OfVariable& variabl
       apply(instruction, stack);
     }
   }
+  TREEDYN_EXPECT(!stack.empty());
   return stack.back();
 }
 

@@ -38,6 +38,8 @@ struct Constraint {
   int joint = -1;  ///< kJoint
   std::vector<Vector3> directions;  ///< base frame
   Curve curve;                      ///< kPoint, kJoint
+  /// The curve moves to where the point (the joint) is whenever the constraint begins to act.
+  bool pinned = false;
   /// Empty, or one per row: the row states its acceleration J qdd + gamma instead, of t, q, qd; it
   /// has no position error and is not stabilised.
   std::vector<Expression> accelerations;
@@ -165,6 +167,7 @@ enum class Drift { kNone, kBaumgarte, kProjection };
 /// How a scene is stepped.
 struct Stepping {
   std::string integrator = "fehlberg78";
+  Location where;                  ///< of the integrator's name
   Real step = Real("1e-3");        ///< s, methods with fixed steps
   Real tolerance = Real("1e-10");  ///< error of a step, relative and absolute, adaptive methods
   Drift drift = Drift::kProjection;

@@ -21,7 +21,8 @@ Eigen::Vector3d turn(const Eigen::Matrix3d& to, const Eigen::Matrix3d& from) {
 
 Constraints::Constraints(const model::Scene& scene) {
   for (const model::Constraint& c : scene.constraints) {
-    Item item{c.kind,
+    Item item{c.pinned,
+              c.kind,
               c.point,
               c.other,
               c.joint,
@@ -59,8 +60,11 @@ Eigen::Vector3d Constraints::position(const Item& item, double t) const {
   return item.curve[0].at(t) + item.shift;
 }
 
-void Constraints::hold(int constraint, const Terms& terms) {
+void Constraints::begin(int constraint, double t, const Vector& q, const Terms& terms) {
   Item& item = items_[static_cast<std::size_t>(constraint)];
+  if (item.pinned) {
+    pin(constraint, t, q, terms);
+  }
   if (item.kind == ConstraintKind::kOrientation) {
     item.orientation = rotation(terms, item.point);
   }
@@ -74,7 +78,9 @@ void Constraints::pin(int constraint, double t, const Vector& q, const Terms& te
   if (item.kind == ConstraintKind::kJoint) {
     item.shift[0] += q[item.joint] - position(item, t)[0];
   }
-  hold(constraint, terms);
+  if (item.kind == ConstraintKind::kOrientation) {
+    item.orientation = rotation(terms, item.point);
+  }
 }
 
 void Constraints::jacobian(const Terms& terms, Matrix& J) const {

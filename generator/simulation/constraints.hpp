@@ -26,8 +26,9 @@ class Constraints {
   /// False for rows that state their acceleration: they have no position.
   [[nodiscard]] bool is_held(int row) const { return item(at(row).item).accelerations.empty(); }
 
-  /// The orientation that a constraint holds is that of now.
-  void hold(int constraint, const Terms& terms);
+  /// A constraint begins to act: the orientation that it holds is that of now, and so is the place
+  /// of one that is pinned.
+  void begin(int constraint, double t, const Vector& q, const Terms& terms);
   /// The curve of a constraint moves such that its point is on it now.
   void pin(int constraint, double t, const Vector& q, const Terms& terms);
 
@@ -42,6 +43,7 @@ class Constraints {
 
  private:
   struct Item {
+    bool pinned;
     model::ConstraintKind kind;
     int point, other, joint;
     std::vector<Eigen::Vector3d> directions;

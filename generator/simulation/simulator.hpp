@@ -40,6 +40,10 @@ class Simulator {
   /// \pre `settings.integrator` is one of integrators()
   Simulator(const model::Scene& scene, Dynamics& dynamics, const Settings& settings);
 
+  /// Moves the initial state onto the constraints that act. \return largest change of a coordinate
+  /// or speed \throws std::runtime_error if that fails
+  double settle();
+
   using Observe = std::function<void()>;
   /// Integrates and lands exactly on `end`; calls `observe` after every step and event.
   /// \throws std::runtime_error if A is singular, the state ceases to be finite or events pile up

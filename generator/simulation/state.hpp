@@ -9,8 +9,8 @@ namespace treedyn::simulation {
 /// When and how the joints are.
 struct State {
   double t;
-  const Vector& q;
-  const Vector& qd;
+  Eigen::Ref<const Vector> q;
+  Eigen::Ref<const Vector> qd;
 };
 
 /// A variable that belongs to the state; 0 for one that belongs to a point.

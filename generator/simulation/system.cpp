@@ -132,6 +132,17 @@ double System::holding_force(std::size_t friction) const {
   return all_lambda_[row];
 }
 
+Eigen::Vector3d System::reaction(double t, const Vector& y, int constraint) {
+  accelerate(t, y.head(dof()), y.tail(dof()));
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (int k = 0; k < constraints_.rows(); ++k) {
+    if (constraints_.constraint(k) == constraint) {
+      force += solution_.lambda[k] * constraints_.direction(k);
+    }
+  }
+  return force;
+}
+
 /// Rows and inertia in this position, for corrections that leave alone what reactions cannot
 /// change.
 void System::factor_rows(double t, const Vector& q, const Vector& qd) {

@@ -51,6 +51,9 @@ class System {
   /// The force that holds a sticking joint, of the last `accelerate`.
   [[nodiscard]] double holding_force(std::size_t friction) const;
 
+  /// The force of an active point constraint on its link, base frame, N.
+  Eigen::Vector3d reaction(double t, const Vector& y, int constraint);
+
   /// q and qd on the active rows by the smallest corrections in the metric A, those that reactions
   /// make: what a singular position let go is undone behind it.
   void project(double t, Vector& q, Vector& qd);
