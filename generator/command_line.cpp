@@ -10,6 +10,7 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "emit/names.hpp"
+#include "simplify/scene_functions.hpp"
 #include "version.hpp"
 
 namespace treedyn {
@@ -103,7 +104,9 @@ void add_model(CLI::App& command, Request& request) {
 }
 
 void set_functions(Request& request, const std::string& list) {
-  const std::vector<std::string>& known = simplify::function_names();
+  std::vector<std::string> known = simplify::function_names();
+  const std::vector<std::string>& of_scenes = simplify::scene_function_names();
+  known.insert(known.end(), of_scenes.begin(), of_scenes.end());
   for (const std::string& name : split(list)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw CLI::ValidationError(
@@ -149,6 +152,12 @@ void set_without(Request& request, const std::string& list) {
 
 void add_generation(CLI::App& command, Request& request) {
   add_model(command, request);
+  command.get_option("MODEL")->required(false);
+  command
+      .add_option_function<std::string>(
+          "--scene", [&request](const std::string& file) { request.scene = file; },
+          "a scene: its model, effects and functions instead of a MODEL")
+      ->type_name("FILE");
   add_name(command, request);
   command
       .add_option_function<std::string>(
@@ -282,7 +291,23 @@ void require_known_command(const CLI::App& app, const std::string& word) {
                           kUsage);
   }
 }
+/// A model or a scene, not both, and only what goes with a scene.
+void require_model_or_scene(const Settings& settings) {
+  const Request& request = settings.request;
+  if (request.model.empty() && !request.scene) {
+    throw CLI::ParseError("MODEL is required; expected a model or --scene FILE", kUsage);
+  }
+  if (request.scene && request.target.lanes > 1) {
+    throw CLI::ParseError("--lanes: functions of a scene branch; expected 1 lane", kUsage);
+  }
+}
+
 void require_options(const CLI::App& app, const Settings& settings) {
+  const auto generation = {"generate", "check", "outputs", "info"};
+  if (std::any_of(generation.begin(), generation.end(),
+                  [&](const char* name) { return app.got_subcommand(name); })) {
+    require_model_or_scene(settings);
+  }
   const bool writes = app.got_subcommand("generate") && settings.dump.empty();
   if (writes || app.got_subcommand("check") || app.got_subcommand("outputs")) {
     require_output(settings);

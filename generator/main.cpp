@@ -104,10 +104,9 @@ int run_info(const Settings& settings) {
     print(passes_text(model, settings.request));
     return 0;
   }
-  const std::vector<program::Function> functions =
-      formulate(model, settings.request, trace_of(settings));
-  print(settings.json ? info_json(model, settings.request, functions)
-                      : info_text(model, settings.request, functions));
+  const Programs programs = formulate(model, settings.request, trace_of(settings));
+  print(settings.json ? info_json(model, settings.request, programs)
+                      : info_text(model, settings.request, programs));
   return 0;
 }
 
