@@ -10,6 +10,7 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "emit/names.hpp"
+#include "simulation/integrator.hpp"
 #include "simplify/scene_functions.hpp"
 #include "version.hpp"
 
@@ -241,6 +242,63 @@ void require_output(const Settings& settings) {
   }
 }
 
+/// An option whose value is a number above zero.
+void add_positive(CLI::App& command, const std::string& name, const std::string& what,
+                  const char* type, std::optional<Real>& value) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [name, &value](const std::string& text) {
+            value = number(name, text);
+            if (*value <= 0) {
+              throw CLI::ValidationError(name, "expected a number above zero");
+            }
+          },
+          what)
+      ->type_name(type);
+}
+
+void add_simulate(CLI::App& app, Settings& settings) {
+  SimulateRequest& request = settings.simulation;
+  CLI::App& command = *app.add_subcommand("simulate", "run a scene in time");
+  command.add_option("SCENE", request.scene, "scene (*.yaml), or a case of hard_cases (*.json)")
+      ->required();
+  command
+      .add_option("-o,--output", request.output,
+                  "folder of NAME.csv; without it the table goes to standard output")
+      ->type_name("DIR");
+  command.add_flag("--json", request.json, "NAME.json too; without -o instead of the table");
+  command.add_flag("--report", request.report, "NAME.html too: plots and a moving figure");
+  CLI::Option* engine =
+      command.add_flag("--engine", request.engine, "the generic engine, for comparison");
+  command.add_flag("--compiled", request.compiled, "generated functions, by the C++ compiler")
+      ->excludes(engine);
+  std::vector<std::string> integrators;
+  for (const simulation::IntegratorRow& row : simulation::integrators()) {
+    integrators.emplace_back(row.name);
+  }
+  command.add_option("--integrator", request.integrator, "treedyn list integrators names them")
+      ->check(one_of(integrators))
+      ->type_name("NAME");
+  add_positive(command, "--step", "s; the longest one of an adaptive integrator", "H",
+               request.step);
+  add_positive(command, "--tolerance", "error of a step of an adaptive integrator", "T",
+               request.tolerance);
+  add_positive(command, "--duration", "s", "T", request.duration);
+  command
+      .add_option_function<std::string>(
+          "--drift",
+          [&request](const std::string& drift) {
+            request.drift = drift == "none"        ? model::Drift::kNone
+                            : drift == "baumgarte" ? model::Drift::kBaumgarte
+                                                   : model::Drift::kProjection;
+          },
+          "what is done about the drift of constraints")
+      ->check(one_of({"none", "baumgarte", "projection"}))
+      ->type_name("none|baumgarte|projection");
+  add_talk(command, settings);
+}
+
 void add_commands(CLI::App& app, Settings& settings) {
   CLI::App* generate = add_output_command(
       app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder", settings);
@@ -270,6 +328,8 @@ void add_commands(CLI::App& app, Settings& settings) {
   vet->add_option("--error-format", settings.error_format, "default text")
       ->check(one_of({"text", "gcc", "json"}))
       ->type_name("text|gcc|json");
+
+  add_simulate(app, settings);
 
   CLI::App* list = app.add_subcommand("list", "names that other commands accept");
   add_talk(*list, settings);
@@ -307,6 +367,9 @@ void require_options(const CLI::App& app, const Settings& settings) {
   if (std::any_of(generation.begin(), generation.end(),
                   [&](const char* name) { return app.got_subcommand(name); })) {
     require_model_or_scene(settings);
+  }
+  if (settings.simulation.report && settings.simulation.output.empty()) {
+    throw CLI::RequiredError("--report: -o DIR");
   }
   const bool writes = app.got_subcommand("generate") && settings.dump.empty();
   if (writes || app.got_subcommand("check") || app.got_subcommand("outputs")) {

@@ -94,7 +94,7 @@ double Simulator::step(double longest) {
     integrator_->step(rate_, t_, h, y_, next_, error_);
     return h;
   }
-  const double most = kLongestStep * duration_;
+  const double most = settings_.longest > 0 ? settings_.longest : kLongestStep * duration_;
   const double least = kShortestStep * duration_;
   for (double h = std::min({suggested_, most, longest});;) {
     integrator_->step(rate_, t_, h, y_, next_, error_);
@@ -128,7 +128,7 @@ double Simulator::settle() {
   return (y_ - before).cwiseAbs().maxCoeff();
 }
 
-void Simulator::advance_to(double end, const Observe& observe) {
+bool Simulator::advance_to(double end, const Observe& observe) {
   while (t_ < end) {
     begin_watches();
     const double longest = end - t_;
@@ -154,8 +154,11 @@ void Simulator::advance_to(double end, const Observe& observe) {
       happen(watches_[crossing->watch]);
       build_watches();
     }
-    observe();
+    if (!observe()) {
+      return false;
+    }
   }
+  return true;
 }
 
 void Simulator::start_phase(int phase, const std::vector<int>& active) {

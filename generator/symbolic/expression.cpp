@@ -17,7 +17,7 @@ namespace {
 using model::Expression;
 
 /// Operations of an expression that is differentiated: bounds the size of the derivatives.
-constexpr std::size_t kMaxMotionSize = 100;
+constexpr std::size_t kMaxMotionSize = 200;
 constexpr int kMaxPower = 1000;
 
 /// A part of an expression with its sign apart and a text by which parts are put in order.
