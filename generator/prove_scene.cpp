@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "engine/engine.hpp"
 #include "program/interpret.hpp"
 #include "program/random.hpp"
+#include "scene_equations.hpp"
 
 namespace treedyn {
 
@@ -88,98 +88,6 @@ Values least_squares(const Matrix& K, const Values& b) {
   return solved(std::move(square), std::move(right));
 }
 
-/// The equations of motion of a scene at one state, as the engine has them.
-class Equations {
- public:
-  Equations(const model::Scene& scene, const Values& q, const Values& qd)
-      : scene_(scene), engine_(scene.tree, scene.points, scene.gravity), dof_(scene.tree.dof()) {
-    const Values a = engine_.evaluate("mass_matrix", {q});
-    for (int i = 0; i < dof_; ++i) {
-      A.emplace_back(a.begin() + i * dof_, a.begin() + (i + 1) * dof_);
-    }
-    const Values rates = scene.velocity_products ? qd : Values(qd.size());
-    bias = engine_.evaluate("inverse_dynamics", {q, rates, Values(qd.size())});
-    if (!scene.points.empty()) {
-      C_ = engine_.evaluate("force_jacobian_transpose", {q});
-      H_ = engine_.evaluate("moment_jacobian_transpose", {q});
-      gamma_f_ = engine_.evaluate("point_bias_acceleration", {q, rates});
-      gamma_n_ = engine_.evaluate("angular_bias_acceleration", {q, rates});
-    }
-  }
-
-  Matrix A;
-  Values bias;  ///< B + G
-
-  struct Row {
-    Values J;
-    Real gamma = 0;
-    Real wanted = 0;
-  };
-  /// \param meaning  of the variables of a_des
-  template <class Meaning>
-  std::vector<Row> rows(const std::vector<int>& active, const Meaning& meaning) const {
-    std::vector<Row> result;
-    for (const int c : active) {
-      const model::Constraint& constraint = scene_.constraints[index(c)];
-      for (std::size_t k = 0; k < constraint.rows(); ++k) {
-        result.push_back(row(constraint, k));
-        result.back().wanted = wanted(constraint, k, meaning);
-      }
-    }
-    return result;
-  }
-
- private:
-  [[nodiscard]] Row row(const model::Constraint& c, std::size_t k) const {
-    Row result{Values(index(dof_)), 0, 0};
-    if (c.kind == model::ConstraintKind::kJoint) {
-      result.J[index(c.joint)] = 1;
-      return result;
-    }
-    const bool turning = c.kind == model::ConstraintKind::kOrientation;
-    add(result, c.directions[k], turning ? H_ : C_, turning ? gamma_n_ : gamma_f_, c.point, 1);
-    if (c.kind == model::ConstraintKind::kJoined) {
-      add(result, c.directions[k], C_, gamma_f_, c.other, -1);
-    }
-    return result;
-  }
-
-  void add(Row& row, const model::Vector3& d, const Values& jacobian, const Values& gamma,
-           int point, int sign) const {
-    const std::size_t width = 3 * scene_.points.size();
-    for (std::size_t n = 0; n < 3; ++n) {
-      const std::size_t column = 3 * index(point) + n;
-      for (std::size_t i = 0; i < row.J.size(); ++i) {
-        row.J[i] += sign * d[n] * jacobian[i * width + column];
-      }
-      row.gamma += sign * d[n] * gamma[column];
-    }
-  }
-
-  template <class Meaning>
-  static Real wanted(const model::Constraint& c, std::size_t k, const Meaning& meaning) {
-    const auto value = [&](const model::Expression& e) {
-      return e.evaluate<Real>([](const Real& x) { return x; }, meaning);
-    };
-    if (!c.accelerations.empty()) {
-      return value(c.accelerations[k]);
-    }
-    if (c.kind == model::ConstraintKind::kJoint) {
-      return value(c.curve.acceleration[0]);
-    }
-    Real sum = 0;
-    for (std::size_t n = 0; n < 3 && c.kind == model::ConstraintKind::kPoint; ++n) {
-      sum += c.directions[k][n] * value(c.curve.acceleration[n]);
-    }
-    return sum;
-  }
-
-  const model::Scene& scene_;
-  engine::Engine<Real> engine_;
-  int dof_;
-  Values C_, H_, gamma_f_, gamma_n_;
-};
-
 /// Arrays by name, filled with pseudo-random numbers.
 class State {
  public:
@@ -202,17 +110,6 @@ class State {
   [[nodiscard]] Values evaluate(const program::Function& function) const {
     const std::vector<std::span<const Real>> spans(values_.begin(), values_.end());
     return program::interpret<Real>(function, spans);
-  }
-  Real variable(const model::Variable& v) {
-    switch (v.quantity) {
-      case model::Quantity::kTime:
-        return at("t")[0];
-      case model::Quantity::kPosition:
-        return at("q")[index(v.index)];
-      default:
-        TREEDYN_EXPECT(v.quantity == model::Quantity::kVelocity);
-        return at("qd")[index(v.index)];
-    }
   }
 
  private:
@@ -248,12 +145,12 @@ void prove_plain(const model::Scene& scene, const program::Function& function,
   const Values ours = state.evaluate(function);
   const Values at_rest(state.at("q").size());
   const bool bias = state.has("qd");
-  const Equations equations(scene, state.at("q"), bias ? state.at("qd") : at_rest);
+  const SceneEquations equations(scene, state.at("q"), bias ? state.at("qd") : at_rest, 0);
   std::vector<int> all;
   for (std::size_t c = 0; c < scene.constraints.size(); ++c) {
     all.push_back(static_cast<int>(c));
   }
-  const auto rows = equations.rows(all, [](const model::Variable&) { return Real(0); });
+  const std::vector<SceneEquations::Row> rows = equations.rows(all);
   Values residual;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t i = 0; !bias && i < rows[r].J.size(); ++i) {
@@ -285,22 +182,24 @@ void prove_constrained(const model::Scene& scene, const std::vector<int>& active
                    values.end() - static_cast<std::ptrdiff_t>(r));
   const Values lambda(values.end() - static_cast<std::ptrdiff_t>(r), values.end());
 
-  const Equations equations(scene, state.at("q"), state.at("qd"));
-  const auto rows =
-      equations.rows(active, [&](const model::Variable& v) { return state.variable(v); });
+  const SceneEquations equations(scene, state.at("q"), state.at("qd"),
+                                 state.has("t") ? state.at("t")[0] : Real(0));
+  const std::vector<SceneEquations::Row> rows = equations.rows(active);
+  const Values force = equations.force();
   Values motion;
   for (std::size_t i = 0; i < n; ++i) {
-    Real sum = dot(equations.A[i], qdd) + equations.bias[i] - state.at("tau")[i];
+    Real sum =
+        dot(equations.inertia()[i], qdd) + equations.bias()[i] - state.at("tau")[i] - force[i];
     for (std::size_t k = 0; k < r; ++k) {
       sum -= rows[k].J[i] * lambda[k];
     }
     motion.push_back(sum);
   }
-  const Real scale =
-      largest(equations.bias) + largest(state.at("tau")) + largest(qdd) + largest(lambda);
+  const Real scale = largest(equations.bias()) + largest(force) + largest(state.at("tau")) +
+                     largest(qdd) + largest(lambda);
   require_small(name, "equation of motion", motion, scale * 1000);
   Values error;
-  for (const Equations::Row& row : rows) {
+  for (const SceneEquations::Row& row : rows) {
     error.push_back(dot(row.J, qdd) + row.gamma - row.wanted);
   }
   if (!staged.solves.empty() && !staged.solves.front().regular()) {
@@ -310,7 +209,7 @@ void prove_constrained(const model::Scene& scene, const std::vector<int>& active
         reaction[i] += rows[k].J[i] * error[k];
       }
     }
-    const Values moved = solved(equations.A, reaction);
+    const Values moved = solved(equations.inertia(), reaction);
     for (std::size_t k = 0; k < r; ++k) {
       error[k] = dot(rows[k].J, moved);
     }

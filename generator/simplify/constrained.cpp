@@ -70,16 +70,6 @@ std::vector<int> all_constraints(const model::Scene& scene) {
   return all;
 }
 
-bool uses_time(const model::Scene& scene, int constraint) {
-  const model::Constraint& c = scene.constraints[index(constraint)];
-  const auto uses = [](const model::Expression& e) {
-    return e.uses(model::Quantity::kTime);
-  };
-  return std::any_of(c.accelerations.begin(), c.accelerations.end(), uses) ||
-         (c.accelerations.empty() &&
-          std::any_of(c.curve.acceleration.begin(), c.curve.acceleration.end(), uses));
-}
-
 }  // namespace
 
 int rows_of(const model::Scene& scene, const std::vector<int>& constraints) {
@@ -94,7 +84,7 @@ SceneArrays constrained_arrays(const model::Scene& scene, const std::vector<int>
   if (rows_of(scene, active) > 0) {
     arrays.mu = next++;
   }
-  if (std::any_of(active.begin(), active.end(), [&](int c) { return uses_time(scene, c); })) {
+  if (uses_time(scene, active)) {
     arrays.t = next;
   }
   return arrays;

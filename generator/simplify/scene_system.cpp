@@ -13,20 +13,10 @@ constexpr int kBaseJoints = 6;
 }  // namespace
 
 SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays)
-    : task_(task), scene_(*task.options.scene), arrays_(arrays) {
-  meaning_ = [this](const model::Variable& v) {
-    switch (v.quantity) {
-      case model::Quantity::kPosition:
-        return input(arrays_.q, v.index);
-      case model::Quantity::kVelocity:
-        return input(arrays_.qd, v.index);
-      default:
-        TREEDYN_EXPECT(v.quantity == model::Quantity::kTime);
-        return input(arrays_.t, 0);
-    }
-  };
-  const bool by_trunk = task.kinematics.variant().trunk && can_use_trunk();
-  add_equations(by_trunk);
+    : task_(task), scene_(*task.options.scene), forces_(task, arrays) {
+  add_equations(task.kinematics.variant().trunk && can_use_trunk());
+  add_armatures();
+  add_loads();
 }
 
 /// The trunk as one body: nothing may act on the base's own joints and links but drive forces.
@@ -46,20 +36,31 @@ bool SceneSystem::can_use_trunk() const {
   return plain && has_free_base(task_.tree) && task_.tree.dof() == task_.tree.size();
 }
 
-Expr SceneSystem::input(int array, int element) const {
-  TREEDYN_EXPECT(array >= 0);
-  Graph& graph = task_.kinematics.graph();
-  return {graph, graph.input(array, element)};
+void SceneSystem::add_armatures() {
+  for (const model::Armature& armature : scene_.armatures) {
+    const int k = task_.tree.drives[static_cast<std::size_t>(armature.joint)].coordinate;
+    a_[{k, k}] += constant(task_.kinematics.graph(), armature.inertia);
+  }
 }
 
-Expr SceneSystem::joint_force(int joint) const { return input(arrays_.tau, joint); }
+/// C f + H n.
+void SceneSystem::add_loads() {
+  for (const AppliedLoad& load : forces_.loads()) {
+    const model::Point& point = scene_.points[static_cast<std::size_t>(load.point)];
+    const MotionMap map = load.is_moment ? frame_->turning(point) : frame_->point(point);
+    const Vec3 value = frame_->direction(load.value);
+    for (const auto& [k, column] : map.columns) {
+      right_[static_cast<std::size_t>(k)] += dot(column, value);
+    }
+  }
+}
 
 void SceneSystem::add_equations(bool by_trunk) {
   const Kinematics& k = task_.kinematics;
   frame_.emplace(task_, by_trunk, scene_.velocity_products);
   if (by_trunk) {
     trunk_ = trunk_system(k, [&](int i) {
-      const Expr force = joint_force(i);
+      const Expr force = forces_.joint(i);
       return k.link(i).sign > 0 ? force : -force;
     });
     a_ = trunk_->a;
@@ -73,7 +74,7 @@ void SceneSystem::add_equations(bool by_trunk) {
     for (int j = 0; j <= i; ++j) {
       a_[{i, j}] = a[static_cast<std::size_t>(i * n + j)];
     }
-    right_.push_back(joint_force(i) - bias[static_cast<std::size_t>(i)]);
+    right_.push_back(forces_.joint(i) - bias[static_cast<std::size_t>(i)]);
   }
 }
 

@@ -5,19 +5,10 @@
 #include <vector>
 
 #include "simplify/forward.hpp"
+#include "simplify/scene_forces.hpp"
 #include "simplify/scene_frame.hpp"
-#include "simplify/scene_values.hpp"
 
 namespace treedyn::simplify {
-
-/// Numbers of the input arrays of a scene function; -1: not there.
-struct SceneArrays {
-  int q = 0;
-  int qd = 1;
-  int tau = 2;
-  int mu = -1;  ///< multipliers of the rows
-  int t = -1;
-};
 
 /// A(q) and the forces of a scene in the coordinates of its SceneFrame.
 class SceneSystem {
@@ -28,20 +19,19 @@ class SceneSystem {
   [[nodiscard]] const SparseSymmetric& inertia() const { return a_; }
   [[nodiscard]] const std::vector<Expr>& right() const { return right_; }
   /// Variables of expressions that belong to the scene as a whole.
-  [[nodiscard]] const Meaning& meaning() const { return meaning_; }
+  [[nodiscard]] const Meaning& meaning() const { return forces_.meaning(); }
   /// qdd for x.
   [[nodiscard]] std::vector<Expr> accelerations(const std::vector<Expr>& x) const;
 
  private:
   [[nodiscard]] bool can_use_trunk() const;
-  [[nodiscard]] Expr input(int array, int element) const;
-  [[nodiscard]] Expr joint_force(int joint) const;
   void add_equations(bool by_trunk);
+  void add_armatures();
+  void add_loads();
 
   const Task& task_;
   const model::Scene& scene_;
-  SceneArrays arrays_;
-  Meaning meaning_;
+  SceneForces forces_;
   std::optional<TrunkSystem> trunk_;
   std::optional<SceneFrame> frame_;
   SparseSymmetric a_;
