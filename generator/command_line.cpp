@@ -10,6 +10,8 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "emit/names.hpp"
+#include "simulation/integrator.hpp"
+#include "simplify/scene_functions.hpp"
 #include "version.hpp"
 
 namespace treedyn {
@@ -103,7 +105,9 @@ void add_model(CLI::App& command, Request& request) {
 }
 
 void set_functions(Request& request, const std::string& list) {
-  const std::vector<std::string>& known = simplify::function_names();
+  std::vector<std::string> known = simplify::function_names();
+  const std::vector<std::string>& of_scenes = simplify::scene_function_names();
+  known.insert(known.end(), of_scenes.begin(), of_scenes.end());
   for (const std::string& name : split(list)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw CLI::ValidationError(
@@ -149,6 +153,12 @@ void set_without(Request& request, const std::string& list) {
 
 void add_generation(CLI::App& command, Request& request) {
   add_model(command, request);
+  command.get_option("MODEL")->required(false);
+  command
+      .add_option_function<std::string>(
+          "--scene", [&request](const std::string& file) { request.scene = file; },
+          "a scene: its model, effects and functions instead of a MODEL")
+      ->type_name("FILE");
   add_name(command, request);
   command
       .add_option_function<std::string>(
@@ -232,6 +242,63 @@ void require_output(const Settings& settings) {
   }
 }
 
+/// An option whose value is a number above zero.
+void add_positive(CLI::App& command, const std::string& name, const std::string& what,
+                  const char* type, std::optional<Real>& value) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [name, &value](const std::string& text) {
+            value = number(name, text);
+            if (*value <= 0) {
+              throw CLI::ValidationError(name, "expected a number above zero");
+            }
+          },
+          what)
+      ->type_name(type);
+}
+
+void add_simulate(CLI::App& app, Settings& settings) {
+  SimulateRequest& request = settings.simulation;
+  CLI::App& command = *app.add_subcommand("simulate", "run a scene in time");
+  command.add_option("SCENE", request.scene, "scene (*.yaml), or a case of hard_cases (*.json)")
+      ->required();
+  command
+      .add_option("-o,--output", request.output,
+                  "folder of NAME.csv; without it the table goes to standard output")
+      ->type_name("DIR");
+  command.add_flag("--json", request.json, "NAME.json too; without -o instead of the table");
+  command.add_flag("--report", request.report, "NAME.html too: plots and a moving figure");
+  CLI::Option* engine =
+      command.add_flag("--engine", request.engine, "the generic engine, for comparison");
+  command.add_flag("--compiled", request.compiled, "generated functions, by the C++ compiler")
+      ->excludes(engine);
+  std::vector<std::string> integrators;
+  for (const simulation::IntegratorRow& row : simulation::integrators()) {
+    integrators.emplace_back(row.name);
+  }
+  command.add_option("--integrator", request.integrator, "treedyn list integrators names them")
+      ->check(one_of(integrators))
+      ->type_name("NAME");
+  add_positive(command, "--step", "s; the longest one of an adaptive integrator", "H",
+               request.step);
+  add_positive(command, "--tolerance", "error of a step of an adaptive integrator", "T",
+               request.tolerance);
+  add_positive(command, "--duration", "s", "T", request.duration);
+  command
+      .add_option_function<std::string>(
+          "--drift",
+          [&request](const std::string& drift) {
+            request.drift = drift == "none"        ? model::Drift::kNone
+                            : drift == "baumgarte" ? model::Drift::kBaumgarte
+                                                   : model::Drift::kProjection;
+          },
+          "what is done about the drift of constraints")
+      ->check(one_of({"none", "baumgarte", "projection"}))
+      ->type_name("none|baumgarte|projection");
+  add_talk(command, settings);
+}
+
 void add_commands(CLI::App& app, Settings& settings) {
   CLI::App* generate = add_output_command(
       app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder", settings);
@@ -262,6 +329,8 @@ void add_commands(CLI::App& app, Settings& settings) {
       ->check(one_of({"text", "gcc", "json"}))
       ->type_name("text|gcc|json");
 
+  add_simulate(app, settings);
+
   CLI::App* list = app.add_subcommand("list", "names that other commands accept");
   add_talk(*list, settings);
   list->add_option("WHAT", settings.list_of, "functions, effects or integrators")
@@ -282,7 +351,26 @@ void require_known_command(const CLI::App& app, const std::string& word) {
                           kUsage);
   }
 }
+/// A model or a scene, not both, and only what goes with a scene.
+void require_model_or_scene(const Settings& settings) {
+  const Request& request = settings.request;
+  if (request.model.empty() && !request.scene) {
+    throw CLI::ParseError("MODEL is required; expected a model or --scene FILE", kUsage);
+  }
+  if (request.scene && request.target.lanes > 1) {
+    throw CLI::ParseError("--lanes: functions of a scene branch; expected 1 lane", kUsage);
+  }
+}
+
 void require_options(const CLI::App& app, const Settings& settings) {
+  const auto generation = {"generate", "check", "outputs", "info"};
+  if (std::any_of(generation.begin(), generation.end(),
+                  [&](const char* name) { return app.got_subcommand(name); })) {
+    require_model_or_scene(settings);
+  }
+  if (settings.simulation.report && settings.simulation.output.empty()) {
+    throw CLI::RequiredError("--report: -o DIR");
+  }
   const bool writes = app.got_subcommand("generate") && settings.dump.empty();
   if (writes || app.got_subcommand("check") || app.got_subcommand("outputs")) {
     require_output(settings);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline.hpp"
+#include "simulate.hpp"
 
 namespace treedyn {
 
@@ -16,6 +17,7 @@ inline constexpr int kUsage = 2;
 struct Settings {
   std::string command;  ///< "generate", "check", ...
   Request request;
+  SimulateRequest simulation;
   std::string output;
   std::string depfile;
   std::string dump;

@@ -89,16 +89,18 @@ std::string dump(const Request& request, const std::string& stage) {
   if (stage == "equations") {
     return equations_text(model, request);
   }
-  const std::vector<program::Function> functions =
-      formulate(model, request, [](const std::string&) {});
+  const Programs programs = formulate(model, request, [](const std::string&) {});
   std::string result;
   if (stage == "program") {
-    for (const program::Function& function : functions) {
+    for (const program::Function& function : programs.functions) {
       result += program_text(function);
+    }
+    for (const program::Staged& staged : programs.staged) {
+      result += program_text(staged.function);
     }
     return result;
   }
-  for (const emit::File& file : emit_files(model, request, functions)) {
+  for (const emit::File& file : emit_files(model, request, programs)) {
     result += file.text;
   }
   return result;

@@ -139,13 +139,37 @@ std::string snap_table(const model::Tree& tree) {
   return "\nsnapped constants\n" + table(rows);
 }
 
-std::string cost_table(const std::vector<program::Function>& functions) {
+/// A function and the operations of one call.
+struct Priced {
+  program::Signature signature;
+  program::Cost cost;
+
+  [[nodiscard]] int values() const {
+    int sum = 0;
+    for (const program::Array& array : signature.outputs) {
+      sum += array.size;
+    }
+    return sum;
+  }
+};
+
+std::vector<Priced> priced(const Programs& programs) {
+  std::vector<Priced> result;
+  for (const program::Function& function : programs.functions) {
+    result.push_back({function.signature, program::cost(function)});
+  }
+  for (const program::Staged& staged : programs.staged) {
+    result.push_back({staged.signature, program::cost(staged)});
+  }
+  return result;
+}
+
+std::string cost_table(const Programs& programs) {
   Rows rows = {{"function", "equation", "values", "mul + add + div", "of these"}};
-  for (const program::Function& function : functions) {
-    const program::Cost cost = program::cost(function);
+  for (const Priced& function : priced(programs)) {
     rows.push_back({function.signature.name, function.signature.equation,
-                    std::to_string(function.outputs.size()), std::to_string(cost.total()),
-                    emit::cost_text(cost)});
+                    std::to_string(function.values()), std::to_string(function.cost.total()),
+                    emit::cost_text(function.cost)});
   }
   return "\nfunctions, operations in one call\n" + table(rows);
 }
@@ -216,31 +240,29 @@ std::vector<std::string> snaps_json(const model::Tree& tree) {
   return result;
 }
 
-std::vector<std::string> functions_json(const std::vector<program::Function>& functions) {
+std::vector<std::string> functions_json(const Programs& programs) {
   std::vector<std::string> result;
-  for (const program::Function& function : functions) {
+  for (const Priced& function : priced(programs)) {
     result.push_back(json_object({{"name", json_string(function.signature.name)},
                                   {"equation", json_string(function.signature.equation)},
-                                  {"values", std::to_string(function.outputs.size())},
-                                  {"operations", emit::operations_json(program::cost(function))}}));
+                                  {"values", std::to_string(function.values())},
+                                  {"operations", emit::operations_json(function.cost)}}));
   }
   return result;
 }
 
 }  // namespace
 
-std::string info_text(const Model& model, const Request& request,
-                      const std::vector<program::Function>& functions) {
+std::string info_text(const Model& model, const Request& request, const Programs& programs) {
   const bool axes = request.read.base == description::Base::kAxes;
   return fmt::format("{}: {} joints, {} moving links, {} kg, base {}\n\njoints\n",
                      shown(model.tree.name), model.tree.dof(), model.tree.size(),
                      emit::decimal(total_mass(model.tree)), axes ? "axes" : "fixed") +
          joint_table(model) + mimic_lines(model) + reachability_text(model.tree) +
-         point_table(model) + snap_table(model.tree) + cost_table(functions);
+         point_table(model) + snap_table(model.tree) + cost_table(programs);
 }
 
-std::string info_json(const Model& model, const Request& request,
-                      const std::vector<program::Function>& functions) {
+std::string info_json(const Model& model, const Request& request, const Programs& programs) {
   const bool axes = request.read.base == description::Base::kAxes;
   return fmt::format(
       "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
@@ -248,7 +270,7 @@ std::string info_json(const Model& model, const Request& request,
       json_string(model.tree.name), json_string(axes ? "axes" : "fixed"), model.tree.dof(),
       emit::decimal(total_mass(model.tree)), emit::json_lines(joints_json(model), 4),
       emit::json_lines(links_json(model.tree), 4), emit::json_lines(points_json(model), 4),
-      emit::json_lines(snaps_json(model.tree), 4), emit::json_lines(functions_json(functions), 4));
+      emit::json_lines(snaps_json(model.tree), 4), emit::json_lines(functions_json(programs), 4));
 }
 
 std::string passes_text(const Model& model, const Request& request) {

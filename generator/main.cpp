@@ -1,8 +1,13 @@
 // The command line: options to pipeline, results to the user. Nothing else prints.
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <new>
 #include <string>
@@ -16,6 +21,7 @@
 #include "info.hpp"
 #include "numeric.hpp"
 #include "pipeline.hpp"
+#include "simulate.hpp"
 #include "vet.hpp"
 
 namespace {
@@ -104,10 +110,9 @@ int run_info(const Settings& settings) {
     print(passes_text(model, settings.request));
     return 0;
   }
-  const std::vector<program::Function> functions =
-      formulate(model, settings.request, trace_of(settings));
-  print(settings.json ? info_json(model, settings.request, functions)
-                      : info_text(model, settings.request, functions));
+  const Programs programs = formulate(model, settings.request, trace_of(settings));
+  print(settings.json ? info_json(model, settings.request, programs)
+                      : info_text(model, settings.request, programs));
   return 0;
 }
 
@@ -118,15 +123,63 @@ int run_vet(const Settings& settings) {
 }
 
 int run_list(const Settings& settings) {
-  if (settings.list_of == "functions") {
-    print(list_functions());
-  }
-  return 0;  // effects and integrators: there are none without scenes
+  print(settings.list_of == "functions" ? list_functions()
+        : settings.list_of == "effects" ? list_effects()
+                                        : list_integrators());
+  return 0;
 }
+
+std::atomic<bool> interrupted = false;
+
+/// A line on a terminal after the first second, and whether to go on.
+class Progress {
+ public:
+  bool operator()(double part) {
+    using std::chrono::steady_clock;
+    const steady_clock::time_point now = steady_clock::now();
+    if (on_terminal_ && now - shown_ > std::chrono::milliseconds(200) &&
+        now - start_ > std::chrono::seconds(1)) {
+      print_error(fmt::format("\r{:3.0f} %", 100 * part));
+      shown_ = now;
+    }
+    return !interrupted;
+  }
+  void end() const {
+    print_error(shown_ == std::chrono::steady_clock::time_point{} ? "" : "\r     \r");
+  }
+
+ private:
+  bool on_terminal_ = ::isatty(STDERR_FILENO) == 1;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point shown_;
+};
+
+int run_simulate(const Settings& settings) {
+  std::signal(SIGINT, [](int) { interrupted = true; });  // what was computed is written
+  Progress progress;
+  const SimulateResult result = simulate(settings.simulation, std::ref(progress));
+  progress.end();
+  if (result.moved > 1e-6 && !settings.quiet) {
+    print_error(fmt::format("{}: warning: the initial state was moved by {:.2g} onto the "
+                            "constraints\n",
+                            settings.simulation.scene, result.moved));
+  }
+  print(write_simulation(settings.simulation, result));
+  if (!result.recording.stopped.empty()) {
+    throw InputError({settings.simulation.scene, 0, 0},
+                     fmt::format("the motion ends at t = {:.6g} s: {}; expected it to last {:.6g} s",
+                                 result.recording.rows.back().t, result.recording.stopped,
+                                 static_cast<double>(result.scene.duration)));
+  }
+  trace_of(settings)(fmt::format("{} steps, {} states, {} events", result.recording.steps,
+                                 result.recording.rows.size(), result.recording.events.size()));
+  return 0;
+}
+
 int run(const Settings& settings) {
   static const std::map<std::string, int (*)(const Settings&)> commands = {
       {"generate", run_generate}, {"check", run_check}, {"outputs", run_outputs},
-      {"info", run_info},         {"vet", run_vet},     {"list", run_list}};
+      {"info", run_info},         {"vet", run_vet},     {"list", run_list}, {"simulate", run_simulate}};
   return commands.at(settings.command)(settings);
 }
 

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "common/identifier.hpp"
+#include "description/scene_reader.hpp"
 #include "emit/header.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
@@ -15,6 +17,8 @@
 #include "equations/table.hpp"
 #include "files.hpp"
 #include "prove.hpp"
+#include "prove_scene.hpp"
+#include "simplify/scene_functions.hpp"
 #include "symbolic/dump.hpp"
 #include "version.hpp"
 
@@ -30,18 +34,22 @@ bool needs_inertia(const std::string& function) {
          function == "mass_matrix_solve" || function == "mass_matrix_inverse";
 }
 
+/// Base name and digest of a file.
+Source source_of(const std::string& path) {
+  const std::optional<std::string> text = read_file(path);
+  if (!text) {
+    throw InputError({path, 0, 0}, "cannot be read");
+  }
+  return {std::filesystem::path(path).filename().string(), emit::sha256(*text)};
+}
+
 std::pair<Source, model::Tree> load(const Request& request) {
   if (request.model == "-") {
     const std::string text = read_standard_input();
     return {{"-", emit::sha256(text)}, description::parse_yaml(text, "-", request.read)};
   }
   model::Tree tree = description::read_model(request.model, request.read);
-  const std::optional<std::string> text = read_file(request.model);
-  if (!text) {
-    throw InputError({request.model, 0, 0}, "cannot be read");
-  }
-  return {{std::filesystem::path(request.model).filename().string(), emit::sha256(*text)},
-          std::move(tree)};
+  return {source_of(request.model), std::move(tree)};
 }
 
 /// The functions asked for, in the order of INTERFACE.md 3.
@@ -147,7 +155,8 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
 }  // namespace
 
 simplify::Options simplify_options(const Model& model, const Request& request) {
-  return {request.gravity, model.points, request.effort, request.forward_dynamics, request.without};
+  return {model.scene ? model.scene->gravity : request.gravity, model.points, request.effort,
+          request.forward_dynamics, request.without};
 }
 
 std::vector<std::string> pass_names() {
@@ -158,7 +167,32 @@ std::vector<std::string> pass_names() {
   return names;
 }
 
+namespace {
+
+/// A scene brings its tree, gravity and points.
+Model read_scene_model(const Request& request) {
+  Model model;
+  model.scene = description::read_scene(*request.scene);
+  model.source = source_of(*request.scene);
+  model.tree = model.scene->tree;
+  model.points = model.scene->points;
+  const std::vector<std::string>& known = simplify::scene_function_names();
+  for (const std::string& name : request.functions) {
+    const bool of_scene = std::find(known.begin(), known.end(), name) != known.end();
+    (of_scene ? model.scene_functions : model.functions).push_back(name);
+  }
+  check_functions(model, {*request.scene, 0, 0});
+  model.name = request.name.value_or(to_identifier(model.scene->name));
+  model.name += emit::is_reserved(model.name) ? "_" : "";
+  return model;
+}
+
+}  // namespace
+
 Model read(const Request& request) {
+  if (request.scene) {
+    return read_scene_model(request);
+  }
   Model model;
   std::tie(model.source, model.tree) = load(request);
   const Location where{request.model, 0, 0};
@@ -174,34 +208,64 @@ Model read(const Request& request) {
   return model;
 }
 
-std::vector<program::Function> formulate(const Model& model, const Request& request,
-                                         const Trace& trace) {
-  std::vector<program::Function> functions;
+namespace {
+
+void report(const Trace& trace, const std::string& name, const program::Cost& cost,
+            std::chrono::steady_clock::time_point start) {
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  trace(fmt::format("{}: {} ({:.1f} s)", name, emit::cost_text(cost), time.count()));
+}
+
+}  // namespace
+
+Programs formulate(const Model& model, const Request& request, const Trace& trace) {
+  Programs programs;
   const simplify::Options options = simplify_options(model, request);
   for (const std::string& name : model.functions) {
     const auto start = std::chrono::steady_clock::now();
-    functions.push_back(simplify::formulate(model.tree, name, options));
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    trace(fmt::format("{}: {} ({:.1f} s)", name, emit::cost_text(program::cost(functions.back())),
-                      time.count()));
+    programs.functions.push_back(simplify::formulate(model.tree, name, options));
+    report(trace, name, program::cost(programs.functions.back()), start);
   }
-  return functions;
+  if (model.scene && (request.functions.empty() || !model.scene_functions.empty())) {
+    const auto start = std::chrono::steady_clock::now();
+    simplify::SceneFunctions scene =
+        simplify::scene_functions(*model.scene, options, model.scene_functions);
+    for (program::Function& function : scene.plain) {
+      report(trace, function.signature.name, program::cost(function), start);
+      programs.functions.push_back(std::move(function));
+    }
+    for (program::Staged& staged : scene.staged) {
+      report(trace, staged.signature.name, program::cost(staged), start);
+      programs.staged.push_back(std::move(staged));
+    }
+  }
+  return programs;
 }
 
-void prove(const Model& model, const Request& request,
-           const std::vector<program::Function>& functions) {
-  prove_functions(model.tree, model.points, request.gravity, functions);
+void prove(const Model& model, const Request& request, const Programs& programs) {
+  std::vector<program::Function> of_model;
+  std::copy_if(
+      programs.functions.begin(), programs.functions.end(), std::back_inserter(of_model),
+      [](const program::Function& function) { return !is_scene_function(function.signature); });
+  const model::Vector3& gravity = model.scene ? model.scene->gravity : request.gravity;
+  prove_functions(model.tree, model.points, gravity, of_model);
+  if (model.scene) {
+    prove_scene(*model.scene, programs);
+  }
 }
 
-std::vector<emit::File> emit_files(const Model& model, const Request& request,
-                                   std::vector<program::Function> functions) {
+std::vector<emit::File> emit_files(const Model& model, const Request& request, Programs programs) {
   emit::Unit unit;
   unit.name = model.name;
   unit.tree = &model.tree;
   unit.points = model.points;
-  unit.functions = std::move(functions);
+  unit.functions = std::move(programs.functions);
+  unit.staged = std::move(programs.staged);
   unit.target = request.target;
-  unit.command = {"treedyn", "generate", model.source.file};
+  unit.command = {"treedyn", "generate"};
+  if (!request.scene) {
+    unit.command.push_back(model.source.file);
+  }
   for (const std::string& option : options_of(request)) {
     unit.command.push_back(option);
   }
@@ -217,9 +281,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
 }
 
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace) {
-  std::vector<program::Function> functions = formulate(model, request, trace);
-  prove(model, request, functions);
-  return emit_files(model, request, std::move(functions));
+  Programs programs = formulate(model, request, trace);
+  prove(model, request, programs);
+  return emit_files(model, request, std::move(programs));
 }
 
 std::vector<Warning> warnings_of(const Model& model) {
@@ -246,6 +310,8 @@ std::vector<std::string> options_of(const Request& request) {
       result.insert(result.end(), {option, value});
     }
   };
+  add(request.scene.has_value(), "--scene",
+      std::filesystem::path(request.scene.value_or("")).filename().string());
   add(request.name.has_value(), "--name", request.name.value_or(""));
   add(request.read.base != kDefaults.read.base, "--base", base_text(request.read.base));
   add(request.target.scalar != kDefaults.target.scalar, "--scalar",

@@ -9,14 +9,15 @@
 #include "description/read.hpp"
 #include "emit/unit.hpp"
 #include "model/tree.hpp"
-#include "program/function.hpp"
+#include "program/staged.hpp"
 #include "simplify/formulate.hpp"
 
 namespace treedyn {
 
 /// What to generate: the options of the command line, checked.
 struct Request {
-  std::string model;  ///< path, "-" for standard input
+  std::string model;                 ///< path, "-" for standard input; empty: the scene's own
+  std::optional<std::string> scene;  ///< path of a scene file
   description::ReadOptions read;
   std::optional<std::string> name;     ///< file stem and namespace; default: the model's own
   std::optional<std::string> points;   ///< --points; default: the model's own
@@ -40,7 +41,15 @@ struct Model {
   std::string name;
   model::Tree tree;
   std::vector<model::Point> points;
-  std::vector<std::string> functions;
+  std::vector<std::string> functions;        ///< of the model alone
+  std::optional<model::Scene> scene;         ///< its tree is `tree`
+  std::vector<std::string> scene_functions;  ///< empty: all that the scene needs
+};
+
+/// Programs of a model and of its scene.
+struct Programs {
+  std::vector<program::Function> functions;
+  std::vector<program::Staged> staged;  ///< functions that branch
 };
 
 /// Called with a line about every stage when it is done, for -v.
@@ -50,21 +59,18 @@ using Trace = std::function<void(const std::string&)>;
 /// \throws InputError for mistakes in the model, or a function that it does not have.
 Model read(const Request& request);
 
-/// Tree to programs: one per function, each compared with the engine.
-std::vector<program::Function> formulate(const Model& model, const Request& request,
-                                         const Trace& trace);
+/// Tree to programs: one per function.
+Programs formulate(const Model& model, const Request& request, const Trace& trace);
 
 /// What the formulations of a model are free to choose from.
 simplify::Options simplify_options(const Model& model, const Request& request);
 
 /// Stops the program, naming the function, if a formulation differs from the block equations
 /// evaluated with 50 digits.
-void prove(const Model& model, const Request& request,
-           const std::vector<program::Function>& functions);
+void prove(const Model& model, const Request& request, const Programs& programs);
 
 /// Programs to text.
-std::vector<emit::File> emit_files(const Model& model, const Request& request,
-                                   std::vector<program::Function> functions);
+std::vector<emit::File> emit_files(const Model& model, const Request& request, Programs programs);
 
 /// A model to text: `formulate`, `prove`, `emit_files`.
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace);

@@ -100,7 +100,7 @@ simulation::Needs needs_of(const model::Scene& scene) {
   return needs;
 }
 
-std::unique_ptr<simulation::Dynamics> program_dynamics(const model::Scene& scene) {
+ScenePrograms scene_programs(const model::Scene& scene) {
   std::vector<std::string> terms = {"mass_matrix", "inverse_dynamics"};
   std::vector<std::string> geometry;
   const simulation::Needs needs = needs_of(scene);
@@ -114,8 +114,12 @@ std::unique_ptr<simulation::Dynamics> program_dynamics(const model::Scene& scene
                  {"point_rotations", "moment_jacobian_transpose", "angular_bias_acceleration"});
     geometry.insert(geometry.end(), {"point_rotations", "moment_jacobian_transpose"});
   }
-  return std::make_unique<simulation::TapeDynamics>(combined(scene, terms, {"q", "qd"}),
-                                                    combined(scene, geometry, {"q"}));
+  return {combined(scene, terms, {"q", "qd"}), combined(scene, geometry, {"q"})};
+}
+
+std::unique_ptr<simulation::Dynamics> program_dynamics(const model::Scene& scene) {
+  const ScenePrograms programs = scene_programs(scene);
+  return std::make_unique<simulation::TapeDynamics>(programs.terms, programs.geometry);
 }
 
 std::unique_ptr<simulation::Dynamics> engine_dynamics(const model::Scene& scene) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,7 @@ using Vector = std::vector<double>;
 using Inputs = std::vector<Vector>;
 
 constexpr Tolerance kTolerance{1e-12, 1e-12, 1e-9};
+constexpr Tolerance kConstrained{1e-9, 1e-9, 1e-9};
 
 /// The output of a function of INTERFACE.md 3, whoever computes it.
 struct Implementation {
@@ -154,6 +156,9 @@ class Order {
     return result;
   }
 
+  /// The link of every joint.
+  [[nodiscard]] const std::vector<std::size_t>& places() const { return place_; }
+
   /// An N x N matrix.
   [[nodiscard]] Vector square(const Json& list) const {
     Vector result;
@@ -226,6 +231,116 @@ void check_dynamics(const Json& data, const Implementation& by, Report& report) 
   compare("tau", sum(tau, Q, -1), order.rows(expected.at("tau_id")));
 }
 
+/// Rows of a scene stand effect by effect: the forces of a case, then its moments.
+std::vector<std::size_t> row_order(const Json& constraints) {
+  std::vector<std::size_t> order;
+  for (const char* kind : {"force", "moment"}) {
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
+      if (constraints.at(k).at("kind") == kind) {
+        order.push_back(k);
+      }
+    }
+  }
+  return order;
+}
+
+/// The case as a scene beside its model, golden.yaml; every row is a constraint that states its
+/// acceleration.
+Json scene_of(const Json& data) {
+  Json points = Json::array();
+  Json forces = Json::array();
+  Json moments = Json::array();
+  const Json& constraints = data.at("constraints");
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    const Json& c = constraints.at(k);
+    const std::string point = fmt::format("r_{}", k + 1);
+    const bool force = c.at("kind") == "force";
+    points.push_back({{"name", point},
+                      {"link", fmt::format("link_{}", c.at("link").get<int>())},
+                      {"at", force ? c.at("point") : Json{0, 0, 0}}});
+    (force ? forces : moments)
+        .push_back({{"name", point},
+                    {"point", point},
+                    {"along", Json::array({c.at("direction")})},
+                    {"acceleration", Json::array({c.at("a_des")})}});
+  }
+  Json effects{{"gravity", data.at("gravity")}};
+  if (!forces.empty()) {
+    effects["point_constraint"] = forces;
+  }
+  if (!moments.empty()) {
+    effects["orientation_constraint"] = moments;
+  }
+  return {{"scene", data.at("name")},
+          {"model", "golden.yaml"},
+          {"points", points},
+          {"effects", effects},
+          {"duration", 1}};
+}
+
+/// `values` in the order of the case, of rows in the order of the scene.
+Vector in_case_order(const Vector& values, const std::vector<std::size_t>& order) {
+  Vector result(values.size());
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    result.at(order[row]) = values.at(row);
+  }
+  return result;
+}
+
+/// J, r x N in the order of the case, of the generated J^T.
+Vector jacobian(const Vector& transposed, const std::vector<std::size_t>& order,
+                const Order& joints, std::size_t n) {
+  const std::size_t r = order.size();
+  Vector result(r * n);
+  const std::vector<std::size_t>& place = joints.places();
+  for (std::size_t row = 0; row < r; ++row) {
+    for (std::size_t i = 0; i < n; ++i) {
+      result[order[row] * n + place[i]] = transposed[i * r + row];
+    }
+  }
+  return result;
+}
+
+/// tau + C f + H n of the case: the forces that its motion without constraints shows.
+Vector joint_forces(const Json& data) {
+  const Json& expected = data.at("expected");
+  const Vector qdd = support::flat(expected.at("qdd"));
+  Vector result = sum(support::flat(expected.at("B")), support::flat(expected.at("G")), -1);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const Vector row = support::flat(expected.at("A").at(i));
+    result[i] = std::inner_product(row.begin(), row.end(), qdd.begin(), result[i]);
+  }
+  return result;
+}
+
+/// Compiled functions of the case's scene against `expected_constrained`.
+void check_constrained(const Json& data, const std::filesystem::path& folder, Report& report) {
+  const std::filesystem::path scene = folder / "scene.yaml";
+  support::write_file(scene, scene_of(data).dump(1));
+  support::generate({}, {"--scene", scene.string(), "--effort", "100"}, folder / "scene");
+  const support::CompiledModel code(folder / "scene", "generated");
+  const Json& expected = data.at("expected_constrained");
+  const std::vector<std::size_t> rows = row_order(data.at("constraints"));
+  const Order order(data, code.manifest().joints);
+  const Vector q = order.rows(data.at("q"));
+  const Vector qd = order.rows(data.at("qd"));
+  const auto compare = [&](const char* quantity, const Vector& x, const Vector& y) {
+    report.compare("code", quantity, x, y, kConstrained);
+  };
+  compare("J",
+          jacobian(code.call("reaction_jacobian_transpose", {q}), rows, order,
+                   data.at("N").get<std::size_t>()),
+          support::flat(expected.at("J")));
+  compare("gamma", in_case_order(code.call("reaction_bias_acceleration", {q, qd}), rows),
+          support::flat(expected.at("gamma")));
+  const Vector motion =
+      code.call("constrained_dynamics", {q, qd, order.rows(Json(joint_forces(data)))});
+  const auto split = motion.begin() + static_cast<std::ptrdiff_t>(q.size());
+  compare("qdd constrained", Vector(motion.begin(), split), order.rows(expected.at("qdd")));
+  compare("lambda", in_case_order(Vector(split, motion.end()), rows),
+          support::flat(expected.at("lambda")));
+}
+
 void check(const std::filesystem::path& /*file*/, const Json& data, Report& report) {
   const support::TemporaryFolder folder;
   const std::filesystem::path model = folder.path() / "golden.yaml";
@@ -238,6 +353,9 @@ void check(const std::filesystem::path& /*file*/, const Json& data, Report& repo
        {generic(tree, gravity), interpreted(tree, gravity), compiled(model, gravity)}) {
     check_geometry(data, by, report);
     check_dynamics(data, by, report);
+  }
+  if (data.contains("expected_constrained")) {
+    check_constrained(data, folder.path(), report);
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 Numbers texts_of(const SceneFields& fields, const Node& node) {
   Numbers result{{}, node.where};
-  for (const Node& item : fields.items(node)) {
+  for (const Node& item : fields.sequence(node)) {
     result.values.push_back({fields.scalar(item).text, item.where});
   }
   return result;
@@ -25,7 +25,7 @@ Numbers texts_of(const SceneFields& fields, const Node& node) {
 /// Nine numbers of three rows.
 Numbers rows_of(const SceneFields& fields, const Node& node) {
   Numbers result{{}, node.where};
-  for (const Node& row : fields.items(node)) {
+  for (const Node& row : fields.sequence(node)) {
     const Numbers numbers = texts_of(fields, row);
     result.values.insert(result.values.end(), numbers.values.begin(), numbers.values.end());
   }
@@ -83,14 +83,12 @@ void read_body(const std::string& file, const Node& node, std::size_t index,
       {"name", "father", "joint", "axis", "offset", "R0", "mass", "com", "inertia"});
   const int father = fields.integer("father", 0, static_cast<int>(index));
   RawLink link{{names[index], node.where}, std::nullopt, node.where};
-  link.inertia = RawInertia{{fields.text("mass"), fields.get("mass").where},
-                            {},
-                            upper_half(fields, fields.get("inertia")),
-                            node.where};
+  link.inertia =
+      RawInertia{fields.text("mass"), {}, upper_half(fields, fields.get("inertia")), node.where};
   link.inertia->pose.xyz = texts_of(fields, fields.get("com"));
   RawJoint joint;
   joint.name = joint.son = link.name;
-  joint.type = {fields.text("joint"), fields.get("joint").where};
+  joint.type = fields.text("joint");
   if (joint.type.text != "revolute" && joint.type.text != "prismatic") {
     fields.fail(joint.type.where, fmt::format("joint '{}' is unknown; expected revolute or "
                                               "prismatic",
@@ -110,7 +108,7 @@ void read_body(const std::string& file, const Node& node, std::size_t index,
 
 RawTree read_bodies(const std::string& file, const Node& model, const std::string& name) {
   const SceneFields fields(file, model, "model", {"bodies"});
-  const std::vector<Node>& bodies = fields.items(fields.get("bodies"));
+  const std::vector<Node>& bodies = fields.sequence(fields.get("bodies"));
   if (bodies.empty()) {
     fields.fail(model.where, "has no body; expected at least one");
   }

@@ -1,58 +1,54 @@
-// The entries of a mapping of a scene file, read once each with its kind checked.
+// Numbers, vectors and directions of a scene file.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "description/yaml_node.hpp"
+#include "description/fields.hpp"
 #include "model/tree.hpp"
+#include "symbolic/constant.hpp"
 
 namespace treedyn::description {
 
-/// A mapping whose keys are known; comments (title, law, note, source, tags, catches) are skipped.
-/// Every member throws InputError with the place of the entry and what was expected.
-class SceneFields {
+/// A mapping of a scene file whose numbers are decimals or, where there are `constants`, constant
+/// expressions. Errors as those of `Fields`.
+class SceneFields : public Fields {
  public:
-  /// \param what  how messages call the mapping: "constraint 'foot'"
-  SceneFields(const std::string& file, const Node& node, std::string what,
-              std::initializer_list<std::string_view> keys);
+  /// Of a case file: decimals; comments (title, law, note, source, tags, catches) are skipped.
+  SceneFields(const std::string& file, const Node& node, std::string what, const Keys& keys);
+  /// \param constants  outlives the object
+  SceneFields(const std::string& file, const Node& node, std::string what, const Keys& keys,
+              const symbolic::Constants& constants);
 
-  [[noreturn]] void fail(const Place& where, const std::string& message) const;
-  [[nodiscard]] const Node* find(std::string_view key) const;
-  [[nodiscard]] const Node& get(std::string_view key) const;
-  [[nodiscard]] const Place& where() const { return node_.where; }
-  [[nodiscard]] const std::string& file() const { return file_; }
-
-  [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] std::string text_or(std::string_view key, const std::string& fallback) const;
-  [[nodiscard]] Real number(std::string_view key) const;
+  [[nodiscard]] Real number(std::string_view key) const { return number_of(get(key)); }
   [[nodiscard]] Real number_or(std::string_view key, const Real& fallback) const;
   /// A number that is not negative.
+  [[nodiscard]] Real amount(std::string_view key) const;
   [[nodiscard]] Real amount_or(std::string_view key, const Real& fallback) const;
+  /// A number above zero.
+  [[nodiscard]] Real positive(std::string_view key) const;
   [[nodiscard]] int integer(std::string_view key, int least, int most) const;
-  [[nodiscard]] model::Vector3 vector(std::string_view key) const;
+  [[nodiscard]] model::Vector3 vector(std::string_view key) const { return vector_of(get(key)); }
+  [[nodiscard]] model::Vector3 vector_or(std::string_view key, const model::Vector3& other) const;
   /// `vector` divided by its length, which is not zero.
   [[nodiscard]] model::Vector3 direction(std::string_view key) const;
   /// Exactly `size` numbers.
-  [[nodiscard]] std::vector<Real> numbers(std::string_view key, std::size_t size) const;
+  [[nodiscard]] std::vector<Real> numbers_of_joints(std::string_view key, std::size_t size) const;
   /// The entries of a list; none if the key is missing.
   [[nodiscard]] const std::vector<Node>& list(std::string_view key) const;
 
-  [[nodiscard]] const Node& scalar(const Node& node) const;
   [[nodiscard]] Real number_of(const Node& node) const;
   [[nodiscard]] model::Vector3 vector_of(const Node& node) const;
-  [[nodiscard]] const std::vector<Node>& items(const Node& node) const;
+  /// A vector divided by its length. \throws InputError if it is zero
+  [[nodiscard]] model::Vector3 direction_of(const Node& node) const;
+  /// Exactly three entries. \throws InputError
+  [[nodiscard]] const std::vector<Node>& triple(const Node& node) const;
 
  private:
-  const std::string& file_;
-  const Node& node_;
-  std::string what_;
+  const symbolic::Constants* constants_ = nullptr;
 };
-
-/// "kind 'name'" if the mapping has a name, else "kind 3".
-std::string called(std::string_view kind, const Node& node, std::size_t index);
 
 }  // namespace treedyn::description

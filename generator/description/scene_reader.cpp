@@ -12,10 +12,42 @@
 #include "description/resolve.hpp"
 #include "description/scene_bodies.hpp"
 #include "description/scene_fields.hpp"
+#include "description/scene_yaml.hpp"
 
 namespace treedyn::description {
 
 namespace {
+
+/// c(t) = center + velocity t + A1 cos(omega t + phase) u + A2 sin(omega t + phase) v.
+struct Harmonic {
+  model::Vector3 center, velocity, u, v;
+  Real A1, A2, omega, phase;
+};
+
+model::Curve curve_of(const Harmonic& h) {
+  using model::Expression;
+  const Expression t(model::Variable{model::Quantity::kTime, 0});
+  const Expression angle = h.omega * t + h.phase;
+  const Expression c = cos(angle);
+  const Expression s = sin(angle);
+  model::Curve result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Expression a = h.A1 * h.u[k];
+    const Expression b = h.A2 * h.v[k];
+    result.position[k] = h.center[k] + h.velocity[k] * t + a * c + b * s;
+    result.velocity[k] = h.velocity[k] + h.omega * (b * c - a * s);
+    result.acceleration[k] = -(h.omega * h.omega) * (a * c + b * s);
+  }
+  return result;
+}
+
+/// A file of hard_cases: its bodies stand in it.
+bool is_case(const Node& root) {
+  return std::any_of(root.items.begin(), root.items.end(), [](const Node& item) {
+    return item.key.text == "schema" ||
+           (item.key.text == "model" && item.kind == NodeKind::kMapping);
+  });
+}
 
 /// One scene in the making.
 class SceneReader {
@@ -35,9 +67,10 @@ class SceneReader {
                       .tree;
     const std::size_t dof = scene_.tree.links.size();
     scene_.gravity = fields_.vector("gravity");
-    scene_.q0 = fields_.numbers("q0", dof);
-    scene_.qd0 = fields_.numbers("qd0", dof);
-    scene_.tau = fields_.find("tau") == nullptr ? std::vector<Real>{} : fields_.numbers("tau", dof);
+    scene_.q0 = fields_.numbers_of_joints("q0", dof);
+    scene_.qd0 = fields_.numbers_of_joints("qd0", dof);
+    scene_.tau = fields_.find("tau") == nullptr ? std::vector<Real>{}
+                                                : fields_.numbers_of_joints("tau", dof);
     scene_.t0 = fields_.number_or("t0", 0);
     scene_.duration = fields_.amount_or("duration", 0);
     read_effects();
@@ -99,16 +132,18 @@ class SceneReader {
 
   void read_torque(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what, {"name", "body", "torque"});
-    scene_.torques.push_back({point(fields, true), fields.vector("torque")});
+    const int at = point(fields, true);
+    const model::Vector3 value = fields.vector("torque");
+    scene_.torques.push_back({at, {value[0], value[1], value[2]}});
   }
 
   void read_force(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what,
                              {"name", "type", "joint", "friction", "body", "point", "normal",
                               "height", "k", "n", "c", "mu", "vs"});
-    const std::string type = fields.text("type");
+    const std::string type = fields.text("type").text;
     if (type == "joint_coulomb") {
-      scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0)});
+      scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0), 0});
     } else if (type == "ground_point" || type == "ground_point_hc") {
       read_contact(fields, type == "ground_point_hc");
     } else {
@@ -141,7 +176,7 @@ class SceneReader {
 
   std::vector<model::Vector3> directions(const SceneFields& fields) const {
     std::vector<model::Vector3> result;
-    for (const Node& item : fields.items(fields.get("dirs"))) {
+    for (const Node& item : fields.sequence(fields.get("dirs"))) {
       result.push_back(fields.vector_of(item));
       if (result.back() == model::Vector3{}) {
         fields.fail(item.where, "direction has zero length; expected a direction");
@@ -159,21 +194,22 @@ class SceneReader {
     const auto vector = [&](const char* key) {
       return fields.find(key) == nullptr ? model::Vector3{} : fields.vector(key);
     };
-    return {fields.vector("center"),
-            vector("velocity"),
-            vector("u"),
-            vector("v"),
-            fields.number_or("A1", 0),
-            fields.number_or("A2", 0),
-            fields.number_or("omega", 0),
-            fields.number_or("phase", 0)};
+    const Harmonic harmonic{fields.vector("center"),
+                            vector("velocity"),
+                            vector("u"),
+                            vector("v"),
+                            fields.number_or("A1", 0),
+                            fields.number_or("A2", 0),
+                            fields.number_or("omega", 0),
+                            fields.number_or("phase", 0)};
+    return curve_of(harmonic);
   }
 
   void read_constraint(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what, {"name", "type", "body", "point", "dirs", "curve"});
     model::Constraint constraint;
     constraint.name = fields.text_or("name", fmt::format("{}", scene_.constraints.size() + 1));
-    const std::string type = fields.text("type");
+    const std::string type = fields.text("type").text;
     if (type != "point" && type != "orientation") {
       fields.fail(fields.get("type").where,
                   fmt::format("type '{}' is unknown; expected point or orientation", shown(type)));
@@ -221,7 +257,7 @@ class SceneReader {
   }
 
   [[nodiscard]] int phase(const SceneFields& fields, const char* key) const {
-    const std::string name = fields.text(key);
+    const std::string name = fields.text(key).text;
     const auto& phases = scene_.phases;
     const auto found = std::find_if(phases.begin(), phases.end(),
                                     [&](const model::Phase& p) { return p.name == name; });
@@ -241,7 +277,7 @@ class SceneReader {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const std::string what = called("phase", nodes[k], k);
       const SceneFields fields(file_, nodes[k], what, {"name", "active", "until"});
-      scene_.phases.push_back({fields.text("name"), constraints(fields, "active"), {}});
+      scene_.phases.push_back({fields.text("name").text, constraints(fields, "active"), {}});
     }
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const SceneFields fields(file_, nodes[k], called("phase", nodes[k], k),
@@ -316,7 +352,7 @@ std::string file_text(const std::string& path) {
 
 model::Scene parse_scene(const std::string& text, const std::string& file) {
   const Node root = parse_yaml_node(text, file);
-  return SceneReader(file, root).run();
+  return is_case(root) ? SceneReader(file, root).run() : read_scene_yaml(root, file);
 }
 
 model::Scene read_scene(const std::string& path) { return parse_scene(file_text(path), path); }

@@ -7,7 +7,7 @@
 
 namespace treedyn::description {
 
-/// Reads and checks a scene in the format hard-case/1 (JSON, or the same as YAML).
+/// Reads and checks a scene: in YAML (README.md), or in the format hard-case/1 (JSON).
 /// \throws InputError with file, line and column at the first mistake.
 model::Scene read_scene(const std::string& path);
 

@@ -1,119 +1,13 @@
 #include "description/yaml_reader.hpp"
 
-#include <algorithm>
-#include <initializer_list>
-#include <string_view>
-
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "common/decimal.hpp"
-#include "description/yaml_node.hpp"
+#include "description/fields.hpp"
 
 namespace treedyn::description {
 
 namespace {
-
-using Keys = std::initializer_list<std::string_view>;
-
-/// A mapping whose keys are known, and how messages call it.
-class Fields {
- public:
-  Fields(const std::string& file, const Node& node, std::string what, Keys keys)
-      : file_(file), node_(node), what_(std::move(what)) {
-    if (node.kind != NodeKind::kMapping) {
-      fail(node.where, fmt::format("is no mapping; expected the keys {}", fmt::join(keys, ", ")));
-    }
-    for (const Node& item : node.items) {
-      if (std::find(keys.begin(), keys.end(), item.key.text) == keys.end()) {
-        fail(item.key.where, fmt::format("unknown key '{}'; expected one of {}",
-                                         shown(item.key.text), fmt::join(keys, ", ")));
-      }
-    }
-  }
-
-  [[noreturn]] void fail(const Place& where, const std::string& message) const {
-    throw InputError({file_, where.line, where.column}, fmt::format("{}: {}", what_, message));
-  }
-
-  [[nodiscard]] const Node* find(std::string_view key) const {
-    const auto item = std::find_if(node_.items.begin(), node_.items.end(),
-                                   [key](const Node& n) { return n.key.text == key; });
-    return item == node_.items.end() ? nullptr : &*item;
-  }
-
-  [[nodiscard]] const Node& get(std::string_view key) const {
-    const Node* const node = find(key);
-    if (node == nullptr) {
-      fail(node_.where, fmt::format("key '{}' is missing; expected it here", key));
-    }
-    return *node;
-  }
-
-  [[nodiscard]] Text scalar(const Node& node) const {
-    if (node.kind != NodeKind::kScalar || node.empty) {
-      fail(node.where,
-           fmt::format("{} is {}; expected a single value", described(node), kind(node)));
-    }
-    return {node.text, node.where};
-  }
-
-  [[nodiscard]] Text text(std::string_view key) const { return scalar(get(key)); }
-
-  [[nodiscard]] std::optional<Text> optional_text(std::string_view key) const {
-    const Node* const node = find(key);
-    return node == nullptr ? std::nullopt : std::optional<Text>(scalar(*node));
-  }
-
-  [[nodiscard]] std::optional<Numbers> numbers(std::string_view key) const {
-    const Node* const node = find(key);
-    if (node == nullptr) {
-      return std::nullopt;
-    }
-    sequence(*node);
-    Numbers result{{}, node->where};
-    for (const Node& item : node->items) {
-      result.values.push_back(scalar(item));
-    }
-    return result;
-  }
-
-  const std::vector<Node>& sequence(const Node& node) const {
-    if (node.kind != NodeKind::kSequence) {
-      fail(node.where, fmt::format("{} is {}; expected a list", described(node), kind(node)));
-    }
-    return node.items;
-  }
-
- private:
-  static std::string described(const Node& node) {
-    return node.key.text.empty() ? "entry" : fmt::format("'{}'", shown(node.key.text));
-  }
-  static std::string_view kind(const Node& node) {
-    switch (node.kind) {
-      case NodeKind::kSequence:
-        return "a list";
-      case NodeKind::kMapping:
-        return "a mapping";
-      default:
-        return node.empty ? "empty" : "a single value";
-    }
-  }
-
-  const std::string& file_;
-  const Node& node_;
-  std::string what_;
-};
-
-/// "link 'x'" if the mapping says so, else "link 3".
-std::string called(std::string_view kind, const Node& node, std::size_t index) {
-  for (const Node& item : node.items) {
-    if (item.key.text == "name" && item.kind == NodeKind::kScalar && !item.text.empty()) {
-      return fmt::format("{} '{}'", kind, shown(item.text));
-    }
-  }
-  return fmt::format("{} {}", kind, index + 1);
-}
 
 RawLimits read_limits(const std::string& file, const Node& node, const std::string& what) {
   const Fields fields(file, node, what + ": limits", {"lower", "upper", "velocity", "effort"});

@@ -38,22 +38,26 @@ struct Statement {
 
 class Writer {
  public:
-  Writer(const program::Function& function, const Vocabulary& words, const Target& target)
+  Writer(const program::Function& function, const Vocabulary& words, const Target& target,
+         const std::function<int(int, int)>& level)
       : function_(function),
         graph_(function.graph),
         words_(words),
         target_(target),
         operations_(program::operations_in_order(graph_, function.outputs)),
-        names_(function, words, operations_) {}
+        names_(function, words, operations_) {
+    find_levels(level);
+  }
 
   Body write();
 
  private:
+  void find_levels(const std::function<int(int, int)>& level);
   void find_uses();
   void make_schedule();
   void list_statements();
   void list_stores(Ref value);
-  void list_constants();
+  void list_constants(int level);
   void divide();
   std::size_t best_cut(const std::vector<int>& crossing, std::size_t begin) const;
   std::vector<int> crossing_counts() const;
@@ -72,6 +76,7 @@ class Writer {
   bool is_operation(Ref a) const {
     return a != 0 && graph_.node(a).kind != Kind::kConstant && graph_.node(a).kind != Kind::kInput;
   }
+  int level_of(std::size_t statement) const { return level_[index(statements_[statement].value)]; }
   bool is_local(Ref a) const { return used_by_operation_[index(a)]; }
   bool is_large() const { return operations_.size() + function_.outputs.size() > kLargestFunction; }
   int available(Ref value) const;
@@ -84,12 +89,28 @@ class Writer {
   std::vector<Ref> operations_;
   LocalNames names_;
   program::Schedule schedule_;
+  std::vector<int> level_;  // by node
+  int last_level_ = 0;
   std::vector<bool> used_by_operation_;
   std::vector<std::vector<int>> outputs_of_;  // by node
   std::vector<Statement> statements_;
   std::vector<std::size_t> part_of_;  // by node, where its local is defined
   std::vector<bool> shared_;          // by node, needed by a later part
 };
+
+void Writer::find_levels(const std::function<int(int, int)>& level) {
+  level_.assign(graph_.size(), 0);
+  for (const Ref k : program::reachable(graph_, function_.outputs)) {
+    const program::Node& node = graph_.node(k);
+    int& own = level_[index(k)];
+    if (node.kind == Kind::kInput && level) {
+      own = level(node.a, node.b);
+    }
+    program::for_each_operand(node,
+                              [&](Ref operand) { own = std::max(own, level_[index(operand)]); });
+    last_level_ = std::max(last_level_, own);
+  }
+}
 
 void Writer::find_uses() {
   used_by_operation_.assign(graph_.size(), false);
@@ -125,14 +146,19 @@ void Writer::make_schedule() {
 }
 
 void Writer::list_statements() {
-  for (const Ref value : schedule_.statements) {
-    if (is_local(value)) {
-      names_.assign(value);
-      statements_.push_back({.value = value});
+  for (int level = 0; level <= last_level_; ++level) {
+    for (const Ref value : schedule_.statements) {
+      if (level_[index(value)] != level) {
+        continue;
+      }
+      if (is_local(value)) {
+        names_.assign(value);
+        statements_.push_back({.value = value});
+      }
+      list_stores(value);
     }
-    list_stores(value);
+    list_constants(level);
   }
-  list_constants();
 }
 
 void Writer::list_stores(Ref value) {
@@ -145,12 +171,12 @@ void Writer::list_stores(Ref value) {
   }
 }
 
-/// Outputs that are constants or inputs; zeros last.
-void Writer::list_constants() {
+/// Outputs that are constants or inputs of this level; zeros last.
+void Writer::list_constants(int level) {
   for (const bool zeros : {false, true}) {
     for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
       const Ref value = function_.outputs[output];
-      if (!is_operation(value) && (value == 0) == zeros) {
+      if (!is_operation(value) && (value == 0) == zeros && level_[index(value)] == level) {
         statements_.push_back({.value = value, .output = static_cast<int>(output)});
       }
     }
@@ -216,7 +242,7 @@ void Writer::divide() {
   std::size_t part = 0;
   std::size_t end = best_cut(crossing, 0);
   for (std::size_t at = 0; at < statements_.size(); ++at) {
-    if (at == end) {
+    if (at == end || (at > 0 && level_of(at) != level_of(at - 1))) {
       ++part;
       end = at + kLargestPart < statements_.size() ? best_cut(crossing, at) : statements_.size();
     }
@@ -341,6 +367,9 @@ void Writer::note_arrays(const Statement& statement, Part& part) const {
   if (statement.output >= 0) {
     part.uses[inputs + output_array(statement.output)] = true;
   }
+  if (statement.copy_of >= 0) {
+    part.uses[inputs + output_array(statement.copy_of)] = true;
+  }
   visit_atoms(statement, [&](Ref value) {
     part.uses_workspace |= shared_[index(value)] && part_of_[index(value)] != statement.part;
     if (graph_.node(value).kind == Kind::kInput) {
@@ -363,11 +392,16 @@ Body Writer::write() {
     const Statement& statement = statements_[at];
     if (result.parts.size() <= statement.part) {
       result.parts.push_back({{},
+                              level_of(at),
                               std::vector<bool>(function_.signature.inputs.size() +
                                                 function_.signature.outputs.size())});
       current = -1;
     }
     Part& part = result.parts.back();
+    while (static_cast<int>(result.stages.size()) < level_of(at)) {
+      result.stages.push_back(part.lines.size());
+      current = -1;
+    }
     note_body(at, part, current);
     note_arrays(statement, part);
     part.lines.push_back(text(statement));
@@ -387,8 +421,9 @@ Body Writer::write() {
 
 }  // namespace
 
-Body body(const program::Function& function, const Vocabulary& words, const Target& target) {
-  return Writer(function, words, target).write();
+Body body(const program::Function& function, const Vocabulary& words, const Target& target,
+          const std::function<int(int, int)>& level) {
+  return Writer(function, words, target, level).write();
 }
 
 }  // namespace treedyn::emit

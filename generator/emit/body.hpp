@@ -1,6 +1,7 @@
 // The statements of one function, split into parts that a compiler digests.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace treedyn::emit {
 /// A part of a function: the statements of one C++ function body.
 struct Part {
   std::vector<std::string> lines;  ///< without indentation; comments and statements
+  int level = 0;                   ///< stage of its first line
   std::vector<bool> uses;          ///< which arrays it touches: inputs, then outputs
   bool uses_workspace = false;
 };
@@ -21,6 +23,7 @@ struct Part {
 struct Body {
   std::vector<Part> parts;
   std::vector<std::string> workspace;  ///< values that one part computes and another one needs
+  std::vector<std::size_t> stages;     ///< of a single part: where stages 1, 2, .. begin
   int statements = 0;
   int structural_zeros = 0;
 };
@@ -28,6 +31,9 @@ struct Body {
 /// Order, names and statements of a function. Every line fits into 100 columns with an indentation
 /// of two; the operations are exactly those of the graph.
 /// \throws std::range_error if a constant is too large for the scalar type.
-Body body(const program::Function& function, const Vocabulary& words, const Target& target);
+/// \param level  stage of an input element (array, element), see program::Staged; the statements of
+///               a stage stand behind those of the stages before it
+Body body(const program::Function& function, const Vocabulary& words, const Target& target,
+          const std::function<int(int, int)>& level = {});
 
 }  // namespace treedyn::emit

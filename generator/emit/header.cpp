@@ -118,8 +118,8 @@ std::string array_doc(const program::Array& array, bool output, std::size_t name
       fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name, name_width));
 }
 
-std::string function_doc(const program::Function& function) {
-  const program::Signature& signature = function.signature;
+/// What it does and its arguments.
+std::string signature_doc(const program::Signature& signature) {
   std::size_t name_width = 0;
   for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
     for (const program::Array& array : *arrays) {
@@ -133,8 +133,34 @@ std::string function_doc(const program::Function& function) {
   for (const program::Array& array : signature.outputs) {
     result += array_doc(array, true, name_width);
   }
-  return result + wrapped(fmt::format("Equation {}. Cost: {}.", signature.equation,
-                                      cost_text(program::cost(function))),
+  return result;
+}
+
+std::string function_doc(const program::Function& function) {
+  const program::Signature& signature = function.signature;
+  return signature_doc(signature) +
+         wrapped(fmt::format("Equation {}. Cost: {}.", signature.equation,
+                             cost_text(program::cost(function))),
+                 "/// ");
+}
+
+/// The rows of lambda, the cost of the regular path and the bound.
+std::string staged_doc(const program::Staged& staged) {
+  std::string result = signature_doc(staged.signature);
+  for (std::size_t k = 0; k < staged.rows.size(); ++k) {
+    const std::string text = for_comment(staged.rows[k], kLongestCell * 2);
+    result += wrapped(fmt::format("Row {}: {}", k, text), "/// ", 4);
+  }
+  for (const program::RowSolve& solve : staged.solves) {
+    if (!solve.regular()) {
+      result += wrapped(
+          fmt::format("The {} rows have rank {}: lambda is of least norm.", solve.rows, solve.rank),
+          "/// ");
+    }
+  }
+  return result + wrapped(fmt::format("Equation {}. Cost: {}. Never more than {}.",
+                                      staged.signature.equation, cost_text(program::cost(staged)),
+                                      cost_text(program::worst_cost(staged))),
                           "/// ");
 }
 
@@ -153,15 +179,18 @@ std::string scalar_declaration(const Target& target) {
       target.lanes, type);
 }
 
+std::string prototype(const program::Signature& signature) {
+  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
+  return declaration("void " + signature.name, parameters(signature, all), " noexcept;") + "\n";
+}
+
 std::string declarations(const Unit& unit) {
   std::string result;
   for (const program::Function& function : unit.functions) {
-    const program::Signature& signature = function.signature;
-    const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
-    result += "\n";
-    result += function_doc(function) +
-              declaration("void " + signature.name, parameters(signature, all), " noexcept;") +
-              "\n";
+    result += "\n" + function_doc(function) + prototype(function.signature);
+  }
+  for (const program::Staged& staged : unit.staged) {
+    result += "\n" + staged_doc(staged) + prototype(staged.signature);
   }
   return result;
 }

@@ -51,14 +51,24 @@ std::string arrays_json(const std::vector<program::Array>& arrays) {
   return result + "]";
 }
 
-std::string function_json(const program::Function& function, const Body& body) {
-  const program::Signature& signature = function.signature;
+/// \param cost  the operations, and what else the manifest says of them, as JSON
+std::string function_json(const program::Signature& signature, const Body& body,
+                          const std::string& cost) {
   return fmt::format(
       "{{\"name\": {}, \"equation\": {},\n     \"inputs\": {},\n     \"outputs\": {},\n"
       "     \"operations\": {},\n     \"statements\": {}, \"structural_zeros\": {}}}",
       json_string(signature.name), json_string(signature.equation), arrays_json(signature.inputs),
-      arrays_json(signature.outputs), operations_json(program::cost(function)), body.statements,
-      body.structural_zeros);
+      arrays_json(signature.outputs), cost, body.statements, body.structural_zeros);
+}
+
+/// Operations of the path that regular states take, and of the dearest call.
+std::string staged_cost(const program::Staged& staged) {
+  std::string result = operations_json(program::cost(staged));
+  for (const program::RowSolve& solve : staged.solves) {
+    result += fmt::format(",\n     \"rows\": {}, \"rank\": {}", solve.rows, solve.rank);
+  }
+  return fmt::format("{},\n     \"worst_case\": {}", result,
+                     operations_json(program::worst_cost(staged)));
 }
 
 }  // namespace
@@ -74,8 +84,15 @@ std::string operations_json(const program::Cost& cost) {
 
 std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
   std::vector<std::string> functions;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    functions.push_back(function_json(unit.functions[k], bodies[k]));
+  const std::size_t plain = unit.functions.size();
+  for (std::size_t k = 0; k < plain; ++k) {
+    const program::Function& function = unit.functions[k];
+    functions.push_back(
+        function_json(function.signature, bodies[k], operations_json(program::cost(function))));
+  }
+  for (std::size_t k = plain; k < bodies.size(); ++k) {
+    const program::Staged& staged = unit.staged[k - plain];
+    functions.push_back(function_json(staged.signature, bodies[k], staged_cost(staged)));
   }
   return fmt::format(
       "{{\n  \"name\": {},\n  \"tool\": {},\n  \"model\": {},\n  \"options\": {},\n"

@@ -4,6 +4,7 @@
 #include "emit/header.hpp"
 #include "emit/manifest.hpp"
 #include "emit/source.hpp"
+#include "emit/staged.hpp"
 
 namespace treedyn::emit {
 
@@ -14,9 +15,12 @@ std::vector<std::string> file_names(const std::string& name) {
 std::vector<File> emit_files(const Unit& unit) {
   const Vocabulary words = vocabulary(*unit.tree);
   std::vector<Body> bodies;
-  bodies.reserve(unit.functions.size());
+  bodies.reserve(unit.functions.size() + unit.staged.size());
   for (const program::Function& function : unit.functions) {
     bodies.push_back(body(function, words, unit.target));
+  }
+  for (const program::Staged& staged : unit.staged) {
+    bodies.push_back(staged_body(staged, words, unit.target));
   }
   const std::vector<std::string> names = file_names(unit.name);
   return {{names[0], header_text(unit)},

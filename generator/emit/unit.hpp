@@ -7,7 +7,7 @@
 
 #include "emit/literal.hpp"
 #include "model/tree.hpp"
-#include "program/function.hpp"
+#include "program/staged.hpp"
 
 namespace treedyn::emit {
 
@@ -17,6 +17,7 @@ struct Unit {
   const model::Tree* tree = nullptr;
   std::vector<model::Point> points;
   std::vector<program::Function> functions;
+  std::vector<program::Staged> staged;  ///< behind `functions`
   Target target;
   std::vector<std::string> command;  ///< program and arguments that reproduce the files
   std::string tool;                  ///< "treedyn 0.1.0", for the manifest only

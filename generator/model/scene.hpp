@@ -1,30 +1,32 @@
-// A scene: a tree and exactly the effects that act on it, checked once.
+// A scene: a tree and exactly the effects that act on it, checked once. What does not act is not in
+// it: an empty list, a zero, `velocity_products` false.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/expression.hpp"
 #include "model/tree.hpp"
 
 namespace treedyn::model {
 
-/// c(t) = center + velocity t + A1 cos(omega t + phase) u + A2 sin(omega t + phase) v, base frame.
+/// Three components, base frame.
+using VectorExpression = std::array<Expression, 3>;
+
+/// Where a point shall be: expressions of t alone, with their derivatives.
 struct Curve {
-  Vector3 center{};
-  Vector3 velocity{};
-  Vector3 u{};
-  Vector3 v{};
-  Real A1 = 0;
-  Real A2 = 0;
-  Real omega = 0;  ///< rad/s
-  Real phase = 0;  ///< rad
+  VectorExpression position;      ///< m
+  VectorExpression velocity;      ///< d/dt
+  VectorExpression acceleration;  ///< d2/dt2
 };
 
 enum class ConstraintKind {
   kPoint,        ///< a point follows its curve along `directions`
   kOrientation,  ///< the link of a point keeps its orientation about `directions`
   kJoined,       ///< two points coincide along `directions`
+  kJoint,        ///< a joint follows `curve.position[0]`: locked, or led; one row, no direction
 };
 
 /// Bilateral rows, one per direction; their reactions act on the link of `point`.
@@ -33,8 +35,18 @@ struct Constraint {
   ConstraintKind kind = ConstraintKind::kPoint;
   int point = 0;   ///< of Scene::points
   int other = -1;  ///< kJoined: the second point, its link takes the opposite reactions
+  int joint = -1;  ///< kJoint
   std::vector<Vector3> directions;  ///< base frame
-  Curve curve;                      ///< kPoint
+  Curve curve;                      ///< kPoint, kJoint
+  /// The curve moves to where the point (the joint) is whenever the constraint begins to act.
+  bool pinned = false;
+  /// Empty, or one per row: the row states its acceleration J qdd + gamma instead, of t, q, qd; it
+  /// has no position error and is not stabilised.
+  std::vector<Expression> accelerations;
+
+  [[nodiscard]] std::size_t rows() const {
+    return kind == ConstraintKind::kJoint ? 1 : directions.size();
+  }
 };
 
 /// tau = -stiffness (q - rest) - damping qd.
@@ -54,10 +66,11 @@ struct PointSpring {
   Real rest_length = 0;
 };
 
-/// A constant moment on the link of a point, or a constant force at the point, base frame.
+/// A moment on the link of a point, or a force at the point, base frame; of t, q, qd and the
+/// position and velocity of the point.
 struct PointLoad {
   int point = 0;
-  Vector3 value{};
+  VectorExpression value;
 };
 
 /// height(p) = normal . p - height.
@@ -71,17 +84,49 @@ struct Plane {
 struct GroundContact {
   int point = 0;
   Plane plane;
-  Real stiffness = 0;    ///< k
-  Real exponent = 1;     ///< n
-  Real dissipation = 0;  ///< c, s/m
-  Real friction = 0;     ///< mu
-  Real slip_speed = 0;   ///< vs, m/s; positive if mu is
+  Real stiffness = 0;             ///< k
+  Real exponent = 1;              ///< n
+  Real dissipation = 0;           ///< c, s/m
+  Real friction = 0;              ///< mu
+  Real slip_speed = 0;            ///< vs, m/s; positive if mu is
+  std::optional<Expression> law;  ///< f of depth and normal speed instead; f >= 0 still
 };
 
-/// Dry friction of a joint, exact: sticks while the holding force is below `force`.
+/// tau = -coefficient qd.
+struct ViscousFriction {
+  int joint = 0;
+  Real coefficient = 0;  ///< N m s or N s/m
+};
+
+/// Dry friction of a joint. slip_speed > 0: tau = -force qd / sqrt(qd^2 + slip_speed^2), which
+/// creeps instead of sticking. slip_speed = 0: exact, sticks while the holding force is below
+/// `force`.
 struct JointFriction {
   int joint = 0;
-  Real force = 0;  ///< N m or N
+  Real force = 0;       ///< N m or N
+  Real slip_speed = 0;  ///< rad/s or m/s
+};
+
+/// tau = -(force + (static_force - force) / (1 + (qd/stribeck_speed)^2))
+///       qd / sqrt(qd^2 + slip_speed^2).
+struct StribeckFriction {
+  int joint = 0;
+  Real force = 0;         ///< at high speed, N m or N
+  Real static_force = 0;  ///< at low speed
+  Real stribeck_speed = 0;
+  Real slip_speed = 0;  ///< positive
+};
+
+/// Reflected inertia of a rotor: A_jj grows by it.
+struct Armature {
+  int joint = 0;
+  Real inertia = 0;  ///< kg m^2 or kg
+};
+
+/// A torque (force) of t, q, qd; controllers are expressions.
+struct Motor {
+  int joint = 0;
+  Expression torque;
 };
 
 /// Velocities jump such that the rows of `constraints` move with -restitution times their speed.
@@ -91,10 +136,20 @@ struct Impact {
   Real rest_below = 0;  ///< m/s; a slower rebound is rest: the rows become active
 };
 
-/// The height of a point over a plane crosses zero downwards.
+enum class EventKind {
+  kHeight,      ///< the height of `point` over `plane` crosses zero downwards: touch-down
+  kReaction,    ///< plane.normal . (force of `constraint`) becomes negative: lift-off
+  kTime,        ///< the phase has lasted `not_before`
+  kExpression,  ///< `value` of t, q, qd crosses zero downwards
+};
+
+/// What ends a phase.
 struct Event {
+  EventKind kind = EventKind::kHeight;
   int point = 0;
+  int constraint = -1;
   Plane plane;
+  Expression value;
   Real not_before = 0;  ///< s after the phase began
   std::optional<Impact> impact;
   std::vector<int> pins;  ///< constraints whose curve moves to where their points are
@@ -107,10 +162,24 @@ struct Phase {
   std::vector<Event> until;
 };
 
+enum class Drift { kNone, kBaumgarte, kProjection };
+
+/// How a scene is stepped.
+struct Stepping {
+  std::string integrator = "fehlberg78";
+  Location where;                  ///< of the integrator's name
+  Real step = Real("1e-3");        ///< s, methods with fixed steps
+  Real tolerance = Real("1e-10");  ///< error of a step, relative and absolute, adaptive methods
+  Drift drift = Drift::kProjection;
+  Real stabilisation = 20;  ///< alpha of Baumgarte, 1/s
+  Real output_step = 0;     ///< s between printed states; 0: duration/500
+};
+
 struct Scene {
   std::string name;
   Tree tree;
-  Vector3 gravity{};
+  Vector3 gravity{};              ///< zero: off
+  bool velocity_products = true;  ///< false: B(q, qd) and gamma are dropped, quasi-static
   std::vector<Real> q0;
   std::vector<Real> qd0;
   std::vector<Real> tau;  ///< constant joint forces; empty: none
@@ -123,9 +192,14 @@ struct Scene {
   std::vector<PointLoad> torques;
   std::vector<PointLoad> forces;
   std::vector<GroundContact> contacts;
+  std::vector<ViscousFriction> viscous_frictions;
   std::vector<JointFriction> frictions;
+  std::vector<StribeckFriction> stribeck_frictions;
+  std::vector<Armature> armatures;
+  std::vector<Motor> motors;
   std::vector<Phase> phases;  ///< at least one
   int start_phase = 0;
+  Stepping stepping;
 };
 
 }  // namespace treedyn::model

@@ -71,4 +71,39 @@ std::vector<Expr> Factorization::solve(std::vector<Expr> x) const {
   return x;
 }
 
+std::vector<Expr> Factorization::to_root(std::vector<Expr> x) const {
+  for (int k = size() - 1; k >= 0; --k) {
+    for (const auto& [i, l_ki] : row(k)) {
+      const Expr term = l_ki * x[static_cast<std::size_t>(k)];
+      x[static_cast<std::size_t>(i)] -= term;
+    }
+  }
+  return x;
+}
+
+std::map<int, Expr> Factorization::to_root(std::map<int, Expr> x) const {
+  for (int k = size() - 1; k >= 0; --k) {
+    const auto entry = x.find(k);
+    if (entry == x.end() || entry->second.is_zero()) {
+      continue;
+    }
+    const Expr x_k = entry->second;
+    for (const auto& [i, l_ki] : row(k)) {
+      const Expr term = l_ki * x_k;
+      x[i] -= term;
+    }
+  }
+  return x;
+}
+
+std::vector<Expr> Factorization::from_root(std::vector<Expr> x) const {
+  for (int k = 0; k < size(); ++k) {
+    for (const auto& [i, l_ki] : row(k)) {
+      const Expr term = l_ki * x[static_cast<std::size_t>(i)];
+      x[static_cast<std::size_t>(k)] -= term;
+    }
+  }
+  return x;
+}
+
 }  // namespace treedyn::simplify

@@ -19,6 +19,12 @@ class Factorization {
 
   /// x of A x = right, by one sweep to the root and one back.
   [[nodiscard]] std::vector<Expr> solve(std::vector<Expr> right) const;
+  /// y of L^T y = right: the sweep to the root.
+  [[nodiscard]] std::vector<Expr> to_root(std::vector<Expr> right) const;
+  /// The same for a column whose absent entries are zero; the ancestors of its entries join them.
+  [[nodiscard]] std::map<int, Expr> to_root(std::map<int, Expr> right) const;
+  /// x of L x = right: the sweep from the root.
+  [[nodiscard]] std::vector<Expr> from_root(std::vector<Expr> right) const;
 
   [[nodiscard]] Expr pivot(int k) const { return pivot_[static_cast<std::size_t>(k)]; }
   [[nodiscard]] Expr inverse_pivot(int k) const { return inverse_[static_cast<std::size_t>(k)]; }

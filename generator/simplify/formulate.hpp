@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/tree.hpp"
+#include "model/scene.hpp"
 #include "program/function.hpp"
 #include "simplify/passes.hpp"
 
@@ -20,6 +20,8 @@ struct Options {
   int effort = 2000;                 ///< moves of the variant search per function; 0: none
   ForwardDynamics forward_dynamics = ForwardDynamics::kCheapest;
   std::vector<Pass> without;  ///< passes that are switched off
+  const model::Scene* scene = nullptr;  ///< of scene functions
+  std::vector<int> active;  ///< of scene functions: the constraints that act, ascending
 
   [[nodiscard]] bool has(Pass pass) const {
     return std::find(without.begin(), without.end(), pass) == without.end();

@@ -1,5 +1,7 @@
 #include "simplify/forward.hpp"
 
+#include <algorithm>
+
 #include "common/error.hpp"
 #include "simplify/articulated.hpp"
 #include "simplify/composite.hpp"
@@ -11,32 +13,6 @@ namespace treedyn::simplify {
 namespace {
 
 constexpr int kTrunk = 5;
-
-/// Velocity of the trunk and the part of its angular acceleration that the speeds alone cause.
-struct TrunkVelocity {
-  Vec3 omega;
-  Vec3 zeta;
-};
-
-TrunkVelocity trunk_velocity(const Kinematics& k) {
-  TrunkVelocity v;
-  for (int i = 3; i <= kTrunk; ++i) {
-    const Expr qd = k.speed(i);
-    const Vec3 w = k.from_father(i, v.omega);
-    const Vec3 zeta = k.from_father(i, v.zeta);
-    v.zeta = {zeta[0] + w[1] * qd, zeta[1] - w[0] * qd, zeta[2]};
-    v.omega = {w[0], w[1], w[2] + qd};
-  }
-  return v;
-}
-
-/// The base's turning axes in the trunk: a3 = sine z + cosine b, a4, z with b, a4, z orthonormal.
-struct Gimbal {
-  BaseAxes axes;
-  Vec3 b;
-  Expr sine;
-  Expr inverse_cosine;
-};
 
 Gimbal gimbal(const Kinematics& k) {
   Gimbal g;
@@ -61,16 +37,16 @@ Gimbal gimbal(const Kinematics& k) {
 }
 
 /// The drive forces of the base joints as a wrench on the trunk.
-Wrench drive_wrench(const Kinematics& k, const Gimbal& g) {
+Wrench drive_wrench(const Gimbal& g, const JointForce& force) {
   Wrench w;
   for (int joint = 0; joint < 3; ++joint) {
-    w.force = w.force + k.force(joint) * g.axes.sliding[static_cast<std::size_t>(joint)];
+    w.force = w.force + force(joint) * g.axes.sliding[static_cast<std::size_t>(joint)];
   }
-  const Expr t = (k.force(3) - g.sine * k.force(5)) * g.inverse_cosine;
+  const Expr t = (force(3) - g.sine * force(5)) * g.inverse_cosine;
   for (std::size_t n = 0; n < 2; ++n) {
-    w.moment[n] = k.force(4) * g.axes.second[n] + t * g.b[n];
+    w.moment[n] = force(4) * g.axes.second[n] + t * g.b[n];
   }
-  w.moment[2] = k.force(5);
+  w.moment[2] = force(5);
   return w;
 }
 
@@ -93,43 +69,35 @@ void add_trunk_rows(const Kinematics::Body& body, bool inertia_tensor, SparseSym
   }
 }
 
-/// Accelerations: trunk linear, trunk angular, joints of the limbs.
-struct Accelerations {
-  Vec3 linear;
-  Vec3 angular;
-  std::vector<Expr> qdd;
-};
-
-Accelerations by_factor(const Kinematics& k, const Wrench& drive, const Vec3& omega) {
+/// The rows of A and of the right side, in the coordinates of a TrunkSystem.
+void add_equations(const Kinematics& k, const Wrench& drive, const JointForce& force,
+                   TrunkSystem& system) {
   const Trunk trunk = trunk_composite(k);
-  const TrunkBias bias = trunk_bias(k, omega);
-  SparseSymmetric a = trunk.limbs;
-  add_trunk_rows(trunk.body, k.variant().inertia_tensor, a);
+  const TrunkBias bias = trunk_bias(k, system.velocity.omega);
+  system.a = trunk.limbs;
+  add_trunk_rows(trunk.body, k.variant().inertia_tensor, system.a);
   for (const Trunk::Column& column : trunk.columns) {
     const bool positive = k.link(column.joint).sign > 0;
     for (int n = 0; n < 3; ++n) {
       const auto m = static_cast<std::size_t>(n);
-      a[{column.joint, n}] = positive ? column.force[m] : -column.force[m];
-      a[{column.joint, 3 + n}] = positive ? column.moment[m] : -column.moment[m];
+      system.a[{column.joint, n}] = positive ? column.force[m] : -column.force[m];
+      system.a[{column.joint, 3 + n}] = positive ? column.moment[m] : -column.moment[m];
     }
   }
-  std::vector<Expr> right(static_cast<std::size_t>(k.size()));
+  system.right.resize(static_cast<std::size_t>(k.size()));
   for (std::size_t n = 0; n < 3; ++n) {
-    right[n] = drive.force[n] - bias.trunk.force[n];
-    right[3 + n] = drive.moment[n] - bias.trunk.moment[n];
+    system.right[n] = drive.force[n] - bias.trunk.force[n];
+    system.right[3 + n] = drive.moment[n] - bias.trunk.moment[n];
   }
   for (int i = kTrunk + 1; i < k.size(); ++i) {
-    const Expr tau = k.link(i).sign > 0 ? k.force(i) : -k.force(i);
-    right[static_cast<std::size_t>(i)] = tau - bias.tau[static_cast<std::size_t>(i)];
+    const Expr tau = k.link(i).sign > 0 ? force(i) : -force(i);
+    system.right[static_cast<std::size_t>(i)] = tau - bias.tau[static_cast<std::size_t>(i)];
   }
-  Accelerations result;
-  result.qdd = Factorization(k.graph(), k.size(), a).solve(right);
-  result.linear = {result.qdd[0], result.qdd[1], result.qdd[2]};
-  result.angular = {result.qdd[3], result.qdd[4], result.qdd[5]};
-  return result;
 }
 
-Accelerations by_articulated_limbs(const Kinematics& k, const Wrench& drive, const Vec3& omega) {
+/// x of `joint_accelerations`.
+std::vector<Expr> by_articulated_limbs(const Kinematics& k, const Wrench& drive,
+                                       const Vec3& omega) {
   const ArticulatedLimbs limbs(k, kTrunk + 1, omega);
   const ArticulatedInertia& trunk = limbs.trunk();
   SparseSymmetric a;
@@ -150,40 +118,75 @@ Accelerations by_articulated_limbs(const Kinematics& k, const Wrench& drive, con
     right[3 + n] = drive.moment[n] - trunk.bias.moment[n];
   }
   const std::vector<Expr> x = Factorization(k.graph(), 6, a).solve(right);
-  Accelerations result;
-  result.linear = {x[0], x[1], x[2]};
-  result.angular = {x[3], x[4], x[5]};
-  result.qdd = limbs.accelerations(result.angular, result.linear);
+  std::vector<Expr> result = limbs.accelerations({x[3], x[4], x[5]}, {x[0], x[1], x[2]});
+  std::copy(x.begin(), x.end(), result.begin());
   return result;
 }
 
 }  // namespace
 
-std::vector<Expr> forward_dynamics_by_trunk(const Kinematics& k, const Vec3& gravity,
-                                            bool articulated) {
+TrunkVelocity trunk_velocity(const Kinematics& k) {
+  TrunkVelocity v;
+  for (int i = 3; i <= kTrunk; ++i) {
+    const Expr qd = k.speed(i);
+    const Vec3 w = k.from_father(i, v.omega);
+    const Vec3 zeta = k.from_father(i, v.zeta);
+    v.zeta = {zeta[0] + w[1] * qd, zeta[1] - w[0] * qd, zeta[2]};
+    v.omega = {w[0], w[1], w[2] + qd};
+  }
+  return v;
+}
+
+TrunkSystem trunk_system(const Kinematics& k, const JointForce& force) {
   k.graph().set_body(kTrunk);
-  const Gimbal g = gimbal(k);
-  const Wrench drive = drive_wrench(k, g);
-  const TrunkVelocity velocity = trunk_velocity(k);
-  Accelerations result = articulated ? by_articulated_limbs(k, drive, velocity.omega)
-                                     : by_factor(k, drive, velocity.omega);
+  TrunkSystem system;
+  system.gimbal = gimbal(k);
+  const Wrench drive = drive_wrench(system.gimbal, force);
+  system.velocity = trunk_velocity(k);
+  add_equations(k, drive, force, system);
+  return system;
+}
+
+std::vector<Expr> joint_accelerations(const Kinematics& k, const Gimbal& g,
+                                      const TrunkVelocity& velocity, const Vec3& gravity,
+                                      std::vector<Expr> x) {
+  const Vec3 linear = {x[0], x[1], x[2]};
+  const Vec3 angular = {x[3], x[4], x[5]};
   k.graph().set_body(kTrunk);
-  const Vec3 d = result.angular - velocity.zeta;
+  const Vec3 d = angular - velocity.zeta;
   const Expr q3 = dot(g.b, d) * g.inverse_cosine;
   const std::array<Expr, 3> turning = {q3, dot(g.axes.second, d), d[2] - g.sine * q3};
   Vec3 down = gravity;
   for (int joint = 0; joint < 6; ++joint) {
     const auto n = static_cast<std::size_t>(joint);
-    Expr x;
+    Expr a;
     if (joint < 3) {
       down = k.from_father(joint, down);
-      x = dot(g.axes.sliding[n], result.linear) + down[2];
+      a = dot(g.axes.sliding[n], linear) + down[2];
     } else {
-      x = turning[n - 3];
+      a = turning[n - 3];
     }
-    result.qdd[n] = k.link(joint).sign > 0 ? x : -x;
+    x[n] = k.link(joint).sign > 0 ? a : -a;
   }
-  return result.qdd;
+  return x;
+}
+
+std::vector<Expr> forward_dynamics_by_trunk(const Kinematics& k, const Vec3& gravity,
+                                            bool articulated) {
+  const JointForce force = [&k](int i) {
+    return k.force(i);
+  };
+  if (!articulated) {
+    const TrunkSystem s = trunk_system(k, force);
+    const std::vector<Expr> x = Factorization(k.graph(), k.size(), s.a).solve(s.right);
+    return joint_accelerations(k, s.gimbal, s.velocity, gravity, x);
+  }
+  k.graph().set_body(kTrunk);
+  const Gimbal g = gimbal(k);
+  const Wrench drive = drive_wrench(g, force);
+  const TrunkVelocity velocity = trunk_velocity(k);
+  return joint_accelerations(k, g, velocity, gravity,
+                             by_articulated_limbs(k, drive, velocity.omega));
 }
 
 }  // namespace treedyn::simplify

@@ -1,11 +1,47 @@
 // Forward dynamics: qdd = A^-1 (tau - B - G), by factoring A or by articulated bodies.
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "simplify/composite.hpp"
 #include "simplify/kinematics.hpp"
 
 namespace treedyn::simplify {
+
+/// Drive force of joint i along +z of its normal frame.
+using JointForce = std::function<Expr(int)>;
+
+/// The base's turning axes in the trunk: a3 = sine z + cosine b, a4, z with b, a4, z orthonormal.
+struct Gimbal {
+  BaseAxes axes;
+  Vec3 b;
+  Expr sine;
+  Expr inverse_cosine;
+};
+
+/// Velocity of the trunk and the part of its angular acceleration that the speeds alone cause.
+struct TrunkVelocity {
+  Vec3 omega;
+  Vec3 zeta;
+};
+TrunkVelocity trunk_velocity(const Kinematics& kinematics);
+
+/// A x = right of a free base. x: linear acceleration of the trunk's origin minus gravity (0..2)
+/// and angular acceleration of the trunk (3..5), both in the trunk's frame; the accelerations of
+/// the limbs' joints.
+struct TrunkSystem {
+  Gimbal gimbal;
+  TrunkVelocity velocity;
+  SparseSymmetric a;
+  std::vector<Expr> right;
+};
+TrunkSystem trunk_system(const Kinematics& kinematics, const JointForce& force);
+
+/// qdd for the x of a TrunkSystem.
+std::vector<Expr> joint_accelerations(const Kinematics& kinematics, const Gimbal& gimbal,
+                                      const TrunkVelocity& velocity, const Vec3& gravity,
+                                      std::vector<Expr> x);
 
 /// Forward dynamics of a free base: the trunk's six accelerations are solved for first, in the
 /// trunk's frame; the base joints' accelerations follow from them. Singular where the base's second

@@ -37,6 +37,7 @@ struct Freedom {
   bool articulated = false;   ///< two methods exist
   bool two_ways = false;      ///< points: from the root or to the root
   bool fixed_frames = false;  ///< results refer to the model\'s own link origins: no slide
+  bool fixed_length = false;  ///< points occur: the metre stays the unit of length
 };
 
 struct Recipe {

@@ -124,7 +124,8 @@ void add_global_choices(const model::Tree& tree, const Freedom& freedom, const O
     }
   };
   const bool gauges = freedom.regrouping && options.has(Pass::kRegrouping);
-  const int lengths = gauges ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
+  const int lengths =
+      gauges && !freedom.fixed_length ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
   add(true, lengths, [](Variant& v, const std::vector<int>&, int k) { v.unit_length = k; });
   add(freedom.tensor_form && options.has(Pass::kPseudoInertia), 2,
       [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });

@@ -269,4 +269,16 @@ TrunkBias trunk_bias(const Kinematics& k, const Vec3& omega) {
   return bias;
 }
 
+std::vector<Motion> limb_motions(const Kinematics& k, const Vec3& omega) {
+  NewtonEuler sweep(k);
+  sweep.set_motion(kTrunk, motion(omega, {}, {}));
+  std::vector<Motion> result(kTrunk);
+  result.push_back(sweep.motion_of(kTrunk));
+  for (int i = kTrunk + 1; i < k.size(); ++i) {
+    sweep.forward(i, {});
+    result.push_back(sweep.motion_of(i));
+  }
+  return result;
+}
+
 }  // namespace treedyn::simplify

@@ -44,5 +44,7 @@ struct TrunkBias {
 };
 /// \param omega angular velocity of the trunk in its frame
 TrunkBias trunk_bias(const Kinematics& kinematics, const Vec3& omega);
+/// Motions of the trunk and of the limbs of a free base in the same state; those before are empty.
+std::vector<Motion> limb_motions(const Kinematics& kinematics, const Vec3& omega);
 
 }  // namespace treedyn::simplify

@@ -1,14 +1,10 @@
 #include "simulation/constraints.hpp"
 
-#include <cmath>
-
 namespace treedyn::simulation {
 
 namespace {
 
 using model::ConstraintKind;
-
-double value(const Real& x) { return static_cast<double>(x); }
 
 Eigen::Matrix3d rotation(const Terms& terms, int point) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(terms.R().data() +
@@ -23,27 +19,25 @@ Eigen::Vector3d turn(const Eigen::Matrix3d& to, const Eigen::Matrix3d& from) {
 
 }  // namespace
 
-Eigen::Vector3d Constraints::Curve::at(double t, int derivative) const {
-  const double angle = omega * t + phase;
-  switch (derivative) {
-    case 0:
-      return center + velocity * t + A1 * std::cos(angle) * u + A2 * std::sin(angle) * v;
-    case 1:
-      return velocity - A1 * omega * std::sin(angle) * u + A2 * omega * std::cos(angle) * v;
-    default:
-      return -omega * omega * (A1 * std::cos(angle) * u + A2 * std::sin(angle) * v);
-  }
-}
-
 Constraints::Constraints(const model::Scene& scene) {
   for (const model::Constraint& c : scene.constraints) {
-    Item item{c.kind, c.point, c.other, {}, {}, Eigen::Matrix3d::Identity()};
+    Item item{c.pinned,
+              c.kind,
+              c.point,
+              c.other,
+              c.joint,
+              {},
+              {VectorValue(c.curve.position), VectorValue(c.curve.velocity),
+               VectorValue(c.curve.acceleration)},
+              c.accelerations,
+              Eigen::Vector3d::Zero(),
+              Eigen::Matrix3d::Identity()};
     for (const model::Vector3& d : c.directions) {
       item.directions.push_back(vector_of(d));
     }
-    item.curve = {vector_of(c.curve.center), vector_of(c.curve.velocity), vector_of(c.curve.u),
-                  vector_of(c.curve.v),      value(c.curve.A1),           value(c.curve.A2),
-                  value(c.curve.omega),      value(c.curve.phase)};
+    if (c.kind == ConstraintKind::kJoint) {
+      item.directions = {Eigen::Vector3d::UnitX()};  // of the curve, whose x is the joint's goal
+    }
     items_.push_back(std::move(item));
   }
 }
@@ -52,8 +46,8 @@ void Constraints::activate(const std::vector<int>& constraints) {
   active_ = constraints;
   rows_.clear();
   for (const int c : constraints) {
-    for (const Eigen::Vector3d& d : item(c).directions) {
-      rows_.push_back({c, d});
+    for (std::size_t k = 0; k < item(c).directions.size(); ++k) {
+      rows_.push_back({c, k, item(c).directions[k]});
     }
   }
 }
@@ -62,77 +56,118 @@ bool Constraints::is_force(int row) const {
   return item(at(row).item).kind == ConstraintKind::kPoint;
 }
 
-void Constraints::hold(int constraint, const Terms& terms) {
+Eigen::Vector3d Constraints::position(const Item& item, double t) const {
+  return item.curve[0].at(t) + item.shift;
+}
+
+void Constraints::begin(int constraint, double t, const Vector& q, const Terms& terms) {
   Item& item = items_[static_cast<std::size_t>(constraint)];
+  if (item.pinned) {
+    pin(constraint, t, q, terms);
+  }
   if (item.kind == ConstraintKind::kOrientation) {
     item.orientation = rotation(terms, item.point);
   }
 }
 
-void Constraints::pin(int constraint, double t, const Terms& terms) {
+void Constraints::pin(int constraint, double t, const Vector& q, const Terms& terms) {
   Item& item = items_[static_cast<std::size_t>(constraint)];
   if (item.kind == ConstraintKind::kPoint) {
-    item.curve.center += terms.p().segment<3>(3 * item.point) - item.curve.at(t, 0);
+    item.shift += terms.p().segment<3>(3 * item.point) - position(item, t);
   }
-  hold(constraint, terms);
+  if (item.kind == ConstraintKind::kJoint) {
+    item.shift[0] += q[item.joint] - position(item, t)[0];
+  }
+  if (item.kind == ConstraintKind::kOrientation) {
+    item.orientation = rotation(terms, item.point);
+  }
 }
 
 void Constraints::jacobian(const Terms& terms, Matrix& J) const {
-  J.resize(rows(), terms.dof());
+  J.setZero(rows(), terms.dof());
   for (int k = 0; k < rows(); ++k) {
     const Item& c = item(at(k).item);
-    if (c.kind == ConstraintKind::kOrientation) {
-      J.row(k).noalias() = (terms.H().middleCols<3>(3 * c.point) * at(k).d).transpose();
-      continue;
-    }
-    J.row(k).noalias() = (terms.C().middleCols<3>(3 * c.point) * at(k).d).transpose();
-    if (c.kind == ConstraintKind::kJoined) {
-      J.row(k).noalias() -= (terms.C().middleCols<3>(3 * c.other) * at(k).d).transpose();
+    const Eigen::Vector3d& d = at(k).d;
+    switch (c.kind) {
+      case ConstraintKind::kPoint:
+        J.row(k).noalias() = (terms.C().middleCols<3>(3 * c.point) * d).transpose();
+        break;
+      case ConstraintKind::kOrientation:
+        J.row(k).noalias() = (terms.H().middleCols<3>(3 * c.point) * d).transpose();
+        break;
+      case ConstraintKind::kJoined:
+        J.row(k).noalias() = (terms.C().middleCols<3>(3 * c.point) * d).transpose();
+        J.row(k).noalias() -= (terms.C().middleCols<3>(3 * c.other) * d).transpose();
+        break;
+      case ConstraintKind::kJoint:
+        J(k, c.joint) = 1;
+        break;
     }
   }
 }
 
-void Constraints::errors(const Terms& terms, double t, Vector& phi) const {
-  phi.resize(rows());
+void Constraints::errors(const Terms& terms, double t, const Vector& q, Vector& phi) const {
+  phi.setZero(rows());
   for (int k = 0; k < rows(); ++k) {
+    if (!is_held(k)) {
+      continue;
+    }
     const Item& c = item(at(k).item);
-    if (c.kind == ConstraintKind::kOrientation) {
-      phi[k] = at(k).d.dot(turn(rotation(terms, c.point), c.orientation));
-    } else {
-      const Eigen::Vector3d goal = c.kind == ConstraintKind::kJoined
-                                       ? Eigen::Vector3d(terms.p().segment<3>(3 * c.other))
-                                       : c.curve.at(t, 0);
-      phi[k] = at(k).d.dot(terms.p().segment<3>(3 * c.point) - goal);
+    const auto p = [&](int point) {
+      return Eigen::Vector3d(terms.p().segment<3>(3 * point));
+    };
+    switch (c.kind) {
+      case ConstraintKind::kPoint:
+        phi[k] = at(k).d.dot(p(c.point) - position(c, t));
+        break;
+      case ConstraintKind::kOrientation:
+        phi[k] = at(k).d.dot(turn(rotation(terms, c.point), c.orientation));
+        break;
+      case ConstraintKind::kJoined:
+        phi[k] = at(k).d.dot(p(c.point) - p(c.other));
+        break;
+      case ConstraintKind::kJoint:
+        phi[k] = q[c.joint] - position(c, t)[0];
+        break;
     }
   }
 }
 
 void Constraints::velocities(double t, Vector& rate) const {
-  rate.resize(rows());
+  rate.setZero(rows());
   for (int k = 0; k < rows(); ++k) {
-    const Item& c = item(at(k).item);
-    rate[k] = c.kind == ConstraintKind::kPoint ? at(k).d.dot(c.curve.at(t, 1)) : 0;
+    if (is_held(k)) {
+      rate[k] = at(k).d.dot(item(at(k).item).curve[1].at(t));
+    }
   }
 }
 
-void Constraints::accelerations(const Terms& terms, double t, Vector& rhs) const {
+/// gamma of a row: d/dt(J) qd.
+double Constraints::bias(const Terms& terms, const Row& row) const {
+  const Item& c = item(row.item);
+  const auto gamma = [&](const VectorMap& all, int point) {
+    return row.d.dot(all.segment<3>(3 * point));
+  };
+  switch (c.kind) {
+    case ConstraintKind::kPoint:
+      return gamma(terms.gamma_f(), c.point);
+    case ConstraintKind::kOrientation:
+      return gamma(terms.gamma_n(), c.point);
+    case ConstraintKind::kJoined:
+      return gamma(terms.gamma_f(), c.point) - gamma(terms.gamma_f(), c.other);
+    case ConstraintKind::kJoint:
+      break;
+  }
+  return 0;
+}
+
+void Constraints::accelerations(const Terms& terms, const State& state, Vector& rhs) const {
   rhs.resize(rows());
   for (int k = 0; k < rows(); ++k) {
     const Item& c = item(at(k).item);
-    const auto gamma = [&](const VectorMap& all, int point) {
-      return at(k).d.dot(all.segment<3>(3 * point));
-    };
-    switch (c.kind) {
-      case ConstraintKind::kPoint:
-        rhs[k] = at(k).d.dot(c.curve.at(t, 2)) - gamma(terms.gamma_f(), c.point);
-        break;
-      case ConstraintKind::kOrientation:
-        rhs[k] = -gamma(terms.gamma_n(), c.point);
-        break;
-      case ConstraintKind::kJoined:
-        rhs[k] = gamma(terms.gamma_f(), c.other) - gamma(terms.gamma_f(), c.point);
-        break;
-    }
+    const double wanted = is_held(k) ? at(k).d.dot(c.curve[2].at(state.t))
+                                     : value_of(c.accelerations[at(k).number], state);
+    rhs[k] = wanted - bias(terms, at(k));
   }
 }
 

@@ -1,10 +1,12 @@
 // Constraint rows of a scene: errors, Jacobian and right-hand side of J qdd + gamma = a_des.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "model/scene.hpp"
 #include "simulation/forces.hpp"
+#include "simulation/state.hpp"
 
 namespace treedyn::simulation {
 
@@ -20,38 +22,43 @@ class Constraints {
   /// True for rows whose reaction is a force from outside (not a moment, not inside a loop).
   [[nodiscard]] bool is_force(int row) const;
   [[nodiscard]] const Eigen::Vector3d& direction(int row) const { return at(row).d; }
+  [[nodiscard]] int constraint(int row) const { return at(row).item; }
+  /// False for rows that state their acceleration: they have no position.
+  [[nodiscard]] bool is_held(int row) const { return item(at(row).item).accelerations.empty(); }
 
-  /// The orientation that a constraint holds is that of now.
-  void hold(int constraint, const Terms& terms);
+  /// A constraint begins to act: the orientation that it holds is that of now, and so is the place
+  /// of one that is pinned.
+  void begin(int constraint, double t, const Vector& q, const Terms& terms);
   /// The curve of a constraint moves such that its point is on it now.
-  void pin(int constraint, double t, const Terms& terms);
+  void pin(int constraint, double t, const Vector& q, const Terms& terms);
 
   /// J, r x N.
   void jacobian(const Terms& terms, Matrix& J) const;
-  /// Position errors, m or rad.
-  void errors(const Terms& terms, double t, Vector& phi) const;
-  /// Wanted J qd: the velocity of the curves.
+  /// Position errors, m or rad; 0 where a row is not held.
+  void errors(const Terms& terms, double t, const Vector& q, Vector& phi) const;
+  /// Wanted J qd: the velocity of the curves; 0 where a row is not held.
   void velocities(double t, Vector& rate) const;
   /// a_des - gamma, without stabilisation.
-  void accelerations(const Terms& terms, double t, Vector& rhs) const;
+  void accelerations(const Terms& terms, const State& state, Vector& rhs) const;
 
  private:
-  struct Curve {
-    Eigen::Vector3d center, velocity, u, v;
-    double A1, A2, omega, phase;
-    [[nodiscard]] Eigen::Vector3d at(double t, int derivative) const;
-  };
   struct Item {
+    bool pinned;
     model::ConstraintKind kind;
-    int point, other;
+    int point, other, joint;
     std::vector<Eigen::Vector3d> directions;
-    Curve curve;
+    std::array<VectorValue, 3> curve;  ///< and its derivatives
+    std::vector<model::Expression> accelerations;
+    Eigen::Vector3d shift;  ///< of the curve, by pins
     Eigen::Matrix3d orientation;
   };
   struct Row {
     int item;
+    std::size_t number;  ///< in its constraint
     Eigen::Vector3d d;
   };
+  [[nodiscard]] Eigen::Vector3d position(const Item& item, double t) const;
+  [[nodiscard]] double bias(const Terms& terms, const Row& row) const;
   [[nodiscard]] const Row& at(int row) const { return rows_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] const Item& item(int k) const { return items_[static_cast<std::size_t>(k)]; }
 

@@ -1,5 +1,7 @@
 #include "simulation/dynamics.hpp"
 
+#include <algorithm>
+
 namespace treedyn::simulation {
 
 Terms::Terms(int dof, int points, Needs needs) : dof_(dof), points_(points), needs_(needs) {
@@ -12,6 +14,15 @@ Terms::Terms(int dof, int points, Needs needs) : dof_(dof), points_(points), nee
     end += size;
   }
   values_.assign(end, 0);
+}
+
+void Terms::set_geometry(std::span<const double> values) {
+  auto from = values.begin();
+  for (const std::size_t array : {2U, 3U, 5U, 6U}) {
+    const auto size = static_cast<std::ptrdiff_t>(offsets_[array + 1] - offsets_[array]);
+    std::copy_n(from, size, values_.begin() + static_cast<std::ptrdiff_t>(offsets_[array]));
+    from += size;
+  }
 }
 
 }  // namespace treedyn::simulation

@@ -37,6 +37,8 @@ class Terms {
   [[nodiscard]] int points() const { return points_; }
   [[nodiscard]] Needs needs() const { return needs_; }
   [[nodiscard]] std::span<double> values() { return values_; }
+  /// p, C, R, H, those that are needed, one behind the other.
+  void set_geometry(std::span<const double> values);
   /// Where array number k of the list above stands in `values`.
   [[nodiscard]] std::size_t offset(std::size_t k) const { return offsets_[k]; }
 

@@ -22,7 +22,8 @@ ContactLaw::ContactLaw(const model::GroundContact& contact)
       n_(value(contact.exponent)),
       c_(value(contact.dissipation)),
       mu_(value(contact.friction)),
-      vs_(value(contact.slip_speed)) {}
+      vs_(value(contact.slip_speed)),
+      law_(contact.law) {}
 
 Eigen::Vector3d ContactLaw::force(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const {
   const double d = -plane_.height(p);
@@ -31,7 +32,11 @@ Eigen::Vector3d ContactLaw::force(const Eigen::Vector3d& p, const Eigen::Vector3
   }
   const Eigen::Vector3d& normal = plane_.normal();
   const double vn = normal.dot(v);
-  const double f = std::max(0.0, k_ * std::pow(d, n_) * (1 - c_ * vn));
+  const double law = law_ ? law_->evaluate([&](const model::Variable& variable) {
+    return variable.quantity == model::Quantity::kDepth ? d : vn;
+  })
+                          : k_ * std::pow(d, n_) * (1 - c_ * vn);
+  const double f = std::max(0.0, law);
   const Eigen::Vector3d vt = v - vn * normal;
   const double slip = std::sqrt(vt.squaredNorm() + vs_ * vs_);
   return mu_ == 0 ? Eigen::Vector3d(f * normal)
@@ -39,7 +44,7 @@ Eigen::Vector3d ContactLaw::force(const Eigen::Vector3d& p, const Eigen::Vector3
 }
 
 double ContactLaw::energy(const Eigen::Vector3d& p) const {
-  const double d = std::max(0.0, -plane_.height(p));
+  const double d = law_ ? 0 : std::max(0.0, -plane_.height(p));
   return k_ * std::pow(d, n_ + 1) / (n_ + 1);
 }
 
@@ -54,37 +59,84 @@ Forces::Forces(const model::Scene& scene) : tau_(Vector::Zero(scene.tree.dof()))
     point_springs_.push_back(
         {s.point, vector_of(s.anchor), value(s.stiffness), value(s.damping), value(s.rest_length)});
   }
+  for (const model::ViscousFriction& f : scene.viscous_frictions) {
+    joint_springs_.push_back({f.joint, 0, value(f.coefficient), 0});
+  }
+  for (const model::JointFriction& f : scene.frictions) {
+    if (f.slip_speed > 0) {
+      frictions_.push_back({f.joint, value(f.force), value(f.force), 1, value(f.slip_speed)});
+    }
+  }
+  for (const model::StribeckFriction& f : scene.stribeck_frictions) {
+    frictions_.push_back({f.joint, value(f.force), value(f.static_force), value(f.stribeck_speed),
+                          value(f.slip_speed)});
+  }
+  for (const model::Motor& motor : scene.motors) {
+    motors_.push_back({motor.joint, motor.torque});
+  }
   for (const model::PointLoad& load : scene.torques) {
-    torques_.push_back({load.point, vector_of(load.value)});
+    torques_.push_back({load.point, VectorValue(load.value)});
   }
   for (const model::PointLoad& load : scene.forces) {
-    loads_.push_back({load.point, vector_of(load.value)});
+    loads_.push_back({load.point, VectorValue(load.value)});
   }
   for (const model::GroundContact& contact : scene.contacts) {
     contacts_.emplace_back(contact);
   }
-  n_ = Vector::Zero(3 * static_cast<Eigen::Index>(scene.points.size()));
-  for (const Load& load : torques_) {
-    n_.segment<3>(3 * load.point) += load.value;
+}
+
+double Forces::Friction::at(double speed) const {
+  const double s = speed / stribeck;
+  const double size = force + (static_force - force) / (1 + s * s);
+  return size * speed / std::sqrt(speed * speed + slip * slip);
+}
+
+void Forces::add_joint_forces(const State& state, Vector& Q) const {
+  for (const JointSpring& s : joint_springs_) {
+    Q[s.joint] -= s.k * (state.q[s.joint] - s.rest) + s.d * state.qd[s.joint];
+  }
+  for (const Friction& friction : frictions_) {
+    Q[friction.joint] -= friction.at(state.qd[friction.joint]);
+  }
+  for (const Motor& motor : motors_) {
+    Q[motor.joint] += value_of(motor.torque, state);
   }
 }
 
-void Forces::generalized(const Terms& terms, const Vector& q, const Vector& qd, Vector& Q) {
+void Forces::generalized(const Terms& terms, const State& state, Vector& Q) {
   Q = tau_;
-  for (const JointSpring& s : joint_springs_) {
-    Q[s.joint] -= s.k * (q[s.joint] - s.rest) + s.d * qd[s.joint];
+  add_joint_forces(state, Q);
+  if (terms.needs().points) {
+    v_.noalias() = terms.C().transpose() * state.qd;
   }
   if (!point_springs_.empty() || !loads_.empty() || !contacts_.empty()) {
-    add_point_forces(terms, qd);
+    add_point_forces(terms, state);
     Q.noalias() += terms.C() * f_;  // (8)
   }
   if (!torques_.empty()) {
+    n_ = Vector::Zero(terms.H().cols());
+    for (const Load& torque : torques_) {
+      n_.segment<3>(3 * torque.point) += load(torque, terms, state);
+    }
     Q.noalias() += terms.H() * n_;  // (8)
   }
 }
 
-void Forces::add_point_forces(const Terms& terms, const Vector& qd) {
-  v_.noalias() = terms.C().transpose() * qd;
+Eigen::Vector3d Forces::load(const Load& load, const Terms& terms, const State& state) const {
+  return load.value.evaluate([&](const model::Variable& variable) {
+    const Eigen::Index at = 3 * load.point + variable.index;
+    switch (variable.quantity) {
+      case model::Quantity::kPointPosition:
+        return terms.p()[at];
+      case model::Quantity::kPointVelocity:
+        return v_[at];
+      default:
+        return value_in(state, variable);
+    }
+  });
+}
+
+void Forces::add_point_forces(const Terms& terms, const State& state) {
   f_ = Vector::Zero(v_.size());
   const auto p = terms.p();
   for (const PointSpring& s : point_springs_) {
@@ -95,8 +147,8 @@ void Forces::add_point_forces(const Terms& terms, const Vector& qd) {
       f_.segment<3>(3 * s.point) -= (s.k * (l - s.length) + s.d * rate) / l * line;
     }
   }
-  for (const Load& load : loads_) {
-    f_.segment<3>(3 * load.point) += load.value;
+  for (const Load& force : loads_) {
+    f_.segment<3>(3 * force.point) += load(force, terms, state);
   }
   for (const ContactLaw& contact : contacts_) {
     const int at = 3 * contact.point();

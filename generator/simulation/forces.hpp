@@ -5,6 +5,7 @@
 
 #include "model/scene.hpp"
 #include "simulation/dynamics.hpp"
+#include "simulation/state.hpp"
 
 namespace treedyn::simulation {
 
@@ -31,22 +32,23 @@ class ContactLaw {
   [[nodiscard]] Eigen::Vector3d force(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const;
   [[nodiscard]] int point() const { return point_; }
   [[nodiscard]] const PlaneValues& plane() const { return plane_; }
-  /// Elastic energy, J.
+  /// Elastic energy, J; 0 for a law of the user.
   [[nodiscard]] double energy(const Eigen::Vector3d& p) const;
 
  private:
   int point_;
   PlaneValues plane_;
   double k_, n_, c_, mu_, vs_;
+  std::optional<model::Expression> law_;
 };
 
-/// Everything that acts on a scene apart from reactions and dry friction.
+/// Everything that acts on a scene apart from reactions and exact dry friction.
 class Forces {
  public:
   explicit Forces(const model::Scene& scene);
 
-  /// Generalized force tau - springs + C f + H n, N.
-  void generalized(const Terms& terms, const Vector& q, const Vector& qd, Vector& Q);
+  /// Generalized force tau - springs - friction + C f + H n, N.
+  void generalized(const Terms& terms, const State& state, Vector& Q);
   /// Energy of springs and of the elastic part of contacts, J. \param p  points, 3 P
   [[nodiscard]] double elastic_energy(const Vector& q, const VectorMap& p) const;
   [[nodiscard]] const std::vector<ContactLaw>& contacts() const { return contacts_; }
@@ -63,13 +65,28 @@ class Forces {
   };
   struct Load {
     int point;
-    Eigen::Vector3d value;
+    VectorValue value;
+  };
+  /// The larger force at rest falls to `force` as speed grows; regularised by `slip`.
+  struct Friction {
+    int joint;
+    double force, static_force, stribeck, slip;
+    [[nodiscard]] double at(double speed) const;
+  };
+  struct Motor {
+    int joint;
+    model::Expression torque;
   };
 
-  void add_point_forces(const Terms& terms, const Vector& qd);
+  void add_joint_forces(const State& state, Vector& Q) const;
+  void add_point_forces(const Terms& terms, const State& state);
+  [[nodiscard]] Eigen::Vector3d load(const Load& load, const Terms& terms,
+                                     const State& state) const;
 
   Vector tau_;
   std::vector<JointSpring> joint_springs_;
+  std::vector<Friction> frictions_;
+  std::vector<Motor> motors_;
   std::vector<PointSpring> point_springs_;
   std::vector<Load> torques_;
   std::vector<Load> loads_;

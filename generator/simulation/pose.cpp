@@ -27,11 +27,14 @@ LinkState ground() {
 
 Pose::Pose(const model::Tree& tree, const model::Vector3& gravity)
     : states_(tree.links.size(), ground()), gravity_(vector_of(gravity)) {
-  for (const model::Link& link : tree.links) {
-    bodies_.push_back({link.father, link.joint.type == model::JointType::kRevolute,
-                       vector_of(link.joint.axis), vector_of(link.joint.offset),
-                       vector_of(link.inertia.com), matrix_of(link.joint.rotation),
-                       matrix_of(link.inertia.about_com), static_cast<double>(link.inertia.mass)});
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const model::Link& link = tree.links[i];
+    const model::Drive& drive = tree.drives[i];
+    bodies_.push_back(
+        {drive.coordinate, static_cast<double>(drive.multiplier), static_cast<double>(drive.offset),
+         link.father, link.joint.type == model::JointType::kRevolute, vector_of(link.joint.axis),
+         vector_of(link.joint.offset), vector_of(link.inertia.com), matrix_of(link.joint.rotation),
+         matrix_of(link.inertia.about_com), static_cast<double>(link.inertia.mass)});
   }
 }
 
@@ -40,8 +43,8 @@ void Pose::update(const Vector& q, const Vector& qd) {
     const Body& body = bodies_[i];
     const LinkState father =
         body.father == model::kGround ? ground() : states_[static_cast<std::size_t>(body.father)];
-    const double x = q[static_cast<Eigen::Index>(i)];
-    const double rate = qd[static_cast<Eigen::Index>(i)];
+    const double x = body.multiplier * q[body.coordinate] + body.lead;
+    const double rate = body.multiplier * qd[body.coordinate];
     LinkState& s = states_[i];
     const Eigen::Matrix3d R0 = father.R * body.R0;
     const Eigen::Vector3d z = R0 * body.axis;

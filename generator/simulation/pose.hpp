@@ -38,6 +38,8 @@ class Pose {
 
  private:
   struct Body {
+    int coordinate;
+    double multiplier, lead;  ///< x = multiplier q[coordinate] + lead
     int father;
     bool revolute;
     Eigen::Vector3d axis, offset, com;

@@ -17,6 +17,9 @@ using Kind = Watch::Kind;
 constexpr double kCaution = 0.9;
 constexpr double kLeastFactor = 0.2;
 constexpr double kMostFactor = 5;
+/// Projections of an initial state, and the position error (m, rad) that it may keep.
+constexpr int kSettlingSteps = 20;
+constexpr double kSettled = 1e-8;
 /// Events at the same instant before it is called a pile.
 constexpr int kMaxPile = 100;
 
@@ -25,6 +28,20 @@ Vector to_vector(const std::vector<Real>& values) {
   std::transform(values.begin(), values.end(), result.begin(),
                  [](const Real& x) { return static_cast<double>(x); });
   return result;
+}
+
+Kind kind_of(model::EventKind kind) {
+  switch (kind) {
+    case model::EventKind::kReaction:
+      return Kind::kReaction;
+    case model::EventKind::kTime:
+      return Kind::kTime;
+    case model::EventKind::kExpression:
+      return Kind::kExpression;
+    case model::EventKind::kHeight:
+      break;
+  }
+  return Kind::kEvent;
 }
 
 double alpha(const Settings& settings) {
@@ -44,10 +61,6 @@ Simulator::Simulator(const model::Scene& scene, Dynamics& dynamics, const Settin
       y_(2 * scene.tree.dof()),
       suggested_(kLongestStep * duration_ / 100) {
   y_ << to_vector(scene.q0), to_vector(scene.qd0);
-  const Terms& terms = system_.geometry(q());
-  for (std::size_t k = 0; k < scene.constraints.size(); ++k) {
-    system_.constraints().hold(static_cast<int>(k), terms);
-  }
   phase_start_ = t_;
   start_phase(scene.start_phase, scene.phases[static_cast<std::size_t>(scene.start_phase)].active);
   for (std::size_t k = 0; k < scene.frictions.size(); ++k) {
@@ -81,7 +94,7 @@ double Simulator::step(double longest) {
     integrator_->step(rate_, t_, h, y_, next_, error_);
     return h;
   }
-  const double most = kLongestStep * duration_;
+  const double most = settings_.longest > 0 ? settings_.longest : kLongestStep * duration_;
   const double least = kShortestStep * duration_;
   for (double h = std::min({suggested_, most, longest});;) {
     integrator_->step(rate_, t_, h, y_, next_, error_);
@@ -100,7 +113,22 @@ double Simulator::step(double longest) {
   }
 }
 
-void Simulator::advance_to(double end, const Observe& observe) {
+double Simulator::settle() {
+  Vector position = q();
+  Vector velocity = qd();
+  for (int k = 0; k < kSettlingSteps; ++k) {
+    system_.project(t_, position, velocity);
+  }
+  const Vector before = y_;
+  y_ << position, velocity;
+  if (!y_.allFinite() || system_.violation(t_, position) > kSettled) {
+    throw std::runtime_error("the initial state is not near one that meets the constraints");
+  }
+  build_watches();
+  return (y_ - before).cwiseAbs().maxCoeff();
+}
+
+bool Simulator::advance_to(double end, const Observe& observe) {
   while (t_ < end) {
     begin_watches();
     const double longest = end - t_;
@@ -126,8 +154,11 @@ void Simulator::advance_to(double end, const Observe& observe) {
       happen(watches_[crossing->watch]);
       build_watches();
     }
-    observe();
+    if (!observe()) {
+      return false;
+    }
   }
+  return true;
 }
 
 void Simulator::start_phase(int phase, const std::vector<int>& active) {
@@ -136,7 +167,7 @@ void Simulator::start_phase(int phase, const std::vector<int>& active) {
   const Terms& terms = system_.geometry(q());
   for (const int c : active) {
     if (std::find(before.begin(), before.end(), c) == before.end()) {
-      system_.constraints().hold(c, terms);
+      system_.constraints().begin(c, t_, q(), terms);
     }
   }
   phase_ = phase;
@@ -149,7 +180,13 @@ void Simulator::build_watches() {
   watches_.clear();
   const auto add = [&](Kind kind, std::size_t index, int point, const model::Plane& plane) {
     Watch watch{kind, index, point, PlaneValues(plane), 1};
-    watch.side = watch.side_of(system_, t_, y_);
+    if (kind != Kind::kContact && kind != Kind::kSlip && kind != Kind::kStick) {
+      watch.event = &scene_.phases[static_cast<std::size_t>(phase_)].until[index];
+      watch.until = phase_start_ + static_cast<double>(watch.event->not_before);
+    }
+    if (kind != Kind::kReaction) {  // a pull ends the phase whenever it is seen
+      watch.side = watch.side_of(system_, t_, y_);
+    }
     const auto same = std::find_if(before.begin(), before.end(), [&](const Watch& w) {
       return kind == Kind::kContact && w.kind == kind && w.index == index;
     });
@@ -164,7 +201,7 @@ void Simulator::build_watches() {
                        std::includes(active.begin(), active.end(), impact->constraints.begin(),
                                      impact->constraints.end());
     if (!rests) {
-      add(Kind::kEvent, k, events[k].point, events[k].plane);
+      add(kind_of(events[k].kind), k, events[k].point, events[k].plane);
     }
   }
   for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
@@ -192,7 +229,7 @@ std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
   for (std::size_t k = 0; k < watches_.size(); ++k) {
     Watch& watch = watches_[k];
     const double value = watch.value(system_, t_ + h, end);
-    const bool event = watch.kind == Kind::kEvent;
+    const bool event = watch.ends_phase();
     const int part =
         event && watch.side < 0 ? 0 : watch.first_change(h, value, watch.slope(system_, end));
     double at = part == 0 ? h : refine(watch, h * (part - 1) / kScans, h * part / kScans);
@@ -201,12 +238,11 @@ std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
     }
     bool counts = part != 0 && at >= 0;
     if (event && counts) {
-      const auto& phase = scene_.phases[static_cast<std::size_t>(phase_)];
-      counts = t_ + at >= phase_start_ + static_cast<double>(phase.until[watch.index].not_before);
+      counts = t_ + at >= watch.until;
     }
     if (counts && (!first || at < first->step)) {
       first = Crossing{k, at};
-    } else if (event && !counts) {
+    } else if (event && !counts && watch.kind != Kind::kReaction) {
       watch.side = value > 0 ? 1 : value < 0 ? -1 : watch.side;
     }
   }
@@ -242,6 +278,9 @@ double Simulator::refine(Watch& watch, double low, double high) {
 void Simulator::happen(Watch& watch) {
   switch (watch.kind) {
     case Kind::kEvent:
+    case Kind::kReaction:
+    case Kind::kTime:
+    case Kind::kExpression:
       fire(scene_.phases[static_cast<std::size_t>(phase_)].until[watch.index]);
       break;
     case Kind::kContact:
@@ -294,7 +333,7 @@ void Simulator::fire(const model::Event& event) {
   }
   const Terms& terms = system_.geometry(record.q);
   for (const int c : event.pins) {
-    system_.constraints().pin(c, t_, terms);
+    system_.constraints().pin(c, t_, record.q, terms);
   }
   y_ << record.q, record.qd_after;
   start_phase(event.then, active);

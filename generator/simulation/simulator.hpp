@@ -16,6 +16,7 @@ namespace treedyn::simulation {
 struct Settings {
   std::string integrator = "fehlberg78";
   double step = 1e-3;        ///< s, methods with fixed steps
+  double longest = 0;        ///< s, adaptive methods; 0: kLongestStep
   double tolerance = 1e-10;  ///< error of a step, relative and absolute, adaptive methods
   Drift drift = Drift::kProjection;
   double stabilisation = 20;  ///< alpha of Baumgarte, 1/s
@@ -40,10 +41,15 @@ class Simulator {
   /// \pre `settings.integrator` is one of integrators()
   Simulator(const model::Scene& scene, Dynamics& dynamics, const Settings& settings);
 
-  using Observe = std::function<void()>;
-  /// Integrates and lands exactly on `end`; calls `observe` after every step and event.
+  /// Moves the initial state onto the constraints that act. \return largest change of a coordinate
+  /// or speed \throws std::runtime_error if that fails
+  double settle();
+
+  using Observe = std::function<bool()>;
+  /// Integrates and lands exactly on `end`; calls `observe` after every step and event, and stops
+  /// when this is false. \return true if it arrives
   /// \throws std::runtime_error if A is singular, the state ceases to be finite or events pile up
-  void advance_to(double end, const Observe& observe);
+  bool advance_to(double end, const Observe& observe);
 
   [[nodiscard]] double time() const { return t_; }
   [[nodiscard]] Vector q() const { return y_.head(y_.size() / 2); }

@@ -23,18 +23,31 @@ double largest(const Vector& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoe
 System::System(const model::Scene& scene, Dynamics& dynamics, double stabilisation)
     : dynamics_(dynamics),
       alpha_(stabilisation),
+      velocity_products_(scene.velocity_products),
+      armature_(Vector::Zero(scene.tree.dof())),
+      at_rest_(Vector::Zero(scene.tree.dof())),
       constraints_(scene),
       forces_(scene),
       terms_(scene.tree.dof(), static_cast<int>(scene.points.size()), needs_of(scene)),
       A_(scene.tree.dof()) {
   for (const model::JointFriction& friction : scene.frictions) {
-    frictions_.push_back({friction.joint, static_cast<double>(friction.force), 0});
+    if (friction.slip_speed == 0) {
+      frictions_.push_back({friction.joint, static_cast<double>(friction.force), 0});
+    }
+  }
+  for (const model::Armature& armature : scene.armatures) {
+    armature_[armature.joint] += static_cast<double>(armature.inertia);
   }
 }
 
 int System::sticking() const {
   return static_cast<int>(std::count_if(frictions_.begin(), frictions_.end(),
                                         [](const DryFriction& f) { return f.direction == 0; }));
+}
+
+/// Without velocity products B and gamma are those of a robot at rest: zero.
+void System::evaluate(const Vector& q, const Vector& qd) {
+  dynamics_.evaluate(q, velocity_products_ ? qd : at_rest_, terms_);
 }
 
 /// J of the active rows, then one row for every sticking joint.
@@ -54,25 +67,37 @@ void System::jacobian(const Terms& terms) {
 }
 
 void System::factor_inertia(double t) {
-  A_.compute(terms_.A());
+  inertia_ = terms_.A();
+  inertia_.diagonal() += armature_;
+  A_.compute(inertia_);
   if (A_.info() != Eigen::Success) {
     throw std::runtime_error(
         fmt::format("the inertia matrix is not positive definite at t = {} s", t));
   }
 }
 
-void System::add_stabilisation(double t, const Vector& qd) {
+/// Zeros where a row has no position.
+void System::keep_held(Vector& rows) const {
+  for (int k = 0; k < constraints_.rows(); ++k) {
+    if (!constraints_.is_held(k)) {
+      rows[k] = 0;
+    }
+  }
+}
+
+void System::add_stabilisation(double t, const Vector& q, const Vector& qd) {
   const int rows = constraints_.rows();
-  constraints_.errors(terms_, t, phi_);
+  constraints_.errors(terms_, t, q, phi_);
   constraints_.velocities(t, rate_);
   rate_ = J_.topRows(rows) * qd - rate_;
+  keep_held(rate_);
   rhs_ -= 2 * alpha_ * rate_ + alpha_ * alpha_ * phi_;
 }
 
 const Solution& System::accelerate(double t, const Vector& q, const Vector& qd) {
-  dynamics_.evaluate(q, qd, terms_);
+  evaluate(q, qd);
   factor_inertia(t);
-  forces_.generalized(terms_, q, qd, Q_);
+  forces_.generalized(terms_, {t, q, qd}, Q_);
   for (const DryFriction& friction : frictions_) {
     Q_[friction.joint] -= friction.direction * friction.force;
   }
@@ -81,9 +106,9 @@ const Solution& System::accelerate(double t, const Vector& q, const Vector& qd) 
   jacobian(terms_);
   const int rows = constraints_.rows();
   if (J_.rows() > 0) {
-    constraints_.accelerations(terms_, t, rhs_);
+    constraints_.accelerations(terms_, {t, q, qd}, rhs_);
     if (alpha_ > 0) {
-      add_stabilisation(t, qd);
+      add_stabilisation(t, q, qd);
     }
     rhs_.conservativeResize(J_.rows());
     rhs_.tail(J_.rows() - rows).setZero();
@@ -107,10 +132,21 @@ double System::holding_force(std::size_t friction) const {
   return all_lambda_[row];
 }
 
+Eigen::Vector3d System::reaction(double t, const Vector& y, int constraint) {
+  accelerate(t, y.head(dof()), y.tail(dof()));
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (int k = 0; k < constraints_.rows(); ++k) {
+    if (constraints_.constraint(k) == constraint) {
+      force += solution_.lambda[k] * constraints_.direction(k);
+    }
+  }
+  return force;
+}
+
 /// Rows and inertia in this position, for corrections that leave alone what reactions cannot
 /// change.
 void System::factor_rows(double t, const Vector& q, const Vector& qd) {
-  dynamics_.evaluate(q, qd, terms_);
+  evaluate(q, qd);
   factor_inertia(t);
   jacobian(terms_);
   W_ = A_.matrixL().solve(J_.transpose());
@@ -124,7 +160,7 @@ void System::project(double t, Vector& q, Vector& qd) {
   }
   for (int k = 0;; ++k) {
     factor_rows(t, q, qd);
-    constraints_.errors(terms_, t, phi_);
+    constraints_.errors(terms_, t, q, phi_);
     if (k == kProjectionSteps || !(largest(phi_) > kProjectionError)) {
       break;
     }
@@ -133,7 +169,9 @@ void System::project(double t, Vector& q, Vector& qd) {
   }
   constraints_.velocities(t, rate_);
   pad(rate_);
-  qd -= A_.matrixU().solve(solve_.preimage(J_ * qd - rate_));  // J dqd = -(J qd - c')
+  rate_ = J_ * qd - rate_;
+  keep_held(rate_);
+  qd -= A_.matrixU().solve(solve_.preimage(rate_));  // J dqd = -(J qd - c')
 }
 
 void System::remove_normal(double t, const Vector& y, Vector& error) {
@@ -142,8 +180,11 @@ void System::remove_normal(double t, const Vector& y, Vector& error) {
   }
   const int n = dof();
   factor_rows(t, y.head(n), y.tail(n));
-  error.head(n) -= A_.matrixU().solve(solve_.preimage(J_ * error.head(n)));
-  error.tail(n) -= A_.matrixU().solve(solve_.preimage(J_ * error.tail(n)));
+  for (const Eigen::Index from : {Eigen::Index{0}, static_cast<Eigen::Index>(n)}) {
+    rate_ = J_ * error.segment(from, n);
+    keep_held(rate_);
+    error.segment(from, n) -= A_.matrixU().solve(solve_.preimage(rate_));
+  }
 }
 
 /// Zeros for the rows of sticking joints.
@@ -157,7 +198,7 @@ Vector System::impact(double t, const Vector& q, Vector& qd, const std::vector<i
                       double restitution) {
   const std::vector<int> before = constraints_.active();
   constraints_.activate(constraints);
-  dynamics_.evaluate(q, qd, terms_);
+  evaluate(q, qd);
   factor_inertia(t);
   constraints_.jacobian(terms_, J_);
   constraints_.velocities(t, rate_);
@@ -174,7 +215,7 @@ double System::violation(double t, const Vector& q) {
   if (constraints_.rows() == 0) {
     return 0;
   }
-  constraints_.errors(geometry(q), t, phi_);
+  constraints_.errors(geometry(q), t, q, phi_);
   return largest(phi_);
 }
 
@@ -186,6 +227,10 @@ const Terms& System::geometry(const Vector& q) {
 double System::elastic_energy(const Vector& q) {
   const Terms& terms = geometry(q);
   return forces_.elastic_energy(q, terms.p());
+}
+
+double System::armature_energy(const Vector& qd) const {
+  return 0.5 * qd.dot(armature_.cwiseProduct(qd));
 }
 
 }  // namespace treedyn::simulation

@@ -13,7 +13,7 @@
 
 namespace treedyn::simulation {
 
-enum class Drift { kNone, kBaumgarte, kProjection };
+using Drift = model::Drift;
 
 /// Newton steps of one projection, and the position error (m, rad) at which it is content.
 inline constexpr int kProjectionSteps = 3;
@@ -51,6 +51,9 @@ class System {
   /// The force that holds a sticking joint, of the last `accelerate`.
   [[nodiscard]] double holding_force(std::size_t friction) const;
 
+  /// The force of an active point constraint on its link, base frame, N.
+  Eigen::Vector3d reaction(double t, const Vector& y, int constraint);
+
   /// q and qd on the active rows by the smallest corrections in the metric A, those that reactions
   /// make: what a singular position let go is undone behind it.
   void project(double t, Vector& q, Vector& qd);
@@ -64,19 +67,26 @@ class System {
 
   /// p, C, R, H in this position.
   const Terms& geometry(const Vector& q);
-  /// T + U apart from gravity's part: energy of springs and contacts.
+  /// Potential energy apart from gravity's part: springs and contacts.
   double elastic_energy(const Vector& q);
+  /// Kinetic energy of the armatures.
+  [[nodiscard]] double armature_energy(const Vector& qd) const;
 
  private:
+  void evaluate(const Vector& q, const Vector& qd);
   void jacobian(const Terms& terms);
   void factor_inertia(double t);
   void factor_rows(double t, const Vector& q, const Vector& qd);
   void pad(Vector& rows) const;
-  void add_stabilisation(double t, const Vector& qd);
+  void add_stabilisation(double t, const Vector& q, const Vector& qd);
+  void keep_held(Vector& rows) const;
   [[nodiscard]] int sticking() const;
 
   Dynamics& dynamics_;
   double alpha_;
+  bool velocity_products_;
+  Vector armature_;  ///< N, on the diagonal of A
+  Vector at_rest_;   ///< N zeros
   Constraints constraints_;
   Forces forces_;
   std::vector<DryFriction> frictions_;
@@ -84,6 +94,7 @@ class System {
   Eigen::LLT<Eigen::MatrixXd> A_;
   MinimumNorm solve_;
   Solution solution_;
+  Eigen::MatrixXd inertia_;
   Matrix J_, W_;
   Vector Q_, rhs_, phi_, rate_, x_;
   Vector all_lambda_;

@@ -1,6 +1,5 @@
 #include "simulation/tape_dynamics.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace treedyn::simulation {
@@ -27,18 +26,7 @@ void TapeDynamics::evaluate_geometry(const Vector& q, Terms& terms) {
   }
   const std::array<std::span<const double>, 1> inputs{span_of(q)};
   geometry_.evaluate(inputs, buffer_);
-  auto copy = [&, from = std::size_t{0}](std::size_t array, bool needed) mutable {
-    const std::size_t size = terms.offset(array + 1) - terms.offset(array);
-    if (needed) {
-      std::copy_n(buffer_.begin() + static_cast<std::ptrdiff_t>(from), size,
-                  terms.values().begin() + static_cast<std::ptrdiff_t>(terms.offset(array)));
-      from += size;
-    }
-  };
-  copy(2, terms.needs().points);
-  copy(3, terms.needs().points);
-  copy(5, terms.needs().rotations);
-  copy(6, terms.needs().rotations);
+  terms.set_geometry(buffer_);
 }
 
 }  // namespace treedyn::simulation

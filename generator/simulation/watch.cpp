@@ -10,6 +10,12 @@ double Watch::value(System& system, double t, const Vector& y) const {
     case Kind::kEvent:
     case Kind::kContact:
       return plane.height(system.geometry(y.head(n)).p().segment<3>(3 * point));
+    case Kind::kReaction:
+      return system.reaction(t, y, event->constraint).dot(plane.normal());
+    case Kind::kTime:
+      return until - t;
+    case Kind::kExpression:
+      return value_of(event->value, {t, y.head(n), y.tail(n)});
     case Kind::kSlip:
       return y[n + system.frictions()[index].joint];
     case Kind::kStick:

@@ -12,16 +12,21 @@ inline constexpr int kScans = 8;
 
 struct Watch {
   enum class Kind {
-    kEvent,    ///< height of a point, downwards ends the phase
-    kContact,  ///< height of a compliant contact, both ways
-    kSlip,     ///< velocity of a slipping joint
-    kStick,    ///< what is left of the friction that holds a sticking joint
+    kEvent,       ///< height of a point, downwards ends the phase
+    kReaction,    ///< force of a constraint along a normal; a pull ends the phase
+    kTime,        ///< what is left until `until`
+    kExpression,  ///< value of an expression, downwards ends the phase
+    kContact,     ///< height of a compliant contact, both ways
+    kSlip,        ///< velocity of a slipping joint
+    kStick,       ///< what is left of the friction that holds a sticking joint
   };
   Kind kind;
   std::size_t index;  ///< of the event in its phase, the contact, the friction
   int point;
   PlaneValues plane;
   int side;  ///< sign of the function now
+  const model::Event* event = nullptr;
+  double until = 0;  ///< kTime, s
   double start = 0;
   double start_slope = 0;
 
@@ -30,6 +35,8 @@ struct Watch {
   /// Its rate in time; 0 where `has_slope` is false.
   double slope(System& system, const Vector& y) const;
   [[nodiscard]] bool has_slope() const { return kind == Kind::kEvent || kind == Kind::kContact; }
+  /// True for what ends a phase when it becomes negative.
+  [[nodiscard]] bool ends_phase() const { return event != nullptr; }
   /// The side on which a state is.
   int side_of(System& system, double t, const Vector& y) const;
   /// The first of kScans parts of a step of length h at whose end the function seems to be on the

@@ -50,8 +50,10 @@ class Constants {
   /// \throws ConstantError
   [[nodiscard]] Real evaluate(std::string_view text) const;
 
- private:
   struct Table;
+  [[nodiscard]] const Table& table() const { return *table_; }
+
+ private:
   std::unique_ptr<Table> table_;
 };
 

@@ -33,13 +33,14 @@ GiNaC::ex apply_acos(const GiNaC::ex& x) { return GiNaC::acos(x); }
 GiNaC::ex apply_atan(const GiNaC::ex& x) { return GiNaC::atan(x); }
 
 constexpr std::array<FunctionRow, 7> kFunctions = {{
-    {"sqrt", apply_sqrt, not_negative, "an argument that is not negative"},
-    {"sin", apply_sin, any_angle, "an angle of at most 1e6"},
-    {"cos", apply_cos, any_angle, "an angle of at most 1e6"},
-    {"tan", apply_tan, regular_angle, "an angle of at most 1e6 that is no odd multiple of pi/2"},
-    {"asin", apply_asin, at_most_one, "an argument from -1 to 1"},
-    {"acos", apply_acos, at_most_one, "an argument from -1 to 1"},
-    {"atan", apply_atan, anything, ""},
+    {"sqrt", apply_sqrt, not_negative, "an argument that is not negative", true},
+    {"sin", apply_sin, any_angle, "an angle of at most 1e6", true},
+    {"cos", apply_cos, any_angle, "an angle of at most 1e6", true},
+    {"tan", apply_tan, regular_angle, "an angle of at most 1e6 that is no odd multiple of pi/2",
+     true},
+    {"asin", apply_asin, at_most_one, "an argument from -1 to 1", false},
+    {"acos", apply_acos, at_most_one, "an argument from -1 to 1", false},
+    {"atan", apply_atan, anything, "", false},
 }};
 
 }  // namespace

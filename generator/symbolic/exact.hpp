@@ -39,6 +39,7 @@ struct FunctionRow {
   GiNaC::ex (*apply)(const GiNaC::ex&);
   bool (*accepts)(const Real&);
   std::string_view domain;
+  bool of_variables;  ///< what generated code may call
 };
 
 /// The row of sqrt, sin, cos, tan, asin, acos or atan; nullptr for other names.

@@ -49,7 +49,10 @@ void Run::observe() {
 }
 
 void Run::advance_to(double time) {
-  simulator_.advance_to(time, [this] { observe(); });
+  simulator_.advance_to(time, [this] {
+    observe();
+    return true;
+  });
 }
 
 const simulation::EventRecord* Run::event(std::size_t number) {

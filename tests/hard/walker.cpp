@@ -59,7 +59,8 @@ model::Scene started(const model::Scene& scene, const Eigen::Vector3d& z) {
   const Eigen::Vector3d p = pose.point(point.link, simulation::vector_of(point.at));
   const simulation::LinkState& leg = pose.links()[static_cast<std::size_t>(point.link)];
   const Eigen::Vector3d v = leg.v + leg.omega.cross(p - leg.O);
-  const Eigen::Vector3d c = simulation::vector_of(foot.curve.center);
+  const Eigen::Vector3d c =
+      simulation::VectorValue(foot.curve.position).at(static_cast<double>(scene.t0));
   result.q0 = {c[0] - p[0], c[2] - p[2], z[0], -z[0]};
   result.qd0 = {-v[0], -v[2], z[1], z[2]};
   return result;

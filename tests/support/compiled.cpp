@@ -126,8 +126,11 @@ std::vector<double> CompiledModel::call(const std::string& function, const Input
 
 void generate(const fs::path& model, const std::vector<std::string>& options,
               const fs::path& folder) {
-  std::vector<std::string> command{TREEDYN_EXECUTABLE, "generate", model.string(), "--name",
+  std::vector<std::string> command{TREEDYN_EXECUTABLE, "generate", "--name",
                                    "generated",        "-o",       folder.string()};
+  if (!model.empty()) {
+    command.push_back(model.string());
+  }
   command.insert(command.end(), options.begin(), options.end());
   const Outcome outcome = run(command);
   if (outcome.status != 0) {

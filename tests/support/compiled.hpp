@@ -46,7 +46,8 @@ class CompiledModel {
   std::shared_ptr<void> library_;
 };
 
-/// Runs `treedyn generate model options -o folder`; the files are named `generated.*`.
+/// Runs `treedyn generate model options -o folder`; the files are named `generated.*`. An empty
+/// model: the options name a scene.
 /// \throws std::runtime_error with its messages if it fails.
 void generate(const std::filesystem::path& model, const std::vector<std::string>& options,
               const std::filesystem::path& folder);

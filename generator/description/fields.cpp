@@ -1,0 +1,107 @@
+#include "description/fields.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "common/decimal.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+bool contains(const Keys& keys, const std::string& word) {
+  return std::find(keys.begin(), keys.end(), word) != keys.end();
+}
+
+std::string_view kind(const Node& node) {
+  switch (node.kind) {
+    case NodeKind::kSequence:
+      return "a list";
+    case NodeKind::kMapping:
+      return "a mapping";
+    default:
+      return node.empty ? "empty" : "a single value";
+  }
+}
+
+}  // namespace
+
+Fields::Fields(const std::string& file, const Node& node, std::string what, const Keys& keys,
+               const Keys& ignored)
+    : file_(file), node_(node), what_(std::move(what)) {
+  if (node.kind != NodeKind::kMapping) {
+    fail(node.where, fmt::format("is no mapping; expected the keys {}", fmt::join(keys, ", ")));
+  }
+  for (const Node& item : node.items) {
+    if (!contains(keys, item.key.text) && !contains(ignored, item.key.text)) {
+      fail(item.key.where, fmt::format("unknown key '{}'; expected one of {}", shown(item.key.text),
+                                       fmt::join(keys, ", ")));
+    }
+  }
+}
+
+void Fields::fail(const Place& where, const std::string& message) const {
+  throw InputError({file_, where.line, where.column}, fmt::format("{}: {}", what_, message));
+}
+
+const Node* Fields::find(std::string_view key) const {
+  const auto item = std::find_if(node_.items.begin(), node_.items.end(),
+                                 [key](const Node& n) { return n.key.text == key; });
+  return item == node_.items.end() ? nullptr : &*item;
+}
+
+const Node& Fields::get(std::string_view key) const {
+  const Node* const node = find(key);
+  if (node == nullptr) {
+    fail(node_.where, fmt::format("key '{}' is missing; expected it here", key));
+  }
+  return *node;
+}
+
+Text Fields::scalar(const Node& node) const {
+  if (node.kind != NodeKind::kScalar || node.empty) {
+    fail(node.where, fmt::format("{} is {}; expected a single value", described(node), kind(node)));
+  }
+  return {node.text, node.where};
+}
+
+std::optional<Text> Fields::optional_text(std::string_view key) const {
+  const Node* const node = find(key);
+  return node == nullptr ? std::nullopt : std::optional<Text>(scalar(*node));
+}
+
+std::optional<Numbers> Fields::numbers(std::string_view key) const {
+  const Node* const node = find(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  Numbers result{{}, node->where};
+  for (const Node& item : sequence(*node)) {
+    result.values.push_back(scalar(item));
+  }
+  return result;
+}
+
+const std::vector<Node>& Fields::sequence(const Node& node) const {
+  if (node.kind != NodeKind::kSequence) {
+    fail(node.where, fmt::format("{} is {}; expected a list", described(node), kind(node)));
+  }
+  return node.items;
+}
+
+std::string described(const Node& node) {
+  return node.key.text.empty() ? "entry" : fmt::format("'{}'", shown(node.key.text));
+}
+
+std::string called(std::string_view kind, const Node& node, std::size_t index) {
+  for (const Node& item : node.items) {
+    if (item.key.text == "name" && item.kind == NodeKind::kScalar && !item.text.empty()) {
+      return fmt::format("{} '{}'", kind, shown(item.text));
+    }
+  }
+  return fmt::format("{} {}", kind, index + 1);
+}
+
+}  // namespace treedyn::description

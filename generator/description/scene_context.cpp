@@ -1,0 +1,211 @@
+#include "description/scene_context.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "description/algebra.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+using model::Quantity;
+using model::Variable;
+
+/// "a, b, ..", at most eight.
+template <class List, class Name>
+std::string some_of(const List& list, const Name& name) {
+  constexpr std::size_t kMost = 8;
+  std::string result;
+  for (std::size_t k = 0; k < std::min(list.size(), kMost); ++k) {
+    result += fmt::format("{}{}", k == 0 ? "" : ", ", shown(name(list[k])));
+  }
+  return list.size() > kMost ? result + ", .." : result;
+}
+
+const model::Frame* find_frame(const model::Tree& tree, const std::string& name) {
+  const auto found = std::find_if(tree.frames.begin(), tree.frames.end(),
+                                  [&](const model::Frame& f) { return f.name == name; });
+  return found == tree.frames.end() ? nullptr : &*found;
+}
+
+/// A point of a link of the file. \param at  in the frame of this link
+model::Point on_frame(const std::string& name, const model::Frame& frame, const Vector3& at) {
+  return {name,
+          to_identifier(name),
+          frame.name,
+          frame.link,
+          frame.origin + frame.rotation * at,
+          frame.rotation};
+}
+
+std::optional<Variable> component(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "vx", "vy", "vz"};
+  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) {
+    return std::nullopt;
+  }
+  const auto k = static_cast<int>(found - kNames.begin());
+  return Variable{k < 3 ? Quantity::kPointPosition : Quantity::kPointVelocity, k % 3};
+}
+
+}  // namespace
+
+void SceneContext::define_parameters(const Node& node) {
+  if (node.kind != NodeKind::kMapping) {
+    throw InputError({file_, node.where.line, node.where.column},
+                     "parameters: is no mapping; expected name: value");
+  }
+  for (const Node& item : node.items) {
+    const std::string what = fmt::format("parameter '{}'", shown(item.key.text));
+    if (item.kind != NodeKind::kScalar || item.empty) {
+      throw InputError({file_, item.where.line, item.where.column},
+                       what + " has no value; expected a number or an expression");
+    }
+    try {
+      constants_.define(item.key.text, item.text);
+    } catch (const symbolic::ConstantError& problem) {
+      throw InputError(
+          {file_, item.where.line, item.where.column + static_cast<int>(problem.offset())},
+          fmt::format("{}: {}", what, problem.what()));
+    }
+  }
+}
+
+std::optional<int> SceneContext::coordinate(std::string_view name) const {
+  const model::Tree& tree = scene_.tree;
+  for (std::size_t k = 0; k < tree.coordinates.size(); ++k) {
+    if (tree.links[static_cast<std::size_t>(tree.coordinates[k])].joint.name == name) {
+      return static_cast<int>(k);
+    }
+  }
+  return std::nullopt;
+}
+
+int SceneContext::joint(const Fields& fields, const Text& name) const {
+  const std::optional<int> found = coordinate(name.text);
+  if (!found) {
+    const model::Tree& tree = scene_.tree;
+    fields.fail(name.where,
+                fmt::format("joint '{}' is no joint of the model that moves by itself; expected "
+                            "one of {}",
+                            shown(name.text), some_of(tree.coordinates, [&](int link) {
+                              return tree.links[static_cast<std::size_t>(link)].joint.name;
+                            })));
+  }
+  return *found;
+}
+
+int SceneContext::add(const Fields& fields, const Place& where, model::Point point) {
+  for (const model::Point& other : scene_.points) {
+    if (other.identifier == point.identifier) {
+      fields.fail(where, fmt::format("point '{}' has the name of another; expected different names",
+                                     shown(point.name)));
+    }
+  }
+  scene_.points.push_back(std::move(point));
+  return static_cast<int>(scene_.points.size()) - 1;
+}
+
+void SceneContext::define_points(const SceneFields& root) {
+  const std::vector<Node>& nodes = root.list("points");
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const SceneFields point =
+        fields(nodes[k], called("point", nodes[k], k), {"name", "link", "at"});
+    const Text name = point.text("name");
+    const Text link = point.text("link");
+    const model::Frame* const frame = find_frame(scene_.tree, link.text);
+    if (frame == nullptr) {
+      point.fail(
+          link.where,
+          fmt::format("link '{}' is not in the model; expected one of {}", shown(link.text),
+                      some_of(scene_.tree.frames, [](const model::Frame& f) { return f.name; })));
+    }
+    add(point, name.where, on_frame(name.text, *frame, point.vector_or("at", {})));
+  }
+}
+
+int SceneContext::point(const SceneFields& fields, std::string_view key) {
+  const Text name = fields.text(key);
+  for (std::size_t k = 0; k < scene_.points.size(); ++k) {
+    if (scene_.points[k].name == name.text) {
+      return static_cast<int>(k);
+    }
+  }
+  for (const model::Point& point : scene_.tree.points) {
+    if (point.name == name.text) {
+      return add(fields, name.where, point);
+    }
+  }
+  if (const model::Frame* const frame = find_frame(scene_.tree, name.text)) {
+    return add(fields, name.where, on_frame(name.text, *frame, {}));
+  }
+  fields.fail(name.where,
+              fmt::format("'{}' is neither a point of the scene or the model nor a link; expected "
+                          "one of these, points are defined in 'points'",
+                          shown(name.text)));
+}
+
+symbolic::VariableNames SceneContext::variables(Of kind) const {
+  const auto find = [this, kind](std::string_view name,
+                                 std::optional<std::string_view> index) -> std::optional<Variable> {
+    if (index) {
+      const bool of_state =
+          (kind == Of::kState || kind == Of::kPoint) && (name == "q" || name == "qd");
+      const std::optional<int> joint = of_state ? coordinate(*index) : std::nullopt;
+      return joint ? std::optional(
+                         Variable{name == "q" ? Quantity::kPosition : Quantity::kVelocity, *joint})
+                   : std::nullopt;
+    }
+    if (kind == Of::kDepth) {
+      return name == "d"   ? std::optional(Variable{Quantity::kDepth, 0})
+             : name == "v" ? std::optional(Variable{Quantity::kNormalSpeed, 0})
+                           : std::nullopt;
+    }
+    if (name == "t") {
+      return Variable{Quantity::kTime, 0};
+    }
+    return kind == Of::kPoint ? component(name) : std::nullopt;
+  };
+  switch (kind) {
+    case Of::kTime:
+      return {find, ", t"};
+    case Of::kPoint:
+      return {find, ", t, q[joint], qd[joint], x, y, z, vx, vy, vz"};
+    case Of::kDepth:
+      return {find, ", d (depth), v (speed along the normal)"};
+    case Of::kState:
+      break;
+  }
+  return {find, ", t, q[joint], qd[joint]"};
+}
+
+template <class Read>
+auto SceneContext::guarded(const SceneFields& fields, const Node& node, const Read& read) const {
+  try {
+    return read(fields.scalar(node).text);
+  } catch (const symbolic::ConstantError& problem) {
+    Place where = node.where;
+    where.column += static_cast<int>(problem.offset());
+    fields.fail(where, fmt::format("{}: {}", described(node), problem.what()));
+  }
+}
+
+model::Expression SceneContext::expression(const SceneFields& fields, const Node& node,
+                                           Of kind) const {
+  return guarded(fields, node, [&](const std::string& text) {
+    return symbolic::read_expression(constants_, text, variables(kind));
+  });
+}
+
+std::array<model::Expression, 3> SceneContext::motion(const SceneFields& fields,
+                                                      const Node& node) const {
+  return guarded(fields, node, [&](const std::string& text) {
+    return symbolic::read_motion(constants_, text, variables(Of::kTime));
+  });
+}
+
+}  // namespace treedyn::description

@@ -1,0 +1,59 @@
+// What the effects of a scene file refer to: its model, points, parameters and expressions.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "description/scene_fields.hpp"
+#include "model/scene.hpp"
+#include "symbolic/expression.hpp"
+
+namespace treedyn::description {
+
+/// Names and numbers of one scene file; points enter `scene` in the order of their first use.
+class SceneContext {
+ public:
+  /// \param scene  its tree is complete; it outlives the object
+  SceneContext(const std::string& file, model::Scene& scene) : file_(file), scene_(scene) {}
+
+  [[nodiscard]] SceneFields fields(const Node& node, const std::string& what,
+                                   const Keys& keys) const {
+    return {file_, node, what, keys, constants_};
+  }
+  [[nodiscard]] const std::string& file() const { return file_; }
+  model::Scene& scene() { return scene_; }
+
+  void define_parameters(const Node& node);
+  /// The points of the scene, in file order.
+  void define_points(const SceneFields& root);
+
+  /// The coordinate of the joint that `fields` names. \throws InputError
+  [[nodiscard]] int joint(const SceneFields& fields) const {
+    return joint(fields, fields.text("joint"));
+  }
+  [[nodiscard]] int joint(const Fields& fields, const Text& name) const;
+  /// The point that `key` names: of the scene, of the model, or the origin of a link.
+  int point(const SceneFields& fields, std::string_view key = "point");
+
+  enum class Of { kState, kTime, kPoint, kDepth };
+  /// An expression of t, q, qd; t alone; these and the motion of a point; depth and normal speed.
+  [[nodiscard]] model::Expression expression(const SceneFields& fields, const Node& node,
+                                             Of variables) const;
+  /// Of time, with its derivatives.
+  [[nodiscard]] std::array<model::Expression, 3> motion(const SceneFields& fields,
+                                                        const Node& node) const;
+
+ private:
+  template <class Read>
+  auto guarded(const SceneFields& fields, const Node& node, const Read& read) const;
+  [[nodiscard]] symbolic::VariableNames variables(Of kind) const;
+  [[nodiscard]] std::optional<int> coordinate(std::string_view name) const;
+  int add(const Fields& fields, const Place& where, model::Point point);
+
+  const std::string& file_;
+  model::Scene& scene_;
+  symbolic::Constants constants_;
+};
+
+}  // namespace treedyn::description

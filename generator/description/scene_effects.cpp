@@ -1,0 +1,430 @@
+#include "description/scene_effects.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "common/decimal.hpp"
+#include "model/effects.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+using model::ConstraintKind;
+using Of = SceneContext::Of;
+
+Use use_of(const Fields& fields, const Text& text) {
+  static const std::map<std::string, Use, std::less<>> words = {
+      {"default", Use::kDefault}, {"on", Use::kOn}, {"off", Use::kOff}};
+  const auto found = words.find(text.text);
+  if (found == words.end()) {
+    fields.fail(text.where,
+                fmt::format("'{}' is no state of an effect; expected default, on or off",
+                            shown(text.text)));
+  }
+  return found->second;
+}
+
+std::vector<std::string_view> effect_names() {
+  std::vector<std::string_view> result;
+  for (const model::EffectRow& row : model::kEffects) {
+    result.push_back(row.name);
+  }
+  return result;
+}
+
+}  // namespace
+
+const std::vector<SceneEffects::Row>& SceneEffects::rows() {
+  using E = SceneEffects;
+  static const std::vector<Row> table = {
+      {"viscous_friction", {"joint", "coefficient"}, &E::viscous_friction},
+      {"coulomb_friction", {"joint", "force", "slip_speed"}, &E::coulomb_friction},
+      {"stribeck_friction",
+       {"joint", "force", "static_force", "stribeck_speed", "slip_speed"},
+       &E::stribeck_friction},
+      {"armature", {"joint", "inertia"}, &E::armature},
+      {"joint_spring", {"joint", "stiffness", "damping", "rest"}, &E::joint_spring},
+      {"point_spring",
+       {"point", "anchor", "stiffness", "damping", "rest_length"},
+       &E::point_spring},
+      {"drive", {"joint", "torque", "kp", "kd", "target"}, &E::drive},
+      {"locked_joint", {"name", "joint", "at", "acceleration"}, &E::locked_joint},
+      {"force", {"point", "value"}, &E::force},
+      {"moment", {"point", "value"}, &E::moment},
+      {"point_constraint",
+       {"name", "point", "along", "curve", "acceleration"},
+       &E::point_constraint},
+      {"orientation_constraint",
+       {"name", "point", "along", "acceleration"},
+       &E::orientation_constraint},
+      {"joined_constraint", {"name", "point", "other", "along"}, &E::joined_constraint},
+      {"ground_contact",
+       {"point", "normal", "height", "stiffness", "exponent", "dissipation", "friction",
+        "slip_speed", "law"},
+       &E::ground_contact}};
+  return table;
+}
+
+SceneEffects::SceneEffects(SceneContext& context, const SceneFields& root) : context_(context) {
+  if (const Node* const use = root.find("use")) {
+    read_use(*use);
+  }
+  scene().velocity_products = acts("velocity_products");
+  const Node* const node = root.find("effects");
+  if (node != nullptr) {
+    Keys keys = {"gravity", "stabilisation"};
+    for (const Row& row : rows()) {
+      keys.push_back(row.effect);
+    }
+    const SceneFields effects = context_.fields(*node, "effects", keys);
+    read_gravity(effects);
+    for (const Row& row : rows()) {
+      if (const Node* const entries = effects.find(row.effect)) {
+        read_entries(row, effects, *entries);
+      }
+    }
+    if (const Node* const stabilisation = effects.find("stabilisation")) {
+      read_stabilisation(*stabilisation);
+    }
+  }
+  if (!acts("stabilisation")) {
+    scene().stepping.drift = model::Drift::kNone;
+  }
+  check_on(root, node);
+}
+
+void SceneEffects::read_use(const Node& node) {
+  const SceneFields fields = context_.fields(node, "use", effect_names());
+  for (const Node& item : node.items) {
+    use_[item.key.text] = use_of(fields, fields.scalar(item));
+  }
+}
+
+bool SceneEffects::acts(std::string_view effect) const {
+  const auto found = use_.find(effect);
+  return found == use_.end() || found->second != Use::kOff;
+}
+
+/// An effect that is on has something to act with.
+void SceneEffects::check_on(const SceneFields& root, const Node* effects) const {
+  for (const auto& [effect, use] : use_) {
+    const bool has_values = effect == "velocity_products" || effect == "impact" ||
+                            effect == "stabilisation" || acting_.count(effect) > 0;
+    if (use == Use::kOn && !has_values) {
+      const Node& node = root.get("use");
+      const auto item = std::find_if(node.items.begin(), node.items.end(),
+                                     [&](const Node& n) { return n.key.text == effect; });
+      root.fail(item->where, fmt::format("effect '{}' is on and {}; expected {}", effect,
+                                         effects == nullptr ? "there are no effects"
+                                                            : "nothing in 'effects' acts",
+                                         "an entry that is not off"));
+    }
+  }
+}
+
+void SceneEffects::read_gravity(const SceneFields& effects) {
+  const Node* const node = effects.find("gravity");
+  if (node == nullptr) {
+    return;
+  }
+  const model::Vector3 value = effects.vector_of(*node);
+  if (acts("gravity")) {
+    scene().gravity = value;
+    ++acting_["gravity"];
+  }
+}
+
+void SceneEffects::read_stabilisation(const Node& node) {
+  const SceneFields fields = context_.fields(node, "stabilisation", {"method", "rate"});
+  static const std::map<std::string, model::Drift, std::less<>> methods = {
+      {"none", model::Drift::kNone},
+      {"baumgarte", model::Drift::kBaumgarte},
+      {"projection", model::Drift::kProjection}};
+  const Text method = fields.text("method");
+  const auto found = methods.find(method.text);
+  if (found == methods.end()) {
+    fields.fail(method.where,
+                fmt::format("method '{}' is unknown; expected none, baumgarte or projection",
+                            shown(method.text)));
+  }
+  scene().stepping.drift = found->second;
+  if (fields.find("rate") != nullptr) {
+    if (found->second != model::Drift::kBaumgarte) {
+      fields.fail(fields.get("rate").key.where, "'rate' belongs to baumgarte; expected no rate");
+    }
+    scene().stepping.stabilisation = fields.positive("rate");
+  }
+}
+
+bool SceneEffects::entry_acts(std::string_view effect, const SceneFields& fields) const {
+  const std::optional<Text> text = fields.optional_text("use");
+  const Use use = text ? use_of(fields, *text) : Use::kDefault;
+  if (use == Use::kOn && !acts(effect)) {
+    fields.fail(text->where, fmt::format("entry is on and effect '{}' is off; expected one of "
+                                         "these, not both",
+                                         effect));
+  }
+  return acts(effect) && use != Use::kOff;
+}
+
+/// Entries that are off are checked like others and then left out.
+void SceneEffects::read_entries(const Row& row, const SceneFields& effects, const Node& node) {
+  Keys keys = row.keys;
+  keys.push_back("use");
+  const std::vector<Node>& items = effects.sequence(node);
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const SceneFields fields = context_.fields(items[k], called(row.effect, items[k], k), keys);
+    const bool used = entry_acts(row.effect, fields);
+    const model::Scene before = used ? model::Scene{} : scene();
+    entry_is_off_ = !used;
+    (this->*row.read)(fields);
+    if (used) {
+      ++acting_[std::string(row.effect)];
+    } else {
+      scene() = before;
+    }
+  }
+}
+
+void SceneEffects::viscous_friction(const SceneFields& fields) {
+  scene().viscous_frictions.push_back({context_.joint(fields), fields.amount("coefficient")});
+}
+
+void SceneEffects::coulomb_friction(const SceneFields& fields) {
+  scene().frictions.push_back(
+      {context_.joint(fields), fields.amount("force"), fields.amount_or("slip_speed", 0)});
+}
+
+void SceneEffects::stribeck_friction(const SceneFields& fields) {
+  const model::StribeckFriction friction{
+      context_.joint(fields), fields.amount("force"), fields.amount("static_force"),
+      fields.positive("stribeck_speed"), fields.positive("slip_speed")};
+  if (friction.static_force < friction.force) {
+    fields.fail(fields.get("static_force").where,
+                "'static_force' is below 'force'; expected at least as much");
+  }
+  scene().stribeck_frictions.push_back(friction);
+}
+
+void SceneEffects::armature(const SceneFields& fields) {
+  scene().armatures.push_back({context_.joint(fields), fields.amount("inertia")});
+}
+
+void SceneEffects::joint_spring(const SceneFields& fields) {
+  scene().joint_springs.push_back({context_.joint(fields), fields.amount("stiffness"),
+                                   fields.amount_or("damping", 0), fields.number_or("rest", 0)});
+}
+
+void SceneEffects::point_spring(const SceneFields& fields) {
+  scene().point_springs.push_back({context_.point(fields), fields.vector("anchor"),
+                                   fields.amount("stiffness"), fields.amount_or("damping", 0),
+                                   fields.amount_or("rest_length", 0)});
+}
+
+/// A torque, or kp (target - q) + kd (target' - qd), or their sum.
+void SceneEffects::drive(const SceneFields& fields) {
+  const int joint = context_.joint(fields);
+  model::Expression torque;
+  const Node* const given = fields.find("torque");
+  const Node* const target = fields.find("target");
+  if (given == nullptr && target == nullptr) {
+    fields.fail(fields.where(), "has no torque and no target; expected at least one");
+  }
+  if (given != nullptr) {
+    torque = context_.expression(fields, *given, Of::kState);
+  }
+  if (target != nullptr) {
+    const auto motion = context_.motion(fields, *target);
+    const model::Expression q(model::Variable{model::Quantity::kPosition, joint});
+    const model::Expression qd(model::Variable{model::Quantity::kVelocity, joint});
+    const model::Expression stiff = fields.amount("kp") * (motion[0] - q);
+    const model::Expression damped = fields.amount_or("kd", 0) * (motion[1] - qd);
+    torque = torque + stiff + damped;
+  } else if (const Node* const gain =
+                 fields.find("kp") != nullptr ? fields.find("kp") : fields.find("kd")) {
+    fields.fail(gain->key.where,
+                fmt::format("'{}' without a target; expected target too", gain->key.text));
+  }
+  scene().motors.push_back({joint, torque});
+}
+
+void SceneEffects::locked_joint(const SceneFields& fields) {
+  model::Constraint constraint;
+  constraint.kind = ConstraintKind::kJoint;
+  constraint.joint = context_.joint(fields);
+  constraint.name = fields.text_or("name", fields.text("joint").text);
+  if (const Node* const at = fields.find("at")) {
+    const auto motion = context_.motion(fields, *at);
+    constraint.curve.position[0] = motion[0];
+    constraint.curve.velocity[0] = motion[1];
+    constraint.curve.acceleration[0] = motion[2];
+  }
+  read_accelerations(fields, constraint);
+  constraint.pinned = fields.find("at") == nullptr && constraint.accelerations.empty();
+  add(fields, std::move(constraint));
+}
+
+model::VectorExpression SceneEffects::load(const SceneFields& fields) const {
+  model::VectorExpression result;
+  const std::vector<Node>& entries = fields.triple(fields.get("value"));
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = context_.expression(fields, entries[k], Of::kPoint);
+  }
+  return result;
+}
+
+void SceneEffects::force(const SceneFields& fields) {
+  const int point = context_.point(fields);
+  scene().forces.push_back({point, load(fields)});
+}
+
+void SceneEffects::moment(const SceneFields& fields) {
+  const int point = context_.point(fields);
+  scene().torques.push_back({point, load(fields)});
+}
+
+/// `along`: letters x, y, z or vectors; all three without it.
+void SceneEffects::read_directions(const SceneFields& fields, model::Constraint& constraint) const {
+  const std::array<model::Vector3, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  if (fields.find("along") == nullptr) {
+    constraint.directions.assign(axes.begin(), axes.end());
+    return;
+  }
+  const std::vector<Node>& items = fields.list("along");
+  if (items.empty()) {
+    fields.fail(fields.get("along").where, "'along' is empty; expected at least one direction");
+  }
+  for (const Node& item : items) {
+    const bool letter = item.kind == NodeKind::kScalar;
+    const std::size_t axis = std::string_view("xyz").find(letter ? item.text : "?");
+    if (letter && (item.text.size() != 1 || axis == std::string_view::npos)) {
+      fields.fail(item.where, fmt::format("direction '{}' is unknown; expected x, y, z or a vector",
+                                          shown(item.text)));
+    }
+    constraint.directions.push_back(letter ? axes[axis] : fields.direction_of(item));
+  }
+}
+
+void SceneEffects::read_accelerations(const SceneFields& fields,
+                                      model::Constraint& constraint) const {
+  const Node* const node = fields.find("acceleration");
+  if (node == nullptr) {
+    return;
+  }
+  for (const char* const other : {"curve", "at"}) {
+    if (fields.find(other) != nullptr) {
+      fields.fail(node->key.where,
+                  fmt::format("'acceleration' beside '{}'; expected one of them", other));
+    }
+  }
+  const bool list = node->kind == NodeKind::kSequence;
+  const std::size_t count = list ? node->items.size() : 1;
+  if (count != constraint.rows()) {
+    fields.fail(node->where, fmt::format("'acceleration' has {} entries; expected {}, one a "
+                                         "direction",
+                                         count, constraint.rows()));
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    constraint.accelerations.push_back(
+        context_.expression(fields, list ? node->items[k] : *node, Of::kState));
+  }
+}
+
+void SceneEffects::point_constraint(const SceneFields& fields) {
+  model::Constraint constraint;
+  constraint.point = context_.point(fields);
+  constraint.name =
+      fields.text_or("name", scene().points[static_cast<std::size_t>(constraint.point)].name);
+  read_directions(fields, constraint);
+  if (fields.find("curve") != nullptr) {
+    const std::vector<Node>& entries = fields.triple(fields.get("curve"));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto motion = context_.motion(fields, entries[k]);
+      constraint.curve.position[k] = motion[0];
+      constraint.curve.velocity[k] = motion[1];
+      constraint.curve.acceleration[k] = motion[2];
+    }
+  }
+  read_accelerations(fields, constraint);
+  constraint.pinned = fields.find("curve") == nullptr && constraint.accelerations.empty();
+  add(fields, std::move(constraint));
+}
+
+void SceneEffects::orientation_constraint(const SceneFields& fields) {
+  model::Constraint constraint;
+  constraint.kind = ConstraintKind::kOrientation;
+  constraint.point = context_.point(fields);
+  constraint.name = fields.text_or(
+      "name", scene().points[static_cast<std::size_t>(constraint.point)].name + "_orientation");
+  read_directions(fields, constraint);
+  read_accelerations(fields, constraint);
+  add(fields, std::move(constraint));
+}
+
+void SceneEffects::joined_constraint(const SceneFields& fields) {
+  model::Constraint constraint;
+  constraint.kind = ConstraintKind::kJoined;
+  constraint.point = context_.point(fields, "point");
+  constraint.other = context_.point(fields, "other");
+  if (constraint.point == constraint.other) {
+    fields.fail(fields.get("other").where, "a point is joined to itself; expected two points");
+  }
+  constraint.name = fields.text_or(
+      "name", fmt::format("{}_{}", fields.text("point").text, fields.text("other").text));
+  read_directions(fields, constraint);
+  add(fields, std::move(constraint));
+}
+
+void SceneEffects::ground_contact(const SceneFields& fields) {
+  model::GroundContact contact;
+  contact.point = context_.point(fields);
+  contact.plane = {
+      fields.find("normal") == nullptr ? model::Vector3{0, 0, 1} : fields.direction("normal"),
+      fields.number_or("height", 0)};
+  if (const Node* const law = fields.find("law")) {
+    for (const char* const other : {"stiffness", "exponent", "dissipation"}) {
+      if (fields.find(other) != nullptr) {
+        fields.fail(fields.get(other).key.where,
+                    fmt::format("'{}' beside 'law'; expected one of them", other));
+      }
+    }
+    contact.law = context_.expression(fields, *law, Of::kDepth);
+  } else {
+    contact.stiffness = fields.positive("stiffness");
+    contact.exponent = fields.number_or("exponent", 1);
+    contact.dissipation = fields.amount_or("dissipation", 0);
+    if (contact.exponent < 1) {
+      fields.fail(fields.get("exponent").where, "'exponent' is below 1; expected 1 or more");
+    }
+  }
+  contact.friction = fields.amount_or("friction", 0);
+  contact.slip_speed = fields.amount_or("slip_speed", 0);
+  if (contact.friction > 0 && contact.slip_speed == 0) {
+    fields.fail(fields.get("friction").key.where,
+                "friction without 'slip_speed'; expected a slip speed above 0");
+  }
+  scene().contacts.push_back(std::move(contact));
+}
+
+void SceneEffects::refuse_second(const SceneFields& fields, const std::string& name) const {
+  const auto& all = context_.scene().constraints;
+  if (constraints_off_.count(name) > 0 ||
+      std::any_of(all.begin(), all.end(), [&](const auto& c) { return c.name == name; })) {
+    fields.fail(fields.where(), fmt::format("another constraint is called '{}'; expected different "
+                                            "names",
+                                            shown(name)));
+  }
+}
+
+void SceneEffects::add(const SceneFields& fields, model::Constraint constraint) {
+  refuse_second(fields, constraint.name);
+  if (entry_is_off_) {
+    constraints_off_[constraint.name] = 1;
+  }
+  scene().constraints.push_back(std::move(constraint));
+}
+
+}  // namespace treedyn::description

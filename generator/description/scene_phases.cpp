@@ -1,0 +1,224 @@
+#include "description/scene_phases.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+using model::EventKind;
+
+class PhaseReader {
+ public:
+  PhaseReader(SceneContext& context, const SceneEffects& effects, const SceneFields& root)
+      : context_(context), effects_(effects), root_(root), scene_(context.scene()) {}
+
+  void run() {
+    const std::vector<Node>& nodes = root_.list("phases");
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      read_phase(nodes[k], called("phase", nodes[k], k));
+    }
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      read_events(nodes[k], k, called("phase", nodes[k], k));
+    }
+    if (nodes.empty()) {
+      scene_.phases.push_back({"all", {}, {}});
+    }
+    add_unlisted();
+    if (const std::optional<Text> start = root_.optional_text("start_phase")) {
+      scene_.start_phase = phase(root_, *start);
+    }
+  }
+
+ private:
+  static Keys phase_keys() { return {"name", "active", "until"}; }
+
+  void read_phase(const Node& node, const std::string& what) {
+    const SceneFields fields = context_.fields(node, what, phase_keys());
+    const Text name = fields.text("name");
+    if (std::any_of(scene_.phases.begin(), scene_.phases.end(),
+                    [&](const model::Phase& p) { return p.name == name.text; })) {
+      fields.fail(name.where, "another phase has this name; expected different names");
+    }
+    scene_.phases.push_back({name.text, constraints(fields, "active"), {}});
+  }
+
+  void read_events(const Node& node, std::size_t index, const std::string& what) {
+    const SceneFields fields = context_.fields(node, what, phase_keys());
+    const std::vector<Node>& events = fields.list("until");
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      const std::string of = fmt::format("{}: event {}", what, k + 1);
+      scene_.phases[index].until.push_back(event(events[k], of));
+    }
+  }
+
+  model::Event event(const Node& node, const std::string& what) {
+    const SceneFields fields = context_.fields(node, what,
+                                               {"touch_down", "lift_off", "time", "expression",
+                                                "crossing", "not_before", "impact", "then"});
+    model::Event result;
+    const Node* cause = nullptr;
+    for (const char* const kind : {"touch_down", "lift_off", "time", "expression"}) {
+      if (const Node* const found = fields.find(kind)) {
+        if (cause != nullptr) {
+          fields.fail(found->key.where,
+                      fmt::format("'{}' beside '{}'; expected one cause", kind, cause->key.text));
+        }
+        cause = found;
+      }
+    }
+    if (cause == nullptr) {
+      fields.fail(node.where, "has no cause; expected touch_down, lift_off, time or expression");
+    }
+    result.not_before = fields.amount_or("not_before", 0);
+    read_cause(fields, *cause, what, result);
+    if (const Node* const impact = fields.find("impact")) {
+      result.impact = read_impact(*impact, what + ": impact");
+    }
+    result.then = phase(fields, fields.text("then"));
+    return result;
+  }
+
+  void read_cause(const SceneFields& fields, const Node& cause, const std::string& what,
+                  model::Event& event) {
+    const std::string& kind = cause.key.text;
+    if (kind != "expression" && fields.find("crossing") != nullptr) {
+      fields.fail(fields.get("crossing").key.where,
+                  fmt::format("'crossing' beside '{}'; expected it beside expression", kind));
+    }
+    if (kind == "time") {
+      if (fields.find("not_before") != nullptr) {
+        fields.fail(fields.get("not_before").key.where,
+                    "'not_before' beside 'time'; expected one of them");
+      }
+      event.kind = EventKind::kTime;
+      event.not_before = fields.positive("time");
+    } else if (kind == "expression") {
+      event.kind = EventKind::kExpression;
+      event.value = context_.expression(fields, cause, SceneContext::Of::kState);
+      const std::string crossing = fields.text_or("crossing", "falling");
+      if (crossing != "falling" && crossing != "rising") {
+        fields.fail(
+            fields.get("crossing").where,
+            fmt::format("crossing '{}' is unknown; expected falling or rising", shown(crossing)));
+      }
+      event.value = crossing == "rising" ? -event.value : event.value;
+    } else if (kind == "touch_down") {
+      const SceneFields at =
+          context_.fields(cause, what + ": touch_down", {"point", "normal", "height"});
+      event.point = context_.point(at);
+      event.plane = {normal(at), at.number_or("height", 0)};
+    } else {
+      const SceneFields at = context_.fields(cause, what + ": lift_off", {"constraint", "normal"});
+      event.kind = EventKind::kReaction;
+      event.constraint = reacting(at);
+      event.plane = {normal(at), 0};
+    }
+  }
+
+  static model::Vector3 normal(const SceneFields& fields) {
+    return fields.find("normal") == nullptr ? model::Vector3{0, 0, 1} : fields.direction("normal");
+  }
+
+  /// A constraint whose reactions are forces.
+  [[nodiscard]] int reacting(const SceneFields& fields) const {
+    const Node& node = fields.get("constraint");
+    const std::optional<int> found = constraint(fields, node);
+    if (!found || scene_.constraints[static_cast<std::size_t>(*found)].kind !=
+                      model::ConstraintKind::kPoint) {
+      fields.fail(node.where, found ? "is no point_constraint; expected one, whose reaction is a "
+                                      "force"
+                                    : "the constraint is switched off; expected one that acts");
+    }
+    return *found;
+  }
+
+  [[nodiscard]] model::Impact read_impact(const Node& node, const std::string& what) {
+    const SceneFields fields =
+        context_.fields(node, what, {"constraints", "restitution", "rest_below"});
+    model::Impact impact{constraints(fields, "constraints"), fields.amount_or("restitution", 0),
+                         fields.amount_or("rest_below", 0)};
+    if (impact.restitution > 1) {
+      fields.fail(fields.get("restitution").where, "'restitution' is above 1; expected 0 to 1");
+    }
+    if (impact.constraints.empty()) {
+      fields.fail(node.where, "has no constraint that acts; expected at least one");
+    }
+    return impact;
+  }
+
+  /// Nothing for a constraint that is switched off.
+  [[nodiscard]] std::optional<int> constraint(const SceneFields& fields, const Node& node) const {
+    const std::string name = fields.scalar(node).text;
+    for (std::size_t k = 0; k < scene_.constraints.size(); ++k) {
+      if (scene_.constraints[k].name == name) {
+        return static_cast<int>(k);
+      }
+    }
+    if (!effects_.is_off(name)) {
+      fields.fail(node.where,
+                  fmt::format("constraint '{}' is not defined; expected the name of one "
+                              "in 'effects'",
+                              shown(name)));
+    }
+    return std::nullopt;
+  }
+
+  std::vector<int> constraints(const SceneFields& fields, const char* key) {
+    std::set<int> result;
+    for (const Node& item : fields.list(key)) {
+      if (const std::optional<int> found = constraint(fields, item)) {
+        result.insert(*found);
+        listed_.insert(*found);
+      }
+    }
+    return {result.begin(), result.end()};
+  }
+
+  [[nodiscard]] int phase(const SceneFields& fields, const Text& name) const {
+    for (std::size_t k = 0; k < scene_.phases.size(); ++k) {
+      if (scene_.phases[k].name == name.text) {
+        return static_cast<int>(k);
+      }
+    }
+    fields.fail(name.where, fmt::format("phase '{}' is not defined; expected one of 'phases'",
+                                        shown(name.text)));
+  }
+
+  void add_unlisted() {
+    for (std::size_t k = 0; k < scene_.constraints.size(); ++k) {
+      if (listed_.count(static_cast<int>(k)) == 0) {
+        for (model::Phase& phase : scene_.phases) {
+          phase.active.push_back(static_cast<int>(k));
+          std::sort(phase.active.begin(), phase.active.end());
+        }
+      }
+    }
+  }
+
+  SceneContext& context_;
+  const SceneEffects& effects_;
+  const SceneFields& root_;
+  model::Scene& scene_;
+  std::set<int> listed_;
+};
+
+}  // namespace
+
+void read_phases(SceneContext& context, const SceneEffects& effects, const SceneFields& root) {
+  PhaseReader(context, effects, root).run();
+  if (!effects.acts("impact")) {
+    for (model::Phase& phase : context.scene().phases) {
+      for (model::Event& event : phase.until) {
+        event.impact.reset();
+      }
+    }
+  }
+}
+
+}  // namespace treedyn::description

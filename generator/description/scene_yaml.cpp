@@ -1,0 +1,113 @@
+#include "description/scene_yaml.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "description/read.hpp"
+#include "description/scene_context.hpp"
+#include "description/scene_effects.hpp"
+#include "description/scene_phases.hpp"
+
+namespace treedyn::description {
+
+namespace {
+
+Keys root_keys() {
+  return {"scene", "model",  "base",        "parameters", "points",   "effects",
+          "use",   "phases", "start_phase", "initial",    "duration", "stepping"};
+}
+
+Base base_of(const Fields& root) {
+  const Text base = root.optional_text("base").value_or(Text{"fixed", {}});
+  if (base.text != "fixed" && base.text != "axes") {
+    root.fail(base.where,
+              fmt::format("base '{}' is unknown; expected fixed or axes", shown(base.text)));
+  }
+  return base.text == "axes" ? Base::kAxes : Base::kFixed;
+}
+
+/// The model's file, beside the scene's unless the path is absolute.
+std::string model_path(const Fields& root, const std::string& file) {
+  const std::filesystem::path model = root.text("model").text;
+  if (model == "-") {
+    root.fail(root.get("model").where, "the model is standard input; expected a file");
+  }
+  return (std::filesystem::path(file).parent_path() / model).lexically_normal().string();
+}
+
+/// Values by the names of joints; what is not named is zero.
+std::vector<Real> by_joint(const SceneContext& context, const SceneFields& initial,
+                           std::string_view key, const Node* node, std::size_t dof) {
+  std::vector<Real> result(dof, Real(0));
+  if (node == nullptr) {
+    return result;
+  }
+  if (node->kind != NodeKind::kMapping) {
+    initial.fail(node->where, fmt::format("'{}' is no mapping; expected joint: value", key));
+  }
+  for (const Node& item : node->items) {
+    const int joint = context.joint(initial, item.key);
+    result[static_cast<std::size_t>(joint)] = initial.number_of(item);
+  }
+  return result;
+}
+
+void read_initial(const SceneContext& context, const SceneFields& root, model::Scene& scene) {
+  const auto dof = static_cast<std::size_t>(scene.tree.dof());
+  scene.q0.assign(dof, Real(0));
+  scene.qd0.assign(dof, Real(0));
+  if (const Node* const node = root.find("initial")) {
+    const SceneFields initial = context.fields(*node, "initial", {"q", "qd", "t"});
+    scene.q0 = by_joint(context, initial, "q", initial.find("q"), dof);
+    scene.qd0 = by_joint(context, initial, "qd", initial.find("qd"), dof);
+    scene.t0 = initial.number_or("t", 0);
+  }
+}
+
+void read_stepping(const SceneContext& context, const SceneFields& root, model::Scene& scene) {
+  const Node* const node = root.find("stepping");
+  if (node == nullptr) {
+    return;
+  }
+  const SceneFields fields =
+      context.fields(*node, "stepping", {"integrator", "step", "tolerance", "output_step"});
+  model::Stepping& stepping = scene.stepping;
+  if (const std::optional<Text> name = fields.optional_text("integrator")) {
+    stepping.integrator = name->text;
+    stepping.where = {fields.file(), name->where.line, name->where.column};
+  }
+  const auto positive = [&](const char* key, Real& value) {
+    value = fields.find(key) == nullptr ? value : fields.positive(key);
+  };
+  positive("step", stepping.step);
+  positive("tolerance", stepping.tolerance);
+  positive("output_step", stepping.output_step);
+}
+
+}  // namespace
+
+model::Scene read_scene_yaml(const Node& node, const std::string& file) {
+  model::Scene scene;
+  SceneContext context(file, scene);
+  // parameters come first: every other number may use them
+  const SceneFields root = context.fields(node, "scene", root_keys());
+  scene.name = root.text("scene").text;
+  scene.tree = read_model(model_path(root, file), {.base = base_of(root)});
+  if (scene.tree.dof() == 0) {
+    root.fail(root.get("model").where, "the model has no moving joint; expected at least one");
+  }
+  if (const Node* const parameters = root.find("parameters")) {
+    context.define_parameters(*parameters);
+  }
+  context.define_points(root);
+  const SceneEffects effects(context, root);
+  read_phases(context, effects, root);
+  read_initial(context, root, scene);
+  scene.duration = root.positive("duration");
+  read_stepping(context, root, scene);
+  return scene;
+}
+
+}  // namespace treedyn::description

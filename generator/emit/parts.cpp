@@ -1,0 +1,90 @@
+#include "emit/parts.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/layout.hpp"
+
+namespace treedyn::emit {
+
+namespace {
+
+/// mass_matrix -> MassMatrixWorkspace
+std::string workspace_type(const std::string& function) {
+  std::string result;
+  bool start = true;
+  for (const char c : function) {
+    if (c == '_') {
+      start = true;
+    } else {
+      result += start && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+      start = false;
+    }
+  }
+  return result + "Workspace";
+}
+
+std::string workspace(const std::string& type, const std::vector<std::string>& members) {
+  std::string result = fmt::format("struct {} {{\n", type);
+  for (const std::string& member : members) {
+    result += fmt::format("  Scalar {};\n", member);
+  }
+  return result + "};\n";
+}
+
+/// The arrays that a part uses: of all `values` (one per array) those.
+std::vector<std::string> chosen(const std::vector<std::string>& values, const Part& part) {
+  std::vector<std::string> result;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (part.uses[k]) {
+      result.push_back(values[k]);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string block(const std::vector<std::string>& lines) {
+  std::string result = "\n";
+  for (const std::string& line : lines) {
+    result += "  " + line + "\n";
+  }
+  return result + "}\n";
+}
+
+SplitText split_text(const program::Signature& signature, const Body& body) {
+  const std::string type = workspace_type(signature.name);
+  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
+  std::vector<std::string> names;
+  for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
+    for (const program::Array& array : *arrays) {
+      names.push_back(array.name);
+    }
+  }
+  SplitText text;
+  text.used.assign(all.size(), false);
+  if (!body.workspace.empty()) {
+    text.parts += "\n" + workspace(type, body.workspace);
+    text.declaration = type + " w;";
+  }
+  for (std::size_t k = 0; k < body.parts.size(); ++k) {
+    const Part& part = body.parts[k];
+    const std::string name = fmt::format("{}_{}", signature.name, k + 1);
+    std::vector<std::string> declared = chosen(parameters(signature, all), part);
+    std::vector<std::string> passed = chosen(names, part);
+    if (part.uses_workspace) {
+      declared.push_back(type + "& w");
+      passed.emplace_back("w");
+    }
+    text.parts += "\n";
+    text.parts +=
+        declaration("[[gnu::noinline]] void " + name, declared, " noexcept {") + block(part.lines);
+    text.calls.push_back(fmt::format("{}({});", name, fmt::join(passed, ", ")));
+    for (std::size_t array = 0; array < text.used.size(); ++array) {
+      text.used[array] = text.used[array] || part.uses[array];
+    }
+  }
+  return text;
+}
+
+}  // namespace treedyn::emit

@@ -1,0 +1,24 @@
+// A function body in several C++ functions that share a workspace.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/body.hpp"
+
+namespace treedyn::emit {
+
+/// What follows the opening brace of a function.
+std::string block(const std::vector<std::string>& lines);
+
+struct SplitText {
+  std::string parts;               ///< the workspace and the functions of the parts
+  std::string declaration;         ///< of the workspace in the caller; empty: none
+  std::vector<std::string> calls;  ///< one per part
+  std::vector<bool> used;          ///< arrays: inputs, then outputs
+};
+
+/// The parts of a body as functions name_1, name_2, ...
+SplitText split_text(const program::Signature& signature, const Body& body);
+
+}  // namespace treedyn::emit

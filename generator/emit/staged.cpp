@@ -1,0 +1,207 @@
+#include "emit/staged.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "emit/layout.hpp"
+#include "emit/parts.hpp"
+#include "emit/template_file.hpp"
+
+namespace treedyn::emit {
+
+using program::RowSolve;
+using program::Staged;
+
+namespace {
+
+using Solves = std::vector<RowSolve>;
+
+/// Every solve once, in order of first use.
+Solves solves_of(const std::vector<Staged>& functions) {
+  Solves result;
+  for (const Staged& staged : functions) {
+    for (const RowSolve& solve : staged.solves) {
+      if (std::find(result.begin(), result.end(), solve) == result.end()) {
+        result.push_back(solve);
+      }
+    }
+  }
+  return result;
+}
+
+/// solve_rows_6; of several with six rows solve_rows_6, solve_rows_6_2, ...
+std::string name_of(const RowSolve& solve, const Solves& all, const std::string& stem) {
+  int same = 0;
+  for (const RowSolve& other : all) {
+    same += other.rows == solve.rows ? 1 : 0;
+    if (other == solve) {
+      break;
+    }
+  }
+  const std::string name = fmt::format("{}_{}", stem, solve.rows);
+  return same > 1 ? fmt::format("{}_{}", name, same) : name;
+}
+
+std::string parameter_list(const RowSolve& solve) {
+  return fmt::format("const Scalar K[{}], const Scalar b[{}], Scalar x[{}]",
+                     solve.rows * (solve.rows + 1) / 2, solve.rows, solve.rows);
+}
+
+/// The threshold of the pivots.
+void add_threshold(const RowSolve& solve, std::vector<std::string>& lines) {
+  lines.push_back("Scalar largest = K[0];");
+  for (int k = 1; k < solve.rows; ++k) {
+    const int place = k * (k + 3) / 2;
+    lines.push_back(fmt::format("largest = K[{}] > largest ? K[{}] : largest;", place, place));
+  }
+  lines.push_back(fmt::format("const Scalar least = {} * kRankTolerance * largest;", solve.rows));
+}
+
+/// The unrolled elimination, which gives up at the first pivot that may be zero.
+std::string regular_text(const RowSolve& solve, const std::string& name, const Target& target) {
+  const program::Function function = program::regular_solve(solve);
+  const Body text = body(function, {}, target,
+                         [](int array, int element) { return array == 2 ? element + 1 : 0; });
+  std::vector<std::string> lines;
+  add_threshold(solve, lines);
+  lines.push_back(fmt::format("Scalar d[{}];", solve.rows));
+  const Part& part = text.parts.front();
+  std::size_t stage = 0;
+  for (std::size_t at = 0; at < part.lines.size(); ++at) {
+    for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
+      lines.push_back(fmt::format("if (!(d[{}] > least)) {{", stage));
+      lines.push_back("  return false;");
+      lines.push_back("}");
+    }
+    lines.push_back(part.lines[at]);
+  }
+  lines.push_back("return true;");
+  return fmt::format(
+             "\n/// K x = b; false if K (lower half, row by row) is not safely positive definite.\n"
+             "bool {}({}) noexcept {{",
+             name, parameter_list(solve)) +
+         block(lines);
+}
+
+std::string solve_text(const RowSolve& solve, const Solves& all, const Target& target) {
+  const std::string deficient = fmt::format("solve_deficient<{}>(K, b, x);", solve.rows);
+  const std::string name = name_of(solve, all, "solve_rows");
+  const std::string head = fmt::format("\nvoid {}({}) noexcept {{", name, parameter_list(solve));
+  if (!solve.regular()) {
+    return head + block({deficient});
+  }
+  const std::string regular = name_of(solve, all, "solve_regular");
+  return regular_text(solve, regular, target) + head +
+         block({fmt::format("if (!{}(K, b, x)) {{", regular), "  " + deficient, "}"});
+}
+
+std::string solvers_text(const Solves& all, const Target& target) {
+  if (all.empty()) {
+    return {};
+  }
+  const bool single = target.scalar == Scalar::kFloat;
+  std::string result =
+      fill(template_text("solve_rows.cpp"),
+           {{"type", type_name(target.scalar)},
+            {"tolerance", single ? program::kRankToleranceFloat : program::kRankToleranceDouble}});
+  for (const RowSolve& solve : all) {
+    result += solve_text(solve, all, target);
+  }
+  return "\nnamespace {\n" + result + "\n}  // namespace\n";
+}
+
+/// Declarations of the arrays that callers do not see.
+std::vector<std::string> local_arrays(const Staged& staged) {
+  std::vector<std::string> lines;
+  for (const RowSolve& solve : staged.solves) {
+    lines.push_back(
+        fmt::format("Scalar {}[{}];", program::kMatrixArray, solve.rows * (solve.rows + 1) / 2));
+    lines.push_back(fmt::format("Scalar {}[{}];", program::kRightArray, solve.rows));
+    lines.push_back(fmt::format("Scalar {}[{}];", program::kMultiplierArray, solve.rows));
+  }
+  return lines;
+}
+
+/// What stands before stage `level`.
+std::string between(const Staged& staged, std::size_t level, const Solves& all) {
+  return fmt::format("{}({}, {}, {});", name_of(staged.solves[level - 1], all, "solve_rows"),
+                     program::kMatrixArray, program::kRightArray, program::kMultiplierArray);
+}
+
+/// Of the public arrays those that some statement touches.
+std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& used) {
+  std::vector<bool> result;
+  const program::Signature& inner = staged.function.signature;
+  const auto is_used = [&](const std::string& name, const std::vector<program::Array>& arrays,
+                           std::size_t first) {
+    for (std::size_t k = 0; k < arrays.size(); ++k) {
+      if (arrays[k].name == name) {
+        return static_cast<bool>(used[first + k]);
+      }
+    }
+    return false;
+  };
+  for (const program::Array& array : staged.signature.inputs) {
+    result.push_back(is_used(array.name, inner.inputs, 0));
+  }
+  for (const program::Array& array : staged.signature.outputs) {
+    result.push_back(is_used(array.name, inner.outputs, inner.inputs.size()));
+  }
+  return result;
+}
+
+std::string function_text(const Staged& staged, const Body& text, const Solves& all) {
+  std::vector<std::string> lines = local_arrays(staged);
+  std::string parts;
+  std::vector<bool> used;
+  if (text.parts.size() == 1) {
+    std::size_t stage = 0;
+    const Part& part = text.parts.front();
+    for (std::size_t at = 0; at < part.lines.size(); ++at) {
+      for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
+        lines.push_back(between(staged, stage + 1, all));
+      }
+      lines.push_back(part.lines[at]);
+    }
+    used = part.uses;
+  } else {
+    const SplitText split = split_text(staged.function.signature, text);
+    parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
+    if (!split.declaration.empty()) {
+      lines.push_back(split.declaration);
+    }
+    int stage = 0;
+    for (std::size_t k = 0; k < text.parts.size(); ++k) {
+      for (; stage < text.parts[k].level; ++stage) {
+        lines.push_back(between(staged, static_cast<std::size_t>(stage) + 1, all));
+      }
+      lines.push_back(split.calls[k]);
+    }
+    used = split.used;
+  }
+  return parts +
+         declaration("void " + staged.signature.name,
+                     parameters(staged.signature, used_arguments(staged, used)), " noexcept {") +
+         block(lines);
+}
+
+}  // namespace
+
+Body staged_body(const Staged& staged, const Vocabulary& words, const Target& target) {
+  return body(staged.function, words, target,
+              [&](int array, int) { return staged.levels[static_cast<std::size_t>(array)]; });
+}
+
+std::string staged_text(const std::vector<Staged>& functions, const std::vector<Body>& bodies,
+                        const Target& target) {
+  const Solves all = solves_of(functions);
+  std::string result = solvers_text(all, target);
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    result += "\n";
+    result += function_text(functions[k], bodies[k], all);
+  }
+  return result;
+}
+
+}  // namespace treedyn::emit

@@ -1,0 +1,20 @@
+// The text of scene functions: straight-line stages and what stands between them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/body.hpp"
+#include "program/staged.hpp"
+
+namespace treedyn::emit {
+
+/// As `body`, stage by stage.
+Body staged_body(const program::Staged& staged, const Vocabulary& words, const Target& target);
+
+/// The solvers that the functions need and the functions; empty if there are none.
+/// \param bodies one per function, in order
+std::string staged_text(const std::vector<program::Staged>& functions,
+                        const std::vector<Body>& bodies, const Target& target);
+
+}  // namespace treedyn::emit

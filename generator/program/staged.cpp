@@ -1,0 +1,131 @@
+#include "program/staged.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace treedyn::program {
+
+namespace {
+
+Expr entry(Graph& graph, const RowSolve& solve, int i, int j) {
+  const int place = i * (i + 1) / 2 + j;
+  const bool zero = solve.zeros[static_cast<std::size_t>(place)];
+  return zero ? Expr() : Expr(graph, graph.input(0, place));
+}
+
+/// Row k of K = L D L^T: u_kj = K_kj - sum u_km l_jm, l_kj = u_kj / d_j, d_k = K_kk - sum u_kj
+/// l_kj.
+struct Triangle {
+  std::vector<std::vector<Expr>> l;
+  std::vector<Expr> pivots;
+  std::vector<Expr> inverses;
+};
+
+Triangle factor(Graph& graph, const RowSolve& solve) {
+  Triangle t;
+  const auto r = static_cast<std::size_t>(solve.rows);
+  for (std::size_t k = 0; k < r; ++k) {
+    std::vector<Expr> u;
+    std::vector<Expr> l;
+    const int row = static_cast<int>(k);
+    Expr pivot = entry(graph, solve, row, row);
+    for (std::size_t j = 0; j < k; ++j) {
+      Expr value = entry(graph, solve, row, static_cast<int>(j));
+      for (std::size_t m = 0; m < j; ++m) {
+        value -= u[m] * t.l[j][m];
+      }
+      u.push_back(value);
+      l.push_back(value * t.inverses[j]);
+      pivot -= value * l.back();
+    }
+    t.l.push_back(l);
+    t.pivots.push_back(pivot);
+    const Expr checked(graph, graph.input(2, row));
+    const Expr one(graph, graph.constant(1));
+    t.inverses.push_back(one / checked);
+  }
+  return t;
+}
+
+/// Multiplications and additions of a sum of `products` that is added to something.
+Cost products(int count) { return {.add = count, .mul = count}; }
+
+}  // namespace
+
+Cost operator+(const Cost& a, const Cost& b) {
+  return {a.add + b.add,   a.mul + b.mul, a.div + b.div,
+          a.sqrt + b.sqrt, a.sin + b.sin, a.cos + b.cos};
+}
+
+Function regular_solve(const RowSolve& solve) {
+  Function f;
+  const int r = solve.rows;
+  f.signature.name = "solve_regular";
+  f.signature.inputs = {{kMatrixArray, r * (r + 1) / 2, ""}, {kRightArray, r, ""}, {"d", r, ""}};
+  f.signature.outputs = {{"d", r, ""}, {"x", r, ""}};
+  const Triangle t = factor(f.graph, solve);
+  std::vector<Expr> x;
+  for (int k = 0; k < r; ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    f.outputs.push_back(t.pivots[n].ref());
+    Expr z(f.graph, f.graph.input(1, k));
+    for (std::size_t j = 0; j < n; ++j) {
+      z -= t.l[n][j] * x[j];
+    }
+    x.push_back(z);
+  }
+  for (std::size_t k = x.size(); k-- > 0;) {
+    x[k] = x[k] * t.inverses[k];
+    for (std::size_t i = k + 1; i < x.size(); ++i) {
+      x[k] -= t.l[i][k] * x[i];
+    }
+  }
+  std::transform(x.begin(), x.end(), std::back_inserter(f.outputs),
+                 [](const Expr& e) { return e.ref(); });
+  return f;
+}
+
+Cost regular_cost(const RowSolve& solve) {
+  return cost(regular_solve(solve)) + Cost{.mul = 1};  // the threshold
+}
+
+/// The loops of templates/solve_rows.cpp.in.
+Cost deficient_cost(int rows, int rank) {
+  Cost c{.mul = 1};  // the threshold
+  for (int k = 0; k < rank; ++k) {
+    const int below = rows - k - 1;
+    c.div += 1;                                                      // 1 / pivot
+    c = c + Cost{.mul = below} + products(below * (below + 1) / 2);  // M, the remainder
+    for (int j = k; j < rank; ++j) {
+      c = c + products(rows - j - 1);  // S = M^T M
+    }
+    c = c + products(rows - k - 1);  // M^T b
+    c.div += 1;
+    c = c + Cost{.mul = k} + products(k * (k + 1) / 2);  // elimination of S
+    c = c + Cost{.mul = 2} + products(2 * 2 * k);        // two solutions with S
+    c.mul += 1;                                          // D^-1
+  }
+  for (int i = 0; i < rows; ++i) {
+    c = c + products(std::min(i, rank));  // M v
+  }
+  return c;
+}
+
+Cost cost(const Staged& staged) {
+  Cost c = cost(staged.function);
+  for (const RowSolve& solve : staged.solves) {
+    c = c + (solve.regular() ? regular_cost(solve) : deficient_cost(solve.rows, solve.rank));
+  }
+  return c;
+}
+
+Cost worst_cost(const Staged& staged) {
+  Cost c = cost(staged.function);
+  for (const RowSolve& solve : staged.solves) {
+    const Cost regular = solve.regular() ? regular_cost(solve) : Cost{};
+    c = c + regular + deficient_cost(solve.rows, solve.rows);
+  }
+  return c;
+}
+
+}  // namespace treedyn::program

@@ -1,0 +1,57 @@
+// Functions whose straight-line code stops where something is decided: scene functions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "program/function.hpp"
+
+namespace treedyn::program {
+
+/// K x = b for a symmetric, positive semidefinite K, EQUATIONS.md 6.3.
+struct RowSolve {
+  int rows = 0;
+  int rank = 0;             ///< of K at almost every state; the regular path needs rank = rows
+  std::vector<bool> zeros;  ///< of the lower half, row by row: entries that are always zero
+
+  [[nodiscard]] bool regular() const { return rank == rows; }
+  bool operator==(const RowSolve&) const = default;
+};
+
+/// Straight-line code in stages. An input array of level s can be read after stage s - 1, when what
+/// stands between the stages has written it; arguments have level 0.
+struct Staged {
+  Signature signature;           ///< what callers see
+  Function function;             ///< all stages; its arrays are those of `signature` and local ones
+  std::vector<int> levels;       ///< of the input arrays of `function`
+  std::vector<RowSolve> solves;  ///< K, b -> mu, after stage 0; at most one
+  int phase = 0;                  ///< of the scene
+  std::vector<std::string> rows;  ///< what the rows of lambda are, for the reader
+};
+
+/// The local arrays of a solve.
+inline constexpr const char* kMatrixArray = "K";
+inline constexpr const char* kRightArray = "b";
+inline constexpr const char* kMultiplierArray = "mu";
+
+/// Multiples of the largest diagonal entry of K: smaller pivots count as zero, EQUATIONS.md 6.3.
+inline constexpr const char* kRankToleranceDouble = "1e-11";
+inline constexpr const char* kRankToleranceFloat = "1e-5f";
+
+/// The regular path unrolled: K = L D L^T without pivoting. Input arrays K, b, d; output arrays d,
+/// x. Element k of d is output of stage k and may be read, so divided by, in stage k + 1.
+Function regular_solve(const RowSolve& solve);
+
+/// Operations of the regular path, the test of the pivots included.
+Cost regular_cost(const RowSolve& solve);
+/// Operations of the path for deficient rows, if the pivots tell this rank.
+Cost deficient_cost(int rows, int rank);
+
+/// Operations of one call where K has its generic rank.
+Cost cost(const Staged& staged);
+/// Operations of the dearest call: the last pivot of the regular path fails.
+Cost worst_cost(const Staged& staged);
+
+Cost operator+(const Cost& a, const Cost& b);
+
+}  // namespace treedyn::program

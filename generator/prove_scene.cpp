@@ -1,0 +1,238 @@
+#include "prove_scene.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "program/interpret.hpp"
+#include "program/random.hpp"
+#include "scene_equations.hpp"
+
+namespace treedyn {
+
+namespace {
+
+using Values = std::vector<Real>;
+using Matrix = std::vector<Values>;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Real dot(const Values& a, const Values& b) {
+  Real sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sum += a[k] * b[k];
+  }
+  return sum;
+}
+
+Real largest(const Values& values) {
+  Real result = 0;
+  for (const Real& x : values) {
+    result = std::max(result, Real(abs(x)));
+  }
+  return result;
+}
+
+/// x of S x = b by Gaussian elimination with diagonal pivots; S positive semidefinite, components
+/// behind the rank are zero.
+Values solved(Matrix s, Values b) {
+  const std::size_t n = b.size();
+  std::vector<std::size_t> order;
+  Values x(n);
+  const auto free = [&](std::size_t i) {
+    return std::find(order.begin(), order.end(), i) == order.end();
+  };
+  Real first = 0;
+  for (std::size_t step = 0; step < n; ++step) {
+    std::size_t p = n;
+    for (std::size_t i = 0; i < n; ++i) {
+      p = free(i) && (p == n || s[i][i] > s[p][p]) ? i : p;
+    }
+    first = step == 0 ? s[p][p] : first;
+    if (!(s[p][p] > first * Real("1e-25"))) {
+      break;
+    }
+    order.push_back(p);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (free(i)) {
+        const Real factor = s[i][p] / s[p][p];
+        for (std::size_t j = 0; j < n; ++j) {
+          s[i][j] -= factor * s[p][j];
+        }
+        b[i] -= factor * b[p];
+      }
+    }
+  }
+  for (auto p = order.rbegin(); p != order.rend(); ++p) {
+    Real sum = b[*p];
+    for (std::size_t j = 0; j < n; ++j) {
+      sum -= j == *p ? Real(0) : Real(s[*p][j] * x[j]);
+    }
+    x[*p] = sum / s[*p][*p];
+  }
+  return x;
+}
+
+/// x with K K x = K b: K x is as near to b as it can be.
+Values least_squares(const Matrix& K, const Values& b) {
+  Matrix square;
+  Values right;
+  for (const Values& row : K) {  // of the symmetric K
+    square.emplace_back();
+    std::transform(K.begin(), K.end(), std::back_inserter(square.back()),
+                   [&](const Values& column) { return dot(row, column); });
+    right.push_back(dot(row, b));
+  }
+  return solved(std::move(square), std::move(right));
+}
+
+/// Arrays by name, filled with pseudo-random numbers.
+class State {
+ public:
+  State(const program::Signature& signature, program::Random& random) {
+    for (const program::Array& array : signature.inputs) {
+      names_.push_back(array.name);
+      values_.emplace_back();
+      std::generate_n(std::back_inserter(values_.back()), array.size,
+                      [&] { return Real(2 * random.symmetric()); });
+    }
+  }
+  Values& at(const std::string& name) {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    TREEDYN_EXPECT(found != names_.end());
+    return values_[static_cast<std::size_t>(found - names_.begin())];
+  }
+  [[nodiscard]] bool has(const std::string& name) const {
+    return std::find(names_.begin(), names_.end(), name) != names_.end();
+  }
+  [[nodiscard]] Values evaluate(const program::Function& function) const {
+    const std::vector<std::span<const Real>> spans(values_.begin(), values_.end());
+    return program::interpret<Real>(function, spans);
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<Values> values_;
+};
+
+void require_small(const std::string& name, const char* what, const Values& residual,
+                   const Real& scale) {
+  for (std::size_t k = 0; k < residual.size(); ++k) {
+    if (!(abs(residual[k]) <= scale * Real("1e-30") + Real("1e-40"))) {
+      throw std::logic_error(
+          fmt::format("function '{}' differs from its equations: {} {} is off by {}", name, what, k,
+                      residual[k].str(5)));
+    }
+  }
+}
+
+/// The lower half of a symmetric matrix, row by row, as rows.
+Matrix symmetric(const Values& lower, std::size_t n) {
+  Matrix result(n, Values(n));
+  for (std::size_t i = 0, place = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      result[i][j] = result[j][i] = lower[place++];
+    }
+  }
+  return result;
+}
+
+void prove_plain(const model::Scene& scene, const program::Function& function,
+                 program::Random& random) {
+  State state(function.signature, random);
+  const Values ours = state.evaluate(function);
+  const Values at_rest(state.at("q").size());
+  const bool bias = state.has("qd");
+  const SceneEquations equations(scene, state.at("q"), bias ? state.at("qd") : at_rest, 0);
+  std::vector<int> all;
+  for (std::size_t c = 0; c < scene.constraints.size(); ++c) {
+    all.push_back(static_cast<int>(c));
+  }
+  const std::vector<SceneEquations::Row> rows = equations.rows(all);
+  Values residual;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t i = 0; !bias && i < rows[r].J.size(); ++i) {
+      residual.push_back(ours[i * rows.size() + r] - rows[r].J[i]);
+    }
+    if (bias) {
+      residual.push_back(ours[r] - rows[r].gamma);
+    }
+  }
+  require_small(function.signature.name, "element", residual, largest(ours));
+}
+
+void prove_constrained(const model::Scene& scene, const std::vector<int>& active,
+                       const program::Staged& staged, program::Random& random) {
+  State state(staged.function.signature, random);
+  const std::string& name = staged.signature.name;
+  const auto n = index(scene.tree.dof());
+  std::size_t r = 0;
+  if (!staged.solves.empty()) {
+    r = index(staged.solves.front().rows);
+    const Values first = state.evaluate(staged.function);
+    const auto size = static_cast<std::ptrdiff_t>(r * (r + 1) / 2);
+    const Values lower(first.begin(), first.begin() + size);
+    const Values b(first.begin() + size, first.begin() + size + static_cast<std::ptrdiff_t>(r));
+    state.at(program::kMultiplierArray) = least_squares(symmetric(lower, r), b);
+  }
+  const Values values = state.evaluate(staged.function);
+  const Values qdd(values.end() - static_cast<std::ptrdiff_t>(n + r),
+                   values.end() - static_cast<std::ptrdiff_t>(r));
+  const Values lambda(values.end() - static_cast<std::ptrdiff_t>(r), values.end());
+
+  const SceneEquations equations(scene, state.at("q"), state.at("qd"),
+                                 state.has("t") ? state.at("t")[0] : Real(0));
+  const std::vector<SceneEquations::Row> rows = equations.rows(active);
+  const Values force = equations.force();
+  Values motion;
+  for (std::size_t i = 0; i < n; ++i) {
+    Real sum =
+        dot(equations.inertia()[i], qdd) + equations.bias()[i] - state.at("tau")[i] - force[i];
+    for (std::size_t k = 0; k < r; ++k) {
+      sum -= rows[k].J[i] * lambda[k];
+    }
+    motion.push_back(sum);
+  }
+  const Real scale = largest(equations.bias()) + largest(force) + largest(state.at("tau")) +
+                     largest(qdd) + largest(lambda);
+  require_small(name, "equation of motion", motion, scale * 1000);
+  Values error;
+  for (const SceneEquations::Row& row : rows) {
+    error.push_back(dot(row.J, qdd) + row.gamma - row.wanted);
+  }
+  if (!staged.solves.empty() && !staged.solves.front().regular()) {
+    Values reaction(n);  // J^T error moves nothing: J A^-1 J^T error = 0
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < r; ++k) {
+        reaction[i] += rows[k].J[i] * error[k];
+      }
+    }
+    const Values moved = solved(equations.inertia(), reaction);
+    for (std::size_t k = 0; k < r; ++k) {
+      error[k] = dot(rows[k].J, moved);
+    }
+  }
+  require_small(name, "row", error, scale * 1000);
+}
+
+}  // namespace
+
+bool is_scene_function(const program::Signature& signature) {
+  return signature.name.starts_with("reaction_");
+}
+
+void prove_scene(const model::Scene& scene, const Programs& programs) {
+  program::Random random(7);
+  for (const program::Function& function : programs.functions) {
+    if (is_scene_function(function.signature)) {
+      prove_plain(scene, function, random);
+    }
+  }
+  for (const program::Staged& staged : programs.staged) {
+    prove_constrained(scene, scene.phases[index(staged.phase)].active, staged, random);
+  }
+}
+
+}  // namespace treedyn

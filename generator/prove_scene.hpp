@@ -1,0 +1,19 @@
+// Functions of a scene against the block equations, before anything is written.
+#pragma once
+
+#include <vector>
+
+#include "pipeline.hpp"
+
+namespace treedyn {
+
+/// Evaluates the functions of a scene with 50 digits at a fixed pseudo-random state and holds them
+/// against (8), (10) and 6.1 as the engine evaluates them: A qdd + B + G - J^T lambda = tau, and
+/// J qdd + gamma = a_des where the rows have full rank (where not, up to the part that no motion
+/// can reach). \throws std::logic_error naming the function that differs: a mistake of ours.
+void prove_scene(const model::Scene& scene, const Programs& programs);
+
+/// True if `prove_scene` knows the function, false if it is one of a model.
+bool is_scene_function(const program::Signature& signature);
+
+}  // namespace treedyn

@@ -1,0 +1,187 @@
+#include "scene_equations.hpp"
+
+#include <utility>
+
+namespace treedyn {
+
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t)
+    : scene_(scene), q_(std::move(q)), qd_(std::move(qd)), t_(t), dof_(scene.tree.dof()) {
+  engine::Engine<Real> engine(scene.tree, scene.points, scene.gravity);
+  const Values a = engine.evaluate("mass_matrix", {q_});
+  for (int i = 0; i < dof_; ++i) {
+    A_.emplace_back(a.begin() + i * dof_, a.begin() + (i + 1) * dof_);
+  }
+  for (const model::Armature& armature : scene.armatures) {
+    A_[index(armature.joint)][index(armature.joint)] += armature.inertia;
+  }
+  const Values rates = scene.velocity_products ? qd_ : Values(qd_.size());
+  bias_ = engine.evaluate("inverse_dynamics", {q_, rates, Values(qd_.size())});
+  if (!scene.points.empty()) {
+    C_ = engine.evaluate("force_jacobian_transpose", {q_});
+    H_ = engine.evaluate("moment_jacobian_transpose", {q_});
+    gamma_f_ = engine.evaluate("point_bias_acceleration", {q_, rates});
+    gamma_n_ = engine.evaluate("angular_bias_acceleration", {q_, rates});
+    p_ = engine.evaluate("point_positions", {q_});
+    v_ = engine.evaluate("point_velocities", {q_, qd_});
+  }
+}
+
+Real SceneEquations::variable(const model::Variable& v, int point) const {
+  switch (v.quantity) {
+    case model::Quantity::kTime:
+      return t_;
+    case model::Quantity::kPosition:
+      return q_[index(v.index)];
+    case model::Quantity::kVelocity:
+      return qd_[index(v.index)];
+    case model::Quantity::kPointPosition:
+      return p_[index(3 * point + v.index)];
+    default:
+      TREEDYN_EXPECT(v.quantity == model::Quantity::kPointVelocity);
+      return v_[index(3 * point + v.index)];
+  }
+}
+
+Real SceneEquations::value(const model::Expression& expression, int point) const {
+  return expression.evaluate<Real>([](const Real& x) { return x; },
+                                   [&](const model::Variable& v) { return variable(v, point); });
+}
+
+std::vector<SceneEquations::Row> SceneEquations::rows(const std::vector<int>& active) const {
+  std::vector<Row> result;
+  for (const int c : active) {
+    const model::Constraint& constraint = scene_.constraints[index(c)];
+    for (std::size_t k = 0; k < constraint.rows(); ++k) {
+      result.push_back(row(constraint, k));
+      result.back().wanted = wanted(constraint, k);
+    }
+  }
+  return result;
+}
+
+SceneEquations::Row SceneEquations::row(const model::Constraint& c, std::size_t k) const {
+  Row result{Values(index(dof_)), 0, 0};
+  if (c.kind == model::ConstraintKind::kJoint) {
+    result.J[index(c.joint)] = 1;
+    return result;
+  }
+  const bool turning = c.kind == model::ConstraintKind::kOrientation;
+  add(result, c.directions[k], turning ? H_ : C_, turning ? gamma_n_ : gamma_f_, c.point, 1);
+  if (c.kind == model::ConstraintKind::kJoined) {
+    add(result, c.directions[k], C_, gamma_f_, c.other, -1);
+  }
+  return result;
+}
+
+void SceneEquations::add(Row& row, const model::Vector3& d, const Values& jacobian,
+                         const Values& gamma, int point, int sign) const {
+  const std::size_t width = 3 * scene_.points.size();
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t column = 3 * index(point) + n;
+    for (std::size_t i = 0; i < row.J.size(); ++i) {
+      row.J[i] += sign * d[n] * jacobian[i * width + column];
+    }
+    row.gamma += sign * d[n] * gamma[column];
+  }
+}
+
+Real SceneEquations::wanted(const model::Constraint& c, std::size_t k) const {
+  if (!c.accelerations.empty()) {
+    return value(c.accelerations[k], c.point);
+  }
+  if (c.kind == model::ConstraintKind::kJoint) {
+    return value(c.curve.acceleration[0], c.point);
+  }
+  Real sum = 0;
+  for (std::size_t n = 0; n < 3 && c.kind == model::ConstraintKind::kPoint; ++n) {
+    sum += c.directions[k][n] * value(c.curve.acceleration[n], c.point);
+  }
+  return sum;
+}
+
+void SceneEquations::add_joint_forces(Values& force) const {
+  for (std::size_t k = 0; k < scene_.tau.size(); ++k) {
+    force[k] += scene_.tau[k];
+  }
+  for (const model::Motor& motor : scene_.motors) {
+    force[index(motor.joint)] += value(motor.torque, 0);
+  }
+  for (const model::JointSpring& s : scene_.joint_springs) {
+    const std::size_t j = index(s.joint);
+    force[j] -= s.stiffness * (q_[j] - s.rest) + s.damping * qd_[j];
+  }
+  for (const model::ViscousFriction& f : scene_.viscous_frictions) {
+    force[index(f.joint)] -= f.coefficient * qd_[index(f.joint)];
+  }
+  const auto saturated = [](const Real& speed, const Real& slip_speed) {
+    return Real(speed / sqrt(Real(speed * speed + slip_speed * slip_speed)));
+  };
+  for (const model::JointFriction& f : scene_.frictions) {
+    if (f.slip_speed > 0) {
+      force[index(f.joint)] -= f.force * saturated(qd_[index(f.joint)], f.slip_speed);
+    }
+  }
+  for (const model::StribeckFriction& f : scene_.stribeck_frictions) {
+    const Real& speed = qd_[index(f.joint)];
+    const Real ratio = speed / f.stribeck_speed;
+    const Real size = f.force + (f.static_force - f.force) / (1 + ratio * ratio);
+    force[index(f.joint)] -= size * saturated(speed, f.slip_speed);
+  }
+}
+
+/// C f, or H n.
+void SceneEquations::apply(const model::Vector3& value, int point, const Values& jacobian,
+                           Values& force) const {
+  const std::size_t width = 3 * scene_.points.size();
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      force[i] += jacobian[i * width + 3 * index(point) + n] * value[n];
+    }
+  }
+}
+
+void SceneEquations::add_point_springs(Values& force) const {
+  for (const model::PointSpring& s : scene_.point_springs) {
+    model::Vector3 u;
+    Real squared = 0;
+    Real along = 0;
+    for (std::size_t n = 0; n < 3; ++n) {
+      u[n] = p_[3 * index(s.point) + n] - s.anchor[n];
+      squared += u[n] * u[n];
+      along += u[n] * v_[3 * index(s.point) + n];
+    }
+    const Real length = sqrt(squared);
+    const Real pull = s.stiffness * (length - s.rest_length) + s.damping * along / length;
+    apply({-pull * u[0] / length, -pull * u[1] / length, -pull * u[2] / length}, s.point, C_,
+          force);
+  }
+}
+
+void SceneEquations::add_load(const model::PointLoad& load, const Values& jacobian,
+                              Values& force) const {
+  const model::Vector3 components = {value(load.value[0], load.point),
+                                     value(load.value[1], load.point),
+                                     value(load.value[2], load.point)};
+  apply(components, load.point, jacobian, force);
+}
+
+SceneEquations::Values SceneEquations::force() const {
+  Values force(index(dof_));
+  add_joint_forces(force);
+  add_point_springs(force);
+  for (const model::PointLoad& load : scene_.forces) {
+    add_load(load, C_, force);
+  }
+  for (const model::PointLoad& load : scene_.torques) {
+    add_load(load, H_, force);
+  }
+  return force;
+}
+
+}  // namespace treedyn

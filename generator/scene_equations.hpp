@@ -1,0 +1,57 @@
+// The equations of a scene at one state in 50 digits, as the engine evaluates them.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/engine.hpp"
+#include "model/scene.hpp"
+
+namespace treedyn {
+
+/// (8) and the rows of 6.1 of a scene: A qdd + bias - J^T lambda = force, J qdd + gamma = wanted.
+class SceneEquations {
+ public:
+  using Values = std::vector<Real>;
+
+  /// One constraint row.
+  struct Row {
+    Values J;
+    Real gamma = 0;
+    Real wanted = 0;
+  };
+
+  /// \param t  s
+  SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t);
+
+  /// A with the armatures, row by row.
+  [[nodiscard]] const std::vector<Values>& inertia() const { return A_; }
+  /// B + G.
+  [[nodiscard]] const Values& bias() const { return bias_; }
+  /// The rows of these constraints, one per direction.
+  [[nodiscard]] std::vector<Row> rows(const std::vector<int>& active) const;
+  /// Drives, springs, friction and loads as joint forces; ground contacts and sticking friction are
+  /// not among them.
+  [[nodiscard]] Values force() const;
+
+ private:
+  [[nodiscard]] Real value(const model::Expression& expression, int point) const;
+  [[nodiscard]] Real variable(const model::Variable& variable, int point) const;
+  [[nodiscard]] Row row(const model::Constraint& constraint, std::size_t k) const;
+  [[nodiscard]] Real wanted(const model::Constraint& constraint, std::size_t k) const;
+  void add(Row& row, const model::Vector3& d, const Values& jacobian, const Values& gamma,
+           int point, int sign) const;
+  void add_joint_forces(Values& force) const;
+  void add_point_springs(Values& force) const;
+  void add_load(const model::PointLoad& load, const Values& jacobian, Values& force) const;
+  void apply(const model::Vector3& value, int point, const Values& jacobian, Values& force) const;
+
+  const model::Scene& scene_;
+  Values q_, qd_;
+  Real t_;
+  int dof_;
+  std::vector<Values> A_;
+  Values bias_, C_, H_, gamma_f_, gamma_n_, p_, v_;
+};
+
+}  // namespace treedyn

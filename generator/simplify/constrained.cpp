@@ -1,0 +1,150 @@
+#include "simplify/constrained.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "simplify/factor.hpp"
+#include "simplify/scene_rows.hpp"
+
+namespace treedyn::simplify {
+
+namespace {
+
+using SparseColumn = std::map<int, Expr>;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+/// a . b over the places that both have.
+Expr product(const SparseColumn& a, const SparseColumn& b) {
+  Expr sum;
+  for (const auto& [k, value] : a) {
+    const auto other = b.find(k);
+    if (other != b.end()) {
+      sum += value * other->second;
+    }
+  }
+  return sum;
+}
+
+/// Y, Delta^-1 Y and the right side in the coordinates of L.
+struct Reduced {
+  std::vector<SparseColumn> Y;
+  std::vector<SparseColumn> scaled;
+  std::vector<Expr> free;  ///< Delta^-1 L^-T right
+};
+
+Reduced reduce(const Factorization& factor, const std::vector<Row>& rows,
+               const std::vector<Expr>& right) {
+  Reduced r;
+  r.free = factor.to_root(right);
+  for (int k = 0; k < factor.size(); ++k) {
+    r.free[index(k)] = r.free[index(k)] * factor.inverse_pivot(k);
+  }
+  for (const Row& row : rows) {
+    r.Y.push_back(factor.to_root(row.columns));
+    r.scaled.push_back(r.Y.back());
+    for (auto& [k, value] : r.scaled.back()) {
+      value = value * factor.inverse_pivot(k);
+    }
+  }
+  return r;
+}
+
+Expr input(Graph& graph, int array, int element) { return {graph, graph.input(array, element)}; }
+
+/// The sum of right_k and the columns of the rows times mu.
+std::vector<Expr> with_reactions(const Reduced& r, const std::vector<Expr>& mu) {
+  std::vector<Expr> x = r.free;
+  for (std::size_t i = 0; i < mu.size(); ++i) {
+    for (const auto& [k, value] : r.scaled[i]) {
+      const Expr term = value * mu[i];
+      x[index(k)] += term;
+    }
+  }
+  return x;
+}
+
+std::vector<int> all_constraints(const model::Scene& scene) {
+  std::vector<int> all(scene.constraints.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+}  // namespace
+
+int rows_of(const model::Scene& scene, const std::vector<int>& constraints) {
+  return std::accumulate(constraints.begin(), constraints.end(), 0, [&](int sum, int c) {
+    return sum + static_cast<int>(scene.constraints[index(c)].rows());
+  });
+}
+
+SceneArrays constrained_arrays(const model::Scene& scene, const std::vector<int>& active) {
+  SceneArrays arrays;
+  int next = 3;
+  if (rows_of(scene, active) > 0) {
+    arrays.mu = next++;
+  }
+  if (uses_time(scene, active)) {
+    arrays.t = next;
+  }
+  return arrays;
+}
+
+std::vector<Expr> build_constrained_dynamics(const Task& task) {
+  Graph& graph = task.kinematics.graph();
+  const std::vector<int>& active = task.options.active;
+  const SceneArrays arrays = constrained_arrays(*task.options.scene, active);
+  const SceneSystem system(task, arrays);
+  const Factorization factor(graph, task.tree.dof(), system.inertia());
+  const SceneRows rows(*task.options.scene, active, system.frame(), graph, system.meaning());
+  const Reduced reduced = reduce(factor, rows.rows(), system.right());
+
+  std::vector<Expr> result;
+  for (int i = 0; i < rows.size(); ++i) {
+    for (int j = 0; j <= i; ++j) {
+      result.push_back(product(reduced.Y[index(i)], reduced.scaled[index(j)]));
+    }
+  }
+  std::vector<Expr> mu;
+  for (int i = 0; i < rows.size(); ++i) {
+    Expr b = rows.rows()[index(i)].right;
+    for (const auto& [k, value] : reduced.Y[index(i)]) {
+      b -= value * reduced.free[index(k)];
+    }
+    result.push_back(b);
+    mu.push_back(input(graph, arrays.mu, i));
+  }
+  const std::vector<Expr> x = factor.from_root(with_reactions(reduced, mu));
+  const std::vector<Expr> qdd = system.accelerations(x);
+  result.insert(result.end(), qdd.begin(), qdd.end());
+  const std::vector<Expr> lambda = rows.reactions(mu);
+  result.insert(result.end(), lambda.begin(), lambda.end());
+  return result;
+}
+
+std::vector<Expr> build_reaction_jacobian(const Task& task) {
+  const SceneFrame frame(task, false, false);
+  const auto n = index(task.tree.dof());
+  const model::Scene& scene = *task.options.scene;
+  const auto r = index(rows_of(scene, all_constraints(scene)));
+  std::vector<Expr> result(n * r);
+  std::size_t row = 0;
+  for (const Row& columns : base_rows(scene, frame, task.kinematics.graph())) {
+    for (const auto& [k, value] : columns.columns) {
+      result[index(k) * r + row] = value;
+    }
+    ++row;
+  }
+  return result;
+}
+
+std::vector<Expr> build_reaction_bias(const Task& task) {
+  const SceneFrame frame(task, false, task.options.scene->velocity_products);
+  std::vector<Expr> result;
+  for (const Row& row : base_rows(*task.options.scene, frame, task.kinematics.graph())) {
+    result.push_back(-row.right);
+  }
+  return result;
+}
+
+}  // namespace treedyn::simplify

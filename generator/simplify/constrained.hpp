@@ -1,0 +1,30 @@
+// Constrained dynamics: (8) with the rows of 6.1 and 6.2, as straight-line code on both sides of
+// the solution of K mu = b.
+#pragma once
+
+#include <vector>
+
+#include "simplify/scene_system.hpp"
+
+namespace treedyn::simplify {
+
+/// Values of constrained dynamics with r rows, one behind the other:
+/// K (lower half, row by row, r(r+1)/2), b (r), qdd (N), lambda (r). qdd and lambda depend on mu,
+/// which solves K mu = b; K and b do not.
+///
+/// With A = L^T Delta L and L^T Y = J^T (Y has the columns' ancestor paths, 7.4):
+/// K = Y^T Delta^-1 Y, b = a_des - gamma - Y^T Delta^-1 L^-T right,
+/// x = L^-1 Delta^-1 (L^-T right + Y mu).
+std::vector<Expr> build_constrained_dynamics(const Task& task);
+
+/// J^T of all rows of the scene, N x r, row-major, base frame directions.
+std::vector<Expr> build_reaction_jacobian(const Task& task);
+/// gamma of all rows.
+std::vector<Expr> build_reaction_bias(const Task& task);
+
+/// Number of rows of some constraints.
+int rows_of(const model::Scene& scene, const std::vector<int>& constraints);
+/// The input arrays of constrained dynamics.
+SceneArrays constrained_arrays(const model::Scene& scene, const std::vector<int>& active);
+
+}  // namespace treedyn::simplify

@@ -1,0 +1,32 @@
+// The functions that are generated for a scene: only those that its effects call for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/scene.hpp"
+#include "program/staged.hpp"
+#include "simplify/formulate.hpp"
+
+namespace treedyn::simplify {
+
+/// What is generated for a scene.
+struct SceneFunctions {
+  std::vector<program::Function>
+      plain;                            ///< reaction_jacobian_transpose, reaction_bias_acceleration
+  std::vector<program::Staged> staged;  ///< constrained_dynamics, one for each phase
+};
+
+/// Names that `scene_functions` may give, in order, without the suffixes of phases.
+const std::vector<std::string>& scene_function_names();
+
+/// The name of a function in a phase: with several phases the phase's identifier follows.
+std::string phase_name(const model::Scene& scene, std::size_t phase, const std::string& function);
+
+/// The cheapest formulations found; deterministic. `options` are those of the model; its scene,
+/// gravity and points are replaced.
+/// \param wanted  names out of scene_function_names(); empty: all that the scene needs
+SceneFunctions scene_functions(const model::Scene& scene, const Options& options,
+                               const std::vector<std::string>& wanted);
+
+}  // namespace treedyn::simplify

@@ -1,0 +1,88 @@
+#include "simplify/scene_system.hpp"
+
+#include <algorithm>
+
+#include "simplify/builders.hpp"
+
+namespace treedyn::simplify {
+
+namespace {
+
+constexpr int kBaseJoints = 6;
+
+}  // namespace
+
+SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays)
+    : task_(task), scene_(*task.options.scene), forces_(task, arrays) {
+  add_equations(task.kinematics.variant().trunk && can_use_trunk());
+  add_armatures();
+  add_loads();
+}
+
+/// The trunk as one body: nothing may act on the base's own joints and links but drive forces.
+bool SceneSystem::can_use_trunk() const {
+  const auto in_base = [](int link) {
+    return link != model::kGround && link < kBaseJoints - 1;
+  };
+  const bool plain =
+      std::none_of(scene_.points.begin(), scene_.points.end(),
+                   [&](const model::Point& p) { return in_base(p.link); }) &&
+      std::none_of(scene_.constraints.begin(), scene_.constraints.end(),
+                   [](const model::Constraint& c) {
+                     return c.kind == model::ConstraintKind::kJoint && c.joint < kBaseJoints;
+                   }) &&
+      std::none_of(scene_.armatures.begin(), scene_.armatures.end(),
+                   [](const model::Armature& a) { return a.joint < kBaseJoints; });
+  return plain && has_free_base(task_.tree) && task_.tree.dof() == task_.tree.size();
+}
+
+void SceneSystem::add_armatures() {
+  for (const model::Armature& armature : scene_.armatures) {
+    const int k = task_.tree.drives[static_cast<std::size_t>(armature.joint)].coordinate;
+    a_[{k, k}] += constant(task_.kinematics.graph(), armature.inertia);
+  }
+}
+
+/// C f + H n.
+void SceneSystem::add_loads() {
+  for (const AppliedLoad& load : forces_.loads()) {
+    const model::Point& point = scene_.points[static_cast<std::size_t>(load.point)];
+    const MotionMap map = load.is_moment ? frame_->turning(point) : frame_->point(point);
+    const Vec3 value = frame_->direction(load.value);
+    for (const auto& [k, column] : map.columns) {
+      right_[static_cast<std::size_t>(k)] += dot(column, value);
+    }
+  }
+}
+
+void SceneSystem::add_equations(bool by_trunk) {
+  const Kinematics& k = task_.kinematics;
+  frame_.emplace(task_, by_trunk, scene_.velocity_products);
+  if (by_trunk) {
+    trunk_ = trunk_system(k, [&](int i) {
+      const Expr force = forces_.joint(i);
+      return k.link(i).sign > 0 ? force : -force;
+    });
+    a_ = trunk_->a;
+    right_ = trunk_->right;
+    return;
+  }
+  const int n = task_.tree.dof();
+  const std::vector<Expr> a = build_mass_matrix(task_);
+  const std::vector<Expr> bias = build_with_gravity(task_);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      a_[{i, j}] = a[static_cast<std::size_t>(i * n + j)];
+    }
+    right_.push_back(forces_.joint(i) - bias[static_cast<std::size_t>(i)]);
+  }
+}
+
+std::vector<Expr> SceneSystem::accelerations(const std::vector<Expr>& x) const {
+  const Kinematics& k = task_.kinematics;
+  return trunk_
+             ? joint_accelerations(k, trunk_->gimbal, trunk_->velocity, -k.ground_acceleration(), x)
+             : x;
+}
+
+}  // namespace treedyn::simplify

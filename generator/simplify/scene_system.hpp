@@ -1,0 +1,41 @@
+// The equations of motion of a scene without its constraints: A x = right, EQUATIONS.md (8), 6.5.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "simplify/forward.hpp"
+#include "simplify/scene_forces.hpp"
+#include "simplify/scene_frame.hpp"
+
+namespace treedyn::simplify {
+
+/// A(q) and the forces of a scene in the coordinates of its SceneFrame.
+class SceneSystem {
+ public:
+  SceneSystem(const Task& task, const SceneArrays& arrays);
+
+  [[nodiscard]] const SceneFrame& frame() const { return *frame_; }
+  [[nodiscard]] const SparseSymmetric& inertia() const { return a_; }
+  [[nodiscard]] const std::vector<Expr>& right() const { return right_; }
+  /// Variables of expressions that belong to the scene as a whole.
+  [[nodiscard]] const Meaning& meaning() const { return forces_.meaning(); }
+  /// qdd for x.
+  [[nodiscard]] std::vector<Expr> accelerations(const std::vector<Expr>& x) const;
+
+ private:
+  [[nodiscard]] bool can_use_trunk() const;
+  void add_equations(bool by_trunk);
+  void add_armatures();
+  void add_loads();
+
+  const Task& task_;
+  const model::Scene& scene_;
+  SceneForces forces_;
+  std::optional<TrunkSystem> trunk_;
+  std::optional<SceneFrame> frame_;
+  SparseSymmetric a_;
+  std::vector<Expr> right_;
+};
+
+}  // namespace treedyn::simplify

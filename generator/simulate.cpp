@@ -1,0 +1,124 @@
+#include "simulate.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "description/scene_reader.hpp"
+#include "files.hpp"
+#include "model/effects.hpp"
+#include "scene_dynamics.hpp"
+#include "simulation/integrator.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// Rows of a table if nothing else is asked for.
+constexpr int kRows = 500;
+/// Rows that a run may have.
+constexpr double kMostRows = 1e6;
+
+/// The options of the command line go before what the scene says.
+void apply(const SimulateRequest& request, model::Scene& scene) {
+  scene.stepping.integrator = request.integrator.value_or(scene.stepping.integrator);
+  scene.stepping.tolerance = request.tolerance.value_or(scene.stepping.tolerance);
+  scene.stepping.step = request.step.value_or(scene.stepping.step);
+  scene.stepping.drift = request.drift.value_or(scene.stepping.drift);
+  scene.duration = request.duration.value_or(scene.duration);
+}
+
+simulation::Settings settings_of(const SimulateRequest& request, const model::Stepping& stepping) {
+  simulation::Settings result;
+  result.integrator = stepping.integrator;
+  result.step = static_cast<double>(stepping.step);
+  result.longest = request.step ? result.step : 0;
+  result.tolerance = static_cast<double>(stepping.tolerance);
+  result.drift = stepping.drift;
+  result.stabilisation = static_cast<double>(stepping.stabilisation);
+  return result;
+}
+
+void check(const SimulateRequest& request, const model::Scene& scene) {
+  if (simulation::make_integrator(scene.stepping.integrator) == nullptr) {
+    throw InputError(scene.stepping.where,
+                     fmt::format("stepping: integrator '{}' is unknown; expected one of "
+                                 "treedyn list integrators",
+                                 shown(scene.stepping.integrator)));
+  }
+  if (scene.duration <= 0) {
+    throw InputError({request.scene, 0, 0},
+                     "the scene has no duration; expected one above zero, or --duration");
+  }
+}
+
+double output_step(const model::Scene& scene) {
+  const auto duration = static_cast<double>(scene.duration);
+  const auto step = static_cast<double>(scene.stepping.output_step);
+  return std::max(step > 0 ? step : duration / kRows, duration / kMostRows);
+}
+
+std::unique_ptr<simulation::Dynamics> dynamics_of(const SimulateRequest& request,
+                                                  const model::Scene& scene) {
+  if (request.engine) {
+    return engine_dynamics(scene);
+  }
+  return request.compiled ? compiled_dynamics(scene) : program_dynamics(scene);
+}
+
+}  // namespace
+
+SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress) {
+  SimulateResult result{description::read_scene(request.scene), {}, 0};
+  apply(request, result.scene);
+  check(request, result.scene);
+  const std::unique_ptr<simulation::Dynamics> dynamics = dynamics_of(request, result.scene);
+  try {
+    simulation::Simulator simulator(result.scene, *dynamics,
+                                    settings_of(request, result.scene.stepping));
+    result.moved = simulator.settle();
+    result.recording =
+        simulation::record(result.scene, simulator, output_step(result.scene), progress);
+  } catch (const std::runtime_error& problem) {
+    throw InputError({request.scene, 0, 0}, fmt::format("{}; expected a motion", problem.what()));
+  }
+  return result;
+}
+
+std::string write_simulation(const SimulateRequest& request, const SimulateResult& result) {
+  if (request.output.empty()) {
+    return request.json ? json_text(result) : csv_text(result);
+  }
+  const std::string stem =
+      (std::filesystem::path(request.output) / to_identifier(result.scene.name)).string();
+  std::vector<OutputFile> files = {{stem + ".csv", csv_text(result)}};
+  if (request.json) {
+    files.push_back({stem + ".json", json_text(result)});
+  }
+  if (request.report) {
+    files.push_back({stem + ".html", report_text(result)});
+  }
+  write_files(files);
+  return "";
+}
+
+std::string list_effects() {
+  std::string result;
+  for (const model::EffectRow& row : model::kEffects) {
+    result += fmt::format("{:<24}{}\n", row.name, row.brief);
+  }
+  return result;
+}
+
+std::string list_integrators() {
+  std::string result;
+  for (const simulation::IntegratorRow& row : simulation::integrators()) {
+    result += fmt::format("{:<24}{}\n", row.name, row.brief);
+  }
+  return result;
+}
+
+}  // namespace treedyn

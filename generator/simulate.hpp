@@ -1,0 +1,53 @@
+// `treedyn simulate`: a scene to a table, a JSON file and a page to look at.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "model/scene.hpp"
+#include "simulation/recording.hpp"
+
+namespace treedyn {
+
+/// What to simulate: the options of the command line, checked. What is not given is the scene's.
+struct SimulateRequest {
+  std::string scene;   ///< path
+  std::string output;  ///< folder; empty: the table goes to standard output
+  bool json = false;
+  bool report = false;
+  bool engine = false;    ///< the generic engine evaluates the dynamics
+  bool compiled = false;  ///< generated functions, compiled, do
+  std::optional<std::string> integrator;
+  std::optional<Real> step;
+  std::optional<Real> tolerance;
+  std::optional<Real> duration;
+  std::optional<model::Drift> drift;
+};
+
+/// Files of one simulation.
+struct SimulateResult {
+  model::Scene scene;
+  simulation::Recording recording;
+  double moved = 0;  ///< how far the initial state was from the constraints
+};
+
+/// Reads and runs the scene. \throws InputError for mistakes in it
+SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress);
+
+/// t, phase and the columns of the recording; RFC 4180, numbers that read back exactly.
+std::string csv_text(const SimulateResult& result);
+/// The same with the events, what was asked for and why the motion ended.
+std::string json_text(const SimulateResult& result);
+/// One page that needs no network: plots and a moving figure.
+std::string report_text(const SimulateResult& result);
+
+/// Writes NAME.csv and what else is asked for, all files or none; without a folder the text for
+/// standard output. \throws InputError
+std::string write_simulation(const SimulateRequest& request, const SimulateResult& result);
+
+/// `treedyn list effects` and `treedyn list integrators`.
+std::string list_effects();
+std::string list_integrators();
+
+}  // namespace treedyn

@@ -1,0 +1,60 @@
+#include "benchmark/clock.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace treedyn::benchmark {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kBatch = 15000;  ///< ns; long beside the clock's own 30 ns
+
+double time_of(const Repeated& function, int calls) {
+  const auto start = Clock::now();
+  function(calls);
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+/// How many calls fill a batch.
+int calls_in_batch(const Repeated& function) {
+  constexpr int kMany = 1 << 20;
+  int calls = 16;
+  function(calls);
+  while (calls < kMany && time_of(function, calls) < kBatch) {
+    calls *= 2;
+  }
+  return calls;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+std::vector<Time> measure(const std::vector<Repeated>& functions, int rounds) {
+  std::vector<int> calls;
+  for (const Repeated& function : functions) {
+    calls.push_back(calls_in_batch(function));
+  }
+  std::vector<std::vector<double>> times(functions.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+      functions[k](std::max(1, calls[k] / 8));
+      times[k].push_back(time_of(functions[k], calls[k]) / calls[k]);
+    }
+  }
+  std::vector<Time> result;
+  for (const std::vector<double>& of_function : times) {
+    result.push_back(
+        {*std::min_element(of_function.begin(), of_function.end()), median(of_function)});
+  }
+  return result;
+}
+
+}  // namespace treedyn::benchmark
