@@ -16,28 +16,28 @@ class BlockForm final : public Contestant {
   [[nodiscard]] std::string name() const override { return "block form"; }
   [[nodiscard]] bool can(Quantity /*quantity*/) const override { return true; }
 
-  void run(Quantity quantity, int calls) override {
+  void run(Quantity quantity, Turn turn) override {
     switch (quantity) {
       case Quantity::kMassMatrix:
-        return evaluate(Function::kMassMatrix, calls,
+        return evaluate(Function::kMassMatrix, turn,
                         [](const State& s) { return std::array<Input, 1>{s.q}; });
       case Quantity::kBiasForce:
-        return evaluate(Function::kBiasForce, calls, [](const State& s) {
+        return evaluate(Function::kBiasForce, turn, [](const State& s) {
           return std::array<Input, 2>{s.q, s.qd};
         });
       case Quantity::kGravityForce:
-        return evaluate(Function::kGravityForce, calls,
+        return evaluate(Function::kGravityForce, turn,
                         [](const State& s) { return std::array<Input, 1>{s.q}; });
       case Quantity::kInverseDynamics:
-        return evaluate(Function::kInverseDynamics, calls, [](const State& s) {
+        return evaluate(Function::kInverseDynamics, turn, [](const State& s) {
           return std::array<Input, 3>{s.q, s.qd, s.qdd};
         });
       case Quantity::kForwardDynamics:
-        return evaluate(Function::kForwardDynamics, calls, [](const State& s) {
+        return evaluate(Function::kForwardDynamics, turn, [](const State& s) {
           return std::array<Input, 3>{s.q, s.qd, s.tau};
         });
       case Quantity::kJacobian:
-        return evaluate(Function::kForceJacobianTranspose, calls,
+        return evaluate(Function::kForceJacobianTranspose, turn,
                         [](const State& s) { return std::array<Input, 1>{s.q}; });
     }
   }
@@ -48,8 +48,8 @@ class BlockForm final : public Contestant {
 
  private:
   template <class Inputs>
-  void evaluate(Function function, int calls, const Inputs& inputs_of) {
-    repeat(states_, calls, [&](std::size_t k) {
+  void evaluate(Function function, Turn turn, const Inputs& inputs_of) {
+    repeat(states_, turn, [&](std::size_t k) {
       const auto inputs = inputs_of(states_[k]);
       out_ = engine_.evaluate(function, inputs);
     });

@@ -10,11 +10,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kBatch = 15000;  ///< ns; long beside the clock's own 30 ns
+constexpr double kBatch = 20000;  ///< ns; long beside the clock's own 30 ns
 
-double time_of(const Repeated& function, int calls) {
+double time_of(const Repeated& function, Turn turn) {
   const auto start = Clock::now();
-  function(calls);
+  function(turn);
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
@@ -22,8 +22,8 @@ double time_of(const Repeated& function, int calls) {
 int calls_in_batch(const Repeated& function) {
   constexpr int kMany = 1 << 20;
   int calls = 16;
-  function(calls);
-  while (calls < kMany && time_of(function, calls) < kBatch) {
+  function({0, calls});
+  while (calls < kMany && time_of(function, {0, calls}) < kBatch) {
     calls *= 2;
   }
   return calls;
@@ -43,10 +43,14 @@ std::vector<Time> measure(const std::vector<Repeated>& functions, int rounds) {
     calls.push_back(calls_in_batch(function));
   }
   std::vector<std::vector<double>> times(functions.size());
+  std::vector<std::size_t> next(functions.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t k = 0; k < functions.size(); ++k) {
-      functions[k](std::max(1, calls[k] / 8));
-      times[k].push_back(time_of(functions[k], calls[k]) / calls[k]);
+      const int warm_up = std::max(4, calls[k] / 8);
+      functions[k]({next[k], warm_up});
+      next[k] += static_cast<std::size_t>(warm_up);
+      times[k].push_back(time_of(functions[k], {next[k], calls[k]}) / calls[k]);
+      next[k] += static_cast<std::size_t>(calls[k]);
     }
   }
   std::vector<Time> result;

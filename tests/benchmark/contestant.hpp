@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/clock.hpp"
 #include "model/tree.hpp"
 #include "oracle/functions.hpp"
 
@@ -63,18 +64,18 @@ class Contestant {
 
   [[nodiscard]] virtual std::string name() const = 0;
   [[nodiscard]] virtual bool can(Quantity quantity) const = 0;
-  /// `calls` evaluations, state 0 first; nothing else is done, as this is what is timed.
+  /// Evaluations of consecutive states and nothing else, as this is what is timed.
   /// \pre can(quantity)
-  virtual void run(Quantity quantity, int calls) = 0;
+  virtual void run(Quantity quantity, Turn turn) = 0;
   /// What the last call computed, laid out as the output of the generated function.
   [[nodiscard]] virtual Vector result(Quantity quantity) const = 0;
 };
 
-/// `step(k)` for the states k of `calls` evaluations.
+/// `step(k)` for the states k of a turn.
 template <class Step>
-void repeat(const std::vector<State>& states, int calls, const Step& step) {
-  std::size_t state = 0;
-  for (int call = 0; call < calls; ++call) {
+void repeat(const std::vector<State>& states, Turn turn, const Step& step) {
+  std::size_t state = turn.first % states.size();
+  for (int call = 0; call < turn.calls; ++call) {
     step(state);
     state = state + 1 == states.size() ? 0 : state + 1;
   }

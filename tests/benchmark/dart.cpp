@@ -97,8 +97,8 @@ class Dart final : public Contestant {
   [[nodiscard]] std::string name() const override { return "DART"; }
   [[nodiscard]] bool can(Quantity /*quantity*/) const override { return true; }
 
-  void run(Quantity quantity, int calls) override {
-    repeat(turns_, calls, [&](std::size_t k) { evaluate(quantity, states_[k]); });
+  void run(Quantity quantity, Turn turn) override {
+    repeat(turns_, turn, [&](std::size_t k) { evaluate(quantity, states_[k]); });
   }
 
   [[nodiscard]] Vector result(Quantity quantity) const override {

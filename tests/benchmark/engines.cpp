@@ -87,8 +87,8 @@ Plan checked_plan(const std::vector<std::unique_ptr<Contest>>& contests) {
                   {}};
         cell.error = checked_error(contest->task, *contestant, info.quantity);
         plan.cells.push_back(cell);
-        plan.functions.emplace_back([&contestant, quantity = info.quantity](int calls) {
-          contestant->run(quantity, calls);
+        plan.functions.emplace_back([&contestant, quantity = info.quantity](Turn turn) {
+          contestant->run(quantity, turn);
         });
       }
     }

@@ -18,28 +18,28 @@ class Generated final : public Contestant {
   [[nodiscard]] std::string name() const override { return name_; }
   [[nodiscard]] bool can(Quantity /*quantity*/) const override { return true; }
 
-  void run(Quantity quantity, int calls) override {
+  void run(Quantity quantity, Turn turn) override {
     switch (quantity) {
       case Quantity::kMassMatrix:
-        return of_position(code_.mass_matrix, calls);
+        return of_position(code_.mass_matrix, turn);
       case Quantity::kBiasForce:
-        return repeat(states_, calls, [&](std::size_t k) {
+        return repeat(states_, turn, [&](std::size_t k) {
           code_.bias_force(states_[k].q.data(), states_[k].qd.data(), out_.data());
         });
       case Quantity::kGravityForce:
-        return of_position(code_.gravity_force, calls);
+        return of_position(code_.gravity_force, turn);
       case Quantity::kInverseDynamics:
-        return repeat(states_, calls, [&](std::size_t k) {
+        return repeat(states_, turn, [&](std::size_t k) {
           const State& s = states_[k];
           code_.inverse_dynamics(s.q.data(), s.qd.data(), s.qdd.data(), out_.data());
         });
       case Quantity::kForwardDynamics:
-        return repeat(states_, calls, [&](std::size_t k) {
+        return repeat(states_, turn, [&](std::size_t k) {
           const State& s = states_[k];
           code_.forward_dynamics(s.q.data(), s.qd.data(), s.tau.data(), out_.data());
         });
       case Quantity::kJacobian:
-        return of_position(code_.force_jacobian_transpose, calls);
+        return of_position(code_.force_jacobian_transpose, turn);
     }
   }
 
@@ -51,8 +51,8 @@ class Generated final : public Contestant {
   }
 
  private:
-  void of_position(Code::OfPosition function, int calls) {
-    repeat(states_, calls, [&](std::size_t k) { function(states_[k].q.data(), out_.data()); });
+  void of_position(Code::OfPosition function, Turn turn) {
+    repeat(states_, turn, [&](std::size_t k) { function(states_[k].q.data(), out_.data()); });
   }
 
   const std::vector<State>& states_;

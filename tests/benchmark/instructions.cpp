@@ -16,10 +16,10 @@ void count(const Task& task, Contestant& contestant) {
   for (const QuantityInfo& info : kQuantities) {
     if (contestant.can(info.quantity)) {
       const std::string label = label_of(task.robot, info.function, contestant.name());
-      contestant.run(info.quantity, 1);
+      contestant.run(info.quantity, {0, 1});
       CALLGRIND_START_INSTRUMENTATION;
       CALLGRIND_ZERO_STATS;
-      contestant.run(info.quantity, kCountedCalls);
+      contestant.run(info.quantity, {0, kCountedCalls});
       CALLGRIND_DUMP_STATS_AT(label.c_str());
       CALLGRIND_STOP_INSTRUMENTATION;
     }

@@ -67,8 +67,8 @@ class KdlContestant : public Contestant {
 
  protected:
   template <class Step>
-  void each(int calls, const Step& step) {
-    repeat(turns_, calls, [&](std::size_t k) {
+  void each(Turn turn, const Step& step) {
+    repeat(turns_, turn, [&](std::size_t k) {
       if (step(states_[k]) < 0) {
         throw std::runtime_error("KDL cannot evaluate a state");
       }
@@ -129,22 +129,22 @@ class KdlTree final : public KdlContestant {
     return quantity != Quantity::kMassMatrix && quantity != Quantity::kForwardDynamics;
   }
 
-  void run(Quantity quantity, int calls) override {
+  void run(Quantity quantity, Turn turn) override {
     switch (quantity) {
       case Quantity::kBiasForce:
-        return each(calls, [&](const KdlState& s) {
+        return each(turn, [&](const KdlState& s) {
           return weightless_.CartToJnt(s.q, s.qd, rest_, wrenches_, out_);
         });
       case Quantity::kGravityForce:
-        return each(calls, [&](const KdlState& s) {
+        return each(turn, [&](const KdlState& s) {
           return dynamics_.CartToJnt(s.q, rest_, rest_, wrenches_, out_);
         });
       case Quantity::kInverseDynamics:
-        return each(calls, [&](const KdlState& s) {
+        return each(turn, [&](const KdlState& s) {
           return dynamics_.CartToJnt(s.q, s.qd, s.qdd, wrenches_, out_);
         });
       case Quantity::kJacobian:
-        return each(calls, [&](const KdlState& s) { return jacobians(s.q); });
+        return each(turn, [&](const KdlState& s) { return jacobians(s.q); });
       default:
         throw std::logic_error("a quantity that KDL does not have");
     }
@@ -191,25 +191,24 @@ class KdlChain final : public KdlContestant {
            (points_ == 1 && chain_to_point_.getNrOfJoints() == size());
   }
 
-  void run(Quantity quantity, int calls) override {
+  void run(Quantity quantity, Turn turn) override {
     switch (quantity) {
       case Quantity::kMassMatrix:
-        return each(calls, [&](const KdlState& s) { return terms_.JntToMass(s.q, A_); });
+        return each(turn, [&](const KdlState& s) { return terms_.JntToMass(s.q, A_); });
       case Quantity::kBiasForce:
-        return each(calls,
-                    [&](const KdlState& s) { return terms_.JntToCoriolis(s.q, s.qd, out_); });
+        return each(turn, [&](const KdlState& s) { return terms_.JntToCoriolis(s.q, s.qd, out_); });
       case Quantity::kGravityForce:
-        return each(calls, [&](const KdlState& s) { return terms_.JntToGravity(s.q, out_); });
+        return each(turn, [&](const KdlState& s) { return terms_.JntToGravity(s.q, out_); });
       case Quantity::kInverseDynamics:
-        return each(calls, [&](const KdlState& s) {
+        return each(turn, [&](const KdlState& s) {
           return inverse_.CartToJnt(s.q, s.qd, s.qdd, wrenches_, out_);
         });
       case Quantity::kForwardDynamics:
-        return each(calls, [&](const KdlState& s) {
+        return each(turn, [&](const KdlState& s) {
           return forward_.CartToJnt(s.q, s.qd, s.tau, wrenches_, out_);
         });
       case Quantity::kJacobian:
-        return each(calls,
+        return each(turn,
                     [&](const KdlState& s) { return jacobian_.JntToJac(s.q, jacobians_[0]); });
     }
   }

@@ -38,23 +38,23 @@ class Mujoco final : public Contestant {
   [[nodiscard]] std::string name() const override { return "MuJoCo"; }
   [[nodiscard]] bool can(Quantity /*quantity*/) const override { return true; }
 
-  void run(Quantity quantity, int calls) override {
+  void run(Quantity quantity, Turn turn) override {
     switch (quantity) {
       case Quantity::kMassMatrix:
-        return repeat(states_, calls, [&](std::size_t k) { mass_matrix(states_[k]); });
+        return repeat(states_, turn, [&](std::size_t k) { mass_matrix(states_[k]); });
       case Quantity::kBiasForce:
         std::fill_n(model_->opt.gravity, 3, 0.0);
-        repeat(states_, calls, [&](std::size_t k) { bias(states_[k].q, states_[k].qd); });
+        repeat(states_, turn, [&](std::size_t k) { bias(states_[k].q, states_[k].qd); });
         std::copy_n(gravity_.begin(), 3, model_->opt.gravity);
         return;
       case Quantity::kGravityForce:
-        return repeat(states_, calls, [&](std::size_t k) { bias(states_[k].q, rest_); });
+        return repeat(states_, turn, [&](std::size_t k) { bias(states_[k].q, rest_); });
       case Quantity::kInverseDynamics:
-        return repeat(states_, calls, [&](std::size_t k) { inverse_dynamics(states_[k]); });
+        return repeat(states_, turn, [&](std::size_t k) { inverse_dynamics(states_[k]); });
       case Quantity::kForwardDynamics:
-        return repeat(states_, calls, [&](std::size_t k) { forward_dynamics(states_[k]); });
+        return repeat(states_, turn, [&](std::size_t k) { forward_dynamics(states_[k]); });
       case Quantity::kJacobian:
-        return repeat(states_, calls, [&](std::size_t k) { jacobian(states_[k]); });
+        return repeat(states_, turn, [&](std::size_t k) { jacobian(states_[k]); });
     }
   }
 

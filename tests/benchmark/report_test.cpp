@@ -27,11 +27,12 @@ TEST(Median, IsTheMiddleOrTheMeanOfBothMiddleValues) {
 
 TEST(Measure, CallsEveryFunctionAndReturnsNoMedianBelowTheLeast) {
   std::vector<int> calls(2);
-  const auto times = measure({[&](int n) { calls[0] += n; },
-                              [&](int n) {
-                                calls[1] += n;
-                              }},
-                             3);
+  const auto count = [&calls](std::size_t k) {
+    return [&calls, k](Turn turn) {
+      calls[k] += turn.calls;
+    };
+  };
+  const auto times = measure({count(0), count(1)}, 3);
   for (const std::size_t k : {0U, 1U}) {
     EXPECT_GT(calls[k], 3);
     EXPECT_LE(times[k].least, times[k].median);
