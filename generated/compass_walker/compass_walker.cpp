@@ -24,9 +24,9 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   A[12] = A[3];
   A[7] = 2.5 * s_right_hip;
   A[13] = A[7];
+  // left_leg
   A[2] = -2.5 * c_left_hip;
   A[8] = A[2];
-  // left_leg
   A[6] = 2.5 * s_left_hip;
   A[9] = A[6];
   A[0] = 20.0;
@@ -103,19 +103,19 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_4 = qd[2] * qd[2];
   const Scalar t_hip_2 = 2.5 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4);
-  const Scalar t_hip_3 = tau[1] - t_hip_2 - 2.0 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
+  const Scalar u_hip = tau[1] - t_hip_2 - 2.0 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
   // slide
   const Scalar t_slide_1 = 2.5 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4);
   const Scalar t_slide_2 = 2.0 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
-  const Scalar t_slide_3 = tau[0] - t_slide_1 - t_hip_1 * t_hip_3 + t_slide_2;
-  const Scalar t_slide_4 = inverse_pivot_slide * t_slide_3;
-  qdd[0] = t_slide_4;
-  const Scalar t_hip_4 = t_hip_3 - t_left_leg_3 * t_slide_4 - 9.81 * t_left_leg_2;
-  const Scalar t_hip_5 = inverse_pivot_hip * t_hip_4;
-  qdd[1] = t_hip_5;
+  const Scalar u_slide = tau[0] - t_slide_1 - t_hip_1 * u_hip + t_slide_2;
+  const Scalar t_slide_3 = inverse_pivot_slide * u_slide;
+  qdd[0] = t_slide_3;
+  const Scalar t_hip_3 = u_hip - t_left_leg_3 * t_slide_3 - 9.81 * t_left_leg_2;
+  const Scalar t_hip_4 = inverse_pivot_hip * t_hip_3;
+  qdd[1] = t_hip_4;
   // left_leg
-  const Scalar t_left_leg_5 = 2.0 * t_slide_4;
-  const Scalar t_left_leg_6 = 19.62 + 2.0 * t_hip_5;
+  const Scalar t_left_leg_5 = 2.0 * t_slide_3;
+  const Scalar t_left_leg_6 = 19.62 + 2.0 * t_hip_4;
   qdd[2] = 0.8 * tau[2] + c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
   // right_leg
   qdd[3] = 0.8 * tau[3] + c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;
@@ -138,8 +138,8 @@ void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
 void force_jacobian_transpose(const Scalar q[4], Scalar C[24]) noexcept {
   C[12] = -cos(q[2]);
   C[14] = sin(q[2]);
-  C[21] = -cos(q[3]);
   // right_leg
+  C[21] = -cos(q[3]);
   C[23] = sin(q[3]);
   C[0] = 1.0;
   C[3] = 1.0;

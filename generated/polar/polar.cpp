@@ -23,9 +23,9 @@ void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
 }
 
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
-  // boom
   const Scalar t_boom_1 = qd[0] * (5.47995 - 8.5 * q[1]);
   B[1] = qd[0] * t_boom_1 * 0.5;
+  // shoulder_link
   B[0] = -qd[1] * t_boom_1;
 }
 
@@ -52,13 +52,15 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
+  // shoulder_link
   const Scalar c_shoulder = cos(q[0]);
   const Scalar s_shoulder = sin(q[0]);
+  const Scalar inverse_pivot_shoulder = 1.0 / (2.528 - q[1] * (5.47995 - 4.25 * q[1]));
   const Scalar t_boom_1 = 0.6447 - q[1];
   const Scalar t_boom_2 = qd[0] * t_boom_1;
-  // shoulder_link
   const Scalar t_shoulder_1 = tau[0] - s_shoulder * t_boom_1 * 41.6925 + qd[1] * t_boom_2 * 8.5;
-  qdd[0] = 1.0 / (2.528 - q[1] * (5.47995 - 4.25 * q[1])) * t_shoulder_1;
+  qdd[0] = inverse_pivot_shoulder * t_shoulder_1;
+  // boom
   qdd[1] = -(9.81 * c_shoulder - 0.23529411764705882 * tau[1] + qd[0] * t_boom_2);
 }
 
@@ -74,9 +76,9 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
   const Scalar c_shoulder = cos(q[0]);
   C[5] = c_shoulder;
-  // boom
   const Scalar s_shoulder = sin(q[0]);
   C[3] = s_shoulder;
+  // shoulder_link
   C[2] = -s_shoulder * q[1];
   C[0] = c_shoulder * q[1];
   C[1] = 0.0;

@@ -305,7 +305,6 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_hind_right_thigh_5 = 0.000245 * s_hind_right_hip + t_hind_right_thigh_2;
   const Scalar t_hind_right_shank_13 = c_hind_right_shank * t_hind_right_shank_2 * 0.000242048;
   const Scalar t_hind_right_thigh_6 = t_hind_right_thigh_1 * t_hind_right_thigh_5;
-  // hind_right_shank
   const Scalar t_hind_right_shank_14 = qd[10] * t_hind_right_shank_11 - t_hind_right_shank_12;
   B[9] = qd[9] * t_hind_right_shank_14 * 2.0 - (t_hind_right_shank_13 + t_hind_right_thigh_6);
   const Scalar t_hind_right_shank_15 = t_hind_right_hip_1 * t_hind_right_shank_11;
@@ -332,7 +331,6 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_fron_righ_shan_13 = qd[3] * (t_fron_righ_shan_12 - qd[4] * t_fron_righ_shan_11);
   const Scalar t_fron_righ_shan_14 = c_fron_righ_shan * t_fron_righ_shan_2 * 0.000242048;
   const Scalar t_fron_righ_thig_5 = t_fron_righ_thig_4 + 0.000245 * s_front_right_hip;
-  // front_right_shank
   const Scalar t_fron_righ_shan_15 = t_fron_righ_shan_14 + 2.0 * t_fron_righ_shan_13;
   B[3] = -(t_fron_righ_shan_15 + t_fron_righ_thig_1 * t_fron_righ_thig_5);
   const Scalar t_fron_righ_shan_16 = t_fron_righ_shan_2 * t_fron_righ_shan_5;
@@ -1160,6 +1158,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar r_front_left_thigh_x = t_hind_right_shank_3 + 0.209 * c_front_left_hip;
   C[12] = r_front_left_thigh_x;
   C[2] = 0.062 * c_front_left_abduction + s_front_left_abduction * r_front_left_thigh_x;
+  // front_left_thigh
   C[1] = c_front_left_abduction * r_front_left_thigh_x - 0.062 * s_front_left_abduction;
   C[13] = -s_front_left_abduction * r_front_left_thigh_y;
   C[14] = c_front_left_abduction * r_front_left_thigh_y;
@@ -1189,6 +1188,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar t_front_right_hip_3 = 0.175 * s_front_right_hip_2;
   C[104] = c_hind_left_abduction * t_front_right_hip_3;
   C[103] = -s_hind_left_abduction * t_front_right_hip_3;
+  // hind_left_thigh
   const Scalar r_hind_left_thigh_y = t_front_right_hip_3 + 0.209 * s_hind_left_hip;
   const Scalar r_hind_left_thigh_x = t_front_right_hip_2 + 0.209 * c_hind_left_hip;
   C[90] = r_hind_left_thigh_x;
@@ -1205,11 +1205,11 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar t_hind_left_hip_3 = 0.175 * s_hind_left_hip_2;
   C[142] = -s_hind_right_abduction * t_hind_left_hip_3;
   C[143] = c_hind_right_abduction * t_hind_left_hip_3;
-  // hind_right_thigh
   const Scalar r_hind_right_thigh_y = t_hind_left_hip_3 + 0.209 * s_hind_right_hip;
   const Scalar r_hind_right_thigh_x = t_hind_left_hip_2 + 0.209 * c_hind_right_hip;
   C[129] = r_hind_right_thigh_x;
   C[119] = s_hind_right_abduction * r_hind_right_thigh_x - 0.062 * c_hind_right_abduction;
+  // hind_right_thigh
   C[118] = 0.062 * s_hind_right_abduction + c_hind_right_abduction * r_hind_right_thigh_x;
   C[131] = c_hind_right_abduction * r_hind_right_thigh_y;
   C[130] = -s_hind_right_abduction * r_hind_right_thigh_y;

@@ -109,7 +109,6 @@ void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
   C[5] = c_forearm;
   const Scalar s_forearm = sin(t_forearm_1);
   C[3] = -s_forearm;
-  // upper_arm
   C[2] = c_shoulder + c_forearm;
   C[0] = -(s_shoulder + s_forearm);
   C[1] = 0.0;
