@@ -10,8 +10,8 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "emit/names.hpp"
-#include "simulation/integrator.hpp"
 #include "simplify/scene_functions.hpp"
+#include "simulation/integrator.hpp"
 #include "version.hpp"
 
 namespace treedyn {
@@ -185,6 +185,14 @@ void add_generation(CLI::App& command, Request& request) {
           "sine and cosine of the C library or written into the source; default libm")
       ->check(one_of({"libm", "builtin"}))
       ->type_name("libm|builtin");
+  command
+      .add_option_function<std::string>(
+          "--layout",
+          [&request](const std::string& layout) { request.target.packed = layout == "packed"; },
+          "of A: N x N, or its structural nonzeros on and below the diagonal with index tables in "
+          "the header; default dense")
+      ->check(one_of({"dense", "packed"}))
+      ->type_name("dense|packed");
   command
       .add_option_function<std::string>(
           "--functions", [&request](const std::string& list) { set_functions(request, list); },

@@ -18,6 +18,7 @@
 #include "files.hpp"
 #include "prove.hpp"
 #include "prove_scene.hpp"
+#include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
 #include "symbolic/dump.hpp"
 #include "version.hpp"
@@ -143,6 +144,7 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
           {"lanes", std::to_string(request.target.lanes)},
           {"sincos", in_quotes(request.target.builtin_sincos || request.target.lanes > 1 ? "builtin"
                                                                                          : "libm")},
+          {"layout", in_quotes(request.target.packed ? "packed" : "dense")},
           {"base", in_quotes(base_text(request.read.base))},
           {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
           {"snap", emit::decimal(request.read.snap)},
@@ -254,6 +256,20 @@ void prove(const Model& model, const Request& request, const Programs& programs)
   }
 }
 
+namespace {
+
+/// The places of A that the plain formulation does not find zero: the same whatever the search and
+/// the passes make of it.
+program::Packing packing_of(const Model& model, const Request& request) {
+  simplify::Options options = simplify_options(model, request);
+  options.without.clear();
+  return program::lower_triangle(simplify::build(model.tree, simplify::recipe_of("mass_matrix"),
+                                                 options, simplify::plain_variant(model.tree)),
+                                 model.tree.dof());
+}
+
+}  // namespace
+
 std::vector<emit::File> emit_files(const Model& model, const Request& request, Programs programs) {
   emit::Unit unit;
   unit.name = model.name;
@@ -262,6 +278,12 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   unit.functions = std::move(programs.functions);
   unit.staged = std::move(programs.staged);
   unit.target = request.target;
+  if (request.target.packed) {
+    unit.packing = packing_of(model, request);
+    for (program::Function& function : unit.functions) {
+      function = program::packed(std::move(function), "A", model.tree.dof(), unit.packing);
+    }
+  }
   unit.command = {"treedyn", "generate"};
   if (!request.scene) {
     unit.command.push_back(model.source.file);
@@ -319,6 +341,7 @@ std::vector<std::string> options_of(const Request& request) {
   add(request.target.lanes != kDefaults.target.lanes, "--lanes",
       std::to_string(request.target.lanes));
   add(request.target.builtin_sincos, "--sincos", "builtin");
+  add(request.target.packed, "--layout", "packed");
   add(!request.functions.empty(), "--functions", list_of(request.functions));
   add(request.points.has_value(), "--points", request.points.value_or(""));
   add(request.gravity != kDefaults.gravity, "--gravity", gravity_text(request.gravity));

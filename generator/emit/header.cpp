@@ -179,6 +179,35 @@ std::string scalar_declaration(const Target& target) {
       target.lanes, type);
 }
 
+/// `inline constexpr int name[] = {...};`, as many numbers a line as fit.
+std::string index_table(const std::string& name, const std::vector<int>& values) {
+  std::string result = fmt::format("inline constexpr int {}[{}] = {{", name, values.size());
+  std::string line;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::string cell = fmt::format("{}{}", values[k], k + 1 < values.size() ? "," : "");
+    if (line.size() + cell.size() + 5 > kColumns) {
+      result += "\n   " + line;
+      line.clear();
+    }
+    line += " " + cell;
+  }
+  return result + "\n   " + line + "};\n";
+}
+
+/// Where the values of a packed A belong; nothing if A is dense.
+std::string packing_tables(const Unit& unit) {
+  if (!unit.target.packed) {
+    return {};
+  }
+  return fmt::format(
+             "\n/// Value k of A is entry (kMassMatrixRow[k], kMassMatrixColumn[k]) and its mirror "
+             "image;\n/// other entries are zero in every state.\n"
+             "inline constexpr int kMassMatrixNonzeros = {};\n",
+             unit.packing.size()) +
+         index_table("kMassMatrixRow", unit.packing.row) +
+         index_table("kMassMatrixColumn", unit.packing.column);
+}
+
 std::string prototype(const program::Signature& signature) {
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
   return declaration("void " + signature.name, parameters(signature, all), " noexcept;") + "\n";
@@ -260,6 +289,9 @@ std::string header_text(const Unit& unit) {
                {"point_count", std::to_string(unit.points.size())},
                {"joint_indices", index_namespace("joint", joint_identifiers(tree))},
                {"point_indices", index_namespace("point", point_identifiers(unit.points))},
+               {"packing", packing_tables(unit)},
+               {"matrices", unit.target.packed ? "A is packed, other arrays are dense; matrices"
+                                               : "Arrays are dense, matrices"},
                {"functions", declarations(unit)}});
 }
 

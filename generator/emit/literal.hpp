@@ -15,6 +15,7 @@ struct Target {
   Scalar scalar = Scalar::kDouble;
   int lanes = 1;                ///< states at once; more than one: Scalar is a vector type
   bool builtin_sincos = false;  ///< sin and cos without a library; always with several lanes
+  bool packed = false;          ///< A: what is not structurally zero, lower triangle
 };
 
 /// "double" or "float".

@@ -7,6 +7,7 @@
 
 #include "emit/literal.hpp"
 #include "model/tree.hpp"
+#include "program/packed.hpp"
 #include "program/staged.hpp"
 
 namespace treedyn::emit {
@@ -19,6 +20,7 @@ struct Unit {
   std::vector<program::Function> functions;
   std::vector<program::Staged> staged;  ///< behind `functions`
   Target target;
+  program::Packing packing;  ///< of A, if the target is packed
   std::vector<std::string> command;  ///< program and arguments that reproduce the files
   std::string tool;                  ///< "treedyn 0.1.0", for the manifest only
   std::string model_file;            ///< base name, "-" for standard input

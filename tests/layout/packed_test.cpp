@@ -1,0 +1,82 @@
+// `--layout packed`: the values of the dense functions at the places that the header's tables name.
+#include <algorithm>
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "dense.hpp"
+#include "packed.hpp"
+
+namespace {
+
+constexpr int kN = packed::kDof;
+constexpr int kNonzeros = packed::kMassMatrixNonzeros;
+using Vector = std::array<double, kN>;
+using Dense = std::array<double, kN * kN>;
+using Packed = std::array<double, kNonzeros>;
+
+Vector state(int k) {
+  Vector q;
+  for (int i = 0; i < kN; ++i) {
+    q[static_cast<std::size_t>(i)] = 0.37 * (i + 1) * (k + 1) - 2.0 * k;
+  }
+  return q;
+}
+
+/// A from its stored values, zero elsewhere.
+Dense unpacked(const Packed& values) {
+  Dense a{};
+  for (int k = 0; k < kNonzeros; ++k) {
+    const int i = packed::kMassMatrixRow[k];
+    const int j = packed::kMassMatrixColumn[k];
+    a[static_cast<std::size_t>(i * kN + j)] = a[static_cast<std::size_t>(j * kN + i)] =
+        values[static_cast<std::size_t>(k)];
+  }
+  return a;
+}
+
+TEST(Packed, StoresTheLowerTriangleRowByRow) {
+  for (int k = 0; k < kNonzeros; ++k) {
+    EXPECT_LE(packed::kMassMatrixColumn[k], packed::kMassMatrixRow[k]);
+    if (k > 0) {
+      const int before = packed::kMassMatrixRow[k - 1] * kN + packed::kMassMatrixColumn[k - 1];
+      EXPECT_LT(before, packed::kMassMatrixRow[k] * kN + packed::kMassMatrixColumn[k]);
+    }
+  }
+}
+
+// EQUATIONS.md 7.1: links of different legs are not related; 135 of 171 entries remain, fewer by
+// those that the base's own axes make zero.
+TEST(Packed, LeavesOutWhatTheTreeMakesZero) {
+  EXPECT_LE(kNonzeros, 135);
+  EXPECT_GE(kNonzeros, 135 - 6);
+}
+
+TEST(Packed, HoldsTheValuesOfTheDenseMatrix) {
+  for (int k = 0; k < 20; ++k) {
+    const Vector q = state(k);
+    Dense expected;
+    Packed values;
+    dense::mass_matrix(q.data(), expected.data());
+    packed::mass_matrix(q.data(), values.data());
+    EXPECT_EQ(unpacked(values), expected) << "state " << k;
+  }
+}
+
+TEST(Packed, AppliesToTheMatrixOfDynamicsTerms) {
+  const Vector q = state(3);
+  const Vector qd = state(5);
+  Dense expected;
+  Packed values;
+  Vector b;
+  Vector g;
+  Vector expected_b;
+  Vector expected_g;
+  dense::dynamics_terms(q.data(), qd.data(), expected.data(), expected_b.data(), expected_g.data());
+  packed::dynamics_terms(q.data(), qd.data(), values.data(), b.data(), g.data());
+  EXPECT_EQ(unpacked(values), expected);
+  EXPECT_EQ(b, expected_b);
+  EXPECT_EQ(g, expected_g);
+}
+
+}  // namespace
