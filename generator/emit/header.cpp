@@ -208,6 +208,15 @@ std::string packing_tables(const Unit& unit) {
          index_table("kMassMatrixColumn", unit.packing.column);
 }
 
+std::string arrays_comment(const Target& target) {
+  return wrapped(
+      fmt::format("Arrays are dense{}, matrices row-major; SI units and radians. Outputs "
+                  "are written completely and must not overlap inputs. Nothing is "
+                  "allocated, thrown or kept between calls.",
+                  target.packed ? ", A excepted" : ""),
+      "// ");
+}
+
 std::string prototype(const program::Signature& signature) {
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
   return declaration("void " + signature.name, parameters(signature, all), " noexcept;") + "\n";
@@ -290,8 +299,7 @@ std::string header_text(const Unit& unit) {
                {"joint_indices", index_namespace("joint", joint_identifiers(tree))},
                {"point_indices", index_namespace("point", point_identifiers(unit.points))},
                {"packing", packing_tables(unit)},
-               {"matrices", unit.target.packed ? "A is packed, other arrays are dense; matrices"
-                                               : "Arrays are dense, matrices"},
+               {"arrays", arrays_comment(unit.target)},
                {"functions", declarations(unit)}});
 }
 

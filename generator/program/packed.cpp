@@ -1,8 +1,18 @@
 #include "program/packed.hpp"
 
+#include <string_view>
+#include <utility>
+
 #include "common/error.hpp"
 
 namespace treedyn::program {
+
+namespace {
+
+/// How the description of a function calls a dense matrix.
+constexpr std::string_view kDense = "N x N, row-major";
+
+}  // namespace
 
 Packing lower_triangle(const Function& dense, int n) {
   Packing packing;
@@ -30,6 +40,10 @@ Function packed(Function function, const std::string& matrix, int n, const Packi
                                                                             packing.column[at])]);
       }
       array.size = packing.size();
+      std::string& brief = function.signature.brief;
+      if (const auto at = brief.find(kDense); at != std::string::npos) {
+        brief.replace(at, kDense.size(), "packed lower triangle");
+      }
     } else {
       for (std::size_t k = 0; k < size; ++k) {
         outputs.push_back(function.outputs[begin + k]);
