@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "simplify/regrouping.hpp"
+
 namespace treedyn::simplify {
 
 namespace {
@@ -31,13 +33,10 @@ class Workbench {
   void slide(int i, const Real& distance);
   void turn(int i, const Turn& turn);
   void scale_lengths(const Real& unit);
-  void regroup(int i);
-  void move_to_father(int i, const Real& mass, const Real& moment, const Real& pseudo);
 
   [[nodiscard]] std::optional<Real> slide_distance(int i);
   [[nodiscard]] Turn frame_turn(int i);
   [[nodiscard]] Turn turn_to_son(int i);
-  void clean_constants();
 
   const model::Tree& model_;
   const Variant& variant_;
@@ -216,69 +215,6 @@ Turn Workbench::frame_turn(int i) {
   }
 }
 
-/// Moves mass at the origin, first moment along z and E_zz from revolute link i to its father:
-/// exact, because the joint cannot feel them (EQUATIONS.md 8).
-void Workbench::move_to_father(int i, const Real& mass, const Real& moment, const Real& pseudo) {
-  NormalLink& l = link(i);
-  l.mass -= mass;
-  l.moment[2] -= moment;
-  l.pseudo[8] -= pseudo;
-  const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
-  const Vector3 h = moment * z;
-  const Vector3 received = h + mass * l.offset;
-  if (l.father == model::kGround) {
-    tree_.ground_moment = tree_.ground_moment + received;
-    return;
-  }
-  NormalLink& f = link(l.father);
-  const Vector3& r = l.offset;
-  f.pseudo = f.pseudo + pseudo * outer(z, z) + outer(r, h) + outer(h, r) + mass * outer(r, r);
-  f.moment = f.moment + received;
-  f.mass += mass;
-}
-
-/// True if a mass may be chosen by its moment along `axis`: over a lever that is the rounding of a
-/// zero (1e-12 m beside 1 m) it would be huge, and cancel later.
-bool is_lever(const Vector3& offset, std::size_t axis) {
-  const Real length = abs(offset[0]) + abs(offset[1]) + abs(offset[2]);
-  return abs(offset[axis]) > Real("1e-6") + length * Real("1e-4");
-}
-
-void Workbench::regroup(int i) {
-  const LinkVariant& how = choice(i);
-  NormalLink& l = link(i);
-  if (!l.revolute || how.mass == MassGauge::kNothing) {
-    return;
-  }
-  Real mass = l.mass;
-  const Real moment = l.moment[2];
-  if (how.mass == MassGauge::kKeepMass) {
-    mass = 0;
-  } else if (how.mass != MassGauge::kAll && l.father != model::kGround) {
-    const auto axis =
-        static_cast<std::size_t>(how.mass) - static_cast<std::size_t>(MassGauge::kCancelX);
-    if (is_lever(l.offset, axis)) {
-      const Real present = link(l.father).moment[axis] + l.rotation[3 * axis + 2] * moment;
-      mass = -present / l.offset[axis];
-    }
-  }
-  Real pseudo = l.pseudo[8];
-  switch (how.tensor) {
-    case TensorGauge::kZz:
-      break;
-    case TensorGauge::kZzPlusXx:
-      pseudo += l.pseudo[0];
-      break;
-    case TensorGauge::kZzPlusYy:
-      pseudo += l.pseudo[4];
-      break;
-    case TensorGauge::kKeep:
-      pseudo = 0;
-      break;
-  }
-  move_to_father(i, mass, moment, pseudo);
-}
-
 void Workbench::scale_lengths(const Real& unit) {
   tree_.unit = unit;
   tree_.gravity = Real(1 / unit) * tree_.gravity;
@@ -286,36 +222,6 @@ void Workbench::scale_lengths(const Real& unit) {
     l.offset = Real(1 / unit) * l.offset;
     l.moment = unit * l.moment;
     l.mass *= unit * unit;
-  }
-}
-
-/// Zeroes what rounding at 50 digits left of exact cancellations.
-void Workbench::clean_constants() {
-  Real mass = 0;
-  Real moment = 0;
-  Real pseudo = 0;
-  Real offset = 0;
-  const auto raise = [](Real& bound, const auto& values) {
-    for (const Real& value : values) {
-      bound = std::max(bound, Real(abs(value)));
-    }
-  };
-  for (const NormalLink& l : tree_.links) {
-    mass = std::max(mass, Real(abs(l.mass)));
-    raise(moment, l.moment);
-    raise(pseudo, l.pseudo);
-    raise(offset, l.offset);
-  }
-  const auto drop = [](auto& values, const Real& bound) {
-    for (Real& value : values) {
-      value = negligible(value, bound) ? Real(0) : value;
-    }
-  };
-  for (NormalLink& l : tree_.links) {
-    l.mass = negligible(l.mass, mass) ? Real(0) : l.mass;
-    drop(l.moment, moment);
-    drop(l.pseudo, pseudo);
-    drop(l.offset, offset);
   }
 }
 
@@ -338,14 +244,14 @@ NormalTree Workbench::run() {
       turn(i, frame_turn(i));
     }
   }
-  clean_constants();
+  clean_constants(tree_);
   if (variant_.unit_length > 0) {
     scale_lengths(unit_lengths(model_)[static_cast<std::size_t>(variant_.unit_length - 1)]);
   }
   for (int i = n - 1; i >= 0; --i) {
-    regroup(i);
+    regroup(tree_, i, choice(i));
   }
-  clean_constants();
+  clean_constants(tree_);
   for (NormalLink& l : tree_.links) {
     l.euler = euler_zxz(l.rotation);
   }
