@@ -365,8 +365,19 @@ void require_model_or_scene(const Settings& settings) {
   if (request.model.empty() && !request.scene) {
     throw CLI::ParseError("MODEL is required; expected a model or --scene FILE", kUsage);
   }
-  if (request.scene && request.target.lanes > 1) {
+  if (!request.scene) {
+    return;
+  }
+  const Request defaults;
+  if (request.target.lanes > 1) {
     throw CLI::ParseError("--lanes: functions of a scene branch; expected 1 lane", kUsage);
+  }
+  if (request.points || request.gravity != defaults.gravity ||
+      request.read.snap != defaults.read.snap || request.read.mimic != defaults.read.mimic) {
+    throw CLI::ParseError(
+        "--points, --gravity, --snap and --mimic are a matter of the scene; "
+        "expected --scene without them",
+        kUsage);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "emit/json.hpp"
 #include "emit/layout.hpp"
 #include "emit/manifest.hpp"
+#include "scene_prices.hpp"
 
 namespace treedyn {
 
@@ -174,6 +175,42 @@ std::string cost_table(const Programs& programs) {
   return "\nfunctions, operations in one call\n" + table(rows);
 }
 
+/// "+12 mul, -1 add": what an effect adds.
+std::string change_text(const program::Cost& with, const program::Cost& without) {
+  std::string result;
+  const auto add = [&](int more, const char* what) {
+    if (more != 0) {
+      result += fmt::format("{}{:+} {}", result.empty() ? "" : ", ", more, what);
+    }
+  };
+  add(with.mul - without.mul, "mul");
+  add(with.add - without.add, "add");
+  add(with.div - without.div, "div");
+  add(with.sqrt - without.sqrt, "sqrt");
+  add(with.sin - without.sin, "sin");
+  add(with.cos - without.cos, "cos");
+  return result.empty() ? "0" : result;
+}
+
+std::string price_table(const Model& model, const Request& request, const Programs& programs) {
+  if (!model.scene) {
+    return {};
+  }
+  Rows rows = {{"effect", "function", "without", "with", "price"}};
+  for (const Price& price : effect_prices(model, request, programs)) {
+    rows.push_back({price.effect, price.function.empty() ? "none" : price.function,
+                    std::to_string(price.without.total()), std::to_string(price.with.total()),
+                    change_text(price.with, price.without)});
+  }
+  std::string result = "\nprice of every effect: operations with it less those without it\n";
+  result += rows.size() > 1 ? table(rows) : "  the scene names no effect\n";
+  for (const ContactPrice& contact : contact_prices(programs)) {
+    result += fmt::format("  closed contact {}: {} more\n", contact.contact,
+                          emit::cost_text(contact.cost));
+  }
+  return result;
+}
+
 std::string json_list(const std::vector<std::string>& values) {
   return fmt::format("[{}]", fmt::join(values, ", "));
 }
@@ -240,6 +277,21 @@ std::vector<std::string> snaps_json(const model::Tree& tree) {
   return result;
 }
 
+std::vector<std::string> prices_json(const Model& model, const Request& request,
+                                     const Programs& programs) {
+  std::vector<std::string> result;
+  if (!model.scene) {
+    return result;
+  }
+  for (const Price& price : effect_prices(model, request, programs)) {
+    result.push_back(json_object({{"effect", json_string(price.effect)},
+                                  {"function", json_string(price.function)},
+                                  {"with", emit::operations_json(price.with)},
+                                  {"without", emit::operations_json(price.without)}}));
+  }
+  return result;
+}
+
 std::vector<std::string> functions_json(const Programs& programs) {
   std::vector<std::string> result;
   for (const Priced& function : priced(programs)) {
@@ -259,18 +311,22 @@ std::string info_text(const Model& model, const Request& request, const Programs
                      shown(model.tree.name), model.tree.dof(), model.tree.size(),
                      emit::decimal(total_mass(model.tree)), axes ? "axes" : "fixed") +
          joint_table(model) + mimic_lines(model) + reachability_text(model.tree) +
-         point_table(model) + snap_table(model.tree) + cost_table(programs);
+         point_table(model) + snap_table(model.tree) + cost_table(programs) +
+         price_table(model, request, programs);
 }
 
 std::string info_json(const Model& model, const Request& request, const Programs& programs) {
   const bool axes = request.read.base == description::Base::kAxes;
   return fmt::format(
       "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
-      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}\n}}\n",
+      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}{}\n}}\n",
       json_string(model.tree.name), json_string(axes ? "axes" : "fixed"), model.tree.dof(),
       emit::decimal(total_mass(model.tree)), emit::json_lines(joints_json(model), 4),
       emit::json_lines(links_json(model.tree), 4), emit::json_lines(points_json(model), 4),
-      emit::json_lines(snaps_json(model.tree), 4), emit::json_lines(functions_json(programs), 4));
+      emit::json_lines(snaps_json(model.tree), 4), emit::json_lines(functions_json(programs), 4),
+      model.scene ? fmt::format(",\n  \"prices\": {}",
+                                emit::json_lines(prices_json(model, request, programs), 4))
+                  : "");
 }
 
 std::string passes_text(const Model& model, const Request& request) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "emit/header.hpp"
@@ -171,10 +172,57 @@ std::vector<std::string> pass_names() {
 
 namespace {
 
+/// Effects that cannot be written as code that branches on pivots and contacts alone.
+void check_scene(const model::Scene& scene, const Location& where) {
+  for (const model::JointFriction& friction : scene.frictions) {
+    if (friction.slip_speed == 0) {
+      throw InputError(
+          where,
+          fmt::format("coulomb friction of joint '{}' sticks, which generated functions do "
+                      "not; expected a slip_speed",
+                      scene.tree.links[static_cast<std::size_t>(friction.joint)].joint.name));
+    }
+  }
+  for (const model::GroundContact& contact : scene.contacts) {
+    const Real halves = 2 * contact.exponent;
+    if (!contact.law && halves != floor(halves)) {
+      throw InputError(
+          where,
+          fmt::format("contact of point '{}': exponent {} needs pow; expected a multiple of 1/2",
+                      scene.points[static_cast<std::size_t>(contact.point)].name,
+                      emit::decimal(contact.exponent)));
+    }
+  }
+}
+
+/// A MODEL beside a scene has to be the scene's own.
+void check_model(const Request& request, const model::Scene& scene) {
+  if (request.model.empty()) {
+    return;
+  }
+  Request of_model = request;
+  if (!scene.tree.links.empty() && scene.tree.links.front().joint.name == "base_px") {
+    of_model.read.base = description::Base::kAxes;
+  }
+  const model::Tree tree = load(of_model).second;
+  const bool same =
+      std::equal(tree.links.begin(), tree.links.end(), scene.tree.links.begin(),
+                 scene.tree.links.end(), [](const model::Link& a, const model::Link& b) {
+                   return a.name == b.name && a.joint.name == b.joint.name && a.father == b.father;
+                 });
+  if (!same) {
+    throw InputError({request.model, 0, 0},
+                     fmt::format("is not the model of scene '{}'; expected that one, or none",
+                                 shown(scene.name)));
+  }
+}
+
 /// A scene brings its tree, gravity and points.
 Model read_scene_model(const Request& request) {
   Model model;
   model.scene = description::read_scene(*request.scene);
+  check_scene(*model.scene, {*request.scene, 0, 0});
+  check_model(request, *model.scene);
   model.source = source_of(*request.scene);
   model.tree = model.scene->tree;
   model.points = model.scene->points;

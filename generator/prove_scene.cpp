@@ -163,58 +163,124 @@ void prove_plain(const model::Scene& scene, const program::Function& function,
   require_small(function.signature.name, "element", residual, largest(ours));
 }
 
-void prove_constrained(const model::Scene& scene, const std::vector<int>& active,
-                       const program::Staged& staged, program::Random& random) {
-  State state(staged.function.signature, random);
-  const std::string& name = staged.signature.name;
-  const auto n = index(scene.tree.dof());
-  std::size_t r = 0;
+/// Finds the multipliers that K and b ask for. \return the values of all stages
+Values solved_values(const program::Staged& staged, State& state) {
   if (!staged.solves.empty()) {
-    r = index(staged.solves.front().rows);
+    const std::size_t r = index(staged.solves.front().rows);
     const Values first = state.evaluate(staged.function);
     const auto size = static_cast<std::ptrdiff_t>(r * (r + 1) / 2);
     const Values lower(first.begin(), first.begin() + size);
     const Values b(first.begin() + size, first.begin() + size + static_cast<std::ptrdiff_t>(r));
     state.at(program::kMultiplierArray) = least_squares(symmetric(lower, r), b);
   }
-  const Values values = state.evaluate(staged.function);
-  const Values qdd(values.end() - static_cast<std::ptrdiff_t>(n + r),
-                   values.end() - static_cast<std::ptrdiff_t>(r));
-  const Values lambda(values.end() - static_cast<std::ptrdiff_t>(r), values.end());
+  return state.evaluate(staged.function);
+}
+
+/// What is left of errors of the rows. Of deficient rows some errors no motion can reach:
+/// J A^-1 J^T error = 0.
+Values reachable_error(const program::Staged& staged, const SceneEquations& equations,
+                       const std::vector<SceneEquations::Row>& rows, Values error) {
+  if (staged.solves.empty() || staged.solves.front().regular()) {
+    return error;
+  }
+  Values reaction(equations.inertia().size());
+  for (std::size_t i = 0; i < reaction.size(); ++i) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      reaction[i] += rows[k].J[i] * error[k];
+    }
+  }
+  const Values moved = solved(equations.inertia(), reaction);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    error[k] = dot(rows[k].J, moved);
+  }
+  return error;
+}
+
+/// A (qd_plus - qd_minus) = J^T P, J qd_plus = -e J qd_minus.
+void prove_impact(const model::Scene& scene, const program::Staged& staged,
+                  program::Random& random) {
+  State state(staged.function.signature, random);
+  const Values values = solved_values(staged, state);
+  const std::size_t r = index(staged.solves.front().rows);
+  const Values P(values.end() - static_cast<std::ptrdiff_t>(r), values.end());
+  const Values& minus = state.at("qd_minus");
+  const SceneEquations equations(scene, state.at("q"), Values(minus.size()), 0);
+  const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
+  const Values plus(values.end() - static_cast<std::ptrdiff_t>(r + minus.size()),
+                    values.end() - static_cast<std::ptrdiff_t>(r));
+  Values motion;
+  for (std::size_t i = 0; i < minus.size(); ++i) {
+    Real sum = dot(equations.inertia()[i], plus) - dot(equations.inertia()[i], minus);
+    for (std::size_t k = 0; k < r; ++k) {
+      sum -= rows[k].J[i] * P[k];
+    }
+    motion.push_back(sum);
+  }
+  Values error;
+  for (const SceneEquations::Row& row : rows) {
+    error.push_back(dot(row.J, plus) + staged.restitution * dot(row.J, minus));
+  }
+  const Real scale = 1000 * (1 + largest(plus) + largest(P));
+  require_small(staged.signature.name, "equation of motion", motion, scale);
+  require_small(staged.signature.name, "row", reachable_error(staged, equations, rows, error),
+                scale);
+}
+
+void prove_constrained(const model::Scene& scene, const program::Staged& staged,
+                       program::Random& random) {
+  State state(staged.function.signature, random);
+  const std::string& name = staged.signature.name;
+  const auto n = index(scene.tree.dof());
+  const Values values = solved_values(staged, state);
+  const std::size_t r = staged.solves.empty() ? 0 : index(staged.solves.front().rows);
+  const auto contacts = static_cast<std::ptrdiff_t>(scene.contacts.size());
+  const auto reactions = values.end() - contacts - static_cast<std::ptrdiff_t>(r);
+  const Values qdd(reactions - static_cast<std::ptrdiff_t>(n), reactions);
+  const Values lambda(reactions, values.end() - contacts);
+  const Values& tau = state.at(state.has("tau") ? "tau" : program::kForceArray);
 
   const SceneEquations equations(scene, state.at("q"), state.at("qd"),
                                  state.has("t") ? state.at("t")[0] : Real(0));
-  const std::vector<SceneEquations::Row> rows = equations.rows(active);
+  const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
   const Values force = equations.force();
   Values motion;
   for (std::size_t i = 0; i < n; ++i) {
-    Real sum =
-        dot(equations.inertia()[i], qdd) + equations.bias()[i] - state.at("tau")[i] - force[i];
+    Real sum = dot(equations.inertia()[i], qdd) + equations.bias()[i] - tau[i] - force[i];
     for (std::size_t k = 0; k < r; ++k) {
       sum -= rows[k].J[i] * lambda[k];
     }
     motion.push_back(sum);
   }
-  const Real scale = largest(equations.bias()) + largest(force) + largest(state.at("tau")) +
-                     largest(qdd) + largest(lambda);
+  const Real scale =
+      largest(equations.bias()) + largest(force) + largest(tau) + largest(qdd) + largest(lambda);
   require_small(name, "equation of motion", motion, scale * 1000);
   Values error;
   for (const SceneEquations::Row& row : rows) {
     error.push_back(dot(row.J, qdd) + row.gamma - row.wanted);
   }
-  if (!staged.solves.empty() && !staged.solves.front().regular()) {
-    Values reaction(n);  // J^T error moves nothing: J A^-1 J^T error = 0
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = 0; k < r; ++k) {
-        reaction[i] += rows[k].J[i] * error[k];
-      }
-    }
-    const Values moved = solved(equations.inertia(), reaction);
-    for (std::size_t k = 0; k < r; ++k) {
-      error[k] = dot(rows[k].J, moved);
-    }
-  }
+  error = reachable_error(staged, equations, rows, error);
   require_small(name, "row", error, scale * 1000);
+}
+
+/// Joint forces of every contact at a depth, by the law's own words, against C f.
+void prove_contacts(const model::Scene& scene, const program::Staged& staged,
+                    program::Random& random) {
+  for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
+    const program::Staged& press = staged.contacts[c];
+    State state(press.function.signature, random);
+    Real& depth = state.at(program::kDepthArray)[c];
+    depth = abs(depth);
+    const SceneEquations equations(scene, state.at("q"), state.at("qd"), 0);
+    const Real law = equations.contact_law(scene.contacts[c], depth);
+    state.at(program::kNormalArray)[0] = std::max(law, Real(0));
+    const Values force = equations.contact(scene.contacts[c], std::max(law, Real(0)));
+    const Values ours = state.evaluate(press.function);
+    Values residual = {ours[0] - law};
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      residual.push_back(ours[i + 1] - state.at(program::kForceArray)[i] - force[i]);
+    }
+    require_small(press.signature.name, "force", residual, largest(ours) + largest(force));
+  }
 }
 
 }  // namespace
@@ -231,7 +297,12 @@ void prove_scene(const model::Scene& scene, const Programs& programs) {
     }
   }
   for (const program::Staged& staged : programs.staged) {
-    prove_constrained(scene, scene.phases[index(staged.phase)].active, staged, random);
+    if (staged.signature.name.starts_with("constrained_dynamics")) {
+      prove_constrained(scene, staged, random);
+      prove_contacts(scene, staged, random);
+    } else if (staged.signature.name.starts_with("impact")) {
+      prove_impact(scene, staged, random);
+    }
   }
 }
 

@@ -184,4 +184,46 @@ SceneEquations::Values SceneEquations::force() const {
   return force;
 }
 
+Real SceneEquations::normal_speed(const model::GroundContact& contact) const {
+  Real sum = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    sum += contact.plane.normal[n] * v_[3 * index(contact.point) + n];
+  }
+  return sum;
+}
+
+Real SceneEquations::contact_law(const model::GroundContact& contact, const Real& depth) const {
+  const Real vn = normal_speed(contact);
+  if (contact.law) {
+    return contact.law->evaluate<Real>([](const Real& x) { return x; },
+                                       [&](const model::Variable& v) {
+                                         return v.quantity == model::Quantity::kDepth ? depth
+                                                : v.quantity == model::Quantity::kNormalSpeed
+                                                    ? vn
+                                                    : variable(v, contact.point);
+                                       });
+  }
+  return contact.stiffness * pow(depth, contact.exponent) * (1 - contact.dissipation * vn);
+}
+
+SceneEquations::Values SceneEquations::contact(const model::GroundContact& contact,
+                                               const Real& normal) const {
+  const Real vn = normal_speed(contact);
+  model::Vector3 slip;
+  Real squared = contact.slip_speed * contact.slip_speed;
+  for (std::size_t n = 0; n < 3; ++n) {
+    slip[n] = v_[3 * index(contact.point) + n] - vn * contact.plane.normal[n];
+    squared += slip[n] * slip[n];
+  }
+  model::Vector3 f;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Real drag =
+        contact.friction == 0 ? Real(0) : Real(contact.friction * normal * slip[n] / sqrt(squared));
+    f[n] = normal * contact.plane.normal[n] - drag;
+  }
+  Values force(index(dof_));
+  apply(f, contact.point, C_, force);
+  return force;
+}
+
 }  // namespace treedyn

@@ -34,7 +34,13 @@ class SceneEquations {
   /// not among them.
   [[nodiscard]] Values force() const;
 
+  /// f of a contact's law at a depth, N; may be negative.
+  [[nodiscard]] Real contact_law(const model::GroundContact& contact, const Real& depth) const;
+  /// Joint forces of a contact that presses with `normal`, friction included.
+  [[nodiscard]] Values contact(const model::GroundContact& contact, const Real& normal) const;
+
  private:
+  [[nodiscard]] Real normal_speed(const model::GroundContact& contact) const;
   [[nodiscard]] Real value(const model::Expression& expression, int point) const;
   [[nodiscard]] Real variable(const model::Variable& variable, int point) const;
   [[nodiscard]] Row row(const model::Constraint& constraint, std::size_t k) const;

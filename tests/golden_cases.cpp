@@ -264,6 +264,15 @@ Json scene_of(const Json& data) {
                     {"along", Json::array({c.at("direction")})},
                     {"acceleration", Json::array({c.at("a_des")})}});
   }
+  Json names = Json::array();
+  for (const Json& constraint : forces) {
+    names.push_back(constraint.at("name"));
+  }
+  for (const Json& constraint : moments) {
+    names.push_back(constraint.at("name"));
+  }
+  const Json impact{
+      {"time", 1}, {"impact", {{"constraints", names}, {"restitution", 0}}}, {"then", "all"}};
   Json effects{{"gravity", data.at("gravity")}};
   if (!forces.empty()) {
     effects["point_constraint"] = forces;
@@ -275,6 +284,8 @@ Json scene_of(const Json& data) {
           {"model", "golden.yaml"},
           {"points", points},
           {"effects", effects},
+          {"phases",
+           Json::array({{{"name", "all"}, {"active", names}, {"until", Json::array({impact})}}})},
           {"duration", 1}};
 }
 
@@ -339,6 +350,11 @@ void check_constrained(const Json& data, const std::filesystem::path& folder, Re
   compare("qdd constrained", Vector(motion.begin(), split), order.rows(expected.at("qdd")));
   compare("lambda", in_case_order(Vector(split, motion.end()), rows),
           support::flat(expected.at("lambda")));
+  const Vector impact = code.call("impact", {q, qd});
+  const auto impulses = impact.begin() + static_cast<std::ptrdiff_t>(q.size());
+  compare("impact qd", Vector(impact.begin(), impulses), order.rows(expected.at("impact_qd")));
+  compare("impact P", in_case_order(Vector(impulses, impact.end()), rows),
+          support::flat(expected.at("impact_P")));
 }
 
 void check(const std::filesystem::path& /*file*/, const Json& data, Report& report) {

@@ -53,11 +53,13 @@ class Writer {
 
  private:
   void find_levels(const std::function<int(int, int)>& level);
+  void sink();
   void find_uses();
   void make_schedule();
   void list_statements();
   void list_stores(Ref value);
   void list_constants(int level);
+  bool stays(int output, Ref value) const;
   void divide();
   std::size_t best_cut(const std::vector<int>& crossing, std::size_t begin) const;
   std::vector<int> crossing_counts() const;
@@ -171,12 +173,19 @@ void Writer::list_stores(Ref value) {
   }
 }
 
+/// True if the output is the same element of the array of the same name: nothing is to be done.
+bool Writer::stays(int output, Ref value) const {
+  return value > 0 && graph_.node(value).kind == Kind::kInput &&
+         input(graph_.node(value)) == element(output);
+}
+
 /// Outputs that are constants or inputs of this level; zeros last.
 void Writer::list_constants(int level) {
   for (const bool zeros : {false, true}) {
     for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
       const Ref value = function_.outputs[output];
-      if (!is_operation(value) && (value == 0) == zeros && level_[index(value)] == level) {
+      if (!is_operation(value) && (value == 0) == zeros && level_[index(value)] == level &&
+          !stays(static_cast<int>(output), value)) {
         statements_.push_back({.value = value, .output = static_cast<int>(output)});
       }
     }

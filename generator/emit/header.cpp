@@ -158,6 +158,11 @@ std::string staged_doc(const program::Staged& staged) {
           "/// ");
     }
   }
+  for (const program::Staged& contact : staged.contacts) {
+    result += wrapped(fmt::format("A closed contact ({}) adds {}.", contact.signature.name,
+                                  cost_text(program::cost(contact))),
+                      "/// ");
+  }
   return result + wrapped(fmt::format("Equation {}. Cost: {}. Never more than {}.",
                                       staged.signature.equation, cost_text(program::cost(staged)),
                                       cost_text(program::worst_cost(staged))),

@@ -1,5 +1,8 @@
 #include "emit/manifest.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
 #include "emit/header.hpp"
@@ -65,7 +68,14 @@ std::string function_json(const program::Signature& signature, const Body& body,
 std::string staged_cost(const program::Staged& staged) {
   std::string result = operations_json(program::cost(staged));
   for (const program::RowSolve& solve : staged.solves) {
-    result += fmt::format(",\n     \"rows\": {}, \"rank\": {}", solve.rows, solve.rank);
+    std::vector<std::string> rows;
+    std::transform(staged.rows.begin(), staged.rows.end(), std::back_inserter(rows), json_string);
+    result +=
+        fmt::format(",\n     \"rows\": [{}], \"rank\": {}", fmt::join(rows, ", "), solve.rank);
+  }
+  for (const program::Staged& contact : staged.contacts) {
+    result += fmt::format(",\n     \"{}\": {}", contact.signature.name,
+                          operations_json(program::cost(contact)));
   }
   return fmt::format("{},\n     \"worst_case\": {}", result,
                      operations_json(program::worst_cost(staged)));

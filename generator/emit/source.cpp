@@ -40,7 +40,7 @@ std::string mathematics(const Unit& unit) {
     total.sqrt += cost.sqrt;
   }
   for (const program::Staged& staged : unit.staged) {
-    total = total + program::cost(staged.function);
+    total = total + program::worst_cost(staged);
   }
   std::string result;
   const bool library = !unit.target.builtin_sincos && unit.target.lanes == 1;
@@ -63,7 +63,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   }
   const std::vector<Body> staged(
       bodies.begin() + static_cast<std::ptrdiff_t>(unit.functions.size()), bodies.end());
-  functions += staged_text(unit.staged, staged, unit.target);
+  functions += staged_text(unit.staged, staged, vocabulary(*unit.tree), unit.target);
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"command", command_comment(unit.command)},
                                            {"using", mathematics(unit)},

@@ -111,22 +111,78 @@ std::string solvers_text(const Solves& all, const Target& target) {
   return "\nnamespace {\n" + result + "\n}  // namespace\n";
 }
 
+bool has(const std::vector<program::Array>& arrays, const std::string& name) {
+  return std::any_of(arrays.begin(), arrays.end(),
+                     [&](const program::Array& array) { return array.name == name; });
+}
+
 /// Declarations of the arrays that callers do not see.
 std::vector<std::string> local_arrays(const Staged& staged) {
+  const program::Signature& inner = staged.function.signature;
   std::vector<std::string> lines;
-  for (const RowSolve& solve : staged.solves) {
-    lines.push_back(
-        fmt::format("Scalar {}[{}];", program::kMatrixArray, solve.rows * (solve.rows + 1) / 2));
-    lines.push_back(fmt::format("Scalar {}[{}];", program::kRightArray, solve.rows));
-    lines.push_back(fmt::format("Scalar {}[{}];", program::kMultiplierArray, solve.rows));
+  for (const auto* arrays : {&inner.outputs, &inner.inputs}) {
+    for (const program::Array& array : *arrays) {
+      const bool twice = arrays == &inner.inputs && has(inner.outputs, array.name);
+      if (!twice && !has(staged.signature.inputs, array.name) &&
+          !has(staged.signature.outputs, array.name)) {
+        lines.push_back(fmt::format("Scalar {}[{}];", array.name, array.size));
+      }
+    }
+  }
+  if (!staged.contacts.empty()) {
+    lines.push_back("for (int i = 0; i < kDof; ++i) {");
+    lines.push_back(fmt::format("  {}[i] = tau[i];", program::kForceArray));
+    lines.push_back("}");
   }
   return lines;
 }
 
+std::vector<std::string> press_lines(const Staged& staged) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < staged.contacts.size(); ++k) {
+    std::vector<std::string> passed;
+    const program::Signature& signature = staged.contacts[k].signature;
+    for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
+      for (const program::Array& array : *arrays) {
+        passed.push_back(array.name);
+      }
+    }
+    lines.push_back(fmt::format("if ({}[{}] > Scalar(0)) {{", program::kDepthArray, k));
+    lines.push_back(
+        fmt::format("  {}({});", staged.contacts[k].signature.name, fmt::join(passed, ", ")));
+    lines.push_back("}");
+  }
+  return lines;
+}
+
+/// Nothing presses: every output is zero.
+std::vector<std::string> return_lines(const Staged& staged) {
+  std::vector<std::string> lines = {
+      fmt::format("if (!({}[0] > Scalar(0))) {{", program::kDepthArray)};
+  for (const program::Array& array : staged.signature.outputs) {
+    for (int k = 0; k < array.size; ++k) {
+      lines.push_back(fmt::format("  {}[{}] = Scalar(0);", array.name, k));
+    }
+  }
+  lines.insert(lines.end(), {"  return;", "}"});
+  return lines;
+}
+
 /// What stands before stage `level`.
-std::string between(const Staged& staged, std::size_t level, const Solves& all) {
-  return fmt::format("{}({}, {}, {});", name_of(staged.solves[level - 1], all, "solve_rows"),
-                     program::kMatrixArray, program::kRightArray, program::kMultiplierArray);
+std::vector<std::string> between(const Staged& staged, std::size_t level, const Solves& all) {
+  switch (staged.gates[level - 1]) {
+    case program::Gate::kPress:
+      return press_lines(staged);
+    case program::Gate::kReturn:
+      return return_lines(staged);
+    case program::Gate::kClamp:
+      return {fmt::format("{0}[0] = {1}[0] > Scalar(0) ? {1}[0] : Scalar(0);",
+                          program::kNormalArray, program::kLawArray)};
+    case program::Gate::kSolve:
+      break;
+  }
+  return {fmt::format("{}({}, {}, {});", name_of(staged.solves.front(), all, "solve_rows"),
+                      program::kMatrixArray, program::kRightArray, program::kMultiplierArray)};
 }
 
 /// Of the public arrays those that some statement touches.
@@ -143,12 +199,17 @@ std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& 
     return false;
   };
   for (const program::Array& array : staged.signature.inputs) {
-    result.push_back(is_used(array.name, inner.inputs, 0));
+    const bool passed_on = !staged.contacts.empty() && array.name != "t";  // q, qd, tau
+    result.push_back(passed_on || is_used(array.name, inner.inputs, 0));
   }
   for (const program::Array& array : staged.signature.outputs) {
     result.push_back(is_used(array.name, inner.outputs, inner.inputs.size()));
   }
   return result;
+}
+
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+  lines.insert(lines.end(), more.begin(), more.end());
 }
 
 std::string function_text(const Staged& staged, const Body& text, const Solves& all) {
@@ -160,7 +221,7 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
     const Part& part = text.parts.front();
     for (std::size_t at = 0; at < part.lines.size(); ++at) {
       for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
-        lines.push_back(between(staged, stage + 1, all));
+        append(lines, between(staged, stage + 1, all));
       }
       lines.push_back(part.lines[at]);
     }
@@ -174,7 +235,7 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
     int stage = 0;
     for (std::size_t k = 0; k < text.parts.size(); ++k) {
       for (; stage < text.parts[k].level; ++stage) {
-        lines.push_back(between(staged, static_cast<std::size_t>(stage) + 1, all));
+        append(lines, between(staged, static_cast<std::size_t>(stage) + 1, all));
       }
       lines.push_back(split.calls[k]);
     }
@@ -186,6 +247,23 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
          block(lines);
 }
 
+/// The functions that closed contacts call, each once, without namespace.
+std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary& words,
+                          const Target& target) {
+  std::string result;
+  std::vector<std::string> done;
+  for (const Staged& staged : functions) {
+    for (const Staged& contact : staged.contacts) {
+      const std::string& name = contact.signature.name;
+      if (std::find(done.begin(), done.end(), name) == done.end()) {
+        done.push_back(name);
+        result += "\n" + function_text(contact, staged_body(contact, words, target), {});
+      }
+    }
+  }
+  return result.empty() ? result : "\nnamespace {\n" + result + "\n}  // namespace\n";
+}
+
 }  // namespace
 
 Body staged_body(const Staged& staged, const Vocabulary& words, const Target& target) {
@@ -194,9 +272,9 @@ Body staged_body(const Staged& staged, const Vocabulary& words, const Target& ta
 }
 
 std::string staged_text(const std::vector<Staged>& functions, const std::vector<Body>& bodies,
-                        const Target& target) {
+                        const Vocabulary& words, const Target& target) {
   const Solves all = solves_of(functions);
-  std::string result = solvers_text(all, target);
+  std::string result = solvers_text(all, target) + contacts_text(functions, words, target);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result += "\n";
     result += function_text(functions[k], bodies[k], all);

@@ -15,6 +15,7 @@ Body staged_body(const program::Staged& staged, const Vocabulary& words, const T
 /// The solvers that the functions need and the functions; empty if there are none.
 /// \param bodies one per function, in order
 std::string staged_text(const std::vector<program::Staged>& functions,
-                        const std::vector<Body>& bodies, const Target& target);
+                        const std::vector<Body>& bodies, const Vocabulary& words,
+                        const Target& target);
 
 }  // namespace treedyn::emit

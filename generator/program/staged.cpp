@@ -125,6 +125,9 @@ Cost worst_cost(const Staged& staged) {
     const Cost regular = solve.regular() ? regular_cost(solve) : Cost{};
     c = c + regular + deficient_cost(solve.rows, solve.rows);
   }
+  for (const Staged& contact : staged.contacts) {
+    c = c + worst_cost(contact);
+  }
   return c;
 }
 

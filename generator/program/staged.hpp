@@ -18,14 +18,25 @@ struct RowSolve {
   bool operator==(const RowSolve&) const = default;
 };
 
+/// What stands between two stages.
+enum class Gate {
+  kPress,   ///< every contact of positive depth adds its force: depth -> force
+  kSolve,   ///< K mu = b
+  kReturn,  ///< no depth: all outputs are zero, and that is all
+  kClamp,   ///< normal = max(law, 0)
+};
+
 /// Straight-line code in stages. An input array of level s can be read after stage s - 1, when what
 /// stands between the stages has written it; arguments have level 0.
 struct Staged {
   Signature signature;           ///< what callers see
   Function function;             ///< all stages; its arrays are those of `signature` and local ones
   std::vector<int> levels;       ///< of the input arrays of `function`
-  std::vector<RowSolve> solves;  ///< K, b -> mu, after stage 0; at most one
-  int phase = 0;                  ///< of the scene
+  std::vector<Gate> gates;       ///< gate k stands between the stages k and k + 1
+  std::vector<RowSolve> solves;  ///< of kSolve; at most one
+  std::vector<Staged> contacts;  ///< of kPress
+  std::vector<int> constraints;  ///< of the scene: those that act
+  Real restitution = 0;          ///< of an impact
   std::vector<std::string> rows;  ///< what the rows of lambda are, for the reader
 };
 
@@ -33,6 +44,11 @@ struct Staged {
 inline constexpr const char* kMatrixArray = "K";
 inline constexpr const char* kRightArray = "b";
 inline constexpr const char* kMultiplierArray = "mu";
+/// The local arrays of contacts.
+inline constexpr const char* kDepthArray = "depth";
+inline constexpr const char* kForceArray = "force";
+inline constexpr const char* kLawArray = "law";
+inline constexpr const char* kNormalArray = "normal";
 
 /// Multiples of the largest diagonal entry of K: smaller pivots count as zero, EQUATIONS.md 6.3.
 inline constexpr const char* kRankToleranceDouble = "1e-11";
@@ -47,9 +63,10 @@ Cost regular_cost(const RowSolve& solve);
 /// Operations of the path for deficient rows, if the pivots tell this rank.
 Cost deficient_cost(int rows, int rank);
 
-/// Operations of one call where K has its generic rank.
+/// Operations of one call where K has its generic rank and no contact is closed.
 Cost cost(const Staged& staged);
-/// Operations of the dearest call: the last pivot of the regular path fails.
+/// Operations of the dearest call: all contacts are closed, the last pivot of the regular path
+/// fails.
 Cost worst_cost(const Staged& staged);
 
 Cost operator+(const Cost& a, const Cost& b);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "simplify/contacts.hpp"
 #include "simplify/factor.hpp"
 #include "simplify/scene_rows.hpp"
 
@@ -90,6 +91,21 @@ SceneArrays constrained_arrays(const model::Scene& scene, const std::vector<int>
   return arrays;
 }
 
+namespace {
+
+/// The lower half of K = Y^T Delta^-1 Y, row by row.
+std::vector<Expr> lower_half(const Reduced& reduced) {
+  std::vector<Expr> K;
+  for (std::size_t i = 0; i < reduced.Y.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      K.push_back(product(reduced.Y[i], reduced.scaled[j]));
+    }
+  }
+  return K;
+}
+
+}  // namespace
+
 std::vector<Expr> build_constrained_dynamics(const Task& task) {
   Graph& graph = task.kinematics.graph();
   const std::vector<int>& active = task.options.active;
@@ -99,12 +115,7 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   const SceneRows rows(*task.options.scene, active, system.frame(), graph, system.meaning());
   const Reduced reduced = reduce(factor, rows.rows(), system.right());
 
-  std::vector<Expr> result;
-  for (int i = 0; i < rows.size(); ++i) {
-    for (int j = 0; j <= i; ++j) {
-      result.push_back(product(reduced.Y[index(i)], reduced.scaled[index(j)]));
-    }
-  }
+  std::vector<Expr> result = lower_half(reduced);
   std::vector<Expr> mu;
   for (int i = 0; i < rows.size(); ++i) {
     Expr b = rows.rows()[index(i)].right;
@@ -119,6 +130,45 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   result.insert(result.end(), qdd.begin(), qdd.end());
   const std::vector<Expr> lambda = rows.reactions(mu);
   result.insert(result.end(), lambda.begin(), lambda.end());
+  const std::vector<Expr> depths = contact_depths(*task.options.scene, task, system.forces());
+  result.insert(result.end(), depths.begin(), depths.end());
+  return result;
+}
+
+std::vector<Expr> build_impact(const Task& task) {
+  Graph& graph = task.kinematics.graph();
+  const model::Scene& scene = *task.options.scene;
+  const SceneArrays& arrays = kImpactArrays;
+  const SceneSystem system(task, arrays, false);
+  const Factorization factor(graph, task.tree.dof(), system.inertia());
+  const Meaning nothing = [&](const model::Variable&) {  // what rows want takes no part
+    return constant(graph, Real(1));
+  };
+  const SceneRows rows(scene, task.options.active, system.frame(), graph, nothing);
+  const Reduced reduced = reduce(factor, rows.rows(), system.right());
+  std::vector<Expr> qd;
+  for (int i = 0; i < task.tree.dof(); ++i) {
+    qd.push_back(input(graph, arrays.qd, i));
+  }
+  const std::vector<Expr> velocity = system.velocities(qd);
+  const Expr rebound = constant(graph, 1 + task.options.restitution);
+  std::vector<Expr> result = lower_half(reduced);
+  std::vector<Expr> mu;
+  for (int i = 0; i < rows.size(); ++i) {
+    Expr speed;
+    for (const auto& [k, value] : rows.rows()[index(i)].columns) {
+      speed += value * velocity[index(k)];
+    }
+    result.push_back(-(rebound * speed));
+    mu.push_back(input(graph, arrays.mu, i));
+  }
+  const std::vector<Expr> change =
+      system.joint_velocities(factor.from_root(with_reactions(reduced, mu)));
+  for (std::size_t i = 0; i < qd.size(); ++i) {
+    result.push_back(qd[i] + change[i]);
+  }
+  const std::vector<Expr> P = rows.reactions(mu);
+  result.insert(result.end(), P.begin(), P.end());
   return result;
 }
 

@@ -19,9 +19,11 @@ struct Options {
   std::vector<model::Point> points;  ///< in the order of the generated arrays
   int effort = 2000;                 ///< moves of the variant search per function; 0: none
   ForwardDynamics forward_dynamics = ForwardDynamics::kCheapest;
-  std::vector<Pass> without;  ///< passes that are switched off
+  std::vector<Pass> without;            ///< passes that are switched off
   const model::Scene* scene = nullptr;  ///< of scene functions
-  std::vector<int> active;  ///< of scene functions: the constraints that act, ascending
+  std::vector<int> active;              ///< of scene functions: the constraints that act, ascending
+  Real restitution = 0;                 ///< of impacts
+  int contact = 0;                      ///< of functions of one ground contact: which
 
   [[nodiscard]] bool has(Pass pass) const {
     return std::find(without.begin(), without.end(), pass) == without.end();

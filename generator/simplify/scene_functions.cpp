@@ -8,6 +8,7 @@
 #include "program/random.hpp"
 #include "program/rank.hpp"
 #include "simplify/constrained.hpp"
+#include "simplify/contacts.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/search.hpp"
 
@@ -17,6 +18,51 @@ namespace {
 
 constexpr const char* kForce = "N m|N";
 constexpr const char* kAcceleration = "rad/s^2|m/s^2";
+
+/// An impact that some event of the scene has.
+struct ImpactName {
+  std::vector<int> constraints;
+  Real restitution = 0;
+  std::string name;
+
+  [[nodiscard]] bool same_as(const ImpactName& other) const {
+    return constraints == other.constraints && restitution == other.restitution;
+  }
+};
+
+/// Every impact once; where a slow rebound comes to rest also the one without rebound.
+std::vector<ImpactName> impacts_of(const model::Scene& scene) {
+  std::vector<ImpactName> result;
+  const auto add = [&](const ImpactName& impact) {
+    const auto same = [&](const ImpactName& other) {
+      return other.same_as(impact);
+    };
+    if (!impact.constraints.empty() && std::none_of(result.begin(), result.end(), same)) {
+      result.push_back(impact);
+    }
+  };
+  for (const model::Phase& phase : scene.phases) {
+    for (const model::Event& event : phase.until) {
+      if (event.impact) {
+        const std::string name = fmt::format("impact_{}", to_identifier(phase.name));
+        add({event.impact->constraints, event.impact->restitution, name});
+        if (event.impact->rest_below > 0) {
+          add({event.impact->constraints, 0, name + "_at_rest"});
+        }
+      }
+    }
+  }
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const auto same =
+        std::count_if(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(k),
+                      [&](const ImpactName& other) { return other.name == result[k].name; });
+    result[k].name += same > 0 ? fmt::format("_{}", same + 1) : "";
+  }
+  if (result.size() == 1) {
+    result.front().name = "impact";
+  }
+  return result;
+}
 
 /// One scene and how hard to look for cheap formulations.
 class SceneFormulator {
@@ -52,6 +98,10 @@ class SceneFormulator {
   }
 
   [[nodiscard]] program::Staged constrained_dynamics(std::size_t phase) const;
+  [[nodiscard]] program::Staged impact(const ImpactName& impact) const;
+  /// What a closed contact does to the joint forces.
+  [[nodiscard]] program::Staged contact_press(std::size_t contact) const;
+  [[nodiscard]] program::Staged contact_force(std::size_t contact) const;
 
  private:
   [[nodiscard]] program::Array q() const { return {"q", dof_, "rad|m"}; }
@@ -74,14 +124,29 @@ class SceneFormulator {
   std::vector<int> all_;
 };
 
-/// "foot, x" for every row of the constraints.
+/// x, y, z, or the components of a direction.
+std::string direction_text(const model::Vector3& d) {
+  for (std::size_t n = 0; n < 3; ++n) {
+    if (d[n] == 1 && d[(n + 1) % 3] == 0 && d[(n + 2) % 3] == 0) {
+      return std::string(1, "xyz"[n]);
+    }
+  }
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", d[0].convert_to<double>(),
+                     d[1].convert_to<double>(), d[2].convert_to<double>());
+}
+
+/// "foot: force along z" for every row of the constraints.
 std::vector<std::string> row_names(const model::Scene& scene, const std::vector<int>& active) {
   std::vector<std::string> names;
   for (const int c : active) {
     const model::Constraint& constraint = scene.constraints[static_cast<std::size_t>(c)];
-    for (std::size_t k = 0; k < constraint.rows(); ++k) {
-      names.push_back(constraint.rows() == 1 ? constraint.name
-                                             : fmt::format("{} {}", constraint.name, k));
+    const bool turning = constraint.kind == model::ConstraintKind::kOrientation;
+    if (constraint.kind == model::ConstraintKind::kJoint) {
+      names.push_back(fmt::format("{}: force of the joint", constraint.name));
+    }
+    for (const model::Vector3& d : constraint.directions) {
+      names.push_back(fmt::format("{}: {} {}", constraint.name,
+                                  turning ? "moment about" : "force along", direction_text(d)));
     }
   }
   return names;
@@ -105,7 +170,6 @@ program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
   const SceneArrays arrays = constrained_arrays(scene_, options.active);
   const int r = rows_of(scene_, options.active);
   program::Staged staged;
-  staged.phase = static_cast<int>(phase);
   staged.function = cheapest(scene_.tree, recipe, options);
   const program::Array tau = {"tau", dof_, kForce};
   const program::Array qdd = {"qdd", dof_, kAcceleration};
@@ -118,10 +182,19 @@ program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
   program::Signature& inner = staged.function.signature;
   inner = staged.signature;
   staged.levels = {0, 0, 0};
+  if (!scene_.contacts.empty()) {
+    inner.inputs.back().name = program::kForceArray;
+    staged.levels.back() = 1;
+    staged.gates.push_back(program::Gate::kPress);
+    for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
+      staged.contacts.push_back(contact_press(k));
+    }
+  }
   if (r > 0) {
     staged.signature.outputs.push_back({"lambda", r, "N|N m"});
     inner.inputs.push_back({program::kMultiplierArray, r, ""});
-    staged.levels.push_back(1);
+    staged.gates.push_back(program::Gate::kSolve);
+    staged.levels.push_back(static_cast<int>(staged.gates.size()));
     inner.outputs = {{program::kMatrixArray, r * (r + 1) / 2, ""},
                      {program::kRightArray, r, ""},
                      qdd,
@@ -132,10 +205,111 @@ program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
     inner.inputs.push_back({"t", 1, "s"});
     staged.levels.push_back(0);
   }
+  if (!scene_.contacts.empty()) {
+    inner.outputs.push_back({program::kDepthArray, static_cast<int>(scene_.contacts.size()), "m"});
+  }
   if (r > 0) {
     staged.solves.push_back(program::solve_of(staged.function, r));
   }
   staged.rows = row_names(scene_, options.active);
+  staged.constraints = options.active;
+  return staged;
+}
+
+program::Staged SceneFormulator::impact(const ImpactName& impact) const {
+  Options options = options_;
+  options.active = impact.constraints;
+  options.restitution = impact.restitution;
+  const Recipe recipe{
+      "",
+      "",
+      "",
+      {},
+      {},
+      {.q = 0},
+      {.regrouping = true, .tensor_form = true, .trunk = true, .fixed_length = true},
+      build_impact};
+  const int r = rows_of(scene_, impact.constraints);
+  program::Staged staged;
+  staged.function = cheapest(scene_.tree, recipe, options);
+  const program::Array minus = {"qd_minus", dof_, "rad/s|m/s"};
+  const program::Array plus = {"qd_plus", dof_, "rad/s|m/s"};
+  const program::Array P = {"P", r, "N s|N m s"};
+  staged.signature = {impact.name,
+                      "6.4",
+                      "Joint velocities after an impact, and its impulses.",
+                      {q(), minus},
+                      {plus, P}};
+  staged.function.signature = {
+      impact.name,
+      "",
+      "",
+      {q(), minus, {program::kMultiplierArray, r, ""}},
+      {{program::kMatrixArray, r * (r + 1) / 2, ""}, {program::kRightArray, r, ""}, plus, P}};
+  staged.levels = {0, 0, 1};
+  staged.gates = {program::Gate::kSolve};
+  staged.solves = {program::solve_of(staged.function, r)};
+  staged.rows = row_names(scene_, impact.constraints);
+  staged.constraints = impact.constraints;
+  staged.restitution = impact.restitution;
+  return staged;
+}
+
+/// One contact: the function's name ends with the point's identifier unless there is one contact.
+std::string contact_name(const model::Scene& scene, std::size_t contact, const std::string& stem) {
+  const auto point = static_cast<std::size_t>(scene.contacts[contact].point);
+  const auto same = std::count_if(
+      scene.contacts.begin(), scene.contacts.begin() + static_cast<std::ptrdiff_t>(contact),
+      [&](const model::GroundContact& c) { return c.point == scene.contacts[contact].point; });
+  const std::string name =
+      fmt::format("{}_{}", stem, to_identifier(scene.points[point].identifier));
+  return scene.contacts.size() == 1 ? stem : same > 0 ? fmt::format("{}_{}", name, same + 1) : name;
+}
+
+program::Staged SceneFormulator::contact_press(std::size_t contact) const {
+  Options options = options_;
+  options.contact = static_cast<int>(contact);
+  const Recipe recipe{
+      "", "", "", {}, {}, {.q = 0, .qd = 1}, {.fixed_length = true}, build_contact_press};
+  program::Staged staged;
+  staged.function = cheapest(scene_.tree, recipe, options);
+  const int count = static_cast<int>(scene_.contacts.size());
+  const program::Array depth = {program::kDepthArray, count, "m"};
+  const program::Array force = {program::kForceArray, dof_, kForce};
+  staged.signature = {
+      contact_name(scene_, contact, "press"), "(8)", "", {q(), qd(), depth}, {force}};
+  staged.function.signature = {"",
+                               "",
+                               "",
+                               {q(), qd(), depth, {program::kNormalArray, 1, "N"}, force},
+                               {{program::kLawArray, 1, "N"}, force}};
+  staged.function.signature.name = staged.signature.name;
+  staged.levels = {0, 0, 0, 1, 0};
+  staged.gates = {program::Gate::kClamp};
+  return staged;
+}
+
+program::Staged SceneFormulator::contact_force(std::size_t contact) const {
+  Options options = options_;
+  options.contact = static_cast<int>(contact);
+  const Recipe recipe{
+      "", "", "", {}, {}, {.q = 0, .qd = 1}, {.fixed_length = true}, build_contact_force};
+  program::Staged staged;
+  staged.function = cheapest(scene_.tree, recipe, options);
+  const program::Array depth = {program::kDepthArray, 1, "m"};
+  const program::Array f = {"f", 3, "N"};
+  staged.signature = {contact_name(scene_, contact, "contact_force"),
+                      "6.5",
+                      "Force of the ground on a point, base frame; zero above the ground.",
+                      {q(), qd()},
+                      {f}};
+  staged.function.signature = {staged.signature.name,
+                               "",
+                               "",
+                               {q(), qd(), depth, {program::kNormalArray, 1, "N"}},
+                               {depth, {program::kLawArray, 1, "N"}, f}};
+  staged.levels = {0, 0, 1, 2};
+  staged.gates = {program::Gate::kReturn, program::Gate::kClamp};
   return staged;
 }
 
@@ -146,8 +320,9 @@ bool wants(const std::vector<std::string>& wanted, const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& scene_function_names() {
-  static const std::vector<std::string> names = {
-      "reaction_jacobian_transpose", "reaction_bias_acceleration", "constrained_dynamics"};
+  static const std::vector<std::string> names = {"reaction_jacobian_transpose",
+                                                 "reaction_bias_acceleration",
+                                                 "constrained_dynamics", "contact_force"};
   return names;
 }
 
@@ -171,6 +346,14 @@ SceneFunctions scene_functions(const model::Scene& scene, const Options& options
     if (wants(wanted, "constrained_dynamics")) {
       result.staged.push_back(formulator.constrained_dynamics(phase));
     }
+  }
+  for (const ImpactName& impact : impacts_of(scene)) {
+    if (wants(wanted, "impact")) {
+      result.staged.push_back(formulator.impact(impact));
+    }
+  }
+  for (std::size_t k = 0; k < scene.contacts.size() && wants(wanted, "contact_force"); ++k) {
+    result.staged.push_back(formulator.contact_force(k));
   }
   return result;
 }

@@ -12,11 +12,13 @@ constexpr int kBaseJoints = 6;
 
 }  // namespace
 
-SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays)
+SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays, bool forces)
     : task_(task), scene_(*task.options.scene), forces_(task, arrays) {
-  add_equations(task.kinematics.variant().trunk && can_use_trunk());
+  add_equations(task.kinematics.variant().trunk && can_use_trunk(), forces);
   add_armatures();
-  add_loads();
+  if (forces) {
+    add_loads();
+  }
 }
 
 /// The trunk as one body: nothing may act on the base's own joints and links but drive forces.
@@ -55,12 +57,12 @@ void SceneSystem::add_loads() {
   }
 }
 
-void SceneSystem::add_equations(bool by_trunk) {
+void SceneSystem::add_equations(bool by_trunk, bool forces) {
   const Kinematics& k = task_.kinematics;
-  frame_.emplace(task_, by_trunk, scene_.velocity_products);
+  frame_.emplace(task_, by_trunk, forces && scene_.velocity_products);
   if (by_trunk) {
     trunk_ = trunk_system(k, [&](int i) {
-      const Expr force = forces_.joint(i);
+      const Expr force = forces ? forces_.joint(i) : Expr();
       return k.link(i).sign > 0 ? force : -force;
     });
     a_ = trunk_->a;
@@ -74,7 +76,7 @@ void SceneSystem::add_equations(bool by_trunk) {
     for (int j = 0; j <= i; ++j) {
       a_[{i, j}] = a[static_cast<std::size_t>(i * n + j)];
     }
-    right_.push_back(forces_.joint(i) - bias[static_cast<std::size_t>(i)]);
+    right_.push_back(forces ? forces_.joint(i) - bias[static_cast<std::size_t>(i)] : Expr());
   }
 }
 
@@ -83,6 +85,33 @@ std::vector<Expr> SceneSystem::accelerations(const std::vector<Expr>& x) const {
   return trunk_
              ? joint_accelerations(k, trunk_->gimbal, trunk_->velocity, -k.ground_acceleration(), x)
              : x;
+}
+
+std::vector<Expr> SceneSystem::velocities(const std::vector<Expr>& qd) const {
+  if (!trunk_) {
+    return qd;
+  }
+  const Kinematics& k = task_.kinematics;
+  const auto along = [&](int i) {
+    const Expr speed = qd[static_cast<std::size_t>(i)];
+    return k.link(i).sign > 0 ? speed : -speed;
+  };
+  const BaseAxes& axes = trunk_->gimbal.axes;
+  Vec3 linear;
+  for (int i = 0; i < 3; ++i) {
+    linear = linear + along(i) * axes.sliding[static_cast<std::size_t>(i)];
+  }
+  const Vec3 first = along(3) * axes.first;
+  Vec3 omega = first + along(4) * axes.second;
+  omega[2] += along(5);
+  std::vector<Expr> x = qd;
+  std::copy(linear.begin(), linear.end(), x.begin());
+  std::copy(omega.begin(), omega.end(), x.begin() + 3);
+  return x;
+}
+
+std::vector<Expr> SceneSystem::joint_velocities(const std::vector<Expr>& x) const {
+  return trunk_ ? joint_accelerations(task_.kinematics, trunk_->gimbal, {}, {}, x) : x;
 }
 
 }  // namespace treedyn::simplify

@@ -13,19 +13,25 @@ namespace treedyn::simplify {
 /// A(q) and the forces of a scene in the coordinates of its SceneFrame.
 class SceneSystem {
  public:
-  SceneSystem(const Task& task, const SceneArrays& arrays);
+  /// \param forces  false: A alone; `right` is zero and only q is read
+  SceneSystem(const Task& task, const SceneArrays& arrays, bool forces = true);
 
   [[nodiscard]] const SceneFrame& frame() const { return *frame_; }
   [[nodiscard]] const SparseSymmetric& inertia() const { return a_; }
   [[nodiscard]] const std::vector<Expr>& right() const { return right_; }
+  [[nodiscard]] const SceneForces& forces() const { return forces_; }
   /// Variables of expressions that belong to the scene as a whole.
   [[nodiscard]] const Meaning& meaning() const { return forces_.meaning(); }
   /// qdd for x.
   [[nodiscard]] std::vector<Expr> accelerations(const std::vector<Expr>& x) const;
+  /// The velocity coordinates that belong to x, for joint velocities. \pre not `forces`
+  [[nodiscard]] std::vector<Expr> velocities(const std::vector<Expr>& qd) const;
+  /// Changes of qd for changes of `velocities`.
+  [[nodiscard]] std::vector<Expr> joint_velocities(const std::vector<Expr>& x) const;
 
  private:
   [[nodiscard]] bool can_use_trunk() const;
-  void add_equations(bool by_trunk);
+  void add_equations(bool by_trunk, bool forces);
   void add_armatures();
   void add_loads();
 

@@ -58,6 +58,10 @@ class Measured {
   Measured& operator-=(const Measured& b) { return *this = *this - b; }
   Measured& operator*=(const Measured& b) { return *this = *this * b; }
 
+  // Branches of scene functions: not counted.
+  friend bool operator<(const Measured& a, const Measured& b) { return a.value_ < b.value_; }
+  friend bool operator>(const Measured& a, const Measured& b) { return a.value_ > b.value_; }
+
   friend Measured sqrt(const Measured& a) {
     ++Counter::operations[3];
     const T r = std::sqrt(a.value_);

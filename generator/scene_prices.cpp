@@ -1,0 +1,224 @@
+#include "scene_prices.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "model/effects.hpp"
+
+namespace treedyn {
+
+namespace {
+
+using model::Constraint;
+using model::ConstraintKind;
+using model::Scene;
+
+/// `indices` with those of the constraints that go taken out and the others renumbered.
+std::vector<int> renumbered(const std::vector<int>& indices, const std::vector<int>& place) {
+  std::vector<int> result;
+  for (const int c : indices) {
+    if (place[static_cast<std::size_t>(c)] >= 0) {
+      result.push_back(place[static_cast<std::size_t>(c)]);
+    }
+  }
+  return result;
+}
+
+void remove_constraints(Scene& scene, ConstraintKind kind) {
+  std::vector<int> place;
+  std::vector<Constraint> kept;
+  for (Constraint& constraint : scene.constraints) {
+    const bool stays = constraint.kind != kind;
+    place.push_back(stays ? static_cast<int>(kept.size()) : -1);
+    if (stays) {
+      kept.push_back(std::move(constraint));
+    }
+  }
+  scene.constraints = std::move(kept);
+  for (model::Phase& phase : scene.phases) {
+    phase.active = renumbered(phase.active, place);
+    for (model::Event& event : phase.until) {
+      event.pins = renumbered(event.pins, place);
+      if (event.impact) {
+        event.impact->constraints = renumbered(event.impact->constraints, place);
+      }
+    }
+  }
+}
+
+void remove_impacts(Scene& scene) {
+  for (model::Phase& phase : scene.phases) {
+    for (model::Event& event : phase.until) {
+      event.impact.reset();
+    }
+  }
+}
+
+using Removal = std::function<void(Scene&)>;
+
+const std::map<std::string_view, Removal>& removals() {
+  static const std::map<std::string_view, Removal> table = {
+      {"gravity",
+       [](Scene& s) {
+         s.gravity = {};
+       }},
+      {"velocity_products",
+       [](Scene& s) {
+         s.velocity_products = false;
+       }},
+      {"viscous_friction",
+       [](Scene& s) {
+         s.viscous_frictions.clear();
+       }},
+      {"coulomb_friction",
+       [](Scene& s) {
+         s.frictions.clear();
+       }},
+      {"stribeck_friction",
+       [](Scene& s) {
+         s.stribeck_frictions.clear();
+       }},
+      {"armature",
+       [](Scene& s) {
+         s.armatures.clear();
+       }},
+      {"joint_spring",
+       [](Scene& s) {
+         s.joint_springs.clear();
+       }},
+      {"point_spring",
+       [](Scene& s) {
+         s.point_springs.clear();
+       }},
+      {"drive",
+       [](Scene& s) {
+         s.motors.clear();
+         s.tau.clear();
+       }},
+      {"locked_joint",
+       [](Scene& s) {
+         remove_constraints(s, ConstraintKind::kJoint);
+       }},
+      {"force",
+       [](Scene& s) {
+         s.forces.clear();
+       }},
+      {"moment",
+       [](Scene& s) {
+         s.torques.clear();
+       }},
+      {"point_constraint",
+       [](Scene& s) {
+         remove_constraints(s, ConstraintKind::kPoint);
+       }},
+      {"orientation_constraint",
+       [](Scene& s) {
+         remove_constraints(s, ConstraintKind::kOrientation);
+       }},
+      {"joined_constraint",
+       [](Scene& s) {
+         remove_constraints(s, ConstraintKind::kJoined);
+       }},
+      {"ground_contact",
+       [](Scene& s) {
+         s.contacts.clear();
+       }},
+      {"impact", remove_impacts}};
+  return table;
+}
+
+bool has_impact(const Scene& scene) {
+  return std::any_of(scene.phases.begin(), scene.phases.end(), [](const model::Phase& phase) {
+    return std::any_of(phase.until.begin(), phase.until.end(),
+                       [](const model::Event& event) { return event.impact.has_value(); });
+  });
+}
+
+bool has_constraint(const Scene& scene, ConstraintKind kind) {
+  return std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                     [&](const Constraint& constraint) { return constraint.kind == kind; });
+}
+
+/// Whether the scene names the effect.
+bool names(const Scene& s, std::string_view effect) {
+  const std::map<std::string_view, bool> named = {
+      {"gravity", s.gravity != model::Vector3{}},
+      {"velocity_products", s.velocity_products},
+      {"viscous_friction", !s.viscous_frictions.empty()},
+      {"coulomb_friction", !s.frictions.empty()},
+      {"stribeck_friction", !s.stribeck_frictions.empty()},
+      {"armature", !s.armatures.empty()},
+      {"joint_spring", !s.joint_springs.empty()},
+      {"point_spring", !s.point_springs.empty()},
+      {"drive", !s.motors.empty() || !s.tau.empty()},
+      {"locked_joint", has_constraint(s, ConstraintKind::kJoint)},
+      {"force", !s.forces.empty()},
+      {"moment", !s.torques.empty()},
+      {"point_constraint", has_constraint(s, ConstraintKind::kPoint)},
+      {"orientation_constraint", has_constraint(s, ConstraintKind::kOrientation)},
+      {"joined_constraint", has_constraint(s, ConstraintKind::kJoined)},
+      {"ground_contact", !s.contacts.empty()},
+      {"impact", has_impact(s)}};
+  const auto found = named.find(effect);
+  return found != named.end() && found->second;
+}
+
+std::map<std::string, program::Cost> costs(const Programs& programs) {
+  std::map<std::string, program::Cost> result;
+  for (const program::Function& function : programs.functions) {
+    result[function.signature.name] = program::cost(function);
+  }
+  for (const program::Staged& staged : programs.staged) {
+    result[staged.signature.name] = program::cost(staged);
+  }
+  return result;
+}
+
+}  // namespace
+
+Scene without_effect(const Scene& scene, std::string_view effect) {
+  Scene result = scene;
+  removals().at(effect)(result);
+  return result;
+}
+
+std::vector<Price> effect_prices(const Model& model, const Request& request,
+                                 const Programs& programs) {
+  const std::map<std::string, program::Cost> with = costs(programs);
+  std::vector<Price> result;
+  for (const model::EffectRow& effect : model::kEffects) {
+    if (!names(*model.scene, effect.name)) {
+      continue;
+    }
+    Model other = model;
+    other.scene = without_effect(*model.scene, effect.name);
+    std::map<std::string, program::Cost> without =
+        costs(formulate(other, request, [](const std::string&) {}));
+    const std::size_t before = result.size();
+    for (const auto& [function, cost] : with) {
+      if (!(without[function] == cost)) {
+        result.push_back({std::string(effect.name), function, cost, without[function]});
+      }
+    }
+    if (result.size() == before) {
+      result.push_back({std::string(effect.name), "", {}, {}});
+    }
+  }
+  return result;
+}
+
+std::vector<ContactPrice> contact_prices(const Programs& programs) {
+  for (const program::Staged& staged : programs.staged) {
+    std::vector<ContactPrice> result;
+    for (const program::Staged& contact : staged.contacts) {
+      result.push_back({contact.signature.name, program::cost(contact)});
+    }
+    if (!result.empty()) {
+      return result;
+    }
+  }
+  return {};
+}
+
+}  // namespace treedyn

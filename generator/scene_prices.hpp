@@ -1,0 +1,35 @@
+// What every effect of a scene costs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline.hpp"
+
+namespace treedyn {
+
+/// The scene as if an effect had never been named. \pre `effect` is one of model::kEffects
+model::Scene without_effect(const model::Scene& scene, std::string_view effect);
+
+/// Operations of a function with and without an effect.
+struct Price {
+  std::string effect;
+  std::string function;
+  program::Cost with;
+  program::Cost without;  ///< zero if the function is not there without the effect
+};
+
+/// The prices of the effects that the scene names: one row for every function whose operations
+/// change, and one, without a change, for an effect that changes none. Formulates the scene once
+/// for each effect.
+std::vector<Price> effect_prices(const Model& model, const Request& request,
+                                 const Programs& programs);
+
+/// Operations that one closed contact adds to constrained_dynamics.
+struct ContactPrice {
+  std::string contact;
+  program::Cost cost;
+};
+std::vector<ContactPrice> contact_prices(const Programs& programs);
+
+}  // namespace treedyn
