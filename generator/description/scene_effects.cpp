@@ -115,8 +115,9 @@ void SceneEffects::check_on(const SceneFields& root, const Node* effects) const 
                             effect == "stabilisation" || acting_.count(effect) > 0;
     if (use == Use::kOn && !has_values) {
       const Node& node = root.get("use");
-      const auto item = std::find_if(node.items.begin(), node.items.end(),
-                                     [&](const Node& n) { return n.key.text == effect; });
+      const auto item =
+          std::find_if(node.items.begin(), node.items.end(),
+                       [&name = effect](const Node& n) { return n.key.text == name; });
       root.fail(item->where, fmt::format("effect '{}' is on and {}; expected {}", effect,
                                          effects == nullptr ? "there are no effects"
                                                             : "nothing in 'effects' acts",
