@@ -9,6 +9,7 @@
 #include "program/interpret.hpp"
 #include "program/random.hpp"
 #include "scene_equations.hpp"
+#include "simplify/constrained_inverse.hpp"
 
 namespace treedyn {
 
@@ -262,6 +263,40 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
   require_small(name, "row", error, scale * 1000);
 }
 
+/// A qdd + B + G = tau + J^T lambda and the scene's forces; regular rows leave the passive joints
+/// without a drive.
+void prove_inverse(const model::Scene& scene, const program::Staged& staged,
+                   program::Random& random) {
+  State state(staged.function.signature, random);
+  const Values values = solved_values(staged, state);
+  const SceneEquations equations(scene, state.at("q"), state.at("qd"),
+                                 state.has("t") ? state.at("t")[0] : Real(0));
+  const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
+  const auto n = index(scene.tree.dof());
+  const auto first = values.end() - static_cast<std::ptrdiff_t>(n + rows.size());
+  const Values tau(first, first + static_cast<std::ptrdiff_t>(n));
+  const Values lambda(first + static_cast<std::ptrdiff_t>(n), values.end());
+  const Values force = equations.force();
+  Values motion;
+  for (std::size_t i = 0; i < n; ++i) {
+    Real sum =
+        dot(equations.inertia()[i], state.at("qdd")) + equations.bias()[i] - tau[i] - force[i];
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      sum -= rows[k].J[i] * lambda[k];
+    }
+    motion.push_back(sum);
+  }
+  const Real scale = 1000 * (largest(tau) + largest(lambda) + largest(equations.bias()));
+  require_small(staged.signature.name, "equation of motion", motion, scale);
+  if (staged.solves.front().regular()) {
+    Values left;
+    for (const int joint : simplify::passive_joints(scene)) {
+      left.push_back(tau[index(joint)]);
+    }
+    require_small(staged.signature.name, "passive joint", left, scale);
+  }
+}
+
 /// Joint forces of every contact at a depth, by the law's own words, against C f.
 void prove_contacts(const model::Scene& scene, const program::Staged& staged,
                     program::Random& random) {
@@ -300,6 +335,8 @@ void prove_scene(const model::Scene& scene, const Programs& programs) {
     if (staged.signature.name.starts_with("constrained_dynamics")) {
       prove_constrained(scene, staged, random);
       prove_contacts(scene, staged, random);
+    } else if (staged.signature.name.starts_with("constrained_inverse")) {
+      prove_inverse(scene, staged, random);
     } else if (staged.signature.name.starts_with("impact")) {
       prove_impact(scene, staged, random);
     }

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
-#include "common/identifier.hpp"
-#include "program/random.hpp"
 #include "program/rank.hpp"
 #include "simplify/constrained.hpp"
+#include "simplify/constrained_inverse.hpp"
 #include "simplify/contacts.hpp"
 #include "simplify/functions.hpp"
+#include "simplify/scene_names.hpp"
 #include "simplify/search.hpp"
 
 namespace treedyn::simplify {
@@ -18,51 +16,6 @@ namespace {
 
 constexpr const char* kForce = "N m|N";
 constexpr const char* kAcceleration = "rad/s^2|m/s^2";
-
-/// An impact that some event of the scene has.
-struct ImpactName {
-  std::vector<int> constraints;
-  Real restitution = 0;
-  std::string name;
-
-  [[nodiscard]] bool same_as(const ImpactName& other) const {
-    return constraints == other.constraints && restitution == other.restitution;
-  }
-};
-
-/// Every impact once; where a slow rebound comes to rest also the one without rebound.
-std::vector<ImpactName> impacts_of(const model::Scene& scene) {
-  std::vector<ImpactName> result;
-  const auto add = [&](const ImpactName& impact) {
-    const auto same = [&](const ImpactName& other) {
-      return other.same_as(impact);
-    };
-    if (!impact.constraints.empty() && std::none_of(result.begin(), result.end(), same)) {
-      result.push_back(impact);
-    }
-  };
-  for (const model::Phase& phase : scene.phases) {
-    for (const model::Event& event : phase.until) {
-      if (event.impact) {
-        const std::string name = fmt::format("impact_{}", to_identifier(phase.name));
-        add({event.impact->constraints, event.impact->restitution, name});
-        if (event.impact->rest_below > 0) {
-          add({event.impact->constraints, 0, name + "_at_rest"});
-        }
-      }
-    }
-  }
-  for (std::size_t k = 0; k < result.size(); ++k) {
-    const auto same =
-        std::count_if(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(k),
-                      [&](const ImpactName& other) { return other.name == result[k].name; });
-    result[k].name += same > 0 ? fmt::format("_{}", same + 1) : "";
-  }
-  if (result.size() == 1) {
-    result.front().name = "impact";
-  }
-  return result;
-}
 
 /// One scene and how hard to look for cheap formulations.
 class SceneFormulator {
@@ -98,6 +51,7 @@ class SceneFormulator {
   }
 
   [[nodiscard]] program::Staged constrained_dynamics(std::size_t phase) const;
+  [[nodiscard]] program::Staged inverse_dynamics(std::size_t phase) const;
   [[nodiscard]] program::Staged impact(const ImpactName& impact) const;
   /// What a closed contact does to the joint forces.
   [[nodiscard]] program::Staged contact_press(std::size_t contact) const;
@@ -123,34 +77,6 @@ class SceneFormulator {
   int dof_;
   std::vector<int> all_;
 };
-
-/// x, y, z, or the components of a direction.
-std::string direction_text(const model::Vector3& d) {
-  for (std::size_t n = 0; n < 3; ++n) {
-    if (d[n] == 1 && d[(n + 1) % 3] == 0 && d[(n + 2) % 3] == 0) {
-      return std::string(1, "xyz"[n]);
-    }
-  }
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", d[0].convert_to<double>(),
-                     d[1].convert_to<double>(), d[2].convert_to<double>());
-}
-
-/// "foot: force along z" for every row of the constraints.
-std::vector<std::string> row_names(const model::Scene& scene, const std::vector<int>& active) {
-  std::vector<std::string> names;
-  for (const int c : active) {
-    const model::Constraint& constraint = scene.constraints[static_cast<std::size_t>(c)];
-    const bool turning = constraint.kind == model::ConstraintKind::kOrientation;
-    if (constraint.kind == model::ConstraintKind::kJoint) {
-      names.push_back(fmt::format("{}: force of the joint", constraint.name));
-    }
-    for (const model::Vector3& d : constraint.directions) {
-      names.push_back(fmt::format("{}: {} {}", constraint.name,
-                                  turning ? "moment about" : "force along", direction_text(d)));
-    }
-  }
-  return names;
-}
 
 program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
   Options options = options_;
@@ -216,6 +142,59 @@ program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
   return staged;
 }
 
+program::Staged SceneFormulator::inverse_dynamics(std::size_t phase) const {
+  Options options = options_;
+  options.active = scene_.phases[phase].active;
+  Inputs where = places();
+  where.qdd = kInverseAcceleration;
+  where.tau = -1;
+  const Recipe recipe{"",
+                      "",
+                      "",
+                      {},
+                      {},
+                      where,
+                      {.regrouping = true, .moment_form = true, .fixed_length = true},
+                      build_constrained_inverse};
+  const int r = rows_of(scene_, options.active);
+  const int p = static_cast<int>(passive_joints(scene_).size());
+  program::Staged staged;
+  staged.function = cheapest(scene_.tree, recipe, options);
+  const program::Array qdd = {"qdd", dof_, kAcceleration};
+  const program::Array tau = {"tau", dof_, kForce};
+  const program::Array lambda = {"lambda", r, "N|N m"};
+  staged.signature = {phase_name(scene_, phase, "constrained_inverse_dynamics"),
+                      "(8),(12)",
+                      "Joint forces and reactions that make a motion; joints without a drive get "
+                      "none where reactions can do without.",
+                      {q(), qd(), qdd},
+                      {tau, lambda}};
+  staged.function.signature = {
+      staged.signature.name,
+      "",
+      "",
+      {q(), qd(), qdd, {program::kMultiplierArray, p, ""}},
+      {{program::kMatrixArray, p * (p + 1) / 2, ""}, {program::kRightArray, p, ""}, tau, lambda}};
+  staged.levels = {0, 0, 0, 1};
+  if (uses_time(scene_, {})) {
+    staged.signature.inputs.push_back({"t", 1, "s"});
+    staged.function.signature.inputs.push_back({"t", 1, "s"});
+    staged.levels.push_back(0);
+  }
+  staged.gates = {program::Gate::kSolve};
+  staged.solves = {program::solve_of(staged.function, p)};
+  staged.rows = row_names(scene_, options.active);
+  staged.constraints = options.active;
+  return staged;
+}
+
+/// Drives are sought where reactions could stand for them; ground contacts would have to be found
+/// first.
+bool has_inverse_dynamics(const model::Scene& scene, std::size_t phase) {
+  return scene.contacts.empty() && rows_of(scene, scene.phases[phase].active) > 0 &&
+         !passive_joints(scene).empty();
+}
+
 program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   Options options = options_;
   options.active = impact.constraints;
@@ -253,17 +232,6 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   staged.constraints = impact.constraints;
   staged.restitution = impact.restitution;
   return staged;
-}
-
-/// One contact: the function's name ends with the point's identifier unless there is one contact.
-std::string contact_name(const model::Scene& scene, std::size_t contact, const std::string& stem) {
-  const auto point = static_cast<std::size_t>(scene.contacts[contact].point);
-  const auto same = std::count_if(
-      scene.contacts.begin(), scene.contacts.begin() + static_cast<std::ptrdiff_t>(contact),
-      [&](const model::GroundContact& c) { return c.point == scene.contacts[contact].point; });
-  const std::string name =
-      fmt::format("{}_{}", stem, to_identifier(scene.points[point].identifier));
-  return scene.contacts.size() == 1 ? stem : same > 0 ? fmt::format("{}_{}", name, same + 1) : name;
 }
 
 program::Staged SceneFormulator::contact_press(std::size_t contact) const {
@@ -322,14 +290,11 @@ bool wants(const std::vector<std::string>& wanted, const std::string& name) {
 const std::vector<std::string>& scene_function_names() {
   static const std::vector<std::string> names = {"reaction_jacobian_transpose",
                                                  "reaction_bias_acceleration",
-                                                 "constrained_dynamics", "contact_force"};
+                                                 "constrained_dynamics",
+                                                 "constrained_inverse_dynamics",
+                                                 "impact",
+                                                 "contact_force"};
   return names;
-}
-
-std::string phase_name(const model::Scene& scene, std::size_t phase, const std::string& function) {
-  return scene.phases.size() == 1
-             ? function
-             : fmt::format("{}_{}", function, to_identifier(scene.phases[phase].name));
 }
 
 SceneFunctions scene_functions(const model::Scene& scene, const Options& options,
@@ -345,6 +310,9 @@ SceneFunctions scene_functions(const model::Scene& scene, const Options& options
   for (std::size_t phase = 0; phase < scene.phases.size(); ++phase) {
     if (wants(wanted, "constrained_dynamics")) {
       result.staged.push_back(formulator.constrained_dynamics(phase));
+    }
+    if (has_inverse_dynamics(scene, phase) && wants(wanted, "constrained_inverse_dynamics")) {
+      result.staged.push_back(formulator.inverse_dynamics(phase));
     }
   }
   for (const ImpactName& impact : impacts_of(scene)) {

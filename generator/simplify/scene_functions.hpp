@@ -14,14 +14,11 @@ namespace treedyn::simplify {
 struct SceneFunctions {
   std::vector<program::Function>
       plain;                            ///< reaction_jacobian_transpose, reaction_bias_acceleration
-  std::vector<program::Staged> staged;  ///< constrained_dynamics, one for each phase
+  std::vector<program::Staged> staged;  ///< those that branch
 };
 
 /// Names that `scene_functions` may give, in order, without the suffixes of phases.
 const std::vector<std::string>& scene_function_names();
-
-/// The name of a function in a phase: with several phases the phase's identifier follows.
-std::string phase_name(const model::Scene& scene, std::size_t phase, const std::string& function);
 
 /// The cheapest formulations found; deterministic. `options` are those of the model; its scene,
 /// gravity and points are replaced.

@@ -82,6 +82,7 @@ Forces::Forces(const model::Scene& scene) : tau_(Vector::Zero(scene.tree.dof()))
   }
   for (const model::GroundContact& contact : scene.contacts) {
     contacts_.emplace_back(contact);
+    touching_.push_back(true);
   }
 }
 
@@ -150,7 +151,11 @@ void Forces::add_point_forces(const Terms& terms, const State& state) {
   for (const Load& force : loads_) {
     f_.segment<3>(3 * force.point) += load(force, terms, state);
   }
-  for (const ContactLaw& contact : contacts_) {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    if (!touching_[k]) {
+      continue;
+    }
+    const ContactLaw& contact = contacts_[k];
     const int at = 3 * contact.point();
     f_.segment<3>(at) += contact.force(p.segment<3>(at), v_.segment<3>(at));
   }

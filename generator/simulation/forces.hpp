@@ -52,6 +52,9 @@ class Forces {
   /// Energy of springs and of the elastic part of contacts, J. \param p  points, 3 P
   [[nodiscard]] double elastic_energy(const Vector& q, const VectorMap& p) const;
   [[nodiscard]] const std::vector<ContactLaw>& contacts() const { return contacts_; }
+  /// Whether a contact pushes below its plane; all do until they are told otherwise. A motion that
+  /// switches contacts where they begin and end is smooth in between.
+  void touch(std::size_t contact, bool touches) { touching_[contact] = touches; }
 
  private:
   struct JointSpring {
@@ -91,6 +94,7 @@ class Forces {
   std::vector<Load> torques_;
   std::vector<Load> loads_;
   std::vector<ContactLaw> contacts_;
+  std::vector<bool> touching_;
   Vector v_;
   Vector f_;
   Vector n_;

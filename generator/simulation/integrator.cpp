@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/LU>
@@ -11,9 +12,13 @@ namespace treedyn::simulation {
 
 namespace {
 
-/// Steps of Newton's iteration of an implicit stage, and the relative change that ends it.
+/// Steps of Newton's iteration with one Jacobian, Jacobians of an implicit stage, and the
+/// change of the state, relative to 1 + its size, that ends it.
 constexpr int kNewtonSteps = 8;
+constexpr int kJacobians = 6;
 constexpr double kNewtonChange = 1e-13;
+/// A change that is small enough when the iteration gets no further.
+constexpr double kNewtonEnough = 1e-11;
 /// Relative difference step of the Jacobian, the root of the rounding of double.
 constexpr double kDifference = 1.5e-8;
 
@@ -73,8 +78,8 @@ class Sdirk2 final : public Integrator {
   void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
             Vector& error) override {
     const double gamma = 1 - std::sqrt(0.5);
+    rate(t, y, k1_);
     factor(rate, t, h * gamma, y);
-    k1_ = rate_;
     stage(rate, t + gamma * h, h * gamma, y, k1_);
     k2_ = k1_;
     stage(rate, t + h, h * gamma, y + h * (1 - gamma) * k1_, k2_);
@@ -84,32 +89,47 @@ class Sdirk2 final : public Integrator {
   [[nodiscard]] int error_order() const override { return 0; }
 
  private:
-  /// E - h gamma df/dy by differences; leaves f in rate_.
+  /// E - h gamma df/dy where the motion goes, by differences in this direction: at the edge of a
+  /// contact these see the contact.
   void factor(const Rate& rate, double t, double hg, const Vector& y) {
-    rate(t, y, rate_);
-    Eigen::MatrixXd M = Eigen::MatrixXd::Identity(y.size(), y.size());
-    Vector moved = y;
     Vector f;
+    rate(t, y, rate_);
+    rate(t, y + hg * rate_, f);
+    Vector moved = y + hg * f;
+    const Vector ahead = f;
+    rate(t, moved, rate_);
+    Eigen::MatrixXd M = Eigen::MatrixXd::Identity(y.size(), y.size());
     for (Eigen::Index k = 0; k < y.size(); ++k) {
-      const double d = kDifference * std::max(1.0, std::fabs(y[k]));
-      moved[k] = y[k] + d;
+      const double x = moved[k];
+      const double d = std::copysign(kDifference * std::max(1.0, std::fabs(x)), ahead[k]);
+      moved[k] = x + d;
       rate(t, moved, f);
       M.col(k) -= hg / d * (f - rate_);
-      moved[k] = y[k];
+      moved[k] = x;
     }
     lu_.compute(M);
   }
 
-  /// k = f(t, y + h gamma k) by simplified Newton steps.
+  /// k = f(t, y + h gamma k) by simplified Newton steps; a new Jacobian where these do not
+  /// converge. Not a number if nothing helps: the step is too long.
   void stage(const Rate& rate, double t, double hg, const Vector& y, Vector& k) {
-    for (int n = 0; n < kNewtonSteps; ++n) {
-      rate(t, y + hg * k, rate_);
-      const Vector change = lu_.solve(rate_ - k);
-      k += change;
-      if (change.norm() <= kNewtonChange * k.norm()) {
-        break;
+    for (int jacobian = 0; jacobian < kJacobians; ++jacobian) {
+      double last = 0;
+      for (int n = 0; n < kNewtonSteps; ++n) {
+        rate(t, y + hg * k, rate_);
+        const Vector change = lu_.solve(rate_ - k);
+        k += change;
+        last = hg * change.norm() / (1 + y.norm());  // of the state that it makes
+        if (!(last > kNewtonChange)) {
+          return;
+        }
       }
+      if (last < kNewtonEnough) {
+        return;
+      }
+      factor(rate, t, hg, y + hg * k);
     }
+    k.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;

@@ -20,6 +20,11 @@ constexpr double kMostFactor = 5;
 /// Projections of an initial state, and the position error (m, rad) that it may keep.
 constexpr int kSettlingSteps = 20;
 constexpr double kSettled = 1e-8;
+/// How often a fixed step is halved when it does not lead anywhere.
+constexpr int kHalvings = 20;
+/// The first step behind an event, as a part of the duration: forces may begin there that no error
+/// estimate has seen.
+constexpr double kRestart = 1e-6;
 /// Events at the same instant before it is called a pile.
 constexpr int kMaxPile = 100;
 
@@ -90,8 +95,12 @@ double Simulator::error_ratio(double h) {
 double Simulator::step(double longest) {
   const int order = integrator_->error_order();
   if (order == 0) {
-    const double h = longest < settings_.step * (1 + 1e-9) ? longest : settings_.step;
+    double h = longest < settings_.step * (1 + 1e-9) ? longest : settings_.step;
     integrator_->step(rate_, t_, h, y_, next_, error_);
+    for (int k = 0; k < kHalvings && !next_.allFinite(); ++k) {  // an implicit one found no state
+      h /= 2;
+      integrator_->step(rate_, t_, h, y_, next_, error_);
+    }
     return h;
   }
   const double most = settings_.longest > 0 ? settings_.longest : kLongestStep * duration_;
@@ -153,6 +162,7 @@ bool Simulator::advance_to(double end, const Observe& observe) {
     if (crossing) {
       happen(watches_[crossing->watch]);
       build_watches();
+      suggested_ = std::min(suggested_, kRestart * duration_);
     }
     if (!observe()) {
       return false;
@@ -206,6 +216,7 @@ void Simulator::build_watches() {
   }
   for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
     add(Kind::kContact, k, scene_.contacts[k].point, scene_.contacts[k].plane);
+    system_.forces().touch(k, watches_.back().side < 0);
   }
   for (std::size_t k = 0; k < system_.frictions().size(); ++k) {
     const int direction = system_.frictions()[k].direction;

@@ -5,17 +5,15 @@
 // Writes growth.md and growth.svg.
 #include <sys/resource.h>
 
-#include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "benchmark/growing.hpp"
 #include "benchmark/lines.hpp"
+#include "benchmark/object_file.hpp"
 #include "support/manifest.hpp"
 #include "support/process.hpp"
 
@@ -53,47 +51,15 @@ double seconds_of_children() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// Processor time of a program; negative if it fails.
+/// Processor time of a program; negative if it was stopped.
 double seconds_of(const std::vector<std::string>& command) {
   const double start = seconds_of_children();
   const support::Outcome outcome = support::run(command);
-  if (outcome.status != 0 && command.front() != "timeout") {
+  constexpr int kStopped = 124;  // of timeout
+  if (outcome.status != 0 && outcome.status != kStopped) {
     throw std::runtime_error(fmt::format("{}: {}", command.front(), outcome.err));
   }
   return outcome.status == 0 ? seconds_of_children() - start : -1;
-}
-
-long number(const std::string& word) {
-  long value = 0;
-  std::from_chars(word.data(), word.data() + word.size(), value);
-  return value;
-}
-
-/// Sum of the sections .text* of an object file.
-long code_bytes(const fs::path& object) {
-  std::istringstream lines(support::run({"size", "-A", object.string()}).out);
-  long sum = 0;
-  std::string name;
-  std::string size;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    if (words >> name >> size && name.rfind(".text", 0) == 0) {
-      sum += number(size);
-    }
-  }
-  return sum;
-}
-
-/// Frame of the function and of the largest part that it calls, of a file that -fstack-usage wrote.
-long stack_bytes(const fs::path& usage) {
-  std::istringstream lines(support::read_file(usage));
-  std::vector<long> frames{0, 0};
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t tab = line.find('\t');
-    frames.push_back(number(line.substr(tab + 1)));
-  }
-  std::sort(frames.rbegin(), frames.rend());
-  return frames[0] + frames[1];
 }
 
 Row measure(const Tools& tools, bool chain, int size, const std::string& function) {
@@ -103,7 +69,7 @@ Row measure(const Tools& tools, bool chain, int size, const std::string& functio
   Row row{chain ? "chain" : "binary tree", size, function};
   row.generation = seconds_of({tools.treedyn, "generate", model.string(), "--effort", "0",
                                "--functions", function, "-o", folder.path().string()});
-  const auto& count = support::read_manifest(folder.path() / "robot.json").functions.front();
+  const auto count = support::read_manifest(folder.path() / "robot.json").functions.front();
   row.operations = count.operations[0] + count.operations[1] + count.operations[2];
   std::vector<std::string> command{"timeout", kSeconds, tools.compiler};
   command.insert(command.end(), kOptions.begin(), kOptions.end());
@@ -112,7 +78,7 @@ Row measure(const Tools& tools, bool chain, int size, const std::string& functio
                                  "-o", object.string()});
   row.compilation = seconds_of(command);
   if (row.compilation >= 0) {
-    row.code = code_bytes(object);
+    row.code = code_bytes("size", object);
     row.stack = stack_bytes(folder.path() / "robot.su");
   }
   return row;

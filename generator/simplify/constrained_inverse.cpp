@@ -1,0 +1,111 @@
+#include "simplify/constrained_inverse.hpp"
+
+#include <algorithm>
+
+#include "simplify/builders.hpp"
+#include "simplify/scene_rows.hpp"
+
+namespace treedyn::simplify {
+
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Expr input(Graph& graph, int array, int element) { return {graph, graph.input(array, element)}; }
+
+/// h = A qdd + B + G less the forces of the scene itself: what drives and reactions have to give.
+std::vector<Expr> needed_forces(const Task& task) {
+  const model::Scene& scene = *task.options.scene;
+  Graph& graph = task.kinematics.graph();
+  const SceneArrays& arrays = kInverseArrays;
+  std::vector<Expr> h = build_with_gravity(task);
+  const SceneForces forces(task, arrays);
+  for (int i = 0; i < task.tree.dof(); ++i) {
+    h[index(i)] -= forces.joint(i);
+  }
+  for (const model::Armature& armature : scene.armatures) {
+    const Expr qdd = input(graph, kInverseAcceleration, armature.joint);
+    h[index(armature.joint)] += constant(graph, armature.inertia) * qdd;
+  }
+  const SceneFrame frame(task, false, false);
+  for (const AppliedLoad& load : forces.loads()) {
+    const model::Point& point = scene.points[index(load.point)];
+    const MotionMap map = load.is_moment ? frame.turning(point) : frame.point(point);
+    for (const auto& [k, column] : map.columns) {
+      h[index(k)] -= dot(column, load.value);
+    }
+  }
+  return h;
+}
+
+/// J of the active constraints, row by row.
+std::vector<Row> active_rows(const Task& task) {
+  model::Scene scene = *task.options.scene;
+  std::vector<model::Constraint> active;
+  for (const int c : task.options.active) {
+    active.push_back(scene.constraints[index(c)]);
+  }
+  scene.constraints = active;
+  return base_rows(scene, SceneFrame(task, false, false), task.kinematics.graph());
+}
+
+Expr entry(const Row& row, int joint) {
+  const auto found = row.columns.find(joint);
+  return found == row.columns.end() ? Expr() : found->second;
+}
+
+}  // namespace
+
+std::vector<int> passive_joints(const model::Scene& scene) {
+  std::vector<int> result;
+  for (int i = 0; i < scene.tree.dof(); ++i) {
+    const bool driven = std::any_of(scene.motors.begin(), scene.motors.end(),
+                                    [&](const model::Motor& motor) { return motor.joint == i; });
+    const bool in_base = i < 6 && has_free_base(scene.tree);
+    if (scene.motors.empty() ? in_base : !driven) {
+      result.push_back(i);
+    }
+  }
+  return result;
+}
+
+std::vector<Expr> build_constrained_inverse(const Task& task) {
+  Graph& graph = task.kinematics.graph();
+  const std::vector<int> passive = passive_joints(*task.options.scene);
+  const std::vector<Row> rows = active_rows(task);
+  const std::vector<Expr> h = needed_forces(task);
+  std::vector<Expr> result;
+  std::vector<Expr> mu;
+  for (std::size_t u = 0; u < passive.size(); ++u) {
+    for (std::size_t v = 0; v <= u; ++v) {
+      Expr sum;
+      for (const Row& row : rows) {
+        sum += entry(row, passive[u]) * entry(row, passive[v]);
+      }
+      result.push_back(sum);
+    }
+    mu.push_back(input(graph, kInverseArrays.mu, static_cast<int>(u)));
+  }
+  for (const int u : passive) {
+    result.push_back(h[index(u)]);
+  }
+  std::vector<Expr> lambda;
+  for (const Row& row : rows) {
+    Expr sum;
+    for (std::size_t u = 0; u < passive.size(); ++u) {
+      sum += entry(row, passive[u]) * mu[u];
+    }
+    lambda.push_back(sum);
+  }
+  for (int i = 0; i < task.tree.dof(); ++i) {
+    Expr tau = h[index(i)];
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      tau -= entry(rows[r], i) * lambda[r];
+    }
+    result.push_back(tau);
+  }
+  result.insert(result.end(), lambda.begin(), lambda.end());
+  return result;
+}
+
+}  // namespace treedyn::simplify

@@ -1,0 +1,97 @@
+// benchmark_throughput ROUNDS -o DIR: states a second on one core with --lanes 2, 4, 8, 16,
+// relative to one state at a time, in one interleaved run. Writes lanes.md.
+#include "benchmark/lanes.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "support/process.hpp"
+
+namespace treedyn::benchmark {
+
+std::vector<const LanesCode*> lanes_codes();
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFunctions[] = {"mass_matrix", "inverse_dynamics", "forward_dynamics"};
+
+/// \throws std::runtime_error if a lane differs from the code for one state by more than the
+/// contraction of other multiply-adds explains.
+void check(const LanesCode& one, const LanesCode& many, int function) {
+  for (int state = 0; state < 8; ++state) {
+    const std::vector<double> x = many.values(function, state);
+    const std::vector<double> y = one.values(function, state);
+    double scale = 0;
+    for (const double value : y) {
+      scale = std::max(scale, std::fabs(value));
+    }
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      // Forward dynamics multiplies the 1e-13 of the others by the condition of A, up to 1e3 here.
+      if (!(std::fabs(x[k] - y[k / static_cast<std::size_t>(many.lanes)]) <= 1e-10 * scale)) {
+        throw std::runtime_error(fmt::format("{} with {} lanes: {} differs", many.robot, many.lanes,
+                                             kFunctions[function]));
+      }
+    }
+  }
+}
+
+/// One row a robot and function. \pre the code for one lane of a robot comes first
+std::string table(const std::vector<const LanesCode*>& codes, int rounds) {
+  std::vector<Repeated> functions;
+  for (const LanesCode* code : codes) {
+    code->prepare();
+    for (int k = 0; k < 3; ++k) {
+      functions.emplace_back([code, k](Turn turn) { code->run(k, turn); });
+    }
+  }
+  const std::vector<Time> times = measure(functions, rounds);
+  std::string text;
+  const LanesCode* one = nullptr;
+  for (int k = 0; k < 3; ++k) {
+    double alone = 0;
+    for (std::size_t c = 0; c < codes.size(); ++c) {
+      const double least = times[3 * c + static_cast<std::size_t>(k)].least;
+      if (codes[c]->lanes == 1) {
+        one = codes[c];
+        alone = least;
+        text += fmt::format("\n| {} | {} |", one->robot, kFunctions[k]);
+        continue;
+      }
+      check(*one, *codes[c], k);
+      text += fmt::format(" {:.1f} |", alone * codes[c]->lanes / least);
+    }
+  }
+  return fmt::format(
+      "States a second on one core, relative to one state at a time (both `--sincos builtin`):\n\n"
+      "| robot | function | 2 lanes | 4 lanes | 8 lanes | 16 lanes "
+      "|\n|---|---|---|---|---|---|{}\n",
+      text);
+}
+
+}  // namespace
+}  // namespace treedyn::benchmark
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() != 3 || words[1] != "-o") {
+    std::cerr << "usage: benchmark_throughput ROUNDS -o DIR\n";
+    return 2;
+  }
+  try {
+    const std::string text =
+        treedyn::benchmark::table(treedyn::benchmark::lanes_codes(), std::stoi(words[0]));
+    std::filesystem::create_directories(words[2]);
+    treedyn::support::write_file(std::filesystem::path(words[2]) / "lanes.md", text);
+    std::cout << text;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,270 @@
+// treedyn simulate as a user calls it; its page in a browser without network.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace treedyn {
+namespace {
+
+namespace fs = std::filesystem;
+
+using nlohmann::json;
+using support::Outcome;
+using support::read_file;
+using support::write_file;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string scene(const std::string& name) {
+  return TREEDYN_SOURCE_DIR "/models/scenes/" + name + ".yaml";
+}
+
+/// Lines of a table, cells without quotes.
+std::vector<std::vector<std::string>> table(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      rows.back().push_back(cell);
+    }
+  }
+  return rows;
+}
+
+class Simulate : public testing::Test {
+ protected:
+  static Outcome treedyn(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {TREEDYN_EXECUTABLE, "simulate"});
+    return support::run(arguments);
+  }
+  [[nodiscard]] std::string out() const { return (folder_.path() / "out").string(); }
+  [[nodiscard]] fs::path file(const std::string& name) const {
+    return folder_.path() / "out" / name;
+  }
+  [[nodiscard]] fs::path scratch(const std::string& name) const { return folder_.path() / name; }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(Simulate, PrintsATableWithoutAFolder) {
+  const Outcome outcome = treedyn({scene("pendulum"), "--duration", "1"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const auto rows = table(outcome.out);
+  EXPECT_EQ(rows.front(),
+            (std::vector<std::string>{"t", "phase", "q[pivot]", "qd[pivot]", "kinetic_energy",
+                                      "potential_energy", "energy", "drift"}));
+  EXPECT_EQ(rows.size(), 502U);
+  EXPECT_EQ(rows[1][0], "0");
+  EXPECT_EQ(rows.back()[0], "1");
+}
+
+TEST_F(Simulate, WritesWhatIsAskedFor) {
+  const Outcome outcome = treedyn({scene("arm_circle"), "-q", "-o", out(), "--json", "--report"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  const json data = json::parse(read_file(file("arm_circle.json")));
+  EXPECT_EQ(data["columns"].size(), data["rows"][0].size());
+  EXPECT_EQ(data["columns"][6], "R[pen.x]");
+  EXPECT_EQ(data["stopped"], "");
+  EXPECT_EQ(table(read_file(file("arm_circle.csv"))).size(), data["rows"].size() + 1);
+  EXPECT_TRUE(fs::exists(file("arm_circle.html")));
+}
+
+TEST_F(Simulate, WarnsWhenItMovesTheInitialState) {
+  const Outcome outcome = treedyn({scene("arm_circle"), "--duration", "0.1", "-o", out()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: the initial state was moved by"));
+}
+
+TEST_F(Simulate, GivesTheSameBytesTwice) {
+  const Outcome first = treedyn({scene("compass_walk"), "--duration", "3"});
+  const Outcome second = treedyn({scene("compass_walk"), "--duration", "3"});
+  EXPECT_EQ(first.out, second.out);
+}
+
+/// Different roundings of the same dynamics, one second of smooth motion at a tolerance of 1e-10.
+TEST_F(Simulate, ComputesTheSameByProgramEngineAndCompiledCode) {
+  const auto last = [](const std::string& option) {
+    std::vector<std::string> words = {scene("biped_flight"), "--duration", "0.3"};
+    if (!option.empty()) {
+      words.push_back(option);
+    }
+    const Outcome outcome = treedyn(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::vector<double> values;
+    const auto rows = table(outcome.out);
+    for (const std::string& cell : rows.back()) {
+      values.push_back(std::strtod(cell.c_str(), nullptr));
+    }
+    return values;
+  };
+  const std::vector<double> program = last("");
+  for (const std::string option : {"--engine", "--compiled"}) {
+    const std::vector<double> other = last(option);
+    ASSERT_EQ(other.size(), program.size());
+    for (std::size_t k = 0; k < program.size(); ++k) {
+      EXPECT_NEAR(other[k], program[k], 1e-7 * (1 + std::abs(program[k]))) << option << ' ' << k;
+    }
+  }
+}
+
+TEST_F(Simulate, ReadsTheCasesOfHardCases) {
+  const Outcome outcome =
+      treedyn({TREEDYN_SOURCE_DIR "/tests/data/hard_cases/s12_simplest_walker.json", "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const json data = json::parse(outcome.out);
+  ASSERT_GE(data["events"].size(), 1U);
+  EXPECT_NEAR(data["events"][0]["t"].get<double>(), 3.88194, 1e-5);
+}
+
+TEST_F(Simulate, TakesItsOptionsBeforeTheScene) {
+  for (const std::string integrator :
+       {"fehlberg78", "dopri5", "dopri5-fixed", "rk4", "semi-implicit-euler", "sdirk2"}) {
+    const Outcome outcome = treedyn(
+        {scene("pendulum"), "--integrator", integrator, "--step", "0.001", "--duration", "0.2"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NEAR(std::strtod(table(outcome.out).back()[2].c_str(), nullptr), 1.9219,
+                1e-3);  // half a step of 9.81 sin(q) 0.2
+  }
+  const Outcome drifting =
+      treedyn({scene("four_bar"), "--drift", "none", "--integrator", "semi-implicit-euler", "-q"});
+  EXPECT_EQ(drifting.status, 0);
+  EXPECT_GT(std::strtod(table(drifting.out).back().back().c_str(), nullptr), 1e-5);
+}
+
+TEST_F(Simulate, AnswersWrongUsageWith2AndWrongScenesWith1) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{},
+                                             {scene("pendulum"), "--integrator", "euler"},
+                                             {scene("pendulum"), "--step", "-1"},
+                                             {scene("pendulum"), "--tolerance", "small"},
+                                             {scene("pendulum"), "--drift", "some"},
+                                             {scene("pendulum"), "--report"},
+                                             {scene("pendulum"), "--engine", "--compiled"},
+                                             {scene("pendulum"), "--speed", "3"}}) {
+    const Outcome outcome = treedyn(words);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  const Outcome missing = treedyn({"nowhere.yaml"});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_EQ(missing.err,
+            "nowhere.yaml: cannot be read (No such file or directory); expected a file\n");
+  write_file(scratch("s.yaml"), "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                                "/models/two_link.yaml\nduration: 1\n"
+                                "stepping: {integrator: euler}\n");
+  const Outcome euler = treedyn({scratch("s.yaml").string()});
+  EXPECT_EQ(euler.status, 1);
+  EXPECT_THAT(euler.err, HasSubstr("s.yaml:4:24: stepping: integrator 'euler' is unknown"));
+}
+
+TEST_F(Simulate, WritesTheMotionUpToItsEndWhenItBreaks) {
+  write_file(scratch("s.yaml"), "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                                "/models/two_link.yaml\nduration: 2\neffects:\n  drive:\n"
+                                "    - {joint: elbow, torque: 1/(1 - t)}\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string(), "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("the motion ends at t = "));
+  EXPECT_GT(table(read_file(file("s.csv"))).size(), 200U);
+}
+
+TEST_F(Simulate, LeavesAValidFileWhenItIsInterrupted) {
+  const std::string scene_file = scene("biped_stepping");
+  const std::string folder = out();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl(TREEDYN_EXECUTABLE, TREEDYN_EXECUTABLE, "simulate", scene_file.c_str(), "--duration",
+            "1000", "--json", "-q", "-o", folder.c_str(), nullptr);
+    ::_exit(127);
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const json data = json::parse(read_file(file("biped_stepping.json")));
+  EXPECT_EQ(data["stopped"], "interrupted");
+  EXPECT_EQ(table(read_file(file("biped_stepping.csv"))).size(), data["rows"].size() + 1);
+}
+
+TEST_F(Simulate, QuotesHostileNames) {
+  write_file(
+      scratch("m.yaml"),
+      "name: m\nlinks:\n  - name: a\n    father: ground\n    joint: {name: \"j,\\\"</script>\","
+      " type: revolute, axis: [0, 1, 0]}\n    mass: 1\n    com: [0, 0, -1]\n");
+  write_file(scratch("s.yaml"), "scene: \"<b>\"\nmodel: m.yaml\nduration: 1\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string(), "-o", out(), "--report", "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read_file(file("n_b_.csv")), HasSubstr("t,phase,\"q[j,\"\"</script>]\""));
+  EXPECT_TRUE(json::accept(read_file(file("n_b_.json"))));
+  const std::string page = read_file(file("n_b_.html"));
+  EXPECT_THAT(page, Not(HasSubstr("<b>")));
+  EXPECT_THAT(page, Not(HasSubstr("j,\\\"</script>")));
+}
+
+/// The page as the browser leaves it, and what it logged. Every name is refused: no network.
+Outcome browse(const fs::path& page, const fs::path& profile) {
+  return support::run({TREEDYN_CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu",
+                       "--user-data-dir=" + profile.string(), "--virtual-time-budget=30000",
+                       "--host-resolver-rules=MAP * ~NOTFOUND", "--enable-logging=stderr",
+                       "--dump-dom", "file://" + page.string()});
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t result = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++result;
+  }
+  return result;
+}
+
+TEST_F(Simulate, MakesAPageThatPlaysInABrowserWithoutNetwork) {
+  ASSERT_EQ(treedyn({scene("compass_walk"), "-o", out(), "--report"}).status, 0);
+  const std::string page = read_file(file("compass_walk.html"));
+  EXPECT_EQ(count(page, "http"), 1U);  // the name space of SVG, which is never fetched
+  EXPECT_EQ(count(page, "src="), 0U);
+  EXPECT_EQ(count(page, "@import") + count(page, "url("), 0U);
+  const std::string watcher =
+      "<script>document.getElementById('speed').value = '4';"
+      "document.getElementById('play').click();"
+      "const look = () => { const at = +document.getElementById('time').value;"
+      " if (at > 20) { document.title = 'played to ' + at; } else { setTimeout(look, 50); } };"
+      "look();</script>";
+  write_file(scratch("watched.html"), page + watcher);
+  const Outcome outcome = browse(scratch("watched.html"), scratch("profile"));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(count(outcome.err, "CONSOLE"), 0U) << outcome.err;
+  EXPECT_EQ(count(outcome.out, "<svg"), 6U);  // motion, speed, reactions, energy, drift, phase
+  EXPECT_GE(count(outcome.out, "<path"), 17U);
+  const std::size_t title = outcome.out.find("played to ");
+  ASSERT_NE(title, std::string::npos);
+  EXPECT_GT(std::atoi(outcome.out.c_str() + title + 10), 20);
+}
+
+TEST_F(Simulate, IsListedWithItsEffectsAndIntegrators) {
+  const Outcome effects = support::run({TREEDYN_EXECUTABLE, "list", "effects"});
+  EXPECT_EQ(effects.status, 0);
+  EXPECT_EQ(std::count(effects.out.begin(), effects.out.end(), '\n'), 18);
+  const Outcome integrators = support::run({TREEDYN_EXECUTABLE, "list", "integrators"});
+  EXPECT_THAT(integrators.out, HasSubstr("sdirk2"));
+}
+
+}  // namespace
+}  // namespace treedyn

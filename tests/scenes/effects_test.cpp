@@ -1,0 +1,323 @@
+// Only the effects a scene calls for, HARD_CASES.md 4: generated functions of scenes that differ in
+// one effect, by text, symbols, values and counted operations.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/compiled.hpp"
+#include "support/process.hpp"
+
+namespace treedyn::support {
+namespace {
+
+using Json = nlohmann::json;
+using Vector = std::vector<double>;
+using Operations = std::array<long, 6>;
+
+/// A scene of the two-link arm in a temporary folder, generated and compiled.
+class ArmScene {
+ public:
+  /// \param effects  lines below `effects:`, two spaces in front
+  /// \param more     further top-level lines
+  explicit ArmScene(const std::string& effects, const std::string& more = {},
+                    Variant variant = Variant::kPlain) {
+    const std::filesystem::path file = folder_.path() / "scene.yaml";
+    write_file(file, fmt::format("scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n"
+                                 "  - {{name: hand, link: forearm, at: [1, 0, 0]}}\n"
+                                 "{}effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
+                                 TREEDYN_SOURCE_DIR, more, effects));
+    options_ = {"--scene", file.string(), "--effort", "20"};
+    generate({}, options_, folder_.path());
+    code_ = std::make_unique<CompiledModel>(folder_.path(), "generated", variant);
+  }
+
+  [[nodiscard]] const CompiledModel& code() const { return *code_; }
+  /// NAME.cpp without the comment that names the command.
+  [[nodiscard]] std::string source() const { return read_file(folder_.path() / "generated.cpp"); }
+  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
+  [[nodiscard]] Operations operations(const std::string& function) const {
+    return code_->manifest().function(function).operations;
+  }
+  [[nodiscard]] Json manifest(const std::string& function) const {
+    const Json manifest = Json::parse(read_file(folder_.path() / "generated.json"));
+    for (const Json& entry : manifest.at("functions")) {
+      if (entry.at("name") == function) {
+        return entry;
+      }
+    }
+    throw std::out_of_range(function);
+  }
+  [[nodiscard]] Json info() const {
+    std::vector<std::string> command = {TREEDYN_EXECUTABLE, "info", "--json"};
+    command.insert(command.end(), options_.begin(), options_.end());
+    return Json::parse(run(command).out);
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::vector<std::string> options_;
+  std::unique_ptr<CompiledModel> code_;
+};
+
+const char* const kHeld = "  point_constraint:\n    - {name: hold, point: hand, along: [x, z]}\n";
+const char* const kGround =
+    "  ground_contact:\n    - {point: hand, height: 0, stiffness: 1e4, exponent: 1.5, "
+    "dissipation: 0.2, friction: 0.5, slip_speed: 0.01}\n";
+
+const Vector kq = {0.4, -0.9};
+const Vector kqd = {0.7, 1.1};
+const Vector ktau = {20, -3};
+
+long total(const Operations& operations) {
+  return std::accumulate(operations.begin(), operations.end(), 0L);
+}
+
+Operations operations_of(const Json& json) {
+  return {json.at("add"),  json.at("mul"), json.at("div"),
+          json.at("sqrt"), json.at("sin"), json.at("cos")};
+}
+
+bool has(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
+
+/// The names that the object of a scene's code defines and calls.
+std::string symbols(const ArmScene& scene) {
+  const std::string object = (scene.folder() / "generated.o").string();
+  const Outcome compiled = run({TREEDYN_CXX, "-std=c++17", "-O2", "-c", "-o", object,
+                                (scene.folder() / "generated.cpp").string()});
+  EXPECT_EQ(compiled.status, 0) << compiled.err;
+  return run({"nm", "-C", object}).out;
+}
+
+TEST(Effects, WhatASceneDoesNotNameIsNotInItsCode) {  // E1
+  const ArmScene plain("");
+  const std::string names = symbols(plain);
+  for (const char* absent : {"solve", "press", "contact", "reaction", "impact", "sqrt", "pow"}) {
+    EXPECT_FALSE(has(names, absent)) << absent;
+    EXPECT_FALSE(has(plain.source(), absent)) << absent;
+  }
+  for (const char* absent : {"kRankTolerance", "lambda", "depth", "for (", "if ("}) {
+    EXPECT_FALSE(has(plain.source(), absent)) << absent;
+  }
+}
+
+TEST(Effects,
+     WhatASceneNamesIsInItsCode) {  // E1, the other half: the words above are the right ones
+  const ArmScene held(kHeld);
+  EXPECT_TRUE(has(symbols(held), "solve"));
+  EXPECT_TRUE(has(held.source(), "kRankTolerance"));
+  EXPECT_FALSE(has(held.source(), "depth"));
+  const ArmScene pressed(kGround);
+  EXPECT_TRUE(has(pressed.source(), "press"));
+  EXPECT_TRUE(has(pressed.source(), "sqrt"));
+  EXPECT_FALSE(has(pressed.source(), "solve"));
+}
+
+TEST(Effects, SwitchedOffLeavesTheCodeOfTheSceneWithout) {  // E1, byte for byte
+  const std::string with =
+      std::string(kHeld) + "  joint_spring:\n    - {joint: elbow, stiffness: 30, damping: 2}\n";
+  EXPECT_EQ(ArmScene(with, "use: {joint_spring: off}\n").source(), ArmScene(kHeld).source());
+  EXPECT_EQ(
+      ArmScene(with, "use: {point_constraint: off}\n").source(),
+      ArmScene("  joint_spring:\n    - {joint: elbow, stiffness: 30, damping: 2}\n").source());
+  EXPECT_EQ(ArmScene(kGround, "use: {ground_contact: off}\n").source(), ArmScene("").source());
+}
+
+TEST(Effects, OperationsOfTheManifestAreThoseExecuted) {  // E2
+  const ArmScene held(std::string(kHeld) +
+                          "  stribeck_friction:\n    - {joint: elbow, force: 1, static_force: 2, "
+                          "stribeck_speed: 0.1, slip_speed: 0.01}\n",
+                      "", Variant::kMeasured);
+  const Measurement motion = held.code().measure("constrained_dynamics", {kq, kqd, ktau});
+  EXPECT_EQ(motion.operations, held.operations("constrained_dynamics"));
+  EXPECT_EQ(held.code().measure("reaction_jacobian_transpose", {kq}).operations,
+            held.operations("reaction_jacobian_transpose"));
+}
+
+TEST(Effects, DeficientRowsCostWhatTheManifestSays) {  // E2: two rows say the same, rank 2 of 3
+  const ArmScene twice(std::string(kHeld) + "    - {name: again, point: hand, along: [x]}\n", "",
+                       Variant::kMeasured);
+  EXPECT_EQ(twice.manifest("constrained_dynamics").at("rank"), 2);
+  const Measurement motion = twice.code().measure("constrained_dynamics", {kq, kqd, ktau});
+  EXPECT_EQ(motion.operations, twice.operations("constrained_dynamics"));
+}
+
+TEST(Effects,
+     NoStateCostsMoreThanTheWorstCase) {  // E2: a stretched arm makes regular rows deficient
+  const ArmScene held(kHeld, "", Variant::kMeasured);
+  const Measurement motion = held.code().measure("constrained_dynamics", {{0.4, 0}, kqd, ktau});
+  const Operations worst = operations_of(held.manifest("constrained_dynamics").at("worst_case"));
+  for (std::size_t k = 0; k < worst.size(); ++k) {
+    EXPECT_LE(motion.operations[k], worst[k]);
+  }
+  EXPECT_GT(total(motion.operations), total(held.operations("constrained_dynamics")));
+  for (const double value : motion.values) {
+    EXPECT_TRUE(std::isfinite(value));
+  }
+}
+
+TEST(Effects, PricesAreDifferencesOfCounts) {  // E2
+  const std::string spring = "  joint_spring:\n    - {joint: elbow, stiffness: 30, damping: 2}\n";
+  const ArmScene both(kHeld + spring);
+  const ArmScene held(kHeld);
+  bool found = false;
+  const Json info = both.info();
+  for (const Json& price : info.at("prices")) {
+    if (price.at("effect") == "joint_spring" && price.at("function") == "constrained_dynamics") {
+      found = true;
+      EXPECT_EQ(operations_of(price.at("with")), both.operations("constrained_dynamics"));
+      EXPECT_EQ(operations_of(price.at("without")), held.operations("constrained_dynamics"));
+      EXPECT_GT(total(operations_of(price.at("with"))), total(operations_of(price.at("without"))));
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Effects, ZeroParametersAreFound) {  // E3
+  EXPECT_EQ(ArmScene("  joint_spring:\n    - {joint: elbow, stiffness: 0, damping: 0}\n").source(),
+            ArmScene("").source());
+  const ArmScene undamped("  joint_spring:\n    - {joint: elbow, stiffness: 30}\n");
+  const ArmScene damped("  joint_spring:\n    - {joint: elbow, stiffness: 30, damping: 2}\n");
+  EXPECT_EQ(total(damped.operations("constrained_dynamics")) -
+                total(undamped.operations("constrained_dynamics")),
+            2);  // d qd, and its subtraction
+}
+
+TEST(Effects, AContactCostsItsDepthUntilItTouches) {  // E4: two levels
+  const ArmScene ground(kGround, "", Variant::kMeasured);
+  const Vector above = {1.2, -0.3};
+  const Vector below = {-0.5, -0.3};
+  const Operations open =
+      ground.code().measure("constrained_dynamics", {above, kqd, ktau}).operations;
+  const Operations closed =
+      ground.code().measure("constrained_dynamics", {below, kqd, ktau}).operations;
+  EXPECT_EQ(open, ground.operations("constrained_dynamics"));
+  const Operations press = operations_of(ground.manifest("constrained_dynamics").at("press"));
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    EXPECT_EQ(closed[k] - open[k], press[k]);
+  }
+  // the depth of the hand: two sines of angles that the arm needs or not, two products, one sum
+  EXPECT_LE(total(open) - total(ArmScene("").operations("constrained_dynamics")), 8);
+  EXPECT_GT(total(press), 15);
+}
+
+/// max |a - b| in units of the last place of the larger.
+double ulps(const Vector& a, const Vector& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double unit = std::max(std::abs(a[k]), std::abs(b[k])) * 0x1p-52;
+    largest = std::max(largest, unit > 0 ? std::abs(a[k] - b[k]) / unit : 0);
+  }
+  return largest;
+}
+
+/// q and qd one semi-implicit Euler step of 1 ms later.
+Vector stepped(const ArmScene& scene, const Vector& q) {
+  constexpr double kStep = 1e-3;
+  const Vector qdd = scene.code().call("constrained_dynamics", {q, kqd, ktau});
+  Vector result;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    result.push_back(kqd[i] + kStep * qdd[i]);
+    result.push_back(q[i] + kStep * result.back());
+  }
+  return result;
+}
+
+TEST(Effects, ZeroStrengthChangesNoStep) {  // E5
+  const ArmScene limp(
+      "  force:\n    - {point: hand, value: [0, 0, 0]}\n"
+      "  moment:\n    - {point: hand, value: [0, 0*t, 0]}\n");
+  EXPECT_LE(ulps(stepped(limp, kq), stepped(ArmScene(""), kq)), 4);
+}
+
+TEST(Effects, AnEffectThatDoesNotActChangesNoStep) {  // E5
+  const Vector above = {1.2, -0.3};
+  EXPECT_LE(ulps(stepped(ArmScene(kGround), above), stepped(ArmScene(""), above)), 4);
+}
+
+TEST(Effects, APhaseSolvesForItsOwnRowsOnly) {  // E6
+  const std::string two =
+      "  point_constraint:\n    - {name: along, point: hand, along: [x]}\n"
+      "    - {name: up, point: hand, along: [z]}\n";
+  const ArmScene phases(
+      two,
+      "phases:\n  - {name: one, active: [along], until: [{time: 1, then: both}]}\n"
+      "  - {name: both, active: [along, up], until: [{time: 1, then: none}]}\n"
+      "  - {name: none, active: []}\n");
+  const ArmScene one("  point_constraint:\n    - {name: along, point: hand, along: [x]}\n");
+  EXPECT_EQ(phases.operations("constrained_dynamics_one"), one.operations("constrained_dynamics"));
+  EXPECT_EQ(phases.operations("constrained_dynamics_none"),
+            ArmScene("").operations("constrained_dynamics"));
+  EXPECT_EQ(phases.code().manifest().function("constrained_dynamics_none").outputs.size(), 1U);
+  EXPECT_EQ(phases.code().manifest().function("constrained_dynamics_both").outputs.at(1), 2);
+}
+
+/// Operations of constrained_dynamics of a robot on `axes` with two feet held.
+long cost_of_two_feet(const std::string& robot, const std::string& left, const std::string& right,
+                      const std::string& kinds) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml",
+             fmt::format("scene: feet\nmodel: {}/robots/urdf/{}\nbase: axes\npoints:\n"
+                         "  - {{name: left, link: {}, at: [0, 0, 0]}}\n"
+                         "  - {{name: right, link: {}, at: [0, 0, 0]}}\n"
+                         "effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
+                         TREEDYN_SHARED_DATA, robot, left, right, kinds));
+  generate({},
+           {"--scene", (folder.path() / "scene.yaml").string(), "--functions",
+            "constrained_dynamics", "--effort", "500"},
+           folder.path());
+  const Operations count =
+      read_manifest(folder.path() / "generated.json").function("constrained_dynamics").operations;
+  return count[0] + count[1] + count[2];
+}
+
+const char* const kPoints = "  point_constraint: [{point: left}, {point: right}]\n";
+const char* const kClamped =
+    "  point_constraint: [{point: left}, {point: right}]\n"
+    "  orientation_constraint: [{point: left}, {point: right}]\n";
+
+struct Feet {
+  const char* robot;
+  const char* left;
+  const char* right;
+  const char* kinds;
+  long limit;  ///< PERFORMANCE.md 6
+};
+
+const Feet kFeet[] = {{"hyq_no_sensors.urdf", "lf_foot", "rh_foot", kPoints, 4500},
+                      {"simple_humanoid.urdf", "l_ankle", "r_ankle", kClamped, 14000}};
+
+class TwoFeet : public testing::TestWithParam<Feet> {};
+
+TEST_P(TwoFeet, CostNoMoreThanTheirTarget) {
+  const Feet& feet = GetParam();
+  EXPECT_LE(cost_of_two_feet(feet.robot, feet.left, feet.right, feet.kinds), feet.limit);
+}
+
+std::vector<Feet> available_feet() {
+  std::vector<Feet> result;
+  for (const Feet& feet : kFeet) {
+    if (std::filesystem::exists(std::string(TREEDYN_SHARED_DATA) + "/robots/urdf/" + feet.robot)) {
+      result.push_back(feet);
+    }
+  }
+  return result;
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(TwoFeet);
+INSTANTIATE_TEST_SUITE_P(Robots, TwoFeet, testing::ValuesIn(available_feet()),
+                         [](const auto& test) {
+                           const std::string robot = test.param.robot;
+                           return robot.substr(0, robot.find('.'));
+                         });
+
+}  // namespace
+}  // namespace treedyn::support

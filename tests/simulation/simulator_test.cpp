@@ -1,0 +1,276 @@
+// Drift, events, impacts and forces of scenes against closed forms.
+#include "simulation/simulator.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "simulation/run_scene.hpp"
+
+namespace treedyn::simulation {
+namespace {
+
+const std::string kLoop = R"yaml(
+scene: loop
+model: four_bar.model.yaml
+effects:
+  gravity: [0, 0, -9.81]
+  joined_constraint:
+    - {name: loop, point: coupler_end, other: rocker_end, along: [x, z]}
+initial:
+  q: {crank_joint: pi/2, coupler_joint: -pi/3, rocker_joint: 2*pi/3}
+  qd: {crank_joint: 2}
+duration: 2
+)yaml";
+
+double drift_of(model::Drift drift, const std::string& integrator) {
+  Settings settings;
+  settings.integrator = integrator;
+  settings.step = 1e-3;
+  settings.drift = drift;
+  Running run(scene_of(kLoop), &settings);
+  double worst = 0;
+  run.simulator.advance_to(2, [&] {
+    worst =
+        std::max(worst, run.simulator.system().violation(run.simulator.time(), run.simulator.q()));
+    return true;
+  });
+  return worst;
+}
+
+TEST(Drift, GrowsWithoutStabilisationAndIsHeldWithIt) {
+  const double none = drift_of(model::Drift::kNone, "semi-implicit-euler");
+  const double baumgarte = drift_of(model::Drift::kBaumgarte, "semi-implicit-euler");
+  const double projection = drift_of(model::Drift::kProjection, "semi-implicit-euler");
+  EXPECT_GT(none, 1e-4);
+  EXPECT_LT(baumgarte, none / 5);
+  EXPECT_LT(projection, 1e-14);  // a few roundings of positions of size 1
+}
+
+const std::string kBall = R"yaml(
+scene: ball
+model: drop.model.yaml
+effects:
+  gravity: [0, 0, -10]
+  point_constraint:
+    - {name: floor, point: ball, along: [z]}
+phases:
+  - name: flight
+    until:
+      - touch_down: {point: ball}
+        impact: {constraints: [floor], restitution: 0.5, rest_below: 0.01}
+        then: flight
+initial:
+  q: {height: 1.25}
+duration: 3
+)yaml";
+
+TEST(Impact, HalvesTheSpeedOfABallWithRestitutionOneHalf) {
+  Running run(scene_of(kBall));
+  run.advance_to(3);
+  const auto& events = run.simulator.events();
+  ASSERT_GE(events.size(), 3U);
+  // falls 1.25 m at 10 m/s^2: 0.5 s and 5 m/s; then 2.5 m/s up, 0.5 s again, and so on
+  const double times[] = {0.5, 1.0, 1.25};
+  const double speeds[] = {5, 2.5, 1.25};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(events[k].time, times[k], 1e-9);
+    EXPECT_NEAR(events[k].qd_before[0], -speeds[k], 1e-9);
+    EXPECT_NEAR(events[k].qd_after[0], speeds[k] / 2, 1e-9);
+    EXPECT_NEAR(events[k].impulse[0], 1.5 * speeds[k], 1e-9);  // m (1 + e) v
+  }
+}
+
+TEST(Impact, ComesToRestAfterAllItsRebounds) {
+  Running run(scene_of(kBall));
+  run.advance_to(3);
+  EXPECT_NEAR(run.simulator.q()[0], 0, 1e-9);
+  EXPECT_EQ(run.simulator.system().constraints().rows(), 1);
+  EXPECT_NEAR(run.simulator.solution().lambda[0], 10, 1e-12);  // m g
+}
+
+TEST(Impact, CanBeSwitchedOff) {
+  model::Scene scene = scene_of(kBall + "use: {impact: off}\n");
+  EXPECT_FALSE(scene.phases.front().until.front().impact.has_value());
+}
+
+TEST(Events, OfTimeEndAPhaseAtThatTime) {
+  Running run(scene_of(R"yaml(
+scene: timed
+model: drop.model.yaml
+effects:
+  gravity: [0, 0, -10]
+  locked_joint:
+    - {name: hook, joint: height}
+phases:
+  - name: held
+    active: [hook]
+    until:
+      - {time: 0.25, then: falling}
+  - name: falling
+initial: {q: {height: 2}}
+duration: 1
+)yaml"));
+  run.advance_to(1);
+  ASSERT_EQ(run.simulator.events().size(), 1U);
+  EXPECT_NEAR(run.simulator.events()[0].time, 0.25, 1e-14);
+  EXPECT_NEAR(run.simulator.q()[0], 2 - 5 * 0.75 * 0.75, 1e-10);  // g t^2/2
+}
+
+TEST(Events, OfExpressionsAreLocated) {
+  Running run(scene_of(R"yaml(
+scene: thrown
+model: drop.model.yaml
+effects:
+  gravity: [0, 0, -10]
+phases:
+  - name: up
+    until:
+      - {expression: "qd[height]", then: down}
+  - name: down
+    until:
+      - {expression: "q[height] - 1 - t^2", crossing: falling, then: up}
+initial: {qd: {height: 5}, q: {height: 1}}
+duration: 1
+)yaml"));
+  run.advance_to(1);
+  ASSERT_GE(run.simulator.events().size(), 2U);
+  EXPECT_NEAR(run.simulator.events()[0].time, 0.5, 1e-12);        // 5/10
+  EXPECT_NEAR(run.simulator.events()[1].time, 5.0 / 6.0, 1e-10);  // 5 t - 5 t^2 = t^2
+}
+
+/// A mass held on the floor and pulled up by 2 t: it leaves when the pull exceeds its weight.
+TEST(Events, OfLiftOffComeWhenTheReactionWouldPull) {
+  Running run(scene_of(R"yaml(
+scene: pulled
+model: drop.model.yaml
+effects:
+  gravity: [0, 0, -10]
+  force:
+    - {point: ball, value: [0, 0, 20*t]}
+  point_constraint:
+    - {name: floor, point: ball, along: [z]}
+phases:
+  - name: standing
+    active: [floor]
+    until:
+      - {lift_off: {constraint: floor}, then: flying}
+  - name: flying
+duration: 1
+)yaml"));
+  run.advance_to(1);
+  ASSERT_EQ(run.simulator.events().size(), 1U);
+  EXPECT_NEAR(run.simulator.events()[0].time, 0.5, 1e-12);  // 20 t = m g
+  // z'' = 20 (t - 1/2): z = 10/3 (t - 1/2)^3
+  EXPECT_NEAR(run.simulator.q()[0], 10.0 / 24.0, 1e-9);
+}
+
+TEST(Contact, OfSdirk2SettlesAtTheStaticDepth) {
+  Settings settings;
+  settings.integrator = "sdirk2";
+  settings.step = 5e-3;
+  Running run(scene_of(R"yaml(
+scene: stiff
+model: drop.model.yaml
+effects:
+  gravity: [0, 0, -10]
+  ground_contact:
+    - {point: ball, law: 1e7*d - 2e4*v}
+initial: {q: {height: 0}}
+duration: 2
+)yaml"),
+              &settings);
+  run.advance_to(2);
+  EXPECT_NEAR(run.simulator.q()[0], -1e-6, 1e-10);  // m g / k
+}
+
+/// One joint, unit inertia, no gravity: the laws of joint forces, term by term.
+double acceleration_of(const std::string& effects, double q, double qd, double t) {
+  const model::Scene scene =
+      scene_of("scene: law\nmodel: drop.model.yaml\neffects:\n" + effects + "duration: 1\n");
+  const auto dynamics = program_dynamics(scene);
+  System system(scene, *dynamics, 0);
+  return system.accelerate(t, Vector::Constant(1, q), Vector::Constant(1, qd)).qdd[0];
+}
+
+TEST(JointForces, FollowTheirLaws) {
+  const double root = std::sqrt(0.3 * 0.3 + 0.1 * 0.1);
+  EXPECT_NEAR(
+      acceleration_of("  viscous_friction:\n    - {joint: height, coefficient: 2}\n", 0, 0.3, 0),
+      -0.6, 1e-15);
+  EXPECT_NEAR(
+      acceleration_of("  coulomb_friction:\n    - {joint: height, force: 4, slip_speed: 0.1}\n", 0,
+                      0.3, 0),
+      -4 * 0.3 / root, 1e-15);
+  EXPECT_NEAR(acceleration_of("  stribeck_friction:\n    - {joint: height, force: 4, static_force: "
+                              "6, stribeck_speed: 0.3, slip_speed: 0.1}\n",
+                              0, 0.3, 0),
+              -(4 + 2 / 2.0) * 0.3 / root, 1e-15);
+  EXPECT_NEAR(acceleration_of("  joint_spring:\n    - {joint: height, stiffness: 3, damping: 2, "
+                              "rest: 0.5}\n",
+                              0.1, 0.3, 0),
+              -3 * (0.1 - 0.5) - 0.6, 1e-15);
+  EXPECT_NEAR(acceleration_of("  armature:\n    - {joint: height, inertia: 3}\n  drive:\n    - "
+                              "{joint: height, torque: \"8*sin(t)*q[height]\"}\n",
+                              0.5, 0, 0.7),
+              std::sin(0.7), 1e-15);
+  EXPECT_NEAR(acceleration_of("  drive:\n    - {joint: height, kp: 5, kd: 2, target: t^2}\n", 0.1,
+                              0.3, 0.5),
+              5 * (0.25 - 0.1) + 2 * (1.0 - 0.3), 1e-15);
+  EXPECT_NEAR(
+      acceleration_of("  force:\n    - {point: ball, value: [9, 9, -2*z*vz]}\n", 0.4, 0.3, 0),
+      -0.24, 1e-15);
+}
+
+TEST(Rows, MayStateTheirAcceleration) {
+  Running run(scene_of(R"yaml(
+scene: stated
+model: ../two_link.yaml
+effects:
+  gravity: [0, 0, -9.81]
+  point_constraint:
+    - {name: hand, point: tip, along: [x, z], acceleration: ["sin(t)", 0]}
+initial: {
+q : {
+shoulder:
+  0.3, elbow : 1
+}
+}
+duration: 1
+)yaml"));
+  const Eigen::Vector3d before = run.simulator.system().geometry(run.simulator.q()).p();
+  run.advance_to(1);
+  const Eigen::Vector3d after = run.simulator.system().geometry(run.simulator.q()).p();
+  EXPECT_NEAR(after[0] - before[0], 1 - std::sin(1.0), 1e-9);  // twice the integral of sin
+  EXPECT_NEAR(after[2] - before[2], 0, 1e-9);
+}
+
+TEST(VelocityProducts, VanishWhenTheyAreSwitchedOff) {
+  const std::string text =
+      "scene: s\nmodel: ../two_link.yaml\nduration: 1\n"
+      "initial: {q: {elbow: 1}, qd: {shoulder: 2, elbow: 3}}\n";
+  const auto acceleration = [](const model::Scene& scene) {
+    const auto dynamics = program_dynamics(scene);
+    System system(scene, *dynamics, 0);
+    const Vector q = (Vector(2) << 0, 1).finished();
+    const Vector qd = (Vector(2) << 2, 3).finished();
+    return system.accelerate(0, q, qd).qdd.norm();
+  };
+  EXPECT_GT(acceleration(scene_of(text)), 1);
+  EXPECT_EQ(acceleration(scene_of(text + "use: {velocity_products: off}\n")), 0);
+}
+
+TEST(Effects, ThatAreOffLeaveNoTrace) {
+  const std::string text =
+      "scene: s\nmodel: ../two_link.yaml\nduration: 1\neffects:\n"
+      "  gravity: [0, 0, -9.81]\n  armature:\n    - {joint: elbow, inertia: 1}\n"
+      "  force:\n    - {point: tip, value: [1, 2, 3]}\n";
+  const model::Scene off = scene_of(text + "use: {gravity: off, armature: off, force: off}\n");
+  EXPECT_EQ(off.gravity, (model::Vector3{0, 0, 0}));
+  EXPECT_TRUE(off.armatures.empty());
+  EXPECT_TRUE(off.forces.empty());
+  EXPECT_TRUE(off.points.empty());
+}
+
+}  // namespace
+}  // namespace treedyn::simulation
