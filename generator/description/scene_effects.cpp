@@ -12,7 +12,6 @@ namespace treedyn::description {
 
 namespace {
 
-using model::ConstraintKind;
 using Of = SceneContext::Of;
 
 Use use_of(const Fields& fields, const Text& text) {
@@ -252,22 +251,6 @@ void SceneEffects::drive(const SceneFields& fields) {
   scene().motors.push_back({joint, torque});
 }
 
-void SceneEffects::locked_joint(const SceneFields& fields) {
-  model::Constraint constraint;
-  constraint.kind = ConstraintKind::kJoint;
-  constraint.joint = context_.joint(fields);
-  constraint.name = fields.text_or("name", fields.text("joint").text);
-  if (const Node* const at = fields.find("at")) {
-    const auto motion = context_.motion(fields, *at);
-    constraint.curve.position[0] = motion[0];
-    constraint.curve.velocity[0] = motion[1];
-    constraint.curve.acceleration[0] = motion[2];
-  }
-  read_accelerations(fields, constraint);
-  constraint.pinned = fields.find("at") == nullptr && constraint.accelerations.empty();
-  add(fields, std::move(constraint));
-}
-
 model::VectorExpression SceneEffects::load(const SceneFields& fields) const {
   model::VectorExpression result;
   const std::vector<Node>& entries = fields.triple(fields.get("value"));
@@ -285,98 +268,6 @@ void SceneEffects::force(const SceneFields& fields) {
 void SceneEffects::moment(const SceneFields& fields) {
   const int point = context_.point(fields);
   scene().torques.push_back({point, load(fields)});
-}
-
-/// `along`: letters x, y, z or vectors; all three without it.
-void SceneEffects::read_directions(const SceneFields& fields, model::Constraint& constraint) const {
-  const std::array<model::Vector3, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  if (fields.find("along") == nullptr) {
-    constraint.directions.assign(axes.begin(), axes.end());
-    return;
-  }
-  const std::vector<Node>& items = fields.list("along");
-  if (items.empty()) {
-    fields.fail(fields.get("along").where, "'along' is empty; expected at least one direction");
-  }
-  for (const Node& item : items) {
-    const bool letter = item.kind == NodeKind::kScalar;
-    const std::size_t axis = std::string_view("xyz").find(letter ? item.text : "?");
-    if (letter && (item.text.size() != 1 || axis == std::string_view::npos)) {
-      fields.fail(item.where, fmt::format("direction '{}' is unknown; expected x, y, z or a vector",
-                                          shown(item.text)));
-    }
-    constraint.directions.push_back(letter ? axes[axis] : fields.direction_of(item));
-  }
-}
-
-void SceneEffects::read_accelerations(const SceneFields& fields,
-                                      model::Constraint& constraint) const {
-  const Node* const node = fields.find("acceleration");
-  if (node == nullptr) {
-    return;
-  }
-  for (const char* const other : {"curve", "at"}) {
-    if (fields.find(other) != nullptr) {
-      fields.fail(node->key.where,
-                  fmt::format("'acceleration' beside '{}'; expected one of them", other));
-    }
-  }
-  const bool list = node->kind == NodeKind::kSequence;
-  const std::size_t count = list ? node->items.size() : 1;
-  if (count != constraint.rows()) {
-    fields.fail(node->where, fmt::format("'acceleration' has {} entries; expected {}, one a "
-                                         "direction",
-                                         count, constraint.rows()));
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    constraint.accelerations.push_back(
-        context_.expression(fields, list ? node->items[k] : *node, Of::kState));
-  }
-}
-
-void SceneEffects::point_constraint(const SceneFields& fields) {
-  model::Constraint constraint;
-  constraint.point = context_.point(fields);
-  constraint.name =
-      fields.text_or("name", scene().points[static_cast<std::size_t>(constraint.point)].name);
-  read_directions(fields, constraint);
-  if (fields.find("curve") != nullptr) {
-    const std::vector<Node>& entries = fields.triple(fields.get("curve"));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto motion = context_.motion(fields, entries[k]);
-      constraint.curve.position[k] = motion[0];
-      constraint.curve.velocity[k] = motion[1];
-      constraint.curve.acceleration[k] = motion[2];
-    }
-  }
-  read_accelerations(fields, constraint);
-  constraint.pinned = fields.find("curve") == nullptr && constraint.accelerations.empty();
-  add(fields, std::move(constraint));
-}
-
-void SceneEffects::orientation_constraint(const SceneFields& fields) {
-  model::Constraint constraint;
-  constraint.kind = ConstraintKind::kOrientation;
-  constraint.point = context_.point(fields);
-  constraint.name = fields.text_or(
-      "name", scene().points[static_cast<std::size_t>(constraint.point)].name + "_orientation");
-  read_directions(fields, constraint);
-  read_accelerations(fields, constraint);
-  add(fields, std::move(constraint));
-}
-
-void SceneEffects::joined_constraint(const SceneFields& fields) {
-  model::Constraint constraint;
-  constraint.kind = ConstraintKind::kJoined;
-  constraint.point = context_.point(fields, "point");
-  constraint.other = context_.point(fields, "other");
-  if (constraint.point == constraint.other) {
-    fields.fail(fields.get("other").where, "a point is joined to itself; expected two points");
-  }
-  constraint.name = fields.text_or(
-      "name", fmt::format("{}_{}", fields.text("point").text, fields.text("other").text));
-  read_directions(fields, constraint);
-  add(fields, std::move(constraint));
 }
 
 void SceneEffects::ground_contact(const SceneFields& fields) {
@@ -408,24 +299,6 @@ void SceneEffects::ground_contact(const SceneFields& fields) {
                 "friction without 'slip_speed'; expected a slip speed above 0");
   }
   scene().contacts.push_back(std::move(contact));
-}
-
-void SceneEffects::refuse_second(const SceneFields& fields, const std::string& name) const {
-  const auto& all = context_.scene().constraints;
-  if (constraints_off_.count(name) > 0 ||
-      std::any_of(all.begin(), all.end(), [&](const auto& c) { return c.name == name; })) {
-    fields.fail(fields.where(), fmt::format("another constraint is called '{}'; expected different "
-                                            "names",
-                                            shown(name)));
-  }
-}
-
-void SceneEffects::add(const SceneFields& fields, model::Constraint constraint) {
-  refuse_second(fields, constraint.name);
-  if (entry_is_off_) {
-    constraints_off_[constraint.name] = 1;
-  }
-  scene().constraints.push_back(std::move(constraint));
 }
 
 }  // namespace treedyn::description

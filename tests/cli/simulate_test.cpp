@@ -87,8 +87,13 @@ TEST_F(Simulate, WritesWhatIsAskedFor) {
 }
 
 TEST_F(Simulate, WarnsWhenItMovesTheInitialState) {
-  const Outcome outcome = treedyn({scene("arm_circle"), "--duration", "0.1", "-o", out()});
-  EXPECT_EQ(outcome.status, 0);
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+             "/models/two_link.yaml\nduration: 0.1\neffects:\n"
+             "  point_constraint:\n    - {point: tip, curve: [1.2, 0, 0.8], along: "
+             "[x, z]}\ninitial: {q: {elbow: 1.5}}\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string(), "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("warning: the initial state was moved by"));
 }
 
