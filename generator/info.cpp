@@ -162,6 +162,9 @@ std::vector<Priced> priced(const Programs& programs) {
   for (const program::Staged& staged : programs.staged) {
     result.push_back({staged.signature, program::cost(staged)});
   }
+  for (const program::Stepper& stepper : programs.steppers) {
+    result.push_back({stepper.signature, program::step_cost(stepper, stepper.dynamics_cost)});
+  }
   return result;
 }
 

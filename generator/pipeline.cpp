@@ -288,6 +288,7 @@ Programs formulate(const Model& model, const Request& request, const Trace& trac
       report(trace, staged.signature.name, program::cost(staged), start);
       programs.staged.push_back(std::move(staged));
     }
+    programs.steppers = std::move(scene.steppers);
   }
   return programs;
 }
@@ -325,6 +326,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   unit.points = model.points;
   unit.functions = std::move(programs.functions);
   unit.staged = std::move(programs.staged);
+  unit.steppers = std::move(programs.steppers);
   unit.target = request.target;
   if (request.target.packed) {
     unit.packing = packing_of(model, request);

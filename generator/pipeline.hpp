@@ -9,7 +9,7 @@
 #include "description/read.hpp"
 #include "emit/unit.hpp"
 #include "model/tree.hpp"
-#include "program/staged.hpp"
+#include "program/stepper.hpp"
 #include "simplify/formulate.hpp"
 
 namespace treedyn {
@@ -49,7 +49,8 @@ struct Model {
 /// Programs of a model and of its scene.
 struct Programs {
   std::vector<program::Function> functions;
-  std::vector<program::Staged> staged;  ///< functions that branch
+  std::vector<program::Staged> staged;     ///< functions that branch
+  std::vector<program::Stepper> steppers;  ///< of the scene's integrator
 };
 
 /// Called with a line about every stage when it is done, for -v.

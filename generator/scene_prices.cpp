@@ -172,6 +172,9 @@ std::map<std::string, program::Cost> costs(const Programs& programs) {
   for (const program::Staged& staged : programs.staged) {
     result[staged.signature.name] = program::cost(staged);
   }
+  for (const program::Stepper& stepper : programs.steppers) {
+    result[stepper.signature.name] = program::step_cost(stepper, stepper.dynamics_cost);
+  }
   return result;
 }
 

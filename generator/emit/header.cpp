@@ -222,6 +222,18 @@ std::string arrays_comment(const Target& target) {
       "// ");
 }
 
+/// The method, its step and what a step costs.
+std::string stepper_doc(const program::Stepper& stepper) {
+  const std::string method = stepper.method == program::StepMethod::kRk4 ? "Runge-Kutta of order 4"
+                                                                         : "semi-implicit Euler";
+  return signature_doc(stepper.signature) +
+         wrapped(fmt::format("By {}, {} s. Cost: {}. Never more than {}.", method,
+                             decimal(stepper.step),
+                             cost_text(program::step_cost(stepper, stepper.dynamics_cost)),
+                             cost_text(program::step_cost(stepper, stepper.dynamics_worst_cost))),
+                 "/// ");
+}
+
 std::string prototype(const program::Signature& signature) {
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
   return declaration("void " + signature.name, parameters(signature, all), " noexcept;") + "\n";
@@ -234,6 +246,9 @@ std::string declarations(const Unit& unit) {
   }
   for (const program::Staged& staged : unit.staged) {
     result += "\n" + staged_doc(staged) + prototype(staged.signature);
+  }
+  for (const program::Stepper& stepper : unit.steppers) {
+    result += "\n" + stepper_doc(stepper) + prototype(stepper.signature);
   }
   return result;
 }

@@ -81,6 +81,12 @@ std::string staged_cost(const program::Staged& staged) {
                      operations_json(program::worst_cost(staged)));
 }
 
+std::string stepper_cost(const program::Stepper& stepper) {
+  return fmt::format("{},\n     \"worst_case\": {}",
+                     operations_json(program::step_cost(stepper, stepper.dynamics_cost)),
+                     operations_json(program::step_cost(stepper, stepper.dynamics_worst_cost)));
+}
+
 }  // namespace
 
 std::string operations_json(const program::Cost& cost) {
@@ -103,6 +109,9 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
   for (std::size_t k = plain; k < bodies.size(); ++k) {
     const program::Staged& staged = unit.staged[k - plain];
     functions.push_back(function_json(staged.signature, bodies[k], staged_cost(staged)));
+  }
+  for (const program::Stepper& stepper : unit.steppers) {
+    functions.push_back(function_json(stepper.signature, {}, stepper_cost(stepper)));
   }
   return fmt::format(
       "{{\n  \"name\": {},\n  \"tool\": {},\n  \"model\": {},\n  \"options\": {},\n"

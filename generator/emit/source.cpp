@@ -7,6 +7,7 @@
 #include "emit/parts.hpp"
 #include "emit/sincos.hpp"
 #include "emit/staged.hpp"
+#include "emit/stepper.hpp"
 #include "emit/template_file.hpp"
 
 namespace treedyn::emit {
@@ -64,6 +65,9 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   const std::vector<Body> staged(
       bodies.begin() + static_cast<std::ptrdiff_t>(unit.functions.size()), bodies.end());
   functions += staged_text(unit.staged, staged, vocabulary(*unit.tree), unit.target);
+  for (const program::Stepper& stepper : unit.steppers) {
+    functions += "\n" + stepper_text(stepper, unit.target.scalar);
+  }
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"command", command_comment(unit.command)},
                                            {"using", mathematics(unit)},

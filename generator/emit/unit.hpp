@@ -8,7 +8,7 @@
 #include "emit/literal.hpp"
 #include "model/tree.hpp"
 #include "program/packed.hpp"
-#include "program/staged.hpp"
+#include "program/stepper.hpp"
 
 namespace treedyn::emit {
 
@@ -18,9 +18,10 @@ struct Unit {
   const model::Tree* tree = nullptr;
   std::vector<model::Point> points;
   std::vector<program::Function> functions;
-  std::vector<program::Staged> staged;  ///< behind `functions`
+  std::vector<program::Staged> staged;     ///< behind `functions`
+  std::vector<program::Stepper> steppers;  ///< behind `staged`
   Target target;
-  program::Packing packing;  ///< of A, if the target is packed
+  program::Packing packing;          ///< of A, if the target is packed
   std::vector<std::string> command;  ///< program and arguments that reproduce the files
   std::string tool;                  ///< "treedyn 0.1.0", for the manifest only
   std::string model_file;            ///< base name, "-" for standard input

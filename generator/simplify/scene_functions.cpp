@@ -1,6 +1,7 @@
 #include "simplify/scene_functions.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "program/rank.hpp"
 #include "simplify/constrained.hpp"
@@ -281,6 +282,38 @@ program::Staged SceneFormulator::contact_force(std::size_t contact) const {
   return staged;
 }
 
+/// The scene's integrator if a step of it is code without a search for its length.
+std::optional<program::StepMethod> step_method(const model::Scene& scene) {
+  const std::string& name = scene.stepping.integrator;
+  return name == "rk4"                   ? std::optional(program::StepMethod::kRk4)
+         : name == "semi-implicit-euler" ? std::optional(program::StepMethod::kSemiImplicitEuler)
+                                         : std::nullopt;
+}
+
+/// A step in the phase of `dynamics`.
+program::Stepper stepper(const model::Scene& scene, std::size_t phase,
+                         const program::Staged& dynamics) {
+  program::Stepper result;
+  result.method = *step_method(scene);
+  result.step = scene.stepping.step;
+  result.dynamics = dynamics.signature.name;
+  result.takes_time = dynamics.signature.inputs.back().name == "t";
+  result.dynamics_cost = program::cost(dynamics);
+  result.dynamics_worst_cost = program::worst_cost(dynamics);
+  const int n = scene.tree.dof();
+  result.signature = {phase_name(scene, phase, "step"),
+                      "(8),(12)",
+                      "Joint positions and velocities one step later, within the phase; lambda is "
+                      "that of the beginning.",
+                      dynamics.signature.inputs,
+                      {{"q_next", n, "rad|m"}, {"qd_next", n, "rad/s|m/s"}}};
+  if (!dynamics.solves.empty()) {
+    result.rows = dynamics.solves.front().rows;
+    result.signature.outputs.push_back(dynamics.signature.outputs.back());
+  }
+  return result;
+}
+
 bool wants(const std::vector<std::string>& wanted, const std::string& name) {
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
 }
@@ -293,6 +326,7 @@ const std::vector<std::string>& scene_function_names() {
                                                  "constrained_dynamics",
                                                  "constrained_inverse_dynamics",
                                                  "impact",
+                                                 "step",
                                                  "contact_force"};
   return names;
 }
@@ -308,8 +342,12 @@ SceneFunctions scene_functions(const model::Scene& scene, const Options& options
     result.plain.push_back(formulator.bias());
   }
   for (std::size_t phase = 0; phase < scene.phases.size(); ++phase) {
-    if (wants(wanted, "constrained_dynamics")) {
+    const bool steps = step_method(scene) && wants(wanted, "step");
+    if (wants(wanted, "constrained_dynamics") || steps) {
       result.staged.push_back(formulator.constrained_dynamics(phase));
+    }
+    if (steps) {
+      result.steppers.push_back(stepper(scene, phase, result.staged.back()));
     }
     if (has_inverse_dynamics(scene, phase) && wants(wanted, "constrained_inverse_dynamics")) {
       result.staged.push_back(formulator.inverse_dynamics(phase));

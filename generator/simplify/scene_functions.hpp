@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/scene.hpp"
-#include "program/staged.hpp"
+#include "program/stepper.hpp"
 #include "simplify/formulate.hpp"
 
 namespace treedyn::simplify {
@@ -15,6 +15,7 @@ struct SceneFunctions {
   std::vector<program::Function>
       plain;                            ///< reaction_jacobian_transpose, reaction_bias_acceleration
   std::vector<program::Staged> staged;  ///< those that branch
+  std::vector<program::Stepper> steppers;  ///< step, one for each phase
 };
 
 /// Names that `scene_functions` may give, in order, without the suffixes of phases.

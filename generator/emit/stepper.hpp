@@ -1,0 +1,15 @@
+// The text of `step`.
+#pragma once
+
+#include <string>
+
+#include "emit/literal.hpp"
+#include "program/stepper.hpp"
+
+namespace treedyn::emit {
+
+/// The function, from its declaration to its closing brace.
+/// \throws std::range_error if the step is too large for the scalar type
+std::string stepper_text(const program::Stepper& stepper, Scalar scalar);
+
+}  // namespace treedyn::emit
