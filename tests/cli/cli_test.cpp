@@ -144,7 +144,7 @@ TEST_F(Cli, ReturnsTwoForWrongUsage) {
   expect_usage_error(treedyn({}), "subcommand");
   expect_usage_error(treedyn({"generate"}), "MODEL");
   expect_usage_error(treedyn({"generate", kModel}), "-o DIR");
-  expect_usage_error(treedyn({"simulate", kModel}), "simulate");
+  expect_usage_error(treedyn({"simulate"}), "SCENE");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"--no-such-option"}, "--no-such-option"},
       {{"--scalar", "half"}, "half"},
