@@ -1,5 +1,7 @@
 #include "program/function.hpp"
 
+#include "program/limb_code.hpp"
+
 namespace treedyn::program {
 
 Cost cost(const Graph& graph, std::span<const Ref> outputs) {
@@ -30,6 +32,20 @@ Cost cost(const Graph& graph, std::span<const Ref> outputs) {
     }
   }
   return result;
+}
+
+Cost cost(const Function& function) {
+  return function.limb_code ? cost(*function.limb_code) : cost(function.graph, function.outputs);
+}
+
+Cost operator+(const Cost& a, const Cost& b) {
+  return {a.add + b.add,   a.mul + b.mul, a.div + b.div,
+          a.sqrt + b.sqrt, a.sin + b.sin, a.cos + b.cos};
+}
+
+Cost operator*(int times, const Cost& c) {
+  return {times * c.add,  times * c.mul, times * c.div,
+          times * c.sqrt, times * c.sin, times * c.cos};
 }
 
 }  // namespace treedyn::program

@@ -69,6 +69,4 @@ Cost cost(const Staged& staged);
 /// fails.
 Cost worst_cost(const Staged& staged);
 
-Cost operator+(const Cost& a, const Cost& b);
-
 }  // namespace treedyn::program

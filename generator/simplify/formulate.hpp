@@ -24,6 +24,7 @@ struct Options {
   std::vector<int> active;              ///< of scene functions: the constraints that act, ascending
   Real restitution = 0;                 ///< of impacts
   int contact = 0;                      ///< of functions of one ground contact: which
+  bool share_limbs = false;             ///< equal limbs share code, see program/limb_code.hpp
 
   [[nodiscard]] bool has(Pass pass) const {
     return std::find(without.begin(), without.end(), pass) == without.end();
