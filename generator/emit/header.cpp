@@ -151,6 +151,9 @@ std::string staged_doc(const program::Staged& staged) {
     const std::string text = for_comment(staged.rows[k], kLongestCell * 2);
     result += wrapped(fmt::format("Row {}: {}", k, text), "/// ", 4);
   }
+  for (const std::string& anchor : staged.anchors) {
+    result += wrapped(for_comment(anchor, kLongestCell * 3), "/// ", 4);
+  }
   for (const program::RowSolve& solve : staged.solves) {
     if (!solve.regular()) {
       result += wrapped(

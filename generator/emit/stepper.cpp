@@ -46,6 +46,7 @@ std::string stepper_text(const Stepper& stepper, Scalar scalar) {
       {"step", literal(stepper.step, scalar)},
       {"dynamics", stepper.dynamics},
       {"t", stepper.takes_time ? ", t" : ""},
+      {"anchor", stepper.takes_anchor ? ", anchor" : ""},
       {"lambda", stepper.rows > 0 ? ", lambda" : ""}};
   if (stepper.method == StepMethod::kSemiImplicitEuler) {
     return fill(template_text("step_semi_implicit_euler.cpp"), slots);

@@ -13,12 +13,13 @@ enum class StepMethod { kSemiImplicitEuler, kRk4 };
 struct Stepper {
   Signature signature;
   StepMethod method = StepMethod::kSemiImplicitEuler;
-  Real step = 0;             ///< s
-  std::string dynamics;      ///< the function that it calls
-  bool takes_time = false;   ///< which has an argument t
-  int rows = 0;              ///< and this many reactions
-  Cost dynamics_cost;        ///< of one call
-  Cost dynamics_worst_cost;  ///< of the dearest call
+  Real step = 0;              ///< s
+  std::string dynamics;       ///< the function that it calls
+  bool takes_time = false;    ///< which has an argument t
+  bool takes_anchor = false;  ///< and one for the anchors of stabilised rows
+  int rows = 0;               ///< and this many reactions
+  Cost dynamics_cost;         ///< of one call
+  Cost dynamics_worst_cost;   ///< of the dearest call
 };
 
 /// Operations of one step, given those of one call of the dynamics.

@@ -8,6 +8,7 @@
 #include "simplify/constrained_inverse.hpp"
 #include "simplify/contacts.hpp"
 #include "simplify/functions.hpp"
+#include "simplify/scene_drift.hpp"
 #include "simplify/scene_names.hpp"
 #include "simplify/search.hpp"
 
@@ -61,6 +62,10 @@ class SceneFormulator {
  private:
   [[nodiscard]] program::Array q() const { return {"q", dof_, "rad|m"}; }
   [[nodiscard]] program::Array qd() const { return {"qd", dof_, "rad/s|m/s"}; }
+  [[nodiscard]] program::Array anchor() const {
+    return {"anchor", anchor_offset(scene_, static_cast<int>(scene_.constraints.size())),
+            "m|1|rad"};
+  }
   [[nodiscard]] Inputs places() const {
     return {.q = 0, .qd = scene_.velocity_products ? 1 : -1, .tau = 2};
   }
@@ -131,6 +136,12 @@ program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
     staged.signature.inputs.push_back({"t", 1, "s"});
     inner.inputs.push_back({"t", 1, "s"});
     staged.levels.push_back(0);
+  }
+  if (arrays.anchor >= 0) {
+    staged.signature.inputs.push_back(anchor());
+    inner.inputs.push_back(anchor());
+    staged.levels.push_back(0);
+    staged.anchors = anchor_names(scene_);
   }
   if (!scene_.contacts.empty()) {
     inner.outputs.push_back({program::kDepthArray, static_cast<int>(scene_.contacts.size()), "m"});
@@ -290,6 +301,11 @@ std::optional<program::StepMethod> step_method(const model::Scene& scene) {
                                          : std::nullopt;
 }
 
+bool has(const std::vector<program::Array>& arrays, const std::string& name) {
+  return std::any_of(arrays.begin(), arrays.end(),
+                     [&](const program::Array& array) { return array.name == name; });
+}
+
 /// A step in the phase of `dynamics`.
 program::Stepper stepper(const model::Scene& scene, std::size_t phase,
                          const program::Staged& dynamics) {
@@ -297,7 +313,9 @@ program::Stepper stepper(const model::Scene& scene, std::size_t phase,
   result.method = *step_method(scene);
   result.step = scene.stepping.step;
   result.dynamics = dynamics.signature.name;
-  result.takes_time = dynamics.signature.inputs.back().name == "t";
+  const std::vector<program::Array>& inputs = dynamics.signature.inputs;
+  result.takes_time = has(inputs, "t");
+  result.takes_anchor = has(inputs, "anchor");
   result.dynamics_cost = program::cost(dynamics);
   result.dynamics_worst_cost = program::worst_cost(dynamics);
   const int n = scene.tree.dof();

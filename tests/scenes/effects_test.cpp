@@ -3,68 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "support/compiled.hpp"
+#include "scenes/arm_scene.hpp"
 #include "support/process.hpp"
 
 namespace treedyn::support {
 namespace {
-
-using Json = nlohmann::json;
-using Vector = std::vector<double>;
-using Operations = std::array<long, 6>;
-
-/// A scene of the two-link arm in a temporary folder, generated and compiled.
-class ArmScene {
- public:
-  /// \param effects  lines below `effects:`, two spaces in front
-  /// \param more     further top-level lines
-  explicit ArmScene(const std::string& effects, const std::string& more = {},
-                    Variant variant = Variant::kPlain) {
-    const std::filesystem::path file = folder_.path() / "scene.yaml";
-    write_file(file, fmt::format("scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n"
-                                 "  - {{name: hand, link: forearm, at: [1, 0, 0]}}\n"
-                                 "{}effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
-                                 TREEDYN_SOURCE_DIR, more, effects));
-    options_ = {"--scene", file.string(), "--effort", "20"};
-    generate({}, options_, folder_.path());
-    code_ = std::make_unique<CompiledModel>(folder_.path(), "generated", variant);
-  }
-
-  [[nodiscard]] const CompiledModel& code() const { return *code_; }
-  /// NAME.cpp without the comment that names the command.
-  [[nodiscard]] std::string source() const { return read_file(folder_.path() / "generated.cpp"); }
-  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
-  [[nodiscard]] Operations operations(const std::string& function) const {
-    return code_->manifest().function(function).operations;
-  }
-  [[nodiscard]] Json manifest(const std::string& function) const {
-    const Json manifest = Json::parse(read_file(folder_.path() / "generated.json"));
-    for (const Json& entry : manifest.at("functions")) {
-      if (entry.at("name") == function) {
-        return entry;
-      }
-    }
-    throw std::out_of_range(function);
-  }
-  [[nodiscard]] Json info() const {
-    std::vector<std::string> command = {TREEDYN_EXECUTABLE, "info", "--json"};
-    command.insert(command.end(), options_.begin(), options_.end());
-    return Json::parse(run(command).out);
-  }
-
- private:
-  TemporaryFolder folder_;
-  std::vector<std::string> options_;
-  std::unique_ptr<CompiledModel> code_;
-};
 
 const char* const kHeld = "  point_constraint:\n    - {name: hold, point: hand, along: [x, z]}\n";
 const char* const kGround =
@@ -74,15 +23,6 @@ const char* const kGround =
 const Vector kq = {0.4, -0.9};
 const Vector kqd = {0.7, 1.1};
 const Vector ktau = {20, -3};
-
-long total(const Operations& operations) {
-  return std::accumulate(operations.begin(), operations.end(), 0L);
-}
-
-Operations operations_of(const Json& json) {
-  return {json.at("add"),  json.at("mul"), json.at("div"),
-          json.at("sqrt"), json.at("sin"), json.at("cos")};
-}
 
 bool has(const std::string& text, const std::string& word) {
   return text.find(word) != std::string::npos;
