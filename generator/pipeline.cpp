@@ -159,8 +159,13 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
 }  // namespace
 
 simplify::Options simplify_options(const Model& model, const Request& request) {
-  return {model.scene ? model.scene->gravity : request.gravity, model.points, request.effort,
-          request.forward_dynamics, request.without};
+  simplify::Options options;
+  options.gravity = model.scene ? model.scene->gravity : request.gravity;
+  options.points = model.points;
+  options.effort = request.effort;
+  options.forward_dynamics = request.forward_dynamics;
+  options.without = request.without;
+  return options;
 }
 
 std::vector<std::string> pass_names() {
