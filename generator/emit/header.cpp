@@ -265,14 +265,13 @@ std::string events_doc(const program::Stepper& stepper) {
   }
   const std::string begins =
       stepper.switches() ? fmt::format(" The scene begins in {}.", stepper.first) : "";
-  return result +
-         wrapped(
-             "Events are looked at where the step ends, in this order; the first that has "
-             "happened counts and is taken there, up to a step late: behind an event the "
-             "error is that of order 1, whatever the method. A reaction that pulls is one at "
-             "the beginning of the step." +
-                 begins,
-             "/// ");
+  return result + wrapped(
+                      "Events are looked at where the step ends, in this order; the first that has "
+                      "happened counts and is taken there, up to a step late: behind an event the "
+                      "error is that of order 1, whatever the method. Reactions are those at the "
+                      "beginning of the step." +
+                          begins,
+                      "/// ");
 }
 
 /// The method, its step and what a step costs.
