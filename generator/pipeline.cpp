@@ -21,6 +21,7 @@
 #include "prove_scene.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
+#include "simplify/scene_steps.hpp"
 #include "symbolic/dump.hpp"
 #include "version.hpp"
 
@@ -163,8 +164,12 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
 }  // namespace
 
 simplify::Options simplify_options(const Model& model, const Request& request) {
-  simplify::Options options{model.scene ? model.scene->gravity : request.gravity, model.points,
-                            request.effort, request.forward_dynamics, request.without};
+  simplify::Options options;
+  options.gravity = model.scene ? model.scene->gravity : request.gravity;
+  options.points = model.points;
+  options.effort = request.effort;
+  options.forward_dynamics = request.forward_dynamics;
+  options.without = request.without;
   options.share_limbs = request.share_limbs;
   return options;
 }
@@ -199,6 +204,19 @@ void check_scene(const model::Scene& scene, const Location& where) {
                       scene.points[static_cast<std::size_t>(contact.point)].name,
                       emit::decimal(contact.exponent)));
     }
+  }
+}
+
+/// A step that was asked for needs an integrator whose steps are of a fixed length.
+void check_step(const Model& model) {
+  const std::vector<std::string>& wanted = model.scene_functions;
+  const bool asked = std::find(wanted.begin(), wanted.end(), "step") != wanted.end();
+  if (asked && !simplify::step_method(*model.scene)) {
+    throw InputError(model.scene->stepping.where,
+                     fmt::format("function 'step': integrator '{}' is not for generated code; "
+                                 "expected {}",
+                                 shown(model.scene->stepping.integrator),
+                                 fmt::join(simplify::step_method_names(), ", ")));
   }
 }
 
@@ -239,6 +257,7 @@ Model read_scene_model(const Request& request) {
     (of_scene ? model.scene_functions : model.functions).push_back(name);
   }
   check_functions(model, {*request.scene, 0, 0});
+  check_step(model);
   model.name = request.name.value_or(to_identifier(model.scene->name));
   model.name += emit::is_reserved(model.name) ? "_" : "";
   return model;

@@ -241,7 +241,8 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
   const Values& tau = state.at(state.has("tau") ? "tau" : program::kForceArray);
 
   const SceneEquations equations(scene, state.at("q"), state.at("qd"),
-                                 state.has("t") ? state.at("t")[0] : Real(0));
+                                 state.has("t") ? state.at("t")[0] : Real(0),
+                                 state.has("anchor") ? state.at("anchor") : Values());
   const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
   const Values force = equations.force();
   Values motion;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "simplify/scene_drift.hpp"
+
 namespace treedyn {
 
 namespace {
@@ -10,8 +12,15 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t)
-    : scene_(scene), q_(std::move(q)), qd_(std::move(qd)), t_(t), dof_(scene.tree.dof()) {
+SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t,
+                               Values anchor)
+    : scene_(scene),
+      q_(std::move(q)),
+      qd_(std::move(qd)),
+      anchor_(std::move(anchor)),
+      t_(t),
+      dof_(scene.tree.dof()) {
+  anchor_.resize(index(simplify::anchor_offset(scene, static_cast<int>(scene.constraints.size()))));
   engine::Engine<Real> engine(scene.tree, scene.points, scene.gravity);
   const Values a = engine.evaluate("mass_matrix", {q_});
   for (int i = 0; i < dof_; ++i) {
@@ -29,6 +38,7 @@ SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, c
     gamma_n_ = engine.evaluate("angular_bias_acceleration", {q_, rates});
     p_ = engine.evaluate("point_positions", {q_});
     v_ = engine.evaluate("point_velocities", {q_, qd_});
+    R_ = engine.evaluate("point_rotations", {q_});
   }
 }
 
@@ -60,6 +70,9 @@ std::vector<SceneEquations::Row> SceneEquations::rows(const std::vector<int>& ac
     for (std::size_t k = 0; k < constraint.rows(); ++k) {
       result.push_back(row(constraint, k));
       result.back().wanted = wanted(constraint, k);
+      if (simplify::is_stabilised(scene_) && constraint.accelerations.empty()) {
+        result.back().wanted += correction(result.back(), c, k);
+      }
     }
   }
   return result;
@@ -103,6 +116,59 @@ Real SceneEquations::wanted(const model::Constraint& c, std::size_t k) const {
     sum += c.directions[k][n] * value(c.curve.acceleration[n], c.point);
   }
   return sum;
+}
+
+/// sin(angle) axis of the turn from `anchor` to the point's rotation.
+model::Vector3 SceneEquations::turn_from(const Real* anchor, int point) const {
+  const auto E = [&](std::size_t i, std::size_t k) {
+    Real sum = 0;
+    for (std::size_t n = 0; n < 3; ++n) {
+      sum += R_[9 * index(point) + 3 * i + n] * anchor[3 * k + n];
+    }
+    return sum;
+  };
+  return {(E(2, 1) - E(1, 2)) / 2, (E(0, 2) - E(2, 0)) / 2, (E(1, 0) - E(0, 1)) / 2};
+}
+
+Real SceneEquations::position_error(int constraint, std::size_t k) const {
+  const model::Constraint& c = scene_.constraints[index(constraint)];
+  const Real* anchor = anchor_.data() + simplify::anchor_offset(scene_, constraint);
+  const bool has_anchor = simplify::anchor_size(scene_, constraint) > 0;
+  if (c.kind == model::ConstraintKind::kJoint) {
+    const Real off = q_[index(c.joint)] - value(c.curve.position[0], 0);
+    return has_anchor ? Real(off - anchor[0]) : off;
+  }
+  const bool turning = c.kind == model::ConstraintKind::kOrientation;
+  const model::Vector3 turn = turning ? turn_from(anchor, c.point) : model::Vector3{};
+  Real phi = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    Real off = turning ? turn[n] : p_[3 * index(c.point) + n];
+    if (c.kind == model::ConstraintKind::kJoined) {
+      off -= p_[3 * index(c.other) + n];
+    } else if (!turning) {
+      off -= value(c.curve.position[n], c.point);
+      off -= has_anchor ? anchor[n] : Real(0);
+    }
+    phi += c.directions[k][n] * off;
+  }
+  return phi;
+}
+
+/// -2 alpha (J qd - c') - alpha^2 phi.
+Real SceneEquations::correction(const Row& row, int constraint, std::size_t k) const {
+  const model::Constraint& c = scene_.constraints[index(constraint)];
+  Real rate = 0;
+  for (std::size_t i = 0; i < row.J.size(); ++i) {
+    rate += row.J[i] * qd_[i];
+  }
+  if (c.kind == model::ConstraintKind::kJoint) {
+    rate -= value(c.curve.velocity[0], 0);
+  }
+  for (std::size_t n = 0; n < 3 && c.kind == model::ConstraintKind::kPoint; ++n) {
+    rate -= c.directions[k][n] * value(c.curve.velocity[n], c.point);
+  }
+  const Real& alpha = scene_.stepping.stabilisation;
+  return -(2 * alpha * rate + alpha * alpha * position_error(constraint, k));
 }
 
 void SceneEquations::add_joint_forces(Values& force) const {

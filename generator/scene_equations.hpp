@@ -21,8 +21,9 @@ class SceneEquations {
     Real wanted = 0;
   };
 
-  /// \param t  s
-  SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t);
+  /// \param t       s
+  /// \param anchor  of all constraints, simplify::anchor_offset; missing ones are zero
+  SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t, Values anchor = {});
 
   /// A with the armatures, row by row.
   [[nodiscard]] const std::vector<Values>& inertia() const { return A_; }
@@ -45,6 +46,9 @@ class SceneEquations {
   [[nodiscard]] Real variable(const model::Variable& variable, int point) const;
   [[nodiscard]] Row row(const model::Constraint& constraint, std::size_t k) const;
   [[nodiscard]] Real wanted(const model::Constraint& constraint, std::size_t k) const;
+  [[nodiscard]] Real position_error(int constraint, std::size_t k) const;
+  [[nodiscard]] model::Vector3 turn_from(const Real* anchor, int point) const;
+  [[nodiscard]] Real correction(const Row& row, int constraint, std::size_t k) const;
   void add(Row& row, const model::Vector3& d, const Values& jacobian, const Values& gamma,
            int point, int sign) const;
   void add_joint_forces(Values& force) const;
@@ -53,11 +57,11 @@ class SceneEquations {
   void apply(const model::Vector3& value, int point, const Values& jacobian, Values& force) const;
 
   const model::Scene& scene_;
-  Values q_, qd_;
+  Values q_, qd_, anchor_;
   Real t_;
   int dof_;
   std::vector<Values> A_;
-  Values bias_, C_, H_, gamma_f_, gamma_n_, p_, v_;
+  Values bias_, C_, H_, gamma_f_, gamma_n_, p_, v_, R_;
 };
 
 }  // namespace treedyn

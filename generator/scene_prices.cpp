@@ -124,7 +124,10 @@ const std::map<std::string_view, Removal>& removals() {
        [](Scene& s) {
          s.contacts.clear();
        }},
-      {"impact", remove_impacts}};
+      {"impact", remove_impacts},
+      {"stabilisation", [](Scene& s) {
+         s.stepping.drift = model::Drift::kNone;
+       }}};
   return table;
 }
 
@@ -159,7 +162,8 @@ bool names(const Scene& s, std::string_view effect) {
       {"orientation_constraint", has_constraint(s, ConstraintKind::kOrientation)},
       {"joined_constraint", has_constraint(s, ConstraintKind::kJoined)},
       {"ground_contact", !s.contacts.empty()},
-      {"impact", has_impact(s)}};
+      {"impact", has_impact(s)},
+      {"stabilisation", s.stepping.drift == model::Drift::kBaumgarte && !s.constraints.empty()}};
   const auto found = named.find(effect);
   return found != named.end() && found->second;
 }
@@ -173,7 +177,7 @@ std::map<std::string, program::Cost> costs(const Programs& programs) {
     result[staged.signature.name] = program::cost(staged);
   }
   for (const program::Stepper& stepper : programs.steppers) {
-    result[stepper.signature.name] = program::step_cost(stepper, stepper.dynamics_cost);
+    result[stepper.signature.name] = program::step_cost(stepper);
   }
   return result;
 }

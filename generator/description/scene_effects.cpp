@@ -178,7 +178,7 @@ void SceneEffects::read_entries(const Row& row, const SceneFields& effects, cons
   for (std::size_t k = 0; k < items.size(); ++k) {
     const SceneFields fields = context_.fields(items[k], called(row.effect, items[k], k), keys);
     const bool used = entry_acts(row.effect, fields);
-    const model::Scene before = used ? model::Scene{} : scene();
+    const model::Scene before = scene();
     entry_is_off_ = !used;
     (this->*row.read)(fields);
     if (used) {

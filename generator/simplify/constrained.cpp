@@ -5,6 +5,7 @@
 
 #include "simplify/contacts.hpp"
 #include "simplify/factor.hpp"
+#include "simplify/scene_drift.hpp"
 #include "simplify/scene_rows.hpp"
 
 namespace treedyn::simplify {
@@ -86,7 +87,10 @@ SceneArrays constrained_arrays(const model::Scene& scene, const std::vector<int>
     arrays.mu = next++;
   }
   if (uses_time(scene, active)) {
-    arrays.t = next;
+    arrays.t = next++;
+  }
+  if (has_anchor(scene, active)) {
+    arrays.anchor = next;
   }
   return arrays;
 }
@@ -112,7 +116,11 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   const SceneArrays arrays = constrained_arrays(*task.options.scene, active);
   const SceneSystem system(task, arrays);
   const Factorization factor(graph, task.tree.dof(), system.inertia());
-  const SceneRows rows(*task.options.scene, active, system.frame(), graph, system.meaning());
+  const SceneRows::Correction correction = [&](int constraint) {
+    return drift_corrections(task, system.forces(), constraint, arrays.anchor);
+  };
+  const SceneRows rows(*task.options.scene, active, system.frame(), graph, system.meaning(),
+                       is_stabilised(*task.options.scene) ? correction : nullptr);
   const Reduced reduced = reduce(factor, rows.rows(), system.right());
 
   std::vector<Expr> result = lower_half(reduced);

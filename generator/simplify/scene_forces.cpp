@@ -182,8 +182,10 @@ std::vector<AppliedLoad> SceneForces::loads() const {
 bool uses_time(const model::Scene& scene, const std::vector<int>& active) {
   const auto row_uses = [&](int c) {
     const model::Constraint& constraint = scene.constraints[index(c)];
+    const bool stabilised = scene.stepping.drift == model::Drift::kBaumgarte;
     return constraint.accelerations.empty()
-               ? of_time(constraint.curve.acceleration)
+               ? of_time(constraint.curve.acceleration) ||
+                     (stabilised && of_time(constraint.curve.position))
                : std::any_of(constraint.accelerations.begin(), constraint.accelerations.end(),
                              [](const model::Expression& e) { return of_time(e); });
   };

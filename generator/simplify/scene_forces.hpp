@@ -16,6 +16,7 @@ struct SceneArrays {
   int tau = 2;
   int mu = -1;  ///< multipliers of the rows
   int t = -1;
+  int anchor = -1;  ///< where constraints began to act
 };
 
 /// A force at a point, or a moment on its link; base frame.

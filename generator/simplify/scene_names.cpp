@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/identifier.hpp"
+#include "simplify/scene_drift.hpp"
 
 namespace treedyn::simplify {
 
@@ -68,6 +69,25 @@ std::vector<std::string> row_names(const model::Scene& scene, const std::vector<
       names.push_back(fmt::format("{}: {} {}", constraint.name,
                                   turning ? "moment about" : "force along", direction_text(d)));
     }
+  }
+  return names;
+}
+
+std::vector<std::string> anchor_names(const model::Scene& scene) {
+  std::vector<std::string> names;
+  for (int c = 0; c < static_cast<int>(scene.constraints.size()); ++c) {
+    const int size = anchor_size(scene, c);
+    if (size == 0) {
+      continue;
+    }
+    const model::Constraint& constraint = scene.constraints[static_cast<std::size_t>(c)];
+    const auto point = static_cast<std::size_t>(constraint.point);
+    const int first = anchor_offset(scene, c);
+    const std::string place =
+        size == 1 ? fmt::format("anchor {}: position of the joint", first)
+                  : fmt::format("anchor {} to {}: {} of {}", first, first + size - 1,
+                                size == 3 ? "position" : "rotation", scene.points[point].name);
+    names.push_back(fmt::format("{} when {} began to act", place, constraint.name));
   }
   return names;
 }

@@ -26,6 +26,9 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene);
 /// "foot: force along z" for every row of the constraints.
 std::vector<std::string> row_names(const model::Scene& scene, const std::vector<int>& active);
 
+/// "anchor 0 to 2: position of foot when left_stance began to act" for every anchor of the scene.
+std::vector<std::string> anchor_names(const model::Scene& scene);
+
 /// Of a function of one contact: the point's identifier follows unless there is one contact.
 std::string contact_name(const model::Scene& scene, std::size_t contact, const std::string& stem);
 

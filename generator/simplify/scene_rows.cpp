@@ -68,10 +68,19 @@ bool is_triad(const std::vector<model::Vector3>& directions) {
 }
 
 SceneRows::SceneRows(const model::Scene& scene, const std::vector<int>& active,
-                     const SceneFrame& frame, Graph& graph, const Meaning& meaning)
+                     const SceneFrame& frame, Graph& graph, const Meaning& meaning,
+                     const Correction& correction)
     : scene_(scene), frame_(frame), graph_(graph), meaning_(meaning) {
   for (const int c : active) {
-    add_constraint(scene.constraints[index(c)]);
+    const model::Constraint& constraint = scene.constraints[index(c)];
+    std::vector<Expr> a = wanted(constraint);
+    if (correction && constraint.accelerations.empty()) {
+      const std::vector<Expr> more = correction(c);
+      for (std::size_t k = 0; k < a.size(); ++k) {
+        a[k] += more[k];
+      }
+    }
+    add_constraint(constraint, a);
   }
 }
 
@@ -97,13 +106,12 @@ std::vector<Expr> SceneRows::wanted(const model::Constraint& c) const {
   return result;
 }
 
-void SceneRows::add_constraint(const model::Constraint& c) {
+void SceneRows::add_constraint(const model::Constraint& c, const std::vector<Expr>& a) {
   if (c.kind == ConstraintKind::kJoint) {
-    add_joint(c);
+    add_joint(c, a);
     return;
   }
   const MotionMap map = motion_of(scene_, c, frame_);
-  const std::vector<Expr> a = wanted(c);
   direction_.clear();
   for (const model::Vector3& d : c.directions) {
     direction_.push_back(frame_.direction(d));
@@ -115,10 +123,10 @@ void SceneRows::add_constraint(const model::Constraint& c) {
   }
 }
 
-void SceneRows::add_joint(const model::Constraint& c) {
+void SceneRows::add_joint(const model::Constraint& c, const std::vector<Expr>& a) {
   turn_.push_back({constant(graph_, Real(1))});
   first_.push_back(size());
-  rows_.push_back({{{c.joint, constant(graph_, Real(1))}}, wanted(c).front()});
+  rows_.push_back({{{c.joint, constant(graph_, Real(1))}}, a.front()});
 }
 
 /// Rows along the axes of F: mu = sum of lambda_k d_k, so lambda_k = d_k . mu.
@@ -127,7 +135,8 @@ void SceneRows::add_triad(const MotionMap& map, const std::vector<Expr>& a) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 part = a[k] * direction_[k];
     goal = goal + part;
-    turn_.push_back({direction_[k].begin(), direction_[k].end()});
+    const Vec3& d = direction_[k];
+    turn_.push_back({d[0], d[1], d[2]});
     first_.push_back(size());
   }
   for (std::size_t n = 0; n < 3; ++n) {

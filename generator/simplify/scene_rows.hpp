@@ -23,9 +23,13 @@ struct Row {
 /// minimum norms as they are. `reactions` turns them back.
 class SceneRows {
  public:
-  /// \param active  indices of constraints of `scene`, ascending
+  /// What the right sides of the rows of a constraint gain, along its directions.
+  using Correction = std::function<std::vector<Expr>(int constraint)>;
+
+  /// \param active      indices of constraints of `scene`, ascending
+  /// \param correction  of rows that do not state their acceleration; empty: none
   SceneRows(const model::Scene& scene, const std::vector<int>& active, const SceneFrame& frame,
-            Graph& graph, const Meaning& meaning);
+            Graph& graph, const Meaning& meaning, const Correction& correction = {});
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   [[nodiscard]] int size() const { return static_cast<int>(rows_.size()); }
@@ -33,8 +37,8 @@ class SceneRows {
   [[nodiscard]] std::vector<Expr> reactions(const std::vector<Expr>& mu) const;
 
  private:
-  void add_constraint(const model::Constraint& constraint);
-  void add_joint(const model::Constraint& constraint);
+  void add_constraint(const model::Constraint& constraint, const std::vector<Expr>& wanted);
+  void add_joint(const model::Constraint& constraint, const std::vector<Expr>& wanted);
   void add_triad(const MotionMap& map, const std::vector<Expr>& wanted);
   void add_directions(const MotionMap& map, const std::vector<Expr>& wanted);
   [[nodiscard]] std::vector<Expr> wanted(const model::Constraint& constraint) const;

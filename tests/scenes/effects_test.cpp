@@ -3,68 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "support/compiled.hpp"
+#include "scenes/arm_scene.hpp"
 #include "support/process.hpp"
 
 namespace treedyn::support {
 namespace {
-
-using Json = nlohmann::json;
-using Vector = std::vector<double>;
-using Operations = std::array<long, 6>;
-
-/// A scene of the two-link arm in a temporary folder, generated and compiled.
-class ArmScene {
- public:
-  /// \param effects  lines below `effects:`, two spaces in front
-  /// \param more     further top-level lines
-  explicit ArmScene(const std::string& effects, const std::string& more = {},
-                    Variant variant = Variant::kPlain) {
-    const std::filesystem::path file = folder_.path() / "scene.yaml";
-    write_file(file, fmt::format("scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n"
-                                 "  - {{name: hand, link: forearm, at: [1, 0, 0]}}\n"
-                                 "{}effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
-                                 TREEDYN_SOURCE_DIR, more, effects));
-    options_ = {"--scene", file.string(), "--effort", "20"};
-    generate({}, options_, folder_.path());
-    code_ = std::make_unique<CompiledModel>(folder_.path(), "generated", variant);
-  }
-
-  [[nodiscard]] const CompiledModel& code() const { return *code_; }
-  /// NAME.cpp without the comment that names the command.
-  [[nodiscard]] std::string source() const { return read_file(folder_.path() / "generated.cpp"); }
-  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
-  [[nodiscard]] Operations operations(const std::string& function) const {
-    return code_->manifest().function(function).operations;
-  }
-  [[nodiscard]] Json manifest(const std::string& function) const {
-    const Json manifest = Json::parse(read_file(folder_.path() / "generated.json"));
-    for (const Json& entry : manifest.at("functions")) {
-      if (entry.at("name") == function) {
-        return entry;
-      }
-    }
-    throw std::out_of_range(function);
-  }
-  [[nodiscard]] Json info() const {
-    std::vector<std::string> command = {TREEDYN_EXECUTABLE, "info", "--json"};
-    command.insert(command.end(), options_.begin(), options_.end());
-    return Json::parse(run(command).out);
-  }
-
- private:
-  TemporaryFolder folder_;
-  std::vector<std::string> options_;
-  std::unique_ptr<CompiledModel> code_;
-};
 
 const char* const kHeld = "  point_constraint:\n    - {name: hold, point: hand, along: [x, z]}\n";
 const char* const kGround =
@@ -74,15 +23,6 @@ const char* const kGround =
 const Vector kq = {0.4, -0.9};
 const Vector kqd = {0.7, 1.1};
 const Vector ktau = {20, -3};
-
-long total(const Operations& operations) {
-  return std::accumulate(operations.begin(), operations.end(), 0L);
-}
-
-Operations operations_of(const Json& json) {
-  return {json.at("add"),  json.at("mul"), json.at("div"),
-          json.at("sqrt"), json.at("sin"), json.at("cos")};
-}
 
 bool has(const std::string& text, const std::string& word) {
   return text.find(word) != std::string::npos;
@@ -258,59 +198,6 @@ TEST(Effects, APhaseSolvesForItsOwnRowsOnly) {  // E6
             ArmScene("").operations("constrained_dynamics"));
   EXPECT_EQ(phases.code().manifest().function("constrained_dynamics_none").outputs.size(), 1U);
   EXPECT_EQ(phases.code().manifest().function("constrained_dynamics_both").outputs.at(1), 2);
-}
-
-TEST(Step, IsThatOfTheScenesIntegrator) {
-  const ArmScene euler(kHeld, "stepping: {integrator: semi-implicit-euler, step: 1e-3}\n",
-                       Variant::kMeasured);
-  const Measurement step = euler.code().measure("step", {kq, kqd, ktau});
-  EXPECT_EQ(step.operations, euler.operations("step"));
-  const Vector expected = stepped(euler, kq);
-  for (std::size_t i = 0; i < kq.size(); ++i) {
-    EXPECT_EQ(step.values.at(i), expected.at(2 * i + 1));
-    EXPECT_EQ(step.values.at(kq.size() + i), expected.at(2 * i));
-  }
-  EXPECT_FALSE(has(ArmScene(kHeld).source(), "step"));  // an adaptive integrator
-}
-
-/// q and qd after a second of steps.
-Vector after_a_second(const std::string& integrator, double h) {
-  const ArmScene scene("  drive:\n    - {joint: elbow, torque: 9*sin(3*t)}\n",
-                       fmt::format("stepping: {{integrator: {}, step: {}}}\n", integrator, h));
-  Vector q = kq;
-  Vector qd = kqd;
-  for (int k = 0; k < std::lround(1 / h); ++k) {
-    const Vector next = scene.code().call("step", {q, qd, {0, 0}, {k * h}});
-    q.assign(next.begin(), next.begin() + 2);
-    qd.assign(next.begin() + 2, next.end());
-  }
-  q.insert(q.end(), qd.begin(), qd.end());
-  return q;
-}
-
-double distance(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    sum += (a[k] - b[k]) * (a[k] - b[k]);
-  }
-  return std::sqrt(sum);
-}
-
-TEST(Step, HasTheOrderOfItsMethod) {
-  const Vector fine = after_a_second("rk4", 0.0005);
-  const double rk4 =
-      distance(after_a_second("rk4", 0.005), fine) / distance(after_a_second("rk4", 0.0025), fine);
-  EXPECT_NEAR(std::log2(rk4), 4, 0.3);
-  const double euler = distance(after_a_second("semi-implicit-euler", 0.002), fine) /
-                       distance(after_a_second("semi-implicit-euler", 0.001), fine);
-  EXPECT_NEAR(std::log2(euler), 1, 0.3);
-}
-
-TEST(Step, CostsFourCallsOfTheDynamicsByRungeKutta) {
-  const ArmScene scene(std::string(kHeld) + "  drive:\n    - {joint: elbow, torque: 9*t}\n",
-                       "stepping: {integrator: rk4, step: 1e-3}\n", Variant::kMeasured);
-  const Measurement step = scene.code().measure("step", {kq, kqd, ktau, {0.3}});
-  EXPECT_EQ(step.operations, scene.operations("step"));
 }
 
 TEST(InverseDynamics, UndoesConstrainedDynamics) {

@@ -1,0 +1,88 @@
+// Scenes as generated and compiled code.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "support/compiled.hpp"
+#include "support/process.hpp"
+
+namespace treedyn::support {
+
+using Json = nlohmann::json;
+using Vector = std::vector<double>;
+using Operations = std::array<long, 6>;
+
+/// A scene in a temporary folder, generated and compiled.
+class SceneCode {
+ public:
+  explicit SceneCode(const std::string& text, Variant variant = Variant::kPlain) {
+    const std::filesystem::path file = folder_.path() / "scene.yaml";
+    write_file(file, text);
+    options_ = {"--scene", file.string(), "--effort", "20"};
+    generate({}, options_, folder_.path());
+    code_ = std::make_unique<CompiledModel>(folder_.path(), "generated", variant);
+  }
+
+  [[nodiscard]] const CompiledModel& code() const { return *code_; }
+  /// NAME.cpp without the comment that names the command.
+  [[nodiscard]] std::string source() const { return read_file(folder_.path() / "generated.cpp"); }
+  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
+  [[nodiscard]] Operations operations(const std::string& function) const {
+    return code_->manifest().function(function).operations;
+  }
+  [[nodiscard]] Json manifest(const std::string& function) const {
+    const Json manifest = Json::parse(read_file(folder_.path() / "generated.json"));
+    for (const Json& entry : manifest.at("functions")) {
+      if (entry.at("name") == function) {
+        return entry;
+      }
+    }
+    throw std::out_of_range(function);
+  }
+  [[nodiscard]] Json info() const {
+    std::vector<std::string> command = {TREEDYN_EXECUTABLE, "info", "--json"};
+    command.insert(command.end(), options_.begin(), options_.end());
+    return Json::parse(run(command).out);
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::vector<std::string> options_;
+  std::unique_ptr<CompiledModel> code_;
+};
+
+/// A scene of the two-link arm.
+class ArmScene : public SceneCode {
+ public:
+  /// \param effects  lines below `effects:`, two spaces in front
+  /// \param more     further top-level lines
+  explicit ArmScene(const std::string& effects, const std::string& more = {},
+                    Variant variant = Variant::kPlain)
+      : SceneCode(fmt::format("scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n"
+                              "  - {{name: hand, link: forearm, at: [1, 0, 0]}}\n"
+                              "{}effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
+                              TREEDYN_SOURCE_DIR, more, effects),
+                  variant) {}
+};
+
+/// All operations.
+inline long total(const Operations& operations) {
+  return std::accumulate(operations.begin(), operations.end(), 0L);
+}
+
+inline Operations operations_of(const Json& json) {
+  return {json.at("add"),  json.at("mul"), json.at("div"),
+          json.at("sqrt"), json.at("sin"), json.at("cos")};
+}
+
+}  // namespace treedyn::support
