@@ -165,7 +165,7 @@ std::vector<Priced> priced(const Programs& programs) {
     result.push_back({staged.signature, program::cost(staged)});
   }
   for (const program::Stepper& stepper : programs.steppers) {
-    result.push_back({stepper.signature, program::step_cost(stepper, stepper.dynamics_cost)});
+    result.push_back({stepper.signature, program::step_cost(stepper)});
   }
   return result;
 }

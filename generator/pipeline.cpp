@@ -21,6 +21,7 @@
 #include "prove_scene.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
+#include "simplify/scene_steps.hpp"
 #include "symbolic/dump.hpp"
 #include "version.hpp"
 
@@ -200,6 +201,19 @@ void check_scene(const model::Scene& scene, const Location& where) {
   }
 }
 
+/// A step that was asked for needs an integrator whose steps are of a fixed length.
+void check_step(const Model& model) {
+  const std::vector<std::string>& wanted = model.scene_functions;
+  const bool asked = std::find(wanted.begin(), wanted.end(), "step") != wanted.end();
+  if (asked && !simplify::step_method(*model.scene)) {
+    throw InputError(model.scene->stepping.where,
+                     fmt::format("function 'step': integrator '{}' is not for generated code; "
+                                 "expected {}",
+                                 shown(model.scene->stepping.integrator),
+                                 fmt::join(simplify::step_method_names(), ", ")));
+  }
+}
+
 /// A MODEL beside a scene has to be the scene's own.
 void check_model(const Request& request, const model::Scene& scene) {
   if (request.model.empty()) {
@@ -237,6 +251,7 @@ Model read_scene_model(const Request& request) {
     (of_scene ? model.scene_functions : model.functions).push_back(name);
   }
   check_functions(model, {*request.scene, 0, 0});
+  check_step(model);
   model.name = request.name.value_or(to_identifier(model.scene->name));
   model.name += emit::is_reserved(model.name) ? "_" : "";
   return model;

@@ -177,7 +177,7 @@ std::map<std::string, program::Cost> costs(const Programs& programs) {
     result[staged.signature.name] = program::cost(staged);
   }
   for (const program::Stepper& stepper : programs.steppers) {
-    result[stepper.signature.name] = program::step_cost(stepper, stepper.dynamics_cost);
+    result[stepper.signature.name] = program::step_cost(stepper);
   }
   return result;
 }

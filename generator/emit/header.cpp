@@ -225,16 +225,77 @@ std::string arrays_comment(const Target& target) {
       "// ");
 }
 
+std::string method_text(program::StepMethod method) {
+  switch (method) {
+    case program::StepMethod::kRk4:
+      return "Runge-Kutta of order 4";
+    case program::StepMethod::kSemiImplicitEuler:
+      break;
+  }
+  return "semi-implicit Euler";
+}
+
+/// "phase left: touch_down of right_foot, from step 40: impact_left, then right"
+std::string event_text(const program::Stepper& stepper, const program::StepPhase& phase,
+                       const program::StepEvent& event) {
+  const auto outcome = [&](const program::StepOutcome& result) {
+    return fmt::format("{}{}", result.impact.empty() ? "" : result.impact + ", then ",
+                       stepper.phases[static_cast<std::size_t>(result.then)].identifier);
+  };
+  const std::string after =
+      event.not_before > 0 ? fmt::format(" from step {}", event.not_before) : "";
+  const std::string rest = event.rest ? fmt::format("; slower than {} m/s: {}",
+                                                    decimal(event.rest_below), outcome(*event.rest))
+                                      : "";
+  return fmt::format("Phase {}: {}{}: {}{}", phase.identifier,
+                     for_comment(event.brief, kLongestCell * 2), after, outcome(event.outcome),
+                     rest);
+}
+
+/// What the events do, and how late.
+std::string events_doc(const program::Stepper& stepper) {
+  std::string result;
+  for (const program::StepPhase& phase : stepper.phases) {
+    for (const program::StepEvent& event : phase.events) {
+      result += wrapped(event_text(stepper, phase, event), "/// ", 4);
+    }
+  }
+  if (result.empty()) {
+    return result;
+  }
+  const std::string begins =
+      stepper.switches() ? fmt::format(" The scene begins in {}.", stepper.first) : "";
+  return result + wrapped(
+                      "Events are looked at where the step ends, in this order; the first that has "
+                      "happened counts and is taken there, up to a step late: behind an event the "
+                      "error is that of order 1, whatever the method. Reactions are those at the "
+                      "beginning of the step." +
+                          begins,
+                      "/// ");
+}
+
 /// The method, its step and what a step costs.
 std::string stepper_doc(const program::Stepper& stepper) {
-  const std::string method = stepper.method == program::StepMethod::kRk4 ? "Runge-Kutta of order 4"
-                                                                         : "semi-implicit Euler";
-  return signature_doc(stepper.signature) +
-         wrapped(fmt::format("By {}, {} s. Cost: {}. Never more than {}.", method,
-                             decimal(stepper.step),
-                             cost_text(program::step_cost(stepper, stepper.dynamics_cost)),
-                             cost_text(program::step_cost(stepper, stepper.dynamics_worst_cost))),
+  const std::string where =
+      stepper.switches() ? fmt::format(" in phase {}", stepper.phases.front().identifier) : "";
+  return signature_doc(stepper.signature) + events_doc(stepper) +
+         wrapped(fmt::format("By {}, {} s. Cost{}: {}. Never more than {}.",
+                             method_text(stepper.method), decimal(stepper.step), where,
+                             cost_text(program::step_cost(stepper)),
+                             cost_text(program::worst_step_cost(stepper))),
                  "/// ");
+}
+
+std::vector<std::string> phase_identifiers(const std::vector<program::Stepper>& steppers) {
+  std::vector<std::string> result;
+  for (const program::Stepper& stepper : steppers) {
+    for (const program::StepPhase& phase : stepper.phases) {
+      if (stepper.switches()) {
+        result.push_back(phase.identifier);
+      }
+    }
+  }
+  return result;
 }
 
 std::string prototype(const program::Signature& signature) {
@@ -321,6 +382,7 @@ std::string header_text(const Unit& unit) {
                {"point_count", std::to_string(unit.points.size())},
                {"joint_indices", index_namespace("joint", joint_identifiers(tree))},
                {"point_indices", index_namespace("point", point_identifiers(unit.points))},
+               {"phase_indices", index_namespace("phase", phase_identifiers(unit.steppers))},
                {"packing", packing_tables(unit)},
                {"arrays", arrays_comment(unit.target)},
                {"functions", declarations(unit)}});

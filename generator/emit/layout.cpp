@@ -49,16 +49,16 @@ std::string declaration(const std::string& head, const std::vector<std::string>&
 std::vector<std::string> parameters(const program::Signature& signature,
                                     const std::vector<bool>& uses) {
   std::vector<std::string> result;
-  const auto add = [&](const program::Array& array, const char* type) {
+  const auto add = [&](const program::Array& array, const char* qualifier) {
     const bool used = uses[result.size()];
-    result.push_back(fmt::format("{} {}{}{}[{}]", type, used ? "" : "/*", array.name,
-                                 used ? "" : "*/", array.size));
+    result.push_back(fmt::format("{}{} {}{}{}[{}]", qualifier, array.integer ? "int" : "Scalar",
+                                 used ? "" : "/*", array.name, used ? "" : "*/", array.size));
   };
   for (const program::Array& array : signature.inputs) {
-    add(array, "const Scalar");
+    add(array, "const ");
   }
   for (const program::Array& array : signature.outputs) {
-    add(array, "Scalar");
+    add(array, "");
   }
   return result;
 }

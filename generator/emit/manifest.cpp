@@ -46,10 +46,13 @@ std::string points_json(const std::vector<model::Point>& points) {
 std::string arrays_json(const std::vector<program::Array>& arrays) {
   std::string result = "[";
   for (const program::Array& array : arrays) {
-    result += fmt::format("{}{}", result.size() > 1 ? ", " : "",
-                          json_object({{"name", json_string(array.name)},
-                                       {"size", std::to_string(array.size)},
-                                       {"unit", json_string(array.unit)}}));
+    std::vector<std::pair<std::string, std::string>> fields = {{"name", json_string(array.name)},
+                                                               {"size", std::to_string(array.size)},
+                                                               {"unit", json_string(array.unit)}};
+    if (array.integer) {
+      fields.emplace_back("type", json_string("int"));
+    }
+    result += fmt::format("{}{}", result.size() > 1 ? ", " : "", json_object(fields));
   }
   return result + "]";
 }
@@ -82,9 +85,20 @@ std::string staged_cost(const program::Staged& staged) {
 }
 
 std::string stepper_cost(const program::Stepper& stepper) {
-  return fmt::format("{},\n     \"worst_case\": {}",
-                     operations_json(program::step_cost(stepper, stepper.dynamics_cost)),
-                     operations_json(program::step_cost(stepper, stepper.dynamics_worst_cost)));
+  std::string result = operations_json(program::step_cost(stepper));
+  std::vector<std::string> phases;
+  for (std::size_t k = 0; stepper.switches() && k < stepper.phases.size(); ++k) {
+    const program::StepPhase& phase = stepper.phases[k];
+    phases.push_back(
+        json_object({{"name", json_string(phase.identifier)},
+                     {"index", std::to_string(k)},
+                     {"operations", operations_json(program::step_cost(stepper, phase))}}));
+  }
+  if (!phases.empty()) {
+    result += fmt::format(",\n     \"phases\": {}", json_lines(phases, 7));
+  }
+  return fmt::format("{},\n     \"worst_case\": {}", result,
+                     operations_json(program::worst_step_cost(stepper)));
 }
 
 }  // namespace

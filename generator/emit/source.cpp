@@ -43,6 +43,9 @@ std::string mathematics(const Unit& unit) {
   for (const program::Staged& staged : unit.staged) {
     total = total + program::worst_cost(staged);
   }
+  for (const program::Stepper& stepper : unit.steppers) {
+    total = total + program::worst_step_cost(stepper);
+  }
   std::string result;
   const bool library = !unit.target.builtin_sincos && unit.target.lanes == 1;
   result += library && total.cos > 0 ? "using std::cos;\n" : "";
@@ -64,9 +67,10 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   }
   const std::vector<Body> staged(
       bodies.begin() + static_cast<std::ptrdiff_t>(unit.functions.size()), bodies.end());
-  functions += staged_text(unit.staged, staged, vocabulary(*unit.tree), unit.target);
+  const Vocabulary words = vocabulary(*unit.tree);
+  functions += staged_text(unit.staged, staged, words, unit.target);
   for (const program::Stepper& stepper : unit.steppers) {
-    functions += "\n" + stepper_text(stepper, unit.target.scalar);
+    functions += "\n" + stepper_text(stepper, words, unit.target);
   }
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"command", command_comment(unit.command)},

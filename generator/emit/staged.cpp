@@ -271,6 +271,15 @@ Body staged_body(const Staged& staged, const Vocabulary& words, const Target& ta
               [&](int array, int) { return staged.levels[static_cast<std::size_t>(array)]; });
 }
 
+std::string local_functions(const std::vector<Staged>& functions, const Vocabulary& words,
+                            const Target& target) {
+  std::string result;
+  for (const Staged& staged : functions) {
+    result += "\n" + function_text(staged, staged_body(staged, words, target), {});
+  }
+  return result;
+}
+
 std::string staged_text(const std::vector<Staged>& functions, const std::vector<Body>& bodies,
                         const Vocabulary& words, const Target& target) {
   const Solves all = solves_of(functions);

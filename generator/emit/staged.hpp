@@ -12,6 +12,10 @@ namespace treedyn::emit {
 /// As `body`, stage by stage.
 Body staged_body(const program::Staged& staged, const Vocabulary& words, const Target& target);
 
+/// Functions of straight-line code alone, without namespace, each behind an empty line.
+std::string local_functions(const std::vector<program::Staged>& functions, const Vocabulary& words,
+                            const Target& target);
+
 /// The solvers that the functions need and the functions; empty if there are none.
 /// \param bodies one per function, in order
 std::string staged_text(const std::vector<program::Staged>& functions,

@@ -13,7 +13,8 @@ namespace treedyn::program {
 struct Array {
   std::string name;
   int size = 0;
-  std::string unit;  ///< "rad|m"
+  std::string unit;      ///< "rad|m"
+  bool integer = false;  ///< int instead of Scalar
 };
 
 /// What the header, the manifest and `treedyn list` say of a function.

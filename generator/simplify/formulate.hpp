@@ -21,9 +21,10 @@ struct Options {
   ForwardDynamics forward_dynamics = ForwardDynamics::kCheapest;
   std::vector<Pass> without;            ///< passes that are switched off
   const model::Scene* scene = nullptr;  ///< of scene functions
-  std::vector<int> active;              ///< of scene functions: the constraints that act, ascending
+  std::vector<int> active = {};         ///< of scene functions: the constraints that act, ascending
   Real restitution = 0;                 ///< of impacts
   int contact = 0;                      ///< of functions of one ground contact: which
+  std::vector<model::Event> events = {};  ///< of functions of events: which
 
   [[nodiscard]] bool has(Pass pass) const {
     return std::find(without.begin(), without.end(), pass) == without.end();

@@ -1,7 +1,6 @@
 #include "simplify/scene_functions.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "program/rank.hpp"
 #include "simplify/constrained.hpp"
@@ -10,6 +9,7 @@
 #include "simplify/functions.hpp"
 #include "simplify/scene_drift.hpp"
 #include "simplify/scene_names.hpp"
+#include "simplify/scene_steps.hpp"
 #include "simplify/search.hpp"
 
 namespace treedyn::simplify {
@@ -18,6 +18,8 @@ namespace {
 
 constexpr const char* kForce = "N m|N";
 constexpr const char* kAcceleration = "rad/s^2|m/s^2";
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// One scene and how hard to look for cheap formulations.
 class SceneFormulator {
@@ -52,8 +54,8 @@ class SceneFormulator {
                  build_reaction_bias);
   }
 
-  [[nodiscard]] program::Staged constrained_dynamics(std::size_t phase) const;
-  [[nodiscard]] program::Staged inverse_dynamics(std::size_t phase) const;
+  [[nodiscard]] program::Staged constrained_dynamics(const PhaseState& state) const;
+  [[nodiscard]] program::Staged inverse_dynamics(const PhaseState& state) const;
   [[nodiscard]] program::Staged impact(const ImpactName& impact) const;
   /// What a closed contact does to the joint forces.
   [[nodiscard]] program::Staged contact_press(std::size_t contact) const;
@@ -84,9 +86,9 @@ class SceneFormulator {
   std::vector<int> all_;
 };
 
-program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
+program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) const {
   Options options = options_;
-  options.active = scene_.phases[phase].active;
+  options.active = state.active;
   const Recipe recipe{"",
                       "",
                       "",
@@ -105,7 +107,7 @@ program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
   staged.function = cheapest(scene_.tree, recipe, options);
   const program::Array tau = {"tau", dof_, kForce};
   const program::Array qdd = {"qdd", dof_, kAcceleration};
-  staged.signature = {phase_name(scene_, phase, "constrained_dynamics"),
+  staged.signature = {"constrained_dynamics" + state.ending,
                       r > 0 ? "(8),(12)" : "(8)",
                       r > 0 ? "Joint accelerations and reactions of the scene."
                             : "Joint accelerations of the scene.",
@@ -154,9 +156,9 @@ program::Staged SceneFormulator::constrained_dynamics(std::size_t phase) const {
   return staged;
 }
 
-program::Staged SceneFormulator::inverse_dynamics(std::size_t phase) const {
+program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const {
   Options options = options_;
-  options.active = scene_.phases[phase].active;
+  options.active = state.active;
   Inputs where = places();
   where.qdd = kInverseAcceleration;
   where.tau = -1;
@@ -175,7 +177,7 @@ program::Staged SceneFormulator::inverse_dynamics(std::size_t phase) const {
   const program::Array qdd = {"qdd", dof_, kAcceleration};
   const program::Array tau = {"tau", dof_, kForce};
   const program::Array lambda = {"lambda", r, "N|N m"};
-  staged.signature = {phase_name(scene_, phase, "constrained_inverse_dynamics"),
+  staged.signature = {"constrained_inverse_dynamics" + state.ending,
                       "(8),(12)",
                       "Joint forces and reactions that make a motion; joints without a drive get "
                       "none where reactions can do without.",
@@ -202,8 +204,8 @@ program::Staged SceneFormulator::inverse_dynamics(std::size_t phase) const {
 
 /// Drives are sought where reactions could stand for them; ground contacts would have to be found
 /// first.
-bool has_inverse_dynamics(const model::Scene& scene, std::size_t phase) {
-  return scene.contacts.empty() && rows_of(scene, scene.phases[phase].active) > 0 &&
+bool has_inverse_dynamics(const model::Scene& scene, const PhaseState& state) {
+  return scene.contacts.empty() && rows_of(scene, state.active) > 0 &&
          !passive_joints(scene).empty();
 }
 
@@ -293,45 +295,6 @@ program::Staged SceneFormulator::contact_force(std::size_t contact) const {
   return staged;
 }
 
-/// The scene's integrator if a step of it is code without a search for its length.
-std::optional<program::StepMethod> step_method(const model::Scene& scene) {
-  const std::string& name = scene.stepping.integrator;
-  return name == "rk4"                   ? std::optional(program::StepMethod::kRk4)
-         : name == "semi-implicit-euler" ? std::optional(program::StepMethod::kSemiImplicitEuler)
-                                         : std::nullopt;
-}
-
-bool has(const std::vector<program::Array>& arrays, const std::string& name) {
-  return std::any_of(arrays.begin(), arrays.end(),
-                     [&](const program::Array& array) { return array.name == name; });
-}
-
-/// A step in the phase of `dynamics`.
-program::Stepper stepper(const model::Scene& scene, std::size_t phase,
-                         const program::Staged& dynamics) {
-  program::Stepper result;
-  result.method = *step_method(scene);
-  result.step = scene.stepping.step;
-  result.dynamics = dynamics.signature.name;
-  const std::vector<program::Array>& inputs = dynamics.signature.inputs;
-  result.takes_time = has(inputs, "t");
-  result.takes_anchor = has(inputs, "anchor");
-  result.dynamics_cost = program::cost(dynamics);
-  result.dynamics_worst_cost = program::worst_cost(dynamics);
-  const int n = scene.tree.dof();
-  result.signature = {phase_name(scene, phase, "step"),
-                      "(8),(12)",
-                      "Joint positions and velocities one step later, within the phase; lambda is "
-                      "that of the beginning.",
-                      dynamics.signature.inputs,
-                      {{"q_next", n, "rad|m"}, {"qd_next", n, "rad/s|m/s"}}};
-  if (!dynamics.solves.empty()) {
-    result.rows = dynamics.solves.front().rows;
-    result.signature.outputs.push_back(dynamics.signature.outputs.back());
-  }
-  return result;
-}
-
 bool wants(const std::vector<std::string>& wanted, const std::string& name) {
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
 }
@@ -359,22 +322,29 @@ SceneFunctions scene_functions(const model::Scene& scene, const Options& options
   if (formulator.rows() > 0 && wants(wanted, "reaction_bias_acceleration")) {
     result.plain.push_back(formulator.bias());
   }
-  for (std::size_t phase = 0; phase < scene.phases.size(); ++phase) {
-    const bool steps = step_method(scene) && wants(wanted, "step");
-    if (wants(wanted, "constrained_dynamics") || steps) {
-      result.staged.push_back(formulator.constrained_dynamics(phase));
+  const bool steps = step_method(scene) && wants(wanted, "step");
+  const std::vector<PhaseState> states = phase_states(scene, steps);
+  std::vector<program::Staged> dynamics;
+  for (const PhaseState& state : states) {
+    if (steps || wants(wanted, "constrained_dynamics")) {
+      dynamics.push_back(formulator.constrained_dynamics(state));
+      result.staged.push_back(dynamics.back());
     }
-    if (steps) {
-      result.steppers.push_back(stepper(scene, phase, result.staged.back()));
-    }
-    if (has_inverse_dynamics(scene, phase) && wants(wanted, "constrained_inverse_dynamics")) {
-      result.staged.push_back(formulator.inverse_dynamics(phase));
+    const bool declared = state.active == scene.phases[index(state.phase)].active;
+    if (declared && has_inverse_dynamics(scene, state) &&
+        wants(wanted, "constrained_inverse_dynamics")) {
+      result.staged.push_back(formulator.inverse_dynamics(state));
     }
   }
+  std::vector<program::Staged> impacts;
   for (const ImpactName& impact : impacts_of(scene)) {
-    if (wants(wanted, "impact")) {
-      result.staged.push_back(formulator.impact(impact));
+    if (steps || wants(wanted, "impact")) {
+      impacts.push_back(formulator.impact(impact));
+      result.staged.push_back(impacts.back());
     }
+  }
+  if (steps) {
+    result.steppers.push_back(make_stepper(scene, options, states, dynamics, impacts));
   }
   for (std::size_t k = 0; k < scene.contacts.size() && wants(wanted, "contact_force"); ++k) {
     result.staged.push_back(formulator.contact_force(k));

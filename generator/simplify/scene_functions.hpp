@@ -15,7 +15,7 @@ struct SceneFunctions {
   std::vector<program::Function>
       plain;                            ///< reaction_jacobian_transpose, reaction_bias_acceleration
   std::vector<program::Staged> staged;  ///< those that branch
-  std::vector<program::Stepper> steppers;  ///< step, one for each phase
+  std::vector<program::Stepper> steppers;  ///< step, if the scene has steps of a fixed length
 };
 
 /// Names that `scene_functions` may give, in order, without the suffixes of phases.

@@ -1,4 +1,4 @@
-// The two-link arm under the effects of a test, as generated and compiled code.
+// Scenes as generated and compiled code.
 #pragma once
 
 #include <algorithm>
@@ -22,18 +22,12 @@ using Json = nlohmann::json;
 using Vector = std::vector<double>;
 using Operations = std::array<long, 6>;
 
-/// A scene of the two-link arm in a temporary folder, generated and compiled.
-class ArmScene {
+/// A scene in a temporary folder, generated and compiled.
+class SceneCode {
  public:
-  /// \param effects  lines below `effects:`, two spaces in front
-  /// \param more     further top-level lines
-  explicit ArmScene(const std::string& effects, const std::string& more = {},
-                    Variant variant = Variant::kPlain) {
+  explicit SceneCode(const std::string& text, Variant variant = Variant::kPlain) {
     const std::filesystem::path file = folder_.path() / "scene.yaml";
-    write_file(file, fmt::format("scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n"
-                                 "  - {{name: hand, link: forearm, at: [1, 0, 0]}}\n"
-                                 "{}effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
-                                 TREEDYN_SOURCE_DIR, more, effects));
+    write_file(file, text);
     options_ = {"--scene", file.string(), "--effort", "20"};
     generate({}, options_, folder_.path());
     code_ = std::make_unique<CompiledModel>(folder_.path(), "generated", variant);
@@ -65,6 +59,20 @@ class ArmScene {
   TemporaryFolder folder_;
   std::vector<std::string> options_;
   std::unique_ptr<CompiledModel> code_;
+};
+
+/// A scene of the two-link arm.
+class ArmScene : public SceneCode {
+ public:
+  /// \param effects  lines below `effects:`, two spaces in front
+  /// \param more     further top-level lines
+  explicit ArmScene(const std::string& effects, const std::string& more = {},
+                    Variant variant = Variant::kPlain)
+      : SceneCode(fmt::format("scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n"
+                              "  - {{name: hand, link: forearm, at: [1, 0, 0]}}\n"
+                              "{}effects:\n  gravity: [0, 0, -9.81]\n{}duration: 1\n",
+                              TREEDYN_SOURCE_DIR, more, effects),
+                  variant) {}
 };
 
 /// All operations.

@@ -200,59 +200,6 @@ TEST(Effects, APhaseSolvesForItsOwnRowsOnly) {  // E6
   EXPECT_EQ(phases.code().manifest().function("constrained_dynamics_both").outputs.at(1), 2);
 }
 
-TEST(Step, IsThatOfTheScenesIntegrator) {
-  const ArmScene euler(kHeld, "stepping: {integrator: semi-implicit-euler, step: 1e-3}\n",
-                       Variant::kMeasured);
-  const Measurement step = euler.code().measure("step", {kq, kqd, ktau});
-  EXPECT_EQ(step.operations, euler.operations("step"));
-  const Vector expected = stepped(euler, kq);
-  for (std::size_t i = 0; i < kq.size(); ++i) {
-    EXPECT_EQ(step.values.at(i), expected.at(2 * i + 1));
-    EXPECT_EQ(step.values.at(kq.size() + i), expected.at(2 * i));
-  }
-  EXPECT_FALSE(has(ArmScene(kHeld).source(), "step"));  // an adaptive integrator
-}
-
-/// q and qd after a second of steps.
-Vector after_a_second(const std::string& integrator, double h) {
-  const ArmScene scene("  drive:\n    - {joint: elbow, torque: 9*sin(3*t)}\n",
-                       fmt::format("stepping: {{integrator: {}, step: {}}}\n", integrator, h));
-  Vector q = kq;
-  Vector qd = kqd;
-  for (int k = 0; k < std::lround(1 / h); ++k) {
-    const Vector next = scene.code().call("step", {q, qd, {0, 0}, {k * h}});
-    q.assign(next.begin(), next.begin() + 2);
-    qd.assign(next.begin() + 2, next.end());
-  }
-  q.insert(q.end(), qd.begin(), qd.end());
-  return q;
-}
-
-double distance(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    sum += (a[k] - b[k]) * (a[k] - b[k]);
-  }
-  return std::sqrt(sum);
-}
-
-TEST(Step, HasTheOrderOfItsMethod) {
-  const Vector fine = after_a_second("rk4", 0.0005);
-  const double rk4 =
-      distance(after_a_second("rk4", 0.005), fine) / distance(after_a_second("rk4", 0.0025), fine);
-  EXPECT_NEAR(std::log2(rk4), 4, 0.3);
-  const double euler = distance(after_a_second("semi-implicit-euler", 0.002), fine) /
-                       distance(after_a_second("semi-implicit-euler", 0.001), fine);
-  EXPECT_NEAR(std::log2(euler), 1, 0.3);
-}
-
-TEST(Step, CostsFourCallsOfTheDynamicsByRungeKutta) {
-  const ArmScene scene(std::string(kHeld) + "  drive:\n    - {joint: elbow, torque: 9*t}\n",
-                       "stepping: {integrator: rk4, step: 1e-3}\n", Variant::kMeasured);
-  const Measurement step = scene.code().measure("step", {kq, kqd, ktau, {0.3}});
-  EXPECT_EQ(step.operations, scene.operations("step"));
-}
-
 TEST(InverseDynamics, UndoesConstrainedDynamics) {
   // the shoulder has no drive: the reactions carry it
   const ArmScene scene(std::string(kHeld) + "  drive:\n    - {joint: elbow, torque: 5}\n");

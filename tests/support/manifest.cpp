@@ -28,11 +28,21 @@ std::vector<std::string> names(const Json& items) {
   return result;
 }
 
+std::vector<bool> integers(const Json& arrays) {
+  std::vector<bool> result;
+  for (const Json& array : arrays) {
+    result.push_back(array.value("type", "") == "int");
+  }
+  return result;
+}
+
 FunctionInfo function_info(const Json& entry) {
   FunctionInfo result{entry.at("name"),
                       names(entry.at("inputs")),
                       sizes(entry.at("inputs")),
                       sizes(entry.at("outputs")),
+                      integers(entry.at("inputs")),
+                      integers(entry.at("outputs")),
                       {}};
   const std::array<const char*, 6> kinds{"add", "mul", "div", "sqrt", "sin", "cos"};
   for (std::size_t k = 0; k < kinds.size(); ++k) {

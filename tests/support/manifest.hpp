@@ -13,7 +13,9 @@ struct FunctionInfo {
   std::vector<std::string> arguments;  ///< names of the input arrays, in order
   std::vector<int> inputs;             ///< their sizes
   std::vector<int> outputs;            ///< sizes of the output arrays, in order
-  std::array<long, 6> operations{};    ///< add, mul, div, sqrt, sin, cos of one call
+  std::vector<bool> integer_inputs;    ///< which are int
+  std::vector<bool> integer_outputs;
+  std::array<long, 6> operations{};  ///< add, mul, div, sqrt, sin, cos of one call
 };
 
 struct Manifest {

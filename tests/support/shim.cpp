@@ -41,20 +41,44 @@ extern "C" SHIM void operations(long* count) {
 }
 )";
 
+/// Of values that are int.
+constexpr const char* kIntegers = R"(
+void load(const double* from, int* to, int n) {
+  for (int k = 0; k < n; ++k) to[k] = static_cast<int>(from[k]);
+}
+void poison(int* to, int n) {
+  for (int k = 0; k < n; ++k) to[k] = -1000;
+}
+void store(const int* from, double* to, double* bound, int n) {
+  for (int k = 0; k < n; ++k) to[k] = from[k];
+  for (int k = 0; bound != nullptr && k < n; ++k) bound[k] = 0;
+}
+)";
+
+bool has_integers(const Manifest& manifest) {
+  return std::any_of(
+      manifest.functions.begin(), manifest.functions.end(), [](const FunctionInfo& f) {
+        return std::count(f.integer_inputs.begin(), f.integer_inputs.end(), true) > 0;
+      });
+}
+
 std::string call_function(const std::string& name, const FunctionInfo& function) {
   std::string before;
   std::string arguments;
   std::string after;
+  const auto type = [](bool integer) {
+    return integer ? "int" : "Scalar";
+  };
   for (std::size_t k = 0; k < function.inputs.size(); ++k) {
     const int n = function.inputs[k];
-    before += fmt::format("  static Scalar i{}[{}];\n  load(in[{}], i{}, {});\n", k, std::max(n, 1),
-                          k, k, n);
+    before += fmt::format("  static {} i{}[{}];\n  load(in[{}], i{}, {});\n",
+                          type(function.integer_inputs[k]), k, std::max(n, 1), k, k, n);
     arguments += fmt::format("{}i{}", arguments.empty() ? "" : ", ", k);
   }
   for (std::size_t k = 0; k < function.outputs.size(); ++k) {
     const int n = function.outputs[k];
-    before +=
-        fmt::format("  static Scalar o{}[{}];\n  poison(o{}, {});\n", k, std::max(n, 1), k, n);
+    before += fmt::format("  static {} o{}[{}];\n  poison(o{}, {});\n",
+                          type(function.integer_outputs[k]), k, std::max(n, 1), k, n);
     arguments += fmt::format("{}o{}", arguments.empty() ? "" : ", ", k);
     after += fmt::format("  store(o{}, out[{}], bound[{}], {});\n", k, k, k, n);
   }
@@ -86,8 +110,9 @@ std::string shim_source(const std::string& name, const Manifest& manifest, Varia
   std::string result = fmt::format(
       "#include <cmath>\n#include \"{}.hpp\"\n#define SHIM "
       "__attribute__((visibility(\"default\")))\n"
-      "using {}::Scalar;\nusing Plain = {};\nnamespace {{{}}}  // namespace\n",
-      name, name, manifest.scalar, measured ? kMeasuredConversions : kPlainConversions);
+      "using {}::Scalar;\nusing Plain = {};\nnamespace {{{}{}}}  // namespace\n",
+      name, name, manifest.scalar, measured ? kMeasuredConversions : kPlainConversions,
+      has_integers(manifest) ? kIntegers : "");
   for (const FunctionInfo& function : manifest.functions) {
     result += call_function(name, function);
   }

@@ -1,0 +1,402 @@
+// A step of a scene with phases: events, impacts and what begins behind them.
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scenes/arm_scene.hpp"
+
+namespace treedyn::support {
+namespace {
+
+/// The walker of models/scenes/compass_walk.yaml with other steps.
+std::string walk(const std::string& stepping, const std::string& effect = {}) {
+  std::string text =
+      read_file(std::string(TREEDYN_SOURCE_DIR) + "/models/scenes/compass_walk.yaml");
+  const auto replace = [&](const std::string& what, const std::string& by) {
+    text.replace(text.find(what), what.size(), by);
+  };
+  replace("../compass_walker.yaml",
+          std::string(TREEDYN_SOURCE_DIR) + "/models/compass_walker.yaml");
+  replace("stepping: {output_step: 0.01}", "stepping: {" + stepping + "}");
+  replace("effects:\n", "effects:\n" + effect);
+  return text;
+}
+
+/// Two legs of 1 m with 5 kg at half their length and 10 kg at the hip; x, z, left, right.
+class Walker {
+ public:
+  using Vec = Eigen::Vector4d;
+
+  struct State {
+    Vec q, qd;
+    int stance = 0;  ///< 0: left
+    int steps = 0;
+  };
+
+  /// J of a point at distance l below the hip along a leg: x - l sin, z - l cos.
+  static Eigen::Matrix<double, 2, 4> jacobian(const Vec& q, int leg, double l) {
+    Eigen::Matrix<double, 2, 4> J = Eigen::Matrix<double, 2, 4>::Zero();
+    J(0, 0) = J(1, 1) = 1;
+    J(0, 2 + leg) = -l * std::cos(q[2 + leg]);
+    J(1, 2 + leg) = l * std::sin(q[2 + leg]);
+    return J;
+  }
+
+  /// d/dt(J) qd of this point.
+  static Eigen::Vector2d bias(const Vec& q, const Vec& qd, int leg, double l) {
+    const double w2 = qd[2 + leg] * qd[2 + leg];
+    return {l * std::sin(q[2 + leg]) * w2, l * std::cos(q[2 + leg]) * w2};
+  }
+
+  static Eigen::Matrix4d inertia(const Vec& q) {
+    Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
+    A(0, 0) = A(1, 1) = 10;
+    for (const int leg : {0, 1}) {
+      const auto J = jacobian(q, leg, 0.5);
+      A += 5 * J.transpose() * J;
+    }
+    return A;
+  }
+
+  /// A qdd = forces + J^T lambda, J qdd = right. \return the first four
+  static Vec solve(const Eigen::Matrix4d& A, const Eigen::Matrix<double, 2, 4>& J, const Vec& force,
+                   const Eigen::Vector2d& right) {
+    Eigen::Matrix<double, 6, 6> M = Eigen::Matrix<double, 6, 6>::Zero();
+    M.topLeftCorner<4, 4>() = A;
+    M.topRightCorner<4, 2>() = -J.transpose();
+    M.bottomLeftCorner<2, 4>() = J;
+    Eigen::Matrix<double, 6, 1> b;
+    b << force, right;
+    return M.fullPivLu().solve(b).head<4>();
+  }
+
+  static Vec acceleration(const Vec& q, const Vec& qd, int stance) {
+    const double slope = std::acos(-1.0) / 60;
+    const Eigen::Vector2d g(9.81 * std::sin(slope), -9.81 * std::cos(slope));
+    Vec force = 10 * Vec(g[0], g[1], 0, 0);
+    for (const int leg : {0, 1}) {
+      force += 5 * jacobian(q, leg, 0.5).transpose() * (g - bias(q, qd, leg, 0.5));
+    }
+    return solve(inertia(q), jacobian(q, stance, 1), force, -bias(q, qd, stance, 1));
+  }
+
+  static double height(const Vec& q, int leg) { return q[1] - std::cos(q[2 + leg]); }
+
+  /// Runge-Kutta of order 4, then the touch-down of the swing foot from step 400 on, plastic.
+  static State step(const State& s, double h, int not_before) {
+    const auto a = [&](const Vec& q, const Vec& qd) {
+      return acceleration(q, qd, s.stance);
+    };
+    const Vec a1 = a(s.q, s.qd);
+    const Vec v2 = s.qd + h / 2 * a1;
+    const Vec a2 = a(s.q + h / 2 * s.qd, v2);
+    const Vec v3 = s.qd + h / 2 * a2;
+    const Vec a3 = a(s.q + h / 2 * v2, v3);
+    const Vec v4 = s.qd + h * a3;
+    const Vec a4 = a(s.q + h * v3, v4);
+    State next{s.q + h / 6 * (s.qd + 2 * v2 + 2 * v3 + v4),
+               s.qd + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4), s.stance, s.steps + 1};
+    const int swing = 1 - s.stance;
+    if (next.steps >= not_before && height(next.q, swing) < 0 && height(s.q, swing) >= 0) {
+      const Eigen::Matrix4d A = inertia(next.q);
+      next.qd = solve(A, jacobian(next.q, swing, 1), A * next.qd, Eigen::Vector2d::Zero());
+      next.stance = swing;
+      next.steps = 0;
+    }
+    return next;
+  }
+
+  static State start() {
+    State s;
+    s.q << 0, std::cos(0.2714), -0.2714, 0.2714;
+    s.qd << 1.0918 * std::cos(0.2714), 1.0918 * std::sin(0.2714), 1.0918, 0.3772;
+    return s;
+  }
+};
+
+Vector vector_of(const Walker::Vec& x) { return {x.data(), x.data() + 4}; }
+
+TEST(PhaseStep, WalksLikeATextbooksEquations) {
+  const SceneCode scene(walk("integrator: rk4, step: 1e-3"));
+  Walker::State ours = Walker::start();
+  Walker::State theirs = ours;
+  int changes = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vector next = scene.code().call("step", {vector_of(ours.q),
+                                                   vector_of(ours.qd),
+                                                   {0, 0, 0, 0},
+                                                   {static_cast<double>(ours.stance)},
+                                                   {static_cast<double>(ours.steps)}});
+    ours.q = Walker::Vec(next.data());
+    ours.qd = Walker::Vec(next.data() + 4);
+    changes += ours.stance == static_cast<int>(next.at(10)) ? 0 : 1;
+    ours.stance = static_cast<int>(next.at(10));
+    ours.steps = static_cast<int>(next.at(11));
+    theirs = Walker::step(theirs, 1e-3, 400);
+    ASSERT_EQ(ours.stance, theirs.stance) << "step " << k;
+    ASSERT_EQ(ours.steps, std::min(theirs.steps, 400)) << "step " << k;
+    // a few roundings in each of 2000 steps, that errors of a walker do not multiply by more than
+    // 100
+    ASSERT_LE((ours.q - theirs.q).norm(), 1e-10) << "step " << k;
+    ASSERT_LE((ours.qd - theirs.qd).norm(), 1e-9) << "step " << k;
+  }
+  EXPECT_EQ(changes, 2);
+}
+
+/// Columns of the last row that `treedyn simulate --engine` writes for the walker, without drift.
+Vector simulated(const std::string& step, const std::string& duration) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "scene.yaml").string();
+  write_file(file, walk("integrator: rk4"));
+  const Outcome outcome = run({TREEDYN_EXECUTABLE, "simulate", file, "--engine", "--drift", "none",
+                               "--step", step, "--duration", duration});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  std::string row = outcome.out.substr(0, outcome.out.size() - 1);
+  row = row.substr(row.rfind('\n') + 1);
+  Vector values;
+  for (std::size_t at = row.find(',', row.find(',') + 1); at != std::string::npos;
+       at = row.find(',', at + 1)) {  // behind t and phase
+    values.push_back(std::stod(row.substr(at + 1)));
+  }
+  return values;
+}
+
+/// q and qd after some steps.
+Vector stepped(const SceneCode& scene, int count) {
+  const Walker::State s = Walker::start();
+  Vector q = vector_of(s.q);
+  Vector qd = vector_of(s.qd);
+  Vector phase = {0};
+  Vector steps = {0};
+  for (int k = 0; k < count; ++k) {
+    const Vector next = scene.code().call("step", {q, qd, {0, 0, 0, 0}, phase, steps});
+    q.assign(next.begin(), next.begin() + 4);
+    qd.assign(next.begin() + 4, next.begin() + 8);
+    phase = {next.at(10)};
+    steps = {next.at(11)};
+  }
+  q.insert(q.end(), qd.begin(), qd.end());
+  return q;
+}
+
+double largest_difference(const Vector& a, const Vector& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    largest = std::max(largest, std::abs(a[k] - b.at(k)));
+  }
+  return largest;
+}
+
+TEST(PhaseStep, IsTheSimulatorsUpToAnEvent) {
+  const SceneCode scene(walk("integrator: rk4, step: 1e-3"));
+  // 500 steps with some roundings each; the simulator meets its table's times, roundings of h apart
+  EXPECT_LE(largest_difference(stepped(scene, 500), simulated("1e-3", "0.5")), 1e-11);
+}
+
+TEST(PhaseStep, IsBehindTheSimulatorsByLessThanAStepPerEvent) {
+  // two events, each up to h late; speeds change by up to 20/s around them and errors grow tenfold
+  for (const auto& [integrator, h, count] :
+       {std::tuple("integrator: rk4, step: 1e-3", 1e-3, 1800),
+        std::tuple("integrator: rk4, step: 1e-4", 1e-4, 18000)}) {
+    const SceneCode scene(walk(integrator));
+    EXPECT_LE(largest_difference(stepped(scene, count), simulated("1e-3", "1.8")), 2 * 20 * 10 * h);
+  }
+}
+
+TEST(PhaseStep, OperationsOfTheManifestAreThoseExecutedInEveryPhase) {  // E2, E6
+  const SceneCode scene(walk("integrator: rk4, step: 1e-3"), Variant::kMeasured);
+  const Walker::State s = Walker::start();
+  const Json entry = scene.manifest("step");
+  const Vector q = {s.q[0], s.q[1] + 0.1, s.q[2],
+                    s.q[3]};  // above the ground: no guard is negative
+  for (const int phase : {0, 1}) {
+    const Measurement step = scene.code().measure(
+        "step", {q, vector_of(s.qd), {0, 0, 0, 0}, {static_cast<double>(phase)}, {0}});
+    EXPECT_EQ(step.operations, operations_of(entry.at("phases").at(phase).at("operations")));
+  }
+  EXPECT_EQ(operations_of(entry.at("phases").at(0).at("operations")), scene.operations("step"));
+}
+
+TEST(PhaseStep, AnEventCostsNoMoreThanTheWorstCase) {  // E2
+  const SceneCode scene(walk("integrator: rk4, step: 1e-3"), Variant::kMeasured);
+  Walker::State s = Walker::start();
+  while (true) {
+    const Walker::State next = Walker::step(s, 1e-3, 400);
+    if (next.stance != s.stance) {
+      break;
+    }
+    s = next;
+  }
+  const Measurement step =
+      scene.code().measure("step", {vector_of(s.q), vector_of(s.qd), {0, 0, 0, 0}, {0}, {400}});
+  EXPECT_EQ(step.values.at(10), 1);
+  const Operations worst = operations_of(scene.manifest("step").at("worst_case"));
+  for (std::size_t n = 0; n < worst.size(); ++n) {
+    EXPECT_LE(step.operations[n], worst[n]);
+  }
+  EXPECT_GT(total(step.operations), total(scene.operations("step")));
+}
+
+TEST(PhaseStep, RenewsTheAnchorOfTheFootThatLands) {
+  const SceneCode scene(walk("integrator: semi-implicit-euler, step: 1e-3",
+                             "  stabilisation: {method: baumgarte}\n"));
+  Walker::State s = Walker::start();
+  Vector q = vector_of(s.q);
+  Vector qd = vector_of(s.qd);
+  Vector anchor = {q[0] - std::sin(q[2]), 0, q[1] - std::cos(q[2]), 0, 0, 0};
+  Vector phase = {0};
+  Vector steps = {0};
+  const Vector first = anchor;
+  while (phase[0] == 0) {
+    EXPECT_EQ(anchor, first);
+    const Vector next = scene.code().call("step", {q, qd, {0, 0, 0, 0}, anchor, phase, steps});
+    q.assign(next.begin(), next.begin() + 4);
+    qd.assign(next.begin() + 4, next.begin() + 8);
+    anchor.assign(next.begin() + 10, next.begin() + 16);
+    phase = {next.at(16)};
+    steps = {next.at(17)};
+    ASSERT_LE(std::abs(q[1]), 2);
+  }
+  EXPECT_NEAR(anchor.at(3), q[0] - std::sin(q[3]), 1e-15);
+  EXPECT_NEAR(anchor.at(5), q[1] - std::cos(q[3]), 1e-15);
+  EXPECT_EQ(Vector(anchor.begin(), anchor.begin() + 3), Vector(first.begin(), first.begin() + 3));
+  EXPECT_EQ(steps.at(0), 0);
+}
+
+/// A mass of 1 kg on a vertical slide.
+std::string ball(const std::string& rest) {
+  return "scene: ball\nmodel: ball.yaml\npoints: [{name: tip, link: ball, at: [0, 0, 0]}]\n" + rest;
+}
+
+class BallCode {
+ public:
+  explicit BallCode(const std::string& rest) {
+    write_file(
+        folder_.path() / "ball.yaml",
+        "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: height, type: "
+        "prismatic, axis: [0, 0, 1]}\n    mass: 1\n");
+    write_file(folder_.path() / "scene.yaml", ball(rest));
+    generate({}, {"--scene", (folder_.path() / "scene.yaml").string()}, folder_.path());
+    code_ = std::make_unique<CompiledModel>(folder_.path(), "generated");
+  }
+  [[nodiscard]] const CompiledModel& code() const { return *code_; }
+  [[nodiscard]] std::string header() const { return read_file(folder_.path() / "generated.hpp"); }
+
+ private:
+  TemporaryFolder folder_;
+  std::unique_ptr<CompiledModel> code_;
+};
+
+TEST(PhaseStep, BouncesAndComesToRest) {
+  const BallCode scene(
+      "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: floor, point: tip, along: "
+      "[z]}]\n"
+      "phases:\n  - name: fall\n    active: []\n    until:\n      - touch_down: {point: tip}\n"
+      "        impact: {constraints: [floor], restitution: 0.5, rest_below: 0.1}\n        then: "
+      "fall\n"
+      "duration: 3\nstepping: {integrator: semi-implicit-euler, step: 1e-3}\n");
+  EXPECT_NE(scene.header().find("fall_at_rest = 1"), std::string::npos);
+  constexpr double h = 1e-3;
+  double z = 1;
+  double v = 0;
+  int bounces = 0;
+  bool rests = false;
+  Vector q = {z};
+  Vector qd = {v};
+  Vector phase = {0};
+  for (int k = 0; k < 3000; ++k) {
+    if (!rests) {
+      v -= h * 10;
+      z += h * v;
+      if (z < 0 && v < 0) {
+        ++bounces;
+        v = 0.5 * -v;
+        rests = v < 0.1;
+        v = rests ? 0 : v;
+      }
+    }
+    const Vector next = scene.code().call("step", {q, qd, {0}, phase});
+    q = {next.at(0)};
+    qd = {next.at(1)};
+    phase = {next.at(3)};
+    ASSERT_NEAR(q[0], z, 1e-12) << "step " << k;
+    ASSERT_NEAR(qd[0], v, 1e-12) << "step " << k;
+    ASSERT_EQ(phase[0], rests ? 1 : 0) << "step " << k;
+  }
+  EXPECT_TRUE(rests);
+  EXPECT_GE(bounces, 4);
+  EXPECT_NEAR(scene.code().call("step", {q, qd, {0}, phase}).at(2), 10, 1e-12);
+}
+
+TEST(PhaseStep, LiftsOffWhenTheReactionPulls) {
+  // 20 t N upwards against 10 N: the floor pulls from t = 0.5 on
+  const BallCode scene(
+      "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: floor, point: tip, along: "
+      "[z]}]\n"
+      "  force: [{point: tip, value: [0, 0, 20*t]}]\n"
+      "phases:\n  - name: stand\n    active: [floor]\n    until:\n      - lift_off: {constraint: "
+      "floor}\n"
+      "        then: fly\n  - {name: fly, active: []}\n"
+      "duration: 1\nstepping: {integrator: rk4, step: 1e-2}\n");
+  Vector q = {0};
+  Vector qd = {0};
+  Vector phase = {0};
+  int lifted = -1;
+  for (int k = 0; k < 100; ++k) {
+    const double t = k * 1e-2;
+    const Vector next = scene.code().call("step", {q, qd, {0}, {t}, phase});
+    q = {next.at(0)};
+    qd = {next.at(1)};
+    EXPECT_NEAR(next.at(2), phase[0] == 0 ? 10 - 20 * t : 0, 1e-12) << "step " << k;
+    phase = {next.at(3)};
+    lifted = lifted < 0 && phase[0] == 1 ? k : lifted;
+  }
+  EXPECT_EQ(lifted, 51);  // the step that begins at 0.51 s: at 0.50 s the floor is just free
+  // from 0.52 s on: qdd = 20 t - 10, which rk4 integrates exactly
+  EXPECT_NEAR(qd[0], 10 * (1 - 0.52 * 0.52) - 10 * 0.48, 1e-12);
+}
+
+TEST(PhaseStep, CountsStepsForEventsInTime) {
+  const BallCode scene(
+      "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: hold, point: tip, along: "
+      "[z]}]\n"
+      "phases:\n  - {name: wait, active: [hold], until: [{time: 0.3, then: fall}]}\n"
+      "  - name: fall\n    active: []\n    until:\n      - expression: q[height] + 0.05\n        "
+      "then: wait\n"
+      "duration: 1\nstepping: {integrator: rk4, step: 0.1}\n");
+  Vector q = {0};
+  Vector qd = {0};
+  Vector phase = {0};
+  Vector steps = {0};
+  std::vector<int> phases;
+  for (int k = 0; k < 8; ++k) {
+    const Vector next = scene.code().call("step", {q, qd, {0}, phase, steps});
+    q = {next.at(0)};
+    qd = {0};  // the speed is thrown away: only positions matter here
+    phase = {next.at(3)};
+    steps = {next.at(4)};
+    phases.push_back(static_cast<int>(phase[0]));
+  }
+  // three steps of waiting; falls of 0.05 m from rest: on -0.05 it is not yet below
+  EXPECT_EQ(phases, (std::vector<int>{0, 0, 1, 1, 0, 0, 0, 1}));
+}
+
+TEST(PhaseStep, AnAdaptiveIntegratorHasNone) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", walk("integrator: fehlberg78"));
+  const Outcome outcome =
+      run({TREEDYN_EXECUTABLE, "generate", "--scene", (folder.path() / "scene.yaml").string(),
+           "--functions", "step", "-o", folder.path().string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("integrator 'fehlberg78' is not for generated code"),
+            std::string::npos)
+      << outcome.err;
+}
+
+}  // namespace
+}  // namespace treedyn::support

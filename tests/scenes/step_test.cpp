@@ -1,0 +1,119 @@
+// One step of a scene's integrator within one phase.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scenes/arm_scene.hpp"
+
+namespace treedyn::support {
+namespace {
+
+const char* const kHeld = "  point_constraint:\n    - {name: hold, point: hand, along: [x, z]}\n";
+const char* const kGround =
+    "  ground_contact:\n    - {point: hand, height: 0, stiffness: 1e4, exponent: 1.5, "
+    "dissipation: 0.2, friction: 0.5, slip_speed: 0.01}\n";
+
+const Vector kq = {0.4, -0.9};
+const Vector kqd = {0.7, 1.1};
+const Vector ktau = {20, -3};
+
+bool has(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
+
+/// q and qd one semi-implicit Euler step of 1 ms later.
+Vector stepped(const ArmScene& scene, const Vector& q) {
+  constexpr double kStep = 1e-3;
+  const Vector qdd = scene.code().call("constrained_dynamics", {q, kqd, ktau});
+  Vector result;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    result.push_back(kqd[i] + kStep * qdd[i]);
+    result.push_back(q[i] + kStep * result.back());
+  }
+  return result;
+}
+
+TEST(Step, IsThatOfTheScenesIntegrator) {
+  const ArmScene euler(kHeld, "stepping: {integrator: semi-implicit-euler, step: 1e-3}\n",
+                       Variant::kMeasured);
+  const Measurement step = euler.code().measure("step", {kq, kqd, ktau});
+  EXPECT_EQ(step.operations, euler.operations("step"));
+  const Vector expected = stepped(euler, kq);
+  for (std::size_t i = 0; i < kq.size(); ++i) {
+    EXPECT_EQ(step.values.at(i), expected.at(2 * i + 1));
+    EXPECT_EQ(step.values.at(kq.size() + i), expected.at(2 * i));
+  }
+  EXPECT_FALSE(has(ArmScene(kHeld).source(), "step"));  // an adaptive integrator
+}
+
+/// q and qd after a second of steps.
+Vector after_a_second(const std::string& integrator, double h) {
+  const ArmScene scene("  drive:\n    - {joint: elbow, torque: 9*sin(3*t)}\n",
+                       fmt::format("stepping: {{integrator: {}, step: {}}}\n", integrator, h));
+  Vector q = kq;
+  Vector qd = kqd;
+  for (int k = 0; k < std::lround(1 / h); ++k) {
+    const Vector next = scene.code().call("step", {q, qd, {0, 0}, {k * h}});
+    q.assign(next.begin(), next.begin() + 2);
+    qd.assign(next.begin() + 2, next.end());
+  }
+  q.insert(q.end(), qd.begin(), qd.end());
+  return q;
+}
+
+double distance(const Vector& a, const Vector& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sum += (a[k] - b[k]) * (a[k] - b[k]);
+  }
+  return std::sqrt(sum);
+}
+
+TEST(Step, HasTheOrderOfItsMethod) {
+  const Vector fine = after_a_second("rk4", 0.0005);
+  const double rk4 =
+      distance(after_a_second("rk4", 0.005), fine) / distance(after_a_second("rk4", 0.0025), fine);
+  EXPECT_NEAR(std::log2(rk4), 4, 0.3);
+  const double euler = distance(after_a_second("semi-implicit-euler", 0.002), fine) /
+                       distance(after_a_second("semi-implicit-euler", 0.001), fine);
+  EXPECT_NEAR(std::log2(euler), 1, 0.3);
+}
+
+TEST(Step, CostsFourCallsOfTheDynamicsByRungeKutta) {
+  const ArmScene scene(std::string(kHeld) + "  drive:\n    - {joint: elbow, torque: 9*t}\n",
+                       "stepping: {integrator: rk4, step: 1e-3}\n", Variant::kMeasured);
+  const Measurement step = scene.code().measure("step", {kq, kqd, ktau, {0.3}});
+  EXPECT_EQ(step.operations, scene.operations("step"));
+}
+
+TEST(Step, CostsOneOfTwoLevels) {  // E4: the contact's price while it presses, and nothing else
+  const char* const stepping = "stepping: {integrator: semi-implicit-euler, step: 1e-2}\n";
+  const ArmScene ground(kGround, stepping, Variant::kMeasured);
+  const Operations open = ground.operations("step");
+  const Operations press = operations_of(ground.manifest("constrained_dynamics").at("press"));
+  Vector q = {0.3, 0.3};
+  Vector qd = {0, 0};
+  int flights = 0;
+  int contacts = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Measurement step = ground.code().measure("step", {q, qd, {0, 0}});
+    const bool touches = std::sin(q[0]) + std::sin(q[0] + q[1]) < 0;
+    for (std::size_t n = 0; n < open.size(); ++n) {
+      ASSERT_EQ(step.operations[n], open[n] + (touches ? press[n] : 0)) << "step " << k;
+    }
+    (touches ? contacts : flights) += 1;
+    q.assign(step.values.begin(), step.values.begin() + 2);
+    qd.assign(step.values.begin() + 2, step.values.end());
+  }
+  EXPECT_GT(flights, 20);
+  EXPECT_GT(contacts, 20);
+  // flight is the scene without contact and the depth of the hand
+  const ArmScene free("", stepping);
+  EXPECT_LE(total(open) - total(free.operations("step")), 8);
+}
+
+}  // namespace
+}  // namespace treedyn::support
