@@ -257,7 +257,7 @@ std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary
       const std::string& name = contact.signature.name;
       if (std::find(done.begin(), done.end(), name) == done.end()) {
         done.push_back(name);
-        result += "\n" + function_text(contact, staged_body(contact, words, target), {});
+        result += '\n' + function_text(contact, staged_body(contact, words, target), {});
       }
     }
   }
@@ -275,7 +275,7 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
                             const Target& target) {
   std::string result;
   for (const Staged& staged : functions) {
-    result += "\n" + function_text(staged, staged_body(staged, words, target), {});
+    result += '\n' + function_text(staged, staged_body(staged, words, target), {});
   }
   return result;
 }
