@@ -229,6 +229,10 @@ std::string method_text(program::StepMethod method) {
   switch (method) {
     case program::StepMethod::kRk4:
       return "Runge-Kutta of order 4";
+    case program::StepMethod::kDopri5:
+      return "Dormand and Prince of order 5";
+    case program::StepMethod::kSdirk2:
+      return "two implicit stages, of order 2 and L-stable (Alexander 1977)";
     case program::StepMethod::kSemiImplicitEuler:
       break;
   }
@@ -276,11 +280,16 @@ std::string events_doc(const program::Stepper& stepper) {
 
 /// The method, its step and what a step costs.
 std::string stepper_doc(const program::Stepper& stepper) {
+  const bool iterates = stepper.method == program::StepMethod::kSdirk2;
   const std::string where =
       stepper.switches() ? fmt::format(" in phase {}", stepper.phases.front().identifier) : "";
+  const std::string with =
+      iterates ? fmt::format(" with {} Newton steps a stage", program::kUsualNewtonSteps) : "";
+  const std::string fails =
+      iterates ? " Not a number where the iteration does not converge: the step is too long." : "";
   return signature_doc(stepper.signature) + events_doc(stepper) +
-         wrapped(fmt::format("By {}, {} s. Cost{}: {}. Never more than {}.",
-                             method_text(stepper.method), decimal(stepper.step), where,
+         wrapped(fmt::format("By {}, {} s.{} Cost{}{}: {}. Never more than {}.",
+                             method_text(stepper.method), decimal(stepper.step), fails, where, with,
                              cost_text(program::step_cost(stepper)),
                              cost_text(program::worst_step_cost(stepper))),
                  "/// ");
