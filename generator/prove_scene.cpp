@@ -274,10 +274,15 @@ void prove_inverse(const model::Scene& scene, const program::Staged& staged,
                                  state.has("t") ? state.at("t")[0] : Real(0));
   const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
   const auto n = index(scene.tree.dof());
-  const auto first = values.end() - static_cast<std::ptrdiff_t>(n + rows.size());
+  const auto first =
+      values.end() - static_cast<std::ptrdiff_t>(n + rows.size() + scene.contacts.size());
   const Values tau(first, first + static_cast<std::ptrdiff_t>(n));
-  const Values lambda(first + static_cast<std::ptrdiff_t>(n), values.end());
-  const Values force = equations.force();
+  const Values lambda(first + static_cast<std::ptrdiff_t>(n),
+                      first + static_cast<std::ptrdiff_t>(n + rows.size()));
+  Values force = equations.force();
+  for (std::size_t i = 0; i < n && !scene.contacts.empty(); ++i) {
+    force[i] += state.at(program::kForceArray)[i];
+  }
   Values motion;
   for (std::size_t i = 0; i < n; ++i) {
     Real sum =

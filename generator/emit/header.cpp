@@ -230,6 +230,10 @@ std::string method_text(program::StepMethod method) {
   switch (method) {
     case program::StepMethod::kRk4:
       return "Runge-Kutta of order 4";
+    case program::StepMethod::kDopri5:
+      return "Dormand and Prince of order 5";
+    case program::StepMethod::kSdirk2:
+      return "two implicit stages, of order 2 and L-stable (Alexander 1977)";
     case program::StepMethod::kSemiImplicitEuler:
       break;
   }
@@ -277,11 +281,16 @@ std::string events_doc(const program::Stepper& stepper) {
 
 /// The method, its step and what a step costs.
 std::string stepper_doc(const program::Stepper& stepper) {
+  const bool iterates = stepper.method == program::StepMethod::kSdirk2;
   const std::string where =
       stepper.switches() ? fmt::format(" in phase {}", stepper.phases.front().identifier) : "";
+  const std::string with =
+      iterates ? fmt::format(" with {} Newton steps a stage", program::kUsualNewtonSteps) : "";
+  const std::string fails =
+      iterates ? " Not a number where the iteration does not converge: the step is too long." : "";
   return signature_doc(stepper.signature) + events_doc(stepper) +
-         wrapped(fmt::format("By {}, {} s. Cost{}: {}. Never more than {}.",
-                             method_text(stepper.method), decimal(stepper.step), where,
+         wrapped(fmt::format("By {}, {} s.{} Cost{}{}: {}. Never more than {}.",
+                             method_text(stepper.method), decimal(stepper.step), fails, where, with,
                              cost_text(program::step_cost(stepper)),
                              cost_text(program::worst_step_cost(stepper))),
                  "/// ");
@@ -307,13 +316,13 @@ std::string prototype(const program::Signature& signature) {
 std::string declarations(const Unit& unit) {
   std::string result;
   for (const program::Function& function : unit.functions) {
-    result += "\n" + function_doc(function) + prototype(function.signature);
+    result += '\n' + function_doc(function) + prototype(function.signature);
   }
   for (const program::Staged& staged : unit.staged) {
-    result += "\n" + staged_doc(staged) + prototype(staged.signature);
+    result += '\n' + staged_doc(staged) + prototype(staged.signature);
   }
   for (const program::Stepper& stepper : unit.steppers) {
-    result += "\n" + stepper_doc(stepper) + prototype(stepper.signature);
+    result += '\n' + stepper_doc(stepper) + prototype(stepper.signature);
   }
   return result;
 }

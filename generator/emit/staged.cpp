@@ -131,7 +131,8 @@ std::vector<std::string> local_arrays(const Staged& staged) {
   }
   if (!staged.contacts.empty()) {
     lines.push_back("for (int i = 0; i < kDof; ++i) {");
-    lines.push_back(fmt::format("  {}[i] = tau[i];", program::kForceArray));
+    const char* const first = has(staged.signature.inputs, "tau") ? "tau[i]" : "Scalar(0)";
+    lines.push_back(fmt::format("  {}[i] = {};", program::kForceArray, first));
     lines.push_back("}");
   }
   return lines;
@@ -199,7 +200,8 @@ std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& 
     return false;
   };
   for (const program::Array& array : staged.signature.inputs) {
-    const bool passed_on = !staged.contacts.empty() && array.name != "t";  // q, qd, tau
+    const bool passed_on = !staged.contacts.empty() &&
+                           (array.name == "q" || array.name == "qd" || array.name == "tau");
     result.push_back(passed_on || is_used(array.name, inner.inputs, 0));
   }
   for (const program::Array& array : staged.signature.outputs) {
@@ -257,7 +259,7 @@ std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary
       const std::string& name = contact.signature.name;
       if (std::find(done.begin(), done.end(), name) == done.end()) {
         done.push_back(name);
-        result += "\n" + function_text(contact, staged_body(contact, words, target), {});
+        result += '\n' + function_text(contact, staged_body(contact, words, target), {});
       }
     }
   }
@@ -275,7 +277,7 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
                             const Target& target) {
   std::string result;
   for (const Staged& staged : functions) {
-    result += "\n" + function_text(staged, staged_body(staged, words, target), {});
+    result += '\n' + function_text(staged, staged_body(staged, words, target), {});
   }
   return result;
 }

@@ -188,7 +188,8 @@ Lines EventWriter::phase_lines(const StepPhase& phase) const {
 Lines EventWriter::lines() const {
   Lines lines;
   if (stepper_.needs_end_time()) {
-    lines.emplace_back("const Scalar t_next[1] = {t[0] + h};");
+    lines.push_back(
+        fmt::format("const Scalar t_next[1] = {{t[0] + {}}};", literal(stepper_.step, scalar_)));
   }
   if (counts_) {
     lines.push_back(

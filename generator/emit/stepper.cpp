@@ -1,6 +1,7 @@
 #include "emit/stepper.hpp"
 
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -37,6 +38,123 @@ void add_rk4_slots(const Stepper& stepper, Scalar scalar, Slots& slots) {
   slots["t_full"] = stepper.takes_time ? ", t_full" : "";
   slots["later_lambda"] = reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : "";
   slots["later"] = reacts ? ", later" : "";
+}
+
+/// A row of the tableau of Dormand and Prince: what a stage takes of the stages before it.
+struct TableauRow {
+  int stage;
+  const char* time;
+  std::vector<std::pair<int, const char*>> weights;
+};
+
+/// Dormand, Prince, A family of embedded Runge-Kutta formulae (1980), RK5(4)7M; row 7 is the
+/// result.
+const std::vector<TableauRow>& dopri5_tableau() {
+  static const std::vector<TableauRow> rows = {
+      {2, "1/5", {{1, "1/5"}}},
+      {3, "3/10", {{1, "3/40"}, {2, "9/40"}}},
+      {4, "4/5", {{1, "44/45"}, {2, "-56/15"}, {3, "32/9"}}},
+      {5, "8/9", {{1, "19372/6561"}, {2, "-25360/2187"}, {3, "64448/6561"}, {4, "-212/729"}}},
+      {6,
+       "1",
+       {{1, "9017/3168"}, {2, "-355/33"}, {3, "46732/5247"}, {4, "49/176"}, {5, "-5103/18656"}}},
+      {7, "1", {{1, "35/384"}, {3, "500/1113"}, {4, "125/192"}, {5, "-2187/6784"}, {6, "11/84"}}}};
+  return rows;
+}
+
+Real fraction(const std::string& text) {
+  const std::size_t bar = text.find('/');
+  return bar == std::string::npos ? Real(text)
+                                  : Real(Real(text.substr(0, bar)) / Real(text.substr(bar + 1)));
+}
+
+void add_dopri5_slots(const Stepper& stepper, Scalar scalar, Slots& slots) {
+  const bool reacts = stepper.rows > 0;
+  const auto of_step = [&](const char* part) {
+    return literal(stepper.step * fraction(part), scalar);
+  };
+  std::vector<std::string> constants;
+  std::vector<std::string> times;
+  for (const TableauRow& row : dopri5_tableau()) {
+    for (const auto& [stage, weight] : row.weights) {
+      constants.push_back(fmt::format("  constexpr {} c{}{} = {};", type_name(scalar), row.stage,
+                                      stage, of_step(weight)));
+    }
+    if (row.stage < 7) {
+      slots[fmt::format("t{}", row.stage)] =
+          stepper.takes_time ? fmt::format(", t{}", row.stage) : "";
+      times.push_back(
+          fmt::format("  const Scalar t{}[1] = {{t[0] + {}}};", row.stage, of_step(row.time)));
+    }
+  }
+  slots["constants"] = fmt::format("{}", fmt::join(constants, "\n"));
+  slots["times"] = stepper.takes_time ? fmt::format("{}", fmt::join(times, "\n")) : "";
+  slots["later_lambda"] = reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : "";
+  slots["later"] = reacts ? ", later" : "";
+  slots.erase("step");
+  slots.erase("type");
+}
+
+/// What the dynamics need beside the state, as arguments or as parameters.
+std::vector<std::string> context(const Stepper& stepper, const std::string& which,
+                                 const std::string& t, bool parameters) {
+  const char* const type = parameters ? "const Scalar* " : "";
+  std::vector<std::string> result;
+  if (stepper.switches()) {
+    result.push_back((parameters ? "int " : "") + which);
+  }
+  result.push_back(fmt::format("{}tau", type));
+  if (stepper.takes_time) {
+    result.push_back(type + t);
+  }
+  if (stepper.takes_anchor) {
+    result.push_back(fmt::format("{}anchor", type));
+  }
+  return result;
+}
+
+std::string stage_declaration(const Stepper& stepper, const std::string& name,
+                              const std::vector<std::string>& own) {
+  std::vector<std::string> parameters = context(stepper, "which", "t", true);
+  parameters.insert(parameters.end(), own.begin(), own.end());
+  return declaration("void " + name, parameters, " noexcept {");
+}
+
+void add_sdirk2_slots(const Stepper& stepper, Scalar scalar, Slots& slots) {
+  const bool reacts = stepper.rows > 0;
+  const bool single = scalar == Scalar::kFloat;
+  const Real rest = sqrt(Real("0.5"));
+  const auto arguments = [&](const std::string& which, const std::string& t) {
+    return fmt::format("{}", fmt::join(context(stepper, which, t, false), ", "));
+  };
+  slots["change"] = single ? "1e-12f" : "1e-26";
+  slots["enough"] = single ? "1e-10f" : "1e-22";
+  slots["difference"] = single ? "3e-4f" : "1.5e-8";
+  slots["nan"] = single ? "NAN" : "static_cast<Scalar>(NAN)";
+  slots["nearer"] = literal(Real("0.9"), scalar);
+  slots["one_half"] = literal(Real("0.5"), scalar);
+  slots["stage"] = literal(stepper.step * (1 - rest), scalar);
+  slots["rest"] = literal(stepper.step * rest, scalar);
+  slots["times"] = stepper.takes_time ? fmt::format(
+                                            "  const Scalar t_stage[1] = {{t[0] + kStage}};\n"
+                                            "  const Scalar t_full[1] = {{t[0] + {}}};",
+                                            literal(stepper.step, scalar))
+                                      : "";
+  slots["later_lambda"] = reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : "";
+  slots["later"] = reacts ? ", later" : "";
+  slots["first_phase"] = slots.at("phase");
+  slots["phase"] = stepper.switches() ? "which, " : "";
+  slots["factor_declaration"] = stage_declaration(
+      stepper, "factor_stage",
+      {"const Scalar* x0", "const Scalar* v0", "const Scalar* a", "Scalar (*M)[kDof]", "int* row"});
+  slots["find_declaration"] =
+      stage_declaration(stepper, "find_stage",
+                        {"Scalar size", "const Scalar* x0", "const Scalar* v0", "Scalar* a",
+                         "Scalar (*M)[kDof]", "int* row"});
+  slots["context"] = arguments("which", "t");
+  slots["first_context"] = arguments("phase[0]", "t_stage");
+  slots["second_context"] = arguments("phase[0]", "t_full");
+  slots.erase("step");
 }
 
 /// The dynamics of one phase: the call, and zeros for the reactions that it does not have.
@@ -118,11 +236,20 @@ std::string stepper_text(const Stepper& stepper, const Vocabulary& words, const 
                  {"lambda", stepper.rows > 0 ? ", lambda" : ""},
                  {"events", events_text(stepper, target.scalar)}};
   const std::string local = local_text(stepper, words, target);
-  if (stepper.method == StepMethod::kSemiImplicitEuler) {
-    return local + fill(template_text("step_semi_implicit_euler.cpp"), slots);
+  switch (stepper.method) {
+    case StepMethod::kRk4:
+      add_rk4_slots(stepper, target.scalar, slots);
+      return local + fill(template_text("step_rk4.cpp"), slots);
+    case StepMethod::kDopri5:
+      add_dopri5_slots(stepper, target.scalar, slots);
+      return local + fill(template_text("step_dopri5.cpp"), slots);
+    case StepMethod::kSdirk2:
+      add_sdirk2_slots(stepper, target.scalar, slots);
+      return local + fill(template_text("step_sdirk2.cpp"), slots);
+    case StepMethod::kSemiImplicitEuler:
+      break;
   }
-  add_rk4_slots(stepper, target.scalar, slots);
-  return local + fill(template_text("step_rk4.cpp"), slots);
+  return local + fill(template_text("step_semi_implicit_euler.cpp"), slots);
 }
 
 }  // namespace treedyn::emit

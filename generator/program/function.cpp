@@ -1,5 +1,8 @@
 #include "program/function.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "program/limb_code.hpp"
 
 namespace treedyn::program {
@@ -46,6 +49,30 @@ Cost operator+(const Cost& a, const Cost& b) {
 Cost operator*(int times, const Cost& c) {
   return {times * c.add,  times * c.mul, times * c.div,
           times * c.sqrt, times * c.sin, times * c.cos};
+}
+
+int fused(const Function& function) {
+  if (function.limb_code) {
+    return fused(*function.limb_code);
+  }
+  const Graph& graph = function.graph;
+  const std::vector<Ref> nodes = reachable(graph, function.outputs);
+  std::vector<int> uses(graph.size(), 0);
+  const auto use = [&uses](Ref a) {
+    ++uses[static_cast<std::size_t>(std::abs(a))];
+  };
+  std::for_each(function.outputs.begin(), function.outputs.end(), use);
+  for (const Ref k : nodes) {
+    for_each_operand(graph.node(k), use);
+  }
+  const auto takes_in = [&](Ref a) {
+    return graph.node(a).kind == Kind::kMultiply &&
+           uses[static_cast<std::size_t>(std::abs(a))] == 1;
+  };
+  return static_cast<int>(std::count_if(nodes.begin(), nodes.end(), [&](Ref k) {
+    const Node& node = graph.node(k);
+    return node.kind == Kind::kAdd && (takes_in(node.a) || takes_in(node.b));
+  }));
 }
 
 }  // namespace treedyn::program

@@ -59,4 +59,9 @@ Cost cost(const Function& function);
 Cost operator+(const Cost& a, const Cost& b);
 Cost operator*(int times, const Cost& cost);
 
+/// Multiplications and additions that a machine with fused multiply-add executes as one operation:
+/// sums that take in a product of no other use. Such a product stands in the expression of its sum
+/// (`schedule`), where compilers contract the two. O(size of the graph).
+int fused(const Function& function);
+
 }  // namespace treedyn::program

@@ -20,14 +20,51 @@ Cost of_all(const std::vector<Staged>& functions) {
   return sum;
 }
 
-/// The integration alone, given the operations of one call of the dynamics.
-Cost integration_cost(const Stepper& stepper, const Cost& dynamics) {
-  const int n = stepper.signature.inputs.front().size;
-  if (stepper.method == StepMethod::kSemiImplicitEuler) {
-    return dynamics + Cost{.add = 2 * n, .mul = 2 * n};
+Cost operator*(int n, const Cost& c) {
+  return {n * c.add, n * c.mul, n * c.div, n * c.sqrt, n * c.sin, n * c.cos};
+}
+
+/// M of a stage by differences, and its factors.
+Cost factor_cost(int n, const Cost& dynamics) {
+  Cost sum = (n + 1) * dynamics + Cost{.add = 2 * n, .mul = 2 * n};
+  sum = sum + n * Cost{.add = 3 + n, .mul = 2 + n, .div = 1};
+  for (int below = n - 1; below >= 0; --below) {
+    sum = sum + Cost{.add = below * below, .mul = below * below + below, .div = 1};
   }
-  const Cost own{.add = 14 * n + (stepper.takes_time ? 2 : 0), .mul = 10 * n};
-  return dynamics + dynamics + dynamics + dynamics + own;
+  return sum;
+}
+
+Cost newton_cost(int n, const Cost& dynamics) {
+  const Cost solve{.add = n * (n - 1), .mul = n * n};
+  return dynamics + solve + Cost{.add = 6 * n, .mul = 5 * n + 2};
+}
+
+/// Two stages with some Newton steps each and a number of Jacobians of the whole step.
+Cost sdirk2_cost(const Stepper& stepper, const Cost& dynamics, int newton_steps, int jacobians) {
+  const int n = stepper.signature.inputs.front().size;
+  // the first Newton step of a stage is not compared with one before
+  const Cost own{.add = 8 * n + (stepper.takes_time ? 2 : 0), .mul = 8 * n - 2};
+  return dynamics + jacobians * factor_cost(n, dynamics) +
+         2 * newton_steps * newton_cost(n, dynamics) + own;
+}
+
+/// The integration alone, given the operations of one call of the dynamics.
+Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
+  const int n = stepper.signature.inputs.front().size;
+  switch (stepper.method) {
+    case StepMethod::kSemiImplicitEuler:
+      break;
+    case StepMethod::kRk4:
+      return 4 * dynamics + Cost{.add = 14 * n + (stepper.takes_time ? 2 : 0), .mul = 10 * n};
+    case StepMethod::kDopri5:
+      return 6 * dynamics + Cost{.add = 40 * n + (stepper.takes_time ? 5 : 0), .mul = 40 * n};
+    case StepMethod::kSdirk2:
+      return worst ? sdirk2_cost(stepper, dynamics, kMostJacobians * kMostNewtonSteps,
+                                 1 + 2 * kMostJacobians) +
+                         Cost{.mul = 2 * kMostJacobians}
+                   : sdirk2_cost(stepper, dynamics, kUsualNewtonSteps, 1);
+  }
+  return dynamics + Cost{.add = 2 * n, .mul = 2 * n};
 }
 
 Cost end_time_cost(const Stepper& stepper) { return {.add = stepper.needs_end_time() ? 1 : 0}; }
@@ -58,7 +95,7 @@ bool Stepper::needs_end_time() const {
 }
 
 Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
-  return integration_cost(stepper, phase.dynamics_cost) + of_all(phase.guards) +
+  return integration_cost(stepper, phase.dynamics_cost, false) + of_all(phase.guards) +
          end_time_cost(stepper);
 }
 
@@ -67,7 +104,7 @@ Cost step_cost(const Stepper& stepper) { return step_cost(stepper, stepper.phase
 Cost worst_step_cost(const Stepper& stepper) {
   Cost worst;
   for (const StepPhase& phase : stepper.phases) {
-    const Cost here = integration_cost(stepper, phase.dynamics_worst_cost) +
+    const Cost here = integration_cost(stepper, phase.dynamics_worst_cost, true) +
                       worst_event_cost(stepper, phase) + end_time_cost(stepper);
     worst = {std::max(worst.add, here.add), std::max(worst.mul, here.mul),
              std::max(worst.div, here.div), std::max(worst.sqrt, here.sqrt),

@@ -8,7 +8,13 @@
 
 namespace treedyn::program {
 
-enum class StepMethod { kSemiImplicitEuler, kRk4 };
+enum class StepMethod { kSemiImplicitEuler, kRk4, kDopri5, kSdirk2 };
+
+/// Newton steps of each stage of kSdirk2 that the usual cost counts, and the bounds of its code:
+/// Jacobians of a stage and Newton steps with each.
+inline constexpr int kUsualNewtonSteps = 3;
+inline constexpr int kMostJacobians = 6;
+inline constexpr int kMostNewtonSteps = 8;
 
 /// Elements of `anchor` that are made anew.
 struct Renewal {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "simplify/builders.hpp"
+#include "simplify/contacts.hpp"
 #include "simplify/scene_rows.hpp"
 
 namespace treedyn::simplify {
@@ -14,17 +15,19 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 Expr input(Graph& graph, int array, int element) { return {graph, graph.input(array, element)}; }
 
 /// h = A qdd + B + G less the forces of the scene itself: what drives and reactions have to give.
-std::vector<Expr> needed_forces(const Task& task) {
+std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
   const model::Scene& scene = *task.options.scene;
   Graph& graph = task.kinematics.graph();
-  const SceneArrays& arrays = kInverseArrays;
+  const InverseArrays arrays = inverse_arrays(scene);
   std::vector<Expr> h = build_with_gravity(task);
-  const SceneForces forces(task, arrays);
   for (int i = 0; i < task.tree.dof(); ++i) {
     h[index(i)] -= forces.joint(i);
+    if (arrays.force >= 0) {
+      h[index(i)] -= input(graph, arrays.force, i);
+    }
   }
   for (const model::Armature& armature : scene.armatures) {
-    const Expr qdd = input(graph, kInverseAcceleration, armature.joint);
+    const Expr qdd = input(graph, arrays.qdd, armature.joint);
     h[index(armature.joint)] += constant(graph, armature.inertia) * qdd;
   }
   const SceneFrame frame(task, false, false);
@@ -69,11 +72,25 @@ std::vector<int> passive_joints(const model::Scene& scene) {
   return result;
 }
 
+InverseArrays inverse_arrays(const model::Scene& scene) {
+  InverseArrays arrays;
+  int next = arrays.scene.mu + 1;
+  if (!scene.contacts.empty()) {
+    arrays.force = next++;
+  }
+  if (uses_time(scene, {})) {
+    arrays.scene.t = next;
+  }
+  return arrays;
+}
+
 std::vector<Expr> build_constrained_inverse(const Task& task) {
   Graph& graph = task.kinematics.graph();
   const std::vector<int> passive = passive_joints(*task.options.scene);
   const std::vector<Row> rows = active_rows(task);
-  const std::vector<Expr> h = needed_forces(task);
+  const InverseArrays arrays = inverse_arrays(*task.options.scene);
+  const SceneForces forces(task, arrays.scene);
+  const std::vector<Expr> h = needed_forces(task, forces);
   std::vector<Expr> result;
   std::vector<Expr> mu;
   for (std::size_t u = 0; u < passive.size(); ++u) {
@@ -84,7 +101,7 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
       }
       result.push_back(sum);
     }
-    mu.push_back(input(graph, kInverseArrays.mu, static_cast<int>(u)));
+    mu.push_back(input(graph, arrays.scene.mu, static_cast<int>(u)));
   }
   for (const int u : passive) {
     result.push_back(h[index(u)]);
@@ -105,6 +122,8 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
     result.push_back(tau);
   }
   result.insert(result.end(), lambda.begin(), lambda.end());
+  const std::vector<Expr> depths = contact_depths(*task.options.scene, task, forces);
+  result.insert(result.end(), depths.begin(), depths.end());
   return result;
 }
 

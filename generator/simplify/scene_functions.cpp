@@ -62,6 +62,8 @@ class SceneFormulator {
   [[nodiscard]] program::Staged contact_force(std::size_t contact) const;
 
  private:
+  void add_contacts(program::Staged& staged) const;
+  void add_depths(program::Signature& inner) const;
   [[nodiscard]] program::Array q() const { return {"q", dof_, "rad|m"}; }
   [[nodiscard]] program::Array qd() const { return {"qd", dof_, "rad/s|m/s"}; }
   [[nodiscard]] program::Array anchor() const {
@@ -85,6 +87,20 @@ class SceneFormulator {
   int dof_;
   std::vector<int> all_;
 };
+
+/// Contacts press on what follows.
+void SceneFormulator::add_contacts(program::Staged& staged) const {
+  staged.gates.push_back(program::Gate::kPress);
+  for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
+    staged.contacts.push_back(contact_press(k));
+  }
+}
+
+void SceneFormulator::add_depths(program::Signature& inner) const {
+  if (!scene_.contacts.empty()) {
+    inner.outputs.push_back({program::kDepthArray, static_cast<int>(scene_.contacts.size()), "m"});
+  }
+}
 
 program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) const {
   Options options = options_;
@@ -119,10 +135,7 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   if (!scene_.contacts.empty()) {
     inner.inputs.back().name = program::kForceArray;
     staged.levels.back() = 1;
-    staged.gates.push_back(program::Gate::kPress);
-    for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
-      staged.contacts.push_back(contact_press(k));
-    }
+    add_contacts(staged);
   }
   if (r > 0) {
     staged.signature.outputs.push_back({"lambda", r, "N|N m"});
@@ -134,6 +147,7 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
                      qdd,
                      staged.signature.outputs.back()};
   }
+  add_depths(inner);
   if (arrays.t >= 0) {
     staged.signature.inputs.push_back({"t", 1, "s"});
     inner.inputs.push_back({"t", 1, "s"});
@@ -144,9 +158,6 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
     inner.inputs.push_back(anchor());
     staged.levels.push_back(0);
     staged.anchors = anchor_names(scene_);
-  }
-  if (!scene_.contacts.empty()) {
-    inner.outputs.push_back({program::kDepthArray, static_cast<int>(scene_.contacts.size()), "m"});
   }
   if (r > 0) {
     staged.solves.push_back(program::solve_of(staged.function, r));
@@ -160,7 +171,8 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
   Options options = options_;
   options.active = state.active;
   Inputs where = places();
-  where.qdd = kInverseAcceleration;
+  const InverseArrays arrays = inverse_arrays(scene_);
+  where.qdd = arrays.qdd;
   where.tau = -1;
   const Recipe recipe{"",
                       "",
@@ -189,24 +201,28 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
       "",
       {q(), qd(), qdd, {program::kMultiplierArray, p, ""}},
       {{program::kMatrixArray, p * (p + 1) / 2, ""}, {program::kRightArray, p, ""}, tau, lambda}};
+  add_depths(staged.function.signature);
   staged.levels = {0, 0, 0, 1};
-  if (uses_time(scene_, {})) {
+  if (arrays.force >= 0) {
+    add_contacts(staged);
+    staged.function.signature.inputs.push_back({program::kForceArray, dof_, kForce});
+    staged.levels = {0, 0, 0, 2, 1};
+  }
+  if (arrays.scene.t >= 0) {
     staged.signature.inputs.push_back({"t", 1, "s"});
     staged.function.signature.inputs.push_back({"t", 1, "s"});
     staged.levels.push_back(0);
   }
-  staged.gates = {program::Gate::kSolve};
+  staged.gates.push_back(program::Gate::kSolve);
   staged.solves = {program::solve_of(staged.function, p)};
   staged.rows = row_names(scene_, options.active);
   staged.constraints = options.active;
   return staged;
 }
 
-/// Drives are sought where reactions could stand for them; ground contacts would have to be found
-/// first.
+/// Drives are sought where reactions could stand for them.
 bool has_inverse_dynamics(const model::Scene& scene, const PhaseState& state) {
-  return scene.contacts.empty() && rows_of(scene, state.active) > 0 &&
-         !passive_joints(scene).empty();
+  return rows_of(scene, state.active) > 0 && !passive_joints(scene).empty();
 }
 
 program::Staged SceneFormulator::impact(const ImpactName& impact) const {

@@ -25,8 +25,11 @@ using program::StepPhase;
 
 namespace {
 
-constexpr std::array<std::pair<const char*, StepMethod>, 2> kMethods = {
-    {{"semi-implicit-euler", StepMethod::kSemiImplicitEuler}, {"rk4", StepMethod::kRk4}}};
+constexpr std::array<std::pair<const char*, StepMethod>, 4> kMethods = {
+    {{"semi-implicit-euler", StepMethod::kSemiImplicitEuler},
+     {"rk4", StepMethod::kRk4},
+     {"dopri5-fixed", StepMethod::kDopri5},
+     {"sdirk2", StepMethod::kSdirk2}}};
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 

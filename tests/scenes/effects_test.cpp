@@ -214,6 +214,23 @@ TEST(InverseDynamics, UndoesConstrainedDynamics) {
   EXPECT_NEAR(qdd.at(1), -0.2, 1e-11);
 }
 
+TEST(InverseDynamics, UndoesConstrainedDynamicsOnTheGround) {
+  const std::string elbow = "  drive:\n    - {joint: elbow, torque: 5}\n";
+  const ArmScene scene(std::string(kHeld) + kGround + elbow);
+  const ArmScene free(kGround + elbow);
+  for (const double shoulder : {0.4, -0.1}) {  // above the ground and pressed into it
+    const Vector q = {shoulder, -0.3};
+    const Vector inverse = scene.code().call("constrained_inverse_dynamics", {q, kqd, {0.3, -0.2}});
+    EXPECT_NEAR(inverse.at(0), 0, 1e-9);
+    const Vector J = scene.code().call("reaction_jacobian_transpose", {q});
+    const Vector tau = {inverse[0] + J[0] * inverse[2] + J[1] * inverse[3],
+                        inverse[1] + J[2] * inverse[2] + J[3] * inverse[3]};
+    const Vector qdd = free.code().call("constrained_dynamics", {q, kqd, tau});
+    EXPECT_NEAR(qdd.at(0), 0.3, 1e-9);  // reactions of some 1e3 N, roundings of 1e-13 of them
+    EXPECT_NEAR(qdd.at(1), -0.2, 1e-9);
+  }
+}
+
 /// Operations of constrained_dynamics of a robot on `axes` with two feet held.
 long cost_of_two_feet(const std::string& robot, const std::string& left, const std::string& right,
                       const std::string& kinds) {

@@ -80,6 +80,31 @@ TEST(Step, HasTheOrderOfItsMethod) {
   const double euler = distance(after_a_second("semi-implicit-euler", 0.002), fine) /
                        distance(after_a_second("semi-implicit-euler", 0.001), fine);
   EXPECT_NEAR(std::log2(euler), 1, 0.3);
+  const Vector finest = after_a_second("dopri5-fixed", 0.002);
+  const double dopri5 = distance(after_a_second("dopri5-fixed", 0.02), finest) /
+                        distance(after_a_second("dopri5-fixed", 0.01), finest);
+  EXPECT_NEAR(std::log2(dopri5), 5, 0.5);
+  const double sdirk2 = distance(after_a_second("sdirk2", 0.01), fine) /
+                        distance(after_a_second("sdirk2", 0.005), fine);
+  EXPECT_NEAR(std::log2(sdirk2), 2, 0.3);
+}
+
+TEST(Step, CostsSixCallsOfTheDynamicsByDormandAndPrince) {
+  const ArmScene scene(std::string(kHeld) + "  drive:\n    - {joint: elbow, torque: 9*t}\n",
+                       "stepping: {integrator: dopri5-fixed, step: 1e-3}\n", Variant::kMeasured);
+  const Measurement step = scene.code().measure("step", {kq, kqd, ktau, {0.3}});
+  EXPECT_EQ(step.operations, scene.operations("step"));
+}
+
+TEST(Step, CostsThreeNewtonStepsAStageAndOneJacobian) {
+  const ArmScene scene("  drive:\n    - {joint: elbow, torque: 9*t}\n",
+                       "stepping: {integrator: sdirk2, step: 4e-3}\n", Variant::kMeasured);
+  const Measurement step = scene.code().measure("step", {kq, kqd, ktau, {0.3}});
+  EXPECT_EQ(step.operations, scene.operations("step"));
+  const Operations worst = operations_of(scene.manifest("step").at("worst_case"));
+  for (std::size_t n = 0; n < worst.size(); ++n) {
+    EXPECT_LE(step.operations[n], worst[n]);
+  }
 }
 
 TEST(Step, CostsFourCallsOfTheDynamicsByRungeKutta) {
