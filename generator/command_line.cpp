@@ -106,8 +106,9 @@ void add_model(CLI::App& command, Request& request) {
 
 void set_functions(Request& request, const std::string& list) {
   std::vector<std::string> known = simplify::function_names();
-  const std::vector<std::string>& of_scenes = simplify::scene_function_names();
-  known.insert(known.end(), of_scenes.begin(), of_scenes.end());
+  for (const simplify::SceneFunctionInfo& info : simplify::scene_function_infos()) {
+    known.emplace_back(info.name);
+  }
   for (const std::string& name : split(list)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw CLI::ValidationError(

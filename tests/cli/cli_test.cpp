@@ -261,6 +261,7 @@ TEST_F(Cli, TellsVersionHelpAndNames) {
   EXPECT_EQ(help.status, 0);
   EXPECT_THAT(help.out, HasSubstr("generate"));
   EXPECT_THAT(treedyn({"list", "functions"}).out, HasSubstr("mass_matrix "));
+  EXPECT_THAT(treedyn({"list", "functions"}).out, HasSubstr("constrained_dynamics "));
   EXPECT_EQ(treedyn({"list", "integrators"}).status, 0);
 }
 
