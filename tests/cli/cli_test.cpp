@@ -145,6 +145,7 @@ TEST_F(Cli, ReturnsTwoForWrongUsage) {
   expect_usage_error(treedyn({"generate"}), "MODEL");
   expect_usage_error(treedyn({"generate", kModel}), "-o DIR");
   expect_usage_error(treedyn({"simulate"}), "SCENE");
+  expect_usage_error(treedyn({"info", kModel, "--functions", "impact"}), "impact");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"--no-such-option"}, "--no-such-option"},
       {{"--scalar", "half"}, "half"},
