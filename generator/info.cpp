@@ -1,6 +1,7 @@
 #include "info.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -144,6 +145,7 @@ std::string snap_table(const model::Tree& tree) {
 struct Priced {
   program::Signature signature;
   program::Cost cost;
+  std::optional<int> fused = {};  ///< multiply-adds; of straight-line functions
 
   [[nodiscard]] int values() const {
     int sum = 0;
@@ -157,7 +159,7 @@ struct Priced {
 std::vector<Priced> priced(const Programs& programs) {
   std::vector<Priced> result;
   for (const program::Function& function : programs.functions) {
-    result.push_back({function.signature, program::cost(function)});
+    result.push_back({function.signature, program::cost(function), program::fused(function)});
   }
   for (const program::Staged& staged : programs.staged) {
     result.push_back({staged.signature, program::cost(staged)});
@@ -169,10 +171,11 @@ std::vector<Priced> priced(const Programs& programs) {
 }
 
 std::string cost_table(const Programs& programs) {
-  Rows rows = {{"function", "equation", "values", "mul + add + div", "of these"}};
+  Rows rows = {{"function", "equation", "values", "mul + add + div", "fused", "of these"}};
   for (const Priced& function : priced(programs)) {
     rows.push_back({function.signature.name, function.signature.equation,
                     std::to_string(function.values()), std::to_string(function.cost.total()),
+                    function.fused ? std::to_string(*function.fused) : "",
                     emit::cost_text(function.cost)});
   }
   return "\nfunctions, operations in one call\n" + table(rows);
@@ -298,10 +301,12 @@ std::vector<std::string> prices_json(const Model& model, const Request& request,
 std::vector<std::string> functions_json(const Programs& programs) {
   std::vector<std::string> result;
   for (const Priced& function : priced(programs)) {
-    result.push_back(json_object({{"name", json_string(function.signature.name)},
-                                  {"equation", json_string(function.signature.equation)},
-                                  {"values", std::to_string(function.values())},
-                                  {"operations", emit::operations_json(function.cost)}}));
+    result.push_back(
+        json_object({{"name", json_string(function.signature.name)},
+                     {"equation", json_string(function.signature.equation)},
+                     {"values", std::to_string(function.values())},
+                     {"operations", emit::operations_json(function.cost)},
+                     {"fused", function.fused ? std::to_string(*function.fused) : "null"}}));
   }
   return result;
 }

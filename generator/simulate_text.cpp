@@ -131,7 +131,7 @@ std::string html_text(const std::string& text) {
 std::string csv_text(const SimulateResult& result) {
   std::string text = "t,phase";
   for (const std::string& column : result.recording.columns) {
-    text += "," + csv_field(column);
+    text += ',' + csv_field(column);
   }
   text += "\n";
   for (const simulation::Row& row : result.recording.rows) {

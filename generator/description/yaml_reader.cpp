@@ -84,10 +84,21 @@ void read_parameters(const Node& node, RawTree& raw) {
   }
 }
 
+/// A scene where a model belongs is a slip that deserves better words than an unknown key.
+void refuse_scene(const Node& root, const std::string& file) {
+  for (const Node& item : root.items) {
+    if (item.key.text == "scene") {
+      throw InputError({file, item.key.where.line, item.key.where.column},
+                       "is a scene; expected a tree description, or --scene with this file");
+    }
+  }
+}
+
 }  // namespace
 
 RawTree read_yaml(const std::string& text, const std::string& file) {
   const Node root = parse_yaml_node(text, file);
+  refuse_scene(root, file);
   RawTree raw;
   raw.format = Format::kYaml;
   raw.file = file;

@@ -316,13 +316,13 @@ std::string prototype(const program::Signature& signature) {
 std::string declarations(const Unit& unit) {
   std::string result;
   for (const program::Function& function : unit.functions) {
-    result += "\n" + function_doc(function) + prototype(function.signature);
+    result += '\n' + function_doc(function) + prototype(function.signature);
   }
   for (const program::Staged& staged : unit.staged) {
-    result += "\n" + staged_doc(staged) + prototype(staged.signature);
+    result += '\n' + staged_doc(staged) + prototype(staged.signature);
   }
   for (const program::Stepper& stepper : unit.steppers) {
-    result += "\n" + stepper_doc(stepper) + prototype(stepper.signature);
+    result += '\n' + stepper_doc(stepper) + prototype(stepper.signature);
   }
   return result;
 }

@@ -13,7 +13,8 @@ template <class T>
 std::string digits(const Real& value) {
   const T rounded = value.convert_to<T>();
   if (!std::isfinite(rounded)) {
-    throw std::range_error(fmt::format("the constant {} is too large for {}", value.str(6),
+    throw std::range_error(fmt::format("the constant {:.6g} is too large for {}",
+                                       value.convert_to<long double>(),
                                        sizeof(T) == sizeof(float) ? "float" : "double"));
   }
   std::string text = fmt::format("{}", rounded);

@@ -64,7 +64,7 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
   SplitText text;
   text.used.assign(all.size(), false);
   if (!body.workspace.empty()) {
-    text.parts += "\n" + workspace(type, body.workspace);
+    text.parts += '\n' + workspace(type, body.workspace);
     text.declaration = type + " w;";
   }
   for (std::size_t k = 0; k < body.parts.size(); ++k) {

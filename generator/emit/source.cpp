@@ -57,7 +57,7 @@ std::string mathematics(const Unit& unit) {
   result += raises ? "using std::pow;\n" : "";
   result += library && total.sin > 0 ? "using std::sin;\n" : "";
   result += total.sqrt > 0 ? "using std::sqrt;\n" : "";
-  result = result.empty() ? result : "\n" + result;
+  result = result.empty() ? result : '\n' + result;
   return !library && total.sin + total.cos > 0 ? result + sincos_text(unit.target) : result;
 }
 
@@ -76,7 +76,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   const Vocabulary words = vocabulary(*unit.tree);
   functions += staged_text(unit.staged, staged, words, unit.target);
   for (const program::Stepper& stepper : unit.steppers) {
-    functions += "\n" + stepper_text(stepper, words, unit.target);
+    functions += '\n' + stepper_text(stepper, words, unit.target);
   }
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"command", command_comment(unit.command)},

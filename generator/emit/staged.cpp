@@ -265,7 +265,7 @@ std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary
       const std::string& name = contact.signature.name;
       if (std::find(done.begin(), done.end(), name) == done.end()) {
         done.push_back(name);
-        result += "\n" + function_text(contact, staged_body(contact, words, target), {}, target);
+        result += '\n' + function_text(contact, staged_body(contact, words, target), {}, target);
       }
     }
   }
@@ -283,7 +283,7 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
                             const Target& target) {
   std::string result;
   for (const Staged& staged : functions) {
-    result += "\n" + function_text(staged, staged_body(staged, words, target), {}, target);
+    result += '\n' + function_text(staged, staged_body(staged, words, target), {}, target);
   }
   return result;
 }

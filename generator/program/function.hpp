@@ -51,4 +51,9 @@ struct Cost {
 Cost cost(const Graph& graph, std::span<const Ref> outputs);
 inline Cost cost(const Function& function) { return cost(function.graph, function.outputs); }
 
+/// Multiplications and additions that a machine with fused multiply-add executes as one operation:
+/// sums that take in a product of no other use. Such a product stands in the expression of its sum
+/// (`schedule`), where compilers contract the two. O(size of the graph).
+int fused(const Function& function);
+
 }  // namespace treedyn::program

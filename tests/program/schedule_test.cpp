@@ -54,6 +54,18 @@ TEST(OperationsInOrder, KeepsSineAndCosineOfOneAngleTogether) {
   EXPECT_EQ(std::abs(at_s - at_c), 1);
 }
 
+TEST(Fused, CountsSumsWithAProductOfNoOtherUse) {
+  Function function;
+  Graph& g = function.graph;
+  const Ref x = g.input(0, 0);
+  const Ref y = g.input(0, 1);
+  const Ref shared = g.multiply(x, x);
+  const Ref two_products = g.add(g.multiply(x, y), g.multiply(y, y));  // the second one is fused
+  const Ref of_shared = g.add(shared, y);
+  function.outputs = {two_products, of_shared, -shared, g.add(x, y)};
+  EXPECT_EQ(fused(function), 1);
+}
+
 TEST(Schedule, InlinesAProductIntoItsSum) {
   Graph g;
   const Ref product = g.multiply(g.input(0, 0), g.input(0, 1));

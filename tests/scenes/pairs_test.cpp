@@ -1,0 +1,116 @@
+// E2 of HARD_CASES.md section 4: an effect never makes a scene cheaper, and it costs no more
+// instructions than the operations that its price names.
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace treedyn::support {
+namespace {
+
+using Effects = std::set<std::string>;
+
+/// Effects of a two-link arm whose code has no branch: every instruction is executed.
+const std::map<std::string, std::string> kEffects = {
+    {"viscous_friction", "{joint: elbow, coefficient: 0.3}"},
+    {"joint_spring", "{joint: elbow, stiffness: 30, damping: 2}"},
+    {"coulomb_friction", "{joint: shoulder, force: 1, slip_speed: 0.01}"},
+    {"armature", "{joint: shoulder, inertia: 0.2}"},
+    {"drive", "{joint: elbow, kp: 10, kd: 3, target: 0.5}"},
+    {"force", "{point: hand, value: [1, 0, 3*x]}"},
+    {"point_spring", "{point: hand, anchor: [1, 0, 1], stiffness: 20}"}};
+
+struct Count {
+  long operations = 0;
+  long instructions = 0;  ///< compiled, of this machine
+};
+
+std::string scene_text(const Effects& effects) {
+  std::string text = fmt::format(
+      "scene: arm\nmodel: {}/models/two_link.yaml\npoints:\n  - {{name: hand, link: forearm, at: "
+      "[1, 0, 0]}}\neffects:\n  gravity: [0, 0, -9.81]\n",
+      TREEDYN_SOURCE_DIR);
+  for (const std::string& effect : effects) {
+    text += fmt::format("  {}:\n    - {}\n", effect, kEffects.at(effect));
+  }
+  return text + "duration: 1\n";
+}
+
+void succeed(const std::vector<std::string>& command) {
+  const Outcome outcome = run(command);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+}
+
+/// Lines "  4f:  addsd ..." of a disassembly.
+long instructions_of(const std::string& disassembly) {
+  long count = 0;
+  for (std::size_t at = disassembly.find(":\t"); at != std::string::npos;
+       at = disassembly.find(":\t", at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+Count count(const Effects& effects) {
+  const TemporaryFolder folder;
+  const std::string stem = (folder.path() / "arm").string();
+  write_file(stem + ".yaml", scene_text(effects));
+  succeed({TREEDYN_EXECUTABLE, "generate", "-q", "--scene", stem + ".yaml", "--functions",
+           "constrained_dynamics", "-o", folder.path().string()});
+  succeed({TREEDYN_CXX, "-std=c++17", "-O2", "-ffp-contract=off", "-fno-math-errno", "-c",
+           stem + ".cpp", "-o", stem + ".o"});
+  const Outcome listing = run({"objdump", "-d", "--no-show-raw-insn", stem + ".o"});
+  EXPECT_EQ(listing.status, 0) << listing.err;
+  const auto manifest = nlohmann::json::parse(read_file(stem + ".json"));
+  Count result{0, instructions_of(listing.out)};
+  for (const nlohmann::json& each : manifest.at("functions").front().at("operations")) {
+    result.operations += each.get<long>();
+  }
+  return result;
+}
+
+class Pairs : public ::testing::Test {
+ protected:
+  const Count& of(const Effects& effects) {
+    const auto known = counts_.find(effects);
+    return known != counts_.end() ? known->second
+                                  : counts_.emplace(effects, count(effects)).first->second;
+  }
+
+  /// What `added` costs in a scene that has `effects`.
+  void expect_fair_price(const Effects& effects, const std::string& added) {
+    Effects more = effects;
+    more.insert(added);
+    const long price = of(more).operations - of(effects).operations;
+    const long instructions = of(more).instructions - of(effects).instructions;
+    const std::string what = fmt::format("{} beside {}", added, fmt::join(effects, ", "));
+    EXPECT_GE(price, 0) << what;
+    // without a price only constants change, for which a compiler may need a move more or less
+    EXPECT_GE(instructions, price > 0 ? 0 : -2) << what;
+    EXPECT_LE(instructions, price + 20) << what;  // the bound of E2: loads, stores and moves
+  }
+
+  std::map<Effects, Count> counts_;
+};
+
+TEST_F(Pairs, ACostOfAnEffectIsItsPriceWhateverElseIsThere) {
+  EXPECT_GT(of({}).operations, 0);
+  EXPECT_GE(of({}).instructions, of({}).operations);
+  for (const auto& [added, entry] : kEffects) {
+    expect_fair_price({}, added);
+    for (const auto& [other, values] : kEffects) {
+      if (other != added) {
+        expect_fair_price({other}, added);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace treedyn::support
