@@ -106,8 +106,9 @@ void add_model(CLI::App& command, Request& request) {
 
 void set_functions(Request& request, const std::string& list) {
   std::vector<std::string> known = simplify::function_names();
-  const std::vector<std::string>& of_scenes = simplify::scene_function_names();
-  known.insert(known.end(), of_scenes.begin(), of_scenes.end());
+  for (const simplify::SceneFunctionInfo& info : simplify::scene_function_infos()) {
+    known.emplace_back(info.name);
+  }
   for (const std::string& name : split(list)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw CLI::ValidationError(
@@ -381,11 +382,23 @@ void require_model_or_scene(const Settings& settings) {
   }
 }
 
+/// Functions of a scene need one.
+void require_scene_of_functions(const Request& request) {
+  const auto of_scene =
+      std::find_if(request.functions.begin(), request.functions.end(), simplify::is_scene_function);
+  if (!request.scene && of_scene != request.functions.end()) {
+    throw CLI::ParseError(
+        fmt::format("--functions: {} is a function of a scene; expected --scene FILE", *of_scene),
+        kUsage);
+  }
+}
+
 void require_options(const CLI::App& app, const Settings& settings) {
   const auto generation = {"generate", "check", "outputs", "info"};
   if (std::any_of(generation.begin(), generation.end(),
                   [&](const char* name) { return app.got_subcommand(name); })) {
     require_model_or_scene(settings);
+    require_scene_of_functions(settings.request);
   }
   if (settings.simulation.report && settings.simulation.output.empty()) {
     throw CLI::RequiredError("--report: -o DIR");

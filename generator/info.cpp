@@ -12,6 +12,7 @@
 #include "emit/layout.hpp"
 #include "emit/manifest.hpp"
 #include "scene_prices.hpp"
+#include "simplify/scene_functions.hpp"
 
 namespace treedyn {
 
@@ -361,14 +362,17 @@ std::string passes_text(const Model& model, const Request& request) {
 }
 
 std::string list_functions() {
-  Rows rows;
+  std::string result;
+  const auto add = [&](const std::string& name, const std::string& equation,
+                       const std::string& what) {
+    result += fmt::format("{:30} {:10} {}\n", name, equation, what);
+  };
   for (const std::string& name : simplify::function_names()) {
     const program::Signature signature = simplify::signature(name, 1, 1);
-    rows.push_back({name, signature.equation, signature.brief});
+    add(name, signature.equation, signature.brief);
   }
-  std::string result;
-  for (const std::vector<std::string>& row : rows) {
-    result += fmt::format("{:30} {:8} {}\n", row[0], row[1], row[2]);
+  for (const simplify::SceneFunctionInfo& info : simplify::scene_function_infos()) {
+    add(info.name, info.equation, fmt::format("With --scene: {}", info.what));
   }
   return result;
 }

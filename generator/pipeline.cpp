@@ -235,10 +235,8 @@ Model read_scene_model(const Request& request) {
   model.source = source_of(*request.scene);
   model.tree = model.scene->tree;
   model.points = model.scene->points;
-  const std::vector<std::string>& known = simplify::scene_function_names();
   for (const std::string& name : request.functions) {
-    const bool of_scene = std::find(known.begin(), known.end(), name) != known.end();
-    (of_scene ? model.scene_functions : model.functions).push_back(name);
+    (simplify::is_scene_function(name) ? model.scene_functions : model.functions).push_back(name);
   }
   check_functions(model, {*request.scene, 0, 0});
   check_step(model);
@@ -305,9 +303,10 @@ Programs formulate(const Model& model, const Request& request, const Trace& trac
 
 void prove(const Model& model, const Request& request, const Programs& programs) {
   std::vector<program::Function> of_model;
-  std::copy_if(
-      programs.functions.begin(), programs.functions.end(), std::back_inserter(of_model),
-      [](const program::Function& function) { return !is_scene_function(function.signature); });
+  std::copy_if(programs.functions.begin(), programs.functions.end(), std::back_inserter(of_model),
+               [](const program::Function& function) {
+                 return !simplify::is_scene_function(function.signature.name);
+               });
   const model::Vector3& gravity = model.scene ? model.scene->gravity : request.gravity;
   prove_functions(model.tree, model.points, gravity, of_model);
   if (model.scene) {

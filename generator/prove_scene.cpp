@@ -10,6 +10,7 @@
 #include "program/random.hpp"
 #include "scene_equations.hpp"
 #include "simplify/constrained_inverse.hpp"
+#include "simplify/scene_functions.hpp"
 
 namespace treedyn {
 
@@ -329,14 +330,10 @@ void prove_contacts(const model::Scene& scene, const program::Staged& staged,
 
 }  // namespace
 
-bool is_scene_function(const program::Signature& signature) {
-  return signature.name.starts_with("reaction_");
-}
-
 void prove_scene(const model::Scene& scene, const Programs& programs) {
   program::Random random(7);
   for (const program::Function& function : programs.functions) {
-    if (is_scene_function(function.signature)) {
+    if (simplify::is_scene_function(function.signature.name)) {
       prove_plain(scene, function, random);
     }
   }

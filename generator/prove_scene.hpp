@@ -13,7 +13,4 @@ namespace treedyn {
 /// can reach). \throws std::logic_error naming the function that differs: a mistake of ours.
 void prove_scene(const model::Scene& scene, const Programs& programs);
 
-/// True if `prove_scene` knows the function, false if it is one of a model.
-bool is_scene_function(const program::Signature& signature);
-
 }  // namespace treedyn

@@ -18,12 +18,21 @@ struct SceneFunctions {
   std::vector<program::Stepper> steppers;  ///< step, if the scene has steps of a fixed length
 };
 
-/// Names that `scene_functions` may give, in order, without the suffixes of phases.
-const std::vector<std::string>& scene_function_names();
+/// A function that `scene_functions` may give, as `treedyn list` shows it.
+struct SceneFunctionInfo {
+  const char* name;  ///< without the suffixes of phases, contacts and impacts
+  const char* equation;
+  const char* what;
+};
+
+/// All of them, in order.
+const std::vector<SceneFunctionInfo>& scene_function_infos();
+/// \return true if `name` is one of theirs.
+bool is_scene_function(const std::string& name);
 
 /// The cheapest formulations found; deterministic. `options` are those of the model; its scene,
 /// gravity and points are replaced.
-/// \param wanted  names out of scene_function_names(); empty: all that the scene needs
+/// \param wanted  names of scene_function_infos(); empty: all that the scene needs
 SceneFunctions scene_functions(const model::Scene& scene, const Options& options,
                                const std::vector<std::string>& wanted);
 

@@ -145,6 +145,7 @@ TEST_F(Cli, ReturnsTwoForWrongUsage) {
   expect_usage_error(treedyn({"generate"}), "MODEL");
   expect_usage_error(treedyn({"generate", kModel}), "-o DIR");
   expect_usage_error(treedyn({"simulate"}), "SCENE");
+  expect_usage_error(treedyn({"info", kModel, "--functions", "impact"}), "impact");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"--no-such-option"}, "--no-such-option"},
       {{"--scalar", "half"}, "half"},
@@ -261,6 +262,7 @@ TEST_F(Cli, TellsVersionHelpAndNames) {
   EXPECT_EQ(help.status, 0);
   EXPECT_THAT(help.out, HasSubstr("generate"));
   EXPECT_THAT(treedyn({"list", "functions"}).out, HasSubstr("mass_matrix "));
+  EXPECT_THAT(treedyn({"list", "functions"}).out, HasSubstr("constrained_dynamics "));
   EXPECT_EQ(treedyn({"list", "integrators"}).status, 0);
 }
 
