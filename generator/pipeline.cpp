@@ -195,16 +195,6 @@ void check_scene(const model::Scene& scene, const Location& where) {
                       scene.tree.links[static_cast<std::size_t>(friction.joint)].joint.name));
     }
   }
-  for (const model::GroundContact& contact : scene.contacts) {
-    const Real halves = 2 * contact.exponent;
-    if (!contact.law && halves != floor(halves)) {
-      throw InputError(
-          where,
-          fmt::format("contact of point '{}': exponent {} needs pow; expected a multiple of 1/2",
-                      scene.points[static_cast<std::size_t>(contact.point)].name,
-                      emit::decimal(contact.exponent)));
-    }
-  }
 }
 
 /// A step that was asked for needs an integrator whose steps are of a fixed length.

@@ -312,6 +312,9 @@ void prove_contacts(const model::Scene& scene, const program::Staged& staged,
     State state(press.function.signature, random);
     Real& depth = state.at(program::kDepthArray)[c];
     depth = abs(depth);
+    if (state.has(program::kPowerArray)) {
+      state.at(program::kPowerArray)[0] = pow(depth, press.power.exponent);
+    }
     const SceneEquations equations(scene, state.at("q"), state.at("qd"), 0);
     const Real law = equations.contact_law(scene.contacts[c], depth);
     state.at(program::kNormalArray)[0] = std::max(law, Real(0));

@@ -163,8 +163,9 @@ std::string staged_doc(const program::Staged& staged) {
     }
   }
   for (const program::Staged& contact : staged.contacts) {
-    result += wrapped(fmt::format("A closed contact ({}) adds {}.", contact.signature.name,
-                                  cost_text(program::cost(contact))),
+    const char* const power = program::worst_powers(contact) > 0 ? ", 1 pow" : "";
+    result += wrapped(fmt::format("A closed contact ({}) adds {}{}.", contact.signature.name,
+                                  cost_text(program::cost(contact)), power),
                       "/// ");
   }
   return result + wrapped(fmt::format("Equation {}. Cost: {}. Never more than {}.",

@@ -80,6 +80,9 @@ std::string staged_cost(const program::Staged& staged) {
     result += fmt::format(",\n     \"{}\": {}", contact.signature.name,
                           operations_json(program::cost(contact)));
   }
+  if (const int powers = program::worst_powers(staged); powers > 0) {
+    result += fmt::format(",\n     \"worst_case_pow\": {}", powers);
+  }
   return fmt::format("{},\n     \"worst_case\": {}", result,
                      operations_json(program::worst_cost(staged)));
 }

@@ -1,5 +1,7 @@
 #include "emit/source.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "emit/header.hpp"
@@ -50,6 +52,10 @@ std::string mathematics(const Unit& unit) {
   std::string result;
   const bool library = !unit.target.builtin_sincos && unit.target.lanes == 1;
   result += library && total.cos > 0 ? "using std::cos;\n" : "";
+  const bool raises =
+      std::any_of(unit.staged.begin(), unit.staged.end(),
+                  [](const program::Staged& staged) { return program::worst_powers(staged) > 0; });
+  result += raises ? "using std::pow;\n" : "";
   result += library && total.sin > 0 ? "using std::sin;\n" : "";
   result += total.sqrt > 0 ? "using std::sqrt;\n" : "";
   result = result.empty() ? result : '\n' + result;

@@ -170,7 +170,8 @@ std::vector<std::string> return_lines(const Staged& staged) {
 }
 
 /// What stands before stage `level`.
-std::vector<std::string> between(const Staged& staged, std::size_t level, const Solves& all) {
+std::vector<std::string> between(const Staged& staged, std::size_t level, const Solves& all,
+                                 const Target& target) {
   switch (staged.gates[level - 1]) {
     case program::Gate::kPress:
       return press_lines(staged);
@@ -179,6 +180,9 @@ std::vector<std::string> between(const Staged& staged, std::size_t level, const 
     case program::Gate::kClamp:
       return {fmt::format("{0}[0] = {1}[0] > Scalar(0) ? {1}[0] : Scalar(0);",
                           program::kNormalArray, program::kLawArray)};
+    case program::Gate::kPower:
+      return {fmt::format("{}[0] = pow({}[{}], {});", program::kPowerArray, program::kDepthArray,
+                          staged.power.depth, literal(staged.power.exponent, target.scalar))};
     case program::Gate::kSolve:
       break;
   }
@@ -202,7 +206,8 @@ std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& 
   for (const program::Array& array : staged.signature.inputs) {
     const bool passed_on = !staged.contacts.empty() &&
                            (array.name == "q" || array.name == "qd" || array.name == "tau");
-    result.push_back(passed_on || is_used(array.name, inner.inputs, 0));
+    const bool raised = array.name == program::kDepthArray && program::worst_powers(staged) > 0;
+    result.push_back(passed_on || raised || is_used(array.name, inner.inputs, 0));
   }
   for (const program::Array& array : staged.signature.outputs) {
     result.push_back(is_used(array.name, inner.outputs, inner.inputs.size()));
@@ -214,7 +219,8 @@ void append(std::vector<std::string>& lines, const std::vector<std::string>& mor
   lines.insert(lines.end(), more.begin(), more.end());
 }
 
-std::string function_text(const Staged& staged, const Body& text, const Solves& all) {
+std::string function_text(const Staged& staged, const Body& text, const Solves& all,
+                          const Target& target) {
   std::vector<std::string> lines = local_arrays(staged);
   std::string parts;
   std::vector<bool> used;
@@ -223,7 +229,7 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
     const Part& part = text.parts.front();
     for (std::size_t at = 0; at < part.lines.size(); ++at) {
       for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
-        append(lines, between(staged, stage + 1, all));
+        append(lines, between(staged, stage + 1, all, target));
       }
       lines.push_back(part.lines[at]);
     }
@@ -237,7 +243,7 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
     int stage = 0;
     for (std::size_t k = 0; k < text.parts.size(); ++k) {
       for (; stage < text.parts[k].level; ++stage) {
-        append(lines, between(staged, static_cast<std::size_t>(stage) + 1, all));
+        append(lines, between(staged, static_cast<std::size_t>(stage) + 1, all, target));
       }
       lines.push_back(split.calls[k]);
     }
@@ -259,7 +265,7 @@ std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary
       const std::string& name = contact.signature.name;
       if (std::find(done.begin(), done.end(), name) == done.end()) {
         done.push_back(name);
-        result += '\n' + function_text(contact, staged_body(contact, words, target), {});
+        result += '\n' + function_text(contact, staged_body(contact, words, target), {}, target);
       }
     }
   }
@@ -277,7 +283,7 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
                             const Target& target) {
   std::string result;
   for (const Staged& staged : functions) {
-    result += '\n' + function_text(staged, staged_body(staged, words, target), {});
+    result += '\n' + function_text(staged, staged_body(staged, words, target), {}, target);
   }
   return result;
 }
@@ -288,7 +294,7 @@ std::string staged_text(const std::vector<Staged>& functions, const std::vector<
   std::string result = solvers_text(all, target) + contacts_text(functions, words, target);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result += "\n";
-    result += function_text(functions[k], bodies[k], all);
+    result += function_text(functions[k], bodies[k], all, target);
   }
   return result;
 }

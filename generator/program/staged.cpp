@@ -114,6 +114,14 @@ Cost cost(const Staged& staged) {
   return c;
 }
 
+int worst_powers(const Staged& staged) {
+  auto count = std::count(staged.gates.begin(), staged.gates.end(), Gate::kPower);
+  for (const Staged& contact : staged.contacts) {
+    count += worst_powers(contact);
+  }
+  return static_cast<int>(count);
+}
+
 Cost worst_cost(const Staged& staged) {
   Cost c = cost(staged.function);
   for (const RowSolve& solve : staged.solves) {

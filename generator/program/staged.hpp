@@ -24,6 +24,13 @@ enum class Gate {
   kSolve,   ///< K mu = b
   kReturn,  ///< no depth: all outputs are zero, and that is all
   kClamp,   ///< normal = max(law, 0)
+  kPower,   ///< power = depth^n
+};
+
+/// What kPower takes.
+struct Power {
+  int depth = 0;  ///< element of the array
+  Real exponent = 0;
 };
 
 /// Straight-line code in stages. An input array of level s can be read after stage s - 1, when what
@@ -35,6 +42,7 @@ struct Staged {
   std::vector<Gate> gates;       ///< gate k stands between the stages k and k + 1
   std::vector<RowSolve> solves;  ///< of kSolve; at most one
   std::vector<Staged> contacts;  ///< of kPress
+  Power power;                   ///< of kPower
   std::vector<int> constraints;  ///< of the scene: those that act
   Real restitution = 0;          ///< of an impact
   std::vector<std::string> rows;     ///< what the rows of lambda are, for the reader
@@ -50,6 +58,7 @@ inline constexpr const char* kDepthArray = "depth";
 inline constexpr const char* kForceArray = "force";
 inline constexpr const char* kLawArray = "law";
 inline constexpr const char* kNormalArray = "normal";
+inline constexpr const char* kPowerArray = "power";
 
 /// Multiples of the largest diagonal entry of K: smaller pivots count as zero, EQUATIONS.md 6.3.
 inline constexpr const char* kRankToleranceDouble = "1e-11";
@@ -69,5 +78,8 @@ Cost cost(const Staged& staged);
 /// Operations of the dearest call: all contacts are closed, the last pivot of the regular path
 /// fails.
 Cost worst_cost(const Staged& staged);
+
+/// Calls of pow in the dearest call, which no Cost counts.
+int worst_powers(const Staged& staged);
 
 }  // namespace treedyn::program

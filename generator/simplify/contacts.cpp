@@ -43,7 +43,9 @@ Slip slip_of(const Task& task, const SceneForces& forces) {
 }
 
 /// f = k d^n (1 - c vn), or the scene's own law.
-Expr law(const Task& task, const SceneForces& forces, Expr depth, const Slip& slip) {
+/// \param power_array  d^n where the contact needs_power
+Expr law(const Task& task, const SceneForces& forces, Expr depth, const Slip& slip,
+         int power_array) {
   Graph& graph = task.kinematics.graph();
   const model::GroundContact& c = contact_of(task);
   if (c.law) {
@@ -53,7 +55,9 @@ Expr law(const Task& task, const SceneForces& forces, Expr depth, const Slip& sl
                                                            : forces.meaning()(v);
     });
   }
-  const Expr elastic = constant(graph, c.stiffness) * power(graph, depth, c.exponent);
+  const Expr raised =
+      needs_power(c) ? input(task, power_array, 0) : power(graph, depth, c.exponent);
+  const Expr elastic = constant(graph, c.stiffness) * raised;
   if (c.dissipation == 0) {
     return elastic;
   }
@@ -80,6 +84,11 @@ Vec3 force(const Task& task, Expr f, const Slip& slip) {
 
 }  // namespace
 
+bool needs_power(const model::GroundContact& contact) {
+  const Real halves = 2 * contact.exponent;
+  return !contact.law && halves != floor(halves);
+}
+
 std::vector<Expr> contact_depths(const model::Scene& scene, const Task& task,
                                  const SceneForces& forces) {
   std::vector<Expr> depths;
@@ -94,7 +103,7 @@ std::vector<Expr> build_contact_press(const Task& task) {
   const model::GroundContact& c = contact_of(task);
   const Slip slip = slip_of(task, forces);
   const Expr depth = input(task, kDepthArray, task.options.contact);
-  std::vector<Expr> result = {law(task, forces, depth, slip)};
+  std::vector<Expr> result = {law(task, forces, depth, slip, kForceArray + 1)};
   const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
   const SceneFrame frame(task, false, false);
   const MotionMap map = frame.point(task.options.scene->points[static_cast<std::size_t>(c.point)]);
@@ -115,8 +124,8 @@ std::vector<Expr> build_contact_force(const Task& task) {
   const Slip slip = slip_of(task, forces);
   const Expr depth = input(task, kDepthArray, 0);
   const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
-  return {depth_of(task, c.plane, forces.position(c.point)), law(task, forces, depth, slip), f[0],
-          f[1], f[2]};
+  const Expr height = depth_of(task, c.plane, forces.position(c.point));
+  return {height, law(task, forces, depth, slip, kNormalArray + 1), f[0], f[1], f[2]};
 }
 
 }  // namespace treedyn::simplify

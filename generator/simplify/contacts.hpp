@@ -16,6 +16,10 @@ inline constexpr int kDepthArray = 2;   ///< of all contacts, or of this one
 inline constexpr int kNormalArray = 3;  ///< f of the law, not negative
 inline constexpr int kForceArray = 4;   ///< joint forces
 
+/// True if the law takes d^n for an n that is no multiple of 1/2. The functions of the contact then
+/// have d^n as their last input array.
+bool needs_power(const model::GroundContact& contact);
+
 /// The contact task.options.contact while its point is below the plane. Values: the law's f, before
 /// negative ones become zero (1), and the joint forces with J^T of the contact force added (N).
 std::vector<Expr> build_contact_press(const Task& task);

@@ -64,6 +64,7 @@ class SceneFormulator {
  private:
   void add_contacts(program::Staged& staged) const;
   void add_depths(program::Signature& inner) const;
+  void add_power(std::size_t contact, std::size_t gate, program::Staged& staged) const;
   [[nodiscard]] program::Array q() const { return {"q", dof_, "rad|m"}; }
   [[nodiscard]] program::Array qd() const { return {"qd", dof_, "rad/s|m/s"}; }
   [[nodiscard]] program::Array anchor() const {
@@ -264,6 +265,23 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   return staged;
 }
 
+/// Where the law needs it, d^n in front of the last gate, which is number `gate`.
+void SceneFormulator::add_power(std::size_t contact, std::size_t gate,
+                                program::Staged& staged) const {
+  if (!needs_power(scene_.contacts[contact])) {
+    return;
+  }
+  const bool of_all = staged.gates.front() == program::Gate::kClamp;  // depths of all contacts
+  staged.power = {of_all ? static_cast<int>(contact) : 0, scene_.contacts[contact].exponent};
+  staged.gates.insert(staged.gates.begin() + static_cast<std::ptrdiff_t>(gate),
+                      program::Gate::kPower);
+  for (int& level : staged.levels) {
+    level += level > static_cast<int>(gate) ? 1 : 0;
+  }
+  staged.function.signature.inputs.push_back({program::kPowerArray, 1, ""});
+  staged.levels.push_back(static_cast<int>(gate) + 1);
+}
+
 program::Staged SceneFormulator::contact_press(std::size_t contact) const {
   Options options = options_;
   options.contact = static_cast<int>(contact);
@@ -284,6 +302,7 @@ program::Staged SceneFormulator::contact_press(std::size_t contact) const {
   staged.function.signature.name = staged.signature.name;
   staged.levels = {0, 0, 0, 1, 0};
   staged.gates = {program::Gate::kClamp};
+  add_power(contact, 0, staged);
   return staged;
 }
 
@@ -308,6 +327,7 @@ program::Staged SceneFormulator::contact_force(std::size_t contact) const {
                                {depth, {program::kLawArray, 1, "N"}, f}};
   staged.levels = {0, 0, 1, 2};
   staged.gates = {program::Gate::kReturn, program::Gate::kClamp};
+  add_power(contact, 1, staged);
   return staged;
 }
 

@@ -200,6 +200,30 @@ TEST(Effects, APhaseSolvesForItsOwnRowsOnly) {  // E6
   EXPECT_EQ(phases.code().manifest().function("constrained_dynamics_both").outputs.at(1), 2);
 }
 
+TEST(Effects, APowerLawRaisesTheDepth) {  // E1: pow where it is needed, and nowhere else
+  const char* const power =
+      "  ground_contact:\n    - {point: hand, stiffness: 2e4, exponent: 1.3, dissipation: 0.2}\n";
+  const ArmScene scene(power);
+  EXPECT_TRUE(has(symbols(scene), " pow"));
+  EXPECT_FALSE(has(scene.source(), "sqrt"));
+  EXPECT_FALSE(has(ArmScene(kGround).source(), "pow"));
+  EXPECT_EQ(scene.manifest("constrained_dynamics").at("worst_case_pow"), 1);
+  const Vector q = {-0.5, -0.3};
+  const double depth = -(std::sin(q[0]) + std::sin(q[0] + q[1]));
+  const double speed = std::cos(q[0]) * kqd[0] + std::cos(q[0] + q[1]) * (kqd[0] + kqd[1]);
+  const Vector f = scene.code().call("contact_force", {q, kqd});
+  EXPECT_EQ(f.at(0), 0);
+  EXPECT_NEAR(f.at(2), 2e4 * std::pow(depth, 1.3) * (1 - 0.2 * speed), 1e-10);
+  // pressed is as if tau had the force's moment in it
+  const Vector lever = {std::cos(q[0]) + std::cos(q[0] + q[1]), std::cos(q[0] + q[1])};
+  const Vector pressed = scene.code().call("constrained_dynamics", {q, kqd, ktau});
+  const Vector expected = ArmScene("").code().call(
+      "constrained_dynamics", {q, kqd, {ktau[0] + lever[0] * f[2], ktau[1] + lever[1] * f[2]}});
+  EXPECT_NEAR(pressed.at(0), expected.at(0), 1e-9);  // of 1e3 rad/s^2
+  EXPECT_NEAR(pressed.at(1), expected.at(1), 1e-9);
+  EXPECT_EQ(scene.code().call("contact_force", {{0.5, 0.3}, kqd}), (Vector{0, 0, 0}));
+}
+
 TEST(InverseDynamics, UndoesConstrainedDynamics) {
   // the shoulder has no drive: the reactions carry it
   const ArmScene scene(std::string(kHeld) + "  drive:\n    - {joint: elbow, torque: 5}\n");
