@@ -152,8 +152,14 @@ void set_without(Request& request, const std::string& list) {
   }
 }
 
+void add_sharing(CLI::App& command, Request& request) {
+  command.add_flag("--share-limbs", request.share_limbs,
+                   "one function for limbs of equal structure: less code, somewhat more time");
+}
+
 void add_generation(CLI::App& command, Request& request) {
   add_model(command, request);
+  add_sharing(command, request);
   command.get_option("MODEL")->required(false);
   command
       .add_option_function<std::string>(
@@ -365,6 +371,12 @@ void require_model_or_scene(const Settings& settings) {
   const Request& request = settings.request;
   if (request.model.empty() && !request.scene) {
     throw CLI::ParseError("MODEL is required; expected a model or --scene FILE", kUsage);
+  }
+  if (request.share_limbs && (request.scene || request.target.lanes > 1)) {
+    throw CLI::ParseError(
+        "--share-limbs: functions of a scene and of several states at once have no shared limbs; "
+        "expected a MODEL and 1 lane",
+        kUsage);
   }
   if (!request.scene) {
     return;

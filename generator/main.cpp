@@ -61,7 +61,7 @@ int run_generate(const Settings& settings) {
     return 0;
   }
   const Model model = read(settings.request);
-  print_warnings(settings, warnings_of(model));
+  print_warnings(settings, warnings_of(model, settings.request));
   const std::vector<emit::File> files = generate(model, settings.request, trace_of(settings));
   std::vector<OutputFile> outputs;
   const std::vector<std::string> places = paths(settings, model.name);
@@ -78,7 +78,7 @@ int run_generate(const Settings& settings) {
 
 int run_check(const Settings& settings) {
   const Model model = read(settings.request);
-  print_warnings(settings, warnings_of(model));
+  print_warnings(settings, warnings_of(model, settings.request));
   const std::vector<emit::File> files = generate(model, settings.request, trace_of(settings));
   const std::string report = check_files(files, settings.output);
   if (report.empty()) {
@@ -101,7 +101,7 @@ int run_outputs(const Settings& settings) {
 
 int run_info(const Settings& settings) {
   const Model model = read(settings.request);
-  print_warnings(settings, warnings_of(model));
+  print_warnings(settings, warnings_of(model, settings.request));
   if (settings.equations) {
     print(equations_text(model, settings.request));
     return 0;

@@ -142,18 +142,23 @@ std::vector<std::string> names_without(const Request& request) {
 std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", text); }
 
 std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
-  return {{"scalar", in_quotes(emit::type_name(request.target.scalar))},
-          {"lanes", std::to_string(request.target.lanes)},
-          {"sincos", in_quotes(request.target.builtin_sincos || request.target.lanes > 1 ? "builtin"
-                                                                                         : "libm")},
-          {"layout", in_quotes(request.target.packed ? "packed" : "dense")},
-          {"base", in_quotes(base_text(request.read.base))},
-          {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
-          {"snap", emit::decimal(request.read.snap)},
-          {"mimic", in_quotes(mimic_text(request.read.mimic))},
-          {"effort", std::to_string(request.effort)},
-          {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))},
-          {"without", in_quotes(list_of(names_without(request)))}};
+  std::vector<std::pair<std::string, std::string>> options = {
+      {"scalar", in_quotes(emit::type_name(request.target.scalar))},
+      {"lanes", std::to_string(request.target.lanes)},
+      {"sincos",
+       in_quotes(request.target.builtin_sincos || request.target.lanes > 1 ? "builtin" : "libm")},
+      {"layout", in_quotes(request.target.packed ? "packed" : "dense")},
+      {"base", in_quotes(base_text(request.read.base))},
+      {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
+      {"snap", emit::decimal(request.read.snap)},
+      {"mimic", in_quotes(mimic_text(request.read.mimic))},
+      {"effort", std::to_string(request.effort)},
+      {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))},
+      {"without", in_quotes(list_of(names_without(request)))}};
+  if (request.share_limbs) {
+    options.emplace_back("share_limbs", "true");
+  }
+  return options;
 }
 
 }  // namespace
@@ -165,6 +170,7 @@ simplify::Options simplify_options(const Model& model, const Request& request) {
   options.effort = request.effort;
   options.forward_dynamics = request.forward_dynamics;
   options.without = request.without;
+  options.share_limbs = request.share_limbs;
   return options;
 }
 
@@ -321,6 +327,7 @@ namespace {
 program::Packing packing_of(const Model& model, const Request& request) {
   simplify::Options options = simplify_options(model, request);
   options.without.clear();
+  options.share_limbs = false;
   return program::lower_triangle(simplify::build(model.tree, simplify::recipe_of("mass_matrix"),
                                                  options, simplify::plain_variant(model.tree)),
                                  model.tree.dof());
@@ -367,8 +374,12 @@ std::vector<emit::File> generate(const Model& model, const Request& request, con
   return emit_files(model, request, std::move(programs));
 }
 
-std::vector<Warning> warnings_of(const Model& model) {
+std::vector<Warning> warnings_of(const Model& model, const Request& request) {
   std::vector<Warning> warnings = model.tree.warnings;
+  if (request.share_limbs && simplify::find_limbs(model.tree).empty()) {
+    warnings.push_back({{request.model, 0, 0},
+                        "no two limbs have the same structure; --share-limbs changes nothing"});
+  }
   const std::vector<Warning> singular = description::joints_without_inertia(model.tree);
   warnings.insert(warnings.end(), singular.begin(), singular.end());
   return warnings;
@@ -410,6 +421,9 @@ std::vector<std::string> options_of(const Request& request) {
   add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
       forward_dynamics_text(request.forward_dynamics));
   add(!request.without.empty(), "--without", list_of(names_without(request)));
+  if (request.share_limbs) {
+    result.emplace_back("--share-limbs");
+  }
   return result;
 }
 

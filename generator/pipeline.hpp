@@ -27,6 +27,7 @@ struct Request {
   int effort = simplify::Options{}.effort;
   simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
   std::vector<simplify::Pass> without;  ///< passes that are switched off
+  bool share_limbs = false;             ///< equal limbs share code
 };
 
 /// Where the model came from.
@@ -77,7 +78,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace);
 
 /// Remarks on a model that do not stop the program.
-std::vector<Warning> warnings_of(const Model& model);
+std::vector<Warning> warnings_of(const Model& model, const Request& request);
 
 /// The block equations of the model's functions with the zero blocks of D.
 std::string equations_text(const Model& model, const Request& request);

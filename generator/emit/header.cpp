@@ -139,8 +139,9 @@ std::string signature_doc(const program::Signature& signature) {
 std::string function_doc(const program::Function& function) {
   const program::Signature& signature = function.signature;
   return signature_doc(signature) +
-         wrapped(fmt::format("Equation {}. Cost: {}.", signature.equation,
-                             cost_text(program::cost(function))),
+         wrapped(fmt::format("Equation {}. Cost: {}.{}", signature.equation,
+                             cost_text(program::cost(function)),
+                             function.limb_code ? " Equal limbs share code." : ""),
                  "/// ");
 }
 

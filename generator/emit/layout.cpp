@@ -63,6 +63,20 @@ std::vector<std::string> parameters(const program::Signature& signature,
   return result;
 }
 
+std::string camel_case(const std::string& name) {
+  std::string result;
+  bool start = true;
+  for (const char c : name) {
+    if (c == '_') {
+      start = true;
+    } else {
+      result += start && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+      start = false;
+    }
+  }
+  return result;
+}
+
 std::string cost_text(const program::Cost& cost) {
   std::string result;
   const auto add = [&](int count, const char* what) {

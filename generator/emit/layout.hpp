@@ -24,6 +24,9 @@ std::string declaration(const std::string& head, const std::vector<std::string>&
 std::vector<std::string> parameters(const program::Signature& signature,
                                     const std::vector<bool>& uses);
 
+/// mass_matrix -> MassMatrix
+std::string camel_case(const std::string& name);
+
 /// "12 mul, 8 add, 1 sin"; "none" if nothing is computed.
 std::string cost_text(const program::Cost& cost);
 

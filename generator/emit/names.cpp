@@ -124,6 +124,20 @@ Vocabulary vocabulary(const model::Tree& tree) {
   return words;
 }
 
+std::string common_words(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& word : words_of(names.front())) {
+    const bool everywhere = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+      const std::vector<std::string> words = words_of(name);
+      return std::find(words.begin(), words.end(), word) != words.end();
+    });
+    if (everywhere && !word.empty()) {
+      result += (result.empty() ? "" : "_") + word;
+    }
+  }
+  return result;
+}
+
 LocalNames::LocalNames(const program::Function& function, const Vocabulary& words,
                        const std::vector<Ref>& operations)
     : function_(function),

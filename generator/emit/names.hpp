@@ -37,6 +37,10 @@ struct Vocabulary {
 };
 Vocabulary vocabulary(const model::Tree& tree);
 
+/// The words that names of links of several limbs have in common ("thigh" of left_thigh and
+/// right_thigh); empty if there are none.
+std::string common_words(const std::vector<std::string>& names);
+
 /// The names of a function's values: `omega_forearm_x` where the graph has a hint, `s_elbow` for
 /// the sine of a joint angle, otherwise `t_forearm_1` counted in each body.
 class LocalNames {

@@ -8,21 +8,6 @@ namespace treedyn::emit {
 
 namespace {
 
-/// mass_matrix -> MassMatrixWorkspace
-std::string workspace_type(const std::string& function) {
-  std::string result;
-  bool start = true;
-  for (const char c : function) {
-    if (c == '_') {
-      start = true;
-    } else {
-      result += start && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-      start = false;
-    }
-  }
-  return result + "Workspace";
-}
-
 std::string workspace(const std::string& type, const std::vector<std::string>& members) {
   std::string result = fmt::format("struct {} {{\n", type);
   for (const std::string& member : members) {
@@ -31,11 +16,17 @@ std::string workspace(const std::string& type, const std::vector<std::string>& m
   return result + "};\n";
 }
 
-/// The arrays that a part uses: of all `values` (one per array) those.
-std::vector<std::string> chosen(const std::vector<std::string>& values, const Part& part) {
+/// The arrays that a part uses: of all `values` (one per array) those. An input that is an output
+/// too counts as output.
+std::vector<std::string> chosen(const std::vector<std::string>& values,
+                                const std::vector<std::string>& names, const Part& part) {
   std::vector<std::string> result;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    if (part.uses[k]) {
+    bool again = false;
+    for (std::size_t later = k + 1; later < names.size(); ++later) {
+      again |= part.uses[later] && names[later] == names[k];
+    }
+    if (part.uses[k] && !again) {
       result.push_back(values[k]);
     }
   }
@@ -53,7 +44,7 @@ std::string block(const std::vector<std::string>& lines) {
 }
 
 SplitText split_text(const program::Signature& signature, const Body& body) {
-  const std::string type = workspace_type(signature.name);
+  const std::string type = camel_case(signature.name) + "Workspace";
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
   std::vector<std::string> names;
   for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
@@ -70,8 +61,8 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
   for (std::size_t k = 0; k < body.parts.size(); ++k) {
     const Part& part = body.parts[k];
     const std::string name = fmt::format("{}_{}", signature.name, k + 1);
-    std::vector<std::string> declared = chosen(parameters(signature, all), part);
-    std::vector<std::string> passed = chosen(names, part);
+    std::vector<std::string> declared = chosen(parameters(signature, all), names, part);
+    std::vector<std::string> passed = chosen(names, names, part);
     if (part.uses_workspace) {
       declared.push_back(type + "& w");
       passed.emplace_back("w");
@@ -79,7 +70,7 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
     text.parts += "\n";
     text.parts +=
         declaration("[[gnu::noinline]] void " + name, declared, " noexcept {") + block(part.lines);
-    text.calls.push_back(fmt::format("{}({});", name, fmt::join(passed, ", ")));
+    text.calls.push_back(declaration("  " + name, passed, ";").substr(2));
     for (std::size_t array = 0; array < text.used.size(); ++array) {
       text.used[array] = text.used[array] || part.uses[array];
     }

@@ -6,6 +6,7 @@
 
 #include "emit/header.hpp"
 #include "emit/layout.hpp"
+#include "emit/limb_text.hpp"
 #include "emit/parts.hpp"
 #include "emit/sincos.hpp"
 #include "emit/staged.hpp"
@@ -68,6 +69,10 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   for (std::size_t k = 0; k < unit.functions.size(); ++k) {
     const program::Signature& signature = unit.functions[k].signature;
     functions += "\n";
+    if (unit.functions[k].limb_code) {
+      functions += limb_text(unit.functions[k], vocabulary(*unit.tree), unit.target);
+      continue;
+    }
     functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k].parts.front())
                                              : split_function(signature, bodies[k]);
   }

@@ -2,6 +2,7 @@
 
 #include "emit/body.hpp"
 #include "emit/header.hpp"
+#include "emit/limb_text.hpp"
 #include "emit/manifest.hpp"
 #include "emit/source.hpp"
 #include "emit/staged.hpp"
@@ -17,7 +18,8 @@ std::vector<File> emit_files(const Unit& unit) {
   std::vector<Body> bodies;
   bodies.reserve(unit.functions.size() + unit.staged.size());
   for (const program::Function& function : unit.functions) {
-    bodies.push_back(body(function, words, unit.target));
+    bodies.push_back(function.limb_code ? limb_body(function, words, unit.target)
+                                        : body(function, words, unit.target));
   }
   for (const program::Staged& staged : unit.staged) {
     bodies.push_back(staged_body(staged, words, unit.target));

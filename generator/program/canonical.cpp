@@ -1,32 +1,16 @@
 #include "program/canonical.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <tuple>
 
 #include "program/copy.hpp"
-#include "program/random.hpp"
+#include "program/residue.hpp"
 
 namespace treedyn::program {
 
 namespace {
 
-/// Arithmetic of the keys: modulo the prime 2^61 - 1.
-using Key = std::uint64_t;
-constexpr Key kPrime = (Key{1} << 61U) - 1;
-
-Key sum(Key a, Key b) { return (a + b) % kPrime; }
-Key negative(Key a) { return a == 0 ? 0 : kPrime - a; }
-Key product(Key a, Key b) {
-  __extension__ using Wide = unsigned __int128;
-  return static_cast<Key>(static_cast<Wide>(a) * b % kPrime);
-}
-
-/// Even and odd functions of a key that nothing simple maps to each other; `kind` tells them apart.
-Key even(Key a, Kind kind) {
-  return scramble(product(a, a) + (static_cast<Key>(kind) << 61U)) % kPrime;
-}
-Key odd(Key a, Kind kind) { return product(a, even(a, kind)); }
+using namespace residue;
 
 /// Keys of the nodes by structure: the key of -a is the negative of that of a, the operands of sums
 /// and products may change places, numbers count in double.
@@ -63,9 +47,9 @@ class Structure {
     const Node& node = graph_.node(k);
     switch (node.kind) {
       case Kind::kConstant:
-        return scramble(std::bit_cast<Key>(static_cast<double>(graph_.value(k)))) % kPrime;
+        return key_of(static_cast<double>(graph_.value(k)));
       case Kind::kInput:
-        return scramble(scramble(static_cast<Key>(node.a)) + static_cast<Key>(node.b)) % kPrime;
+        return key_of(node.a, node.b);
       case Kind::kAdd:
         return odd(sum(key(node.a), key(node.b)), node.kind);
       case Kind::kMultiply:

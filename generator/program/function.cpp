@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "program/limb_code.hpp"
+
 namespace treedyn::program {
 
 Cost cost(const Graph& graph, std::span<const Ref> outputs) {
@@ -35,7 +37,24 @@ Cost cost(const Graph& graph, std::span<const Ref> outputs) {
   return result;
 }
 
+Cost cost(const Function& function) {
+  return function.limb_code ? cost(*function.limb_code) : cost(function.graph, function.outputs);
+}
+
+Cost operator+(const Cost& a, const Cost& b) {
+  return {a.add + b.add,   a.mul + b.mul, a.div + b.div,
+          a.sqrt + b.sqrt, a.sin + b.sin, a.cos + b.cos};
+}
+
+Cost operator*(int times, const Cost& c) {
+  return {times * c.add,  times * c.mul, times * c.div,
+          times * c.sqrt, times * c.sin, times * c.cos};
+}
+
 int fused(const Function& function) {
+  if (function.limb_code) {
+    return fused(*function.limb_code);
+  }
   const Graph& graph = function.graph;
   const std::vector<Ref> nodes = reachable(graph, function.outputs);
   std::vector<int> uses(graph.size(), 0);

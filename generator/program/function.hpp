@@ -2,6 +2,7 @@
 // inputs.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,15 @@ struct Signature {
   std::vector<Array> outputs;
 };
 
+struct LimbCode;  // limb_code.hpp
+
 /// \invariant `outputs` holds one value for each element of all output arrays, in order.
 struct Function {
   Signature signature;
   Graph graph;
   std::vector<Ref> outputs;
+  /// The same function as code that equal limbs share; null: every limb has its own.
+  std::shared_ptr<const LimbCode> limb_code = nullptr;
 };
 
 /// Operations that one call executes, INTERFACE.md 5: a negation or a copy costs nothing.
@@ -49,7 +54,10 @@ struct Cost {
 
 /// Every reachable node counts once. O(size of the graph).
 Cost cost(const Graph& graph, std::span<const Ref> outputs);
-inline Cost cost(const Function& function) { return cost(function.graph, function.outputs); }
+/// Of the code of the function: every call of a limb's code counts.
+Cost cost(const Function& function);
+Cost operator+(const Cost& a, const Cost& b);
+Cost operator*(int times, const Cost& cost);
 
 /// Multiplications and additions that a machine with fused multiply-add executes as one operation:
 /// sums that take in a product of no other use. Such a product stands in the expression of its sum

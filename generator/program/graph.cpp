@@ -22,12 +22,15 @@ std::uint64_t pack(Ref a, Ref b) {
 
 }  // namespace
 
-Graph::Graph() : nodes_(1), hints_(2), sections_(1) {}
+Graph::Graph() : nodes_(1), hints_(2), sections_(1), fixed_(1, true) {}
 
 Ref Graph::make(Kind kind, Ref a, Ref b) {
   const auto [place, is_new] =
       table_.try_emplace(Key{pack(a, b), kind}, static_cast<Ref>(nodes_.size()));
   if (is_new) {
+    const bool input = kind == Kind::kInput;
+    fixed_.push_back(kind == Kind::kConstant ||
+                     (input ? a >= kFixedArrays : is_fixed(a) && is_fixed(b)));
     nodes_.push_back({kind, a, b});
     hints_.resize(hints_.size() + 2, {nullptr, body_, nullptr});
     sections_.push_back(section_);

@@ -15,6 +15,10 @@ namespace treedyn::program {
 /// value and costs nothing.
 using Ref = std::int32_t;
 
+/// Input arrays from this number on hold numbers that are known when code is generated, but are not
+/// the same in all limbs that share it (limbs.hpp).
+inline constexpr int kFixedArrays = 1 << 20;
+
 enum class Kind : std::uint8_t { kConstant, kInput, kAdd, kMultiply, kDivide, kSin, kCos, kSqrt };
 
 /// One node. kConstant: a = index of the (positive) constant. kInput: a = array, b = element.
@@ -55,6 +59,8 @@ class Graph {
   Ref sqrt(Ref a);
 
   [[nodiscard]] bool is_constant(Ref a) const;
+  /// True if no argument of the function is needed: a constant, or made of constants of limbs.
+  [[nodiscard]] bool is_fixed(Ref a) const { return a == 0 || fixed_[index(a)]; }
   /// \pre is_constant(a)
   [[nodiscard]] Real value(Ref a) const;
   [[nodiscard]] const Node& node(Ref a) const { return nodes_[index(a)]; }
@@ -93,6 +99,7 @@ class Graph {
   std::vector<Node> nodes_;
   std::vector<Hint> hints_;  ///< two for each node: of its value, of the negative
   std::vector<int> sections_;
+  std::vector<bool> fixed_;
   std::vector<Real> constants_;
   std::unordered_map<Key, Ref, KeyHash> table_;  // looked up, never iterated
   std::multimap<double, Ref> constant_table_;
@@ -124,6 +131,7 @@ class Expr {
   [[nodiscard]] Ref ref() const { return ref_; }
   [[nodiscard]] bool is_zero() const { return ref_ == 0; }
   [[nodiscard]] bool is_constant() const { return ref_ == 0 || graph_->is_constant(ref_); }
+  [[nodiscard]] bool is_fixed() const { return ref_ == 0 || graph_->is_fixed(ref_); }
   [[nodiscard]] Real value() const { return ref_ == 0 ? Real(0) : graph_->value(ref_); }
   bool operator==(const Expr& other) const { return ref_ == other.ref_; }
 

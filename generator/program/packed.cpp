@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "program/limb_code.hpp"
 
 namespace treedyn::program {
 
@@ -52,6 +53,11 @@ Function packed(Function function, const std::string& matrix, int n, const Packi
     begin += size;
   }
   function.outputs = std::move(outputs);
+  if (function.limb_code) {
+    LimbCode code = *function.limb_code;
+    code.trunk = packed(std::move(code.trunk), matrix, n, packing);
+    function.limb_code = std::make_shared<const LimbCode>(std::move(code));
+  }
   return function;
 }
 

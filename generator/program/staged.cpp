@@ -52,11 +52,6 @@ Cost products(int count) { return {.add = count, .mul = count}; }
 
 }  // namespace
 
-Cost operator+(const Cost& a, const Cost& b) {
-  return {a.add + b.add,   a.mul + b.mul, a.div + b.div,
-          a.sqrt + b.sqrt, a.sin + b.sin, a.cos + b.cos};
-}
-
 Function regular_solve(const RowSolve& solve) {
   Function f;
   const int r = solve.rows;

@@ -79,8 +79,6 @@ Cost cost(const Staged& staged);
 /// fails.
 Cost worst_cost(const Staged& staged);
 
-Cost operator+(const Cost& a, const Cost& b);
-
 /// Calls of pow in the dearest call, which no Cost counts.
 int worst_powers(const Staged& staged);
 

@@ -20,10 +20,6 @@ Cost of_all(const std::vector<Staged>& functions) {
   return sum;
 }
 
-Cost operator*(int n, const Cost& c) {
-  return {n * c.add, n * c.mul, n * c.div, n * c.sqrt, n * c.sin, n * c.cos};
-}
-
 /// M of a stage by differences, and its factors.
 Cost factor_cost(int n, const Cost& dynamics) {
   Cost sum = (n + 1) * dynamics + Cost{.add = 2 * n, .mul = 2 * n};

@@ -47,9 +47,12 @@ bool by_trunk(const Task& task) {
   return task.kinematics.variant().trunk && has_free_base(task.tree);
 }
 
-Expr input(const Task& task, int array, int element) {
-  Graph& graph = task.kinematics.graph();
-  return {graph, graph.input(array, element)};
+/// Joint values of the links as values of the coordinates, where every link has its own.
+std::vector<Expr> of_coordinates(const Task& task, std::vector<Expr> x) {
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    x[k] = task.kinematics.result(static_cast<int>(k), x[k]);
+  }
+  return x;
 }
 
 /// N x 3P, row-major; rows of reduced mimic joints add up: T^T C.
@@ -103,22 +106,23 @@ std::vector<Expr> build_forward_dynamics(const Task& task) {
   const Kinematics& k = task.kinematics;
   const bool one_joint_one_coordinate = task.tree.dof() == task.tree.size();
   if (by_trunk(task) && one_joint_one_coordinate) {
-    return forward_dynamics_by_trunk(k, -k.ground_acceleration(), k.variant().articulated);
+    return of_coordinates(
+        task, forward_dynamics_by_trunk(k, -k.ground_acceleration(), k.variant().articulated));
   }
   if (k.variant().articulated && one_joint_one_coordinate) {
-    return articulated_forward_dynamics(k, k.ground_acceleration());
+    return of_coordinates(task, articulated_forward_dynamics(k, k.ground_acceleration()));
   }
   const std::vector<Expr> bias = build_with_gravity(task);
   std::vector<Expr> right;
   for (int i = 0; i < task.tree.dof(); ++i) {
-    right.push_back(input(task, 2, i) - bias[static_cast<std::size_t>(i)]);
+    right.push_back(k.argument(2, i) - bias[static_cast<std::size_t>(i)]);
   }
   return factorization(task).solve(right);
 }
 
 std::vector<Expr> build_dynamics_terms(const Task& task) {
   const Kinematics& k = task.kinematics;
-  const Kinematics at_rest(k.graph(), task.tree, task.normal, k.variant(), {.q = 0});
+  const Kinematics at_rest(k.graph(), task.tree, task.normal, k.variant(), {.q = 0}, k.limbs());
   const std::vector<Expr> bias = build_bias_force(task);
   const std::vector<Expr> gravity =
       build_with_gravity({task.tree, task.normal, task.options, at_rest});
@@ -146,7 +150,7 @@ std::vector<Expr> build_mass_matrix_factor(const Task& task) {
 std::vector<Expr> build_mass_matrix_solve(const Task& task) {
   std::vector<Expr> right;
   for (int i = 0; i < task.tree.dof(); ++i) {
-    right.push_back(input(task, 1, i));
+    right.push_back(task.kinematics.argument(1, i));
   }
   return factorization(task).solve(right);
 }

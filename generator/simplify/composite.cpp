@@ -30,11 +30,11 @@ class CompositeBodies {
   Kinematics::Body composite(int i) {
     Graph& graph = k_.graph();
     const Terms& t = at(i);
-    Kinematics::Body body{sum(graph, t.mass), {}, {}};
+    Kinematics::Body body{sum(t.mass), {}, {}};
     for (std::size_t a = 0; a < 3; ++a) {
-      body.moment[a] = sum(graph, t.moment[a]);
+      body.moment[a] = sum(t.moment[a]);
       for (std::size_t b = a; b < 3; ++b) {
-        body.pseudo[a][b] = body.pseudo[b][a] = sum(graph, t.tensor[a][b]);
+        body.pseudo[a][b] = body.pseudo[b][a] = sum(t.tensor[a][b]);
       }
     }
     name(graph, body.moment, "h", i);
@@ -79,7 +79,7 @@ class CompositeBodies {
 
   /// 2 s_a h_a and m s_a^2, merged into one product where s is not constant.
   static std::array<Expr, 2> diagonal_shift(Expr h, Expr mass, Expr s) {
-    if (s.is_constant()) {
+    if (s.is_fixed()) {
       return {(s + s) * h, (mass * s) * s};
     }
     return {s * ((h + h) + mass * s), Expr()};
@@ -92,7 +92,7 @@ class CompositeBodies {
       }
       for (std::size_t b = a + 1; b < 3; ++b) {
         f.tensor[a][b].push_back(s[b] * h[a]);
-        if (s[a].is_constant()) {
+        if (s[a].is_fixed()) {
           f.tensor[a][b].push_back(s[a] * h[b]);
           f.tensor[a][b].push_back((mass * s[a]) * s[b]);
         } else {

@@ -14,8 +14,8 @@ Expr twice_kinetic_energy(Graph& graph, const Kinematics::Body& body, const Velo
   const Vec3 turning = cross(velocity.omega, body.moment);
   const Expr two = constant(graph, Real(2));
   const Expr rotation =
-      sum(graph, {(y * y + z * z) * e[0][0], (x * x + z * z) * e[1][1], (x * x + y * y) * e[2][2]});
-  const Expr products = sum(graph, {(x * y) * e[0][1], (x * z) * e[0][2], (y * z) * e[1][2]});
+      sum({(y * y + z * z) * e[0][0], (x * x + z * z) * e[1][1], (x * x + y * y) * e[2][2]});
+  const Expr products = sum({(x * y) * e[0][1], (x * z) * e[0][2], (y * z) * e[1][2]});
   return dot(velocity.origin, momentum + two * turning) + (rotation - two * products);
 }
 

@@ -20,7 +20,7 @@ const Real kNearlyParallel("1e-6");
 class Workbench {
  public:
   Workbench(const model::Tree& tree, const Vector3& gravity, const Variant& variant);
-  NormalTree run();
+  NormalTree run(const std::vector<LimbLinks>& limbs);
 
  private:
   [[nodiscard]] std::size_t size() const { return tree_.links.size(); }
@@ -33,6 +33,8 @@ class Workbench {
   void slide(int i, const Real& distance);
   void turn(int i, const Turn& turn);
   void scale_lengths(const Real& unit);
+  void align(const LimbLinks& limbs);
+  void align(int i, const NormalLink& first);
 
   [[nodiscard]] std::optional<Real> slide_distance(int i);
   [[nodiscard]] Turn frame_turn(int i);
@@ -225,7 +227,55 @@ void Workbench::scale_lengths(const Real& unit) {
   }
 }
 
-NormalTree Workbench::run() {
+/// Constants of a link that are equal in the link of another limb; those of rotations count most.
+int equal_constants(const NormalLink& a, const NormalLink& b) {
+  constexpr int kRotationWeight = 100;
+  int count = 0;
+  const auto compare = [&](const auto& x, const auto& y, int weight) {
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      count += abs(x[k] - y[k]) <= (abs(x[k]) + abs(y[k])) * kTiny ? weight : 0;
+    }
+  };
+  compare(a.rotation, b.rotation, kRotationWeight);
+  compare(a.offset, b.offset, 1);
+  compare(a.moment, b.moment, 1);
+  compare(a.pseudo, b.pseudo, 1);
+  return count;
+}
+
+/// Of the four frames that half turns make of the frame of link i, the one most like `first`.
+void Workbench::align(int i, const NormalLink& first) {
+  const Turn half = {-1, 0};
+  const auto step = [&](int k) {
+    k % 2 == 0 ? turn(i, half) : turn_half(i);
+  };
+  int best = 0;
+  int most = equal_constants(link(i), first);
+  for (int k = 0; k < 4; ++k) {
+    step(k);
+    if (const int count = equal_constants(link(i), first); k < 3 && count > most) {
+      most = count;
+      best = k + 1;
+    }
+  }
+  for (int k = 0; k < best; ++k) {
+    step(k);
+  }
+}
+
+void Workbench::align(const LimbLinks& limbs) {
+  for (std::size_t limb = 1; limb < limbs.size(); ++limb) {
+    for (std::size_t p = 0; p < limbs[limb].size(); ++p) {  // fathers first
+      const int i = limbs[limb][p];
+      const NormalLink& first = link(limbs[0][p]);
+      align(i, first);
+      link(i).coordinate_sign = link(i).sign * first.sign;
+      link(i).sign = first.sign;
+    }
+  }
+}
+
+NormalTree Workbench::run(const std::vector<LimbLinks>& limbs) {
   const int n = static_cast<int>(size());
   for (int i = 0; i < n; ++i) {
     if (link(i).father != model::kGround && link(i).rotation[8] == -1) {
@@ -244,6 +294,9 @@ NormalTree Workbench::run() {
       turn(i, frame_turn(i));
     }
   }
+  for (const LimbLinks& of_class : limbs) {
+    align(of_class);
+  }
   clean_constants(tree_);
   if (variant_.unit_length > 0) {
     scale_lengths(unit_lengths(model_)[static_cast<std::size_t>(variant_.unit_length - 1)]);
@@ -260,8 +313,9 @@ NormalTree Workbench::run() {
 
 }  // namespace
 
-NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Variant& variant) {
-  return Workbench(tree, gravity, variant).run();
+NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Variant& variant,
+                       const std::vector<LimbLinks>& limbs) {
+  return Workbench(tree, gravity, variant).run(limbs);
 }
 
 std::vector<Real> unit_lengths(const model::Tree& tree) {

@@ -7,6 +7,7 @@
 
 #include "model/tree.hpp"
 #include "simplify/geometry.hpp"
+#include "simplify/limbs.hpp"
 #include "simplify/variant.hpp"
 
 namespace treedyn::simplify {
@@ -25,6 +26,7 @@ struct NormalLink {
   Matrix3 to_normal{};  ///< rotation: original link frame -> normal frame
   Vector3 origin{};     ///< origin of the normal frame in the original link frame
   std::vector<int> sons;
+  int coordinate_sign = 1;  ///< limbs that share code: `sign` counts for this times the coordinate
 };
 
 struct NormalTree {
@@ -39,8 +41,11 @@ struct NormalTree {
 /// coordinate is given in metres).
 std::vector<Real> unit_lengths(const model::Tree& tree);
 
-/// \pre variant.links has one entry per link.
-NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Variant& variant);
+/// The frames of `limbs` are turned by half turns so that as many constants as possible are those
+/// of the first limb of the class; `sign` is the first limb's. \pre variant.links has one entry per
+/// link.
+NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Variant& variant,
+                       const std::vector<LimbLinks>& limbs = {});
 
 /// True if joints 0..5 are three sliding and three turning joints through one point whose links
 /// 0..4 have no inertia and no other son: the base of a robot that is free to move.

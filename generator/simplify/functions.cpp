@@ -21,8 +21,31 @@ Variant plain_variant(const model::Tree& tree) {
   return variant;
 }
 
-program::Function build(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                        const Variant& variant) {
+namespace {
+
+/// The coordinates of limbs count with the signs of `limbs`.
+model::Tree with_signs(model::Tree tree, const NormalTree& normal) {
+  for (std::size_t i = 0; i < tree.drives.size(); ++i) {
+    tree.drives[i].multiplier *= normal.links[i].coordinate_sign;
+  }
+  return tree;
+}
+
+/// The recipe's expressions, nodes in canonical order.
+program::Function written(const model::Tree& tree, const NormalTree& normal, const Recipe& recipe,
+                          const Options& options, const Variant& variant, SharedLimbs* limbs) {
+  program::Function function;
+  const Kinematics kinematics(function.graph, tree, normal, variant, recipe.places, limbs);
+  for (const Expr& output : recipe.build({tree, normal, options, kinematics})) {
+    function.outputs.push_back(output.ref());
+  }
+  return program::canonical(function);
+}
+
+}  // namespace
+
+Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                       const Variant& variant) {
   Variant used = variant;
   if (recipe.freedom.trunk && variant.trunk && has_free_base(tree)) {
     for (std::size_t i = 3; i < 6;
@@ -38,13 +61,17 @@ program::Function build(const model::Tree& tree, const Recipe& recipe, const Opt
       link.slide = Slide::kNone;
     }
   }
-  program::Function function;
-  const NormalTree normal = normal_form(tree, options.gravity, used);
-  const Kinematics kinematics(function.graph, tree, normal, used, recipe.places);
-  for (const Expr& output : recipe.build({tree, normal, options, kinematics})) {
-    function.outputs.push_back(output.ref());
+  const std::vector<LimbLinks> links =
+      options.share_limbs ? find_limbs(tree) : std::vector<LimbLinks>{};
+  const NormalTree normal = normal_form(tree, options.gravity, used, links);
+  if (links.empty()) {
+    return {written(tree, normal, recipe, options, used, nullptr), {}};
   }
-  return program::canonical(function);
+  SharedLimbs limbs = shared_limbs(tree, normal, links);
+  program::Function function =
+      written(with_signs(tree, normal), normal, recipe, options, used, &limbs);
+  function = program::fold_limb_constants(function, limbs.table);
+  return {std::move(function), std::move(limbs.table)};
 }
 
 }  // namespace treedyn::simplify

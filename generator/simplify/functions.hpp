@@ -56,9 +56,20 @@ const std::vector<Recipe>& recipes();
 /// \pre `name` is in the table.
 const Recipe& recipe_of(const std::string& name);
 
+/// One formulation of a function and, with `options.share_limbs`, the leaves of its limbs.
+struct Built {
+  program::Function function;
+  program::Limbs limbs;
+};
+Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                       const Variant& variant);
+
 /// One formulation of a function, as it comes from the equations: no algebraic pass has run.
-program::Function build(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                        const Variant& variant);
+/// \pre not `options.share_limbs`
+inline program::Function build(const model::Tree& tree, const Recipe& recipe,
+                               const Options& options, const Variant& variant) {
+  return build_with_limbs(tree, recipe, options, variant).function;
+}
 
 /// The variant before any search.
 Variant plain_variant(const model::Tree& tree);

@@ -37,6 +37,29 @@ std::pair<Expr, Expr> quarter_turned(Expr c, Expr s, const Turn& quarter) {
 
 }  // namespace
 
+SharedLimbs shared_limbs(const model::Tree& tree, const NormalTree& normal,
+                         const std::vector<LimbLinks>& links) {
+  SharedLimbs result;
+  result.links = links;
+  result.places.resize(tree.links.size());
+  for (const LimbLinks& limbs : links) {
+    program::LimbClass limb_class;
+    for (const std::vector<int>& limb : limbs) {
+      limb_class.links.push_back(limb);
+      std::vector<program::LimbJoint>& joints = limb_class.joints.emplace_back();
+      for (const int i : limb) {
+        const auto k = static_cast<std::size_t>(i);
+        result.places[k] = {static_cast<int>(result.table.size()),
+                            static_cast<int>(limb_class.joints.size()) - 1,
+                            static_cast<int>(joints.size())};
+        joints.push_back({tree.drives[k].coordinate, normal.links[k].coordinate_sign});
+      }
+    }
+    result.table.push_back(std::move(limb_class));
+  }
+  return result;
+}
+
 Angle operator+(const Angle& a, const Angle& b) { return combine(a, b, 1); }
 Angle operator-(const Angle& a, const Angle& b) { return combine(a, b, -1); }
 
@@ -65,7 +88,7 @@ Mat3 PlaneRotation::forward_symmetric(const Mat3& a) const {
     r[j][j] = xx;
     r[i][j] = r[j][i] = -xy;
   } else {
-    const Expr two_c_xy = xy.is_constant() ? c * (xy + xy) : (c + c) * xy;
+    const Expr two_c_xy = xy.is_fixed() ? c * (xy + xy) : (c + c) * xy;
     const Expr u = s * (xx - yy) + two_c_xy;
     const Expr t = s * u;
     r[i][i] = xx - t;
@@ -106,8 +129,13 @@ Mat3 PlaneRotation::forward_general(const Mat3& h) const {
 }
 
 Kinematics::Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& normal,
-                       const Variant& variant, const Inputs& inputs)
-    : graph_(graph), tree_(tree), normal_(normal), variant_(variant), inputs_(inputs) {
+                       const Variant& variant, const Inputs& inputs, SharedLimbs* limbs)
+    : graph_(graph),
+      tree_(tree),
+      normal_(normal),
+      variant_(variant),
+      inputs_(inputs),
+      limbs_(limbs) {
   find_runs();
   place_frames();
   for (int i = 0; i < size(); ++i) {
@@ -115,14 +143,73 @@ Kinematics::Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& 
   }
 }
 
-Expr Kinematics::coordinate(int array, int k) const { return {graph_, graph_.input(array, k)}; }
+std::vector<int> Kinematics::peers(int i) const {
+  if (!is_of_limb(i)) {
+    return {i};
+  }
+  const SharedLimbs::Place& place = limbs_->places[index(i)];
+  std::vector<int> result;
+  for (const std::vector<int>& limb : limbs_->links[index(place.limb_class)]) {
+    result.push_back(limb[index(place.position)]);
+  }
+  return result;
+}
+
+Expr Kinematics::own(int i, const std::vector<Real>& values) const {
+  if (!is_of_limb(i)) {
+    return constant(graph_, values.front());
+  }
+  const SharedLimbs::Place& place = limbs_->places[index(i)];
+  return {graph_,
+          program::limb_constant(graph_, limbs_->table, place.limb_class, place.limb, values)};
+}
+
+template <class Of>
+auto Kinematics::of_peers(int i, Of of) const {
+  std::vector<decltype(of(i))> result;
+  for (const int peer : peers(i)) {
+    result.push_back(of(peer));
+  }
+  return result;
+}
+
+Vec3 Kinematics::own_vector(int i, Vector3 NormalLink::*vector) const {
+  Vec3 result;
+  for (std::size_t n = 0; n < 3; ++n) {
+    result[n] = own(i, of_peers(i, [&](int peer) { return (link(peer).*vector)[n]; }));
+  }
+  return result;
+}
+
+Mat3 Kinematics::own_matrix(int i, Matrix3 (*matrix)(const NormalLink&)) const {
+  const std::vector<Matrix3> all = of_peers(i, [&](int peer) { return matrix(link(peer)); });
+  Mat3 result;
+  for (std::size_t n = 0; n < 9; ++n) {
+    std::vector<Real> values;
+    std::ranges::transform(all, std::back_inserter(values), [n](const Matrix3& m) { return m[n]; });
+    result[n / 3][n % 3] = own(i, values);
+  }
+  return result;
+}
+
+/// The argument of a limb is a leaf: the sign of the coordinate belongs to the leaf.
+Expr Kinematics::coordinate(int array, int k) const {
+  const bool leaf = is_of_limb(tree_.coordinates[index(k)]);
+  return {graph_, graph_.input(leaf ? program::kLimbInputs + array : array, k)};
+}
+
+Expr Kinematics::argument(int array, int k) const { return result(k, coordinate(array, k)); }
+
+Expr Kinematics::result(int k, Expr of_joint) const {
+  return link(tree_.coordinates[index(k)]).coordinate_sign < 0 ? -of_joint : of_joint;
+}
 
 Expr Kinematics::rate(int i, int array) const {
   if (array < 0) {
     return {};
   }
   const model::Drive& drive = tree_.drives[index(i)];
-  return constant(graph_, link(i).sign * drive.multiplier) * coordinate(array, drive.coordinate);
+  return constant(graph_, link(i).sign * multiplier(i)) * coordinate(array, drive.coordinate);
 }
 
 Expr Kinematics::force(int i) const {
@@ -132,7 +219,7 @@ Expr Kinematics::force(int i) const {
 
 Expr Kinematics::displacement(int i) const {
   const model::Drive& drive = tree_.drives[index(i)];
-  const Expr q = constant(graph_, drive.multiplier) * coordinate(inputs_.q, drive.coordinate) +
+  const Expr q = constant(graph_, multiplier(i)) * coordinate(inputs_.q, drive.coordinate) +
                  constant(graph_, drive.offset);
   return link(i).sign > 0 ? q : -q;
 }
@@ -143,38 +230,59 @@ Angle Kinematics::joint_angle(int i) const {
   }
   const model::Drive& drive = tree_.drives[index(i)];
   const Turn offset = drive.offset == 0 ? Turn{} : turn_by(link(i).sign * drive.offset);
-  if (drive.multiplier == 0) {
+  const Real factor = multiplier(i);
+  if (factor == 0) {
     return constant_angle(offset);
   }
-  return {{{drive.coordinate, link(i).sign * drive.multiplier}}, offset};
+  return {{{drive.coordinate, link(i).sign * factor}}, offset};
 }
 
-std::pair<Expr, Expr> Kinematics::cosine_and_sine(const Angle& angle) const {
+/// \param angles  of link i and its peers
+std::pair<Expr, Expr> Kinematics::cosine_and_sine(int i, const std::vector<Angle>& angles) const {
+  const Angle& angle =
+      is_of_limb(i) ? angles[index(limbs_->places[index(i)].limb)] : angles.front();
   const Turn& turn = angle.turn;
+  const auto own_of = [&](auto number) {
+    std::vector<Real> values;
+    std::ranges::transform(angles, std::back_inserter(values), number);
+    return own(i, values);
+  };
   if (angle.terms.empty()) {
-    return {constant(graph_, turn.c), constant(graph_, turn.s)};
+    const Expr c = own_of([](const Angle& a) { return a.turn.c; });
+    return {c, own_of([](const Angle& a) { return a.turn.s; })};
   }
   const int flip = angle.terms.front().second > 0 ? 1 : -1;  // first coefficient positive
   Expr sum;
   for (const auto& [k, coefficient] : angle.terms) {
     sum += constant(graph_, flip * coefficient) * coordinate(inputs_.q, k);
   }
-  const Turn quarter = turn.is_quarter() ? turn : Turn{};
-  if (!turn.is_quarter()) {
-    sum += constant(graph_, flip * angle_of(turn));
+  const bool is_quarter = turn.is_quarter() && std::ranges::all_of(angles, [&](const Angle& a) {
+                            return a.turn.c == turn.c && a.turn.s == turn.s;
+                          });
+  if (!is_quarter) {
+    sum += own_of([flip](const Angle& a) { return Real(flip * angle_of(a.turn)); });
   }
   const Expr c(graph_, graph_.cos(sum.ref()));
   const Expr s(graph_, graph_.sin(sum.ref()));
-  return quarter_turned(c, flip > 0 ? s : -s, quarter);
+  return quarter_turned(c, flip > 0 ? s : -s, is_quarter ? turn : Turn{});
 }
 
-void Kinematics::append(std::vector<PlaneRotation>& steps, std::size_t axis,
-                        const Angle& angle) const {
-  if (angle.terms.empty() && angle.turn.is_identity()) {
-    return;
+template <class AngleOf>
+void Kinematics::append(std::vector<PlaneRotation>& steps, std::size_t axis, int i,
+                        AngleOf angle) const {
+  const std::vector<Angle> angles = of_peers(i, angle);
+  const bool identity = std::ranges::all_of(
+      angles, [](const Angle& a) { return a.terms.empty() && a.turn.is_identity(); });
+  if (!identity) {
+    const auto [c, s] = cosine_and_sine(i, angles);
+    steps.push_back({axis, c, s});
   }
-  const auto [c, s] = cosine_and_sine(angle);
-  steps.push_back({axis, c, s});
+}
+
+/// The axis is the father's, in the other limbs too.
+bool Kinematics::is_parallel(int i) const {
+  const std::vector<int> all = peers(i);
+  return std::ranges::all_of(all, [&](int peer) { return link(peer).euler.alpha.is_identity(); });
 }
 
 void Kinematics::find_runs() {
@@ -186,8 +294,7 @@ void Kinematics::find_runs() {
     if (!link(i).revolute) {
       continue;
     }
-    const bool parallel =
-        f != model::kGround && link(f).revolute && link(i).euler.alpha.is_identity();
+    const bool parallel = f != model::kGround && link(f).revolute && is_parallel(i);
     if (parallel && choice(i).merge_parallel && !continued[index(f)]) {
       continued[index(f)] = true;
       head_[index(i)] = head_[index(f)];
@@ -221,26 +328,36 @@ void Kinematics::place_frames() {
   }
 }
 
+/// Turn of the father's expression frame against its normal frame.
+Angle Kinematics::father_angle(int i) const {
+  return link(i).father == model::kGround ? Angle{} : frame_angle_[index(link(i).father)];
+}
+
+/// Turns about z before and behind the one about x.
+Angle Kinematics::first_angle(int i) const {
+  return father_angle(i) + constant_angle(link(i).euler.gamma);
+}
+Angle Kinematics::last_angle(int i) const {
+  return link(i).revolute ? run_angle_[index(i)] : constant_angle(link(i).euler.epsilon);
+}
+
 void Kinematics::place_link(int i) {
   const NormalLink& l = link(i);
-  const Angle father_angle = l.father == model::kGround ? Angle{} : frame_angle_[index(l.father)];
   graph_.set_body(i);
-  Vec3 s = constant(graph_, l.offset);
+  Vec3 s = own_vector(i, &NormalLink::offset);
   std::vector<PlaneRotation> to_frame;
-  append(to_frame, kZ, father_angle);
+  append(to_frame, kZ, i, [this](int k) { return father_angle(k); });
   for (const PlaneRotation& step : to_frame) {
     s = step.forward(s);
   }
   std::vector<PlaneRotation> steps;
   if (!shares_frame(i)) {
-    const Angle last = l.revolute ? run_angle_[index(i)] : constant_angle(l.euler.epsilon);
-    const Angle first = father_angle + constant_angle(l.euler.gamma);
-    if (l.euler.alpha.is_identity()) {
-      append(steps, kZ, first + last);
+    if (is_parallel(i)) {
+      append(steps, kZ, i, [this](int k) { return first_angle(k) + last_angle(k); });
     } else {
-      append(steps, kZ, first);
-      append(steps, kX, constant_angle(l.euler.alpha));
-      append(steps, kZ, last);
+      append(steps, kZ, i, [this](int k) { return first_angle(k); });
+      append(steps, kX, i, [this](int k) { return constant_angle(link(k).euler.alpha); });
+      append(steps, kZ, i, [this](int k) { return last_angle(k); });
     }
   }
   rotations_.push_back(std::move(steps));
@@ -288,16 +405,24 @@ Mat3 Kinematics::to_father_general(int i, Mat3 h) const {
 
 Vec3 Kinematics::ground_acceleration() const { return -constant(graph_, normal_.gravity); }
 
-Kinematics::Body Kinematics::body_with_inertia_tensor(int i) const {
-  const Matrix3& e = link(i).pseudo;
-  return rotated_body(i, Real(e[0] + e[4] + e[8]) * identity() - e);
+Kinematics::Body Kinematics::body(int i) const {
+  return rotated_body(i, [](const NormalLink& l) { return l.pseudo; });
 }
 
-Kinematics::Body Kinematics::rotated_body(int i, const Matrix3& tensor) const {
-  const NormalLink& l = link(i);
-  Body body{constant(graph_, l.mass), constant(graph_, l.moment), constant(graph_, tensor)};
+Kinematics::Body Kinematics::body_with_inertia_tensor(int i) const {
+  return rotated_body(i, [](const NormalLink& l) {
+    const Matrix3& e = l.pseudo;
+    return Real(e[0] + e[4] + e[8]) * identity() - e;
+  });
+}
+
+Kinematics::Body Kinematics::rotated_body(int i, Matrix3 (*tensor)(const NormalLink&)) const {
+  Body body;
+  body.mass = own(i, of_peers(i, [this](int peer) { return link(peer).mass; }));
+  body.moment = own_vector(i, &NormalLink::moment);
+  body.pseudo = own_matrix(i, tensor);
   std::vector<PlaneRotation> steps;
-  append(steps, kZ, frame_angle_[index(i)]);
+  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
   for (const PlaneRotation& step : steps) {
     body.moment = step.forward(body.moment);
     body.pseudo = step.forward_symmetric(body.pseudo);
@@ -309,7 +434,7 @@ Vec3 Kinematics::point(int i, const Vector3& at) const {
   const NormalLink& l = link(i);
   Vec3 v = constant(graph_, Real(1 / normal_.unit) * multiply(l.to_normal, at - l.origin));
   std::vector<PlaneRotation> steps;
-  append(steps, kZ, frame_angle_[index(i)]);
+  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
   for (const PlaneRotation& step : steps) {
     v = step.forward(v);
   }
@@ -317,9 +442,9 @@ Vec3 Kinematics::point(int i, const Vector3& at) const {
 }
 
 Mat3 Kinematics::orientation(int i) const {
-  Mat3 m = constant(graph_, link(i).to_normal);
+  Mat3 m = own_matrix(i, [](const NormalLink& l) { return l.to_normal; });
   std::vector<PlaneRotation> steps;
-  append(steps, kZ, frame_angle_[index(i)]);
+  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
   for (const PlaneRotation& step : steps) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 v = step.forward(column(m, k));

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "program/limbs.hpp"
 #include "simplify/frames.hpp"
 #include "simplify/spatial.hpp"
 
@@ -40,6 +41,23 @@ struct Inputs {
   int tau = -1;
 };
 
+/// Limbs that share code while a formulation is written, and the table of their constants.
+struct SharedLimbs {
+  std::vector<LimbLinks> links;  ///< by class
+  program::Limbs table;
+
+  /// By link: class, limb and place in the limb; class -1: no limb.
+  struct Place {
+    int limb_class = -1;
+    int limb = 0;
+    int position = 0;
+  };
+  std::vector<Place> places;
+};
+/// \pre `normal` is the normal form with these limbs.
+SharedLimbs shared_limbs(const model::Tree& tree, const NormalTree& normal,
+                         const std::vector<LimbLinks>& links);
+
 /// The kinematics of a tree in expression frames.
 ///
 /// A run of parallel axes shares one frame, which carries the sum of the angles up to the run's
@@ -47,14 +65,21 @@ struct Inputs {
 /// inside a run.
 class Kinematics {
  public:
+  /// \param limbs  their joint values and what differs in their constants become leaves; null: none
   Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& normal,
-             const Variant& variant, const Inputs& inputs);
+             const Variant& variant, const Inputs& inputs, SharedLimbs* limbs = nullptr);
 
   [[nodiscard]] int size() const { return static_cast<int>(normal_.links.size()); }
   [[nodiscard]] const NormalLink& link(int i) const { return normal_.links[index(i)]; }
   [[nodiscard]] const LinkVariant& choice(int i) const { return variant_.links[index(i)]; }
   [[nodiscard]] const Variant& variant() const { return variant_; }
   [[nodiscard]] Graph& graph() const { return graph_; }
+  [[nodiscard]] SharedLimbs* limbs() const { return limbs_; }
+
+  /// Element k of an argument of the function that has one element a coordinate.
+  [[nodiscard]] Expr argument(int array, int k) const;
+  /// The value of coordinate k as an element of a result, from that of the joint of its link.
+  [[nodiscard]] Expr result(int k, Expr of_joint) const;
 
   /// The joint's speed, acceleration, force along +z of the normal frame; zero where not an input.
   [[nodiscard]] Expr speed(int i) const { return rate(i, inputs_.qd); }
@@ -92,7 +117,7 @@ class Kinematics {
     Vec3 moment;
     Mat3 pseudo;
   };
-  [[nodiscard]] Body body(int i) const { return rotated_body(i, link(i).pseudo); }
+  [[nodiscard]] Body body(int i) const;
   /// The same with the inertia tensor tr(E) - E in place of the pseudo-inertia E.
   [[nodiscard]] Body body_with_inertia_tensor(int i) const;
   /// A point or direction given in the model's frame of link i, in the link's expression frame.
@@ -104,19 +129,40 @@ class Kinematics {
   void find_runs();
   void place_frames();
   void place_link(int i);
-  [[nodiscard]] Body rotated_body(int i, const Matrix3& tensor) const;
+  [[nodiscard]] Body rotated_body(int i, Matrix3 (*tensor)(const NormalLink&)) const;
   [[nodiscard]] Angle joint_angle(int i) const;
+  /// The number of link i, given those of its peers: a leaf where they are not all the same.
+  [[nodiscard]] Expr own(int i, const std::vector<Real>& values) const;
+  [[nodiscard]] Vec3 own_vector(int i, Vector3 NormalLink::*vector) const;
+  [[nodiscard]] Mat3 own_matrix(int i, Matrix3 (*matrix)(const NormalLink&)) const;
+  /// Link i and the links at its place in the other limbs; i alone if it belongs to no limb.
+  [[nodiscard]] std::vector<int> peers(int i) const;
+  template <class Of>
+  [[nodiscard]] auto of_peers(int i, Of of) const;
+  [[nodiscard]] bool is_parallel(int i) const;
+  [[nodiscard]] bool is_of_limb(int i) const {
+    return limbs_ != nullptr && limbs_->places[index(i)].limb_class >= 0;
+  }
+  [[nodiscard]] Real multiplier(int i) const {
+    return is_of_limb(i) ? Real(1) : tree_.drives[index(i)].multiplier;
+  }
+  [[nodiscard]] Angle father_angle(int i) const;
+  [[nodiscard]] Angle first_angle(int i) const;
+  [[nodiscard]] Angle last_angle(int i) const;
   [[nodiscard]] Expr coordinate(int array, int k) const;
   [[nodiscard]] Expr rate(int i, int array) const;
-  /// Appends the rotation about `axis` by `angle` unless it is the identity.
-  void append(std::vector<PlaneRotation>& steps, std::size_t axis, const Angle& angle) const;
-  [[nodiscard]] std::pair<Expr, Expr> cosine_and_sine(const Angle& angle) const;
+  /// Appends the rotation about `axis` by `angle` of link i unless it is the identity.
+  template <class AngleOf>
+  void append(std::vector<PlaneRotation>& steps, std::size_t axis, int i, AngleOf angle) const;
+  [[nodiscard]] std::pair<Expr, Expr> cosine_and_sine(int i,
+                                                      const std::vector<Angle>& angles) const;
 
   Graph& graph_;
   const model::Tree& tree_;
   const NormalTree& normal_;
   const Variant& variant_;
   Inputs inputs_;
+  SharedLimbs* limbs_;
   std::vector<int> head_;  ///< first link of the run of parallel axes; -1 for prismatic joints
   std::vector<std::vector<int>> run_;  ///< members of the run, at its head
   std::vector<Angle> frame_angle_;  ///< expression frame -> normal frame: turn of the link about z

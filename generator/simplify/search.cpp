@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <string>
 
-#include "program/optimise.hpp"
+#include "program/limb_code.hpp"
 
 namespace treedyn::simplify {
 
@@ -61,20 +62,6 @@ void set_cut(Variant& variant, const std::vector<int>& links, int setting) {
   const std::uint8_t cut =
       setting == 3 ? LinkVariant::kWholeRun : static_cast<std::uint8_t>(setting);
   set_links(variant, links, &LinkVariant::cut, cut);
-}
-
-/// Shape of the subtree of every link, as text: links with equal text can be treated alike.
-std::vector<std::string> subtree_shapes(const model::Tree& tree) {
-  const std::vector<std::vector<int>> sons = model::sons(tree);
-  std::vector<std::string> shape(sons.size());
-  for (std::size_t i = sons.size(); i-- > 0;) {
-    shape[i] = tree.links[i].joint.type == model::JointType::kRevolute ? "(r" : "(p";
-    for (const int son : sons[i]) {
-      shape[i] += shape[static_cast<std::size_t>(son)];
-    }
-    shape[i] += ")";
-  }
-  return shape;
 }
 
 /// Links of equal depth and equal subtree shape: the same joint of similar limbs.
@@ -162,7 +149,7 @@ class Search {
         recipe_(recipe),
         options_(options),
         choices_(choices_of(tree, recipe.freedom, options)) {
-    const program::Function first = build(tree_, recipe_, options_, start);
+    const program::Function first = build_with_limbs(tree_, recipe_, options_, start).function;
     const std::size_t size = std::max(first.graph.size(), kReferenceSize);
     moves_ = static_cast<int>(static_cast<std::size_t>(options.effort) * kReferenceSize / size);
     note(start, weight(program::cost(first)));
@@ -178,6 +165,7 @@ class Search {
     std::iota(links.begin(), links.end(), 0);
     return links;
   }
+  [[nodiscard]] program::Function finished(const Variant& variant) const;
   [[nodiscard]] program::Effort algebra_effort(const program::Function& function) const;
   void note(const Variant& variant, int cost);
   void drop_what_does_not_pay(Variant& variant, int& cost);
@@ -218,7 +206,8 @@ int Search::raw_cost(const Variant& variant) {
     return known->second;
   }
   --moves_;
-  const int cost = weight(program::cost(build(tree_, recipe_, options_, variant)));
+  const int cost =
+      weight(program::cost(build_with_limbs(tree_, recipe_, options_, variant).function));
   note(variant, cost);
   return cost;
 }
@@ -229,7 +218,7 @@ int Search::optimised_cost(const Variant& variant) {
     return known->second;
   }
   moves_ -= kOptimisedMove;
-  const program::Function function = build(tree_, recipe_, options_, variant);
+  const program::Function function = build_with_limbs(tree_, recipe_, options_, variant).function;
   const program::Cost raw = program::cost(function);
   const int total = options_.has(Pass::kAlgebra)
                         ? program::estimate_operations(function.graph, function.outputs)
@@ -368,14 +357,36 @@ program::Function Search::run() {
     anneal(best, cost, half / 4, kCycle / 4, optimised);
     descend(best, cost, 0, optimised);
   }
-  program::Function function = build(tree_, recipe_, options_, best);
+  return finished(best);
+}
+
+/// The formulation after the algebraic passes, limbs in shared code if there are any.
+program::Function Search::finished(const Variant& variant) const {
+  Built built = build_with_limbs(tree_, recipe_, options_, variant);
+  program::Function& function = built.function;
+  if (options_.share_limbs) {
+    function.signature =
+        signature(recipe_.name, tree_.dof(), static_cast<int>(options_.points.size()));
+    std::optional<program::Effort> effort;
+    if (options_.has(Pass::kAlgebra)) {
+      effort = algebra_effort(function);
+    }
+    if (const auto code = program::limb_code(function, built.limbs, effort)) {
+      return program::flat(code, function.signature);
+    }
+    return {};
+  }
   return options_.has(Pass::kAlgebra) ? program::optimise(function, algebra_effort(function))
                                       : std::move(function);
 }
 
 }  // namespace
 
-program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+namespace {
+
+/// The cheaper of the methods that `options` leave open.
+program::Function best_method(const model::Tree& tree, const Recipe& recipe,
+                              const Options& options) {
   Variant start = plain_variant(tree);
   switch_off(options.without, start);
   const bool two_methods = recipe.freedom.articulated;
@@ -389,6 +400,20 @@ program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const 
     }
   }
   return function;
+}
+
+}  // namespace
+
+program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+  if (options.share_limbs && !find_limbs(tree).empty()) {
+    program::Function shared = best_method(tree, recipe, options);
+    if (shared.limb_code) {
+      return shared;
+    }
+  }
+  Options plain = options;
+  plain.share_limbs = false;
+  return best_method(tree, recipe, plain);
 }
 
 }  // namespace treedyn::simplify

@@ -2,13 +2,13 @@
 
 namespace treedyn::simplify {
 
-Expr sum(Graph& graph, const std::vector<Expr>& terms) {
+Expr sum(const std::vector<Expr>& terms) {
   Expr result;
   Expr constants;
   for (const Expr& term : terms) {
-    (term.is_constant() ? constants : result) += term;
+    (term.is_fixed() ? constants : result) += term;
   }
-  return constants.is_zero() ? result : result + constant(graph, constants.value());
+  return result + constants;
 }
 
 void name(Graph& graph, const Vec3& v, const char* symbol, int body) {

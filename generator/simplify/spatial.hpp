@@ -67,7 +67,7 @@ inline Mat3 constant(Graph& graph, const model::Matrix3& m) {
 }
 
 /// A sum whose constant terms are added last, as one number.
-Expr sum(Graph& graph, const std::vector<Expr>& terms);
+Expr sum(const std::vector<Expr>& terms);
 
 /// Names the components for the reader of the generated code.
 void name(Graph& graph, const Vec3& v, const char* symbol, int body);

@@ -153,41 +153,40 @@ void NewtonEuler::name_motion(int i) {
 }
 
 /// vee(Omega E): the moment of a turning body by its pseudo-inertia.
-Vec3 moment_by_pseudo_inertia(Graph& graph, const Motion& m, const Mat3& e) {
+Vec3 moment_by_pseudo_inertia(const Motion& m, const Mat3& e) {
   const Mat3& u = m.Omega;
-  return {sum(graph, {u[2][1] * e[1][1], u[2][0] * e[0][1], -(u[1][0] * e[0][2]),
-                      -(u[1][2] * e[2][2]), (u[2][2] - u[1][1]) * e[1][2]}),
-          sum(graph, {u[0][2] * e[2][2], u[0][1] * e[1][2], -(u[2][1] * e[0][1]),
-                      -(u[2][0] * e[0][0]), m.xx_zz * e[0][2]}),
-          sum(graph, {u[1][0] * e[0][0], u[1][2] * e[0][2], -(u[0][2] * e[1][2]),
-                      -(u[0][1] * e[1][1]), (u[1][1] - u[0][0]) * e[0][1]})};
+  return {sum({u[2][1] * e[1][1], u[2][0] * e[0][1], -(u[1][0] * e[0][2]), -(u[1][2] * e[2][2]),
+               (u[2][2] - u[1][1]) * e[1][2]}),
+          sum({u[0][2] * e[2][2], u[0][1] * e[1][2], -(u[2][1] * e[0][1]), -(u[2][0] * e[0][0]),
+               m.xx_zz * e[0][2]}),
+          sum({u[1][0] * e[0][0], u[1][2] * e[0][2], -(u[0][2] * e[1][2]), -(u[0][1] * e[1][1]),
+               (u[1][1] - u[0][0]) * e[0][1]})};
 }
 
 /// J alpha + omega x J omega by the inertia tensor J = tr(E) - E.
-Vec3 moment_by_tensor(Graph& graph, const Motion& m, const Mat3& e) {
+Vec3 moment_by_tensor(const Motion& m, const Mat3& e) {
   const Mat3& u = m.Omega;
   const auto& [x, y, z] = m.omega;
   const Expr zz = z * z;
   const Expr jx = e[1][1] + e[2][2];
   const Expr jy = e[0][0] + e[2][2];
   const Expr jz = e[0][0] + e[1][1];
-  return {sum(graph, {jx * m.alpha[0], (jz - jy) * (y * z), e[0][1] * u[2][0], -(e[0][2] * u[1][0]),
-                      -((m.yy - zz) * e[1][2])}),
-          sum(graph, {jy * m.alpha[1], (jx - jz) * (x * z), -(e[0][1] * u[2][1]), e[1][2] * u[0][1],
-                      -((zz - m.xx) * e[0][2])}),
-          sum(graph, {jz * m.alpha[2], (jy - jx) * (x * y), e[0][2] * u[1][2], -(e[1][2] * u[0][2]),
-                      -((m.xx - m.yy) * e[0][1])})};
+  return {sum({jx * m.alpha[0], (jz - jy) * (y * z), e[0][1] * u[2][0], -(e[0][2] * u[1][0]),
+               -((m.yy - zz) * e[1][2])}),
+          sum({jy * m.alpha[1], (jx - jz) * (x * z), -(e[0][1] * u[2][1]), e[1][2] * u[0][1],
+               -((zz - m.xx) * e[0][2])}),
+          sum({jz * m.alpha[2], (jy - jx) * (x * y), e[0][2] * u[1][2], -(e[1][2] * u[0][2]),
+               -((m.xx - m.yy) * e[0][1])})};
 }
 
 void NewtonEuler::load(int i) {
-  Graph& graph = k_.graph();
-  graph.set_body(i);
+  k_.graph().set_body(i);
   const Kinematics::Body body = k_.body(i);
   const Motion& m = at(i);
   Wrench& w = load_[static_cast<std::size_t>(i)];
   w.force = m.Omega * body.moment + body.mass * m.a;
-  const Vec3 turning = k_.choice(i).tensor_moment ? moment_by_tensor(graph, m, body.pseudo)
-                                                  : moment_by_pseudo_inertia(graph, m, body.pseudo);
+  const Vec3 turning = k_.choice(i).tensor_moment ? moment_by_tensor(m, body.pseudo)
+                                                  : moment_by_pseudo_inertia(m, body.pseudo);
   w.moment = turning + cross(body.moment, m.a);
 }
 

@@ -1,4 +1,5 @@
-// benchmark_cortex TREEDYN MODEL SOURCES -o DIR: generated code on a Cortex-M4F.
+// benchmark_cortex TREEDYN MODELS SOURCES -o DIR: generated code on a Cortex-M4F, of the biped and
+// the quadruped of the folder MODELS; both also with shared code of the limbs.
 //
 // Float, builtin sine and cosine, arm-none-eabi-g++ -O2: instructions in the code, instructions
 // that one call executes (counted by qemu-system-arm), bytes of flash and of stack. SOURCES is the
@@ -31,6 +32,10 @@ const std::vector<std::string> kCompile{kTool + "g++",
                                         "-fno-rtti",
                                         "-fno-math-errno",
                                         "-ffunction-sections"};
+
+/// Without gcc's scheduling before register allocation, which keeps more values alive than the 32
+/// registers hold.
+constexpr const char* kUnscheduled = "-fno-schedule-insns";
 
 struct Function {
   const char* name;
@@ -76,33 +81,112 @@ long executed(const Function& function, int calls, const fs::path& sources, cons
   return count;
 }
 
-std::string row(const Function& function, const std::string& treedyn, const fs::path& model,
-                const fs::path& sources) {
+/// What a function costs on the microcontroller.
+struct Figures {
+  long operations = 0;
+  long instructions = 0;
+  long executed = 0;
+  long unscheduled = 0;  ///< executed, compiled with kUnscheduled
+  long flash = 0;
+  long stack = 0;
+};
+
+/// Where things are.
+struct Places {
+  std::string treedyn;
+  fs::path models;
+  fs::path sources;
+};
+
+Figures measured(const Function& function, const Places& places, const std::string& model,
+                 const std::vector<std::string>& options) {
   const support::TemporaryFolder folder;
   const fs::path& work = folder.path();
-  checked({treedyn, "generate", model.string(), "--base", "axes", "--scalar", "float", "--sincos",
-           "builtin", "--name", "generated", "--functions", function.name, "-o", work.string()});
+  std::vector<std::string> command{places.treedyn, "generate", places.models / (model + ".yaml")};
+  command.insert(command.end(), {"--base", "axes", "--scalar", "float", "--sincos", "builtin",
+                                 "--name", "generated", "--functions", function.name, "-o", work});
+  command.insert(command.end(), options.begin(), options.end());
+  checked(command);
   const fs::path object = work / "generated.o";
-  checked(compile({"-fstack-usage", "-c", work / "generated.cpp", "-o", object.string()}));
+  const auto build = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> flags{"-fstack-usage", "-c", work / "generated.cpp", "-o", object};
+    flags.insert(flags.end(), more.begin(), more.end());
+    checked(compile(flags));
+  };
+  const auto of_a_call = [&] {
+    const long once = executed(function, 1, places.sources, work);
+    return executed(function, 2, places.sources, work) - once;
+  };
   const auto cost = support::read_manifest(work / "generated.json").functions.front().operations;
-  const long once = executed(function, 1, sources, work);
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", function.name,
-                     cost[0] + cost[1] + cost[2], instructions(kTool + "objdump", object),
-                     executed(function, 2, sources, work) - once, function.limit,
-                     code_bytes(kTool + "size", object), stack_bytes(work / "generated.su"));
+  build({kUnscheduled});
+  const long unscheduled = of_a_call();
+  build({});
+  return {cost[0] + cost[1] + cost[2],
+          instructions(kTool + "objdump", object),
+          of_a_call(),
+          unscheduled,
+          flash_bytes(kTool + "size", object),
+          stack_bytes(work / "generated.su")};
 }
 
-void run(const std::string& treedyn, const fs::path& model, const fs::path& sources,
-         const fs::path& output) {
-  std::string text = fmt::format(
-      "{} `--base axes --scalar float --sincos builtin` on a Cortex-M4F, arm-none-eabi-g++ -O2; "
-      "executed instructions counted by qemu.\n\n"
-      "| function | operations | instructions in the code | executed by a call | target | flash, "
-      "bytes | stack, bytes |\n|---|---|---|---|---|---|---|\n",
-      model.filename().string());
+using AllFigures = std::vector<Figures>;
+
+AllFigures all_figures(const Places& places, const std::string& model,
+                       const std::vector<std::string>& options) {
+  AllFigures result;
   for (const Function& function : kFunctions) {
-    text += row(function, treedyn, model, sources);
+    result.push_back(measured(function, places, model, options));
   }
+  return result;
+}
+
+std::string table(const AllFigures& figures) {
+  std::string text = fmt::format(
+      "| function | operations | instructions in the code | executed by a call | with {} | target "
+      "| "
+      "flash, bytes | stack, bytes |\n|---|---|---|---|---|---|---|---|\n",
+      kUnscheduled);
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    const Figures& f = figures[k];
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", kFunctions[k].name,
+                        f.operations, f.instructions, f.executed, f.unscheduled,
+                        kFunctions[k].limit, f.flash, f.stack);
+  }
+  return text;
+}
+
+/// a / b (+10 %)
+std::string pair(long a, long b) {
+  const double change = 100.0 * static_cast<double>(b - a) / static_cast<double>(a);
+  return fmt::format("{} / {} ({:+.0f} %)", a, b, change);
+}
+
+/// Flash against time: without / with the option.
+std::string shared_table(const std::string& model, const AllFigures& own,
+                         const AllFigures& shared) {
+  std::string text;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const Figures& a = own[k];
+    const Figures& b = shared[k];
+    text += fmt::format("| {} | {} | {} | {} | {} | {} / {} |\n", model, kFunctions[k].name,
+                        pair(a.operations, b.operations), pair(a.flash, b.flash),
+                        pair(a.executed, b.executed), a.stack, b.stack);
+  }
+  return text;
+}
+
+void run(const Places& places, const fs::path& output) {
+  const AllFigures biped = all_figures(places, "biped", {});
+  std::string text =
+      "biped.yaml `--base axes --scalar float --sincos builtin` on a Cortex-M4F, arm-none-eabi-g++ "
+      "-O2; executed instructions counted by qemu.\n\n" +
+      table(biped) +
+      "\nThe same without / with `--share-limbs`: less flash, more time.\n\n"
+      "| robot | function | operations | flash, bytes | executed by a call | stack, bytes |\n"
+      "|---|---|---|---|---|---|\n" +
+      shared_table("biped", biped, all_figures(places, "biped", {"--share-limbs"})) +
+      shared_table("quadruped", all_figures(places, "quadruped", {"-q"}),
+                   all_figures(places, "quadruped", {"-q", "--share-limbs"}));
   fs::create_directories(output);
   support::write_file(output / "firmware.md", text);
   std::cout << text;
@@ -114,11 +198,11 @@ void run(const std::string& treedyn, const fs::path& model, const fs::path& sour
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.size() != 5 || words[3] != "-o") {
-    std::cerr << "usage: benchmark_cortex TREEDYN MODEL SOURCES -o DIR\n";
+    std::cerr << "usage: benchmark_cortex TREEDYN MODELS SOURCES -o DIR\n";
     return 2;
   }
   try {
-    treedyn::benchmark::run(words[0], words[1], words[2], words[4]);
+    treedyn::benchmark::run({words[0], words[1], words[2]}, words[4]);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -20,20 +20,30 @@ long number(const std::string& word) {
   return value;
 }
 
-}  // namespace
-
-long code_bytes(const std::string& size_program, const fs::path& object) {
+/// Bytes of all sections whose names begin so.
+long section_bytes(const std::string& size_program, const fs::path& object,
+                   const std::string& beginning) {
   std::istringstream lines(support::run({size_program, "-A", object.string()}).out);
   long sum = 0;
   std::string name;
   std::string size;
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
-    if (words >> name >> size && name.rfind(".text", 0) == 0) {
+    if (words >> name >> size && name.rfind(beginning, 0) == 0) {
       sum += number(size);
     }
   }
   return sum;
+}
+
+}  // namespace
+
+long code_bytes(const std::string& size_program, const fs::path& object) {
+  return section_bytes(size_program, object, ".text");
+}
+
+long flash_bytes(const std::string& size_program, const fs::path& object) {
+  return code_bytes(size_program, object) + section_bytes(size_program, object, ".rodata");
 }
 
 long stack_bytes(const fs::path& usage) {

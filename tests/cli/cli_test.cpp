@@ -294,5 +294,53 @@ TEST_F(Cli, RepeatsTheOptionsThatMatterInTheHeader) {
                 "--points\n//       tip=forearm:1,0,0 --gravity 0,-9.81,0 --effort 0\n"));
 }
 
+std::size_t occurrences(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST_F(Cli, WritesTheCodeOfEqualLimbsOnce) {
+  const std::vector<std::string> options = {TREEDYN_SOURCE_DIR "/models/quadruped.yaml",
+                                            "--share-limbs",
+                                            "--effort",
+                                            "0",
+                                            "--functions",
+                                            "inverse_dynamics",
+                                            "-q",
+                                            "-o",
+                                            out()};
+  std::vector<std::string> generate = options;
+  generate.insert(generate.begin(), "generate");
+  ASSERT_EQ(treedyn(generate).status, 0);
+  const std::string source = read_file(file("quadruped.cpp"));
+  EXPECT_EQ(occurrences(source, "void inverse_dynamics_limb_1("), 1U);
+  EXPECT_EQ(occurrences(source, "  inverse_dynamics_limb_1(trunk"), 0U);  // its base is fixed
+  EXPECT_EQ(occurrences(source, "  inverse_dynamics_limb_1("), 4U);
+  EXPECT_THAT(read_file(file("quadruped.hpp")), HasSubstr("Equal limbs share code."));
+  EXPECT_THAT(read_file(file("quadruped.json")), HasSubstr("\"share_limbs\": true"));
+  std::vector<std::string> check = options;
+  check.insert(check.begin(), "check");
+  EXPECT_EQ(treedyn(check).status, 0);
+}
+
+TEST_F(Cli, SaysThatARobotHasNoLimbsToShare) {
+  const Outcome outcome = treedyn({"generate", kModel, "--share-limbs", "-o", out()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("no two limbs have the same structure"));
+  EXPECT_EQ(read_file(file("two_link.cpp")).find("limb_"), std::string::npos);
+}
+
+TEST_F(Cli, RefusesToShareLimbsAmongLanesAndInScenes) {
+  expect_usage_error(treedyn({"generate", kModel, "--share-limbs", "--lanes", "4", "-o", out()}),
+                     "--share-limbs");
+  expect_usage_error(
+      treedyn({"generate", "--scene", TREEDYN_SOURCE_DIR "/models/scenes/compass_walk.yaml",
+               "--share-limbs", "-o", out()}),
+      "--share-limbs");
+}
+
 }  // namespace
 }  // namespace treedyn

@@ -114,12 +114,13 @@ void expect_tight(const Manifest& manifest, const std::map<std::string, Seen>& s
 
 class GeneratedCode : public testing::TestWithParam<Committed> {};
 
-void expect_equal_to_engine(const Committed& model, const Code& code) {
+void expect_equal_to_engine(const Committed& model, const Code& code,
+                            std::size_t states = kStates) {
   Reference reference(model);
   const auto& manifest = code.plain.manifest();
   const auto dof = static_cast<std::size_t>(manifest.dof);
   std::map<std::string, Seen> seen;
-  for (const Sample& sample : support::samples(dof, manifest.points.size(), kStates, 1)) {
+  for (const Sample& sample : support::samples(dof, manifest.points.size(), states, 1)) {
     for (const FunctionInfo& function : manifest.functions) {
       expect_inside_bounds(code, function, sample, reference.evaluate(function, sample),
                            seen[function.name]);
@@ -152,6 +153,38 @@ TEST_P(GeneratedCode, AllFunctionsInFloatEqualTheEngine) {
 INSTANTIATE_TEST_SUITE_P(Models, GeneratedCode,
                          testing::ValuesIn(support::committed(TREEDYN_SOURCE_DIR)),
                          [](const auto& model) { return support::test_name(model.param); });
+
+/// --share-limbs: model and scalar type.
+using SharedCase = std::pair<Committed, const char*>;
+class SharedLimbs : public testing::TestWithParam<SharedCase> {};
+
+std::vector<SharedCase> shared_cases() {
+  std::vector<SharedCase> result;
+  for (const Committed& model : support::committed_models(TREEDYN_SOURCE_DIR)) {
+    if (model.folder.filename() == "biped_axes") {
+      result.emplace_back(model, "double");
+    } else if (model.stem == "quadruped") {
+      result.emplace_back(model, "double");
+      result.emplace_back(model, "float");
+      result.back().first.folder += "_axes";
+      result.back().first.manifest.base = "axes";
+    }
+  }
+  return result;
+}
+
+TEST_P(SharedLimbs, AllFunctionsEqualTheEngine) {
+  constexpr std::size_t kFewStates = 12;
+  const auto& [model, scalar] = GetParam();
+  const std::vector<std::string> option = {"--share-limbs"};
+  expect_equal_to_engine(model,
+                         {support::with_all_functions(model, scalar, Variant::kPlain, option),
+                          support::with_all_functions(model, scalar, Variant::kMeasured, option)},
+                         kFewStates);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, SharedLimbs, testing::ValuesIn(shared_cases()),
+                         [](const auto& shared) { return support::test_name(shared.param.first); });
 
 }  // namespace
 }  // namespace treedyn

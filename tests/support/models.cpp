@@ -50,7 +50,7 @@ std::string test_name(const Committed& committed) {
 }
 
 CompiledModel with_all_functions(const Committed& committed, const std::string& scalar,
-                                 Variant variant) {
+                                 Variant variant, const std::vector<std::string>& more) {
   std::string functions =
       "mass_matrix,bias_force,gravity_force,inverse_dynamics,forward_dynamics,"
       "joint_to_link_vectors,joint_to_com_vectors,kinetic_energy,potential_energy";
@@ -59,10 +59,11 @@ CompiledModel with_all_functions(const Committed& committed, const std::string& 
         ",point_positions,point_velocities,point_rotations,force_jacobian_transpose,"
         "moment_jacobian_transpose,point_bias_acceleration,angular_bias_acceleration,applied_force";
   }
-  return generate_and_compile(committed.model,
-                              {"--base", committed.manifest.base, "--scalar", scalar, "--functions",
-                               functions, "--effort", "100"},
-                              variant);
+  std::vector<std::string> options = {
+      "--base", committed.manifest.base, "--scalar", scalar, "--functions", functions, "--effort",
+      "100"};
+  options.insert(options.end(), more.begin(), more.end());
+  return generate_and_compile(committed.model, options, variant);
 }
 
 }  // namespace treedyn::support

@@ -28,8 +28,8 @@ std::vector<Committed> committed_models(const std::filesystem::path& source_dir)
 std::string test_name(const Committed& committed);
 
 /// The model with every function of INTERFACE.md 3, generated and compiled now; with less effort
-/// than the committed code, which stands for the default.
+/// than the committed code, which stands for the default. \param more  options
 CompiledModel with_all_functions(const Committed& committed, const std::string& scalar,
-                                 Variant variant);
+                                 Variant variant, const std::vector<std::string>& more = {});
 
 }  // namespace treedyn::support

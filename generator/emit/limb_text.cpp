@@ -1,0 +1,287 @@
+#include "emit/limb_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "emit/layout.hpp"
+#include "emit/parts.hpp"
+
+namespace treedyn::emit {
+
+using program::LimbClass;
+using program::LimbCode;
+using program::LimbPhase;
+
+namespace {
+
+std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+/// limb_left_hip: the values of a limb, by its first link.
+std::string limb_array(const LimbClass& limb_class, int limb, const Vocabulary& words) {
+  return "limb_" + words.bodies[at(limb_class.links[at(limb)].front())];
+}
+
+/// The trunk's code with an array of its own name for every limb, which is input and output.
+program::Function named_trunk(const LimbCode& code, const Vocabulary& words) {
+  program::Function trunk = code.trunk;
+  const auto first_input = at(code.arguments());
+  std::size_t number = 0;
+  for (const LimbClass& limb_class : code.limbs) {
+    for (int limb = 0; limb < limb_class.size(); ++limb, ++number) {
+      const std::size_t place = first_input + number;
+      trunk.signature.inputs[place].name = limb_array(limb_class, limb, words);
+    }
+  }
+  auto& outputs = trunk.signature.outputs;
+  for (std::size_t k = 0; k < number; ++k) {
+    outputs[outputs.size() - number + k].name = trunk.signature.inputs[first_input + k].name;
+  }
+  return trunk;
+}
+
+/// Names in the code of a class: what the links and joints of all limbs have in common.
+Vocabulary limb_words(const LimbCode& code, int c, const Vocabulary& words) {
+  const LimbClass& limb_class = code.limbs[at(c)];
+  Vocabulary result = words;
+  std::vector<std::string> bodies;
+  std::vector<std::string> joints;
+  for (std::size_t p = 0; p < limb_class.joints.front().size(); ++p) {
+    std::vector<std::string> links;
+    std::vector<std::string> coordinates;
+    for (int limb = 0; limb < limb_class.size(); ++limb) {
+      links.push_back(identifier_part(words.body_comments[at(limb_class.links[at(limb)][p])]));
+      coordinates.push_back(words.joints[at(limb_class.joints[at(limb)][p].coordinate)]);
+    }
+    const std::string link = common_words(links);
+    const std::string joint = common_words(coordinates);
+    bodies.push_back(link.empty() ? fmt::format("link{}", p + 1) : link);
+    joints.push_back(joint.empty() ? fmt::format("joint{}", p + 1) : joint);
+  }
+  for (std::size_t p = 0; p < bodies.size(); ++p) {
+    const auto link = at(limb_class.links.front()[p]);
+    const bool unique = std::ranges::count(bodies, bodies[p]) == 1 &&
+                        std::ranges::count(words.bodies, bodies[p]) == 0;
+    result.bodies[link] = unique ? bodies[p] : fmt::format("link{}", p + 1);
+    result.body_comments[link] = result.bodies[link];
+  }
+  result.joints.clear();
+  for (const LimbCode::Value& value : code.values[at(c)]) {
+    if (value.stage < 0) {
+      result.joints.push_back(joints[at(value.position)]);
+    }
+  }
+  return result;
+}
+
+/// inverse_dynamics_limb_1; of several phases inverse_dynamics_limb_1_1, ..._2
+std::string phase_name(const program::Function& function, const LimbPhase& phase) {
+  const LimbCode& code = *function.limb_code;
+  int count = 0;
+  int number = 0;
+  for (const LimbPhase& other : code.phases) {
+    if (other.limb_class == phase.limb_class) {
+      ++count;
+      number += other.stage <= phase.stage ? 1 : 0;
+    }
+  }
+  const std::string name = fmt::format("{}_limb_{}", function.signature.name, phase.limb_class + 1);
+  return count == 1 ? name : fmt::format("{}_{}", name, number);
+}
+
+std::string table_name(const program::Function& function, int c) {
+  return fmt::format("k{}Limb{}", camel_case(function.signature.name), c + 1);
+}
+
+/// One row a limb, under its first link; every number with its place, which keeps clang-format from
+/// setting them in columns.
+std::string table(const program::Function& function, int c, const Vocabulary& words,
+                  const Target& target) {
+  const LimbClass& limb_class = function.limb_code->limbs[at(c)];
+  if (limb_class.columns.empty()) {
+    return {};
+  }
+  std::string result = fmt::format("\nconst Scalar {}[{}][{}] = {{\n", table_name(function, c),
+                                   limb_class.size(), limb_class.columns.size());
+  for (int limb = 0; limb < limb_class.size(); ++limb) {
+    const auto link = at(limb_class.links[at(limb)].front());
+    result += fmt::format("    // {}\n    {{\n", words.body_comments[link]);
+    std::vector<std::string> cells;
+    for (const std::vector<Real>& column : limb_class.columns) {
+      cells.push_back(literal(column[at(limb)], target.scalar) + ",");
+    }
+    const std::size_t width = std::ranges::max_element(cells, {}, &std::string::size)->size();
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      result += fmt::format("        {:{}}  // {}\n", cells[k], width, k);
+    }
+    result += "    },\n";
+  }
+  return result + "};\n";
+}
+
+/// The code of a phase and what calls it.
+struct PhaseText {
+  std::string text;
+  std::string name;
+  std::vector<bool> uses;  ///< trunk, constants; the limb's values always
+};
+
+PhaseText phase_text(const program::Function& function, const LimbPhase& phase,
+                     const Vocabulary& words, const Target& target) {
+  PhaseText result;
+  result.name = phase_name(function, phase);
+  program::Function named = phase.function;
+  named.signature.name = result.name;
+  const Body text = body(named, limb_words(*function.limb_code, phase.limb_class, words), target);
+  const std::vector<bool> all(4, true);
+  std::vector<std::string> declared = parameters(named.signature, all);
+  result.uses.assign(2, false);
+  for (const Part& part : text.parts) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      result.uses[k] = result.uses[k] || part.uses[k];
+    }
+  }
+  std::vector<std::string> arguments;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (result.uses[k]) {
+      arguments.push_back(declared[k]);
+    }
+  }
+  arguments.push_back(declared[3]);
+  std::vector<std::string> lines = text.parts.front().lines;
+  if (text.parts.size() > 1) {
+    const SplitText split = split_text(named.signature, text);
+    result.text += split.parts;
+    lines = split.calls;
+    if (!split.declaration.empty()) {
+      lines.insert(lines.begin(), split.declaration);
+    }
+  }
+  result.text += "\n" +
+                 declaration("[[gnu::noinline]] void " + result.name, arguments, " noexcept {") +
+                 block(lines);
+  return result;
+}
+
+/// The calls of the phases of a stage, limb after limb.
+std::vector<std::string> calls(const program::Function& function,
+                               const std::vector<PhaseText>& phases, int stage,
+                               const Vocabulary& words) {
+  const LimbCode& code = *function.limb_code;
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    const LimbPhase& phase = code.phases[k];
+    const LimbClass& limb_class = code.limbs[at(phase.limb_class)];
+    for (int limb = 0; phase.stage == stage && limb < limb_class.size(); ++limb) {
+      std::vector<std::string> arguments;
+      if (phases[k].uses[0]) {
+        arguments.emplace_back(program::kTrunkValues);
+      }
+      if (phases[k].uses[1]) {
+        arguments.push_back(fmt::format("{}[{}]", table_name(function, phase.limb_class), limb));
+      }
+      arguments.push_back(limb_array(limb_class, limb, words));
+      lines.push_back(declaration("  " + phases[k].name, arguments, ";").substr(2));
+    }
+  }
+  return lines;
+}
+
+/// Declarations of the arrays that callers do not see.
+std::vector<std::string> local_arrays(const program::Function& function, const Vocabulary& words) {
+  const LimbCode& code = *function.limb_code;
+  std::vector<std::string> lines;
+  const program::Array& trunk = code.trunk.signature.outputs[function.signature.outputs.size()];
+  if (trunk.size > 0) {
+    lines.push_back(fmt::format("Scalar {}[{}];", trunk.name, trunk.size));
+  }
+  for (std::size_t c = 0; c < code.limbs.size(); ++c) {
+    for (int limb = 0; limb < code.limbs[c].size() && !code.values[c].empty(); ++limb) {
+      lines.push_back(fmt::format("Scalar {}[{}];", limb_array(code.limbs[c], limb, words),
+                                  code.values[c].size()));
+    }
+  }
+  return lines;
+}
+
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+  lines.insert(lines.end(), more.begin(), more.end());
+}
+
+/// The public function: trunk, limbs, trunk, ...
+std::string trunk_text(const program::Function& function, const std::vector<PhaseText>& phases,
+                       const Vocabulary& words, const Target& target) {
+  const program::Function trunk = named_trunk(*function.limb_code, words);
+  const Body text = body(trunk, words, target, [&](int array, int element) {
+    return function.limb_code->level(array, element);
+  });
+  const int last_stage = function.limb_code->phases.back().stage;
+  std::vector<std::string> lines = local_arrays(function, words);
+  std::vector<bool> uses = text.parts.front().uses;
+  std::string parts;
+  int stage = 0;
+  const auto call_before = [&](int level) {
+    for (; stage < level; ++stage) {
+      append(lines, calls(function, phases, stage, words));
+    }
+  };
+  if (text.parts.size() == 1) {
+    const Part& part = text.parts.front();
+    for (std::size_t line = 0; line < part.lines.size(); ++line) {
+      const auto begun =
+          std::ranges::count_if(text.stages, [&](std::size_t begin) { return begin <= line; });
+      call_before(static_cast<int>(begun));
+      lines.push_back(part.lines[line]);
+    }
+  } else {
+    const SplitText split = split_text(trunk.signature, text);
+    parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
+    if (!split.declaration.empty()) {
+      lines.push_back(split.declaration);
+    }
+    for (std::size_t k = 0; k < text.parts.size(); ++k) {
+      call_before(text.parts[k].level);
+      lines.push_back(split.calls[k]);
+    }
+    uses = split.used;
+  }
+  call_before(last_stage + 1);
+  const program::Signature& outer = function.signature;
+  std::vector<bool> used(uses.begin(),
+                         uses.begin() + static_cast<std::ptrdiff_t>(outer.inputs.size()));
+  const auto first_output = static_cast<std::ptrdiff_t>(trunk.signature.inputs.size());
+  used.insert(used.end(), uses.begin() + first_output,
+              uses.begin() + first_output + static_cast<std::ptrdiff_t>(outer.outputs.size()));
+  return parts + declaration("void " + outer.name, parameters(outer, used), " noexcept {") +
+         block(lines);
+}
+
+}  // namespace
+
+Body limb_body(const program::Function& function, const Vocabulary& words, const Target& target) {
+  const LimbCode& code = *function.limb_code;
+  Body result = body(named_trunk(code, words), words, target);
+  for (const LimbPhase& phase : code.phases) {
+    result.statements += body(phase.function, words, target).statements;
+  }
+  result.structural_zeros = static_cast<int>(std::ranges::count(function.outputs, program::Ref{0}));
+  return result;
+}
+
+std::string limb_text(const program::Function& function, const Vocabulary& words,
+                      const Target& target) {
+  const LimbCode& code = *function.limb_code;
+  std::string inner;
+  for (int c = 0; c < static_cast<int>(code.limbs.size()); ++c) {
+    inner += table(function, c, words, target);
+  }
+  std::vector<PhaseText> phases;
+  for (const LimbPhase& phase : code.phases) {
+    phases.push_back(phase_text(function, phase, words, target));
+    inner += phases.back().text;
+  }
+  return "namespace {\n" + inner + "\n}  // namespace\n\n" +
+         trunk_text(function, phases, words, target);
+}
+
+}  // namespace treedyn::emit

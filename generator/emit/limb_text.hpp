@@ -1,0 +1,22 @@
+// A function whose limbs share code, as text.
+#pragma once
+
+#include <string>
+
+#include "emit/body.hpp"
+#include "program/limb_code.hpp"
+
+namespace treedyn::emit {
+
+/// Order and statements of the trunk's code; its statements are those of all bodies together, each
+/// once.
+/// \pre function.limb_code
+Body limb_body(const program::Function& function, const Vocabulary& words, const Target& target);
+
+/// The constants of the limbs, a function for each phase, and the function that calls them for
+/// every limb.
+/// \pre function.limb_code
+std::string limb_text(const program::Function& function, const Vocabulary& words,
+                      const Target& target);
+
+}  // namespace treedyn::emit
