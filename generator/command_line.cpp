@@ -153,8 +153,9 @@ void set_without(Request& request, const std::string& list) {
 }
 
 void add_sharing(CLI::App& command, Request& request) {
-  command.add_flag("--share-limbs", request.share_limbs,
-                   "one function for limbs of equal structure: less code, somewhat more time");
+  command.add_flag(
+      "--share-limbs", request.share_limbs,
+      "one function for limbs of equal structure: half the code, a few more operations");
 }
 
 void add_generation(CLI::App& command, Request& request) {

@@ -1,5 +1,6 @@
 #include "description/scene_yaml.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -15,8 +16,8 @@ namespace treedyn::description {
 namespace {
 
 Keys root_keys() {
-  return {"scene", "model",  "base",        "parameters", "points",   "effects",
-          "use",   "phases", "start_phase", "initial",    "duration", "stepping"};
+  return {"scene",  "model",       "base",    "parameters", "points",   "effects", "use",
+          "phases", "start_phase", "initial", "duration",   "stepping", "actuated"};
 }
 
 Base base_of(const Fields& root) {
@@ -86,6 +87,24 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
   positive("output_step", stepping.output_step);
 }
 
+/// The joints whose forces constrained inverse dynamics may choose, each once.
+void read_actuated(const SceneContext& context, const SceneFields& root, model::Scene& scene) {
+  if (root.find("actuated") == nullptr) {
+    return;
+  }
+  scene.actuated.emplace();
+  for (const Node& item : root.list("actuated")) {
+    const Text name = root.scalar(item);
+    const int joint = context.joint(root, name);
+    std::vector<int>& joints = *scene.actuated;
+    if (std::find(joints.begin(), joints.end(), joint) != joints.end()) {
+      root.fail(name.where, fmt::format("joint '{}' is actuated twice; expected every joint once",
+                                        shown(name.text)));
+    }
+    joints.push_back(joint);
+  }
+}
+
 }  // namespace
 
 model::Scene read_scene_yaml(const Node& node, const std::string& file) {
@@ -107,6 +126,7 @@ model::Scene read_scene_yaml(const Node& node, const std::string& file) {
   read_initial(context, root, scene);
   scene.duration = root.positive("duration");
   read_stepping(context, root, scene);
+  read_actuated(context, root, scene);
   return scene;
 }
 

@@ -197,6 +197,8 @@ struct Scene {
   std::vector<StribeckFriction> stribeck_frictions;
   std::vector<Armature> armatures;
   std::vector<Motor> motors;
+  /// Joints with drives; nothing said: those of `motors`, or all but a free base.
+  std::optional<std::vector<int>> actuated;
   std::vector<Phase> phases;  ///< at least one
   int start_phase = 0;
   Stepping stepping;

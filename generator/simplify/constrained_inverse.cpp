@@ -65,7 +65,9 @@ std::vector<int> passive_joints(const model::Scene& scene) {
     const bool driven = std::any_of(scene.motors.begin(), scene.motors.end(),
                                     [&](const model::Motor& motor) { return motor.joint == i; });
     const bool in_base = i < 6 && has_free_base(scene.tree);
-    if (scene.motors.empty() ? in_base : !driven) {
+    const bool chosen = scene.actuated && std::find(scene.actuated->begin(), scene.actuated->end(),
+                                                    i) != scene.actuated->end();
+    if (scene.actuated ? !chosen : scene.motors.empty() ? in_base : !driven) {
       result.push_back(i);
     }
   }

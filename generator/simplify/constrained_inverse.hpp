@@ -7,8 +7,8 @@
 
 namespace treedyn::simplify {
 
-/// Joints without a drive: where the scene names drives, all joints but theirs; else the six joints
-/// of a free base.
+/// Joints without a drive: all that the scene does not call actuated; where it names drives, all
+/// joints but theirs; else the six joints of a free base.
 std::vector<int> passive_joints(const model::Scene& scene);
 
 /// Input arrays of build_constrained_inverse: q, qd, qdd, mu, then the joint forces of ground

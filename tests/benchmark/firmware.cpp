@@ -181,7 +181,7 @@ void run(const Places& places, const fs::path& output) {
       "biped.yaml `--base axes --scalar float --sincos builtin` on a Cortex-M4F, arm-none-eabi-g++ "
       "-O2; executed instructions counted by qemu.\n\n" +
       table(biped) +
-      "\nThe same without / with `--share-limbs`: less flash, more time.\n\n"
+      "\nThe same without / with `--share-limbs`.\n\n"
       "| robot | function | operations | flash, bytes | executed by a call | stack, bytes |\n"
       "|---|---|---|---|---|---|\n" +
       shared_table("biped", biped, all_figures(places, "biped", {"--share-limbs"})) +

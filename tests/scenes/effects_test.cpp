@@ -238,6 +238,16 @@ TEST(InverseDynamics, UndoesConstrainedDynamics) {
   EXPECT_NEAR(qdd.at(1), -0.2, 1e-11);
 }
 
+TEST(InverseDynamics, AsksNothingOfJointsThatAreNotActuated) {
+  const ArmScene shoulder(kHeld, "actuated: [shoulder]\n");
+  EXPECT_NEAR(shoulder.code().call("constrained_inverse_dynamics", {kq, kqd, {0.3, -0.2}}).at(1), 0,
+              1e-11);
+  const ArmScene elbow(kHeld, "actuated: [elbow]\n");
+  EXPECT_NEAR(elbow.code().call("constrained_inverse_dynamics", {kq, kqd, {0.3, -0.2}}).at(0), 0,
+              1e-11);
+  EXPECT_FALSE(ArmScene(kHeld).code().manifest().has("constrained_inverse_dynamics"));
+}
+
 TEST(InverseDynamics, UndoesConstrainedDynamicsOnTheGround) {
   const std::string elbow = "  drive:\n    - {joint: elbow, torque: 5}\n";
   const ArmScene scene(std::string(kHeld) + kGround + elbow);

@@ -237,7 +237,7 @@ TEST(PhaseStep, OperationsOfTheManifestAreThoseExecutedInEveryPhase) {  // E2, E
   const Json entry = scene.manifest("step");
   const Vector q = {s.q[0], s.q[1] + 0.1, s.q[2],
                     s.q[3]};  // above the ground: no guard is negative
-  for (const int phase : {0, 1}) {
+  for (const std::size_t phase : {0U, 1U}) {
     const Measurement step = scene.code().measure(
         "step", {q, vector_of(s.qd), {0, 0, 0, 0}, {static_cast<double>(phase)}, {0}});
     EXPECT_EQ(step.operations, operations_of(entry.at("phases").at(phase).at("operations")));
