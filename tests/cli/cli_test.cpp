@@ -96,6 +96,17 @@ TEST_F(Cli, WritesADependencyFile) {
                                            file("two_link.json").string() + ": " + kModel + "\n");
 }
 
+TEST_F(Cli, AScenesFilesDependOnSceneAndModel) {
+  const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
+  treedyn({"generate", "--scene", scene, "-o", out(), "--depfile", scratch("d.d")});
+  EXPECT_THAT(
+      read_file(scratch("d.d")),
+      HasSubstr(".json: " + scene + " " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.model.yaml\n"));
+  support::write_file(file("pendulum.cpp"), "");
+  EXPECT_THAT(treedyn({"check", "--scene", scene, "-o", out()}).out,
+              HasSubstr("to update: treedyn generate --scene " + scene + " -o " + out()));
+}
+
 TEST_F(Cli, ChecksThatFilesAreUpToDate) {
   treedyn({"generate", kModel, "-o", out()});
   const Outcome outcome = treedyn({"check", kModel, "-o", out()});
