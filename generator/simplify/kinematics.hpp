@@ -171,4 +171,13 @@ class Kinematics {
   std::vector<std::vector<PlaneRotation>> rotations_;
 };
 
+template <class Of>
+auto Kinematics::of_peers(int i, Of of) const {
+  std::vector<decltype(of(i))> result;
+  for (const int peer : peers(i)) {
+    result.push_back(of(peer));
+  }
+  return result;
+}
+
 }  // namespace treedyn::simplify

@@ -18,6 +18,20 @@ std::vector<std::string> subtree_shapes(const model::Tree& tree) {
   return shape;
 }
 
+std::vector<std::vector<int>> similar_links(const model::Tree& tree) {
+  const std::vector<std::string> shape = subtree_shapes(tree);
+  const std::vector<int> depth = model::depths(tree);
+  std::map<std::pair<int, std::string>, std::vector<int>> groups;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    groups[{depth[i], shape[i]}].push_back(static_cast<int>(i));
+  }
+  std::vector<std::vector<int>> result;
+  for (auto& [key, links] : groups) {
+    result.push_back(std::move(links));
+  }
+  return result;
+}
+
 namespace {
 
 class Finder {

@@ -64,21 +64,6 @@ void set_cut(Variant& variant, const std::vector<int>& links, int setting) {
   set_links(variant, links, &LinkVariant::cut, cut);
 }
 
-/// Links of equal depth and equal subtree shape: the same joint of similar limbs.
-std::vector<std::vector<int>> similar_links(const model::Tree& tree) {
-  const std::vector<std::string> shape = subtree_shapes(tree);
-  const std::vector<int> depth = model::depths(tree);
-  std::map<std::pair<int, std::string>, std::vector<int>> groups;
-  for (std::size_t i = 0; i < shape.size(); ++i) {
-    groups[{depth[i], shape[i]}].push_back(static_cast<int>(i));
-  }
-  std::vector<std::vector<int>> result;
-  for (auto& [key, links] : groups) {
-    result.push_back(std::move(links));
-  }
-  return result;
-}
-
 void add_link_choices(const Freedom& freedom, const Options& options, const std::vector<int>& links,
                       bool parallel, std::vector<Choice>& choices) {
   const auto add = [&](bool wanted, int settings,
@@ -230,9 +215,7 @@ int Search::optimised_cost(const Variant& variant) {
 template <class Evaluate>
 void Search::descend(Variant& variant, int& cost, int limit, Evaluate evaluate) {
   std::vector<std::size_t> order(choices_.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-  }
+  std::iota(order.begin(), order.end(), std::size_t{0});
   for (bool improved = true; improved;) {
     improved = false;
     for (std::size_t i = order.size(); i > 1; --i) {
@@ -360,24 +343,21 @@ program::Function Search::run() {
   return finished(best);
 }
 
-/// The formulation after the algebraic passes, limbs in shared code if there are any.
+/// The formulation after the algebraic passes; with `share_limbs` empty if nothing can be shared.
 program::Function Search::finished(const Variant& variant) const {
   Built built = build_with_limbs(tree_, recipe_, options_, variant);
   program::Function& function = built.function;
-  if (options_.share_limbs) {
-    function.signature =
-        signature(recipe_.name, tree_.dof(), static_cast<int>(options_.points.size()));
-    std::optional<program::Effort> effort;
-    if (options_.has(Pass::kAlgebra)) {
-      effort = algebra_effort(function);
-    }
-    if (const auto code = program::limb_code(function, built.limbs, effort)) {
-      return program::flat(code, function.signature);
-    }
-    return {};
+  std::optional<program::Effort> effort;
+  if (options_.has(Pass::kAlgebra)) {
+    effort = algebra_effort(function);
   }
-  return options_.has(Pass::kAlgebra) ? program::optimise(function, algebra_effort(function))
-                                      : std::move(function);
+  if (!options_.share_limbs) {
+    return effort ? program::optimise(function, *effort) : std::move(function);
+  }
+  const std::size_t points = options_.points.size();
+  function.signature = signature(recipe_.name, tree_.dof(), static_cast<int>(points));
+  const auto code = program::limb_code(function, built.limbs, effort);
+  return code ? program::flat(code, function.signature) : program::Function{};
 }
 
 }  // namespace
