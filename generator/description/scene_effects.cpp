@@ -80,9 +80,12 @@ SceneEffects::SceneEffects(SceneContext& context, const SceneFields& root) : con
     }
     const SceneFields effects = context_.fields(*node, "effects", keys);
     read_gravity(effects);
-    for (const Row& row : rows()) {
-      if (const Node* const entries = effects.find(row.effect)) {
-        read_entries(row, effects, *entries);
+    for (const Node& entries : node->items) {  // constraints and points get the order of the file
+      const auto row = std::find_if(rows().begin(), rows().end(), [&](const Row& other) {
+        return other.effect == entries.key.text;
+      });
+      if (row != rows().end()) {
+        read_entries(*row, effects, entries);
       }
     }
     if (const Node* const stabilisation = effects.find("stabilisation")) {

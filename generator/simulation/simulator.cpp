@@ -68,7 +68,7 @@ Simulator::Simulator(const model::Scene& scene, Dynamics& dynamics, const Settin
   y_ << to_vector(scene.q0), to_vector(scene.qd0);
   phase_start_ = t_;
   start_phase(scene.start_phase, scene.phases[static_cast<std::size_t>(scene.start_phase)].active);
-  for (std::size_t k = 0; k < scene.frictions.size(); ++k) {
+  for (std::size_t k = 0; k < system_.frictions().size(); ++k) {
     stick_or_slip(k);
   }
   build_watches();

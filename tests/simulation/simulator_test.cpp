@@ -222,6 +222,47 @@ TEST(JointForces, FollowTheirLaws) {
       -0.24, 1e-15);
 }
 
+/// The integral of dv sqrt(v^2 + s^2)/v, which falls by force/inertia a second.
+double slip_integral(double v, double s) { return std::hypot(v, s) - s * std::asinh(s / v); }
+
+TEST(Friction, WithASlipSpeedSlowsDownAsItsLawSays) {
+  Running running(
+      scene_of("scene: s\nmodel: drop.model.yaml\neffects:\n  coulomb_friction:\n"
+               "    - {joint: height, force: 2, slip_speed: 0.3}\n"
+               "initial: {qd: {height: 1.5}}\nduration: 0.5\n"));
+  running.advance_to(0.5);
+  EXPECT_NEAR(slip_integral(running.simulator.qd()[0], 0.3), slip_integral(1.5, 0.3) - 2 * 0.5,
+              1e-9);
+}
+
+TEST(Friction, WithASlipSpeedLeavesStickingToOtherJoints) {
+  Running running(
+      scene_of("scene: s\nmodel: ../two_link.yaml\neffects:\n  coulomb_friction:\n"
+               "    - {joint: shoulder, force: 2, slip_speed: 0.3}\n"
+               "    - {joint: elbow, force: 1000}\n"
+               "initial: {q: {elbow: 0.4}, qd: {shoulder: 1.5}}\nduration: 0.1\n"));
+  const double force = 2 * 1.5 / std::hypot(1.5, 0.3);
+  const double inertia = -force / running.simulator.solution().qdd[0];  // the elbow is stiff
+  running.advance_to(0.1);
+  EXPECT_NEAR(running.simulator.q()[1], 0.4, 1e-12);
+  EXPECT_NEAR(slip_integral(running.simulator.qd()[0], 0.3),
+              slip_integral(1.5, 0.3) - 2 * 0.1 / inertia, 1e-9);
+}
+
+TEST(Rows, ComeInTheOrderOfTheFile) {
+  const model::Scene scene = scene_of(
+      "scene: s\nmodel: ../two_link.yaml\nduration: 1\neffects:\n"
+      "  orientation_constraint:\n    - {name: keep, point: tip, along: [z]}\n"
+      "  point_constraint:\n    - {name: pen, point: tip, along: [x]}\n"
+      "    - {name: ink, point: tip, along: [y]}\n"
+      "  locked_joint:\n    - {joint: elbow}\n");
+  std::vector<std::string> names;
+  for (const model::Constraint& constraint : scene.constraints) {
+    names.push_back(constraint.name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"keep", "pen", "ink", "elbow"}));
+}
+
 TEST(Rows, MayStateTheirAcceleration) {
   Running run(scene_of(R"yaml(
 scene: stated
