@@ -69,7 +69,8 @@ int run_generate(const Settings& settings) {
     outputs.push_back({places[k], files[k].text});
   }
   if (!settings.depfile.empty()) {
-    outputs.push_back({settings.depfile, depfile_text(places, settings.request.model)});
+    outputs.push_back(
+        {settings.depfile, depfile_text(places, input_files(model, settings.request))});
   }
   const int changed = write_files(outputs);
   trace_of(settings)(fmt::format("{} of {} files written", changed, outputs.size()));
@@ -160,16 +161,18 @@ int run_simulate(const Settings& settings) {
   const SimulateResult result = simulate(settings.simulation, std::ref(progress));
   progress.end();
   if (result.moved > 1e-6 && !settings.quiet) {
-    print_error(fmt::format("{}: warning: the initial state was moved by {:.2g} onto the "
-                            "constraints\n",
-                            settings.simulation.scene, result.moved));
+    print_error(
+        fmt::format("{}: warning: the initial state was moved by {:.2g} onto the "
+                    "constraints\n",
+                    settings.simulation.scene, result.moved));
   }
   print(write_simulation(settings.simulation, result));
   if (!result.recording.stopped.empty()) {
-    throw InputError({settings.simulation.scene, 0, 0},
-                     fmt::format("the motion ends at t = {:.6g} s: {}; expected it to last {:.6g} s",
-                                 result.recording.rows.back().t, result.recording.stopped,
-                                 static_cast<double>(result.scene.duration)));
+    throw InputError(
+        {settings.simulation.scene, 0, 0},
+        fmt::format("the motion ends at t = {:.6g} s: {}; expected it to last {:.6g} s",
+                    result.recording.rows.back().t, result.recording.stopped,
+                    static_cast<double>(result.scene.duration)));
   }
   trace_of(settings)(fmt::format("{} steps, {} states, {} events", result.recording.steps,
                                  result.recording.rows.size(), result.recording.events.size()));
@@ -179,7 +182,8 @@ int run_simulate(const Settings& settings) {
 int run(const Settings& settings) {
   static const std::map<std::string, int (*)(const Settings&)> commands = {
       {"generate", run_generate}, {"check", run_check}, {"outputs", run_outputs},
-      {"info", run_info},         {"vet", run_vet},     {"list", run_list}, {"simulate", run_simulate}};
+      {"info", run_info},         {"vet", run_vet},     {"list", run_list},
+      {"simulate", run_simulate}};
   return commands.at(settings.command)(settings);
 }
 

@@ -30,8 +30,6 @@ namespace treedyn {
 
 namespace {
 
-const Request kDefaults;
-
 /// Functions that divide by the pivots of A.
 bool needs_inertia(const std::string& function) {
   return function == "forward_dynamics" || function == "mass_matrix_factor" ||
@@ -98,68 +96,6 @@ void check_functions(const Model& model, const Location& where) {
                                    singular.front().message, name));
     }
   }
-}
-
-std::string list_of(const std::vector<std::string>& values) {
-  return fmt::format("{}", fmt::join(values, ","));
-}
-
-std::string gravity_text(const model::Vector3& g) {
-  return fmt::format("{},{},{}", emit::decimal(g[0]), emit::decimal(g[1]), emit::decimal(g[2]));
-}
-
-std::string forward_dynamics_text(simplify::ForwardDynamics choice) {
-  switch (choice) {
-    case simplify::ForwardDynamics::kCheapest:
-      break;
-    case simplify::ForwardDynamics::kFactor:
-      return "factor";
-    case simplify::ForwardDynamics::kArticulated:
-      return "articulated";
-  }
-  return "cheapest";
-}
-
-std::string base_text(description::Base base) {
-  return base == description::Base::kAxes ? "axes" : "fixed";
-}
-
-std::string mimic_text(description::Mimic mimic) {
-  return mimic == description::Mimic::kIndependent ? "independent" : "reduce";
-}
-
-/// The names of the passes that are switched off, in order.
-std::vector<std::string> names_without(const Request& request) {
-  std::vector<std::string> names;
-  for (const simplify::PassInfo& info : simplify::passes()) {
-    if (std::find(request.without.begin(), request.without.end(), info.pass) !=
-        request.without.end()) {
-      names.emplace_back(info.name);
-    }
-  }
-  return names;
-}
-
-std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", text); }
-
-std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
-  std::vector<std::pair<std::string, std::string>> options = {
-      {"scalar", in_quotes(emit::type_name(request.target.scalar))},
-      {"lanes", std::to_string(request.target.lanes)},
-      {"sincos",
-       in_quotes(request.target.builtin_sincos || request.target.lanes > 1 ? "builtin" : "libm")},
-      {"layout", in_quotes(request.target.packed ? "packed" : "dense")},
-      {"base", in_quotes(base_text(request.read.base))},
-      {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
-      {"snap", emit::decimal(request.read.snap)},
-      {"mimic", in_quotes(mimic_text(request.read.mimic))},
-      {"effort", std::to_string(request.effort)},
-      {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))},
-      {"without", in_quotes(list_of(names_without(request)))}};
-  if (request.share_limbs) {
-    options.emplace_back("share_limbs", "true");
-  }
-  return options;
 }
 
 }  // namespace
@@ -352,13 +288,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
       function = program::packed(std::move(function), "A", model.tree.dof(), unit.packing);
     }
   }
-  unit.command = {"treedyn", "generate"};
-  if (!request.scene) {
-    unit.command.push_back(model.source.file);
-  }
-  for (const std::string& option : options_of(request)) {
-    unit.command.push_back(option);
-  }
+  unit.command = generate_command(request, Paths::kBaseNames);
   unit.tool = fmt::format("treedyn {}", kVersion);
   unit.model_file = model.source.file;
   unit.model_sha256 = model.source.sha256;
@@ -366,7 +296,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   try {
     return emit::emit_files(unit);
   } catch (const std::range_error& error) {
-    throw InputError({request.model, 0, 0}, error.what());
+    throw InputError({request.scene.value_or(request.model), 0, 0}, error.what());
   }
 }
 
@@ -376,11 +306,26 @@ std::vector<emit::File> generate(const Model& model, const Request& request, con
   return emit_files(model, request, std::move(programs));
 }
 
+std::vector<std::string> input_files(const Model& model, const Request& request) {
+  std::vector<std::string> files;
+  if (request.scene) {
+    files.push_back(*request.scene);
+  }
+  if (model.scene && !model.scene->tree_file.empty()) {
+    files.push_back(model.scene->tree_file);
+  }
+  if (!request.model.empty() && request.model != "-") {
+    files.push_back(request.model);
+  }
+  return files;
+}
+
 std::vector<Warning> warnings_of(const Model& model, const Request& request) {
   std::vector<Warning> warnings = model.tree.warnings;
   if (request.share_limbs && simplify::find_limbs(model.tree).empty()) {
-    warnings.push_back({{request.model, 0, 0},
-                        "no two limbs have the same structure; --share-limbs changes nothing"});
+    const Location where{request.model, 0, 0};
+    warnings.push_back(
+        {where, "no two limbs have the same structure; --share-limbs changes nothing"});
   }
   const std::vector<Warning> singular = description::joints_without_inertia(model.tree);
   warnings.insert(warnings.end(), singular.begin(), singular.end());
@@ -395,65 +340,6 @@ std::string equations_text(const Model& model, const Request& request) {
     }
   }
   return symbolic::dump(model.tree, model.points, request.gravity, options);
-}
-
-std::vector<std::string> options_of(const Request& request) {
-  std::vector<std::string> result;
-  const auto add = [&](bool given, const char* option, const std::string& value) {
-    if (given) {
-      result.insert(result.end(), {option, value});
-    }
-  };
-  add(request.scene.has_value(), "--scene",
-      std::filesystem::path(request.scene.value_or("")).filename().string());
-  add(request.name.has_value(), "--name", request.name.value_or(""));
-  add(request.read.base != kDefaults.read.base, "--base", base_text(request.read.base));
-  add(request.target.scalar != kDefaults.target.scalar, "--scalar",
-      emit::type_name(request.target.scalar));
-  add(request.target.lanes != kDefaults.target.lanes, "--lanes",
-      std::to_string(request.target.lanes));
-  add(request.target.builtin_sincos, "--sincos", "builtin");
-  add(request.target.packed, "--layout", "packed");
-  add(!request.functions.empty(), "--functions", list_of(request.functions));
-  add(request.points.has_value(), "--points", request.points.value_or(""));
-  add(request.gravity != kDefaults.gravity, "--gravity", gravity_text(request.gravity));
-  add(request.read.snap != kDefaults.read.snap, "--snap", emit::decimal(request.read.snap));
-  add(request.read.mimic != kDefaults.read.mimic, "--mimic", mimic_text(request.read.mimic));
-  add(request.effort != kDefaults.effort, "--effort", std::to_string(request.effort));
-  add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
-      forward_dynamics_text(request.forward_dynamics));
-  add(!request.without.empty(), "--without", list_of(names_without(request)));
-  if (request.share_limbs) {
-    result.emplace_back("--share-limbs");
-  }
-  return result;
-}
-
-std::string update_command(const Request& request, const std::string& folder) {
-  std::vector<std::string> words = {"treedyn", "generate", request.model};
-  for (const std::string& option : options_of(request)) {
-    words.push_back(option);
-  }
-  words.insert(words.end(), {"-o", folder});
-  return emit::shell_line(words);
-}
-
-std::string depfile_text(const std::vector<std::string>& outputs, const std::string& model) {
-  const auto escaped = [](const std::string& path) {
-    std::string result;
-    for (const char c : path) {
-      result += c == ' ' || c == '#' ? "\\" : c == '$' ? "$" : "";
-      result += c;
-    }
-    return result;
-  };
-  std::string result;
-  for (const std::string& output : outputs) {
-    result += result.empty() ? "" : " ";
-    result += escaped(output);
-  }
-  return fmt::format("{}:{}{}\n", result, model == "-" ? "" : " ",
-                     model == "-" ? "" : escaped(model));
 }
 
 }  // namespace treedyn

@@ -6,29 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "description/read.hpp"
 #include "emit/unit.hpp"
 #include "model/tree.hpp"
 #include "program/stepper.hpp"
+#include "request.hpp"
 #include "simplify/formulate.hpp"
 
 namespace treedyn {
-
-/// What to generate: the options of the command line, checked.
-struct Request {
-  std::string model;                 ///< path, "-" for standard input; empty: the scene's own
-  std::optional<std::string> scene;  ///< path of a scene file
-  description::ReadOptions read;
-  std::optional<std::string> name;     ///< file stem and namespace; default: the model's own
-  std::optional<std::string> points;   ///< --points; default: the model's own
-  std::vector<std::string> functions;  ///< empty: the default set
-  model::Vector3 gravity = {0, 0, Real("-9.81")};
-  emit::Target target;
-  int effort = simplify::Options{}.effort;
-  simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
-  std::vector<simplify::Pass> without;  ///< passes that are switched off
-  bool share_limbs = false;             ///< equal limbs share code
-};
 
 /// Where the model came from.
 struct Source {
@@ -77,6 +61,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
 /// A model to text: `formulate`, `prove`, `emit_files`.
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace);
 
+/// The files that were read; standard input is none.
+std::vector<std::string> input_files(const Model& model, const Request& request);
+
 /// Remarks on a model that do not stop the program.
 std::vector<Warning> warnings_of(const Model& model, const Request& request);
 
@@ -90,14 +77,5 @@ std::vector<std::string> pass_names();
 const std::vector<std::string>& stages();
 /// What leaves a stage, as text. \pre `stage` is one of `stages()`.
 std::string dump(const Request& request, const std::string& stage);
-
-/// The options of the command line that reproduces a request: those that are not the defaults.
-std::vector<std::string> options_of(const Request& request);
-
-/// The command that brings a folder up to date, quoted for a shell.
-std::string update_command(const Request& request, const std::string& folder);
-
-/// A Make rule: the outputs depend on the model. Nothing depends on standard input.
-std::string depfile_text(const std::vector<std::string>& outputs, const std::string& model);
 
 }  // namespace treedyn

@@ -113,7 +113,8 @@ model::Scene read_scene_yaml(const Node& node, const std::string& file) {
   // parameters come first: every other number may use them
   const SceneFields root = context.fields(node, "scene", root_keys());
   scene.name = root.text("scene").text;
-  scene.tree = read_model(model_path(root, file), {.base = base_of(root)});
+  scene.tree_file = model_path(root, file);
+  scene.tree = read_model(scene.tree_file, {.base = base_of(root)});
   if (scene.tree.dof() == 0) {
     root.fail(root.get("model").where, "the model has no moving joint; expected at least one");
   }

@@ -157,7 +157,7 @@ PhaseText phase_text(const program::Function& function, const LimbPhase& phase,
       lines.insert(lines.begin(), split.declaration);
     }
   }
-  result.text += "\n" +
+  result.text += '\n' +
                  declaration("[[gnu::noinline]] void " + result.name, arguments, " noexcept {") +
                  block(lines);
   return result;

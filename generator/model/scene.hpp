@@ -178,6 +178,7 @@ struct Stepping {
 struct Scene {
   std::string name;
   Tree tree;
+  std::string tree_file;          ///< path that `tree` was read from; empty: the scene's own file
   Vector3 gravity{};              ///< zero: off
   bool velocity_products = true;  ///< false: B(q, qd) and gamma are dropped, quasi-static
   std::vector<Real> q0;

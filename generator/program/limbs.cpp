@@ -73,6 +73,37 @@ Number product(const Number& a, const Number& b) {
   return combined(a, b, [](const Real& x, const Real& y) { return Real(x * y); });
 }
 
+/// The value of an operation on numbers. \param of  Ref -> Number
+template <class Of>
+Number operation(const Node& node, Of of) {
+  using boost::multiprecision::cos;
+  using boost::multiprecision::sin;
+  using boost::multiprecision::sqrt;
+  const auto map = [&](auto function) {
+    return combined(of(node.a), {-1, 0, {Real(0)}},
+                    [&](const Real& x, const Real&) { return function(x); });
+  };
+  switch (node.kind) {
+    case Kind::kConstant:
+    case Kind::kInput:
+      break;
+    case Kind::kAdd:
+      return sum(of(node.a), of(node.b));
+    case Kind::kMultiply:
+      return product(of(node.a), of(node.b));
+    case Kind::kDivide:
+      return combined(of(node.a), of(node.b),
+                      [](const Real& x, const Real& y) { return Real(x / y); });
+    case Kind::kSin:
+      return map([](const Real& x) { return Real(sin(x)); });
+    case Kind::kCos:
+      return map([](const Real& x) { return Real(cos(x)); });
+    case Kind::kSqrt:
+      return map([](const Real& x) { return Real(sqrt(x)); });
+  }
+  return {};
+}
+
 class Folder {
  public:
   Folder(const Function& from, Limbs& limbs, Graph& to)
@@ -104,12 +135,15 @@ class Folder {
                ? to_.constant(number.values.front())
                : limb_constant(to_, limbs_, number.limb_class, number.limb, number.values);
   }
-  /// The number behind a node of the result that is a constant or a leaf.
+  /// The number behind a fixed node of the result.
   [[nodiscard]] Number number_there(Ref a) const {
     if (to_.is_constant(a)) {
       return {-1, 0, {to_.value(a)}};
     }
-    const Number positive = input_number(to_.node(a));
+    const Node& node = to_.node(a);
+    const Number positive = node.kind == Kind::kInput
+                                ? input_number(node)
+                                : operation(node, [this](Ref b) { return number_there(b); });
     return a < 0 ? negated(positive) : positive;
   }
   [[nodiscard]] Number input_number(const Node& node) const {
@@ -132,33 +166,12 @@ class Folder {
 };
 
 Number Folder::fixed_number(Ref k) const {
-  using boost::multiprecision::cos;
-  using boost::multiprecision::sin;
-  using boost::multiprecision::sqrt;
   const Node& node = from_.node(k);
-  const auto map = [&](auto operation) {
-    return combined(number(node.a), {-1, 0, {Real(0)}}, operation);
-  };
-  switch (node.kind) {
-    case Kind::kConstant:
-      return {-1, 0, {from_.value(k)}};
-    case Kind::kInput:
-      return input_number(node);
-    case Kind::kAdd:
-      return sum(number(node.a), number(node.b));
-    case Kind::kMultiply:
-      return product(number(node.a), number(node.b));
-    case Kind::kDivide:
-      return combined(number(node.a), number(node.b),
-                      [](const Real& x, const Real& y) { return Real(x / y); });
-    case Kind::kSin:
-      return map([](const Real& x, const Real&) { return Real(sin(x)); });
-    case Kind::kCos:
-      return map([](const Real& x, const Real&) { return Real(cos(x)); });
-    case Kind::kSqrt:
-      return map([](const Real& x, const Real&) { return Real(sqrt(x)); });
+  if (node.kind == Kind::kConstant) {
+    return {-1, 0, {from_.value(k)}};
   }
-  return {};
+  return node.kind == Kind::kInput ? input_number(node)
+                                   : operation(node, [this](Ref a) { return number(a); });
 }
 
 /// (y + f) + fixed = y + (f + fixed).

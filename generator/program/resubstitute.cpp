@@ -269,8 +269,8 @@ bool Resubstitution::shorten(int k) {
 bool Resubstitution::replace_by_pair(int k) {
   const int known = samples_.known();
   for (int x = 1; x <= known; ++x) {
-    if (x == k || exclusive_[at(x)]) {
-      continue;
+    if (x == k || exclusive_[at(x)] || samples_.is_zero(x)) {
+      continue;  // a zero has no multiples: its sample is rounding
     }
     if (const auto value = pair_for(k, x)) {
       replace(k, *value);

@@ -4,7 +4,8 @@
 
 namespace treedyn::program {
 
-SampleTable::SampleTable(const Network& network) : network_(network), samples_(1), fast_{{0, 0}} {
+SampleTable::SampleTable(const Network& network)
+    : network_(network), samples_(1), fast_{{0, 0}}, rounding_{{0, 0}} {
   for (int k = 1; k < network.size(); ++k) {
     append(k);
     table_.push_back({std::abs(fast_.back()[0]), k});
@@ -50,17 +51,56 @@ void SampleTable::append(int k) {
   samples_.push_back(evaluate(k));
   fast_.push_back(
       {static_cast<double>(samples_.back().first), static_cast<double>(samples_.back().second)});
+  rounding_.push_back({rounding(k, 0), rounding(k, 1)});
+}
+
+/// What the operations below `k` make of roundings, to first order and not less than |value|: a sum
+/// that cancels keeps the roundings of its terms.
+double SampleTable::rounding(int k, std::size_t point) const {
+  const auto of = [&](Ref a) {
+    return rounding_[static_cast<std::size_t>(std::abs(a))][point];
+  };
+  const auto size = [&](Ref a) {
+    return std::abs(fast_[static_cast<std::size_t>(std::abs(a))][point]);
+  };
+  const auto operands = network_.operands(k);
+  double result = size(k);
+  switch (network_.item(k).kind) {
+    case Kind::kConstant:
+    case Kind::kInput:
+      break;
+    case Kind::kAdd:
+      for (const Ref term : operands) {
+        result += of(term);
+      }
+      break;
+    case Kind::kMultiply:
+      for (std::size_t i = 0; i < operands.size(); ++i) {
+        double product = of(operands[i]);
+        for (std::size_t j = 0; j < operands.size(); ++j) {
+          product *= i == j ? 1 : size(operands[j]);
+        }
+        result += product;
+      }
+      break;
+    case Kind::kDivide:
+      result += (of(operands[0]) + size(k) * of(operands[1])) / size(operands[1]);
+      break;
+    case Kind::kSin:
+    case Kind::kCos:
+      result += 4 * (1 + size(operands[0])) * of(operands[0]);
+      break;
+    case Kind::kSqrt:
+      result += of(operands[0]) / (2 * size(k));
+      break;
+  }
+  return result;
 }
 
 bool SampleTable::is_zero(int k) const {
-  if (network_.item(k).kind != Kind::kAdd) {
-    return sample(k).first == 0 && sample(k).second == 0;
-  }
-  Sample scale;
-  for (const Ref term : network_.operands(k)) {
-    scale = scale + Sample{abs(sample(term).first), abs(sample(term).second)};
-  }
-  return negligible(sample(k).first, scale.first) && negligible(sample(k).second, scale.second);
+  const auto& scale = rounding_[static_cast<std::size_t>(k)];
+  return std::isfinite(scale[0]) && std::isfinite(scale[1]) &&
+         negligible(sample(k).first, scale[0]) && negligible(sample(k).second, scale[1]);
 }
 
 }  // namespace treedyn::program

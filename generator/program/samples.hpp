@@ -50,7 +50,8 @@ class SampleTable {
   [[nodiscard]] const std::array<double, 2>& fast(int k) const {
     return fast_[static_cast<std::size_t>(k)];
   }
-  /// True for a sum that cancels completely.
+  /// True if the value is zero but for rounding at 50 digits: somewhere in it sums cancel
+  /// completely.
   [[nodiscard]] bool is_zero(int k) const;
   /// The number of items that `find` can find: 1 to this.
   [[nodiscard]] int known() const { return static_cast<int>(table_.size()); }
@@ -65,10 +66,12 @@ class SampleTable {
     int item = 0;
   };
   [[nodiscard]] Sample evaluate(int k) const;
+  [[nodiscard]] double rounding(int k, std::size_t point) const;
 
   const Network& network_;
   std::vector<Sample> samples_;
   std::vector<std::array<double, 2>> fast_;
+  std::vector<std::array<double, 2>> rounding_;  ///< of a sample, in units of its last place at 1
   std::vector<Entry> table_;
 };
 

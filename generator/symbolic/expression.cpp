@@ -114,12 +114,17 @@ class Converter {
     return {false, name == "sin" ? sin(argument) : cos(argument), key};
   }
 
-  [[nodiscard]] Part sum(const GiNaC::ex& value) const {
+  /// The terms of a sum, in order.
+  [[nodiscard]] std::vector<Part> terms(const GiNaC::ex& value) const {
     std::vector<Part> parts;
     for (const GiNaC::ex& term : value) {
       parts.push_back(part(term));
     }
     sort(parts);
+    return parts;
+  }
+
+  static Part joined(std::vector<Part> parts) {
     std::stable_partition(parts.begin(), parts.end(), [](const Part& p) { return !p.negative; });
     Part result = parts.front();
     for (std::size_t k = 1; k < parts.size(); ++k) {
@@ -128,6 +133,24 @@ class Converter {
       result.key += (minus ? "-" : "+") + parts[k].key;
     }
     result.key = fmt::format("({})", result.key);
+    return result;
+  }
+
+  [[nodiscard]] Part sum(const GiNaC::ex& value) const { return joined(terms(value)); }
+
+  /// A factor of a product. GiNaC writes (a - b) (c - d) with either sign in each sum, as the order
+  /// of the moment makes it; here the first term of a sum is positive.
+  [[nodiscard]] Part factor(const GiNaC::ex& value) const {
+    if (!GiNaC::is_a<GiNaC::add>(value)) {
+      return part(value);
+    }
+    std::vector<Part> parts = terms(value);
+    const bool negative = parts.front().negative;
+    for (Part& p : parts) {
+      p.negative = p.negative != negative;
+    }
+    Part result = joined(std::move(parts));
+    result.negative = negative;
     return result;
   }
 
@@ -176,11 +199,11 @@ class Converter {
   }
 
   /// A factor; `inverse` if it belongs below the line.
-  [[nodiscard]] Part power_of(const GiNaC::ex& factor, bool& inverse) const {
-    if (!GiNaC::is_a<GiNaC::power>(factor)) {
-      return part(factor);
+  [[nodiscard]] Part power_of(const GiNaC::ex& value, bool& inverse) const {
+    if (!GiNaC::is_a<GiNaC::power>(value)) {
+      return factor(value);
     }
-    const GiNaC::ex exponent = factor.op(1);
+    const GiNaC::ex exponent = value.op(1);
     TREEDYN_EXPECT(GiNaC::is_a<GiNaC::numeric>(exponent));
     const auto& e = GiNaC::ex_to<GiNaC::numeric>(exponent);
     inverse = e.is_negative();
@@ -190,15 +213,15 @@ class Converter {
                                          "1/2 up to {}",
                                          kMaxPower / 2));
     }
-    Part base = part(factor.op(0));
-    if (base.negative) {
-      base.value = -base.value;
-      base.key = "-" + base.key;
-    }
     const int times = size.numer().to_int();
-    const Expression root = size.is_integer() ? base.value : sqrt(base.value);
-    return {false, power(root, times),
-            fmt::format("{}^{}{}", base.key, times, size.is_integer() ? "" : "/2")};
+    if (size.is_integer()) {
+      const Part base = factor(value.op(0));
+      return {base.negative && times % 2 != 0, power(base.value, times),
+              fmt::format("{}^{}", base.key, times)};
+    }
+    const Part base = part(value.op(0));
+    return {false, power(sqrt(base.negative ? -base.value : base.value), times),
+            fmt::format("{}{}^{}/2", base.negative ? "-" : "", base.key, times)};
   }
 
   const Symbols& symbols_;

@@ -89,11 +89,51 @@ TEST_F(Cli, NamesTheOutputsWithoutWritingThem) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
+/// Its gravity_force has sums that vanish without a word in their terms: nothing is a multiple of
+/// them.
+constexpr const char* kVanishing = R"(name: mixed
+links:
+  - {name: cart, father: ground, joint: {name: rail, type: prismatic, axis: [0, 1, 1]}, mass: 1,
+     com: [0, 0, 0], inertia: [1, 0, 0, 1, 0, 1]}
+  - {name: arm, father: cart, joint: {name: turn, type: revolute, axis: [0, 1, 1], rotation: {rpy: [0.3, -0.2, pi/3]}},
+     mass: 1, com: [0, 0, 0], inertia: [1, 0, 0, 1, 0, 1]}
+  - {name: slide, father: arm, joint: {name: ext, type: prismatic, axis: [0, 1, 1]}, mass: 1,
+     com: [0, 0, 0], inertia: [1, 0, 0, 1, 0, 1]}
+  - {name: wrist, father: slide, joint: {name: w1, type: revolute, axis: [0, 1, 1]}, mass: 1,
+     com: [0, 0, 0], inertia: [1, 0, 0, 1, 0, 1]}
+  - {name: hand, father: wrist, joint: {name: w2, type: revolute, axis: [0, 1, 1]}, mass: 1,
+     com: [0.05, 0.02, -0.1], inertia: [1, 0, 0, 1, 0, 1]}
+  - {name: tower, father: ground, joint: {name: t1, type: revolute, axis: [0, 0, 1]}, mass: 1,
+     com: [0, 0, 0], inertia: [1, 0, 0, 1, 0, 1]}
+  - {name: boom, father: tower, joint: {name: t2, type: revolute, axis: [1, 0, 0]}, mass: 1,
+     com: [0, 0, 0], inertia: [1, 0, 0, 1, 0, 1]}
+  - {name: jib, father: boom, joint: {name: t3, type: revolute, axis: [1, 1, 0]}, mass: 1,
+     com: [0.15, 0.05, 0], inertia: [1, 0, 0, 1, 0, 1]}
+)";
+
+TEST_F(Cli, ProvesFunctionsInWhichSumsVanish) {
+  support::write_file(scratch("mixed.yaml"), kVanishing);
+  const Outcome outcome = treedyn({"generate", scratch("mixed.yaml"), "--functions",
+                                   "gravity_force", "--effort", "0", "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST_F(Cli, WritesADependencyFile) {
   treedyn({"generate", kModel, "-o", out(), "--depfile", scratch("d.d")});
   EXPECT_EQ(read_file(scratch("d.d")), file("two_link.hpp").string() + " " +
                                            file("two_link.cpp").string() + " " +
                                            file("two_link.json").string() + ": " + kModel + "\n");
+}
+
+TEST_F(Cli, AScenesFilesDependOnSceneAndModel) {
+  const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
+  treedyn({"generate", "--scene", scene, "-o", out(), "--depfile", scratch("d.d")});
+  EXPECT_THAT(
+      read_file(scratch("d.d")),
+      HasSubstr(".json: " + scene + " " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.model.yaml\n"));
+  support::write_file(file("pendulum.cpp"), "");
+  EXPECT_THAT(treedyn({"check", "--scene", scene, "-o", out()}).out,
+              HasSubstr("to update: treedyn generate --scene " + scene + " -o " + out()));
 }
 
 TEST_F(Cli, ChecksThatFilesAreUpToDate) {

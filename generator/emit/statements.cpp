@@ -1,0 +1,258 @@
+#include "emit/statements.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "emit/expression.hpp"
+
+namespace treedyn::emit {
+
+using program::Kind;
+using program::Ref;
+
+namespace {
+
+/// A function with more statements is split: gcc needs more than linear time for one huge block.
+/// Below that, one block is up to 30 % faster than parts (measured: hyq, simple_humanoid).
+constexpr std::size_t kLargestFunction = 1500;
+constexpr std::size_t kSmallestPart = 200;
+constexpr std::size_t kLargestPart = 400;
+
+}  // namespace
+
+Statements::Statements(const program::Function& function, const Vocabulary& words, Scalar scalar,
+                       const std::function<int(int, int)>& level)
+    : function_(function),
+      graph_(function.graph),
+      scalar_(scalar),
+      operations_(program::operations_in_order(graph_, function.outputs)),
+      names_(function, words, operations_),
+      shared_(graph_.size(), false) {
+  find_levels(level);
+  find_uses();
+  make_schedule();
+  list_statements();
+  divide();
+  find_shared();
+}
+
+bool Statements::is_operation(Ref a) const {
+  return a != 0 && graph_.node(a).kind != Kind::kConstant && graph_.node(a).kind != Kind::kInput;
+}
+
+bool Statements::is_large() const {
+  return operations_.size() + function_.outputs.size() > kLargestFunction;
+}
+
+void Statements::find_levels(const std::function<int(int, int)>& level) {
+  level_.assign(graph_.size(), 0);
+  for (const Ref k : program::reachable(graph_, function_.outputs)) {
+    const program::Node& node = graph_.node(k);
+    int& own = level_[index(k)];
+    if (node.kind == Kind::kInput && level) {
+      own = level(node.a, node.b);
+    }
+    program::for_each_operand(node,
+                              [&](Ref operand) { own = std::max(own, level_[index(operand)]); });
+    last_level_ = std::max(last_level_, own);
+  }
+}
+
+void Statements::find_uses() {
+  used_by_operation_.assign(graph_.size(), false);
+  outputs_of_.resize(graph_.size());
+  for (const Ref k : operations_) {
+    program::for_each_operand(graph_.node(k),
+                              [&](Ref operand) { used_by_operation_[index(operand)] = true; });
+  }
+  for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
+    outputs_of_[index(function_.outputs[output])].push_back(static_cast<int>(output));
+  }
+}
+
+/// Room for the expression of a value: `const Scalar name = ...;`, or `A[12] = -(...);`.
+int Statements::available(Ref value) const {
+  const int left =
+      is_local(value)
+          ? static_cast<int>(std::string_view("const Scalar ").size()) + names_.width(value)
+          : static_cast<int>(element(outputs_of_[index(value)].front()).size()) + 3;
+  return kColumns - kIndentation - left - static_cast<int>(std::string_view(" = ;").size());
+}
+
+void Statements::make_schedule() {
+  program::Measure measure;
+  measure.available = [this](Ref value) {
+    return available(value);
+  };
+  measure.atom = [this](Ref value) {
+    return is_operation(value) ? names_.width(value) + (is_large() ? 2 : 0)
+                               : static_cast<int>(atom(value, 0).size());
+  };
+  schedule_ = program::schedule(graph_, function_.outputs, operations_, measure);
+}
+
+void Statements::list_statements() {
+  for (int level = 0; level <= last_level_; ++level) {
+    for (const Ref value : schedule_.statements) {
+      if (level_[index(value)] != level) {
+        continue;
+      }
+      if (is_local(value)) {
+        names_.assign(value);
+        statements_.push_back({.value = value});
+      }
+      list_stores(value);
+    }
+    list_constants(level);
+  }
+}
+
+void Statements::list_stores(Ref value) {
+  int first = -1;
+  for (const int output : outputs_of_[index(value)]) {
+    statements_.push_back({.value = function_.outputs[static_cast<std::size_t>(output)],
+                           .output = output,
+                           .copy_of = first});
+    first = first < 0 ? output : first;
+  }
+}
+
+/// True if the output is the same element of the array of the same name: nothing is to be done.
+bool Statements::stays(int output, Ref value) const {
+  return value > 0 && graph_.node(value).kind == Kind::kInput &&
+         input(graph_.node(value)) == element(output);
+}
+
+/// Outputs that are constants or inputs of this level; zeros last.
+void Statements::list_constants(int level) {
+  for (const bool zeros : {false, true}) {
+    for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
+      const Ref value = function_.outputs[output];
+      if (!is_operation(value) && (value == 0) == zeros && level_[index(value)] == level &&
+          !stays(static_cast<int>(output), value)) {
+        statements_.push_back({.value = value, .output = static_cast<int>(output)});
+      }
+    }
+  }
+}
+
+void Statements::visit_atoms(const Statement& statement,
+                             const std::function<void(Ref)>& visit) const {
+  if (statement.value == 0 || statement.copy_of >= 0) {
+    return;
+  }
+  if (!is_operation(statement.value) || (statement.output >= 0 && is_local(statement.value))) {
+    visit(std::abs(statement.value));
+  } else {
+    for_each_atom(graph_, schedule_, statement.value, visit);
+  }
+}
+
+/// For every place between two statements the number of locals that are needed on both sides.
+std::vector<int> Statements::crossing_counts() const {
+  std::vector<std::size_t> defined(graph_.size(), 0);
+  std::vector<std::size_t> last(graph_.size(), 0);
+  for (std::size_t at = 0; at < statements_.size(); ++at) {
+    if (statements_[at].output < 0) {
+      defined[index(statements_[at].value)] = at;
+    }
+    visit_atoms(statements_[at], [&](Ref value) { last[index(value)] = at; });
+  }
+  std::vector<int> change(statements_.size() + 1, 0);
+  for (const Statement& statement : statements_) {
+    const std::size_t k = index(statement.value);
+    if (statement.output < 0) {
+      ++change[defined[k] + 1];
+      --change[std::min(last[k] + 1, statements_.size())];
+    }
+  }
+  for (std::size_t at = 1; at < change.size(); ++at) {
+    change[at] += change[at - 1];
+  }
+  return change;
+}
+
+/// The place for the end of the part that starts at `begin`: few values cross it.
+std::size_t Statements::best_cut(const std::vector<int>& crossing, std::size_t begin) const {
+  const std::size_t middle = begin + (kSmallestPart + kLargestPart) / 2;
+  std::size_t best = middle;
+  for (std::size_t at = begin + kSmallestPart; at <= begin + kLargestPart; ++at) {
+    const bool splits_pair = statements_[at].output < 0 && statements_[at - 1].output < 0 &&
+                             graph_.node(statements_[at].value).kind >= Kind::kSin &&
+                             graph_.node(statements_[at - 1].value).kind >= Kind::kSin;
+    if (!splits_pair && crossing[at] < crossing[best]) {
+      best = at;
+    }
+  }
+  return best;
+}
+
+void Statements::divide() {
+  if (statements_.size() <= kLargestFunction) {
+    return;
+  }
+  const std::vector<int> crossing = crossing_counts();
+  std::size_t part = 0;
+  std::size_t end = best_cut(crossing, 0);
+  for (std::size_t at = 0; at < statements_.size(); ++at) {
+    if (at == end || (at > 0 && level_of(at) != level_of(at - 1))) {
+      ++part;
+      end = at + kLargestPart < statements_.size() ? best_cut(crossing, at) : statements_.size();
+    }
+    statements_[at].part = part;
+  }
+}
+
+void Statements::find_shared() {
+  part_of_.assign(graph_.size(), 0);
+  shared_.assign(graph_.size(), false);
+  for (const Statement& statement : statements_) {
+    if (statement.output < 0) {
+      part_of_[index(statement.value)] = statement.part;
+    }
+  }
+  for (const Statement& statement : statements_) {
+    visit_atoms(statement, [&](Ref value) {
+      if (is_operation(value) && part_of_[index(value)] != statement.part) {
+        shared_[index(value)] = true;
+      }
+    });
+  }
+}
+
+std::size_t Statements::output_array(int output) const {
+  std::size_t array = 0;
+  for (int end = function_.signature.outputs[0].size; output >= end;
+       end += function_.signature.outputs[array].size) {
+    ++array;
+  }
+  return array;
+}
+
+std::string Statements::element(int output) const {
+  int place = output;
+  const std::size_t array = output_array(output);
+  for (std::size_t k = 0; k < array; ++k) {
+    place -= function_.signature.outputs[k].size;
+  }
+  return fmt::format("{}[{}]", function_.signature.outputs[array].name, place);
+}
+
+std::string Statements::input(const program::Node& node) const {
+  return fmt::format("{}[{}]", function_.signature.inputs[static_cast<std::size_t>(node.a)].name,
+                     node.b);
+}
+
+std::string Statements::atom(Ref value, std::size_t part) const {
+  const program::Node& node = graph_.node(value);
+  if (node.kind == Kind::kConstant) {
+    return literal(graph_.value(value), scalar_);
+  }
+  if (node.kind == Kind::kInput) {
+    return input(node);
+  }
+  return is_elsewhere(value, part) ? "w." + names_.at(value) : names_.at(value);
+}
+
+}  // namespace treedyn::emit

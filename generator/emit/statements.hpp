@@ -1,0 +1,94 @@
+// What one generated function states: its statements in order, in parts, and the words for their
+// values.
+#pragma once
+
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "emit/literal.hpp"
+#include "emit/names.hpp"
+#include "program/schedule.hpp"
+
+namespace treedyn::emit {
+
+inline constexpr int kColumns = 100;
+inline constexpr int kIndentation = 2;
+
+/// One statement: `const Scalar x = ...;` (output < 0) or `A[output] = ...;`.
+struct Statement {
+  program::Ref value = 0;
+  int output = -1;
+  int copy_of = -1;  ///< another output with the same value up to its sign
+  std::size_t part = 0;
+};
+
+/// The statements of a function.
+/// \invariant every value that a statement names is an input, a constant or stated before it.
+class Statements {
+ public:
+  /// \param level  stage of an input element (array, element), see program::Staged; empty: all 0
+  Statements(const program::Function& function, const Vocabulary& words, Scalar scalar,
+             const std::function<int(int, int)>& level);
+
+  [[nodiscard]] const std::vector<Statement>& all() const { return statements_; }
+  [[nodiscard]] const program::Schedule& schedule() const { return schedule_; }
+  /// The stage of a statement.
+  [[nodiscard]] int level_of(std::size_t statement) const {
+    return level_[index(statements_[statement].value)];
+  }
+  [[nodiscard]] bool is_operation(program::Ref a) const;
+  /// True if some operation uses the value: it has a name of its own.
+  [[nodiscard]] bool is_local(program::Ref a) const { return used_by_operation_[index(a)]; }
+  /// True if a part behind its own needs the value.
+  [[nodiscard]] bool is_shared(program::Ref a) const { return shared_[index(a)]; }
+  /// True if the value is shared and another part than `part` states it.
+  [[nodiscard]] bool is_elsewhere(program::Ref a, std::size_t part) const {
+    return shared_[index(a)] && part_of_[index(a)] != part;
+  }
+  /// What the right side of a statement names: locals, inputs and constants.
+  void visit_atoms(const Statement& statement,
+                   const std::function<void(program::Ref)>& visit) const;
+
+  /// The array that holds an output element.
+  [[nodiscard]] std::size_t output_array(int output) const;
+  /// "A[12]".
+  [[nodiscard]] std::string element(int output) const;
+  [[nodiscard]] const std::string& name(program::Ref local) const { return names_.at(local); }
+  /// A local, an input or a constant where `part` uses it.
+  [[nodiscard]] std::string atom(program::Ref value, std::size_t part) const;
+
+ private:
+  static std::size_t index(program::Ref a) { return static_cast<std::size_t>(std::abs(a)); }
+  void find_levels(const std::function<int(int, int)>& level);
+  void find_uses();
+  void make_schedule();
+  void list_statements();
+  void list_stores(program::Ref value);
+  void list_constants(int level);
+  bool stays(int output, program::Ref value) const;
+  void divide();
+  std::size_t best_cut(const std::vector<int>& crossing, std::size_t begin) const;
+  std::vector<int> crossing_counts() const;
+  void find_shared();
+  std::string input(const program::Node& node) const;
+  bool is_large() const;
+  int available(program::Ref value) const;
+
+  const program::Function& function_;
+  const program::Graph& graph_;
+  Scalar scalar_;
+  std::vector<program::Ref> operations_;
+  LocalNames names_;
+  program::Schedule schedule_;
+  std::vector<int> level_;  // by node
+  int last_level_ = 0;
+  std::vector<bool> used_by_operation_;
+  std::vector<std::vector<int>> outputs_of_;  // by node
+  std::vector<Statement> statements_;
+  std::vector<std::size_t> part_of_;  // by node, where its local is defined
+  std::vector<bool> shared_;          // by node
+};
+
+}  // namespace treedyn::emit

@@ -1,0 +1,234 @@
+#include "generation_options.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "emit/names.hpp"
+#include "pipeline.hpp"
+#include "simplify/scene_functions.hpp"
+
+namespace treedyn {
+
+Real number(const std::string& option, const std::string& text) {
+  const Decimal decimal = read_decimal(text);
+  if (!decimal) {
+    throw CLI::ValidationError(option, describe(decimal.error, text));
+  }
+  return decimal.value;
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::IsMember(words).description("");
+}
+
+namespace {
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> result(1);
+  for (const char c : list) {
+    if (c == ',') {
+      result.emplace_back();
+    } else {
+      result.back() += c;
+    }
+  }
+  return result;
+}
+
+void add_name(CLI::App& command, Request& request) {
+  command
+      .add_option_function<std::string>(
+          "--name",
+          [&request](const std::string& name) {
+            if (to_identifier(name) != name || emit::is_reserved(name)) {
+              throw CLI::ValidationError(
+                  "--name", fmt::format("{} is not usable as a namespace; expected an identifier "
+                                        "that C++ and its library leave free",
+                                        shown(name)));
+            }
+            request.name = name;
+          },
+          "file stem and namespace; default: the model's own name")
+      ->type_name("NAME");
+}
+
+void set_functions(Request& request, const std::string& list) {
+  std::vector<std::string> known = simplify::function_names();
+  for (const simplify::SceneFunctionInfo& info : simplify::scene_function_infos()) {
+    known.emplace_back(info.name);
+  }
+  for (const std::string& name : split(list)) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw CLI::ValidationError(
+          "--functions", fmt::format("there is no function {}; expected some of {}", shown(name),
+                                     fmt::join(known, ",")));
+    }
+    request.functions.push_back(name);
+  }
+}
+
+void set_gravity(Request& request, const std::string& text) {
+  const std::vector<std::string> values = split(text);
+  if (values.size() != 3) {
+    throw CLI::ValidationError("--gravity", "expected three numbers x,y,z");
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    request.gravity[k] = number("--gravity", values[k]);
+  }
+}
+
+void set_forward_dynamics(Request& request, const std::string& choice) {
+  using simplify::ForwardDynamics;
+  request.forward_dynamics = choice == "factor"        ? ForwardDynamics::kFactor
+                             : choice == "articulated" ? ForwardDynamics::kArticulated
+                                                       : ForwardDynamics::kCheapest;
+}
+
+/// Names of passes, comma-separated.
+void set_without(Request& request, const std::string& list) {
+  for (const std::string& name : split(list)) {
+    const auto& known = simplify::passes();
+    const auto found =
+        std::find_if(known.begin(), known.end(),
+                     [&](const simplify::PassInfo& info) { return name == info.name; });
+    if (found == known.end()) {
+      throw CLI::ValidationError(
+          "--without", fmt::format("there is no pass {}; expected some of {}", shown(name),
+                                   fmt::join(pass_names(), ",")));
+    }
+    request.without.push_back(found->pass);
+  }
+}
+
+void add_sharing(CLI::App& command, Request& request) {
+  command.add_flag(
+      "--share-limbs", request.share_limbs,
+      "one function for limbs of equal structure: half the code, a few more operations");
+}
+
+}  // namespace
+
+void add_model(CLI::App& command, Request& request) {
+  command
+      .add_option("MODEL", request.model,
+                  "URDF (*.urdf) or tree description (*.yaml); -: YAML on standard input")
+      ->required();
+  command
+      .add_option_function<std::string>(
+          "--base",
+          [&request](const std::string& base) {
+            if (base == "free") {
+              throw CLI::ValidationError("--base", "free is not there yet; expected fixed or axes");
+            }
+            if (base != "fixed" && base != "axes") {
+              throw CLI::ValidationError(
+                  "--base", fmt::format("{} is no base; expected fixed or axes", shown(base)));
+            }
+            request.read.base =
+                base == "axes" ? description::Base::kAxes : description::Base::kFixed;
+          },
+          "what carries the root: fixed (the ground), axes (six joints); default fixed")
+      ->type_name("fixed|axes");
+  command
+      .add_option_function<std::string>(
+          "--snap",
+          [&request](const std::string& text) {
+            request.read.snap = number("--snap", text);
+            if (request.read.snap < 0) {
+              throw CLI::ValidationError("--snap", "a tolerance is not negative");
+            }
+          },
+          "tolerance in rad below which decimals become exact angles; default 1e-9, 0: off")
+      ->type_name("TOL");
+  command
+      .add_option_function<std::string>(
+          "--mimic",
+          [&request](const std::string& mimic) {
+            request.read.mimic = mimic == "independent" ? description::Mimic::kIndependent
+                                                        : description::Mimic::kReduce;
+          },
+          "URDF mimic joints; default reduce")
+      ->check(one_of({"reduce", "independent"}))
+      ->type_name("reduce|independent");
+}
+
+void add_generation(CLI::App& command, Request& request) {
+  add_model(command, request);
+  add_sharing(command, request);
+  command.get_option("MODEL")->required(false);
+  command
+      .add_option_function<std::string>(
+          "--scene", [&request](const std::string& file) { request.scene = file; },
+          "a scene: its model, effects and functions instead of a MODEL")
+      ->type_name("FILE");
+  add_name(command, request);
+  command
+      .add_option_function<std::string>(
+          "--scalar",
+          [&request](const std::string& scalar) {
+            request.target.scalar =
+                scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
+          },
+          "the only floating-point type of the output; default double")
+      ->check(one_of({"double", "float"}))
+      ->type_name("double|float");
+  command
+      .add_option("--lanes", request.target.lanes,
+                  "states computed at once, one a lane of a vector")
+      ->check(one_of({"1", "2", "4", "8", "16"}))
+      ->type_name("1|2|4|8|16")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--sincos",
+          [&request](const std::string& choice) {
+            request.target.builtin_sincos = choice == "builtin";
+          },
+          "sine and cosine of the C library or written into the source; default libm")
+      ->check(one_of({"libm", "builtin"}))
+      ->type_name("libm|builtin");
+  command
+      .add_option_function<std::string>(
+          "--layout",
+          [&request](const std::string& layout) { request.target.packed = layout == "packed"; },
+          "of A: N x N, or its structural nonzeros on and below the diagonal with index tables in "
+          "the header; default dense")
+      ->check(one_of({"dense", "packed"}))
+      ->type_name("dense|packed");
+  command
+      .add_option_function<std::string>(
+          "--functions", [&request](const std::string& list) { set_functions(request, list); },
+          "comma-separated; treedyn list functions names them")
+      ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--points", [&request](const std::string& list) { request.points = list; },
+          "comma-separated name, name=link, name=link:x,y,z, or all; default: the model's points")
+      ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--gravity", [&request](const std::string& text) { set_gravity(request, text); },
+          "m/s^2 in the base frame; default 0,0,-9.81")
+      ->type_name("x,y,z");
+  command.add_option("--effort", request.effort, "search effort in moves; 0: none")
+      ->check(CLI::Range(0, 1000000000))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--without", [&request](const std::string& list) { set_without(request, list); },
+          "passes to switch off, comma-separated; treedyn info --passes shows what each one gains")
+      ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--forward-dynamics",
+          [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
+          "method of forward_dynamics; default cheapest")
+      ->check(one_of({"cheapest", "factor", "articulated"}))
+      ->type_name("cheapest|factor|articulated");
+}
+
+}  // namespace treedyn

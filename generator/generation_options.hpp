@@ -1,0 +1,26 @@
+// Options of commands that read a model and generate code. CLI11 is known here and in
+// command_line.cpp only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "request.hpp"
+
+namespace treedyn {
+
+/// The number that an option's text says. \throws CLI::ValidationError naming the option.
+Real number(const std::string& option, const std::string& text);
+
+/// A check whose words the option's type name already shows.
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// MODEL and how it is read: --base, --snap, --mimic.
+void add_model(CLI::App& command, Request& request);
+
+/// All options of `generate`; MODEL is optional among them.
+void add_generation(CLI::App& command, Request& request);
+
+}  // namespace treedyn

@@ -1,0 +1,138 @@
+#include "request.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "emit/header.hpp"
+
+namespace treedyn {
+
+namespace {
+
+const Request kDefaults;
+
+std::string list_of(const std::vector<std::string>& values) {
+  return fmt::format("{}", fmt::join(values, ","));
+}
+
+std::string gravity_text(const model::Vector3& g) {
+  return fmt::format("{},{},{}", emit::decimal(g[0]), emit::decimal(g[1]), emit::decimal(g[2]));
+}
+
+std::string forward_dynamics_text(simplify::ForwardDynamics choice) {
+  switch (choice) {
+    case simplify::ForwardDynamics::kCheapest:
+      break;
+    case simplify::ForwardDynamics::kFactor:
+      return "factor";
+    case simplify::ForwardDynamics::kArticulated:
+      return "articulated";
+  }
+  return "cheapest";
+}
+
+std::string base_text(description::Base base) {
+  return base == description::Base::kAxes ? "axes" : "fixed";
+}
+
+std::string mimic_text(description::Mimic mimic) {
+  return mimic == description::Mimic::kIndependent ? "independent" : "reduce";
+}
+
+/// The names of the passes that are switched off, in order.
+std::vector<std::string> names_without(const Request& request) {
+  std::vector<std::string> names;
+  for (const simplify::PassInfo& info : simplify::passes()) {
+    if (std::find(request.without.begin(), request.without.end(), info.pass) !=
+        request.without.end()) {
+      names.emplace_back(info.name);
+    }
+  }
+  return names;
+}
+
+std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", text); }
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
+  std::vector<std::pair<std::string, std::string>> options = {
+      {"scalar", in_quotes(emit::type_name(request.target.scalar))},
+      {"lanes", std::to_string(request.target.lanes)},
+      {"sincos",
+       in_quotes(request.target.builtin_sincos || request.target.lanes > 1 ? "builtin" : "libm")},
+      {"layout", in_quotes(request.target.packed ? "packed" : "dense")},
+      {"base", in_quotes(base_text(request.read.base))},
+      {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
+      {"snap", emit::decimal(request.read.snap)},
+      {"mimic", in_quotes(mimic_text(request.read.mimic))},
+      {"effort", std::to_string(request.effort)},
+      {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))},
+      {"without", in_quotes(list_of(names_without(request)))}};
+  if (request.share_limbs) {
+    options.emplace_back("share_limbs", "true");
+  }
+  return options;
+}
+
+std::vector<std::string> generate_command(const Request& request, Paths paths) {
+  std::vector<std::string> result = {"treedyn", "generate"};
+  const auto add = [&](bool given, const char* option, const std::string& value) {
+    if (given) {
+      result.insert(result.end(), {option, value});
+    }
+  };
+  const std::string& input = request.scene ? *request.scene : request.model;
+  if (request.scene) {
+    result.emplace_back("--scene");
+  }
+  result.push_back(paths == Paths::kAsGiven ? input
+                                            : std::filesystem::path(input).filename().string());
+  add(request.name.has_value(), "--name", request.name.value_or(""));
+  add(request.read.base != kDefaults.read.base, "--base", base_text(request.read.base));
+  add(request.target.scalar != kDefaults.target.scalar, "--scalar",
+      emit::type_name(request.target.scalar));
+  add(request.target.lanes != kDefaults.target.lanes, "--lanes",
+      std::to_string(request.target.lanes));
+  add(request.target.builtin_sincos, "--sincos", "builtin");
+  add(request.target.packed, "--layout", "packed");
+  add(!request.functions.empty(), "--functions", list_of(request.functions));
+  add(request.points.has_value(), "--points", request.points.value_or(""));
+  add(request.gravity != kDefaults.gravity, "--gravity", gravity_text(request.gravity));
+  add(request.read.snap != kDefaults.read.snap, "--snap", emit::decimal(request.read.snap));
+  add(request.read.mimic != kDefaults.read.mimic, "--mimic", mimic_text(request.read.mimic));
+  add(request.effort != kDefaults.effort, "--effort", std::to_string(request.effort));
+  add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
+      forward_dynamics_text(request.forward_dynamics));
+  add(!request.without.empty(), "--without", list_of(names_without(request)));
+  if (request.share_limbs) {
+    result.emplace_back("--share-limbs");
+  }
+  return result;
+}
+
+std::string update_command(const Request& request, const std::string& folder) {
+  std::vector<std::string> words = generate_command(request, Paths::kAsGiven);
+  words.insert(words.end(), {"-o", folder});
+  return emit::shell_line(words);
+}
+
+std::string depfile_text(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& inputs) {
+  const auto words = [](const std::vector<std::string>& paths, const char* before) {
+    std::string result;
+    for (const std::string& path : paths) {
+      result += result.empty() ? before : " ";
+      for (const char c : path) {
+        result += c == ' ' || c == '#' ? "\\" : c == '$' ? "$" : "";
+        result += c;
+      }
+    }
+    return result;
+  };
+  return fmt::format("{}:{}\n", words(outputs, ""), words(inputs, " "));
+}
+
+}  // namespace treedyn

@@ -1,0 +1,47 @@
+// What to generate, and the words that say so: command line, manifest, Make rule.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "description/read.hpp"
+#include "emit/unit.hpp"
+#include "simplify/formulate.hpp"
+
+namespace treedyn {
+
+/// What to generate: the options of the command line, checked.
+struct Request {
+  std::string model;                 ///< path, "-" for standard input; empty: the scene's own
+  std::optional<std::string> scene;  ///< path of a scene file
+  description::ReadOptions read;
+  std::optional<std::string> name;     ///< file stem and namespace; default: the model's own
+  std::optional<std::string> points;   ///< --points; default: the model's own
+  std::vector<std::string> functions;  ///< empty: the default set
+  model::Vector3 gravity = {0, 0, Real("-9.81")};
+  emit::Target target;
+  int effort = simplify::Options{}.effort;
+  simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
+  std::vector<simplify::Pass> without;  ///< passes that are switched off
+  bool share_limbs = false;             ///< equal limbs share code
+};
+
+/// How a command names its files.
+enum class Paths { kAsGiven, kBaseNames };
+
+/// The command line that reproduces a request: only options that are not the defaults, no folder.
+std::vector<std::string> generate_command(const Request& request, Paths paths);
+
+/// The command that brings a folder up to date, quoted for a shell.
+std::string update_command(const Request& request, const std::string& folder);
+
+/// The options as the manifest states them, defaults included: names and JSON values.
+std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request);
+
+/// A Make rule: the outputs depend on the inputs.
+std::string depfile_text(const std::vector<std::string>& outputs,
+                         const std::vector<std::string>& inputs);
+
+}  // namespace treedyn
