@@ -315,7 +315,7 @@ std::vector<std::string> functions_json(const Programs& programs) {
 }  // namespace
 
 std::string info_text(const Model& model, const Request& request, const Programs& programs) {
-  const bool axes = request.read.base == description::Base::kAxes;
+  const bool axes = decided_request(model, request).read.base == description::Base::kAxes;
   return fmt::format("{}: {} joints, {} moving links, {} kg, base {}\n\njoints\n",
                      shown(model.tree.name), model.tree.dof(), model.tree.size(),
                      emit::decimal(total_mass(model.tree)), axes ? "axes" : "fixed") +
@@ -325,7 +325,7 @@ std::string info_text(const Model& model, const Request& request, const Programs
 }
 
 std::string info_json(const Model& model, const Request& request, const Programs& programs) {
-  const bool axes = request.read.base == description::Base::kAxes;
+  const bool axes = decided_request(model, request).read.base == description::Base::kAxes;
   return fmt::format(
       "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
       "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}{}\n}}\n",

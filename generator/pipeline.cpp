@@ -100,9 +100,18 @@ void check_functions(const Model& model, const Location& where) {
 
 }  // namespace
 
+Request decided_request(const Model& model, Request request) {
+  if (model.scene) {
+    const bool axes = model.tree.links.front().joint.name == "base_px";
+    request.gravity = model.scene->gravity;
+    request.read.base = axes ? description::Base::kAxes : description::Base::kFixed;
+  }
+  return request;
+}
+
 simplify::Options simplify_options(const Model& model, const Request& request) {
   simplify::Options options;
-  options.gravity = model.scene ? model.scene->gravity : request.gravity;
+  options.gravity = decided_request(model, request).gravity;
   options.points = model.points;
   options.effort = request.effort;
   options.forward_dynamics = request.forward_dynamics;
@@ -251,7 +260,7 @@ void prove(const Model& model, const Request& request, const Programs& programs)
                [](const program::Function& function) {
                  return !simplify::is_scene_function(function.signature.name);
                });
-  const model::Vector3& gravity = model.scene ? model.scene->gravity : request.gravity;
+  const model::Vector3 gravity = decided_request(model, request).gravity;
   prove_functions(model.tree, model.points, gravity, of_model);
   if (model.scene) {
     prove_scene(*model.scene, programs);
@@ -292,7 +301,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   unit.tool = fmt::format("treedyn {}", kVersion);
   unit.model_file = model.source.file;
   unit.model_sha256 = model.source.sha256;
-  unit.options = manifest_options(request);
+  unit.options = manifest_options(decided_request(model, request));
   try {
     return emit::emit_files(unit);
   } catch (const std::range_error& error) {
@@ -339,7 +348,7 @@ std::string equations_text(const Model& model, const Request& request) {
       options.functions.push_back(name);
     }
   }
-  return symbolic::dump(model.tree, model.points, request.gravity, options);
+  return symbolic::dump(model.tree, model.points, decided_request(model, request).gravity, options);
 }
 
 }  // namespace treedyn

@@ -48,6 +48,9 @@ Model read(const Request& request);
 /// Tree to programs: one per function.
 Programs formulate(const Model& model, const Request& request, const Trace& trace);
 
+/// The request with the gravity and the base that a scene decides.
+Request decided_request(const Model& model, Request request);
+
 /// What the formulations of a model are free to choose from.
 simplify::Options simplify_options(const Model& model, const Request& request);
 

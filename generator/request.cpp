@@ -91,7 +91,8 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   result.push_back(paths == Paths::kAsGiven ? input
                                             : std::filesystem::path(input).filename().string());
   add(request.name.has_value(), "--name", request.name.value_or(""));
-  add(request.read.base != kDefaults.read.base, "--base", base_text(request.read.base));
+  add(!request.scene && request.read.base != kDefaults.read.base, "--base",
+      base_text(request.read.base));
   add(request.target.scalar != kDefaults.target.scalar, "--scalar",
       emit::type_name(request.target.scalar));
   add(request.target.lanes != kDefaults.target.lanes, "--lanes",

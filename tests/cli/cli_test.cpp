@@ -401,6 +401,23 @@ TEST_F(Cli, SaysWhatTheRowsOfASceneAre) {
               HasSubstr("The equations of the 2 joints without a drive have rank 1: lambda"));
 }
 
+TEST_F(Cli, StatesTheGravityAndBaseOfAScene) {
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " + kModel +
+                 "\nbase: axes\nduration: 1\neffects: {gravity: [0, 0, -1.62]}\n");
+  const Outcome outcome =
+      treedyn({"generate", kModel, "--base", "axes", "--scene", scratch("s.yaml"), "--functions",
+               "gravity_force", "--effort", "0", "-o", out()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string manifest = read_file(file("s.json"));
+  EXPECT_THAT(manifest, HasSubstr("\"gravity\": [0,0,-1.62]"));
+  EXPECT_THAT(manifest, HasSubstr("\"base\": \"axes\""));
+  EXPECT_THAT(read_file(file("s.hpp")),
+              HasSubstr("treedyn generate --scene s.yaml --functions gravity_force --effort 0\n"));
+  EXPECT_THAT(treedyn({"info", "--scene", scratch("s.yaml"), "--functions", "gravity_force"}).out,
+              HasSubstr("base axes"));
+}
+
 TEST_F(Cli, RefusesAnUnknownIntegratorOfAScene) {
   write_file(scratch("s.yaml"),
              "scene: s\nmodel: " + kModel + "\nduration: 1\nstepping: {integrator: nonsense}\n");
