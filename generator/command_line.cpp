@@ -151,8 +151,22 @@ void require_known_command(const CLI::App& app, const std::string& word) {
                           kUsage);
   }
 }
-/// A model or a scene, not both, and only what goes with a scene.
-void require_model_or_scene(const Settings& settings) {
+/// What a scene says itself; its base may stand beside a MODEL, which has to be the scene's.
+void refuse_options_of_scene(const CLI::App& command, const Request& request) {
+  std::vector<std::string> options = {"--points", "--gravity", "--snap", "--mimic"};
+  if (request.model.empty()) {
+    options.emplace_back("--base");
+  }
+  for (const std::string& option : options) {
+    if (command.count(option) > 0) {
+      throw CLI::ParseError(
+          fmt::format("{}: is a matter of the scene; expected --scene without it", option), kUsage);
+    }
+  }
+}
+
+/// A model or a scene, and only what goes with a scene.
+void require_model_or_scene(const CLI::App& command, const Settings& settings) {
   const Request& request = settings.request;
   if (request.model.empty() && !request.scene) {
     throw CLI::ParseError("MODEL is required; expected a model or --scene FILE", kUsage);
@@ -166,17 +180,10 @@ void require_model_or_scene(const Settings& settings) {
   if (!request.scene) {
     return;
   }
-  const Request defaults;
   if (request.target.lanes > 1) {
     throw CLI::ParseError("--lanes: functions of a scene branch; expected 1 lane", kUsage);
   }
-  if (request.points || request.gravity != defaults.gravity ||
-      request.read.snap != defaults.read.snap || request.read.mimic != defaults.read.mimic) {
-    throw CLI::ParseError(
-        "--points, --gravity, --snap and --mimic are a matter of the scene; "
-        "expected --scene without them",
-        kUsage);
-  }
+  refuse_options_of_scene(command, request);
 }
 
 /// Functions of a scene need one.
@@ -194,7 +201,7 @@ void require_options(const CLI::App& app, const Settings& settings) {
   const auto generation = {"generate", "check", "outputs", "info"};
   if (std::any_of(generation.begin(), generation.end(),
                   [&](const char* name) { return app.got_subcommand(name); })) {
-    require_model_or_scene(settings);
+    require_model_or_scene(*app.get_subcommands().front(), settings);
     require_scene_of_functions(settings.request);
   }
   if (settings.simulation.report && settings.simulation.output.empty()) {

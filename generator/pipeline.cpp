@@ -22,6 +22,7 @@
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
 #include "simplify/scene_steps.hpp"
+#include "simulation/integrator.hpp"
 #include "symbolic/dump.hpp"
 #include "version.hpp"
 
@@ -173,6 +174,7 @@ Model read_scene_model(const Request& request) {
   Model model;
   model.scene = description::read_scene(*request.scene);
   check_scene(*model.scene, {*request.scene, 0, 0});
+  simulation::require_integrator(model.scene->stepping);
   check_model(request, *model.scene);
   model.source = source_of(*request.scene);
   model.tree = model.scene->tree;

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "files.hpp"
@@ -43,12 +42,7 @@ simulation::Settings settings_of(const SimulateRequest& request, const model::St
 }
 
 void check(const SimulateRequest& request, const model::Scene& scene) {
-  if (simulation::make_integrator(scene.stepping.integrator) == nullptr) {
-    throw InputError(scene.stepping.where,
-                     fmt::format("stepping: integrator '{}' is unknown; expected one of "
-                                 "treedyn list integrators",
-                                 shown(scene.stepping.integrator)));
-  }
+  simulation::require_integrator(scene.stepping);
   if (scene.duration <= 0) {
     throw InputError({request.scene, 0, 0},
                      "the scene has no duration; expected one above zero, or --duration");

@@ -26,6 +26,10 @@ FrameIndex frames_by_name(const model::Tree& tree) {
   return result;
 }
 
+bool has_axes(const model::Tree& tree) {
+  return !tree.links.empty() && tree.links.front().joint.name == "base_px";
+}
+
 /// The point at `at` in the frame of a link of the file.
 model::Point on_frame(const std::string& name, const model::Frame& frame, const Vector3& at) {
   Vector3 moved = frame.rotation * at;
@@ -83,12 +87,12 @@ class PointList {
   }
 
   const model::Frame& frame(std::string_view name, std::string_view point) const {
-    const auto found = frames_.find(name);
-    if (found == frames_.end()) {
+    const model::Frame* const found = find_frame(tree_, name);
+    if (found == nullptr) {
       fail(fmt::format("point '{}': link '{}' is unknown; expected one of {}", shown(point),
                        shown(name), some_names(frames_)));
     }
-    return *found->second;
+    return *found;
   }
 
   bool next(std::vector<model::Point>& result) {
@@ -161,6 +165,16 @@ class PointList {
 
 }  // namespace
 
+const model::Frame* find_frame(const model::Tree& tree, std::string_view name) {
+  static const model::Frame ground{"ground", model::kGround, identity(), {}};
+  const auto found = std::find_if(tree.frames.begin(), tree.frames.end(),
+                                  [&](const model::Frame& frame) { return frame.name == name; });
+  if (found != tree.frames.end()) {
+    return &*found;
+  }
+  return name == ground.name && !has_axes(tree) ? &ground : nullptr;
+}
+
 std::vector<model::Point> resolve_points(const model::Tree& tree, const std::string& list) {
   return PointList(tree, list).all();
 }
@@ -170,14 +184,14 @@ void resolve_named_points(const RawTree& raw, const NumberReader& numbers, model
   std::vector<Named> names;
   for (const RawPoint& point : raw.points) {
     const std::string what = fmt::format("point '{}'", shown(point.name.text));
-    const auto frame = frames.find(point.link.text);
-    if (frame == frames.end()) {
+    const model::Frame* const frame = find_frame(tree, point.link.text);
+    if (frame == nullptr) {
       throw InputError(location(raw, point.link.where),
                        fmt::format("{}: link '{}' is unknown; expected one of {}", what,
                                    shown(point.link.text), some_names(frames)));
     }
     const Vector3 at = numbers.vector(point.at, what + ": at");
-    tree.points.push_back(on_frame(point.name.text, *frame->second, at));
+    tree.points.push_back(on_frame(point.name.text, *frame, at));
     names.push_back(
         {point.name.text, tree.points.back().identifier, location(raw, point.name.where)});
   }

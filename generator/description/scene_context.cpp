@@ -7,6 +7,7 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/algebra.hpp"
+#include "description/points.hpp"
 
 namespace treedyn::description {
 
@@ -26,12 +27,6 @@ std::string some_of(const List& list, const Name& name) {
   return list.size() > kMost ? result + ", .." : result;
 }
 
-const model::Frame* find_frame(const model::Tree& tree, const std::string& name) {
-  const auto found = std::find_if(tree.frames.begin(), tree.frames.end(),
-                                  [&](const model::Frame& f) { return f.name == name; });
-  return found == tree.frames.end() ? nullptr : &*found;
-}
-
 /// A point of a link of the file. \param at  in the frame of this link
 model::Point on_frame(const std::string& name, const model::Frame& frame, const Vector3& at) {
   return {name,
@@ -42,14 +37,30 @@ model::Point on_frame(const std::string& name, const model::Frame& frame, const 
           frame.rotation};
 }
 
+constexpr std::array<std::string_view, 6> kComponents = {"x", "y", "z", "vx", "vy", "vz"};
+
 std::optional<Variable> component(std::string_view name) {
-  constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "vx", "vy", "vz"};
-  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) {
+  const auto* const found = std::find(kComponents.begin(), kComponents.end(), name);
+  if (found == kComponents.end()) {
     return std::nullopt;
   }
-  const auto k = static_cast<int>(found - kNames.begin());
+  const auto k = static_cast<int>(found - kComponents.begin());
   return Variable{k < 3 ? Quantity::kPointPosition : Quantity::kPointVelocity, k % 3};
+}
+
+bool same_place(const model::Point& a, const model::Point& b) {
+  const Real scale = 1 + norm(a.at);
+  return a.link == b.link && norm(a.at - b.at) <= Real("1e-30") * scale;
+}
+
+/// A parameter hides no variable of any expression.
+void refuse_variable(const std::string& file, const Text& name, const std::string& what) {
+  constexpr std::array<std::string_view, 5> kOthers = {"t", "q", "qd", "d", "v"};
+  if (component(name.text) ||
+      std::find(kOthers.begin(), kOthers.end(), name.text) != kOthers.end()) {
+    throw InputError({file, name.where.line, name.where.column},
+                     what + " has the name of a variable of expressions; expected a new name");
+  }
 }
 
 }  // namespace
@@ -65,6 +76,7 @@ void SceneContext::define_parameters(const Node& node) {
       throw InputError({file_, item.where.line, item.where.column},
                        what + " has no value; expected a number or an expression");
     }
+    refuse_variable(file_, item.key, what);
     try {
       constants_.define(item.key.text, item.text);
     } catch (const symbolic::ConstantError& problem) {
@@ -124,8 +136,25 @@ void SceneContext::define_points(const SceneFields& root) {
           fmt::format("link '{}' is not in the model; expected one of {}", shown(link.text),
                       some_of(scene_.tree.frames, [](const model::Frame& f) { return f.name; })));
     }
-    add(point, name.where, on_frame(name.text, *frame, point.vector_or("at", {})));
+    model::Point defined = on_frame(name.text, *frame, point.vector_or("at", {}));
+    if (const std::optional<model::Point> other = of_model(name.text);
+        other && !same_place(*other, defined)) {
+      point.fail(name.where, fmt::format("'{}' is another place of the model; expected a new name",
+                                         shown(name.text)));
+    }
+    add(point, name.where, std::move(defined));
   }
+}
+
+/// A point of the model, or the origin of a link.
+std::optional<model::Point> SceneContext::of_model(const std::string& name) const {
+  for (const model::Point& point : scene_.tree.points) {
+    if (point.name == name) {
+      return point;
+    }
+  }
+  const model::Frame* const frame = find_frame(scene_.tree, name);
+  return frame == nullptr ? std::nullopt : std::optional(on_frame(name, *frame, {}));
 }
 
 int SceneContext::point(const SceneFields& fields, std::string_view key) {
@@ -135,13 +164,8 @@ int SceneContext::point(const SceneFields& fields, std::string_view key) {
       return static_cast<int>(k);
     }
   }
-  for (const model::Point& point : scene_.tree.points) {
-    if (point.name == name.text) {
-      return add(fields, name.where, point);
-    }
-  }
-  if (const model::Frame* const frame = find_frame(scene_.tree, name.text)) {
-    return add(fields, name.where, on_frame(name.text, *frame, {}));
+  if (std::optional<model::Point> point = of_model(name.text)) {
+    return add(fields, name.where, std::move(*point));
   }
   fields.fail(name.where,
               fmt::format("'{}' is neither a point of the scene or the model nor a link; expected "

@@ -49,6 +49,7 @@ class SceneContext {
   auto guarded(const SceneFields& fields, const Node& node, const Read& read) const;
   [[nodiscard]] symbolic::VariableNames variables(Of kind) const;
   [[nodiscard]] std::optional<int> coordinate(std::string_view name) const;
+  [[nodiscard]] std::optional<model::Point> of_model(const std::string& name) const;
   int add(const Fields& fields, const Place& where, model::Point point);
 
   const std::string& file_;

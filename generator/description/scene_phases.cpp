@@ -30,6 +30,7 @@ class PhaseReader {
       scene_.phases.push_back({"all", {}, {}});
     }
     add_unlisted();
+    check_lift_offs();
     if (const std::optional<Text> start = root_.optional_text("start_phase")) {
       scene_.start_phase = phase(root_, *start);
     }
@@ -49,6 +50,7 @@ class PhaseReader {
   }
 
   void read_events(const Node& node, std::size_t index, const std::string& what) {
+    reading_ = index;
     const SceneFields fields = context_.fields(node, what, phase_keys());
     const std::vector<Node>& events = fields.list("until");
     for (std::size_t k = 0; k < events.size(); ++k) {
@@ -117,6 +119,9 @@ class PhaseReader {
       const SceneFields at = context_.fields(cause, what + ": lift_off", {"constraint", "normal"});
       event.kind = EventKind::kReaction;
       event.constraint = reacting(at);
+      const Place& where = at.get("constraint").where;
+      lift_offs_.push_back(
+          {{at.file(), where.line, where.column}, at.what(), reading_, event.constraint});
       event.plane = {normal(at), 0};
     }
   }
@@ -201,11 +206,46 @@ class PhaseReader {
     }
   }
 
+  /// An impact makes the constraints act that its rebound comes to rest on.
+  [[nodiscard]] bool may_act(int constraint, std::size_t phase) const {
+    const auto has = [constraint](const std::vector<int>& list) {
+      return std::find(list.begin(), list.end(), constraint) != list.end();
+    };
+    bool result = has(scene_.phases[phase].active);
+    for (const model::Phase& other : scene_.phases) {
+      for (const model::Event& event : other.until) {
+        result = result || (event.then == static_cast<int>(phase) && event.impact &&
+                            event.impact->rest_below > 0 && has(event.impact->constraints));
+      }
+    }
+    return result;
+  }
+
+  void check_lift_offs() const {
+    for (const LiftOff& lift_off : lift_offs_) {
+      if (!may_act(lift_off.constraint, lift_off.phase)) {
+        throw InputError(
+            lift_off.where,
+            lift_off.what +
+                ": the constraint does not act in this phase; expected one of 'active'");
+      }
+    }
+  }
+
+  struct LiftOff {
+    Location where;
+    std::string what;
+    std::size_t phase;
+    int constraint;
+  };
+
   SceneContext& context_;
   const SceneEffects& effects_;
   const SceneFields& root_;
   model::Scene& scene_;
   std::set<int> listed_;
+  std::vector<LiftOff> lift_offs_;
+  std::size_t reading_ = 0;  ///< the phase whose events are read
 };
 
 }  // namespace

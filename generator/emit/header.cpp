@@ -145,6 +145,14 @@ std::string function_doc(const program::Function& function) {
                  "/// ");
 }
 
+/// Why lambda is not unique. Where drives are sought, an equation stands for a joint without one.
+std::string rank_text(const program::Staged& staged, const program::RowSolve& solve) {
+  const bool drives = staged.signature.outputs.front().name == "tau";
+  return fmt::format("{} {} {} rank {}: lambda is of least norm.",
+                     drives ? "The equations of the" : "The", solve.rows,
+                     drives ? "joints without a drive have" : "rows have", solve.rank);
+}
+
 /// The rows of lambda, the cost of the regular path and the bound.
 std::string staged_doc(const program::Staged& staged) {
   std::string result = signature_doc(staged.signature);
@@ -156,11 +164,7 @@ std::string staged_doc(const program::Staged& staged) {
     result += wrapped(for_comment(anchor, kLongestCell * 3), "/// ", 4);
   }
   for (const program::RowSolve& solve : staged.solves) {
-    if (!solve.regular()) {
-      result += wrapped(
-          fmt::format("The {} rows have rank {}: lambda is of least norm.", solve.rows, solve.rank),
-          "/// ");
-    }
+    result += solve.regular() ? "" : wrapped(rank_text(staged, solve), "/// ");
   }
   for (const program::Staged& contact : staged.contacts) {
     const char* const power = program::worst_powers(contact) > 0 ? ", 1 pow" : "";

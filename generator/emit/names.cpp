@@ -72,13 +72,15 @@ std::string identifier_part(std::string_view text) {
 }
 
 std::string for_comment(std::string_view text, std::size_t longest) {
-  constexpr std::string_view kHarmless = "_.:+- /()";
-  const bool harmless = std::all_of(text.begin(), text.end(), [&](char c) {
-    return is_alphanumeric(c) || kHarmless.find(c) != std::string_view::npos;
-  });
-  const bool spaced = text.empty() || text.front() == ' ' || text.back() == ' ' ||
-                      text.find("  ") != std::string_view::npos;
-  std::string result = harmless && !spaced ? std::string(text) : identifier_part(text);
+  constexpr std::string_view kHarmless = "_.,:+-/()";
+  std::string result(text);
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const bool inner = k > 0 && k + 1 < text.size();
+    const bool space = text[k] == ' ' && inner && text[k + 1] != ' ';
+    const bool harmless =
+        space || is_alphanumeric(text[k]) || kHarmless.find(text[k]) != std::string_view::npos;
+    result[k] = harmless ? text[k] : '_';
+  }
   if (result.size() > longest) {
     result = result.substr(0, longest - 3) + "...";
   }

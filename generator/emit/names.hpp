@@ -21,7 +21,8 @@ bool is_reserved(std::string_view name);
 /// Every byte outside [A-Za-z0-9_] as `_`: a part of an identifier.
 std::string identifier_part(std::string_view text);
 
-/// `text` if it is harmless inside a comment, else `identifier_part`; at most `longest` characters.
+/// `text` with `_` for every byte that is not harmless inside a comment, and for spaces but single
+/// ones between words; at most `longest` characters.
 std::string for_comment(std::string_view text, std::size_t longest);
 
 /// Identifiers of at most `longest` characters, unique: the given ones without a common "_link"

@@ -7,6 +7,9 @@
 #include <vector>
 
 #include <Eigen/LU>
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
 
 namespace treedyn::simulation {
 
@@ -158,6 +161,14 @@ std::unique_ptr<Integrator> make_integrator(std::string_view name) {
   const auto found = std::find_if(kIntegrators.begin(), kIntegrators.end(),
                                   [&](const IntegratorRow& row) { return row.name == name; });
   return found == kIntegrators.end() ? nullptr : found->make();
+}
+
+void require_integrator(const model::Stepping& stepping) {
+  if (make_integrator(stepping.integrator) == nullptr) {
+    throw InputError(stepping.where, fmt::format("stepping: integrator '{}' is unknown; expected "
+                                                 "one of treedyn list integrators",
+                                                 shown(stepping.integrator)));
+  }
 }
 
 }  // namespace treedyn::simulation

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "model/scene.hpp"
 #include "simulation/dynamics.hpp"
 
 namespace treedyn::simulation {
@@ -35,6 +36,9 @@ std::span<const IntegratorRow> integrators();
 
 /// nullptr if there is none with that name.
 std::unique_ptr<Integrator> make_integrator(std::string_view name);
+
+/// \throws InputError if there is no integrator of this name
+void require_integrator(const model::Stepping& stepping);
 
 std::unique_ptr<Integrator> make_dopri5();      ///< Boost.odeint
 std::unique_ptr<Integrator> make_fehlberg78();  ///< Boost.odeint

@@ -20,6 +20,8 @@ constexpr double kMostFactor = 5;
 /// Projections of an initial state, and the position error (m, rad) that it may keep.
 constexpr int kSettlingSteps = 20;
 constexpr double kSettled = 1e-8;
+/// The velocity error (m/s, rad/s) that it may keep: what a singular position lets go is below it.
+constexpr double kSettledSpeed = 1e-6;
 /// How often a fixed step is halved when it does not lead anywhere.
 constexpr int kHalvings = 20;
 /// The first step behind an event, as a part of the duration: forces may begin there that no error
@@ -132,6 +134,9 @@ double Simulator::settle() {
   y_ << position, velocity;
   if (!y_.allFinite() || system_.violation(t_, position) > kSettled) {
     throw std::runtime_error("the initial state is not near one that meets the constraints");
+  }
+  if (system_.speed_violation(t_, position, velocity) > kSettledSpeed) {
+    throw std::runtime_error("no velocity meets the constraints at the initial state");
   }
   build_watches();
   return (y_ - before).cwiseAbs().maxCoeff();

@@ -219,6 +219,17 @@ double System::violation(double t, const Vector& q) {
   return largest(phi_);
 }
 
+double System::speed_violation(double t, const Vector& q, const Vector& qd) {
+  if (constraints_.rows() == 0) {
+    return 0;
+  }
+  constraints_.jacobian(geometry(q), J_);
+  constraints_.velocities(t, rate_);
+  rate_ = J_ * qd - rate_;
+  keep_held(rate_);
+  return largest(rate_);
+}
+
 const Terms& System::geometry(const Vector& q) {
   dynamics_.evaluate_geometry(q, terms_);
   return terms_;

@@ -64,6 +64,8 @@ class System {
                 double restitution);
   /// Largest position error of the active rows, m or rad.
   double violation(double t, const Vector& q);
+  /// The same of the velocities, m/s or rad/s.
+  double speed_violation(double t, const Vector& q, const Vector& qd);
 
   /// p, C, R, H in this position.
   const Terms& geometry(const Vector& q);

@@ -72,6 +72,17 @@ TEST(ResolvePoints, OfAnEmptyListAreNone) {
   EXPECT_THAT(resolve_points(yaml(kLeg), ""), IsEmpty());
 }
 
+TEST(NamedPoints, MayStandOnTheGround) {
+  const std::string text = std::string(kLeg) + "- {name: wall, link: ground, at: [1, 2, 3]}\n";
+  const model::Point wall = yaml(text).points.back();
+  EXPECT_EQ(wall.link, model::kGround);
+  EXPECT_THAT(wall.at, ElementsAre(Real(1), Real(2), Real(3)));
+  const std::vector<model::Point> points = resolve_points(yaml(kLeg), "a=ground,b=ground:0,0,1");
+  EXPECT_EQ(points[0].link, model::kGround);
+  EXPECT_EQ(points[1].link, model::kGround);
+  EXPECT_EQ(points[1].at[2], 1);
+}
+
 TEST(ResolvePoints, NameTheMistake) {
   EXPECT_EQ(error_of("knee"),
             "--points: 'knee' is neither a point nor a link of the model; expected one of ns:foot, "

@@ -109,9 +109,15 @@ TEST(Shortened, KeepsNamesApart) {
 
 TEST(ForComment, LetsNothingEndACommentOrALine) {
   EXPECT_EQ(for_comment("left foot (2)", 40), "left foot (2)");
-  EXPECT_EQ(for_comment("a*/b\n\\", 40), "a__b__");
+  EXPECT_EQ(for_comment("a*/b\n\\", 40), "a_/b__");
+  EXPECT_EQ(for_comment(" a  b ", 40), "_a_ b_");
   EXPECT_EQ(for_comment("\xe2\x80\xae", 40), "___");
   EXPECT_EQ(for_comment(std::string(50, 'x'), 10), "xxxxxxx...");
+}
+
+TEST(ForComment, LeavesWhatIsReadableBesideWhatIsNot) {
+  EXPECT_EQ(for_comment("pen*/: force along (0.707107, 0, -0.707107)", 60),
+            "pen_/: force along (0.707107, 0, -0.707107)");
 }
 
 TEST(IsReserved, KnowsWhatANamespaceMustNotBeCalled) {

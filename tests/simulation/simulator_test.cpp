@@ -263,6 +263,25 @@ TEST(Rows, ComeInTheOrderOfTheFile) {
   EXPECT_EQ(names, (std::vector<std::string>{"keep", "pen", "ink", "elbow"}));
 }
 
+/// The message of a run of a ball, moved up and down only, under point constraints.
+std::string message_of_ball(const std::string& constraints) {
+  try {
+    Running(scene_of("scene: s\nmodel: drop.model.yaml\neffects:\n  point_constraint:\n" +
+                     constraints + "duration: 1\n"));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(InitialState, IsRefusedWhereNoStateMeetsTheConstraints) {
+  EXPECT_EQ(message_of_ball("    - {point: ball, along: [x, z], curve: [0, 0, 2*t]}\n"), "");
+  EXPECT_EQ(message_of_ball("    - {point: ball, along: [x, z], curve: [1, 0, 2*t]}\n"),
+            "the initial state is not near one that meets the constraints");
+  EXPECT_EQ(message_of_ball("    - {point: ball, along: [x, z], curve: [t, 0, 2*t]}\n"),
+            "no velocity meets the constraints at the initial state");
+}
+
 TEST(Rows, MayStateTheirAcceleration) {
   Running run(scene_of(R"yaml(
 scene: stated
