@@ -210,7 +210,7 @@ int main(int argc, char** argv) {
   print(line.out);
   print_error(line.error);
   const int status = line.status ? *line.status : run_and_report(line.settings);
-  if (std::fflush(stdout) != 0) {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     print_error("treedyn: cannot write to standard output\n");
     return kFailure;
   }

@@ -278,10 +278,14 @@ TEST_F(Cli, LeavesNothingHalfWrittenOnAFullDisk) {
 }
 
 TEST_F(Cli, ReportsAFullStandardOutput) {
-  const Outcome outcome =
-      support::run({"sh", "-c", TREEDYN_EXECUTABLE " info " + kModel + " > /dev/full"});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("standard output"));
+  const std::string small = " info " + kModel;
+  const std::string large = " simulate " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
+  for (const std::string& command : {small, large}) {
+    const Outcome outcome =
+        support::run({"sh", "-c", TREEDYN_EXECUTABLE + command + " > /dev/full"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("standard output"));
+  }
 }
 
 TEST_F(Cli, VetsInThreeFormats) {

@@ -1,11 +1,12 @@
 // `--layout packed`: the values of the dense functions at the places that the header's tables name.
+#include "packed.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include <gtest/gtest.h>
 
 #include "dense.hpp"
-#include "packed.hpp"
 #include "packed_limbs.hpp"
 
 namespace {
