@@ -156,6 +156,30 @@ void check_step(const Model& model) {
   }
 }
 
+/// Generated impacts bring rows to rest, or let them rebound: they do not know of speeds of curves.
+void check_impacts(const Model& model, const Location& where) {
+  const std::vector<std::string>& wanted = model.scene_functions;
+  const bool none =
+      !wanted.empty() && std::none_of(wanted.begin(), wanted.end(), [](const auto& name) {
+        return name == "impact" || name == "step";
+      });
+  for (const model::Phase& phase : model.scene->phases) {
+    for (const model::Event& event : phase.until) {
+      for (const int c : event.impact && !none ? event.impact->constraints : std::vector<int>{}) {
+        const model::Constraint& row = model.scene->constraints[static_cast<std::size_t>(c)];
+        const auto& speed = row.curve.velocity;
+        if (!std::all_of(speed.begin(), speed.end(), [](const auto& v) { return v.is_zero(); })) {
+          throw InputError(where,
+                           fmt::format("phase '{}': an impact strikes constraint '{}', which "
+                                       "is led along a curve; expected one at rest, or "
+                                       "--functions without impact and step",
+                                       shown(phase.name), shown(row.name)));
+        }
+      }
+    }
+  }
+}
+
 /// A MODEL beside a scene has to be the scene's own.
 void check_model(const Request& request, const model::Scene& scene) {
   if (request.model.empty()) {
@@ -193,6 +217,7 @@ Model read_scene_model(const Request& request) {
   }
   check_functions(model, {*request.scene, 0, 0});
   check_step(model);
+  check_impacts(model, {*request.scene, 0, 0});
   model.name = request.name.value_or(to_identifier(model.scene->name));
   model.name += emit::is_reserved(model.name) ? "_" : "";
   return model;

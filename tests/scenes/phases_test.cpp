@@ -291,6 +291,22 @@ TEST(PhaseStep, RenewsTheAnchorOfTheFootThatLands) {
   EXPECT_EQ(steps.at(0), 0);
 }
 
+TEST(PhaseStep, IsRefusedWhereAnImpactStrikesAMovingConstraint) {
+  const TemporaryFolder folder;
+  std::string moving = walk("integrator: rk4, step: 1e-3");
+  const std::string held = "along: [x, z]}";
+  moving.replace(moving.find(held), held.size(), "along: [x, z], curve: [0.1*t, 0, 0]}");
+  write_file(folder.path() / "scene.yaml", moving);
+  std::vector<std::string> command = {
+      TREEDYN_EXECUTABLE,    "generate", "--scene", (folder.path() / "scene.yaml").string(), "-o",
+      folder.path().string()};
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("is led along a curve"), std::string::npos) << outcome.err;
+  command.insert(command.end(), {"--functions", "reaction_jacobian_transpose"});
+  EXPECT_EQ(run(command).status, 0);
+}
+
 TEST(PhaseStep, AnAdaptiveIntegratorHasNone) {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", walk("integrator: fehlberg78"));
