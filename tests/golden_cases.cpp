@@ -231,10 +231,11 @@ void check_dynamics(const Json& data, const Implementation& by, Report& report) 
   compare("tau", sum(tau, Q, -1), order.rows(expected.at("tau_id")));
 }
 
-/// Rows of a scene stand effect by effect: the forces of a case, then its moments.
+/// Rows of a scene stand effect by effect as in its file, here by name: orientation_constraint (the
+/// moments of a case), then point_constraint (its forces).
 std::vector<std::size_t> row_order(const Json& constraints) {
   std::vector<std::size_t> order;
-  for (const char* kind : {"force", "moment"}) {
+  for (const char* kind : {"moment", "force"}) {
     for (std::size_t k = 0; k < constraints.size(); ++k) {
       if (constraints.at(k).at("kind") == kind) {
         order.push_back(k);

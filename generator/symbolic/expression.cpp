@@ -194,7 +194,7 @@ class Converter {
     sort(parts);
     for (const Part& p : parts) {
       result.value = result.value * p.value;
-      result.key += "*" + p.key;
+      result.key += (result.key.empty() ? "" : "*") + p.key;  // of -x as of x
     }
   }
 
