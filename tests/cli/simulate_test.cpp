@@ -246,8 +246,11 @@ TEST_F(Simulate, MakesAPageThatPlaysInABrowserWithoutNetwork) {
   EXPECT_EQ(count(page, "http"), 1U);  // the name space of SVG, which is never fetched
   EXPECT_EQ(count(page, "src="), 0U);
   EXPECT_EQ(count(page, "@import") + count(page, "url("), 0U);
+  // frames by timers: the browser's virtual time does not wait for frames that are painted
   const std::string watcher =
-      "<script>document.getElementById('speed').value = '4';"
+      "<script>window.requestAnimationFrame = f => setTimeout(f, 16);"
+      "window.cancelAnimationFrame = clearTimeout;"
+      "document.getElementById('speed').value = '4';"
       "document.getElementById('play').click();"
       "const look = () => { const at = +document.getElementById('time').value;"
       " if (at > 20) { document.title = 'played to ' + at; } else { setTimeout(look, 50); } };"
