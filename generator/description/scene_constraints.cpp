@@ -27,7 +27,62 @@ void SceneEffects::add(const SceneFields& fields, model::Constraint constraint) 
   if (entry_is_off_) {
     constraints_off_[constraint.name] = 1;
   }
+  places_[constraint.name] = fields.where();
   scene().constraints.push_back(std::move(constraint));
+}
+
+namespace {
+
+/// True if row i of `a` and row j of `b` state different accelerations, or positions.
+bool differ(const model::Constraint& a, std::size_t i, const model::Constraint& b, std::size_t j) {
+  if (!a.accelerations.empty() && !b.accelerations.empty()) {
+    return !(a.accelerations[i] == b.accelerations[j]);
+  }
+  const bool led = a.kind == ConstraintKind::kPoint || a.kind == ConstraintKind::kJoint;
+  if (!led || a.pinned || b.pinned || !a.accelerations.empty() || !b.accelerations.empty()) {
+    return false;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool matters = a.kind == ConstraintKind::kJoint || a.directions[i][k] != 0;
+    if (matters && !(a.curve.position[k] == b.curve.position[k])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool contradict(const model::Constraint& a, const model::Constraint& b) {
+  if (a.kind != b.kind || a.joint != b.joint || a.point != b.point || a.other != b.other) {
+    return false;
+  }
+  for (std::size_t i = 0; i < a.rows(); ++i) {
+    for (std::size_t j = 0; j < b.rows(); ++j) {
+      const bool same = a.kind == ConstraintKind::kJoint || a.directions[i] == b.directions[j];
+      if (same && differ(a, i, b, j)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void SceneEffects::refuse_contradictions(const SceneFields& root) const {
+  for (const model::Phase& phase : context_.scene().phases) {
+    for (auto b = phase.active.begin(); b != phase.active.end(); ++b) {
+      for (auto a = phase.active.begin(); a != b; ++a) {
+        const auto& first = context_.scene().constraints[static_cast<std::size_t>(*a)];
+        const auto& second = context_.scene().constraints[static_cast<std::size_t>(*b)];
+        if (contradict(first, second)) {
+          root.fail(places_.at(second.name),
+                    fmt::format("constraint '{}' contradicts '{}' in phase '{}'; expected the same "
+                                "motion, or one of them",
+                                shown(second.name), shown(first.name), shown(phase.name)));
+        }
+      }
+    }
+  }
 }
 
 void SceneEffects::locked_joint(const SceneFields& fields) {

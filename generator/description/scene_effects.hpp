@@ -22,6 +22,8 @@ class SceneEffects {
   [[nodiscard]] bool is_off(const std::string& constraint) const {
     return constraints_off_.count(constraint) > 0;
   }
+  /// \throws InputError if two rows that act in one phase want different motions of one thing.
+  void refuse_contradictions(const SceneFields& root) const;
 
  private:
   using Reader = void (SceneEffects::*)(const SceneFields& fields);
@@ -65,6 +67,7 @@ class SceneEffects {
   std::map<std::string, Use, std::less<>> use_;
   std::map<std::string, int, std::less<>> acting_;  ///< entries of an effect that are not off
   std::map<std::string, int, std::less<>> constraints_off_;
+  std::map<std::string, Place, std::less<>> places_;  ///< of the entries of constraints
   bool entry_is_off_ = false;
 };
 

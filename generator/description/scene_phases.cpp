@@ -252,6 +252,7 @@ class PhaseReader {
 
 void read_phases(SceneContext& context, const SceneEffects& effects, const SceneFields& root) {
   PhaseReader(context, effects, root).run();
+  effects.refuse_contradictions(root);
   if (!effects.acts("impact")) {
     for (model::Phase& phase : context.scene().phases) {
       for (model::Event& event : phase.until) {
