@@ -5,7 +5,7 @@
 namespace treedyn::program {
 
 SampleTable::SampleTable(const Network& network)
-    : network_(network), samples_(1), fast_{{0, 0}}, rounding_{{0, 0}} {
+    : network_(network), samples_(1), fast_{{0, 0}}, zero_{true} {
   for (int k = 1; k < network.size(); ++k) {
     append(k);
     table_.push_back({std::abs(fast_.back()[0]), k});
@@ -51,56 +51,38 @@ void SampleTable::append(int k) {
   samples_.push_back(evaluate(k));
   fast_.push_back(
       {static_cast<double>(samples_.back().first), static_cast<double>(samples_.back().second)});
-  rounding_.push_back({rounding(k, 0), rounding(k, 1)});
+  zero_.push_back(vanishes(k));
 }
 
-/// What the operations below `k` make of roundings, to first order and not less than |value|: a sum
-/// that cancels keeps the roundings of its terms.
-double SampleTable::rounding(int k, std::size_t point) const {
-  const auto of = [&](Ref a) {
-    return rounding_[static_cast<std::size_t>(std::abs(a))][point];
-  };
-  const auto size = [&](Ref a) {
-    return std::abs(fast_[static_cast<std::size_t>(std::abs(a))][point]);
-  };
+/// A sum is zero if its terms cancel to rounding at 50 digits, other items by their operands.
+bool SampleTable::vanishes(int k) const {
   const auto operands = network_.operands(k);
-  double result = size(k);
+  const auto zero = [this](Ref a) {
+    return is_zero(a);
+  };
   switch (network_.item(k).kind) {
     case Kind::kConstant:
     case Kind::kInput:
-      break;
-    case Kind::kAdd:
-      for (const Ref term : operands) {
-        result += of(term);
-      }
-      break;
-    case Kind::kMultiply:
-      for (std::size_t i = 0; i < operands.size(); ++i) {
-        double product = of(operands[i]);
-        for (std::size_t j = 0; j < operands.size(); ++j) {
-          product *= i == j ? 1 : size(operands[j]);
-        }
-        result += product;
-      }
-      break;
-    case Kind::kDivide:
-      result += (of(operands[0]) + size(k) * of(operands[1])) / size(operands[1]);
-      break;
-    case Kind::kSin:
     case Kind::kCos:
-      result += 4 * (1 + size(operands[0])) * of(operands[0]);
-      break;
+      return false;
+    case Kind::kMultiply:
+      return std::ranges::any_of(operands, zero);
+    case Kind::kDivide:
+    case Kind::kSin:
     case Kind::kSqrt:
-      result += of(operands[0]) / (2 * size(k));
+      return zero(operands[0]);
+    case Kind::kAdd:
       break;
   }
-  return result;
-}
-
-bool SampleTable::is_zero(int k) const {
-  const auto& scale = rounding_[static_cast<std::size_t>(k)];
-  return std::isfinite(scale[0]) && std::isfinite(scale[1]) &&
-         negligible(sample(k).first, scale[0]) && negligible(sample(k).second, scale[1]);
+  Sample largest;
+  for (const Ref term : operands) {
+    largest.first = std::max(largest.first, Real(abs(sample(term).first)));
+    largest.second = std::max(largest.second, Real(abs(sample(term).second)));
+  }
+  const Real rounding("1e-30");  // leaves 20 digits to what the terms themselves have lost
+  return std::ranges::all_of(operands, zero) ||
+         (abs(sample(k).first) <= rounding * largest.first &&
+          abs(sample(k).second) <= rounding * largest.second);
 }
 
 }  // namespace treedyn::program

@@ -52,7 +52,7 @@ class SampleTable {
   }
   /// True if the value is zero but for rounding at 50 digits: somewhere in it sums cancel
   /// completely.
-  [[nodiscard]] bool is_zero(int k) const;
+  [[nodiscard]] bool is_zero(Ref a) const { return zero_[static_cast<std::size_t>(std::abs(a))]; }
   /// The number of items that `find` can find: 1 to this.
   [[nodiscard]] int known() const { return static_cast<int>(table_.size()); }
   /// The first item with the given values or their negatives that passes `accept(item)`, or 0.
@@ -66,12 +66,12 @@ class SampleTable {
     int item = 0;
   };
   [[nodiscard]] Sample evaluate(int k) const;
-  [[nodiscard]] double rounding(int k, std::size_t point) const;
+  [[nodiscard]] bool vanishes(int k) const;
 
   const Network& network_;
   std::vector<Sample> samples_;
   std::vector<std::array<double, 2>> fast_;
-  std::vector<std::array<double, 2>> rounding_;  ///< of a sample, in units of its last place at 1
+  std::vector<bool> zero_;
   std::vector<Entry> table_;
 };
 

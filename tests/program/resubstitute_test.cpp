@@ -54,6 +54,19 @@ TEST_F(Resubstitute, FindsZeros) {
   EXPECT_EQ(left({zero, b_}), 0);
 }
 
+TEST_F(Resubstitute, TakesNoValueOfALongRecursionForZero) {
+  // Bounds of rounding double at every step, the values stay as they are.
+  const Ref factor = times(graph_.constant(Real("0.5")), plus(graph_.constant(1), square(b_)));
+  Ref before = a_;
+  Ref value = c_;
+  for (int step = 0; step < 200; ++step) {
+    const Ref next = plus(value, -times(factor, before));
+    before = value;
+    value = next;
+  }
+  EXPECT_EQ(left({value}), 403);
+}
+
 TEST_F(Resubstitute, FindsEqualValuesOfAnotherForm) {
   const Ref expanded = plus(times(b_, c_), times(b_, d_));
   const Ref factored = times(b_, plus(c_, d_));
