@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "emit/doc.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
 #include "emit/template_file.hpp"
@@ -14,7 +15,7 @@ namespace treedyn::emit {
 
 namespace {
 
-constexpr std::size_t kLongestCell = 32;
+constexpr std::size_t kLongestCell = 32;  ///< of what models name
 
 const model::Link& link_of(const model::Tree& tree, int coordinate) {
   const auto k = static_cast<std::size_t>(coordinate);
@@ -111,73 +112,6 @@ std::vector<std::string> point_identifiers(const std::vector<model::Point>& poin
   return result;
 }
 
-std::string array_doc(const program::Array& array, bool output, std::size_t name_width) {
-  const std::string unit = array.unit.empty() ? "" : fmt::format(", {}", array.unit);
-  return wrapped(
-      fmt::format("{}{}", array.size, unit),
-      fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name, name_width));
-}
-
-/// What it does and its arguments.
-std::string signature_doc(const program::Signature& signature) {
-  std::size_t name_width = 0;
-  for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
-    for (const program::Array& array : *arrays) {
-      name_width = std::max(name_width, array.name.size());
-    }
-  }
-  std::string result = wrapped(signature.brief, "/// ") + "///\n";
-  for (const program::Array& array : signature.inputs) {
-    result += array_doc(array, false, name_width);
-  }
-  for (const program::Array& array : signature.outputs) {
-    result += array_doc(array, true, name_width);
-  }
-  return result;
-}
-
-std::string function_doc(const program::Function& function) {
-  const program::Signature& signature = function.signature;
-  return signature_doc(signature) +
-         wrapped(fmt::format("Equation {}. Cost: {}.{}", signature.equation,
-                             cost_text(program::cost(function)),
-                             function.limb_code ? " Equal limbs share code." : ""),
-                 "/// ");
-}
-
-/// Why lambda is not unique. Where drives are sought, an equation stands for a joint without one.
-std::string rank_text(const program::Staged& staged, const program::RowSolve& solve) {
-  const bool drives = staged.signature.outputs.front().name == "tau";
-  return fmt::format("{} {} {} rank {}: lambda is of least norm.",
-                     drives ? "The equations of the" : "The", solve.rows,
-                     drives ? "joints without a drive have" : "rows have", solve.rank);
-}
-
-/// The rows of lambda, the cost of the regular path and the bound.
-std::string staged_doc(const program::Staged& staged) {
-  std::string result = signature_doc(staged.signature);
-  for (std::size_t k = 0; k < staged.rows.size(); ++k) {
-    const std::string text = for_comment(staged.rows[k], kLongestCell * 2);
-    result += wrapped(fmt::format("Row {}: {}", k, text), "/// ", 4);
-  }
-  for (const std::string& anchor : staged.anchors) {
-    result += wrapped(for_comment(anchor, kLongestCell * 3), "/// ", 4);
-  }
-  for (const program::RowSolve& solve : staged.solves) {
-    result += solve.regular() ? "" : wrapped(rank_text(staged, solve), "/// ");
-  }
-  for (const program::Staged& contact : staged.contacts) {
-    const char* const power = program::worst_powers(contact) > 0 ? ", 1 pow" : "";
-    result += wrapped(fmt::format("A closed contact ({}) adds {}{}.", contact.signature.name,
-                                  cost_text(program::cost(contact)), power),
-                      "/// ");
-  }
-  return result + wrapped(fmt::format("Equation {}. Cost: {}. Never more than {}.",
-                                      staged.signature.equation, cost_text(program::cost(staged)),
-                                      cost_text(program::worst_cost(staged))),
-                          "/// ");
-}
-
 std::string scalar_declaration(const Target& target) {
   const std::string type = type_name(target.scalar);
   if (target.lanes == 1) {
@@ -231,76 +165,6 @@ std::string arrays_comment(const Target& target) {
       "// ");
 }
 
-std::string method_text(program::StepMethod method) {
-  switch (method) {
-    case program::StepMethod::kRk4:
-      return "Runge-Kutta of order 4";
-    case program::StepMethod::kDopri5:
-      return "Dormand and Prince of order 5";
-    case program::StepMethod::kSdirk2:
-      return "two implicit stages, of order 2 and L-stable (Alexander 1977)";
-    case program::StepMethod::kSemiImplicitEuler:
-      break;
-  }
-  return "semi-implicit Euler";
-}
-
-/// "phase left: touch_down of right_foot, from step 40: impact_left, then right"
-std::string event_text(const program::Stepper& stepper, const program::StepPhase& phase,
-                       const program::StepEvent& event) {
-  const auto outcome = [&](const program::StepOutcome& result) {
-    return fmt::format("{}{}", result.impact.empty() ? "" : result.impact + ", then ",
-                       stepper.phases[static_cast<std::size_t>(result.then)].identifier);
-  };
-  const std::string after =
-      event.not_before > 0 ? fmt::format(" from step {}", event.not_before) : "";
-  const std::string rest = event.rest ? fmt::format("; slower than {} m/s: {}",
-                                                    decimal(event.rest_below), outcome(*event.rest))
-                                      : "";
-  return fmt::format("Phase {}: {}{}: {}{}", phase.identifier,
-                     for_comment(event.brief, kLongestCell * 2), after, outcome(event.outcome),
-                     rest);
-}
-
-/// What the events do, and how late.
-std::string events_doc(const program::Stepper& stepper) {
-  std::string result;
-  for (const program::StepPhase& phase : stepper.phases) {
-    for (const program::StepEvent& event : phase.events) {
-      result += wrapped(event_text(stepper, phase, event), "/// ", 4);
-    }
-  }
-  if (result.empty()) {
-    return result;
-  }
-  const std::string begins =
-      stepper.switches() ? fmt::format(" The scene begins in {}.", stepper.first) : "";
-  return result + wrapped(
-                      "Events are looked at where the step ends, in this order; the first that has "
-                      "happened counts and is taken there, up to a step late: behind an event the "
-                      "error is that of order 1, whatever the method. Reactions are those at the "
-                      "beginning of the step." +
-                          begins,
-                      "/// ");
-}
-
-/// The method, its step and what a step costs.
-std::string stepper_doc(const program::Stepper& stepper) {
-  const bool iterates = stepper.method == program::StepMethod::kSdirk2;
-  const std::string where =
-      stepper.switches() ? fmt::format(" in phase {}", stepper.phases.front().identifier) : "";
-  const std::string with =
-      iterates ? fmt::format(" with {} Newton steps a stage", program::kUsualNewtonSteps) : "";
-  const std::string fails =
-      iterates ? " Not a number where the iteration does not converge: the step is too long." : "";
-  return signature_doc(stepper.signature) + events_doc(stepper) +
-         wrapped(fmt::format("By {}, {} s.{} Cost{}{}: {}. Never more than {}.",
-                             method_text(stepper.method), decimal(stepper.step), fails, where, with,
-                             cost_text(program::step_cost(stepper)),
-                             cost_text(program::worst_step_cost(stepper))),
-                 "/// ");
-}
-
 std::vector<std::string> phase_identifiers(const std::vector<program::Stepper>& steppers) {
   std::vector<std::string> result;
   for (const program::Stepper& stepper : steppers) {
@@ -321,13 +185,13 @@ std::string prototype(const program::Signature& signature) {
 std::string declarations(const Unit& unit) {
   std::string result;
   for (const program::Function& function : unit.functions) {
-    result += '\n' + function_doc(function) + prototype(function.signature);
+    result += '\n' + doc(function) + prototype(function.signature);
   }
   for (const program::Staged& staged : unit.staged) {
-    result += '\n' + staged_doc(staged) + prototype(staged.signature);
+    result += '\n' + doc(staged) + prototype(staged.signature);
   }
   for (const program::Stepper& stepper : unit.steppers) {
-    result += '\n' + stepper_doc(stepper) + prototype(stepper.signature);
+    result += '\n' + doc(stepper) + prototype(stepper.signature);
   }
   return result;
 }
