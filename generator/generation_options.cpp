@@ -192,6 +192,17 @@ void add_generation(CLI::App& command, Request& request) {
       ->type_name("libm|builtin");
   command
       .add_option_function<std::string>(
+          "--trig",
+          [&request](const std::string& place) {
+            request.target.trigonometry =
+                place == "late" ? program::Trigonometry::kLate : program::Trigonometry::kEarly;
+          },
+          "sines and cosines at the beginning, or just before their first use, for processors that "
+          "execute in order; default early")
+      ->check(one_of({"early", "late"}))
+      ->type_name("early|late");
+  command
+      .add_option_function<std::string>(
           "--layout",
           [&request](const std::string& layout) { request.target.packed = layout == "packed"; },
           "of A: N x N, or its structural nonzeros on and below the diagonal with index tables in "

@@ -71,6 +71,9 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
       {"effort", std::to_string(request.effort)},
       {"forward_dynamics", in_quotes(forward_dynamics_text(request.forward_dynamics))},
       {"without", in_quotes(list_of(names_without(request)))}};
+  if (request.target.trigonometry == program::Trigonometry::kLate) {
+    options.emplace_back("trig", in_quotes("late"));
+  }
   if (request.share_limbs) {
     options.emplace_back("share_limbs", "true");
   }
@@ -98,6 +101,7 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   add(request.target.lanes != kDefaults.target.lanes, "--lanes",
       std::to_string(request.target.lanes));
   add(request.target.builtin_sincos, "--sincos", "builtin");
+  add(request.target.trigonometry == program::Trigonometry::kLate, "--trig", "late");
   add(request.target.packed, "--layout", "packed");
   add(!request.functions.empty(), "--functions", list_of(request.functions));
   add(request.points.has_value(), "--points", request.points.value_or(""));

@@ -28,7 +28,7 @@ class Writer {
         graph_(function.graph),
         words_(words),
         target_(target),
-        statements_(function, words, target.scalar, level) {}
+        statements_(function, words, target, level) {}
 
   Body write();
 

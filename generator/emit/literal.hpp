@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/real.hpp"
+#include "program/schedule.hpp"
 
 namespace treedyn::emit {
 
@@ -16,6 +17,7 @@ struct Target {
   int lanes = 1;                ///< states at once; more than one: Scalar is a vector type
   bool builtin_sincos = false;  ///< sin and cos without a library; always with several lanes
   bool packed = false;          ///< A: what is not structurally zero, lower triangle
+  program::Trigonometry trigonometry = program::Trigonometry::kEarly;
 };
 
 /// "double" or "float".

@@ -21,12 +21,12 @@ constexpr std::size_t kLargestPart = 400;
 
 }  // namespace
 
-Statements::Statements(const program::Function& function, const Vocabulary& words, Scalar scalar,
-                       const std::function<int(int, int)>& level)
+Statements::Statements(const program::Function& function, const Vocabulary& words,
+                       const Target& target, const std::function<int(int, int)>& level)
     : function_(function),
       graph_(function.graph),
-      scalar_(scalar),
-      operations_(program::operations_in_order(graph_, function.outputs)),
+      scalar_(target.scalar),
+      operations_(program::operations_in_order(graph_, function.outputs, target.trigonometry)),
       names_(function, words, operations_),
       shared_(graph_.size(), false) {
   find_levels(level);

@@ -29,8 +29,8 @@ struct Statement {
 class Statements {
  public:
   /// \param level  stage of an input element (array, element), see program::Staged; empty: all 0
-  Statements(const program::Function& function, const Vocabulary& words, Scalar scalar,
-             const std::function<int(int, int)>& level);
+  Statements(const program::Function& function, const Vocabulary& words,
+             const Target& target, const std::function<int(int, int)>& level);
 
   [[nodiscard]] const std::vector<Statement>& all() const { return statements_; }
   [[nodiscard]] const program::Schedule& schedule() const { return schedule_; }

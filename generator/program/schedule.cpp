@@ -42,22 +42,85 @@ std::vector<Ref> trigonometric_partners(const Graph& graph, const std::vector<Re
   return partner;
 }
 
-}  // namespace
+/// True for sines, cosines and what nothing else needs than they.
+std::vector<bool> needed_by_angles_only(const Graph& graph, std::span<const Ref> outputs,
+                                        const std::vector<Ref>& nodes) {
+  std::vector<bool> result(graph.size(), true);
+  for (const Ref output : outputs) {
+    result[index(output)] = is_trigonometric(graph.node(output).kind);
+  }
+  for (auto k = nodes.rbegin(); k != nodes.rend(); ++k) {
+    if (!result[index(*k)]) {
+      for_each_operand(graph.node(*k), [&](Ref operand) {
+        result[index(operand)] = is_trigonometric(graph.node(operand).kind);
+      });
+    }
+  }
+  return result;
+}
 
-std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs) {
-  const std::vector<Ref> nodes = reachable(graph, outputs);
-  const std::vector<Ref> partner = trigonometric_partners(graph, nodes);
-  std::vector<bool> seen(graph.size(), false);
-  std::vector<Ref> order;
-  for (const Ref k : nodes) {
-    for (const Ref each : {k, partner[index(k)]}) {
-      if (is_operation(graph, each) && !seen[index(each)]) {
-        seen[index(each)] = true;
-        order.push_back(each);
+/// Puts operations into an order, each behind its operands.
+class Order {
+ public:
+  Order(const Graph& graph, std::vector<Ref> partner)
+      : graph_(graph), partner_(std::move(partner)), seen_(graph.size(), false) {}
+
+  void add(Ref value);
+  std::vector<Ref> take() { return std::move(order_); }
+
+ private:
+  bool is_missing(Ref a) const { return is_operation(graph_, a) && !seen_[index(a)]; }
+
+  const Graph& graph_;
+  std::vector<Ref> partner_;
+  std::vector<bool> seen_;
+  std::vector<Ref> order_;
+};
+
+/// Appends what `value` needs and what is missing, then itself and the cosine of its sine.
+void Order::add(Ref value) {
+  std::vector<Ref> waiting = {std::abs(value)};
+  while (!waiting.empty()) {
+    const Ref k = waiting.back();
+    const std::size_t before = waiting.size();
+    if (is_missing(k)) {
+      for_each_operand(graph_.node(k), [&](Ref operand) {
+        if (is_missing(operand)) {
+          waiting.push_back(std::abs(operand));
+        }
+      });
+    }
+    if (waiting.size() > before) {
+      continue;
+    }
+    waiting.pop_back();
+    for (const Ref each : {k, partner_[index(k)]}) {
+      if (is_missing(each)) {
+        seen_[index(each)] = true;
+        order_.push_back(each);
       }
     }
   }
-  return order;
+}
+
+}  // namespace
+
+std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs,
+                                     Trigonometry trigonometry) {
+  const std::vector<Ref> nodes = reachable(graph, outputs);
+  const std::vector<bool> waits = trigonometry == Trigonometry::kLate
+                                      ? needed_by_angles_only(graph, outputs, nodes)
+                                      : std::vector<bool>(graph.size(), false);
+  Order order(graph, trigonometric_partners(graph, nodes));
+  for (const Ref k : nodes) {
+    if (!waits[index(k)]) {
+      order.add(k);
+    }
+  }
+  for (const Ref output : outputs) {
+    order.add(output);
+  }
+  return order.take();
 }
 
 namespace {

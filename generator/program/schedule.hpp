@@ -10,6 +10,11 @@
 
 namespace treedyn::program {
 
+/// Where sines and cosines stand: at the place of the algorithm, most of them at the beginning, so
+/// that a processor that executes out of order works on several at once; or just before their first
+/// use, so that they need no registers before it.
+enum class Trigonometry { kEarly, kLate };
+
 /// The operations (no constants, no inputs) that `outputs` need, in order of creation, so that
 /// every operand precedes its user; sine and cosine of one angle stand side by side. O(size of the
 /// graph).
@@ -18,7 +23,8 @@ namespace treedyn::program {
 /// against depth-first order and against list scheduling for few live values (hyq, bolt, ur5, a
 /// 35-joint humanoid, chains, trees): it is the fastest or within the noise of it for A, and 10 to
 /// 50 % faster than both for B, tau and qdd, although its number of live values is often larger.
-std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs);
+std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs,
+                                     Trigonometry trigonometry);
 
 /// Columns that the text of a value takes.
 struct Measure {

@@ -1,11 +1,12 @@
 // benchmark_cortex TREEDYN MODELS SOURCES -o DIR: generated code on a Cortex-M4F, of the biped and
-// the quadruped of the folder MODELS; both also with shared code of the limbs.
+// the quadruped of the folder MODELS; both also with late sines and with shared code of the limbs.
 //
 // Float, builtin sine and cosine, arm-none-eabi-g++ -O2: instructions in the code, instructions
 // that one call executes (counted by qemu-system-arm), bytes of flash and of stack. SOURCES is the
 // folder firmware/. Writes firmware.md.
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -103,8 +104,9 @@ Figures measured(const Function& function, const Places& places, const std::stri
   const support::TemporaryFolder folder;
   const fs::path& work = folder.path();
   std::vector<std::string> command{places.treedyn, "generate", places.models / (model + ".yaml")};
-  command.insert(command.end(), {"--base", "axes", "--scalar", "float", "--sincos", "builtin",
-                                 "--name", "generated", "--functions", function.name, "-o", work});
+  command.insert(command.end(),
+                 {"--base", "axes", "--scalar", "float", "--sincos", "builtin", "--name",
+                  "generated", "--functions", function.name, "-q", "-o", work});
   command.insert(command.end(), options.begin(), options.end());
   checked(command);
   const fs::path object = work / "generated.o";
@@ -161,32 +163,40 @@ std::string pair(long a, long b) {
   return fmt::format("{} / {} ({:+.0f} %)", a, b, change);
 }
 
-/// Flash against time: without / with the option.
-std::string shared_table(const std::string& model, const AllFigures& own,
-                         const AllFigures& shared) {
-  std::string text;
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    const Figures& a = own[k];
-    const Figures& b = shared[k];
-    text += fmt::format("| {} | {} | {} | {} | {} | {} / {} |\n", model, kFunctions[k].name,
-                        pair(a.operations, b.operations), pair(a.flash, b.flash),
-                        pair(a.executed, b.executed), a.stack, b.stack);
+/// Time, flash and stack without / with the option.
+std::string comparison(const Places& places, const std::string& option, const AllFigures& biped,
+                       const AllFigures& quadruped) {
+  std::string text = fmt::format(
+      "\nThe same without / with `{}`.\n\n"
+      "| robot | function | operations | flash, bytes | executed by a call | stack, bytes |\n"
+      "|---|---|---|---|---|---|\n",
+      option);
+  for (const auto& [model, own] :
+       {std::pair("biped", &biped), std::pair("quadruped", &quadruped)}) {
+    std::istringstream words(option);
+    const std::vector<std::string> more{std::istream_iterator<std::string>(words), {}};
+    const AllFigures with = all_figures(places, model, more);
+    for (std::size_t k = 0; k < own->size(); ++k) {
+      const Figures& a = (*own)[k];
+      const Figures& b = with[k];
+      text += fmt::format("| {} | {} | {} | {} | {} | {} / {} |\n", model, kFunctions[k].name,
+                          pair(a.operations, b.operations), pair(a.flash, b.flash),
+                          pair(a.executed, b.executed), a.stack, b.stack);
+    }
   }
   return text;
 }
 
 void run(const Places& places, const fs::path& output) {
   const AllFigures biped = all_figures(places, "biped", {});
+  const AllFigures quadruped = all_figures(places, "quadruped", {});
   std::string text =
       "biped.yaml `--base axes --scalar float --sincos builtin` on a Cortex-M4F, arm-none-eabi-g++ "
       "-O2; executed instructions counted by qemu.\n\n" +
-      table(biped) +
-      "\nThe same without / with `--share-limbs`.\n\n"
-      "| robot | function | operations | flash, bytes | executed by a call | stack, bytes |\n"
-      "|---|---|---|---|---|---|\n" +
-      shared_table("biped", biped, all_figures(places, "biped", {"--share-limbs"})) +
-      shared_table("quadruped", all_figures(places, "quadruped", {"-q"}),
-                   all_figures(places, "quadruped", {"-q", "--share-limbs"}));
+      table(biped);
+  for (const char* option : {"--trig late", "--layout packed --trig late", "--share-limbs"}) {
+    text += comparison(places, option, biped, quadruped);
+  }
   fs::create_directories(output);
   support::write_file(output / "firmware.md", text);
   std::cout << text;

@@ -338,6 +338,13 @@ TEST_F(Cli, RepeatsTheOptionsThatMatterInTheHeader) {
                 "--points\n//       tip=forearm:1,0,0 --gravity 0,-9.81,0 --effort 0\n"));
 }
 
+TEST_F(Cli, WritesSinesWhereTheyAreNeeded) {
+  ASSERT_EQ(treedyn({"generate", kModel, "-q", "--trig", "late", "-o", out()}).status, 0);
+  EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("--trig late"));
+  EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"trig\": \"late\""));
+  expect_usage_error(treedyn({"generate", kModel, "--trig", "never", "-o", out()}), "--trig");
+}
+
 std::size_t occurrences(const std::string& text, const std::string& what) {
   std::size_t count = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dense.hpp"
+#include "late.hpp"
 #include "packed_limbs.hpp"
 
 namespace {
@@ -79,6 +80,18 @@ TEST(Packed, AppliesToTheMatrixOfDynamicsTerms) {
   EXPECT_EQ(unpacked(values), expected);
   EXPECT_EQ(b, expected_b);
   EXPECT_EQ(g, expected_g);
+}
+
+// `--trig late` moves statements and changes none.
+TEST(LateTrigonometry, LeavesEveryBitOfTheResult) {
+  for (int k = 0; k < 20; ++k) {
+    const Vector q = state(k);
+    Dense expected;
+    Dense values;
+    dense::mass_matrix(q.data(), expected.data());
+    late::mass_matrix(q.data(), values.data());
+    EXPECT_EQ(values, expected) << "state " << k;
+  }
 }
 
 // Other code for the same values: 1143 operations on entries up to 100, each good to half a unit of

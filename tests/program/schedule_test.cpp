@@ -18,12 +18,15 @@ Measure wide() {
 }
 
 Schedule schedule_all(const Graph& graph, const std::vector<Ref>& outputs) {
-  return schedule(graph, outputs, operations_in_order(graph, outputs), wide());
+  return schedule(graph, outputs, operations_in_order(graph, outputs, Trigonometry::kEarly),
+                  wide());
 }
 
-TEST(OperationsInOrder, KeepsEveryDefinitionBeforeItsFirstUse) {
+class OperationsInOrder : public testing::TestWithParam<Trigonometry> {};
+
+TEST_P(OperationsInOrder, KeepsEveryDefinitionBeforeItsFirstUse) {
   const Function function = random_function(7, 300);
-  const std::vector<Ref> nodes = operations_in_order(function.graph, function.outputs);
+  const std::vector<Ref> nodes = operations_in_order(function.graph, function.outputs, GetParam());
   std::set<Ref> done;
   for (const Ref k : nodes) {
     for_each_operand(function.graph.node(k), [&](Ref operand) {
@@ -41,17 +44,34 @@ TEST(OperationsInOrder, KeepsEveryDefinitionBeforeItsFirstUse) {
   EXPECT_EQ(nodes.size(), static_cast<std::size_t>(operations));
 }
 
-TEST(OperationsInOrder, KeepsSineAndCosineOfOneAngleTogether) {
+TEST_P(OperationsInOrder, KeepsSineAndCosineOfOneAngleTogether) {
   Graph g;
   const Ref q = g.input(0, 0);
   const Ref s = g.sin(q);
   const Ref x = g.add(g.multiply(s, s), g.input(0, 1));
   const Ref c = g.cos(q);
   const std::vector<Ref> outputs = {x, c};
-  const std::vector<Ref> nodes = operations_in_order(g, outputs);
+  const std::vector<Ref> nodes = operations_in_order(g, outputs, GetParam());
   const auto at_s = std::find(nodes.begin(), nodes.end(), s);
   const auto at_c = std::find(nodes.begin(), nodes.end(), c);
   EXPECT_EQ(std::abs(at_s - at_c), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Trigonometry, OperationsInOrder,
+                         testing::Values(Trigonometry::kEarly, Trigonometry::kLate));
+
+TEST(LateTrigonometry, StandsBehindWhatDoesNotNeedIt) {
+  Graph g;
+  const Ref angle = g.add(g.input(0, 0), g.input(0, 1));
+  const Ref s = g.sin(angle);
+  const Ref c = g.cos(g.input(0, 0));
+  const Ref before = g.multiply(g.input(0, 1), g.input(0, 1));
+  const Ref first_use = g.add(before, s);
+  const std::vector<Ref> outputs = {g.multiply(first_use, c), c};
+  EXPECT_EQ(operations_in_order(g, outputs, Trigonometry::kEarly),
+            (std::vector<Ref>{angle, s, c, before, first_use, outputs.front()}));
+  EXPECT_EQ(operations_in_order(g, outputs, Trigonometry::kLate),
+            (std::vector<Ref>{before, angle, s, first_use, c, outputs.front()}));
 }
 
 TEST(Fused, CountsSumsWithAProductOfNoOtherUse) {
@@ -102,7 +122,8 @@ TEST(Schedule, MakesTwoStatementsOfWhatDoesNotFit) {
                           [](Ref) {
                             return 20;
                           }};
-  const Schedule result = schedule(g, outputs, operations_in_order(g, outputs), narrow);
+  const Schedule result =
+      schedule(g, outputs, operations_in_order(g, outputs, Trigonometry::kEarly), narrow);
   EXPECT_EQ(result.statements.size(), 2U);
   EXPECT_NE(result.is_inlined(left), result.is_inlined(right));
 }
