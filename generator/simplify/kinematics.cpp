@@ -35,6 +35,19 @@ std::pair<Expr, Expr> quarter_turned(Expr c, Expr s, const Turn& quarter) {
   return quarter.s > 0 ? std::pair(-s, c) : std::pair(s, -c);
 }
 
+/// True if all have the same constant turn, a multiple of pi/2.
+bool same_quarter(const std::vector<Angle>& angles) {
+  const Turn& first = angles.front().turn;
+  return first.is_quarter() && std::ranges::all_of(angles, [&](const Angle& a) {
+           return a.turn.c == first.c && a.turn.s == first.s;
+         });
+}
+
+/// Cosine and sine of the sum of two angles.
+std::pair<Expr, Expr> added(const std::pair<Expr, Expr>& a, const std::pair<Expr, Expr>& b) {
+  return {a.first * b.first - a.second * b.second, a.second * b.first + a.first * b.second};
+}
+
 }  // namespace
 
 Angle operator+(const Angle& a, const Angle& b) { return combine(a, b, 1); }
@@ -153,34 +166,59 @@ Angle Kinematics::joint_angle(int i) const {
   return {{{drive.coordinate, link(i).sign * factor}}, offset};
 }
 
-/// \param angles  of link i and its peers
-std::pair<Expr, Expr> Kinematics::cosine_and_sine(int i, const std::vector<Angle>& angles) const {
-  const Angle& angle =
-      is_of_limb(i) ? angles[index(limbs_->places[index(i)].limb)] : angles.front();
-  const Turn& turn = angle.turn;
-  const auto own_of = [&](auto number) {
-    std::vector<Real> values;
-    std::ranges::transform(angles, std::back_inserter(values), number);
-    return own(i, values);
-  };
-  if (angle.terms.empty()) {
-    const Expr c = own_of([](const Angle& a) { return a.turn.c; });
-    return {c, own_of([](const Angle& a) { return a.turn.s; })};
-  }
+const Angle& Kinematics::own(int i, const std::vector<Angle>& angles) const {
+  return is_of_limb(i) ? angles[index(limbs_->places[index(i)].limb)] : angles.front();
+}
+
+template <class Number>
+Expr Kinematics::number_of(int i, const std::vector<Angle>& angles, Number number) const {
+  std::vector<Real> values;
+  std::ranges::transform(angles, std::back_inserter(values), number);
+  return own(i, values);
+}
+
+Kinematics::CosineAndSine Kinematics::of_turn(int i, const std::vector<Angle>& angles) const {
+  const Expr c = number_of(i, angles, [](const Angle& a) { return a.turn.c; });
+  return {c, number_of(i, angles, [](const Angle& a) { return a.turn.s; })};
+}
+
+Kinematics::CosineAndSine Kinematics::of_sum(int i, const std::vector<Angle>& angles) const {
+  const Angle& angle = own(i, angles);
   const int flip = angle.terms.front().second > 0 ? 1 : -1;  // first coefficient positive
   Expr sum;
   for (const auto& [k, coefficient] : angle.terms) {
     sum += constant(graph_, flip * coefficient) * coordinate(inputs_.q, k);
   }
-  const bool is_quarter = turn.is_quarter() && std::ranges::all_of(angles, [&](const Angle& a) {
-                            return a.turn.c == turn.c && a.turn.s == turn.s;
-                          });
+  const bool is_quarter = same_quarter(angles);
   if (!is_quarter) {
-    sum += own_of([flip](const Angle& a) { return Real(flip * angle_of(a.turn)); });
+    sum += number_of(i, angles, [flip](const Angle& a) { return Real(flip * angle_of(a.turn)); });
   }
   const Expr c(graph_, graph_.cos(sum.ref()));
   const Expr s(graph_, graph_.sin(sum.ref()));
-  return quarter_turned(c, flip > 0 ? s : -s, is_quarter ? turn : Turn{});
+  return quarter_turned(c, flip > 0 ? s : -s, is_quarter ? angle.turn : Turn{});
+}
+
+Kinematics::CosineAndSine Kinematics::of_products(int i, const std::vector<Angle>& angles) const {
+  const Angle& angle = own(i, angles);
+  CosineAndSine result;
+  for (auto term = angle.terms.begin(); term != angle.terms.end(); ++term) {
+    const auto& [k, coefficient] = *term;
+    const Expr x = constant(graph_, abs(coefficient)) * coordinate(inputs_.q, k);
+    const Expr c(graph_, graph_.cos(x.ref()));
+    const Expr s(graph_, graph_.sin(x.ref()));
+    const CosineAndSine turn(c, coefficient > 0 ? s : -s);
+    result = term == angle.terms.begin() ? turn : added(result, turn);
+  }
+  return same_quarter(angles) ? quarter_turned(result.first, result.second, angle.turn)
+                              : added(result, of_turn(i, angles));
+}
+
+Kinematics::CosineAndSine Kinematics::cosine_and_sine(int i,
+                                                      const std::vector<Angle>& angles) const {
+  if (own(i, angles).terms.empty()) {
+    return of_turn(i, angles);
+  }
+  return variant_.add_angles ? of_sum(i, angles) : of_products(i, angles);
 }
 
 template <class AngleOf>

@@ -154,8 +154,17 @@ class Kinematics {
   /// Appends the rotation about `axis` by `angle` of link i unless it is the identity.
   template <class AngleOf>
   void append(std::vector<PlaneRotation>& steps, std::size_t axis, int i, AngleOf angle) const;
-  [[nodiscard]] std::pair<Expr, Expr> cosine_and_sine(int i,
-                                                      const std::vector<Angle>& angles) const;
+  using CosineAndSine = std::pair<Expr, Expr>;
+  /// \param angles  of link i and its peers
+  [[nodiscard]] CosineAndSine cosine_and_sine(int i, const std::vector<Angle>& angles) const;
+  [[nodiscard]] CosineAndSine of_turn(int i, const std::vector<Angle>& angles) const;
+  /// sum of coefficient * u[coordinate] + turn, the sum formed before the sine
+  [[nodiscard]] CosineAndSine of_sum(int i, const std::vector<Angle>& angles) const;
+  /// The same by addition theorems: four more operations for an angle, no rounded sum.
+  [[nodiscard]] CosineAndSine of_products(int i, const std::vector<Angle>& angles) const;
+  [[nodiscard]] const Angle& own(int i, const std::vector<Angle>& angles) const;
+  template <class Number>
+  [[nodiscard]] Expr number_of(int i, const std::vector<Angle>& angles, Number number) const;
 
   Graph& graph_;
   const model::Tree& tree_;

@@ -276,7 +276,8 @@ void Search::anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluat
   }
 }
 
-/// Tries to do without each pass that is on, for the whole tree: no pass may add operations.
+/// Tries to do without each pass that is on, for the whole tree: no pass may add operations. Sums of
+/// angles never do.
 void Search::drop_what_does_not_pay(Variant& variant, int& cost) {
   const auto consider = [&](const Variant& trial) {
     if (const int trial_cost = raw_cost(trial); trial_cost < cost) {
@@ -285,7 +286,7 @@ void Search::drop_what_does_not_pay(Variant& variant, int& cost) {
     }
   };
   for (const PassInfo& info : passes()) {
-    if (options_.has(info.pass)) {
+    if (options_.has(info.pass) && info.pass != Pass::kSums) {
       Variant trial = variant;
       switch_off({info.pass}, trial);
       consider(trial);

@@ -41,6 +41,7 @@ struct LinkVariant {
 struct Variant {
   std::vector<LinkVariant> links;
   int unit_length = 0;          ///< 0: metre; k: the k-th of `unit_lengths`, a length of the robot
+  bool add_angles = true;       ///< sin(a + b) instead of sin a cos b + cos a sin b
   bool inertia_tensor = false;  ///< composite bodies by inertia tensors instead of pseudo-inertias
   bool trunk = true;            ///< a free base is treated as one body with six velocities
   bool from_root =

@@ -180,19 +180,23 @@ void expect_equations(engine::Engine<Real>& engine, const program::Function& fun
 }  // namespace
 
 std::vector<Formulation> formulations_by_pass() {
-  std::vector<Formulation> result{{"all passes", {}}};
+  using simplify::Pass;
+  std::vector<Formulation> result{{"all passes", {}}, {"without sums", {Pass::kSums}}};
   Formulation none{"no pass", {}};
   for (const simplify::PassInfo& info : simplify::passes()) {
-    result.push_back({fmt::format("without {}", info.name), {info.pass}});
     none.without.push_back(info.pass);
+    if (info.pass != Pass::kSums) {
+      result.push_back({fmt::format("without sums, {}", info.name), {Pass::kSums, info.pass}, 1});
+    }
   }
+  none.with = 1;
   result.push_back(none);
   return result;
 }
 
 std::vector<Formulation> formulations_of_forward_dynamics() {
-  return {{"factor", {}, simplify::ForwardDynamics::kFactor},
-          {"articulated", {}, simplify::ForwardDynamics::kArticulated}};
+  return {{"factor", {}, 0, simplify::ForwardDynamics::kFactor},
+          {"articulated", {}, 0, simplify::ForwardDynamics::kArticulated}};
 }
 
 std::vector<Accuracy> accuracy(const Subject& subject, const std::string& name,
@@ -207,7 +211,7 @@ std::vector<Accuracy> accuracy(const Subject& subject, const std::string& name,
     options.without = formulation.without;
     functions.push_back(simplify::formulate(subject.tree, name, options));
     rows.push_back(
-        {subject.name, name, formulation.name, program::cost(functions.back()).total(), {}, {}});
+        {subject.name, name, formulation, program::cost(functions.back()).total(), {}, {}});
   }
   engine::Engine<Real> engine(subject.tree, {}, kGravity);
   for (std::size_t region = 0; region < kRegions.size(); ++region) {

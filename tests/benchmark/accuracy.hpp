@@ -39,12 +39,14 @@ struct Subject {
 
 /// One way to formulate a function.
 struct Formulation {
-  std::string name;  ///< "all passes", "without search", "no pass"
+  std::string name;  ///< "all passes", "without sums, search", "no pass"
   std::vector<simplify::Pass> without;
+  std::size_t with = 0;  ///< number of the formulation that has the pass that this one lacks
   simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
 };
 
-/// All passes, all but one, none.
+/// All passes; all but `sums`, which rounds where the others do not; all but that and one more;
+/// none.
 std::vector<Formulation> formulations_by_pass();
 /// Forward dynamics by the factor of A and by articulated bodies.
 std::vector<Formulation> formulations_of_forward_dynamics();
@@ -52,7 +54,7 @@ std::vector<Formulation> formulations_of_forward_dynamics();
 struct Accuracy {
   std::string robot;
   std::string function;
-  std::string formulation;
+  Formulation formulation;
   int operations = 0;
   Errors in_double{};
   Errors in_float{};

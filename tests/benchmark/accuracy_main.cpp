@@ -57,11 +57,11 @@ constexpr const char* kHead =
 
 std::string row(const Accuracy& accuracy) {
   return fmt::format("| {} | {} | {} | {} | {} | {} |", accuracy.robot, accuracy.function,
-                     accuracy.formulation, accuracy.operations, shown(accuracy.in_double),
+                     accuracy.formulation.name, accuracy.operations, shown(accuracy.in_double),
                      shown(accuracy.in_float));
 }
 
-/// One row a formulation; what a pass costs is the error with all passes over that without it.
+/// One row a formulation; what a pass costs is the error with it over that without it.
 std::string table_of_passes(const std::vector<Subject>& subjects) {
   std::string text = fmt::format(
       "{} a pass costs: usual, singular | large | conditioned |\n"
@@ -69,10 +69,11 @@ std::string table_of_passes(const std::vector<Subject>& subjects) {
       kHead);
   for (const Subject& subject : subjects) {
     for (const char* function :
-         {"mass_matrix", "bias_force", "inverse_dynamics", "forward_dynamics"}) {
+         {"mass_matrix", "bias_force", "gravity_force", "inverse_dynamics", "forward_dynamics"}) {
       const std::vector<Accuracy> rows = accuracy(subject, function, formulations_by_pass());
       for (const Accuracy& each : rows) {
-        const std::string factor = &each == &rows.front() ? " | | " : cost(rows.front(), each);
+        const std::string factor =
+            &each == &rows.front() ? " | | " : cost(rows[each.formulation.with], each);
         text += fmt::format("{} {} |\n", row(each), factor);
       }
       std::cerr << subject.name << ' ' << function << '\n';

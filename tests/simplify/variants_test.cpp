@@ -72,6 +72,7 @@ Variant random_variant(const model::Tree& tree, std::mt19937_64& random) {
     link.tensor_moment = random() % 2 == 0;
   }
   const std::size_t lengths = unit_lengths(tree).size();
+  variant.add_angles = random() % 2 == 0;
   variant.inertia_tensor = random() % 2 == 0;
   variant.trunk = random() % 2 == 0;
   variant.from_root = random() % 2 == 0;
