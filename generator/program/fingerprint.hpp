@@ -37,38 +37,10 @@ Scalar sample_function(Kind kind, const Scalar& a) {
 /// O(size of the graph).
 template <class Scalar>
 std::vector<Scalar> fingerprint(const Graph& graph, std::span<const Ref> outputs, int point) {
-  std::vector<Scalar> value(graph.size(), Scalar(0));
-  const auto at = [&](Ref a) -> Scalar {
-    return a < 0 ? Scalar(-value[static_cast<std::size_t>(-a)])
-                 : value[static_cast<std::size_t>(a)];
-  };
-  for (const Ref k : reachable(graph, outputs)) {
-    const Node& node = graph.node(k);
-    Scalar& result = value[static_cast<std::size_t>(k)];
-    switch (node.kind) {
-      case Kind::kConstant:
-        result = from_real<Scalar>(graph.value(k));
-        break;
-      case Kind::kInput:
-        result = Scalar(sample_input(node.a, node.b, point));
-        break;
-      case Kind::kAdd:
-        result = at(node.a) + at(node.b);
-        break;
-      case Kind::kMultiply:
-        result = at(node.a) * at(node.b);
-        break;
-      case Kind::kDivide:
-        result = at(node.a) / at(node.b);
-        break;
-      case Kind::kSin:
-      case Kind::kCos:
-      case Kind::kSqrt:
-        result = sample_function(node.kind, at(node.a));
-        break;
-    }
-  }
-  return value;
+  return node_values<Scalar>(
+      graph, outputs,
+      [point](int array, int element) { return Scalar(sample_input(array, element, point)); },
+      sample_function<Scalar>);
 }
 
 }  // namespace treedyn::program

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -16,21 +17,18 @@ Scalar from_real(const Real& value) {
   return static_cast<Scalar>(value);
 }
 
-/// The output values for the given input arrays (one span per array of `signature.inputs`, in
-/// order). \pre the spans have the sizes that the signature states.
-template <class Scalar>
-std::vector<Scalar> interpret(const Function& function,
-                              const std::vector<std::span<const Scalar>>& inputs) {
-  using std::cos;
-  using std::sin;
-  using std::sqrt;
-  const Graph& graph = function.graph;
+/// The value of every node that `outputs` need; others are zero. O(size of the graph).
+/// \param input       value of (array, element)
+/// \param elementary  value of (kSin, kCos or kSqrt, argument)
+template <class Scalar, class Input, class Elementary>
+std::vector<Scalar> node_values(const Graph& graph, std::span<const Ref> outputs, Input input,
+                                Elementary elementary) {
   std::vector<Scalar> value(graph.size(), Scalar(0));
   const auto at = [&](Ref a) -> Scalar {
     return a < 0 ? Scalar(-value[static_cast<std::size_t>(-a)])
                  : value[static_cast<std::size_t>(a)];
   };
-  for (const Ref k : reachable(graph, function.outputs)) {
+  for (const Ref k : reachable(graph, outputs)) {
     const Node& node = graph.node(k);
     Scalar& result = value[static_cast<std::size_t>(k)];
     switch (node.kind) {
@@ -38,7 +36,7 @@ std::vector<Scalar> interpret(const Function& function,
         result = from_real<Scalar>(graph.value(k));
         break;
       case Kind::kInput:
-        result = inputs[static_cast<std::size_t>(node.a)][static_cast<std::size_t>(node.b)];
+        result = input(node.a, node.b);
         break;
       case Kind::kAdd:
         result = at(node.a) + at(node.b);
@@ -50,20 +48,39 @@ std::vector<Scalar> interpret(const Function& function,
         result = at(node.a) / at(node.b);
         break;
       case Kind::kSin:
-        result = sin(at(node.a));
-        break;
       case Kind::kCos:
-        result = cos(at(node.a));
-        break;
       case Kind::kSqrt:
-        result = sqrt(at(node.a));
+        result = elementary(node.kind, at(node.a));
         break;
     }
   }
+  return value;
+}
+
+/// The output values for the given input arrays (one span per array of `signature.inputs`, in
+/// order). \pre the spans have the sizes that the signature states.
+template <class Scalar>
+std::vector<Scalar> interpret(const Function& function,
+                              const std::vector<std::span<const Scalar>>& inputs) {
+  const std::vector<Scalar> value = node_values<Scalar>(
+      function.graph, function.outputs,
+      [&](int array, int element) {
+        return inputs[static_cast<std::size_t>(array)][static_cast<std::size_t>(element)];
+      },
+      [](Kind kind, const Scalar& a) -> Scalar {
+        using std::cos;
+        using std::sin;
+        using std::sqrt;
+        if (kind == Kind::kSin) {
+          return sin(a);
+        }
+        return kind == Kind::kCos ? Scalar(cos(a)) : Scalar(sqrt(a));
+      });
   std::vector<Scalar> outputs;
   outputs.reserve(function.outputs.size());
   for (const Ref output : function.outputs) {
-    outputs.push_back(at(output));
+    const Scalar& result = value[static_cast<std::size_t>(std::abs(output))];
+    outputs.push_back(output < 0 ? Scalar(-result) : result);
   }
   return outputs;
 }

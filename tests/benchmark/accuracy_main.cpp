@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "benchmark/accuracy.hpp"
+#include "benchmark/command.hpp"
 #include "benchmark/growing.hpp"
 #include "description/read.hpp"
 #include "support/process.hpp"
@@ -122,16 +123,8 @@ void run(const fs::path& models, const fs::path& urdf, std::size_t states, const
 }  // namespace treedyn::benchmark
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() != 5 || words[3] != "-o") {
-    std::cerr << "usage: benchmark_accuracy MODELS URDF STATES -o DIR\n";
-    return 2;
-  }
-  try {
-    treedyn::benchmark::run(words[0], words[1], std::stoul(words[2]), words[4]);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  using namespace treedyn::benchmark;  // NOLINT(google-build-using-namespace)
+  return run_command(
+      argc, argv, "benchmark_accuracy", {"MODELS", "URDF", "STATES", "-o", "DIR"},
+      [](const Words& words) { run(words[0], words[1], std::stoul(words[2]), words[4]); });
 }

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "benchmark/command.hpp"
 #include "benchmark/object_file.hpp"
 #include "support/manifest.hpp"
 #include "support/process.hpp"
@@ -206,16 +207,9 @@ void run(const Places& places, const fs::path& output) {
 }  // namespace treedyn::benchmark
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() != 5 || words[3] != "-o") {
-    std::cerr << "usage: benchmark_cortex TREEDYN MODELS SOURCES -o DIR\n";
-    return 2;
-  }
-  try {
-    treedyn::benchmark::run({words[0], words[1], words[2]}, words[4]);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  using namespace treedyn::benchmark;  // NOLINT(google-build-using-namespace)
+  return run_command(argc, argv, "benchmark_cortex", {"TREEDYN", "MODELS", "SOURCES", "-o", "DIR"},
+                     [](const Words& words) {
+                       run({words[0], words[1], words[2]}, words[4]);
+                     });
 }

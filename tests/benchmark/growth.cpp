@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "benchmark/command.hpp"
 #include "benchmark/growing.hpp"
 #include "benchmark/lines.hpp"
 #include "benchmark/object_file.hpp"
@@ -156,16 +157,9 @@ void run(const Tools& tools, int largest, const fs::path& output) {
 }  // namespace treedyn::benchmark
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() != 5 || words[3] != "-o") {
-    std::cerr << "usage: benchmark_growth TREEDYN COMPILER LARGEST -o DIR\n";
-    return 2;
-  }
-  try {
-    treedyn::benchmark::run({words[0], words[1]}, std::stoi(words[2]), words[4]);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  using namespace treedyn::benchmark;  // NOLINT(google-build-using-namespace)
+  return run_command(argc, argv, "benchmark_growing",
+                     {"TREEDYN", "COMPILER", "LARGEST", "-o", "DIR"}, [](const Words& words) {
+                       run({words[0], words[1]}, std::stoi(words[2]), words[4]);
+                     });
 }

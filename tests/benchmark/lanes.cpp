@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "benchmark/command.hpp"
 #include "support/process.hpp"
 
 namespace treedyn::benchmark {
@@ -78,20 +79,12 @@ std::string table(const std::vector<const LanesCode*>& codes, int rounds) {
 }  // namespace treedyn::benchmark
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() != 3 || words[1] != "-o") {
-    std::cerr << "usage: benchmark_throughput ROUNDS -o DIR\n";
-    return 2;
-  }
-  try {
-    const std::string text =
-        treedyn::benchmark::table(treedyn::benchmark::lanes_codes(), std::stoi(words[0]));
-    std::filesystem::create_directories(words[2]);
-    treedyn::support::write_file(std::filesystem::path(words[2]) / "lanes.md", text);
-    std::cout << text;
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  using namespace treedyn::benchmark;  // NOLINT(google-build-using-namespace)
+  return run_command(
+      argc, argv, "benchmark_throughput", {"ROUNDS", "-o", "DIR"}, [](const Words& words) {
+        const std::string text = table(lanes_codes(), std::stoi(words[0]));
+        std::filesystem::create_directories(words[2]);
+        treedyn::support::write_file(std::filesystem::path(words[2]) / "lanes.md", text);
+        std::cout << text;
+      });
 }

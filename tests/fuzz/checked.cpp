@@ -71,4 +71,18 @@ void expect_checked(const model::Tree& tree) {
   }
 }
 
+void expect_checked_or_refused(const std::uint8_t* data, std::size_t size, const Reader& reader) {
+  using description::Base;
+  using description::Mimic;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  for (const Base base : {Base::kFixed, Base::kAxes}) {
+    const bool fixed = base == Base::kFixed;
+    try {
+      expect_checked(reader(text, {base, fixed ? Mimic::kReduce : Mimic::kIndependent,
+                                   fixed ? Real(1e-9) : Real(0)}));
+    } catch (const InputError&) {  // the only way to refuse
+    }
+  }
+}
+
 }  // namespace treedyn::fuzz

@@ -75,6 +75,22 @@ class ArmScene : public SceneCode {
                   variant) {}
 };
 
+/// The arm's hand held in the vertical plane; on the ground.
+inline const char* const kHeld =
+    "  point_constraint:\n    - {name: hold, point: hand, along: [x, z]}\n";
+inline const char* const kGround =
+    "  ground_contact:\n    - {point: hand, height: 0, stiffness: 1e4, exponent: 1.5, "
+    "dissipation: 0.2, friction: 0.5, slip_speed: 0.01}\n";
+
+/// A state of the arm that is not special.
+inline const Vector kq = {0.4, -0.9};
+inline const Vector kqd = {0.7, 1.1};
+inline const Vector ktau = {20, -3};
+
+inline bool has(const std::string& text, const std::string& word) {
+  return text.find(word) != std::string::npos;
+}
+
 /// All operations.
 inline long total(const Operations& operations) {
   return std::accumulate(operations.begin(), operations.end(), 0L);

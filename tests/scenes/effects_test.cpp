@@ -15,19 +15,6 @@
 namespace treedyn::support {
 namespace {
 
-const char* const kHeld = "  point_constraint:\n    - {name: hold, point: hand, along: [x, z]}\n";
-const char* const kGround =
-    "  ground_contact:\n    - {point: hand, height: 0, stiffness: 1e4, exponent: 1.5, "
-    "dissipation: 0.2, friction: 0.5, slip_speed: 0.01}\n";
-
-const Vector kq = {0.4, -0.9};
-const Vector kqd = {0.7, 1.1};
-const Vector ktau = {20, -3};
-
-bool has(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
-
 /// The names that the object of a scene's code defines and calls.
 std::string symbols(const ArmScene& scene) {
   const std::string object = (scene.folder() / "generated.o").string();
@@ -310,7 +297,8 @@ TEST_P(TwoFeet, CostNoMoreThanTheirTarget) {
 std::vector<Feet> available_feet() {
   std::vector<Feet> result;
   for (const Feet& feet : kFeet) {
-    if (std::filesystem::exists(std::string(TREEDYN_SHARED_DATA) + "/robots/urdf/" + feet.robot)) {
+    const std::filesystem::path robots = TREEDYN_SHARED_DATA "/robots/urdf";
+    if (std::filesystem::exists(robots / feet.robot)) {
       result.push_back(feet);
     }
   }

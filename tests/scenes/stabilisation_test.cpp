@@ -9,12 +9,7 @@
 namespace treedyn::support {
 namespace {
 
-const char* const kHeld = "  point_constraint:\n    - {name: hold, point: hand, along: [x, z]}\n";
 const char* const kBaumgarte = "  stabilisation: {method: baumgarte, rate: 20}\n";
-
-const Vector kq = {0.4, -0.9};
-const Vector kqd = {0.7, 1.1};
-const Vector ktau = {20, -3};
 
 /// x and z of the hand: both links are 1 m long, angles from the x axis upwards.
 struct Hand {

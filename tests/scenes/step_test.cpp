@@ -11,19 +11,6 @@
 namespace treedyn::support {
 namespace {
 
-const char* const kHeld = "  point_constraint:\n    - {name: hold, point: hand, along: [x, z]}\n";
-const char* const kGround =
-    "  ground_contact:\n    - {point: hand, height: 0, stiffness: 1e4, exponent: 1.5, "
-    "dissipation: 0.2, friction: 0.5, slip_speed: 0.01}\n";
-
-const Vector kq = {0.4, -0.9};
-const Vector kqd = {0.7, 1.1};
-const Vector ktau = {20, -3};
-
-bool has(const std::string& text, const std::string& word) {
-  return text.find(word) != std::string::npos;
-}
-
 /// q and qd one semi-implicit Euler step of 1 ms later.
 Vector stepped(const ArmScene& scene, const Vector& q) {
   constexpr double kStep = 1e-3;
