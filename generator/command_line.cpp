@@ -197,12 +197,25 @@ void require_scene_of_functions(const Request& request) {
   }
 }
 
+/// Passes are shown of functions of a model, beside a scene too.
+void require_functions_of_passes(const Settings& settings) {
+  const Request& request = settings.request;
+  if (settings.passes && request.scene &&
+      std::all_of(request.functions.begin(), request.functions.end(),
+                  simplify::is_scene_function)) {
+    throw CLI::ParseError(
+        "--passes: functions of a scene have no table of passes; expected --functions of its model",
+        kUsage);
+  }
+}
+
 void require_options(const CLI::App& app, const Settings& settings) {
   const auto generation = {"generate", "check", "outputs", "info"};
   if (std::any_of(generation.begin(), generation.end(),
                   [&](const char* name) { return app.got_subcommand(name); })) {
     require_model_or_scene(*app.get_subcommands().front(), settings);
     require_scene_of_functions(settings.request);
+    require_functions_of_passes(settings);
   }
   if (settings.simulation.report && settings.simulation.output.empty()) {
     throw CLI::RequiredError("--report: -o DIR");

@@ -8,12 +8,12 @@ namespace treedyn::simplify {
 
 const std::vector<PassInfo>& passes() {
   static const std::vector<PassInfo> table = {
-      {Pass::kSums, "sums", "sines of sums of angles instead of products of sines"},
       {Pass::kNormals, "normals", "origins and x axes of link frames on common normals"},
       {Pass::kRegrouping, "regrouping", "inertial parameters moved to the father (EQUATIONS.md 8)"},
       {Pass::kPseudoInertia, "pseudo-inertia", "link moments and composites by pseudo-inertias"},
       {Pass::kColumn, "column", "third column of Omega from the father's"},
       {Pass::kParallel, "parallel", "one frame for a run of parallel axes"},
+      {Pass::kSums, "sums", "sines of sums of angles instead of products of sines"},
       {Pass::kTrunk, "trunk", "the base of a free robot as one body with six velocities"},
       {Pass::kAlgebra, "algebra", "common factors, shared sums and products"},
       {Pass::kSearch, "search", "the cheapest variant of all choices above"},

@@ -20,12 +20,12 @@ struct Options;
 /// In the order in which they build on each other. Link frames with z as joint axis, merged fixed
 /// bodies and exact zeros and ones are not passes: without them there is no formulation.
 enum class Pass : std::uint8_t {
-  kSums,
   kNormals,
   kRegrouping,
   kPseudoInertia,
   kColumn,
   kParallel,
+  kSums,
   kTrunk,
   kAlgebra,
   kSearch,

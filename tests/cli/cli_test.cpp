@@ -1,60 +1,10 @@
-// The real program: exit codes, messages, files.
+// What the program writes: files, text, what differs.
+#include "cli/cli.hpp"
+
 #include <sys/stat.h>
-
-#include <chrono>
-#include <filesystem>
-#include <thread>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "support/process.hpp"
 
 namespace treedyn {
 namespace {
-
-namespace fs = std::filesystem;
-
-using support::Outcome;
-using support::read_file;
-using support::write_file;
-using testing::HasSubstr;
-using testing::StartsWith;
-
-const std::string kModel = TREEDYN_SOURCE_DIR "/models/two_link.yaml";
-
-class Cli : public testing::Test {
- protected:
-  static Outcome treedyn(std::vector<std::string> arguments, const std::string& input = {}) {
-    arguments.insert(arguments.begin(), TREEDYN_EXECUTABLE);
-    return support::run(arguments, input);
-  }
-  std::string out() const { return (folder_.path() / "out").string(); }
-  fs::path file(const std::string& name) const { return folder_.path() / "out" / name; }
-  std::string scratch(const std::string& name) const { return (folder_.path() / name).string(); }
-  std::size_t files() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(out()), fs::directory_iterator()));
-  }
-  /// A model with one joint and the given lines beside it.
-  std::string one_joint(const std::string& mass) const {
-    write_file(scratch("one.yaml"),
-               "name: one\nlinks:\n  - name: a\n    father: ground\n    joint: {name: j, type: "
-               "revolute, axis: [0, 0, 1]}\n    mass: " +
-                   mass + "\n");
-    return scratch("one.yaml");
-  }
-
- private:
-  support::TemporaryFolder folder_;
-};
-
-void expect_usage_error(const Outcome& outcome, const std::string& what) {
-  EXPECT_EQ(outcome.status, 2) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_THAT(outcome.err, HasSubstr(what));
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-}
 
 TEST_F(Cli, WritesThreeFilesAndSaysNothing) {
   const Outcome outcome = treedyn({"generate", kModel, "-o", out()});
@@ -125,17 +75,6 @@ TEST_F(Cli, WritesADependencyFile) {
                                            file("two_link.json").string() + ": " + kModel + "\n");
 }
 
-TEST_F(Cli, AScenesFilesDependOnSceneAndModel) {
-  const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
-  treedyn({"generate", "--scene", scene, "-o", out(), "--depfile", scratch("d.d")});
-  EXPECT_THAT(
-      read_file(scratch("d.d")),
-      HasSubstr(".json: " + scene + " " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.model.yaml\n"));
-  support::write_file(file("pendulum.cpp"), "");
-  EXPECT_THAT(treedyn({"check", "--scene", scene, "-o", out()}).out,
-              HasSubstr("to update: treedyn generate --scene " + scene + " -o " + out()));
-}
-
 TEST_F(Cli, ChecksThatFilesAreUpToDate) {
   treedyn({"generate", kModel, "-o", out()});
   const Outcome outcome = treedyn({"check", kModel, "-o", out()});
@@ -178,114 +117,6 @@ TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr("numeric: mass_matrix: largest distance 0.5,"));
   EXPECT_THAT(outcome.out, HasSubstr("numeric: bias_force: largest distance 0,"));
-}
-
-TEST_F(Cli, ReturnsTwoForWrongUsage) {
-  expect_usage_error(treedyn({}), "subcommand");
-  expect_usage_error(treedyn({"generate"}), "MODEL");
-  expect_usage_error(treedyn({"generate", kModel}), "-o DIR");
-  expect_usage_error(treedyn({"simulate"}), "SCENE");
-  expect_usage_error(treedyn({"info", kModel, "--functions", "impact"}), "impact");
-  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
-      {{"--no-such-option"}, "--no-such-option"},
-      {{"--scalar", "half"}, "half"},
-      {{"--base", "free"}, "--base"},
-      {{"--base", "wheels"}, "wheels"},
-      {{"--mimic", "never"}, "never"},
-      {{"--functions", "mass_matrix,no_such"}, "no_such"},
-      {{"--functions", ""}, "--functions"},
-      {{"--gravity", "0,0"}, "--gravity"},
-      {{"--gravity", "0,0,x"}, "--gravity"},
-      {{"--snap", "much"}, "--snap"},
-      {{"--snap=-1"}, "--snap"},
-      {{"--effort", "-1"}, "--effort"},
-      {{"--effort", "all"}, "--effort"},
-      {{"--name", "3d"}, "--name"},
-      {{"--name", "class"}, "--name"},
-      {{"--name", "std"}, "--name"},
-      {{"--forward-dynamics", "magic"}, "magic"},
-  };
-  for (const auto& [options, what] : wrong) {
-    std::vector<std::string> arguments = {"generate", kModel, "-o", out()};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    expect_usage_error(treedyn(arguments), what);
-  }
-  expect_usage_error(treedyn({"list", "robots"}), "robots");
-  expect_usage_error(treedyn({"vet", kModel, "--error-format", "xml"}), "xml");
-  EXPECT_FALSE(fs::exists(out()));
-}
-
-TEST_F(Cli, ReturnsOneAndWritesNothingForWrongInput) {
-  const std::string model = scratch("bad.yaml");
-  write_file(model, "name: bad\nlinks: [{name: a, father: nobody}]\n");
-  const Outcome outcome = treedyn({"generate", model, "-o", out()});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, StartsWith(model + ":2:"));
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
-  EXPECT_FALSE(fs::exists(out()));
-  EXPECT_EQ(treedyn({"generate", scratch("nothing.yaml"), "-o", out()}).status, 1);
-  EXPECT_EQ(treedyn({"generate", kModel, "--points", "tip=nowhere", "-o", out()}).status, 1);
-}
-
-TEST_F(Cli, RefusesForwardDynamicsOfAJointWithoutInertia) {
-  const std::string model = one_joint("0");
-  const Outcome outcome = treedyn({"generate", model, "-o", out()});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("joint 'j'"));
-  const Outcome without = treedyn({"generate", model, "--functions", "mass_matrix", "-o", out()});
-  EXPECT_EQ(without.status, 0);
-  EXPECT_THAT(without.err, HasSubstr("warning: joint 'j'"));
-  EXPECT_EQ(treedyn({"generate", model, "--functions", "mass_matrix", "-q", "-o", out()}).err, "");
-}
-
-TEST_F(Cli, RefusesPointFunctionsWithoutPoints) {
-  const Outcome outcome =
-      treedyn({"generate", one_joint("1"), "--functions", "point_positions", "-o", out()});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("point_positions"));
-}
-
-TEST_F(Cli, ReportsFoldersThatCannotBeWritten) {
-  write_file(scratch("file"), "");
-  for (const std::string& folder : {scratch("file"), scratch("file") + "/below"}) {
-    const Outcome outcome = treedyn({"generate", kModel, "-o", folder});
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("cannot"));
-  }
-  fs::create_directories(file("two_link.json"));  // a folder stands where a file should
-  const Outcome outcome = treedyn({"generate", kModel, "-o", out()});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(files(), 1U);
-}
-
-/// Runs the program with files limited to some kilobytes: what a full disk looks like to it.
-Outcome with_small_disk(const std::string& arguments) {
-  return support::run({"sh", "-c", "ulimit -f 2; exec " TREEDYN_EXECUTABLE " " + arguments});
-}
-
-TEST_F(Cli, LeavesNothingHalfWrittenOnAFullDisk) {
-  const Outcome fresh = with_small_disk("generate " + kModel + " -o " + out() + "/deep");
-  EXPECT_EQ(fresh.status, 1);
-  EXPECT_THAT(fresh.err, HasSubstr("cannot write"));
-  EXPECT_FALSE(fs::exists(out()));
-
-  treedyn({"generate", kModel, "-o", out()});
-  const std::string before = read_file(file("two_link.hpp"));
-  const Outcome again = with_small_disk("generate " + kModel + " --gravity 0,0,1 -o " + out());
-  EXPECT_EQ(again.status, 1);
-  EXPECT_EQ(read_file(file("two_link.hpp")), before);
-  EXPECT_EQ(files(), 3U);
-}
-
-TEST_F(Cli, ReportsAFullStandardOutput) {
-  const std::string small = " info " + kModel;
-  const std::string large = " simulate " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
-  for (const std::string& command : {small, large}) {
-    const Outcome outcome =
-        support::run({"sh", "-c", TREEDYN_EXECUTABLE + command + " > /dev/full"});
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("standard output"));
-  }
 }
 
 TEST_F(Cli, VetsInThreeFormats) {
@@ -382,69 +213,6 @@ TEST_F(Cli, SaysThatARobotHasNoLimbsToShare) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.err, HasSubstr("no two limbs have the same structure"));
   EXPECT_EQ(read_file(file("two_link.cpp")).find("limb_"), std::string::npos);
-}
-
-TEST_F(Cli, RefusesBesideASceneWhatTheSceneSays) {
-  const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/double_pendulum.yaml";
-  const std::vector<std::string> generate = {"generate", "--scene",     scene,  "--effort", "0",
-                                             "-q",       "--functions", "step", "-o",       out()};
-  const std::vector<std::pair<std::string, std::string>> refused = {
-      {"--base", "axes"},  {"--base", "fixed"},        {"--snap", "1e-9"},
-      {"--points", "tip"}, {"--gravity", "0,0,-9.81"}, {"--mimic", "reduce"}};
-  for (const auto& [option, value] : refused) {
-    std::vector<std::string> arguments = generate;
-    arguments.insert(arguments.end(), {option, value});
-    expect_usage_error(treedyn(arguments), option + ": is a matter of the scene");
-  }
-}
-
-TEST_F(Cli, SaysWhatTheRowsOfASceneAre) {
-  write_file(scratch("s.yaml"), "scene: s\nmodel: " + kModel +
-                                    "\nduration: 1\nactuated: []\neffects:\n  point_constraint:\n"
-                                    "    - {name: pen, point: tip, along: [[1, 0, -1]]}\n");
-  ASSERT_EQ(treedyn({"generate", "--scene", scratch("s.yaml"), "--functions",
-                     "constrained_inverse_dynamics", "--effort", "0", "-o", out()})
-                .status,
-            0);
-  const std::string header = read_file(file("s.hpp"));
-  EXPECT_THAT(header, HasSubstr("Row 0: pen: force along (0.707107, 0, -0.707107)\n"));
-  EXPECT_THAT(header,
-              HasSubstr("The equations of the 2 joints without a drive have rank 1: lambda"));
-}
-
-TEST_F(Cli, StatesTheGravityAndBaseOfAScene) {
-  write_file(scratch("s.yaml"),
-             "scene: s\nmodel: " + kModel +
-                 "\nbase: axes\nduration: 1\neffects: {gravity: [0, 0, -1.62]}\n");
-  const Outcome outcome =
-      treedyn({"generate", kModel, "--base", "axes", "--scene", scratch("s.yaml"), "--functions",
-               "gravity_force", "--effort", "0", "-o", out()});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::string manifest = read_file(file("s.json"));
-  EXPECT_THAT(manifest, HasSubstr("\"gravity\": [0,0,-1.62]"));
-  EXPECT_THAT(manifest, HasSubstr("\"base\": \"axes\""));
-  EXPECT_THAT(read_file(file("s.hpp")),
-              HasSubstr("treedyn generate --scene s.yaml --functions gravity_force --effort 0\n"));
-  EXPECT_THAT(treedyn({"info", "--scene", scratch("s.yaml"), "--functions", "gravity_force"}).out,
-              HasSubstr("base axes"));
-}
-
-TEST_F(Cli, RefusesAnUnknownIntegratorOfAScene) {
-  write_file(scratch("s.yaml"),
-             "scene: s\nmodel: " + kModel + "\nduration: 1\nstepping: {integrator: nonsense}\n");
-  const Outcome outcome = treedyn({"generate", "--scene", scratch("s.yaml"), "-o", out()});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("s.yaml:4:24: stepping: integrator 'nonsense' is unknown"));
-  EXPECT_FALSE(fs::exists(out()));
-}
-
-TEST_F(Cli, RefusesToShareLimbsAmongLanesAndInScenes) {
-  expect_usage_error(treedyn({"generate", kModel, "--share-limbs", "--lanes", "4", "-o", out()}),
-                     "--share-limbs");
-  expect_usage_error(
-      treedyn({"generate", "--scene", TREEDYN_SOURCE_DIR "/models/scenes/compass_walk.yaml",
-               "--share-limbs", "-o", out()}),
-      "--share-limbs");
 }
 
 }  // namespace

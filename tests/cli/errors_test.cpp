@@ -1,0 +1,125 @@
+// Exit codes and messages for wrong calls, wrong input and full disks.
+#include "cli/cli.hpp"
+
+namespace treedyn {
+namespace {
+
+TEST_F(Cli, ReturnsTwoForWrongUsage) {
+  expect_usage_error(treedyn({}), "subcommand");
+  expect_usage_error(treedyn({"generate"}), "MODEL");
+  expect_usage_error(treedyn({"generate", kModel}), "-o DIR");
+  expect_usage_error(treedyn({"simulate"}), "SCENE");
+  expect_usage_error(treedyn({"info", kModel, "--functions", "impact"}), "impact");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--no-such-option"}, "--no-such-option"},
+      {{"--scalar", "half"}, "half"},
+      {{"--base", "free"}, "--base"},
+      {{"--base", "wheels"}, "wheels"},
+      {{"--mimic", "never"}, "never"},
+      {{"--functions", "mass_matrix,no_such"}, "no_such"},
+      {{"--functions", ""}, "--functions"},
+      {{"--gravity", "0,0"}, "--gravity"},
+      {{"--gravity", "0,0,x"}, "--gravity"},
+      {{"--snap", "much"}, "--snap"},
+      {{"--snap=-1"}, "--snap"},
+      {{"--effort", "-1"}, "--effort"},
+      {{"--effort", "all"}, "--effort"},
+      {{"--name", "3d"}, "--name"},
+      {{"--name", "class"}, "--name"},
+      {{"--name", "std"}, "--name"},
+      {{"--forward-dynamics", "magic"}, "magic"},
+  };
+  for (const auto& [options, what] : wrong) {
+    std::vector<std::string> arguments = {"generate", kModel, "-o", out()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expect_usage_error(treedyn(arguments), what);
+  }
+  expect_usage_error(treedyn({"list", "robots"}), "robots");
+  expect_usage_error(treedyn({"vet", kModel, "--error-format", "xml"}), "xml");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Cli, ReturnsOneAndWritesNothingForWrongInput) {
+  const std::string model = scratch("bad.yaml");
+  write_file(model, "name: bad\nlinks: [{name: a, father: nobody}]\n");
+  const Outcome outcome = treedyn({"generate", model, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, StartsWith(model + ":2:"));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  EXPECT_FALSE(fs::exists(out()));
+  EXPECT_EQ(treedyn({"generate", scratch("nothing.yaml"), "-o", out()}).status, 1);
+  EXPECT_EQ(treedyn({"generate", kModel, "--points", "tip=nowhere", "-o", out()}).status, 1);
+}
+
+TEST_F(Cli, RefusesForwardDynamicsOfAJointWithoutInertia) {
+  const std::string model = one_joint("0");
+  const Outcome outcome = treedyn({"generate", model, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("joint 'j'"));
+  const Outcome without = treedyn({"generate", model, "--functions", "mass_matrix", "-o", out()});
+  EXPECT_EQ(without.status, 0);
+  EXPECT_THAT(without.err, HasSubstr("warning: joint 'j'"));
+  EXPECT_EQ(treedyn({"generate", model, "--functions", "mass_matrix", "-q", "-o", out()}).err, "");
+}
+
+TEST_F(Cli, RefusesPointFunctionsWithoutPoints) {
+  const Outcome outcome =
+      treedyn({"generate", one_joint("1"), "--functions", "point_positions", "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("point_positions"));
+}
+
+TEST_F(Cli, ReportsFoldersThatCannotBeWritten) {
+  write_file(scratch("file"), "");
+  for (const std::string& folder : {scratch("file"), scratch("file") + "/below"}) {
+    const Outcome outcome = treedyn({"generate", kModel, "-o", folder});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("cannot"));
+  }
+  fs::create_directories(file("two_link.json"));  // a folder stands where a file should
+  const Outcome outcome = treedyn({"generate", kModel, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(files(), 1U);
+}
+
+/// Runs the program with files limited to some kilobytes: what a full disk looks like to it.
+Outcome with_small_disk(const std::string& arguments) {
+  return support::run({"sh", "-c", "ulimit -f 2; exec " TREEDYN_EXECUTABLE " " + arguments});
+}
+
+TEST_F(Cli, LeavesNothingHalfWrittenOnAFullDisk) {
+  const Outcome fresh = with_small_disk("generate " + kModel + " -o " + out() + "/deep");
+  EXPECT_EQ(fresh.status, 1);
+  EXPECT_THAT(fresh.err, HasSubstr("cannot write"));
+  EXPECT_FALSE(fs::exists(out()));
+
+  treedyn({"generate", kModel, "-o", out()});
+  const std::string before = read_file(file("two_link.hpp"));
+  const Outcome again = with_small_disk("generate " + kModel + " --gravity 0,0,1 -o " + out());
+  EXPECT_EQ(again.status, 1);
+  EXPECT_EQ(read_file(file("two_link.hpp")), before);
+  EXPECT_EQ(files(), 3U);
+}
+
+TEST_F(Cli, ReportsAFullStandardOutput) {
+  const std::string small = " info " + kModel;
+  const std::string large = " simulate " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
+  for (const std::string& command : {small, large}) {
+    const Outcome outcome =
+        support::run({"sh", "-c", TREEDYN_EXECUTABLE + command + " > /dev/full"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("standard output"));
+  }
+}
+
+TEST_F(Cli, RefusesToShareLimbsAmongLanesAndInScenes) {
+  expect_usage_error(treedyn({"generate", kModel, "--share-limbs", "--lanes", "4", "-o", out()}),
+                     "--share-limbs");
+  expect_usage_error(
+      treedyn({"generate", "--scene", TREEDYN_SOURCE_DIR "/models/scenes/compass_walk.yaml",
+               "--share-limbs", "-o", out()}),
+      "--share-limbs");
+}
+
+}  // namespace
+}  // namespace treedyn
