@@ -28,7 +28,8 @@ class Writer {
         graph_(function.graph),
         words_(words),
         target_(target),
-        statements_(function, words, target, level) {}
+        statements_(function, words, target, level),
+        loaded_in_(function.graph.size(), 0) {}
 
   Body write();
 
@@ -39,12 +40,14 @@ class Writer {
   int body_of(const Statement& statement) const;
   void note_body(std::size_t at, Part& part, int& current) const;
   void note_arrays(const Statement& statement, Part& part) const;
+  void load(const Statement& statement, Part& part, Body& body);
 
   const program::Function& function_;
   const program::Graph& graph_;
   const Vocabulary& words_;
   Target target_;
   Statements statements_;
+  std::vector<std::size_t> loaded_in_;  ///< by node: the last part that took it from the workspace
 };
 
 /// A constant in every lane.
@@ -68,12 +71,10 @@ std::string Writer::right_side(const Statement& statement) const {
                        statements_.element(statement.copy_of));
   }
   if (!statements_.is_operation(value) || (statement.output >= 0 && statements_.is_local(value))) {
-    return fmt::format("{}{}", value < 0 ? "-" : "",
-                       statements_.atom(std::abs(value), statement.part));
+    return fmt::format("{}{}", value < 0 ? "-" : "", statements_.atom(std::abs(value)));
   }
   return expression(
-      graph_, statements_.schedule(),
-      [&](Ref used) { return statements_.atom(used, statement.part); }, value);
+      graph_, statements_.schedule(), [&](Ref used) { return statements_.atom(used); }, value);
 }
 
 std::string Writer::text(const Statement& statement) const {
@@ -119,15 +120,29 @@ void Writer::note_arrays(const Statement& statement, Part& part) const {
     part.uses[inputs + statements_.output_array(statement.copy_of)] = true;
   }
   statements_.visit_atoms(statement, [&](Ref value) {
-    part.uses_workspace |= statements_.is_elsewhere(value, statement.part);
     if (graph_.node(value).kind == Kind::kInput) {
       part.uses[static_cast<std::size_t>(graph_.node(value).a)] = true;
     }
   });
 }
 
+/// What the statement needs of other parts, where its own part has not loaded it yet.
+void Writer::load(const Statement& statement, Part& part, Body& body) {
+  statements_.visit_atoms(statement, [&](Ref value) {
+    std::size_t& loaded = loaded_in_[static_cast<std::size_t>(std::abs(value))];
+    if (statements_.is_elsewhere(value, statement.part) && loaded != statement.part) {
+      loaded = statement.part;
+      part.uses_workspace = true;
+      part.lines.push_back(fmt::format("const Scalar {} = w[{}];", statements_.name(value),
+                                       statements_.slot(value)));
+      ++body.statements;
+    }
+  });
+}
+
 Body Writer::write() {
   Body result;
+  result.workspace = statements_.slots();
   int current = -1;
   for (std::size_t at = 0; at < statements_.all().size(); ++at) {
     const Statement& statement = statements_.all()[at];
@@ -145,13 +160,13 @@ Body Writer::write() {
     }
     note_body(at, part, current);
     note_arrays(statement, part);
+    load(statement, part, result);
     part.lines.push_back(text(statement));
     ++result.statements;
     if (statement.output < 0 && statements_.is_shared(statement.value)) {
-      const std::string& name = statements_.name(statement.value);
-      result.workspace.push_back(name);
       part.uses_workspace = true;
-      part.lines.push_back(fmt::format("w.{} = {};", name, name));
+      part.lines.push_back(fmt::format("w[{}] = {};", statements_.slot(statement.value),
+                                       statements_.name(statement.value)));
       ++result.statements;
     }
   }

@@ -22,8 +22,8 @@ struct Part {
 /// The body of a function. One part: a plain function; several: functions that share a workspace.
 struct Body {
   std::vector<Part> parts;
-  std::vector<std::string> workspace;  ///< values that one part computes and another one needs
-  std::vector<std::size_t> stages;     ///< of a single part: where stages 1, 2, .. begin
+  int workspace = 0;  ///< elements for values that one part computes and another needs
+  std::vector<std::size_t> stages;  ///< of a single part: where stages 1, 2, .. begin
   int statements = 0;
   int structural_zeros = 0;
 };

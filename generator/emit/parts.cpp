@@ -8,14 +8,6 @@ namespace treedyn::emit {
 
 namespace {
 
-std::string workspace(const std::string& type, const std::vector<std::string>& members) {
-  std::string result = fmt::format("struct {} {{\n", type);
-  for (const std::string& member : members) {
-    result += fmt::format("  Scalar {};\n", member);
-  }
-  return result + "};\n";
-}
-
 /// The arrays that a part uses: of all `values` (one per array) those. An input that is an output
 /// too counts as output.
 std::vector<std::string> chosen(const std::vector<std::string>& values,
@@ -44,7 +36,6 @@ std::string block(const std::vector<std::string>& lines) {
 }
 
 SplitText split_text(const program::Signature& signature, const Body& body) {
-  const std::string type = camel_case(signature.name) + "Workspace";
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
   std::vector<std::string> names;
   for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
@@ -54,9 +45,9 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
   }
   SplitText text;
   text.used.assign(all.size(), false);
-  if (!body.workspace.empty()) {
-    text.parts += '\n' + workspace(type, body.workspace);
-    text.declaration = type + " w;";
+  const std::string workspace = fmt::format("Scalar w[{}]", body.workspace);
+  if (body.workspace > 0) {
+    text.declaration = workspace + ";";
   }
   for (std::size_t k = 0; k < body.parts.size(); ++k) {
     const Part& part = body.parts[k];
@@ -64,7 +55,7 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
     std::vector<std::string> declared = chosen(parameters(signature, all), names, part);
     std::vector<std::string> passed = chosen(names, names, part);
     if (part.uses_workspace) {
-      declared.push_back(type + "& w");
+      declared.push_back(workspace);
       passed.emplace_back("w");
     }
     text.parts += "\n";

@@ -12,7 +12,7 @@ namespace treedyn::emit {
 std::string block(const std::vector<std::string>& lines);
 
 struct SplitText {
-  std::string parts;               ///< the workspace and the functions of the parts
+  std::string parts;               ///< the functions of the parts
   std::string declaration;         ///< of the workspace in the caller; empty: none
   std::vector<std::string> calls;  ///< one per part
   std::vector<bool> used;          ///< arrays: inputs, then outputs

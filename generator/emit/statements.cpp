@@ -1,6 +1,7 @@
 #include "emit/statements.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -28,13 +29,13 @@ Statements::Statements(const program::Function& function, const Vocabulary& word
       scalar_(target.scalar),
       operations_(program::operations_in_order(graph_, function.outputs, target.trigonometry)),
       names_(function, words, operations_),
-      shared_(graph_.size(), false) {
+      slot_(graph_.size(), -1) {
   find_levels(level);
   find_uses();
   make_schedule();
   list_statements();
   divide();
-  find_shared();
+  assign_slots();
 }
 
 bool Statements::is_operation(Ref a) const {
@@ -86,8 +87,7 @@ void Statements::make_schedule() {
     return available(value);
   };
   measure.atom = [this](Ref value) {
-    return is_operation(value) ? names_.width(value) + (is_large() ? 2 : 0)
-                               : static_cast<int>(atom(value, 0).size());
+    return is_operation(value) ? names_.width(value) : static_cast<int>(atom(value).size());
   };
   schedule_ = program::schedule(graph_, function_.outputs, operations_, measure);
 }
@@ -204,20 +204,41 @@ void Statements::divide() {
   }
 }
 
-void Statements::find_shared() {
-  part_of_.assign(graph_.size(), 0);
-  shared_.assign(graph_.size(), false);
+/// The last part that names a value, by node.
+std::vector<std::size_t> Statements::last_parts() const {
+  std::vector<std::size_t> last(graph_.size(), 0);
   for (const Statement& statement : statements_) {
-    if (statement.output < 0) {
-      part_of_[index(statement.value)] = statement.part;
-    }
+    visit_atoms(statement, [&](Ref value) { last[index(value)] = statement.part; });
   }
+  return last;
+}
+
+/// An element of the workspace for every value that another part needs. It serves again behind the
+/// last part that needs it.
+void Statements::assign_slots() {
+  part_of_.assign(graph_.size(), 0);
+  const std::vector<std::size_t> last = last_parts();
+  const std::size_t parts = statements_.empty() ? 1 : statements_.back().part + 1;
+  std::vector<std::vector<int>> freed(parts);  // by the part that needs them last
+  std::set<int> free;
+  std::size_t part = 0;
   for (const Statement& statement : statements_) {
-    visit_atoms(statement, [&](Ref value) {
-      if (is_operation(value) && part_of_[index(value)] != statement.part) {
-        shared_[index(value)] = true;
+    for (; part < statement.part; ++part) {
+      free.insert(freed[part].begin(), freed[part].end());
+    }
+    const std::size_t k = index(statement.value);
+    if (statement.output >= 0) {
+      continue;
+    }
+    part_of_[k] = part;
+    if (last[k] > part) {
+      if (free.empty()) {
+        free.insert(slots_++);
       }
-    });
+      slot_[k] = *free.begin();
+      free.erase(free.begin());
+      freed[last[k]].push_back(slot_[k]);
+    }
   }
 }
 
@@ -244,7 +265,7 @@ std::string Statements::input(const program::Node& node) const {
                      node.b);
 }
 
-std::string Statements::atom(Ref value, std::size_t part) const {
+std::string Statements::atom(Ref value) const {
   const program::Node& node = graph_.node(value);
   if (node.kind == Kind::kConstant) {
     return literal(graph_.value(value), scalar_);
@@ -252,7 +273,7 @@ std::string Statements::atom(Ref value, std::size_t part) const {
   if (node.kind == Kind::kInput) {
     return input(node);
   }
-  return is_elsewhere(value, part) ? "w." + names_.at(value) : names_.at(value);
+  return names_.at(value);
 }
 
 }  // namespace treedyn::emit

@@ -29,8 +29,8 @@ struct Statement {
 class Statements {
  public:
   /// \param level  stage of an input element (array, element), see program::Staged; empty: all 0
-  Statements(const program::Function& function, const Vocabulary& words,
-             const Target& target, const std::function<int(int, int)>& level);
+  Statements(const program::Function& function, const Vocabulary& words, const Target& target,
+             const std::function<int(int, int)>& level);
 
   [[nodiscard]] const std::vector<Statement>& all() const { return statements_; }
   [[nodiscard]] const program::Schedule& schedule() const { return schedule_; }
@@ -42,11 +42,15 @@ class Statements {
   /// True if some operation uses the value: it has a name of its own.
   [[nodiscard]] bool is_local(program::Ref a) const { return used_by_operation_[index(a)]; }
   /// True if a part behind its own needs the value.
-  [[nodiscard]] bool is_shared(program::Ref a) const { return shared_[index(a)]; }
+  [[nodiscard]] bool is_shared(program::Ref a) const { return slot_[index(a)] >= 0; }
   /// True if the value is shared and another part than `part` states it.
   [[nodiscard]] bool is_elsewhere(program::Ref a, std::size_t part) const {
-    return shared_[index(a)] && part_of_[index(a)] != part;
+    return is_shared(a) && part_of_[index(a)] != part;
   }
+  /// The element of the workspace that holds a shared value.
+  [[nodiscard]] int slot(program::Ref a) const { return slot_[index(a)]; }
+  /// Elements of the workspace.
+  [[nodiscard]] int slots() const { return slots_; }
   /// What the right side of a statement names: locals, inputs and constants.
   void visit_atoms(const Statement& statement,
                    const std::function<void(program::Ref)>& visit) const;
@@ -56,8 +60,8 @@ class Statements {
   /// "A[12]".
   [[nodiscard]] std::string element(int output) const;
   [[nodiscard]] const std::string& name(program::Ref local) const { return names_.at(local); }
-  /// A local, an input or a constant where `part` uses it.
-  [[nodiscard]] std::string atom(program::Ref value, std::size_t part) const;
+  /// A local, an input or a constant.
+  [[nodiscard]] std::string atom(program::Ref value) const;
 
  private:
   static std::size_t index(program::Ref a) { return static_cast<std::size_t>(std::abs(a)); }
@@ -71,7 +75,8 @@ class Statements {
   void divide();
   std::size_t best_cut(const std::vector<int>& crossing, std::size_t begin) const;
   std::vector<int> crossing_counts() const;
-  void find_shared();
+  std::vector<std::size_t> last_parts() const;
+  void assign_slots();
   std::string input(const program::Node& node) const;
   bool is_large() const;
   int available(program::Ref value) const;
@@ -88,7 +93,8 @@ class Statements {
   std::vector<std::vector<int>> outputs_of_;  // by node
   std::vector<Statement> statements_;
   std::vector<std::size_t> part_of_;  // by node, where its local is defined
-  std::vector<bool> shared_;          // by node
+  std::vector<int> slot_;             // by node; -1: not shared
+  int slots_ = 0;
 };
 
 }  // namespace treedyn::emit
