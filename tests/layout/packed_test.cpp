@@ -1,4 +1,5 @@
-// `--layout packed`: the values of the dense functions at the places that the header's tables name.
+// `--layout packed`: the values of the dense functions at the places that the header's tables name;
+// `--trig late`: the same values.
 #include "packed.hpp"
 
 #include <algorithm>
