@@ -1,36 +1,14 @@
 // Expression frames: the frames in which the recursions of EQUATIONS.md 7 are written down.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "program/limbs.hpp"
 #include "simplify/frames.hpp"
+#include "simplify/rotation.hpp"
 #include "simplify/spatial.hpp"
 
 namespace treedyn::simplify {
-
-/// A joint angle or a sum of such, plus a constant turn: sum of coefficient * u[coordinate] + turn.
-struct Angle {
-  std::vector<std::pair<int, Real>> terms;  ///< ascending coordinates, coefficients not zero
-  Turn turn;
-};
-Angle operator+(const Angle& a, const Angle& b);
-Angle operator-(const Angle& a, const Angle& b);
-
-/// One plane rotation about the x (axis 0) or z (axis 2) axis.
-struct PlaneRotation {
-  std::size_t axis = 2;
-  Expr c;
-  Expr s;
-
-  [[nodiscard]] Vec3 forward(const Vec3& v) const;   ///< R v
-  [[nodiscard]] Vec3 backward(const Vec3& v) const;  ///< R^T v
-  /// R S R^T for symmetric S with u = s d + 2 c xy, t = s u: 4 multiplications instead of 10.
-  [[nodiscard]] Mat3 forward_symmetric(const Mat3& s) const;
-  /// R H R^T for general H.
-  [[nodiscard]] Mat3 forward_general(const Mat3& h) const;
-};
 
 /// Where the inputs of a function stand: the array numbers of q, qd, qdd, tau; -1: not an input
 /// (zero).
@@ -154,7 +132,6 @@ class Kinematics {
   /// Appends the rotation about `axis` by `angle` of link i unless it is the identity.
   template <class AngleOf>
   void append(std::vector<PlaneRotation>& steps, std::size_t axis, int i, AngleOf angle) const;
-  using CosineAndSine = std::pair<Expr, Expr>;
   /// \param angles  of link i and its peers
   [[nodiscard]] CosineAndSine cosine_and_sine(int i, const std::vector<Angle>& angles) const;
   [[nodiscard]] CosineAndSine of_turn(int i, const std::vector<Angle>& angles) const;

@@ -276,8 +276,8 @@ void Search::anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluat
   }
 }
 
-/// Tries to do without each pass that is on, for the whole tree: no pass may add operations. Sums of
-/// angles never do.
+/// Tries to do without each pass that is on, for the whole tree: no pass may add operations. Sums
+/// of angles never do.
 void Search::drop_what_does_not_pay(Variant& variant, int& cost) {
   const auto consider = [&](const Variant& trial) {
     if (const int trial_cost = raw_cost(trial); trial_cost < cost) {
