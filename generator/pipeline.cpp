@@ -102,9 +102,8 @@ void check_functions(const Model& model, const Location& where) {
 
 Request decided_request(const Model& model, Request request) {
   if (model.scene) {
-    const bool axes = model.tree.links.front().joint.name == "base_px";
     request.gravity = model.scene->gravity;
-    request.read.base = axes ? description::Base::kAxes : description::Base::kFixed;
+    request.read.base = description::base_of(model.tree);
   }
   return request;
 }
@@ -186,7 +185,7 @@ void check_model(const Request& request, const model::Scene& scene) {
     return;
   }
   Request of_model = request;
-  if (!scene.tree.links.empty() && scene.tree.links.front().joint.name == "base_px") {
+  if (description::base_of(scene.tree) == description::Base::kAxes) {
     of_model.read.base = description::Base::kAxes;
   }
   const model::Tree tree = load(of_model).second;

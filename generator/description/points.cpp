@@ -26,10 +26,6 @@ FrameIndex frames_by_name(const model::Tree& tree) {
   return result;
 }
 
-bool has_axes(const model::Tree& tree) {
-  return !tree.links.empty() && tree.links.front().joint.name == "base_px";
-}
-
 /// The point at `at` in the frame of a link of the file.
 model::Point on_frame(const std::string& name, const model::Frame& frame, const Vector3& at) {
   Vector3 moved = frame.rotation * at;
@@ -172,7 +168,7 @@ const model::Frame* find_frame(const model::Tree& tree, std::string_view name) {
   if (found != tree.frames.end()) {
     return &*found;
   }
-  return name == ground.name && !has_axes(tree) ? &ground : nullptr;
+  return name == ground.name && base_of(tree) == Base::kFixed ? &ground : nullptr;
 }
 
 std::vector<model::Point> resolve_points(const model::Tree& tree, const std::string& list) {

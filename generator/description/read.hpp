@@ -14,6 +14,9 @@ namespace treedyn::description {
 /// base_rx.
 enum class Base { kFixed, kAxes };
 
+/// What carries the root of a tree that was read.
+Base base_of(const model::Tree& tree);
+
 /// URDF mimic joints: eliminated (`Tree::drives`), or joints of their own.
 enum class Mimic { kReduce, kIndependent };
 

@@ -46,6 +46,15 @@ constexpr std::array<BaseRow, 6> kBaseAxes = {{
     {"base_rx", model::JointType::kRevolute, {1, 0, 0}},
 }};
 
+}  // namespace
+
+Base base_of(const model::Tree& tree) {
+  const bool axes = !tree.links.empty() && tree.links.front().joint.name == kBaseAxes.front().name;
+  return axes ? Base::kAxes : Base::kFixed;
+}
+
+namespace {
+
 /// Snaps or findings by line and column.
 template <typename Record>
 std::vector<Record> in_file_order(std::vector<Record> records) {

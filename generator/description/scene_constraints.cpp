@@ -35,11 +35,14 @@ namespace {
 
 /// True if row i of `a` and row j of `b` state different accelerations, or positions.
 bool differ(const model::Constraint& a, std::size_t i, const model::Constraint& b, std::size_t j) {
-  if (!a.accelerations.empty() && !b.accelerations.empty()) {
+  if (a.accelerations.empty() != b.accelerations.empty()) {
+    return false;
+  }
+  if (!a.accelerations.empty()) {
     return !(a.accelerations[i] == b.accelerations[j]);
   }
   const bool led = a.kind == ConstraintKind::kPoint || a.kind == ConstraintKind::kJoint;
-  if (!led || a.pinned || b.pinned || !a.accelerations.empty() || !b.accelerations.empty()) {
+  if (!led || a.pinned || b.pinned) {
     return false;
   }
   for (std::size_t k = 0; k < 3; ++k) {
