@@ -63,6 +63,13 @@ std::string rank_text(const program::Staged& staged, const program::RowSolve& so
 
 }  // namespace
 
+/// What it may return.
+std::string status_doc(const program::Staged& staged) {
+  return wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number",
+                             staged.solves.empty() ? "" : "rank_lost, row_given_up, "),
+                 "/// ");
+}
+
 /// The rows of lambda, the cost of the regular path and the bound.
 std::string doc(const program::Staged& staged) {
   std::string result = signature_doc(staged.signature);
@@ -76,6 +83,7 @@ std::string doc(const program::Staged& staged) {
   for (const program::RowSolve& solve : staged.solves) {
     result += solve.regular() ? "" : wrapped(rank_text(staged, solve), "/// ");
   }
+  result += status_doc(staged);
   for (const program::Staged& contact : staged.contacts) {
     const char* const power = program::worst_powers(contact) > 0 ? ", 1 pow" : "";
     result += wrapped(fmt::format("A closed contact ({}) adds {}{}.", contact.signature.name,
@@ -154,7 +162,11 @@ std::string doc(const program::Stepper& stepper) {
       iterates ? fmt::format(" with {} Newton steps a stage", program::kUsualNewtonSteps) : "";
   const std::string fails =
       iterates ? " Not a number where the iteration does not converge: the step is too long." : "";
+  const bool solves = stepper.rows > 0;
   return signature_doc(stepper.signature) + events_doc(stepper) +
+         wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number",
+                             solves ? "rank_lost, row_given_up, " : ""),
+                 "/// ") +
          wrapped(fmt::format("By {}, {} s.{} Cost{}{}: {}. Never more than {}.",
                              method_text(stepper.method), decimal(stepper.step), fails, where, with,
                              cost_text(program::step_cost(stepper)),

@@ -177,9 +177,33 @@ std::vector<std::string> phase_identifiers(const std::vector<program::Stepper>& 
   return result;
 }
 
+/// What functions that return a status return.
+std::string status_bits(const Unit& unit) {
+  if (unit.staged.empty() && unit.steppers.empty()) {
+    return {};
+  }
+  return R"(
+/// Bits of the int that functions return; 0: all is right.
+namespace status {
+/// Rows depend on each other more than they do where the constraints hold: a singular position.
+inline constexpr int rank_lost = 1;
+/// A row's wanted acceleration (or velocity, or joint force) cannot be had beside the others'.
+inline constexpr int row_given_up = 2;
+/// An iteration did not get there.
+inline constexpr int no_convergence = 4;
+/// An event may have been passed over.
+inline constexpr int event_missed = 8;
+/// A result is infinite or not a number.
+inline constexpr int not_a_number = 16;
+/// What an event waits for is not a number.
+inline constexpr int guard_undefined = 32;
+}  // namespace status
+)";
+}
+
 std::string prototype(const program::Signature& signature) {
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
-  return declaration("void " + signature.name, parameters(signature, all), " noexcept;") + "\n";
+  return declaration(returned(signature), parameters(signature, all), " noexcept;") + "\n";
 }
 
 std::string declarations(const Unit& unit) {
@@ -262,6 +286,7 @@ std::string header_text(const Unit& unit) {
                {"joint_indices", index_namespace("joint", joint_identifiers(tree))},
                {"point_indices", index_namespace("point", point_identifiers(unit.points))},
                {"phase_indices", index_namespace("phase", phase_identifiers(unit.steppers))},
+               {"status", status_bits(unit)},
                {"packing", packing_tables(unit)},
                {"arrays", arrays_comment(unit.target)},
                {"functions", declarations(unit)}});

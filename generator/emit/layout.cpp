@@ -63,6 +63,10 @@ std::vector<std::string> parameters(const program::Signature& signature,
   return result;
 }
 
+std::string returned(const program::Signature& signature) {
+  return (signature.status ? "int " : "void ") + signature.name;
+}
+
 std::string camel_case(const std::string& name) {
   std::string result;
   bool start = true;

@@ -24,6 +24,9 @@ std::string declaration(const std::string& head, const std::vector<std::string>&
 std::vector<std::string> parameters(const program::Signature& signature,
                                     const std::vector<bool>& uses);
 
+/// `int name` of a function that returns a status, else `void name`.
+std::string returned(const program::Signature& signature);
+
 /// mass_matrix -> MassMatrix
 std::string camel_case(const std::string& name);
 

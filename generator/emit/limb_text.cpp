@@ -252,7 +252,7 @@ std::string trunk_text(const program::Function& function, const std::vector<Phas
   const auto first_output = static_cast<std::ptrdiff_t>(trunk.signature.inputs.size());
   used.insert(used.end(), uses.begin() + first_output,
               uses.begin() + first_output + static_cast<std::ptrdiff_t>(outer.outputs.size()));
-  return parts + declaration("void " + outer.name, parameters(outer, used), " noexcept {") +
+  return parts + declaration(returned(outer), parameters(outer, used), " noexcept {") +
          block(lines);
 }
 

@@ -57,14 +57,20 @@ std::string arrays_json(const std::vector<program::Array>& arrays) {
   return result + "]";
 }
 
+/// What a status says: "int" and its bits.
+std::string status_json(const program::Signature& signature) {
+  return signature.status ? " \"returns\": \"status\"," : "";
+}
+
 /// \param cost  the operations, and what else the manifest says of them, as JSON
 std::string function_json(const program::Signature& signature, const Body& body,
                           const std::string& cost) {
   return fmt::format(
       "{{\"name\": {}, \"equation\": {},\n     \"inputs\": {},\n     \"outputs\": {},\n"
-      "     \"operations\": {},\n     \"statements\": {}, \"structural_zeros\": {}}}",
+      "    {} \"operations\": {},\n     \"statements\": {}, \"structural_zeros\": {}}}",
       json_string(signature.name), json_string(signature.equation), arrays_json(signature.inputs),
-      arrays_json(signature.outputs), cost, body.statements, body.structural_zeros);
+      arrays_json(signature.outputs), status_json(signature), cost, body.statements,
+      body.structural_zeros);
 }
 
 /// Operations of the path that regular states take, and of the dearest call.

@@ -32,7 +32,7 @@ std::string probe(const std::string& name, const program::Signature& signature) 
 
 std::string declaration_text(const program::Signature& signature) {
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
-  return declaration("void " + signature.name, parameters(signature, all), " noexcept;");
+  return declaration(returned(signature), parameters(signature, all), " noexcept;");
 }
 
 std::string numeric_driver(const std::string& name,

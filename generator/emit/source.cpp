@@ -18,7 +18,7 @@ namespace treedyn::emit {
 namespace {
 
 std::string whole_function(const program::Signature& signature, const Part& part) {
-  return declaration("void " + signature.name, parameters(signature, part.uses), " noexcept {") +
+  return declaration(returned(signature), parameters(signature, part.uses), " noexcept {") +
          block(part.lines);
 }
 
@@ -30,7 +30,7 @@ std::string split_function(const program::Signature& signature, const Body& body
     calls.insert(calls.begin(), text.declaration);
   }
   return "namespace {\n" + text.parts + "\n}  // namespace\n\n" +
-         declaration("void " + signature.name, parameters(signature, text.used), " noexcept {") +
+         declaration(returned(signature), parameters(signature, text.used), " noexcept {") +
          block(calls);
 }
 

@@ -85,15 +85,16 @@ std::string regular_text(const RowSolve& solve, const std::string& name, const T
 }
 
 std::string solve_text(const RowSolve& solve, const Solves& all, const Target& target) {
-  const std::string deficient = fmt::format("solve_deficient<{}>(K, b, x);", solve.rows);
+  const std::string deficient =
+      fmt::format("return solve_deficient<{}>({}, K, b, x);", solve.rows, solve.rank);
   const std::string name = name_of(solve, all, "solve_rows");
-  const std::string head = fmt::format("\nvoid {}({}) noexcept {{", name, parameter_list(solve));
+  const std::string head = fmt::format("\nint {}({}) noexcept {{", name, parameter_list(solve));
   if (!solve.regular()) {
     return head + block({deficient});
   }
   const std::string regular = name_of(solve, all, "solve_regular");
   return regular_text(solve, regular, target) + head +
-         block({fmt::format("if (!{}(K, b, x)) {{", regular), "  " + deficient, "}"});
+         block({fmt::format("if (!{}(K, b, x)) {{", regular), "  " + deficient, "}", "return 0;"});
 }
 
 std::string solvers_text(const Solves& all, const Target& target) {
@@ -104,7 +105,9 @@ std::string solvers_text(const Solves& all, const Target& target) {
   std::string result =
       fill(template_text("solve_rows.cpp"),
            {{"type", type_name(target.scalar)},
-            {"tolerance", single ? program::kRankToleranceFloat : program::kRankToleranceDouble}});
+            {"tolerance", single ? program::kRankToleranceFloat : program::kRankToleranceDouble},
+            {"given_up", single ? "0.01f" : "0.01"},
+            {"given_up_least", single ? "1e-3f" : "1e-6"}});
   for (const RowSolve& solve : all) {
     result += solve_text(solve, all, target);
   }
@@ -165,8 +168,20 @@ std::vector<std::string> return_lines(const Staged& staged) {
       lines.push_back(fmt::format("  {}[{}] = Scalar(0);", array.name, k));
     }
   }
-  lines.insert(lines.end(), {"  return;", "}"});
+  lines.insert(lines.end(), {staged.signature.status ? "  return 0;" : "  return;", "}"});
   return lines;
+}
+
+/// What the solver says, and whether all results are numbers.
+std::string return_line(const Staged& staged) {
+  std::vector<std::string> parts;
+  if (!staged.solves.empty()) {
+    parts.emplace_back("failed");
+  }
+  for (const program::Array& array : staged.signature.outputs) {
+    parts.push_back(fmt::format("check({}, {})", array.name, array.size));
+  }
+  return fmt::format("return {};", fmt::join(parts, " | "));
 }
 
 /// What stands before stage `level`.
@@ -186,8 +201,9 @@ std::vector<std::string> between(const Staged& staged, std::size_t level, const 
     case program::Gate::kSolve:
       break;
   }
-  return {fmt::format("{}({}, {}, {});", name_of(staged.solves.front(), all, "solve_rows"),
-                      program::kMatrixArray, program::kRightArray, program::kMultiplierArray)};
+  return {fmt::format("const int failed = {}({}, {}, {});",
+                      name_of(staged.solves.front(), all, "solve_rows"), program::kMatrixArray,
+                      program::kRightArray, program::kMultiplierArray)};
 }
 
 /// Of the public arrays those that some statement touches.
@@ -249,10 +265,25 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
     }
     used = split.used;
   }
+  if (staged.signature.status) {
+    lines.push_back(return_line(staged));
+  }
   return parts +
-         declaration("void " + staged.signature.name,
+         declaration(returned(staged.signature),
                      parameters(staged.signature, used_arguments(staged, used)), " noexcept {") +
          block(lines);
+}
+
+/// What tells numbers from the rest.
+std::string check_text(const std::vector<Staged>& functions, const Target& target) {
+  const bool single = target.scalar == Scalar::kFloat;
+  return functions.empty()
+             ? ""
+             : "\nnamespace {\n" +
+                   fill(template_text("check.cpp"),
+                        {{"type", type_name(target.scalar)},
+                         {"largest", single ? "3.40282347e38f" : "1.7976931348623157e308"}}) +
+                   "\n}  // namespace\n";
 }
 
 /// The functions that closed contacts call, each once, without namespace.
@@ -291,7 +322,8 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
 std::string staged_text(const std::vector<Staged>& functions, const std::vector<Body>& bodies,
                         const Vocabulary& words, const Target& target) {
   const Solves all = solves_of(functions);
-  std::string result = solvers_text(all, target) + contacts_text(functions, words, target);
+  std::string result = check_text(functions, target) + solvers_text(all, target) +
+                       contacts_text(functions, words, target);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result += "\n";
     result += function_text(functions[k], bodies[k], all, target);

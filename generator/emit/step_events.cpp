@@ -87,7 +87,7 @@ Lines EventWriter::next_phase(const StepOutcome& outcome) const {
 }
 
 Lines EventWriter::strike(const StepOutcome& outcome) const {
-  return {fmt::format("{}(q_next, qd_next, qd_plus, P);", outcome.impact)};
+  return {fmt::format("failed |= {}(q_next, qd_next, qd_plus, P);", outcome.impact)};
 }
 
 Lines EventWriter::renewal_lines(const std::vector<Renewal>& renewals) {
@@ -132,7 +132,7 @@ Lines EventWriter::effect_lines(const StepPhase& phase, const StepEvent& event) 
   if (!event.outcome.impact.empty()) {
     append(lines, {"for (int i = 0; i < kDof; ++i) {", "  qd_next[i] = qd_plus[i];", "}"});
   }
-  lines.emplace_back("return;");
+  lines.emplace_back("return failed | check(q_next, kDof) | check(qd_next, kDof);");
   return lines;
 }
 

@@ -170,7 +170,8 @@ std::vector<std::string> dynamics_lines(const Stepper& stepper, const StepPhase&
   if (phase.rows > 0) {
     arguments.emplace_back("lambda");
   }
-  std::vector<std::string> lines = {declaration(phase.dynamics, arguments, ";")};
+  std::vector<std::string> lines = {
+      declaration("const int failed = " + phase.dynamics, arguments, ";")};
   for (int k = phase.rows; k < stepper.rows; ++k) {
     lines.push_back(fmt::format("lambda[{}] = Scalar(0);", k));
   }
@@ -196,15 +197,16 @@ std::string dispatch(const Stepper& stepper) {
   for (std::size_t k = 0; k < stepper.phases.size(); ++k) {
     const StepPhase& phase = stepper.phases[k];
     const bool last = k + 1 == stepper.phases.size();
-    lines.push_back(last ? "  default:" : fmt::format("  case phase::{}:", phase.identifier));
+    lines.push_back(last ? "  default: {" : fmt::format("  case phase::{}: {{", phase.identifier));
     for (const std::string& line : dynamics_lines(stepper, phase)) {
       lines.push_back("    " + line);
     }
-    lines.emplace_back("    break;");
+    lines.emplace_back("    return failed;");
+    lines.emplace_back("  }");
   }
   lines.emplace_back("}");
   return "\n/// Accelerations and reactions in a phase.\n" +
-         declaration("void dynamics_in", parameters, " noexcept {") + block(lines);
+         declaration("int dynamics_in", parameters, " noexcept {") + block(lines);
 }
 
 /// What only `step` calls.
@@ -225,16 +227,16 @@ std::string stepper_text(const Stepper& stepper, const Vocabulary& words, const 
   const program::Signature& signature = stepper.signature;
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
   const bool switches = stepper.switches();
-  Slots slots = {{"declaration",
-                  declaration("void " + signature.name, parameters(signature, all), " noexcept {")},
-                 {"type", type_name(target.scalar)},
-                 {"step", literal(stepper.step, target.scalar)},
-                 {"dynamics", switches ? "dynamics_in" : stepper.phases.front().dynamics},
-                 {"phase", switches ? "phase[0], " : ""},
-                 {"t", stepper.takes_time ? ", t" : ""},
-                 {"anchor", stepper.takes_anchor ? ", anchor" : ""},
-                 {"lambda", stepper.rows > 0 ? ", lambda" : ""},
-                 {"events", events_text(stepper, target.scalar)}};
+  Slots slots = {
+      {"declaration", declaration(returned(signature), parameters(signature, all), " noexcept {")},
+      {"type", type_name(target.scalar)},
+      {"step", literal(stepper.step, target.scalar)},
+      {"dynamics", switches ? "dynamics_in" : stepper.phases.front().dynamics},
+      {"phase", switches ? "phase[0], " : ""},
+      {"t", stepper.takes_time ? ", t" : ""},
+      {"anchor", stepper.takes_anchor ? ", anchor" : ""},
+      {"lambda", stepper.rows > 0 ? ", lambda" : ""},
+      {"events", events_text(stepper, target.scalar)}};
   const std::string local = local_text(stepper, words, target);
   switch (stepper.method) {
     case StepMethod::kRk4:

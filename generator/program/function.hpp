@@ -25,6 +25,7 @@ struct Signature {
   std::string brief;     ///< "Joint-space inertia matrix A(q), row-major, symmetric."
   std::vector<Array> inputs;
   std::vector<Array> outputs;
+  bool status = false;  ///< returns an int, the bits of namespace status; else nothing
 };
 
 struct LimbCode;  // limb_code.hpp

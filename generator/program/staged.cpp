@@ -101,7 +101,8 @@ Cost deficient_cost(int rows, int rank) {
     c.mul += 1;                                          // D^-1
   }
   for (int i = 0; i < rows; ++i) {
-    c = c + products(std::min(i, rank));  // M v
+    c = c + products(std::min(i, rank));                 // M v
+    c = c + Cost{.add = 2 * rows + 1, .mul = rows + 1};  // what is left of the row
   }
   return c;
 }

@@ -392,6 +392,9 @@ SceneFunctions scene_functions(const model::Scene& scene, const Options& options
   for (std::size_t k = 0; k < scene.contacts.size() && wants(wanted, "contact_force"); ++k) {
     result.staged.push_back(formulator.contact_force(k));
   }
+  for (program::Staged& staged : result.staged) {
+    staged.signature.status = true;
+  }
   return result;
 }
 

@@ -275,7 +275,8 @@ void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
             : "Joint positions and velocities one step later, within the phase; lambda is that of "
               "the beginning.",
        {dynamics.signature.inputs.begin(), dynamics.signature.inputs.begin() + 3},
-       {{"q_next", n, "rad|m"}, {"qd_next", n, "rad/s|m/s"}}};
+       {{"q_next", n, "rad|m"}, {"qd_next", n, "rad/s|m/s"}},
+       true};
   const auto add = [](std::vector<program::Array>& arrays, bool needed, program::Array array) {
     if (needed) {
       arrays.push_back(std::move(array));

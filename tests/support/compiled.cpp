@@ -109,11 +109,11 @@ Measurement CompiledModel::measure(const std::string& function, const Inputs& in
   }
   const auto size =
       static_cast<std::size_t>(std::accumulate(info.outputs.begin(), info.outputs.end(), 0));
-  Measurement result{std::vector<double>(size), std::vector<double>(size), {}};
+  Measurement result{std::vector<double>(size), std::vector<double>(size), {}, 0};
   const std::vector<double*> out = slices(result.values, info.outputs);
   const std::vector<double*> bound = slices(result.bounds, info.outputs);
-  using Call = void (*)(const double* const*, double* const*, double* const*);
-  symbol<Call>("call_" + function)(in.data(), out.data(), bound.data());
+  using Call = int (*)(const double* const*, double* const*, double* const*);
+  result.status = symbol<Call>("call_" + function)(in.data(), out.data(), bound.data());
   if (dlsym(library_.get(), "operations") != nullptr) {
     symbol<void (*)(long*)>("operations")(result.operations.data());
   }

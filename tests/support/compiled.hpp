@@ -16,6 +16,7 @@ struct Measurement {
   std::vector<double> values;
   std::vector<double> bounds;
   std::array<long, 6> operations{};
+  int status = 0;  ///< that the function returned; 0 of functions without
 };
 
 /// Generated code as a loaded shared object, compiled once per content with the compiler of the
@@ -35,7 +36,7 @@ class CompiledModel {
   /// \pre one input array of the right size for every argument; from one thread at a time.
   [[nodiscard]] std::vector<double> call(const std::string& function, const Inputs& inputs) const;
 
-  /// \pre as `call`, and Variant::kMeasured.
+  /// Without Variant::kMeasured bounds and operations are zero. \pre as `call`
   [[nodiscard]] Measurement measure(const std::string& function, const Inputs& inputs) const;
 
  private:

@@ -43,6 +43,7 @@ FunctionInfo function_info(const Json& entry) {
                       sizes(entry.at("outputs")),
                       integers(entry.at("inputs")),
                       integers(entry.at("outputs")),
+                      entry.value("returns", "") == "status",
                       {}};
   const std::array<const char*, 6> kinds{"add", "mul", "div", "sqrt", "sin", "cos"};
   for (std::size_t k = 0; k < kinds.size(); ++k) {

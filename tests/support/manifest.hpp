@@ -15,6 +15,7 @@ struct FunctionInfo {
   std::vector<int> outputs;            ///< sizes of the output arrays, in order
   std::vector<bool> integer_inputs;    ///< which are int
   std::vector<bool> integer_outputs;
+  bool status = false;               ///< returns one
   std::array<long, 6> operations{};  ///< add, mul, div, sqrt, sin, cos of one call
 };
 

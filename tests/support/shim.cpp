@@ -83,9 +83,10 @@ std::string call_function(const std::string& name, const FunctionInfo& function)
     after += fmt::format("  store(o{}, out[{}], bound[{}], {});\n", k, k, k, n);
   }
   return fmt::format(
-      "extern \"C\" SHIM void call_{}(const double* const* in, double* const* out,\n"
-      "    double* const* bound) {{\n{}  {}::{}({});\n{}  (void)bound;\n}}\n",
-      function.name, before, name, function.name, arguments, after);
+      "extern \"C\" SHIM int call_{}(const double* const* in, double* const* out,\n"
+      "    double* const* bound) {{\n{}  {}{}::{}({});\n{}  (void)bound;\n  return status;\n}}\n",
+      function.name, before, function.status ? "const int status = " : "const int status = 0;\n  ",
+      name, function.name, arguments, after);
 }
 
 }  // namespace

@@ -16,12 +16,12 @@ std::string adapted_header(const std::string& header, const Manifest& manifest, 
 
 /// A source file with, for every function of the manifest,
 ///
-///     extern "C" void call_<function>(const double* const* in, double* const* out,
-///                                     double* const* bound)
+///     extern "C" int call_<function>(const double* const* in, double* const* out,
+///                                    double* const* bound)
 ///
-/// which converts to Scalar, fills the outputs with NaN, calls `name::<function>` and converts
-/// back; with Variant::kMeasured also the error bounds, and `operations(long[6])`, which reads and
-/// resets the operation counts.
+/// which converts to Scalar, fills the outputs with NaN, calls `name::<function>`, converts back
+/// and returns its status (0 of functions without); with Variant::kMeasured also the error bounds,
+/// and `operations(long[6])`, which reads and resets the operation counts.
 std::string shim_source(const std::string& name, const Manifest& manifest, Variant variant);
 
 }  // namespace treedyn::support
