@@ -48,6 +48,11 @@ double ContactLaw::energy(const Eigen::Vector3d& p) const {
   return k_ * std::pow(d, n_ + 1) / (n_ + 1);
 }
 
+double ContactLaw::energy_rate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const {
+  const double d = law_ ? 0 : std::max(0.0, -plane_.height(p));
+  return -k_ * std::pow(d, n_) * plane_.normal().dot(v);
+}
+
 Forces::Forces(const model::Scene& scene) : tau_(Vector::Zero(scene.tree.dof())) {
   for (std::size_t k = 0; k < scene.tau.size(); ++k) {
     tau_[static_cast<Eigen::Index>(k)] = value(scene.tau[k]);
@@ -174,6 +179,24 @@ double Forces::elastic_energy(const Vector& q, const VectorMap& p) const {
     energy += contact.energy(p.segment<3>(3 * contact.point()));
   }
   return energy;
+}
+
+double Forces::elastic_power(const Terms& terms, const State& state) const {
+  double power = 0;
+  for (const JointSpring& s : joint_springs_) {
+    power += s.k * (state.q[s.joint] - s.rest) * state.qd[s.joint];
+  }
+  const auto p = terms.p();
+  for (const PointSpring& s : point_springs_) {
+    const Eigen::Vector3d line = p.segment<3>(3 * s.point) - s.anchor;
+    const double l = line.norm();
+    power += l > 0 ? s.k * (l - s.length) * line.dot(v_.segment<3>(3 * s.point)) / l : 0;
+  }
+  for (const ContactLaw& contact : contacts_) {
+    const int at = 3 * contact.point();
+    power += contact.energy_rate(p.segment<3>(at), v_.segment<3>(at));
+  }
+  return power;
 }
 
 }  // namespace treedyn::simulation

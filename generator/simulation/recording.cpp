@@ -6,28 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "simulation/names.hpp"
+
 namespace treedyn::simulation {
 
 namespace {
-
-std::string joint_name(const model::Tree& tree, int coordinate) {
-  const int link = tree.coordinates[static_cast<std::size_t>(coordinate)];
-  return tree.links[static_cast<std::size_t>(link)].joint.name;
-}
-
-/// x, y, z for an axis, else a number from 1.
-std::string direction_name(const model::Constraint& constraint, std::size_t row) {
-  if (constraint.kind == model::ConstraintKind::kJoint) {
-    return "";
-  }
-  const model::Vector3& d = constraint.directions[row];
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (d[k] == 1 && d[(k + 1) % 3] == 0 && d[(k + 2) % 3] == 0) {
-      return std::string(".") + "xyz"[k];
-    }
-  }
-  return fmt::format(".{}", row + 1);
-}
 
 std::vector<std::string> columns_of(const model::Scene& scene) {
   std::vector<std::string> result;
@@ -80,6 +63,11 @@ class Recorder {
 
   /// The state now. \param at_time, phase  where it belongs
   void add_row(int phase) {
+    if (!recording_.rows.empty() && recording_.rows.back().t == simulator_.time() &&
+        recording_.rows.back().phase == phase && recorded_events_ == simulator_.events().size()) {
+      return;  // a row of the table right before an event
+    }
+    recorded_events_ = simulator_.events().size();
     Row row{simulator_.time(), phase, {}, {}};
     const Vector q = simulator_.q();
     const Vector qd = simulator_.qd();
@@ -98,7 +86,12 @@ class Recorder {
 
   Recording finish() {
     recording_.events = simulator_.events();
-    recording_.steps = simulator_.steps();
+    recording_.cost = simulator_.cost();
+    recording_.notices = simulator_.monitor().notices();
+    recording_.energy_error = simulator_.monitor().unexplained();
+    recording_.energy_part = simulator_.monitor().energy_error();
+    recording_.residual = simulator_.monitor().largest_residual();
+    recording_.drift = simulator_.monitor().largest_drift();
     return std::move(recording_);
   }
   Recording& recording() { return recording_; }
@@ -140,43 +133,30 @@ class Recorder {
   Simulator& simulator_;
   Pose pose_;
   Recording recording_;
+  std::size_t recorded_events_ = 0;
 };
 
 }  // namespace
-
-std::vector<std::string> reaction_names(const model::Scene& scene) {
-  std::vector<std::string> result;
-  for (const model::Constraint& constraint : scene.constraints) {
-    for (std::size_t k = 0; k < constraint.rows(); ++k) {
-      result.push_back(constraint.name + direction_name(constraint, k));
-    }
-  }
-  return result;
-}
 
 Recording record(const model::Scene& scene, Simulator& simulator, double output_step,
                  const Progress& progress) {
   Recorder recorder(scene, simulator);
   const double start = simulator.time();
   const auto duration = static_cast<double>(scene.duration);
-  const auto count = static_cast<long>(std::ceil(duration / output_step * (1 - 1e-12)));
+  const double end = start + duration;
+  std::size_t events = simulator.events().size();
+  simulator.show_at(output_step, [&] { recorder.add_row(simulator.phase()); });
   try {
     recorder.add_row(simulator.phase());
-    for (long k = 1; k <= count; ++k) {
-      const double end =
-          k == count ? start + duration : start + static_cast<double>(k) * output_step;
-      std::size_t events = simulator.events().size();
-      const bool arrived = simulator.advance_to(end, [&] {
-        if (simulator.events().size() != events) {
-          events = simulator.events().size();
-          recorder.add_row(simulator.phase());
-        }
-        return progress((simulator.time() - start) / duration);
-      });
-      if (!arrived) {
-        recorder.recording().stopped = "interrupted";
-        break;
+    const bool arrived = simulator.advance_to(end, [&] {
+      if (simulator.events().size() != events) {
+        events = simulator.events().size();
+        recorder.add_row(simulator.phase());
       }
+      return progress((simulator.time() - start) / duration);
+    });
+    recorder.recording().stopped = arrived ? "" : "interrupted";
+    if (recorder.recording().rows.back().t < simulator.time()) {
       recorder.add_row(simulator.phase());
     }
   } catch (const std::runtime_error& problem) {
