@@ -1,12 +1,10 @@
 // The results of a simulation as text.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "emit/json.hpp"
-#include "emit/template_file.hpp"
 #include "simulate.hpp"
 
 namespace treedyn {
@@ -58,6 +56,7 @@ const std::string& phase_name(const SimulateResult& result, int phase) {
 std::string event_json(const SimulateResult& result, const simulation::EventRecord& event) {
   return emit::json_object({{"t", json_number(event.time)},
                             {"phase", emit::json_string(phase_name(result, event.phase))},
+                            {"event", emit::json_string(event.name)},
                             {"q", json_numbers(event.q)},
                             {"qd_before", json_numbers(event.qd_before)},
                             {"qd_after", json_numbers(event.qd_after)},
@@ -137,62 +136,6 @@ std::string row_json(const SimulateResult& result, const simulation::Row& row) {
   return text + "]";
 }
 
-/// Short numbers, enough for a picture.
-template <class List>
-std::string short_numbers(const List& values) {
-  std::string result;
-  for (const double value : values) {
-    result += result.empty() ? "" : ",";
-    result += std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
-  }
-  return "[" + result + "]";
-}
-
-std::string short_row(const simulation::Row& row) {
-  std::vector<double> nodes;
-  for (const Eigen::Vector3d& node : row.nodes) {
-    nodes.insert(nodes.end(), {node[0], node[1], node[2]});
-  }
-  return fmt::format("[{:.9g},{},{},{}]", row.t, row.phase, short_numbers(row.values),
-                     short_numbers(nodes));
-}
-
-/// What the page shows, as JSON that may stand inside a script element.
-std::string report_data(const SimulateResult& result) {
-  const simulation::Recording& recording = result.recording;
-  std::vector<std::string> phases;
-  for (const model::Phase& phase : result.scene.phases) {
-    phases.push_back(phase.name);
-  }
-  std::string lines;
-  for (const auto& [a, b] : recording.figure.lines) {
-    lines += fmt::format("{}[{},{}]", lines.empty() ? "" : ",", a, b);
-  }
-  std::string rows;
-  for (const simulation::Row& row : recording.rows) {
-    rows += (rows.empty() ? "" : ",\n") + short_row(row);
-  }
-  const std::string text = fmt::format(
-      "{{\"scene\": {}, \"dof\": {}, \"links\": {}, \"stopped\": {},\n\"columns\": {},\n"
-      "\"phases\": {},\n\"names\": {},\n\"lines\": [{}],\n\"rows\": [\n{}]}}",
-      emit::json_string(result.scene.name), result.scene.tree.dof(), result.scene.tree.size(),
-      emit::json_string(recording.stopped), json_strings(recording.columns), json_strings(phases),
-      json_strings(recording.figure.names), lines, rows);
-  std::string safe;
-  for (const char c : text) {  // no name ends the script
-    safe += c == '<' ? "\\u003c" : std::string(1, c);
-  }
-  return safe;
-}
-
-std::string html_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<std::string> warnings_of(const SimulateResult& result) {
@@ -267,11 +210,6 @@ std::string json_text(const SimulateResult& result) {
       emit::json_string(result.recording.stopped), warnings_json(result), cost_json(result),
       kept_json(result), stable_json(result), json_strings(columns), emit::json_lines(events, 4),
       emit::json_lines(rows, 4));
-}
-
-std::string report_text(const SimulateResult& result) {
-  return emit::fill(emit::template_text("report.html"),
-                    {{"scene", html_text(result.scene.name)}, {"data", report_data(result)}});
 }
 
 }  // namespace treedyn

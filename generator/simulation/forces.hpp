@@ -56,6 +56,9 @@ class Forces {
   void generalized(const Terms& terms, const State& state, Vector& Q);
   /// Energy of springs and of the elastic part of contacts, J. \param p  points, 3 P
   [[nodiscard]] double elastic_energy(const Vector& q, const VectorMap& p) const;
+  /// Forces one by one, behind `values`: drives, springs of joints, springs of points (positive
+  /// towards the anchor), contacts (x, y, z, base frame).
+  void append_forces(const Terms& terms, const State& state, std::vector<double>& values);
   /// The rate of this energy, W, after `generalized` in the same state.
   [[nodiscard]] double elastic_power(const Terms& terms, const State& state) const;
   [[nodiscard]] const std::vector<ContactLaw>& contacts() const { return contacts_; }
@@ -96,7 +99,8 @@ class Forces {
                                      const State& state) const;
 
   Vector tau_;
-  std::vector<JointSpring> joint_springs_;
+  std::vector<JointSpring> joint_springs_;  ///< viscous frictions behind the springs
+  std::size_t springs_ = 0;
   std::vector<Friction> frictions_;
   std::vector<Motor> motors_;
   std::vector<PointSpring> point_springs_;

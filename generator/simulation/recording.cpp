@@ -12,17 +12,14 @@ namespace treedyn::simulation {
 
 namespace {
 
-std::vector<std::string> columns_of(const model::Scene& scene) {
-  std::vector<std::string> result;
-  for (const char* const name : {"q", "qd"}) {
-    for (int k = 0; k < scene.tree.dof(); ++k) {
-      result.push_back(fmt::format("{}[{}]", name, joint_name(scene.tree, k)));
-    }
+/// Links without mass between the ground and the first that has some: joints in space, no bodies.
+std::vector<bool> carriages(const model::Tree& tree) {
+  std::vector<bool> result;
+  for (const model::Link& link : tree.links) {
+    const bool on_ground =
+        link.father == model::kGround || result[static_cast<std::size_t>(link.father)];
+    result.push_back(on_ground && link.inertia.mass == 0);
   }
-  for (const std::string& name : reaction_names(scene)) {
-    result.push_back(fmt::format("R[{}]", name));
-  }
-  result.insert(result.end(), {"kinetic_energy", "potential_energy", "energy", "drift"});
   return result;
 }
 
@@ -30,14 +27,22 @@ std::vector<std::string> columns_of(const model::Scene& scene) {
 Figure figure_of(const model::Scene& scene) {
   Figure figure;
   const model::Tree& tree = scene.tree;
+  const std::vector<bool> carries = carriages(tree);
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     figure.names.push_back(tree.links[i].name);
-    if (tree.links[i].father != model::kGround) {
-      figure.lines.emplace_back(tree.links[i].father, static_cast<int>(i));
+    const int father = tree.links[i].father;
+    if (father != model::kGround && !carries[static_cast<std::size_t>(father)]) {
+      figure.lines.emplace_back(father, static_cast<int>(i));
+    }
+    if (!carries[i]) {
+      figure.visible.push_back(static_cast<int>(i));
     }
   }
   const auto add = [&](const std::string& name, int link) {
-    figure.lines.emplace_back(link, static_cast<int>(figure.names.size()));
+    if (!carries[static_cast<std::size_t>(link)]) {
+      figure.lines.emplace_back(link, static_cast<int>(figure.names.size()));
+    }
+    figure.visible.push_back(static_cast<int>(figure.names.size()));
     figure.names.push_back(name);
   };
   for (const model::Point& point : scene.points) {
@@ -57,7 +62,9 @@ class Recorder {
  public:
   Recorder(const model::Scene& scene, Simulator& simulator)
       : scene_(scene), simulator_(simulator), pose_(scene.tree, scene.gravity) {
-    recording_.columns = columns_of(scene);
+    for (const Column& column : columns_of(scene)) {
+      recording_.columns.push_back(column.name);
+    }
     recording_.figure = figure_of(scene);
   }
 
@@ -75,6 +82,7 @@ class Recorder {
     row.values.insert(row.values.end(), q.begin(), q.end());
     row.values.insert(row.values.end(), qd.begin(), qd.end());
     add_reactions(row.values);
+    add_forces(q, qd, row.values);
     System& system = simulator_.system();
     const double kinetic = pose_.kinetic_energy() + system.armature_energy(qd);
     const double potential = pose_.potential_energy() + system.elastic_energy(q);
@@ -91,6 +99,7 @@ class Recorder {
     recording_.energy_error = simulator_.monitor().unexplained();
     recording_.energy_part = simulator_.monitor().energy_error();
     recording_.residual = simulator_.monitor().largest_residual();
+    recording_.size = simulator_.monitor().size();
     recording_.drift = simulator_.monitor().largest_drift();
     return std::move(recording_);
   }
@@ -109,6 +118,18 @@ class Recorder {
       }
       for (int k = 0; k < rows; ++k) {
         values.push_back(first < constraints.rows() ? lambda[first + k] : 0);
+      }
+    }
+  }
+
+  void add_forces(const Vector& q, const Vector& qd, std::vector<double>& values) {
+    System& system = simulator_.system();
+    const Terms& terms = system.geometry(q);
+    system.forces().append_forces(terms, {simulator_.time(), q, qd}, values);
+    for (const model::Point& point : scene_.points) {
+      if (point.link != model::kGround) {
+        const Eigen::Vector3d p = pose_.point(point.link, vector_of(point.at));
+        values.insert(values.end(), p.begin(), p.end());
       }
     }
   }

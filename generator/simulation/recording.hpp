@@ -21,10 +21,11 @@ struct Row {
 struct Figure {
   std::vector<std::string> names;
   std::vector<std::pair<int, int>> lines;
+  std::vector<int> visible;  ///< nodes that are bodies or points, not joints in space
 };
 
 struct Recording {
-  std::vector<std::string> columns;  ///< behind t and phase: q[joint], qd[joint], R[..], ..
+  std::vector<std::string> columns;  ///< behind t and phase: simulation::columns_of
   std::vector<Row> rows;             ///< at equal intervals, before and after every event
   std::vector<EventRecord> events;
   Figure figure;
@@ -33,6 +34,7 @@ struct Recording {
   double energy_error = 0;      ///< at the end, that no force explains, J
   double energy_part = 0;       ///< the largest, as a part of what was exchanged
   double residual = 0;          ///< largest of the row equations
+  double size = 1;              ///< of the robot, m
   double drift = 0;             ///< largest position error of a row that acts, m or rad
   std::string stopped;          ///< why the motion ends early; empty: it does not
 };

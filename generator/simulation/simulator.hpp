@@ -37,7 +37,9 @@ inline constexpr double kHopeless = 1e8;
 /// What one event of a phase did.
 struct EventRecord {
   double time = 0;
-  int phase = 0;  ///< the one that ended
+  int phase = 0;     ///< the one that ended
+  std::string name;  ///< event_name
+  int then = 0;      ///< the phase that follows
   Vector q;
   Vector qd_before;
   Vector qd_after;

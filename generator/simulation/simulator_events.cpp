@@ -240,7 +240,10 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
 
 void Simulator::fire(const model::Event& event) {
   guard_against_pile();
-  EventRecord record{t_, phase_, q(), qd(), qd(), {}};
+  const std::vector<model::Event>& all = scene_.phases[static_cast<std::size_t>(phase_)].until;
+  const auto index = static_cast<std::size_t>(&event - all.data());
+  EventRecord record{t_,   phase_, event_name(scene_, phase_, index), event.then, q(), qd(),
+                     qd(), {}};
   std::vector<int> active = scene_.phases[static_cast<std::size_t>(event.then)].active;
   if (event.impact && strike(event, record)) {
     const std::vector<int>& resting = event.impact->constraints;
