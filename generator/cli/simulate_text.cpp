@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/simulate.hpp"
 #include "emit/json.hpp"
-#include "simulate.hpp"
 
 namespace treedyn {
 
