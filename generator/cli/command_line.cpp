@@ -85,6 +85,14 @@ void add_simulate(CLI::App& app, Settings& settings) {
   add_positive(command, "--tolerance", "error of a step of an adaptive integrator", "T",
                request.tolerance);
   add_positive(command, "--duration", "s", "T", request.duration);
+  add_positive(command, "--drift-limit",
+               "end where a constraint is further off: rad, or parts of the robot's size; default "
+               "0.01",
+               "D", request.drift_limit);
+  add_positive(command, "--energy-limit",
+               "end where more energy appears without power: parts of what the motion has "
+               "exchanged; default 1",
+               "E", request.energy_limit);
   command
       .add_option_function<std::string>(
           "--drift",

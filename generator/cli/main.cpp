@@ -158,13 +158,17 @@ class Progress {
 int run_simulate(const Settings& settings) {
   std::signal(SIGINT, [](int) { interrupted = true; });  // what was computed is written
   Progress progress;
-  const SimulateResult result = simulate(settings.simulation, std::ref(progress));
+  SimulateRequest request = settings.simulation;
+  request.timed = settings.verbose;
+  const SimulateResult result = simulate(request, std::ref(progress));
   progress.end();
-  if (result.moved > 1e-6 && !settings.quiet) {
-    print_error(
-        fmt::format("{}: warning: the initial state was moved by {:.2g} onto the "
-                    "constraints\n",
-                    settings.simulation.scene, result.moved));
+  for (const std::string& warning : warnings_of(result)) {
+    if (!settings.quiet) {
+      print_error(fmt::format("{}: warning: {}\n", settings.simulation.scene, warning));
+    }
+  }
+  for (const std::string& fact : facts_of(result)) {
+    trace_of(settings)(fact);
   }
   print(write_simulation(settings.simulation, result));
   if (!result.recording.stopped.empty()) {
@@ -174,8 +178,6 @@ int run_simulate(const Settings& settings) {
                     result.recording.rows.back().t, result.recording.stopped,
                     static_cast<double>(result.scene.duration)));
   }
-  trace_of(settings)(fmt::format("{} steps, {} states, {} events", result.recording.steps,
-                                 result.recording.rows.size(), result.recording.events.size()));
   return 0;
 }
 

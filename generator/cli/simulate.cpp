@@ -1,5 +1,6 @@
 #include "cli/simulate.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 
@@ -38,6 +39,12 @@ simulation::Settings settings_of(const SimulateRequest& request, const model::St
   result.tolerance = static_cast<double>(stepping.tolerance);
   result.drift = stepping.drift;
   result.stabilisation = static_cast<double>(stepping.stabilisation);
+  if (request.drift_limit) {
+    result.bounds.drift_end = static_cast<double>(*request.drift_limit);
+  }
+  if (request.energy_limit) {
+    result.bounds.energy_end = static_cast<double>(*request.energy_limit);
+  }
   return result;
 }
 
@@ -66,16 +73,23 @@ std::unique_ptr<simulation::Dynamics> dynamics_of(const SimulateRequest& request
 }  // namespace
 
 SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress) {
-  SimulateResult result{description::read_scene(request.scene), {}, 0};
+  SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, 0};
   apply(request, result.scene);
   check(request, result.scene);
   const std::unique_ptr<simulation::Dynamics> dynamics = dynamics_of(request, result.scene);
+  result.operations = dynamics->operations();
   try {
     simulation::Simulator simulator(result.scene, *dynamics,
                                     settings_of(request, result.scene.stepping));
     result.moved = simulator.settle();
+    result.stability = simulator.stability(*dynamics);
+    const auto start = std::chrono::steady_clock::now();
     result.recording =
         simulation::record(result.scene, simulator, output_step(result.scene), progress);
+    if (request.timed) {
+      result.seconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
   } catch (const std::runtime_error& problem) {
     throw InputError({request.scene, 0, 0}, fmt::format("{}; expected a motion", problem.what()));
   }

@@ -18,22 +18,33 @@ struct SimulateRequest {
   bool report = false;
   bool engine = false;    ///< the generic engine evaluates the dynamics
   bool compiled = false;  ///< generated functions, compiled, do
+  bool timed = false;     ///< the run is timed
   std::optional<std::string> integrator;
   std::optional<Real> step;
   std::optional<Real> tolerance;
   std::optional<Real> duration;
   std::optional<model::Drift> drift;
+  std::optional<Real> drift_limit;   ///< instead of Bounds::drift_end
+  std::optional<Real> energy_limit;  ///< instead of Bounds::energy_end
 };
 
 /// Files of one simulation.
 struct SimulateResult {
   model::Scene scene;
   simulation::Recording recording;
-  double moved = 0;  ///< how far the initial state was from the constraints
+  double moved = 0;                 ///< how far the initial state was from the constraints
+  simulation::Stability stability;  ///< of the initial state
+  std::optional<double> seconds;    ///< that the run took, if it was asked for
+  long operations = 0;              ///< of one evaluation of the terms, sin and cos among them
 };
 
 /// Reads and runs the scene. \throws InputError for mistakes in it
 SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress);
+
+/// What went wrong, a line each: the initial state that was moved, and what a step noticed.
+std::vector<std::string> warnings_of(const SimulateResult& result);
+/// What `-v` says: the cost, how well promises were kept, and the stable steps of all integrators.
+std::vector<std::string> facts_of(const SimulateResult& result);
 
 /// t, phase and the columns of the recording; RFC 4180, numbers that read back exactly.
 std::string csv_text(const SimulateResult& result);

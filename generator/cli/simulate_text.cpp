@@ -1,17 +1,18 @@
 // The results of a simulation as text.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "cli/simulate.hpp"
 #include "emit/json.hpp"
-#include "emit/template_file.hpp"
 
 namespace treedyn {
 
 namespace {
+
+/// A change of the initial state that is worth a warning, m, rad or their rates.
+constexpr double kMoved = 1e-6;
 
 /// A field in quotes if it needs them.
 std::string csv_field(const std::string& text) {
@@ -55,10 +56,75 @@ const std::string& phase_name(const SimulateResult& result, int phase) {
 std::string event_json(const SimulateResult& result, const simulation::EventRecord& event) {
   return emit::json_object({{"t", json_number(event.time)},
                             {"phase", emit::json_string(phase_name(result, event.phase))},
+                            {"event", emit::json_string(event.name)},
                             {"q", json_numbers(event.q)},
                             {"qd_before", json_numbers(event.qd_before)},
                             {"qd_after", json_numbers(event.qd_after)},
                             {"impulse", json_numbers(event.impulse)}});
+}
+
+double seconds_for_a_second(const SimulateResult& result) {
+  const double motion = result.recording.rows.back().t - static_cast<double>(result.scene.t0);
+  return result.seconds.value_or(0) / std::max(motion, 1e-300);
+}
+
+std::string notice_json(const simulation::Notice& notice) {
+  return emit::json_object({{"kind", emit::json_string(notice.kind)},
+                            {"name", emit::json_string(notice.name)},
+                            {"t", json_number(notice.time)},
+                            {"value", json_number(notice.value)},
+                            {"bound", json_number(notice.bound)},
+                            {"worst", json_number(notice.worst)},
+                            {"worst_t", json_number(notice.worst_time)},
+                            {"unit", emit::json_string(notice.unit)},
+                            {"text", emit::json_string(simulation::to_string(notice))}});
+}
+
+std::string warnings_json(const SimulateResult& result) {
+  std::vector<std::string> lines;
+  if (result.moved > kMoved) {
+    lines.push_back(emit::json_object({{"kind", "\"initial\""},
+                                       {"name", "\"\""},
+                                       {"t", json_number(static_cast<double>(result.scene.t0))},
+                                       {"value", json_number(result.moved)},
+                                       {"bound", json_number(kMoved)},
+                                       {"text", emit::json_string(warnings_of(result).front())}}));
+  }
+  for (const simulation::Notice& notice : result.recording.notices) {
+    lines.push_back(notice_json(notice));
+  }
+  return emit::json_lines(lines, 4);
+}
+
+/// Wall time changes from run to run: only where it is asked for.
+std::string cost_json(const SimulateResult& result) {
+  const simulation::Cost& cost = result.recording.cost;
+  std::vector<std::pair<std::string, std::string>> members = {
+      {"evaluations", std::to_string(cost.evaluations)},
+      {"rejected_steps", std::to_string(cost.rejected)},
+      {"operations_of_an_evaluation", std::to_string(result.operations)},
+      {"operations", std::to_string(result.operations * cost.evaluations)}};
+  if (result.seconds) {
+    members.emplace_back("seconds_for_a_second", json_number(seconds_for_a_second(result)));
+  }
+  return emit::json_object(members);
+}
+
+std::string kept_json(const SimulateResult& result) {
+  const simulation::Recording& recording = result.recording;
+  return emit::json_object({{"unexplained_energy", json_number(recording.energy_error)},
+                            {"unexplained_energy_part", json_number(recording.energy_part)},
+                            {"largest_residual", json_number(recording.residual)},
+                            {"largest_drift", json_number(recording.drift)}});
+}
+
+/// null: stable at any step.
+std::string stable_json(const SimulateResult& result) {
+  std::vector<std::pair<std::string, std::string>> members;
+  for (const simulation::StabilityLimit& limit : result.stability.limits) {
+    members.emplace_back(limit.integrator, limit.step ? json_number(*limit.step) : "null");
+  }
+  return emit::json_object(members);
 }
 
 std::string row_json(const SimulateResult& result, const simulation::Row& row) {
@@ -70,63 +136,43 @@ std::string row_json(const SimulateResult& result, const simulation::Row& row) {
   return text + "]";
 }
 
-/// Short numbers, enough for a picture.
-template <class List>
-std::string short_numbers(const List& values) {
-  std::string result;
-  for (const double value : values) {
-    result += result.empty() ? "" : ",";
-    result += std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
-  }
-  return "[" + result + "]";
-}
-
-std::string short_row(const simulation::Row& row) {
-  std::vector<double> nodes;
-  for (const Eigen::Vector3d& node : row.nodes) {
-    nodes.insert(nodes.end(), {node[0], node[1], node[2]});
-  }
-  return fmt::format("[{:.9g},{},{},{}]", row.t, row.phase, short_numbers(row.values),
-                     short_numbers(nodes));
-}
-
-/// What the page shows, as JSON that may stand inside a script element.
-std::string report_data(const SimulateResult& result) {
-  const simulation::Recording& recording = result.recording;
-  std::vector<std::string> phases;
-  for (const model::Phase& phase : result.scene.phases) {
-    phases.push_back(phase.name);
-  }
-  std::string lines;
-  for (const auto& [a, b] : recording.figure.lines) {
-    lines += fmt::format("{}[{},{}]", lines.empty() ? "" : ",", a, b);
-  }
-  std::string rows;
-  for (const simulation::Row& row : recording.rows) {
-    rows += (rows.empty() ? "" : ",\n") + short_row(row);
-  }
-  const std::string text = fmt::format(
-      "{{\"scene\": {}, \"dof\": {}, \"links\": {}, \"stopped\": {},\n\"columns\": {},\n"
-      "\"phases\": {},\n\"names\": {},\n\"lines\": [{}],\n\"rows\": [\n{}]}}",
-      emit::json_string(result.scene.name), result.scene.tree.dof(), result.scene.tree.size(),
-      emit::json_string(recording.stopped), json_strings(recording.columns), json_strings(phases),
-      json_strings(recording.figure.names), lines, rows);
-  std::string safe;
-  for (const char c : text) {  // no name ends the script
-    safe += c == '<' ? "\\u003c" : std::string(1, c);
-  }
-  return safe;
-}
-
-std::string html_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return result;
-}
-
 }  // namespace
+
+std::vector<std::string> warnings_of(const SimulateResult& result) {
+  std::vector<std::string> lines;
+  if (result.moved > kMoved) {
+    lines.push_back(
+        fmt::format("the initial state was moved by {:.2g} onto the constraints", result.moved));
+  }
+  for (const simulation::Notice& notice : result.recording.notices) {
+    lines.push_back(simulation::to_string(notice));
+  }
+  return lines;
+}
+
+std::vector<std::string> facts_of(const SimulateResult& result) {
+  const simulation::Recording& recording = result.recording;
+  std::vector<std::string> lines = {
+      fmt::format("{} steps, {} states, {} events; {} steps rejected", recording.cost.steps,
+                  recording.rows.size(), recording.events.size(), recording.cost.rejected),
+      fmt::format("{} evaluations of {} operations each: {:.3g} in all", recording.cost.evaluations,
+                  result.operations,
+                  static_cast<double>(result.operations * recording.cost.evaluations)),
+      fmt::format("energy that no force explains: {:.3g} J at the end, at most {:.3g} of what the "
+                  "motion has exchanged; largest residual {:.3g}, drift {:.3g}",
+                  recording.energy_error, recording.energy_part, recording.residual,
+                  recording.drift)};
+  for (const simulation::StabilityLimit& limit : result.stability.limits) {
+    lines.push_back(limit.step ? fmt::format("{} is stable up to steps of {:.3g} s here",
+                                             limit.integrator, *limit.step)
+                               : fmt::format("{} is stable at any step here", limit.integrator));
+  }
+  if (result.seconds) {
+    lines.push_back(
+        fmt::format("{:.3g} s of computing for a second of motion", seconds_for_a_second(result)));
+  }
+  return lines;
+}
 
 std::string csv_text(const SimulateResult& result) {
   std::string text = "t,phase";
@@ -157,16 +203,13 @@ std::string json_text(const SimulateResult& result) {
   }
   return fmt::format(
       "{{\n  \"scene\": {},\n  \"model\": {},\n  \"integrator\": {},\n  \"steps\": {},\n"
-      "  \"stopped\": {},\n  \"columns\": {},\n  \"events\": {},\n  \"rows\": {}\n}}\n",
+      "  \"stopped\": {},\n  \"warnings\": {},\n  \"cost\": {},\n  \"kept\": {},\n"
+      "  \"stable_steps\": {},\n  \"columns\": {},\n  \"events\": {},\n  \"rows\": {}\n}}\n",
       emit::json_string(result.scene.name), emit::json_string(result.scene.tree.name),
-      emit::json_string(result.scene.stepping.integrator), result.recording.steps,
-      emit::json_string(result.recording.stopped), json_strings(columns),
-      emit::json_lines(events, 4), emit::json_lines(rows, 4));
-}
-
-std::string report_text(const SimulateResult& result) {
-  return emit::fill(emit::template_text("report.html"),
-                    {{"scene", html_text(result.scene.name)}, {"data", report_data(result)}});
+      emit::json_string(result.scene.stepping.integrator), result.recording.cost.steps,
+      emit::json_string(result.recording.stopped), warnings_json(result), cost_json(result),
+      kept_json(result), stable_json(result), json_strings(columns), emit::json_lines(events, 4),
+      emit::json_lines(rows, 4));
 }
 
 }  // namespace treedyn

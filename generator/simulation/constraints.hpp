@@ -23,6 +23,8 @@ class Constraints {
   [[nodiscard]] bool is_force(int row) const;
   [[nodiscard]] const Eigen::Vector3d& direction(int row) const { return at(row).d; }
   [[nodiscard]] int constraint(int row) const { return at(row).item; }
+  /// Which of its constraint's rows it is.
+  [[nodiscard]] std::size_t number(int row) const { return at(row).number; }
   /// False for rows that state their acceleration: they have no position.
   [[nodiscard]] bool is_held(int row) const { return item(at(row).item).accelerations.empty(); }
 

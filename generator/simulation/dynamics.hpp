@@ -60,6 +60,8 @@ class Dynamics {
   virtual void evaluate(const Vector& q, const Vector& qd, Terms& terms) = 0;
   /// Only p, C, R, H.
   virtual void evaluate_geometry(const Vector& q, Terms& terms) = 0;
+  /// Of one `evaluate`, sines and cosines among them; 0 if they are not counted.
+  [[nodiscard]] virtual long operations() const { return 0; }
 };
 
 }  // namespace treedyn::simulation

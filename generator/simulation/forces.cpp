@@ -48,6 +48,11 @@ double ContactLaw::energy(const Eigen::Vector3d& p) const {
   return k_ * std::pow(d, n_ + 1) / (n_ + 1);
 }
 
+double ContactLaw::energy_rate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const {
+  const double d = law_ ? 0 : std::max(0.0, -plane_.height(p));
+  return -k_ * std::pow(d, n_) * plane_.normal().dot(v);
+}
+
 Forces::Forces(const model::Scene& scene) : tau_(Vector::Zero(scene.tree.dof())) {
   for (std::size_t k = 0; k < scene.tau.size(); ++k) {
     tau_[static_cast<Eigen::Index>(k)] = value(scene.tau[k]);
@@ -55,6 +60,7 @@ Forces::Forces(const model::Scene& scene) : tau_(Vector::Zero(scene.tree.dof()))
   for (const model::JointSpring& s : scene.joint_springs) {
     joint_springs_.push_back({s.joint, value(s.stiffness), value(s.damping), value(s.rest)});
   }
+  springs_ = joint_springs_.size();
   for (const model::PointSpring& s : scene.point_springs) {
     point_springs_.push_back(
         {s.point, vector_of(s.anchor), value(s.stiffness), value(s.damping), value(s.rest_length)});
@@ -174,6 +180,51 @@ double Forces::elastic_energy(const Vector& q, const VectorMap& p) const {
     energy += contact.energy(p.segment<3>(3 * contact.point()));
   }
   return energy;
+}
+
+void Forces::append_forces(const Terms& terms, const State& state, std::vector<double>& values) {
+  for (const Motor& motor : motors_) {
+    values.push_back(value_of(motor.torque, state));
+  }
+  for (std::size_t k = 0; k < springs_; ++k) {
+    const JointSpring& s = joint_springs_[k];
+    values.push_back(-s.k * (state.q[s.joint] - s.rest) - s.d * state.qd[s.joint]);
+  }
+  if (!terms.needs().points) {
+    return;
+  }
+  v_.noalias() = terms.C().transpose() * state.qd;
+  const auto p = terms.p();
+  for (const PointSpring& s : point_springs_) {
+    const Eigen::Vector3d line = p.segment<3>(3 * s.point) - s.anchor;
+    const double l = line.norm();
+    const double rate = l > 0 ? line.dot(v_.segment<3>(3 * s.point)) / l : 0;
+    values.push_back(s.k * (l - s.length) + s.d * rate);
+  }
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const int at = 3 * contacts_[k].point();
+    const Eigen::Vector3d f = touching_[k] ? contacts_[k].force(p.segment<3>(at), v_.segment<3>(at))
+                                           : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    values.insert(values.end(), f.begin(), f.end());
+  }
+}
+
+double Forces::elastic_power(const Terms& terms, const State& state) const {
+  double power = 0;
+  for (const JointSpring& s : joint_springs_) {
+    power += s.k * (state.q[s.joint] - s.rest) * state.qd[s.joint];
+  }
+  const auto p = terms.p();
+  for (const PointSpring& s : point_springs_) {
+    const Eigen::Vector3d line = p.segment<3>(3 * s.point) - s.anchor;
+    const double l = line.norm();
+    power += l > 0 ? s.k * (l - s.length) * line.dot(v_.segment<3>(3 * s.point)) / l : 0;
+  }
+  for (const ContactLaw& contact : contacts_) {
+    const int at = 3 * contact.point();
+    power += contact.energy_rate(p.segment<3>(at), v_.segment<3>(at));
+  }
+  return power;
 }
 
 }  // namespace treedyn::simulation

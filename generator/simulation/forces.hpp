@@ -18,6 +18,7 @@ class PlaneValues {
       : normal_(vector_of(plane.normal)), height_(static_cast<double>(plane.height)) {}
   [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }
   [[nodiscard]] double height(const Eigen::Vector3d& p) const { return normal_.dot(p) - height_; }
+  void raise(double by) { height_ += by; }
 
  private:
   Eigen::Vector3d normal_;
@@ -34,6 +35,10 @@ class ContactLaw {
   [[nodiscard]] const PlaneValues& plane() const { return plane_; }
   /// Elastic energy, J; 0 for a law of the user.
   [[nodiscard]] double energy(const Eigen::Vector3d& p) const;
+  /// Its rate, W.
+  [[nodiscard]] double energy_rate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const;
+  /// Moves the plane along its normal, m.
+  void raise(double by) { plane_.raise(by); }
 
  private:
   int point_;
@@ -51,10 +56,17 @@ class Forces {
   void generalized(const Terms& terms, const State& state, Vector& Q);
   /// Energy of springs and of the elastic part of contacts, J. \param p  points, 3 P
   [[nodiscard]] double elastic_energy(const Vector& q, const VectorMap& p) const;
+  /// Forces one by one, behind `values`: drives, springs of joints, springs of points (positive
+  /// towards the anchor), contacts (x, y, z, base frame).
+  void append_forces(const Terms& terms, const State& state, std::vector<double>& values);
+  /// The rate of this energy, W, after `generalized` in the same state.
+  [[nodiscard]] double elastic_power(const Terms& terms, const State& state) const;
   [[nodiscard]] const std::vector<ContactLaw>& contacts() const { return contacts_; }
   /// Whether a contact pushes below its plane; all do until they are told otherwise. A motion that
   /// switches contacts where they begin and end is smooth in between.
   void touch(std::size_t contact, bool touches) { touching_[contact] = touches; }
+  /// Moves the plane of a contact along its normal, m.
+  void raise(std::size_t contact, double by) { contacts_[contact].raise(by); }
 
  private:
   struct JointSpring {
@@ -87,7 +99,8 @@ class Forces {
                                      const State& state) const;
 
   Vector tau_;
-  std::vector<JointSpring> joint_springs_;
+  std::vector<JointSpring> joint_springs_;  ///< viscous frictions behind the springs
+  std::size_t springs_ = 0;
   std::vector<Friction> frictions_;
   std::vector<Motor> motors_;
   std::vector<PointSpring> point_springs_;

@@ -38,8 +38,10 @@ class SemiImplicitEuler final : public Integrator {
     error.resize(0);
   }
   [[nodiscard]] int error_order() const override { return 0; }
+  [[nodiscard]] const std::vector<double>& weights() const override { return weights_; }
 
  private:
+  std::vector<double> weights_ = {1};
   Vector k_;
 };
 
@@ -56,8 +58,10 @@ class Rk4 final : public Integrator {
     error.resize(0);
   }
   [[nodiscard]] int error_order() const override { return 0; }
+  [[nodiscard]] const std::vector<double>& weights() const override { return weights_; }
 
  private:
+  std::vector<double> weights_ = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
   Vector k1_, k2_, k3_, k4_;
 };
 
@@ -70,6 +74,7 @@ class FixedDopri5 final : public Integrator {
     error.resize(0);
   }
   [[nodiscard]] int error_order() const override { return 0; }
+  [[nodiscard]] const std::vector<double>& weights() const override { return method_->weights(); }
 
  private:
   std::unique_ptr<Integrator> method_ = make_dopri5();
@@ -81,32 +86,41 @@ class Sdirk2 final : public Integrator {
   void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
             Vector& error) override {
     const double gamma = 1 - std::sqrt(0.5);
-    rate(t, y, k1_);
+    weights_.clear();
+    call(rate, t, y, k1_);
     factor(rate, t, h * gamma, y);
     stage(rate, t + gamma * h, h * gamma, y, k1_);
+    weights_.back() = 1 - gamma;
     k2_ = k1_;
     stage(rate, t + h, h * gamma, y + h * (1 - gamma) * k1_, k2_);
+    weights_.back() = gamma;
     result = y + h * ((1 - gamma) * k1_ + gamma * k2_);
     error.resize(0);
   }
   [[nodiscard]] int error_order() const override { return 0; }
+  [[nodiscard]] const std::vector<double>& weights() const override { return weights_; }
 
  private:
+  void call(const Rate& rate, double t, const Vector& y, Vector& dy) {
+    rate(t, y, dy);
+    weights_.push_back(0);
+  }
+
   /// E - h gamma df/dy where the motion goes, by differences in this direction: at the edge of a
   /// contact these see the contact.
   void factor(const Rate& rate, double t, double hg, const Vector& y) {
     Vector f;
-    rate(t, y, rate_);
-    rate(t, y + hg * rate_, f);
+    call(rate, t, y, rate_);
+    call(rate, t, y + hg * rate_, f);
     Vector moved = y + hg * f;
     const Vector ahead = f;
-    rate(t, moved, rate_);
+    call(rate, t, moved, rate_);
     Eigen::MatrixXd M = Eigen::MatrixXd::Identity(y.size(), y.size());
     for (Eigen::Index k = 0; k < y.size(); ++k) {
       const double x = moved[k];
       const double d = std::copysign(kDifference * std::max(1.0, std::fabs(x)), ahead[k]);
       moved[k] = x + d;
-      rate(t, moved, f);
+      call(rate, t, moved, f);
       M.col(k) -= hg / d * (f - rate_);
       moved[k] = x;
     }
@@ -119,7 +133,7 @@ class Sdirk2 final : public Integrator {
     for (int jacobian = 0; jacobian < kJacobians; ++jacobian) {
       double last = 0;
       for (int n = 0; n < kNewtonSteps; ++n) {
-        rate(t, y + hg * k, rate_);
+        call(rate, t, y + hg * k, rate_);
         const Vector change = lu_.solve(rate_ - k);
         k += change;
         last = hg * change.norm() / (1 + y.norm());  // of the state that it makes
@@ -137,6 +151,7 @@ class Sdirk2 final : public Integrator {
 
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   Vector rate_, k1_, k2_;
+  std::vector<double> weights_;
 };
 
 template <class Method>

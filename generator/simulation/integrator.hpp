@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "model/scene.hpp"
 #include "simulation/dynamics.hpp"
@@ -23,6 +24,9 @@ class Integrator {
                     Vector& error) = 0;
   /// Order of the error estimate, by which the step is chosen; 0: fixed steps only.
   [[nodiscard]] virtual int error_order() const = 0;
+  /// One weight b for every call of `rate` in the last step: h sum b g(call) is the integral of a
+  /// function g along the step by the method's own quadrature.
+  [[nodiscard]] virtual const std::vector<double>& weights() const = 0;
 };
 
 struct IntegratorRow {

@@ -16,6 +16,16 @@ void copy(const State& from, Vector& to) {
   to = VectorMap(from.data(), static_cast<Eigen::Index>(from.size()));
 }
 
+/// b of the stages; the last of Dormand and Prince's is the first of the next step.
+const std::vector<double>& weights_of_order(int order) {
+  static const std::vector<double> dopri5 = {
+      35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84, 0};
+  static const std::vector<double> fehlberg78 = {
+      0,        0,         0,         0, 0,          34.0 / 105, 9.0 / 35,
+      9.0 / 35, 9.0 / 280, 9.0 / 280, 0, 41.0 / 840, 41.0 / 840};
+  return order == 4 ? dopri5 : fehlberg78;
+}
+
 template <class Stepper, int order>
 class OdeintIntegrator final : public Integrator {
  public:
@@ -36,6 +46,9 @@ class OdeintIntegrator final : public Integrator {
     copy(error_, error);
   }
   [[nodiscard]] int error_order() const override { return order; }
+  [[nodiscard]] const std::vector<double>& weights() const override {
+    return weights_of_order(order);
+  }
 
  private:
   template <class System>

@@ -6,40 +6,20 @@
 
 #include <fmt/format.h>
 
+#include "simulation/names.hpp"
+
 namespace treedyn::simulation {
 
 namespace {
 
-std::string joint_name(const model::Tree& tree, int coordinate) {
-  const int link = tree.coordinates[static_cast<std::size_t>(coordinate)];
-  return tree.links[static_cast<std::size_t>(link)].joint.name;
-}
-
-/// x, y, z for an axis, else a number from 1.
-std::string direction_name(const model::Constraint& constraint, std::size_t row) {
-  if (constraint.kind == model::ConstraintKind::kJoint) {
-    return "";
+/// Links without mass between the ground and the first that has some: joints in space, no bodies.
+std::vector<bool> carriages(const model::Tree& tree) {
+  std::vector<bool> result;
+  for (const model::Link& link : tree.links) {
+    const bool on_ground =
+        link.father == model::kGround || result[static_cast<std::size_t>(link.father)];
+    result.push_back(on_ground && link.inertia.mass == 0);
   }
-  const model::Vector3& d = constraint.directions[row];
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (d[k] == 1 && d[(k + 1) % 3] == 0 && d[(k + 2) % 3] == 0) {
-      return std::string(".") + "xyz"[k];
-    }
-  }
-  return fmt::format(".{}", row + 1);
-}
-
-std::vector<std::string> columns_of(const model::Scene& scene) {
-  std::vector<std::string> result;
-  for (const char* const name : {"q", "qd"}) {
-    for (int k = 0; k < scene.tree.dof(); ++k) {
-      result.push_back(fmt::format("{}[{}]", name, joint_name(scene.tree, k)));
-    }
-  }
-  for (const std::string& name : reaction_names(scene)) {
-    result.push_back(fmt::format("R[{}]", name));
-  }
-  result.insert(result.end(), {"kinetic_energy", "potential_energy", "energy", "drift"});
   return result;
 }
 
@@ -47,14 +27,22 @@ std::vector<std::string> columns_of(const model::Scene& scene) {
 Figure figure_of(const model::Scene& scene) {
   Figure figure;
   const model::Tree& tree = scene.tree;
+  const std::vector<bool> carries = carriages(tree);
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     figure.names.push_back(tree.links[i].name);
-    if (tree.links[i].father != model::kGround) {
-      figure.lines.emplace_back(tree.links[i].father, static_cast<int>(i));
+    const int father = tree.links[i].father;
+    if (father != model::kGround && !carries[static_cast<std::size_t>(father)]) {
+      figure.lines.emplace_back(father, static_cast<int>(i));
+    }
+    if (!carries[i]) {
+      figure.visible.push_back(static_cast<int>(i));
     }
   }
   const auto add = [&](const std::string& name, int link) {
-    figure.lines.emplace_back(link, static_cast<int>(figure.names.size()));
+    if (!carries[static_cast<std::size_t>(link)]) {
+      figure.lines.emplace_back(link, static_cast<int>(figure.names.size()));
+    }
+    figure.visible.push_back(static_cast<int>(figure.names.size()));
     figure.names.push_back(name);
   };
   for (const model::Point& point : scene.points) {
@@ -74,12 +62,19 @@ class Recorder {
  public:
   Recorder(const model::Scene& scene, Simulator& simulator)
       : scene_(scene), simulator_(simulator), pose_(scene.tree, scene.gravity) {
-    recording_.columns = columns_of(scene);
+    for (const Column& column : columns_of(scene)) {
+      recording_.columns.push_back(column.name);
+    }
     recording_.figure = figure_of(scene);
   }
 
   /// The state now. \param at_time, phase  where it belongs
   void add_row(int phase) {
+    if (!recording_.rows.empty() && recording_.rows.back().t == simulator_.time() &&
+        recording_.rows.back().phase == phase && recorded_events_ == simulator_.events().size()) {
+      return;  // a row of the table right before an event
+    }
+    recorded_events_ = simulator_.events().size();
     Row row{simulator_.time(), phase, {}, {}};
     const Vector q = simulator_.q();
     const Vector qd = simulator_.qd();
@@ -87,6 +82,7 @@ class Recorder {
     row.values.insert(row.values.end(), q.begin(), q.end());
     row.values.insert(row.values.end(), qd.begin(), qd.end());
     add_reactions(row.values);
+    add_forces(q, qd, row.values);
     System& system = simulator_.system();
     const double kinetic = pose_.kinetic_energy() + system.armature_energy(qd);
     const double potential = pose_.potential_energy() + system.elastic_energy(q);
@@ -98,7 +94,13 @@ class Recorder {
 
   Recording finish() {
     recording_.events = simulator_.events();
-    recording_.steps = simulator_.steps();
+    recording_.cost = simulator_.cost();
+    recording_.notices = simulator_.monitor().notices();
+    recording_.energy_error = simulator_.monitor().unexplained();
+    recording_.energy_part = simulator_.monitor().energy_error();
+    recording_.residual = simulator_.monitor().largest_residual();
+    recording_.size = simulator_.monitor().size();
+    recording_.drift = simulator_.monitor().largest_drift();
     return std::move(recording_);
   }
   Recording& recording() { return recording_; }
@@ -116,6 +118,18 @@ class Recorder {
       }
       for (int k = 0; k < rows; ++k) {
         values.push_back(first < constraints.rows() ? lambda[first + k] : 0);
+      }
+    }
+  }
+
+  void add_forces(const Vector& q, const Vector& qd, std::vector<double>& values) {
+    System& system = simulator_.system();
+    const Terms& terms = system.geometry(q);
+    system.forces().append_forces(terms, {simulator_.time(), q, qd}, values);
+    for (const model::Point& point : scene_.points) {
+      if (point.link != model::kGround) {
+        const Eigen::Vector3d p = pose_.point(point.link, vector_of(point.at));
+        values.insert(values.end(), p.begin(), p.end());
       }
     }
   }
@@ -140,43 +154,30 @@ class Recorder {
   Simulator& simulator_;
   Pose pose_;
   Recording recording_;
+  std::size_t recorded_events_ = 0;
 };
 
 }  // namespace
-
-std::vector<std::string> reaction_names(const model::Scene& scene) {
-  std::vector<std::string> result;
-  for (const model::Constraint& constraint : scene.constraints) {
-    for (std::size_t k = 0; k < constraint.rows(); ++k) {
-      result.push_back(constraint.name + direction_name(constraint, k));
-    }
-  }
-  return result;
-}
 
 Recording record(const model::Scene& scene, Simulator& simulator, double output_step,
                  const Progress& progress) {
   Recorder recorder(scene, simulator);
   const double start = simulator.time();
   const auto duration = static_cast<double>(scene.duration);
-  const auto count = static_cast<long>(std::ceil(duration / output_step * (1 - 1e-12)));
+  const double end = start + duration;
+  std::size_t events = simulator.events().size();
+  simulator.show_at(output_step, [&] { recorder.add_row(simulator.phase()); });
   try {
     recorder.add_row(simulator.phase());
-    for (long k = 1; k <= count; ++k) {
-      const double end =
-          k == count ? start + duration : start + static_cast<double>(k) * output_step;
-      std::size_t events = simulator.events().size();
-      const bool arrived = simulator.advance_to(end, [&] {
-        if (simulator.events().size() != events) {
-          events = simulator.events().size();
-          recorder.add_row(simulator.phase());
-        }
-        return progress((simulator.time() - start) / duration);
-      });
-      if (!arrived) {
-        recorder.recording().stopped = "interrupted";
-        break;
+    const bool arrived = simulator.advance_to(end, [&] {
+      if (simulator.events().size() != events) {
+        events = simulator.events().size();
+        recorder.add_row(simulator.phase());
       }
+      return progress((simulator.time() - start) / duration);
+    });
+    recorder.recording().stopped = arrived ? "" : "interrupted";
+    if (recorder.recording().rows.back().t < simulator.time()) {
       recorder.add_row(simulator.phase());
     }
   } catch (const std::runtime_error& problem) {

@@ -21,15 +21,22 @@ struct Row {
 struct Figure {
   std::vector<std::string> names;
   std::vector<std::pair<int, int>> lines;
+  std::vector<int> visible;  ///< nodes that are bodies or points, not joints in space
 };
 
 struct Recording {
-  std::vector<std::string> columns;  ///< behind t and phase: q[joint], qd[joint], R[..], ..
+  std::vector<std::string> columns;  ///< behind t and phase: simulation::columns_of
   std::vector<Row> rows;             ///< at equal intervals, before and after every event
   std::vector<EventRecord> events;
   Figure figure;
-  long steps = 0;
-  std::string stopped;  ///< why the motion ends early; empty: it does not
+  Cost cost;
+  std::vector<Notice> notices;  ///< warnings of the motion
+  double energy_error = 0;      ///< at the end, that no force explains, J
+  double energy_part = 0;       ///< the largest, as a part of what was exchanged
+  double residual = 0;          ///< largest of the row equations
+  double size = 1;              ///< of the robot, m
+  double drift = 0;             ///< largest position error of a row that acts, m or rad
+  std::string stopped;          ///< why the motion ends early; empty: it does not
 };
 
 /// How far a motion is, between 0 and 1; returns false to stop it.
@@ -39,8 +46,5 @@ using Progress = std::function<bool(double part)>;
 /// \param output_step  s between rows
 Recording record(const model::Scene& scene, Simulator& simulator, double output_step,
                  const Progress& progress);
-
-/// The names of the rows of constraints, one a reaction: "foot.x", "loop.2".
-std::vector<std::string> reaction_names(const model::Scene& scene);
 
 }  // namespace treedyn::simulation

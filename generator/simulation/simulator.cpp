@@ -3,32 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "simulation/time_scale.hpp"
 
 namespace treedyn::simulation {
 
 namespace {
 
-using Kind = Watch::Kind;
-
-/// Factors of the step size: caution, and the largest changes at once.
-constexpr double kCaution = 0.9;
-constexpr double kLeastFactor = 0.2;
-constexpr double kMostFactor = 5;
 /// Projections of an initial state, and the position error (m, rad) that it may keep.
 constexpr int kSettlingSteps = 20;
 constexpr double kSettled = 1e-8;
 /// The velocity error (m/s, rad/s) that it may keep: what a singular position lets go is below it.
 constexpr double kSettledSpeed = 1e-6;
-/// How often a fixed step is halved when it does not lead anywhere.
-constexpr int kHalvings = 20;
-/// The first step behind an event, as a part of the duration: forces may begin there that no error
-/// estimate has seen.
-constexpr double kRestart = 1e-6;
-/// Events at the same instant before it is called a pile.
-constexpr int kMaxPile = 100;
+/// Times that differ by less than this part of a step are the same.
+constexpr double kSameTime = 1e-9;
 
 Vector to_vector(const std::vector<Real>& values) {
   Vector result(static_cast<Eigen::Index>(values.size()));
@@ -37,22 +29,28 @@ Vector to_vector(const std::vector<Real>& values) {
   return result;
 }
 
-Kind kind_of(model::EventKind kind) {
-  switch (kind) {
-    case model::EventKind::kReaction:
-      return Kind::kReaction;
-    case model::EventKind::kTime:
-      return Kind::kTime;
-    case model::EventKind::kExpression:
-      return Kind::kExpression;
-    case model::EventKind::kHeight:
-      break;
+/// Who asks for drift does not want to end by it, unless a bound of his own says so.
+Bounds bounds_of(const Settings& settings) {
+  Bounds result = settings.bounds;
+  if (settings.drift == Drift::kNone && result.drift_end == Bounds{}.drift_end) {
+    result.drift_end = std::numeric_limits<double>::infinity();
   }
-  return Kind::kEvent;
+  return result;
 }
 
 double alpha(const Settings& settings) {
   return settings.drift == Drift::kBaumgarte ? settings.stabilisation : 0;
+}
+
+std::vector<int> turning(const model::Tree& tree) {
+  std::vector<int> result;
+  for (int k = 0; k < tree.dof(); ++k) {
+    const int link = tree.coordinates[static_cast<std::size_t>(k)];
+    if (tree.links[static_cast<std::size_t>(link)].joint.type == model::JointType::kRevolute) {
+      result.push_back(k);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -61,12 +59,15 @@ Simulator::Simulator(const model::Scene& scene, Dynamics& dynamics, const Settin
     : scene_(scene),
       settings_(settings),
       system_(scene, dynamics, alpha(settings)),
+      monitor_(scene, bounds_of(settings)),
       integrator_(make_integrator(settings.integrator)),
       rate_([this](double t, const Vector& y, Vector& dy) { rate(t, y, dy); }),
-      t_(static_cast<double>(scene.t0)),
-      duration_(static_cast<double>(scene.duration)),
+      start_(static_cast<double>(scene.t0)),
+      t_(start_),
       y_(2 * scene.tree.dof()),
-      suggested_(kLongestStep * duration_ / 100) {
+      trial_start_(start_),
+      timed_(timed_expressions(scene)),
+      turning_(turning(scene.tree)) {
   y_ << to_vector(scene.q0), to_vector(scene.qd0);
   phase_start_ = t_;
   start_phase(scene.start_phase, scene.phases[static_cast<std::size_t>(scene.start_phase)].active);
@@ -74,54 +75,30 @@ Simulator::Simulator(const model::Scene& scene, Dynamics& dynamics, const Settin
     stick_or_slip(k);
   }
   build_watches();
+  monitor_.restart_energy(system_, q(), qd());
 }
 
 void Simulator::rate(double t, const Vector& y, Vector& dy) {
   const Eigen::Index n = y.size() / 2;
+  const Solution& solution = system_.accelerate(t, y.head(n), y.tail(n));
+  ++cost_.evaluations;
   dy.resize(y.size());
   dy.head(n) = y.tail(n);
-  dy.tail(n) = system_.accelerate(t, y.head(n), y.tail(n)).qdd;
+  dy.tail(n) = solution.qdd;
+  if (powers_.empty()) {  // every method begins where the step does
+    qdd_ = solution.qdd;
+    if (!looked_) {
+      looked_ = true;
+      monitor_.row_equations(system_, t, last_);
+    }
+  }
+  powers_.push_back(solution.power);
 }
 
-double Simulator::error_ratio(double h) {
-  if (settings_.drift == Drift::kProjection) {
-    system_.remove_normal(t_ + h, next_, error_);
-  }
-  // what the projection corrects is no error
-  const auto scale = 1 + y_.array().abs().max(next_.array().abs());
-  const double ratio = (error_.array().abs() / scale).maxCoeff() / settings_.tolerance;
-  return next_.allFinite() && error_.allFinite() ? ratio : std::numeric_limits<double>::infinity();
-}
-
-/// `next_` after the longest step that meets the tolerance. \return its length
-double Simulator::step(double longest) {
-  const int order = integrator_->error_order();
-  if (order == 0) {
-    double h = longest < settings_.step * (1 + 1e-9) ? longest : settings_.step;
-    integrator_->step(rate_, t_, h, y_, next_, error_);
-    for (int k = 0; k < kHalvings && !next_.allFinite(); ++k) {  // an implicit one found no state
-      h /= 2;
-      integrator_->step(rate_, t_, h, y_, next_, error_);
-    }
-    return h;
-  }
-  const double most = settings_.longest > 0 ? settings_.longest : kLongestStep * duration_;
-  const double least = kShortestStep * duration_;
-  for (double h = std::min({suggested_, most, longest});;) {
-    integrator_->step(rate_, t_, h, y_, next_, error_);
-    const double ratio = error_ratio(h);
-    const double factor = kCaution * std::pow(ratio, -1.0 / (order + 1));
-    if (ratio <= 1 || (h <= least && next_.allFinite())) {
-      const double grown = h * std::clamp(factor, kLeastFactor, kMostFactor);
-      suggested_ = h < longest ? grown : std::max(suggested_, grown);
-      return h;
-    }
-    if (h <= least) {
-      throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", t_));
-    }
-    h = std::max(least, h * std::clamp(factor, kLeastFactor, kCaution));
-    suggested_ = h;
-  }
+/// `next_`, a step of length h from here.
+void Simulator::take(double h) {
+  powers_.clear();
+  integrator_->step(rate_, t_, h, y_, next_, error_);
 }
 
 double Simulator::settle() {
@@ -139,35 +116,82 @@ double Simulator::settle() {
     throw std::runtime_error("no velocity meets the constraints at the initial state");
   }
   build_watches();
+  monitor_.restart_energy(system_, position, velocity);
+  monitor_.positions(system_, t_, position);
   return (y_ - before).cwiseAbs().maxCoeff();
+}
+
+/// Where the next step ends at the latest: the next t0 + k step, or the end.
+double Simulator::goal(double end) const {
+  if (integrator_->error_order() > 0) {
+    return end;
+  }
+  const double k = std::floor((t_ - start_) / settings_.step + kSameTime) + 1;
+  const double next = start_ + k * settings_.step;
+  return next < end - kSameTime * settings_.step ? next : end;
+}
+
+void Simulator::project(double t, Vector& y) {
+  if (settings_.drift == Drift::kProjection) {
+    const Eigen::Index n = y.size() / 2;
+    Vector position = y.head(n);
+    Vector velocity = y.tail(n);
+    system_.project(t, position, velocity);
+    y << position, velocity;
+  }
+}
+
+/// The step of length h that ends in `next_` is done.
+void Simulator::land(double h, double time) {
+  const std::vector<double>& weights = integrator_->weights();
+  const std::size_t calls = std::min(weights.size(), powers_.size());
+  const double work =
+      h * std::inner_product(powers_.begin(), powers_.begin() + static_cast<std::ptrdiff_t>(calls),
+                             weights.begin(), 0.0);
+  if (!next_.allFinite()) {
+    throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", time));
+  }
+  Vector arrived = next_;
+  project(time, arrived);
+  show_between(h, time);
+  t_ = time;
+  y_ = arrived;
+  last_ = h;
+  ++cost_.steps;
+  if (!y_.allFinite()) {
+    throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", t_));
+  }
+  monitor_.drift(system_, t_, q());
+  monitor_.energy(system_, t_, h, q(), qd(), work);
 }
 
 bool Simulator::advance_to(double end, const Observe& observe) {
   while (t_ < end) {
-    begin_watches();
-    const double longest = end - t_;
-    double h = step(longest);
+    looked_ = false;
+    const double goal = this->goal(end);
+    const double longest = goal - t_;
+    const bool fixed = integrator_->error_order() == 0;
+    double h = fixed ? fixed_step(longest) : adaptive_step(longest);
+    if (fixed) {
+      longest_step(longest);
+    }
     const std::optional<Crossing> crossing = first_crossing(h);
-    if (crossing) {
+    if (crossing && crossing->step < h) {
       h = crossing->step;
-      integrator_->step(rate_, t_, h, y_, next_, error_);
+      take(h);
     }
-    t_ = h == longest ? end : t_ + h;
-    y_ = next_;
-    if (!y_.allFinite()) {
-      throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", t_));
-    }
-    if (settings_.drift == Drift::kProjection) {
-      Vector position = q();
-      Vector velocity = qd();
-      system_.project(t_, position, velocity);
-      y_ << position, velocity;
-    }
-    ++steps_;
+    land(h, h == longest ? goal : t_ + h);
+    guard_against_standstill(end);
+    show_now(end);
     if (crossing) {
-      happen(watches_[crossing->watch]);
+      Watch& watch = watches_[crossing->watch];
+      if (show_ && watch.ends_phase()) {
+        show_();
+      }
+      happen(watch);
       build_watches();
-      suggested_ = std::min(suggested_, kRestart * duration_);
+      monitor_.restart_energy(system_, q(), qd());
+      suggested_ = 0;
     }
     if (!observe()) {
       return false;
@@ -176,193 +200,78 @@ bool Simulator::advance_to(double end, const Observe& observe) {
   return true;
 }
 
-void Simulator::start_phase(int phase, const std::vector<int>& active) {
-  const std::vector<int> before = system_.constraints().active();
-  system_.constraints().activate(active);
-  const Terms& terms = system_.geometry(q());
-  for (const int c : active) {
-    if (std::find(before.begin(), before.end(), c) == before.end()) {
-      system_.constraints().begin(c, t_, q(), terms);
-    }
-  }
-  phase_ = phase;
-  phase_start_ = t_;
+void Simulator::show_at(double step, Show show) {
+  show_step_ = step;
+  show_ = std::move(show);
 }
 
-/// Sides of contacts are kept: on the plane the state does not tell them.
-void Simulator::build_watches() {
-  const std::vector<Watch> before = std::move(watches_);
-  watches_.clear();
-  const auto add = [&](Kind kind, std::size_t index, int point, const model::Plane& plane) {
-    Watch watch{kind, index, point, PlaneValues(plane), 1};
-    if (kind != Kind::kContact && kind != Kind::kSlip && kind != Kind::kStick) {
-      watch.event = &scene_.phases[static_cast<std::size_t>(phase_)].until[index];
-      watch.until = phase_start_ + static_cast<double>(watch.event->not_before);
-    }
-    if (kind != Kind::kReaction) {  // a pull ends the phase whenever it is seen
-      watch.side = watch.side_of(system_, t_, y_);
-    }
-    const auto same = std::find_if(before.begin(), before.end(), [&](const Watch& w) {
-      return kind == Kind::kContact && w.kind == kind && w.index == index;
-    });
-    watch.side = same == before.end() ? watch.side : same->side;
-    watches_.push_back(watch);
+/// Rows inside the step of length h from here to `end`.
+void Simulator::show_between(double h, double end) {
+  if (!show_) {
+    return;
+  }
+  const double from = t_;
+  const Vector state = y_;
+  const auto row = [&] {
+    return start_ + static_cast<double>(shown_ + 1) * show_step_;
   };
-  const std::vector<model::Event>& events = scene_.phases[static_cast<std::size_t>(phase_)].until;
-  const std::vector<int>& active = system_.constraints().active();
-  for (std::size_t k = 0; k < events.size(); ++k) {
-    const auto& impact = events[k].impact;
-    const bool rests = impact && !impact->constraints.empty() &&
-                       std::includes(active.begin(), active.end(), impact->constraints.begin(),
-                                     impact->constraints.end());
-    if (!rests) {
-      add(kind_of(events[k].kind), k, events[k].point, events[k].plane);
-    }
-  }
-  for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
-    add(Kind::kContact, k, scene_.contacts[k].point, scene_.contacts[k].plane);
-    system_.forces().touch(k, watches_.back().side < 0);
-  }
-  for (std::size_t k = 0; k < system_.frictions().size(); ++k) {
-    const int direction = system_.frictions()[k].direction;
-    add(direction == 0 ? Kind::kStick : Kind::kSlip, k, 0, {});
-    watches_.back().side = direction == 0 ? 1 : direction;
+  for (; row() < end - kSameTime * std::min(h, show_step_); ++shown_) {
+    const double time = row();
+    integrator_->step(rate_, from, time - from, state, trial_, trial_error_);
+    project(time, trial_);
+    t_ = time;
+    y_ = trial_;
+    show_();
+    t_ = from;
+    y_ = state;
   }
 }
 
-void Simulator::begin_watches() {
-  for (Watch& watch : watches_) {
-    watch.start = watch.value(system_, t_, y_);
-    watch.start_slope = watch.slope(system_, y_);
+/// The row of now, if there is one; its time is t0 + k step, or the end of the motion.
+void Simulator::show_now(double end) {
+  const double row = start_ + static_cast<double>(shown_ + 1) * show_step_;
+  if (!show_ || row > t_ + kSameTime * std::min(last_, show_step_)) {
+    return;
   }
+  const double now = t_;
+  t_ = now == end ? now : row;
+  ++shown_;
+  show_();
+  t_ = now;
 }
 
-/// The earliest change of side within the step that ends in `next_`; other events that cannot end
-/// the phase yet only change their side.
-std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
-  std::optional<Crossing> first;
-  const Vector end = next_;
-  for (std::size_t k = 0; k < watches_.size(); ++k) {
-    Watch& watch = watches_[k];
-    const double value = watch.value(system_, t_ + h, end);
-    const bool event = watch.ends_phase();
-    const int part =
-        event && watch.side < 0 ? 0 : watch.first_change(h, value, watch.slope(system_, end));
-    double at = part == 0 ? h : refine(watch, h * (part - 1) / kScans, h * part / kScans);
-    if (part != 0 && at < 0 && value * watch.side < 0) {
-      at = refine(watch, 0, h);
-    }
-    bool counts = part != 0 && at >= 0;
-    if (event && counts) {
-      counts = t_ + at >= watch.until;
-    }
-    if (counts && (!first || at < first->step)) {
-      first = Crossing{k, at};
-    } else if (event && !counts && watch.kind != Kind::kReaction) {
-      watch.side = value > 0 ? 1 : value < 0 ? -1 : watch.side;
-    }
+/// Adaptive steps that would never arrive.
+void Simulator::guard_against_standstill(double end) {
+  if (integrator_->error_order() == 0 || cost_.steps % kTrial != 0) {
+    return;
   }
-  next_ = end;
-  return first;
-}
-
-/// The length of the step in (low, high] that ends where the watch changes its side, by bisection
-/// to the resolution of time; -1 if it does not change up to `high`.
-double Simulator::refine(Watch& watch, double low, double high) {
-  const auto beyond = [&](double h) {
-    integrator_->step(rate_, t_, h, y_, next_, trial_);
-    return watch.value(system_, t_ + h, next_) * watch.side < 0;
-  };
-  if (!beyond(high)) {
-    return -1;
-  }
-  if (low > 0 && beyond(low)) {
-    high = low;
-    low = 0;
-  }
-  const double resolution = std::numeric_limits<double>::epsilon() * (std::fabs(t_) + high) / 8;
-  while (high - low > resolution) {
-    const double middle = low + (high - low) / 2;
-    if (middle <= low || middle >= high) {
-      break;
-    }
-    (beyond(middle) ? high : low) = middle;
-  }
-  return high;
-}
-
-void Simulator::happen(Watch& watch) {
-  switch (watch.kind) {
-    case Kind::kEvent:
-    case Kind::kReaction:
-    case Kind::kTime:
-    case Kind::kExpression:
-      fire(scene_.phases[static_cast<std::size_t>(phase_)].until[watch.index]);
-      break;
-    case Kind::kContact:
-      watch.side = -watch.side;
-      break;
-    case Kind::kSlip:
-    case Kind::kStick:
-      y_[system_.dof() + system_.frictions()[watch.index].joint] = 0;
-      stick_or_slip(watch.index);
-      break;
-  }
-}
-
-/// A joint that moves slips; one at rest sticks if its friction can hold it.
-void Simulator::stick_or_slip(std::size_t k) {
-  DryFriction& friction = system_.frictions()[k];
-  const double speed = y_[system_.dof() + friction.joint];
-  friction.direction = speed > 0 ? 1 : speed < 0 ? -1 : 0;
-  if (friction.direction == 0) {
-    system_.accelerate(t_, q(), qd());
-    const double hold = system_.holding_force(k);
-    friction.direction = std::fabs(hold) <= friction.force ? 0 : hold > 0 ? -1 : 1;
-  }
-}
-
-/// The impact of an event. \return true if the rebound is slow enough to be rest
-bool Simulator::strike(const model::Event& event, EventRecord& record) {
-  const model::Impact& impact = *event.impact;
-  const auto restitution = static_cast<double>(impact.restitution);
-  record.impulse = system_.impact(t_, record.q, record.qd_after, impact.constraints, restitution);
-  const auto C = system_.geometry(record.q).C().middleCols<3>(3 * event.point);
-  const double rebound = (C * vector_of(event.plane.normal)).dot(record.qd_after);
-  if (restitution == 0 || rebound >= static_cast<double>(impact.rest_below)) {
-    return false;
-  }
-  record.qd_after = record.qd_before;
-  record.impulse = system_.impact(t_, record.q, record.qd_after, impact.constraints, 0);
-  return true;
-}
-
-void Simulator::fire(const model::Event& event) {
-  guard_against_pile();
-  EventRecord record{t_, phase_, q(), qd(), qd(), {}};
-  std::vector<int> active = scene_.phases[static_cast<std::size_t>(event.then)].active;
-  if (event.impact && strike(event, record)) {
-    const std::vector<int>& resting = event.impact->constraints;
-    active.insert(active.end(), resting.begin(), resting.end());
-    std::sort(active.begin(), active.end());
-    active.erase(std::unique(active.begin(), active.end()), active.end());
-  }
-  const Terms& terms = system_.geometry(record.q);
-  for (const int c : event.pins) {
-    system_.constraints().pin(c, t_, record.q, terms);
-  }
-  y_ << record.q, record.qd_after;
-  start_phase(event.then, active);
-  events_.push_back(std::move(record));
-}
-
-void Simulator::guard_against_pile() {
-  const bool same = !events_.empty() && t_ - events_.back().time <= kOnPlane * duration_;
-  pile_ = same ? pile_ + 1 : 0;
-  if (pile_ > kMaxPile) {
+  const double advance = t_ - trial_start_;
+  trial_start_ = t_;
+  if (advance * (kHopeless / static_cast<double>(kTrial)) < end - t_) {
     throw std::runtime_error(
-        fmt::format("events pile up at t = {} s; expected rest_below at the impact", t_));
+        fmt::format("steps no longer advance time: {} of them, {:.2g} s in all, at t = {} s",
+                    kTrial, advance, t_));
   }
+}
+
+Stability Simulator::stability(Dynamics& dynamics) {
+  System closed(scene_, dynamics, alpha(settings_));
+  closed.constraints() = system_.constraints();
+  closed.frictions() = system_.frictions();
+  Stability result = stability_at(scene_, closed, t_, q(), qd());
+  for (const StabilityLimit& limit : result.limits) {
+    if (integrator_->error_order() > 0 || limit.integrator != settings_.integrator || !limit.step ||
+        settings_.step <= *limit.step) {
+      continue;
+    }
+    monitor_.note(
+        {"step", limit.integrator, t_, settings_.step, *limit.step, 0, 0, "s",
+         fmt::format(
+             "a step of {:.4g} s is beyond the stability limit of {}, {:.3g} s at t = {:.6g} "
+             "s with contacts closed; a stable step is {:.2g} s",
+             settings_.step, limit.integrator, *limit.step, t_, 0.9 * *limit.step)});
+  }
+  return result;
 }
 
 }  // namespace treedyn::simulation

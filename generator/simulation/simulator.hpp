@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "simulation/dense.hpp"
 #include "simulation/integrator.hpp"
+#include "simulation/monitor.hpp"
+#include "simulation/stability.hpp"
 #include "simulation/system.hpp"
 #include "simulation/watch.hpp"
 
@@ -16,26 +19,42 @@ namespace treedyn::simulation {
 struct Settings {
   std::string integrator = "fehlberg78";
   double step = 1e-3;        ///< s, methods with fixed steps
-  double longest = 0;        ///< s, adaptive methods; 0: kLongestStep
+  double longest = 0;        ///< s, adaptive methods; 0: as long as the tolerance allows
   double tolerance = 1e-10;  ///< error of a step, relative and absolute, adaptive methods
   Drift drift = Drift::kProjection;
   double stabilisation = 20;  ///< alpha of Baumgarte, 1/s
+  Bounds bounds;
 };
 
-/// The longest adaptive step, and the shortest that is tried, as parts of the scene's duration.
-inline constexpr double kLongestStep = 1.0 / 50;
-inline constexpr double kShortestStep = 1e-11;
+/// Between places where guards are looked at joints turn by less than this in all, rad, and a step
+/// by less than kTurns times this.
+inline constexpr double kTurn = 0.5;
+inline constexpr int kTurns = 64;
+/// Steps of an adaptive method after which a motion that would need kHopeless more of them ends.
+inline constexpr long kTrial = 1000;
+inline constexpr double kHopeless = 1e8;
 
 /// What one event of a phase did.
 struct EventRecord {
   double time = 0;
-  int phase = 0;  ///< the one that ended
+  int phase = 0;     ///< the one that ended
+  std::string name;  ///< event_name
+  int then = 0;      ///< the phase that follows
   Vector q;
   Vector qd_before;
   Vector qd_after;
   Vector impulse;  ///< rows of the impact, N s or N m s
 };
 
+/// What a run has cost.
+struct Cost {
+  long steps = 0;
+  long rejected = 0;     ///< steps that were too long for the tolerance
+  long evaluations = 0;  ///< of the accelerations, those in between for events and rows included
+};
+
+/// Steps are those of the dynamics: neither the end of the motion nor rows of a table change them,
+/// but for the last one. Methods with fixed steps stop at t0 + k step, and at events in between.
 class Simulator {
  public:
   /// \pre `settings.integrator` is one of integrators()
@@ -48,15 +67,25 @@ class Simulator {
   using Observe = std::function<bool()>;
   /// Integrates and lands exactly on `end`; calls `observe` after every step and event, and stops
   /// when this is false. \return true if it arrives
-  /// \throws std::runtime_error if A is singular, the state ceases to be finite or events pile up
+  /// \throws std::runtime_error if A is singular, the state ceases to be finite, events pile up, a
+  /// step no longer advances time, or a promise is broken (Bounds)
   bool advance_to(double end, const Observe& observe);
+
+  using Show = std::function<void()>;
+  /// Calls `show` at t0 + k step for k = 1, 2, .. and right before every event; the simulator is in
+  /// that state meanwhile. States inside a step are those of a shorter step from its beginning.
+  void show_at(double step, Show show);
 
   [[nodiscard]] double time() const { return t_; }
   [[nodiscard]] Vector q() const { return y_.head(y_.size() / 2); }
   [[nodiscard]] Vector qd() const { return y_.tail(y_.size() / 2); }
   [[nodiscard]] int phase() const { return phase_; }
-  [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] long steps() const { return cost_.steps; }
+  [[nodiscard]] const Cost& cost() const { return cost_; }
   [[nodiscard]] const std::vector<EventRecord>& events() const { return events_; }
+  [[nodiscard]] const Monitor& monitor() const { return monitor_; }
+  /// Stability limits in the state of now; a warning if the step of the method exceeds its own.
+  Stability stability(Dynamics& dynamics);
   /// Accelerations and reactions now.
   const Solution& solution() { return system_.accelerate(t_, q(), qd()); }
   System& system() { return system_; }
@@ -68,13 +97,30 @@ class Simulator {
   };
 
   void rate(double t, const Vector& y, Vector& dy);
-  double step(double longest);
+  void take(double h);
+  double fixed_step(double longest);
+  double adaptive_step(double longest);
   double error_ratio(double h);
+  bool is_resolved(double h);
+  void propose();
+  double longest_step(double longest);
+  double least_step() const;
+  double goal(double end) const;
+  void land(double h, double time);
+  void project(double t, Vector& y);
+  void show_between(double h, double end);
+  void show_now(double time);
+  void guard_against_standstill(double end);
+
   void start_phase(int phase, const std::vector<int>& active);
   void build_watches();
-  void begin_watches();
+  void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
+                 const model::Plane& plane);
+  void prepare_watches();
   std::optional<Crossing> first_crossing(double h);
-  double refine(Watch& watch, double low, double high);
+  void look_for(std::size_t watch, double h, std::optional<Crossing>& first);
+  int pieces(double h) const;
+  double refine(const Watch& watch, double low, double high, double h);
   void happen(Watch& watch);
   void stick_or_slip(std::size_t friction);
   void fire(const model::Event& event);
@@ -84,16 +130,29 @@ class Simulator {
   const model::Scene& scene_;
   Settings settings_;
   System system_;
+  Monitor monitor_;
   std::unique_ptr<Integrator> integrator_;
   Rate rate_;
+  double start_;
   double t_;
-  double duration_;
-  Vector y_, next_, error_, trial_;
-  double suggested_;
+  Vector y_, next_, error_, trial_, trial_error_;
+  Vector qdd_;                  ///< at the beginning of the step
+  std::vector<double> powers_;  ///< of the calls of `rate` in this step
+  double suggested_ = 0;        ///< 0: to be proposed
+  double last_ = 0;             ///< length of the step before
+  bool looked_ = false;         ///< at the row equations of this step
   int phase_ = 0;
   double phase_start_ = 0;
-  long steps_ = 0;
+  Cost cost_;
   int pile_ = 0;
+  double trial_start_ = 0;
+  double show_step_ = 0;
+  long shown_ = 0;
+  Show show_;
+  Dense dense_;
+  std::vector<model::Expression> timed_;  ///< what depends on t by itself
+  double scale_ = 0;                      ///< in which that changes, s
+  std::vector<int> turning_;              ///< revolute coordinates
   std::vector<Watch> watches_;
   std::vector<EventRecord> events_;
 };

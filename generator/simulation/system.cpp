@@ -119,9 +119,31 @@ const Solution& System::accelerate(double t, const Vector& q, const Vector& qd) 
     solution_.rank = solve_.rank();
   }
   solution_.qdd = A_.matrixU().solve(x_);
+  add_balance({t, q, qd});
   solution_.lambda = rows == 0 ? Vector() : Vector(all_lambda_.head(rows));
   solution_.residual = J_.rows() == 0 ? 0 : largest(J_ * solution_.qdd - rhs_);
   return solution_;
+}
+
+/// What each row lacks, and the power of all that acts; gravity and what stores energy have none.
+void System::add_balance(const State& state) {
+  const int rows = constraints_.rows();
+  solution_.power = state.qd.dot(Q_) + forces_.elastic_power(terms_, state);
+  if (rows == 0) {
+    solution_.residuals.resize(0);
+    solution_.wanted.resize(0);
+    return;
+  }
+  solution_.power += all_lambda_.dot(J_ * state.qd);
+  solution_.wanted = rhs_.head(rows);
+  solution_.residuals = J_.topRows(rows) * solution_.qdd - solution_.wanted;
+}
+
+Arrival System::arrival(int point, const Eigen::Vector3d& normal, const Vector& qd,
+                        const Vector& qdd) const {
+  const Vector row = terms_.C().middleCols<3>(3 * point) * normal;
+  const double gamma = terms_.gamma_f().segment<3>(3 * point).dot(normal);
+  return {1 / row.dot(A_.solve(row)), row.dot(qd), row.dot(qdd) + gamma};
 }
 
 double System::holding_force(std::size_t friction) const {

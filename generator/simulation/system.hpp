@@ -25,6 +25,9 @@ struct Solution {
   Vector lambda;        ///< r, smallest Euclidean norm, on the links
   int rank = 0;         ///< of the active rows
   double residual = 0;  ///< max |J qdd + gamma - a_des|
+  Vector residuals;     ///< r, row by row, with signs
+  Vector wanted;        ///< r, a_des - gamma
+  double power = 0;     ///< of all that acts apart from gravity and what stores energy, W
 };
 
 /// Dry friction of a joint: the sign of its velocity while it slips, 0 while it sticks.
@@ -32,6 +35,13 @@ struct DryFriction {
   int joint = 0;
   double force = 0;
   int direction = 0;
+};
+
+/// A point on its way along a normal: what presses it, and what would feel it.
+struct Arrival {
+  double mass;          ///< 1/(n^T C^T A^-1 C n), kg; infinite if nothing moves it
+  double speed;         ///< m/s
+  double acceleration;  ///< m/s^2
 };
 
 class System {
@@ -48,8 +58,16 @@ class System {
 
   /// EQUATIONS.md 6.2, 6.3. \throws std::runtime_error if A is not positive definite
   const Solution& accelerate(double t, const Vector& q, const Vector& qd);
+  /// Rows of the last `accelerate`, sticking joints behind them.
+  [[nodiscard]] const Matrix& rows() const { return J_; }
   /// The force that holds a sticking joint, of the last `accelerate`.
   [[nodiscard]] double holding_force(std::size_t friction) const;
+  /// Of the last `accelerate`, whose qd and qdd these are.
+  [[nodiscard]] Arrival arrival(int point, const Eigen::Vector3d& normal, const Vector& qd,
+                                const Vector& qdd) const;
+  /// What the last `accelerate` gave.
+  [[nodiscard]] const Solution& last() const { return solution_; }
+  [[nodiscard]] const Constraints& constraints() const { return constraints_; }
 
   /// The force of an active point constraint on its link, base frame, N.
   Eigen::Vector3d reaction(double t, const Vector& y, int constraint);
@@ -82,6 +100,7 @@ class System {
   void pad(Vector& rows) const;
   void add_stabilisation(double t, const Vector& q, const Vector& qd);
   void keep_held(Vector& rows) const;
+  void add_balance(const State& state);
   [[nodiscard]] int sticking() const;
 
   Dynamics& dynamics_;

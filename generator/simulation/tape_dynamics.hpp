@@ -15,6 +15,9 @@ class TapeDynamics final : public Dynamics {
 
   void evaluate(const Vector& q, const Vector& qd, Terms& terms) override;
   void evaluate_geometry(const Vector& q, Terms& terms) override;
+  [[nodiscard]] long operations() const override {
+    return static_cast<long>(terms_.instructions());
+  }
 
  private:
   program::Tape terms_;

@@ -26,7 +26,7 @@ double Watch::value(System& system, double t, const Vector& y) const {
 }
 
 double Watch::slope(System& system, const Vector& y) const {
-  if (!has_slope()) {
+  if (!is_height()) {
     return 0;
   }
   const Eigen::Index n = system.dof();
@@ -35,24 +35,14 @@ double Watch::slope(System& system, const Vector& y) const {
 }
 
 int Watch::side_of(System& system, double t, const Vector& y) const {
+  if (kind == Kind::kReaction) {
+    return 1;
+  }
   const double g = value(system, t, y);
-  if (has_slope() && std::fabs(g) < kOnPlane) {
+  if (is_height() && std::fabs(g) < kOnPlane) {
     return slope(system, y) >= 0 ? 1 : -1;
   }
   return g >= 0 ? 1 : -1;
-}
-
-int Watch::first_change(double h, double end, double end_slope) const {
-  for (int k = 1; k < kScans && has_slope(); ++k) {
-    const double s = static_cast<double>(k) / kScans;
-    const double u = 1 - s;  // cubic through both ends
-    const double g = u * u * (1 + 2 * s) * start + s * s * (3 - 2 * s) * end +
-                     s * u * h * (u * start_slope - s * end_slope);
-    if (g * side < 0) {
-      return k;
-    }
-  }
-  return end * side < 0 ? kScans : 0;
 }
 
 }  // namespace treedyn::simulation

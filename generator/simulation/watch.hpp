@@ -7,8 +7,8 @@ namespace treedyn::simulation {
 
 /// Below this a height counts as zero and its rate decides the side, m.
 inline constexpr double kOnPlane = 1e-10;
-/// Parts of a step in which a change of sign is looked for.
-inline constexpr int kScans = 8;
+/// A height within this has not changed its side yet, m: roundings of a point that rests.
+inline constexpr double kPlaneRounding = 1e-12;
 
 struct Watch {
   enum class Kind {
@@ -26,22 +26,19 @@ struct Watch {
   PlaneValues plane;
   int side;  ///< sign of the function now
   const model::Event* event = nullptr;
-  double until = 0;  ///< kTime, s
-  double start = 0;
-  double start_slope = 0;
+  double until = 0;   ///< before this time an event is not looked at, s
+  bool armed = true;  ///< `until` is over, `side` is that of now
+  int next_side = 0;  ///< at the end of the step
 
   /// The function in a state y = (q; qd).
   double value(System& system, double t, const Vector& y) const;
-  /// Its rate in time; 0 where `has_slope` is false.
+  /// Its rate in time; 0 where `is_height` is false.
   double slope(System& system, const Vector& y) const;
-  [[nodiscard]] bool has_slope() const { return kind == Kind::kEvent || kind == Kind::kContact; }
+  [[nodiscard]] bool is_height() const { return kind == Kind::kEvent || kind == Kind::kContact; }
   /// True for what ends a phase when it becomes negative.
   [[nodiscard]] bool ends_phase() const { return event != nullptr; }
-  /// The side on which a state is.
+  /// The side on which a state is; a pull counts whenever it is seen.
   int side_of(System& system, double t, const Vector& y) const;
-  /// The first of kScans parts of a step of length h at whose end the function seems to be on the
-  /// other side; 0 if none. \param end, end_slope  at the end of the step
-  [[nodiscard]] int first_change(double h, double end, double end_slope) const;
 };
 
 }  // namespace treedyn::simulation

@@ -189,6 +189,55 @@ TEST_F(Simulate, WritesTheMotionUpToItsEndWhenItBreaks) {
   EXPECT_GT(table(read_file(file("s.csv"))).size(), 200U);
 }
 
+TEST_F(Simulate, EndsWhereEnergyComesOutOfNothing) {
+  const Outcome outcome = treedyn({scene("drop"), "--integrator", "semi-implicit-euler", "--step",
+                                   "0.002", "--json", "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("drop.yaml: warning: a step of 0.002 s is beyond the stability "
+                        "limit of semi-implicit-euler, 0.000421 s"));
+  EXPECT_THAT(outcome.err, HasSubstr("a stable step is 0.00038 s"));
+  EXPECT_THAT(outcome.err, HasSubstr("drop.yaml: warning: energy grows without power"));
+  EXPECT_THAT(outcome.err, HasSubstr("the motion ends at t = 0.4"));
+  const json data = json::parse(read_file(file("drop.json")));
+  EXPECT_THAT(data["stopped"].get<std::string>(), HasSubstr("energy grows"));
+  ASSERT_EQ(data["warnings"].size(), 2U);
+  EXPECT_EQ(data["warnings"][0]["kind"], "step");
+  EXPECT_EQ(data["warnings"][1]["kind"], "energy");
+  EXPECT_TRUE(data["stable_steps"]["sdirk2"].is_null());
+  EXPECT_GT(table(read_file(file("drop.csv"))).size(), 50U);  // up to there
+}
+
+TEST_F(Simulate, SaysWhatARunCostsAndHowWellItKeptItsPromises) {
+  const Outcome outcome = treedyn({scene("four_bar"), "--json", "-v", "-o", out()});
+  EXPECT_EQ(outcome.status, 0);
+  for (const char* const text :
+       {"steps rejected", "evaluations of", "energy that no force explains",
+        "rk4 is stable up to steps of", "of computing for a second"}) {
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+  }
+  const json data = json::parse(read_file(file("four_bar.json")));
+  EXPECT_GT(data["cost"]["evaluations"].get<long>(), 13 * data["steps"].get<long>());
+  EXPECT_GT(data["cost"]["operations"].get<long>(), data["cost"]["evaluations"].get<long>());
+  EXPECT_GT(data["cost"]["seconds_for_a_second"].get<double>(), 0);
+  EXPECT_LT(data["kept"]["unexplained_energy_part"].get<double>(), 1e-9);
+  EXPECT_LT(data["kept"]["largest_drift"].get<double>(), 1e-13);
+}
+
+TEST_F(Simulate, EndsConstraintsThatPartWhereTheUserSays) {
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+             "/models/scenes/drop.model.yaml\nduration: 2\neffects:\n"
+             "  locked_joint:\n    - {name: led, joint: height, at: t^3}\n"
+             "  point_constraint:\n    - {name: held, point: ball, along: [z]}\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: constraint 'held.z' acts and is"));
+  const Outcome early = treedyn({scratch("s.yaml").string(), "--drift-limit", "1e-5"});
+  EXPECT_EQ(early.status, 1);
+  EXPECT_LT(table(early.out).size(), table(outcome.out).size());
+}
+
 TEST_F(Simulate, LeavesAValidFileWhenItIsInterrupted) {
   const std::string scene_file = scene("biped_stepping");
   const std::string folder = out();

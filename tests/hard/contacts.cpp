@@ -74,6 +74,7 @@ bool is_bounded(Scene scene, Dynamics dynamics, const char* integrator, double h
   simulation::Settings how = settings();
   how.integrator = integrator;
   how.step = h;
+  how.bounds = simulation::unbounded();
   Run run(scene, dynamics, how);
   double scale = 0;
   try {

@@ -1,0 +1,294 @@
+// The page of a simulation.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cli/simulate.hpp"
+#include "emit/json.hpp"
+#include "emit/template_file.hpp"
+#include "simulation/names.hpp"
+#include "version.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// States that a page shows: more than a plot has pixels.
+constexpr std::size_t kStates = 1200;
+
+std::string list_of(const std::vector<std::string>& values) {
+  return fmt::format("[{}]", fmt::join(values, ","));
+}
+
+/// Short numbers, enough for a picture.
+template <class List>
+std::string short_numbers(const List& values) {
+  std::vector<std::string> result;
+  for (const double value : values) {
+    result.push_back(std::isfinite(value) ? fmt::format("{:.6g}", value) : "null");
+  }
+  return list_of(result);
+}
+
+std::string short_row(const simulation::Row& row) {
+  std::vector<double> nodes;
+  for (const Eigen::Vector3d& node : row.nodes) {
+    nodes.insert(nodes.end(), {node[0], node[1], node[2]});
+  }
+  return fmt::format("[{:.9g},{},{},{}]", row.t, row.phase, short_numbers(row.values),
+                     short_numbers(nodes));
+}
+
+/// At most kStates rows; those beside a change of phase and the last stay.
+std::string rows_json(const simulation::Recording& recording) {
+  const std::vector<simulation::Row>& rows = recording.rows;
+  const std::size_t every = (rows.size() + kStates - 1) / kStates;
+  std::string result;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const bool edge = k + 1 == rows.size() || rows[k].phase != rows[k + 1].phase ||
+                      (k > 0 && rows[k].phase != rows[k - 1].phase);
+    if (edge || k % every == 0) {
+      result += (result.empty() ? "" : ",\n") + short_row(rows[k]);
+    }
+  }
+  return result;
+}
+
+const std::string& phase_name(const SimulateResult& result, int phase) {
+  return result.scene.phases[static_cast<std::size_t>(phase)].name;
+}
+
+std::string events_json(const SimulateResult& result) {
+  std::vector<std::string> events;
+  for (const simulation::EventRecord& event : result.recording.events) {
+    events.push_back(
+        emit::json_object({{"t", fmt::format("{:.9g}", event.time)},
+                           {"name", emit::json_string(event.name)},
+                           {"phase", emit::json_string(phase_name(result, event.phase))},
+                           {"then", emit::json_string(phase_name(result, event.then))}}));
+  }
+  return list_of(events);
+}
+
+std::string effects_of(const model::Scene& scene) {
+  std::vector<std::string> names;
+  const auto add = [&](std::size_t count, const char* name) {
+    if (count > 0) {
+      names.push_back(count > 1 ? fmt::format("{} {}", count, name) : std::string(name));
+    }
+  };
+  const auto kinds = [&](model::ConstraintKind kind) {
+    return static_cast<std::size_t>(
+        std::count_if(scene.constraints.begin(), scene.constraints.end(),
+                      [&](const model::Constraint& c) { return c.kind == kind; }));
+  };
+  add(scene.velocity_products ? 1 : 0, "velocity_products");
+  add(scene.viscous_frictions.size(), "viscous_friction");
+  add(scene.frictions.size(), "coulomb_friction");
+  add(scene.stribeck_frictions.size(), "stribeck_friction");
+  add(scene.armatures.size(), "armature");
+  add(scene.joint_springs.size(), "joint_spring");
+  add(scene.point_springs.size(), "point_spring");
+  add(scene.motors.size(), "drive");
+  add(kinds(model::ConstraintKind::kJoint), "locked_joint");
+  add(scene.forces.size(), "force");
+  add(scene.torques.size(), "moment");
+  add(kinds(model::ConstraintKind::kPoint), "point_constraint");
+  add(kinds(model::ConstraintKind::kOrientation), "orientation_constraint");
+  add(kinds(model::ConstraintKind::kJoined), "joined_constraint");
+  add(scene.contacts.size(), "ground_contact");
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string numbers_of(const model::Vector3& x) {
+  return fmt::format("{:.6g}, {:.6g}, {:.6g}", static_cast<double>(x[0]), static_cast<double>(x[1]),
+                     static_cast<double>(x[2]));
+}
+
+std::string drift_name(model::Drift drift) {
+  return drift == model::Drift::kNone        ? "none"
+         : drift == model::Drift::kBaumgarte ? "baumgarte"
+                                             : "projection";
+}
+
+/// What ran, name and value.
+std::string run_json(const SimulateResult& result) {
+  const model::Scene& scene = result.scene;
+  const model::Stepping& how = scene.stepping;
+  const simulation::Recording& recording = result.recording;
+  const bool adaptive = simulation::make_integrator(how.integrator)->error_order() > 0;
+  std::vector<std::string> lines;
+  const auto add = [&](const char* name, const std::string& value) {
+    lines.push_back(fmt::format("[{}, {}]", emit::json_string(name), emit::json_string(value)));
+  };
+  add("model", scene.tree.name);
+  add("integrator", how.integrator);
+  add(adaptive ? "tolerance" : "step",
+      adaptive ? fmt::format("{:.3g}", static_cast<double>(how.tolerance))
+               : fmt::format("{:.6g} s", static_cast<double>(how.step)));
+  add("stabilisation", drift_name(how.drift));
+  add("gravity", numbers_of(scene.gravity) + " m/s^2");
+  add("effects", effects_of(scene));
+  add("steps", fmt::format("{} ({} rejected), {} evaluations", recording.cost.steps,
+                           recording.cost.rejected, recording.cost.evaluations));
+  add("energy without power", fmt::format("{:.2g} J at the end, at most {:.2g} of what was "
+                                          "exchanged",
+                                          recording.energy_error, recording.energy_part));
+  add("largest residual, drift",
+      fmt::format("{:.2g}, {:.2g}", recording.residual, recording.drift));
+  add("version", fmt::format("treedyn {}", kVersion));
+  return list_of(lines);
+}
+
+std::string vector_json(const model::Vector3& x) { return fmt::format("[{}]", numbers_of(x)); }
+
+std::string planes_json(const model::Scene& scene) {
+  std::vector<std::string> result;
+  const auto add = [&](const model::Plane& plane) {
+    const std::string text =
+        emit::json_object({{"normal", vector_json(plane.normal)},
+                           {"height", fmt::format("{:.6g}", static_cast<double>(plane.height))}});
+    if (std::find(result.begin(), result.end(), text) == result.end()) {
+      result.push_back(text);
+    }
+  };
+  for (const model::GroundContact& contact : scene.contacts) {
+    add(contact.plane);
+  }
+  for (const model::Phase& phase : scene.phases) {
+    for (const model::Event& event : phase.until) {
+      if (event.kind == model::EventKind::kHeight) {
+        add(event.plane);
+      }
+    }
+  }
+  return list_of(result);
+}
+
+/// Where the forces on points act: the node of the figure, and columns with their directions.
+class ForceList {
+ public:
+  ForceList(const model::Scene& scene, const std::vector<std::string>& columns)
+      : scene_(scene), columns_(columns) {}
+
+  std::string text() {
+    std::size_t row = 0;
+    const std::vector<std::string> names = simulation::reaction_names(scene_);
+    for (const model::Constraint& c : scene_.constraints) {
+      std::vector<std::pair<std::string, model::Vector3>> rows;
+      for (std::size_t k = 0; k < c.rows(); ++k, ++row) {
+        if (c.kind == model::ConstraintKind::kPoint) {
+          rows.emplace_back(fmt::format("R[{}]", names[row]), c.directions[k]);
+        }
+      }
+      add(c.point, rows);
+    }
+    for (const model::GroundContact& contact : scene_.contacts) {
+      const std::string& name = scene_.points[static_cast<std::size_t>(contact.point)].name;
+      add(contact.point, {{fmt::format("F[{}.x]", name), {1, 0, 0}},
+                          {fmt::format("F[{}.y]", name), {0, 1, 0}},
+                          {fmt::format("F[{}.z]", name), {0, 0, 1}}});
+    }
+    return list_of(forces_);
+  }
+
+ private:
+  void add(int point, const std::vector<std::pair<std::string, model::Vector3>>& rows) {
+    const auto p = static_cast<std::size_t>(point);
+    if (rows.empty() || scene_.points[p].link == model::kGround) {
+      return;
+    }
+    std::vector<std::string> columns;
+    std::vector<std::string> directions;
+    for (const auto& [name, direction] : rows) {
+      const auto at = std::find(columns_.begin(), columns_.end(), name);
+      columns.push_back(std::to_string(at - columns_.begin()));
+      directions.push_back(vector_json(direction));
+    }
+    const auto before =
+        std::count_if(scene_.points.begin(), scene_.points.begin() + point,
+                      [](const model::Point& x) { return x.link != model::kGround; });
+    forces_.push_back(emit::json_object({{"node", std::to_string(scene_.tree.size() + before)},
+                                         {"columns", list_of(columns)},
+                                         {"directions", list_of(directions)}}));
+  }
+
+  const model::Scene& scene_;
+  const std::vector<std::string>& columns_;
+  std::vector<std::string> forces_;
+};
+
+std::string bounds_json(const SimulateResult& result) {
+  return fmt::format(
+      "[{{\"name\": \"warning\", \"value\": {}}}]",
+      simulation::Bounds{}.drift_warning * (result.recording.size > 0 ? result.recording.size : 1));
+}
+
+std::vector<std::string> quoted(const std::vector<std::string>& texts) {
+  std::vector<std::string> result;
+  for (const std::string& text : texts) {
+    result.push_back(emit::json_string(text));
+  }
+  return result;
+}
+
+std::string units_json(const model::Scene& scene) {
+  std::vector<std::pair<std::string, std::string>> members;
+  for (const simulation::Column& column : simulation::columns_of(scene)) {
+    members.emplace_back(column.name, emit::json_string(column.unit));
+  }
+  std::vector<std::string> lines;
+  for (const auto& [name, unit] : members) {
+    lines.push_back(fmt::format("{}: {}", emit::json_string(name), unit));
+  }
+  return fmt::format("{{{}}}", fmt::join(lines, ", "));
+}
+
+/// What the page shows, as JSON that may stand inside a script element.
+std::string report_data(const SimulateResult& result) {
+  const simulation::Recording& recording = result.recording;
+  const model::Scene& scene = result.scene;
+  std::vector<std::string> phases;
+  for (const model::Phase& phase : scene.phases) {
+    phases.push_back(phase.name);
+  }
+  std::vector<std::string> lines;
+  for (const auto& [a, b] : recording.figure.lines) {
+    lines.push_back(fmt::format("[{},{}]", a, b));
+  }
+  const std::string text = fmt::format(
+      "{{\"scene\": {}, \"dof\": {}, \"links\": {}, \"states\": {}, \"stopped\": {},\n"
+      "\"run\": {},\n\"warnings\": {},\n\"events\": {},\n\"columns\": {},\n\"units\": {},\n"
+      "\"phases\": {},\n\"names\": {},\n\"visible\": [{}],\n\"lines\": {},\n\"planes\": {},\n"
+      "\"forces\": {},\n\"bounds\": {},\n\"rows\": [\n{}]}}",
+      emit::json_string(scene.name), scene.tree.dof(), scene.tree.size(), recording.rows.size(),
+      emit::json_string(recording.stopped), run_json(result), list_of(quoted(warnings_of(result))),
+      events_json(result), list_of(quoted(recording.columns)), units_json(scene),
+      list_of(quoted(phases)), list_of(quoted(recording.figure.names)),
+      fmt::join(recording.figure.visible, ","), list_of(lines), planes_json(scene),
+      ForceList(scene, recording.columns).text(), bounds_json(result), rows_json(recording));
+  std::string safe;
+  for (const char c : text) {  // no name ends the script
+    safe += c == '<' ? "\\u003c" : std::string(1, c);
+  }
+  return safe;
+}
+
+std::string html_text(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string report_text(const SimulateResult& result) {
+  return emit::fill(emit::template_text("report.html"),
+                    {{"scene", html_text(result.scene.name)}, {"data", report_data(result)}});
+}
+
+}  // namespace treedyn

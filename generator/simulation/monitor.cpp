@@ -1,0 +1,243 @@
+#include "simulation/monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "simulation/names.hpp"
+
+namespace treedyn::simulation {
+
+namespace {
+
+/// A row of J below this part of what it is nearby counts as zero.
+constexpr double kLostRow = 1e-9;
+/// How far nearby is, rad or m: other joints by other amounts.
+constexpr double kNearby = 0.1;
+/// Roundings of the potential energy in one step.
+constexpr double kRoundings = 1e3;
+
+bool is_length(const model::Scene& scene, const model::Constraint& constraint) {
+  if (constraint.kind == model::ConstraintKind::kJoint) {
+    const int link = scene.tree.coordinates[static_cast<std::size_t>(constraint.joint)];
+    return scene.tree.links[static_cast<std::size_t>(link)].joint.type ==
+           model::JointType::kPrismatic;
+  }
+  return constraint.kind != model::ConstraintKind::kOrientation;
+}
+
+Vector nearby(const Vector& q) {
+  Vector result = q;
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    result[k] += kNearby * (1 + std::fmod(0.618 * static_cast<double>(k + 1), 1.0));
+  }
+  return result;
+}
+
+}  // namespace
+
+Bounds unbounded() {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  return {kNever, kNever, kNever, kNever, kNever, kNever};
+}
+
+std::string to_string(const Notice& notice) {
+  if (!(notice.worst > notice.value)) {
+    return notice.text;
+  }
+  return fmt::format("{}; at most {:.3g}{}{} at t = {:.6g} s", notice.text, notice.worst,
+                     notice.unit.empty() ? "" : " ", notice.unit, notice.worst_time);
+}
+
+Monitor::Monitor(const model::Scene& scene, const Bounds& bounds)
+    : scene_(scene),
+      bounds_(bounds),
+      pose_(scene.tree, scene.gravity),
+      names_(reaction_names(scene)),
+      lost_(names_.size(), 0) {
+  std::size_t first = 0;
+  for (const model::Constraint& constraint : scene.constraints) {
+    first_.push_back(first);
+    first += constraint.rows();
+  }
+}
+
+double Monitor::scale_of(const model::Constraint& constraint) const {
+  return is_length(scene_, constraint) ? size_ : 1;
+}
+
+Monitor::Row Monitor::row(const Constraints& constraints, int k) const {
+  const auto c = static_cast<std::size_t>(constraints.constraint(k));
+  return {first_[c] + constraints.number(k), scale_of(scene_.constraints[c])};
+}
+
+/// A warning once a kind and name; later ones only if they are worse.
+void Monitor::note(Notice notice) {
+  notice.worst = notice.value;
+  notice.worst_time = notice.time;
+  const auto same = std::find_if(notices_.begin(), notices_.end(), [&](const Notice& n) {
+    return n.kind == notice.kind && n.name == notice.name;
+  });
+  if (same == notices_.end()) {
+    notices_.push_back(std::move(notice));
+  } else if (notice.value > same->worst) {
+    same->worst = notice.value;
+    same->worst_time = notice.time;
+  }
+}
+
+void Monitor::row_equations(const System& system, double t, double h) {
+  const Solution& solution = system.last();
+  const Constraints& constraints = system.constraints();
+  for (int k = 0; k < solution.residuals.size(); ++k) {
+    const Row row = this->row(constraints, k);
+    const double lacks = std::fabs(solution.residuals[k]);
+    const double terms = std::fabs(solution.wanted[k]) +
+                         system.rows().row(k).cwiseAbs().dot(solution.qdd.cwiseAbs());
+    largest_residual_ = std::max(largest_residual_, lacks);
+    if (!(lacks > bounds_.residual_warning * (terms + row.scale))) {
+      continue;
+    }
+    const char* const unit = row.scale == size_ ? "m/s^2" : "1/s^2";
+    note({"residual", names_[row.name], t, lacks, bounds_.residual_warning * (terms + row.scale), 0,
+          0, unit,
+          fmt::format("constraint '{}' lacks {:.3g} {} of its acceleration at t = {:.6g} s: no "
+                      "motion meets all rows that act",
+                      names_[row.name], lacks, unit, t)});
+    lost_[row.name] += lacks * h;
+    if (lost_[row.name] > bounds_.residual_end * row.scale) {
+      throw std::runtime_error(fmt::format(
+          "no motion meets constraint '{}' and the others: it lacks {:.3g} {} and has lost {:.3g} "
+          "of its velocity (bound {:.3g})",
+          names_[row.name], lacks, unit, lost_[row.name], bounds_.residual_end * row.scale));
+    }
+  }
+}
+
+void Monitor::positions(System& system, double t, const Vector& q) {
+  if (system.constraints().rows() == 0) {
+    return;
+  }
+  Matrix here;
+  Matrix there;
+  system.constraints().jacobian(system.geometry(nearby(q)), there);
+  system.constraints().jacobian(system.geometry(q), here);
+  for (int k = 0; k < here.rows(); ++k) {
+    if (here.row(k).norm() > kLostRow * there.row(k).norm() || there.row(k).norm() == 0) {
+      continue;
+    }
+    const std::string& name = names_[row(system.constraints(), k).name];
+    note({"position", name, t, here.row(k).norm(), kLostRow * there.row(k).norm(), 0, 0, "",
+          fmt::format("constraint '{}' acts at t = {:.6g} s in a position in which no joint moves "
+                      "it: its row of J is {:.2g}, nearby {:.2g}",
+                      name, t, here.row(k).norm(), there.row(k).norm())});
+  }
+}
+
+void Monitor::drift(System& system, double t, const Vector& q) {
+  Constraints& constraints = system.constraints();
+  if (constraints.rows() == 0) {
+    return;
+  }
+  Vector phi;
+  constraints.errors(system.geometry(q), t, q, phi);
+  for (int k = 0; k < phi.size(); ++k) {
+    const Row row = this->row(constraints, k);
+    const double off = std::fabs(phi[k]);
+    largest_drift_ = std::max(largest_drift_, off);
+    if (!(off > bounds_.drift_warning * row.scale)) {
+      continue;
+    }
+    const char* const unit =
+        is_length(scene_, scene_.constraints[static_cast<std::size_t>(constraints.constraint(k))])
+            ? "m"
+            : "rad";
+    note({"drift", names_[row.name], t, off, bounds_.drift_warning * row.scale, 0, 0, unit,
+          fmt::format("constraint '{}' acts and is {:.3g} {} off at t = {:.6g} s (bound {:.2g})",
+                      names_[row.name], off, unit, t, bounds_.drift_warning * row.scale)});
+    if (off > bounds_.drift_end * row.scale) {
+      throw std::runtime_error(
+          fmt::format("constraint '{}' acts and is {:.3g} {} off (bound {:.3g})", names_[row.name],
+                      off, unit, bounds_.drift_end * row.scale));
+    }
+  }
+}
+
+/// How large the robot is, and what the rounding of its potential energy may be.
+void Monitor::measure(const Vector& q) {
+  Eigen::AlignedBox3d box;
+  double most = 0;
+  const Eigen::Vector3d g = vector_of(scene_.gravity);
+  for (std::size_t i = 0; i < pose_.links().size(); ++i) {
+    const LinkState& link = pose_.links()[i];
+    const auto mass = static_cast<double>(scene_.tree.links[i].inertia.mass);
+    box.extend(link.O);
+    box.extend(link.r);
+    most += mass * g.norm() * (link.r.norm() + 1);
+  }
+  for (const model::Point& point : scene_.points) {
+    if (point.link != model::kGround) {
+      box.extend(pose_.point(point.link, vector_of(point.at)));
+    }
+  }
+  size_ = box.isEmpty() || box.diagonal().norm() == 0 ? 1 : box.diagonal().norm();
+  rounding_ = kRoundings * std::numeric_limits<double>::epsilon() * (most + q.norm());
+}
+
+double Monitor::energy_of(System& system, const Vector& q, const Vector& qd) {
+  pose_.update(q, qd);
+  return pose_.kinetic_energy() + system.armature_energy(qd) + pose_.potential_energy() +
+         system.elastic_energy(q);
+}
+
+void Monitor::restart_energy(System& system, const Vector& q, const Vector& qd) {
+  energy_ = energy_of(system, q, qd);
+  if (!has_energy_) {
+    measure(q);
+    has_energy_ = true;
+    potential_ = pose_.potential_energy();
+    exchanged_ = energy_ - potential_;
+  }
+}
+
+void Monitor::energy(System& system, double t, double h, const Vector& q, const Vector& qd,
+                     double work) {
+  const double before = energy_;
+  energy_ = energy_of(system, q, qd);
+  unexplained_ += energy_ - before - work;
+  const double bare = unexplained_ / std::max(exchanged_, rounding_);
+  exchanged_ += std::fabs(work);
+  if (!(bare > bounds_.energy_warning)) {  // else the motion itself says nothing any more
+    exchanged_ = std::max(
+        {exchanged_, pose_.kinetic_energy(), std::fabs(pose_.potential_energy() - potential_)});
+  }
+  const double part = unexplained_ / std::max(exchanged_, rounding_);
+  worst_energy_ = std::max(worst_energy_, std::fabs(part));
+  if (!scene_.velocity_products || !(part > bounds_.energy_warning)) {
+    return;
+  }
+  note({"energy", "energy", t, unexplained_, bounds_.energy_warning * exchanged_, 0, 0, "J",
+        fmt::format("energy grows without power: by {:.3g} J in the step of {:.3g} s that ends at "
+                    "t = {:.6g} s, {:.3g} J in all of {:.3g} J that the motion has exchanged",
+                    energy_ - before - work, h, t, unexplained_, exchanged_)});
+  if (part > bounds_.energy_end) {
+    throw std::runtime_error(
+        fmt::format("energy grows without power: {:.3g} J more than forces explain, of {:.3g} J "
+                    "that the motion has exchanged",
+                    unexplained_, exchanged_));
+  }
+}
+
+void Monitor::guard(const std::string& event, double t, bool may_end) {
+  note({"guard", event, t, 0, 0, 0, 0, "",
+        fmt::format("event '{}' has a guard that is not a number at t = {:.6g} s", event, t)});
+  if (may_end) {
+    throw std::runtime_error(
+        fmt::format("event '{}' has a guard that is not a number: it cannot be seen", event));
+  }
+}
+
+}  // namespace treedyn::simulation

@@ -1,0 +1,102 @@
+// What a motion promises, looked at in every step: warnings, and the end where a promise is broken.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/pose.hpp"
+#include "simulation/system.hpp"
+
+namespace treedyn::simulation {
+
+/// Beyond the first bound of each pair there is a warning, beyond the second the motion ends.
+struct Bounds {
+  /// Position errors of acting rows: rad, and for lengths parts of the robot's size.
+  double drift_warning = 1e-6;
+  double drift_end = 1e-2;
+  /// Acceleration that a row lacks, as a part of the terms of its equation; and the velocity that
+  /// it has lost by that, rad/s or sizes of the robot a second.
+  double residual_warning = 1e-6;
+  double residual_end = 1e-1;
+  /// Energy beyond that of the beginning and the work of all forces, as a part of the energy that
+  /// the motion has exchanged.
+  double energy_warning = 1e-2;
+  double energy_end = 1;
+};
+
+/// No bound is ever exceeded.
+Bounds unbounded();
+
+/// A warning: what was noticed first, and the worst of it.
+struct Notice {
+  std::string kind;  ///< drift, residual, energy, guard, position, step
+  std::string name;  ///< the row, the event, the integrator
+  double time = 0;   ///< s, when it was first beyond its bound
+  double value = 0;  ///< then
+  double bound = 0;
+  double worst = 0;
+  double worst_time = 0;
+  std::string unit;  ///< of the values
+  std::string text;  ///< one sentence on the first time
+};
+
+/// One line: the text, and the worst if it is another.
+std::string to_string(const Notice& notice);
+
+class Monitor {
+ public:
+  Monitor(const model::Scene& scene, const Bounds& bounds);
+
+  /// The row equations in the state that `System::accelerate` has just seen.
+  /// \throws std::runtime_error beyond the second bound, as all others
+  void row_equations(const System& system, double t, double h);
+  /// A row that moves elsewhere and has J = 0 here; when rows begin to act.
+  void positions(System& system, double t, const Vector& q);
+  /// Position errors of the rows after a step.
+  void drift(System& system, double t, const Vector& q);
+  /// Energy after a step. \param work  of all forces without potential in this step, J
+  void energy(System& system, double t, double h, const Vector& q, const Vector& qd, double work);
+  /// Energy behind an event: what it takes is its own matter.
+  void restart_energy(System& system, const Vector& q, const Vector& qd);
+  /// A guard without value. \param may_end  whether the event could happen now
+  void guard(const std::string& event, double t, bool may_end);
+  void note(Notice notice);
+
+  [[nodiscard]] const std::vector<Notice>& notices() const { return notices_; }
+  /// Largest energy that no force explains, as a part of what was exchanged.
+  [[nodiscard]] double energy_error() const { return worst_energy_; }
+  [[nodiscard]] double unexplained() const { return unexplained_; }  ///< J, now
+  [[nodiscard]] double largest_residual() const { return largest_residual_; }
+  [[nodiscard]] double largest_drift() const { return largest_drift_; }
+  [[nodiscard]] double size() const { return size_; }  ///< m
+
+ private:
+  struct Row {
+    std::size_t name;
+    double scale;  ///< the size of the robot for lengths, 1 for angles
+  };
+  [[nodiscard]] Row row(const Constraints& constraints, int k) const;
+  [[nodiscard]] double scale_of(const model::Constraint& constraint) const;
+  double energy_of(System& system, const Vector& q, const Vector& qd);
+  void measure(const Vector& q);
+
+  const model::Scene& scene_;
+  Bounds bounds_;
+  Pose pose_;
+  double size_ = 1;
+  double rounding_ = 0;  ///< J, of the potential energy
+  std::vector<std::string> names_;
+  std::vector<std::size_t> first_;  ///< of a constraint, in names_
+  std::vector<double> lost_;        ///< velocity of each row
+  std::vector<Notice> notices_;
+  bool has_energy_ = false;
+  double energy_ = 0;       ///< J, after the last step
+  double potential_ = 0;    ///< J, at the beginning
+  double exchanged_ = 0;    ///< J
+  double unexplained_ = 0;  ///< J
+  double worst_energy_ = 0;
+  double largest_residual_ = 0;
+  double largest_drift_ = 0;
+};
+
+}  // namespace treedyn::simulation

@@ -1,0 +1,28 @@
+// Names of columns and of what a message is about.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/scene.hpp"
+
+namespace treedyn::simulation {
+
+std::string joint_name(const model::Tree& tree, int coordinate);
+
+/// The names of the rows of constraints, one a reaction: "foot.x", "loop.2".
+std::vector<std::string> reaction_names(const model::Scene& scene);
+
+/// A column of numbers in a table.
+struct Column {
+  std::string name;
+  std::string unit;
+};
+/// What a table shows of one state: q, qd, reactions, drives, springs, contacts, points, energies
+/// and drift.
+std::vector<Column> columns_of(const model::Scene& scene);
+
+/// "touch_down of left_foot", "lift_off of floor", "time", "expression 2": event of a phase.
+std::string event_name(const model::Scene& scene, int phase, std::size_t event);
+
+}  // namespace treedyn::simulation

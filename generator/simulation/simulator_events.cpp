@@ -1,0 +1,274 @@
+// Events of a motion: watches, the places where they change, and what happens there.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "simulation/names.hpp"
+#include "simulation/sign_changes.hpp"
+#include "simulation/simulator.hpp"
+
+namespace treedyn::simulation {
+
+namespace {
+
+using Kind = Watch::Kind;
+
+/// Events at the same instant before it is called a pile, and how long an instant is: a part of the
+/// time, or s.
+constexpr int kMaxPile = 100;
+constexpr double kPile = 1e-10;
+
+Kind kind_of(model::EventKind kind) {
+  switch (kind) {
+    case model::EventKind::kReaction:
+      return Kind::kReaction;
+    case model::EventKind::kTime:
+      return Kind::kTime;
+    case model::EventKind::kExpression:
+      return Kind::kExpression;
+    case model::EventKind::kHeight:
+      break;
+  }
+  return Kind::kEvent;
+}
+
+}  // namespace
+
+void Simulator::start_phase(int phase, const std::vector<int>& active) {
+  const std::vector<int> before = system_.constraints().active();
+  system_.constraints().activate(active);
+  const Terms& terms = system_.geometry(q());
+  for (const int c : active) {
+    if (std::find(before.begin(), before.end(), c) == before.end()) {
+      system_.constraints().begin(c, t_, q(), terms);
+    }
+  }
+  phase_ = phase;
+  phase_start_ = t_;
+}
+
+void Simulator::add_watch(const std::vector<Watch>& before, Kind kind, std::size_t index, int point,
+                          const model::Plane& plane) {
+  Watch watch{kind, index, point, PlaneValues(plane), 1};
+  if (kind != Kind::kContact && kind != Kind::kSlip && kind != Kind::kStick) {
+    watch.event = &scene_.phases[static_cast<std::size_t>(phase_)].until[index];
+    watch.until = phase_start_ + static_cast<double>(watch.event->not_before);
+    watch.armed = watch.until <= t_;
+  }
+  watch.side = watch.side_of(system_, t_, y_);
+  const auto same = std::find_if(before.begin(), before.end(), [&](const Watch& w) {
+    return kind == Kind::kContact && w.kind == kind && w.index == index;
+  });
+  watch.side = same == before.end() ? watch.side : same->side;
+  watches_.push_back(watch);
+}
+
+/// Sides of contacts are kept: on the plane the state does not tell them.
+void Simulator::build_watches() {
+  const std::vector<Watch> before = std::move(watches_);
+  watches_.clear();
+  const std::vector<model::Event>& events = scene_.phases[static_cast<std::size_t>(phase_)].until;
+  const std::vector<int>& active = system_.constraints().active();
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const auto& impact = events[k].impact;
+    const bool rests = impact && !impact->constraints.empty() &&
+                       std::includes(active.begin(), active.end(), impact->constraints.begin(),
+                                     impact->constraints.end());
+    if (!rests) {
+      add_watch(before, kind_of(events[k].kind), k, events[k].point, events[k].plane);
+    }
+  }
+  for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
+    add_watch(before, Kind::kContact, k, scene_.contacts[k].point, scene_.contacts[k].plane);
+    system_.forces().touch(k, watches_.back().side < 0);
+  }
+  for (std::size_t k = 0; k < system_.frictions().size(); ++k) {
+    const int direction = system_.frictions()[k].direction;
+    add_watch(before, direction == 0 ? Kind::kStick : Kind::kSlip, k, 0, {});
+    watches_.back().side = direction == 0 ? 1 : direction;
+  }
+}
+
+/// Pieces of a step in which guards are looked at to begin with: short against the turn of the
+/// joints and against what changes with time by itself.
+int Simulator::pieces(double h) const {
+  const Eigen::Index n = y_.size() / 2;
+  double turn = 0;
+  for (const int k : turning_) {
+    turn += h * std::max(std::fabs(y_[n + k]), std::fabs(next_[n + k]));
+  }
+  const double parts = std::max(turn / kTurn, scale_ > 0 && scale_ < h ? 2 * h / scale_ : 1);
+  return static_cast<int>(std::ceil(std::clamp(parts, 1.0, 1000.0)));
+}
+
+/// The earliest change of side within the step that ends in `next_`.
+std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
+  std::optional<Crossing> first;
+  if (watches_.empty()) {
+    return first;
+  }
+  if (integrator_->error_order() == 0) {
+    dense_.set(h, y_, qdd_, next_);  // else `is_resolved` has set it
+  }
+  for (std::size_t k = 0; k < watches_.size(); ++k) {
+    look_for(k, h, first);
+  }
+  for (Watch& watch : watches_) {  // behind a crossing they are built anew
+    watch.side = watch.next_side;
+    watch.armed = watch.until <= t_ + h;
+  }
+  return first;
+}
+
+void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first) {
+  Watch& watch = watches_[k];
+  watch.next_side = watch.side;
+  const double from = watch.armed ? 0 : (watch.until - t_) / h;
+  if (from > 1) {
+    return;
+  }
+  if (watch.kind == Kind::kTime) {
+    if (!first || from * h < first->step) {
+      first = Crossing{k, std::max(0.0, watch.until - t_)};
+    }
+    return;
+  }
+  const auto g = [&](double s) {
+    const double at = from + (1 - from) * s;
+    cost_.evaluations += watch.kind == Kind::kReaction || watch.kind == Kind::kStick ? 1 : 0;
+    return watch.value(system_, t_ + at * h, dense_.at(at));
+  };
+  const Vector start = watch.armed ? y_ : dense_.at(from);
+  int side = watch.armed ? watch.side : watch.side_of(system_, t_ + from * h, start);
+  const SignChanges changes =
+      sign_changes(g, side, pieces(h), watch.is_height() ? kPlaneRounding : 0);
+  for (std::size_t n = 0; n < changes.places.size(); ++n) {
+    const double low = from + (1 - from) * changes.places[n].low;
+    const double high = from + (1 - from) * changes.places[n].high;
+    if (!(watch.ends_phase() && side < 0) && (!first || low * h < first->step)) {
+      watch.side = side;
+      const double at = refine(watch, low, high, h);
+      if (at < 0) {  // the motion does not get there: nor does it come back
+        ++n;
+        continue;
+      }
+      watch.next_side = side;
+      if (!first || at < first->step) {
+        first = Crossing{k, at};
+      }
+      return;
+    }
+    side = -side;
+  }
+  watch.next_side = watch.kind == Kind::kReaction ? 1 : side;
+  const double undefined = (from + (1 - from) * changes.undefined) * h;
+  if (changes.undefined >= 0 && watch.ends_phase() && !(first && first->step < undefined)) {
+    monitor_.guard(event_name(scene_, phase_, watch.index), t_ + undefined, true);
+  }
+}
+
+/// The length of the step that ends where the watch changes its side, to the resolution of time:
+/// between two parts of it; -1 if the motion does not get there.
+double Simulator::refine(const Watch& watch, double low, double high, double h) {
+  const std::function<double(double)> g = [&](double step) {
+    integrator_->step(rate_, t_, step, y_, trial_, trial_error_);
+    return watch.value(system_, t_ + step, trial_);
+  };
+  double from = low * h;
+  double to = high * h;
+  if (!(watch.side * g(to) < 0)) {  // the motion is a little behind its polynomial
+    to = std::min(h, to + (to - from));
+    if (!(watch.side * g(to) < 0)) {
+      return -1;
+    }
+  }
+  if (from > 0 && watch.side * g(from) < 0) {
+    from = 0;
+  }
+  const double resolution = std::numeric_limits<double>::epsilon() * (std::fabs(t_) + to) / 8;
+  return far_side(g, watch.side, from, to, resolution);
+}
+
+void Simulator::happen(Watch& watch) {
+  switch (watch.kind) {
+    case Kind::kEvent:
+    case Kind::kReaction:
+    case Kind::kTime:
+    case Kind::kExpression:
+      fire(scene_.phases[static_cast<std::size_t>(phase_)].until[watch.index]);
+      break;
+    case Kind::kContact:
+      watch.side = -watch.side;
+      break;
+    case Kind::kSlip:
+    case Kind::kStick:
+      y_[system_.dof() + system_.frictions()[watch.index].joint] = 0;
+      stick_or_slip(watch.index);
+      break;
+  }
+}
+
+/// A joint that moves slips; one at rest sticks if its friction can hold it.
+void Simulator::stick_or_slip(std::size_t k) {
+  DryFriction& friction = system_.frictions()[k];
+  const double speed = y_[system_.dof() + friction.joint];
+  friction.direction = speed > 0 ? 1 : speed < 0 ? -1 : 0;
+  if (friction.direction == 0) {
+    system_.accelerate(t_, q(), qd());
+    const double hold = system_.holding_force(k);
+    friction.direction = std::fabs(hold) <= friction.force ? 0 : hold > 0 ? -1 : 1;
+  }
+}
+
+/// The impact of an event. \return true if the rebound is slow enough to be rest
+bool Simulator::strike(const model::Event& event, EventRecord& record) {
+  const model::Impact& impact = *event.impact;
+  const auto restitution = static_cast<double>(impact.restitution);
+  record.impulse = system_.impact(t_, record.q, record.qd_after, impact.constraints, restitution);
+  const auto C = system_.geometry(record.q).C().middleCols<3>(3 * event.point);
+  const double rebound = (C * vector_of(event.plane.normal)).dot(record.qd_after);
+  if (restitution == 0 || rebound >= static_cast<double>(impact.rest_below)) {
+    return false;
+  }
+  record.qd_after = record.qd_before;
+  record.impulse = system_.impact(t_, record.q, record.qd_after, impact.constraints, 0);
+  return true;
+}
+
+void Simulator::fire(const model::Event& event) {
+  guard_against_pile();
+  const std::vector<model::Event>& all = scene_.phases[static_cast<std::size_t>(phase_)].until;
+  const auto index = static_cast<std::size_t>(&event - all.data());
+  EventRecord record{t_,   phase_, event_name(scene_, phase_, index), event.then, q(), qd(),
+                     qd(), {}};
+  std::vector<int> active = scene_.phases[static_cast<std::size_t>(event.then)].active;
+  if (event.impact && strike(event, record)) {
+    const std::vector<int>& resting = event.impact->constraints;
+    active.insert(active.end(), resting.begin(), resting.end());
+    std::sort(active.begin(), active.end());
+    active.erase(std::unique(active.begin(), active.end()), active.end());
+  }
+  const Terms& terms = system_.geometry(record.q);
+  for (const int c : event.pins) {
+    system_.constraints().pin(c, t_, record.q, terms);
+  }
+  y_ << record.q, record.qd_after;
+  start_phase(event.then, active);
+  monitor_.positions(system_, t_, record.q);
+  events_.push_back(std::move(record));
+}
+
+void Simulator::guard_against_pile() {
+  const bool same =
+      !events_.empty() && t_ - events_.back().time <= kPile * std::max(1.0, std::fabs(t_));
+  pile_ = same ? pile_ + 1 : 0;
+  if (pile_ > kMaxPile) {
+    throw std::runtime_error(
+        fmt::format("events pile up at t = {} s; expected rest_below at the impact", t_));
+  }
+}
+
+}  // namespace treedyn::simulation

@@ -1,0 +1,236 @@
+// What a motion promises: each broken promise is noticed, and ends the motion beyond its bound.
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "simulation/run_scene.hpp"
+
+namespace treedyn::simulation {
+namespace {
+
+const Notice* find(const std::vector<Notice>& notices, const std::string& kind) {
+  const auto row =
+      std::find_if(notices.begin(), notices.end(), [&](const Notice& n) { return n.kind == kind; });
+  return row == notices.end() ? nullptr : &*row;
+}
+
+model::Scene falling_ball(const std::string& more) {
+  return scene_of("scene: s\nmodel: drop.model.yaml\n" + more);
+}
+
+double most(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// 778 J out of 9.81 J, with steps that never see the ground softly.
+TEST(Energy, OutOfNothingEndsTheMotion) {
+  model::Scene scene = committed("drop");
+  scene.stepping.integrator = "semi-implicit-euler";
+  scene.stepping.step = Real("0.002");
+  Running run(scene);
+  const Recording recording = run.record(0.01);
+  EXPECT_NE(recording.stopped.find("energy grows without power"), std::string::npos);
+  const Notice* const notice = find(recording.notices, "energy");
+  ASSERT_NE(notice, nullptr);
+  EXPECT_NEAR(notice->time, std::sqrt(2 / 9.81), 0.002);  // where it meets the ground
+  EXPECT_LT(most(column(recording, "energy")), 2 * 9.81);
+}
+
+TEST(Energy, OfDrivesAndLedPointsIsExplainedByTheirWork) {
+  for (const char* const name : {"arm_circle", "four_bar", "drop", "biped_double_support"}) {
+    Running run(committed(name));
+    const Recording recording = run.record(0.1);
+    EXPECT_EQ(recording.stopped, "") << name;
+    EXPECT_EQ(find(recording.notices, "energy"), nullptr) << name;
+    EXPECT_LT(recording.energy_part, 1e-6) << name;
+  }
+}
+
+/// The forces of a fixed step are its own quadrature: the balance closes to the method's order.
+TEST(Energy, IsBalancedByEveryMethod) {
+  for (const char* const name : {"rk4", "dopri5-fixed", "sdirk2", "dopri5"}) {
+    model::Scene scene = committed("arm_circle");
+    scene.stepping.integrator = name;
+    Running run(scene);
+    EXPECT_LT(run.record(0.1).energy_part, 1e-5) << name;
+  }
+}
+
+const std::string kContradiction = R"yaml(
+effects:
+  locked_joint:
+    - {name: led, joint: height, at: t^3}
+  point_constraint:
+    - {name: held, point: ball, along: [z]}
+duration: 2
+)yaml";
+
+/// Each of the two goes half of t^3: 0.01 m at t = 0.27; 4 m at the end.
+TEST(Constraints, ThatPartEndTheMotion) {
+  for (const char* const name : {"fehlberg78", "rk4"}) {
+    model::Scene scene = falling_ball(kContradiction);
+    scene.stepping.integrator = name;
+    Running run(scene);
+    const Recording recording = run.record(0.004);
+    EXPECT_NE(recording.stopped, "") << name;
+    EXPECT_LT(recording.rows.back().t, 0.5);
+    ASSERT_NE(find(recording.notices, "drift"), nullptr);
+    ASSERT_NE(find(recording.notices, "residual"), nullptr);
+    EXPECT_LT(find(recording.notices, "drift")->time, 0.1);
+  }
+}
+
+TEST(Constraints, MayDriftFurtherIfTheUserSaysSo) {
+  const model::Scene scene = falling_ball(kContradiction);
+  Settings settings;
+  settings.bounds.drift_end = 100;
+  settings.bounds.residual_end = 1e9;
+  Running run(scene, &settings);
+  const Recording recording = run.record(0.01);
+  EXPECT_EQ(recording.stopped, "");
+  EXPECT_NEAR(recording.drift, 4, 4.1);
+  EXPECT_NE(find(recording.notices, "drift"), nullptr);
+}
+
+/// The tip is held at the end of the reach: J = 0.
+TEST(Constraints, ThatNoJointMovesAreNamedAndDoNotRunForEver) {
+  Running run(
+      scene_of("scene: stretched\nmodel: ../two_link.yaml\neffects:\n  gravity: [0, 0, -9.81]\n"
+               "  point_constraint:\n    - {point: tip, along: [x], curve: [2, 0, 0]}\n"
+               "duration: 2\n"));
+  const Recording recording = run.record(0.1);
+  EXPECT_NE(recording.stopped, "");
+  const Notice* const notice = find(recording.notices, "position");
+  ASSERT_NE(notice, nullptr);
+  EXPECT_EQ(notice->name, "tip.x");
+  EXPECT_EQ(notice->time, 0);
+}
+
+TEST(Constraints, ThatNoPositionMovesAreNoWarning) {
+  Running run(
+      falling_ball("effects:\n  point_constraint:\n    - {point: ball, along: [x, z]}\n"
+                   "duration: 1\n"));
+  const Recording recording = run.record(0.1);
+  EXPECT_EQ(recording.stopped, "");
+  EXPECT_TRUE(recording.notices.empty());
+}
+
+std::string guarded(const std::string& guard, const std::string& more) {
+  return "effects: {gravity: [0, 0, -10]}\nphases:\n  - name: a\n    until:\n      - {expression: "
+         "\"" +
+         guard + "\", then: a" + more + "}\nduration: 1\n";
+}
+
+TEST(Guards, ThatAreNotANumberEndTheMotionWhereTheyCeaseToBe) {
+  Running run(falling_ball(guarded("2 + sqrt(1/4 - t)", "")));
+  const Recording recording = run.record(0.01);
+  EXPECT_NE(recording.stopped.find("not a number"), std::string::npos);
+  EXPECT_LE(recording.rows.back().t, 0.25);
+}
+
+TEST(Guards, AreNotAskedBeforeTheirTime) {
+  Running run(falling_ball(guarded("2 + sqrt(t - 1/4)", ", not_before: 0.3")));
+  EXPECT_EQ(run.record(0.01).stopped, "");
+}
+
+TEST(Steps, ThatDoNotAdvanceTimeEndTheMotion) {
+  model::Scene scene = falling_ball("initial: {t: 1}\nduration: 1\n");
+  scene.stepping.integrator = "rk4";
+  scene.stepping.step = Real("1e-17");
+  Running run(scene);
+  EXPECT_NE(run.record(0.01).stopped.find("does not advance time"), std::string::npos);
+}
+
+TEST(Steps, OfAToleranceBelowTheRoundingEndTheMotion) {
+  model::Scene scene = committed("pendulum");
+  scene.stepping.tolerance = Real("1e-25");
+  Running run(scene);
+  EXPECT_NE(run.record(0.01).stopped, "");
+}
+
+/// The same to the last bit; a sum of 0.1 is another number.
+TEST(Steps, OfFixedLengthEndAtMultiplesOfIt) {
+  model::Scene scene = falling_ball("initial: {t: 0.3}\nduration: 10\n");
+  scene.stepping.integrator = "rk4";
+  scene.stepping.step = Real("0.1");
+  Running run(scene);
+  int k = 0;
+  run.simulator.advance_to(10.3, [&] {
+    ++k;
+    EXPECT_EQ(run.simulator.time(), k == 100 ? 10.3 : 0.3 + k * 0.1);
+    return true;
+  });
+  EXPECT_EQ(k, 100);
+}
+
+/// Motions of a scene with other durations and tables: the same steps.
+TEST(Steps, AreThoseOfTheDynamicsAlone) {
+  for (const char* const name : {"pendulum", "compass_walk"}) {
+    std::vector<Vector> ends;
+    std::vector<double> events;
+    for (const auto& [duration, output] : {std::pair{"2", 0.1}, {"2", 0.003}, {"200", 2.0}}) {
+      model::Scene scene = committed(name);
+      scene.duration = Real(duration);
+      Running run(scene);
+      run.simulator.show_at(output, [] {});
+      long steps = 0;
+      run.simulator.advance_to(static_cast<double>(scene.duration), [&] { return ++steps < 20; });
+      ends.push_back(run.simulator.q());
+      events.push_back(run.simulator.events().empty() ? 0 : run.simulator.events()[0].time);
+    }
+    EXPECT_EQ(ends[1], ends[0]) << name;
+    EXPECT_EQ(ends[2], ends[0]) << name;
+    EXPECT_EQ(events[1], events[0]) << name;
+    EXPECT_EQ(events[2], events[0]) << name;
+  }
+}
+
+double limit_of(const model::Scene& scene, const std::string& integrator) {
+  Running run(scene);
+  for (const StabilityLimit& limit : run.simulator.stability(*run.dynamics).limits) {
+    if (limit.integrator == integrator) {
+      return limit.step.value_or(0);
+    }
+  }
+  return -1;
+}
+
+/// hard_cases s15: 2/omega and 2 sqrt(2)/omega without damping.
+TEST(Stability, LimitsOfAnOscillatorAreThoseOfTheTextbooks) {
+  model::Scene scene = description::read_scene(std::string(TREEDYN_SOURCE_DIR) +
+                                               "/tests/data/hard_cases/s15_stiff_contact.json");
+  scene.joint_springs[0].damping = 0;
+  EXPECT_NEAR(limit_of(scene, "semi-implicit-euler"), 0.002, 1e-8);
+  EXPECT_NEAR(limit_of(scene, "rk4"), 0.00282842712475, 1e-8);
+  EXPECT_EQ(limit_of(scene, "sdirk2"), 0);  // none
+  scene.joint_springs[0].damping = 1000;    // omega^2 h^2 + 2 d h = 4
+  EXPECT_NEAR(limit_of(scene, "semi-implicit-euler"), (std::sqrt(5.0) - 1) * 1e-3, 1e-8);
+}
+
+/// drop closes its contact to the depth that stores the fall's m g h: k d^(n+1)/(n+1).
+TEST(Stability, ClosesContactsToTheDepthOfTheFall) {
+  Running run(committed("drop"));
+  const Stability stability = run.simulator.stability(*run.dynamics);
+  ASSERT_EQ(stability.depths.size(), 1U);
+  EXPECT_EQ(stability.depths[0].first, "ball");
+  const double depth = std::pow(9.81 * 2.5 / 1e8, 0.4);
+  EXPECT_NEAR(stability.depths[0].second, depth, 1e-3 * depth);
+  const double k = 1.5e8 * std::sqrt(depth);
+  const double d = 0.3e8 * std::pow(depth, 1.5);
+  EXPECT_NEAR(limit_of(run.scene, "semi-implicit-euler"), (std::sqrt(d * d + 4 * k) - d) / k, 1e-6);
+}
+
+TEST(Stability, WarnsOfStepsBeyondIt) {
+  for (const auto& [step, warns] : {std::pair{"0.002", true}, {"0.0003", false}}) {
+    model::Scene scene = committed("drop");
+    scene.stepping.integrator = "semi-implicit-euler";
+    scene.stepping.step = Real(step);
+    Running run(scene);
+    run.simulator.stability(*run.dynamics);
+    EXPECT_EQ(find(run.simulator.monitor().notices(), "step") != nullptr, warns) << step;
+  }
+}
+
+}  // namespace
+}  // namespace treedyn::simulation

@@ -1,0 +1,174 @@
+// Events whose guard is beyond zero for a moment only are found whatever the duration, the rows of
+// the table and the steps are.
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "simulation/run_scene.hpp"
+#include "simulation/sign_changes.hpp"
+#include "simulation/time_scale.hpp"
+
+namespace treedyn::simulation {
+namespace {
+
+std::vector<double> changes(const std::function<double(double)>& g, int start, int pieces = 1) {
+  std::vector<double> result;
+  for (const SignChange& place : sign_changes(g, start, pieces, 0).places) {
+    result.push_back((place.low + place.high) / 2);
+    EXPECT_LE(place.low, place.high);
+  }
+  return result;
+}
+
+TEST(SignChanges, AreFoundInPairs) {
+  for (const double width : {0.3, 0.03, 0.003, 0.0003}) {
+    for (const double at : {0.11, 0.37, 0.5, 0.83}) {
+      const auto found =
+          changes([&](double s) { return (s - at) * (s - at) - width * width / 4; }, 1);
+      ASSERT_EQ(found.size(), 2U) << width << ' ' << at;
+      EXPECT_NEAR(found[0], at, 0.26);
+    }
+  }
+}
+
+TEST(SignChanges, OfAGuardThatOnlyTouchesZeroAreNone) {
+  EXPECT_EQ(changes([](double s) { return (s - 0.3) * (s - 0.3); }, 1).size(), 0U);
+  EXPECT_EQ(changes([](double s) { return 1e-6 + (s - 0.3) * (s - 0.3); }, 1).size(), 0U);
+}
+
+TEST(SignChanges, KeepTheSideOfTheStart) {
+  EXPECT_EQ(changes([](double s) { return s - 1e-17; }, 1).size(), 0U);
+  EXPECT_EQ(changes([](double s) { return s - 1e-17; }, -1).size(), 1U);
+}
+
+TEST(SignChanges, OfManyTurnsAreAllFound) {
+  const auto found =
+      changes([](double s) { return std::cos(6 * std::numbers::pi * s) + 0.5; }, 1, 8);
+  EXPECT_EQ(found.size(), 6U);
+}
+
+TEST(SignChanges, SayWhereAFunctionIsNotDefined) {
+  const SignChanges found = sign_changes([](double s) { return 1 + std::sqrt(0.4 - s); }, 1, 1, 0);
+  EXPECT_GT(found.undefined, 0.4);
+  EXPECT_LE(found.undefined, 0.5);
+}
+
+TEST(FarSide, IsTheRootToTheResolution) {
+  int calls = 0;
+  const double root = far_side(
+      [&](double x) {
+        ++calls;
+        return 2 - std::exp(x);
+      },
+      1, 0, 3, 1e-15);
+  EXPECT_NEAR(root, std::log(2.0), 4e-15);
+  EXPECT_LT(2 - std::exp(root), 0);
+  EXPECT_LT(calls, 25);
+}
+
+model::Expression clock(const std::string& text) {
+  const model::Scene scene = scene_of(
+      "scene: s\nmodel: drop.model.yaml\nduration: 1\neffects:\n  force:\n"
+      "    - {point: ball, value: [0, 0, \"" +
+      text + "\"]}\n");
+  return scene.forces[0].value[2];
+}
+
+double resolved(const std::string& text, double t) {
+  const Vector none = Vector::Zero(1);
+  return resolved_step(clock(text), {t, none, none}, 1000);
+}
+
+TEST(ResolvedSteps, AreThoseOfTheClockOfAForce) {
+  EXPECT_EQ(resolved("3*t", 0), 1000);
+  EXPECT_EQ(resolved("t^4", 0), 1000);
+  EXPECT_LE(resolved("sin(50*t)", 0.3), 12.0 / 50);
+  EXPECT_GE(resolved("sin(50*t)", 0.3), 1.0 / 50);
+  EXPECT_GE(resolved("cos(2*t)", 0), 1.0);
+  EXPECT_LT(resolved("1/(1 + (1000*(t - 5))^8)", 0), 5.1);  // a pulse of 1 ms is not jumped over
+}
+
+double first_event(const std::string& more, const std::string& duration,
+                   const std::string& integrator, double step = 0.05) {
+  model::Scene scene =
+      scene_of("scene: s\nmodel: drop.model.yaml\n" + more + "duration: " + duration + "\n");
+  scene.stepping.integrator = integrator;
+  scene.stepping.step = Real(step);
+  Running run(scene);
+  run.simulator.advance_to(static_cast<double>(scene.duration),
+                           [&] { return run.simulator.events().empty(); });
+  return run.simulator.events().empty() ? -1 : run.simulator.events()[0].time;
+}
+
+/// A window of 0.02 s around t = 1.
+TEST(Windows, OfTheClockAreFoundAtEveryDuration) {
+  const std::string scene =
+      "phases:\n  - name: a\n    until:\n      - {expression: \"(t - 1)^2 - 1/10000\", then: b}\n"
+      "  - name: b\n";
+  for (const char* const duration : {"1.5", "2", "7", "300"}) {
+    for (const char* const integrator : {"fehlberg78", "dopri5", "rk4", "semi-implicit-euler"}) {
+      EXPECT_NEAR(first_event(scene, duration, integrator), 0.99, 1e-9) << integrator << duration;
+    }
+  }
+}
+
+TEST(Windows, OfAFastClockAreFoundAtOnce) {
+  const std::string scene =
+      "phases:\n  - name: a\n    until:\n      - {expression: \"999/1000 - cos(40*t + 1)\", then: "
+      "b}\n  - name: b\n";
+  const double expected = (2 * std::numbers::pi - 1 - std::acos(0.999)) / 40;
+  for (const char* const duration : {"1", "30"}) {
+    for (const char* const integrator : {"fehlberg78", "dopri5", "rk4"}) {
+      EXPECT_NEAR(first_event(scene, duration, integrator, 0.25), expected, 1e-9) << integrator;
+    }
+  }
+}
+
+/// Thrown to 1 m, below a ceiling at 0.999 m: beyond it for 0.028 s. Free flight is exact in one
+/// step, however long.
+TEST(Windows, OfAPointAreFoundInsideOneStep) {
+  const std::string scene =
+      "effects: {gravity: [0, 0, -10]}\ninitial: {qd: {height: sqrt(20)}}\n"
+      "phases:\n  - name: up\n    until:\n"
+      "      - {touch_down: {point: ball, normal: [0, 0, -1], height: -0.999}, then: down}\n"
+      "  - name: down\n";
+  const double expected = (std::sqrt(20) - std::sqrt(20 - 20 * 0.999)) / 10;
+  for (const char* const duration : {"1", "3", "50"}) {
+    for (const char* const integrator : {"fehlberg78", "rk4"}) {
+      EXPECT_NEAR(first_event(scene, duration, integrator, 0.5), expected, 1e-9) << integrator;
+    }
+  }
+}
+
+/// A push of 12 N against a weight of 10 N for 0.063 s; the ball does not move, so no error of a
+/// step tells of it.
+TEST(Windows, OfAReactionAreFoundWhileNothingMoves) {
+  const std::string scene =
+      "effects:\n  gravity: [0, 0, -10]\n  force:\n"
+      "    - {point: ball, value: [0, 0, 12 - 2000*(t - 3)^2]}\n"
+      "  point_constraint:\n    - {name: floor, point: ball, along: [z]}\n"
+      "phases:\n  - name: standing\n    active: [floor]\n    until:\n"
+      "      - {lift_off: {constraint: floor}, then: flying}\n  - name: flying\n";
+  for (const char* const duration : {"4", "40"}) {
+    EXPECT_NEAR(first_event(scene, duration, "fehlberg78"), 3 - std::sqrt(2.0 / 2000), 1e-9);
+    EXPECT_NEAR(first_event(scene, duration, "rk4"), 3 - std::sqrt(2.0 / 2000), 1e-9);
+  }
+}
+
+/// A force that begins and ends inside what a step could be: 1 N s in 2 ms at t = 5.
+TEST(Windows, OfAForceAreFeltAtEveryDuration) {
+  for (const char* const duration : {"6", "60"}) {
+    model::Scene scene = scene_of(
+        "scene: s\nmodel: drop.model.yaml\neffects:\n  force:\n"
+        "    - {point: ball, value: [0, 0, 1000/(1 + (1000*(t - 5))^8)]}\nduration: " +
+        std::string(duration) + "\n");
+    Running run(scene);
+    run.advance_to(6);
+    const double impulse = 2 * std::numbers::pi / 8 / std::sin(std::numbers::pi / 8);
+    EXPECT_NEAR(run.simulator.qd()[0], impulse, 1e-6) << duration;
+  }
+}
+
+}  // namespace
+}  // namespace treedyn::simulation
