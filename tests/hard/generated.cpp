@@ -10,8 +10,8 @@
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
+#include "dynamics/scene_dynamics.hpp"
 #include "hard/code.hpp"
-#include "scene_dynamics.hpp"
 
 namespace treedyn::hard {
 

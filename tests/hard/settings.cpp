@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "dynamics/scene_dynamics.hpp"
 #include "hard/generated.hpp"
-#include "scene_dynamics.hpp"
 
 namespace treedyn::hard {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "dynamics/scene_dynamics.hpp"
 #include "hard/motion.hpp"
 #include "program/function.hpp"
-#include "scene_dynamics.hpp"
 
 namespace treedyn::hard {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/engine.hpp"
-#include "scene_equations.hpp"
+#include "verify/scene_equations.hpp"
 
 namespace treedyn::stress {
 
