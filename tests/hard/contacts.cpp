@@ -10,22 +10,22 @@ namespace treedyn::hard {
 namespace {
 
 using Scene = const model::Scene&;
-using Dynamics = simulation::Dynamics&;
+using Dynamics = Source&;
 using Entry = const support::Json&;
 
 /// Height of the first contact's point.
 double height(Run& run) {
-  simulation::System& system = run.simulator().system();
+  simulation::System& system = run.system();
   const simulation::ContactLaw& contact = system.forces().contacts().front();
-  const auto p = system.geometry(run.simulator().q()).p();
+  const auto p = system.geometry(run.q()).p();
   return contact.plane().height(p.segment<3>(3 * contact.point()));
 }
 
 double rising_speed(Run& run) {
-  simulation::System& system = run.simulator().system();
+  simulation::System& system = run.system();
   const simulation::ContactLaw& contact = system.forces().contacts().front();
-  const auto C = system.geometry(run.simulator().q()).C().middleCols<3>(3 * contact.point());
-  return (C * contact.plane().normal()).dot(run.simulator().qd());
+  const auto C = system.geometry(run.q()).C().middleCols<3>(3 * contact.point());
+  return (C * contact.plane().normal()).dot(run.qd());
 }
 
 double end_of(Scene scene) {
@@ -54,14 +54,14 @@ struct Stop {
 Stop stop_of(Scene s, Dynamics d) {
   Run run(s, d);
   const auto direction = [&] {
-    return run.simulator().system().frictions().front().direction;
+    return run.motion().slip_direction();
   };
   Stop stop{run.start(), direction() == 0 ? 0 : 1};
   int before = direction();
   run.observer = [&] {
     const int now = direction();
     stop.swings += now != 0 && now != before ? 1 : 0;
-    stop.time = now == 0 && before != 0 ? run.simulator().time() : stop.time;
+    stop.time = now == 0 && before != 0 ? run.time() : stop.time;
     before = now;
   };
   run.advance_to(run.end());
@@ -69,18 +69,14 @@ Stop stop_of(Scene s, Dynamics d) {
 }
 
 /// True if the motion of the undamped scene stays within a million times its first ten steps.
-bool is_bounded(Scene scene, Dynamics dynamics, const char* integrator, double h) {
+bool is_bounded(Scene scene, Dynamics source, const char* integrator, double h) {
   constexpr int kSteps = 3000;
-  simulation::Settings how = settings();
-  how.integrator = integrator;
-  how.step = h;
-  how.bounds = simulation::unbounded();
-  Run run(scene, dynamics, how);
+  Run run(scene, source.motion(scene, integrator, h));
   double scale = 0;
   try {
     for (int k = 1; k <= kSteps; ++k) {
       run.advance_to(run.start() + k * h);
-      const double size = run.simulator().q().cwiseAbs().maxCoeff();
+      const double size = run.q().cwiseAbs().maxCoeff();
       scale = k <= 10 ? std::max(scale, size) : scale;
       if (size > 1e6 * scale) {
         return false;
@@ -92,18 +88,35 @@ bool is_bounded(Scene scene, Dynamics dynamics, const char* integrator, double h
   return true;
 }
 
-Values stable_step(Scene scene, Dynamics dynamics, const char* integrator) {
-  model::Scene undamped = scene;
-  for (model::JointSpring& spring : undamped.joint_springs) {
+model::Scene undamped(Scene scene) {
+  model::Scene result = scene;
+  for (model::JointSpring& spring : result.joint_springs) {
     spring.damping = 0;
   }
-  double low = 1e-6;
-  double high = 1;
+  return result;
+}
+
+/// Within 1e-5 of the longest step of which the motion stays bounded.
+double stable_step(Scene scene, Dynamics source, const char* integrator,
+                   std::pair<double, double> bracket) {
+  const model::Scene without_damping = undamped(scene);
+  auto [low, high] = bracket;
   while (high / low > 1 + 1e-5) {
     const double middle = std::sqrt(low * high);
-    (is_bounded(undamped, dynamics, integrator, middle) ? low : high) = middle;
+    (is_bounded(without_damping, source, integrator, middle) ? low : high) = middle;
   }
-  return {low};
+  return low;
+}
+
+/// Generated code has its step inside and is compiled for each: the simulator finds where to look.
+Values stable_step(Scene scene, Dynamics source, const char* integrator) {
+  const std::unique_ptr<Source> simulator = simulator_source();
+  const double expected = stable_step(scene, *simulator, integrator, {1e-6, 1});
+  if (!is_bounded(undamped(scene), source, integrator, expected * (1 - 1e-3)) ||
+      is_bounded(undamped(scene), source, integrator, expected * (1 + 1e-3))) {
+    return {};
+  }
+  return {stable_step(scene, source, integrator, {expected * (1 - 1e-3), expected * (1 + 1e-3)})};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Impacts of all constraints at once, with and without their tangential rows.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "hard/special.hpp"
 
@@ -26,35 +25,28 @@ struct Outcome {
   double vertical, energy_gain, rank;
 };
 
-Outcome impact(const model::Scene& scene, simulation::Dynamics& dynamics) {
-  Run run(scene, dynamics);
-  simulation::Simulator& simulator = run.simulator();
-  std::vector<int> all(scene.constraints.size());
-  std::iota(all.begin(), all.end(), 0);
-  simulation::Vector qd = simulator.qd();
-  const simulation::Vector P = simulator.system().impact(run.start(), simulator.q(), qd, all, 0);
+Outcome impact(const model::Scene& scene, Source& source) {
+  Run run(scene, source);
+  const Strike strike = run.motion().strike_all();
   simulation::Pose pose(scene.tree, scene.gravity);
-  pose.update(simulator.q(), qd);
+  pose.update(run.q(), strike.qd);
   const Eigen::Vector3d up = -simulation::vector_of(scene.gravity).normalized();
   double vertical = 0;
-  for (int k = 0; k < P.size(); ++k) {
-    vertical += P[k] * simulator.system().constraints().direction(k).dot(up);
+  Eigen::Index row = 0;
+  for (const model::Constraint& constraint : scene.constraints) {
+    for (const model::Vector3& d : constraint.directions) {
+      vertical += strike.impulse[row++] * simulation::vector_of(d).dot(up);
+    }
   }
   const double gain = pose.kinetic_energy() - run.pose().kinetic_energy();
-  return {values_of(qd), values_of(P), vertical, gain, double(simulator.solution().rank)};
+  return {values_of(strike.qd), values_of(strike.impulse), vertical, gain, double(strike.rank)};
 }
 
 using Scene = const model::Scene&;
-using Dynamics = simulation::Dynamics&;
+using Dynamics = Source&;
 using Entry = const support::Json&;
 
-/// Position, at t0: the change of qdd when the one parameter of the rank decision is a tenth.
-Values sensitivity(Scene scene, Dynamics dynamics, Entry) {
-  Run run(scene, dynamics);
-  const simulation::Vector qdd = run.simulator().solution().qdd;
-  run.simulator().system().set_rank_threshold(simulation::kRankThreshold / 10);
-  return {(run.simulator().solution().qdd - qdd).cwiseAbs().maxCoeff()};
-}
+Values sensitivity(Scene scene, Dynamics source, Entry) { return {source.sensitivity(scene)}; }
 
 }  // namespace
 

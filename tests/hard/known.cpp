@@ -15,8 +15,6 @@ struct Context {
   const support::Json& entry;
   const model::Scene& scene;
   Run& run;
-
-  [[nodiscard]] simulation::Simulator& simulator() const { return run.simulator(); }
 };
 
 Eigen::Vector3d upward(const model::Scene& scene) {
@@ -26,7 +24,7 @@ Eigen::Vector3d upward(const model::Scene& scene) {
 
 /// Sum over the force rows of the component against gravity.
 double total_vertical(const Context& c, const Vector& reactions) {
-  const simulation::Constraints& rows = c.simulator().system().constraints();
+  const simulation::Constraints& rows = c.run.system().constraints();
   double sum = 0;
   for (int k = 0; k < reactions.size(); ++k) {
     sum += rows.is_force(k) ? reactions[k] * rows.direction(k).dot(upward(c.scene)) : 0;
@@ -34,30 +32,20 @@ double total_vertical(const Context& c, const Vector& reactions) {
   return sum;
 }
 
-/// The impact of all constraints in the state of now.
-struct AllAtOnce {
-  Vector impulse;
-  Vector qd;
-  Vector qdd;
-  double vertical;
-};
-
-AllAtOnce impact_of_all(const Context& c) {
-  simulation::System& system = c.simulator().system();
-  const std::vector<int> before = system.constraints().active();
-  std::vector<int> all;
-  for (std::size_t k = 0; k < c.scene.constraints.size(); ++k) {
-    all.push_back(static_cast<int>(k));
+/// The same of the impulses of all constraints.
+double total_vertical_impulse(const Context& c) {
+  const Vector impulse = c.run.motion().strike_all().impulse;
+  double sum = 0;
+  Eigen::Index row = 0;
+  for (const model::Constraint& constraint : c.scene.constraints) {
+    for (std::size_t k = 0; k < constraint.rows(); ++k, ++row) {
+      sum +=
+          constraint.kind == model::ConstraintKind::kPoint
+              ? impulse[row] * simulation::vector_of(constraint.directions[k]).dot(upward(c.scene))
+              : 0;
+    }
   }
-  AllAtOnce result;
-  result.qd = c.simulator().qd();
-  const double t = c.simulator().time();
-  result.impulse = system.impact(t, c.simulator().q(), result.qd, all, 0);
-  system.constraints().activate(all);
-  result.qdd = system.accelerate(t, c.simulator().q(), result.qd).qdd;
-  result.vertical = total_vertical(c, result.impulse);
-  system.constraints().activate(before);
-  return result;
+  return sum;
 }
 
 const simulation::EventRecord& event_of(const Context& c) {
@@ -80,27 +68,27 @@ const std::map<std::string, Evaluate>& table() {
   static const std::map<std::string, Evaluate> result = {
       {"q",
        [](const Context& c) {
-         return values_of(c.simulator().q());
+         return values_of(c.run.q());
        }},
       {"qd",
        [](const Context& c) {
-         return values_of(c.simulator().qd());
+         return values_of(c.run.qd());
        }},
       {"qdd",
        [](const Context& c) {
-         return values_of(c.simulator().solution().qdd);
+         return values_of(c.run.solution().qdd);
        }},
       {"lambda",
        [](const Context& c) {
-         return values_of(c.simulator().solution().lambda);
+         return values_of(c.run.solution().lambda);
        }},
       {"lambda_min_norm",
        [](const Context& c) {
-         return values_of(c.simulator().solution().lambda);
+         return values_of(c.run.solution().lambda);
        }},
       {"rank",
        [](const Context& c) {
-         return Values{double(c.simulator().solution().rank)};
+         return Values{double(c.run.motion().rank())};
        }},
       {"point", point_of},
       {"energy",
@@ -129,27 +117,27 @@ const std::map<std::string, Evaluate>& table() {
        }},
       {"constraint_acceleration_residual",
        [](const Context& c) {
-         return Values{c.simulator().solution().residual};
+         return Values{c.run.motion().residual()};
        }},
       {"total_vertical_reaction",
        [](const Context& c) {
-         return Values{total_vertical(c, c.simulator().solution().lambda)};
+         return Values{total_vertical(c, c.run.solution().lambda)};
        }},
       {"total_vertical_impulse",
        [](const Context& c) {
-         return Values{impact_of_all(c).vertical};
+         return Values{total_vertical_impulse(c)};
        }},
       {"impulses_min_norm",
        [](const Context& c) {
-         return values_of(impact_of_all(c).impulse);
+         return values_of(c.run.motion().strike_all().impulse);
        }},
       {"qd_after_impact",
        [](const Context& c) {
-         return values_of(impact_of_all(c).qd);
+         return values_of(c.run.motion().strike_all().qd);
        }},
       {"qdd_after_impact",
        [](const Context& c) {
-         return values_of(impact_of_all(c).qdd);
+         return values_of(c.run.motion().strike_all().qdd);
        }},
       {"finite",
        [](const Context& c) {

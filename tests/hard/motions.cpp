@@ -11,7 +11,7 @@ namespace treedyn::hard {
 namespace {
 
 using Scene = const model::Scene&;
-using Dynamics = simulation::Dynamics&;
+using Dynamics = Source&;
 using Entry = const support::Json&;
 
 Eigen::Vector3d omega_body(Run& run) {
@@ -27,7 +27,7 @@ double end_of(Scene scene) {
 Values period(Scene s, Dynamics d, Entry) {
   const double start = static_cast<double>(s.t0);
   const auto speed = [](Run& run) {
-    return run.simulator().qd()[0];
+    return run.qd()[0];
   };
   return {crossings(s, d, start + (end_of(s) - start) / 5, speed).at(1) - start};
 }
@@ -93,6 +93,10 @@ std::vector<SpecialRow> motion_quantities() {
          Run run(s, d);
          run.advance_to(entry.at("time").get<double>());
          return values_of(omega_body(run));
+       }},
+      {"qdd_float_with_wrapped_angle_and_local_origin",
+       [](Scene s, Dynamics d, Entry) {
+         return values_of(Run(s, d).solution().qdd);
        }},
       {"precession_rate", precession},
       {"links_parallel", links_parallel},

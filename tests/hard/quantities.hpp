@@ -21,8 +21,7 @@ std::optional<Values> known_quantity(const std::string& name, const support::Jso
                                      const model::Scene& scene, Run& run);
 
 /// A quantity that belongs to one kind of case, by runs of its own.
-using Special = Values (*)(const model::Scene& scene, simulation::Dynamics& dynamics,
-                           const support::Json& entry);
+using Special = Values (*)(const model::Scene& scene, Source& source, const support::Json& entry);
 /// nullptr if there is none with that name.
 Special special_quantity(const std::string& name);
 

@@ -1,24 +1,20 @@
 // A scene under way, with everything that the known quantities of hard_cases/SCHEMA.md ask for.
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <string>
+#include <vector>
 
-#include "dynamics/scene_dynamics.hpp"
+#include "hard/motion.hpp"
 #include "model/scene.hpp"
 #include "simulation/pose.hpp"
-#include "simulation/simulator.hpp"
 
 namespace treedyn::hard {
 
-/// How every case is integrated: step by step to this error.
-simulation::Settings settings();
-
-/// Dynamics are made once for a scene and shared by its runs.
 class Run {
  public:
-  Run(const model::Scene& scene, simulation::Dynamics& dynamics,
-      const simulation::Settings& how = settings());
+  Run(const model::Scene& scene, Source& source);
+  Run(const model::Scene& scene, std::unique_ptr<Motion> motion);
 
   void advance_to(double time);
   /// Until the event, at most a hundredth of the duration beyond its end. \return nullptr: none
@@ -26,7 +22,15 @@ class Run {
 
   [[nodiscard]] double start() const { return static_cast<double>(scene_.t0); }
   [[nodiscard]] double end() const { return start() + static_cast<double>(scene_.duration); }
-  simulation::Simulator& simulator() { return simulator_; }
+  Motion& motion() { return *motion_; }
+  simulation::System& system() { return motion_->system(); }
+  [[nodiscard]] double time() const { return motion_->time(); }
+  [[nodiscard]] Vector q() const { return motion_->q(); }
+  [[nodiscard]] Vector qd() const { return motion_->qd(); }
+  const simulation::Solution& solution() { return motion_->solution(); }
+  [[nodiscard]] const std::vector<simulation::EventRecord>& events() const {
+    return motion_->events();
+  }
   const simulation::Pose& pose();
 
   double energy();
@@ -42,7 +46,7 @@ class Run {
   void observe();
 
   const model::Scene& scene_;
-  simulation::Simulator simulator_;
+  std::unique_ptr<Motion> motion_;
   simulation::Pose pose_;
   double first_energy_ = 0;
   double energy_change_ = 0;

@@ -1,39 +1,39 @@
 #include "hard/special.hpp"
 
+#include <boost/math/tools/roots.hpp>
 #include <map>
 
 namespace treedyn::hard {
 
-std::vector<double> crossings(const model::Scene& scene, simulation::Dynamics& dynamics, double end,
+std::vector<double> crossings(const model::Scene& scene, Source& source, double end,
                               const Function& g) {
-  Run run(scene, dynamics);
+  Run run(scene, source);
   double before = g(run);
   double time = run.start();
   std::vector<std::pair<double, double>> brackets;
   run.observer = [&] {
     const double now = g(run);
     if (before * now < 0) {
-      brackets.emplace_back(time, run.simulator().time());
+      brackets.emplace_back(time, run.time());
     }
     before = now != 0 ? now : before;
-    time = run.simulator().time();
+    time = run.time();
   };
   run.advance_to(end);
   std::vector<double> result;
-  for (auto [low, high] : brackets) {
-    const double first = value_at(scene, dynamics, low, g);
-    for (double middle = (low + high) / 2; low < middle && middle < high;
-         middle = (low + high) / 2) {
-      (value_at(scene, dynamics, middle, g) * first > 0 ? low : high) = middle;
-    }
-    result.push_back(high);
+  for (const auto& [low, high] : brackets) {
+    std::uintmax_t calls = 100;
+    const auto at = [&](double t) {
+      return value_at(scene, source, t, g);
+    };
+    const boost::math::tools::eps_tolerance<double> closest(52);
+    result.push_back(boost::math::tools::toms748_solve(at, low, high, closest, calls).second);
   }
   return result;
 }
 
-double value_at(const model::Scene& scene, simulation::Dynamics& dynamics, double time,
-                const Function& g) {
-  Run run(scene, dynamics);
+double value_at(const model::Scene& scene, Source& source, double time, const Function& g) {
+  Run run(scene, source);
   run.advance_to(time);
   return g(run);
 }

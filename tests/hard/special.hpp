@@ -8,11 +8,10 @@ namespace treedyn::hard {
 using Function = std::function<double(Run&)>;
 
 /// The times at which `g` changes its sign on the way to `end`, to the resolution of time.
-std::vector<double> crossings(const model::Scene& scene, simulation::Dynamics& dynamics, double end,
+std::vector<double> crossings(const model::Scene& scene, Source& source, double end,
                               const Function& g);
 /// g at a time.
-double value_at(const model::Scene& scene, simulation::Dynamics& dynamics, double time,
-                const Function& g);
+double value_at(const model::Scene& scene, Source& source, double time, const Function& g);
 
 using SpecialRow = std::pair<std::string, Special>;
 std::vector<SpecialRow> walker_quantities();

@@ -17,17 +17,17 @@ using simulation::Vector;
 /// Steps after which only the cycle is left; even, so that the legs have their first parts again.
 constexpr std::size_t kCycle = 40;
 
-Events events_of(const model::Scene& scene, simulation::Dynamics& dynamics, std::size_t count) {
+Events events_of(const model::Scene& scene, Source& source, std::size_t count) {
   model::Scene longer = scene;
-  Run run(longer, dynamics);
+  Run run(longer, source);
   const double part = static_cast<double>(scene.duration) / 10;
-  for (std::size_t k = 1; run.simulator().events().size() < count && k <= 10 * count; ++k) {
+  for (std::size_t k = 1; run.events().size() < count && k <= 10 * count; ++k) {
     run.advance_to(run.start() + part * static_cast<double>(k));
   }
-  if (run.simulator().events().size() < count) {
+  if (run.events().size() < count) {
     throw std::runtime_error("the walker falls");
   }
-  return run.simulator().events();
+  return run.events();
 }
 
 const simulation::EventRecord& last(const Events& events) { return events[kCycle - 1]; }
@@ -67,23 +67,20 @@ model::Scene started(const model::Scene& scene, const Eigen::Vector3d& z) {
 }
 
 /// One step; the legs change places.
-Eigen::Vector3d return_map(const model::Scene& scene, simulation::Dynamics& dynamics,
-                           const Eigen::Vector3d& z) {
-  const simulation::EventRecord event = events_of(started(scene, z), dynamics, 1).front();
+Eigen::Vector3d return_map(const model::Scene& scene, Source& source, const Eigen::Vector3d& z) {
+  const simulation::EventRecord event = events_of(started(scene, z), source, 1).front();
   return {event.q[3], event.qd_after[3], event.qd_after[2]};
 }
 
 /// Moduli, in the order of size that `expected` has.
-Values eigenvalues(const model::Scene& scene, simulation::Dynamics& dynamics,
-                   const support::Json& entry) {
+Values eigenvalues(const model::Scene& scene, Source& source, const support::Json& entry) {
   constexpr double kStep = 1e-6;
-  const simulation::EventRecord cycle = last(events_of(scene, dynamics, kCycle));
+  const simulation::EventRecord cycle = last(events_of(scene, source, kCycle));
   const Eigen::Vector3d z(cycle.q[2], cycle.qd_after[2], cycle.qd_after[3]);
   Eigen::Matrix3d J;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d d = kStep * Eigen::Vector3d::Unit(k);
-    J.col(k) =
-        (return_map(scene, dynamics, z + d) - return_map(scene, dynamics, z - d)) / (2 * kStep);
+    J.col(k) = (return_map(scene, source, z + d) - return_map(scene, source, z - d)) / (2 * kStep);
   }
   const Eigen::Vector3d moduli = Eigen::EigenSolver<Eigen::Matrix3d>(J).eigenvalues().cwiseAbs();
   Values sorted(moduli.begin(), moduli.end());
@@ -108,7 +105,7 @@ double deviation(const Events& events) {
 }
 
 using Scene = const model::Scene&;
-using Dynamics = simulation::Dynamics&;
+using Dynamics = Source&;
 using Entry = const support::Json&;
 
 }  // namespace

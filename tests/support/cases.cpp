@@ -114,6 +114,7 @@ std::string Report::text(const std::string& name) const {
   for (const auto& [quantity, error] : errors_) {
     result += fmt::format("  {} {:.1e}", quantity, error);
   }
+  result += remark_.empty() ? "" : fmt::format("  [{}]", remark_);
   for (const std::string& failure : failures_) {
     result += "\n       " + failure;
   }

@@ -36,6 +36,8 @@ class Report {
                const std::vector<double>& expected, const Tolerance& tolerance);
   /// An error that was computed already, and the largest that passes.
   void note(const std::string& source, const std::string& quantity, double error, double largest);
+  /// How it was computed, at the end of the line.
+  void remark(const std::string& text) { remark_ = text; }
   void fail(const std::string& message) { failures_.push_back(message); }
   [[nodiscard]] bool passed() const { return failures_.empty() && !errors_.empty(); }
   /// "passed c01_pendulum  A 1.1e-16  B 0", and one more line for everything that failed.
@@ -44,6 +46,7 @@ class Report {
  private:
   std::vector<std::pair<std::string, double>> errors_;
   std::vector<std::string> failures_;
+  std::string remark_;
 };
 
 using Check = std::function<void(const std::filesystem::path& file, const Json& data, Report&)>;

@@ -40,6 +40,7 @@ FunctionInfo function_info(const Json& entry) {
   FunctionInfo result{entry.at("name"),
                       names(entry.at("inputs")),
                       sizes(entry.at("inputs")),
+                      names(entry.at("outputs")),
                       sizes(entry.at("outputs")),
                       integers(entry.at("inputs")),
                       integers(entry.at("outputs")),

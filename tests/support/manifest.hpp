@@ -12,7 +12,8 @@ struct FunctionInfo {
   std::string name;
   std::vector<std::string> arguments;  ///< names of the input arrays, in order
   std::vector<int> inputs;             ///< their sizes
-  std::vector<int> outputs;            ///< sizes of the output arrays, in order
+  std::vector<std::string> results;    ///< names of the output arrays, in order
+  std::vector<int> outputs;            ///< their sizes
   std::vector<bool> integer_inputs;    ///< which are int
   std::vector<bool> integer_outputs;
   bool status = false;               ///< returns one
