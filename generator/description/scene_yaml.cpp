@@ -16,8 +16,9 @@ namespace treedyn::description {
 namespace {
 
 Keys root_keys() {
-  return {"scene",  "model",       "base",    "parameters", "points",   "effects", "use",
-          "phases", "start_phase", "initial", "duration",   "stepping", "actuated"};
+  return {"scene",    "model",    "base",     "parameters",    "points",
+          "effects",  "use",      "phases",   "start_phase",   "initial",
+          "duration", "stepping", "actuated", "rank_tolerance"};
 }
 
 Base base_of(const Fields& root) {
@@ -128,6 +129,9 @@ model::Scene read_scene_yaml(const Node& node, const std::string& file) {
   scene.duration = root.positive("duration");
   read_stepping(context, root, scene);
   read_actuated(context, root, scene);
+  if (root.find("rank_tolerance") != nullptr) {
+    scene.rank_tolerance = root.positive("rank_tolerance");
+  }
   return scene;
 }
 

@@ -1,6 +1,7 @@
 #include "emit/staged.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -48,14 +49,40 @@ std::string parameter_list(const RowSolve& solve) {
                      solve.rows * (solve.rows + 1) / 2, solve.rows, solve.rows);
 }
 
-/// The threshold of the pivots.
-void add_threshold(const RowSolve& solve, std::vector<std::string>& lines) {
-  lines.push_back("Scalar largest = K[0];");
-  for (int k = 1; k < solve.rows; ++k) {
-    const int place = k * (k + 3) / 2;
-    lines.push_back(fmt::format("largest = K[{}] > largest ? K[{}] : largest;", place, place));
-  }
-  lines.push_back(fmt::format("const Scalar least = {} * kRankTolerance * largest;", solve.rows));
+/// What rounding leaves of a pivot that is zero, as a multiple of its own diagonal entry.
+double rounding(const RowSolve& solve, const Target& target) {
+  const double epsilon = target.scalar == Scalar::kFloat
+                             ? double{std::numeric_limits<float>::epsilon()}
+                             : std::numeric_limits<double>::epsilon();
+  return 4 * std::max(solve.rows, 2) * epsilon;
+}
+
+/// Multiple of its own diagonal entry that a pivot has to exceed.
+double tolerance(const RowSolve& solve, const Target& target) {
+  return solve.tolerance > 0 ? solve.tolerance : rounding(solve, target);
+}
+
+/// A number with two digits.
+std::string short_literal(double value, const Target& target) {
+  return literal(Real(fmt::format("{:.1e}", value)), target.scalar);
+}
+
+/// Multiple of its row's size that a diagonal entry has to exceed; a row's length is its root.
+double vanishing(const Target& target) { return target.scalar == Scalar::kFloat ? 1e-9 : 1e-14; }
+
+/// What the diagonal entry of a row has to exceed.
+std::string least_entry(const RowSolve& solve, std::size_t row, const Target& target) {
+  const double least = target.scalar == Scalar::kFloat ? 1e-36 : 1e-290;  // of normal numbers
+  return short_literal(std::max(vanishing(target) * solve.sizes[row], least), target);
+}
+
+/// Pivot k is safe.
+std::string pivot_test(const RowSolve& solve, std::size_t k, const Target& target) {
+  const std::size_t diagonal = k * (k + 3) / 2;
+  const std::string least = fmt::format("K[{}] > {}", diagonal, least_entry(solve, k, target));
+  return k == 0 ? least
+                : fmt::format("{} && d[{}] > {} * K[{}]", least, k,
+                              short_literal(tolerance(solve, target), target), diagonal);
 }
 
 /// The unrolled elimination, which gives up at the first pivot that may be zero.
@@ -64,13 +91,12 @@ std::string regular_text(const RowSolve& solve, const std::string& name, const T
   const Body text = body(function, {}, target,
                          [](int array, int element) { return array == 2 ? element + 1 : 0; });
   std::vector<std::string> lines;
-  add_threshold(solve, lines);
   lines.push_back(fmt::format("Scalar d[{}];", solve.rows));
   const Part& part = text.parts.front();
   std::size_t stage = 0;
   for (std::size_t at = 0; at < part.lines.size(); ++at) {
     for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
-      lines.push_back(fmt::format("if (!(d[{}] > least)) {{", stage));
+      lines.push_back(fmt::format("if (!({})) {{", pivot_test(solve, stage, target)));
       lines.push_back("  return false;");
       lines.push_back("}");
     }
@@ -84,17 +110,32 @@ std::string regular_text(const RowSolve& solve, const std::string& name, const T
          block(lines);
 }
 
+/// The path for dependent rows; weights are the inverse sizes of the rows.
+std::vector<std::string> deficient_lines(const RowSolve& solve, const Target& target) {
+  std::vector<std::string> weights;
+  for (const double size : solve.sizes) {
+    weights.push_back(short_literal(size > 0 ? 1 / size : 1, target));
+  }
+  std::string list = wrapped(fmt::format("{}}};", fmt::join(weights, ", ")), "      ");
+  list.pop_back();
+  return {fmt::format("static constexpr {} weights[] = {{\n{}", type_name(target.scalar), list),
+          declaration(fmt::format("return solve_deficient<{}>", solve.rows),
+                      {std::to_string(solve.rank), "weights",
+                       short_literal(tolerance(solve, target), target),
+                       short_literal(vanishing(target), target), "K", "b", "x"},
+                      ";")};
+}
+
 std::string solve_text(const RowSolve& solve, const Solves& all, const Target& target) {
-  const std::string deficient =
-      fmt::format("return solve_deficient<{}>({}, K, b, x);", solve.rows, solve.rank);
   const std::string name = name_of(solve, all, "solve_rows");
   const std::string head = fmt::format("\nint {}({}) noexcept {{", name, parameter_list(solve));
+  std::vector<std::string> lines = deficient_lines(solve, target);
   if (!solve.regular()) {
-    return head + block({deficient});
+    return head + block(lines);
   }
   const std::string regular = name_of(solve, all, "solve_regular");
-  return regular_text(solve, regular, target) + head +
-         block({fmt::format("if (!{}(K, b, x)) {{", regular), "  " + deficient, "}", "return 0;"});
+  lines.insert(lines.begin(), {fmt::format("if ({}(K, b, x)) {{", regular), "  return 0;", "}"});
+  return regular_text(solve, regular, target) + head + block(lines);
 }
 
 std::string solvers_text(const Solves& all, const Target& target) {
@@ -103,11 +144,9 @@ std::string solvers_text(const Solves& all, const Target& target) {
   }
   const bool single = target.scalar == Scalar::kFloat;
   std::string result =
-      fill(template_text("solve_rows.cpp"),
-           {{"type", type_name(target.scalar)},
-            {"tolerance", single ? program::kRankToleranceFloat : program::kRankToleranceDouble},
-            {"given_up", single ? "0.01f" : "0.01"},
-            {"given_up_least", single ? "1e-3f" : "1e-6"}});
+      fill(template_text("solve_rows.cpp"), {{"type", type_name(target.scalar)},
+                                             {"given_up", single ? "0.01f" : "0.01"},
+                                             {"given_up_least", single ? "1e-3f" : "1e-6"}});
   for (const RowSolve& solve : all) {
     result += solve_text(solve, all, target);
   }

@@ -202,6 +202,9 @@ struct Scene {
   std::optional<std::vector<int>> actuated;
   std::vector<Phase> phases;  ///< at least one
   int start_phase = 0;
+  /// Pivots of K = J A^-1 J^T below this multiple of their own diagonal entry count as zero; 0:
+  /// what rounding makes uncertain.
+  Real rank_tolerance = 0;
   Stepping stepping;
 };
 

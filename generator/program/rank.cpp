@@ -1,6 +1,8 @@
 #include "program/rank.hpp"
 
 #include <algorithm>
+#include <ios>
+#include <string>
 
 #include "program/interpret.hpp"
 #include "program/random.hpp"
@@ -34,24 +36,21 @@ void eliminate(Matrix& a, std::size_t k) {
   }
 }
 
-std::size_t largest_diagonal(const Matrix& a) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < a.size(); ++i) {
-    best = a[i][i] > a[best][best] ? i : best;
-  }
-  return best;
-}
-
 }  // namespace
 
 int rank_of(const std::vector<Real>& lower, int rows) {
   Matrix a = symmetric(lower, rows);
-  const std::size_t first = largest_diagonal(a);
-  const Real least = a[first][first] * Real("1e-25");
+  const Matrix whole = a;
+  const auto share = [&](std::size_t i) {
+    return whole[i][i] == 0 ? Real(0) : Real(a[i][i] / whole[i][i]);
+  };
   int rank = 0;
   for (; rank < rows; ++rank) {
-    const std::size_t k = largest_diagonal(a);
-    if (!(a[k][k] > least)) {
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < a.size(); ++i) {
+      k = share(i) > share(k) ? i : k;
+    }
+    if (!(share(k) > Real("1e-25"))) {
       break;
     }
     eliminate(a, k);
@@ -59,24 +58,47 @@ int rank_of(const std::vector<Real>& lower, int rows) {
   return rank;
 }
 
-RowSolve solve_of(const Function& function, int rows) {
+namespace {
+
+/// The outputs of stage 0 for some values of q; the other inputs are `others`.
+std::vector<Real> values_at(const Function& function, std::vector<std::vector<Real>> inputs,
+                            const std::vector<double>& q) {
+  inputs.front().assign(q.begin(), q.end());
+  const std::vector<std::span<const Real>> spans(inputs.begin(), inputs.end());
+  return interpret<Real>(function, spans);
+}
+
+/// With two digits.
+double rounded(const Real& x) { return std::stod(x.str(2, std::ios_base::scientific)); }
+
+}  // namespace
+
+RowSolve solve_of(const Function& function, int rows, int rank,
+                  const std::vector<std::vector<double>>& states) {
   Random random(1);
-  std::vector<std::vector<Real>> state;
+  std::vector<std::vector<Real>> inputs;
   for (const Array& array : function.signature.inputs) {
-    state.emplace_back();
-    std::generate_n(std::back_inserter(state.back()), array.size,
+    inputs.emplace_back();
+    std::generate_n(std::back_inserter(inputs.back()), array.size,
                     [&] { return Real(random.symmetric()); });
   }
-  const std::vector<std::span<const Real>> inputs(state.begin(), state.end());
-  std::vector<Real> values = interpret<Real>(function, inputs);
-  const auto size = static_cast<std::size_t>(rows * (rows + 1) / 2);
+  const std::vector<std::span<const Real>> spans(inputs.begin(), inputs.end());
+  std::vector<Real> values = interpret<Real>(function, spans);
+  values.resize(static_cast<std::size_t>(rows * (rows + 1) / 2));
   RowSolve solve;
   solve.rows = rows;
-  for (std::size_t k = 0; k < size; ++k) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
     solve.zeros.push_back(function.outputs[k] == 0);
   }
-  values.resize(size);
-  solve.rank = rank_of(values, rows);
+  solve.rank = rank < 0 ? rank_of(values, rows) : rank;
+  std::vector<Real> sizes(static_cast<std::size_t>(rows));
+  for (const std::vector<double>& q : states) {
+    const std::vector<Real> K = values_at(function, inputs, q);
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      sizes[k] = std::max(sizes[k], K[k * (k + 3) / 2]);
+    }
+  }
+  std::transform(sizes.begin(), sizes.end(), std::back_inserter(solve.sizes), rounded);
   return solve;
 }
 

@@ -81,15 +81,15 @@ Function regular_solve(const RowSolve& solve) {
 }
 
 Cost regular_cost(const RowSolve& solve) {
-  return cost(regular_solve(solve)) + Cost{.mul = 1};  // the threshold
+  return cost(regular_solve(solve)) + Cost{.mul = solve.rows - 1};  // the thresholds
 }
 
 /// The loops of templates/solve_rows.cpp.in.
 Cost deficient_cost(int rows, int rank) {
-  Cost c{.mul = 1};  // the threshold
+  Cost c{.add = 1, .mul = 1};  // the bound of what is left
   for (int k = 0; k < rank; ++k) {
     const int below = rows - k - 1;
-    c.div += 1;                                                      // 1 / pivot
+    c = c + Cost{.mul = 3 * (rows - k), .div = 1};                   // the search, 1 / pivot
     c = c + Cost{.mul = below} + products(below * (below + 1) / 2);  // M, the remainder
     for (int j = k; j < rank; ++j) {
       c = c + products(rows - j - 1);  // S = M^T M
@@ -101,8 +101,8 @@ Cost deficient_cost(int rows, int rank) {
     c.mul += 1;                                          // D^-1
   }
   for (int i = 0; i < rows; ++i) {
-    c = c + products(std::min(i, rank));                 // M v
-    c = c + Cost{.add = 2 * rows + 1, .mul = rows + 1};  // what is left of the row
+    c = c + products(std::min(i, rank));         // M v
+    c = c + Cost{.add = 2 * rows, .mul = rows};  // what is left of the row
   }
   return c;
 }

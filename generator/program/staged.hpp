@@ -9,10 +9,15 @@
 namespace treedyn::program {
 
 /// K x = b for a symmetric, positive semidefinite K, EQUATIONS.md 6.3.
+///
+/// A pivot counts as zero below `tolerance` of its own diagonal entry of K, and below rounding's
+/// share of its row's size: no row is measured by another one.
 struct RowSolve {
   int rows = 0;
-  int rank = 0;             ///< of K at almost every state; the regular path needs rank = rows
+  int rank = 0;             ///< of K where the constraints hold; the regular path needs rank = rows
   std::vector<bool> zeros;  ///< of the lower half, row by row: entries that are always zero
+  std::vector<double> sizes;  ///< of the rows: diagonal entries of K as they are in ordinary states
+  double tolerance = 0;       ///< 0: what rounding makes uncertain
 
   [[nodiscard]] bool regular() const { return rank == rows; }
   bool operator==(const RowSolve&) const = default;
@@ -59,10 +64,6 @@ inline constexpr const char* kForceArray = "force";
 inline constexpr const char* kLawArray = "law";
 inline constexpr const char* kNormalArray = "normal";
 inline constexpr const char* kPowerArray = "power";
-
-/// Multiples of the largest diagonal entry of K: smaller pivots count as zero, EQUATIONS.md 6.3.
-inline constexpr const char* kRankToleranceDouble = "1e-11";
-inline constexpr const char* kRankToleranceFloat = "1e-5f";
 
 /// The regular path unrolled: K = L D L^T without pivoting. Input arrays K, b, d; output arrays d,
 /// x. Element k of d is output of stage k and may be read, so divided by, in stage k + 1.

@@ -117,10 +117,12 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   const SceneSystem system(task, arrays);
   const Factorization factor(graph, task.tree.dof(), system.inertia());
   const SceneRows::Correction correction = [&](int constraint) {
-    return drift_corrections(task, system.forces(), constraint, arrays.anchor);
+    return is_stabilised(*task.options.scene, constraint)
+               ? drift_corrections(task, system.forces(), constraint, arrays.anchor)
+               : std::vector<Expr>();
   };
   const SceneRows rows(*task.options.scene, active, system.frame(), graph, system.meaning(),
-                       is_stabilised(*task.options.scene) ? correction : nullptr);
+                       correction);
   const Reduced reduced = reduce(factor, rows.rows(), system.right());
 
   std::vector<Expr> result = lower_half(reduced);

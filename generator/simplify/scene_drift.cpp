@@ -4,6 +4,7 @@
 
 #include "simplify/points.hpp"
 #include "simplify/scene_frame.hpp"
+#include "simplify/scene_steps.hpp"
 
 namespace treedyn::simplify {
 
@@ -158,11 +159,23 @@ bool begins_anywhere(const Scene& scene, int constraint) {
 
 }  // namespace
 
-bool is_stabilised(const Scene& scene) { return scene.stepping.drift == model::Drift::kBaumgarte; }
+bool is_stabilised(const Scene& scene, int constraint) {
+  const Constraint& c = scene.constraints[index(constraint)];
+  const bool loop = c.kind == ConstraintKind::kJoined && step_method(scene) &&
+                    scene.stepping.drift == model::Drift::kProjection;
+  return c.accelerations.empty() && (loop || scene.stepping.drift == model::Drift::kBaumgarte);
+}
+
+Real stabilisation_rate(const Scene& scene) {
+  const Real resolved = 1 / (2 * scene.stepping.step);
+  return scene.stepping.drift == model::Drift::kBaumgarte
+             ? scene.stepping.stabilisation
+             : std::min(scene.stepping.stabilisation, resolved);
+}
 
 int anchor_size(const Scene& scene, int constraint) {
   const Constraint& c = scene.constraints[index(constraint)];
-  if (!is_stabilised(scene) || !c.accelerations.empty() || c.kind == ConstraintKind::kJoined ||
+  if (!is_stabilised(scene, constraint) || c.kind == ConstraintKind::kJoined ||
       !begins_anywhere(scene, constraint)) {
     return 0;
   }
@@ -197,7 +210,7 @@ std::vector<Expr> drift_corrections(const Task& task, const SceneForces& forces,
   const Constraint& c = scene.constraints[index(constraint)];
   Graph& graph = task.kinematics.graph();
   const Errors errors = Drift(task, forces, constraint, anchor).errors();
-  const Real alpha = scene.stepping.stabilisation;
+  const Real alpha = stabilisation_rate(scene);
   const Expr damping = constant(graph, 2 * alpha);
   const Expr stiffness = constant(graph, alpha * alpha);
   std::vector<Expr> result;

@@ -8,8 +8,12 @@
 
 namespace treedyn::simplify {
 
-/// True if the scene asks for Baumgarte's correction, the one that is part of the equations.
-bool is_stabilised(const model::Scene& scene);
+/// True if Baumgarte's correction, the one that is part of the equations, acts on a constraint:
+/// where the scene asks for it, and, unless it asks for none, on closed loops that a step goes
+/// round.
+bool is_stabilised(const model::Scene& scene, int constraint);
+/// Its alpha, 1/s: that of the scene; of loops never more than half of what a step resolves.
+Real stabilisation_rate(const model::Scene& scene);
 
 /// Values that say where a constraint began to act: the position of its point (3, base frame, m;
 /// less that of a curve), the rotation of the point's link (9, row-major) or the position of its
@@ -27,7 +31,7 @@ std::vector<Expr> anchors_now(const Task& task, const SceneForces& forces);
 /// For every row of a held constraint -2 alpha (J qd - c') - alpha^2 phi with its position error
 /// phi, 6.2; base frame, along its directions.
 /// \param anchor  number of the input array
-/// \pre is_stabilised, the constraint does not state its acceleration
+/// \pre the constraint is_stabilised
 std::vector<Expr> drift_corrections(const Task& task, const SceneForces& forces, int constraint,
                                     int anchor);
 

@@ -9,6 +9,7 @@
 #include "simplify/functions.hpp"
 #include "simplify/scene_drift.hpp"
 #include "simplify/scene_names.hpp"
+#include "simplify/scene_rank.hpp"
 #include "simplify/scene_steps.hpp"
 #include "simplify/search.hpp"
 
@@ -25,7 +26,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 class SceneFormulator {
  public:
   SceneFormulator(const model::Scene& scene, const Options& options)
-      : scene_(scene), options_(options), dof_(scene.tree.dof()) {
+      : scene_(scene), options_(options), dof_(scene.tree.dof()), positions_(scene) {
     options_.gravity = scene.gravity;
     options_.points = scene.points;
     options_.scene = &scene;
@@ -62,6 +63,10 @@ class SceneFormulator {
   [[nodiscard]] program::Staged contact_force(std::size_t contact) const;
 
  private:
+  /// \param joints  whose columns of J the rows of K stand for; empty: K stands for rows of J
+  [[nodiscard]] program::RowSolve solve_of(const program::Function& function, int rows,
+                                           const std::vector<int>& constraints,
+                                           const std::vector<int>& joints = {}) const;
   void add_contacts(program::Staged& staged) const;
   void add_depths(program::Signature& inner) const;
   void add_power(std::size_t contact, std::size_t gate, program::Staged& staged) const;
@@ -86,8 +91,19 @@ class SceneFormulator {
   const model::Scene& scene_;
   Options options_;
   int dof_;
+  ScenePositions positions_;
   std::vector<int> all_;
 };
+
+program::RowSolve SceneFormulator::solve_of(const program::Function& function, int rows,
+                                            const std::vector<int>& constraints,
+                                            const std::vector<int>& joints) const {
+  const program::OrdinaryRows ordinary = positions_.ordinary(constraints, joints);
+  program::RowSolve solve =
+      program::solve_of(function, rows, ordinary.holds ? ordinary.rank : -1, ordinary.states);
+  solve.tolerance = scene_.rank_tolerance.convert_to<double>();
+  return solve;
+}
 
 /// Contacts press on what follows.
 void SceneFormulator::add_contacts(program::Staged& staged) const {
@@ -161,7 +177,7 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
     staged.anchors = anchor_names(scene_);
   }
   if (r > 0) {
-    staged.solves.push_back(program::solve_of(staged.function, r));
+    staged.solves.push_back(solve_of(staged.function, r, options.active));
   }
   staged.rows = row_names(scene_, options.active);
   staged.constraints = options.active;
@@ -215,7 +231,7 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
     staged.levels.push_back(0);
   }
   staged.gates.push_back(program::Gate::kSolve);
-  staged.solves = {program::solve_of(staged.function, p)};
+  staged.solves = {solve_of(staged.function, p, options.active, passive_joints(scene_))};
   staged.rows = row_names(scene_, options.active);
   staged.constraints = options.active;
   return staged;
@@ -258,7 +274,7 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
       {{program::kMatrixArray, r * (r + 1) / 2, ""}, {program::kRightArray, r, ""}, plus, P}};
   staged.levels = {0, 0, 1};
   staged.gates = {program::Gate::kSolve};
-  staged.solves = {program::solve_of(staged.function, r)};
+  staged.solves = {solve_of(staged.function, r, impact.constraints)};
   staged.rows = row_names(scene_, impact.constraints);
   staged.constraints = impact.constraints;
   staged.restitution = impact.restitution;

@@ -74,11 +74,9 @@ SceneRows::SceneRows(const model::Scene& scene, const std::vector<int>& active,
   for (const int c : active) {
     const model::Constraint& constraint = scene.constraints[index(c)];
     std::vector<Expr> a = wanted(constraint);
-    if (correction && constraint.accelerations.empty()) {
-      const std::vector<Expr> more = correction(c);
-      for (std::size_t k = 0; k < a.size(); ++k) {
-        a[k] += more[k];
-      }
+    const std::vector<Expr> more = correction ? correction(c) : std::vector<Expr>();
+    for (std::size_t k = 0; k < more.size(); ++k) {
+      a[k] += more[k];
     }
     add_constraint(constraint, a);
   }

@@ -23,11 +23,10 @@ struct Row {
 /// minimum norms as they are. `reactions` turns them back.
 class SceneRows {
  public:
-  /// What the right sides of the rows of a constraint gain, along its directions.
+  /// What the right sides of the rows of a constraint gain, along its directions; empty: nothing.
   using Correction = std::function<std::vector<Expr>(int constraint)>;
 
   /// \param active      indices of constraints of `scene`, ascending
-  /// \param correction  of rows that do not state their acceleration; empty: none
   SceneRows(const model::Scene& scene, const std::vector<int>& active, const SceneFrame& frame,
             Graph& graph, const Meaning& meaning, const Correction& correction = {});
 

@@ -28,6 +28,12 @@ class Constraints {
   /// False for rows that state their acceleration: they have no position.
   [[nodiscard]] bool is_held(int row) const { return item(at(row).item).accelerations.empty(); }
 
+  /// True for rows that hold wherever they begin to act.
+  [[nodiscard]] bool begins_anywhere(int row) const {
+    const Item& c = item(at(row).item);
+    return c.pinned || c.kind == model::ConstraintKind::kOrientation;
+  }
+
   /// A constraint begins to act: the orientation that it holds is that of now, and so is the place
   /// of one that is pinned.
   void begin(int constraint, double t, const Vector& q, const Terms& terms);

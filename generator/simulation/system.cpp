@@ -1,9 +1,13 @@
 #include "simulation/system.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "model/reach.hpp"
+#include "program/row_rank.hpp"
 
 namespace treedyn::simulation {
 
@@ -29,6 +33,8 @@ System::System(const model::Scene& scene, Dynamics& dynamics, double stabilisati
       constraints_(scene),
       forces_(scene),
       terms_(scene.tree.dof(), static_cast<int>(scene.points.size()), needs_of(scene)),
+      trial_(scene.tree.dof(), static_cast<int>(scene.points.size()), needs_of(scene)),
+      reach_(model::reach_of(scene.tree, scene.points)),
       A_(scene.tree.dof()) {
   for (const model::JointFriction& friction : scene.frictions) {
     if (friction.slip_speed == 0) {
@@ -38,11 +44,19 @@ System::System(const model::Scene& scene, Dynamics& dynamics, double stabilisati
   for (const model::Armature& armature : scene.armatures) {
     armature_[armature.joint] += static_cast<double>(armature.inertia);
   }
+  if (scene.rank_tolerance > 0) {
+    rank_threshold_ = scene.rank_tolerance.convert_to<double>();
+  }
 }
 
-int System::sticking() const {
-  return static_cast<int>(std::count_if(frictions_.begin(), frictions_.end(),
-                                        [](const DryFriction& f) { return f.direction == 0; }));
+std::vector<int> System::sticking_joints() const {
+  std::vector<int> result;
+  for (const DryFriction& friction : frictions_) {
+    if (friction.direction == 0) {
+      result.push_back(friction.joint);
+    }
+  }
+  return result;
 }
 
 /// Without velocity products B and gamma are those of a robot at rest: zero.
@@ -51,19 +65,85 @@ void System::evaluate(const Vector& q, const Vector& qd) {
 }
 
 /// J of the active rows, then one row for every sticking joint.
-void System::jacobian(const Terms& terms) {
-  constraints_.jacobian(terms, J_);
-  const int rows = constraints_.rows();
-  if (const int more = sticking(); more > 0) {
-    J_.conservativeResize(rows + more, dof());
-    J_.bottomRows(more).setZero();
-    int row = rows;
-    for (const DryFriction& friction : frictions_) {
-      if (friction.direction == 0) {
-        J_(row++, friction.joint) = 1;
-      }
-    }
+Matrix System::rows_at(const Terms& terms, const std::vector<int>& sticking) const {
+  Matrix J;
+  constraints_.jacobian(terms, J);
+  const auto more = static_cast<Eigen::Index>(sticking.size());
+  J.conservativeResize(constraints_.rows() + more, dof());
+  J.bottomRows(more).setZero();
+  for (Eigen::Index k = 0; k < more; ++k) {
+    J(constraints_.rows() + k, sticking[static_cast<std::size_t>(k)]) = 1;
   }
+  return J;
+}
+
+void System::jacobian(const Terms& terms) { J_ = rows_at(terms, sticking_joints()); }
+
+/// Roots of the diagonal of K in a position; zeros where A is not positive definite.
+Vector System::sizes_at(const Vector& q, const std::vector<int>& sticking) {
+  dynamics_.evaluate(q, at_rest_, trial_);
+  Eigen::MatrixXd A = trial_.A();
+  A.diagonal() += armature_;
+  const Matrix J = rows_at(trial_, sticking);
+  const Eigen::LLT<Eigen::MatrixXd> factors(A);
+  if (factors.info() != Eigen::Success) {
+    return Vector::Zero(J.rows());
+  }
+  return factors.matrixL().solve(J.transpose()).colwise().norm();
+}
+
+/// Sizes and rank of the active rows, and of joints that stick, found when they act first.
+const OrdinarySizes& System::ordinary(double t, const Vector& q, const std::vector<int>& sticking) {
+  const RowSet key{constraints_.active(), sticking};
+  if (const auto found = ordinary_.find(key); found != ordinary_.end()) {
+    return found->second;
+  }
+  Vector start;
+  dynamics_.evaluate_geometry(q, trial_);
+  constraints_.errors(trial_, t, q, start);
+  for (int k = 0; k < constraints_.rows(); ++k) {
+    start[k] = constraints_.begins_anywhere(k) ? start[k] : 0;
+  }
+  program::ConstraintRows rows;
+  rows.rows = constraints_.rows() + static_cast<int>(sticking.size());
+  rows.columns = dof();
+  rows.evaluate = [&](const std::vector<double>& at, std::vector<double>& phi,
+                      std::vector<double>& J) {
+    const Vector position = Eigen::Map<const Vector>(at.data(), dof());
+    dynamics_.evaluate_geometry(position, trial_);
+    Vector errors;
+    constraints_.errors(trial_, t, position, errors);
+    errors -= start;
+    std::copy(errors.begin(), errors.end(), phi.begin());
+    Eigen::Map<Matrix>(J.data(), rows.rows, dof()) = rows_at(trial_, sticking);
+  };
+  const program::OrdinaryRows found =
+      program::ordinary_rows(rows, {q.data(), q.data() + q.size()}, reach_);
+  OrdinarySizes result{Vector::Zero(rows.rows),
+                       Eigen::Map<const Vector>(found.lengths.data(), rows.rows),
+                       found.holds ? found.rank : -1};
+  for (const std::vector<double>& state : found.states) {
+    const Vector position = Eigen::Map<const Vector>(state.data(), dof());
+    result.sizes = result.sizes.cwiseMax(sizes_at(position, sticking));
+  }
+  return ordinary_.emplace(key, std::move(result)).first->second;
+}
+
+/// The same with the rank that J, which is that of q, has here.
+OrdinarySizes System::sizes_now(double t, const Vector& q, const std::vector<int>& sticking) {
+  OrdinarySizes result = ordinary(t, q, sticking);
+  Eigen::MatrixXd J = J_;
+  for (int k = 0; k < dof(); ++k) {
+    J.col(k) *= reach_[static_cast<std::size_t>(k)];
+  }
+  for (Eigen::Index k = 0; k < J.rows(); ++k) {
+    J.row(k) /= result.lengths[k] > 0 ? result.lengths[k] : 1;
+  }
+  const Vector sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
+  const auto here = (sigma.array() > std::sqrt(rank_threshold_)).count();
+  result.rank =
+      result.rank < 0 ? static_cast<int>(here) : std::min(result.rank, static_cast<int>(here));
+  return result;
 }
 
 void System::factor_inertia(double t) {
@@ -113,7 +193,7 @@ const Solution& System::accelerate(double t, const Vector& q, const Vector& qd) 
     rhs_.conservativeResize(J_.rows());
     rhs_.tail(J_.rows() - rows).setZero();
     W_ = A_.matrixL().solve(J_.transpose());  // K = W^T W
-    solve_.factor(W_);
+    solve_.factor(W_, sizes_now(t, q, sticking_joints()));
     x_ += solve_.preimage(rhs_ - W_.transpose() * x_);  // K lambda = a_des - gamma - J qdd_0
     all_lambda_ = solve_.multipliers();
     solution_.rank = solve_.rank();
@@ -172,12 +252,12 @@ void System::factor_rows(double t, const Vector& q, const Vector& qd) {
   factor_inertia(t);
   jacobian(terms_);
   W_ = A_.matrixL().solve(J_.transpose());
-  solve_.factor(W_);
+  solve_.factor(W_, sizes_now(t, q, sticking_joints()));
 }
 
 void System::project(double t, Vector& q, Vector& qd) {
   const int rows = constraints_.rows();
-  if (rows + sticking() == 0) {
+  if (rows == 0 && sticking_joints().empty()) {
     return;
   }
   for (int k = 0;; ++k) {
@@ -197,7 +277,7 @@ void System::project(double t, Vector& q, Vector& qd) {
 }
 
 void System::remove_normal(double t, const Vector& y, Vector& error) {
-  if (constraints_.rows() + sticking() == 0) {
+  if (constraints_.rows() == 0 && sticking_joints().empty()) {
     return;
   }
   const int n = dof();
@@ -225,7 +305,7 @@ Vector System::impact(double t, const Vector& q, Vector& qd, const std::vector<i
   constraints_.jacobian(terms_, J_);
   constraints_.velocities(t, rate_);
   W_ = A_.matrixL().solve(J_.transpose());
-  solve_.factor(W_);
+  solve_.factor(W_, sizes_now(t, q, {}));
   const Vector y = solve_.preimage(-(1 + restitution) * (J_ * qd - rate_));  // K P = -(1+e) J qd
   qd += A_.matrixU().solve(y);                                               // A dqd = J^T P
   Vector impulse = solve_.multipliers();

@@ -1,8 +1,10 @@
 // Accelerations, reactions, impacts and corrections of a scene in one state.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -18,6 +20,10 @@ using Drift = model::Drift;
 /// Newton steps of one projection, and the position error (m, rad) at which it is content.
 inline constexpr int kProjectionSteps = 3;
 inline constexpr double kProjectionError = 1e-15;
+
+/// The square of a singular value of J, its rows scaled to one size, below this counts as zero: a
+/// position so near to a singular one counts as that. Masses take no part.
+inline constexpr double kRankThreshold = 1e-11;
 
 /// What (8) gives for one state.
 struct Solution {
@@ -54,7 +60,7 @@ class System {
   std::vector<DryFriction>& frictions() { return frictions_; }
   Forces& forces() { return forces_; }
   /// Instead of kRankThreshold, to see what depends on it.
-  void set_rank_threshold(double threshold) { solve_.set_threshold(threshold); }
+  void set_rank_threshold(double threshold) { rank_threshold_ = threshold; }
 
   /// EQUATIONS.md 6.2, 6.3. \throws std::runtime_error if A is not positive definite
   const Solution& accelerate(double t, const Vector& q, const Vector& qd);
@@ -93,15 +99,23 @@ class System {
   [[nodiscard]] double armature_energy(const Vector& qd) const;
 
  private:
+  /// The rows of a set of constraints and of joints that stick.
+  using RowSet = std::pair<std::vector<int>, std::vector<int>>;
+
   void evaluate(const Vector& q, const Vector& qd);
   void jacobian(const Terms& terms);
+  [[nodiscard]] Matrix rows_at(const Terms& terms, const std::vector<int>& sticking) const;
+  [[nodiscard]] std::vector<int> sticking_joints() const;
+  const OrdinarySizes& ordinary(double t, const Vector& q, const std::vector<int>& sticking);
+  [[nodiscard]] OrdinarySizes sizes_now(double t, const Vector& q,
+                                        const std::vector<int>& sticking);
+  [[nodiscard]] Vector sizes_at(const Vector& q, const std::vector<int>& sticking);
   void factor_inertia(double t);
   void factor_rows(double t, const Vector& q, const Vector& qd);
   void pad(Vector& rows) const;
   void add_stabilisation(double t, const Vector& q, const Vector& qd);
   void keep_held(Vector& rows) const;
   void add_balance(const State& state);
-  [[nodiscard]] int sticking() const;
 
   Dynamics& dynamics_;
   double alpha_;
@@ -112,8 +126,12 @@ class System {
   Forces forces_;
   std::vector<DryFriction> frictions_;
   Terms terms_;
+  Terms trial_;                ///< in other positions
+  std::vector<double> reach_;  ///< model::reach_of
+  std::map<RowSet, OrdinarySizes> ordinary_;
   Eigen::LLT<Eigen::MatrixXd> A_;
   MinimumNorm solve_;
+  double rank_threshold_ = kRankThreshold;
   Solution solution_;
   Eigen::MatrixXd inertia_;
   Matrix J_, W_;

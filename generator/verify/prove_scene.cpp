@@ -46,14 +46,16 @@ Values solved(Matrix s, Values b) {
   const auto free = [&](std::size_t i) {
     return std::find(order.begin(), order.end(), i) == order.end();
   };
-  Real first = 0;
+  const Matrix whole = s;
+  const auto share = [&](std::size_t i) {  // of its own diagonal entry
+    return whole[i][i] > 0 ? Real(s[i][i] / whole[i][i]) : Real(0);
+  };
   for (std::size_t step = 0; step < n; ++step) {
     std::size_t p = n;
     for (std::size_t i = 0; i < n; ++i) {
-      p = free(i) && (p == n || s[i][i] > s[p][p]) ? i : p;
+      p = free(i) && (p == n || share(i) > share(p)) ? i : p;
     }
-    first = step == 0 ? s[p][p] : first;
-    if (!(s[p][p] > first * Real("1e-25"))) {
+    if (!(share(p) > Real("1e-25"))) {
       break;
     }
     order.push_back(p);

@@ -70,7 +70,7 @@ std::vector<SceneEquations::Row> SceneEquations::rows(const std::vector<int>& ac
     for (std::size_t k = 0; k < constraint.rows(); ++k) {
       result.push_back(row(constraint, k));
       result.back().wanted = wanted(constraint, k);
-      if (simplify::is_stabilised(scene_) && constraint.accelerations.empty()) {
+      if (simplify::is_stabilised(scene_, c)) {
         result.back().wanted += correction(result.back(), c, k);
       }
     }
@@ -167,7 +167,7 @@ Real SceneEquations::correction(const Row& row, int constraint, std::size_t k) c
   for (std::size_t n = 0; n < 3 && c.kind == model::ConstraintKind::kPoint; ++n) {
     rate -= c.directions[k][n] * value(c.curve.velocity[n], c.point);
   }
-  const Real& alpha = scene_.stepping.stabilisation;
+  const Real alpha = simplify::stabilisation_rate(scene_);
   return -(2 * alpha * rate + alpha * alpha * position_error(constraint, k));
 }
 

@@ -25,10 +25,12 @@ using Operations = std::array<long, 6>;
 /// A scene in a temporary folder, generated and compiled.
 class SceneCode {
  public:
-  explicit SceneCode(const std::string& text, Variant variant = Variant::kPlain) {
+  explicit SceneCode(const std::string& text, Variant variant = Variant::kPlain,
+                     const std::vector<std::string>& more = {}) {
     const std::filesystem::path file = folder_.path() / "scene.yaml";
     write_file(file, text);
     options_ = {"--scene", file.string(), "--effort", "20"};
+    options_.insert(options_.end(), more.begin(), more.end());
     generate({}, options_, folder_.path());
     code_ = std::make_unique<CompiledModel>(folder_.path(), "generated", variant);
   }

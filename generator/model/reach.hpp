@@ -1,0 +1,13 @@
+// How far the coordinates of a tree reach.
+#pragma once
+
+#include <vector>
+
+#include "model/tree.hpp"
+
+namespace treedyn::model {
+
+/// A change of every coordinate that matters: 1 rad, or the size of the mechanism, m.
+std::vector<double> reach_of(const Tree& tree, const std::vector<Point>& points);
+
+}  // namespace treedyn::model

@@ -1,0 +1,158 @@
+// Redundant loops, generated: beside the loop, and a million steps along it.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scenes/arm_scene.hpp"
+#include "scenes/loop_oracle.hpp"
+
+namespace treedyn::support {
+namespace {
+
+using Eigen::VectorXd;
+
+std::string model_path(const std::string& name) {
+  return fmt::format("{}/tests/scenes/models/{}.yaml", TREEDYN_SOURCE_DIR, name);
+}
+
+std::string bennett_scene(const std::string& effects, const std::string& more) {
+  return fmt::format(
+      "scene: bennett\nmodel: {}\neffects:\n  gravity: [0, -9.81, 0]\n  joint_spring:\n"
+      "    - {{joint: h1, stiffness: 3, rest: 0.5}}\n  point_constraint:\n    - {{point: axis_0}}\n"
+      "    - {{point: axis_1}}\n{}initial:\n  q: {{h1: 1, h2: 3.3391530792, h3: -1}}\n"
+      "duration: 3\n{}",
+      model_path("bennett"), effects, more);
+}
+
+/// The four-bar on a free body.
+std::string floating_scene(const std::string& effects) {
+  return fmt::format(
+      "scene: loop_step\nmodel: {}\nbase: axes\neffects:\n  joined_constraint:\n    - {{name: "
+      "loop, point: bar_end, other: right_end}}\n{}initial:\n  q: {{base_rz: 0.3, base_ry: 0.2, "
+      "left: -asin(0.1), right: asin(0.1), bar: asin(0.1)}}\nduration: 20\n"
+      "stepping: {{integrator: rk4, step: 0.001}}\n",
+      model_path("floating_loop"), effects);
+}
+
+VectorXd vector(const Vector& x, std::size_t from, std::size_t count) {
+  return Eigen::Map<const VectorXd>(x.data() + from, static_cast<Eigen::Index>(count));
+}
+
+Vector values(const VectorXd& x) { return {x.begin(), x.end()}; }
+
+const VectorXd kBennett = Eigen::Vector3d(1, 3.3391530792, -1);
+
+LoopOracle bennett_oracle() {
+  const std::string model = model_path("bennett");
+  const std::vector<std::string> options = {"--gravity", "0,-9.81,0"};
+  const LoopOracle at_origin(model, options, 2, std::vector<double>(6));
+  return {model, options, 2, values(at_origin.errors(kBennett))};
+}
+
+VectorXd spring(const VectorXd& q) { return Eigen::Vector3d(-3 * (q[0] - 0.5), 0, 0); }
+
+double bennett_energy(const LoopOracle& oracle, const VectorXd& q, const VectorXd& qd) {
+  return oracle.energy(q, qd) + 1.5 * (q[0] - 0.5) * (q[0] - 0.5);
+}
+
+double distance(const VectorXd& a, const VectorXd& b) { return (a - b).norm() / (1 + b.norm()); }
+
+TEST(Loop, BennettMovesBesideItsLoop) {
+  const SceneCode code(bennett_scene("", ""));
+  EXPECT_EQ(code.manifest("constrained_dynamics").at("rank"), 2);
+  const LoopOracle oracle = bennett_oracle();
+  VectorXd qd = Eigen::Vector3d(0.5, 0, 0);
+  VectorXd q = kBennett;
+  oracle.project(q, qd);
+  const LoopOracle::Motion on = oracle.motion(q, qd, spring(q));
+  for (const double off : {0.0, 1e-8, 1e-6, 1e-4}) {
+    const VectorXd beside = q + off * Eigen::Vector3d(0.3, -0.8, 0.5);
+    const Measurement motion =
+        code.code().measure("constrained_dynamics", {values(beside), values(qd), Vector(3)});
+    EXPECT_EQ(motion.status, 0) << off;
+    EXPECT_LT(distance(vector(motion.values, 0, 3), on.qdd), 100 * off + 1e-9) << off;
+    EXPECT_LT(distance(vector(motion.values, 3, 6), on.lambda), 100 * off + 1e-9) << off;
+  }
+}
+
+/// What a long run is held to.
+struct Drift {
+  double position = 0, energy = 0, reactions = 0;
+};
+
+TEST(Loop, BennettTakesAMillionSteps) {
+  const SceneCode code(bennett_scene("  stabilisation: {method: baumgarte, rate: 20}\n",
+                                     "stepping: {integrator: rk4, step: 0.001}\n"));
+  const Vector place = values(
+      LoopOracle(model_path("bennett"), {"--gravity", "0,-9.81,0"}, 2, Vector(6)).errors(kBennett));
+  const LoopOracle oracle = bennett_oracle();
+  VectorXd q = kBennett;
+  VectorXd qd = VectorXd::Zero(3);
+  const double energy = bennett_energy(oracle, q, qd);
+  Drift most;
+  for (int k = 0; k < 1000000; ++k) {
+    const Measurement next = code.code().measure("step", {values(q), values(qd), Vector(3), place});
+    ASSERT_EQ(next.status, 0) << k;
+    if (k % 50000 == 0) {
+      VectorXd on = q;
+      VectorXd speed = qd;
+      oracle.project(on, speed);
+      const VectorXd lambda = oracle.motion(on, speed, spring(on)).lambda;
+      most.reactions = std::max(most.reactions, distance(vector(next.values, 6, 6), lambda));
+      most.position = std::max(most.position, oracle.errors(q).norm());
+      most.energy = std::max(most.energy, std::abs(bennett_energy(oracle, q, qd) - energy));
+    }
+    q = vector(next.values, 0, 3);
+    qd = vector(next.values, 3, 3);
+  }
+  EXPECT_LT(most.reactions, 1e-6);
+  EXPECT_LT(most.position, 1e-7);
+  EXPECT_LT(most.energy, 1e-5 * energy);
+}
+
+/// The largest errors of a million steps of the loop on a free body.
+Drift floating_run(const std::string& effects) {
+  const SceneCode code(floating_scene(effects));
+  EXPECT_EQ(code.manifest("constrained_dynamics").at("rank"), 2);
+  const LoopOracle oracle(model_path("floating_loop"), {"--base", "axes", "--gravity", "0,0,0"}, 2);
+  const double a = std::asin(0.1);
+  VectorXd q(9);
+  VectorXd qd(9);
+  q << 0, 0, 0, 0.3, 0.2, 0, -a, a, a;
+  qd << 0.5, 0, 0.3, 1.1, -0.4, 2.3, 2, 2, -2;
+  oracle.project(q, qd);
+  const double energy = oracle.energy(q, qd);
+  Drift most;
+  for (int k = 0; k < 1000000; ++k) {
+    const Measurement next = code.code().measure("step", {values(q), values(qd), Vector(9)});
+    if (next.status != 0) {
+      ADD_FAILURE() << "status " << next.status << " in step " << k;
+      return most;
+    }
+    if (k % 50000 == 0) {
+      VectorXd on = q;
+      VectorXd speed = qd;
+      oracle.project(on, speed);
+      const VectorXd lambda = oracle.motion(on, speed, VectorXd::Zero(9)).lambda;
+      most.reactions = std::max(most.reactions, distance(vector(next.values, 18, 3), lambda));
+      most.position = std::max(most.position, oracle.errors(q).norm());
+      most.energy = std::max(most.energy, std::abs(oracle.energy(q, qd) / energy - 1));
+    }
+    q = vector(next.values, 0, 9);
+    qd = vector(next.values, 9, 9);
+  }
+  return most;
+}
+
+TEST(Loop, OnAFreeBodyTakesAMillionSteps) {
+  const Drift most = floating_run("");
+  EXPECT_LT(most.reactions, 1e-6);
+  EXPECT_LT(most.position, 1e-9);
+  EXPECT_LT(most.energy, 1e-4);
+}
+
+}  // namespace
+}  // namespace treedyn::support

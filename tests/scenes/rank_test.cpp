@@ -1,0 +1,185 @@
+// Which rows count as dependent: neither masses nor units nor the drift of a step decide it.
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scenes/arm_scene.hpp"
+#include "scenes/loop_oracle.hpp"
+
+namespace treedyn::support {
+namespace {
+
+std::string model_path(const std::string& name) {
+  return fmt::format("{}/tests/scenes/models/{}.yaml", TREEDYN_SOURCE_DIR, name);
+}
+
+std::string scene(const std::string& model, const std::string& rest) {
+  return fmt::format("scene: rank\nmodel: {}\n{}duration: 1\n", model_path(model), rest);
+}
+
+const std::string kTwoScales = scene("two_scales",
+                                     "effects:\n  gravity: [0, 0, -9.81]\n  point_constraint:\n"
+                                     "    - {point: tip, along: [z]}\n"
+                                     "    - {point: press, along: [z]}\n");
+const std::string kArm = scene("arm",
+                               "effects:\n  gravity: [0, 0, -9.81]\n  locked_joint:\n"
+                               "    - {joint: slew}\n    - {joint: boom}\n    - {joint: tool}\n");
+const std::string kCrane = scene("crane",
+                                 "effects:\n  locked_joint:\n"
+                                 "    - {joint: slew, acceleration: -0.3*sin(t)}\n"
+                                 "    - {joint: pan}\n");
+
+Measurement called(const SceneCode& code, const CompiledModel::Inputs& inputs) {
+  return code.code().measure("constrained_dynamics", inputs);
+}
+
+class InScalar : public ::testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] SceneCode code(const std::string& text) const {
+    return SceneCode(text, Variant::kPlain, {"--scalar", GetParam()});
+  }
+  /// Some roundings.
+  [[nodiscard]] double rounding() const { return GetParam() == "float" ? 1e-5 : 1e-14; }
+};
+
+TEST_P(InScalar, ATipBesideAPressIsHeld) {
+  const Measurement held = called(code(kTwoScales), {{0.1, 0.2}, {0, 0}, {0, 0}});
+  EXPECT_EQ(held.status, 0);
+  EXPECT_NEAR(held.values[0], 0, 9.81 * rounding());
+  EXPECT_NEAR(held.values[1], 0, 9.81 * rounding());
+  EXPECT_NEAR(held.values[2], 0.002 * 9.81, 0.02 * rounding());
+  EXPECT_NEAR(held.values[3], 800 * 9.81, 7848 * rounding());
+}
+
+TEST_P(InScalar, AllJointsOfAnArmAreLocked) {
+  const Measurement held = called(code(kArm), {{0.3, 0.2, 0.7}, {0.1, -0.2, 0.3}, {0, 0, 0}});
+  EXPECT_EQ(held.status, 0);
+  for (int k = 0; k < 3; ++k) {  // relative to the fall of the tool without a lock
+    EXPECT_NEAR(held.values[static_cast<std::size_t>(k)], 0, 100 * rounding());
+  }
+}
+
+TEST_P(InScalar, ACraneIsLedBesideALockedCamera) {
+  const double t = 1.3;
+  const Measurement led = called(code(kCrane), {{0.3, 0.2}, {0.3, 0}, {0, 0}, {t}});
+  EXPECT_EQ(led.status, 0);
+  EXPECT_NEAR(led.values[0], -0.3 * std::sin(t), rounding());
+  EXPECT_NEAR(led.values[1], 0, rounding());
+}
+
+INSTANTIATE_TEST_SUITE_P(Rank, InScalar, ::testing::Values("double", "float"),
+                         [](const auto& info) { return info.param; });
+
+/// A chain of three links, of which the last two are scaled in mass and all in length.
+std::string chain(double mass, double length) {
+  return fmt::format(
+      "name: chain\nparameters: {{m: {:e}, l: {:e}}}\nlinks:\n"
+      "  - {{name: a, father: ground, joint: {{name: a, type: revolute, axis: [0, 1, 0]}}, mass: "
+      "2, "
+      "com: [l/2, 0, 0], inertia: [0.01*l^2, 0, 0, 0.1*l^2, 0, 0.1*l^2]}}\n"
+      "  - {{name: b, father: a, joint: {{name: b, type: revolute, axis: [0, 1, 0], offset: [l, 0, "
+      "0]}}, mass: m, com: [l/3, 0, 0], inertia: [0.01*m*l^2, 0, 0, 0.1*m*l^2, 0, 0.1*m*l^2]}}\n"
+      "  - {{name: c, father: ground, joint: {{name: c, type: revolute, axis: [0, 1, 0], offset: "
+      "[l, 0, l]}}, mass: 1, com: [0.3*l, 0, 0], inertia: [0.1*l^2, 0, 0, 0.1*l^2, 0, 0.1*l^2]}}\n"
+      "points:\n  - {{name: tip, link: b, at: [l, 0, 0]}}\n  - {{name: end, link: c, at: [l, 0, "
+      "0]}}\n",
+      mass, length);
+}
+
+/// Accelerations of the three joints, the tip held and the end held twice along x.
+Vector chain_accelerations(double mass, double length, bool reversed, const std::string& scalar) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "chain.yaml", chain(mass, length));
+  const std::string tip = "    - {name: tip, point: tip, along: [z]}\n";
+  const std::string end =
+      "    - {name: end, point: end, along: [x]}\n    - {name: again, point: end, along: [x]}\n";
+  const SceneCode code(fmt::format("scene: chain\nmodel: {}\neffects:\n  gravity: [0, 0, {:e}]\n  "
+                                   "point_constraint:\n{}duration: 1\n",
+                                   (folder.path() / "chain.yaml").string(), -9.81 * length,
+                                   reversed ? end + tip : tip + end),
+                       Variant::kPlain, {"--scalar", scalar});
+  const Measurement motion = called(code, {{0.4, -0.7, 0.3}, {0.5, -1, 2}, {0, 0, 0}});
+  EXPECT_EQ(motion.status, 0) << mass << ' ' << length;
+  EXPECT_EQ(code.manifest("constrained_dynamics").at("rank"), 2);
+  return {motion.values.begin(), motion.values.begin() + 3};
+}
+
+void expect_near(const Vector& a, const Vector& b, double relative) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_NEAR(a[k], b[k], relative * (1 + std::abs(a[k]))) << k;
+  }
+}
+
+/// Free joints of a chain accelerate the same whatever the unit of length and the order of the
+/// rows. The condition of A and of the scaled K is below 100 for equal masses: 1e2 roundings.
+TEST(Rank, NeitherUnitsNorTheOrderOfRowsMatter) {
+  const Vector metres = chain_accelerations(1, 1, false, "double");
+  expect_near(metres, chain_accelerations(1, 1e3, false, "double"), 1e-12);
+  expect_near(metres, chain_accelerations(1, 1e-3, false, "double"), 1e-12);
+  expect_near(metres, chain_accelerations(1, 1, true, "double"), 1e-12);
+  expect_near(metres, chain_accelerations(1, 1e3, true, "float"), 1e-4);
+  expect_near(metres, chain_accelerations(1, 1e-3, false, "float"), 1e-4);
+}
+
+/// A branch of another mass leaves the other branch alone, and itself, as it is not driven, too.
+TEST(Rank, MassesOfABranchDoNotMatter) {
+  for (const double mass : {1e-6, 1e-3, 1e3, 1e6}) {
+    const Vector in_double = chain_accelerations(mass, 1, false, "double");
+    // the condition of A grows with the ratio of the masses: 1e6 of 1e-16, of 1e-7
+    expect_near(in_double, chain_accelerations(mass, 1, true, "double"), 1e-8);
+    EXPECT_NEAR(in_double[2], chain_accelerations(1, 1, false, "double")[2], 1e-12);
+    EXPECT_NEAR(in_double[2], chain_accelerations(mass, 1, false, "float")[2], 1e-4);
+  }
+}
+
+std::string clamped_biped() {
+  return fmt::format(
+      "scene: clamped\nmodel: {}/models/biped.yaml\nbase: axes\neffects:\n  gravity: [0, 0, "
+      "-9.81]\n  point_constraint:\n    - {{point: left_heel}}\n    - {{point: right_heel}}\n"
+      "  orientation_constraint:\n    - {{name: left_flat, point: left_heel}}\n"
+      "    - {{name: right_flat, point: right_heel}}\nduration: 1\n",
+      TREEDYN_SOURCE_DIR);
+}
+
+/// Both feet of a biped without rotors: small pivots that are no dependence. The condition of the
+/// scaled K is below 1e3 in these crouches, and its entries are sums of some ten terms of either
+/// sign: 1e4 roundings of float.
+TEST(Rank, AClampedBipedCrouchesInFloat) {
+  const SceneCode in_double(clamped_biped());
+  const SceneCode in_float(clamped_biped(), Variant::kPlain, {"--scalar", "float"});
+  const std::vector<std::string>& joints = in_double.code().manifest().joints;
+  std::mt19937 engine(1);
+  const auto number = [&](double size) {
+    return std::uniform_real_distribution<double>(-size, size)(engine);
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    const double bend = 0.6 + number(0.58);
+    CompiledModel::Inputs state(3, Vector(joints.size()));
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      const bool knee = joints[k].find("knee") != std::string::npos;
+      const bool pitch = joints[k].find("pitch") != std::string::npos;
+      const double angle = (knee ? 2 * bend : pitch ? -bend : 0) + number(0.05);
+      state[0][k] = static_cast<float>(angle);
+      state[1][k] = static_cast<float>(number(0.5));
+      state[2][k] = static_cast<float>(number(20));
+    }
+    const Measurement exact = called(in_double, state);
+    const Measurement rounded = called(in_float, state);
+    ASSERT_EQ(exact.status, 0) << trial;
+    ASSERT_EQ(rounded.status, 0) << trial;
+    double size = 0;
+    double error = 0;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      size = std::max(size, std::abs(exact.values[k]));
+      error = std::max(error, std::abs(exact.values[k] - rounded.values[k]));
+    }
+    EXPECT_LT(error, 1e-3 * size) << trial << " bend " << bend;
+  }
+}
+
+}  // namespace
+}  // namespace treedyn::support
