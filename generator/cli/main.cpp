@@ -166,6 +166,11 @@ int run_simulate(const Settings& settings) {
                     "constraints\n",
                     settings.simulation.scene, result.moved));
   }
+  for (const std::string& line : status_lines(result.statuses)) {
+    if (!settings.quiet) {
+      print_error(fmt::format("{}: warning: {}\n", settings.simulation.scene, line));
+    }
+  }
   print(write_simulation(settings.simulation, result));
   if (!result.recording.stopped.empty()) {
     throw InputError(

@@ -51,6 +51,12 @@ class Simulator {
   /// \throws std::runtime_error if A is singular, the state ceases to be finite or events pile up
   bool advance_to(double end, const Observe& observe);
 
+  /// Another one computes the motion: the state is set to what it says.
+  void place(double time, const Vector& q, const Vector& qd, int phase,
+             const std::vector<int>& active);
+  /// An event that it noted.
+  void note(const EventRecord& event) { events_.push_back(event); }
+
   [[nodiscard]] double time() const { return t_; }
   [[nodiscard]] Vector q() const { return y_.head(y_.size() / 2); }
   [[nodiscard]] Vector qd() const { return y_.tail(y_.size() / 2); }
