@@ -333,6 +333,27 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   }
 }
 
+StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::string& file) {
+  const Location where{file, 0, 0};
+  Request request;
+  request.scene = file;
+  request.functions = {"step"};
+  request.target.scalar = scalar;
+  Model model;
+  model.name = "generated";
+  model.tree = scene.tree;
+  model.points = scene.points;
+  model.scene = scene;
+  model.scene_functions = {"step"};
+  check_scene(scene, where);
+  check_step(model);
+  check_impacts(model, where);
+  Programs programs = formulate(model, request, [](const std::string&) {});
+  StepFiles result{model.name, {}, programs.steppers.front().signature};
+  result.files = emit_files(model, request, std::move(programs));
+  return result;
+}
+
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace) {
   Programs programs = formulate(model, request, trace);
   prove(model, request, programs);

@@ -73,6 +73,17 @@ void add_simulate(CLI::App& app, Settings& settings) {
       command.add_flag("--engine", request.engine, "the generic engine, for comparison");
   command.add_flag("--compiled", request.compiled, "generated functions, by the C++ compiler")
       ->excludes(engine);
+  CLI::Option* generated =
+      command
+          .add_flag("--as-generated", request.as_generated,
+                    "the generated step, by the C++ compiler: what firmware does")
+          ->excludes(engine);
+  command
+      .add_option("--scalar", request.scalar,
+                  "floating-point type of the generated step; default double")
+      ->needs(generated)
+      ->check(one_of({"double", "float"}))
+      ->type_name("double|float");
   std::vector<std::string> integrators;
   for (const simulation::IntegratorRow& row : simulation::integrators()) {
     integrators.emplace_back(row.name);

@@ -170,6 +170,11 @@ int run_simulate(const Settings& settings) {
   for (const std::string& fact : facts_of(result)) {
     trace_of(settings)(fact);
   }
+  for (const std::string& line : status_lines(result.statuses)) {
+    if (!settings.quiet) {
+      print_error(fmt::format("{}: warning: {}\n", settings.simulation.scene, line));
+    }
+  }
   print(write_simulation(settings.simulation, result));
   if (!result.recording.stopped.empty()) {
     throw InputError(

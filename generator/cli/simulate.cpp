@@ -10,6 +10,7 @@
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
 #include "model/effects.hpp"
+#include "pipeline.hpp"
 #include "simulation/integrator.hpp"
 #include "system/files.hpp"
 
@@ -70,12 +71,25 @@ std::unique_ptr<simulation::Dynamics> dynamics_of(const SimulateRequest& request
   return request.compiled ? compiled_dynamics(scene) : program_dynamics(scene);
 }
 
+/// Nothing unless the generated step is the motion.
+std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request,
+                                              const model::Scene& scene) {
+  if (!request.as_generated) {
+    return nullptr;
+  }
+  const emit::Scalar scalar =
+      request.scalar.value_or("double") == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
+  const StepFiles files = step_files(scene, scalar, request.scene);
+  return std::make_unique<GeneratedStep>(files.name, files.files, files.signature);
+}
+
 }  // namespace
 
 SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress) {
-  SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, 0};
+  SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, 0, {}};
   apply(request, result.scene);
   check(request, result.scene);
+  std::unique_ptr<GeneratedStep> step = generated_step(request, result.scene);
   const std::unique_ptr<simulation::Dynamics> dynamics = dynamics_of(request, result.scene);
   result.operations = dynamics->operations();
   try {
@@ -84,8 +98,15 @@ SimulateResult simulate(const SimulateRequest& request, const simulation::Progre
     result.moved = simulator.settle();
     result.stability = simulator.stability(*dynamics);
     const auto start = std::chrono::steady_clock::now();
-    result.recording =
-        simulation::record(result.scene, simulator, output_step(result.scene), progress);
+    if (step != nullptr) {
+      GeneratedRun run =
+          run_generated(result.scene, *step, simulator, output_step(result.scene), progress);
+      result.recording = std::move(run.recording);
+      result.statuses = std::move(run.statuses);
+    } else {
+      result.recording =
+          simulation::record(result.scene, simulator, output_step(result.scene), progress);
+    }
     if (request.timed) {
       result.seconds =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

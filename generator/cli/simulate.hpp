@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "dynamics/generated_run.hpp"
 #include "model/scene.hpp"
 #include "simulation/recording.hpp"
 
@@ -16,9 +17,11 @@ struct SimulateRequest {
   std::string output;  ///< folder; empty: the table goes to standard output
   bool json = false;
   bool report = false;
-  bool engine = false;    ///< the generic engine evaluates the dynamics
-  bool compiled = false;  ///< generated functions, compiled, do
-  bool timed = false;     ///< the run is timed
+  bool engine = false;                ///< the generic engine evaluates the dynamics
+  bool compiled = false;              ///< generated functions, compiled, do
+  bool as_generated = false;          ///< the generated step, compiled, is the motion
+  std::optional<std::string> scalar;  ///< of the generated step: double or float
+  bool timed = false;                 ///< the run is timed
   std::optional<std::string> integrator;
   std::optional<Real> step;
   std::optional<Real> tolerance;
@@ -32,10 +35,11 @@ struct SimulateRequest {
 struct SimulateResult {
   model::Scene scene;
   simulation::Recording recording;
-  double moved = 0;                 ///< how far the initial state was from the constraints
-  simulation::Stability stability;  ///< of the initial state
-  std::optional<double> seconds;    ///< that the run took, if it was asked for
-  long operations = 0;              ///< of one evaluation of the terms, sin and cos among them
+  double moved = 0;                    ///< how far the initial state was from the constraints
+  simulation::Stability stability;     ///< of the initial state
+  std::optional<double> seconds;       ///< that the run took, if it was asked for
+  long operations = 0;                 ///< of one evaluation of the terms, sin and cos among them
+  std::vector<StatusRecord> statuses;  ///< of a generated step
 };
 
 /// Reads and runs the scene. \throws InputError for mistakes in it

@@ -201,15 +201,22 @@ std::string json_text(const SimulateResult& result) {
   for (const simulation::EventRecord& event : result.recording.events) {
     events.push_back(event_json(result, event));
   }
+  std::vector<std::string> statuses;
+  for (const StatusRecord& status : result.statuses) {
+    statuses.push_back(emit::json_object({{"name", emit::json_string(status_names(status.bit))},
+                                          {"first", json_number(status.first)},
+                                          {"steps", std::to_string(status.count)}}));
+  }
   return fmt::format(
       "{{\n  \"scene\": {},\n  \"model\": {},\n  \"integrator\": {},\n  \"steps\": {},\n"
-      "  \"stopped\": {},\n  \"warnings\": {},\n  \"cost\": {},\n  \"kept\": {},\n"
+      "  \"stopped\": {},\n  \"warnings\": {},\n  \"statuses\": {},\n  \"cost\": {},\n  \"kept\": "
+      "{},\n"
       "  \"stable_steps\": {},\n  \"columns\": {},\n  \"events\": {},\n  \"rows\": {}\n}}\n",
       emit::json_string(result.scene.name), emit::json_string(result.scene.tree.name),
       emit::json_string(result.scene.stepping.integrator), result.recording.cost.steps,
-      emit::json_string(result.recording.stopped), warnings_json(result), cost_json(result),
-      kept_json(result), stable_json(result), json_strings(columns), emit::json_lines(events, 4),
-      emit::json_lines(rows, 4));
+      emit::json_string(result.recording.stopped), warnings_json(result),
+      emit::json_lines(statuses, 4), cost_json(result), kept_json(result), stable_json(result),
+      json_strings(columns), emit::json_lines(events, 4), emit::json_lines(rows, 4));
 }
 
 }  // namespace treedyn

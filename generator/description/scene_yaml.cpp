@@ -15,6 +15,9 @@ namespace treedyn::description {
 
 namespace {
 
+/// Cuts and events of a generated step, at most.
+constexpr int kMostCuts = 16;
+
 Keys root_keys() {
   return {"scene",    "model",    "base",     "parameters",    "points",
           "effects",  "use",      "phases",   "start_phase",   "initial",
@@ -73,8 +76,8 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
   if (node == nullptr) {
     return;
   }
-  const SceneFields fields =
-      context.fields(*node, "stepping", {"integrator", "step", "tolerance", "output_step"});
+  const SceneFields fields = context.fields(
+      *node, "stepping", {"integrator", "step", "tolerance", "output_step", "cuts", "events"});
   model::Stepping& stepping = scene.stepping;
   if (const std::optional<Text> name = fields.optional_text("integrator")) {
     stepping.integrator = name->text;
@@ -84,6 +87,11 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
     value = fields.find(key) == nullptr ? value : fields.positive(key);
   };
   positive("step", stepping.step);
+  const auto count = [&](const char* key, int least, int& value) {
+    value = fields.find(key) == nullptr ? value : fields.integer(key, least, kMostCuts);
+  };
+  count("cuts", 0, stepping.cuts);
+  count("events", 1, stepping.events);
   positive("tolerance", stepping.tolerance);
   positive("output_step", stepping.output_step);
 }

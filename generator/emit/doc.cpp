@@ -61,14 +61,14 @@ std::string rank_text(const program::Staged& staged, const program::RowSolve& so
                      drives ? "joints without a drive have" : "rows have", solve.rank);
 }
 
-}  // namespace
-
 /// What it may return.
 std::string status_doc(const program::Staged& staged) {
   return wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number",
                              staged.solves.empty() ? "" : "rank_lost, row_given_up, "),
                  "/// ");
 }
+
+}  // namespace
 
 /// The rows of lambda, the cost of the regular path and the bound.
 std::string doc(const program::Staged& staged) {
@@ -112,18 +112,30 @@ std::string method_text(program::StepMethod method) {
   return "semi-implicit Euler";
 }
 
-/// "phase left: touch_down of right_foot, from step 40: impact_left, then right"
+/// ", from 40 steps on", ", from 3 steps and 0.002 s on", "": how long the phase has lasted.
+std::string lasting_text(const program::StepEvent& event) {
+  const program::Lasting& time = event.not_before;
+  if (time.none()) {
+    return {};
+  }
+  const bool alone = event.cause == program::StepCause::kTime;
+  const std::string rest = time.rest == 0 ? "" : fmt::format(" and {} s", decimal(time.rest));
+  return fmt::format("{}{} step{}{}{}", alone ? ", " : ", from ", time.steps,
+                     time.steps == 1 ? "" : "s", rest, alone ? "" : " on");
+}
+
+/// "phase left: touch_down of right_foot, from 40 steps on: impact_left, then right"
 std::string event_text(const program::Stepper& stepper, const program::StepPhase& phase,
                        const program::StepEvent& event) {
   const auto outcome = [&](const program::StepOutcome& result) {
     return fmt::format("{}{}", result.impact.empty() ? "" : result.impact + ", then ",
                        stepper.phases[static_cast<std::size_t>(result.then)].identifier);
   };
-  const std::string after =
-      event.not_before > 0 ? fmt::format(" from step {}", event.not_before) : "";
-  const std::string rest = event.rest ? fmt::format("; slower than {} m/s: {}",
-                                                    decimal(event.rest_below), outcome(*event.rest))
-                                      : "";
+  const std::string after = lasting_text(event);
+  const std::string rest =
+      event.rest ? fmt::format("; slower than {} m/s, or than one step takes back: {}",
+                               decimal(event.rest_below), outcome(*event.rest))
+                 : "";
   return fmt::format("Phase {}: {}{}: {}{}", phase.identifier,
                      for_comment(event.brief, kLongestCell * 2), after, outcome(event.outcome),
                      rest);
@@ -142,13 +154,20 @@ std::string events_doc(const program::Stepper& stepper) {
   }
   const std::string begins =
       stepper.switches() ? fmt::format(" The scene begins in {}.", stepper.first) : "";
-  return result + wrapped(
-                      "Events are looked at where the step ends, in this order; the first that has "
-                      "happened counts and is taken there, up to a step late: behind an event the "
-                      "error is that of order 1, whatever the method. Reactions are those at the "
-                      "beginning of the step." +
-                          begins,
-                      "/// ");
+  const std::string where =
+      stepper.cuts == 0
+          ? "Events are taken where the step ends, up to a step late: behind an event the error is "
+            "that of order 1, whatever the method."
+          : fmt::format(
+                "Events are taken where they happen: {} shorter steps find the place, or "
+                "{}, and the rest of the step is one in the next phase.",
+                stepper.cuts, stepper.cuts + 1);
+  return result + wrapped(where +
+                              fmt::format(" {} events of a step, and times that they wait for, at "
+                                          "most. Reactions are those at the beginning of the step.",
+                                          stepper.events) +
+                              begins,
+                          "/// ");
 }
 
 }  // namespace
@@ -161,12 +180,16 @@ std::string doc(const program::Stepper& stepper) {
   const std::string with =
       iterates ? fmt::format(" with {} Newton steps a stage", program::kUsualNewtonSteps) : "";
   const std::string fails =
-      iterates ? " Not a number where the iteration does not converge: the step is too long." : "";
-  const bool solves = stepper.rows > 0;
+      iterates
+          ? fmt::format(" Where the iteration does not converge, parts of the step, {} at most.",
+                        program::kMostTries)
+          : "";
+  std::string bits = stepper.rows > 0 ? "rank_lost, row_given_up, " : "";
+  bits += iterates ? "no_convergence, " : "";
+  bits += stepper.ends() ? "event_missed, " : "";
+  bits += stepper.most_guards() > 0 ? "guard_undefined, " : "";
   return signature_doc(stepper.signature) + events_doc(stepper) +
-         wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number",
-                             solves ? "rank_lost, row_given_up, " : ""),
-                 "/// ") +
+         wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number", bits), "/// ") +
          wrapped(fmt::format("By {}, {} s.{} Cost{}{}: {}. Never more than {}.",
                              method_text(stepper.method), decimal(stepper.step), fails, where, with,
                              cost_text(program::step_cost(stepper)),

@@ -1,232 +1,274 @@
 #include "emit/step_events.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "emit/layout.hpp"
+#include "emit/step_effects.hpp"
+#include "emit/step_search.hpp"
+#include "emit/step_text.hpp"
+#include "emit/template_file.hpp"
 
 namespace treedyn::emit {
 
-using program::Renewal;
-using program::Staged;
+using program::Lasting;
+using program::StepCause;
 using program::StepEvent;
-using program::StepOutcome;
 using program::Stepper;
 using program::StepPhase;
 
 namespace {
 
-using Lines = std::vector<std::string>;
-
-void append(Lines& lines, const Lines& more, const std::string& indentation = "") {
-  for (const std::string& line : more) {
-    lines.push_back(indentation + line);
-  }
-}
-
-bool has_input(const Staged& staged, const std::string& name) {
-  return std::any_of(staged.signature.inputs.begin(), staged.signature.inputs.end(),
-                     [&](const program::Array& array) { return array.name == name; });
-}
-
-/// The text of the events of one scene.
+/// The text of what ends the phases of one scene.
 class EventWriter {
  public:
   EventWriter(const Stepper& stepper, Scalar scalar)
-      : stepper_(stepper),
-        scalar_(scalar),
-        dof_(stepper.signature.inputs.front().size),
-        counts_(stepper.counted > 0) {}
+      : stepper_(stepper), scalar_(scalar), guards_(stepper.most_guards()) {}
 
-  [[nodiscard]] Lines lines() const;
+  [[nodiscard]] std::string functions() const;
+  [[nodiscard]] std::string turns() const;
 
  private:
-  /// A call of a local function at the end of the step, or at its beginning.
-  [[nodiscard]] std::string call(const Staged& staged, const std::string& q, const std::string& qd,
-                                 const std::string& t, const std::string& result) const;
-  [[nodiscard]] Lines phase_lines(const StepPhase& phase) const;
-  [[nodiscard]] Lines event_lines(const StepPhase& phase, const StepEvent& event) const;
-  [[nodiscard]] Lines effect_lines(const StepPhase& phase, const StepEvent& event) const;
-  [[nodiscard]] Lines next_phase(const StepOutcome& outcome) const;
-  [[nodiscard]] Lines strike(const StepOutcome& outcome) const;
-  [[nodiscard]] static Lines renewal_lines(const std::vector<Renewal>& renewals);
-  [[nodiscard]] std::string t_next() const { return stepper_.needs_end_time() ? "t_next" : ""; }
+  [[nodiscard]] Lines motion() const;
+  [[nodiscard]] Lines moment() const;
+  [[nodiscard]] Lines advance() const;
+  [[nodiscard]] std::string clocks() const;
+  [[nodiscard]] Lines due_lines(const StepPhase& phase) const;
+  [[nodiscard]] Lines clock_lines(const StepPhase& phase) const;
+  [[nodiscard]] Lines turn_lines() const;
+  [[nodiscard]] Lines begin_lines() const;
+  [[nodiscard]] Lines end_lines() const;
+  [[nodiscard]] bool counts() const { return stepper_.counted > 0; }
 
   const Stepper& stepper_;
   Scalar scalar_;
-  int dof_;
-  bool counts_;
+  int guards_;
 };
 
-std::string EventWriter::call(const Staged& staged, const std::string& q, const std::string& qd,
-                              const std::string& t, const std::string& result) const {
-  std::vector<std::string> arguments = {q};
-  if (!qd.empty()) {
-    arguments.push_back(qd);
+Lines EventWriter::motion() const {
+  Lines lines = {"const Scalar* tau;"};
+  if (stepper_.takes_time) {
+    lines.emplace_back("const Scalar* t;  // of the beginning of the step");
   }
-  if (has_input(staged, "t")) {
-    arguments.push_back(t);
+  if (!stepper_.anchors.empty() || stepper_.takes_anchor) {
+    lines.push_back(fmt::format("{}Scalar* anchor;", stepper_.anchors.empty() ? "const " : ""));
   }
-  if (has_input(staged, "lambda")) {
-    arguments.emplace_back("lambda");
-  }
-  arguments.push_back(result);
-  return fmt::format("{}({});", staged.signature.name, fmt::join(arguments, ", "));
-}
-
-Lines EventWriter::next_phase(const StepOutcome& outcome) const {
-  Lines lines;
   if (stepper_.switches()) {
-    lines.push_back(
-        fmt::format("phase_next[0] = phase::{};",
-                    stepper_.phases[static_cast<std::size_t>(outcome.then)].identifier));
+    lines.emplace_back("int which;  // phase");
+  }
+  if (counts()) {
+    lines.emplace_back("int steps;  // that the phase has lasted when the step begins");
+  }
+  if (stepper_.begun) {
+    lines.emplace_back("Scalar begun;  // s, before them");
   }
   return lines;
 }
 
-Lines EventWriter::strike(const StepOutcome& outcome) const {
-  return {fmt::format("failed |= {}(q_next, qd_next, qd_plus, P);", outcome.impact)};
+Lines EventWriter::moment() const {
+  Lines lines = {"Scalar at;  // s from the beginning of the step", "Scalar q[kDof];",
+                 "Scalar qd[kDof];"};
+  if (stepper_.rows > 0) {
+    lines.push_back(fmt::format("Scalar lambda[{}];", stepper_.rows));
+  }
+  if (guards_ > 0) {
+    lines.push_back(fmt::format("Scalar guard[kGuards];  // below zero behind an event{}",
+                                stepper_.most_approaches() > 0
+                                    ? fmt::format("; from {} on speeds along normals", guards_)
+                                    : ""));
+  }
+  lines.emplace_back("int failed;");
+  return lines;
 }
 
-Lines EventWriter::renewal_lines(const std::vector<Renewal>& renewals) {
+Lines EventWriter::advance() const {
   Lines lines;
-  for (const Renewal& renewal : renewals) {
-    lines.push_back(fmt::format("for (int i = {}; i < {}; ++i) {{", renewal.first,
-                                renewal.first + renewal.size));
-    lines.emplace_back("  anchor_next[i] = anchor_now[i];");
-    lines.emplace_back("}");
+  Lines arguments = {"to.at - from.at"};
+  if (stepper_.switches()) {
+    arguments.emplace_back("motion.which");
   }
+  arguments.insert(arguments.end(), {"from.q", "from.qd", "motion.tau"});
+  if (stepper_.takes_time) {
+    lines.emplace_back("const Scalar t[1] = {motion.t[0] + from.at};");
+    arguments.emplace_back("t");
+  }
+  if (stepper_.takes_anchor) {
+    arguments.emplace_back("motion.anchor");
+  }
+  arguments.insert(arguments.end(), {"to.q", "to.qd"});
+  if (stepper_.rows > 0) {
+    arguments.insert(arguments.end(), {"from.lambda", "to.lambda"});
+  }
+  lines.push_back(call_text("to.failed = integrate", arguments, 2));
   return lines;
 }
 
-/// The impact, the next phase and its anchors.
-Lines EventWriter::effect_lines(const StepPhase& phase, const StepEvent& event) const {
-  Lines lines = next_phase(event.outcome);
-  if (counts_) {
-    lines.emplace_back("steps_next[0] = 0;");
-  }
-  const bool renews =
-      !event.outcome.renewals.empty() || (event.rest && !event.rest->renewals.empty());
-  if (renews) {
-    const Staged& anchors = stepper_.anchors.front();
-    lines.push_back(fmt::format("Scalar anchor_now[{}];", anchors.signature.outputs[0].size));
-    lines.push_back(call(anchors, "q_next", "", "t_next", "anchor_now"));
-    append(lines, renewal_lines(event.outcome.renewals));
-  }
-  if (!event.outcome.impact.empty()) {
-    lines.push_back(fmt::format("Scalar qd_plus[{}];", dof_));
-    lines.push_back(fmt::format("Scalar P[{}];", event.outcome.impulses));
-    append(lines, strike(event.outcome));
-  }
-  if (event.rest) {
-    lines.push_back(call(phase.approaches.front(), "q_next", "qd_plus", "", "approach"));
-    lines.push_back(fmt::format("if (approach[{}] < {}) {{", event.approach,
-                                literal(event.rest_below, scalar_)));
-    append(lines, strike(*event.rest), "  ");
-    append(lines, next_phase(*event.rest), "  ");
-    append(lines, renewal_lines(event.rest->renewals), "  ");
-    lines.emplace_back("}");
-  }
-  if (!event.outcome.impact.empty()) {
-    append(lines, {"for (int i = 0; i < kDof; ++i) {", "  qd_next[i] = qd_plus[i];", "}"});
-  }
-  lines.emplace_back("return failed | check(q_next, kDof) | check(qd_next, kDof);");
-  return lines;
-}
-
-/// Conditions from the cheapest to the dearest.
-Lines EventWriter::event_lines(const StepPhase& phase, const StepEvent& event) const {
-  std::vector<std::string> conditions;
-  if (event.not_before > 0) {
-    conditions.push_back(fmt::format("steps_next[0] >= {}", event.not_before));
-  }
-  if (event.guard >= 0) {
-    conditions.push_back(fmt::format("guard[{}] < Scalar(0)", event.guard));
-  }
-  Lines inner;
-  if (event.approach >= 0 && event.crosses) {  // for the rest behind the impact
-    const int size = phase.approaches.front().signature.outputs[0].size;
-    inner.push_back(fmt::format("Scalar approach[{}];", size));
-  }
-  append(inner, effect_lines(phase, event));
-  const auto wrap = [&](const Lines& before, const std::string& condition) {
-    Lines lines = before;
-    lines.push_back(fmt::format("if ({}) {{", condition));
-    append(lines, inner, "  ");
-    lines.emplace_back("}");
-    inner = lines;
-  };
-  if (event.approach >= 0 && !event.crosses) {
-    wrap({fmt::format("Scalar approach[{}];", phase.approaches.front().signature.outputs[0].size),
-          call(phase.approaches.front(), "q_next", "qd_next", "", "approach")},
-         fmt::format("approach[{}] < Scalar(0)", event.approach));
-  }
-  if (event.crosses) {
-    wrap({fmt::format("Scalar before[{}];", phase.guards.front().signature.outputs[0].size),
-          call(phase.guards.front(), "q", "qd", "t", "before")},
-         fmt::format("!(before[{}] < Scalar(0))", event.guard));
-  }
-  wrap({}, fmt::format("{}", fmt::join(conditions, " && ")));
-  return inner;
-}
-
-Lines EventWriter::phase_lines(const StepPhase& phase) const {
+Lines EventWriter::due_lines(const StepPhase& phase) const {
   Lines lines;
-  if (!phase.guards.empty()) {
-    const Staged& guards = phase.guards.front();
-    lines.push_back(fmt::format("Scalar guard[{}];", guards.signature.outputs[0].size));
-    lines.push_back(call(guards, "q_next", "qd_next", t_next(), "guard"));
-  }
+  int number = first_event_of(stepper_, phase);
   for (const StepEvent& event : phase.events) {
-    append(lines, event_lines(phase, event));
+    if (event.cause == StepCause::kTime) {
+      lines.push_back(
+          fmt::format("if (!(at < {})) {{", lasted_text(stepper_, event.not_before, scalar_)));
+      append(lines, {fmt::format("  return {};", number), "}"});
+    }
+    ++number;
   }
   return lines;
 }
 
-Lines EventWriter::lines() const {
+Lines EventWriter::clock_lines(const StepPhase& phase) const {
   Lines lines;
-  if (stepper_.needs_end_time()) {
+  for (const Lasting& lasting : program::clocks(phase)) {
     lines.push_back(
-        fmt::format("const Scalar t_next[1] = {{t[0] + {}}};", literal(stepper_.step, scalar_)));
+        fmt::format("next = earlier(at, {}, next);", lasted_text(stepper_, lasting, scalar_)));
   }
-  if (counts_) {
-    lines.push_back(
-        fmt::format("steps_next[0] = steps[0] < {0} ? steps[0] + 1 : {0};", stepper_.counted));
+  return lines;
+}
+
+/// What happens because time goes by.
+std::string EventWriter::clocks() const {
+  std::string result;
+  if (stepper_.has_times()) {
+    result += fmt::format(
+        "\n/// An event that only waits for its time, and has; -1: none.\n"
+        "int due(const Motion& motion, Scalar at) noexcept {{\n{}\n  return -1;\n}}\n",
+        joined(by_phase(stepper_, "motion.which",
+                        [&](const StepPhase& phase) { return due_lines(phase); }),
+               "  "));
   }
-  if (!stepper_.anchors.empty()) {
-    lines.push_back(fmt::format("for (int i = 0; i < {}; ++i) {{",
-                                stepper_.anchors.front().signature.outputs[0].size));
-    append(lines, {"  anchor_next[i] = anchor[i];", "}"});
+  if (counts() && stepper_.cuts > 0) {
+    result += fill(
+        template_text("step_clocks.cpp"),
+        {{"clocks", joined(by_phase(stepper_, "motion.which",
+                                    [&](const StepPhase& phase) { return clock_lines(phase); }),
+                           "  ")}});
   }
-  if (!stepper_.switches()) {
-    append(lines, phase_lines(stepper_.phases.front()));
+  return result;
+}
+
+std::string EventWriter::functions() const {
+  const std::string constant = guards_ > 0 ? fmt::format(
+                                                 "/// Guards and approaches of a phase, at most.\n"
+                                                 "constexpr int kGuards = {};\n",
+                                                 guards_ + stepper_.most_approaches())
+                                           : "";
+  return fill(template_text("step_events.cpp"),
+              {{"turns", std::to_string(stepper_.events)},
+               {"type", type_name(scalar_)},
+               {"step", literal(stepper_.step, scalar_)},
+               {"guards", constant},
+               {"motion", joined(motion(), "  ")},
+               {"moment", joined(moment(), "  ")},
+               {"advance", joined(advance(), "  ")},
+               {"watch", guards_ > 0 ? search_text(stepper_, scalar_) : ""},
+               {"clocks", clocks()},
+               {"happen", joined(effect_lines(stepper_, scalar_), "  ")}});
+}
+
+Lines EventWriter::turn_lines() const {
+  const bool clocks = counts() && stepper_.cuts > 0;
+  Lines inner = {"if (!(from.at < h)) {", "  break;", "}"};
+  inner.push_back(clocks ? "to.at = last ? h : next_clock(motion, from.at);" : "to.at = h;");
+  inner.emplace_back("advance(motion, from, to);");
+  if (stepper_.rows > 0) {
+    append(inner,
+           {fmt::format("for (int i = 0; i < {} && !(from.at > Scalar(0)); ++i) {{", stepper_.rows),
+            "  lambda[i] = from.lambda[i];", "}"});
+  }
+  if (guards_ > 0) {
+    inner.push_back(
+        fmt::format("event = find_event(motion, from, to{});", stepper_.cuts > 0 ? ", last" : ""));
+  }
+  append(inner, {"failed |= from.failed | to.failed;", "from = to;"});
+  if (!stepper_.has_times()) {
+    Lines lines = {"int event = -1;"};
+    append(lines, inner);
     return lines;
   }
-  append(lines, {"phase_next[0] = phase[0];", "switch (phase[0]) {"});
-  for (const StepPhase& phase : stepper_.phases) {
-    if (!phase.events.empty()) {
-      lines.push_back(fmt::format("  case phase::{}: {{", phase.identifier));
-      append(lines, phase_lines(phase), "    ");
-      append(lines, {"    break;", "  }"});
-    }
-  }
-  append(lines, {"  default:", "    break;", "}"});
+  Lines lines = {"int event = due(motion, from.at);", "if (event < 0 || last) {",
+                 "  failed |= event < 0 ? 0 : status::event_missed;", "  event = -1;"};
+  append(lines, inner, "  ");
+  lines.emplace_back("}");
   return lines;
+}
+
+Lines EventWriter::begin_lines() const {
+  Lines values = {"tau"};
+  Lines lines;
+  if (stepper_.takes_time) {
+    values.emplace_back("t");
+  }
+  if (!stepper_.anchors.empty()) {
+    lines = {fmt::format("for (int i = 0; i < {}; ++i) {{",
+                         stepper_.anchors.front().signature.outputs[0].size),
+             "  anchor_next[i] = anchor[i];", "}"};
+    values.emplace_back("anchor_next");
+  } else if (stepper_.takes_anchor) {
+    values.emplace_back("anchor");
+  }
+  if (stepper_.switches()) {
+    values.emplace_back("phase[0]");
+  }
+  if (counts()) {
+    values.emplace_back("steps[0]");
+  }
+  if (stepper_.begun) {
+    values.emplace_back("begun[0]");
+  }
+  lines.push_back(fmt::format("Motion motion = {{{}}};", fmt::join(values, ", ")));
+  append(lines, {"Moment from = {};", "Moment to = {};"});
+  if (counts()) {
+    lines.emplace_back("bool changed = false;");
+  }
+  return lines;
+}
+
+Lines EventWriter::end_lines() const {
+  Lines lines;
+  if (stepper_.switches()) {
+    lines.emplace_back("phase_next[0] = motion.which;");
+  }
+  if (counts()) {
+    lines.push_back(fmt::format(
+        "steps_next[0] = changed ? 0 : steps[0] < {0} ? steps[0] + 1 : {0};", stepper_.counted));
+  }
+  if (stepper_.begun) {
+    append(lines, {"begun_next[0] = changed ? h + motion.begun : begun[0];",
+                   "if (!(begun_next[0] < h)) {  // a whole step", "  steps_next[0] = 1;",
+                   "  begun_next[0] = Scalar(0);", "}"});
+  }
+  return lines;
+}
+
+std::string EventWriter::turns() const {
+  const program::Signature& signature = stepper_.signature;
+  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
+  Lines restart;
+  if (counts()) {
+    restart = {"changed = true;", "motion.steps = 0;"};
+  }
+  if (stepper_.begun) {
+    restart.emplace_back("motion.begun = -from.at;");
+  }
+  return fill(
+      template_text("step_turns.cpp"),
+      {{"declaration", declaration(returned(signature), parameters(signature, all), " noexcept {")},
+       {"begin", joined(begin_lines(), "  ")},
+       {"turn", joined(turn_lines(), "    ")},
+       {"restart", joined(restart, "      ")},
+       {"end", joined(end_lines(), "  ")}});
 }
 
 }  // namespace
 
-std::string events_text(const Stepper& stepper, Scalar scalar) {
-  const bool ends = std::any_of(stepper.phases.begin(), stepper.phases.end(),
-                                [](const StepPhase& phase) { return !phase.events.empty(); });
-  std::string result;
-  const Lines lines = ends ? EventWriter(stepper, scalar).lines() : Lines{};
-  for (const std::string& line : lines) {
-    result += (result.empty() ? "  " : "\n  ") + line;
-  }
-  return result;
+std::string event_functions(const Stepper& stepper, Scalar scalar) {
+  return EventWriter(stepper, scalar).functions();
+}
+
+std::string turns_text(const Stepper& stepper) {
+  return EventWriter(stepper, Scalar::kDouble).turns();
 }
 
 }  // namespace treedyn::emit

@@ -1,4 +1,5 @@
-// What stands behind the integration in `step`: events, impacts and the next phase.
+// What `step` does about events: it looks for them, cuts the step where they happen, and goes on
+// behind them.
 #pragma once
 
 #include <string>
@@ -8,7 +9,11 @@
 
 namespace treedyn::emit {
 
-/// Statements, indented by two, without the last line break; nothing if nothing ends a phase.
-std::string events_text(const program::Stepper& stepper, Scalar scalar);
+/// The functions that `step` calls behind `integrate`, in an unnamed namespace that is open.
+/// \pre stepper.ends()
+std::string event_functions(const program::Stepper& stepper, Scalar scalar);
+
+/// `step` itself, from its declaration to its closing brace. \pre stepper.ends()
+std::string turns_text(const program::Stepper& stepper);
 
 }  // namespace treedyn::emit

@@ -10,6 +10,7 @@
 #include "emit/parts.hpp"
 #include "emit/staged.hpp"
 #include "emit/step_events.hpp"
+#include "emit/step_text.hpp"
 #include "emit/template_file.hpp"
 
 namespace treedyn::emit {
@@ -22,22 +23,42 @@ namespace {
 
 using Slots = std::map<std::string, std::string>;
 
-/// Times of the later stages; nothing if nothing depends on time.
-std::string times(const Stepper& stepper) {
-  return stepper.takes_time ? "  const Scalar t_half[1] = {t[0] + half};\n"
-                              "  const Scalar t_full[1] = {t[0] + h};"
-                            : "";
+/// What is written: `step` itself, of a fixed length, or `integrate`, of any length h in a phase.
+enum class Form { kStep, kIntegrate };
+
+/// A part of the step: a number, or a product with h.
+std::string part_of_step(const Stepper& stepper, Form form, const Real& part, Scalar scalar) {
+  return form == Form::kStep ? literal(stepper.step * part, scalar)
+                             : literal(part, scalar) + " * h";
 }
 
-void add_rk4_slots(const Stepper& stepper, Scalar scalar, Slots& slots) {
-  const bool reacts = stepper.rows > 0;
-  slots["half"] = literal(stepper.step / 2, scalar);
-  slots["sixth"] = literal(stepper.step / 6, scalar);
-  slots["times"] = times(stepper);
+std::string constant(const std::string& name, const std::string& value, Form form, Scalar scalar) {
+  return form == Form::kStep
+             ? fmt::format("  constexpr {} {} = {};", type_name(scalar), name, value)
+             : fmt::format("  const Scalar {} = {};", name, value);
+}
+
+/// Constants for the length of the step, and h itself if nobody passes it.
+std::string lengths(const Stepper& stepper, Form form, Scalar scalar,
+                    const std::vector<std::pair<std::string, Real>>& parts, bool h) {
+  Lines lines;
+  if (form == Form::kStep && h) {
+    lines.push_back(constant("h", literal(stepper.step, scalar), form, scalar));
+  }
+  for (const auto& [name, part] : parts) {
+    lines.push_back(constant(name, part_of_step(stepper, form, part, scalar), form, scalar));
+  }
+  return joined(lines, "");
+}
+
+void add_rk4_slots(const Stepper& stepper, Form form, Scalar scalar, Slots& slots) {
+  slots["lengths"] =
+      lengths(stepper, form, scalar, {{"half", Real("0.5")}, {"sixth", Real(1) / 6}}, true);
+  slots["times"] = stepper.takes_time ? "  const Scalar t_half[1] = {t[0] + half};\n"
+                                        "  const Scalar t_full[1] = {t[0] + h};"
+                                      : "";
   slots["t_half"] = stepper.takes_time ? ", t_half" : "";
   slots["t_full"] = stepper.takes_time ? ", t_full" : "";
-  slots["later_lambda"] = reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : "";
-  slots["later"] = reacts ? ", later" : "";
 }
 
 /// A row of the tableau of Dormand and Prince: what a stage takes of the stages before it.
@@ -68,31 +89,26 @@ Real fraction(const std::string& text) {
                                   : Real(Real(text.substr(0, bar)) / Real(text.substr(bar + 1)));
 }
 
-void add_dopri5_slots(const Stepper& stepper, Scalar scalar, Slots& slots) {
-  const bool reacts = stepper.rows > 0;
-  const auto of_step = [&](const char* part) {
-    return literal(stepper.step * fraction(part), scalar);
-  };
-  std::vector<std::string> constants;
-  std::vector<std::string> times;
+void add_dopri5_slots(const Stepper& stepper, Form form, Scalar scalar, Slots& slots) {
+  std::vector<std::pair<std::string, Real>> parts;
+  Lines times;
   for (const TableauRow& row : dopri5_tableau()) {
     for (const auto& [stage, weight] : row.weights) {
-      constants.push_back(fmt::format("  constexpr {} c{}{} = {};", type_name(scalar), row.stage,
-                                      stage, of_step(weight)));
+      parts.emplace_back(fmt::format("c{}{}", row.stage, stage), fraction(weight));
     }
     if (row.stage < 7) {
       slots[fmt::format("t{}", row.stage)] =
           stepper.takes_time ? fmt::format(", t{}", row.stage) : "";
-      times.push_back(
-          fmt::format("  const Scalar t{}[1] = {{t[0] + {}}};", row.stage, of_step(row.time)));
+      times.push_back(fmt::format("const Scalar t{}[1] = {{t[0] + {}}};", row.stage,
+                                  part_of_step(stepper, form, fraction(row.time), scalar)));
     }
   }
-  slots["constants"] = fmt::format("{}", fmt::join(constants, "\n"));
-  slots["times"] = stepper.takes_time ? fmt::format("{}", fmt::join(times, "\n")) : "";
-  slots["later_lambda"] = reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : "";
-  slots["later"] = reacts ? ", later" : "";
-  slots.erase("step");
-  slots.erase("type");
+  slots["constants"] = lengths(stepper, form, scalar, parts, false);
+  slots["times"] = stepper.takes_time ? joined(times, "  ") : "";
+}
+
+std::string dynamics_name(const Stepper& stepper) {
+  return stepper.switches() ? "dynamics_in" : stepper.phases.front().dynamics;
 }
 
 /// What the dynamics need beside the state, as arguments or as parameters.
@@ -113,48 +129,97 @@ std::vector<std::string> context(const Stepper& stepper, const std::string& whic
   return result;
 }
 
-std::string stage_declaration(const Stepper& stepper, const std::string& name,
+std::string stage_declaration(const Stepper& stepper, const std::string& head,
                               const std::vector<std::string>& own) {
   std::vector<std::string> parameters = context(stepper, "which", "t", true);
   parameters.insert(parameters.end(), own.begin(), own.end());
-  return declaration("void " + name, parameters, " noexcept {");
+  return declaration(head, parameters, " noexcept {");
 }
 
-void add_sdirk2_slots(const Stepper& stepper, Scalar scalar, Slots& slots) {
-  const bool reacts = stepper.rows > 0;
+/// integrate(h, which, q, qd, tau, t, anchor, q_next, qd_next, lambda, later): parameters, or
+/// arguments at a state (x, v).
+std::vector<std::string> integrate_list(const Stepper& stepper, bool parameters) {
+  std::vector<std::string> result = {parameters ? "Scalar h" : "part"};
+  const std::vector<std::string> beside =
+      parameters ? context(stepper, "which", "t", true) : context(stepper, "which", "t_now", false);
+  const bool which = stepper.switches();
+  if (which) {
+    result.push_back(beside.front());
+  }
+  for (const char* const name : {"q", "qd"}) {
+    result.push_back(parameters ? fmt::format("const Scalar* {}", name)
+                                : std::string(name == std::string("q") ? "x" : "v"));
+  }
+  result.insert(result.end(), beside.begin() + (which ? 1 : 0), beside.end());
+  for (const char* const name : {"q_next", "qd_next", "lambda", "later"}) {
+    if (stepper.rows > 0 || name[0] == 'q') {
+      result.push_back(parameters ? fmt::format("Scalar* {}", name) : std::string(name));
+    }
+  }
+  return result;
+}
+
+/// The stages that `step` or `integrate` tries.
+std::string sdirk2_stages(const Stepper& stepper, Scalar scalar) {
   const bool single = scalar == Scalar::kFloat;
-  const Real rest = sqrt(Real("0.5"));
-  const auto arguments = [&](const std::string& which, const std::string& t) {
-    return fmt::format("{}", fmt::join(context(stepper, which, t, false), ", "));
+  const bool reacts = stepper.rows > 0;
+  const auto arguments = [&](const std::string& t) {
+    return fmt::format("{}", fmt::join(context(stepper, "which", t, false), ", "));
   };
-  slots["change"] = single ? "1e-12f" : "1e-26";
-  slots["enough"] = single ? "1e-10f" : "1e-22";
-  slots["difference"] = single ? "3e-4f" : "1.5e-8";
-  slots["nan"] = single ? "NAN" : "static_cast<Scalar>(NAN)";
-  slots["nearer"] = literal(Real("0.9"), scalar);
-  slots["one_half"] = literal(Real("0.5"), scalar);
-  slots["stage"] = literal(stepper.step * (1 - rest), scalar);
-  slots["rest"] = literal(stepper.step * rest, scalar);
-  slots["times"] = stepper.takes_time ? fmt::format(
-                                            "  const Scalar t_stage[1] = {{t[0] + kStage}};\n"
-                                            "  const Scalar t_full[1] = {{t[0] + {}}};",
-                                            literal(stepper.step, scalar))
-                                      : "";
-  slots["later_lambda"] = reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : "";
-  slots["later"] = reacts ? ", later" : "";
-  slots["first_phase"] = slots.at("phase");
-  slots["phase"] = stepper.switches() ? "which, " : "";
-  slots["factor_declaration"] = stage_declaration(
-      stepper, "factor_stage",
-      {"const Scalar* x0", "const Scalar* v0", "const Scalar* a", "Scalar (*M)[kDof]", "int* row"});
-  slots["find_declaration"] =
-      stage_declaration(stepper, "find_stage",
-                        {"Scalar size", "const Scalar* x0", "const Scalar* v0", "Scalar* a",
-                         "Scalar (*M)[kDof]", "int* row"});
-  slots["context"] = arguments("which", "t");
-  slots["first_context"] = arguments("phase[0]", "t_stage");
-  slots["second_context"] = arguments("phase[0]", "t_full");
-  slots.erase("step");
+  std::vector<std::string> find = {"Scalar stage", "Scalar size", "const Scalar* x0",
+                                   "const Scalar* v0", "Scalar* a"};
+  if (reacts) {
+    find.emplace_back("Scalar* lambda");
+  }
+  find.insert(find.end(), {"Scalar (*M)[kDof]", "int* row"});
+  return fill(template_text("step_stages.cpp"),
+              {{"type", type_name(scalar)},
+               {"jacobians", std::to_string(program::kMostJacobians)},
+               {"newton_steps", std::to_string(program::kMostNewtonSteps)},
+               {"tries", std::to_string(program::kMostTries)},
+               {"change", single ? "1e-12f" : "1e-26"},
+               {"enough", single ? "1e-10f" : "1e-22"},
+               {"difference", single ? "3e-4f" : "1.5e-8"},
+               {"gamma", literal(1 - sqrt(Real("0.5")), scalar)},
+               {"nearer", literal(Real("0.9"), scalar)},
+               {"one_half", literal(Real("0.5"), scalar)},
+               {"factor_declaration",
+                stage_declaration(stepper, "void factor_stage",
+                                  {"Scalar stage", "const Scalar* x0", "const Scalar* v0",
+                                   "const Scalar* a", "Scalar (*M)[kDof]", "int* row"})},
+               {"find_declaration", stage_declaration(stepper, "int find_stage", find)},
+               {"try_declaration",
+                declaration("int try_step", integrate_list(stepper, true), " noexcept {")},
+               {"dynamics", dynamics_name(stepper)},
+               {"phase", stepper.switches() ? "which, " : ""},
+               {"t", stepper.takes_time ? ", t" : ""},
+               {"anchor", stepper.takes_anchor ? ", anchor" : ""},
+               {"lambda", reacts ? ", lambda" : ""},
+               {"later", reacts ? ", later" : ""},
+               {"later_lambda", reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : ""},
+               {"times", stepper.takes_time ? "  const Scalar t_stage[1] = {t[0] + stage};\n"
+                                              "  const Scalar t_full[1] = {t[0] + h};"
+                                            : ""},
+               {"context", arguments("t")},
+               {"first_context", arguments("t_stage")},
+               {"second_context", arguments("t_full")}});
+}
+
+void add_sdirk2_slots(const Stepper& stepper, Form form, Scalar scalar, Slots& slots) {
+  std::vector<std::string> arguments = integrate_list(stepper, false);
+  if (form == Form::kStep && stepper.switches()) {
+    arguments[1] = "phase[0]";
+  }
+  if (stepper.rows > 0) {  // of the beginning
+    arguments[arguments.size() - 2] = "done > Scalar(0) ? later : lambda";
+  }
+  slots = {{"declaration", slots.at("declaration")},
+           {"end", slots.at("end")},
+           {"later_lambda", slots.at("later_lambda")},
+           {"lengths", lengths(stepper, form, scalar, {}, true)},
+           {"times", stepper.takes_time ? "    const Scalar t_now[1] = {t[0] + done};" : ""},
+           {"one_half", literal(Real("0.5"), scalar)},
+           {"try", fmt::format("try_step({})", fmt::join(arguments, ", "))}};
 }
 
 /// The dynamics of one phase: the call, and zeros for the reactions that it does not have.
@@ -171,7 +236,7 @@ std::vector<std::string> dynamics_lines(const Stepper& stepper, const StepPhase&
     arguments.emplace_back("lambda");
   }
   std::vector<std::string> lines = {
-      declaration("const int failed = " + phase.dynamics, arguments, ";")};
+      call_text("const int failed = " + phase.dynamics, arguments, 4)};
   for (int k = phase.rows; k < stepper.rows; ++k) {
     lines.push_back(fmt::format("lambda[{}] = Scalar(0);", k));
   }
@@ -201,12 +266,69 @@ std::string dispatch(const Stepper& stepper) {
     for (const std::string& line : dynamics_lines(stepper, phase)) {
       lines.push_back("    " + line);
     }
-    lines.emplace_back("    return failed;");
-    lines.emplace_back("  }");
+    append(lines, {"    return failed;", "  }"});
   }
   lines.emplace_back("}");
   return "\n/// Accelerations and reactions in a phase.\n" +
          declaration("int dynamics_in", parameters, " noexcept {") + block(lines);
+}
+
+std::string step_declaration(const Stepper& stepper) {
+  const program::Signature& signature = stepper.signature;
+  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
+  return declaration(returned(signature), parameters(signature, all), " noexcept {");
+}
+
+/// What stands behind the integration.
+std::string integration_end(const Stepper& stepper, Form form) {
+  Lines lines;
+  if (form == Form::kIntegrate) {
+    if (stepper.rows > 0 && stepper.method == StepMethod::kSemiImplicitEuler) {
+      append(lines, {fmt::format("for (int i = 0; i < {}; ++i) {{", stepper.rows),
+                     "  later[i] = lambda[i];", "}"});
+    }
+    lines.emplace_back("return failed;");
+    return joined(lines, "  ");
+  }
+  if (stepper.switches()) {
+    lines.emplace_back("phase_next[0] = phase[0];");
+  }
+  lines.emplace_back("return failed | check(q_next, kDof) | check(qd_next, kDof);");
+  return joined(lines, "  ");
+}
+
+/// `step` without events, or `integrate`.
+std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
+  const bool own = form == Form::kStep;
+  const bool reacts = stepper.rows > 0;
+  Slots slots = {{"declaration",
+                  own ? step_declaration(stepper)
+                      : declaration("int integrate", integrate_list(stepper, true), " noexcept {")},
+                 {"dynamics", dynamics_name(stepper)},
+                 {"phase", !stepper.switches() ? ""
+                           : own               ? "phase[0], "
+                                               : "which, "},
+                 {"t", stepper.takes_time ? ", t" : ""},
+                 {"anchor", stepper.takes_anchor ? ", anchor" : ""},
+                 {"lambda", reacts ? ", lambda" : ""},
+                 {"end", integration_end(stepper, form)}};
+  if (stepper.method == StepMethod::kSemiImplicitEuler) {
+    slots["lengths"] = lengths(stepper, form, scalar, {}, true);
+    return fill(template_text("step_semi_implicit_euler.cpp"), slots);
+  }
+  slots["later_lambda"] = reacts && own ? fmt::format("  Scalar later[{}];", stepper.rows) : "";
+  slots["later"] = reacts ? ", later" : "";
+  switch (stepper.method) {
+    case StepMethod::kRk4:
+      add_rk4_slots(stepper, form, scalar, slots);
+      return fill(template_text("step_rk4.cpp"), slots);
+    case StepMethod::kDopri5:
+      add_dopri5_slots(stepper, form, scalar, slots);
+      return fill(template_text("step_dopri5.cpp"), slots);
+    default:
+      add_sdirk2_slots(stepper, form, scalar, slots);
+      return fill(template_text("step_sdirk2.cpp"), slots);
+  }
 }
 
 /// What only `step` calls.
@@ -218,40 +340,22 @@ std::string local_text(const Stepper& stepper, const Vocabulary& words, const Ta
   }
   result += local_functions(stepper.anchors, words, target);
   result += stepper.switches() ? dispatch(stepper) : "";
+  if (stepper.method == StepMethod::kSdirk2) {
+    result += sdirk2_stages(stepper, target.scalar);
+  }
+  if (stepper.ends()) {
+    result += "\n/// One step of length h of a phase.\n" +
+              integration(stepper, Form::kIntegrate, target.scalar) +
+              event_functions(stepper, target.scalar);
+  }
   return result.empty() ? result : "namespace {\n" + result + "\n}  // namespace\n\n";
 }
 
 }  // namespace
 
 std::string stepper_text(const Stepper& stepper, const Vocabulary& words, const Target& target) {
-  const program::Signature& signature = stepper.signature;
-  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
-  const bool switches = stepper.switches();
-  Slots slots = {
-      {"declaration", declaration(returned(signature), parameters(signature, all), " noexcept {")},
-      {"type", type_name(target.scalar)},
-      {"step", literal(stepper.step, target.scalar)},
-      {"dynamics", switches ? "dynamics_in" : stepper.phases.front().dynamics},
-      {"phase", switches ? "phase[0], " : ""},
-      {"t", stepper.takes_time ? ", t" : ""},
-      {"anchor", stepper.takes_anchor ? ", anchor" : ""},
-      {"lambda", stepper.rows > 0 ? ", lambda" : ""},
-      {"events", events_text(stepper, target.scalar)}};
-  const std::string local = local_text(stepper, words, target);
-  switch (stepper.method) {
-    case StepMethod::kRk4:
-      add_rk4_slots(stepper, target.scalar, slots);
-      return local + fill(template_text("step_rk4.cpp"), slots);
-    case StepMethod::kDopri5:
-      add_dopri5_slots(stepper, target.scalar, slots);
-      return local + fill(template_text("step_dopri5.cpp"), slots);
-    case StepMethod::kSdirk2:
-      add_sdirk2_slots(stepper, target.scalar, slots);
-      return local + fill(template_text("step_sdirk2.cpp"), slots);
-    case StepMethod::kSemiImplicitEuler:
-      break;
-  }
-  return local + fill(template_text("step_semi_implicit_euler.cpp"), slots);
+  return local_text(stepper, words, target) +
+         (stepper.ends() ? turns_text(stepper) : integration(stepper, Form::kStep, target.scalar));
 }
 
 }  // namespace treedyn::emit

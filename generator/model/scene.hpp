@@ -167,8 +167,10 @@ enum class Drift { kNone, kBaumgarte, kProjection };
 /// How a scene is stepped.
 struct Stepping {
   std::string integrator = "fehlberg78";
-  Location where;                  ///< of the integrator's name
-  Real step = Real("1e-3");        ///< s, methods with fixed steps
+  Location where;            ///< of the integrator's name
+  Real step = Real("1e-3");  ///< s, methods with fixed steps
+  int cuts = 3;    ///< generated steps: shorter steps that look for an event; 0: at the end
+  int events = 3;  ///< generated steps: events of one step, at most
   Real tolerance = Real("1e-10");  ///< error of a step, relative and absolute, adaptive methods
   Drift drift = Drift::kProjection;
   Real stabilisation = 20;  ///< alpha of Baumgarte, 1/s

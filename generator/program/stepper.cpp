@@ -6,12 +6,6 @@ namespace treedyn::program {
 
 namespace {
 
-bool takes_time(const Staged& staged) {
-  const std::vector<Array>& inputs = staged.signature.inputs;
-  return std::any_of(inputs.begin(), inputs.end(),
-                     [](const Array& array) { return array.name == "t"; });
-}
-
 Cost of_all(const std::vector<Staged>& functions) {
   Cost sum;
   for (const Staged& function : functions) {
@@ -39,7 +33,7 @@ Cost newton_cost(int n, const Cost& dynamics) {
 Cost sdirk2_cost(const Stepper& stepper, const Cost& dynamics, int newton_steps, int jacobians) {
   const int n = stepper.signature.inputs.front().size;
   // the first Newton step of a stage is not compared with one before
-  const Cost own{.add = 8 * n + (stepper.takes_time ? 2 : 0), .mul = 8 * n - 2};
+  const Cost own{.add = 8 * n + (stepper.takes_time ? 3 : 0) + 2, .mul = 8 * n - 1};
   return dynamics + jacobians * factor_cost(n, dynamics) +
          2 * newton_steps * newton_cost(n, dynamics) + own;
 }
@@ -47,66 +41,201 @@ Cost sdirk2_cost(const Stepper& stepper, const Cost& dynamics, int newton_steps,
 /// The integration alone, given the operations of one call of the dynamics.
 Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
   const int n = stepper.signature.inputs.front().size;
+  const bool timed = stepper.takes_time;
+  const bool any_length = stepper.ends();
   switch (stepper.method) {
     case StepMethod::kSemiImplicitEuler:
       break;
     case StepMethod::kRk4:
-      return 4 * dynamics + Cost{.add = 14 * n + (stepper.takes_time ? 2 : 0), .mul = 10 * n};
+      return 4 * dynamics +
+             Cost{.add = 14 * n + (timed ? 2 : 0), .mul = 10 * n + (any_length ? 2 : 0)};
     case StepMethod::kDopri5:
-      return 6 * dynamics + Cost{.add = 40 * n + (stepper.takes_time ? 5 : 0), .mul = 40 * n};
+      return 6 * dynamics + Cost{.add = 40 * n + (timed ? 5 : 0),
+                                 .mul = 40 * n + (any_length ? 20 + (timed ? 5 : 0) : 0)};
     case StepMethod::kSdirk2:
-      return worst ? sdirk2_cost(stepper, dynamics, kMostJacobians * kMostNewtonSteps,
-                                 1 + 2 * kMostJacobians) +
-                         Cost{.mul = 2 * kMostJacobians}
+      return worst ? kMostTries * (sdirk2_cost(stepper, dynamics, kMostJacobians * kMostNewtonSteps,
+                                               1 + 2 * kMostJacobians) +
+                                   Cost{.add = 1, .mul = 1 + 2 * kMostJacobians})
                    : sdirk2_cost(stepper, dynamics, kUsualNewtonSteps, 1);
   }
   return dynamics + Cost{.add = 2 * n, .mul = 2 * n};
 }
 
-Cost end_time_cost(const Stepper& stepper) { return {.add = stepper.needs_end_time() ? 1 : 0}; }
+/// When a phase has lasted so long.
+Cost lasted_cost(const Stepper& stepper, const Lasting& lasting) {
+  return {.add = (lasting.rest != 0 ? 1 : 0) + (stepper.begun ? 1 : 0), .mul = 1};
+}
 
-/// Everything that the events of a phase may cost in one step.
+/// All times of a phase's events, or those of events that wait for nothing else.
+Cost clock_cost(const Stepper& stepper, const StepPhase& phase, bool due) {
+  Cost sum;
+  if (due) {
+    for (const StepEvent& event : phase.events) {
+      sum =
+          sum + (event.cause == StepCause::kTime ? lasted_cost(stepper, event.not_before) : Cost{});
+    }
+    return sum;
+  }
+  for (const Lasting& lasting : clocks(phase)) {
+    sum = sum + (stepper.cuts > 0 ? lasted_cost(stepper, lasting) : Cost{});
+  }
+  return sum;
+}
+
+Cost guard_cost(const StepPhase& phase) {
+  const bool timed = !phase.guards.empty() && takes_time(phase.guards.front());
+  return of_all(phase.guards) + Cost{.add = timed ? 1 : 0};
+}
+
+/// A part of a step up to an event or to its end.
+Cost advance_cost(const Stepper& stepper, const StepPhase& phase, bool worst) {
+  const Cost& dynamics = worst ? phase.dynamics_worst_cost : phase.dynamics_cost;
+  return integration_cost(stepper, dynamics, worst) + Cost{.add = stepper.takes_time ? 2 : 1};
+}
+
+/// The choice among the events of a phase between two moments.
+Cost choice_cost(const Stepper& stepper, const StepPhase& phase) {
+  Cost sum;
+  for (const StepEvent& event : phase.events) {
+    const bool timed = !event.not_before.none();
+    sum =
+        sum + Cost{.add = 1, .div = 1} + (timed ? lasted_cost(stepper, event.not_before) : Cost{});
+  }
+  return sum;
+}
+
+/// All cuts that look for one event.
+Cost cut_cost(const Stepper& stepper, const StepPhase& phase) {
+  const int values = stepper.most_guards() + stepper.most_approaches();
+  const Cost weigh{.add = values, .mul = values, .div = values};
+  const Cost one = advance_cost(stepper, phase, true) + guard_cost(phase) +
+                   of_all(phase.approaches) + weigh + 2 * choice_cost(stepper, phase) +
+                   Cost{.add = 5, .mul = 3};
+  return (stepper.cuts + 1) * one + choice_cost(stepper, phase);
+}
+
+/// What one event may do to the state.
+Cost outcome_cost(const Stepper& stepper, const StepPhase& phase, const StepEvent& event) {
+  const int n = stepper.signature.inputs.front().size;
+  const Cost renewal = of_all(stepper.anchors) + Cost{.add = 1};
+  Cost sum = event.outcome.impact_cost + renewal;
+  if (event.rest) {
+    const StepPhase& next = stepper.phases[static_cast<std::size_t>(event.outcome.then)];
+    sum = sum + 3 * of_all(phase.approaches) + advance_cost(stepper, next, true) +
+          guard_cost(phase) + 2 * event.rest->impact_cost + renewal +
+          Cost{.add = 2 * n + 2, .mul = n, .div = 1};
+  }
+  return sum;
+}
+
+Cost most(const Cost& a, const Cost& b) {
+  return {std::max(a.add, b.add),   std::max(a.mul, b.mul), std::max(a.div, b.div),
+          std::max(a.sqrt, b.sqrt), std::max(a.sin, b.sin), std::max(a.cos, b.cos)};
+}
+
+/// A part of a step without an event in it, and what an event adds.
+Cost worst_part_cost(const Stepper& stepper, const StepPhase& phase) {
+  return clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
+         advance_cost(stepper, phase, true) + 2 * (guard_cost(phase) + of_all(phase.approaches)) +
+         choice_cost(stepper, phase);
+}
+
 Cost worst_event_cost(const Stepper& stepper, const StepPhase& phase) {
-  Cost sum = of_all(phase.guards);
   Cost dearest;
   for (const StepEvent& event : phase.events) {
-    sum = sum + (event.crosses ? of_all(phase.guards) : Cost{});
-    sum = sum + (event.approach >= 0 ? of_all(phase.approaches) : Cost{});
-    Cost outcome = event.outcome.impact_cost + of_all(stepper.anchors);
-    if (event.rest) {
-      outcome = outcome + event.rest->impact_cost + of_all(phase.approaches);
-    }
-    dearest = outcome.total() > dearest.total() ? outcome : dearest;
+    dearest = most(dearest, outcome_cost(stepper, phase, event));
   }
-  return sum + dearest;
+  return dearest + (stepper.cuts > 0 ? cut_cost(stepper, phase) : Cost{});
+}
+
+template <class Part>
+int most_of(const std::vector<StepPhase>& phases, const Part& part) {
+  int result = 0;
+  for (const StepPhase& phase : phases) {
+    const std::vector<Staged>& functions = part(phase);
+    result = std::max(result, functions.empty() ? 0 : functions[0].signature.outputs[0].size);
+  }
+  return result;
 }
 
 }  // namespace
 
-bool Stepper::needs_end_time() const {
-  return std::any_of(anchors.begin(), anchors.end(), program::takes_time) ||
-         std::any_of(phases.begin(), phases.end(), [](const StepPhase& phase) {
-           return std::any_of(phase.guards.begin(), phase.guards.end(), program::takes_time);
-         });
+bool Stepper::ends() const {
+  return std::any_of(phases.begin(), phases.end(),
+                     [](const StepPhase& phase) { return !phase.events.empty(); });
+}
+
+bool Stepper::has_times() const {
+  return std::any_of(phases.begin(), phases.end(), [](const StepPhase& phase) {
+    return std::any_of(phase.events.begin(), phase.events.end(),
+                       [](const StepEvent& event) { return event.cause == StepCause::kTime; });
+  });
+}
+
+int Stepper::most_guards() const {
+  return most_of(
+      phases, [](const StepPhase& p) -> const auto& { return p.guards; });
+}
+
+int Stepper::most_approaches() const {
+  return most_of(
+      phases, [](const StepPhase& p) -> const auto& { return p.approaches; });
+}
+
+std::vector<Lasting> clocks(const StepPhase& phase) {
+  std::vector<Lasting> result;
+  for (const StepEvent& event : phase.events) {
+    const Lasting& time = event.not_before;
+    if (!time.none() && std::find(result.begin(), result.end(), time) == result.end()) {
+      result.push_back(time);
+    }
+  }
+  return result;
+}
+
+bool takes_time(const Staged& staged) {
+  const std::vector<Array>& inputs = staged.signature.inputs;
+  return std::any_of(inputs.begin(), inputs.end(),
+                     [](const Array& array) { return array.name == "t"; });
+}
+
+bool pulls(const StepPhase& phase) {
+  return std::any_of(phase.events.begin(), phase.events.end(),
+                     [](const StepEvent& event) { return event.cause == StepCause::kPull; });
 }
 
 Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
-  return integration_cost(stepper, phase.dynamics_cost, false) + of_all(phase.guards) +
-         end_time_cost(stepper);
+  if (!stepper.ends()) {
+    return integration_cost(stepper, phase.dynamics_cost, false);
+  }
+  // times are looked at before the step and behind it
+  return 2 * clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
+         advance_cost(stepper, phase, false) + (pulls(phase) ? 2 : 1) * guard_cost(phase);
 }
 
 Cost step_cost(const Stepper& stepper) { return step_cost(stepper, stepper.phases.front()); }
 
 Cost worst_step_cost(const Stepper& stepper) {
-  Cost worst;
+  Cost part;
+  Cost event;
   for (const StepPhase& phase : stepper.phases) {
-    const Cost here = integration_cost(stepper, phase.dynamics_worst_cost, true) +
-                      worst_event_cost(stepper, phase) + end_time_cost(stepper);
-    worst = {std::max(worst.add, here.add), std::max(worst.mul, here.mul),
-             std::max(worst.div, here.div), std::max(worst.sqrt, here.sqrt),
-             std::max(worst.sin, here.sin), std::max(worst.cos, here.cos)};
+    if (!stepper.ends()) {
+      part = most(part, integration_cost(stepper, phase.dynamics_worst_cost, true));
+      continue;
+    }
+    part = most(part, worst_part_cost(stepper, phase));
+    event = most(event, worst_event_cost(stepper, phase));
   }
-  return worst;
+  if (!stepper.ends()) {
+    return part;
+  }
+  const int parts = stepper.cuts > 0 ? stepper.events + 1 : 1;
+  const int times = stepper.events + 1;  // looks at the clock
+  Cost clock;
+  for (const StepPhase& phase : stepper.phases) {
+    clock = most(clock, clock_cost(stepper, phase, true));
+  }
+  return parts * part + stepper.events * event + times * clock + Cost{.add = 1};
 }
 
 }  // namespace treedyn::program

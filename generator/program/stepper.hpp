@@ -15,6 +15,8 @@ enum class StepMethod { kSemiImplicitEuler, kRk4, kDopri5, kSdirk2 };
 inline constexpr int kUsualNewtonSteps = 3;
 inline constexpr int kMostJacobians = 6;
 inline constexpr int kMostNewtonSteps = 8;
+/// Parts of a step that kSdirk2 tries.
+inline constexpr int kMostTries = 8;
 
 /// Elements of `anchor` that are made anew.
 struct Renewal {
@@ -31,13 +33,29 @@ struct StepOutcome {
   std::vector<Renewal> renewals;
 };
 
-/// Happens at the end of a step of which all that it names is true.
+/// What an event waits for.
+enum class StepCause {
+  kTime,   ///< nothing but its time
+  kCross,  ///< a guard that falls through zero
+  kFall,   ///< a guard below zero, of a point that approaches
+  kPull    ///< a guard below zero: of reactions
+};
+
+/// How long a phase lasts: so many steps and a rest, shorter than a step.
+struct Lasting {
+  int steps = 0;
+  Real rest = 0;  ///< s
+  bool operator==(const Lasting&) const = default;
+  [[nodiscard]] bool none() const { return steps == 0 && rest == 0; }
+};
+
+/// Ends a phase.
 struct StepEvent {
-  std::string brief;     ///< for the reader: "touch_down of foot"
-  int guard = -1;        ///< this value of `guards` is negative; -1: any
-  bool crosses = false;  ///< it is not negative at the beginning of the step
-  int approach = -1;     ///< this value of `approaches` is negative; -1: any
-  int not_before = 0;    ///< the phase has lasted this many steps
+  std::string brief;  ///< for the reader: "touch_down of foot"
+  StepCause cause = StepCause::kTime;
+  int guard = -1;      ///< of `guards`
+  int approach = -1;   ///< of `approaches`: kFall, and where rebounds may come to rest
+  Lasting not_before;  ///< not before the phase has lasted this long; kTime: then
   StepOutcome outcome;
   /// Instead, where `outcome` leaves an approach below rest_below.
   std::optional<StepOutcome> rest;
@@ -58,26 +76,41 @@ struct StepPhase {
   std::vector<StepEvent> events;
 };
 
-/// step(q, qd, tau[, t][, anchor][, phase][, steps]) ->
-///   q_next, qd_next[, lambda][, anchor_next][, phase_next][, steps_next],
+/// step(q, qd, tau[, t][, anchor][, phase][, steps][, begun]) ->
+///   q_next, qd_next[, lambda][, anchor_next][, phase_next][, steps_next][, begun_next],
 /// by calls of constrained_dynamics. \invariant at least one phase
 struct Stepper {
   Signature signature;
   StepMethod method = StepMethod::kSemiImplicitEuler;
-  Real step = 0;  ///< s
+  Real step = 0;   ///< s
+  int cuts = 0;    ///< steps of shorter length that look for an event; 0: it is taken at the end
+  int events = 0;  ///< in one step, at most
   std::vector<StepPhase> phases;
   std::vector<Staged> anchors;  ///< one or none: q[, t] -> anchor, as they are now
   bool takes_time = false;
   bool takes_anchor = false;
-  int rows = 0;       ///< of lambda: the most of any phase
-  int counted = 0;    ///< steps of a phase are counted up to here; 0: not at all
-  std::string first;  ///< the phase in which the scene begins
+  int rows = 0;        ///< of lambda: the most of any phase
+  int counted = 0;     ///< steps of a phase are counted up to here; 0: not at all
+  bool begun = false;  ///< phases with counted steps begin within a step
+  std::string first;   ///< the phase in which the scene begins
 
   /// True if the phase is an argument.
   [[nodiscard]] bool switches() const { return phases.size() > 1; }
-  /// True if something behind the integration looks at the time.
-  [[nodiscard]] bool needs_end_time() const;
+  /// True if some phase ends.
+  [[nodiscard]] bool ends() const;
+  /// True if some phase ends because of its time alone.
+  [[nodiscard]] bool has_times() const;
+  /// Guards and, behind them, approaches of the phase with the most.
+  [[nodiscard]] int most_guards() const;
+  [[nodiscard]] int most_approaches() const;
 };
+
+/// What a phase's events wait for, each once.
+std::vector<Lasting> clocks(const StepPhase& phase);
+/// True if `staged` takes the time.
+bool takes_time(const Staged& staged);
+/// True if some event of the phase waits for a reaction.
+bool pulls(const StepPhase& phase);
 
 /// Operations of one step in a phase while no guard is negative.
 Cost step_cost(const Stepper& stepper, const StepPhase& phase);

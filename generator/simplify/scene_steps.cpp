@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "common/identifier.hpp"
 #include "simplify/scene_drift.hpp"
 #include "simplify/scene_guards.hpp"
 #include "simplify/search.hpp"
@@ -18,6 +16,7 @@ using model::Event;
 using model::EventKind;
 using model::Scene;
 using program::Staged;
+using program::StepCause;
 using program::StepEvent;
 using program::StepMethod;
 using program::StepOutcome;
@@ -33,52 +32,22 @@ constexpr std::array<std::pair<const char*, StepMethod>, 4> kMethods = {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+StepCause cause_of(const Event& event) {
+  switch (event.kind) {
+    case EventKind::kTime:
+      return StepCause::kTime;
+    case EventKind::kReaction:
+      return StepCause::kPull;
+    case EventKind::kHeight:
+      return rebounds(event) ? StepCause::kFall : StepCause::kCross;
+    case EventKind::kExpression:
+      break;
+  }
+  return StepCause::kCross;
+}
+
 bool includes(const std::vector<int>& all, const std::vector<int>& some) {
   return std::includes(all.begin(), all.end(), some.begin(), some.end());
-}
-
-/// An event whose impact would strike constraints that act already does not happen.
-bool is_watched(const Event& event, const std::vector<int>& active) {
-  const bool rests = event.impact && !event.impact->constraints.empty() &&
-                     includes(active, event.impact->constraints);
-  const bool reacts = event.kind != EventKind::kReaction ||
-                      std::find(active.begin(), active.end(), event.constraint) != active.end();
-  return !rests && reacts;
-}
-
-bool rebounds(const Event& event) {
-  return event.impact && !event.impact->constraints.empty() && event.impact->restitution > 0;
-}
-
-bool may_rest(const Event& event) { return rebounds(event) && event.impact->rest_below > 0; }
-
-/// The constraints that act behind an event.
-std::vector<int> active_behind(const Scene& scene, const Event& event, bool at_rest) {
-  std::vector<int> active = scene.phases[index(event.then)].active;
-  if (at_rest) {
-    const std::vector<int> before = active;
-    active.clear();
-    std::set_union(before.begin(), before.end(), event.impact->constraints.begin(),
-                   event.impact->constraints.end(), std::back_inserter(active));
-  }
-  return active;
-}
-
-int find_state(const std::vector<PhaseState>& states, int phase, const std::vector<int>& active) {
-  const auto found = std::find_if(states.begin(), states.end(), [&](const PhaseState& state) {
-    return state.phase == phase && state.active == active;
-  });
-  return found == states.end() ? -1 : static_cast<int>(found - states.begin());
-}
-
-PhaseState resting(const Scene& scene, const std::vector<PhaseState>& states, int phase,
-                   std::vector<int> active) {
-  const auto same = std::count_if(states.begin(), states.end(),
-                                  [&](const PhaseState& state) { return state.phase == phase; });
-  const std::string more = same > 1 ? fmt::format("_at_rest_{}", same) : "_at_rest";
-  const PhaseState& plain = states[index(phase)];
-  return {phase, std::move(active), plain.ending + more,
-          to_identifier(scene.phases[index(phase)].name + more)};
 }
 
 bool has(const std::vector<program::Array>& arrays, const std::string& name) {
@@ -98,6 +67,7 @@ class StepMaker {
   }
 
   [[nodiscard]] program::Stepper make(const std::vector<Staged>& dynamics) const;
+  [[nodiscard]] Staged anchors() const;
 
  private:
   [[nodiscard]] StepPhase phase(std::size_t state, const Staged& dynamics) const;
@@ -106,18 +76,16 @@ class StepMaker {
   [[nodiscard]] StepOutcome outcome(const Event& event, std::size_t state, bool at_rest) const;
   [[nodiscard]] Staged guards(const std::vector<Event>& events, std::size_t state, int rows) const;
   [[nodiscard]] Staged approaches(const std::vector<Event>& events, std::size_t state) const;
-  [[nodiscard]] Staged anchors() const;
   [[nodiscard]] Staged local(const std::string& name, const Options& options, const Inputs& places,
                              std::vector<Expr> (*build)(const Task&),
                              std::vector<program::Array> inputs, program::Array output) const;
-  [[nodiscard]] int steps_in(const Real& time) const {
-    return static_cast<int>(ceil(Real(time / scene_.stepping.step - Real("1e-30"))));
-  }
+  [[nodiscard]] program::Lasting lasting(const Real& time) const;
   [[nodiscard]] int anchor_count() const {
     return anchor_offset(scene_, static_cast<int>(scene_.constraints.size()));
   }
   [[nodiscard]] program::Array q() const { return {"q", scene_.tree.dof(), "rad|m"}; }
   [[nodiscard]] program::Array qd() const { return {"qd", scene_.tree.dof(), "rad/s|m/s"}; }
+  static void count_steps(program::Stepper& stepper);
   void sign(const Staged& dynamics, program::Stepper& stepper) const;
 
   const Scene& scene_;
@@ -171,6 +139,19 @@ Staged StepMaker::anchors() const {
                {"anchor", anchor_count(), "m|1|rad"});
 }
 
+/// Steps and a rest; without cuts whole steps, rounded up.
+program::Lasting StepMaker::lasting(const Real& time) const {
+  const Real& h = scene_.stepping.step;
+  const Real steps = floor(Real(time / h + Real("1e-30")));
+  const Real rest = time - steps * h;
+  const bool whole = !(rest > h * Real("1e-30"));
+  const int count = static_cast<int>(steps);
+  if (scene_.stepping.cuts == 0) {
+    return {count + (whole ? 0 : 1), 0};
+  }
+  return {count, whole ? Real(0) : rest};
+}
+
 StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_rest) const {
   StepOutcome result;
   const std::vector<int> active = active_behind(scene_, event, at_rest);
@@ -217,15 +198,14 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
                           std::vector<Event>& guarded, std::vector<Event>& approached) const {
   StepEvent result;
   result.brief = brief_of(scene_, event);
-  result.not_before = steps_in(event.not_before);
+  result.not_before = lasting(event.not_before);
   result.outcome = outcome(event, state, false);
   if (event.kind != EventKind::kTime) {
     result.guard = static_cast<int>(guarded.size());
     guarded.push_back(event);
   }
-  const bool falls = event.kind == EventKind::kHeight && rebounds(event);
-  result.crosses = !falls && event.kind != EventKind::kTime && event.kind != EventKind::kReaction;
-  if (falls || may_rest(event)) {
+  result.cause = cause_of(event);
+  if (result.cause == StepCause::kFall || may_rest(event)) {
     result.approach = static_cast<int>(approached.size());
     approached.push_back(event);
   }
@@ -265,15 +245,14 @@ StepPhase StepMaker::phase(std::size_t state, const Staged& dynamics) const {
 /// Arguments and results.
 void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
   const int n = scene_.tree.dof();
-  const bool ends = std::any_of(stepper.phases.begin(), stepper.phases.end(),
-                                [](const StepPhase& phase) { return !phase.events.empty(); });
   program::Signature& s = stepper.signature;
   s = {"step",
        "(8),(12)",
-       ends ? "Joint positions and velocities one step later, behind the event that ends the step "
-              "if there is one; lambda is that of the beginning."
-            : "Joint positions and velocities one step later, within the phase; lambda is that of "
-              "the beginning.",
+       stepper.ends()
+           ? "Joint positions and velocities one step later, behind the events within "
+             "the step; lambda is that of the beginning."
+           : "Joint positions and velocities one step later, within the phase; lambda is "
+             "that of the beginning.",
        {dynamics.signature.inputs.begin(), dynamics.signature.inputs.begin() + 3},
        {{"q_next", n, "rad|m"}, {"qd_next", n, "rad/s|m/s"}},
        true};
@@ -288,59 +267,61 @@ void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
   add(s.inputs, stepper.takes_anchor, {"anchor", anchor_count(), "m|1|rad"});
   add(s.inputs, stepper.switches(), {"phase", 1, "index", true});
   add(s.inputs, counts, {"steps", 1, "done in this phase", true});
+  add(s.inputs, stepper.begun, {"begun", 1, "s in this phase before them"});
   add(s.outputs, stepper.rows > 0, {"lambda", stepper.rows, "N|N m"});
   add(s.outputs, renews, {"anchor_next", anchor_count(), "m|1|rad"});
   add(s.outputs, stepper.switches(), {"phase_next", 1, "index", true});
   add(s.outputs, counts, {"steps_next", 1, "done in the next phase", true});
+  add(s.outputs, stepper.begun, {"begun_next", 1, "s in the next phase before them"});
+}
+
+/// How far steps of a phase must be counted, and whether phases begin within a step.
+void StepMaker::count_steps(program::Stepper& stepper) {
+  bool within = false;
+  for (const StepPhase& phase : stepper.phases) {
+    for (const StepEvent& event : phase.events) {
+      within = within || event.cause != StepCause::kTime || event.not_before.rest != 0;
+      if (!event.not_before.none()) {
+        stepper.counted = std::max(stepper.counted, event.not_before.steps);
+      }
+    }
+  }
+  const bool counts = std::any_of(stepper.phases.begin(), stepper.phases.end(),
+                                  [](const StepPhase& phase) { return !clocks(phase).empty(); });
+  stepper.begun = counts && within && stepper.cuts > 0;
+  stepper.counted += stepper.begun ? 1 : 0;
 }
 
 program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
   program::Stepper result;
   result.method = *step_method(scene_);
   result.step = scene_.stepping.step;
+  result.cuts = scene_.stepping.cuts;
+  result.events = scene_.stepping.events;
   bool renews = false;
   for (std::size_t state = 0; state < states_.size(); ++state) {
     result.phases.push_back(phase(state, dynamics[state]));
     const StepPhase& added = result.phases.back();
-    result.takes_time = result.takes_time || added.takes_time;
+    result.takes_time = result.takes_time || added.takes_time ||
+                        (!added.guards.empty() && program::takes_time(added.guards.front()));
     result.takes_anchor = result.takes_anchor || added.takes_anchor;
     result.rows = std::max(result.rows, added.rows);
     for (const StepEvent& event : added.events) {
-      result.counted = std::max(result.counted, event.not_before);
       renews = renews || !event.outcome.renewals.empty() ||
                (event.rest && !event.rest->renewals.empty());
     }
   }
+  count_steps(result);
   if (renews) {
     result.anchors.push_back(anchors());
+    result.takes_time = result.takes_time || program::takes_time(result.anchors.front());
   }
-  result.takes_time = result.takes_time || result.needs_end_time();
   result.first = states_[index(scene_.start_phase)].identifier;
   sign(dynamics.front(), result);
   return result;
 }
 
 }  // namespace
-
-std::vector<PhaseState> phase_states(const Scene& scene, bool at_rest) {
-  std::vector<PhaseState> states;
-  for (std::size_t k = 0; k < scene.phases.size(); ++k) {
-    states.push_back({static_cast<int>(k), scene.phases[k].active, phase_name(scene, k, ""),
-                      to_identifier(scene.phases[k].name)});
-  }
-  for (std::size_t k = 0; at_rest && k < states.size(); ++k) {
-    for (const Event& event : scene.phases[index(states[k].phase)].until) {
-      if (!may_rest(event) || !is_watched(event, states[k].active)) {
-        continue;
-      }
-      const std::vector<int> active = active_behind(scene, event, true);
-      if (find_state(states, event.then, active) < 0) {
-        states.push_back(resting(scene, states, event.then, active));
-      }
-    }
-  }
-  return states;
-}
 
 std::optional<StepMethod> step_method(const Scene& scene) {
   for (const auto& [name, method] : kMethods) {
@@ -364,6 +345,12 @@ program::Stepper make_stepper(const Scene& scene, const Options& options,
                               const std::vector<Staged>& dynamics,
                               const std::vector<Staged>& impacts) {
   return StepMaker(scene, options, states, impacts).make(dynamics);
+}
+
+program::Function anchor_function(const Scene& scene) {
+  Options options;
+  options.effort = 0;
+  return StepMaker(scene, options, {}, {}).anchors().function;
 }
 
 }  // namespace treedyn::simplify

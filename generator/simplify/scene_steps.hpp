@@ -8,20 +8,9 @@
 #include "program/stepper.hpp"
 #include "simplify/formulate.hpp"
 #include "simplify/scene_names.hpp"
+#include "simplify/scene_phases.hpp"
 
 namespace treedyn::simplify {
-
-/// A phase with the constraints that act: as the scene has it, or one in which a slow rebound has
-/// come to rest.
-struct PhaseState {
-  int phase = 0;
-  std::vector<int> active;  ///< ascending
-  std::string ending;       ///< of names of functions: "", "_left", "_at_rest"
-  std::string identifier;   ///< left, left_at_rest
-};
-
-/// The phases of the scene, and behind them those at rest that a step may reach.
-std::vector<PhaseState> phase_states(const model::Scene& scene, bool at_rest);
 
 /// The scene's integrator if there is code for a step of it.
 std::optional<program::StepMethod> step_method(const model::Scene& scene);
@@ -35,5 +24,8 @@ program::Stepper make_stepper(const model::Scene& scene, const Options& options,
                               const std::vector<PhaseState>& states,
                               const std::vector<program::Staged>& dynamics,
                               const std::vector<program::Staged>& impacts);
+
+/// The anchors of all constraints as they are now: arrays q and, if a curve has an anchor, t.
+program::Function anchor_function(const model::Scene& scene);
 
 }  // namespace treedyn::simplify

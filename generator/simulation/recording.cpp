@@ -186,4 +186,20 @@ Recording record(const model::Scene& scene, Simulator& simulator, double output_
   return recorder.finish();
 }
 
+Recording record_states(const model::Scene& scene, Simulator& simulator,
+                        const std::function<bool(const ShowState&)>& drive) {
+  Recorder recorder(scene, simulator);
+  const auto show = [&](const std::vector<double>& reactions) {
+    recorder.add_row(simulator.phase());
+    std::vector<double>& values = recorder.recording().rows.back().values;
+    std::copy(reactions.begin(), reactions.end(), values.begin() + 2 * scene.tree.dof());
+  };
+  try {
+    recorder.recording().stopped = drive(show) ? "" : "interrupted";
+  } catch (const std::runtime_error& problem) {
+    recorder.recording().stopped = problem.what();
+  }
+  return recorder.finish();
+}
+
 }  // namespace treedyn::simulation

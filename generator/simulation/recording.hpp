@@ -47,4 +47,11 @@ using Progress = std::function<bool(double part)>;
 Recording record(const model::Scene& scene, Simulator& simulator, double output_step,
                  const Progress& progress);
 
+/// Notes the state in which the simulator is, with these reactions of all constraints.
+using ShowState = std::function<void(const std::vector<double>& reactions)>;
+/// The recording of a motion that somebody else computes and shows: `drive` returns false if it is
+/// stopped. Errors of the motion end it.
+Recording record_states(const model::Scene& scene, Simulator& simulator,
+                        const std::function<bool(const ShowState&)>& drive);
+
 }  // namespace treedyn::simulation

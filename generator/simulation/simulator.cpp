@@ -200,6 +200,15 @@ bool Simulator::advance_to(double end, const Observe& observe) {
   return true;
 }
 
+void Simulator::place(double time, const Vector& q, const Vector& qd, int phase,
+                      const std::vector<int>& active) {
+  t_ = time;
+  y_ << q, qd;
+  if (phase != phase_ || active != system_.constraints().active()) {
+    start_phase(phase, active);
+  }
+}
+
 void Simulator::show_at(double step, Show show) {
   show_step_ = step;
   show_ = std::move(show);

@@ -75,6 +75,11 @@ class Simulator {
   /// Calls `show` at t0 + k step for k = 1, 2, .. and right before every event; the simulator is in
   /// that state meanwhile. States inside a step are those of a shorter step from its beginning.
   void show_at(double step, Show show);
+  /// Another one computes the motion: the state is set to what it says.
+  void place(double time, const Vector& q, const Vector& qd, int phase,
+             const std::vector<int>& active);
+  /// An event that it noted.
+  void note(const EventRecord& event) { events_.push_back(event); }
 
   [[nodiscard]] double time() const { return t_; }
   [[nodiscard]] Vector q() const { return y_.head(y_.size() / 2); }

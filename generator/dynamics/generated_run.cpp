@@ -1,0 +1,187 @@
+#include "dynamics/generated_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "program/interpret.hpp"
+#include "simplify/scene_steps.hpp"
+
+namespace treedyn {
+
+namespace {
+
+using simulation::Vector;
+using Values = GeneratedStep::Values;
+
+Vector vector_of(const Values& values) {
+  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// One run: what the step is given and what is noted.
+class Run {
+ public:
+  Run(const model::Scene& scene, GeneratedStep& step, simulation::Simulator& simulator,
+      double output_step)
+      : scene_(scene),
+        step_(step),
+        simulator_(simulator),
+        states_(simplify::phase_states(scene, true)),
+        start_(static_cast<double>(scene.t0)),
+        h_(static_cast<double>(scene.stepping.step)),
+        count_(std::lround(static_cast<double>(scene.duration) / h_)),
+        output_step_(output_step) {
+    begin();
+  }
+
+  /// Calls `show` with the reactions of every row of the table.
+  bool go(const std::function<void(const Values&)>& show, const simulation::Progress& progress);
+  [[nodiscard]] const std::vector<StatusRecord>& statuses() const { return statuses_; }
+
+ private:
+  void begin();
+  void place(long k, const Values& q, const Values& qd, int state);
+  [[nodiscard]] Values reactions(int state) const;
+  void note_status(int status, double time);
+  [[nodiscard]] int state() const {
+    return step_.has("phase") ? static_cast<int>(step_.at("phase")[0]) : scene_.start_phase;
+  }
+  [[nodiscard]] double time(long k) const { return start_ + static_cast<double>(k) * h_; }
+
+  const model::Scene& scene_;
+  GeneratedStep& step_;
+  simulation::Simulator& simulator_;
+  std::vector<simplify::PhaseState> states_;
+  double start_;
+  double h_;
+  long count_;
+  double output_step_;
+  std::vector<StatusRecord> statuses_;
+};
+
+void Run::begin() {
+  const Vector q = simulator_.q();
+  const Vector qd = simulator_.qd();
+  step_.at("q").assign(q.begin(), q.end());
+  step_.at("qd").assign(qd.begin(), qd.end());
+  Values& tau = step_.at("tau");
+  for (std::size_t k = 0; k < scene_.tau.size(); ++k) {
+    tau[k] = static_cast<double>(scene_.tau[k]);
+  }
+  if (step_.has("phase")) {
+    step_.at("phase")[0] = scene_.start_phase;
+  }
+  if (step_.has("anchor")) {
+    const program::Function anchors = simplify::anchor_function(scene_);
+    const std::vector<Values> inputs = {step_.at("q"), {start_}};
+    const std::vector<std::span<const double>> spans(inputs.begin(), inputs.end());
+    step_.at("anchor") = program::interpret<double>(anchors, spans);
+  }
+}
+
+void Run::place(long k, const Values& q, const Values& qd, int state) {
+  const simplify::PhaseState& now = states_[static_cast<std::size_t>(state)];
+  simulator_.place(time(k), vector_of(q), vector_of(qd), now.phase, now.active);
+}
+
+/// Of all constraints; zero where they do not act.
+Values Run::reactions(int state) const {
+  const std::vector<int>& active = states_[static_cast<std::size_t>(state)].active;
+  Values result;
+  std::size_t row = 0;
+  for (std::size_t c = 0; c < scene_.constraints.size(); ++c) {
+    const std::size_t rows = scene_.constraints[c].rows();
+    const bool acts = std::find(active.begin(), active.end(), static_cast<int>(c)) != active.end();
+    for (std::size_t k = 0; k < rows; ++k) {
+      result.push_back(acts ? step_.at("lambda")[row + k] : 0);
+    }
+    row += acts ? rows : 0;
+  }
+  return result;
+}
+
+void Run::note_status(int status, double time) {
+  for (int bit = 1; bit <= status; bit *= 2) {
+    if ((status & bit) == 0) {
+      continue;
+    }
+    const auto same = std::find_if(statuses_.begin(), statuses_.end(),
+                                   [bit](const StatusRecord& s) { return s.bit == bit; });
+    if (same == statuses_.end()) {
+      statuses_.push_back({bit, 1, time});
+    } else {
+      ++same->count;
+    }
+  }
+}
+
+bool Run::go(const std::function<void(const Values&)>& show, const simulation::Progress& progress) {
+  long shown = 0;  // rows of the table
+  bool changed = false;
+  for (long k = 0; k <= count_; ++k) {
+    const Values q = step_.at("q");
+    const Values qd = step_.at("qd");
+    const int before = state();
+    if (step_.has("t")) {
+      step_.at("t")[0] = time(k);
+    }
+    const int status = step_.call();
+    const bool due =
+        (static_cast<double>(k) + 1e-6) * h_ >= static_cast<double>(shown) * output_step_;
+    if (due || changed || k == count_) {
+      place(k, q, qd, before);
+      show(reactions(before));
+      shown += due ? 1 : 0;
+    }
+    if (k == count_) {
+      break;
+    }
+    note_status(status, time(k));
+    const Vector next = vector_of(step_.at("q"));
+    if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
+      throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", time(k + 1)));
+    }
+    changed = state() != before;
+    if (changed) {
+      simulator_.note({time(k + 1),
+                       states_[static_cast<std::size_t>(before)].phase,
+                       next,
+                       vector_of(qd),
+                       vector_of(step_.at("qd")),
+                       {}});
+    }
+    if (!progress(static_cast<double>(k + 1) / static_cast<double>(count_))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+GeneratedRun run_generated(const model::Scene& scene, GeneratedStep& step,
+                           simulation::Simulator& simulator, double output_step,
+                           const simulation::Progress& progress) {
+  Run run(scene, step, simulator, output_step);
+  GeneratedRun result;
+  result.recording = simulation::record_states(
+      scene, simulator, [&](const simulation::ShowState& show) { return run.go(show, progress); });
+  result.statuses = run.statuses();
+  return result;
+}
+
+std::vector<std::string> status_lines(const std::vector<StatusRecord>& statuses) {
+  std::vector<std::string> lines;
+  for (const StatusRecord& status : statuses) {
+    const std::string more =
+        status.count == 1 ? "" : fmt::format(" and in {} later steps", status.count - 1);
+    lines.push_back(fmt::format("the step at t = {:.6g} s{} returned {}", status.first, more,
+                                status_names(status.bit)));
+  }
+  return lines;
+}
+
+}  // namespace treedyn

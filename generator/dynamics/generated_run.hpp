@@ -1,0 +1,34 @@
+// A scene in time by its generated `step`, as firmware runs it.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/generated_step.hpp"
+#include "model/scene.hpp"
+#include "simulation/recording.hpp"
+
+namespace treedyn {
+
+/// A bit of the status that steps returned.
+struct StatusRecord {
+  int bit = 0;
+  long count = 0;    ///< of steps that returned it
+  double first = 0;  ///< when the first of them began, s
+};
+
+struct GeneratedRun {
+  simulation::Recording recording;  ///< events: changes of phase, at the end of their step
+  std::vector<StatusRecord> statuses;
+};
+
+/// Steps from t0 on, at t0 + k h, until the scene's duration is over. Reactions are those that the
+/// step gives; energies and drift are computed of its states in double.
+/// \param simulator  in the initial state \param output_step  s between rows, in whole steps
+GeneratedRun run_generated(const model::Scene& scene, GeneratedStep& step,
+                           simulation::Simulator& simulator, double output_step,
+                           const simulation::Progress& progress);
+
+/// "at t = 0.4 s and 2 more times: no_convergence", a line each.
+std::vector<std::string> status_lines(const std::vector<StatusRecord>& statuses);
+
+}  // namespace treedyn

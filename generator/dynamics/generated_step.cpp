@@ -1,0 +1,145 @@
+#include "dynamics/generated_step.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "emit/template_file.hpp"
+#include "system/compiler.hpp"
+#include "system/files.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// The call between C arrays of double and the arrays of the step.
+std::string adapter(const std::string& name, const program::Signature& signature) {
+  std::string before;
+  std::string after;
+  std::vector<std::string> arguments;
+  const auto add = [&](const program::Array& array) {
+    before +=
+        fmt::format("  {} {}[{}];\n", array.integer ? "int" : "Scalar", array.name, array.size);
+    arguments.push_back(array.name);
+  };
+  for (std::size_t k = 0; k < signature.inputs.size(); ++k) {
+    const program::Array& array = signature.inputs[k];
+    add(array);
+    before += fmt::format("  load(in[{}], {}, {});\n", k, array.name, array.size);
+  }
+  for (std::size_t k = 0; k < signature.outputs.size(); ++k) {
+    const program::Array& array = signature.outputs[k];
+    add(array);
+    after += fmt::format("  store({}, out[{}], {});\n", array.name, k, array.size);
+  }
+  return emit::fill(emit::template_text("generated_step.cpp"),
+                    {{"name", name},
+                     {"before", before},
+                     {"arguments", fmt::format("{}", fmt::join(arguments, ", "))},
+                     {"after", after}});
+}
+
+}  // namespace
+
+/// A shared library; its file may vanish while it is in use.
+class GeneratedStep::Library {
+ public:
+  using Step = int (*)(const double* const*, double* const*);
+
+  explicit Library(const std::string& path)
+      : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)),
+        step_(handle_ == nullptr ? nullptr
+                                 : reinterpret_cast<Step>(::dlsym(handle_, "treedyn_step"))) {
+    if (step_ == nullptr) {
+      throw InputError({}, "--as-generated: the compiled step cannot be loaded");
+    }
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  ~Library() { ::dlclose(handle_); }
+  [[nodiscard]] Step step() const { return step_; }
+
+ private:
+  void* handle_;
+  Step step_;
+};
+
+GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::File>& files,
+                             program::Signature signature)
+    : signature_(std::move(signature)) {
+  const TemporaryFolder folder;
+  const auto path = [&](const std::string& file) {
+    return (folder.path() / file).string();
+  };
+  const std::string compiler = find_compiler(path("version"));
+  if (compiler.empty()) {
+    throw InputError({},
+                     "--as-generated: no C++ compiler found; expected $CXX, c++, g++ or clang++");
+  }
+  std::vector<OutputFile> sources = {{path("adapter.cpp"), adapter(name, signature_)}};
+  for (const emit::File& file : files) {
+    sources.push_back({path(file.name), file.text});
+  }
+  write_files(sources);
+  if (!succeeds({compiler, "-std=c++17", "-O2", "-ffp-contract=off", "-shared", "-fPIC",
+                 path("adapter.cpp"), path(name + ".cpp"), "-o", path("step.so")},
+                path("log"))) {
+    throw InputError({},
+                     "--as-generated: the generated step does not compile; expected a C++17 "
+                     "compiler");
+  }
+  library_ = std::make_unique<Library>(path("step.so"));
+  for (const auto* arrays : {&signature_.inputs, &signature_.outputs}) {
+    for (const program::Array& array : *arrays) {
+      values_[array.name].resize(static_cast<std::size_t>(array.size));
+    }
+  }
+}
+
+GeneratedStep::~GeneratedStep() = default;
+
+bool GeneratedStep::has(const std::string& name) const { return values_.contains(name); }
+
+GeneratedStep::Values& GeneratedStep::at(const std::string& name) {
+  const auto found = values_.find(name);
+  TREEDYN_EXPECT(found != values_.end());
+  return found->second;
+}
+
+int GeneratedStep::call() {
+  std::vector<const double*> in;
+  std::vector<double*> out;
+  for (const program::Array& array : signature_.inputs) {
+    in.push_back(at(array.name).data());
+  }
+  for (const program::Array& array : signature_.outputs) {
+    out.push_back(at(array.name).data());
+  }
+  const int status = library_->step()(in.data(), out.data());
+  for (const program::Array& array : signature_.inputs) {
+    if (has(array.name + "_next")) {
+      at(array.name) = at(array.name + "_next");
+    }
+  }
+  return status;
+}
+
+std::string status_names(int status) {
+  constexpr std::array<const char*, 6> kNames = {"rank_lost",    "row_given_up", "no_convergence",
+                                                 "event_missed", "not_a_number", "guard_undefined"};
+  std::string result;
+  for (std::size_t k = 0; k < kNames.size(); ++k) {
+    if ((status >> k) % 2 != 0) {
+      result += result.empty() ? "" : ", ";
+      result += kNames[k];
+    }
+  }
+  return result;
+}
+
+}  // namespace treedyn

@@ -1,0 +1,43 @@
+// A scene's generated `step`, compiled for this machine and called.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "emit/unit.hpp"
+#include "program/function.hpp"
+
+namespace treedyn {
+
+class GeneratedStep {
+ public:
+  using Values = std::vector<double>;
+
+  /// Compiles the files NAME.hpp and NAME.cpp, without contraction.
+  /// \param signature  of `step` \throws InputError without a compiler
+  GeneratedStep(const std::string& name, const std::vector<emit::File>& files,
+                program::Signature signature);
+  GeneratedStep(const GeneratedStep&) = delete;
+  GeneratedStep& operator=(const GeneratedStep&) = delete;
+  ~GeneratedStep();
+
+  /// An argument, rounded to the scalar type by the call. \pre it is one
+  Values& at(const std::string& name);
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// Calls it; what the step gives for the next one becomes the argument. \return the status
+  int call();
+
+ private:
+  class Library;
+
+  program::Signature signature_;
+  std::map<std::string, Values> values_;
+  std::unique_ptr<Library> library_;
+};
+
+/// The bits of a status by their names in the header.
+std::string status_names(int status);
+
+}  // namespace treedyn

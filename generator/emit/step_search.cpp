@@ -1,0 +1,229 @@
+#include "emit/step_search.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "emit/layout.hpp"
+#include "emit/step_text.hpp"
+#include "emit/template_file.hpp"
+
+namespace treedyn::emit {
+
+using program::StepCause;
+using program::StepEvent;
+using program::Stepper;
+using program::StepPhase;
+
+namespace {
+
+const char* const kMotion = "const Motion& motion";
+const char* const kUnusedMotion = "const Motion& /*motion*/";
+
+/// The text of what finds the events of one scene.
+class SearchWriter {
+ public:
+  SearchWriter(const Stepper& stepper, Scalar scalar)
+      : stepper_(stepper), scalar_(scalar), guards_(stepper.most_guards()) {}
+
+  [[nodiscard]] std::string text() const;
+
+ private:
+  [[nodiscard]] Lines look() const;
+  [[nodiscard]] std::string approach() const;
+  [[nodiscard]] std::string first_event() const;
+  [[nodiscard]] Lines event_lines(const StepEvent& event, int number) const;
+  [[nodiscard]] std::string cut() const;
+  [[nodiscard]] Lines search_lines() const;
+  [[nodiscard]] Lines found_lines() const;
+  [[nodiscard]] bool looks_at_time() const {
+    return std::any_of(stepper_.phases.begin(), stepper_.phases.end(), [](const StepPhase& phase) {
+      return !phase.guards.empty() && program::takes_time(phase.guards.front());
+    });
+  }
+
+  const Stepper& stepper_;
+  Scalar scalar_;
+  int guards_;
+};
+
+Lines SearchWriter::look() const {
+  Lines lines = by_phase(stepper_, "motion.which", [](const StepPhase& phase) {
+    if (phase.guards.empty()) {
+      return Lines{};
+    }
+    const program::Staged& guards = phase.guards.front();
+    Lines inner;
+    if (program::takes_time(guards)) {
+      inner.emplace_back("const Scalar t[1] = {motion.t[0] + now.at};");
+    }
+    inner.push_back(call(guards, {"now.q", "now.qd", "t", "now.lambda"}, "now.guard"));
+    inner.push_back(
+        fmt::format("return below_zero({}, now);", guards.signature.outputs.front().size));
+    return inner;
+  });
+  if (stepper_.switches()) {  // a return stands for every break
+    lines.erase(std::remove(lines.begin(), lines.end(), "    break;"), lines.end());
+    lines.insert(lines.end() - 1, "    break;");
+    lines.emplace_back("return false;");
+  }
+  return lines;
+}
+
+std::string SearchWriter::approach() const {
+  if (stepper_.most_approaches() == 0) {
+    return {};
+  }
+  const Lines lines = by_phase(stepper_, "motion.which", [&](const StepPhase& phase) {
+    return phase.approaches.empty()
+               ? Lines{}
+               : Lines{call(phase.approaches.front(), {"now.q", "now.qd", "", ""},
+                            fmt::format("now.guard + {}", guards_))};
+  });
+  return fmt::format(
+      "\n/// The speeds along the normals.\nvoid approach({}, Moment& now) noexcept {{\n{}\n}}\n",
+      stepper_.switches() ? kMotion : kUnusedMotion, joined(lines, "  "));
+}
+
+/// Notes the event if it has happened.
+Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
+  const int approach = guards_ + event.approach;
+  std::string condition = fmt::format("to.guard[{}] < Scalar(0)", event.guard);
+  std::string part = fmt::format("chord(from.guard[{0}], to.guard[{0}])", event.guard);
+  Lines inner;
+  if (event.cause == StepCause::kCross) {
+    condition += fmt::format(" && !(from.guard[{}] < Scalar(0))", event.guard);
+  } else if (event.cause == StepCause::kFall) {
+    condition += fmt::format(" && to.guard[{}] < Scalar(0)", approach);
+    inner.push_back(fmt::format("const int k = from.guard[{0}] < Scalar(0) ? {1} : {0};",
+                                event.guard, approach));
+    part = "chord(from.guard[k], to.guard[k])";
+  } else {
+    condition += fmt::format(" || from.guard[{}] < Scalar(0)", event.guard);
+  }
+  inner.push_back(fmt::format("note({}, {}, first, part);", number, part));
+  Lines lines = {fmt::format("if ({}) {{", condition)};
+  append(lines, inner, "  ");
+  lines.emplace_back("}");
+  if (event.not_before.none()) {
+    lines.insert(lines.begin(), comment_of(event));
+    return lines;
+  }
+  Lines timed = {comment_of(event),
+                 fmt::format("if (!({}.at < {})) {{", stepper_.cuts > 0 ? "from" : "to",
+                             lasted_text(stepper_, event.not_before, scalar_))};
+  append(timed, lines, "  ");
+  timed.emplace_back("}");
+  return timed;
+}
+
+std::string SearchWriter::first_event() const {
+  bool timed = stepper_.switches();
+  const Lines lines = by_phase(stepper_, "motion.which", [&](const StepPhase& phase) {
+    Lines inner;
+    int number = first_event_of(stepper_, phase);
+    for (const StepEvent& event : phase.events) {
+      if (event.cause != StepCause::kTime) {
+        timed = timed || !event.not_before.none();
+        append(inner, event_lines(event, number));
+      }
+      ++number;
+    }
+    return inner;
+  });
+  return declaration("int first_event",
+                     {timed ? kMotion : kUnusedMotion, "const Moment& from", "const Moment& to",
+                      "Scalar& part"},
+                     " noexcept {") +
+         "\n  int first = -1;\n" + joined(lines, "  ") + "\n  return first;\n}\n";
+}
+
+std::string SearchWriter::cut() const {
+  if (stepper_.cuts == 0) {
+    return {};
+  }
+  const bool single = scalar_ == Scalar::kFloat;
+  return fill(
+      template_text("step_cut.cpp"),
+      {{"cuts", std::to_string(stepper_.cuts)},
+       {"type", type_name(scalar_)},
+       {"further", literal(Real("0.0625"), scalar_)},
+       {"beyond", literal(ldexp(Real(1), single ? -12 : -32), scalar_)},
+       {"more", literal(Real(single ? 64 : 1024), scalar_)},
+       {"one_half", literal(Real("0.5"), scalar_)},
+       {"approach_now", stepper_.most_approaches() > 0 ? "    approach(motion, now);" : ""}});
+}
+
+Lines SearchWriter::search_lines() const {
+  std::string pulls;
+  for (const StepPhase& phase : stepper_.phases) {
+    if (program::pulls(phase)) {
+      pulls += pulls.empty() ? "" : " || ";
+      pulls += fmt::format("motion.which == phase::{}", phase.identifier);
+    }
+  }
+  Lines lines;
+  if (pulls.empty()) {
+    lines = {"if (!look(motion, to)) {", "  return -1;", "}", "look(motion, from);"};
+  } else {
+    lines = {"const bool behind = look(motion, to);"};
+    lines.push_back(stepper_.switches() ? fmt::format("const bool pulls = {};", pulls)
+                                        : std::string());
+    lines.push_back(fmt::format("const bool before = {}look(motion, from);",
+                                stepper_.switches() ? "(behind || pulls) && " : ""));
+    append(lines, {"if (!behind && !before) {", "  return -1;", "}"});
+    lines.erase(std::remove(lines.begin(), lines.end(), ""), lines.end());
+  }
+  if (stepper_.most_approaches() > 0) {
+    append(lines, {"approach(motion, from);", "approach(motion, to);"});
+  }
+  return lines;
+}
+
+Lines SearchWriter::found_lines() const {
+  if (stepper_.cuts == 0) {
+    return {"return first_event(motion, from, to, part);"};
+  }
+  return {"const int event = first_event(motion, from, to, part);",
+          "if (event < 0 || last) {",
+          "  return event;",
+          "}",
+          "if (part < Scalar(0)) {",
+          "  to = from;",
+          "  return event;",
+          "}",
+          "return cut(motion, from, to);"};
+}
+
+std::string SearchWriter::text() const {
+  const bool cuts = stepper_.cuts > 0;
+  return fill(
+      template_text("step_search.cpp"),
+      {{"motion_for_look", stepper_.switches() || looks_at_time() ? kMotion : kUnusedMotion},
+       {"look", joined(look(), "  ")},
+       {"approach", approach()},
+       {"first_event", first_event()},
+       {"cut", cut()},
+       {"becomes", cuts ? "It has\n/// just happened at `to`, unless the turn is the last."
+                        : "`to` is\n/// the end of the step."},
+       {"last", cuts ? ", bool last" : ""},
+       {"search", joined(search_lines(), "  ")},
+       {"found", joined(found_lines(), "  ")}});
+}
+
+}  // namespace
+
+std::string search_text(const Stepper& stepper, Scalar scalar) {
+  return SearchWriter(stepper, scalar).text();
+}
+
+std::string lasted_text(const Stepper& stepper, const program::Lasting& lasting, Scalar scalar) {
+  std::string text = fmt::format("Scalar({} - motion.steps) * h", lasting.steps);
+  if (lasting.rest == 0) {
+    return text + (stepper.begun ? " - motion.begun" : "");
+  }
+  const std::string rest = literal(lasting.rest, scalar);
+  return text + (stepper.begun ? fmt::format(" + ({} - motion.begun)", rest) : " + " + rest);
+}
+
+}  // namespace treedyn::emit

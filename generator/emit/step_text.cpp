@@ -1,0 +1,88 @@
+#include "emit/step_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "emit/layout.hpp"
+#include "emit/names.hpp"
+
+namespace treedyn::emit {
+
+namespace {
+
+constexpr std::size_t kLongestBrief = 80;
+
+bool has_input(const program::Staged& staged, const std::string& name) {
+  return std::any_of(staged.signature.inputs.begin(), staged.signature.inputs.end(),
+                     [&](const program::Array& array) { return array.name == name; });
+}
+
+}  // namespace
+
+void append(Lines& lines, const Lines& more, const std::string& indentation) {
+  for (const std::string& line : more) {
+    lines.push_back(indentation + line);
+  }
+}
+
+std::string joined(const Lines& lines, const std::string& indentation) {
+  std::string result;
+  for (const std::string& line : lines) {
+    result += result.empty() ? "" : "\n";
+    result += indentation + line;
+  }
+  return result;
+}
+
+std::string call(const program::Staged& staged, const StateText& state, const std::string& result) {
+  Lines arguments = {state.q};
+  for (const auto& [name, text] :
+       {std::pair("qd", &state.qd), std::pair("t", &state.t), std::pair("lambda", &state.lambda)}) {
+    if (has_input(staged, name)) {
+      arguments.push_back(*text);
+    }
+  }
+  arguments.push_back(result);
+  return fmt::format("{}({});", staged.signature.name, fmt::join(arguments, ", "));
+}
+
+std::string call_text(const std::string& head, const std::vector<std::string>& arguments,
+                      std::size_t indentation) {
+  return declaration(std::string(indentation, ' ') + head, arguments, ";").substr(indentation);
+}
+
+Lines by_phase(const program::Stepper& stepper, const std::string& which,
+               const std::function<Lines(const program::StepPhase&)>& lines_of) {
+  if (!stepper.switches()) {
+    return lines_of(stepper.phases.front());
+  }
+  Lines lines = {fmt::format("switch ({}) {{", which)};
+  for (const program::StepPhase& phase : stepper.phases) {
+    const Lines inner = lines_of(phase);
+    if (!inner.empty()) {
+      lines.push_back(fmt::format("  case phase::{}: {{", phase.identifier));
+      append(lines, inner, "    ");
+      append(lines, {"    break;", "  }"});
+    }
+  }
+  append(lines, {"  default:", "    break;", "}"});
+  return lines;
+}
+
+int first_event_of(const program::Stepper& stepper, const program::StepPhase& phase) {
+  std::size_t count = 0;
+  for (const program::StepPhase& other : stepper.phases) {
+    if (&other == &phase) {
+      break;
+    }
+    count += other.events.size();
+  }
+  return static_cast<int>(count);
+}
+
+std::string comment_of(const program::StepEvent& event) {
+  return "// " + for_comment(event.brief, kLongestBrief);
+}
+
+}  // namespace treedyn::emit

@@ -1,0 +1,39 @@
+// Lines of the text of `step` that depend on its phases.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "program/stepper.hpp"
+
+namespace treedyn::emit {
+
+using Lines = std::vector<std::string>;
+
+void append(Lines& lines, const Lines& more, const std::string& indentation = "");
+
+/// The lines one below the other, each behind `indentation`, without the last line break.
+std::string joined(const Lines& lines, const std::string& indentation);
+
+/// A call of a local function: of the arguments those that it takes.
+struct StateText {
+  std::string q, qd, t, lambda;
+};
+std::string call(const program::Staged& staged, const StateText& state, const std::string& result);
+
+/// `head(arguments);` within columns behind an indentation.
+std::string call_text(const std::string& head, const std::vector<std::string>& arguments,
+                      std::size_t indentation);
+
+/// What depends on the phase `which`: a switch, or the lines of the only phase.
+Lines by_phase(const program::Stepper& stepper, const std::string& which,
+               const std::function<Lines(const program::StepPhase&)>& lines_of);
+
+/// Number of the first event of a phase among those of the scene.
+int first_event_of(const program::Stepper& stepper, const program::StepPhase& phase);
+
+/// The event for a comment.
+std::string comment_of(const program::StepEvent& event);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,105 @@
+// `treedyn simulate --as-generated`: the motion that generated code computes.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace treedyn::support {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kScenes = std::string(TREEDYN_SOURCE_DIR) + "/models/scenes/";
+
+Outcome simulated(const std::string& scene, const std::vector<std::string>& options) {
+  std::vector<std::string> command = {TREEDYN_EXECUTABLE, "simulate", scene, "--json"};
+  command.insert(command.end(), options.begin(), options.end());
+  return run(command);
+}
+
+/// The last row of a table, behind t and phase: q, qd and the rest.
+std::vector<double> last_state(const Json& result, std::size_t count) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < count; ++k) {
+    values.push_back(result.at("rows").back().at(k + 2));
+  }
+  return values;
+}
+
+TEST(AsGenerated, WalksLikeTheSimulator) {
+  const std::string walk = kScenes + "compass_walk.yaml";
+  const Outcome ours = simulated(
+      walk, {"--as-generated", "--integrator", "rk4", "--step", "0.005", "--duration", "1.8"});
+  const Outcome theirs = simulated(walk, {"--duration", "1.8"});
+  ASSERT_EQ(ours.status, 0) << ours.err;
+  EXPECT_EQ(ours.err, "");
+  const Json a = Json::parse(ours.out);
+  const Json b = Json::parse(theirs.out);
+  EXPECT_EQ(a.at("columns"), b.at("columns"));
+  EXPECT_EQ(a.at("events").size(), 2U);
+  EXPECT_EQ(a.at("rows").front().at(1), "left");
+  EXPECT_EQ(a.at("rows").back().at(1), b.at("rows").back().at(1));
+  EXPECT_EQ(a.at("statuses"), Json::array());
+  const std::size_t count = 12;  // 4 q, 4 qd, 4 reactions
+  const std::vector<double> x = last_state(a, count);
+  const std::vector<double> y = last_state(b, count);
+  for (std::size_t k = 0; k < 8; ++k) {  // q and qd; rk4 at 5 ms is off by 2e-8
+    EXPECT_NEAR(x[k], y[k], 1e-6) << a.at("columns").at(k);
+  }
+  for (std::size_t k = 8; k < 12; ++k) {  // reactions: 20 kg and accelerations of the errors
+    EXPECT_NEAR(x[k], y[k], 1e-3) << a.at("columns").at(k);
+  }
+}
+
+TEST(AsGenerated, ShowsWhatFloatDoes) {
+  const std::string walk = kScenes + "compass_walk.yaml";
+  const std::vector<std::string> options = {"--as-generated", "--integrator", "rk4", "--step",
+                                            "0.005",          "--duration",   "0.5"};
+  std::vector<std::string> in_float = options;
+  in_float.insert(in_float.end(), {"--scalar", "float"});
+  const Json a = Json::parse(simulated(walk, options).out);
+  const Json b = Json::parse(simulated(walk, in_float).out);
+  double largest = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const double x = last_state(b, 8)[k];
+    EXPECT_EQ(x, static_cast<double>(static_cast<float>(x)));
+    largest = std::max(largest, std::abs(x - last_state(a, 8)[k]));
+  }
+  EXPECT_GT(largest, 1e-9);  // float it is
+  EXPECT_LT(largest, 1e-4);
+}
+
+TEST(AsGenerated, WarnsOfStatuses) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "ball.yaml").string();
+  write_file(folder.path() / "model.yaml",
+             "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: height, "
+             "type: prismatic, axis: [0, 0, 1]}\n    mass: 1\n");
+  write_file(file,
+             "scene: ball\nmodel: model.yaml\neffects:\n  gravity: [0, 0, -10]\nphases:\n"
+             "  - name: fall\n    active: []\n    until: [{expression: \"sqrt(q[height])\", then: gone}]\n"
+             "  - {name: gone, active: []}\ninitial: {q: {height: 0.2}}\nduration: 1\n"
+             "stepping: {integrator: rk4, step: 0.01}\n");
+  const Outcome outcome = simulated(file, {"--as-generated"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("the step at t = 0.19 s and in 80 later steps returned "
+                             "guard_undefined"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out).at("statuses").at(0).at("name"), "guard_undefined");
+}
+
+TEST(AsGenerated, NeedsAStepOfFixedLength) {
+  const Outcome outcome = simulated(kScenes + "compass_walk.yaml", {"--as-generated"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("integrator 'fehlberg78' is not for generated code"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(simulated(kScenes + "compass_walk.yaml", {"--scalar", "float"}).status, 2);
+}
+
+}  // namespace
+}  // namespace treedyn::support
