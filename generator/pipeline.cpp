@@ -253,7 +253,9 @@ void report(const Trace& trace, const std::string& name, const program::Cost& co
 
 }  // namespace
 
-Programs formulate(const Model& model, const Request& request, const Trace& trace) {
+namespace {
+
+Programs formulated(const Model& model, const Request& request, const Trace& trace) {
   Programs programs;
   const simplify::Options options = simplify_options(model, request);
   for (const std::string& name : model.functions) {
@@ -278,6 +280,16 @@ Programs formulate(const Model& model, const Request& request, const Trace& trac
   return programs;
 }
 
+}  // namespace
+
+Programs formulate(const Model& model, const Request& request, const Trace& trace) {
+  try {
+    return formulated(model, request, trace);
+  } catch (const std::range_error& error) {
+    throw InputError({request.scene.value_or(request.model), 0, 0}, error.what());
+  }
+}
+
 void prove(const Model& model, const Request& request, const Programs& programs) {
   std::vector<program::Function> of_model;
   std::copy_if(programs.functions.begin(), programs.functions.end(), std::back_inserter(of_model),
@@ -285,7 +297,8 @@ void prove(const Model& model, const Request& request, const Programs& programs)
                  return !simplify::is_scene_function(function.signature.name);
                });
   const model::Vector3 gravity = decided_request(model, request).gravity;
-  prove_functions(model.tree, model.points, gravity, of_model);
+  prove_functions(model.tree, model.points, gravity, of_model,
+                  {request.scene.value_or(request.model), 0, 0});
   if (model.scene) {
     prove_scene(*model.scene, programs);
   }
@@ -354,8 +367,32 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   return result;
 }
 
-std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace) {
+namespace {
+
+/// Functions without some pass, because it would have amplified rounding.
+void warn_of_rounding(const Request& request, const Programs& programs, const Warn& warn) {
+  const Location where{request.scene.value_or(request.model), 0, 0};
+  const auto check = [&](const std::string& name, const program::Rounding& rounding) {
+    if (rounding.refused > 0) {
+      warn({where, fmt::format("function '{}' is generated without {}: rounding errors would grow "
+                               "{:.2g} times by it",
+                               name, fmt::join(rounding.left_out, ", "), rounding.refused)});
+    }
+  };
+  for (const program::Function& function : programs.functions) {
+    check(function.signature.name, function.rounding);
+  }
+  for (const program::Staged& staged : programs.staged) {
+    check(staged.signature.name, staged.function.rounding);
+  }
+}
+
+}  // namespace
+
+std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace,
+                                 const Warn& warn) {
   Programs programs = formulate(model, request, trace);
+  warn_of_rounding(request, programs, warn);
   prove(model, request, programs);
   return emit_files(model, request, std::move(programs));
 }

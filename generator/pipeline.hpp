@@ -40,12 +40,15 @@ struct Programs {
 
 /// Called with a line about every stage when it is done, for -v.
 using Trace = std::function<void(const std::string&)>;
+/// Called with what users should know of the programs.
+using Warn = std::function<void(const Warning&)>;
 
 /// Text or file to tree, points and the list of functions.
 /// \throws InputError for mistakes in the model, or a function that it does not have.
 Model read(const Request& request);
 
 /// Tree to programs: one per function.
+/// \throws InputError if the numbers of the model leave nothing to divide by
 Programs formulate(const Model& model, const Request& request, const Trace& trace);
 
 /// The request with the gravity and the base that a scene decides.
@@ -72,7 +75,8 @@ struct StepFiles {
 StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::string& file);
 
 /// A model to text: `formulate`, `prove`, `emit_files`.
-std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace);
+std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace,
+                                 const Warn& warn);
 
 /// The files that were read; standard input is none.
 std::vector<std::string> input_files(const Model& model, const Request& request);

@@ -1,6 +1,7 @@
 // The command line: options to pipeline, results to the user. Nothing else prints.
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -31,12 +32,16 @@ using namespace treedyn;
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 void print_error(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
-void print_warnings(const Settings& settings, const std::vector<Warning>& warnings) {
-  for (const Warning& warning : warnings) {
-    if (!settings.quiet) {
+Warn warn_of(const Settings& settings) {
+  return [quiet = settings.quiet](const Warning& warning) {
+    if (!quiet) {
       print_error(fmt::format("{}: warning: {}\n", to_string(warning.where), warning.message));
     }
-  }
+  };
+}
+
+void print_warnings(const Settings& settings, const std::vector<Warning>& warnings) {
+  std::for_each(warnings.begin(), warnings.end(), warn_of(settings));
 }
 
 Trace trace_of(const Settings& settings) {
@@ -62,7 +67,8 @@ int run_generate(const Settings& settings) {
   }
   const Model model = read(settings.request);
   print_warnings(settings, warnings_of(model, settings.request));
-  const std::vector<emit::File> files = generate(model, settings.request, trace_of(settings));
+  const std::vector<emit::File> files =
+      generate(model, settings.request, trace_of(settings), warn_of(settings));
   std::vector<OutputFile> outputs;
   const std::vector<std::string> places = paths(settings, model.name);
   for (std::size_t k = 0; k < files.size(); ++k) {
@@ -80,7 +86,8 @@ int run_generate(const Settings& settings) {
 int run_check(const Settings& settings) {
   const Model model = read(settings.request);
   print_warnings(settings, warnings_of(model, settings.request));
-  const std::vector<emit::File> files = generate(model, settings.request, trace_of(settings));
+  const std::vector<emit::File> files =
+      generate(model, settings.request, trace_of(settings), warn_of(settings));
   const std::string report = check_files(files, settings.output);
   if (report.empty()) {
     return 0;

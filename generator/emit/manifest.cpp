@@ -73,6 +73,23 @@ std::string function_json(const program::Signature& signature, const Body& body,
       body.structural_zeros);
 }
 
+/// What rounding costs with the passes that were used, rounded up, and which were not.
+std::string rounding_json(const program::Rounding& rounding) {
+  const auto number = [](double factor) {
+    return fmt::format("{:.2g}", factor);
+  };
+  if (rounding.amplification == 0) {
+    return "";
+  }
+  std::string result = fmt::format(",\n     \"rounding\": {}", number(rounding.amplification));
+  if (!rounding.left_out.empty()) {
+    std::vector<std::string> names;
+    std::ranges::transform(rounding.left_out, std::back_inserter(names), json_string);
+    result += fmt::format(", \"rounding_without\": [{}]", fmt::join(names, ", "));
+  }
+  return result;
+}
+
 /// Operations of the path that regular states take, and of the dearest call.
 std::string staged_cost(const program::Staged& staged) {
   std::string result = operations_json(program::cost(staged));
@@ -89,8 +106,9 @@ std::string staged_cost(const program::Staged& staged) {
   if (const int powers = program::worst_powers(staged); powers > 0) {
     result += fmt::format(",\n     \"worst_case_pow\": {}", powers);
   }
-  return fmt::format("{},\n     \"worst_case\": {}", result,
-                     operations_json(program::worst_cost(staged)));
+  return fmt::format("{},\n     \"worst_case\": {}{}", result,
+                     operations_json(program::worst_cost(staged)),
+                     rounding_json(staged.function.rounding));
 }
 
 std::string stepper_cost(const program::Stepper& stepper) {
@@ -127,7 +145,8 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
   for (std::size_t k = 0; k < plain; ++k) {
     const program::Function& function = unit.functions[k];
     functions.push_back(
-        function_json(function.signature, bodies[k], operations_json(program::cost(function))));
+        function_json(function.signature, bodies[k],
+                      operations_json(program::cost(function)) + rounding_json(function.rounding)));
   }
   for (std::size_t k = plain; k < bodies.size(); ++k) {
     const program::Staged& staged = unit.staged[k - plain];

@@ -28,6 +28,14 @@ struct Signature {
   bool status = false;  ///< returns an int, the bits of namespace status; else nothing
 };
 
+/// What rounding costs in a function: bounds of its errors, as quotients of those of the same
+/// function before any pass, at their largest (`amplification` in rounding.hpp).
+struct Rounding {
+  double amplification = 0;           ///< 0: not known
+  double refused = 0;                 ///< with all passes, if that was too much; otherwise 0
+  std::vector<std::string> left_out;  ///< the passes that were not used therefore
+};
+
 struct LimbCode;  // limb_code.hpp
 
 /// \invariant `outputs` holds one value for each element of all output arrays, in order.
@@ -37,6 +45,7 @@ struct Function {
   std::vector<Ref> outputs;
   /// The same function as code that equal limbs share; null: every limb has its own.
   std::shared_ptr<const LimbCode> limb_code = nullptr;
+  Rounding rounding = {};
 };
 
 /// Operations that one call executes, INTERFACE.md 5: a negation or a copy costs nothing.

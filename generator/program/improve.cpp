@@ -19,7 +19,8 @@ constexpr int kMostExpansions = 4;
 constexpr int kWindow = 80;
 constexpr int kMovesPerWindow = 20;
 
-Network improve_whole(Network network, int moves, Random& random) {
+/// \param guard  null: of a window, which is held to the rounding of the whole
+Network improve_whole(Network network, int moves, const RoundingGuard* guard, Random& random) {
   int fewest = operations(network);
   for (int move = 0; move < moves; ++move) {
     Network next = network;
@@ -27,7 +28,7 @@ Network improve_whole(Network network, int moves, Random& random) {
     const auto order = static_cast<std::size_t>(random.below(static_cast<int>(kOrders.size())));
     next = run_passes(normalise(next), kOrders[order], random.next() | 1U);
     const int count = operations(next);
-    if (count <= fewest) {
+    if (count <= fewest && (guard == nullptr || guard->accepts(next))) {
       fewest = count;
       network = std::move(next);
     }
@@ -35,15 +36,16 @@ Network improve_whole(Network network, int moves, Random& random) {
   return network;
 }
 
-Network improve_window(const Network& network, int moves, Random& random) {
+Network improve_window(Network network, int moves, const RoundingGuard& guard, Random& random) {
   Window window = cut_window(network, random_neighbourhood(network, random, kWindow));
-  window.network = improve_whole(std::move(window.network), moves, random);
-  return with_window(network, window);
+  window.network = improve_whole(std::move(window.network), moves, nullptr, random);
+  Network next = with_window(network, window);
+  return guard.accepts(next) ? next : network;
 }
 
 }  // namespace
 
-Network improve(Network network, int moves, std::uint64_t seed) {
+Network improve(Network network, int moves, const RoundingGuard& guard, std::uint64_t seed) {
   Random random(seed);
   for (int left = moves; left > 0; left -= kMovesPerWindow) {
     const int now = std::min(left, kMovesPerWindow);
@@ -51,8 +53,8 @@ Network improve(Network network, int moves, std::uint64_t seed) {
     if (count == 0) {
       break;
     }
-    network = count <= kWindow ? improve_whole(std::move(network), now, random)
-                               : improve_window(network, now, random);
+    network = count <= kWindow ? improve_whole(std::move(network), now, &guard, random)
+                               : improve_window(std::move(network), now, guard, random);
   }
   return network;
 }

@@ -6,6 +6,7 @@
 #include "program/improve.hpp"
 #include "program/passes.hpp"
 #include "program/resubstitute.hpp"
+#include "program/rounding.hpp"
 
 namespace treedyn::program {
 
@@ -15,14 +16,14 @@ namespace {
 constexpr int kParts = 4;
 
 /// `resubstitute` until it saves nothing more.
-Network resubstituted(Network network) {
+Network resubstituted(Network network, const RoundingGuard& guard) {
   for (int fewest = operations(network);;) {
     Network next = network;
     if (resubstitute(next) == 0) {
       return network;
     }
     next = run_all_orders(normalise(next), 1);
-    if (operations(next) >= fewest) {
+    if (operations(next) >= fewest || !guard.accepts(next)) {
       return network;
     }
     fewest = operations(next);
@@ -34,10 +35,12 @@ Network resubstituted(Network network) {
 
 Function optimise(const Function& function, const Effort& effort) {
   const Network start = network_of(function.graph, function.outputs);
-  Network best = resubstituted(run_all_orders(start, effort.rounds));
+  const RoundingGuard guard(start);
+  Network best = run_all_orders(start, effort.rounds);
+  best = resubstituted(guard.accepts(best) ? std::move(best) : start, guard);
   for (int part = 0; part < kParts && effort.moves > 0; ++part) {
     const auto seed = static_cast<std::uint64_t>(part + 1);
-    best = resubstituted(improve(std::move(best), effort.moves / kParts, seed));
+    best = resubstituted(improve(std::move(best), effort.moves / kParts, guard, seed), guard);
   }
   Function result{function.signature, {}, {}};
   result.graph = graph_of(best, result.outputs);

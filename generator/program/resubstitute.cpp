@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <vector>
 
 #include "program/samples.hpp"
 
@@ -18,35 +19,54 @@ constexpr int kMostItemsForPairs = 4000;
 constexpr std::size_t kLongestShortened = 24;
 /// A sum may be this much smaller than its terms.
 constexpr double kMostCancellation = 16;
+/// The bound of rounding errors of a value may grow by this factor.
+constexpr double kMostAmplification = 16;
 
 std::size_t at(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
 
-/// How often each item is used; operands may come after users.
-std::vector<int> uses_in_any_order(const Network& network) {
-  std::vector<int> count(static_cast<std::size_t>(network.size()), 0);
-  std::vector<int> open;
-  const auto use = [&](Ref a) {
-    if (count[at(a)]++ == 0 && a != 0) {
-      open.push_back(std::abs(a));
+/// The items that outputs need, operands first; operands may come after users in the network.
+std::vector<int> order_of_evaluation(const Network& network) {
+  std::vector<bool> seen(static_cast<std::size_t>(network.size()), false);
+  std::vector<int> order;
+  std::vector<int> stack;
+  const auto open = [&](Ref a) {
+    if (a != 0 && !seen[at(a)]) {
+      stack.push_back(std::abs(a));
     }
   };
-  std::ranges::for_each(network.outputs(), use);
-  while (!open.empty()) {
-    const int k = open.back();
-    open.pop_back();
-    std::ranges::for_each(network.operands(k), use);
+  std::ranges::for_each(network.outputs(), open);
+  while (!stack.empty()) {
+    const int k = stack.back();
+    if (!seen[at(k)]) {
+      seen[at(k)] = true;
+      stack.push_back(-k);  // its operands first
+      std::ranges::for_each(network.operands(k), open);
+      continue;
+    }
+    stack.pop_back();
+    if (k < 0) {
+      order.push_back(-k);
+    }
   }
-  return count;
+  return order;
 }
 
 class Resubstitution {
  public:
-  explicit Resubstitution(Network& network) : network_(network), samples_(network) {}
+  explicit Resubstitution(Network& network) : network_(network), samples_(network) {
+    for (int k = 0; k < network.size(); ++k) {
+      reference_.push_back(samples_.errors(k));
+    }
+  }
 
   int run();
 
  private:
   Sample sample(Ref a) const { return samples_.sample(a); }
+  /// True if `item` instead of k does not amplify rounding.
+  bool is_accurate(int item, int k) const {
+    return within(samples_.errors(item), reference_[at(k)], kMostAmplification);
+  }
   /// An item that pays and is free of cycles as an operand of a new form of `k`.
   Ref find_operand(double first, double second, int k);
   bool may_use(int k, int item);
@@ -60,53 +80,48 @@ class Resubstitution {
   std::optional<Ref> sum_for(int k, int x, int sign);
   std::optional<Ref> product_for(int k, int x);
   std::optional<Ref> multiple_for(int k, int x);
+  bool sets_operands(int k, std::span<const Ref> operands);
   void replace(int k, Ref value);
-  int append(Kind kind, std::array<Ref, 2> operands, int position);
+  void refresh();
+  std::optional<Ref> append(Kind kind, std::array<Ref, 2> operands, int k);
 
   Network& network_;
   SampleTable samples_;
+  std::vector<ErrorBounds> reference_;  ///< of the items at the start
+  std::vector<int> order_;              ///< of evaluation
   std::vector<int> uses_;
   std::vector<bool> exclusive_;  ///< needed by the item at hand alone
   std::vector<bool> dependent_;  ///< needs the item at hand
   int marked_ = 0;               ///< the item that dependent_ belongs to
 };
 
+/// After operands have changed.
+void Resubstitution::refresh() {
+  order_ = order_of_evaluation(network_);
+  samples_.update_errors(order_);
+  uses_.assign(static_cast<std::size_t>(network_.size()), 0);
+  const auto use = [this](Ref a) {
+    ++uses_[at(a)];
+  };
+  std::ranges::for_each(network_.outputs(), use);
+  for (const int k : order_) {
+    std::ranges::for_each(network_.operands(k), use);
+  }
+  marked_ = 0;
+}
+
 void Resubstitution::mark_dependents(int k) {
   if (marked_ == k) {
     return;
   }
   marked_ = k;
-  // Later items may be operands of earlier ones by now: depth first, each item once.
-  enum class State : std::uint8_t { kNew, kOpen, kNo, kYes };
-  std::vector<State> state(static_cast<std::size_t>(network_.size()), State::kNew);
-  state[at(k)] = State::kYes;
-  std::vector<int> stack;
-  for (int root = 1; root < network_.size(); ++root) {
-    stack.push_back(root);
-    while (!stack.empty()) {
-      const int item = stack.back();
-      if (state[at(item)] == State::kNew) {
-        state[at(item)] = State::kOpen;
-        for (const Ref operand : network_.operands(item)) {
-          if (operand != 0 && state[at(operand)] == State::kNew) {
-            stack.push_back(std::abs(operand));
-          }
-        }
-        continue;
-      }
-      stack.pop_back();
-      if (state[at(item)] == State::kOpen) {
-        state[at(item)] =
-            std::ranges::any_of(network_.operands(item),
-                                [&](Ref operand) { return state[at(operand)] == State::kYes; })
-                ? State::kYes
-                : State::kNo;
-      }
+  dependent_.assign(static_cast<std::size_t>(network_.size()), false);
+  dependent_[at(k)] = true;
+  for (const int item : order_) {
+    if (std::ranges::any_of(network_.operands(item),
+                            [this](Ref operand) { return dependent_[at(operand)]; })) {
+      dependent_[at(item)] = true;
     }
-  }
-  dependent_.assign(state.size(), false);
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    dependent_[i] = state[i] == State::kYes;
   }
 }
 
@@ -145,14 +160,18 @@ int Resubstitution::exclusive_operations(int k) {
   return total;
 }
 
-int Resubstitution::append(Kind kind, std::array<Ref, 2> operands, int position) {
+/// A new form of k, unless it amplifies rounding.
+std::optional<Ref> Resubstitution::append(Kind kind, std::array<Ref, 2> operands, int k) {
   bool negative = false;
   if (kind == Kind::kMultiply) {
     negative = (operands[0] < 0) != (operands[1] < 0);
     operands = {std::abs(operands[0]), std::abs(operands[1])};
   }
-  const int made = network_.append(kind, operands, position);
+  const int made = network_.append(kind, operands, network_.item(k).position);
   samples_.append(made);
+  if (!is_accurate(made, k)) {
+    return std::nullopt;
+  }
   return negative ? -made : made;
 }
 
@@ -160,16 +179,15 @@ int Resubstitution::append(Kind kind, std::array<Ref, 2> operands, int position)
 void Resubstitution::replace(int k, Ref value) {
   network_.set_kind(k, Kind::kAdd);
   network_.set_operands(k, std::span(&value, 1));
-  uses_ = uses_in_any_order(network_);
-  marked_ = 0;
+  refresh();
 }
 
 /// Uses an earlier item with the same value. \pre operands come before users
 bool Resubstitution::replace_equal(int k) {
   Ref same = 0;
   if (!samples_.is_zero(k)) {
-    same =
-        samples_.find(samples_.fast(k)[0], samples_.fast(k)[1], [&](int item) { return item < k; });
+    same = samples_.find(samples_.fast(k)[0], samples_.fast(k)[1],
+                         [&](int item) { return item < k && is_accurate(item, k); });
     if (same == 0 || !identical(sample(same), sample(k))) {
       return false;
     }
@@ -191,7 +209,7 @@ std::optional<Ref> Resubstitution::sum_for(int k, int x, int sign) {
       !identical(sample(y) + sample(sign * x), sample(k))) {
     return std::nullopt;
   }
-  return append(Kind::kAdd, {sign * x, y}, network_.item(k).position);
+  return append(Kind::kAdd, {sign * x, y}, k);
 }
 
 std::optional<Ref> Resubstitution::product_for(int k, int x) {
@@ -204,7 +222,7 @@ std::optional<Ref> Resubstitution::product_for(int k, int x) {
   if (y == 0 || !may_use(k, x) || !identical(sample(y) * sample(x), sample(k))) {
     return std::nullopt;
   }
-  return append(Kind::kMultiply, {x, y}, network_.item(k).position);
+  return append(Kind::kMultiply, {x, y}, k);
 }
 
 std::optional<Ref> Resubstitution::multiple_for(int k, int x) {
@@ -220,7 +238,7 @@ std::optional<Ref> Resubstitution::multiple_for(int k, int x) {
   }
   const int constant = network_.append_constant(abs(ratio));
   samples_.append(constant);
-  return append(Kind::kMultiply, {ratio < 0 ? -constant : constant, x}, network_.item(k).position);
+  return append(Kind::kMultiply, {ratio < 0 ? -constant : constant, x}, k);
 }
 
 std::optional<Ref> Resubstitution::pair_for(int k, int x) {
@@ -233,6 +251,19 @@ std::optional<Ref> Resubstitution::pair_for(int k, int x) {
     return product;
   }
   return multiple_for(k, x);
+}
+
+/// Changes nothing if that would amplify rounding.
+bool Resubstitution::sets_operands(int k, std::span<const Ref> operands) {
+  const std::vector<Ref> old(network_.operands(k).begin(), network_.operands(k).end());
+  network_.set_operands(k, operands);
+  samples_.update_errors(std::span(&k, 1));
+  if (is_accurate(k, k)) {
+    return true;
+  }
+  network_.set_operands(k, old);
+  samples_.update_errors(std::span(&k, 1));
+  return false;
 }
 
 /// Two terms of a long sum, or factors of a long product, that have the value of another item.
@@ -255,10 +286,10 @@ bool Resubstitution::shorten(int k) {
         std::vector<Ref> rest = operands;
         rest[i] = same;
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(j));
-        network_.set_operands(k, rest);
-        uses_ = uses_in_any_order(network_);
-        marked_ = 0;
-        return true;
+        if (sets_operands(k, rest)) {
+          refresh();
+          return true;
+        }
       }
     }
   }
@@ -289,7 +320,7 @@ int Resubstitution::run() {
   if (known > kMostItemsForPairs) {
     return replaced;
   }
-  uses_ = uses_in_any_order(network_);
+  refresh();
   for (int k = 1; k <= known; ++k) {
     while (uses_[at(k)] > 0 && shorten(k)) {
       ++replaced;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "program/network.hpp"
+#include "program/rounding.hpp"
 
 namespace treedyn::program {
 
@@ -21,6 +22,9 @@ struct Sample {
   }
   friend Sample operator*(const Sample& a, const Sample& b) {
     return {a.first * b.first, a.second * b.second};
+  }
+  friend Sample operator/(const Sample& a, const Sample& b) {
+    return {a.first / b.first, a.second / b.second};
   }
 };
 
@@ -50,6 +54,12 @@ class SampleTable {
   [[nodiscard]] const std::array<double, 2>& fast(int k) const {
     return fast_[static_cast<std::size_t>(k)];
   }
+  /// What rounding in double leaves in the item, as it is computed now.
+  [[nodiscard]] const ErrorBounds& errors(Ref a) const {
+    return errors_[static_cast<std::size_t>(std::abs(a))];
+  }
+  /// After operands have changed. \param order  all items in use, operands before their users
+  void update_errors(std::span<const int> order);
   /// True if the value is zero but for rounding at 50 digits: somewhere in it sums cancel
   /// completely.
   [[nodiscard]] bool is_zero(Ref a) const { return zero_[static_cast<std::size_t>(std::abs(a))]; }
@@ -66,11 +76,14 @@ class SampleTable {
     int item = 0;
   };
   [[nodiscard]] Sample evaluate(int k) const;
+  [[nodiscard]] double error_at(std::size_t point, int k) const;
   [[nodiscard]] bool vanishes(int k) const;
+  [[nodiscard]] bool is_rounding(int k) const;
 
   const Network& network_;
   std::vector<Sample> samples_;
   std::vector<std::array<double, 2>> fast_;
+  std::vector<ErrorBounds> errors_;
   std::vector<bool> zero_;
   std::vector<Entry> table_;
 };

@@ -1,8 +1,18 @@
 #include "simplify/factor.hpp"
 
+#include <stdexcept>
+
 #include "common/error.hpp"
 
 namespace treedyn::simplify {
+
+namespace {
+
+constexpr const char* kNoPivot =
+    "the mass matrix is singular to 40 digits; expected masses, lengths and inertias of fewer "
+    "decades, or --functions without forward dynamics";
+
+}  // namespace
 
 Factorization::Factorization(Graph& graph, int size, const SparseSymmetric& matrix)
     : graph_(&graph),
@@ -20,7 +30,9 @@ Factorization::Factorization(Graph& graph, int size, const SparseSymmetric& matr
     graph.set_body(k);
     std::map<int, Expr>& row = a[static_cast<std::size_t>(k)];
     const Expr pivot = row[k];
-    TREEDYN_EXPECT(!pivot.is_zero());
+    if (pivot.is_zero()) {
+      throw std::range_error(kNoPivot);
+    }
     const Expr inverse = constant(graph, Real(1)) / pivot;
     graph.name(inverse.ref(), "inverse_pivot", k);
     pivot_[static_cast<std::size_t>(k)] = pivot;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "program/limb_code.hpp"
+#include "simplify/gate.hpp"
 
 namespace treedyn::simplify {
 
@@ -383,9 +384,7 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
   return function;
 }
 
-}  // namespace
-
-program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+program::Function searched(const model::Tree& tree, const Recipe& recipe, const Options& options) {
   if (options.share_limbs && !find_limbs(tree).empty()) {
     program::Function shared = best_method(tree, recipe, options);
     if (shared.limb_code) {
@@ -395,6 +394,12 @@ program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const 
   Options plain = options;
   plain.share_limbs = false;
   return best_method(tree, recipe, plain);
+}
+
+}  // namespace
+
+program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+  return held_to_rounding(tree, recipe, options, searched);
 }
 
 }  // namespace treedyn::simplify

@@ -112,6 +112,31 @@ TEST_F(Cli, ReportsAFullStandardOutput) {
   }
 }
 
+/// Two joints with parallel axes; the first body's centre of mass is `distance` away.
+std::string far_body(const std::string& distance) {
+  return "<robot name='far'><link name='base'/>"
+         "<link name='a'><inertial><origin xyz='" +
+         distance +
+         " 0.02 0.01'/><mass value='1'/><inertia ixx='0.1' ixy='0' ixz='0' iyy='0.1' iyz='0' "
+         "izz='0.1'/></inertial></link>"
+         "<link name='b'><inertial><origin xyz='0.3 0.02 0.01'/><mass value='1'/><inertia "
+         "ixx='0.1' "
+         "ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link>"
+         "<joint name='j' type='continuous'><parent link='base'/><child link='a'/>"
+         "<axis xyz='0 0.6 0.8'/></joint>"
+         "<joint name='k' type='continuous'><origin xyz='0.5 0.1 0.2' rpy='0.3 0.2 0.1'/>"
+         "<parent link='a'/><child link='b'/><axis xyz='0 0.6 0.8'/></joint></robot>";
+}
+
+TEST_F(Cli, RefusesNumbersThatLeaveNoDigitOfAResult) {
+  write_file(scratch("far.urdf"), far_body("1e20"));
+  const Outcome refused = treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("expected masses, lengths and inertias of fewer decades"));
+  write_file(scratch("far.urdf"), far_body("1e10"));
+  EXPECT_EQ(treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()}).status, 0);
+}
+
 TEST_F(Cli, RefusesToShareLimbsAmongLanesAndInScenes) {
   expect_usage_error(treedyn({"generate", kModel, "--share-limbs", "--lanes", "4", "-o", out()}),
                      "--share-limbs");

@@ -4,6 +4,7 @@
 
 #include "program/optimise.hpp"
 #include "program/random_function.hpp"
+#include "program/rounding.hpp"
 
 namespace treedyn::program {
 namespace {
@@ -24,6 +25,7 @@ class Resubstitute : public ::testing::Test {
     Function after{before.signature, {}, {}};
     after.graph = graph_of(network, after.outputs);
     EXPECT_LT(largest_difference(before, after), Real(1e-40));
+    EXPECT_LE(amplification(after, before), 16);
     return operations(network);
   }
 
@@ -102,6 +104,37 @@ TEST_F(Resubstitute, LeavesValuesThatOnlyAgreeRoughly) {
 TEST_F(Resubstitute, DoesNotTakeSinesOfDifferentAnglesForEachOther) {
   const Ref other = graph_.sin(b_);
   EXPECT_EQ(left({plus(square(sine_), square(other)), square(cosine_)}), 4);
+}
+
+/// d + e x and x, where x = c a + c b and e x is nothing but what cancels in (d + e x) - d.
+class Cancelled : public Resubstitute {
+ protected:
+  const Ref c_a_ = times(c_, a_), c_b_ = times(c_, b_);
+  const Ref x_ = plus(c_a_, c_b_);
+  const Ref small_ = graph_.constant(Real("1e-14"));
+  const Ref sum_ = plus(d_, plus(times(times(small_, c_), a_), times(times(small_, c_), b_)));
+  const Ref difference_ = plus(sum_, -d_);
+};
+
+TEST_F(Cancelled, SumsHaveNoMultiplesThatAmplifyTheirRounding) {
+  EXPECT_LE(left({x_, sum_, difference_}), 10);
+}
+
+TEST_F(Cancelled, SumsAreNoFactorsThatAmplifyTheirRounding) {
+  const Ref large = times(graph_.constant(Real("1e14")), square(d_));
+  EXPECT_LE(
+      left({plus(times(c_a_, square(d_)), times(c_b_, square(d_))), sum_, difference_, large}), 14);
+}
+
+TEST_F(Cancelled, SumsDoNotReplaceEqualValuesWithoutCancellation) {
+  const Ref exact = plus(times(small_, c_a_), times(small_, c_b_));
+  EXPECT_LE(left({difference_, sum_, exact}), 7);
+}
+
+TEST_F(Resubstitute, TakesTheSquareOfASmallTiltForNoZero) {
+  // Tilts of 1e-16, as exporters write them, leave this of a cosine.
+  const Ref cosine = graph_.constant(1 - Real("7.5e-33"));
+  EXPECT_EQ(left({plus(b_, -times(cosine, b_))}), 2);
 }
 
 TEST(ResubstituteAtRandom, KeepsTheValues) {

@@ -1,0 +1,170 @@
+#include "program/rounding.hpp"
+
+#include <functional>
+#include <iterator>
+
+#include "program/fingerprint.hpp"
+#include "program/interpret.hpp"
+
+namespace treedyn::program {
+
+namespace {
+
+/// Of every output, by all passes together.
+constexpr double kMostAmplification = 2;
+
+/// Values in double: where they cancel, their error bounds count and not what is left.
+std::vector<Rounded<double>> rounded_items(const Network& network, int point) {
+  using Number = Rounded<double>;
+  std::vector<Number> items(static_cast<std::size_t>(network.size()));
+  const auto of = [&](Ref a) {
+    const Number& item = items[static_cast<std::size_t>(std::abs(a))];
+    return a < 0 ? -item : item;
+  };
+  const auto elementary = [](Kind kind, const Number& a) {
+    return Number::function(kind, a, sample_function(kind, a.value));
+  };
+  for (int k = 1; k < network.size(); ++k) {
+    const Item& item = network.item(k);
+    Number& result = items[static_cast<std::size_t>(k)];
+    if (item.kind == Kind::kConstant) {
+      result = Number(static_cast<double>(network.magnitude(k)));
+    } else if (item.kind == Kind::kInput) {
+      result = Number(sample_input(item.first, item.size, point));
+    } else {
+      result = operation<Number>(network, k, of, elementary);
+    }
+  }
+  return items;
+}
+
+}  // namespace
+
+std::vector<ErrorBounds> output_errors(const Network& network) {
+  const std::array points = {rounded_items(network, 1), rounded_items(network, 2)};
+  std::vector<ErrorBounds> bounds;
+  for (const Ref output : network.outputs()) {
+    const auto k = static_cast<std::size_t>(std::abs(output));
+    bounds.push_back({points[0][k].error, points[1][k].error});
+  }
+  return bounds;
+}
+
+bool RoundingGuard::accepts(const Network& network) const {
+  const std::vector<ErrorBounds> bounds = output_errors(network);
+  for (std::size_t k = 0; k < bounds.size(); ++k) {
+    if (!within(bounds[k], reference_[k], kMostAmplification)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+namespace {
+
+constexpr int kStates = 8;
+/// Inputs are up to so large: most of a turn.
+constexpr double kLargestInput = 3;
+
+/// The values of all nodes at a pseudo-random state, with 50 digits, in double.
+std::vector<double> values_at(const Function& function, int state) {
+  const std::vector<Real> exact = node_values<Real>(
+      function.graph, function.outputs,
+      [state](int array, int element) {
+        return Real(kLargestInput * sample_input(array, element, state));
+      },
+      [](Kind kind, const Real& a) {
+        return kind == Kind::kSin   ? Real(sin(a))
+               : kind == Kind::kCos ? Real(cos(a))
+                                    : Real(sqrt(abs(a)));
+      });
+  std::vector<double> values;
+  std::ranges::transform(exact, std::back_inserter(values),
+                         [](const Real& x) { return static_cast<double>(x); });
+  return values;
+}
+
+/// Error bounds of the outputs.
+template <class Target>
+std::vector<double> errors_at(const Function& function, const std::vector<double>& values) {
+  using Number = Rounded<double, Target>;
+  const Graph& graph = function.graph;
+  std::vector<double> errors(graph.size(), 0);
+  const auto of = [&](Ref a) {
+    const auto k = static_cast<std::size_t>(std::abs(a));
+    return Number(a < 0 ? -values[k] : values[k], errors[k]);
+  };
+  for (const Ref k : reachable(graph, function.outputs)) {
+    const Node& node = graph.node(k);
+    errors[static_cast<std::size_t>(k)] =
+        [&] {
+          switch (node.kind) {
+            case Kind::kConstant:
+            case Kind::kInput:
+              break;
+            case Kind::kAdd:
+              return of(node.a) + of(node.b);
+            case Kind::kMultiply:
+              return of(node.a) * of(node.b);
+            case Kind::kDivide:
+              return of(node.a) / of(node.b);
+            case Kind::kSin:
+            case Kind::kCos:
+            case Kind::kSqrt:
+              return Number::function(node.kind, of(node.a), values[static_cast<std::size_t>(k)]);
+          }
+          return Number(values[static_cast<std::size_t>(k)]);
+        }()
+            .error;
+  }
+  std::vector<double> result;
+  for (const Ref output : function.outputs) {
+    result.push_back(errors[static_cast<std::size_t>(std::abs(output))]);
+  }
+  return result;
+}
+
+/// Sums of the error bounds of the outputs over all states.
+template <class Target>
+std::vector<double> summed_errors(const Function& function,
+                                  const std::vector<std::vector<double>>& values) {
+  std::vector<double> sums(function.outputs.size(), 0);
+  for (const std::vector<double>& at_state : values) {
+    const std::vector<double> errors = errors_at<Target>(function, at_state);
+    std::ranges::transform(sums, errors, sums.begin(), std::plus());
+  }
+  return sums;
+}
+
+/// Of the largest bound, or half of what one output's own bound grows by. Nothing exceeds an
+/// infinite bound.
+double largest_quotient(const std::vector<double>& errors, const std::vector<double>& before) {
+  double own = 0;
+  double largest = 0;
+  double largest_before = 0;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (errors[k] > 0 && std::isfinite(before[k])) {
+      own = std::max(own, errors[k] / before[k]);
+      largest = std::max(largest, errors[k]);
+      largest_before = std::max(largest_before, before[k]);
+    }
+  }
+  return largest == 0 ? 0 : std::max(own / 2, largest / largest_before);
+}
+
+}  // namespace
+
+double amplification(const Function& function, const Function& before) {
+  std::vector<std::vector<double>> ours;
+  std::vector<std::vector<double>> theirs;
+  for (int state = 1; state <= kStates; ++state) {
+    ours.push_back(values_at(function, state));
+    theirs.push_back(values_at(before, state));
+  }
+  return std::max(
+      largest_quotient(summed_errors<double>(function, ours),
+                       summed_errors<double>(before, theirs)),
+      largest_quotient(summed_errors<float>(function, ours), summed_errors<float>(before, theirs)));
+}
+
+}  // namespace treedyn::program

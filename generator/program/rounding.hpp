@@ -1,0 +1,113 @@
+// Bounds of the errors that rounding leaves, carried along with values.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "program/function.hpp"
+#include "program/network.hpp"
+
+namespace treedyn::program {
+
+/// What a value of this size is rounded by, in unit roundoffs of `Target`: its own size, at least
+/// the smallest normal number, infinite where it overflows.
+template <class Target>
+double rounding_of(double value) {
+  const double size = std::abs(value);
+  return size > double{std::numeric_limits<Target>::max()}
+             ? std::numeric_limits<double>::infinity()
+             : std::max(size, double{std::numeric_limits<Target>::min()});
+}
+
+/// A value and a bound of its error in unit roundoffs of `Target`, to first order. Inputs and
+/// constants are rounded once (a measured angle is no better), so is every result; errors are never
+/// supposed to cancel.
+template <class Value, class Target = double>
+struct Rounded {
+  Value value = 0;
+  double error = 0;
+
+  Rounded() = default;
+  Rounded(Value the_value, double the_error) : value(std::move(the_value)), error(the_error) {}
+  /// An input or a constant.
+  explicit Rounded(Value leaf) : value(std::move(leaf)), error(rounding()) {}
+
+  Rounded operator-() const { return {-value, error}; }
+  friend Rounded operator+(const Rounded& a, const Rounded& b) {
+    return Rounded{a.value + b.value, a.error + b.error}.rounded();
+  }
+  friend Rounded operator*(const Rounded& a, const Rounded& b) {
+    return Rounded{a.value * b.value, a.size() * b.error + b.size() * a.error}.rounded();
+  }
+  friend Rounded operator/(const Rounded& a, const Rounded& b) {
+    const Value quotient = a.value / b.value;
+    const double size = std::abs(static_cast<double>(quotient));
+    return Rounded{quotient, (a.error + size * b.error) / b.size()}.rounded();
+  }
+
+  /// `result` is this function of `a`.
+  static Rounded function(Kind kind, const Rounded& a, const Value& result) {
+    const auto y = static_cast<double>(result);
+    const double slope =
+        kind == Kind::kSqrt ? 0.5 / std::abs(y) : std::sqrt(std::max(0.0, 1 - y * y));
+    return Rounded{result, a.error * slope}.rounded();
+  }
+  [[nodiscard]] double size() const { return std::abs(static_cast<double>(value)); }
+
+ private:
+  [[nodiscard]] double rounding() const { return rounding_of<Target>(size()); }
+  [[nodiscard]] Rounded rounded() const { return {value, error + rounding()}; }
+};
+
+/// The item `k` of a network from `of(operand)`. \pre sums, products, quotients and functions only
+template <class Scalar, class Of, class Elementary>
+Scalar operation(const Network& network, int k, Of of, Elementary elementary) {
+  const auto operands = network.operands(k);
+  const Kind kind = network.item(k).kind;
+  if (kind == Kind::kDivide) {
+    return of(operands[0]) / of(operands[1]);
+  }
+  if (kind != Kind::kAdd && kind != Kind::kMultiply) {
+    return elementary(kind, of(operands[0]));
+  }
+  Scalar result = operands.empty() ? Scalar() : of(operands[0]);
+  for (std::size_t i = 1; i < operands.size(); ++i) {
+    result = kind == Kind::kAdd ? result + of(operands[i]) : result * of(operands[i]);
+  }
+  return result;
+}
+
+/// Error bounds of a value at two pseudo-random points, see `fingerprint`.
+using ErrorBounds = std::array<double, 2>;
+
+/// Those of the outputs. \pre normalised. O(n)
+std::vector<ErrorBounds> output_errors(const Network& network);
+
+/// True if `bounds` exceed `reference` at most `factor` times. Infinite references bound nothing.
+inline bool within(const ErrorBounds& bounds, const ErrorBounds& reference, double factor) {
+  return bounds[0] <= factor * reference[0] && bounds[1] <= factor * reference[1];
+}
+
+/// Keeps equivalent networks from amplifying rounding: the bounds of their outputs may exceed those
+/// of the network at the start by a small factor only.
+class RoundingGuard {
+ public:
+  /// \pre normalised
+  explicit RoundingGuard(const Network& start) : reference_(output_errors(start)) {}
+  /// \pre normalised, the outputs of the start
+  [[nodiscard]] bool accepts(const Network& network) const;
+
+ private:
+  std::vector<ErrorBounds> reference_;
+};
+
+/// How much more rounding may cost in `function` than in `before`, an equivalent function: the
+/// quotient of the largest mean error bounds of outputs at some pseudo-random states, or half of
+/// the largest quotient of one output; the larger of float and double. O(operations) with 50 digits
+/// for each state.
+double amplification(const Function& function, const Function& before);
+
+}  // namespace treedyn::program
