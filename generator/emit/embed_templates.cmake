@@ -2,7 +2,7 @@
 # runs from any place. One line here per file.
 function(treedyn_embed_templates output)
   set(TEMPLATE_CASES "")
-  foreach(name IN ITEMS report.html simulate.cpp model.hpp model.cpp sincos.cpp sincos_lanes.cpp numeric.cpp solve_rows.cpp step_semi_implicit_euler.cpp step_rk4.cpp step_dopri5.cpp
+  foreach(name IN ITEMS report.html simulate.cpp model.hpp model.cpp sincos.cpp numeric.cpp solve_rows.cpp step_semi_implicit_euler.cpp step_rk4.cpp step_dopri5.cpp
                step_sdirk2.cpp)
     set(file ${PROJECT_SOURCE_DIR}/templates/${name}.in)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
