@@ -61,8 +61,7 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   std::vector<std::pair<std::string, std::string>> options = {
       {"scalar", in_quotes(emit::type_name(request.target.scalar))},
       {"lanes", std::to_string(request.target.lanes)},
-      {"sincos",
-       in_quotes(request.target.builtin_sincos || request.target.lanes > 1 ? "builtin" : "libm")},
+      {"sincos", in_quotes(request.target.takes_libm() ? "libm" : "pair")},
       {"layout", in_quotes(request.target.packed ? "packed" : "dense")},
       {"base", in_quotes(base_text(request.read.base))},
       {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
@@ -100,7 +99,7 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
       emit::type_name(request.target.scalar));
   add(request.target.lanes != kDefaults.target.lanes, "--lanes",
       std::to_string(request.target.lanes));
-  add(request.target.builtin_sincos, "--sincos", "builtin");
+  add(request.target.takes_libm(), "--sincos", "libm");
   add(request.target.trigonometry == program::Trigonometry::kLate, "--trig", "late");
   add(request.target.packed, "--layout", "packed");
   add(!request.functions.empty(), "--functions", list_of(request.functions));

@@ -7,55 +7,95 @@
 
 #include "biped.hpp"
 
-#include <cmath>
+// g++ would gather scalars into vectors, which takes up to twice as long.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-tree-slp-vectorize")
+#endif
 
 namespace biped {
 
-using std::cos;
-using std::sin;
+#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+#error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#endif
+
+namespace {
+
+template <class Number>
+struct SineCosine {
+  Number sine;
+  Number cosine;
+};
+
+/// Sine and cosine of x without a library and without a branch: x less the nearest multiple of
+/// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
+/// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1e-7 for
+/// |x| < 1e5; not a number for |x| > 1.03e5 and where x is none.
+[[gnu::noinline, maybe_unused]] SineCosine<float> sine_cosine(float x) noexcept {
+  const float k = (x * 0.63661975f + 12582912.0f) - 12582912.0f;
+  const float t = k * 5.192297e+33f;  // infinite beyond the range
+  const float r_1 = x - t * 3.0243119e-34f;
+  const float r_2 = r_1 - k * 0.00048828125f;
+  const float r = r_2 + k * 4.454455e-06f;
+  const float z = r * r;
+  const float s_1 = -0.00019515296f * z + 0.008332161f;
+  const float s_2 = s_1 * z - 0.16666655f;
+  const float c_1 = 2.4433157e-05f * z - 0.0013887316f;
+  const float c_2 = c_1 * z + 0.041666646f;
+  const float sine = r + r * z * s_2;
+  const float cosine = 1.0f - z * (0.5f - z * c_2);
+
+  // k modulo 4: -2 to 2, not a number where t is infinite
+  const float l = t * 1.92593e-34f;
+  const float m = l - ((l + 50331650.0f) - 50331650.0f);
+  const float n = 4.0f - m * m;
+  // sine and cosine of m pi/2: 0, 1 or -1
+  const float s = m * (n * 0.33333334f);
+  const float c = 0.5f * (n - s * s) - 1.0f;
+  return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+/// For other types that stand for Scalar, such as one that counts operations: their own functions.
+template <class Number>
+SineCosine<Number> sine_cosine(const Number& x) noexcept {
+  return {sin(x), cos(x)};
+}
+
+[[maybe_unused]] inline float sin(float x) noexcept { return sine_cosine(x).sine; }
+[[maybe_unused]] inline float cos(float x) noexcept { return sine_cosine(x).cosine; }
+
+}  // namespace
 
 void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
-  const Scalar c_left_hip_roll = cos(q[1]);
-  const Scalar s_left_hip_roll = sin(q[1]);
+  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[1]);
   // left_shank
-  const Scalar s_left_hip_pitch = sin(q[2]);
-  const Scalar c_left_hip_pitch = cos(q[2]);
+  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[2]);
   const Scalar t_left_shank_1 = 43.2f * s_left_hip_pitch;
   const Scalar t_left_shank_2 = 43.2f * c_left_hip_pitch;
   // left_ankle_cross
   const Scalar t_left_ankle_cross_1 = q[2] + q[3];
   const Scalar t_left_ankle_cross_2 = t_left_ankle_cross_1 + q[4];
-  const Scalar c_left_ankle_cross = cos(t_left_ankle_cross_2);
-  const Scalar s_left_ankle_cross = sin(t_left_ankle_cross_2);
-  const Scalar c_left_ankle_cross_2 = cos(t_left_ankle_cross_1);
-  const Scalar s_left_ankle_cross_2 = sin(t_left_ankle_cross_1);
+  const auto [s_left_ankle_cross, c_left_ankle_cross] = sine_cosine(t_left_ankle_cross_2);
+  const auto [s_left_ankle_cross_2, c_left_ankle_cross_2] = sine_cosine(t_left_ankle_cross_1);
   const Scalar t_left_ankle_cross_3 = 43.3f * c_left_ankle_cross_2;
   const Scalar t_left_ankle_cross_4 = 43.3f * s_left_ankle_cross_2;
-  // left_foot
   const Scalar t_left_foot_1 = 0.3048947f + q[5];
-  const Scalar c_left_foot = cos(t_left_foot_1);
-  const Scalar s_left_foot = sin(t_left_foot_1);
-  const Scalar c_right_hip_roll = cos(q[7]);
-  const Scalar s_right_hip_roll = sin(q[7]);
+  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
+  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
   // right_shank
-  const Scalar c_right_hip_pitch = cos(q[8]);
-  const Scalar s_right_hip_pitch = sin(q[8]);
+  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[8]);
   const Scalar t_right_shank_1 = 43.2f * c_right_hip_pitch;
   const Scalar t_right_shank_2 = 43.2f * s_right_hip_pitch;
   // right_ankle_cross
   const Scalar t_righ_ankl_cros_1 = q[8] + q[9];
   const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + q[10];
-  const Scalar c_righ_ankl_cros = cos(t_righ_ankl_cros_2);
-  const Scalar s_righ_ankl_cros = sin(t_righ_ankl_cros_2);
-  const Scalar s_righ_ankl_cros_2 = sin(t_righ_ankl_cros_1);
-  const Scalar c_righ_ankl_cros_2 = cos(t_righ_ankl_cros_1);
+  const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_2);
+  const auto [s_righ_ankl_cros_2, c_righ_ankl_cros_2] = sine_cosine(t_righ_ankl_cros_1);
   const Scalar t_righ_ankl_cros_3 = 43.3f * s_righ_ankl_cros_2;
   const Scalar t_righ_ankl_cros_4 = 43.3f * c_righ_ankl_cros_2;
-  // right_foot
   const Scalar t_right_foot_1 = 0.3048947f - q[11];
-  const Scalar c_right_foot = cos(t_right_foot_1);
-  const Scalar s_right_foot = sin(t_right_foot_1);
+  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
   const Scalar h_righ_ankl_cros_z = 6.13351e-06f * c_right_foot - 0.00014115316f * s_right_foot;
+  // right_foot
   const Scalar t_right_foot_2 = 6.13351e-06f * s_right_foot + 0.00014115316f * c_right_foot;
   const Scalar t_right_foot_3 = 0.0001386019f * s_right_foot + 6.0539376e-05f * c_right_foot;
   const Scalar t_right_foot_4 = s_right_foot * t_right_foot_3;
@@ -435,35 +475,27 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_shank_1 = q[3] + q[4];
   // left_thigh
   const Scalar t_left_thigh_1 = q[2] + t_left_shank_1;
-  const Scalar c_left_thigh = cos(t_left_thigh_1);
-  const Scalar s_left_thigh = sin(t_left_thigh_1);
-  const Scalar c_left_hip_roll = cos(q[1]);
-  const Scalar s_left_hip_roll = sin(q[1]);
+  const auto [s_left_thigh, c_left_thigh] = sine_cosine(t_left_thigh_1);
+  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[1]);
   // left_shank
-  const Scalar s_left_shank = sin(t_left_shank_1);
-  const Scalar c_left_shank = cos(t_left_shank_1);
+  const auto [s_left_shank, c_left_shank] = sine_cosine(t_left_shank_1);
   const Scalar t_left_shank_2 = 43.2f * s_left_shank;
   const Scalar s_left_shank_x = 43.2f * c_left_shank;
   // left_ankle_cross
-  const Scalar s_left_ankle_pitch = sin(q[4]);
-  const Scalar c_left_ankle_pitch = cos(q[4]);
+  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[4]);
   const Scalar t_left_ankle_cross_1 = 43.3f * s_left_ankle_pitch;
   const Scalar s_left_ankle_cross_x = 43.3f * c_left_ankle_pitch;
   const Scalar t_right_shank_1 = q[9] + q[10];
   // right_thigh
   const Scalar t_right_thigh_1 = q[8] + t_right_shank_1;
-  const Scalar c_right_thigh = cos(t_right_thigh_1);
-  const Scalar s_right_thigh = sin(t_right_thigh_1);
-  const Scalar c_right_hip_roll = cos(q[7]);
-  const Scalar s_right_hip_roll = sin(q[7]);
+  const auto [s_right_thigh, c_right_thigh] = sine_cosine(t_right_thigh_1);
+  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
   // right_shank
-  const Scalar c_right_shank = cos(t_right_shank_1);
-  const Scalar s_right_shank = sin(t_right_shank_1);
+  const auto [s_right_shank, c_right_shank] = sine_cosine(t_right_shank_1);
   const Scalar s_right_shank_x = 43.2f * c_right_shank;
   const Scalar t_right_shank_2 = 43.2f * s_right_shank;
   // right_ankle_cross
-  const Scalar c_right_ankle_pitch = cos(q[10]);
-  const Scalar s_right_ankle_pitch = sin(q[10]);
+  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[10]);
   const Scalar s_righ_ankl_cros_x = 43.3f * c_right_ankle_pitch;
   const Scalar t_righ_ankl_cros_1 = 43.3f * s_right_ankle_pitch;
   // left_thigh
@@ -560,8 +592,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_foot_10 = t_left_foot_3 * t_left_foot_3;
   const Scalar t_left_foot_11 = Omega_left_foot_xz - t_left_shank_5 * t_left_foot_3;
   const Scalar t_left_foot_12 = 0.26146916f + q[5];
-  const Scalar s_left_foot = sin(t_left_foot_12);
-  const Scalar c_left_foot = cos(t_left_foot_12);
+  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_12);
   const Scalar t_left_foot_13 = 0.00013282818f * s_left_foot + 7.2333794e-05f * c_left_foot;
   const Scalar t_left_foot_14 = 3.6166897e-05f - c_left_foot * t_left_foot_13;
   const Scalar t_left_foot_15 = 6.298136e-05f * c_left_foot + 0.0014494178f * s_left_foot;
@@ -681,8 +712,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_foot_10 = t_right_foot_7 * t_right_foot_7;
   const Scalar t_right_foot_11 = Omega_right_foot_xz - t_right_thigh_3 * t_right_foot_8;
   const Scalar t_right_foot_12 = 0.26146916f - q[11];
-  const Scalar s_right_foot = sin(t_right_foot_12);
-  const Scalar c_right_foot = cos(t_right_foot_12);
+  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_12);
   const Scalar t_right_foot_13 = 0.00013282818f * s_right_foot + 7.2333794e-05f * c_right_foot;
   const Scalar t_right_foot_14 = s_right_foot * t_right_foot_13;
   const Scalar t_right_foot_15 = 3.6166897e-05f - c_right_foot * t_right_foot_13;
@@ -953,32 +983,23 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 }
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
-  const Scalar c_left_hip_roll = cos(q[1]);
-  const Scalar s_left_hip_roll = sin(q[1]);
-  const Scalar c_left_hip_pitch = cos(q[2]);
-  const Scalar s_left_hip_pitch = sin(q[2]);
+  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[1]);
+  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[2]);
   // left_ankle_cross
   const Scalar t_left_ankle_cross_1 = q[2] + q[3];
   const Scalar t_left_ankle_cross_2 = t_left_ankle_cross_1 + q[4];
-  const Scalar c_left_ankle_cross = cos(t_left_ankle_cross_2);
-  const Scalar s_left_ankle_cross = sin(t_left_ankle_cross_2);
-  const Scalar c_left_ankle_cross_2 = cos(t_left_ankle_cross_1);
-  const Scalar s_left_ankle_cross_2 = sin(t_left_ankle_cross_1);
-  const Scalar c_right_hip_roll = cos(q[7]);
-  const Scalar s_right_hip_roll = sin(q[7]);
-  const Scalar c_right_hip_pitch = cos(q[8]);
-  const Scalar s_right_hip_pitch = sin(q[8]);
+  const auto [s_left_ankle_cross, c_left_ankle_cross] = sine_cosine(t_left_ankle_cross_2);
+  const auto [s_left_ankle_cross_2, c_left_ankle_cross_2] = sine_cosine(t_left_ankle_cross_1);
+  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
+  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[8]);
   // right_ankle_cross
   const Scalar t_righ_ankl_cros_1 = q[8] + q[9];
   const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + q[10];
-  const Scalar c_righ_ankl_cros = cos(t_righ_ankl_cros_2);
-  const Scalar s_righ_ankl_cros = sin(t_righ_ankl_cros_2);
-  const Scalar c_righ_ankl_cros_2 = cos(t_righ_ankl_cros_1);
-  const Scalar s_righ_ankl_cros_2 = sin(t_righ_ankl_cros_1);
+  const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_2);
+  const auto [s_righ_ankl_cros_2, c_righ_ankl_cros_2] = sine_cosine(t_righ_ankl_cros_1);
   // left_foot
   const Scalar t_left_foot_1 = 0.26146916f + q[5];
-  const Scalar s_left_foot = sin(t_left_foot_1);
-  const Scalar c_left_foot = cos(t_left_foot_1);
+  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
   const Scalar t_left_foot_2 = 0.13860191f * s_left_foot;
   const Scalar t_left_foot_3 = 0.13860191f * c_left_foot;
   const Scalar t_left_foot_4 = c_left_hip_roll * c_left_ankle_cross * t_left_foot_2;
@@ -986,8 +1007,7 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   G[5] = M_left_foot_z;
   // right_foot
   const Scalar t_right_foot_1 = 0.26146916f - q[11];
-  const Scalar s_right_foot = sin(t_right_foot_1);
-  const Scalar c_right_foot = cos(t_right_foot_1);
+  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
   const Scalar t_right_foot_2 = c_right_hip_roll * s_right_foot * 0.13860191f;
   const Scalar t_right_foot_3 = 0.13860191f * c_right_foot;
   const Scalar t_right_foot_4 = c_righ_ankl_cros * t_right_foot_2;
@@ -1042,22 +1062,14 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
 
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
                       Scalar tau[12]) noexcept {
-  const Scalar c_left_hip_roll = cos(q[1]);
-  const Scalar s_left_hip_roll = sin(q[1]);
-  const Scalar c_left_hip_pitch = cos(q[2]);
-  const Scalar s_left_hip_pitch = sin(q[2]);
-  const Scalar c_left_knee = cos(q[3]);
-  const Scalar s_left_knee = sin(q[3]);
-  const Scalar c_left_ankle_pitch = cos(q[4]);
-  const Scalar s_left_ankle_pitch = sin(q[4]);
-  const Scalar c_right_hip_roll = cos(q[7]);
-  const Scalar s_right_hip_roll = sin(q[7]);
-  const Scalar c_right_hip_pitch = cos(q[8]);
-  const Scalar s_right_hip_pitch = sin(q[8]);
-  const Scalar c_right_knee = cos(q[9]);
-  const Scalar s_right_knee = sin(q[9]);
-  const Scalar c_right_ankle_pitch = cos(q[10]);
-  const Scalar s_right_ankle_pitch = sin(q[10]);
+  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[1]);
+  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[2]);
+  const auto [s_left_knee, c_left_knee] = sine_cosine(q[3]);
+  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[4]);
+  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
+  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[8]);
+  const auto [s_right_knee, c_right_knee] = sine_cosine(q[9]);
+  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[10]);
   const Scalar t_left_hip_block_1 = qd[0] * qd[0];
   // left_hip_fork
   const Scalar omega_left_hip_fork_x = c_left_hip_roll * qd[0];
@@ -1178,8 +1190,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar Omega_left_foot_zx = t_left_ankle_cross_20 - t_left_foot_5;
   const Scalar t_left_foot_6 = t_left_foot_2 * t_left_foot_2;
   const Scalar t_left_foot_7 = 0.26146916f + q[5];
-  const Scalar s_left_foot = sin(t_left_foot_7);
-  const Scalar c_left_foot = cos(t_left_foot_7);
+  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_7);
   const Scalar t_left_foot_8 = 0.00013282818f * s_left_foot + 7.2333794e-05f * c_left_foot;
   const Scalar t_left_foot_9 = s_left_foot * t_left_foot_8;
   const Scalar t_left_foot_10 = 0.0005569034f - t_left_foot_9;
@@ -1324,8 +1335,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_foot_8 = t_righ_ankl_cros_10 * t_right_foot_2 * 2.0f;
   const Scalar t_right_foot_9 = Omega_right_foot_xz - t_right_foot_8;
   const Scalar t_right_foot_10 = 0.26146916f - q[11];
-  const Scalar s_right_foot = sin(t_right_foot_10);
-  const Scalar c_right_foot = cos(t_right_foot_10);
+  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_10);
   const Scalar t_right_foot_11 = 0.00013282818f * s_right_foot + 7.2333794e-05f * c_right_foot;
   const Scalar t_right_foot_12 = 3.6166897e-05f - c_right_foot * t_right_foot_11;
   const Scalar t_right_foot_13 = 0.0014494178f * s_right_foot + 6.298136e-05f * c_right_foot;
@@ -1651,34 +1661,26 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept {
-  const Scalar c_left_hip_roll = cos(q[1]);
-  const Scalar s_left_hip_roll = sin(q[1]);
+  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[1]);
   // left_shank
   const Scalar t_left_shank_1 = q[2] + q[3] + q[4];
-  const Scalar c_left_shank = cos(t_left_shank_1);
-  const Scalar s_left_shank = sin(t_left_shank_1);
-  const Scalar s_left_hip_pitch = sin(q[2]);
-  const Scalar c_left_hip_pitch = cos(q[2]);
+  const auto [s_left_shank, c_left_shank] = sine_cosine(t_left_shank_1);
+  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[2]);
   const Scalar t_left_shank_2 = 43.2f * s_left_hip_pitch;
   const Scalar t_left_shank_3 = 43.2f * c_left_hip_pitch;
   // left_ankle_cross
-  const Scalar s_left_ankle_pitch = sin(q[4]);
-  const Scalar c_left_ankle_pitch = cos(q[4]);
+  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[4]);
   const Scalar t_left_ankle_cross_1 = 43.3f * s_left_ankle_pitch;
   const Scalar s_left_ankle_cross_x = 43.3f * c_left_ankle_pitch;
-  const Scalar c_right_hip_roll = cos(q[7]);
-  const Scalar s_right_hip_roll = sin(q[7]);
+  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
   // right_shank
   const Scalar t_right_shank_1 = q[8] + q[9] + q[10];
-  const Scalar c_right_shank = cos(t_right_shank_1);
-  const Scalar s_right_shank = sin(t_right_shank_1);
-  const Scalar c_right_hip_pitch = cos(q[8]);
-  const Scalar s_right_hip_pitch = sin(q[8]);
+  const auto [s_right_shank, c_right_shank] = sine_cosine(t_right_shank_1);
+  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[8]);
   const Scalar t_right_shank_2 = 43.2f * c_right_hip_pitch;
   const Scalar t_right_shank_3 = 43.2f * s_right_hip_pitch;
   // right_ankle_cross
-  const Scalar c_right_ankle_pitch = cos(q[10]);
-  const Scalar s_right_ankle_pitch = sin(q[10]);
+  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[10]);
   const Scalar s_righ_ankl_cros_x = 43.3f * c_right_ankle_pitch;
   const Scalar t_righ_ankl_cros_1 = 43.3f * s_right_ankle_pitch;
   const Scalar t_left_hip_block_1 = qd[0] * qd[0];
@@ -1782,8 +1784,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_foot_5 = t_left_foot_3 * t_left_foot_3;
   const Scalar t_left_foot_6 = Omega_left_foot_xz - t_left_shank_15 * t_left_foot_3;
   const Scalar t_left_foot_7 = 0.26146916f + q[5];
-  const Scalar s_left_foot = sin(t_left_foot_7);
-  const Scalar c_left_foot = cos(t_left_foot_7);
+  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_7);
   const Scalar t_left_foot_8 = 0.00013282818f * s_left_foot + 7.2333794e-05f * c_left_foot;
   const Scalar t_left_foot_9 = s_left_foot * t_left_foot_8;
   const Scalar E_left_foot_yy = 0.00042407526f + t_left_foot_9;
@@ -1894,8 +1895,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_foot_5 = t_right_foot_2 * t_right_foot_2;
   const Scalar t_right_foot_6 = Omega_right_foot_xz - t_right_shank_12 * t_right_foot_3;
   const Scalar t_right_foot_7 = 0.26146916f - q[11];
-  const Scalar s_right_foot = sin(t_right_foot_7);
-  const Scalar c_right_foot = cos(t_right_foot_7);
+  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_7);
   const Scalar t_right_foot_8 = 0.00013282818f * s_right_foot + 7.2333794e-05f * c_right_foot;
   const Scalar t_right_foot_9 = s_right_foot * t_right_foot_8;
   const Scalar t_right_foot_10 = c_right_foot * t_right_foot_8;
@@ -2804,36 +2804,22 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
 }
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
-  const Scalar c_left_hip_yaw = cos(q[0]);
-  const Scalar s_left_hip_yaw = sin(q[0]);
-  const Scalar c_left_hip_roll = cos(q[1]);
-  const Scalar s_left_hip_roll = sin(q[1]);
+  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[0]);
+  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[1]);
   const Scalar t_left_shank_1 = q[3] + q[4];
-  // left_thigh
   const Scalar t_left_thigh_1 = q[2] + t_left_shank_1;
-  const Scalar c_left_thigh = cos(t_left_thigh_1);
-  const Scalar s_left_thigh = sin(t_left_thigh_1);
-  const Scalar s_left_shank = sin(t_left_shank_1);
-  const Scalar c_left_shank = cos(t_left_shank_1);
-  const Scalar s_left_ankle_pitch = sin(q[4]);
-  const Scalar c_left_ankle_pitch = cos(q[4]);
-  const Scalar c_left_ankle_roll = cos(q[5]);
-  const Scalar s_left_ankle_roll = sin(q[5]);
-  const Scalar c_right_hip_yaw = cos(q[6]);
-  const Scalar s_right_hip_yaw = sin(q[6]);
-  const Scalar c_right_hip_roll = cos(q[7]);
-  const Scalar s_right_hip_roll = sin(q[7]);
+  const auto [s_left_thigh, c_left_thigh] = sine_cosine(t_left_thigh_1);
+  const auto [s_left_shank, c_left_shank] = sine_cosine(t_left_shank_1);
+  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[4]);
+  const auto [s_left_ankle_roll, c_left_ankle_roll] = sine_cosine(q[5]);
+  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[6]);
+  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
   const Scalar t_right_shank_1 = q[9] + q[10];
-  // right_thigh
   const Scalar t_right_thigh_1 = q[8] + t_right_shank_1;
-  const Scalar c_right_thigh = cos(t_right_thigh_1);
-  const Scalar s_right_thigh = sin(t_right_thigh_1);
-  const Scalar s_right_shank = sin(t_right_shank_1);
-  const Scalar c_right_shank = cos(t_right_shank_1);
-  const Scalar s_right_ankle_pitch = sin(q[10]);
-  const Scalar c_right_ankle_pitch = cos(q[10]);
-  const Scalar c_right_ankle_roll = cos(q[11]);
-  const Scalar s_right_ankle_roll = sin(q[11]);
+  const auto [s_right_thigh, c_right_thigh] = sine_cosine(t_right_thigh_1);
+  const auto [s_right_shank, c_right_shank] = sine_cosine(t_right_shank_1);
+  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[10]);
+  const auto [s_right_ankle_roll, c_right_ankle_roll] = sine_cosine(q[11]);
   const Scalar t_left_shank_2 = 0.01f + 0.432f * c_left_shank + 0.433f * c_left_ankle_pitch;
   const Scalar t_left_shank_3 = t_left_shank_2 + 0.05903f * c_left_ankle_roll;
   const Scalar t_left_thigh_2 = c_left_thigh * t_left_shank_3;
@@ -2885,50 +2871,37 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
-  const Scalar c_left_hip_yaw = cos(q[0]);
-  const Scalar s_left_hip_yaw = sin(q[0]);
-  const Scalar c_left_hip_roll = cos(q[1]);
-  const Scalar s_left_hip_roll = sin(q[1]);
+  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[0]);
+  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[1]);
   // left_shank
-  const Scalar c_left_hip_pitch = cos(q[2]);
-  const Scalar s_left_hip_pitch = sin(q[2]);
+  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[2]);
   const Scalar t_left_shank_1 = 0.432f * c_left_hip_pitch;
   const Scalar t_left_shank_2 = 0.432f * s_left_hip_pitch;
   // left_ankle_cross
   const Scalar t_left_ankle_cross_1 = q[2] + q[3];
-  const Scalar s_left_ankle_cross = sin(t_left_ankle_cross_1);
-  const Scalar c_left_ankle_cross = cos(t_left_ankle_cross_1);
+  const auto [s_left_ankle_cross, c_left_ankle_cross] = sine_cosine(t_left_ankle_cross_1);
   const Scalar t_left_ankle_cross_2 = 0.433f * s_left_ankle_cross;
   const Scalar t_left_ankle_cross_3 = 0.433f * c_left_ankle_cross;
-  // left_foot
   const Scalar t_left_foot_1 = t_left_ankle_cross_1 + q[4];
-  const Scalar c_left_foot = cos(t_left_foot_1);
-  const Scalar s_left_foot = sin(t_left_foot_1);
-  const Scalar c_right_hip_yaw = cos(q[6]);
-  const Scalar s_right_hip_yaw = sin(q[6]);
-  const Scalar c_right_hip_roll = cos(q[7]);
-  const Scalar s_right_hip_roll = sin(q[7]);
+  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
+  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[6]);
+  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
   // right_shank
-  const Scalar c_right_hip_pitch = cos(q[8]);
-  const Scalar s_right_hip_pitch = sin(q[8]);
+  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[8]);
   const Scalar t_right_shank_1 = 0.432f * c_right_hip_pitch;
   const Scalar t_right_shank_2 = 0.432f * s_right_hip_pitch;
   // right_ankle_cross
   const Scalar t_righ_ankl_cros_1 = q[8] + q[9];
-  const Scalar c_righ_ankl_cros = cos(t_righ_ankl_cros_1);
-  const Scalar s_righ_ankl_cros = sin(t_righ_ankl_cros_1);
+  const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_1);
   const Scalar t_righ_ankl_cros_2 = 0.433f * c_righ_ankl_cros;
   const Scalar t_righ_ankl_cros_3 = 0.433f * s_righ_ankl_cros;
-  // right_foot
   const Scalar t_right_foot_1 = t_righ_ankl_cros_1 + q[10];
-  const Scalar c_right_foot = cos(t_right_foot_1);
-  const Scalar s_right_foot = sin(t_right_foot_1);
+  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
   const Scalar Rx_left_thigh_x = s_left_hip_yaw * s_left_hip_roll;
   const Scalar t_left_thigh_1 = c_left_hip_yaw * s_left_hip_roll;
   const Scalar t_right_thigh_1 = c_right_hip_yaw * s_right_hip_roll;
   const Scalar Rx_right_thigh_x = s_right_hip_yaw * s_right_hip_roll;
-  const Scalar s_left_ankle_roll = sin(q[5]);
-  const Scalar c_left_ankle_roll = cos(q[5]);
+  const auto [s_left_ankle_roll, c_left_ankle_roll] = sine_cosine(q[5]);
   const Scalar r_left_ankle_cross_z = 0.05903f * s_left_ankle_roll;
   const Scalar t_right_foot_2 = 0.05903f * c_left_ankle_roll;
   // left_foot
@@ -3008,8 +2981,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[4] = c_left_hip_yaw * r_left_hip_fork_z_2 - s_left_hip_yaw * r_left_hip_fork_x_2;
   // left_hip_block
   C[3] = -(c_left_hip_yaw * r_left_hip_fork_x_2 + s_left_hip_yaw * r_left_hip_fork_z_2);
-  const Scalar c_right_ankle_roll = cos(q[11]);
-  const Scalar s_right_ankle_roll = sin(q[11]);
+  const auto [s_right_ankle_roll, c_right_ankle_roll] = sine_cosine(q[11]);
   const Scalar t_left_hip_block_1 = 0.05903f * c_right_ankle_roll;
   const Scalar r_righ_ankl_cros_z = 0.05903f * s_right_ankle_roll;
   // right_foot

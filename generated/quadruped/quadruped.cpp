@@ -7,35 +7,83 @@
 
 #include "quadruped.hpp"
 
-#include <cmath>
+// g++ would gather scalars into vectors, which takes up to twice as long.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-tree-slp-vectorize")
+#endif
 
 namespace quadruped {
 
-using std::cos;
-using std::sin;
+#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+#error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#endif
+
+namespace {
+
+template <class Number>
+struct SineCosine {
+  Number sine;
+  Number cosine;
+};
+
+/// Sine and cosine of x without a library and without a branch: x less the nearest multiple of
+/// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
+/// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
+/// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
+[[gnu::noinline, maybe_unused]] SineCosine<double> sine_cosine(double x) noexcept {
+  const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
+  const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
+  const double r_1 = x - t * 7.32983532344312e-302;
+  const double r = r_1 + k * 8.705515695504166e-10;
+  const double z = r * r;
+  const double s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
+  const double s_2 = s_1 * z + 2.7557313707070068e-06;
+  const double s_3 = s_2 * z - 0.0001984126982985795;
+  const double s_4 = s_3 * z + 0.00833333333332249;
+  const double s_5 = s_4 * z - 0.16666666666666632;
+  const double c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
+  const double c_2 = c_1 * z - 2.7557314351390663e-07;
+  const double c_3 = c_2 * z + 2.480158728947673e-05;
+  const double c_4 = c_3 * z - 0.001388888888887411;
+  const double c_5 = c_4 * z + 0.0416666666666666;
+  const double sine = r + r * z * s_5;
+  const double cosine = 1.0 - z * (0.5 - z * c_5);
+
+  // k modulo 4: -2 to 2, not a number where t is infinite
+  const double l = t * 4.6663180925160944e-302;
+  const double m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
+  const double n = 4.0 - m * m;
+  // sine and cosine of m pi/2: 0, 1 or -1
+  const double s = m * (n * 0.3333333333333333);
+  const double c = 0.5 * (n - s * s) - 1.0;
+  return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+/// For other types that stand for Scalar, such as one that counts operations: their own functions.
+template <class Number>
+SineCosine<Number> sine_cosine(const Number& x) noexcept {
+  return {sin(x), cos(x)};
+}
+
+[[maybe_unused]] inline double sin(double x) noexcept { return sine_cosine(x).sine; }
+[[maybe_unused]] inline double cos(double x) noexcept { return sine_cosine(x).cosine; }
+
+}  // namespace
 
 void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
-  const Scalar c_front_left_hip = cos(q[1]);
-  const Scalar s_front_left_hip = sin(q[1]);
-  const Scalar c_front_right_hip = cos(q[4]);
-  const Scalar s_front_right_hip = sin(q[4]);
-  const Scalar c_hind_left_hip = cos(q[7]);
-  const Scalar s_hind_left_hip = sin(q[7]);
+  const auto [s_front_left_hip, c_front_left_hip] = sine_cosine(q[1]);
+  const auto [s_front_right_hip, c_front_right_hip] = sine_cosine(q[4]);
+  const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
   // hind_right_shank
-  const Scalar c_hind_right_hip = cos(q[10]);
-  const Scalar s_hind_right_hip = sin(q[10]);
+  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
   const Scalar t_hind_right_shank_1 = q[1] + q[2];
-  const Scalar s_hind_right_shank = sin(t_hind_right_shank_1);
-  const Scalar c_hind_right_shank = cos(t_hind_right_shank_1);
+  const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
   const Scalar t_hind_right_shank_2 = q[4] + q[5];
-  const Scalar s_hind_right_shank_2 = sin(t_hind_right_shank_2);
-  const Scalar c_hind_right_shank_2 = cos(t_hind_right_shank_2);
+  const auto [s_hind_right_shank_2, c_hind_right_shank_2] = sine_cosine(t_hind_right_shank_2);
   const Scalar t_hind_right_shank_3 = q[10] + q[11];
-  const Scalar s_hind_right_shank_3 = sin(t_hind_right_shank_3);
-  const Scalar c_hind_right_shank_3 = cos(t_hind_right_shank_3);
+  const auto [s_hind_right_shank_3, c_hind_right_shank_3] = sine_cosine(t_hind_right_shank_3);
   const Scalar t_hind_right_shank_4 = q[7] + q[8];
-  const Scalar s_hind_right_shank_4 = sin(t_hind_right_shank_4);
-  const Scalar c_hind_right_shank_4 = cos(t_hind_right_shank_4);
+  const auto [s_hind_right_shank_4, c_hind_right_shank_4] = sine_cosine(t_hind_right_shank_4);
   const Scalar t_hind_right_shank_5 = c_hind_right_hip * c_hind_right_shank_3;
   const Scalar t_hind_right_shank_6 = s_hind_right_hip * s_hind_right_shank_3;
   const Scalar t_hind_right_shank_7 = t_hind_right_shank_5 + t_hind_right_shank_6;
@@ -220,19 +268,14 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
 }
 
 void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept {
-  const Scalar c_front_left_hip = cos(q[1]);
-  const Scalar s_front_left_hip = sin(q[1]);
-  const Scalar c_front_right_hip = cos(q[4]);
-  const Scalar s_front_right_hip = sin(q[4]);
-  const Scalar c_hind_left_hip = cos(q[7]);
-  const Scalar s_hind_left_hip = sin(q[7]);
-  const Scalar c_hind_right_hip = cos(q[10]);
-  const Scalar s_hind_right_hip = sin(q[10]);
+  const auto [s_front_left_hip, c_front_left_hip] = sine_cosine(q[1]);
+  const auto [s_front_right_hip, c_front_right_hip] = sine_cosine(q[4]);
+  const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
+  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
   // front_left_shank
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar t_front_left_shank_1 = q[1] + q[2];
-  const Scalar s_front_left_shank = sin(t_front_left_shank_1);
-  const Scalar c_front_left_shank = cos(t_front_left_shank_1);
+  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_1);
   const Scalar t_front_left_shank_2 = omega_front_left_shank_z * omega_front_left_shank_z;
   const Scalar t_front_left_shank_3 = s_front_left_hip * c_front_left_shank * 0.000815936;
   const Scalar t_front_left_shank_4 = c_front_left_hip * s_front_left_shank * 0.000815936;
@@ -248,8 +291,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   // front_right_shank
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar t_fron_righ_shan_1 = q[4] + q[5];
-  const Scalar s_fron_righ_shan = sin(t_fron_righ_shan_1);
-  const Scalar c_fron_righ_shan = cos(t_fron_righ_shan_1);
+  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_1);
   const Scalar t_fron_righ_shan_2 = omega_fron_righ_shan_z * omega_fron_righ_shan_z;
   const Scalar t_fron_righ_shan_3 = s_front_right_hip * c_fron_righ_shan * 0.000815936;
   const Scalar t_fron_righ_shan_4 = c_front_right_hip * s_fron_righ_shan * 0.000815936;
@@ -265,8 +307,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   // hind_left_shank
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar t_hind_left_shank_1 = q[7] + q[8];
-  const Scalar s_hind_left_shank = sin(t_hind_left_shank_1);
-  const Scalar c_hind_left_shank = cos(t_hind_left_shank_1);
+  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
   const Scalar t_hind_left_shank_2 = omega_hind_left_shank_z * omega_hind_left_shank_z;
   const Scalar t_hind_left_shank_3 = s_hind_left_hip * c_hind_left_shank * 0.000815936;
   const Scalar t_hind_left_shank_4 = c_hind_left_hip * s_hind_left_shank * 0.000815936;
@@ -282,8 +323,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   // hind_right_shank
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar t_hind_right_shank_1 = q[10] + q[11];
-  const Scalar s_hind_right_shank = sin(t_hind_right_shank_1);
-  const Scalar c_hind_right_shank = cos(t_hind_right_shank_1);
+  const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
   const Scalar t_hind_right_shank_2 = omega_hind_right_shank_z * omega_hind_right_shank_z;
   const Scalar t_hind_right_shank_3 = s_hind_right_hip * c_hind_right_shank * 0.000815936;
   const Scalar t_hind_right_shank_4 = c_hind_right_hip * s_hind_right_shank * 0.000815936;
@@ -354,38 +394,26 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 }
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
-  const Scalar c_front_left_abduction = cos(q[0]);
-  const Scalar s_front_left_abduction = sin(q[0]);
+  const auto [s_front_left_abduction, c_front_left_abduction] = sine_cosine(q[0]);
   // front_left_shank
   const Scalar t_front_left_shank_1 = q[1] + q[2];
-  const Scalar c_front_left_shank = cos(t_front_left_shank_1);
-  const Scalar s_front_left_shank = sin(t_front_left_shank_1);
-  const Scalar c_front_left_hip = cos(q[1]);
-  const Scalar s_front_left_hip = sin(q[1]);
-  const Scalar c_front_right_abduction = cos(q[3]);
-  const Scalar s_front_right_abduction = sin(q[3]);
+  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_1);
+  const auto [s_front_left_hip, c_front_left_hip] = sine_cosine(q[1]);
+  const auto [s_front_right_abduction, c_front_right_abduction] = sine_cosine(q[3]);
   // front_right_shank
   const Scalar t_fron_righ_shan_1 = q[4] + q[5];
-  const Scalar c_fron_righ_shan = cos(t_fron_righ_shan_1);
-  const Scalar s_fron_righ_shan = sin(t_fron_righ_shan_1);
-  const Scalar c_front_right_hip = cos(q[4]);
-  const Scalar s_front_right_hip = sin(q[4]);
-  const Scalar c_hind_left_abduction = cos(q[6]);
-  const Scalar s_hind_left_abduction = sin(q[6]);
+  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_1);
+  const auto [s_front_right_hip, c_front_right_hip] = sine_cosine(q[4]);
+  const auto [s_hind_left_abduction, c_hind_left_abduction] = sine_cosine(q[6]);
   // hind_left_shank
   const Scalar t_hind_left_shank_1 = q[7] + q[8];
-  const Scalar c_hind_left_shank = cos(t_hind_left_shank_1);
-  const Scalar s_hind_left_shank = sin(t_hind_left_shank_1);
-  const Scalar c_hind_left_hip = cos(q[7]);
-  const Scalar s_hind_left_hip = sin(q[7]);
-  const Scalar c_hind_right_abduction = cos(q[9]);
-  const Scalar s_hind_right_abduction = sin(q[9]);
+  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
+  const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
+  const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
   // hind_right_shank
   const Scalar t_hind_right_shank_1 = q[10] + q[11];
-  const Scalar c_hind_right_shank = cos(t_hind_right_shank_1);
-  const Scalar s_hind_right_shank = sin(t_hind_right_shank_1);
-  const Scalar c_hind_right_hip = cos(q[10]);
-  const Scalar s_hind_right_hip = sin(q[10]);
+  const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
+  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
   const Scalar M_front_left_shank_z = c_front_left_abduction * s_front_left_shank * 0.03829824;
   G[2] = M_front_left_shank_z;
   const Scalar M_fron_righ_shan_z = c_front_right_abduction * s_fron_righ_shan * 0.03829824;
@@ -415,29 +443,20 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
 
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
                       Scalar tau[12]) noexcept {
-  const Scalar c_front_left_abduction = cos(q[0]);
-  const Scalar s_front_left_abduction = sin(q[0]);
-  const Scalar c_front_left_hip = cos(q[1]);
-  const Scalar s_front_left_hip = sin(q[1]);
-  const Scalar c_front_right_abduction = cos(q[3]);
-  const Scalar s_front_right_abduction = sin(q[3]);
-  const Scalar c_front_right_hip = cos(q[4]);
-  const Scalar s_front_right_hip = sin(q[4]);
-  const Scalar c_hind_left_abduction = cos(q[6]);
-  const Scalar s_hind_left_abduction = sin(q[6]);
-  const Scalar c_hind_left_hip = cos(q[7]);
-  const Scalar s_hind_left_hip = sin(q[7]);
-  const Scalar c_hind_right_abduction = cos(q[9]);
-  const Scalar s_hind_right_abduction = sin(q[9]);
-  const Scalar c_hind_right_hip = cos(q[10]);
-  const Scalar s_hind_right_hip = sin(q[10]);
+  const auto [s_front_left_abduction, c_front_left_abduction] = sine_cosine(q[0]);
+  const auto [s_front_left_hip, c_front_left_hip] = sine_cosine(q[1]);
+  const auto [s_front_right_abduction, c_front_right_abduction] = sine_cosine(q[3]);
+  const auto [s_front_right_hip, c_front_right_hip] = sine_cosine(q[4]);
+  const auto [s_hind_left_abduction, c_hind_left_abduction] = sine_cosine(q[6]);
+  const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
+  const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
+  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
   const Scalar t_front_left_thigh_1 = qd[1] * qd[1];
   // front_left_shank
   const Scalar t_front_left_shank_1 = s_front_left_hip * t_front_left_thigh_1;
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar t_front_left_shank_2 = q[1] + q[2];
-  const Scalar s_front_left_shank = sin(t_front_left_shank_2);
-  const Scalar c_front_left_shank = cos(t_front_left_shank_2);
+  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_2);
   const Scalar t_front_left_shank_3 = 0.000815936 * c_front_left_shank;
   const Scalar t_front_left_shank_4 = 0.000477144 * s_front_left_shank;
   const Scalar t_front_left_shank_5 = 0.000815936 * s_front_left_shank;
@@ -467,8 +486,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar alpha_fron_righ_shan_z = qdd[4] + qdd[5];
   const Scalar t_fron_righ_shan_2 = q[4] + q[5];
-  const Scalar s_fron_righ_shan = sin(t_fron_righ_shan_2);
-  const Scalar c_fron_righ_shan = cos(t_fron_righ_shan_2);
+  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_2);
   const Scalar t_fron_righ_shan_3 = 0.000815936 * s_fron_righ_shan;
   const Scalar t_fron_righ_shan_4 = 0.000477144 * s_fron_righ_shan;
   const Scalar t_fron_righ_shan_5 = c_fron_righ_shan * t_fron_righ_shan_4;
@@ -490,8 +508,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   // hind_left_shank
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar t_hind_left_shank_1 = q[7] + q[8];
-  const Scalar s_hind_left_shank = sin(t_hind_left_shank_1);
-  const Scalar c_hind_left_shank = cos(t_hind_left_shank_1);
+  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
   const Scalar t_hind_left_shank_2 = 0.000815936 * c_hind_left_shank;
   const Scalar t_hind_left_shank_3 = c_hind_left_hip * t_hind_left_shank_2;
   const Scalar alpha_hind_left_shank_z = qdd[7] + qdd[8];
@@ -519,8 +536,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   // hind_right_shank
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar t_hind_right_shank_1 = q[10] + q[11];
-  const Scalar s_hind_right_shank = sin(t_hind_right_shank_1);
-  const Scalar c_hind_right_shank = cos(t_hind_right_shank_1);
+  const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
   const Scalar t_hind_right_shank_2 = 0.000815936 * s_hind_right_shank;
   const Scalar t_hind_right_shank_3 = c_hind_right_hip * t_hind_right_shank_2;
   const Scalar t_hind_right_shank_4 = 0.000477144 * s_hind_right_shank;
@@ -710,44 +726,32 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept {
-  const Scalar c_front_left_abduction = cos(q[0]);
-  const Scalar s_front_left_abduction = sin(q[0]);
-  const Scalar c_front_left_hip = cos(q[1]);
-  const Scalar s_front_left_hip = sin(q[1]);
-  const Scalar c_front_right_abduction = cos(q[3]);
-  const Scalar s_front_right_abduction = sin(q[3]);
-  const Scalar c_front_right_hip = cos(q[4]);
-  const Scalar s_front_right_hip = sin(q[4]);
-  const Scalar c_hind_left_abduction = cos(q[6]);
-  const Scalar s_hind_left_abduction = sin(q[6]);
-  const Scalar c_hind_left_hip = cos(q[7]);
-  const Scalar s_hind_left_hip = sin(q[7]);
-  const Scalar c_hind_right_abduction = cos(q[9]);
-  const Scalar s_hind_right_abduction = sin(q[9]);
-  const Scalar c_hind_right_hip = cos(q[10]);
-  const Scalar s_hind_right_hip = sin(q[10]);
+  const auto [s_front_left_abduction, c_front_left_abduction] = sine_cosine(q[0]);
+  const auto [s_front_left_hip, c_front_left_hip] = sine_cosine(q[1]);
+  const auto [s_front_right_abduction, c_front_right_abduction] = sine_cosine(q[3]);
+  const auto [s_front_right_hip, c_front_right_hip] = sine_cosine(q[4]);
+  const auto [s_hind_left_abduction, c_hind_left_abduction] = sine_cosine(q[6]);
+  const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
+  const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
+  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
   // front_left_shank
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar t_front_left_shank_1 = q[1] + q[2];
-  const Scalar s_front_left_shank = sin(t_front_left_shank_1);
-  const Scalar c_front_left_shank = cos(t_front_left_shank_1);
+  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_1);
   // front_right_shank
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar t_fron_righ_shan_1 = q[4] + q[5];
-  const Scalar s_fron_righ_shan = sin(t_fron_righ_shan_1);
-  const Scalar c_fron_righ_shan = cos(t_fron_righ_shan_1);
+  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_1);
   // hind_left_shank
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar t_hind_left_shank_1 = q[7] + q[8];
-  const Scalar s_hind_left_shank = sin(t_hind_left_shank_1);
-  const Scalar c_hind_left_shank = cos(t_hind_left_shank_1);
+  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
   const Scalar t_hind_left_shank_2 = 0.000815936 * s_hind_left_hip;
   const Scalar t_hind_left_shank_3 = c_hind_left_shank * t_hind_left_shank_2;
   // hind_right_shank
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar t_hind_right_shank_1 = q[10] + q[11];
-  const Scalar s_hind_right_shank = sin(t_hind_right_shank_1);
-  const Scalar c_hind_right_shank = cos(t_hind_right_shank_1);
+  const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
   // hind_left_shank
   const Scalar t_hind_left_shank_4 = 0.000815936 * c_hind_left_hip;
   const Scalar t_hind_left_shank_5 = s_hind_left_shank * t_hind_left_shank_4;
@@ -1077,38 +1081,26 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
 }
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
-  const Scalar c_front_left_abduction = cos(q[0]);
-  const Scalar s_front_left_abduction = sin(q[0]);
+  const auto [s_front_left_abduction, c_front_left_abduction] = sine_cosine(q[0]);
   // front_left_shank
   const Scalar t_front_left_shank_1 = q[1] + q[2];
-  const Scalar c_front_left_shank = cos(t_front_left_shank_1);
-  const Scalar s_front_left_shank = sin(t_front_left_shank_1);
-  const Scalar c_front_left_hip = cos(q[1]);
-  const Scalar s_front_left_hip = sin(q[1]);
-  const Scalar c_front_right_abduction = cos(q[3]);
-  const Scalar s_front_right_abduction = sin(q[3]);
+  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_1);
+  const auto [s_front_left_hip, c_front_left_hip] = sine_cosine(q[1]);
+  const auto [s_front_right_abduction, c_front_right_abduction] = sine_cosine(q[3]);
   // front_right_shank
   const Scalar t_fron_righ_shan_1 = q[4] + q[5];
-  const Scalar c_fron_righ_shan = cos(t_fron_righ_shan_1);
-  const Scalar s_fron_righ_shan = sin(t_fron_righ_shan_1);
-  const Scalar c_front_right_hip = cos(q[4]);
-  const Scalar s_front_right_hip = sin(q[4]);
-  const Scalar c_hind_left_abduction = cos(q[6]);
-  const Scalar s_hind_left_abduction = sin(q[6]);
+  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_1);
+  const auto [s_front_right_hip, c_front_right_hip] = sine_cosine(q[4]);
+  const auto [s_hind_left_abduction, c_hind_left_abduction] = sine_cosine(q[6]);
   // hind_left_shank
   const Scalar t_hind_left_shank_1 = q[7] + q[8];
-  const Scalar c_hind_left_shank = cos(t_hind_left_shank_1);
-  const Scalar s_hind_left_shank = sin(t_hind_left_shank_1);
-  const Scalar s_hind_left_hip = sin(q[7]);
-  const Scalar c_hind_left_hip = cos(q[7]);
-  const Scalar c_hind_right_abduction = cos(q[9]);
-  const Scalar s_hind_right_abduction = sin(q[9]);
+  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
+  const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
+  const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
   // hind_right_shank
   const Scalar t_hind_right_shank_1 = q[10] + q[11];
-  const Scalar c_hind_right_shank = cos(t_hind_right_shank_1);
-  const Scalar s_hind_right_shank = sin(t_hind_right_shank_1);
-  const Scalar c_hind_right_hip = cos(q[10]);
-  const Scalar s_hind_right_hip = sin(q[10]);
+  const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
+  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
   const Scalar r_front_left_thigh_x = 0.209 * c_front_left_hip + 0.175 * c_front_left_shank;
   p[1] = 0.049 + 0.062 * c_front_left_abduction + s_front_left_abduction * r_front_left_thigh_x;
   p[2] = 0.062 * s_front_left_abduction - c_front_left_abduction * r_front_left_thigh_x;
@@ -1129,26 +1121,17 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
-  const Scalar c_front_left_abduction = cos(q[0]);
-  const Scalar s_front_left_abduction = sin(q[0]);
-  const Scalar c_front_left_hip = cos(q[1]);
-  const Scalar s_front_left_hip = sin(q[1]);
-  const Scalar c_front_right_abduction = cos(q[3]);
-  const Scalar s_front_right_abduction = sin(q[3]);
-  const Scalar c_front_right_hip = cos(q[4]);
-  const Scalar s_front_right_hip = sin(q[4]);
-  const Scalar c_hind_left_abduction = cos(q[6]);
-  const Scalar s_hind_left_abduction = sin(q[6]);
-  const Scalar s_hind_left_hip = sin(q[7]);
-  const Scalar c_hind_left_hip = cos(q[7]);
-  const Scalar c_hind_right_abduction = cos(q[9]);
-  const Scalar s_hind_right_abduction = sin(q[9]);
+  const auto [s_front_left_abduction, c_front_left_abduction] = sine_cosine(q[0]);
+  const auto [s_front_left_hip, c_front_left_hip] = sine_cosine(q[1]);
+  const auto [s_front_right_abduction, c_front_right_abduction] = sine_cosine(q[3]);
+  const auto [s_front_right_hip, c_front_right_hip] = sine_cosine(q[4]);
+  const auto [s_hind_left_abduction, c_hind_left_abduction] = sine_cosine(q[6]);
+  const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
+  const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
   // hind_right_shank
-  const Scalar c_hind_right_hip = cos(q[10]);
-  const Scalar s_hind_right_hip = sin(q[10]);
+  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
   const Scalar t_hind_right_shank_1 = q[1] + q[2];
-  const Scalar s_hind_right_shank = sin(t_hind_right_shank_1);
-  const Scalar c_hind_right_shank = cos(t_hind_right_shank_1);
+  const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
   const Scalar t_hind_right_shank_2 = 0.175 * s_hind_right_shank;
   const Scalar t_hind_right_shank_3 = 0.175 * c_hind_right_shank;
   C[24] = t_hind_right_shank_3;
@@ -1164,8 +1147,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[14] = c_front_left_abduction * r_front_left_thigh_y;
   // front_left_hip
   const Scalar t_front_left_hip_1 = q[4] + q[5];
-  const Scalar s_front_left_hip_2 = sin(t_front_left_hip_1);
-  const Scalar c_front_left_hip_2 = cos(t_front_left_hip_1);
+  const auto [s_front_left_hip_2, c_front_left_hip_2] = sine_cosine(t_front_left_hip_1);
   const Scalar t_front_left_hip_2 = 0.175 * s_front_left_hip_2;
   const Scalar t_front_left_hip_3 = 0.175 * c_front_left_hip_2;
   C[63] = t_front_left_hip_3;
@@ -1181,8 +1163,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[53] = c_front_right_abduction * r_fron_righ_thig_y;
   // front_right_hip
   const Scalar t_front_right_hip_1 = q[7] + q[8];
-  const Scalar c_front_right_hip_2 = cos(t_front_right_hip_1);
-  const Scalar s_front_right_hip_2 = sin(t_front_right_hip_1);
+  const auto [s_front_right_hip_2, c_front_right_hip_2] = sine_cosine(t_front_right_hip_1);
   const Scalar t_front_right_hip_2 = 0.175 * c_front_right_hip_2;
   C[102] = t_front_right_hip_2;
   const Scalar t_front_right_hip_3 = 0.175 * s_front_right_hip_2;
@@ -1198,8 +1179,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[91] = -s_hind_left_abduction * r_hind_left_thigh_y;
   // hind_left_hip
   const Scalar t_hind_left_hip_1 = q[10] + q[11];
-  const Scalar c_hind_left_hip_2 = cos(t_hind_left_hip_1);
-  const Scalar s_hind_left_hip_2 = sin(t_hind_left_hip_1);
+  const auto [s_hind_left_hip_2, c_hind_left_hip_2] = sine_cosine(t_hind_left_hip_1);
   const Scalar t_hind_left_hip_2 = 0.175 * c_hind_left_hip_2;
   C[141] = t_hind_left_hip_2;
   const Scalar t_hind_left_hip_3 = 0.175 * s_hind_left_hip_2;

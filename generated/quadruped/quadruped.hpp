@@ -62,7 +62,9 @@ inline constexpr int hind_right_foot = 3;
 }  // namespace point
 
 // Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and
-// must not overlap inputs. Nothing is allocated, thrown or kept between calls.
+// must not overlap inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines,
+// the same bits everywhere, have errors below 1.7e-16 for angles below 1.3e7 rad; they are not a
+// number beyond 1.32e7 rad.
 
 /// Joint-space inertia matrix A(q); N x N, row-major, symmetric.
 ///

@@ -185,11 +185,12 @@ void add_generation(CLI::App& command, Request& request) {
       .add_option_function<std::string>(
           "--sincos",
           [&request](const std::string& choice) {
-            request.target.builtin_sincos = choice == "builtin";
+            request.target.sincos = choice == "libm" ? emit::Sincos::kLibm : emit::Sincos::kPair;
           },
-          "sine and cosine of the C library or written into the source; default libm")
-      ->check(one_of({"libm", "builtin"}))
-      ->type_name("libm|builtin");
+          "sine and cosine by one branch-free function in the source, the same bits everywhere "
+          "(builtin: the same), or of the C library; default pair")
+      ->check(one_of({"pair", "libm", "builtin"}))
+      ->type_name("pair|libm");
   command
       .add_option_function<std::string>(
           "--trig",

@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "emit/expression.hpp"
+#include "emit/sincos.hpp"
 #include "emit/statements.hpp"
 
 namespace treedyn::emit {
@@ -35,12 +36,14 @@ class Writer {
 
  private:
   std::string text(const Statement& statement) const;
+  std::string pair(const Statement& statement) const;
   std::string broadcast(Ref value) const;
   std::string right_side(const Statement& statement) const;
   int body_of(const Statement& statement) const;
   void note_body(std::size_t at, Part& part, int& current) const;
   void note_arrays(const Statement& statement, Part& part) const;
   void load(const Statement& statement, Part& part, Body& body);
+  void share(Ref value, Part& part, Body& body) const;
 
   const program::Function& function_;
   const program::Graph& graph_;
@@ -77,7 +80,20 @@ std::string Writer::right_side(const Statement& statement) const {
       graph_, statements_.schedule(), [&](Ref used) { return statements_.atom(used); }, value);
 }
 
+/// Broken where clang-format breaks it.
+std::string Writer::pair(const Statement& statement) const {
+  const std::string left = fmt::format("const auto [{}, {}] =", statements_.name(statement.value),
+                                       statements_.name(statement.partner));
+  const std::string right = fmt::format("{}({});", kSineCosine,
+                                        statements_.atom(std::abs(graph_.node(statement.value).a)));
+  const bool fits = kIndentation + left.size() + 1 + right.size() <= kColumns;
+  return fmt::format("{}{}{}", left, fits ? " " : "\n      ", right);
+}
+
 std::string Writer::text(const Statement& statement) const {
+  if (statement.partner != 0) {
+    return pair(statement);
+  }
   const std::string left = statement.output < 0
                                ? fmt::format("const Scalar {}", statements_.name(statement.value))
                                : statements_.element(statement.output);
@@ -140,6 +156,16 @@ void Writer::load(const Statement& statement, Part& part, Body& body) {
   });
 }
 
+/// Keeps a value that other parts need.
+void Writer::share(Ref value, Part& part, Body& body) const {
+  if (statements_.is_shared(value)) {
+    part.uses_workspace = true;
+    part.lines.push_back(
+        fmt::format("w[{}] = {};", statements_.slot(value), statements_.name(value)));
+    ++body.statements;
+  }
+}
+
 Body Writer::write() {
   Body result;
   result.workspace = statements_.slots();
@@ -163,12 +189,7 @@ Body Writer::write() {
     load(statement, part, result);
     part.lines.push_back(text(statement));
     ++result.statements;
-    if (statement.output < 0 && statements_.is_shared(statement.value)) {
-      part.uses_workspace = true;
-      part.lines.push_back(fmt::format("w[{}] = {};", statements_.slot(statement.value),
-                                       statements_.name(statement.value)));
-      ++result.statements;
-    }
+    Statements::visit_definitions(statement, [&](Ref value) { share(value, part, result); });
   }
   result.structural_zeros =
       static_cast<int>(std::count(function_.outputs.begin(), function_.outputs.end(), Ref{0}));

@@ -9,6 +9,7 @@
 #include "emit/doc.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
+#include "emit/sincos.hpp"
 #include "emit/template_file.hpp"
 
 namespace treedyn::emit {
@@ -156,12 +157,13 @@ std::string packing_tables(const Unit& unit) {
          index_table("kMassMatrixColumn", unit.packing.column);
 }
 
-std::string arrays_comment(const Target& target) {
+std::string arrays_comment(const Unit& unit) {
   return wrapped(
       fmt::format("Arrays are dense{}, matrices row-major; SI units and radians. Outputs "
                   "are written completely and must not overlap inputs. Nothing is "
-                  "allocated, thrown or kept between calls.",
-                  target.packed ? ", A excepted" : ""),
+                  "allocated, thrown or kept between calls.{}",
+                  unit.target.packed ? ", A excepted" : "",
+                  has_sincos(unit) ? " " + sincos_comment(unit.target) : ""),
       "// ");
 }
 
@@ -288,7 +290,7 @@ std::string header_text(const Unit& unit) {
                {"phase_indices", index_namespace("phase", phase_identifiers(unit.steppers))},
                {"status", status_bits(unit)},
                {"packing", packing_tables(unit)},
-               {"arrays", arrays_comment(unit.target)},
+               {"arrays", arrays_comment(unit)},
                {"functions", declarations(unit)}});
 }
 

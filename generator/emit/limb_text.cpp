@@ -53,7 +53,7 @@ Vocabulary limb_words(const LimbCode& code, int c, const Vocabulary& words) {
       links.push_back(identifier_part(words.body_comments[at(limb_class.links[at(limb)][p])]));
       coordinates.push_back(words.joints[at(limb_class.joints[at(limb)][p].coordinate)]);
     }
-    const std::string link = common_words(links);
+    const std::string link = short_body(common_words(links));
     const std::string joint = common_words(coordinates);
     bodies.push_back(link.empty() ? fmt::format("link{}", p + 1) : link);
     joints.push_back(joint.empty() ? fmt::format("joint{}", p + 1) : joint);

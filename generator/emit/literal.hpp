@@ -11,13 +11,19 @@ namespace treedyn::emit {
 /// The only floating-point type of a generated file.
 enum class Scalar { kDouble, kFloat };
 
+/// Where sine and cosine come from: one function of the source for both, or <cmath>.
+enum class Sincos { kPair, kLibm };
+
 /// What the generated functions compute with.
 struct Target {
   Scalar scalar = Scalar::kDouble;
-  int lanes = 1;                ///< states at once; more than one: Scalar is a vector type
-  bool builtin_sincos = false;  ///< sin and cos without a library; always with several lanes
-  bool packed = false;          ///< A: what is not structurally zero, lower triangle
+  int lanes = 1;  ///< states at once; more than one: Scalar is a vector type
+  Sincos sincos = Sincos::kPair;
+  bool packed = false;  ///< A: what is not structurally zero, lower triangle
   program::Trigonometry trigonometry = program::Trigonometry::kEarly;
+
+  /// True if <cmath> gives sines and cosines: it has none for several lanes.
+  [[nodiscard]] bool takes_libm() const { return sincos == Sincos::kLibm && lanes == 1; }
 };
 
 /// "double" or "float".

@@ -110,6 +110,10 @@ std::vector<std::string> shortened(const std::vector<std::string>& identifiers,
   return result;
 }
 
+std::string short_body(const std::string& identifier) {
+  return identifier.size() <= kLongestBody ? identifier : shorter_words(identifier, kLongestBody);
+}
+
 Vocabulary vocabulary(const model::Tree& tree) {
   Vocabulary words;
   std::vector<std::string> bodies;

@@ -30,6 +30,10 @@ std::string for_comment(std::string_view text, std::size_t longest);
 std::vector<std::string> shortened(const std::vector<std::string>& identifiers,
                                    std::size_t longest);
 
+/// The name of one link with words so short that names of values have room for it; empty if there
+/// are too many words.
+std::string short_body(const std::string& identifier);
+
 /// What the text of a model calls its links and independent joints.
 struct Vocabulary {
   std::vector<std::string> bodies;         ///< by link, short

@@ -1,6 +1,5 @@
 #include "emit/sincos.hpp"
 
-#include <array>
 #include <map>
 #include <vector>
 
@@ -12,79 +11,132 @@ namespace treedyn::emit {
 
 namespace {
 
-/// How sine and cosine are approximated: fdlibm's polynomials for double, Cephes' for float. The
-/// errors bound the largest distance from long double over 1.5e7 arguments, half an ulp of 1 more.
+/// How sine and cosine are approximated: fdlibm's polynomials for double, Cephes' for float. pi/2
+/// is subtracted in parts, all but the last so short that k times them is exact for |k| < 2^bits.
+/// The errors bound those measured over 1e9 arguments (double, against long double) and all
+/// arguments (float, against double) of the range, contracted and not.
 struct Approximation {
   const char* error;
   const char* range;
-  const char* integer;   ///< as wide as the scalar
-  const char* rounding;  ///< 1.5 ulp^-1: adding it leaves an integer in the last bits
-  std::array<const char*, 3> parts_of_half_pi;
+  const char* end;                ///< 2^bits pi/2, rounded up
+  int digits;                     ///< binary digits of the scalar
+  int largest_exponent;           ///< numbers from 2^this on overflow
+  int bits;                       ///< of k
+  std::vector<int> ends;          ///< of the parts but the last: binary places behind the point
   std::vector<const char*> sine;  ///< highest power of r^2 first
   std::vector<const char*> cosine;
 };
 
 const Approximation& approximation(Scalar scalar) {
   static const Approximation for_double = {
-      "2.3e-16",
-      "1e6",
-      "long long",
-      "6755399441055744.0",
-      {"1.57079632673412561417", "6.07710050630396597660e-11", "2.02226624879595063154e-21"},
+      "1.7e-16",
+      "1.3e7",
+      "1.32e7",
+      53,
+      1024,
+      23,
+      {29},
       {"1.58969099521155010221e-10", "-2.50507602534068634195e-08", "2.75573137070700676789e-06",
        "-1.98412698298579493134e-04", "8.33333333332248946124e-03", "-0.166666666666666324348"},
       {"-1.13596475577881948265e-11", "2.08757232129817482790e-09", "-2.75573143513906633035e-07",
        "2.48015872894767294178e-05", "-1.38888888888741095749e-03", "0.0416666666666666019037"}};
   static const Approximation for_float = {
       "1e-7",
-      "8e3",
-      "int",
-      "12582912.0",
-      {"1.5703125", "4.837512969970703125e-4", "7.54978995489188216e-8"},
+      "1e5",
+      "1.03e5",
+      24,
+      128,
+      16,
+      {7, 15},
       {"-1.9515295891e-4", "8.3321608736e-3", "-0.16666654611"},
       {"2.443315711809948e-5", "-1.388731625493765e-3", "4.166664568298827e-2"}};
   return scalar == Scalar::kFloat ? for_float : for_double;
 }
 
+/// What an angle is. Of a single state not Scalar: another type may stand for that.
+std::string type(const Target& target) {
+  return target.lanes == 1 ? type_name(target.scalar) : "Scalar";
+}
+
 /// Horner's rule in z, a statement a coefficient.
 std::string horner(const std::string& name, const std::vector<const char*>& coefficients,
-                   Scalar scalar) {
+                   const Target& target) {
   std::string text;
   for (std::size_t k = 1; k < coefficients.size(); ++k) {
     const std::string previous =
-        k == 1 ? literal(Real(coefficients[0]), scalar) : fmt::format("{}_{}", name, k - 1);
+        k == 1 ? literal(Real(coefficients[0]), target.scalar) : fmt::format("{}_{}", name, k - 1);
     const Real coefficient(coefficients[k]);
-    text += fmt::format("  const Scalar {}_{} = {} * z {} {};\n", name, k, previous,
-                        coefficient < 0 ? '-' : '+', literal(abs(coefficient), scalar));
+    text += fmt::format("  const {} {}_{} = {} * z {} {};\n", type(target), name, k, previous,
+                        coefficient < 0 ? '-' : '+', literal(abs(coefficient), target.scalar));
+  }
+  return text;
+}
+
+Real power_of_two(int exponent) { return ldexp(Real(1), exponent); }
+
+/// 2^n with which k overflows from |k| = 2^bits on.
+Real scale(const Approximation& a) { return power_of_two(a.largest_exponent - a.bits); }
+
+/// x - k pi/2, part by part; the first product is that of t = k scale.
+std::string reduction(const Approximation& a, const Target& target) {
+  std::string text;
+  std::string previous = "x";
+  Real rest = pi() / 2;
+  for (std::size_t part = 0; part <= a.ends.size(); ++part) {
+    const bool last = part == a.ends.size();
+    const Real unit = last ? Real(1) : power_of_two(-a.ends[part]);
+    const Real value = last ? rest : Real(round(rest / unit) * unit);
+    rest -= value;
+    const std::string name = last ? "r" : fmt::format("r_{}", part + 1);
+    const Real factor = part == 0 ? Real(value / scale(a)) : Real(abs(value));
+    text +=
+        fmt::format("  const {} {} = {} {} {} * {};\n", type(target), name, previous,
+                    value < 0 ? '+' : '-', part == 0 ? 't' : 'k', literal(factor, target.scalar));
+    previous = name;
   }
   return text;
 }
 
 }  // namespace
 
+bool has_sincos(const Unit& unit) {
+  const program::Cost cost = total_cost(unit);
+  return !unit.target.takes_libm() && cost.sin + cost.cos > 0;
+}
+
 std::string sincos_text(const Target& target) {
   const Approximation& a = approximation(target.scalar);
-  const auto number = [&](const char* text) {
-    return literal(Real(text), target.scalar);
+  const auto number = [&](const Real& value) {
+    return literal(value, target.scalar);
   };
-  std::map<std::string, std::string> slots = {
-      {"error", a.error},
-      {"range", a.range},
-      {"one", number("1")},
-      {"half", number("0.5")},
-      {"two_over_pi", literal(2 / pi(), target.scalar)},
-      {"rounding", number(a.rounding)},
-      {"part_1", number(a.parts_of_half_pi[0])},
-      {"part_2", number(a.parts_of_half_pi[1])},
-      {"part_3", number(a.parts_of_half_pi[2])},
-      {"sine", horner("s", a.sine, target.scalar)},
-      {"cosine", horner("c", a.cosine, target.scalar)},
-      {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
-      {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)}};
-  if (target.lanes > 1) {
-    slots.emplace("integer", a.integer);
-  }
-  return fill(template_text(target.lanes == 1 ? "sincos.cpp" : "sincos_lanes.cpp"), slots);
+  const Real rounding = 3 * power_of_two(a.digits - 2);
+  return fill(template_text("sincos.cpp"),
+              {{"type", type(target)},
+               {"error", a.error},
+               {"range", a.range},
+               {"end", a.end},
+               {"half", number(Real("0.5"))},
+               {"one", number(1)},
+               {"four", number(4)},
+               {"third", number(Real(1) / 3)},
+               {"two_over_pi", number(2 / pi())},
+               {"rounding", number(rounding)},
+               {"rounding_to_fours", number(4 * rounding)},
+               {"scale", number(scale(a))},
+               {"unscale", number(1 / scale(a))},
+               {"reduction", reduction(a, target)},
+               {"sine", horner("s", a.sine, target)},
+               {"cosine", horner("c", a.cosine, target)},
+               {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
+               {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)}});
+}
+
+std::string sincos_comment(const Target& target) {
+  const Approximation& a = approximation(target.scalar);
+  return fmt::format(
+      "Sines and cosines, the same bits everywhere, have errors below {} for angles below {} rad; "
+      "they are not a number beyond {} rad.",
+      a.error, a.range, a.end);
 }
 
 }  // namespace treedyn::emit

@@ -1,14 +1,22 @@
-// Sine and cosine in the generated source, where no library is wanted or several lanes are
-// computed.
+// Sine and cosine in the generated source.
 #pragma once
 
 #include <string>
 
-#include "emit/literal.hpp"
+#include "emit/unit.hpp"
 
 namespace treedyn::emit {
 
-/// Definitions of `sin` and `cos` for Scalar, the same text for every model.
+/// The function that gives both.
+inline constexpr const char* kSineCosine = "sine_cosine";
+
+/// True if the source defines sines and cosines: where some are needed that <cmath> does not give.
+bool has_sincos(const Unit& unit);
+
+/// Definitions of `sine_cosine`, `sin` and `cos` for Scalar, the same text for every model.
 std::string sincos_text(const Target& target);
+
+/// What the user of a header has to know about them: error and range, one sentence.
+std::string sincos_comment(const Target& target);
 
 }  // namespace treedyn::emit

@@ -34,32 +34,30 @@ std::string split_function(const program::Signature& signature, const Body& body
          block(calls);
 }
 
+bool raises_to_powers(const Unit& unit) {
+  return std::ranges::any_of(
+      unit.staged, [](const program::Staged& staged) { return program::worst_powers(staged) > 0; });
+}
+
 /// Where sin, cos and sqrt come from.
 std::string mathematics(const Unit& unit) {
-  program::Cost total;
-  for (const program::Function& function : unit.functions) {
-    const program::Cost cost = program::cost(function);
-    total.cos += cost.cos;
-    total.sin += cost.sin;
-    total.sqrt += cost.sqrt;
-  }
-  for (const program::Staged& staged : unit.staged) {
-    total = total + program::worst_cost(staged);
-  }
-  for (const program::Stepper& stepper : unit.steppers) {
-    total = total + program::worst_step_cost(stepper);
-  }
+  const program::Cost total = total_cost(unit);
+  const bool library = unit.target.takes_libm();
   std::string result;
-  const bool library = !unit.target.builtin_sincos && unit.target.lanes == 1;
   result += library && total.cos > 0 ? "using std::cos;\n" : "";
-  const bool raises =
-      std::any_of(unit.staged.begin(), unit.staged.end(),
-                  [](const program::Staged& staged) { return program::worst_powers(staged) > 0; });
-  result += raises ? "using std::pow;\n" : "";
+  result += raises_to_powers(unit) ? "using std::pow;\n" : "";
   result += library && total.sin > 0 ? "using std::sin;\n" : "";
   result += total.sqrt > 0 ? "using std::sqrt;\n" : "";
   result = result.empty() ? result : '\n' + result;
-  return !library && total.sin + total.cos > 0 ? result + sincos_text(unit.target) : result;
+  return has_sincos(unit) ? result + sincos_text(unit.target) : result;
+}
+
+/// <cmath>, for what is used of it: the functions above, and what scene functions take.
+std::string includes(const Unit& unit) {
+  const bool scene = !unit.staged.empty() || !unit.steppers.empty();
+  const program::Cost total = total_cost(unit);
+  const bool trigonometric = unit.target.takes_libm() && total.sin + total.cos > 0;
+  return scene || trigonometric || total.sqrt > 0 ? "#include <cmath>\n\n" : "";
 }
 
 }  // namespace
@@ -85,6 +83,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   }
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"command", command_comment(unit.command)},
+                                           {"includes", includes(unit)},
                                            {"using", mathematics(unit)},
                                            {"functions", functions}});
 }

@@ -32,6 +32,9 @@ Statements::Statements(const program::Function& function, const Vocabulary& word
       slot_(graph_.size(), -1) {
   find_levels(level);
   find_uses();
+  if (!target.takes_libm()) {
+    find_pairs();
+  }
   make_schedule();
   list_statements();
   divide();
@@ -61,14 +64,33 @@ void Statements::find_levels(const std::function<int(int, int)>& level) {
 }
 
 void Statements::find_uses() {
-  used_by_operation_.assign(graph_.size(), false);
+  is_local_.assign(graph_.size(), false);
+  partner_.assign(graph_.size(), 0);
   outputs_of_.resize(graph_.size());
   for (const Ref k : operations_) {
     program::for_each_operand(graph_.node(k),
-                              [&](Ref operand) { used_by_operation_[index(operand)] = true; });
+                              [&](Ref operand) { is_local_[index(operand)] = true; });
   }
   for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
     outputs_of_[index(function_.outputs[output])].push_back(static_cast<int>(output));
+  }
+}
+
+/// The sine and the cosine of every angle of which both are needed.
+void Statements::find_pairs() {
+  std::vector<Ref> first(graph_.size(), 0);
+  for (const Ref k : operations_) {
+    const program::Node& node = graph_.node(k);
+    if (node.kind != Kind::kSin && node.kind != Kind::kCos) {
+      continue;
+    }
+    Ref& other = first[index(node.a)];
+    if (other != 0) {
+      partner_[index(k)] = other;
+      partner_[index(other)] = k;
+      is_local_[index(k)] = is_local_[index(other)] = true;
+    }
+    other = k;
   }
 }
 
@@ -93,19 +115,36 @@ void Statements::make_schedule() {
 }
 
 void Statements::list_statements() {
+  std::vector<bool> stated(graph_.size(), false);
   for (int level = 0; level <= last_level_; ++level) {
     for (const Ref value : schedule_.statements) {
       if (level_[index(value)] != level) {
         continue;
       }
       if (is_local(value)) {
-        names_.assign(value);
-        statements_.push_back({.value = value});
+        list_definition(value, stated);
       }
       list_stores(value);
     }
     list_constants(level);
   }
+}
+
+/// Of sine and cosine of one angle the first brings both.
+void Statements::list_definition(Ref value, std::vector<bool>& stated) {
+  const Ref partner = partner_[index(value)];
+  if (stated[index(value)]) {
+    return;
+  }
+  names_.assign(value);
+  if (partner == 0) {
+    statements_.push_back({.value = value});
+    return;
+  }
+  names_.assign(partner);
+  stated[index(partner)] = true;
+  const bool is_sine = graph_.node(value).kind == Kind::kSin;
+  statements_.push_back({.value = is_sine ? value : partner, .partner = is_sine ? partner : value});
 }
 
 void Statements::list_stores(Ref value) {
@@ -137,6 +176,17 @@ void Statements::list_constants(int level) {
   }
 }
 
+void Statements::visit_definitions(const Statement& statement,
+                                   const std::function<void(Ref)>& visit) {
+  if (statement.output >= 0) {
+    return;
+  }
+  visit(statement.value);
+  if (statement.partner != 0) {
+    visit(statement.partner);
+  }
+}
+
 void Statements::visit_atoms(const Statement& statement,
                              const std::function<void(Ref)>& visit) const {
   if (statement.value == 0 || statement.copy_of >= 0) {
@@ -154,18 +204,16 @@ std::vector<int> Statements::crossing_counts() const {
   std::vector<std::size_t> defined(graph_.size(), 0);
   std::vector<std::size_t> last(graph_.size(), 0);
   for (std::size_t at = 0; at < statements_.size(); ++at) {
-    if (statements_[at].output < 0) {
-      defined[index(statements_[at].value)] = at;
-    }
+    visit_definitions(statements_[at], [&](Ref value) { defined[index(value)] = at; });
     visit_atoms(statements_[at], [&](Ref value) { last[index(value)] = at; });
   }
   std::vector<int> change(statements_.size() + 1, 0);
   for (const Statement& statement : statements_) {
-    const std::size_t k = index(statement.value);
-    if (statement.output < 0) {
+    visit_definitions(statement, [&](Ref value) {
+      const std::size_t k = index(value);
       ++change[defined[k] + 1];
       --change[std::min(last[k] + 1, statements_.size())];
-    }
+    });
   }
   for (std::size_t at = 1; at < change.size(); ++at) {
     change[at] += change[at - 1];
@@ -226,19 +274,18 @@ void Statements::assign_slots() {
     for (; part < statement.part; ++part) {
       free.insert(freed[part].begin(), freed[part].end());
     }
-    const std::size_t k = index(statement.value);
-    if (statement.output >= 0) {
-      continue;
-    }
-    part_of_[k] = part;
-    if (last[k] > part) {
-      if (free.empty()) {
-        free.insert(slots_++);
+    visit_definitions(statement, [&](Ref value) {
+      const std::size_t k = index(value);
+      part_of_[k] = part;
+      if (last[k] > part) {
+        if (free.empty()) {
+          free.insert(slots_++);
+        }
+        slot_[k] = *free.begin();
+        free.erase(free.begin());
+        freed[last[k]].push_back(slot_[k]);
       }
-      slot_[k] = *free.begin();
-      free.erase(free.begin());
-      freed[last[k]].push_back(slot_[k]);
-    }
+    });
   }
 }
 

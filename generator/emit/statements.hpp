@@ -16,9 +16,11 @@ namespace treedyn::emit {
 inline constexpr int kColumns = 100;
 inline constexpr int kIndentation = 2;
 
-/// One statement: `const Scalar x = ...;` (output < 0) or `A[output] = ...;`.
+/// One statement: `const Scalar x = ...;` (output < 0) or `A[output] = ...;`, or of the sine and
+/// the cosine of an angle together `const auto [s, c] = ...;`.
 struct Statement {
-  program::Ref value = 0;
+  program::Ref value = 0;    ///< of both the sine
+  program::Ref partner = 0;  ///< the cosine; 0: one value is stated
   int output = -1;
   int copy_of = -1;  ///< another output with the same value up to its sign
   std::size_t part = 0;
@@ -39,8 +41,8 @@ class Statements {
     return level_[index(statements_[statement].value)];
   }
   [[nodiscard]] bool is_operation(program::Ref a) const;
-  /// True if some operation uses the value: it has a name of its own.
-  [[nodiscard]] bool is_local(program::Ref a) const { return used_by_operation_[index(a)]; }
+  /// True if the value has a name of its own: some operation uses it, or it is one of a pair.
+  [[nodiscard]] bool is_local(program::Ref a) const { return is_local_[index(a)]; }
   /// True if a part behind its own needs the value.
   [[nodiscard]] bool is_shared(program::Ref a) const { return slot_[index(a)] >= 0; }
   /// True if the value is shared and another part than `part` states it.
@@ -51,6 +53,9 @@ class Statements {
   [[nodiscard]] int slot(program::Ref a) const { return slot_[index(a)]; }
   /// Elements of the workspace.
   [[nodiscard]] int slots() const { return slots_; }
+  /// The values that a statement gives names to.
+  static void visit_definitions(const Statement& statement,
+                                const std::function<void(program::Ref)>& visit);
   /// What the right side of a statement names: locals, inputs and constants.
   void visit_atoms(const Statement& statement,
                    const std::function<void(program::Ref)>& visit) const;
@@ -67,8 +72,10 @@ class Statements {
   static std::size_t index(program::Ref a) { return static_cast<std::size_t>(std::abs(a)); }
   void find_levels(const std::function<int(int, int)>& level);
   void find_uses();
+  void find_pairs();
   void make_schedule();
   void list_statements();
+  void list_definition(program::Ref value, std::vector<bool>& stated);
   void list_stores(program::Ref value);
   void list_constants(int level);
   bool stays(int output, program::Ref value) const;
@@ -89,7 +96,8 @@ class Statements {
   program::Schedule schedule_;
   std::vector<int> level_;  // by node
   int last_level_ = 0;
-  std::vector<bool> used_by_operation_;
+  std::vector<bool> is_local_;
+  std::vector<program::Ref> partner_;         // by node: the other one of sine and cosine, 0: none
   std::vector<std::vector<int>> outputs_of_;  // by node
   std::vector<Statement> statements_;
   std::vector<std::size_t> part_of_;  // by node, where its local is defined

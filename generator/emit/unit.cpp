@@ -9,6 +9,20 @@
 
 namespace treedyn::emit {
 
+program::Cost total_cost(const Unit& unit) {
+  program::Cost total;
+  for (const program::Function& function : unit.functions) {
+    total = total + program::cost(function);
+  }
+  for (const program::Staged& staged : unit.staged) {
+    total = total + program::worst_cost(staged);
+  }
+  for (const program::Stepper& stepper : unit.steppers) {
+    total = total + program::worst_step_cost(stepper);
+  }
+  return total;
+}
+
 std::vector<std::string> file_names(const std::string& name) {
   return {name + ".hpp", name + ".cpp", name + ".json"};
 }

@@ -29,6 +29,9 @@ struct Unit {
   std::vector<std::pair<std::string, std::string>> options;  ///< for the manifest; values are JSON
 };
 
+/// Operations of all functions together, of the dearest calls.
+program::Cost total_cost(const Unit& unit);
+
 struct File {
   std::string name;
   std::string text;

@@ -10,6 +10,7 @@
 #include "common/error.hpp"
 #include "program/copy.hpp"
 #include "program/limb_partition.hpp"
+#include "program/limb_prune.hpp"
 
 namespace treedyn::program {
 
@@ -337,6 +338,7 @@ void optimise(LimbCode& code, const Effort& effort) {
   for (LimbPhase& phase : code.phases) {
     phase.function = fold_limb_constants(optimise(phase.function, effort), code.limbs);
   }
+  prune(code);
   Function trunk = optimise(code.trunk, effort);
   const std::vector<int> before = output_levels(code, code.trunk);
   const std::vector<int> after = output_levels(code, trunk);
@@ -358,6 +360,10 @@ std::shared_ptr<const LimbCode> limb_code(const Function& function, const Limbs&
   }
   if (effort) {
     optimise(code, *effort);
+    prune(code);
+  }
+  if (code.phases.empty()) {
+    return nullptr;
   }
   for (std::size_t c = 0; c < code.limbs.size(); ++c) {
     renumber_columns(code, static_cast<int>(c));

@@ -1,7 +1,7 @@
 // benchmark_cortex TREEDYN MODELS SOURCES -o DIR: generated code on a Cortex-M4F, of the biped and
 // the quadruped of the folder MODELS; both also with late sines and with shared code of the limbs.
 //
-// Float, builtin sine and cosine, arm-none-eabi-g++ -O2: instructions in the code, instructions
+// Float, arm-none-eabi-g++ -O2: instructions in the code, instructions
 // that one call executes (counted by qemu-system-arm), bytes of flash and of stack. SOURCES is the
 // folder firmware/. Writes firmware.md.
 #include <filesystem>
@@ -105,9 +105,8 @@ Figures measured(const Function& function, const Places& places, const std::stri
   const support::TemporaryFolder folder;
   const fs::path& work = folder.path();
   std::vector<std::string> command{places.treedyn, "generate", places.models / (model + ".yaml")};
-  command.insert(command.end(),
-                 {"--base", "axes", "--scalar", "float", "--sincos", "builtin", "--name",
-                  "generated", "--functions", function.name, "-q", "-o", work});
+  command.insert(command.end(), {"--base", "axes", "--scalar", "float", "--name", "generated",
+                                 "--functions", function.name, "-q", "-o", work});
   command.insert(command.end(), options.begin(), options.end());
   checked(command);
   const fs::path object = work / "generated.o";
@@ -192,7 +191,7 @@ void run(const Places& places, const fs::path& output) {
   const AllFigures biped = all_figures(places, "biped", {});
   const AllFigures quadruped = all_figures(places, "quadruped", {});
   std::string text =
-      "biped.yaml `--base axes --scalar float --sincos builtin` on a Cortex-M4F, arm-none-eabi-g++ "
+      "biped.yaml `--base axes --scalar float` on a Cortex-M4F, arm-none-eabi-g++ "
       "-O2; executed instructions counted by qemu.\n\n" +
       table(biped);
   for (const char* option : {"--trig late", "--layout packed --trig late", "--share-limbs"}) {

@@ -69,7 +69,7 @@ std::string table(const std::vector<const LanesCode*>& codes, int rounds) {
     }
   }
   return fmt::format(
-      "States a second on one core, relative to one state at a time (both `--sincos builtin`):\n\n"
+      "States a second on one core, relative to one state at a time:\n\n"
       "| robot | function | 2 lanes | 4 lanes | 8 lanes | 16 lanes "
       "|\n|---|---|---|---|---|---|{}\n",
       text);

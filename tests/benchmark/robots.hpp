@@ -14,7 +14,7 @@ struct RobotInfo {
   std::string base;    ///< of --base
   std::string points;  ///< of --points
   const Code* libm;
-  const Code* builtin;  ///< --sincos builtin
+  const Code* pair;  ///< --sincos pair
 };
 
 std::vector<RobotInfo> robots();

@@ -98,10 +98,13 @@ program::Function special_function() {
 }
 
 /// Values and operation counts of compiled code against the interpreter and the graph.
-void expect_same_as_program(const program::Function& function, int links, Scalar scalar) {
+void expect_same_as_program(const program::Function& function, int links, Scalar scalar,
+                            Sincos sincos = Sincos::kPair) {
   const model::Tree robot = plain_tree(links);
   const support::TemporaryFolder folder;
-  write(folder.path(), unit(robot, function, scalar));
+  Unit robot_unit = unit(robot, function, scalar);
+  robot_unit.target.sincos = sincos;
+  write(folder.path(), robot_unit);
   const support::CompiledModel code(folder.path(), "robot", support::Variant::kMeasured);
   support::Random random(3);
   support::CompiledModel::Inputs inputs;
@@ -126,6 +129,7 @@ void expect_same_as_program(const program::Function& function, int links, Scalar
 TEST(EmitFiles, ComputesSpecialOutputsLikeTheProgram) {
   expect_same_as_program(special_function(), 4, Scalar::kDouble);
   expect_same_as_program(special_function(), 4, Scalar::kFloat);
+  expect_same_as_program(special_function(), 4, Scalar::kDouble, Sincos::kLibm);
 }
 
 TEST(EmitFiles, ComputesRandomFunctionsLikeTheProgramAtTheSameCost) {
@@ -148,11 +152,48 @@ TEST(EmitFiles, WritesEqualNegativeAndZeroOutputsAsAssignments) {
   EXPECT_THAT(source, HasSubstr("const Scalar /*qd*/[4]"));
 }
 
+std::string source_of(const program::Function& function, Sincos sincos) {
+  const model::Tree robot = plain_tree(4);
+  Unit robot_unit = unit(robot, function);
+  robot_unit.target.sincos = sincos;
+  return emit_files(robot_unit)[1].text;
+}
+
+TEST(EmitFiles, StatesSineAndCosineOfAnAngleTogether) {
+  const std::string source = source_of(special_function(), Sincos::kPair);
+  EXPECT_THAT(source, HasSubstr("  const auto [s_j0, c_j0] = sine_cosine(q[0]);\n"));
+  EXPECT_THAT(source, Not(HasSubstr("using std::sin")));
+  EXPECT_THAT(source_of(special_function(), Sincos::kLibm),
+              HasSubstr("  const Scalar s_j0 = sin(q[0]);\n  const Scalar c_j0 = cos(q[0]);\n"));
+}
+
+TEST(EmitFiles, StatesAPairOfWhichOneIsOnlyAnOutput) {
+  program::Function f;
+  f.signature = {"f", "", "F.", {{"q", 2, ""}}, {{"B", 2, ""}}};
+  const program::Ref c = f.graph.cos(f.graph.input(0, 1));
+  const program::Ref s = f.graph.sin(f.graph.input(0, 1));
+  f.outputs = {s, f.graph.multiply(c, f.graph.input(0, 0))};
+  EXPECT_THAT(source_of(f, Sincos::kPair),
+              HasSubstr("  const auto [s_j1, c_j1] = sine_cosine(q[1]);\n  B[0] = s_j1;\n"));
+  expect_same_as_program(f, 2, Scalar::kDouble);
+}
+
+TEST(EmitFiles, IncludesCmathOnlyForWhatItUsesOfIt) {
+  program::Function f;
+  f.signature = {"f", "", "F.", {{"q", 2, ""}}, {{"B", 1, ""}}};
+  f.outputs = {f.graph.cos(f.graph.input(0, 1))};
+  EXPECT_THAT(source_of(f, Sincos::kPair), Not(HasSubstr("#include <cmath>")));
+  EXPECT_THAT(source_of(f, Sincos::kLibm), HasSubstr("#include <cmath>"));
+  f.outputs = {f.graph.sqrt(f.graph.input(0, 1))};
+  EXPECT_THAT(source_of(f, Sincos::kPair), HasSubstr("#include <cmath>"));
+}
+
 TEST(EmitFiles, WritesFloatLiteralsOnlyInFloatCode) {
   const model::Tree robot = plain_tree(4);
-  const std::string source = emit_files(unit(robot, special_function(), Scalar::kFloat))[1].text;
+  std::string source = emit_files(unit(robot, special_function(), Scalar::kFloat))[1].text;
+  source = std::regex_replace(source, std::regex("//.*\n"), "");
   EXPECT_THAT(source, HasSubstr("0.33333334f"));
-  EXPECT_THAT(source, Not(ContainsRegex("[0-9][.][0-9]+[^0-9f]")));
+  EXPECT_THAT(source, Not(ContainsRegex("[0-9][.][0-9]+(e[+-][0-9]+)?[^0-9ef+-]")));
 }
 
 TEST(EmitFiles, SplitsALargeFunctionIntoPartsOfAtMost400Statements) {

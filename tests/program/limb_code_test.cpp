@@ -89,6 +89,43 @@ TEST(LimbCode, ReturnsToTheLimbsBehindTheTrunk) {
   EXPECT_EQ(cost(code->phases[1].function), (Cost{.mul = 1}));
 }
 
+// The limbs' x cancels in the only output that remains: c joint - c joint.
+TEST(LimbCode, IsNullIfTheLimbsComputeNothingThatIsNeeded) {
+  Function f = symmetric();
+  Graph& g = f.graph;
+  Ref x[2] = {};
+  for (int limb = 0; limb < 2; ++limb) {
+    const Leaves own = leaves(g, limb);
+    const Ref product = g.multiply(g.constant(2), g.multiply(own.joint, own.constant));
+    x[limb] = g.add(product, -g.multiply(g.add(own.joint, own.joint), own.constant));
+  }
+  f.outputs = {g.add(g.add(x[0], x[1]), g.input(0, 2)), 0, 0};
+  EXPECT_NE(limb_code(f, two_limbs(), std::nullopt), nullptr);
+  EXPECT_EQ(limb_code(f, two_limbs(), Effort{}), nullptr);
+}
+
+// Both limbs also compute a zero, y = 2 c joint - c (joint + joint).
+TEST(LimbCode, HasNoValuesThatAreNumbers) {
+  Function f = symmetric();
+  Graph& g = f.graph;
+  Ref sum = f.outputs[0];
+  for (int limb = 0; limb < 2; ++limb) {
+    const Leaves own = leaves(g, limb);
+    const Ref product = g.multiply(g.constant(2), g.multiply(own.joint, own.constant));
+    sum = g.add(sum, g.add(product, -g.multiply(g.add(own.joint, own.joint), own.constant)));
+  }
+  f.outputs[0] = sum;
+  const auto code = limb_code(f, two_limbs(), Effort{});
+  ASSERT_NE(code, nullptr);
+  const auto computed = std::ranges::count_if(
+      code->values[0], [](const LimbCode::Value& value) { return value.stage >= 0; });
+  EXPECT_EQ(computed, 1);
+  const std::vector<double> u = {0.5, 0.25, 4};
+  EXPECT_EQ(
+      interpret<double>(flat(code, f.signature), {u}),
+      interpret<double>(flat(limb_code(symmetric(), two_limbs(), Effort{}), f.signature), {u}));
+}
+
 // c (c joint) = (c c) joint, c 1/c = 1: nothing remains to be computed for numbers.
 TEST(FoldLimbConstants, MakesColumnsOfOperationsOnConstants) {
   Limbs limbs = two_limbs();

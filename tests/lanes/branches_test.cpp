@@ -1,0 +1,116 @@
+// Machine code of the pair of sine and cosine and of functions that use it: no branch.
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace {
+
+using treedyn::support::Outcome;
+using treedyn::support::run;
+using Words = std::vector<std::string>;
+
+bool is_there(const std::string& program) {
+  return run({"sh", "-c", "command -v " + program}).status == 0;
+}
+
+/// The mnemonics of an object file by function.
+std::map<std::string, std::set<std::string>> mnemonics(const std::string& objdump,
+                                                       const std::string& object) {
+  std::istringstream lines(run({objdump, "-d", "-C", "--no-show-raw-insn", object}).out);
+  std::map<std::string, std::set<std::string>> result;
+  std::string function;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t name = line.find('<');
+    const std::size_t tab = line.find(":\t");
+    if (line.ends_with(">:")) {
+      function = line.substr(name + 1, line.size() - name - 3);
+    } else if (tab != std::string::npos) {
+      std::istringstream words(line.substr(tab + 2));
+      std::string word;
+      words >> word;
+      result[function].insert(word);
+    }
+  }
+  return result;
+}
+
+/// Jumps under a condition of x86, and those of Thumb with and without a width.
+bool is_branch(const std::string& mnemonic, bool thumb) {
+  if (!thumb) {
+    return mnemonic[0] == 'j' && mnemonic != "jmp";
+  }
+  static const std::set<std::string> kBranches{"beq", "bne", "bcs", "bcc", "bmi", "bpl",
+                                               "bvs", "bvc", "bhi", "bls", "bge", "blt",
+                                               "bgt", "ble", "cbz", "tbb", "tbh", "cbnz"};
+  return kBranches.contains(mnemonic.substr(0, mnemonic.find('.')));
+}
+
+/// Functions with a branch.
+std::set<std::string> branching(const std::string& tools, const std::string& compiler,
+                                const Words& options, const std::string& source,
+                                std::size_t* functions) {
+  const treedyn::support::TemporaryFolder folder;
+  const std::string object = folder.path() / "object.o";
+  Words command{compiler, "-std=c++17", "-Wno-psabi", "-c", source, "-o", object};
+  command.insert(command.end(), options.begin(), options.end());
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  std::set<std::string> result;
+  const auto found = mnemonics(tools + "objdump", object);
+  *functions = found.size();
+  for (const auto& [function, words] : found) {
+    for (const std::string& word : words) {
+      if (is_branch(word, !tools.empty())) {
+        result.insert(function + ": " + word);
+      }
+    }
+  }
+  return result;
+}
+
+void expect_no_branch(const std::string& tools, const std::string& compiler, const Words& options) {
+  if (!is_there(compiler)) {
+    GTEST_SKIP() << compiler << " is not installed";
+  }
+  for (const char* source : {"/pair_double.cpp", "/pair_float.cpp"}) {
+    std::size_t functions = 0;
+    EXPECT_THAT(
+        branching(tools, compiler, options, std::string(TREEDYN_PAIRS) + source, &functions),
+        testing::IsEmpty())
+        << compiler;
+    EXPECT_GE(functions, 6U);  // the pair and those of the model
+  }
+}
+
+TEST(Branches, AreThereWhereTheSourceHasOne) {
+  const treedyn::support::TemporaryFolder folder;
+  const std::string source = folder.path() / "branch.cpp";
+  treedyn::support::write_file(source, "void g();\nvoid f(double x) { if (x > 1) g(); }\n");
+  std::size_t functions = 0;
+  EXPECT_EQ(branching("", "g++", {"-O2"}, source, &functions).size(), 1U);
+  EXPECT_EQ(branching("", "clang++", {"-O2"}, source, &functions).size(), 1U);
+}
+
+TEST(Branches, AreNotThereWithGcc) { expect_no_branch("", "g++", {"-O2"}); }
+
+TEST(Branches, AreNotThereWithGccForVectors) {
+  expect_no_branch("", "g++", {"-O3", "-march=x86-64-v3"});
+}
+
+TEST(Branches, AreNotThereWithClang) { expect_no_branch("", "clang++", {"-O2"}); }
+
+TEST(Branches, AreNotThereWithClangForVectors) {
+  expect_no_branch("", "clang++", {"-O3", "-march=x86-64-v3"});
+}
+
+TEST(Branches, AreNotThereOnACortexM4F) {
+  expect_no_branch("arm-none-eabi-", "arm-none-eabi-g++",
+                   {"-O2", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"});
+}
+
+}  // namespace
