@@ -8,6 +8,7 @@
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "files.hpp"
+#include "limits.hpp"
 #include "model/effects.hpp"
 #include "scene_dynamics.hpp"
 #include "simulation/integrator.hpp"
@@ -43,6 +44,8 @@ simulation::Settings settings_of(const SimulateRequest& request, const model::St
 
 void check(const SimulateRequest& request, const model::Scene& scene) {
   simulation::require_integrator(scene.stepping);
+  require_size(scene.tree, scene.points, {request.scene, 0, 0});
+  description::require_inertia(scene);
   if (scene.duration <= 0) {
     throw InputError({request.scene, 0, 0},
                      "the scene has no duration; expected one above zero, or --duration");

@@ -11,6 +11,8 @@
 
 namespace biped {
 
+static_assert(kDigest == 0x7ad8406249688e72ULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 

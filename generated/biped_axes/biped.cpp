@@ -11,6 +11,8 @@
 
 namespace biped {
 
+static_assert(kDigest == 0x98b50ed7544038e8ULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 

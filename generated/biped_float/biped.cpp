@@ -11,6 +11,8 @@
 
 namespace biped {
 
+static_assert(kDigest == 0x414b04857b7e33cbULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 

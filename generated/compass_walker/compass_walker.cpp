@@ -11,6 +11,8 @@
 
 namespace compass_walker {
 
+static_assert(kDigest == 0x58f76a10daa49219ULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 

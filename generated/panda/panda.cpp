@@ -11,6 +11,8 @@
 
 namespace panda {
 
+static_assert(kDigest == 0x05448df605f3bb0aULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 

@@ -11,6 +11,8 @@
 
 namespace polar {
 
+static_assert(kDigest == 0xad88fe10cc61b0ebULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 

@@ -11,6 +11,8 @@
 
 namespace puma560 {
 
+static_assert(kDigest == 0xb9921f0935f01f90ULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 

@@ -11,6 +11,8 @@
 
 namespace quadruped {
 
+static_assert(kDigest == 0xf15f5becae5877e1ULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 

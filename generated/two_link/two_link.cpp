@@ -11,6 +11,8 @@
 
 namespace two_link {
 
+static_assert(kDigest == 0xedf71ab4dab2da34ULL, "header and source are of different runs");
+
 using std::cos;
 using std::sin;
 
