@@ -16,6 +16,7 @@
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
 #include "equations/table.hpp"
+#include "limits.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
 #include "simplify/scene_steps.hpp"
@@ -36,29 +37,27 @@ bool needs_inertia(const std::string& function) {
          function == "mass_matrix_solve" || function == "mass_matrix_inverse";
 }
 
-/// Base name and digest of a file.
-Source source_of(const std::string& path) {
-  const std::optional<std::string> text = read_file(path);
-  if (!text) {
-    throw InputError({path, 0, 0}, "cannot be read");
-  }
-  return {std::filesystem::path(path).filename().string(), emit::sha256(*text)};
+/// Base name and digest of what was read.
+Source source_of(const std::string& path, const std::string& text) {
+  return {std::filesystem::path(path).filename().string(), emit::sha256(text)};
 }
 
 std::pair<Source, model::Tree> load(const Request& request) {
-  if (request.model == "-") {
-    const std::string text = read_standard_input();
-    return {{"-", emit::sha256(text)}, description::parse_yaml(text, "-", request.read)};
-  }
-  model::Tree tree = description::read_model(request.model, request.read);
-  return {source_of(request.model), std::move(tree)};
+  const std::string text = description::read_model_text(request.model);
+  return {source_of(request.model, text),
+          description::parse_model(text, request.model, request.read)};
 }
 
-/// The functions asked for, in the order of INTERFACE.md 3.
-std::vector<std::string> functions_of(const Request& request, bool has_points) {
+/// The functions asked for, in the order of INTERFACE.md 3. By default those that every robot has,
+/// and forward dynamics where it has a solution.
+std::vector<std::string> functions_of(const Request& request, const model::Tree& tree,
+                                      bool has_points) {
   std::vector<std::string> wanted = request.functions;
   if (wanted.empty()) {
-    wanted = {"mass_matrix", "bias_force", "gravity_force", "inverse_dynamics", "forward_dynamics"};
+    wanted = {"mass_matrix", "bias_force", "gravity_force", "inverse_dynamics"};
+    if (description::joints_without_inertia(tree).empty()) {
+      wanted.emplace_back("forward_dynamics");
+    }
     if (has_points) {
       wanted.insert(wanted.end(), {"point_positions", "force_jacobian_transpose"});
     }
@@ -129,6 +128,19 @@ std::vector<std::string> pass_names() {
 
 namespace {
 
+/// Functions of a scene that solve for accelerations or velocities need an inertia matrix with an
+/// inverse.
+void check_inertia(const Model& model) {
+  const std::vector<std::string>& wanted = model.scene_functions;
+  const bool all = wanted.empty() && model.functions.empty();
+  const auto solves = [](const std::string& name) {
+    return name == "constrained_dynamics" || name == "impact" || name == "step";
+  };
+  if (all || std::any_of(wanted.begin(), wanted.end(), solves)) {
+    description::require_inertia(*model.scene);
+  }
+}
+
 /// Effects that cannot be written as code that branches on pivots and contacts alone.
 void check_scene(const model::Scene& scene, const Location& where) {
   for (const model::JointFriction& friction : scene.frictions) {
@@ -179,46 +191,46 @@ void check_impacts(const Model& model, const Location& where) {
   }
 }
 
-/// A MODEL beside a scene has to be the scene's own.
-void check_model(const Request& request, const model::Scene& scene) {
+/// A MODEL beside a scene has to be the scene's own, in every byte.
+void check_model(const Request& request, const model::Scene& scene, const std::string& text) {
   if (request.model.empty()) {
     return;
   }
-  Request of_model = request;
-  if (description::base_of(scene.tree) == description::Base::kAxes) {
-    of_model.read.base = description::Base::kAxes;
-  }
-  const model::Tree tree = load(of_model).second;
-  const bool same =
-      std::equal(tree.links.begin(), tree.links.end(), scene.tree.links.begin(),
-                 scene.tree.links.end(), [](const model::Link& a, const model::Link& b) {
-                   return a.name == b.name && a.joint.name == b.joint.name && a.father == b.father;
-                 });
-  if (!same) {
+  const bool same_base = request.read.base == description::Base::kFixed ||
+                         description::base_of(scene.tree) == request.read.base;
+  if (!same_base || scene.tree_file.empty() ||
+      description::read_model_text(request.model) != text) {
     throw InputError({request.model, 0, 0},
                      fmt::format("is not the model of scene '{}'; expected that one, or none",
                                  shown(scene.name)));
   }
 }
 
-/// A scene brings its tree, gravity and points.
+/// A scene brings its tree, gravity and points. Its digest is that of scene and model, one behind
+/// the other.
 Model read_scene_model(const Request& request) {
   Model model;
-  model.scene = description::read_scene(*request.scene);
+  const std::string text = description::read_text(*request.scene);
+  std::string model_text;
+  model.scene = description::parse_scene(text, *request.scene, [&](const std::string& path) {
+    return model_text = description::read_model_text(path);
+  });
   check_scene(*model.scene, {*request.scene, 0, 0});
   simulation::require_integrator(model.scene->stepping);
-  check_model(request, *model.scene);
-  model.source = source_of(*request.scene);
+  check_model(request, *model.scene, model_text);
+  model.source = source_of(*request.scene, text + model_text);
   model.tree = model.scene->tree;
   model.points = model.scene->points;
   for (const std::string& name : request.functions) {
     (simplify::is_scene_function(name) ? model.scene_functions : model.functions).push_back(name);
   }
+  require_size(model.tree, model.points, {*request.scene, 0, 0});
   check_functions(model, {*request.scene, 0, 0});
+  check_inertia(model);
   check_step(model);
   check_impacts(model, {*request.scene, 0, 0});
   model.name = request.name.value_or(to_identifier(model.scene->name));
-  model.name += emit::is_reserved(model.name) ? "_" : "";
+  model.name += is_reserved(model.name) ? "_" : "";
   return model;
 }
 
@@ -236,10 +248,11 @@ Model read(const Request& request) {
   }
   model.points =
       request.points ? description::resolve_points(model.tree, *request.points) : model.tree.points;
-  model.functions = functions_of(request, !model.points.empty());
+  require_size(model.tree, model.points, where);
+  model.functions = functions_of(request, model.tree, !model.points.empty());
   check_functions(model, where);
   model.name = request.name.value_or(model.tree.identifier);
-  model.name += emit::is_reserved(model.name) ? "_" : "";
+  model.name += is_reserved(model.name) ? "_" : "";
   return model;
 }
 
@@ -418,8 +431,13 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request) {
     warnings.push_back(
         {where, "no two limbs have the same structure; --share-limbs changes nothing"});
   }
-  const std::vector<Warning> singular = description::joints_without_inertia(model.tree);
-  warnings.insert(warnings.end(), singular.begin(), singular.end());
+  for (Warning singular : model.scene ? description::joints_without_inertia(*model.scene)
+                                      : description::joints_without_inertia(model.tree)) {
+    if (!model.scene && request.functions.empty()) {
+      singular.message += " and is left out";
+    }
+    warnings.push_back(std::move(singular));
+  }
   return warnings;
 }
 

@@ -123,16 +123,34 @@ std::string update_command(const Request& request, const std::string& folder) {
   return emit::shell_line(words);
 }
 
+namespace {
+
+/// A path as make and ninja read it: backslashes count only in front of what needs one.
+std::string make_word(const std::string& path) {
+  std::string result;
+  std::size_t backslashes = 0;
+  for (const char c : path) {
+    if (static_cast<unsigned char>(c) < 0x20 && c != '\t') {
+      throw InputError({path, 0, 0},
+                       "has a control character, which no dependency file can hold; "
+                       "expected another path, or no --depfile");
+    }
+    const bool escaped = c == ' ' || c == '\t' || c == '#' || c == ':';
+    result += escaped ? std::string(backslashes + 1, '\\') : c == '$' ? "$" : "";
+    result += c;
+    backslashes = c == '\\' ? backslashes + 1 : 0;
+  }
+  return result;
+}
+
+}  // namespace
+
 std::string depfile_text(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& inputs) {
   const auto words = [](const std::vector<std::string>& paths, const char* before) {
     std::string result;
     for (const std::string& path : paths) {
-      result += result.empty() ? before : " ";
-      for (const char c : path) {
-        result += c == ' ' || c == '#' ? "\\" : c == '$' ? "$" : "";
-        result += c;
-      }
+      result += (result.empty() ? before : " ") + make_word(path);
     }
     return result;
   };

@@ -6,7 +6,6 @@
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "emit/names.hpp"
 #include "pipeline.hpp"
 #include "simplify/scene_functions.hpp"
 
@@ -43,7 +42,7 @@ void add_name(CLI::App& command, Request& request) {
       .add_option_function<std::string>(
           "--name",
           [&request](const std::string& name) {
-            if (to_identifier(name) != name || emit::is_reserved(name)) {
+            if (to_identifier(name) != name || is_reserved(name)) {
               throw CLI::ValidationError(
                   "--name", fmt::format("{} is not usable as a namespace; expected an identifier "
                                         "that C++ and its library leave free",

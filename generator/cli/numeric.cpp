@@ -22,17 +22,16 @@ namespace {
 using Values = std::map<std::string, std::vector<double>>;
 
 /// The values of the functions in `folder`; empty if something does not compile or run.
-Values values_of(const std::string& compiler, const std::string& name, const fs::path& folder,
+Values values_of(std::vector<std::string> command, const std::string& name, const fs::path& folder,
                  const std::vector<program::Signature>& functions) {
   const TemporaryFolder scratch;
   const std::string driver = (scratch.path() / "driver.cpp").string();
   const std::string program = (scratch.path() / "driver").string();
   const std::string printed = (scratch.path() / "values").string();
   write_files({{driver, emit::numeric_driver(name, functions)}});
-  if (!succeeds({compiler, "-std=c++17", "-O1", "-I", folder.string(), driver,
-                 (folder / (name + ".cpp")).string(), "-o", program},
-                printed) ||
-      !succeeds({program}, printed)) {
+  command.insert(command.end(), {"-std=c++17", "-O1", "-I", fs::absolute(folder).string(), driver,
+                                 fs::absolute(folder / (name + ".cpp")).string(), "-o", program});
+  if (!succeeds(command, printed) || !succeeds({program}, printed)) {
     return {};
   }
   Values result;
@@ -63,7 +62,7 @@ std::string distance_line(const std::string& function, const std::vector<double>
 std::string numeric_report(const Model& model, const std::vector<emit::File>& files,
                            const std::string& folder) {
   const TemporaryFolder fresh;
-  const std::string compiler = find_compiler((fresh.path() / "version").string());
+  const std::vector<std::string> compiler = find_compiler((fresh.path() / "version").string());
   if (compiler.empty()) {
     return "numeric: no C++ compiler found ($CXX, c++, g++, clang++)\n";
   }

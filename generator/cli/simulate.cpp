@@ -9,6 +9,7 @@
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
+#include "limits.hpp"
 #include "model/effects.hpp"
 #include "pipeline.hpp"
 #include "simulation/integrator.hpp"
@@ -51,6 +52,8 @@ simulation::Settings settings_of(const SimulateRequest& request, const model::St
 
 void check(const SimulateRequest& request, const model::Scene& scene) {
   simulation::require_integrator(scene.stepping);
+  require_size(scene.tree, scene.points, {request.scene, 0, 0});
+  description::require_inertia(scene);
   if (scene.duration <= 0) {
     throw InputError({request.scene, 0, 0},
                      "the scene has no duration; expected one above zero, or --duration");

@@ -14,8 +14,11 @@ namespace {
 /// A change of the initial state that is worth a warning, m, rad or their rates.
 constexpr double kMoved = 1e-6;
 
-/// A field in quotes if it needs them.
-std::string csv_field(const std::string& text) {
+/// A field in quotes if it needs them. What a spreadsheet would take for a formula (=1+1, +1, -1,
+/// @a) begins with an apostrophe.
+std::string csv_field(const std::string& name) {
+  const bool formula = name.find_first_of("=+-@\t") == 0;
+  const std::string text = (formula ? "'" : "") + name;
   if (text.find_first_of(",\"\r\n") == std::string::npos) {
     return text;
   }

@@ -7,12 +7,27 @@
 
 namespace treedyn {
 
-std::string to_string(const Location& where) {
-  if (where.line <= 0) {
-    return where.file;
+namespace {
+
+/// A path with its control characters escaped: it may stand in a file that somebody else wrote.
+std::string printable(const std::string& path) {
+  std::string result;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
   }
-  return where.column <= 0 ? fmt::format("{}:{}", where.file, where.line)
-                           : fmt::format("{}:{}:{}", where.file, where.line, where.column);
+  return result;
+}
+
+}  // namespace
+
+std::string to_string(const Location& where) {
+  const std::string file = printable(where.file);
+  if (where.line <= 0) {
+    return file;
+  }
+  return where.column <= 0 ? fmt::format("{}:{}", file, where.line)
+                           : fmt::format("{}:{}:{}", file, where.line, where.column);
 }
 
 InputError::InputError(const Location& where, const std::string& message)

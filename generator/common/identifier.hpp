@@ -6,9 +6,14 @@
 
 namespace treedyn {
 
-/// True for keywords and alternative tokens of C++20, and for names that the standard headers or
-/// the compiler's environment define as macros (`NULL`, `NAN`, `linux`) or as a namespace (`std`).
+/// True for what no identifier may be: keywords of C, C++ and the GNU modes of their compilers,
+/// names that C headers or the compiler's environment define as macros (`NULL`, `NAN`, `linux`),
+/// and `std`.
 bool is_reserved_word(std::string_view name);
+
+/// True for reserved words, and for what a namespace or a local must avoid besides: names that C
+/// headers put into the global namespace (`signbit`, `index`, `y0`), and `main`.
+bool is_reserved(std::string_view name);
 
 /// `name` as a C++ identifier: every byte outside [A-Za-z0-9_] becomes `_`; a leading digit or `_`
 /// gets the prefix `n`; a reserved word gets a trailing `_`. Different names may give the same

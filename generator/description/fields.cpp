@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 
 namespace treedyn::description {
@@ -36,8 +37,9 @@ Fields::Fields(const std::string& file, const Node& node, std::string what, cons
   }
   for (const Node& item : node.items) {
     if (!contains(keys, item.key.text) && !contains(ignored, item.key.text)) {
-      fail(item.key.where, fmt::format("unknown key '{}'; expected one of {}", shown(item.key.text),
-                                       fmt::join(keys, ", ")));
+      fail(item.key.where,
+           fmt::format("unknown key '{}'{}; expected one of {}", shown(item.key.text),
+                       did_you_mean(item.key.text, keys), fmt::join(keys, ", ")));
     }
   }
 }
@@ -86,6 +88,11 @@ std::optional<Numbers> Fields::numbers(std::string_view key) const {
 
 const std::vector<Node>& Fields::sequence(const Node& node) const {
   if (node.kind != NodeKind::kSequence) {
+    if (!node.items.empty() && node.items.front().key.text.starts_with('-')) {
+      const Text& key = node.items.front().key;
+      fail(key.where, fmt::format("'{0}' has no space behind '-'; expected '- {1}'",
+                                  shown(key.text), shown(std::string_view(key.text).substr(1))));
+    }
     fail(node.where, fmt::format("{} is {}; expected a list", described(node), kind(node)));
   }
   return node.items;

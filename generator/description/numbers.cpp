@@ -10,6 +10,10 @@ namespace treedyn::description {
 
 namespace {
 
+bool is_xacro(const std::string& text) {
+  return text.find("${") != std::string::npos || text.find("$(") != std::string::npos;
+}
+
 [[noreturn]] void rethrow(const RawTree& raw, const Text& text, const std::string& what,
                           const symbolic::ConstantError& problem) {
   Place where = text.where;
@@ -35,6 +39,13 @@ Real NumberReader::number(const Text& text, const std::string& what) const {
   if (decimal) {
     return decimal.value;
   }
+  if (raw_.format == Format::kUrdf && is_xacro(text.text)) {
+    throw InputError(
+        location(raw_, text.where),
+        fmt::format("{}: '{}' is of xacro; expected the URDF that it makes: xacro FILE "
+                    "> robot.urdf",
+                    what, shown(text.text)));
+  }
   if (decimal.error != DecimalError::kSyntax || raw_.format == Format::kUrdf) {
     throw InputError(location(raw_, text.where),
                      fmt::format("{}: {}", what, describe(decimal.error, text.text)));
@@ -48,6 +59,11 @@ Real NumberReader::number(const Text& text, const std::string& what) const {
 
 template <std::size_t size>
 std::array<Real, size> NumberReader::list(const Numbers& numbers, const std::string& what) const {
+  for (const Text& text : numbers.values) {
+    if (raw_.format == Format::kUrdf && is_xacro(text.text)) {
+      static_cast<void>(number(text, what));  // says so: a space in it divides its words
+    }
+  }
   if (numbers.values.size() != size) {
     throw InputError(location(raw_, numbers.where),
                      fmt::format("{} has {} number{}; expected {}", what, numbers.values.size(),

@@ -94,6 +94,7 @@ struct RawTree {
   std::vector<RawLink> links;
   std::vector<RawJoint> joints;  ///< in a tree description joint k is the joint of link k
   std::vector<RawPoint> points;
+  std::vector<Warning> oddities;  ///< what is not read and looks like a slip
 };
 
 inline Location location(const RawTree& raw, const Place& place) {

@@ -1,6 +1,8 @@
 #include "description/read.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -41,7 +43,35 @@ std::string read_stream(std::FILE* stream, const std::string& path) {
   return text;
 }
 
-std::string read_file(const std::string& path) {
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() &&
+         std::equal(
+             end.begin(), end.end(), text.end() - static_cast<std::ptrdiff_t>(end.size()),
+             [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+/// The format of a file, by the end of its name in letters of either case.
+Format format_of(const std::string& path) {
+  if (ends_with(path, ".urdf")) {
+    return Format::kUrdf;
+  }
+  if (path == "-" || ends_with(path, ".yaml") || ends_with(path, ".yml") ||
+      ends_with(path, ".json")) {
+    return Format::kYaml;
+  }
+  throw InputError({path, 0, 0},
+                   ends_with(path, ".xacro")
+                       ? "is a xacro file; expected the URDF that it makes: xacro FILE > robot.urdf"
+                       : "unknown kind of file; expected *.urdf, *.yaml, *.yml or *.json");
+}
+
+RawTree parse_raw(const std::string& text, const std::string& path) {
+  return format_of(path) == Format::kUrdf ? read_urdf(text, path) : read_yaml(text, path);
+}
+
+}  // namespace
+
+std::string read_text(const std::string& path) {
   if (path == "-") {
     return read_stream(stdin, path);
   }
@@ -53,25 +83,18 @@ std::string read_file(const std::string& path) {
   return read_stream(file.get(), path);
 }
 
-bool ends_with(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+std::string read_model_text(const std::string& path) {
+  static_cast<void>(format_of(path));
+  return read_text(path);
 }
-
-RawTree read_raw(const std::string& path) {
-  if (ends_with(path, ".urdf")) {
-    return read_urdf(read_file(path), path);
-  }
-  if (path == "-" || ends_with(path, ".yaml") || ends_with(path, ".yml") ||
-      ends_with(path, ".json")) {
-    return read_yaml(read_file(path), path);
-  }
-  throw InputError({path, 0, 0}, "unknown kind of file; expected *.urdf, *.yaml, *.yml or *.json");
-}
-
-}  // namespace
 
 model::Tree read_model(const std::string& path, const ReadOptions& options) {
-  return resolve(read_raw(path), options).tree;
+  return parse_model(read_model_text(path), path, options);
+}
+
+model::Tree parse_model(const std::string& text, const std::string& path,
+                        const ReadOptions& options) {
+  return resolve(parse_raw(text, path), options).tree;
 }
 
 model::Tree parse_yaml(const std::string& text, const std::string& file,
@@ -85,7 +108,7 @@ model::Tree parse_urdf(const std::string& text, const std::string& file,
 }
 
 Vetted vet_model(const std::string& path, const ReadOptions& options) {
-  Vetted result = resolve(read_raw(path), options);
+  Vetted result = resolve(parse_raw(read_model_text(path), path), options);
   vet_tree(result);
   return result;
 }

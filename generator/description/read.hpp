@@ -26,6 +26,14 @@ struct ReadOptions {
   Real snap = Real("1e-9");  ///< tolerance of snapping, rad; 0 switches it off
 };
 
+/// The bytes of a file, "-": of standard input. \throws InputError, also beyond 64 MiB
+std::string read_text(const std::string& path);
+
+/// The same of a model: what is neither a URDF (`*.urdf`) nor a tree description (`*.yaml`,
+/// `*.yml`,
+/// `*.json`; "-") is not read at all.
+std::string read_model_text(const std::string& path);
+
 /// Reads and checks a URDF (`*.urdf`) or a tree description (`*.yaml`, `*.yml`, `*.json`; "-": YAML
 /// on standard input).
 ///
@@ -34,7 +42,11 @@ struct ReadOptions {
 /// \throws InputError with file, line and column at the first mistake.
 model::Tree read_model(const std::string& path, const ReadOptions& options);
 
-/// The same from text that was read already; `file` is the name in messages.
+/// The same from text that was read already; the name of the file says what it is.
+model::Tree parse_model(const std::string& text, const std::string& path,
+                        const ReadOptions& options);
+
+/// The same from text of a known kind; `file` is the name in messages.
 model::Tree parse_yaml(const std::string& text, const std::string& file,
                        const ReadOptions& options);
 model::Tree parse_urdf(const std::string& text, const std::string& file,
@@ -45,10 +57,13 @@ model::Tree parse_urdf(const std::string& text, const std::string& file,
 /// name used twice.
 std::vector<model::Point> resolve_points(const model::Tree& tree, const std::string& list);
 
-/// Joints about (or along) which everything that they move has no inertia: A(q) is singular in
-/// every position and forward dynamics has no solution. One warning a joint, in joint order; not
-/// part of `Tree::warnings`.
+/// Joints that can move, alone or together, without moving any inertia: A(q) is singular in every
+/// position and forward dynamics has no solution. One warning for every such movement (the joints
+/// of a vector x with A x = 0), by the first of its joints; not part of `Tree::warnings`.
+/// \param armature  inertia added to every coordinate, dof; default: none
 std::vector<Warning> joints_without_inertia(const model::Tree& tree);
+std::vector<Warning> joints_without_inertia(const model::Tree& tree,
+                                            const std::vector<Real>& armature);
 
 /// What `treedyn vet` reports of a model that can be read.
 struct Vetted {

@@ -90,6 +90,7 @@ class Resolver {
     resolve_mimics(raw_, skeleton_, numbers_, options_.mimic == Mimic::kReduce, tree_);
     resolve_named_points(raw_, numbers_, tree_);
     tree_.snaps = in_file_order(snapper_.log().snaps);
+    findings_.insert(findings_.begin(), raw_.oddities.begin(), raw_.oddities.end());
     findings_.insert(findings_.begin(), snapper_.log().misses.begin(), snapper_.log().misses.end());
     return {std::move(tree_), in_file_order(std::move(findings_))};
   }
@@ -142,14 +143,26 @@ class Resolver {
     pose.origin = numbers_.vector(joint.pose.xyz, name + ": offset");
     if (joint.pose.rpy) {
       const std::string what = name + ": rpy";
-      pose.rotation =
-          snapper_.from_rpy(numbers_.vector(joint.pose.rpy, what), *joint.pose.rpy, what);
+      const Vector3 rpy = numbers_.vector(joint.pose.rpy, what);
+      vet_angles(rpy, *joint.pose.rpy, what);
+      pose.rotation = snapper_.from_rpy(rpy, *joint.pose.rpy, what);
     } else if (joint.pose.matrix) {
       const std::string what = name + ": matrix";
       pose.rotation =
           snapper_.from_matrix(numbers_.matrix(*joint.pose.matrix, what), *joint.pose.matrix, what);
     }
     return pose;
+  }
+
+  /// Degrees where radians belong.
+  void vet_angles(const Vector3& rpy, const Numbers& written, const std::string& what) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (abs(rpy[k]) > 2 * pi() * Real("1.000001")) {
+        findings_.push_back({location(raw_, written.values[k].where),
+                             fmt::format("{} {} is beyond 2 pi; angles are in radians", what,
+                                         shown(written.values[k].text))});
+      }
+    }
   }
 
   /// Fathers first: fixed joints add up, moving joints start anew.
@@ -194,8 +207,10 @@ class Resolver {
       tree_.links.push_back(std::move(result));
     }
     if (tree_.links.empty()) {
-      fail(raw_.name.where, fmt::format("model '{}' has no joint that moves; expected at least one",
-                                        shown(raw_.name.text)));
+      fail(raw_.name.where,
+           fmt::format("model '{}' has no joint that moves; expected at least one, "
+                       "or --base axes for a body that floats",
+                       shown(raw_.name.text)));
     }
   }
 
@@ -255,6 +270,11 @@ class Resolver {
       const model::Inertia inertia =
           resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, tree_.warnings);
       vet_inertia(raw_.links[k], inertia);
+      if (raw_.links[k].inertia && raw_.links[k].inertia->pose.rpy) {
+        const Numbers& rpy = *raw_.links[k].inertia->pose.rpy;
+        const std::string what = fmt::format("link '{}': rpy", shown(raw_.links[k].name.text));
+        vet_angles(numbers_.vector(rpy, what), rpy, what);
+      }
       const int carrier = carrier_index(placements_[k]);
       if (carrier != model::kGround && raw_.links[k].inertia) {
         bodies[index(carrier)].push_back(

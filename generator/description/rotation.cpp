@@ -211,9 +211,11 @@ Matrix3 Snapper::from_matrix(const Matrix3& matrix, const Numbers& written,
   const bool close = off < Real(0.01) && determinant(matrix) > 0;
   const Real error = close ? distance(matrix, nearest_rotation(matrix)) : Real(1);
   if (error > rotation_limit()) {
+    const bool mirrored = off < Real(0.01) && determinant(matrix) < 0;
     throw InputError(
         location(raw_, written.where),
-        fmt::format("{} {} is no rotation; expected one within 1e-9", what, list_text(written)));
+        fmt::format("{} {} is {}; expected one within 1e-9", what, list_text(written),
+                    mirrored ? "mirrored, its determinant is -1, and no rotation" : "no rotation"));
   }
   return snap_entries(matrix, written, what, nearest_rotation);
 }

@@ -23,6 +23,9 @@ void SceneEffects::refuse_second(const SceneFields& fields, const std::string& n
 }
 
 void SceneEffects::add(const SceneFields& fields, model::Constraint constraint) {
+  if (fields.find("name") != nullptr) {
+    static_cast<void>(fields.name("name", "constraint"));
+  }
   refuse_second(fields, constraint.name);
   if (entry_is_off_) {
     constraints_off_[constraint.name] = 1;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/algebra.hpp"
@@ -101,10 +102,15 @@ int SceneContext::joint(const Fields& fields, const Text& name) const {
   const std::optional<int> found = coordinate(name.text);
   if (!found) {
     const model::Tree& tree = scene_.tree;
+    std::vector<std::string_view> names;
+    for (const int link : tree.coordinates) {
+      names.push_back(tree.links[static_cast<std::size_t>(link)].joint.name);
+    }
     fields.fail(name.where,
-                fmt::format("joint '{}' is no joint of the model that moves by itself; expected "
+                fmt::format("joint '{}' is no joint of the model that moves by itself{}; expected "
                             "one of {}",
-                            shown(name.text), some_of(tree.coordinates, [&](int link) {
+                            shown(name.text), did_you_mean(name.text, names),
+                            some_of(tree.coordinates, [&](int link) {
                               return tree.links[static_cast<std::size_t>(link)].joint.name;
                             })));
   }
@@ -127,7 +133,7 @@ void SceneContext::define_points(const SceneFields& root) {
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const SceneFields point =
         fields(nodes[k], called("point", nodes[k], k), {"name", "link", "at"});
-    const Text name = point.text("name");
+    const Text name = point.name("name", "point");
     const Text link = point.text("link");
     const model::Frame* const frame = find_frame(scene_.tree, link.text);
     if (frame == nullptr) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "description/names.hpp"
 
 namespace treedyn::description {
 
@@ -48,6 +49,12 @@ model::Vector3 SceneFields::vector_of(const Node& node) const {
 
 model::Vector3 SceneFields::vector_or(std::string_view key, const model::Vector3& other) const {
   return find(key) == nullptr ? other : vector(key);
+}
+
+Text SceneFields::name(std::string_view key, std::string_view kind) const {
+  Text name = text(key);
+  check_name({file(), name.where.line, name.where.column}, name.text, kind);
+  return name;
 }
 
 std::string SceneFields::text_or(std::string_view key, const std::string& fallback) const {

@@ -22,6 +22,8 @@ class SceneFields : public Fields {
   SceneFields(const std::string& file, const Node& node, std::string what, const Keys& keys,
               const symbolic::Constants& constants);
 
+  /// A name that can stand in files and comments. \param kind  what it names
+  [[nodiscard]] Text name(std::string_view key, std::string_view kind) const;
   [[nodiscard]] std::string text_or(std::string_view key, const std::string& fallback) const;
   [[nodiscard]] Real number(std::string_view key) const { return number_of(get(key)); }
   [[nodiscard]] Real number_or(std::string_view key, const Real& fallback) const;

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "description/names.hpp"
 
 namespace treedyn::description {
 
@@ -23,12 +25,14 @@ class PhaseReader {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       read_phase(nodes[k], called("phase", nodes[k], k));
     }
+    check_identifiers(names_, "phase");
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       read_events(nodes[k], k, called("phase", nodes[k], k));
     }
     if (nodes.empty()) {
       scene_.phases.push_back({"all", {}, {}});
     }
+    check_resting_names();
     add_unlisted();
     check_lift_offs();
     if (const std::optional<Text> start = root_.optional_text("start_phase")) {
@@ -41,11 +45,13 @@ class PhaseReader {
 
   void read_phase(const Node& node, const std::string& what) {
     const SceneFields fields = context_.fields(node, what, phase_keys());
-    const Text name = fields.text("name");
+    const Text name = fields.name("name", "phase");
     if (std::any_of(scene_.phases.begin(), scene_.phases.end(),
                     [&](const model::Phase& p) { return p.name == name.text; })) {
       fields.fail(name.where, "another phase has this name; expected different names");
     }
+    names_.push_back(
+        {name.text, to_identifier(name.text), {fields.file(), name.where.line, name.where.column}});
     scene_.phases.push_back({name.text, constraints(fields, "active"), {}});
   }
 
@@ -185,6 +191,23 @@ class PhaseReader {
     return {result.begin(), result.end()};
   }
 
+  /// A generated step gives a phase that is entered at rest a name of its own.
+  void check_resting_names() const {
+    std::vector<Named> names = names_;
+    std::set<int> resting;
+    for (const model::Phase& phase : scene_.phases) {
+      for (const model::Event& event : phase.until) {
+        if (event.impact && event.impact->rest_below > 0 && resting.insert(event.then).second) {
+          Named name = names_[static_cast<std::size_t>(event.then)];
+          name.name += "_at_rest";
+          name.identifier = to_identifier(name.name);
+          names.push_back(std::move(name));
+        }
+      }
+    }
+    check_identifiers(names, "phase");
+  }
+
   [[nodiscard]] int phase(const SceneFields& fields, const Text& name) const {
     for (std::size_t k = 0; k < scene_.phases.size(); ++k) {
       if (scene_.phases[k].name == name.text) {
@@ -243,6 +266,7 @@ class PhaseReader {
   const SceneEffects& effects_;
   const SceneFields& root_;
   model::Scene& scene_;
+  std::vector<Named> names_;  ///< of the phases, in order
   std::set<int> listed_;
   std::vector<LiftOff> lift_offs_;
   std::size_t reading_ = 0;  ///< the phase whose events are read

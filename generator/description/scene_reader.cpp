@@ -9,6 +9,9 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "description/names.hpp"
+#include "description/read.hpp"
 #include "description/resolve.hpp"
 #include "description/scene_bodies.hpp"
 #include "description/scene_fields.hpp"
@@ -61,7 +64,7 @@ class SceneReader {
                  "start_phase"}) {}
 
   model::Scene run() {
-    scene_.name = root_.text_or("id", "scene");
+    scene_.name = root_.find("id") == nullptr ? "scene" : root_.name("id", "scene").text;
     scene_.tree = resolve(read_bodies(file_, root_.get("model"), scene_.name),
                           {.base = Base::kFixed, .mimic = Mimic::kIndependent, .snap = 0})
                       .tree;
@@ -208,7 +211,9 @@ class SceneReader {
   void read_constraint(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what, {"name", "type", "body", "point", "dirs", "curve"});
     model::Constraint constraint;
-    constraint.name = fields.text_or("name", fmt::format("{}", scene_.constraints.size() + 1));
+    constraint.name = fields.find("name") == nullptr
+                          ? fmt::format("{}", scene_.constraints.size() + 1)
+                          : fields.name("name", "constraint").text;
     const std::string type = fields.text("type").text;
     if (type != "point" && type != "orientation") {
       fields.fail(fields.get("type").where,
@@ -274,11 +279,16 @@ class SceneReader {
       read_lone_phase();
       return;
     }
+    std::vector<Named> names;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const std::string what = called("phase", nodes[k], k);
       const SceneFields fields(file_, nodes[k], what, {"name", "active", "until"});
-      scene_.phases.push_back({fields.text("name").text, constraints(fields, "active"), {}});
+      const Text name = fields.name("name", "phase");
+      names.push_back(
+          {name.text, to_identifier(name.text), {file_, name.where.line, name.where.column}});
+      scene_.phases.push_back({name.text, constraints(fields, "active"), {}});
     }
+    check_identifiers(names, "phase");
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const SceneFields fields(file_, nodes[k], called("phase", nodes[k], k),
                                {"name", "active", "until"});
@@ -338,23 +348,16 @@ class SceneReader {
   model::Scene scene_;
 };
 
-std::string file_text(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) {
-    throw InputError({path, 0, 0},
-                     fmt::format("cannot be read ({}); expected a file", std::strerror(errno)));
-  }
-  return std::move(text).str();
-}
-
 }  // namespace
 
-model::Scene parse_scene(const std::string& text, const std::string& file) {
+model::Scene parse_scene(const std::string& text, const std::string& file,
+                         const TextReader& model_text) {
   const Node root = parse_yaml_node(text, file);
-  return is_case(root) ? SceneReader(file, root).run() : read_scene_yaml(root, file);
+  return is_case(root) ? SceneReader(file, root).run() : read_scene_yaml(root, file, model_text);
 }
 
-model::Scene read_scene(const std::string& path) { return parse_scene(file_text(path), path); }
+model::Scene read_scene(const std::string& path) {
+  return parse_scene(read_text(path), path, read_model_text);
+}
 
 }  // namespace treedyn::description

@@ -116,14 +116,15 @@ void read_actuated(const SceneContext& context, const SceneFields& root, model::
 
 }  // namespace
 
-model::Scene read_scene_yaml(const Node& node, const std::string& file) {
+model::Scene read_scene_yaml(const Node& node, const std::string& file,
+                             const TextReader& model_text) {
   model::Scene scene;
   SceneContext context(file, scene);
   // parameters come first: every other number may use them
   const SceneFields root = context.fields(node, "scene", root_keys());
-  scene.name = root.text("scene").text;
+  scene.name = root.name("scene", "scene").text;
   scene.tree_file = model_path(root, file);
-  scene.tree = read_model(scene.tree_file, {.base = base_of(root)});
+  scene.tree = parse_model(model_text(scene.tree_file), scene.tree_file, {.base = base_of(root)});
   if (scene.tree.dof() == 0) {
     root.fail(root.get("model").where, "the model has no moving joint; expected at least one");
   }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "description/scene_reader.hpp"
 #include "description/yaml_node.hpp"
 #include "model/scene.hpp"
 
@@ -10,6 +11,7 @@ namespace treedyn::description {
 
 /// \param file  its folder is where the model's path begins
 /// \throws InputError
-model::Scene read_scene_yaml(const Node& root, const std::string& file);
+model::Scene read_scene_yaml(const Node& root, const std::string& file,
+                             const TextReader& model_text);
 
 }  // namespace treedyn::description

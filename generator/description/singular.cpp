@@ -1,12 +1,14 @@
-// Joints without inertia, from the pivots of A at a general position.
+// Joints that move no inertia: vectors x with A x = 0 at a general position.
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
 #include "description/algebra.hpp"
 #include "description/read.hpp"
+#include "description/scene_reader.hpp"
 
 namespace treedyn::description {
 
@@ -121,12 +123,6 @@ Motion joint_motion(const model::Joint& joint) {
                                                    : Motion{0, 0, 0, a[0], a[1], a[2]};
 }
 
-/// What a joint moves: everything rigid, and everything with the joints beyond free to give way.
-struct Moved {
-  std::vector<Spatial> composite;
-  std::vector<Spatial> articulated;
-};
-
 /// Takes the joint out of the articulated inertia: I - U U^T / d.
 void give_way(Spatial& articulated, const Motion& u, const Real& d) {
   for (std::size_t k = 0; k < 36; ++k) {
@@ -142,35 +138,72 @@ Real size_of(const Spatial& a) {
   return result;
 }
 
-/// Pivots of A = L^T Delta L by articulated bodies (EQUATIONS.md 7.4), O(N); true where the pivot
-/// is zero.
-std::vector<bool> zero_pivots(const model::Tree& tree) {
-  Moved moved;
+using Movement = std::vector<std::size_t>;  ///< links or coordinates that move together, ascending
+
+/// A pivot of A = L^T Delta L and what it takes to be positive.
+struct Pivot {
+  Motion u{};        ///< I^A s
+  Real d = 0;        ///< s^T I^A s + armature
+  bool zero = true;  ///< within rounding of 50 digits
+};
+
+/// Pivots by articulated bodies (EQUATIONS.md 7.4), O(N). \param armature  by link
+std::vector<Pivot> articulated_pivots(const model::Tree& tree, const std::vector<Real>& armature) {
+  std::vector<Pivot> pivots(tree.links.size());
+  std::vector<Spatial> rigid;
   for (const model::Link& link : tree.links) {
-    moved.composite.push_back(spatial_inertia(link.inertia));
+    rigid.push_back(spatial_inertia(link.inertia));
   }
-  moved.articulated = moved.composite;
-  std::vector<bool> zero(tree.links.size(), false);
+  std::vector<Spatial> articulated = rigid;
   for (int i = tree.size() - 1; i >= 0; --i) {
     const model::Link& link = tree.links[index(i)];
-    Spatial& composite = moved.composite[index(i)];
-    Spatial& articulated = moved.articulated[index(i)];
     const Motion s = joint_motion(link.joint);
-    const Motion u = product(articulated, s);
-    const Real d = dot(s, u);
-    const Real rigid = dot(s, product(composite, s));
-    zero[index(i)] = negligible(rigid, size_of(composite)) || d <= rigid * Real("1e-25");
-    if (!zero[index(i)]) {
-      give_way(articulated, u, d);
+    Pivot& pivot = pivots[index(i)];
+    pivot.u = product(articulated[index(i)], s);
+    pivot.d = dot(s, pivot.u) + armature[index(i)];
+    const Real whole = dot(s, product(rigid[index(i)], s)) + armature[index(i)];
+    pivot.zero = negligible(whole, size_of(rigid[index(i)]) + armature[index(i)]) ||
+                 pivot.d <= whole * Real("1e-25");
+    if (!pivot.zero) {
+      give_way(articulated[index(i)], pivot.u, pivot.d);
     }
     if (link.father != model::kGround) {
       const Spatial x = to_link(link.joint, general_position(i));
       const Spatial xt = transposed(x);
-      add(moved.composite[index(link.father)], product(xt, product(composite, x)));
-      add(moved.articulated[index(link.father)], product(xt, product(articulated, x)));
+      add(rigid[index(link.father)], product(xt, product(rigid[index(i)], x)));
+      add(articulated[index(link.father)], product(xt, product(articulated[index(i)], x)));
     }
   }
-  return zero;
+  return pivots;
+}
+
+/// The links whose joints give way when the joint of `link`, whose pivot is zero, turns without
+/// moving any inertia: a vector x with A x = 0 is x_link = 1 and x_j = -u_j . v / d_j beyond, where
+/// v is the motion that the joints before j cause.
+Movement free_movement(const model::Tree& tree, const std::vector<Pivot>& pivots, int link) {
+  Movement result = {index(link)};
+  std::vector<std::optional<Motion>> motions(tree.links.size());
+  motions[index(link)] = joint_motion(tree.links[index(link)].joint);
+  for (int j = link + 1; j < tree.size(); ++j) {
+    const int father = tree.links[index(j)].father;
+    if (father == model::kGround || !motions[index(father)]) {
+      continue;
+    }
+    const Pivot& pivot = pivots[index(j)];
+    const Motion s = joint_motion(tree.links[index(j)].joint);
+    Motion v =
+        product(to_link(tree.links[index(j)].joint, general_position(j)), *motions[index(father)]);
+    const Real x = pivot.zero ? Real(0) : Real(-dot(pivot.u, v) / pivot.d);
+    const Real size = sqrt(dot(pivot.u, pivot.u) * dot(v, v));
+    if (abs(x) * pivot.d > size * Real("1e-25")) {
+      result.push_back(index(j));
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+      v[k] += s[k] * x;
+    }
+    motions[index(j)] = v;
+  }
+  return result;
 }
 
 /// A(q) of the independent joints, A_r = T^T A T, by composite bodies (EQUATIONS.md 7.3); dense,
@@ -211,61 +244,126 @@ std::vector<Real> reduced_mass_matrix(const model::Tree& tree) {
   return a;
 }
 
-/// The same for joints tied by mimics: a joint counts only if its coordinate has a zero pivot in
-/// A_r.
-std::vector<bool> zero_reduced_pivots(const model::Tree& tree) {
+/// The same for joints tied by mimics, by Gauss's elimination in A_r: coordinates.
+std::vector<Movement> free_reduced_movements(const model::Tree& tree,
+                                             const std::vector<Real>& armature) {
   const auto n = static_cast<std::size_t>(tree.dof());
   std::vector<Real> a = reduced_mass_matrix(tree);
-  Real scale = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    scale = std::max(scale, a[k * n + k]);
-  }
-  std::vector<bool> zero(tree.links.size(), false);
   std::vector<Real> diagonal;
   for (std::size_t k = 0; k < n; ++k) {
+    a[k * n + k] += armature[k];
     diagonal.push_back(a[k * n + k]);
   }
+  const Real scale = *std::max_element(diagonal.begin(), diagonal.end());
+  std::vector<bool> zero(n, false);
   for (std::size_t k = n; k-- > 0;) {
     const Real d = a[k * n + k];
-    if (negligible(diagonal[k], scale) || d <= diagonal[k] * Real("1e-25")) {
-      zero[index(tree.coordinates[k])] = true;
-      continue;
-    }
-    for (std::size_t i = 0; i < k; ++i) {
+    zero[k] = negligible(diagonal[k], scale) || d <= diagonal[k] * Real("1e-25");
+    for (std::size_t i = 0; i < k && !zero[k]; ++i) {
       const Real factor = a[k * n + i] / d;
       for (std::size_t j = 0; j < k && factor != 0; ++j) {
         a[i * n + j] -= factor * a[k * n + j];
       }
     }
   }
-  return zero;
+  std::vector<Movement> result;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!zero[k]) {
+      continue;
+    }
+    std::vector<Real> x(n, Real(0));
+    x[k] = 1;
+    Movement movement = {k};
+    for (std::size_t j = k + 1; j < n; ++j) {
+      Real size = 0;
+      for (std::size_t i = k; i < j && !zero[j]; ++i) {
+        x[j] -= a[j * n + i] * x[i] / a[j * n + j];
+        size += abs(a[j * n + i]) / a[j * n + j];
+      }
+      const Real largest = abs(*std::max_element(
+          x.begin(), x.end(), [](const Real& l, const Real& r) { return abs(l) < abs(r); }));
+      if (abs(x[j]) > size * largest * Real("1e-25")) {
+        movement.push_back(j);
+      }
+    }
+    result.push_back(std::move(movement));
+  }
+  return result;
 }
 
-/// Where A of the model's coordinates is singular. A mimic can only add inertia to a coordinate, so
-/// the O(N) test of the free tree comes first.
-std::vector<bool> singular_joints(const model::Tree& tree) {
-  std::vector<bool> zero = zero_pivots(tree);
-  const bool tied = tree.dof() < tree.size();
-  const bool suspicious = std::find(zero.begin(), zero.end(), true) != zero.end();
-  return tied && suspicious ? zero_reduced_pivots(tree) : zero;
+/// What moves without inertia, as links of the joints. A mimic can only add inertia to a
+/// coordinate, so the O(N) test of the free tree comes first.
+std::vector<Movement> free_movements(const model::Tree& tree, const std::vector<Real>& armature) {
+  std::vector<Real> by_link(tree.links.size(), Real(0));
+  for (std::size_t k = 0; k < tree.coordinates.size(); ++k) {
+    by_link[index(tree.coordinates[k])] = armature[k];
+  }
+  const std::vector<Pivot> pivots = articulated_pivots(tree, by_link);
+  std::vector<Movement> result;
+  for (int i = 0; i < tree.size(); ++i) {
+    if (pivots[index(i)].zero) {
+      result.push_back(free_movement(tree, pivots, i));
+    }
+  }
+  if (tree.dof() == tree.size() || result.empty()) {
+    return result;
+  }
+  result = free_reduced_movements(tree, armature);
+  for (Movement& movement : result) {
+    std::transform(movement.begin(), movement.end(), movement.begin(),
+                   [&](std::size_t k) { return index(tree.coordinates[k]); });
+  }
+  return result;
+}
+
+/// "joint 'a': what it moves has ..", or "joints 'a', 'b' ..": at most eight of them.
+std::string description_of(const model::Tree& tree, const Movement& movement) {
+  constexpr std::size_t kMost = 8;
+  const model::Joint& first = tree.links[movement.front()].joint;
+  if (movement.size() == 1) {
+    const bool turns = first.type == model::JointType::kRevolute;
+    return fmt::format("joint '{}': what it moves has no inertia {} its axis", shown(first.name),
+                       turns ? "about" : "along");
+  }
+  std::string names;
+  for (std::size_t k = 0; k < std::min(movement.size(), kMost); ++k) {
+    names += fmt::format("{}'{}'", k == 0 ? "" : ", ", shown(tree.links[movement[k]].joint.name));
+  }
+  return fmt::format("joints {}{}: they can move together without moving any inertia", names,
+                     movement.size() > kMost ? ", .." : "");
 }
 
 }  // namespace
 
-std::vector<Warning> joints_without_inertia(const model::Tree& tree) {
-  const std::vector<bool> zero = singular_joints(tree);
+std::vector<Warning> joints_without_inertia(const model::Tree& tree,
+                                            const std::vector<Real>& armature) {
   std::vector<Warning> result;
-  for (int i = 0; i < tree.size(); ++i) {
-    const model::Joint& joint = tree.links[index(i)].joint;
-    if (zero[index(i)]) {
-      const bool turns = joint.type == model::JointType::kRevolute;
-      result.push_back(
-          {joint.where, fmt::format("joint '{}': what it moves has no inertia {} its axis; "
-                                    "forward dynamics has no solution",
-                                    shown(joint.name), turns ? "about" : "along")});
-    }
+  for (const Movement& movement : free_movements(tree, armature)) {
+    result.push_back({tree.links[movement.front()].joint.where,
+                      description_of(tree, movement) + "; forward dynamics has no solution"});
   }
   return result;
+}
+
+std::vector<Warning> joints_without_inertia(const model::Tree& tree) {
+  return joints_without_inertia(tree,
+                                std::vector<Real>(static_cast<std::size_t>(tree.dof()), Real(0)));
+}
+
+std::vector<Warning> joints_without_inertia(const model::Scene& scene) {
+  std::vector<Real> armature(static_cast<std::size_t>(scene.tree.dof()), Real(0));
+  for (const model::Armature& added : scene.armatures) {
+    armature[index(added.joint)] += added.inertia;
+  }
+  return joints_without_inertia(scene.tree, armature);
+}
+
+void require_inertia(const model::Scene& scene) {
+  const std::vector<Warning> singular = joints_without_inertia(scene);
+  if (!singular.empty()) {
+    throw InputError(singular.front().where,
+                     singular.front().message + "; expected inertia or an armature");
+  }
 }
 
 }  // namespace treedyn::description

@@ -8,13 +8,14 @@
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
+#include "description/names.hpp"
 
 namespace treedyn::description {
 
 namespace {
 
-constexpr std::size_t kMaxNameLength = 255;
 constexpr std::string_view kGroundName = "ground";
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -23,63 +24,8 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
   throw InputError(location(raw, where), message);
 }
 
-/// The length of the UTF-8 character at the front, 0 if there is none (overlong forms and
-/// surrogates too).
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t k) {
-    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
-  };
-  const auto follows = [&](std::size_t k) {
-    return (byte(k) & 0xc0U) == 0x80U;
-  };
-  const unsigned lead = byte(0);
-  if (lead < 0x80U) {
-    return 1;
-  }
-  if (lead >= 0xc2U && lead <= 0xdfU) {
-    return follows(1) ? 2 : 0;
-  }
-  if (lead >= 0xe0U && lead <= 0xefU) {
-    const bool canonical =
-        (lead != 0xe0U || byte(1) >= 0xa0U) && (lead != 0xedU || byte(1) < 0xa0U);
-    return canonical && follows(1) && follows(2) ? 3 : 0;
-  }
-  if (lead >= 0xf0U && lead <= 0xf4U) {
-    const bool canonical =
-        (lead != 0xf0U || byte(1) >= 0x90U) && (lead != 0xf4U || byte(1) < 0x90U);
-    return canonical && follows(1) && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
-
-/// Why a name cannot stand in a file or a comment, or nullptr.
-const char* fault_of_name(std::string_view name) {
-  if (name.empty()) {
-    return "is empty; expected a word";
-  }
-  while (!name.empty()) {
-    const auto byte = static_cast<unsigned char>(name.front());
-    const std::size_t length = utf8_length(name);
-    if (byte < 0x20 || byte == 0x7f) {
-      return "has a control character; expected printable text";
-    }
-    if (length == 0) {
-      return "is not UTF-8; expected printable text";
-    }
-    name.remove_prefix(length);
-  }
-  return nullptr;
-}
-
 void check_name(const RawTree& raw, const Text& name, std::string_view kind) {
-  if (name.text.size() > kMaxNameLength) {
-    fail(raw, name.where,
-         fmt::format("{} name of {} bytes is too long; expected at most {}", kind, name.text.size(),
-                     kMaxNameLength));
-  }
-  if (const char* const fault = fault_of_name(name.text)) {
-    fail(raw, name.where, fmt::format("{} name '{}' {}", kind, shown(name.text), fault));
-  }
+  description::check_name(location(raw, name.where), name.text, kind);
 }
 
 void add_name(const RawTree& raw, std::map<std::string_view, int>& names, const Text& name, int k,
@@ -126,16 +72,33 @@ constexpr std::array<KindRow, 4> kKinds = {{
 
 JointKind kind_of(const RawTree& raw, const RawJoint& joint) {
   const bool yaml = raw.format == Format::kYaml;
+  const bool floats = joint.type.text == "floating" || joint.type.text == "free";
+  std::vector<std::string_view> types;
   for (const KindRow& row : kKinds) {
+    if (row.in_yaml || !yaml) {
+      types.push_back(row.type);
+    }
     if (row.type == joint.type.text && (row.in_yaml || !yaml)) {
       return row.kind;
     }
   }
   fail(raw, joint.type.where,
        fmt::format(
-           "joint '{}': type '{}' is not supported; expected {}", shown(joint.name.text),
-           shown(joint.type.text),
-           yaml ? "revolute, prismatic or fixed" : "revolute, continuous, prismatic or fixed"));
+           "joint '{}': type '{}' is not supported{}; expected {}{}", shown(joint.name.text),
+           shown(joint.type.text), did_you_mean(joint.type.text, types),
+           yaml ? "revolute, prismatic or fixed" : "revolute, continuous, prismatic or fixed",
+           floats ? ", or --base axes and no joint at the root for a robot that floats" : ""));
+}
+
+std::vector<std::string_view> link_names(const RawTree& raw) {
+  std::vector<std::string_view> names;
+  if (raw.format == Format::kYaml) {
+    names.push_back(kGroundName);
+  }
+  for (const RawLink& link : raw.links) {
+    names.push_back(link.name.text);
+  }
+  return names;
 }
 
 int find_link(const RawTree& raw, const Skeleton& skeleton, const RawJoint& joint, const Text& name,
@@ -143,8 +106,9 @@ int find_link(const RawTree& raw, const Skeleton& skeleton, const RawJoint& join
   const auto found = skeleton.link_by_name.find(name.text);
   if (found == skeleton.link_by_name.end()) {
     fail(raw, name.where,
-         fmt::format("joint '{}': {} '{}' is unknown; expected a link of the file{}",
+         fmt::format("joint '{}': {} '{}' is unknown{}; expected a link of the file{}",
                      shown(joint.name.text), role, shown(name.text),
+                     did_you_mean(name.text, link_names(raw)),
                      raw.format == Format::kYaml ? " or ground" : ""));
   }
   return found->second;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "description/xml_element.hpp"
 
@@ -119,6 +120,94 @@ RawPose read_origin(const Part& part) {
              : RawPose{numbers(*origin, "xyz"), numbers(*origin, "rpy"), std::nullopt};
 }
 
+std::string called(std::string_view kind, const Element& element) {
+  const std::string* const name = element.attribute("name");
+  return name == nullptr ? std::string(kind) : fmt::format("{} '{}'", kind, shown(*name));
+}
+
+struct KnownRow {
+  std::string_view element;
+  std::vector<std::string_view> attributes;
+  std::vector<std::string_view> children;  ///< that are read, or known and not read
+};
+
+/// What the URDF format has, in the elements that are read.
+const std::vector<KnownRow>& known_rows() {
+  static const std::vector<KnownRow> rows = {
+      {"robot",
+       {"name", "version"},
+       {"link", "joint", "material", "gazebo", "transmission", "sensor", "model_type"}},
+      {"link",
+       {"name", "type"},
+       {"inertial", "visual", "collision", "contact", "self_collision_checking"}},
+      {"joint",
+       {"name", "type"},
+       {"parent", "child", "origin", "axis", "limit", "mimic", "dynamics", "calibration",
+        "safety_controller"}},
+      {"inertial", {}, {"origin", "mass", "inertia"}},
+      {"origin", {"xyz", "rpy"}, {}},
+      {"mass", {"value"}, {}},
+      {"inertia", {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}, {}},
+      {"parent", {"link"}, {}},
+      {"child", {"link"}, {}},
+      {"axis", {"xyz"}, {}},
+      {"limit", {"lower", "upper", "velocity", "effort", "acceleration", "jerk"}, {}},
+      {"mimic", {"joint", "multiplier", "offset"}, {}},
+  };
+  return rows;
+}
+
+bool contains(const std::vector<std::string_view>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// What an element holds that nobody reads and that looks like a slip: `<orgin>`, `ryp=`. Other
+/// unknown elements, and those of namespaces, belong to other programs.
+void vet_element(const Part& part, std::vector<Warning>& findings) {
+  const Element& element = part.element;
+  const auto row = std::find_if(known_rows().begin(), known_rows().end(),
+                                [&](const KnownRow& r) { return r.element == element.name; });
+  if (row == known_rows().end()) {
+    return;
+  }
+  const auto find = [&](const Place& where, const std::string& message) {
+    findings.push_back({{part.file, where.line, where.column},
+                        fmt::format("{}: {} is unknown and not read", part.what, message)});
+  };
+  for (const Text& stray : element.strays) {
+    const std::string meant =
+        contains(row->children, stray.text) ? "" : did_you_mean(stray.text, row->children);
+    if (!meant.empty()) {
+      find(stray.where, fmt::format("<{}>{}", shown(stray.text), meant));
+    }
+  }
+  const bool leaf = row->children.empty();  // others carry what belongs to other programs
+  for (const auto& [name, value] : element.attributes) {
+    const std::string meant = did_you_mean(name, row->attributes);
+    if (!contains(row->attributes, name) && name.find(':') == std::string::npos &&
+        (leaf || !meant.empty())) {
+      find(element.where,
+           fmt::format("attribute '{}' of <{}>{}", shown(name), element.name, meant));
+    }
+  }
+  for (const Element& child : element.children) {
+    const bool own = child.name == "link" || child.name == "joint";
+    vet_element({part.file, child, own ? called(child.name, child) : part.what}, findings);
+  }
+}
+
+/// Elements of xacro that were left as they are.
+void refuse_xacro(const Part& robot) {
+  for (const Text& stray : robot.element.strays) {
+    if (stray.text.starts_with("xacro:")) {
+      robot.fail(stray.where,
+                 fmt::format("<{}> is of xacro; expected the URDF that it makes: xacro "
+                             "FILE > robot.urdf",
+                             shown(stray.text)));
+    }
+  }
+}
+
 RawInertia read_inertia(const Part& part) {
   const Element& tensor = part.get("inertia");
   RawInertia inertia{trimmed(part.text(part.get("mass"), "value")), read_origin(part),
@@ -127,11 +216,6 @@ RawInertia read_inertia(const Part& part) {
     inertia.tensor->values.push_back(trimmed(part.text(tensor, key)));
   }
   return inertia;
-}
-
-std::string called(std::string_view kind, const Element& element) {
-  const std::string* const name = element.attribute("name");
-  return name == nullptr ? std::string(kind) : fmt::format("{} '{}'", kind, shown(*name));
 }
 
 RawLink read_link(const std::string& file, const Element& element) {
@@ -183,7 +267,9 @@ RawTree read_urdf(const std::string& text, const std::string& file) {
   if (root.name != "robot") {
     robot.fail(root.where, fmt::format("root element is <{}>; expected <robot>", shown(root.name)));
   }
+  refuse_xacro(robot);
   RawTree raw;
+  vet_element(robot, raw.oddities);
   raw.format = Format::kUrdf;
   raw.file = file;
   raw.name = robot.text(root, "name");

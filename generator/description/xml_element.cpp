@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxElements = 1'000'000;  // that are kept
+constexpr std::size_t kMaxStrays = 1000;
 
 /// `text` with what urdfdom's parser tolerates and XML does not made spaces: "--" and bytes beyond
 /// ASCII inside of comments. Places stay as they are.
@@ -88,6 +89,10 @@ class Builder {
     if (open_.size() + skipped_ == kMaxDepth) {
       stop(fmt::format("nested too deeply; expected at most {} levels", kMaxDepth));
     } else if (skipped_ > 0 || (!open_.empty() && !wanted_(open_.back().name, name))) {
+      if (skipped_ == 0 && strays_ < kMaxStrays) {
+        ++strays_;
+        open_.back().strays.push_back({name, here()});
+      }
       ++skipped_;
     } else if (++elements_ > kMaxElements) {
       stop(fmt::format("too many elements; expected at most {}", kMaxElements));
@@ -128,6 +133,7 @@ class Builder {
   std::vector<Element> open_;
   std::size_t skipped_ = 0;  ///< levels below the last element that is kept
   std::size_t elements_ = 0;
+  std::size_t strays_ = 0;
   Element root_;
   std::optional<std::string> problem_;
   Place where_;

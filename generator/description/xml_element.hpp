@@ -14,6 +14,7 @@ struct Element {
   std::string name;
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<Element> children;
+  std::vector<Text> strays;  ///< names of children that are not wanted, the first 1000 of a file
   Place where;
 
   /// The value of an attribute, or nullptr.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "description/yaml_hints.hpp"
 
 namespace treedyn::description {
 
@@ -72,8 +73,7 @@ class Events {
     const bool of_bytes = parser_.error == YAML_READER_ERROR;
     const Place where =
         of_bytes ? place_of_byte(text_, parser_.problem_offset) : place(parser_.problem_mark);
-    throw InputError({file_, where.line, where.column},
-                     fmt::format("{}; expected YAML or JSON", problem));
+    throw InputError({file_, where.line, where.column}, yaml_message(text_, where, problem));
   }
 
   const std::string& text_;

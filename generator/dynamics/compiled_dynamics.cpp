@@ -101,20 +101,21 @@ std::vector<OutputFile> sources(const model::Scene& scene, ScenePrograms program
 }  // namespace
 
 std::unique_ptr<simulation::Dynamics> compiled_dynamics(const model::Scene& scene) {
+  ScenePrograms programs = scene_programs(scene);
   const TemporaryFolder folder;
   const auto path = [&](const char* name) {
     return (folder.path() / name).string();
   };
-  const std::string compiler = find_compiler(path("version"));
-  if (compiler.empty()) {
+  std::vector<std::string> command = find_compiler(path("version"));
+  if (command.empty()) {
     throw InputError({}, "--compiled: no C++ compiler found; expected $CXX, c++, g++ or clang++");
   }
-  ScenePrograms programs = scene_programs(scene);
   const std::size_t geometry = programs.geometry.outputs.size();
   write_files(sources(scene, std::move(programs), folder.path()));
-  if (!succeeds({compiler, "-std=c++17", "-O2", "-shared", "-fPIC", path("simulate.cpp"),
-                 path((std::string(kName) + ".cpp").c_str()), "-o", path("scene.so")},
-                path("log"))) {
+  command.insert(command.end(),
+                 {"-std=c++17", "-O2", "-shared", "-fPIC", path("simulate.cpp"),
+                  path((std::string(kName) + ".cpp").c_str()), "-o", path("scene.so")});
+  if (!succeeds(command, path("log"))) {
     throw InputError({},
                      "--compiled: the generated functions do not compile; expected a C++17 "
                      "compiler");

@@ -285,6 +285,7 @@ std::string header_text(const Unit& unit) {
                {"scalar", scalar_declaration(unit.target)},
                {"dof", std::to_string(tree.dof())},
                {"point_count", std::to_string(unit.points.size())},
+               {"digest", kNoDigest},
                {"joint_indices", index_namespace("joint", joint_identifiers(tree))},
                {"point_indices", index_namespace("point", point_identifiers(unit.points))},
                {"phase_indices", index_namespace("phase", phase_identifiers(unit.steppers))},

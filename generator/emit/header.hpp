@@ -7,6 +7,10 @@
 
 namespace treedyn::emit {
 
+/// What stands in header and source in the place of their digest.
+inline constexpr const char* kNoDigest = "0x0000000000000000ULL";
+
+/// The header, with `kNoDigest`.
 std::string header_text(const Unit& unit);
 
 /// Words as one line that a POSIX shell (bash, zsh) reads back; nothing in it can end a comment.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "common/identifier.hpp"
+
 namespace treedyn::emit {
 
 using program::Kind;

@@ -14,10 +14,6 @@ namespace treedyn::emit {
 /// Longest local: with it, a statement with two operands fits into 100 columns in any case.
 inline constexpr std::size_t kLongestLocal = 24;
 
-/// True for C++ keywords and for names that a namespace or local in generated code must avoid:
-/// macros and global functions of the C standard library, `main`, `std`.
-bool is_reserved(std::string_view name);
-
 /// Every byte outside [A-Za-z0-9_] as `_`: a part of an identifier.
 std::string identifier_part(std::string_view text);
 

@@ -83,6 +83,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   }
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"command", command_comment(unit.command)},
+                                           {"digest", kNoDigest},
                                            {"includes", includes(unit)},
                                            {"using", mathematics(unit)},
                                            {"functions", functions}});

@@ -1,9 +1,12 @@
 #include "emit/unit.hpp"
 
+#include <utility>
+
 #include "emit/body.hpp"
 #include "emit/header.hpp"
 #include "emit/limb_text.hpp"
 #include "emit/manifest.hpp"
+#include "emit/sha256.hpp"
 #include "emit/source.hpp"
 #include "emit/staged.hpp"
 
@@ -27,6 +30,18 @@ std::vector<std::string> file_names(const std::string& name) {
   return {name + ".hpp", name + ".cpp", name + ".json"};
 }
 
+namespace {
+
+/// Writes the digest of both texts into each.
+void sign(std::string& header, std::string& source) {
+  const std::string digest = "0x" + sha256(header + source).substr(0, 16) + "ULL";
+  for (std::string* const text : {&header, &source}) {
+    text->replace(text->find(kNoDigest), digest.size(), digest);
+  }
+}
+
+}  // namespace
+
 std::vector<File> emit_files(const Unit& unit) {
   const Vocabulary words = vocabulary(*unit.tree);
   std::vector<Body> bodies;
@@ -39,8 +54,11 @@ std::vector<File> emit_files(const Unit& unit) {
     bodies.push_back(staged_body(staged, words, unit.target));
   }
   const std::vector<std::string> names = file_names(unit.name);
-  return {{names[0], header_text(unit)},
-          {names[1], source_text(unit, bodies)},
+  std::string header = header_text(unit);
+  std::string source = source_text(unit, bodies);
+  sign(header, source);
+  return {{names[0], std::move(header)},
+          {names[1], std::move(source)},
           {names[2], manifest_text(unit, bodies)}};
 }
 

@@ -40,8 +40,9 @@ struct File {
 /// The names of the files that `emit_files` makes, in its order.
 std::vector<std::string> file_names(const std::string& name);
 
-/// NAME.hpp, NAME.cpp, NAME.json. The same unit gives the same bytes everywhere.
-/// \throws std::range_error if a constant is too large for the scalar type.
+/// NAME.hpp, NAME.cpp, NAME.json; header and source carry the digest of both. The same unit gives
+/// the same bytes everywhere. \throws std::range_error if a constant is too large for the scalar
+/// type.
 std::vector<File> emit_files(const Unit& unit);
 
 }  // namespace treedyn::emit

@@ -19,6 +19,8 @@ using model::Expression;
 /// Operations of an expression that is differentiated: bounds the size of the derivatives.
 constexpr std::size_t kMaxMotionSize = 200;
 constexpr int kMaxPower = 1000;
+/// Operations of a second derivative.
+constexpr double kMaxDerivativeSize = 20'000;
 
 /// A part of an expression with its sign apart and a text by which parts are put in order.
 struct Part {
@@ -227,6 +229,38 @@ class Converter {
   const Symbols& symbols_;
 };
 
+/// Operations of an expression and of its first two derivatives, before any simplification: an
+/// upper bound that costs no differentiation.
+struct Sizes {
+  double value = 1;
+  double rate = 0;
+  double second = 0;
+};
+
+Sizes sizes_of(const GiNaC::ex& value) {
+  if (is_constant(value)) {
+    return {};
+  }
+  if (GiNaC::is_a<GiNaC::symbol>(value)) {
+    return {1, 1, 0};
+  }
+  if (!GiNaC::is_a<GiNaC::add>(value) && !GiNaC::is_a<GiNaC::mul>(value)) {
+    // f(x)' = f'(x) x', f(x)'' = f''(x) x'^2 + f'(x) x'', also of powers
+    const Sizes x = sizes_of(value.op(0));
+    return {x.value + 1, x.value + x.rate + 3, 2 * x.value + 2 * x.rate + x.second + 8};
+  }
+  Sizes sum{0, 0, 0};
+  for (const GiNaC::ex& part : value) {
+    const Sizes sizes = sizes_of(part);
+    sum = {sum.value + sizes.value + 1, sum.rate + sizes.rate + 1, sum.second + sizes.second + 1};
+  }
+  if (GiNaC::is_a<GiNaC::mul>(value)) {  // (f g ..)' = f' g .. + f g' .. + ..
+    const auto n = static_cast<double>(value.nops());
+    sum = {sum.value, n * sum.value + sum.rate, n * n * sum.value + 2 * n * sum.rate + sum.second};
+  }
+  return sum;
+}
+
 /// Everything that GiNaC or CLN may throw of an expression, as a mistake in it.
 template <class Read>
 auto guarded(std::string_view text, const Read& read) {
@@ -256,6 +290,11 @@ std::array<Expression, 3> read_motion(const Constants& constants, std::string_vi
   if (exact.size > kMaxMotionSize) {
     throw ConstantError(0, fmt::format("motion of {} operations is too large; expected at most {}",
                                        exact.size, kMaxMotionSize));
+  }
+  if (const double size = sizes_of(exact.value).second; size > kMaxDerivativeSize) {
+    throw ConstantError(0, fmt::format("second derivative of this motion may have {:.3g} "
+                                       "operations, which are too many; expected at most {}",
+                                       size, kMaxDerivativeSize));
   }
   return guarded(text, [&] {
     const Converter converter(symbols);

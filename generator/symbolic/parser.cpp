@@ -317,7 +317,9 @@ class Parser {
         fail(start, fmt::format("{} of a variable is not available; expected sqrt, sin, cos or tan",
                                 function.name));
       }
-      return checked(start, function.apply(argument.value), argument.size + 1);
+      const std::size_t size = function.name == "tan" ? 2 * argument.size + 3 : argument.size + 1;
+      check_size(start, size);  // tan x is sin x / cos x
+      return checked(start, function.apply(argument.value), size);
     }
     argument.value = tidied(argument.value);
     if (!function.accepts(to_real(argument.value))) {

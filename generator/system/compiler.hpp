@@ -5,9 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "system/signals.hpp"
+
 namespace treedyn {
 
-/// A folder that vanishes with the object. \throws InputError
+/// A folder that vanishes with the object, which holds signals as long: nothing is left behind.
+/// \throws InputError if TMPDIR is no folder that can be written
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -17,6 +20,7 @@ class TemporaryFolder {
   [[nodiscard]] std::filesystem::path path() const { return path_; }
 
  private:
+  HeldSignals signals_;
   std::string path_;
 };
 
@@ -24,8 +28,8 @@ class TemporaryFolder {
 /// \returns true if it exits with 0.
 bool succeeds(std::vector<std::string> words, const std::string& output);
 
-/// $CXX, c++, g++ or clang++, the first that runs; empty if there is none.
+/// The words of $CXX ("ccache g++ -O1"), c++, g++ or clang++, the first that runs; none otherwise.
 /// \param scratch  a file that may be written
-std::string find_compiler(const std::string& scratch);
+std::vector<std::string> find_compiler(const std::string& scratch);
 
 }  // namespace treedyn

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "system/signals.hpp"
 
 namespace treedyn {
 
@@ -26,22 +27,6 @@ namespace {
 [[noreturn]] void fail(const std::string& path, const std::string& what, int error) {
   throw InputError({path, 0, 0},
                    fmt::format("{}: {}", what, std::generic_category().message(error)));
-}
-
-constexpr std::size_t kMostInput = std::size_t{64} << 20U;
-
-/// The rest of a stream, or a little more than `most` bytes of it; nothing on errors.
-std::optional<std::string> read_stream(std::FILE* stream, std::size_t most) {
-  std::string text;
-  std::array<char, 1 << 16> buffer{};
-  while (text.size() <= most) {
-    const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream);
-    if (count == 0) {
-      break;
-    }
-    text.append(buffer.data(), count);
-  }
-  return std::ferror(stream) != 0 ? std::nullopt : std::optional(std::move(text));
 }
 
 /// Makes missing folders; unmakes them unless `keep` is called.
@@ -137,28 +122,51 @@ class Temporary {
 std::optional<std::string> read_file(const std::string& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              std::fclose);
-  return file == nullptr ? std::nullopt : read_stream(file.get(), std::string::npos);
+  if (file == nullptr) {
+    return std::nullopt;
+  }
+  std::string text;
+  std::array<char, 1 << 16> buffer{};
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+    text.append(buffer.data(), count);
+  }
+  return std::ferror(file.get()) != 0 ? std::nullopt : std::optional(std::move(text));
 }
 
-std::string read_standard_input() {
-  const std::optional<std::string> text = read_stream(stdin, kMostInput);
-  if (!text || text->size() > kMostInput) {
-    throw InputError({"-", 0, 0}, text ? "input is too large; expected at most 64 MiB"
-                                       : "standard input cannot be read");
+namespace {
+
+/// Only what is a file, or nothing yet, can be written as a whole.
+void check_target(const std::string& path) {
+  constexpr std::size_t kLongestName = 255;  // NAME_MAX
+  const std::string name = fs::path(path).filename().string();
+  if (name.size() > kLongestName) {
+    throw InputError({path, 0, 0},
+                     fmt::format("file name of {} bytes is too long; expected at most {}",
+                                 name.size(), kLongestName));
   }
-  return *text;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) {
+    fail(path, "cannot write", EISDIR);
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw InputError({path, 0, 0}, "is no regular file; expected one, or nothing there");
+  }
 }
+
+}  // namespace
 
 int write_files(const std::vector<OutputFile>& files) {
+  const HeldSignals signals;
+  for (const OutputFile& file : files) {
+    check_target(file.path);
+  }
   Folders folders;
   std::vector<Temporary> temporaries;
   temporaries.reserve(files.size());
   for (const OutputFile& file : files) {
     if (read_file(file.path) == file.text) {
       continue;
-    }
-    if (fs::is_directory(file.path)) {
-      fail(file.path, "cannot write", EISDIR);
     }
     folders.make(fs::path(file.path).parent_path());
     temporaries.emplace_back(file);

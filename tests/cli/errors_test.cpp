@@ -51,11 +51,22 @@ TEST_F(Cli, ReturnsOneAndWritesNothingForWrongInput) {
   EXPECT_EQ(treedyn({"generate", kModel, "--points", "tip=nowhere", "-o", out()}).status, 1);
 }
 
-TEST_F(Cli, RefusesForwardDynamicsOfAJointWithoutInertia) {
+TEST_F(Cli, LeavesOutForwardDynamicsOfAJointWithoutInertia) {
   const std::string model = one_joint("0");
   const Outcome outcome = treedyn({"generate", model, "-o", out()});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("joint 'j'"));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: joint 'j': what it moves has no inertia about its "
+                                     "axis; forward dynamics has no solution and is left out"));
+  const std::string header = read_file(file("one.hpp"));
+  for (const char* const name :
+       {"mass_matrix", "bias_force", "gravity_force", "inverse_dynamics"}) {
+    EXPECT_THAT(header, HasSubstr(std::string("void ") + name));
+  }
+  EXPECT_THAT(header, testing::Not(HasSubstr("void forward_dynamics")));
+  const Outcome asked =
+      treedyn({"generate", model, "--functions", "forward_dynamics", "-o", scratch("asked")});
+  EXPECT_EQ(asked.status, 1);
+  EXPECT_THAT(asked.err, HasSubstr("joint 'j'"));
   const Outcome without = treedyn({"generate", model, "--functions", "mass_matrix", "-o", out()});
   EXPECT_EQ(without.status, 0);
   EXPECT_THAT(without.err, HasSubstr("warning: joint 'j'"));

@@ -1,8 +1,13 @@
 #include "common/identifier.hpp"
 
+#include <set>
 #include <string>
+#include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "support/process.hpp"
 
 namespace treedyn {
 namespace {
@@ -54,6 +59,62 @@ TEST(IsReservedWord, KnowsEveryKeywordOfCpp20) {  // [lex.key] table 5 and [lex.
        "bitor",         "compl",       "not",       "not_eq",    "or",           "or_eq",
        "xor",           "xor_eq"}) {
     EXPECT_TRUE(is_reserved_word(word)) << word;
+  }
+}
+
+TEST(IsReserved, KnowsWhatANamespaceMustNotBeCalled) {
+  for (const char* name :
+       {"int", "std", "main", "gamma", "j1", "EOF", "NULL", "errno", "assert", "INT_MAX", "M_PI",
+        "I", "linux", "time", "double", "signbit", "acosf64", "typeof"}) {
+    EXPECT_TRUE(is_reserved(name)) << name;
+  }
+  EXPECT_FALSE(is_reserved("biped"));
+  EXPECT_FALSE(is_reserved_word("j1")) << "a good name for a joint";
+}
+
+/// Every word of the headers, as the preprocessor leaves them.
+std::set<std::string> words_of(const std::string& text) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : text + ' ') {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    if (letter || (!word.empty() && c >= '0' && c <= '9')) {
+      word += c;
+    } else {
+      words.insert(std::exchange(word, {}));
+    }
+  }
+  return words;
+}
+
+/// What the compiler itself knows is in no list of ours: every word of the headers that is not
+/// reserved is good for a namespace and for a joint.
+TEST(IsReserved, LeavesNoNameOfAHeaderFree) {
+  const support::TemporaryFolder folder;
+  const std::string path = (folder.path() / "words.cpp").string();
+  std::string headers;
+  for (const char* const name : {"cassert", "cerrno", "cfloat", "climits", "cmath", "cstddef",
+                                 "cstdint", "cstdio", "cstdlib", "cstring", "ctime", "math.h"}) {
+    headers += fmt::format("#include <{}>\n", name);
+  }
+  for (const char* const standard : {"-std=gnu++17", "-std=gnu++20"}) {
+    support::write_file(path, headers);
+    std::set<std::string> words;
+    for (const char* const what : {"-P", "-dM"}) {
+      const auto found = support::run({TREEDYN_CXX, standard, "-E", what, path});
+      ASSERT_EQ(found.status, 0) << found.err;
+      words.merge(words_of(found.out));
+    }
+    std::string text = headers;
+    for (const std::string& word : words) {
+      if (!word.empty() && word.front() != '_' && !is_reserved(word)) {
+        text += fmt::format("namespace {0} {{ inline constexpr int {0} = 0; }}\n", word);
+      }
+    }
+    EXPECT_GT(text.size(), 10000U);
+    support::write_file(path, text);
+    const auto compiled = support::run({TREEDYN_CXX, standard, "-fsyntax-only", path});
+    EXPECT_EQ(compiled.status, 0) << compiled.err;
   }
 }
 

@@ -1,4 +1,6 @@
 // What the two formats allow, what they ignore, and how fast they read.
+#include <fstream>
+
 #include <clocale>
 #include <cstdio>
 #include <ctime>
@@ -219,6 +221,54 @@ TEST(Readers, StandAnyTruncation) {
   }
   for (std::size_t k = 0; k < tree.find("points") - 2; ++k) {
     EXPECT_NE(yaml_error(tree.substr(0, k)), "") << k;
+  }
+}
+
+std::vector<std::string> findings(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << text;
+  std::vector<std::string> result;
+  for (const Warning& finding : vet_model(path, {}).findings) {
+    result.push_back(fmt::format("{}: {}", finding.where.line, finding.message));
+  }
+  return result;
+}
+
+TEST(Vet, FindsWhatIsNotReadAndLooksLikeASlip) {
+  const std::string robot =
+      "<robot name=\"r\" xmlns:x=\"u\"><link name=\"b\"/>\n<link name=\"a\"><inertial><mass "
+      "value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" "
+      "izz=\"1\"/></inertial><visual/><extra/></link><gazebo/>\n"
+      "<joint name=\"j\" type=\"revolute\"><parent link=\"b\"/><child link=\"a\"/><axis xyz=\"0 0 "
+      "1\"/>{}</joint></robot>\n";
+  const auto joint = [&](const char* more) {
+    std::string text = robot;
+    return findings("typo.urdf", text.replace(text.find("{}"), 2, more));
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(joint("<origin rpy=\"0 0 6.2831853\"/><dynamics damping=\"1\"/>"),
+              testing::Not(testing::Contains(testing::HasSubstr("unknown"))));
+  EXPECT_THAT(
+      joint("<orgin xyz=\"1 0 0\"/>"),
+      ElementsAre("3: joint 'j': <orgin> (did you mean 'origin'?) is unknown and not read"));
+  EXPECT_THAT(joint("<origin ryp=\"0 0 1\"/>"),
+              ElementsAre("3: joint 'j': attribute 'ryp' of <origin> (did you mean 'rpy'?) is "
+                          "unknown and not read"));
+  EXPECT_THAT(
+      joint("<origin quat_xyzw=\"0 0 0 1\"/>"),
+      ElementsAre("3: joint 'j': attribute 'quat_xyzw' of <origin> is unknown and not read"));
+  EXPECT_THAT(joint("<origin rpy=\"91 0 0\"/>"),
+              ElementsAre("3: joint 'j': rpy 91 is beyond 2 pi; angles are in radians"));
+}
+
+TEST(ReadModel, TakesEndingsInUpperCase) {
+  const std::string path = testing::TempDir() + "ROBOT.URDF";
+  std::ofstream(path) << "<sdf/>";
+  try {
+    read_model(path, {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.message(), testing::HasSubstr("root element is <sdf>"));
   }
 }
 

@@ -10,7 +10,20 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Names of the joints without inertia in a chain; every entry is "joint fields | link fields".
+/// The names in quotes before the colon of a message: "a b".
+std::string joints_of(const std::string& message) {
+  const std::string list = message.substr(0, message.find(':'));
+  std::string names;
+  for (std::size_t at = list.find('\''); at != std::string::npos; at = list.find('\'', at)) {
+    const std::size_t end = list.find('\'', at + 1);
+    names += (names.empty() ? "" : " ") + list.substr(at + 1, end - at - 1);
+    at = end + 1;
+  }
+  return names;
+}
+
+/// The joints of every movement without inertia in a chain; every entry is "joint fields | link
+/// fields".
 std::vector<std::string> singular_joints(const std::vector<std::string>& links) {
   std::string text = "name: m\nlinks:\n";
   for (std::size_t k = 0; k < links.size(); ++k) {
@@ -21,8 +34,7 @@ std::vector<std::string> singular_joints(const std::vector<std::string>& links) 
   }
   std::vector<std::string> names;
   for (const Warning& warning : joints_without_inertia(yaml(text))) {
-    const std::size_t start = warning.message.find('\'') + 1;
-    names.push_back(warning.message.substr(start, warning.message.find('\'', start) - start));
+    names.push_back(joints_of(warning.message));
   }
   return names;
 }
@@ -51,11 +63,33 @@ TEST(JointsWithoutInertia, IncludeAPointMassOnTheAxis) {
               ElementsAre("j0"));
 }
 
-TEST(JointsWithoutInertia, IncludeTheFirstOfTwoParallelJointsWithNothingBetweenThem) {
+TEST(JointsWithoutInertia, NameBothOfTwoParallelJointsWithNothingBetweenThem) {
   EXPECT_THAT(
       singular_joints({joint("type: revolute, axis: [0, 0, 1]", ""),
                        joint("type: revolute, axis: [0, 0, 1]", ", mass: 1, com: [1, 0, 0]")}),
-      ElementsAre("j0"));
+      ElementsAre("j0 j1"));
+}
+
+/// Two particles turn about the line through them, whatever carries the first: the joint between
+/// them takes no part.
+TEST(JointsWithoutInertia, AreThoseOfTheMovementAndNoOthers) {
+  const std::string rod =
+      "name: rod\nlinks:\n"
+      "- {name: body, father: ground, joint: {type: fixed}, mass: 2, com: [0, 0, 0.3]}\n"
+      "- {name: tip, father: body, joint: {name: spin, type: revolute, axis: [0, 1, 0]}, mass: 2, "
+      "com: [0.2, 0, 0]}\n";
+  const auto found = joints_without_inertia(yaml(rod, options("0", Base::kAxes)));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].message,
+            "joints 'base_px', 'base_py', 'base_pz', 'base_rz', 'base_ry', 'base_rx': they can "
+            "move together without moving any inertia; forward dynamics has no solution");
+  EXPECT_THAT(joints_without_inertia(yaml(rod)), IsEmpty());
+}
+
+TEST(JointsWithoutInertia, AreNoneWhereArmaturesAct) {
+  const model::Tree tree = yaml(one_link("type: revolute, axis: [0, 0, 1]", "mass: 0"));
+  EXPECT_THAT(joints_without_inertia(tree, {Real("1e-9")}), IsEmpty());
+  EXPECT_EQ(joints_without_inertia(tree, {0}).size(), 1U);
 }
 
 TEST(JointsWithoutInertia, SpareMasslessLinksThatCarryABody) {

@@ -120,14 +120,6 @@ TEST(ForComment, LeavesWhatIsReadableBesideWhatIsNot) {
             "pen_/: force along (0.707107, 0, -0.707107)");
 }
 
-TEST(IsReserved, KnowsWhatANamespaceMustNotBeCalled) {
-  for (const char* name : {"int", "std", "main", "gamma", "j1", "EOF", "NULL", "errno", "assert",
-                           "INT_MAX", "M_PI", "I", "linux", "time", "double"}) {
-    EXPECT_TRUE(is_reserved(name)) << name;
-  }
-  EXPECT_FALSE(is_reserved("biped"));
-}
-
 TEST(CostText, NamesOnlyWhatOccurs) {
   EXPECT_EQ(cost_text({.add = 2, .mul = 3, .cos = 1}), "3 mul, 2 add, 1 cos");
   EXPECT_EQ(cost_text({}), "none");

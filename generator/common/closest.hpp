@@ -1,0 +1,18 @@
+// "did you mean": the known word that a mistyped one is closest to.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace treedyn {
+
+/// The known word that differs from `word` by at most two letters that are wrong, missing, added or
+/// exchanged with their neighbour (one in words of up to four letters); the first of the closest;
+/// empty if there is none. Words of more than 64 bytes resemble none.
+std::string closest(std::string_view word, const std::vector<std::string_view>& known);
+
+/// " (did you mean 'x'?)", or nothing.
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known);
+
+}  // namespace treedyn
