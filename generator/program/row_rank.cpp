@@ -15,6 +15,7 @@ using Values = std::vector<double>;
 constexpr int kSamples = 8;          ///< states near the first one
 constexpr int kSteps = 60;           ///< of one search
 constexpr double kHolds = 1e-9;      ///< error of rows that hold, of what a reach changes
+constexpr double kMoves = 1e-2;      ///< in reaches: states of a mechanism that moves differ
 constexpr double kShortest = 1e-14;  ///< of rows: what is smaller is rounding
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -171,6 +172,17 @@ Values sizes_of(const ConstraintRows& rows, const std::vector<Values>& states, c
   return sizes;
 }
 
+/// How far states lie from the first one, in reaches.
+double spread_of(const std::vector<Values>& states, const Values& reach) {
+  double most = 0;
+  for (const Values& q : states) {
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      most = std::max(most, std::abs(q[i] - states.front()[i]) / reach[i]);
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
 OrdinaryRows ordinary_rows(const ConstraintRows& rows, const Values& q0, const Values& reach,
@@ -209,6 +221,9 @@ OrdinaryRows ordinary_rows(const ConstraintRows& rows, const Values& q0, const V
     }
     result.rank = std::max(result.rank, rank_of_rows(at.J, index(rows.columns), result.lengths));
   }
+  // rows that leave velocities free and hold in one place only: a singular position
+  const bool moves = spread_of(held, reach) > kMoves;
+  result.holds = result.holds && (moves || (columns.empty() && result.rank == rows.columns));
   return result;
 }
 
