@@ -16,14 +16,14 @@
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
 #include "equations/table.hpp"
-#include "files.hpp"
-#include "prove.hpp"
-#include "prove_scene.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
 #include "simplify/scene_steps.hpp"
 #include "simulation/integrator.hpp"
 #include "symbolic/dump.hpp"
+#include "system/files.hpp"
+#include "verify/prove.hpp"
+#include "verify/prove_scene.hpp"
 #include "version.hpp"
 
 namespace treedyn {

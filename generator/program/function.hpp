@@ -56,7 +56,7 @@ struct Cost {
   int sin = 0;
   int cos = 0;
 
-  /// add + mul + div, the number that PERFORMANCE.md compares.
+  /// add + mul + div, the number that tests/benchmark/README.md compares.
   [[nodiscard]] int total() const { return add + mul + div; }
   bool operator==(const Cost&) const = default;
 };

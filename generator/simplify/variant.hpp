@@ -30,7 +30,7 @@ struct LinkVariant {
   std::uint8_t cut = kWholeRun;
   bool merge_parallel = true;  ///< share the father's frame if the axes are parallel
   bool column_of_father =
-      true;  ///< third column of Omega by rotating the father's (PERFORMANCE.md 2.5)
+      true;  ///< third column of Omega by rotating the father's (cheaper than its own product)
   bool tensor_moment = false;  ///< link moment by the inertia tensor instead of the pseudo-inertia
 
   static constexpr std::uint8_t kWholeRun = 255;

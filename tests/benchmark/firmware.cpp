@@ -42,7 +42,7 @@ constexpr const char* kUnscheduled = "-fno-schedule-insns";
 struct Function {
   const char* name;
   const char* arguments;
-  const char* limit;  ///< instructions a call, PERFORMANCE.md 6, of the biped on axes
+  const char* limit;  ///< instructions a call, tests/benchmark/README.md, of the biped on axes
 };
 constexpr Function kFunctions[] = {
     {"mass_matrix", "(q, out)", "1500"},         {"bias_force", "(q, qd, out)", ""},

@@ -1,4 +1,4 @@
-#include "diff.hpp"
+#include "cli/diff.hpp"
 
 #include <random>
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "dynamics/scene_dynamics.hpp"
 #include "model/scene.hpp"
-#include "scene_dynamics.hpp"
 #include "simulation/pose.hpp"
 #include "simulation/simulator.hpp"
 

@@ -1,5 +1,5 @@
-// Only the effects a scene calls for, HARD_CASES.md 4: generated functions of scenes that differ in
-// one effect, by text, symbols, values and counted operations.
+// Only the effects a scene calls for (README.md beside this file): generated functions of scenes
+// that differ in one effect, by text, symbols, values and counted operations.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -281,7 +281,7 @@ struct Feet {
   const char* left;
   const char* right;
   const char* kinds;
-  long limit;  ///< PERFORMANCE.md 6
+  long limit;  ///< tests/benchmark/README.md
 };
 
 const Feet kFeet[] = {{"hyq_no_sensors.urdf", "lf_foot", "rh_foot", kPoints, 4500},

@@ -1,4 +1,4 @@
-// E2 of HARD_CASES.md section 4: an effect never makes a scene cheaper, and it costs no more
+// E2 of tests/scenes/README.md: an effect never makes a scene cheaper, and it costs no more
 // instructions than the operations that its price names.
 #include <map>
 #include <nlohmann/json.hpp>

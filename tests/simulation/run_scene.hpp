@@ -5,7 +5,7 @@
 #include <string>
 
 #include "description/scene_reader.hpp"
-#include "scene_dynamics.hpp"
+#include "dynamics/scene_dynamics.hpp"
 #include "simulation/recording.hpp"
 
 namespace treedyn::simulation {

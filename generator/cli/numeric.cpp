@@ -1,4 +1,4 @@
-#include "numeric.hpp"
+#include "cli/numeric.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "compiler.hpp"
 #include "emit/numeric_driver.hpp"
-#include "files.hpp"
+#include "system/compiler.hpp"
+#include "system/files.hpp"
 
 namespace treedyn {
 

@@ -1,4 +1,4 @@
-#include "scene_prices.hpp"
+#include "cli/scene_prices.hpp"
 
 #include <algorithm>
 #include <functional>

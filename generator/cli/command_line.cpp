@@ -1,4 +1,4 @@
-#include "command_line.hpp"
+#include "cli/command_line.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -7,9 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/generation_options.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "generation_options.hpp"
 #include "simplify/scene_functions.hpp"
 #include "simulation/integrator.hpp"
 #include "version.hpp"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "cli/simulate.hpp"
 #include "pipeline.hpp"
-#include "simulate.hpp"
 
 namespace treedyn {
 

@@ -1,4 +1,4 @@
-#include "scene_equations.hpp"
+#include "verify/scene_equations.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "prove.hpp"
+#include "verify/prove.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "prove_scene.hpp"
+#include "verify/prove_scene.hpp"
 
 #include <algorithm>
 #include <span>
@@ -8,9 +8,9 @@
 
 #include "program/interpret.hpp"
 #include "program/random.hpp"
-#include "scene_equations.hpp"
 #include "simplify/constrained_inverse.hpp"
 #include "simplify/scene_functions.hpp"
+#include "verify/scene_equations.hpp"
 
 namespace treedyn {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/simulate.hpp"
 #include "emit/json.hpp"
 #include "emit/template_file.hpp"
-#include "simulate.hpp"
 
 namespace treedyn {
 

@@ -1,4 +1,4 @@
-#include "compiler.hpp"
+#include "system/compiler.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>

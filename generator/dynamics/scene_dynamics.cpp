@@ -1,4 +1,4 @@
-#include "scene_dynamics.hpp"
+#include "dynamics/scene_dynamics.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "vet.hpp"
+#include "cli/vet.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "generation_options.hpp"
+#include "cli/generation_options.hpp"
 
 #include <algorithm>
 

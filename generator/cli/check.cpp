@@ -1,4 +1,4 @@
-#include "check.hpp"
+#include "cli/check.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "diff.hpp"
-#include "files.hpp"
+#include "cli/diff.hpp"
+#include "system/files.hpp"
 
 namespace treedyn {
 

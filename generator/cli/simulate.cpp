@@ -1,4 +1,4 @@
-#include "simulate.hpp"
+#include "cli/simulate.hpp"
 
 #include <filesystem>
 #include <stdexcept>
@@ -7,10 +7,10 @@
 
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
-#include "files.hpp"
+#include "dynamics/scene_dynamics.hpp"
 #include "model/effects.hpp"
-#include "scene_dynamics.hpp"
 #include "simulation/integrator.hpp"
+#include "system/files.hpp"
 
 namespace treedyn {
 

@@ -1,4 +1,4 @@
-#include "info.hpp"
+#include "cli/info.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "block/pattern.hpp"
+#include "cli/scene_prices.hpp"
 #include "common/decimal.hpp"
 #include "emit/header.hpp"
 #include "emit/json.hpp"
 #include "emit/layout.hpp"
 #include "emit/manifest.hpp"
-#include "scene_prices.hpp"
 #include "simplify/scene_functions.hpp"
 
 namespace treedyn {

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
-#include "compiler.hpp"
+#include "dynamics/scene_dynamics.hpp"
 #include "emit/template_file.hpp"
 #include "emit/unit.hpp"
-#include "files.hpp"
-#include "scene_dynamics.hpp"
+#include "system/compiler.hpp"
+#include "system/files.hpp"
 
 namespace treedyn {
 

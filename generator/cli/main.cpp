@@ -16,14 +16,14 @@
 
 #include <fmt/format.h>
 
-#include "check.hpp"
-#include "command_line.hpp"
-#include "files.hpp"
-#include "info.hpp"
-#include "numeric.hpp"
+#include "cli/check.hpp"
+#include "cli/command_line.hpp"
+#include "cli/info.hpp"
+#include "cli/numeric.hpp"
+#include "cli/simulate.hpp"
+#include "cli/vet.hpp"
 #include "pipeline.hpp"
-#include "simulate.hpp"
-#include "vet.hpp"
+#include "system/files.hpp"
 
 namespace {
 
