@@ -133,7 +133,7 @@ void point_positions(const Scalar q[18], Scalar p[12]) noexcept;
 ///
 /// \param      q  18, rad|m
 /// \param[out] C  216, m|1
-/// Equation (9). Cost: 316 mul, 194 add, 15 sin, 15 cos.
+/// Equation (9). Cost: 319 mul, 191 add, 15 sin, 15 cos.
 void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept;
 
 }  // namespace biped
