@@ -68,7 +68,7 @@ class Case {
         check_entry(entry);
       }
     }
-    report_.note(options_.scalar, "worst/tolerance", worst_, 1);
+    report_.note(options_.scalar, checked_ > 0 ? "worst/tolerance" : "NOTHING ASKED", worst_, 1);
     report_.remark(source_->cost());
   }
 
@@ -86,6 +86,7 @@ class Case {
       unchecked(name);
       return;
     }
+    ++checked_;
     const double error = error_of(entry, *values, support::flat(entry.at("value")));
     const double tolerance = entry.at(tolerance_).get<double>();
     worst_ = std::max(worst_, error == 0 ? 0 : error / tolerance);
@@ -108,6 +109,7 @@ class Case {
   const Json& data_;
   Report& report_;
   double worst_ = 0;
+  int checked_ = 0;
 };
 
 /// Nothing for words that are neither options nor folders.

@@ -22,12 +22,19 @@ std::vector<double> crossings(const model::Scene& scene, Source& source, double 
   run.advance_to(end);
   std::vector<double> result;
   for (const auto& [low, high] : brackets) {
-    std::uintmax_t calls = 100;
     const auto at = [&](double t) {
       return value_at(scene, source, t, g);
     };
+    const double first = at(low);
+    const double last = at(high);
+    if (first * last >= 0) {  // landing there moves the zero beyond one of the ends
+      result.push_back(first == 0 ? low : high);
+      continue;
+    }
+    std::uintmax_t calls = 100;
     const boost::math::tools::eps_tolerance<double> closest(52);
-    result.push_back(boost::math::tools::toms748_solve(at, low, high, closest, calls).second);
+    result.push_back(
+        boost::math::tools::toms748_solve(at, low, high, first, last, closest, calls).second);
   }
   return result;
 }
