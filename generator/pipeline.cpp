@@ -375,7 +375,10 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   check_step(model);
   check_impacts(model, where);
   Programs programs = formulate(model, request, [](const std::string&) {});
-  StepFiles result{model.name, {}, programs.steppers.front().signature};
+  StepFiles result{model.name,
+                   {},
+                   programs.steppers.front().signature,
+                   program::step_cost(programs.steppers.front())};
   result.files = emit_files(model, request, std::move(programs));
   return result;
 }

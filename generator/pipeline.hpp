@@ -69,6 +69,7 @@ struct StepFiles {
   std::string name;
   std::vector<emit::File> files;
   program::Signature signature;  ///< of `step`
+  program::Cost cost;            ///< of one step in the first phase
 };
 /// \param file  of the scene, for messages
 /// \throws InputError if the scene has no generated step

@@ -11,6 +11,7 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "simplify/scene_functions.hpp"
+#include "simplify/scene_steps.hpp"
 #include "simulation/integrator.hpp"
 #include "version.hpp"
 
@@ -56,6 +57,39 @@ void add_positive(CLI::App& command, const std::string& name, const std::string&
           },
           what)
       ->type_name(type);
+}
+
+void add_accuracy(CLI::App& app, Settings& settings) {
+  AccuracyRequest& request = settings.accuracy;
+  CLI::App& command =
+      *app.add_subcommand("accuracy", "what the accuracy of a scene's generated step costs");
+  command.add_option("SCENE", request.scene, "scene (*.yaml)")->required();
+  command
+      .add_option("-o,--output", request.output,
+                  "folder of NAME_accuracy.html, .svg, .csv and .json")
+      ->type_name("DIR");
+  std::vector<std::string> names;
+  for (const accuracy::Core& core : accuracy::cores()) {
+    names.emplace_back(core.name);
+  }
+  command.add_option("--on", request.on, "processors, whose tables of cycles count")
+      ->delimiter(',')
+      ->check(one_of(names))
+      ->type_name("LIST");
+  std::vector<std::string> methods = simplify::step_method_names();
+  command.add_option("--integrators", request.integrators, "default: the explicit ones")
+      ->delimiter(',')
+      ->check(one_of(methods))
+      ->type_name("LIST");
+  command
+      .add_option("--target", request.target,
+                  "largest error of a joint, rad or m: prints the cheapest setting that keeps it")
+      ->check(CLI::PositiveNumber)
+      ->type_name("E");
+  command.add_option("--states", request.states, "initial states, the scene's own among them")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  add_talk(command, settings);
 }
 
 void add_simulate(CLI::App& app, Settings& settings) {
@@ -149,6 +183,7 @@ void add_commands(CLI::App& app, Settings& settings) {
       ->type_name("text|gcc|json");
 
   add_simulate(app, settings);
+  add_accuracy(app, settings);
 
   CLI::App* list = app.add_subcommand("list", "names that other commands accept");
   add_talk(*list, settings);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/accuracy.hpp"
 #include "cli/simulate.hpp"
 #include "pipeline.hpp"
 
@@ -18,6 +19,7 @@ struct Settings {
   std::string command;  ///< "generate", "check", ...
   Request request;
   SimulateRequest simulation;
+  AccuracyRequest accuracy;
   std::string output;
   std::string depfile;
   std::string dump;

@@ -194,11 +194,19 @@ int run_simulate(const Settings& settings) {
   return 0;
 }
 
+int run_accuracy(const Settings& settings) {
+  const accuracy::Study study = study_accuracy(settings.accuracy, trace_of(settings));
+  print(write_accuracy(settings.accuracy, study));
+  const std::optional<double>& target = settings.accuracy.target;
+  const bool reached = !target || study.outcomes[accuracy::most_accurate(study)].error() <= *target;
+  return reached ? 0 : kFailure;
+}
+
 int run(const Settings& settings) {
   static const std::map<std::string, int (*)(const Settings&)> commands = {
-      {"generate", run_generate}, {"check", run_check}, {"outputs", run_outputs},
-      {"info", run_info},         {"vet", run_vet},     {"list", run_list},
-      {"simulate", run_simulate}};
+      {"generate", run_generate}, {"check", run_check},      {"outputs", run_outputs},
+      {"info", run_info},         {"vet", run_vet},          {"list", run_list},
+      {"simulate", run_simulate}, {"accuracy", run_accuracy}};
   return commands.at(settings.command)(settings);
 }
 

@@ -62,25 +62,7 @@ class Run {
   std::vector<StatusRecord> statuses_;
 };
 
-void Run::begin() {
-  const Vector q = simulator_.q();
-  const Vector qd = simulator_.qd();
-  step_.at("q").assign(q.begin(), q.end());
-  step_.at("qd").assign(qd.begin(), qd.end());
-  Values& tau = step_.at("tau");
-  for (std::size_t k = 0; k < scene_.tau.size(); ++k) {
-    tau[k] = static_cast<double>(scene_.tau[k]);
-  }
-  if (step_.has("phase")) {
-    step_.at("phase")[0] = scene_.start_phase;
-  }
-  if (step_.has("anchor")) {
-    const program::Function anchors = simplify::anchor_function(scene_);
-    const std::vector<Values> inputs = {step_.at("q"), {start_}};
-    const std::vector<std::span<const double>> spans(inputs.begin(), inputs.end());
-    step_.at("anchor") = program::interpret<double>(anchors, spans);
-  }
-}
+void Run::begin() { begin_motion(scene_, simulator_.q(), simulator_.qd(), step_); }
 
 void Run::place(long k, const Values& q, const Values& qd, int state) {
   const simplify::PhaseState& now = states_[static_cast<std::size_t>(state)];
@@ -161,6 +143,30 @@ bool Run::go(const std::function<void(const Values&)>& show, const simulation::P
 }
 
 }  // namespace
+
+void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
+                  GeneratedStep& step) {
+  step.at("q").assign(q.begin(), q.end());
+  step.at("qd").assign(qd.begin(), qd.end());
+  Values& tau = step.at("tau");
+  for (std::size_t k = 0; k < scene.tau.size(); ++k) {
+    tau[k] = static_cast<double>(scene.tau[k]);
+  }
+  for (const char* name : {"steps", "begun"}) {
+    if (step.has(name)) {
+      step.at(name)[0] = 0;
+    }
+  }
+  if (step.has("phase")) {
+    step.at("phase")[0] = scene.start_phase;
+  }
+  if (step.has("anchor")) {
+    const program::Function anchors = simplify::anchor_function(scene);
+    const std::vector<Values> inputs = {step.at("q"), {static_cast<double>(scene.t0)}};
+    const std::vector<std::span<const double>> spans(inputs.begin(), inputs.end());
+    step.at("anchor") = program::interpret<double>(anchors, spans);
+  }
+}
 
 GeneratedRun run_generated(const model::Scene& scene, GeneratedStep& step,
                            simulation::Simulator& simulator, double output_step,

@@ -21,6 +21,10 @@ struct GeneratedRun {
   std::vector<StatusRecord> statuses;
 };
 
+/// The arguments of the first step of the scene from a state: joint forces, phase, anchors.
+void begin_motion(const model::Scene& scene, const simulation::Vector& q,
+                  const simulation::Vector& qd, GeneratedStep& step);
+
 /// Steps from t0 on, at t0 + k h, until the scene's duration is over. Reactions are those that the
 /// step gives; energies and drift are computed of its states in double.
 /// \param simulator  in the initial state \param output_step  s between rows, in whole steps

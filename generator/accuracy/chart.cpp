@@ -1,0 +1,228 @@
+#include "accuracy/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace treedyn::accuracy {
+
+namespace {
+
+constexpr double kWidth = 640;
+constexpr double kHeight = 430;
+constexpr double kLeft = 70;
+constexpr double kRight = 150;  ///< for the names of the series
+constexpr double kTop = 46;
+constexpr double kBottom = 50;
+constexpr const char* kColours[] = {"#1b5e9b", "#d95f02", "#2f8f5b", "#7a5195", "#8c6d1f"};
+
+/// A range of whole decades.
+struct Decades {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    if (std::isfinite(value) && value > 0) {
+      low = std::min(low, std::floor(std::log10(value)));
+      high = std::max(high, std::ceil(std::log10(value)));
+    }
+  }
+  void widen() {
+    if (low > high) {
+      low = -1;
+      high = 0;
+    }
+    high = std::max(high, low + 1);
+  }
+  /// 0 at the lower end, 1 at the upper.
+  [[nodiscard]] double place(double value) const {
+    return std::clamp((std::log10(value) - low) / (high - low), 0.0, 1.0);
+  }
+};
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return result;
+}
+
+using Abscissa = std::function<double(const Outcome&)>;
+
+class Chart {
+ public:
+  Chart(const Study& study, Abscissa abscissa) : study_(study), abscissa_(std::move(abscissa)) {
+    for (const Outcome& outcome : study.outcomes) {
+      x_.include(abscissa_(outcome));
+      if (!outcome.failed()) {
+        y_.include(outcome.error());
+        y_.include(outcome.least());
+      }
+    }
+    x_.widen();
+    y_.widen();
+  }
+
+  [[nodiscard]] std::string text(const std::string& title, const std::string& axis,
+                                 const std::vector<std::size_t>& front) const {
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
+        "{1}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
+        "fill=\"white\"/>\n<text x=\"{2}\" y=\"18\" "
+        "font-size=\"13\">{3}</text>\n{4}{5}{6}{7}</svg>\n",
+        kWidth, kHeight, kLeft, escaped(title), grid(axis), floors(), front_line(front), series());
+  }
+
+ private:
+  [[nodiscard]] double px(double x) const {
+    return kLeft + (kWidth - kLeft - kRight) * x_.place(x);
+  }
+  [[nodiscard]] double py(double y) const {
+    return kHeight - kBottom - (kHeight - kTop - kBottom) * y_.place(y);
+  }
+
+  [[nodiscard]] std::string grid(const std::string& axis) const {
+    std::string text;
+    for (double k = x_.low; k <= x_.high; ++k) {
+      const double x = px(std::pow(10, k));
+      text += fmt::format(
+          "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"{3}\" "
+          "text-anchor=\"middle\">1e{4}</text>\n",
+          x, kTop, kHeight - kBottom, kHeight - kBottom + 16, k);
+    }
+    const double every = std::max(1.0, std::ceil((y_.high - y_.low) / 10));
+    for (double k = y_.low; k <= y_.high; k += every) {
+      const double y = py(std::pow(10, k));
+      text += fmt::format(
+          "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#ddd\"/><text x=\"{3}\" y=\"{4:.1f}\" "
+          "text-anchor=\"end\">1e{5}</text>\n",
+          kLeft, y, kWidth - kRight, kLeft - 6, y + 4, k);
+    }
+    return text +
+           fmt::format(
+               "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n<text x=\"14\" y=\"{}\" "
+               "transform=\"rotate(-90 14 {})\" text-anchor=\"middle\">largest error of a joint, "
+               "rad or m</text>\n",
+               (kLeft + kWidth - kRight) / 2, kHeight - 12, escaped(axis), kHeight / 2,
+               kHeight / 2);
+  }
+
+  [[nodiscard]] std::string floors() const {
+    std::string text;
+    for (const bool is_float : {true, false}) {
+      if (const std::optional<Floor> floor = floor_of(study_, is_float)) {
+        const double y = py(floor->error);
+        text += fmt::format(
+            "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#555\" stroke-dasharray=\"2 3\"/><text "
+            "x=\"{3}\" "
+            "y=\"{4:.1f}\" fill=\"#555\">floor of {5}: {6:.1e}</text>\n",
+            kLeft, y, kWidth - kRight, kLeft + 4, y - 3, is_float ? "float" : "double",
+            floor->error);
+      }
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string front_line(const std::vector<std::size_t>& front) const {
+    std::string path;
+    for (const std::size_t k : front) {
+      const Outcome& outcome = study_.outcomes[k];
+      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", px(abscissa_(outcome)),
+                          py(outcome.error()));
+    }
+    return path.empty() ? path
+                        : fmt::format(
+                              "<path d=\"{}\" fill=\"none\" stroke=\"#bbb\" "
+                              "stroke-width=\"6\" stroke-linejoin=\"round\"/>\n",
+                              path);
+  }
+
+  /// A line for each scalar and integrator, a bar for the band at each step.
+  [[nodiscard]] std::string series() const {
+    std::vector<std::string> integrators;
+    for (const Outcome& outcome : study_.outcomes) {
+      const std::string& name = outcome.setting.integrator;
+      if (std::find(integrators.begin(), integrators.end(), name) == integrators.end()) {
+        integrators.push_back(name);
+      }
+    }
+    std::string text;
+    double line = kTop + 6;
+    for (std::size_t k = 0; k < integrators.size(); ++k) {
+      for (const bool is_float : {true, false}) {
+        const std::string one =
+            one_series(integrators[k], is_float, kColours[k % std::size(kColours)]);
+        if (!one.empty()) {
+          text += one + legend(integrators[k], is_float, kColours[k % std::size(kColours)], line);
+          line += 17;
+        }
+      }
+    }
+    return text;
+  }
+
+  [[nodiscard]] static std::string legend(const std::string& name, bool is_float,
+                                          const char* colour, double y) {
+    return fmt::format(
+        "<path d=\"M{0} {1}h18\" stroke=\"{2}\" stroke-width=\"2\"{3}/><text x=\"{4}\" "
+        "y=\"{5}\">{6} {7}</text>\n",
+        kWidth - kRight + 8, y, colour, is_float ? " stroke-dasharray=\"4 2\"" : "",
+        kWidth - kRight + 30, y + 4, is_float ? "float" : "double", escaped(name));
+  }
+
+  [[nodiscard]] std::string one_series(const std::string& name, bool is_float,
+                                       const char* colour) const {
+    std::string path;
+    std::string marks;
+    for (const Outcome& outcome : study_.outcomes) {
+      if (outcome.setting.integrator != name || outcome.setting.is_float != is_float) {
+        continue;
+      }
+      const double x = px(abscissa_(outcome));
+      if (outcome.failed()) {
+        marks += fmt::format(
+            "<path d=\"M{:.1f} {}l8 8m0 -8l-8 8\" stroke=\"{}\" stroke-width=\"2\"><title>{}: "
+            "failed</title></path>\n",
+            x - 4, kTop - 12, colour, escaped(text_of(outcome.setting)));
+        continue;
+      }
+      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x, py(outcome.error()));
+      marks += fmt::format(
+          "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"{3}\" opacity=\"0.4\" "
+          "stroke-width=\"3\"/><circle cx=\"{0:.1f}\" cy=\"{2:.1f}\" r=\"3\" "
+          "fill=\"{3}\"><title>{4}: {5:.2e}</title></circle>\n",
+          x, py(std::max(outcome.least(), 1e-300)), py(outcome.error()), colour,
+          escaped(text_of(outcome.setting)), outcome.error());
+    }
+    if (path.empty()) {
+      return marks;
+    }
+    return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n{}",
+                       path, colour, is_float ? " stroke-dasharray=\"4 2\"" : "", marks);
+  }
+
+  const Study& study_;
+  Abscissa abscissa_;
+  Decades x_;
+  Decades y_;
+};
+
+}  // namespace
+
+std::string step_chart(const Study& study) {
+  const Chart chart(study, [](const Outcome& outcome) { return outcome.setting.step; });
+  return chart.text(fmt::format("{}: is float enough, which step?", study.scene), "step, s", {});
+}
+
+std::string work_chart(const Study& study, const Core& core) {
+  const Chart chart(study, [&](const Outcome& outcome) { return outcome.cycles_per_second(core); });
+  return chart.text(fmt::format("{}: which setting on {}?", study.scene, core.brief),
+                    "cycles for a second of motion (table); the grey line is the Pareto front",
+                    pareto(study, core));
+}
+
+}  // namespace treedyn::accuracy

@@ -1,0 +1,19 @@
+// Diagrams on logarithmic axes as SVG.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "accuracy/study.hpp"
+
+namespace treedyn::accuracy {
+
+/// Error over the step: is float enough, which step? Horizontal lines are the floors of the
+/// scalars, marks at the upper edge motions that failed. A vertical line is the limit of stability
+/// where `limits` has one.
+std::string step_chart(const Study& study);
+
+/// Error over cycles for a second of motion on a core, with the Pareto front: which setting?
+std::string work_chart(const Study& study, const Core& core);
+
+}  // namespace treedyn::accuracy

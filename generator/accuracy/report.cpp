@@ -1,0 +1,197 @@
+#include "accuracy/report.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "accuracy/chart.hpp"
+#include "emit/json.hpp"
+#include "emit/template_file.hpp"
+
+namespace treedyn::accuracy {
+
+namespace {
+
+std::string error_text(const Outcome& outcome) {
+  return outcome.failed() ? "failed" : fmt::format("{:.2e}", outcome.error());
+}
+
+/// What a factor of ten in the error costs from one outcome of the front to the next ones; empty
+/// behind the last decade.
+std::string next_decade(const Study& study, const std::vector<std::size_t>& front, std::size_t at,
+                        const Core& core) {
+  const Outcome& from = study.outcomes[front[at]];
+  for (std::size_t k = at + 1; k < front.size(); ++k) {
+    const Outcome& to = study.outcomes[front[k]];
+    if (to.error() <= from.error() / 10) {
+      return fmt::format("x {:.1f}", to.cycles_per_second(core) / from.cycles_per_second(core));
+    }
+  }
+  return "-";
+}
+
+std::string front_text(const Study& study, const Core& core) {
+  std::string text =
+      fmt::format("\ncheapest settings on {} ({}):\n{:>12} {:>12}  {:<36} {}\n", core.name,
+                  core.brief, "error", "cycles/s", "setting", "next decade costs");
+  const std::vector<std::size_t> front = pareto(study, core);
+  for (std::size_t k = 0; k < front.size(); ++k) {
+    const Outcome& outcome = study.outcomes[front[k]];
+    text += fmt::format("{:>12.2e} {:>12.4g}  {:<36} {}\n", outcome.error(),
+                        outcome.cycles_per_second(core), text_of(outcome.setting),
+                        next_decade(study, front, k, core));
+  }
+  return text;
+}
+
+std::vector<std::string> integrators_of(const Study& study) {
+  std::vector<std::string> names;
+  for (const Outcome& outcome : study.outcomes) {
+    if (names.empty() || names.back() != outcome.setting.integrator) {
+      names.push_back(outcome.setting.integrator);
+    }
+  }
+  return names;
+}
+
+std::string facts_text(const Study& study) {
+  std::string text = fmt::format(
+      "{}: {} s, {} initial states (the scene's own and others within {:.1g} of each coordinate "
+      "and speed)\n"
+      "reference: {} and {}, which differ by {:.1e}\n",
+      study.scene, study.duration, study.states, study.spread, study.reference_settings.front(),
+      study.reference_settings.back(), study.reference_agreement);
+  for (const bool is_float : {true, false}) {
+    if (const std::optional<Floor> floor = floor_of(study, is_float)) {
+      text += fmt::format("floor of {}: {:.2e} with {}\n", is_float ? "float" : "double",
+                          floor->error, text_of(floor->setting));
+    }
+  }
+  std::string last;
+  for (const std::string& name : integrators_of(study)) {
+    for (const bool is_float : {true, false}) {
+      const std::optional<double> order = fitted_order(study, is_float, name);
+      const std::string line = order ? fmt::format("order of {} {}: {:.2f}\n",
+                                                   is_float ? "float" : "double", name, *order)
+                                     : "";
+      text += text.find(line) == std::string::npos ? line : "";
+    }
+  }
+  return text;
+}
+
+std::string html(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return result;
+}
+
+std::string html_rows(const Study& study, const std::vector<const Core*>& on) {
+  std::string text;
+  for (const Outcome& outcome : study.outcomes) {
+    text +=
+        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                    outcome.setting.is_float ? "float" : "double", html(outcome.setting.integrator),
+                    outcome.setting.step, error_text(outcome), outcome.step_cost.total());
+    for (const Core* core : on) {
+      text += fmt::format("<td>{:.4g}</td>", outcome.cycles_per_second(*core));
+    }
+    text += "</tr>\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const Study& study, const std::vector<const Core*>& on) {
+  std::string text = facts_text(study);
+  for (const Core* core : on) {
+    text += front_text(study, *core);
+  }
+  return text;
+}
+
+std::string report_csv(const Study& study) {
+  std::string text = "scalar,integrator,step,error,least_error,status,add,mul,div,sqrt,sin,cos";
+  for (const Core& core : cores()) {
+    text += fmt::format(",cycles_per_second_{}", core.name);
+  }
+  text += "\r\n";
+  for (const Outcome& outcome : study.outcomes) {
+    const program::Cost& cost = outcome.step_cost;
+    const bool failed = outcome.failed();
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}",
+                    outcome.setting.is_float ? "float" : "double", outcome.setting.integrator,
+                    outcome.setting.step, failed ? "failed" : fmt::format("{}", outcome.error()),
+                    failed ? "failed" : fmt::format("{}", outcome.least()),
+                    outcome.status,
+                    cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos);
+    for (const Core& core : cores()) {
+      text += fmt::format(",{:.6g}", outcome.cycles_per_second(core));
+    }
+    text += "\r\n";
+  }
+  return text;
+}
+
+std::string report_json(const Study& study) {
+  std::vector<std::string> rows;
+  for (const Outcome& outcome : study.outcomes) {
+    std::vector<std::string> errors;
+    for (const double error : outcome.joint_errors) {
+      errors.push_back(std::isfinite(error) ? fmt::format("{}", error) : "null");
+    }
+    std::vector<std::pair<std::string, std::string>> members = {
+        {"scalar", outcome.setting.is_float ? "\"float\"" : "\"double\""},
+        {"integrator", emit::json_string(outcome.setting.integrator)},
+        {"step", fmt::format("{}", outcome.setting.step)},
+        {"errors", fmt::format("[{}]", fmt::join(errors, ", "))},
+        {"status", fmt::format("{}", outcome.status)},
+        {"operations", fmt::format("{}", outcome.step_cost.total())}};
+    for (const Core& core : cores()) {
+      members.emplace_back(fmt::format("cycles_per_second_{}", core.name),
+                           fmt::format("{:.6g}", outcome.cycles_per_second(core)));
+    }
+    rows.push_back(emit::json_object(members));
+  }
+  return fmt::format(
+      "{{\n  \"scene\": {},\n  \"duration\": {},\n  \"states\": {},\n  \"spread\": {},\n  "
+      "\"reference_agreement\": {:.3g},\n  \"settings\": {}\n}}\n",
+      emit::json_string(study.scene), study.duration, study.states, study.spread,
+      study.reference_agreement, emit::json_lines(rows, 4));
+}
+
+std::string report_page(const Study& study, const std::vector<const Core*>& on) {
+  std::string charts = step_chart(study);
+  std::string heads;
+  for (const Core* core : on) {
+    charts += work_chart(study, *core);
+    heads += fmt::format("<th>cycles/s {}</th>", core->name);
+  }
+  return emit::fill(emit::template_text("accuracy.html"), {{"title", html(study.scene)},
+                                                           {"facts", html(report_text(study, on))},
+                                                           {"charts", charts},
+                                                           {"heads", heads},
+                                                           {"rows", html_rows(study, on)}});
+}
+
+std::string choice_text(const Study& study, const Core& core, double target) {
+  const std::optional<std::size_t> chosen = cheapest(study, core, target);
+  if (!chosen) {
+    const Outcome& best = study.outcomes[most_accurate(study)];
+    return fmt::format("{:.3g} is out of reach: the smallest error is {:.2e}, with {}\n", target,
+                       best.error(), text_of(best.setting));
+  }
+  const Outcome& outcome = study.outcomes[*chosen];
+  return fmt::format(
+      "{:.3g} on {}: {}, error {:.2e} (over {} initial states {:.1e} to {:.1e}), {} operations a "
+      "step, {:.4g} "
+      "cycles for a second of motion\n",
+      target, core.name, text_of(outcome.setting), outcome.error(), study.states, outcome.least(),
+      outcome.error(), outcome.step_cost.total(), outcome.cycles_per_second(core));
+}
+
+}  // namespace treedyn::accuracy

@@ -1,0 +1,73 @@
+// What accuracy costs: runs of the generated step, the cheapest of them, and the choice by a
+// target.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "accuracy/core.hpp"
+
+namespace treedyn::accuracy {
+
+/// How firmware would step the scene.
+struct Setting {
+  bool is_float = false;
+  std::string integrator;
+  double step = 0;  ///< s
+  bool operator==(const Setting&) const = default;
+};
+
+/// "float rk4 0.01".
+std::string text_of(const Setting& setting);
+
+/// What came of a setting over the band of initial states.
+struct Outcome {
+  Setting setting;
+  program::Cost step_cost;  ///< operations of a step in the phase in which the scene begins
+  program::Cost worst_cost;
+  /// Largest difference of a joint coordinate from the reference at the times of output, of each
+  /// initial state, rad or m; not finite where the motion ended.
+  std::vector<double> joint_errors;
+  int status = 0;  ///< bits that `step` returned
+
+  [[nodiscard]] bool failed() const;
+  [[nodiscard]] double error() const;  ///< largest of joint_errors
+  [[nodiscard]] double least() const;  ///< smallest
+  /// Cycles for a second of motion.
+  [[nodiscard]] double cycles_per_second(const Core& core) const;
+};
+
+/// All runs of one scene.
+struct Study {
+  std::string scene;
+  double duration = 0;             ///< s
+  int states = 0;                  ///< in the band, the scene's own first
+  double spread = 0;               ///< of the band, part of each coordinate and speed
+  double reference_agreement = 0;  ///< largest difference of the two reference solutions
+  std::vector<std::string> reference_settings;
+  std::vector<Outcome> outcomes;  ///< by scalar, integrator, falling step
+};
+
+/// Numbers of the outcomes than which none is both cheaper and more accurate, by rising cost.
+std::vector<std::size_t> pareto(const Study& study, const Core& core);
+
+/// The outcome whose error is at most `target` for the fewest cycles; nothing if there is none.
+std::optional<std::size_t> cheapest(const Study& study, const Core& core, double target);
+
+/// The outcome of the smallest error. \pre there is one that did not fail
+std::size_t most_accurate(const Study& study);
+
+/// The order p of e = C h^p by least squares over the steps of one scalar and integrator whose
+/// error lies between 100 times the smallest and 1e-3; nothing with fewer than two.
+std::optional<double> fitted_order(const Study& study, bool is_float,
+                                   const std::string& integrator);
+
+/// The smallest error of a scalar and the step at which it is reached; nothing where all failed.
+struct Floor {
+  double error = 0;
+  Setting setting;
+};
+std::optional<Floor> floor_of(const Study& study, bool is_float);
+
+}  // namespace treedyn::accuracy

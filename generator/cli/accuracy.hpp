@@ -1,0 +1,33 @@
+// `treedyn accuracy`: what the accuracy of a scene's generated step costs.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "accuracy/study.hpp"
+
+namespace treedyn {
+
+/// What to study: the options of the command line, checked.
+struct AccuracyRequest {
+  std::string scene;                              ///< path
+  std::string output;                             ///< folder of the files; empty: text only
+  std::vector<std::string> on = {"m4f", "host"};  ///< of accuracy::cores()
+  std::vector<std::string> integrators;           ///< empty: the explicit ones with fixed steps
+  std::vector<double> steps;                      ///< s, falling; empty: a ladder of 1, 2, 5
+  std::optional<double> target;                   ///< error, rad or m
+  int states = 8;                                 ///< in the band
+  double spread = 0.01;                           ///< of the band
+};
+
+using AccuracyTrace = std::function<void(const std::string&)>;
+
+/// Runs every setting over the band. \throws InputError for mistakes in the scene or no compiler
+accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTrace& trace);
+
+/// Writes NAME_accuracy.csv, .json, .html and .svg, all or none; the text for standard output.
+std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study& study);
+
+}  // namespace treedyn
