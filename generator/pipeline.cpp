@@ -4,7 +4,6 @@
 #include <chrono>
 #include <filesystem>
 #include <stdexcept>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -45,13 +44,20 @@ Source source_of(const std::string& path) {
   return {std::filesystem::path(path).filename().string(), emit::sha256(*text)};
 }
 
-std::pair<Source, model::Tree> load(const Request& request) {
+/// A model file, read once.
+struct Loaded {
+  Source source;
+  std::string text;
+  model::Tree tree;
+};
+
+Loaded load(const Request& request) {
   if (request.model == "-") {
     const std::string text = read_standard_input();
-    return {{"-", emit::sha256(text)}, description::parse_yaml(text, "-", request.read)};
+    return {{"-", emit::sha256(text)}, text, description::parse_yaml(text, "-", request.read)};
   }
   model::Tree tree = description::read_model(request.model, request.read);
-  return {source_of(request.model), std::move(tree)};
+  return {source_of(request.model), read_file(request.model).value_or(""), std::move(tree)};
 }
 
 /// The functions asked for, in the order of INTERFACE.md 3.
@@ -188,7 +194,7 @@ void check_model(const Request& request, const model::Scene& scene) {
   if (description::base_of(scene.tree) == description::Base::kAxes) {
     of_model.read.base = description::Base::kAxes;
   }
-  const model::Tree tree = load(of_model).second;
+  const model::Tree tree = load(of_model).tree;
   const bool same =
       std::equal(tree.links.begin(), tree.links.end(), scene.tree.links.begin(),
                  scene.tree.links.end(), [](const model::Link& a, const model::Link& b) {
@@ -211,8 +217,18 @@ Model read_scene_model(const Request& request) {
   model.source = source_of(*request.scene);
   model.tree = model.scene->tree;
   model.points = model.scene->points;
+  const std::string& file = model.scene->tree_file;
+  model.equations =
+      chosen(read_user_equations(request, file, file.empty() ? "" : read_file(file).value_or(""),
+                                 model.tree, model.points),
+             request.functions);
   for (const std::string& name : request.functions) {
-    (simplify::is_scene_function(name) ? model.scene_functions : model.functions).push_back(name);
+    const bool of_user =
+        std::any_of(model.equations.begin(), model.equations.end(),
+                    [&](const auto& function) { return function->equation.name == name; });
+    if (!of_user) {
+      (simplify::is_scene_function(name) ? model.scene_functions : model.functions).push_back(name);
+    }
   }
   check_functions(model, {*request.scene, 0, 0});
   check_step(model);
@@ -229,13 +245,18 @@ Model read(const Request& request) {
     return read_scene_model(request);
   }
   Model model;
-  std::tie(model.source, model.tree) = load(request);
+  Loaded loaded = load(request);
+  model.source = std::move(loaded.source);
+  model.tree = std::move(loaded.tree);
   const Location where{request.model, 0, 0};
   if (model.tree.dof() == 0) {
     throw InputError(where, "the model has no moving joint; expected at least one");
   }
   model.points =
       request.points ? description::resolve_points(model.tree, *request.points) : model.tree.points;
+  model.equations =
+      chosen(read_user_equations(request, request.model, loaded.text, model.tree, model.points),
+             request.functions);
   model.functions = functions_of(request, !model.points.empty());
   check_functions(model, where);
   model.name = request.name.value_or(model.tree.identifier);
@@ -261,6 +282,14 @@ Programs formulate(const Model& model, const Request& request, const Trace& trac
     programs.functions.push_back(simplify::formulate(model.tree, name, options));
     report(trace, name, program::cost(programs.functions.back()), start);
   }
+  for (const auto& equation : model.equations) {
+    const auto start = std::chrono::steady_clock::now();
+    program::Function function = simplify::formulate(model.tree, equation, options);
+    function.signature =
+        signature_of(*equation, model.tree.dof(), static_cast<int>(model.points.size()));
+    report(trace, function.signature.name, program::cost(function), start);
+    programs.functions.push_back(std::move(function));
+  }
   if (model.scene && (request.functions.empty() || !model.scene_functions.empty())) {
     const auto start = std::chrono::steady_clock::now();
     simplify::SceneFunctions scene =
@@ -285,7 +314,7 @@ void prove(const Model& model, const Request& request, const Programs& programs)
                  return !simplify::is_scene_function(function.signature.name);
                });
   const model::Vector3 gravity = decided_request(model, request).gravity;
-  prove_functions(model.tree, model.points, gravity, of_model);
+  prove_functions(model.tree, model.points, gravity, model.equations, of_model);
   if (model.scene) {
     prove_scene(*model.scene, programs);
   }
@@ -350,6 +379,7 @@ std::vector<std::string> input_files(const Model& model, const Request& request)
   if (!request.model.empty() && request.model != "-") {
     files.push_back(request.model);
   }
+  files.insert(files.end(), request.equations.begin(), request.equations.end());
   return files;
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/tree.hpp"
 #include "program/function.hpp"
+#include "simplify/derived.hpp"
 
 namespace treedyn {
 
@@ -12,7 +13,7 @@ namespace treedyn {
 /// states and compares, 1e-35 relative to the largest value.
 /// \throws std::logic_error naming the function that differs: a mistake of ours.
 void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
-                     const model::Vector3& gravity,
+                     const model::Vector3& gravity, const simplify::DerivedFunctions& equations,
                      const std::vector<program::Function>& functions);
 
 }  // namespace treedyn
