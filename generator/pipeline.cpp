@@ -4,7 +4,6 @@
 #include <chrono>
 #include <filesystem>
 #include <stdexcept>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -42,9 +41,16 @@ Source source_of(const std::string& path, const std::string& text) {
   return {std::filesystem::path(path).filename().string(), emit::sha256(text)};
 }
 
-std::pair<Source, model::Tree> load(const Request& request) {
+/// A model file, read once.
+struct Loaded {
+  Source source;
+  std::string text;
+  model::Tree tree;
+};
+
+Loaded load(const Request& request) {
   const std::string text = description::read_model_text(request.model);
-  return {source_of(request.model, text),
+  return {source_of(request.model, text), text,
           description::parse_model(text, request.model, request.read)};
 }
 
@@ -221,8 +227,16 @@ Model read_scene_model(const Request& request) {
   model.source = source_of(*request.scene, text + model_text);
   model.tree = model.scene->tree;
   model.points = model.scene->points;
+  const std::string& file = model.scene->tree_file;
+  model.equations = chosen(read_user_equations(request, file, model_text, model.tree, model.points),
+                           request.functions);
   for (const std::string& name : request.functions) {
-    (simplify::is_scene_function(name) ? model.scene_functions : model.functions).push_back(name);
+    const bool of_user =
+        std::any_of(model.equations.begin(), model.equations.end(),
+                    [&](const auto& function) { return function->equation.name == name; });
+    if (!of_user) {
+      (simplify::is_scene_function(name) ? model.scene_functions : model.functions).push_back(name);
+    }
   }
   require_size(model.tree, model.points, {*request.scene, 0, 0});
   check_functions(model, {*request.scene, 0, 0});
@@ -241,7 +255,9 @@ Model read(const Request& request) {
     return read_scene_model(request);
   }
   Model model;
-  std::tie(model.source, model.tree) = load(request);
+  Loaded loaded = load(request);
+  model.source = std::move(loaded.source);
+  model.tree = std::move(loaded.tree);
   const Location where{request.model, 0, 0};
   if (model.tree.dof() == 0) {
     throw InputError(where, "the model has no moving joint; expected at least one");
@@ -249,6 +265,9 @@ Model read(const Request& request) {
   model.points =
       request.points ? description::resolve_points(model.tree, *request.points) : model.tree.points;
   require_size(model.tree, model.points, where);
+  model.equations =
+      chosen(read_user_equations(request, request.model, loaded.text, model.tree, model.points),
+             request.functions);
   model.functions = functions_of(request, model.tree, !model.points.empty());
   check_functions(model, where);
   model.name = request.name.value_or(model.tree.identifier);
@@ -275,6 +294,14 @@ Programs formulated(const Model& model, const Request& request, const Trace& tra
     const auto start = std::chrono::steady_clock::now();
     programs.functions.push_back(simplify::formulate(model.tree, name, options));
     report(trace, name, program::cost(programs.functions.back()), start);
+  }
+  for (const auto& equation : model.equations) {
+    const auto start = std::chrono::steady_clock::now();
+    program::Function function = simplify::formulate(model.tree, equation, options);
+    function.signature =
+        signature_of(*equation, model.tree.dof(), static_cast<int>(model.points.size()));
+    report(trace, function.signature.name, program::cost(function), start);
+    programs.functions.push_back(std::move(function));
   }
   if (model.scene && (request.functions.empty() || !model.scene_functions.empty())) {
     const auto start = std::chrono::steady_clock::now();
@@ -310,7 +337,7 @@ void prove(const Model& model, const Request& request, const Programs& programs)
                  return !simplify::is_scene_function(function.signature.name);
                });
   const model::Vector3 gravity = decided_request(model, request).gravity;
-  prove_functions(model.tree, model.points, gravity, of_model,
+  prove_functions(model.tree, model.points, gravity, model.equations, of_model,
                   {request.scene.value_or(request.model), 0, 0});
   if (model.scene) {
     prove_scene(*model.scene, programs);
@@ -424,6 +451,7 @@ std::vector<std::string> input_files(const Model& model, const Request& request)
   if (!request.model.empty() && request.model != "-") {
     files.push_back(request.model);
   }
+  files.insert(files.end(), request.equations.begin(), request.equations.end());
   return files;
 }
 

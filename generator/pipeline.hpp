@@ -11,6 +11,7 @@
 #include "program/stepper.hpp"
 #include "request.hpp"
 #include "simplify/formulate.hpp"
+#include "user_equations.hpp"
 
 namespace treedyn {
 
@@ -27,6 +28,7 @@ struct Model {
   model::Tree tree;
   std::vector<model::Point> points;
   std::vector<std::string> functions;        ///< of the model alone
+  UserFunctions equations;                   ///< functions that users wrote
   std::optional<model::Scene> scene;         ///< its tree is `tree`
   std::vector<std::string> scene_functions;  ///< empty: all that the scene needs
 };
@@ -87,6 +89,11 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request);
 
 /// The block equations of the model's functions with the zero blocks of D.
 std::string equations_text(const Model& model, const Request& request);
+
+/// How the code of a function comes about, line by line. \throws UsageError for a function that is
+/// no block equation.
+std::string derivation_text(const Model& model, const Request& request,
+                            const std::string& function);
 
 /// Names of the passes, in order.
 std::vector<std::string> pass_names();

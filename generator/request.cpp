@@ -103,6 +103,10 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   add(request.target.trigonometry == program::Trigonometry::kLate, "--trig", "late");
   add(request.target.packed, "--layout", "packed");
   add(!request.functions.empty(), "--functions", list_of(request.functions));
+  for (const std::string& file : request.equations) {
+    add(true, "--equations",
+        paths == Paths::kAsGiven ? file : std::filesystem::path(file).filename().string());
+  }
   add(request.points.has_value(), "--points", request.points.value_or(""));
   add(request.gravity != kDefaults.gravity, "--gravity", gravity_text(request.gravity));
   add(request.read.snap != kDefaults.read.snap, "--snap", emit::decimal(request.read.snap));

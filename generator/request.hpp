@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,12 @@
 
 namespace treedyn {
 
+/// A wrong use of the command line that shows only when the model is read.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// What to generate: the options of the command line, checked.
 struct Request {
   std::string model;                 ///< path, "-" for standard input; empty: the scene's own
@@ -20,6 +27,7 @@ struct Request {
   std::optional<std::string> name;     ///< file stem and namespace; default: the model's own
   std::optional<std::string> points;   ///< --points; default: the model's own
   std::vector<std::string> functions;  ///< empty: the default set
+  std::vector<std::string> equations;  ///< files with equations of the user
   model::Vector3 gravity = {0, 0, Real("-9.81")};
   emit::Target target;
   int effort = simplify::Options{}.effort;

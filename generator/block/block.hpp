@@ -34,6 +34,7 @@ std::string to_string(const Shape& shape);
 enum class Structure {
   kIdentity,      ///< E
   kReachability,  ///< D: block (i,j) iff j is i or an ancestor of i
+  kFather,        ///< Π: block (i,j) iff j is the father of i
   kRevolute,      ///< sigma: block (i,i) iff joint i is revolute
   kCarrier,       ///< W: block (i,p) iff link i carries point p
   kOnes,          ///< a full column of ones

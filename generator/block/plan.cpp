@@ -36,6 +36,11 @@ Pattern leaf_pattern(const Expression& e, const Index& index) {
       return diagonal(rows);
     case Structure::kReachability:
       return reachability(index);
+    case Structure::kFather:
+      for (const int father : index.father) {
+        columns.push_back(father < 0 ? std::vector<int>{} : std::vector<int>{father});
+      }
+      return {rows, columns};
     case Structure::kOnes:
     case Structure::kFull:
       return full(rows, cols);
@@ -134,7 +139,9 @@ int Plan::constant(Step step) {
 /// Completes a step whose operands are set: constants are folded, the rest is remembered under
 /// `key`.
 int Plan::finish(const Key& key, Step step) {
-  if (is_constant(step.operands) && step.block_size() == 1) {
+  const bool integers = std::all_of(step.factors.begin(), step.factors.end(),
+                                    [](const Ratio& factor) { return factor.denominator == 1; });
+  if (is_constant(step.operands) && step.block_size() == 1 && integers) {
     return constant(folded(step, operands(step.operands)));
   }
   const int id = append(std::move(step));

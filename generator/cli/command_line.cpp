@@ -172,8 +172,9 @@ void add_commands(CLI::App& app, Settings& settings) {
   add_talk(*info, settings);
   info->add_flag("--json", settings.json, "as JSON");
   info->add_flag("--passes", settings.passes, "operations of every function, pass by pass");
-  info->add_flag("--equations", settings.equations,
-                 "the block equations with the zero blocks of D");
+  info->add_option("--derivation", settings.derivation,
+                   "how the code of a function comes about: equation, rules, recursion, cost")
+      ->type_name("FUNCTION");
 
   CLI::App* vet = app.add_subcommand("vet", "report what looks wrong in a model");
   add_model(*vet, settings.request);
@@ -263,7 +264,21 @@ void require_functions_of_passes(const Settings& settings) {
   }
 }
 
-void require_options(const CLI::App& app, const Settings& settings) {
+/// `info --equations` without a file shows the block equations.
+void split_equations(const CLI::App& app, Settings& settings) {
+  std::vector<std::string>& files = settings.request.equations;
+  const bool is_info = app.got_subcommand("info");
+  if (is_info && files.size() == 1 && settings.request.model.empty() && !settings.request.scene) {
+    std::swap(settings.request.model, files.front());
+  }
+  settings.equations = std::erase(files, "") > 0;
+  if (settings.equations && !is_info) {
+    throw CLI::ValidationError("--equations", "expected a FILE");
+  }
+}
+
+void require_options(const CLI::App& app, Settings& settings) {
+  split_equations(app, settings);
   const auto generation = {"generate", "check", "outputs", "info"};
   if (std::any_of(generation.begin(), generation.end(),
                   [&](const char* name) { return app.got_subcommand(name); })) {

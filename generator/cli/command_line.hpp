@@ -25,6 +25,7 @@ struct Settings {
   std::string dump;
   std::string error_format = "text";
   std::string list_of;
+  std::string derivation;
   bool json = false;
   bool equations = false;
   bool passes = false;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "equations/table.hpp"
 #include "pipeline.hpp"
 
 namespace treedyn {
@@ -77,7 +78,7 @@ std::string program_text(const program::Function& function) {
 }  // namespace
 
 const std::vector<std::string>& stages() {
-  static const std::vector<std::string> names = {"model", "equations", "program", "emit"};
+  static const std::vector<std::string> names = {"model", "equations", "derive", "program", "emit"};
   return names;
 }
 
@@ -88,6 +89,16 @@ std::string dump(const Request& request, const std::string& stage) {
   }
   if (stage == "equations") {
     return equations_text(model, request);
+  }
+  if (stage == "derive") {
+    std::string text;
+    for (const std::string& name : model.functions) {
+      text += equations::find(name) != nullptr ? derivation_text(model, request, name) + "\n" : "";
+    }
+    for (const auto& equation : model.equations) {
+      text += derivation_text(model, request, equation->equation.name) + "\n";
+    }
+    return text;
   }
   const Programs programs = formulate(model, request, [](const std::string&) {});
   std::string result;

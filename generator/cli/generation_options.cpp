@@ -60,7 +60,8 @@ void set_functions(Request& request, const std::string& list) {
     known.emplace_back(info.name);
   }
   for (const std::string& name : split(list)) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    const bool may_be_users = !name.empty() && to_identifier(name) == name;
+    if (!may_be_users && std::find(known.begin(), known.end(), name) == known.end()) {
       throw CLI::ValidationError(
           "--functions", fmt::format("there is no function {}; expected some of {}", shown(name),
                                      fmt::join(known, ",")));
@@ -214,6 +215,14 @@ void add_generation(CLI::App& command, Request& request) {
           "--functions", [&request](const std::string& list) { set_functions(request, list); },
           "comma-separated; treedyn list functions names them")
       ->type_name("LIST");
+  command
+      .add_option_function<std::string>(
+          "--equations", [&request](const std::string& file) { request.equations.push_back(file); },
+          "a file with equations of your own, may stand several times; info without a FILE: the "
+          "block equations with the zero blocks of D")
+      ->type_name("FILE")
+      ->expected(0, 1)
+      ->trigger_on_parse();
   command
       .add_option_function<std::string>(
           "--points", [&request](const std::string& list) { request.points = list; },

@@ -114,6 +114,10 @@ int run_info(const Settings& settings) {
     print(equations_text(model, settings.request));
     return 0;
   }
+  if (!settings.derivation.empty()) {
+    print(derivation_text(model, settings.request, settings.derivation));
+    return 0;
+  }
   if (settings.passes) {
     print(passes_text(model, settings.request));
     return 0;
@@ -217,6 +221,9 @@ int run_and_report(const Settings& settings) {
   } catch (const InputError& error) {
     print_error(error.where().file.empty() ? fmt::format("treedyn: {}\n", error.message())
                                            : fmt::format("{}\n", error.what()));
+  } catch (const UsageError& error) {
+    print_error(fmt::format("treedyn: {}; see treedyn --help\n", error.what()));
+    return kUsage;
   } catch (const std::bad_alloc&) {
     print_error("treedyn: out of memory\n");
   } catch (const std::exception& error) {

@@ -73,13 +73,19 @@ std::string numeric_report(const Model& model, const std::vector<emit::File>& fi
       read_file((fs::path(folder) / (model.name + ".hpp")).string()).value_or("");
   std::vector<program::Signature> common;
   std::string report;
+  const auto points = static_cast<int>(model.points.size());
+  std::vector<program::Signature> signatures;
   for (const std::string& name : model.functions) {
-    const program::Signature signature =
-        simplify::signature(name, model.tree.dof(), static_cast<int>(model.points.size()));
+    signatures.push_back(simplify::signature(name, model.tree.dof(), points));
+  }
+  for (const auto& equation : model.equations) {
+    signatures.push_back(signature_of(*equation, model.tree.dof(), points));
+  }
+  for (const program::Signature& signature : signatures) {
     if (header.find(emit::declaration_text(signature)) != std::string::npos) {
       common.push_back(signature);
     } else {
-      report += fmt::format("numeric: {}: not in the old files\n", name);
+      report += fmt::format("numeric: {}: not in the old files\n", signature.name);
     }
   }
   const Values old_values = values_of(compiler, model.name, folder, common);

@@ -103,7 +103,7 @@ RawTree read_yaml(const std::string& text, const std::string& file) {
   raw.format = Format::kYaml;
   raw.file = file;
   const Fields fields(raw.file, root, "tree description",
-                      {"name", "parameters", "links", "points"});
+                      {"name", "parameters", "links", "points", "equations"});
   raw.name = fields.text("name");
   if (const Node* const parameters = fields.find("parameters")) {
     read_parameters(*parameters, raw);

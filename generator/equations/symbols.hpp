@@ -17,6 +17,8 @@ inline constexpr block::Side kPoints3{block::Set::kPoints, 3};  // 3P
 inline const Expression D = leaf("D", block::Structure::kReachability, {kLinks, kLinks});
 inline const Expression E = leaf("E", block::Structure::kIdentity, {kLinks, kLinks});
 inline const Expression sigma = leaf("σ", block::Structure::kRevolute, {kLinks, kLinks});
+/// Π, N x N: 1 iff j is the father of i; D = (E-Π)^-1.
+inline const Expression Pi = leaf("Π", block::Structure::kFather, {kLinks, kLinks});
 /// W, N x P: 1 iff link i carries point p. The paper has one point on every link: W = E.
 inline const Expression W = leaf("W", block::Structure::kCarrier, {kLinks, kPoints});
 /// Columns of ones: x^d ones is the column of the blocks of x^d.
@@ -48,6 +50,8 @@ inline const Expression u = leaf("u", block::Structure::kFull, {kPoints3, kOne})
 inline const Expression qd_d = leaf("q̇^d", block::Structure::kDiagonal, {kLinks, kLinks});
 inline const Expression qd = leaf("q̇", block::Structure::kFull, {kLinks, kOne});
 inline const Expression qdd = leaf("q̈", block::Structure::kFull, {kLinks, kOne});
+/// Drive torques and forces.
+inline const Expression tau = leaf("τ", block::Structure::kFull, {kLinks, kOne});
 inline const Expression f_b = leaf("f_b", block::Structure::kFull, {kPoints3, kOne});
 inline const Expression n_b = leaf("n_b", block::Structure::kFull, {kPoints3, kOne});
 /// The gravity vector, once for every link.

@@ -1,6 +1,7 @@
 #include "simplify/formulate.hpp"
 
 #include "common/error.hpp"
+#include "simplify/derived.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/search.hpp"
 
@@ -35,6 +36,15 @@ program::Function formulate(const model::Tree& tree, const std::string& name,
   program::Function function = cheapest(tree, recipe_of(name), options);
   function.signature = signature(name, tree.dof(), static_cast<int>(options.points.size()));
   return function;
+}
+
+program::Function formulate(const model::Tree& tree, const std::shared_ptr<const Derived>& function,
+                            const Options& options) {
+  Options own = options;
+  own.share_limbs = false;
+  program::Function result = cheapest(tree, derived_recipe(function), own);
+  result.signature.name = function->equation.name;
+  return result;
 }
 
 }  // namespace treedyn::simplify

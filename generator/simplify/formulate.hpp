@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,11 @@ program::Signature signature(const std::string& name, int dof, int points);
 /// The cheapest formulation found; deterministic.
 /// \pre `name` is one of function_names().
 program::Function formulate(const model::Tree& tree, const std::string& name,
+                            const Options& options);
+
+struct Derived;
+/// The same of an equation of a user; its signature has the name alone.
+program::Function formulate(const model::Tree& tree, const std::shared_ptr<const Derived>& function,
                             const Options& options);
 
 }  // namespace treedyn::simplify

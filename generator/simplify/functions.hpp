@@ -1,6 +1,7 @@
 // The table of functions that can be generated: signature and formulation of each (INTERFACE.md 3).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,14 +42,14 @@ struct Freedom {
 };
 
 struct Recipe {
-  const char* name;
-  const char* equation;
-  const char* brief;
+  const char* name = nullptr;
+  const char* equation = nullptr;
+  const char* brief = nullptr;
   std::vector<Argument> inputs;
   std::vector<Argument> outputs;
   Inputs places;  ///< which of `inputs` are q, qd, qdd, tau
   Freedom freedom;
-  std::vector<Expr> (*build)(const Task& task);
+  std::function<std::vector<Expr>(const Task& task)> build;
 };
 
 /// In the order of INTERFACE.md 3, further functions behind.

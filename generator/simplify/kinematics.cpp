@@ -207,6 +207,7 @@ void Kinematics::place_link(int i) {
     }
   }
   rotations_.push_back(std::move(steps));
+  joint_offset_.push_back(s);
   if (!l.revolute) {
     s = s + displacement(i) * axis_in_father(i);
   }
@@ -285,6 +286,16 @@ Vec3 Kinematics::point(int i, const Vector3& at) const {
     v = step.forward(v);
   }
   return v;
+}
+
+Mat3 Kinematics::tensor_of(int i, const Matrix3& of_model) const {
+  Mat3 m = constant(graph_, congruence(link(i).to_normal, of_model));
+  std::vector<PlaneRotation> steps;
+  append(steps, kZ, i, [this](int k) { return frame_angle_[index(k)]; });
+  for (const PlaneRotation& step : steps) {
+    m = step.forward_symmetric(m);
+  }
+  return m;
 }
 
 Mat3 Kinematics::orientation(int i) const {

@@ -72,6 +72,8 @@ class Kinematics {
 
   /// s'_i (convention B of EQUATIONS.md 1.1) in the father's expression frame, with the slide.
   [[nodiscard]] const Vec3& offset(int i) const { return offset_[index(i)]; }
+  /// The same without the slide.
+  [[nodiscard]] const Vec3& joint_offset(int i) const { return joint_offset_[index(i)]; }
   /// The rotations between link i and its father, outermost first; empty inside a run of parallel
   /// axes.
   [[nodiscard]] const std::vector<PlaneRotation>& rotations(int i) const {
@@ -100,6 +102,8 @@ class Kinematics {
   [[nodiscard]] Body body_with_inertia_tensor(int i) const;
   /// A point or direction given in the model's frame of link i, in the link's expression frame.
   [[nodiscard]] Vec3 point(int i, const Vector3& at) const;
+  /// A symmetric tensor given in the model's frame of link i, in the link's expression frame.
+  [[nodiscard]] Mat3 tensor_of(int i, const Matrix3& of_model) const;
   [[nodiscard]] Mat3 orientation(int i) const;  ///< model frame of link i -> expression frame
 
  private:
@@ -154,6 +158,7 @@ class Kinematics {
   std::vector<Angle> frame_angle_;  ///< expression frame -> normal frame: turn of the link about z
   std::vector<Angle> run_angle_;    ///< the turn that the frame of a run carries, at its head
   std::vector<Vec3> offset_;
+  std::vector<Vec3> joint_offset_;
   std::vector<std::vector<PlaneRotation>> rotations_;
 };
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/engine.hpp"
+#include "engine/user.hpp"
 #include "program/interpret.hpp"
 #include "program/rounding.hpp"
 
@@ -201,17 +202,32 @@ void prove_function(const program::Function& function, engine::Engine<Real>& eng
   }
 }
 
+/// The user's equation of that name; nullptr: one of ours.
+const simplify::Derived* find(const simplify::DerivedFunctions& equations,
+                              const std::string& name) {
+  const auto found = std::find_if(equations.begin(), equations.end(), [&](const auto& function) {
+    return function->equation.name == name;
+  });
+  return found == equations.end() ? nullptr : found->get();
+}
+
 }  // namespace
 
 void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
-                     const model::Vector3& gravity, const std::vector<program::Function>& functions,
-                     const Location& where) {
+                     const model::Vector3& gravity, const simplify::DerivedFunctions& equations,
+                     const std::vector<program::Function>& functions, const Location& where) {
   engine::Engine<Real> engine(tree, points, gravity);
   States states;
   const Check check{where, largest_inertia(tree)};
   for (int count = tree.size() <= kLargestForTwoStates ? 2 : 1; count > 0; --count) {
     for (const program::Function& function : functions) {
-      prove_function(function, engine, states, check);
+      if (const simplify::Derived* const of_user = find(equations, function.signature.name)) {
+        const std::vector<Values> inputs = states.inputs(function.signature);
+        engine::UserFunction<Real> expected(of_user->equation, tree, points, gravity);
+        compare(function.signature.name, interpreted(function, inputs), expected(inputs), check);
+      } else {
+        prove_function(function, engine, states, check);
+      }
     }
   }
 }

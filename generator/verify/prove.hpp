@@ -6,6 +6,7 @@
 #include "common/error.hpp"
 #include "model/tree.hpp"
 #include "program/function.hpp"
+#include "simplify/derived.hpp"
 
 namespace treedyn {
 
@@ -16,7 +17,7 @@ namespace treedyn {
 /// \throws std::logic_error naming the function that differs: a mistake of ours.
 /// \throws InputError if numbers of the model cancel so that no digit would be left in double
 void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
-                     const model::Vector3& gravity, const std::vector<program::Function>& functions,
-                     const Location& where);
+                     const model::Vector3& gravity, const simplify::DerivedFunctions& equations,
+                     const std::vector<program::Function>& functions, const Location& where);
 
 }  // namespace treedyn

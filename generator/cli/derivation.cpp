@@ -1,0 +1,120 @@
+// How the code of a function comes about, as text.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "block/print.hpp"
+#include "common/decimal.hpp"
+#include "derive/print.hpp"
+#include "derive/words.hpp"
+#include "equations/table.hpp"
+#include "pipeline.hpp"
+
+namespace treedyn {
+namespace {
+
+constexpr std::size_t kMostWords = 60;
+
+/// What EQUATIONS.md 4 mends in the print of an equation.
+struct ErrataRow {
+  const char* equation;
+  const char* errata;
+};
+constexpr ErrataRow kErrata[] = {{"(2)", "E10 E11 E13"},
+                                 {"(3)", "E1 E2 E3 E4 E5 E10 E11 E14"},
+                                 {"(1)", "E1 E2 E3 E4 E5 E10 E11 E12"},
+                                 {"(9)", "E6 E17"},
+                                 {"(8)", "E7 E12"},
+                                 {"6.5", "E20"},
+                                 {"6.1", "E1 E2 E4"}};
+
+std::string errata_of(const std::string& equation) {
+  for (const ErrataRow& row : kErrata) {
+    if (equation == row.equation) {
+      return fmt::format("; errata of the print mended: {}", row.errata);
+    }
+  }
+  return "";
+}
+
+void define(const block::Expression& e, std::vector<std::string>& lines) {
+  for (const block::Expression& operand : e.operands()) {
+    define(operand, lines);
+  }
+  if (e.kind() == block::Kind::kNamed) {
+    const std::string line = block::print_definition(e);
+    if (std::find(lines.begin(), lines.end(), line) == lines.end()) {
+      lines.push_back(line);
+    }
+  }
+}
+
+std::string equation_text(const equations::UserEquation& equation, const std::string& number) {
+  std::vector<std::string> lines;
+  define(equation.expression, lines);
+  std::string result = fmt::format("{}: equation {}{}\n", equation.name, number, errata_of(number));
+  if (equation.expression.kind() != block::Kind::kNamed) {
+    lines.push_back(equation.name + " = " + block::print(equation.expression));
+  }
+  for (const std::string& line : lines) {
+    result += fmt::format("  {}\n", line);
+  }
+  return result;
+}
+
+std::string words_text(const block::Expression& e) {
+  const auto words = derive::words(e, kMostWords);
+  if (!words) {
+    return fmt::format("\nwords: more than {}\n", kMostWords);
+  }
+  std::string result = fmt::format("\nwords ({})\n", words->size());
+  for (const derive::Word& word : *words) {
+    result += fmt::format("  {}\n", derive::to_text(word));
+  }
+  return result;
+}
+
+std::string rules_text(const derive::Values& values) {
+  std::string result = "\nrules that acted (N = D - E)\n";
+  for (const derive::Rule rule : values.acted()) {
+    result += fmt::format("  {:4} {}\n", derive::row_of(rule).name, derive::row_of(rule).text);
+  }
+  return result;
+}
+
+std::string recursion_text(const simplify::Derived& function,
+                           const std::vector<program::Cost>& costs) {
+  std::string result =
+      "\nrecursion: D and N from the root, D^T and N^T to it; operations in link frames before any "
+      "search\n";
+  for (const derive::Line& line : derive::lines(function.derivation)) {
+    const program::Cost& cost = costs[static_cast<std::size_t>(line.id)];
+    result += fmt::format("  {:>5}  {}\n", cost.total(), line.text);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string derivation_text(const Model& model, const Request& request, const std::string& name) {
+  const auto own = std::find_if(model.equations.begin(), model.equations.end(),
+                                [&](const auto& f) { return f->equation.name == name; });
+  const equations::Equation* const ours = equations::find(name);
+  if (own == model.equations.end() && ours == nullptr) {
+    throw UsageError(
+        fmt::format("--derivation: {} is no block equation; expected one of the "
+                    "equations or a function of (1) to (11)",
+                    shown(name)));
+  }
+  const bool is_own = own != model.equations.end();
+  const std::shared_ptr<const simplify::Derived> function =
+      is_own ? *own
+             : simplify::derived(equations::equation_of(name, ours->expression, model.tree),
+                                 model.tree.size(), static_cast<int>(model.points.size()));
+  return equation_text(function->equation, is_own ? "of the user" : std::string(ours->number)) +
+         words_text(function->equation.expression) + rules_text(function->derivation.values) +
+         recursion_text(*function, simplify::costs_of_values(model.tree, function,
+                                                             simplify_options(model, request)));
+}
+
+}  // namespace treedyn

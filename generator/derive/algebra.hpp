@@ -1,0 +1,67 @@
+// Operations on columns of blocks, merged as they are made (R3, R5).
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "derive/value.hpp"
+
+namespace treedyn::derive {
+
+using Terms = std::vector<std::pair<Ratio, int>>;
+
+class Algebra {
+ public:
+  explicit Algebra(Values& values) : values_(values) {}
+
+  int zero(Set set, Type type) { return values_.intern({Op::kZero, set, type, {}, 0, {}, {}}); }
+  int ones(Set set) { return values_.intern({Op::kOnes, set, Type::kScalar, {}, 0, {}, {}}); }
+  int unit(Set set, Type type) { return values_.intern({Op::kUnit, set, type, {}, 0, {}, {}}); }
+  int leaf(const std::string& name, Set set, Type type) {
+    return values_.intern({Op::kLeaf, set, type, name, 0, {}, {}});
+  }
+
+  /// Σ factor * value. \pre `terms` is not empty, all of one set and type.
+  int linear(const Terms& terms);
+  int negative(int x) { return linear({{{-1, 1}, x}}); }
+  int scale(int number, int x);
+  int dot(int a, int b) { return bilinear(Op::kDot, Type::kScalar, a, b); }
+  int cross(int a, int b);
+  int skew(int a);
+  int skew_product(int a, int b) { return bilinear(Op::kSkewProduct, Type::kTensor, a, b); }
+  int apply(int tensor, int v) { return bilinear(Op::kApply, Type::kVector, tensor, v); }
+  int apply_transposed(int tensor, int v) {
+    return bilinear(Op::kApplyTranspose, Type::kVector, tensor, v);
+  }
+  /// D, N, D^T, N^T, Π, W, .. times x; the result has a block for every element of `set`.
+  int sum_along(Op op, Set set, int x);
+  int component(int x, int k);
+  int assemble(const std::vector<int>& components);
+
+  [[nodiscard]] const Value& value(int id) const { return values_[id]; }
+  void note(Rule rule) { values_.note(rule); }
+
+ private:
+  [[nodiscard]] bool is_zero(int x) const { return value(x).op == Op::kZero; }
+  [[nodiscard]] Set set_of(int a, int b) const;
+  /// The factor in front of x, and what it multiplies.
+  [[nodiscard]] std::pair<Ratio, int> split(int x) const;
+  int bilinear(Op op, Type type, int a, int b);
+  int scaled(const std::vector<int>& numbers, int x);
+  int telescoped(Op op, int x);
+
+  Terms flattened(const Terms& terms);
+  void merge_sums(Terms& terms);
+  void merge_backward(Terms& terms);
+  void merge_skews(Terms& terms);
+  void merge_factors(Terms& terms);
+  void merge_seconds(Terms& terms);
+  void merge_applied(Terms& terms);
+  /// Replaces the terms for which `key` is the same, if there are several, by `merged` of them.
+  template <class Key, class Merged>
+  void merge(Terms& terms, Key key, Merged merged);
+
+  Values& values_;
+};
+
+}  // namespace treedyn::derive

@@ -1,0 +1,25 @@
+// The derivation: a block expression becomes sums along the tree and steps of single links.
+#pragma once
+
+#include <vector>
+
+#include "block/block.hpp"
+#include "derive/value.hpp"
+
+namespace treedyn::derive {
+
+/// What an expression derives to. Its columns (or rows) are `roots`: one for every column of a
+/// single block; if the columns count links or points, `roots` holds one that depends on kUnit, the
+/// column that is asked for.
+struct Derivation {
+  block::Shape shape;
+  bool by_rows = false;  ///< the roots are the rows, as columns
+  bool by_units = false;
+  Values values;
+  std::vector<int> roots;
+};
+
+/// \param by_rows  of matrices whose both sides count links or points
+Derivation derive(const block::Expression& expression, bool by_rows);
+
+}  // namespace treedyn::derive

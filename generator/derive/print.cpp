@@ -1,0 +1,163 @@
+#include "derive/print.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "derive/columns.hpp"
+#include "equations/symbols.hpp"
+
+namespace treedyn::derive {
+namespace {
+
+namespace eq = equations;
+
+using Names = std::map<int, std::string>;
+
+/// What the field calls the values that occur everywhere.
+Names known_names(const Values& values) {
+  Values copy = values;
+  Columns columns(copy);
+  const block::Expression w = eq::z_d * eq::sigma * eq::qd;
+  const block::Expression alpha =
+      eq::D * eq::sigma * eq::qd_d * block::skew_transpose(eq::z_d) * (eq::D - eq::E) * w;
+  Names names;
+  const auto add = [&](const char* name, const block::Expression& e) {
+    names.emplace(columns.column(e), name);
+  };
+  add("w", w);
+  add("ω", eq::D * w);
+  add("ω_f", (eq::D - eq::E) * w);
+  add("α", alpha);
+  add("α", eq::D * eq::z_d * eq::sigma * eq::qdd + alpha);
+  add("P", eq::D * eq::s_d * eq::ones);
+  add("m^c", transpose(eq::D) * eq::m_d * eq::ones);
+  add("q̇_s", (eq::E - eq::sigma) * eq::qd);
+  return names;
+}
+
+class Printer {
+ public:
+  explicit Printer(const Values& values) : values_(values), names_(known_names(values)) {}
+
+  std::vector<Line> run(const std::vector<int>& roots) {
+    std::vector<Line> result;
+    for (const int id : values_.needed(roots)) {
+      const Value& value = values_[id];
+      if (value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
+          value.op == Op::kUnit) {
+        names_[id] = symbol(value);
+        continue;
+      }
+      const std::string text = expression(value);
+      if (names_.count(id) == 0) {
+        names_[id] = fmt::format("x{}", ++count_);
+      }
+      result.push_back({id, fmt::format("{} = {}", names_[id], text)});
+    }
+    return result;
+  }
+
+ private:
+  static std::string symbol(const Value& value) {
+    switch (value.op) {
+      case Op::kOnes:
+        return "1";
+      case Op::kZero:
+        return "0";
+      case Op::kUnit:
+        return "e_j";
+      default:
+        return value.name;
+    }
+  }
+
+  [[nodiscard]] const std::string& name(int id) const { return names_.at(id); }
+
+  [[nodiscard]] std::string sum(const Value& value) const {
+    std::string text;
+    for (std::size_t k = 0; k < value.operands.size(); ++k) {
+      const Ratio& f = value.factors[k];
+      const bool minus = f.numerator < 0;
+      const int size = minus ? -f.numerator : f.numerator;
+      const std::string number = f.denominator != 1 ? fmt::format("{}/{} ", size, f.denominator)
+                                 : size != 1        ? fmt::format("{} ", size)
+                                                    : "";
+      text += text.empty() ? (minus ? "-" : "") : minus ? " - " : " + ";
+      text += number + name(value.operands[k]);
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string expression(const Value& value) const {
+    const auto a = [&] {
+      return name(value.operands.front());
+    };
+    const auto b = [&] {
+      return name(value.operands.back());
+    };
+    switch (value.op) {
+      case Op::kLinear:
+        return sum(value);
+      case Op::kScale: {
+        std::string text;
+        for (const int operand : value.operands) {
+          text += (text.empty() ? "" : " ") + name(operand);
+        }
+        return text;
+      }
+      case Op::kDot:
+        return fmt::format("{}·{}", a(), b());
+      case Op::kCross:
+        return fmt::format("{} × {}", a(), b());
+      case Op::kSkew:
+        return fmt::format("Λ({})", a());
+      case Op::kSkewProduct:
+        return a() == b() ? fmt::format("Λ({})²", a()) : fmt::format("Λ({}) Λ({})", a(), b());
+      case Op::kApply:
+        return fmt::format("{} {}", a(), b());
+      case Op::kApplyTranspose:
+        return fmt::format("{}^T {}", a(), b());
+      case Op::kPath:
+        return fmt::format("D {}", a());
+      case Op::kPathStrict:
+        return fmt::format("N {}", a());
+      case Op::kSubtree:
+        return fmt::format("D^T {}", a());
+      case Op::kSubtreeStrict:
+        return fmt::format("N^T {}", a());
+      case Op::kBackward:
+        return fmt::format("D^T {} + N^T {}", a(), b());
+      case Op::kFather:
+        return fmt::format("{} of the father", a());
+      case Op::kSons:
+        return fmt::format("sum of {} of the sons", a());
+      case Op::kGather:
+        return fmt::format("W {}", a());
+      case Op::kPick:
+        return fmt::format("W^T {}", a());
+      case Op::kSpread:
+        return fmt::format("{} everywhere", a());
+      case Op::kCollect:
+        return fmt::format("sum of all {}", a());
+      case Op::kComponent:
+        return fmt::format("{}_{}", a(), "xyz"[value.component]);
+      case Op::kAssemble:
+        return fmt::format("({}, {}, {})", a(), name(value.operands[1]), b());
+      default:
+        return symbol(value);
+    }
+  }
+
+  const Values& values_;
+  Names names_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+std::vector<Line> lines(const Derivation& derivation) {
+  return Printer(derivation.values).run(derivation.roots);
+}
+
+}  // namespace treedyn::derive

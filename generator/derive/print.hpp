@@ -1,0 +1,21 @@
+// A derivation as text, in the field's symbols.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "derive/derive.hpp"
+
+namespace treedyn::derive {
+
+/// A value with its line "ω = D w".
+struct Line {
+  int id = 0;
+  std::string text;
+};
+
+/// The recursion of a derivation, operands before their users.
+std::vector<Line> lines(const Derivation& derivation);
+
+}  // namespace treedyn::derive

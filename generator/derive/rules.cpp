@@ -1,0 +1,25 @@
+#include "derive/rules.hpp"
+
+#include <array>
+
+namespace treedyn::derive {
+
+std::span<const RuleRow> rules() {
+  static constexpr std::array<RuleRow, 8> kRows = {{
+      {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
+      {Rule::kSums, "R1",
+       "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
+      {Rule::kSkewPasses, "R2", "Λ(D X) = D Λ(X), Λ(X D) = Λ(X) D"},
+      {Rule::kMerge, "R3",
+       "D x + D y = D (x + y), D^T y + N^T x is one recursion, a×b + a×c = a×(b+c)"},
+      {Rule::kCrossWords, "R4", "Λ^T(Λ^T(P) u) x = Σ Λ(x) Λ(u) P: sums of 3x3 blocks times s"},
+      {Rule::kTelescope, "R5", "D (g - g of the father) = g"},
+      {Rule::kComponents, "R4'", "Λ(Y) x = Σ (Y x_k) × e_k, component by component"},
+      {Rule::kUnits, "R6'", "X is its columns X e_j (or rows), whatever is zero in them vanishes"},
+  }};
+  return kRows;
+}
+
+const RuleRow& row_of(Rule rule) { return rules()[static_cast<std::size_t>(rule)]; }
+
+}  // namespace treedyn::derive

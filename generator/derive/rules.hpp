@@ -1,0 +1,31 @@
+// The rules of the derivation, by the names that `info --derivation` quotes.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace treedyn::derive {
+
+/// EQUATIONS.md's block expressions become recursions by these and nothing else. N = D - E.
+enum class Rule {
+  kDistribute,
+  kSums,
+  kSkewPasses,
+  kMerge,
+  kCrossWords,
+  kTelescope,
+  kComponents,
+  kUnits,
+};
+
+struct RuleRow {
+  Rule rule;
+  std::string_view name;
+  std::string_view text;
+};
+
+/// One row each, in the order of the enumeration.
+std::span<const RuleRow> rules();
+const RuleRow& row_of(Rule rule);
+
+}  // namespace treedyn::derive

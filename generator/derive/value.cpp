@@ -1,0 +1,76 @@
+#include "derive/value.hpp"
+
+#include <cstdint>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+
+namespace treedyn::derive {
+namespace {
+
+Ratio lowest(std::int64_t numerator, std::int64_t denominator) {
+  const std::int64_t divisor = std::gcd(numerator, denominator);
+  const std::int64_t n = numerator / divisor;
+  const std::int64_t d = denominator / divisor;
+  TREEDYN_EXPECT(static_cast<int>(n) == n && static_cast<int>(d) == d);
+  return {static_cast<int>(n), static_cast<int>(d)};
+}
+
+std::string key_of(const Value& value) {
+  std::string key =
+      fmt::format("{} {} {} {} {}", static_cast<int>(value.op), static_cast<int>(value.set),
+                  static_cast<int>(value.type), value.component, value.name);
+  for (const int operand : value.operands) {
+    key += fmt::format(" {}", operand);
+  }
+  for (const Ratio& factor : value.factors) {
+    key += fmt::format(" {}/{}", factor.numerator, factor.denominator);
+  }
+  return key;
+}
+
+}  // namespace
+
+Ratio multiply(const Ratio& a, const Ratio& b) {
+  return lowest(std::int64_t{a.numerator} * b.numerator,
+                std::int64_t{a.denominator} * b.denominator);
+}
+
+Ratio add(const Ratio& a, const Ratio& b) {
+  return lowest(
+      std::int64_t{a.numerator} * b.denominator + std::int64_t{b.numerator} * a.denominator,
+      std::int64_t{a.denominator} * b.denominator);
+}
+
+int Values::intern(Value value) {
+  const auto [place, is_new] = known_.emplace(key_of(value), size());
+  if (is_new) {
+    values_.push_back(std::move(value));
+  }
+  return place->second;
+}
+
+std::vector<int> Values::needed(const std::vector<int>& roots) const {
+  std::vector<bool> wanted(values_.size(), false);
+  for (const int root : roots) {
+    wanted[static_cast<std::size_t>(root)] = true;
+  }
+  for (int id = size() - 1; id >= 0; --id) {
+    if (wanted[static_cast<std::size_t>(id)]) {
+      for (const int operand : (*this)[id].operands) {
+        wanted[static_cast<std::size_t>(operand)] = true;
+      }
+    }
+  }
+  std::vector<int> result;
+  for (int id = 0; id < size(); ++id) {
+    if (wanted[static_cast<std::size_t>(id)]) {
+      result.push_back(id);
+    }
+  }
+  return result;
+}
+
+}  // namespace treedyn::derive

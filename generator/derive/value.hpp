@@ -1,0 +1,84 @@
+// Columns of blocks as a graph: every value exists once, operands before their users.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "block/block.hpp"
+#include "derive/rules.hpp"
+
+namespace treedyn::derive {
+
+using block::Ratio;
+using block::Set;
+
+enum class Type { kScalar, kVector, kTensor };
+
+/// How a value comes from its operands; a value has one block for every link (or point, or one).
+enum class Op {
+  kZero,
+  kOnes,            ///< the number 1
+  kUnit,            ///< the column of a matrix that is asked for: 1 or a unit vector at one place
+  kLeaf,            ///< a symbol: column, or diagonal of its blocks
+  kLinear,          ///< Σ factor * operand
+  kScale,           ///< numbers times the last operand
+  kDot,             ///< a·b
+  kCross,           ///< a×b
+  kSkew,            ///< Λ(a)
+  kSkewProduct,     ///< Λ(a) Λ(b)
+  kApply,           ///< S v
+  kApplyTranspose,  ///< S^T v
+  kPath,            ///< D x
+  kPathStrict,      ///< N x
+  kSubtree,         ///< D^T x
+  kSubtreeStrict,   ///< N^T x
+  kBackward,        ///< D^T a + N^T b, one recursion
+  kFather,          ///< Π x
+  kSons,            ///< Π^T x
+  kGather,          ///< W x: links from their points
+  kPick,            ///< W^T x: points from their links
+  kSpread,          ///< 1 x: to every link or point
+  kCollect,         ///< 1^T x: over all links or points
+  kComponent,       ///< one component in the base frame
+  kAssemble,        ///< a vector of three components in the base frame
+};
+
+struct Value {
+  Op op = Op::kZero;
+  Set set = Set::kOne;
+  Type type = Type::kScalar;
+  std::string name;   ///< kLeaf
+  int component = 0;  ///< kComponent
+  std::vector<int> operands;
+  std::vector<Ratio> factors;  ///< kLinear
+};
+
+/// The values that a function is made of, and the rules that made them.
+class Values {
+ public:
+  int intern(Value value);
+  [[nodiscard]] const Value& operator[](int id) const {
+    return values_[static_cast<std::size_t>(id)];
+  }
+  [[nodiscard]] int size() const { return static_cast<int>(values_.size()); }
+
+  void note(Rule rule) { acted_.insert(rule); }
+  [[nodiscard]] const std::set<Rule>& acted() const { return acted_; }
+
+  /// The values that `roots` are computed from, themselves included, ascending.
+  [[nodiscard]] std::vector<int> needed(const std::vector<int>& roots) const;
+
+ private:
+  std::vector<Value> values_;
+  std::map<std::string, int> known_;
+  std::set<Rule> acted_;
+};
+
+/// a * b in lowest terms.
+Ratio multiply(const Ratio& a, const Ratio& b);
+Ratio add(const Ratio& a, const Ratio& b);
+
+}  // namespace treedyn::derive

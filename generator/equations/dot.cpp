@@ -1,0 +1,118 @@
+#include "equations/dot.hpp"
+
+#include "equations/symbols.hpp"
+
+namespace treedyn::equations {
+namespace {
+
+using block::diagb;
+using block::Kind;
+using block::skew;
+using block::transpose;
+using Rate = std::optional<Expression>;  ///< nothing: zero
+
+Rate sum(const Rate& a, const Rate& b) { return a && b ? *a + *b : a ? a : b; }
+
+/// Λ(diagb(ω)) X: X turns with ω.
+Expression turning(const Expression& omega, const Expression& x) { return skew(diagb(omega)) * x; }
+
+/// The rates of the symbols.
+const std::map<std::string, Rate>& table() {
+  static const std::map<std::string, Rate> kTable = [] {
+    const Expression w = z_d * sigma * qd;
+    const Expression omega = D * w;
+    const Expression omega_f = (D - E) * w;           // of the fathers
+    const Expression slide = z_d * (E - sigma) * qd;  // speeds of slides
+    const Expression of_points = transpose(W) * D * w;
+    const Expression Lam = skew(diagb(omega));
+    std::map<std::string, Rate> rates;
+    rates.emplace("z^d", turning(omega_f, z_d));
+    rates.emplace("s^d", turning(omega_f, s_d) + diagb(Pi * slide));
+    rates.emplace("l^d", turning(omega_f, l_d) + diagb(slide));
+    rates.emplace("c^d", turning(omega, c_d));
+    rates.emplace("t^d", turning(of_points, t_d) + diagb(transpose(W) * slide));
+    rates.emplace("J_c^d", Lam * J_d - J_d * Lam);
+    rates.emplace("q̇", qdd);
+    rates.emplace("q̇^d", diagb(qdd));
+    for (const Expression& constant : {D, E, Pi, sigma, W, ones, ones_P, m_d, g}) {
+      rates.emplace(constant.node().name, std::nullopt);
+    }
+    return rates;
+  }();
+  return kTable;
+}
+
+Rate rate(const Expression& e, const Rates& rates);
+
+Rate of_leaf(const Expression& e, const Rates& rates) {
+  const std::string& name = e.node().name;
+  if (const auto own = rates.find(name); own != rates.end()) {
+    return own->second;
+  }
+  const auto found = table().find(name);
+  if (found == table().end()) {
+    throw NoRate("the rate of " + name + " is not known");
+  }
+  return found->second;
+}
+
+/// (X Y Z)' = X' Y Z + X Y' Z + X Y Z'.
+Rate of_product(const std::vector<Expression>& x, const Rates& rates) {
+  Rate result;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const Rate inner = rate(x[k], rates);
+    if (!inner) {
+      continue;
+    }
+    Expression term = k == 0 ? *inner : x[0];
+    for (std::size_t n = 1; n < x.size(); ++n) {
+      term = term * (n == k ? *inner : x[n]);
+    }
+    result = sum(result, term);
+  }
+  return result;
+}
+
+Rate rate(const Expression& e, const Rates& rates) {
+  const std::vector<Expression>& x = e.operands();
+  if (e.kind() == Kind::kLeaf) {
+    return of_leaf(e, rates);
+  }
+  if (e.kind() == Kind::kProduct) {
+    return of_product(x, rates);
+  }
+  if (e.kind() == Kind::kSum) {
+    Rate result;
+    for (const Expression& term : x) {
+      result = sum(result, rate(term, rates));
+    }
+    return result;
+  }
+  const Rate inner = rate(x.front(), rates);
+  if (!inner) {
+    return inner;
+  }
+  switch (e.kind()) {
+    case Kind::kScaled:
+      return e.node().factor * *inner;
+    case Kind::kTranspose:
+      return transpose(*inner);
+    case Kind::kSkew:
+      return skew(*inner);
+    case Kind::kSkewTranspose:
+      return block::skew_transpose(*inner);
+    case Kind::kDiagonal:
+      return diagb(*inner);
+    default:
+      return inner;
+  }
+}
+
+}  // namespace
+
+Expression dot(const Expression& e, const Rates& rates) {
+  const Rate result = rate(e, rates);
+  return result ? *result : 0 * e;
+}
+
+}  // namespace treedyn::equations

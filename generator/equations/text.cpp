@@ -1,0 +1,369 @@
+#include "equations/text.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "common/error.hpp"
+#include "equations/symbols.hpp"
+
+namespace treedyn::equations {
+namespace {
+
+constexpr int kDeepest = 100;            // brackets
+constexpr std::size_t kLongest = 20000;  // bytes
+constexpr int kLargest = 1000;  // of a numerator or denominator that is kept: factors multiply
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+std::optional<block::Ratio> small(std::int64_t numerator, std::int64_t denominator) {
+  const std::int64_t divisor = std::gcd(numerator, denominator) * (denominator < 0 ? -1 : 1);
+  if (divisor == 0 || std::abs(numerator / divisor) > kLargest ||
+      denominator / divisor > kLargest) {
+    return std::nullopt;
+  }
+  return block::Ratio{static_cast<int>(numerator / divisor),
+                      static_cast<int>(denominator / divisor)};
+}
+
+Number number(const Real& value) {
+  for (const int denominator : {1, 1000}) {
+    const Real scaled = value * denominator;
+    if (scaled == floor(scaled) && abs(scaled) < kLargest) {
+      return {value, small(static_cast<std::int64_t>(scaled), denominator)};
+    }
+  }
+  return {value, std::nullopt};
+}
+
+Number combined(char operation, const Number& a, const Number& b) {
+  using Wide = std::int64_t;
+  const bool exact = a.ratio && b.ratio;
+  const Wide p = exact ? a.ratio->numerator : 0;
+  const Wide q = exact ? a.ratio->denominator : 0;
+  const Wide r = exact ? b.ratio->numerator : 0;
+  const Wide s = exact ? b.ratio->denominator : 0;
+  switch (operation) {
+    case '+':
+      return {a.value + b.value, small(p * s + r * q, q * s)};
+    case '-':
+      return {a.value - b.value, small(p * s - r * q, q * s)};
+    case '*':
+      return {a.value * b.value, small(p * r, q * s)};
+    default:
+      return {a.value / b.value, small(p * s, q * r)};
+  }
+}
+
+/// True for a single number, which multiplies anything.
+bool is_single(const Expression& e) { return e.shape() == block::Shape{kOne, kOne}; }
+
+/// A column of ones over what the rows of `e` count.
+Expression ones_of(const block::Side& side) {
+  return side.set == block::Set::kPoints ? ones_P : ones;
+}
+
+/// A number that is not known yet times a matrix: on the diagonal where the rows are many.
+Expression product(const Expression& a, const Expression& b) {
+  if (is_single(a) && b.shape().rows.set != block::Set::kOne) {
+    return b.shape().cols == kOne ? b * a : block::diagb(ones_of(b.shape().rows) * a) * b;
+  }
+  if (is_single(b) && a.shape().cols.set != block::Set::kOne) {
+    return a.shape().rows == kOne ? b * a : product(b, a);
+  }
+  return a * b;
+}
+
+class Parser {
+ public:
+  Parser(std::string_view text, const Scope& scope) : text_(text), scope_(scope) {}
+
+  Expression run() {
+    if (text_.size() > kLongest) {
+      throw TextError(0, fmt::format("is longer than {} bytes", kLongest));
+    }
+    const Term result = sum();
+    if (at_ < text_.size()) {
+      fail(at_, fmt::format("found {}; expected an operator or the end", next_text()));
+    }
+    return expression(result, 0);
+  }
+
+ private:
+  [[noreturn]] static void fail(std::size_t offset, const std::string& message) {
+    throw TextError(offset, message);
+  }
+
+  void skip() {
+    while (at_ < text_.size() && is_space(text_[at_])) {
+      ++at_;
+    }
+  }
+  char peek() {
+    skip();
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  std::string next_text() {
+    return peek() == '\0' ? "the end" : fmt::format("'{}'", shown(text_.substr(at_, 1)));
+  }
+  void expect(char c) {
+    if (peek() != c) {
+      fail(at_, fmt::format("found {}; expected '{}'", next_text(), c));
+    }
+    ++at_;
+  }
+
+  /// Runs `make`; what it refuses is a mistake at `offset`.
+  template <class Make>
+  auto placed(std::size_t offset, const Make& make) {
+    try {
+      return make();
+    } catch (const TextError&) {
+      throw;
+    } catch (const InputError&) {  // of another equation
+      throw;
+    } catch (const std::logic_error& error) {  // shapes
+      fail(offset, error.what());
+    } catch (const std::runtime_error& error) {  // names, units, rates
+      fail(offset, error.what());
+    }
+  }
+
+  Expression expression(const Term& term, std::size_t offset) {
+    if (const Expression* e = std::get_if<Expression>(&term)) {
+      return *e;
+    }
+    return placed(offset, [&] { return scope_.number(std::get<Number>(term).value); });
+  }
+  Term checked(const Expression& e) {
+    scope_.check(e);
+    return e;
+  }
+
+  Term sum() {
+    if (++depth_ > kDeepest) {
+      fail(at_, fmt::format("is nested more than {} deep", kDeepest));
+    }
+    Term result = product();
+    for (char c = peek(); c == '+' || c == '-'; c = peek()) {
+      const std::size_t offset = at_++;
+      result = add(c, offset, result, product());
+    }
+    --depth_;
+    return result;
+  }
+
+  Term add(char operation, std::size_t offset, const Term& a, const Term& b) {
+    if (std::holds_alternative<Number>(a) && std::holds_alternative<Number>(b)) {
+      return combined(operation, std::get<Number>(a), std::get<Number>(b));
+    }
+    return placed(offset, [&] {
+      const Expression x = expression(a, offset);
+      const Expression y = expression(b, offset);
+      return checked(operation == '+' ? x + y : x - y);
+    });
+  }
+
+  Term product() {
+    Term result = factor();
+    for (char c = peek(); c == '*' || c == '/'; c = peek()) {
+      const std::size_t offset = at_++;
+      const Term right = factor();
+      result = c == '*' ? multiply(offset, result, right) : divide(offset, result, right);
+    }
+    return result;
+  }
+
+  Term divide(std::size_t offset, const Term& a, const Term& b) {
+    if (!std::holds_alternative<Number>(b)) {
+      return multiply(offset, a,
+                      placed(offset, [&] { return scope_.reciprocal(std::get<Expression>(b)); }));
+    }
+    if (std::get<Number>(b).value == 0) {
+      fail(offset, "divides by zero");
+    }
+    return multiply(offset, a, combined('/', Number{1, block::Ratio{}}, std::get<Number>(b)));
+  }
+
+  Term multiply(std::size_t offset, const Term& a, const Term& b) {
+    const Number* const x = std::get_if<Number>(&a);
+    const Number* const y = std::get_if<Number>(&b);
+    if (x != nullptr && y != nullptr) {
+      return combined('*', *x, *y);
+    }
+    return placed(offset, [&]() -> Term {
+      if (x == nullptr && y == nullptr) {
+        return checked(equations::product(std::get<Expression>(a), std::get<Expression>(b)));
+      }
+      const Number& number = x != nullptr ? *x : *y;
+      const Expression& e = std::get<Expression>(x != nullptr ? b : a);
+      return checked(number.ratio ? *number.ratio * e
+                                  : equations::product(scope_.number(number.value), e));
+    });
+  }
+
+  Term factor() {
+    const char c = peek();
+    const std::size_t offset = at_;
+    if (c == '+' || c == '-') {
+      ++at_;
+      if (++depth_ > kDeepest) {
+        fail(at_, fmt::format("is nested more than {} deep", kDeepest));
+      }
+      const Term inner = factor();
+      --depth_;
+      return c == '+' ? inner : multiply(offset, Number{-1, block::Ratio{-1, 1}}, inner);
+    }
+    const Term base = primary();
+    if (peek() != '^') {
+      return base;
+    }
+    const std::size_t power = at_++;
+    const Term exponent = factor();
+    if (!std::holds_alternative<Number>(base) || !std::holds_alternative<Number>(exponent)) {
+      fail(power, "raises a block expression to a power; expected constants");
+    }
+    return finite(power, pow(std::get<Number>(base).value, std::get<Number>(exponent).value));
+  }
+
+  static Term finite(std::size_t offset, const Real& value) {
+    if (!isfinite(value) || abs(value) > Real("1e300")) {
+      fail(offset, "is no real number of at most 1e300");
+    }
+    return number(value);
+  }
+
+  Term primary() {
+    const char c = peek();
+    const std::size_t offset = at_;
+    if (c == '(') {
+      ++at_;
+      const Term inner = sum();
+      expect(')');
+      return inner;
+    }
+    if (is_digit(c) || c == '.') {
+      return literal();
+    }
+    if (!is_letter(c)) {
+      fail(at_, fmt::format("found {}; expected a number, a name or '('", next_text()));
+    }
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) {
+      ++at_;
+    }
+    const std::string name(text_.substr(offset, at_ - offset));
+    return peek() == '(' ? call(name, offset) : placed(offset, [&] { return scope_.name(name); });
+  }
+
+  Term literal() {
+    const std::size_t offset = at_;
+    const auto accept = [&](auto wanted) {
+      while (at_ < text_.size() && wanted(text_[at_])) {
+        ++at_;
+      }
+    };
+    accept([](char c) { return is_digit(c) || c == '.'; });
+    if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
+      ++at_;
+      at_ += at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-') ? 1U : 0U;
+      accept(is_digit);
+    }
+    const std::string text(text_.substr(offset, at_ - offset));
+    const Decimal decimal = read_decimal(text);
+    if (!decimal) {
+      fail(offset, describe(decimal.error, text));
+    }
+    return finite(offset, decimal.value);
+  }
+
+  Term call(const std::string& name, std::size_t offset) {
+    for (const char* of : {"at", "under", "above", "at_point", "R"}) {
+      if (name == of) {
+        return placed(offset, [&] { return Term(scope_.of(name, raw_argument())); });
+      }
+    }
+    expect('(');
+    const Term argument = sum();
+    expect(')');
+    if (const auto* const number = std::get_if<Number>(&argument)) {
+      return of_number(name, *number, offset);
+    }
+    return placed(offset, [&] { return checked(of_block(name, std::get<Expression>(argument))); });
+  }
+
+  /// What stands in the brackets, as it is: names of links may hold any character.
+  std::string raw_argument() {
+    expect('(');
+    peek();
+    const bool quoted = peek() == '"';
+    const std::size_t begin = at_ + (quoted ? 1 : 0);
+    const std::size_t end = text_.find(quoted ? '"' : ')', begin);
+    if (end == std::string_view::npos) {
+      fail(begin, fmt::format("found no end of the name; expected '{}'", quoted ? '"' : ')'));
+    }
+    at_ = end + (quoted ? 1 : 0);
+    std::string name(text_.substr(begin, end - begin));
+    while (!quoted && !name.empty() && is_space(name.back())) {
+      name.pop_back();
+    }
+    expect(')');
+    return name;
+  }
+
+  Term of_number(const std::string& name, const Number& x, std::size_t offset) {
+    const auto result = [&](const Real& value) {
+      return finite(offset, value);
+    };
+    if (name == "sqrt") {
+      return result(sqrt(x.value));
+    }
+    if (name == "sin") {
+      return result(sin(x.value));
+    }
+    if (name == "cos") {
+      return result(cos(x.value));
+    }
+    if (name == "tan") {
+      return result(tan(x.value));
+    }
+    const Expression leaf = placed(offset, [&] { return scope_.number(x.value); });
+    return placed(offset, [&] { return checked(of_block(name, leaf)); });
+  }
+
+  Expression of_block(const std::string& name, const Expression& x) {
+    if (name == "T") {
+      return block::transpose(x);
+    }
+    if (name == "Lam") {
+      return block::skew(x);
+    }
+    if (name == "LamT") {
+      return block::skew_transpose(x);
+    }
+    if (name == "diagb") {
+      return block::diagb(x);
+    }
+    if (name == "dot") {
+      return scope_.dot(x);
+    }
+    throw std::runtime_error(fmt::format(
+        "there is no function '{}'; expected T, Lam, LamT, diagb, dot, at, under, above, at_point, "
+        "R, or sqrt, sin, cos, tan of a constant",
+        name));
+  }
+
+  std::string_view text_;
+  const Scope& scope_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+Expression parse(std::string_view text, const Scope& scope) { return Parser(text, scope).run(); }
+
+}  // namespace treedyn::equations

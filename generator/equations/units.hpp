@@ -1,0 +1,66 @@
+// Units of block expressions, worked out from those of the leaves.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "block/block.hpp"
+
+namespace treedyn::equations {
+
+/// Powers of kilogram, metre and second; a radian is a 1.
+struct Unit {
+  int kg = 0;
+  int m = 0;
+  int s = 0;
+  bool any = false;  ///< of an input of a user: fits everything
+  friend bool operator==(const Unit&, const Unit&) = default;
+};
+Unit operator*(const Unit& a, const Unit& b);
+/// "N m", "kg m^2/s", "1".
+std::string to_string(const Unit& unit);
+
+/// Units of the blocks of a matrix by the kind of joint (revolute, prismatic) that its row and its
+/// column belong to; sides that do not count links have the first kind only. Nothing: such blocks
+/// are zero, or the tree has no such joint.
+using Units = std::array<std::array<std::optional<Unit>, 2>, 2>;
+/// "N m|N": the different ones.
+std::string to_string(const Units& units);
+
+/// Terms of a sum that differ: "adds N m to N".
+class UnitError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Which kinds of joints a tree has.
+struct JointKinds {
+  bool revolute = true;
+  bool prismatic = true;
+  [[nodiscard]] bool has(int kind) const { return kind == 0 ? revolute : prismatic; }
+};
+
+class UnitReader {
+ public:
+  explicit UnitReader(const JointKinds& kinds) : kinds_(kinds) {}
+
+  /// Units of a leaf that equations/symbols.hpp does not know.
+  void define(const std::string& leaf, const Units& units) { leaves_[leaf] = units; }
+  /// \throws UnitError
+  Units of(const block::Expression& e);
+
+ private:
+  Units of_leaf(const block::Expression& e) const;
+  Units of_sum(const block::Expression& e);
+  [[nodiscard]] Units column(const Unit& revolute, const Unit& prismatic) const;
+  [[nodiscard]] Units uniform(const block::Expression& e, const Unit& unit) const;
+
+  JointKinds kinds_;
+  std::map<std::string, Units> leaves_;
+  std::map<const block::Node*, std::pair<block::Expression, Units>> known_;  // never iterated
+};
+
+}  // namespace treedyn::equations

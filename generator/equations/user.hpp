@@ -1,0 +1,52 @@
+// Equations of users: texts to block expressions with shapes and units, INTERFACE.md 7.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "block/block.hpp"
+#include "model/equation.hpp"
+#include "model/tree.hpp"
+
+namespace treedyn::equations {
+
+/// An array that the function of an equation takes.
+struct UserArgument {
+  std::string name;  ///< q qd qdd tau f n, or the user's own
+  std::string leaf;  ///< empty: q
+  block::Side side;
+  std::string unit;
+};
+
+/// R(LINK): the frame of a link that `link` carries.
+struct UserFrame {
+  int link = model::kGround;
+  model::Matrix3 rotation{};  ///< frame -> frame of `link`
+};
+
+struct UserEquation {
+  std::string name;
+  std::string text;
+  std::string doc;
+  block::Expression expression = block::leaf("", block::Structure::kFull, {});
+  std::string unit;  ///< "N m|N"
+  std::vector<UserArgument> arguments;
+  std::map<std::string, std::vector<Real>> constants;  ///< leaves of numbers: one a block
+  std::map<std::string, UserFrame> frames;             ///< leaves R(LINK)
+  Location where;
+};
+
+/// An equation of EQUATIONS.md as one that a user might have written.
+UserEquation equation_of(const std::string& name, const block::Expression& expression,
+                         const model::Tree& tree);
+
+/// Equations may use each other, in any order.
+/// \throws InputError with line and column for what does not conform, mixes units, is unknown,
+/// recursive or taken.
+std::vector<UserEquation> read_equations(const std::vector<model::EquationText>& texts,
+                                         const model::Tree& tree,
+                                         std::span<const model::Point> points);
+
+}  // namespace treedyn::equations

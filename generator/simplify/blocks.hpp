@@ -1,0 +1,59 @@
+// The blocks of a derived column: numbers, vectors and tensors in frames.
+#pragma once
+
+#include <vector>
+
+#include "simplify/kinematics.hpp"
+
+namespace treedyn::simplify {
+
+/// The base frame, where a link's frame is expected.
+inline constexpr int kBase = model::kGround;
+
+/// A vector as a sum of parts in different frames; none: zero.
+struct Part {
+  int frame = kBase;
+  Vec3 value;
+};
+using Parts = std::vector<Part>;
+
+struct Tensor {
+  int frame = kBase;
+  Mat3 value;
+};
+
+/// One of the three, for every link or point.
+struct Blocks {
+  std::vector<Expr> numbers;
+  std::vector<Parts> vectors;
+  std::vector<Tensor> tensors;
+};
+
+bool is_zero(const Vec3& v);
+
+/// Carries vectors and tensors between frames.
+class FrameChanges {
+ public:
+  /// \param in_base  by the rotation matrices of all links instead of joint by joint
+  FrameChanges(const Kinematics& kinematics, bool in_base);
+
+  [[nodiscard]] bool in_base() const { return in_base_; }
+  [[nodiscard]] Vec3 moved(const Vec3& v, int from, int to) const;
+  [[nodiscard]] Tensor moved(const Tensor& t, int to) const;
+  /// The sum of the parts in one frame.
+  [[nodiscard]] Vec3 in(const Parts& parts, int frame) const;
+  /// a + factor * b, part by part.
+  void add(Parts& a, const Parts& b, Expr factor) const;
+
+ private:
+  [[nodiscard]] int depth(int i) const {
+    return i == kBase ? 0 : depth_[static_cast<std::size_t>(i)];
+  }
+
+  const Kinematics& kinematics_;
+  bool in_base_;
+  std::vector<int> depth_;
+  std::vector<Mat3> rotation_;  ///< link frame -> base frame, if `in_base`
+};
+
+}  // namespace treedyn::simplify

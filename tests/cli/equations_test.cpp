@@ -1,0 +1,81 @@
+// Equations of users, as a user meets them.
+#include "cli/cli.hpp"
+#include "support/compiled.hpp"
+
+namespace treedyn {
+namespace {
+
+const std::string kMomentum = TREEDYN_SOURCE_DIR "/models/equations/momentum.yaml";
+
+TEST_F(Cli, GeneratesEquationsOfItsUser) {
+  const std::vector<std::string> options = {"--equations", kMomentum, "--effort", "0", "-o", out()};
+  std::vector<std::string> arguments = {"generate", kModel};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  ASSERT_EQ(treedyn(arguments).status, 0);
+  const std::string header = read_file(file("two_link.hpp"));
+  EXPECT_THAT(header, HasSubstr("/// linear momentum, base frame. value: 3 x 1.\n"));
+  EXPECT_THAT(header, HasSubstr("void linear_momentum(const Scalar q[2], const Scalar qd[2], "
+                                "Scalar value[3]) noexcept;"));
+  EXPECT_THAT(header, HasSubstr("--equations momentum.yaml"));
+  EXPECT_THAT(header, HasSubstr("void mass_matrix("));  // beside the default functions
+  arguments[0] = "check";
+  EXPECT_EQ(treedyn(arguments).status, 0);
+  EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"unit\": \"kg m/s\""));
+}
+
+/// A pendulum of 2 kg on a rod of 0.5 m about z: p = m l qd (-sin q, cos q, 0).
+TEST_F(Cli, ComputesTheMomentumOfAPendulum) {
+  const std::string model = scratch("pendulum.yaml");
+  write_file(model,
+             "name: pendulum\nlinks:\n  - name: bob\n    father: ground\n    joint: {name: pivot, "
+             "type: revolute, axis: [0, 0, 1]}\n    mass: 2\n    com: [0.5, 0, 0]\n"
+             "    inertia: [0, 0, 0, 0, 0, 0.1]\n"
+             "equations:\n  - {name: momentum, value: T(ones) * m_d * J_v * qd}\n"
+             "  - {name: spin, value: T(ones) * (Lam(diagb(r)) * m_d * J_v + J_d * J_w) * qd}\n"
+             "  - {name: weight, value: T(ones) * m_d * ones}\n");
+  for (const char* scalar : {"double", "float"}) {
+    const auto code = support::generate_and_compile(
+        model, {"--functions", "momentum,spin,weight", "--effort", "0", "--scalar", scalar});
+    const double q = 0.7;
+    const double qd = 3;
+    const auto p = code.call("momentum", {{q}, {qd}});
+    EXPECT_NEAR(p[0], -qd * std::sin(q), 1e-6);
+    EXPECT_NEAR(p[1], qd * std::cos(q), 1e-6);
+    EXPECT_NEAR(p[2], 0, 1e-6);
+    EXPECT_NEAR(code.call("spin", {{q}, {qd}})[2], qd * (0.1 + 2 * 0.25), 1e-6);
+    EXPECT_NEAR(code.call("weight", {})[0], 2, 1e-6);
+  }
+}
+
+TEST_F(Cli, RefusesAWrongEquationInOneLine) {
+  const std::string equations = scratch("mine.yaml");
+  write_file(equations, "equations:\n  - name: mixed\n    value: A * qdd + qd\n");
+  const Outcome outcome = treedyn({"generate", kModel, "--equations", equations, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, equations + ":3:20: equation 'mixed': adds 1/s to N m\n");
+  EXPECT_FALSE(fs::exists(out()));
+  expect_usage_error(
+      treedyn({"generate", kModel, "--equations", kMomentum, "--functions", "mixed", "-o", out()}),
+      "there is no function mixed");
+  write_file(equations, "equations:\n  - {name: mass_matrix, value: A}\n");
+  EXPECT_THAT(treedyn({"generate", kModel, "--equations", equations, "-o", out()}).err,
+              HasSubstr("taken"));
+}
+
+TEST_F(Cli, ShowsHowCodeComesAbout) {
+  const Outcome outcome = treedyn({"info", kModel, "--derivation", "bias_force"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("equation (3); errata of the print mended: E1"));
+  EXPECT_THAT(outcome.out, HasSubstr("R5 "));
+  EXPECT_THAT(outcome.out, HasSubstr("ω = D w\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("D^T "));
+  EXPECT_THAT(
+      treedyn({"info", kModel, "--equations", kMomentum, "--derivation", "linear_momentum"}).out,
+      HasSubstr("linear_momentum = 1_N^T m^d J_v q̇"));
+  expect_usage_error(treedyn({"info", kModel, "--derivation", "forward_dynamics"}),
+                     "is no block equation");
+  EXPECT_THAT(treedyn({"generate", kModel, "--dump", "derive"}).out, HasSubstr("mass_matrix: "));
+}
+
+}  // namespace
+}  // namespace treedyn

@@ -1,0 +1,106 @@
+// The errata find themselves: (3) follows from (2) by R11 alone, the printed forms do not; and
+// whatever stands in an equation arrives in the code that is derived from it.
+#include <gtest/gtest.h>
+
+#include "derive/user_robot.hpp"
+#include "equations/equations.hpp"
+#include "symbolic/expansion.hpp"
+
+namespace treedyn {
+namespace {
+
+using support::Numbers;
+using support::TreeShape;
+using support::UserRobot;
+
+const std::string kT1 = "LamT(c_fD) * LamT(z_d * sigma * qd_d) * N";
+const std::string kT2 = "D * LamT(z_d * (E - sigma) * qd_d) * N";
+const std::string kInner = "LamT(c_fD) * z_d * sigma * qd_d * D";
+const std::string kT3 = "LamT(" + kInner + " + LamT(c_fD) * diagb(N * z_d * sigma * qd))";
+const std::string kGyro = "Lam(diagb(D * z_d * sigma * qd))";
+
+std::string revolute(const std::string& K, const std::string& gyro) {
+  return "sigma * T(z_d) * (-T(Lam(c_fD)) * m_d * (" + K +
+         ") + T(D) * J_d * D * sigma * qd_d * LamT(z_d) * N + T(D) * " + gyro +
+         " * J_d * D) * z_d * sigma * qd";
+}
+std::string prismatic(const std::string& K) {
+  return "(E - sigma) * T(z_d) * T(D) * m_d * (" + K + ") * z_d * sigma * qd";
+}
+std::string bias(const std::string& K, const std::string& gyro = kGyro) {
+  return revolute(K, gyro) + " + " + prismatic(K);
+}
+
+const std::string kK = kT1 + " + 2 * " + kT2 + " + " + kT3;
+const std::string kE1 =
+    kT1 + " + 2 * " + kT2 + " + LamT(" + kInner + " + LamT(c_fD) * N * sigma * z_d * qd_d)";
+const std::string kE3 = "Lam(D * z_d * sigma * qd_d)";
+
+/// J_v^T m dJ_v/dt qd + J_ω^T (J dJ_ω/dt qd + ω × J ω): what Lagrange makes of (2).
+const std::string kFromTwo =
+    "T(J_v) * m_d * dot(J_v) * qd + T(J_w) * (J_d * dot(J_w) * qd + Lam(diagb(omega)) * J_d * "
+    "omega)";
+
+class Errata : public testing::TestWithParam<TreeShape> {
+ protected:
+  Errata() : robot_(GetParam()), expansion_(robot_.tree, robot_.points, robot_.gravity) {}
+
+  [[nodiscard]] block::Expression read(const std::string& text) const {
+    return robot_.read(text).expression;
+  }
+  /// Every entry of the difference to (3), expanded, is the zero polynomial.
+  [[nodiscard]] bool is_bias_force(const block::Expression& e) const {
+    const symbolic::Entries entries = expansion_.expand(e - equations::bias_force());
+    return std::all_of(entries.values.begin(), entries.values.end(),
+                       [](const symbolic::Expanded& entry) { return entry.is_zero(); });
+  }
+
+  UserRobot robot_;
+  symbolic::Expansion expansion_;
+};
+
+TEST_P(Errata, CorrectedFormFollowsFromTheMassMatrix) {
+  EXPECT_TRUE(is_bias_force(read(kFromTwo)));
+  EXPECT_TRUE(is_bias_force(read(bias(kK))));
+}
+
+TEST_P(Errata, PrintedFormsDoNot) {
+  EXPECT_FALSE(is_bias_force(read(bias(kE1))));          // E1
+  EXPECT_FALSE(is_bias_force(read(bias(kK, kE3))));      // E3
+  const std::string without_T3 = kT1 + " + 2 * " + kT2;  // E4, a reading that conforms
+  EXPECT_FALSE(is_bias_force(read(revolute(kK, kGyro) + " + " + prismatic(without_T3))));
+  const block::Expression outside =  // E2: T2 without mass and lever arm
+      read(revolute(kT1 + " + " + kT3, kGyro) + " + " + prismatic(kK)) +
+      read("sigma * T(z_d) * (2 * " + kT2 + ") * z_d * sigma * qd");
+  EXPECT_FALSE(is_bias_force(outside));
+}
+
+TEST_P(Errata, ShapesRefuseE4AndUnitsRefuseE2) {
+  const std::string E4 = kT1 + " + 2 * " + kT2 + " + (" + kInner + ")";
+  EXPECT_THROW(read(prismatic(E4)), InputError);
+  const std::string E2 = "sigma * T(z_d) * (-T(Lam(c_fD)) * m_d * (" + kT1 + " + " + kT3 +
+                         ") + 2 * " + kT2 + ") * z_d * sigma * qd";
+  EXPECT_THROW(read(E2), InputError);
+}
+
+TEST_P(Errata, PlantedErrorsArriveInTheDerivedCode) {
+  const auto right = robot_.read("B");
+  const auto at = robot_.inputs(right);
+  const Numbers B = robot_.expected(right, at);
+  const std::string one_T2 = kT1 + " + " + kT2 + " + " + kT3;
+  const std::string no_T1 = "2 * " + kT2 + " + " + kT3;
+  for (const std::string& text :
+       {bias(kE1), bias(kK, kE3), bias(one_T2), bias(no_T1), revolute(kK, kGyro)}) {
+    const auto planted = robot_.read(text);
+    const Numbers derived = UserRobot::run(robot_.derived(planted, false), at);
+    EXPECT_LT(support::distance(derived, robot_.expected(planted, at)), Real("1e-40"));
+    EXPECT_GT(support::distance(derived, B), Real("1e-6"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Trees, Errata,
+                         testing::Values(TreeShape{{-1, 0, 1}, "RPR"}, TreeShape{{-1, 0, 1}, "RRP"},
+                                         TreeShape{{-1, 0, 0, 1}, "RRPP"}));
+
+}  // namespace
+}  // namespace treedyn

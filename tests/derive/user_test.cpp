@@ -1,0 +1,155 @@
+// Equations of users: what is derived is what the engine evaluates, and what is wrong is refused.
+#include <gtest/gtest.h>
+
+#include "derive/user_robot.hpp"
+
+namespace treedyn {
+namespace {
+
+using support::Numbers;
+using support::TreeShape;
+using support::UserRobot;
+
+const Real kExact("1e-40");  // 50 digits, a few thousand operations
+
+const std::vector<TreeShape>& shapes() {
+  static const std::vector<TreeShape> kShapes = {
+      {{-1, 0, 1}, "RPR"}, {{-1, 0, 0, 1, -1}, "RRPRP"}, {{-1, 0, 1, 1, 3, 2}, "PRRRPR"}};
+  return kShapes;
+}
+
+class Derived : public testing::TestWithParam<const char*> {};
+
+TEST_P(Derived, IsWhatTheEngineEvaluatesInBothKindsOfFrames) {
+  for (const TreeShape& shape : shapes()) {
+    UserRobot robot(shape);
+    const auto equation = robot.read(GetParam());
+    const auto at = robot.inputs(equation);
+    const Numbers expected = robot.expected(equation, at);
+    for (const bool in_base : {false, true}) {
+      const program::Function function = robot.derived(equation, in_base);
+      EXPECT_LT(support::distance(UserRobot::run(function, at), expected), kExact)
+          << shape.types << (in_base ? " in the base frame" : " in link frames");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Symbols, Derived,
+                         testing::Values("D * sigma * qd", "N * sigma * qd", "T(D) * sigma * qd",
+                                         "T(N) * (E - sigma) * qd", "sigma * qd",
+                                         "(E - sigma) * qd", "z_d * qd", "s_d * ones", "l_d * ones",
+                                         "c_d * ones", "t_d * ones_P", "T(z_d) * J_d * z_d * qd",
+                                         "qd_d * tau", "D_P * z_d * sigma * qd", "W * ones_P",
+                                         "T(W) * D * sigma * qd", "g", "f_b",
+                                         "T(W) * z_d * sigma * qd", "r", "p", "v", "omega", "B",
+                                         "G", "C * f_b + H * n_b", "gamma_f", "gamma_n",
+                                         "K * omega", "A * qdd + B + G"));
+
+INSTANTIATE_TEST_SUITE_P(Matrices, Derived,
+                         testing::Values("D", "A", "C", "H", "J_v", "J_w", "l_D", "c_fD", "t_fD",
+                                         "K", "dot(A)", "T(J_v) * m_d * dot(J_v)",
+                                         "T(ones) * m_d * J_v", "m_d * D * T(D)", "J_d", "W",
+                                         "Lam(c_fD)", "T(Lam(c_fD))", "R(link1) * T(R(joint2))"));
+
+INSTANTIATE_TEST_SUITE_P(
+    Operations, Derived,
+    testing::Values("T(qd) * tau", "1/2 * T(qd) * A * qd", "T(at(link1)) * tau", "at(joint2)",
+                    "under(link1) * qd", "above(link2) * qd", "T(at_point(point0)) * v",
+                    "diagb(omega) * qd", "T(diagb(omega)) * omega",
+                    "Lam(diagb(omega)) * J_d * omega", "LamT(s_d) * omega",
+                    "T(Lam(diagb(r)) * J_v) * omega", "Lam(T(ones) * m_d * r) * T(ones) * omega",
+                    "Lam(r) * T(ones) * omega", "T(Lam(r)) * omega", "qd * T(qd) * tau",
+                    "sqrt(2) * qd", "qd * pi / 3", "0 * qd",
+                    "T(ones) * m_d * r / (T(ones) * m_d * ones)", "-D * sigma * (qd - -qd)",
+                    "Lam(LamT(c_fD) * z_d) * omega", "T(LamT(J_v)) * omega",
+                    "Lam(Lam(c_fD) * z_d * sigma * D) * omega", "R(link1) * T(at(link1)) * omega"));
+
+INSTANTIATE_TEST_SUITE_P(Rates, Derived,
+                         testing::Values("dot(s_d) * ones", "dot(l_d) * ones", "dot(c_d) * ones",
+                                         "dot(t_d) * ones_P", "dot(z_d) * qd", "dot(J_v) * qd",
+                                         "dot(J_v * qd)", "dot(J_d * omega)", "dot(v)", "dot(r)",
+                                         "dot(dot(r))", "dot(m_d) * qd", "dot(qd_d) * qd",
+                                         "dot(R(link2))", "dot(B)"));
+
+TEST(Derived, TakesColumnsOfTheUser) {
+  UserRobot robot(shapes()[1]);
+  const auto equation = robot.read(
+      "gain * C * v_ref + T(J_w) * diagb(x) * ones * axis",
+      {{"gain", "", 1, {}}, {"v_ref", "point", 3, {}}, {"x", "link", 1, {}}, {"axis", "", 3, {}}});
+  ASSERT_EQ(equation.arguments.size(), 5U);
+  EXPECT_EQ(equation.arguments[0].name, "q");
+  EXPECT_EQ(equation.arguments[1].name, "gain");
+  const auto at = robot.inputs(equation);
+  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, false), at),
+                              robot.expected(equation, at)),
+            kExact);
+}
+
+struct Refusal {
+  const char* value;
+  int column;
+  const char* message;
+};
+
+class Refused : public testing::TestWithParam<Refusal> {};
+
+TEST_P(Refused, WithThePlaceAndTheReason) {
+  const UserRobot robot(shapes()[0]);
+  model::EquationText text;
+  text.name = "asked";
+  text.value = GetParam().value;
+  text.value_where = {"mine.yaml", 3, 12};
+  try {
+    equations::read_equations({text}, robot.tree, robot.points);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where().column, 12 + GetParam().column) << error.what();
+    EXPECT_NE(std::string(error.what()).find(GetParam().message), std::string::npos)
+        << error.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Texts, Refused,
+    testing::Values(Refusal{"J_v * qd + f_b", 9, "does not conform"},
+                    Refusal{"T(ones) * tau", 8, "adds N to N m"},
+                    Refusal{"A * qdd + qd", 8, "adds 1/s to N m"},
+                    Refusal{"momentum", 0, "there is no symbol 'momentum'"},
+                    Refusal{"asked * 2", 0, "uses itself"}, Refusal{"dot(tau)", 0, "is not known"},
+                    Refusal{"under(nobody) * qd", 0, "there is no link or joint 'nobody'"},
+                    Refusal{"at_point(x)", 0, "there is no point 'x'"},
+                    Refusal{"qd / qd", 3, "divides by a block"}, Refusal{"qd / 0", 3, "by zero"},
+                    Refusal{"D * ", 4, "found the end"}, Refusal{"(D * m_d", 8, "expected ')'"},
+                    Refusal{"qd ^ 2", 3, "to a power"}, Refusal{"Lam(qd)", 0, "3-vectors"},
+                    Refusal{"diagb(D)", 0, "expected a column"},
+                    Refusal{"sin(qd)", 0, "there is no function"}, Refusal{"qd qd", 3, "found 'q'"},
+                    Refusal{"1 + qd", 2, "does not conform"}, Refusal{"", 0, "found the end"},
+                    Refusal{"2 $ qd", 2, "found '$'"}));
+
+TEST(Refused, JointColumnsWhereJointsMimicOthers) {
+  UserRobot robot(shapes()[0]);
+  robot.tree.drives[2] = {1, Real(2), Real("0.1")};
+  robot.tree.coordinates = {0, 1};
+  EXPECT_THROW(robot.read("A * qd"), InputError);
+  EXPECT_THROW(robot.read("T(qd) * tau"), InputError);
+  auto equation = robot.read("T(ones) * m_d * J_v * qd");
+  std::vector<Numbers> at = {robot.random(2), robot.random(2)};
+  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, false), at),
+                              robot.expected(equation, at)),
+            kExact);
+}
+
+TEST(Units, AreWorkedOutFromTheLeaves) {
+  const UserRobot robot(shapes()[0]);
+  EXPECT_EQ(robot.read("A").unit, "kg m^2|kg m|kg");
+  EXPECT_EQ(robot.read("B").unit, "N m|N");
+  EXPECT_EQ(robot.read("C").unit, "m|1");
+  EXPECT_EQ(robot.read("T(qd) * tau").unit, "W");
+  EXPECT_EQ(robot.read("1/2 * T(qd) * A * qd").unit, "J");
+  EXPECT_EQ(robot.read("T(ones) * m_d * J_v * qd").unit, "kg m/s");
+  EXPECT_EQ(robot.read("dot(J_v) * qd").unit, "m/s^2");
+  EXPECT_EQ(robot.read("J_v").unit, "m|1");
+}
+
+}  // namespace
+}  // namespace treedyn
