@@ -13,8 +13,8 @@ namespace {
 
 /// How sine and cosine are approximated: fdlibm's polynomials for double, Cephes' for float. pi/2
 /// is subtracted in parts, all but the last so short that k times them is exact for |k| < 2^bits.
-/// The errors bound those measured over 1e9 arguments (double, against long double) and all
-/// arguments (float, against double) of the range, contracted and not.
+/// The errors bound those measured without contraction over 2e8 arguments of the range (double,
+/// against long double: 1.62e-16) and over all of its arguments (float, against double: 9.91e-8).
 struct Approximation {
   const char* error;
   const char* range;
