@@ -17,8 +17,12 @@ namespace {
 constexpr double kLostRow = 1e-9;
 /// How far nearby is, rad or m: other joints by other amounts.
 constexpr double kNearby = 0.1;
-/// Roundings of the potential energy in one step.
+/// Roundings of the potential energy that are no energy.
 constexpr double kRoundings = 1e3;
+/// Steps whose power belongs to the scale of energies, for a method's quadrature may lag by half a
+/// step, and steps of the beginning that are not judged.
+constexpr double kPowerSteps = 100;
+constexpr int kFirstSteps = 10;
 
 bool is_length(const model::Scene& scene, const model::Constraint& constraint) {
   if (constraint.kind == model::ConstraintKind::kJoint) {
@@ -166,16 +170,18 @@ void Monitor::drift(System& system, double t, const Vector& q) {
   }
 }
 
-/// How large the robot is, and what the rounding of its potential energy may be.
+/// How large the robot is, and the energy of its fall by this size, or of roundings if it has none.
 void Monitor::measure(const Vector& q) {
   Eigen::AlignedBox3d box;
   double most = 0;
+  double weight = 0;
   const Eigen::Vector3d g = vector_of(scene_.gravity);
   for (std::size_t i = 0; i < pose_.links().size(); ++i) {
     const LinkState& link = pose_.links()[i];
     const auto mass = static_cast<double>(scene_.tree.links[i].inertia.mass);
     box.extend(link.O);
     box.extend(link.r);
+    weight += mass * g.norm();
     most += mass * g.norm() * (link.r.norm() + 1);
   }
   for (const model::Point& point : scene_.points) {
@@ -184,7 +190,8 @@ void Monitor::measure(const Vector& q) {
     }
   }
   size_ = box.isEmpty() || box.diagonal().norm() == 0 ? 1 : box.diagonal().norm();
-  rounding_ = kRoundings * std::numeric_limits<double>::epsilon() * (most + q.norm());
+  weight_ = std::max(weight * size_,
+                     kRoundings * std::numeric_limits<double>::epsilon() * (most + q.norm()));
 }
 
 double Monitor::energy_of(System& system, const Vector& q, const Vector& qd) {
@@ -204,30 +211,30 @@ void Monitor::restart_energy(System& system, const Vector& q, const Vector& qd) 
 }
 
 void Monitor::energy(System& system, double t, double h, const Vector& q, const Vector& qd,
-                     double work) {
+                     const Work& work) {
   const double before = energy_;
   energy_ = energy_of(system, q, qd);
-  unexplained_ += energy_ - before - work;
-  const double bare = unexplained_ / std::max(exchanged_, rounding_);
-  exchanged_ += std::fabs(work);
-  if (!(bare > bounds_.energy_warning)) {  // else the motion itself says nothing any more
-    exchanged_ = std::max(
-        {exchanged_, pose_.kinetic_energy(), std::fabs(pose_.potential_energy() - potential_)});
-  }
-  const double part = unexplained_ / std::max(exchanged_, rounding_);
-  worst_energy_ = std::max(worst_energy_, std::fabs(part));
-  if (!scene_.velocity_products || !(part > bounds_.energy_warning)) {
+  unexplained_ += energy_ - before - work.done;
+  const double excess = std::max(0.0, unexplained_);
+  worked_ += std::fabs(work.done);
+  exchanged_ = std::max({exchanged_, worked_, pose_.kinetic_energy() - excess,
+                         std::fabs(pose_.potential_energy() - potential_) - excess});
+  const double scale = std::max({exchanged_, weight_, kPowerSteps * h * work.power});
+  const double part = unexplained_ / scale;
+  worst_energy_ = std::max(worst_energy_, std::fabs(unexplained_) / std::max(exchanged_, weight_));
+  if (!scene_.velocity_products || ++energy_steps_ <= kFirstSteps ||
+      !(part > bounds_.energy_warning)) {
     return;
   }
-  note({"energy", "energy", t, unexplained_, bounds_.energy_warning * exchanged_, 0, 0, "J",
+  note({"energy", "energy", t, unexplained_, bounds_.energy_warning * scale, 0, 0, "J",
         fmt::format("energy grows without power: by {:.3g} J in the step of {:.3g} s that ends at "
                     "t = {:.6g} s, {:.3g} J in all of {:.3g} J that the motion has exchanged",
-                    energy_ - before - work, h, t, unexplained_, exchanged_)});
+                    energy_ - before - work.done, h, t, unexplained_, scale)});
   if (part > bounds_.energy_end) {
     throw std::runtime_error(
         fmt::format("energy grows without power: {:.3g} J more than forces explain, of {:.3g} J "
                     "that the motion has exchanged",
-                    unexplained_, exchanged_));
+                    unexplained_, scale));
   }
 }
 

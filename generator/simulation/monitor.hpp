@@ -19,7 +19,7 @@ struct Bounds {
   double residual_warning = 1e-6;
   double residual_end = 1e-1;
   /// Energy beyond that of the beginning and the work of all forces, as a part of the energy that
-  /// the motion has exchanged.
+  /// the motion has exchanged, or of the fall of the robot by its size if that is more.
   double energy_warning = 1e-2;
   double energy_end = 1;
 };
@@ -43,6 +43,12 @@ struct Notice {
 /// One line: the text, and the worst if it is another.
 std::string to_string(const Notice& notice);
 
+/// Of all forces without potential in a step.
+struct Work {
+  double done;   ///< J
+  double power;  ///< W, the largest
+};
+
 class Monitor {
  public:
   Monitor(const model::Scene& scene, const Bounds& bounds);
@@ -54,8 +60,9 @@ class Monitor {
   void positions(System& system, double t, const Vector& q);
   /// Position errors of the rows after a step.
   void drift(System& system, double t, const Vector& q);
-  /// Energy after a step. \param work  of all forces without potential in this step, J
-  void energy(System& system, double t, double h, const Vector& q, const Vector& qd, double work);
+  /// Energy after a step of length h.
+  void energy(System& system, double t, double h, const Vector& q, const Vector& qd,
+              const Work& work);
   /// Energy behind an event: what it takes is its own matter.
   void restart_energy(System& system, const Vector& q, const Vector& qd);
   /// A guard without value. \param may_end  whether the event could happen now
@@ -84,15 +91,17 @@ class Monitor {
   Bounds bounds_;
   Pose pose_;
   double size_ = 1;
-  double rounding_ = 0;  ///< J, of the potential energy
+  double weight_ = 0;  ///< J, of a fall by the size
   std::vector<std::string> names_;
   std::vector<std::size_t> first_;  ///< of a constraint, in names_
   std::vector<double> lost_;        ///< velocity of each row
   std::vector<Notice> notices_;
   bool has_energy_ = false;
-  double energy_ = 0;       ///< J, after the last step
-  double potential_ = 0;    ///< J, at the beginning
-  double exchanged_ = 0;    ///< J
+  double energy_ = 0;     ///< J, after the last step
+  double potential_ = 0;  ///< J, at the beginning
+  double exchanged_ = 0;  ///< J
+  double worked_ = 0;     ///< J, by all forces, either way
+  int energy_steps_ = 0;
   double unexplained_ = 0;  ///< J
   double worst_energy_ = 0;
   double largest_residual_ = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -145,9 +144,11 @@ void Simulator::project(double t, Vector& y) {
 void Simulator::land(double h, double time) {
   const std::vector<double>& weights = integrator_->weights();
   const std::size_t calls = std::min(weights.size(), powers_.size());
-  const double work =
-      h * std::inner_product(powers_.begin(), powers_.begin() + static_cast<std::ptrdiff_t>(calls),
-                             weights.begin(), 0.0);
+  Work work{0, 0};
+  for (std::size_t k = 0; k < calls; ++k) {
+    work.done += h * weights[k] * powers_[k];
+    work.power = std::max(work.power, std::fabs(powers_[k]));
+  }
   if (!next_.allFinite()) {
     throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", time));
   }

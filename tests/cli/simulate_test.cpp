@@ -224,6 +224,27 @@ TEST_F(Simulate, SaysWhatARunCostsAndHowWellItKeptItsPromises) {
   EXPECT_LT(data["kept"]["largest_drift"].get<double>(), 1e-13);
 }
 
+TEST_F(Simulate, TabulatesForcesAndPoints) {
+  write_file(scratch("s.yaml"), "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                                "/models/scenes/drop.model.yaml\nduration: 1\neffects:\n"
+                                "  drive:\n    - {joint: height, torque: -3}\n"
+                                "  joint_spring:\n    - {joint: height, stiffness: 2, rest: 1}\n"
+                                "  ground_contact:\n    - {point: ball, stiffness: 1000}\n"
+                                "initial: {q: {height: -0.001}}\n");
+  const auto rows = table(treedyn({scratch("s.yaml").string()}).out);
+  const std::vector<std::string> forces(rows[0].begin() + 4, rows[0].begin() + 12);
+  EXPECT_EQ(forces,
+            (std::vector<std::string>{"drive[height]", "spring[height]", "F[ball.x]", "F[ball.y]",
+                                      "F[ball.z]", "p[ball.x]", "p[ball.y]", "p[ball.z]"}));
+  const auto value = [&](std::size_t k) {
+    return std::strtod(rows[1][k].c_str(), nullptr);
+  };
+  EXPECT_EQ(value(4), -3);
+  EXPECT_NEAR(value(5), 2 * 1.001, 1e-15);
+  EXPECT_NEAR(value(8), 1, 1e-15);  // 1000 N/m, 1 mm
+  EXPECT_EQ(value(11), -0.001);
+}
+
 TEST_F(Simulate, EndsConstraintsThatPartWhereTheUserSays) {
   write_file(scratch("s.yaml"),
              "scene: s\nmodel: " TREEDYN_SOURCE_DIR
@@ -308,7 +329,12 @@ TEST_F(Simulate, MakesAPageThatPlaysInABrowserWithoutNetwork) {
   const Outcome outcome = browse(scratch("watched.html"), scratch("profile"));
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(count(outcome.err, "CONSOLE"), 0U) << outcome.err;
-  EXPECT_EQ(count(outcome.out, "<svg"), 6U);  // motion, speed, reactions, energy, drift, phase
+  // positions and speeds of angles and lengths, reactions, points, energy, drift, phase
+  EXPECT_EQ(count(outcome.out, "<svg"), 9U);
+  for (const char* const text : {"fehlberg78", "1e-10", "touch_down of right_foot ends left",
+                                 "m/s^2", "point_constraint", "treedyn "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
   EXPECT_GE(count(outcome.out, "<path"), 17U);
   const std::size_t title = outcome.out.find("played to ");
   ASSERT_NE(title, std::string::npos);

@@ -57,6 +57,19 @@ TEST(Energy, IsBalancedByEveryMethod) {
   }
 }
 
+/// A method of order 1 lags by half a step: all of the energy at first, when there is little.
+TEST(Energy, OfTheFirstStepsFromRestIsNoWarning) {
+  for (const char* const effects : {"gravity: [0, 0, -10]", "drive: [{joint: height, torque: 3}]",
+                                    "joint_spring: [{joint: height, stiffness: 9, rest: 1}]"}) {
+    model::Scene scene = falling_ball("effects: {" + std::string(effects) + "}\nduration: 3\n");
+    scene.stepping.integrator = "semi-implicit-euler";
+    Running run(scene);
+    const Recording recording = run.record(0.1);
+    EXPECT_EQ(recording.stopped, "") << effects;
+    EXPECT_TRUE(recording.notices.empty()) << effects;
+  }
+}
+
 const std::string kContradiction = R"yaml(
 effects:
   locked_joint:
