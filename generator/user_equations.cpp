@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/identifier.hpp"
 #include "description/equations.hpp"
 #include "emit/names.hpp"
 #include "simplify/scene_functions.hpp"
@@ -23,7 +24,7 @@ bool is_function(const std::string& name) {
 
 void check_name(const std::string& name, const Location& where, const char* what) {
   const std::vector<std::string> ours = {"joint", "point", "Scalar", "kDof", "kPoints"};
-  if (is_function(name) || emit::is_reserved(name) ||
+  if (is_function(name) || is_reserved(name) ||
       std::find(ours.begin(), ours.end(), name) != ours.end()) {
     throw InputError(where, fmt::format("{} '{}' has a name that is taken; expected another one",
                                         what, shown(name)));

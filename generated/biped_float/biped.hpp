@@ -37,7 +37,7 @@ inline constexpr int kDof = 12;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x414b04857b7e33cbULL;
+inline constexpr unsigned long long kDigest = 0x915f34baeffa54ccULL;
 
 /// Index of every joint.
 namespace joint {

@@ -11,10 +11,10 @@ namespace treedyn::accuracy {
 
 namespace {
 
-constexpr double kWidth = 640;
+constexpr double kWidth = 700;
 constexpr double kHeight = 430;
 constexpr double kLeft = 70;
-constexpr double kRight = 150;  ///< for the names of the series
+constexpr double kRight = 200;  ///< for the names of the series
 constexpr double kTop = 46;
 constexpr double kBottom = 50;
 constexpr const char* kColours[] = {"#1b5e9b", "#d95f02", "#2f8f5b", "#7a5195", "#8c6d1f"};

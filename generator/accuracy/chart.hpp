@@ -9,8 +9,7 @@
 namespace treedyn::accuracy {
 
 /// Error over the step: is float enough, which step? Horizontal lines are the floors of the
-/// scalars, marks at the upper edge motions that failed. A vertical line is the limit of stability
-/// where `limits` has one.
+/// scalars, marks at the upper edge motions that failed.
 std::string step_chart(const Study& study);
 
 /// Error over cycles for a second of motion on a core, with the Pareto front: which setting?

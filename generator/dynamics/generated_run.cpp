@@ -130,6 +130,8 @@ bool Run::go(const std::function<void(const Values&)>& show, const simulation::P
     if (changed) {
       simulator_.note({time(k + 1),
                        states_[static_cast<std::size_t>(before)].phase,
+                       "to " + states_[static_cast<std::size_t>(state())].identifier,
+                       states_[static_cast<std::size_t>(state())].phase,
                        next,
                        vector_of(qd),
                        vector_of(step_.at("qd")),

@@ -76,8 +76,8 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
   const auto path = [&](const std::string& file) {
     return (folder.path() / file).string();
   };
-  const std::string compiler = find_compiler(path("version"));
-  if (compiler.empty()) {
+  std::vector<std::string> command = find_compiler(path("version"));
+  if (command.empty()) {
     throw InputError({},
                      "--as-generated: no C++ compiler found; expected $CXX, c++, g++ or clang++");
   }
@@ -86,9 +86,9 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
     sources.push_back({path(file.name), file.text});
   }
   write_files(sources);
-  if (!succeeds({compiler, "-std=c++17", "-O2", "-ffp-contract=off", "-shared", "-fPIC",
-                 path("adapter.cpp"), path(name + ".cpp"), "-o", path("step.so")},
-                path("log"))) {
+  command.insert(command.end(), {"-std=c++17", "-O2", "-ffp-contract=off", "-shared", "-fPIC",
+                                 path("adapter.cpp"), path(name + ".cpp"), "-o", path("step.so")});
+  if (!succeeds(command, path("log"))) {
     throw InputError({},
                      "--as-generated: the generated step does not compile; expected a C++17 "
                      "compiler");

@@ -1,4 +1,5 @@
-// README.md shows what is there: its excerpts are text of the committed output.
+// README.md and the reference of scenes show what is there: their excerpts are text of committed
+// files.
 #include <map>
 #include <sstream>
 
@@ -9,10 +10,11 @@
 namespace treedyn {
 namespace {
 
-/// The code blocks of README.md that stand after a marker <!-- excerpt: FILE -->, by file.
+/// The code blocks that stand after a marker <!-- excerpt: FILE -->, by file.
 std::map<std::string, std::string> excerpts() {
   const std::string marker = "<!-- excerpt: ";
-  std::istringstream readme(support::read_file(TREEDYN_SOURCE_DIR "/README.md"));
+  std::istringstream readme(support::read_file(TREEDYN_SOURCE_DIR "/README.md") +
+                            support::read_file(TREEDYN_SOURCE_DIR "/models/scenes/README.md"));
   std::map<std::string, std::string> result;
   std::string file;
   bool inside = false;
