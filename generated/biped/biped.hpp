@@ -37,7 +37,7 @@ inline constexpr int kDof = 12;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x7ad8406249688e72ULL;
+inline constexpr unsigned long long kDigest = 0x388ce142e9424fa9ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -43,7 +43,7 @@ inline constexpr int kDof = 18;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x98b50ed7544038e8ULL;
+inline constexpr unsigned long long kDigest = 0xdd4b08393cf91d05ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -27,7 +27,7 @@ inline constexpr int kDof = 4;
 /// Number of points.
 inline constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x58f76a10daa49219ULL;
+inline constexpr unsigned long long kDigest = 0x96dadad0683fe969ULL;
 
 /// Index of every joint.
 namespace joint {

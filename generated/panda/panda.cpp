@@ -14,6 +14,8 @@
 
 namespace panda {
 
+static_assert(kDigest == 0x65310c3ca9148fdcULL, "header and source are of different runs");
+
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
 #endif

@@ -29,7 +29,7 @@ inline constexpr int kDof = 7;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x05448df605f3bb0aULL;
+inline constexpr unsigned long long kDigest = 0x65310c3ca9148fdcULL;
 
 /// Index of every joint.
 namespace joint {

@@ -24,7 +24,7 @@ inline constexpr int kDof = 2;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xad88fe10cc61b0ebULL;
+inline constexpr unsigned long long kDigest = 0xcca06f2a063333e5ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -25,7 +25,7 @@ inline constexpr int kDof = 6;
 /// Number of points.
 inline constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xb9921f0935f01f90ULL;
+inline constexpr unsigned long long kDigest = 0x8ab529bd960dff15ULL;
 
 /// Index of every joint.
 namespace joint {

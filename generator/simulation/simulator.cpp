@@ -257,7 +257,11 @@ void Simulator::guard_against_standstill(double end) {
   }
   const double advance = t_ - trial_start_;
   trial_start_ = t_;
-  if (advance * (kHopeless / static_cast<double>(kTrial)) < end - t_) {
+  const std::vector<Notice>& notices = monitor_.notices();
+  const bool stuck = std::any_of(notices.begin(), notices.end(),
+                                 [](const Notice& notice) { return notice.kind == "position"; });
+  const double most = stuck ? kHopelessWhereStuck : kHopeless;
+  if (advance * (most / static_cast<double>(kTrial)) < end - t_) {
     throw std::runtime_error(
         fmt::format("steps no longer advance time: {} of them, {:.2g} s in all, at t = {} s",
                     kTrial, advance, t_));

@@ -33,6 +33,8 @@ inline constexpr int kTurns = 64;
 /// Steps of an adaptive method after which a motion that would need kHopeless more of them ends.
 inline constexpr long kTrial = 1000;
 inline constexpr double kHopeless = 1e8;
+/// The same of motions with a constraint that no joint moves where it begins to act.
+inline constexpr double kHopelessWhereStuck = 1e5;
 
 /// What one event of a phase did.
 struct EventRecord {
