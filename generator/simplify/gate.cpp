@@ -14,11 +14,12 @@ namespace {
 constexpr double kMostAmplification = 4;
 
 /// The passes that can be left out and are not yet. Sums of angles are as exact as angles that were
-/// rounded themselves.
+/// rounded themselves; the trunk is a choice of velocities in which the equations are solved, like
+/// that between both forward dynamics, not a rewriting of them.
 std::vector<Pass> passes_of(const Options& options) {
   std::vector<Pass> result;
   for (const PassInfo& info : passes()) {
-    if (info.pass != Pass::kSums && options.has(info.pass)) {
+    if (info.pass != Pass::kSums && info.pass != Pass::kTrunk && options.has(info.pass)) {
       result.push_back(info.pass);
     }
   }

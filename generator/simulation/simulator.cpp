@@ -257,7 +257,7 @@ void Simulator::guard_against_standstill(double end) {
   }
   const double advance = t_ - trial_start_;
   trial_start_ = t_;
-  const std::vector<Notice>& notices = monitor_.notices();
+  const std::vector<Notice> notices = monitor_.notices();
   const bool stuck = std::any_of(notices.begin(), notices.end(),
                                  [](const Notice& notice) { return notice.kind == "position"; });
   const double most = stuck ? kHopelessWhereStuck : kHopeless;

@@ -39,7 +39,8 @@ Code::Code(const model::Scene& scene, const std::string& scalar,
   const support::TemporaryFolder folder;
   const auto silent = [](const std::string&) {
   };
-  for (const emit::File& file : generate(model_of(scene, functions), request, silent)) {
+  for (const emit::File& file :
+       generate(model_of(scene, functions), request, silent, [](const Warning&) {})) {
     support::write_file(folder.path() / file.name, file.text);
   }
   compiled_ = std::make_unique<support::CompiledModel>(folder.path(), "generated");

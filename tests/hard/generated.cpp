@@ -74,7 +74,8 @@ Arrays GeneratedMotion::inputs(const Moment& moment) const {
           {"t", {moment.t}},
           {"anchor", moment.anchor},
           {"phase", {static_cast<double>(moment.state)}},
-          {"steps", {static_cast<double>(moment.steps)}}};
+          {"steps", {static_cast<double>(moment.steps)}},
+          {"begun", {moment.begun}}};
 }
 
 Moment GeneratedMotion::stepped(const Moment& moment) {
@@ -90,6 +91,7 @@ Moment GeneratedMotion::stepped(const Moment& moment) {
   };
   next.state = integer("phase_next", moment.state);
   next.steps = integer("steps_next", moment.steps);
+  next.begun = result.contains("begun_next") ? result.at("begun_next").front() : 0;
   if (result.contains("anchor_next")) {
     next.anchor = result.at("anchor_next");
   }

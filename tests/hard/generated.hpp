@@ -22,6 +22,7 @@ struct Moment {
   Numbers anchor;
   int state = 0;  ///< of Code::states
   int steps = 0;
+  double begun = 0;  ///< s of the phase before them
 };
 
 /// What ended a phase; no event: something other than a landing.

@@ -33,7 +33,7 @@ std::string floating_scene(const std::string& effects) {
       "scene: loop_step\nmodel: {}\nbase: axes\neffects:\n  joined_constraint:\n    - {{name: "
       "loop, point: bar_end, other: right_end}}\n{}initial:\n  q: {{base_rz: 0.3, base_ry: 0.2, "
       "left: -asin(0.1), right: asin(0.1), bar: asin(0.1)}}\nduration: 20\n"
-      "stepping: {{integrator: rk4, step: 0.001}}\n",
+      "stepping: {{integrator: rk4, step: 0.0002}}\n",
       model_path("floating_loop"), effects);
 }
 

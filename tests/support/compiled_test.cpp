@@ -36,7 +36,7 @@ void f(const Scalar x[2], Scalar y[3]) noexcept {
 constexpr const char* kManifest = R"({"model": {"file": "sample.yaml"},
  "options": {"scalar": "double", "base": "fixed"}, "dof": 2,
  "joints": [{"name": "a"}, {"name": "b"}], "points": [],
- "functions": [{"name": "f", "inputs": [{"name": "x", "size": 2}], "outputs": [{"size": 3}],
+ "functions": [{"name": "f", "inputs": [{"name": "x", "size": 2}], "outputs": [{"name": "y", "size": 3}],
    "operations": {"add": 1, "mul": 1, "div": 1, "sqrt": 0, "sin": 1, "cos": 0}}]})";
 
 /// The sample above; f leaves its third output unwritten.

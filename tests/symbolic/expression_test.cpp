@@ -108,7 +108,8 @@ TEST(Expressions, ThatAreHostileEndSoon) {
   for (int k = 2; k < 38; ++k) {
     product += "*sin(" + std::to_string(k) + "*t)";
   }
-  EXPECT_NO_THROW(static_cast<void>(read_motion(Constants(), product, names())));
+  EXPECT_THROW(static_cast<void>(read_motion(Constants(), product, names())), ConstantError)
+      << "its second derivative would have hundreds of thousands of operations";
   for (const std::string text : {"((t^64)^64)^64", "((1e90*t)^64)^64", "t^t", "1/0*t"}) {
     EXPECT_THROW(static_cast<void>(read_expression(Constants(), text, names())), ConstantError)
         << text;
