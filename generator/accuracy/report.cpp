@@ -126,8 +126,7 @@ std::string report_csv(const Study& study) {
         fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}",
                     outcome.setting.is_float ? "float" : "double", outcome.setting.integrator,
                     outcome.setting.step, failed ? "failed" : fmt::format("{}", outcome.error()),
-                    failed ? "failed" : fmt::format("{}", outcome.least()),
-                    outcome.status,
+                    failed ? "failed" : fmt::format("{}", outcome.least()), outcome.status,
                     cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos);
     for (const Core& core : cores()) {
       text += fmt::format(",{:.6g}", outcome.cycles_per_second(core));

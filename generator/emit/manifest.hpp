@@ -1,7 +1,7 @@
 // NAME.json: the same facts for programs, INTERFACE.md 5.
 //
-// `rounding` of a function: the largest bound of rounding errors of its outputs over that of the same
-// function before any pass, at most 4 (an output by itself at most 8, counted half);
+// `rounding` of a function: the largest bound of rounding errors of its outputs over that of the
+// same function before any pass, at most 4 (an output by itself at most 8, counted half);
 // `rounding_without`: the passes that are left out to keep it so.
 #pragma once
 

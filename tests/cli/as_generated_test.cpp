@@ -78,11 +78,12 @@ TEST(AsGenerated, WarnsOfStatuses) {
   write_file(folder.path() / "model.yaml",
              "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: height, "
              "type: prismatic, axis: [0, 0, 1]}\n    mass: 1\n");
-  write_file(file,
-             "scene: ball\nmodel: model.yaml\neffects:\n  gravity: [0, 0, -10]\nphases:\n"
-             "  - name: fall\n    active: []\n    until: [{expression: \"sqrt(q[height])\", then: gone}]\n"
-             "  - {name: gone, active: []}\ninitial: {q: {height: 0.2}}\nduration: 1\n"
-             "stepping: {integrator: rk4, step: 0.01}\n");
+  write_file(
+      file,
+      "scene: ball\nmodel: model.yaml\neffects:\n  gravity: [0, 0, -10]\nphases:\n"
+      "  - name: fall\n    active: []\n    until: [{expression: \"sqrt(q[height])\", then: gone}]\n"
+      "  - {name: gone, active: []}\ninitial: {q: {height: 0.2}}\nduration: 1\n"
+      "stepping: {integrator: rk4, step: 0.01}\n");
   const Outcome outcome = simulated(file, {"--as-generated"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.err.find("the step at t = 0.19 s and in 80 later steps returned "
