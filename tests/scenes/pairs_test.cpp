@@ -92,8 +92,8 @@ class Pairs : public ::testing::Test {
     const long instructions = of(more).instructions - of(effects).instructions;
     const std::string what = fmt::format("{} beside {}", added, fmt::join(effects, ", "));
     EXPECT_GE(price, 0) << what;
-    // without a price only constants change, for which a compiler may need a move more or less
-    EXPECT_GE(instructions, price > 0 ? 0 : -2) << what;
+    // registers fall differently with every scene: a compiler may need a move or two less
+    EXPECT_GE(instructions, -2) << what;
     EXPECT_LE(instructions, price + 20) << what;  // the bound of E2: loads, stores and moves
   }
 

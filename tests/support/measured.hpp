@@ -53,7 +53,7 @@ class Measured {
     ++Counter::operations[2];
     const T r = a.value_ / b.value_;
     const double divisor = magnitude(b.value_) - b.bound_;
-    const double inherited = divisor > 0 ? (a.bound_ + magnitude(r) * b.bound_) / divisor
+    const double inherited = divisor > 0 ? (a.bound_ + times(magnitude(r), b.bound_)) / divisor
                                          : std::numeric_limits<double>::infinity();
     return Measured(r, inherited + rounding(r));
   }
@@ -93,8 +93,11 @@ class Measured {
 
   static double magnitude(T x) { return std::fabs(static_cast<double>(x)); }
   static double rounding(T result) { return kUnit * magnitude(result) + kTiny; }
+  /// Zero times an unbounded error is zero.
+  static double times(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
   static double product_bound(const Measured& a, const Measured& b) {
-    return magnitude(a.value_) * b.bound_ + magnitude(b.value_) * a.bound_ + a.bound_ * b.bound_;
+    return times(magnitude(a.value_), b.bound_) + times(magnitude(b.value_), a.bound_) +
+           times(a.bound_, b.bound_);
   }
   static Measured sum(const Measured& a, const Measured& b, int sign) {
     ++Counter::operations[0];
