@@ -9,10 +9,11 @@ namespace {
 /// Cortex-M4F and M33: ARM's technical reference manuals (VADD, VMUL 1, VDIV, VSQRT 14, VLDR, VSTR
 /// 2 cycles). `memory` is half a load or store for each operation: 1.5 instructions an operation
 /// are executed in generated functions of the biped (results/firmware.md of the benchmark). Their
-/// double, and all of M0+, is software: instructions of libgcc's routines, counted under QEMU at
-/// operands in the middle of the range, each a cycle and a fifth (taken branches, loads). M7: two
-/// instructions a cycle at best; VADD.F64, VMUL.F64 issue every second and fourth cycle. host: an
-/// x86-64 core that issues two operations a cycle; the pair inlined.
+/// double, and all of M0+, is software: sums, products and quotients are instructions of libgcc's
+/// routines, counted under QEMU for one pair of operands, each a cycle and a fifth (taken branches,
+/// loads); square roots and sines there are estimates from those. M7 and host are estimates: a core
+/// with two pipes and a double FPU, and one that issues two operations a cycle. None is calibrated
+/// by a test.
 const std::vector<Core> kCores = {
     {"m0plus",
      "Cortex-M0+, software floating point",
