@@ -1,10 +1,9 @@
 // What the two formats allow, what they ignore, and how fast they read.
-#include <fstream>
-
 #include <clocale>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
