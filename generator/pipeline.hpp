@@ -2,36 +2,15 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "emit/unit.hpp"
-#include "model/tree.hpp"
 #include "program/stepper.hpp"
-#include "request.hpp"
+#include "reading.hpp"
 #include "simplify/formulate.hpp"
-#include "user_equations.hpp"
 
 namespace treedyn {
-
-/// Where the model came from.
-struct Source {
-  std::string file;  ///< base name, "-" for standard input
-  std::string sha256;
-};
-
-/// The model and everything that was asked of it.
-struct Model {
-  Source source;
-  std::string name;
-  model::Tree tree;
-  std::vector<model::Point> points;
-  std::vector<std::string> functions;        ///< of the model alone
-  UserFunctions equations;                   ///< functions that users wrote
-  std::optional<model::Scene> scene;         ///< its tree is `tree`
-  std::vector<std::string> scene_functions;  ///< empty: all that the scene needs
-};
 
 /// Programs of a model and of its scene.
 struct Programs {
@@ -45,16 +24,9 @@ using Trace = std::function<void(const std::string&)>;
 /// Called with what users should know of the programs.
 using Warn = std::function<void(const Warning&)>;
 
-/// Text or file to tree, points and the list of functions.
-/// \throws InputError for mistakes in the model, or a function that it does not have.
-Model read(const Request& request);
-
 /// Tree to programs: one per function.
 /// \throws InputError if the numbers of the model leave nothing to divide by
 Programs formulate(const Model& model, const Request& request, const Trace& trace);
-
-/// The request with the gravity and the base that a scene decides.
-Request decided_request(const Model& model, Request request);
 
 /// What the formulations of a model are free to choose from.
 simplify::Options simplify_options(const Model& model, const Request& request);
@@ -80,12 +52,6 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
 /// A model to text: `formulate`, `prove`, `emit_files`.
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace,
                                  const Warn& warn);
-
-/// The files that were read; standard input is none.
-std::vector<std::string> input_files(const Model& model, const Request& request);
-
-/// Remarks on a model that do not stop the program.
-std::vector<Warning> warnings_of(const Model& model, const Request& request);
 
 /// The block equations of the model's functions with the zero blocks of D.
 std::string equations_text(const Model& model, const Request& request);

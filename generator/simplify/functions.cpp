@@ -1,8 +1,15 @@
 #include "simplify/functions.hpp"
 
+#include <algorithm>
+
 #include "program/canonical.hpp"
 
 namespace treedyn::simplify {
+
+int weight(const program::Cost& cost) {
+  constexpr int kOperationsOfSineAndCosine = 8;
+  return cost.total() + kOperationsOfSineAndCosine * std::max(cost.sin, cost.cos);
+}
 
 int Argument::size(int dof, int points) const {
   int result = factor;

@@ -57,6 +57,9 @@ const std::vector<Recipe>& recipes();
 /// \pre `name` is in the table.
 const Recipe& recipe_of(const std::string& name);
 
+/// What formulations are compared by: operations, a sine with its cosine as 8 of them.
+int weight(const program::Cost& cost);
+
 /// One formulation of a function and, with `options.share_limbs`, the leaves of its limbs.
 struct Built {
   program::Function function;

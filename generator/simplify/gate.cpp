@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,15 +15,22 @@ namespace {
 constexpr double kMostAmplification = 4;
 
 /// The passes that can be left out and are not yet. Sums of angles are as exact as angles that were
-/// rounded themselves; the trunk is a choice of velocities in which the equations are solved, like
-/// that between both forward dynamics, not a rewriting of them.
+/// rounded themselves.
 std::vector<Pass> passes_of(const Options& options) {
   std::vector<Pass> result;
   for (const PassInfo& info : passes()) {
-    if (info.pass != Pass::kSums && info.pass != Pass::kTrunk && options.has(info.pass)) {
+    if (info.pass != Pass::kSums && options.has(info.pass)) {
       result.push_back(info.pass);
     }
   }
+  return result;
+}
+
+/// Those that are judged: the trunk is a choice of velocities in which the equations are solved,
+/// like that between both forward dynamics, not a rewriting of them.
+std::vector<Pass> judged(const Options& options) {
+  std::vector<Pass> result = passes_of(options);
+  std::erase(result, Pass::kTrunk);
   return result;
 }
 
@@ -38,19 +46,19 @@ class Gate {
     const ForwardDynamics method = options.forward_dynamics;
     const bool two = recipe.freedom.articulated;
     if (!two || method != ForwardDynamics::kArticulated) {
-      before_.push_back(plain(false));
+      note_plain(false);
     }
     if (two && method != ForwardDynamics::kFactor) {
-      before_.push_back(plain(true));
+      note_plain(true);
     }
   }
 
   program::Function run() const;
 
  private:
-  /// Before the passes.
-  [[nodiscard]] program::Function plain(bool articulated) const;
-  /// Against the method that the function may have come from.
+  /// Before the passes, without and with the trunk.
+  void note_plain(bool articulated);
+  /// Against the formulation that the function may have come from.
   [[nodiscard]] double amplification(const program::Function& function) const;
   [[nodiscard]] program::Function formulate(const std::vector<Pass>& left_out, int effort) const;
   [[nodiscard]] program::Function without_culprits() const;
@@ -62,13 +70,17 @@ class Gate {
   std::vector<program::Function> before_;
 };
 
-program::Function Gate::plain(bool articulated) const {
-  Options options = without(options_, passes_of(options_));
+void Gate::note_plain(bool articulated) {
+  Options options = without(options_, judged(options_));
   options.share_limbs = false;
   Variant variant = plain_variant(tree_);
   switch_off(options.without, variant);
   variant.articulated = articulated;
-  return build(tree_, recipe_, options, variant);
+  before_.push_back(build(tree_, recipe_, options, variant));
+  if (variant.trunk && recipe_.freedom.trunk && has_free_base(tree_)) {
+    variant.trunk = false;
+    before_.push_back(build(tree_, recipe_, options, variant));
+  }
 }
 
 double Gate::amplification(const program::Function& function) const {
@@ -96,22 +108,29 @@ bool is_accurate(const program::Function& function) {
   return function.rounding.amplification <= kMostAmplification;
 }
 
-/// Without one pass; if that is not enough without all but the algebra, and without that as well.
+/// The cheapest without one pass; if none is accurate without all but the algebra, and without that
+/// as well.
 program::Function Gate::without_culprits() const {
   const std::vector<Pass> on = passes_of(options_);
-  std::vector<std::vector<Pass>> trials;
-  for (auto pass = on.rbegin(); pass != on.rend(); ++pass) {
-    trials.push_back({*pass});
-  }
-  trials.push_back(on);
-  std::erase(trials.back(), Pass::kAlgebra);
-  for (const std::vector<Pass>& left_out : trials) {
-    if (program::Function quick = formulate(left_out, 0); is_accurate(quick)) {
-      program::Function function = formulate(left_out, options_.effort);
-      return is_accurate(function) ? function : quick;
+  std::vector<Pass> left_out;
+  std::optional<program::Function> cheapest;
+  for (const Pass pass : on) {
+    program::Function quick = formulate({pass}, 0);
+    if (is_accurate(quick) && (!cheapest || weight(program::cost(quick)) < weight(program::cost(*cheapest)))) {
+      left_out = {pass};
+      cheapest = std::move(quick);
     }
   }
-  return formulate(on, 0);
+  if (!cheapest) {
+    left_out = judged(options_);
+    std::erase(left_out, Pass::kAlgebra);
+    cheapest = formulate(left_out, 0);
+  }
+  if (!is_accurate(*cheapest)) {
+    return formulate(judged(options_), 0);
+  }
+  program::Function function = formulate(left_out, options_.effort);
+  return is_accurate(function) ? function : std::move(*cheapest);
 }
 
 program::Function Gate::run() const {

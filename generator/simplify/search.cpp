@@ -15,8 +15,6 @@ namespace treedyn::simplify {
 
 namespace {
 
-/// Operations that one sine-cosine pair is worth.
-constexpr int kTrigonometryWeight = 8;
 /// Graphs above this size get proportionally fewer moves.
 constexpr std::size_t kReferenceSize = 1500;
 /// One evaluation with algebraic passes counts as this many moves.
@@ -29,10 +27,6 @@ constexpr int kReferenceOperations = 3000;
 constexpr std::size_t kFinalists = 24;
 /// Random changes between two restarts from the best variant.
 constexpr int kCycle = 400;
-
-int weight(const program::Cost& cost) {
-  return cost.total() + kTrigonometryWeight * std::max(cost.sin, cost.cos);
-}
 
 /// One free choice: setting number k of `settings`.
 struct Choice {
