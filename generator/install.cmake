@@ -7,10 +7,11 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/templates/treedynConfig.cmak
                               ${CMAKE_CURRENT_BINARY_DIR}/treedynConfig.cmake
                               INSTALL_DESTINATION ${package_folder} PATH_VARS CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/treedynConfigVersion.cmake
-                                 COMPATIBILITY SameMinorVersion)
+                                 COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)  # it runs on the machine that builds
 
 install(TARGETS treedyn RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/treedynConfig.cmake
-              ${CMAKE_CURRENT_BINARY_DIR}/treedynConfigVersion.cmake DESTINATION ${package_folder})
+              ${CMAKE_CURRENT_BINARY_DIR}/treedynConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/templates/treedynFunctions.cmake DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/treedyn/templates)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -158,6 +158,11 @@ void add_commands(CLI::App& app, Settings& settings) {
   generate->add_option("--depfile", settings.depfile, "also write a Make-style dependency file")
       ->type_name("FILE");
   generate
+      ->add_option("--stamp", settings.stamp,
+                   "also write this empty file, at every run: what Make waits for, as unchanged "
+                   "files keep their time")
+      ->type_name("FILE");
+  generate
       ->add_option("--dump", settings.dump, "print what leaves a stage instead of writing files")
       ->check(one_of(stages()))
       ->type_name(fmt::format("{}", fmt::join(stages(), "|")));

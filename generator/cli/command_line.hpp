@@ -22,6 +22,7 @@ struct Settings {
   AccuracyRequest accuracy;
   std::string output;
   std::string depfile;
+  std::string stamp;
   std::string dump;
   std::string error_format = "text";
   std::string list_of;

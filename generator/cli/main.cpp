@@ -75,8 +75,13 @@ int run_generate(const Settings& settings) {
     outputs.push_back({places[k], files[k].text});
   }
   if (!settings.depfile.empty()) {
+    const std::vector<std::string> targets =
+        settings.stamp.empty() ? places : std::vector<std::string>{settings.stamp};
     outputs.push_back(
-        {settings.depfile, depfile_text(places, input_files(model, settings.request))});
+        {settings.depfile, depfile_text(targets, input_files(model, settings.request))});
+  }
+  if (!settings.stamp.empty()) {
+    outputs.push_back({settings.stamp, "", true});
   }
   const int changed = write_files(outputs);
   trace_of(settings)(fmt::format("{} of {} files written", changed, outputs.size()));

@@ -165,7 +165,7 @@ int write_files(const std::vector<OutputFile>& files) {
   std::vector<Temporary> temporaries;
   temporaries.reserve(files.size());
   for (const OutputFile& file : files) {
-    if (read_file(file.path) == file.text) {
+    if (!file.always && read_file(file.path) == file.text) {
       continue;
     }
     folders.make(fs::path(file.path).parent_path());

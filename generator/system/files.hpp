@@ -10,13 +10,15 @@ namespace treedyn {
 struct OutputFile {
   std::string path;
   std::string text;
+  bool always = false;  ///< written anew even if its content would not change
 };
 
 /// The bytes of a file; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::string& path);
 
 /// Writes all files or none: temporary files beside the targets first, each flushed to the disk and
-/// checked, then renamed. A file whose content would not change is not touched; missing folders are
+/// checked, then renamed. A file whose content would not change is not touched unless it
+/// asks for that; missing folders are
 /// made. Signals wait meanwhile. What stands in the place of a file has to be one: no folder, no
 /// device. \returns the number of files that changed.
 /// \throws InputError naming the path; nothing is left behind then.

@@ -17,10 +17,14 @@ treedyn_generate(arm MODEL arm.yaml OPTIONS --scalar float --functions gravity_f
 add_executable(consumer main.cpp)
 target_link_libraries(consumer PRIVATE arm)
 enable_testing()
+treedyn_generate(swing SCENE swing.yaml NAME swing OPTIONS --effort 0 CONTRACTION off)
+target_link_libraries(consumer PRIVATE swing)
+treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_BINARY_DIR}/swing OPTIONS --effort 0)
 treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
               OPTIONS --scalar float --functions gravity_force)
 ]])
 file(WRITE ${scratch}/project/main.cpp [[
+#include "swing.hpp"
 #include "two_link.hpp"
 
 int main() {
@@ -31,6 +35,17 @@ int main() {
 }
 ]])
 file(COPY_FILE ${SOURCE}/models/two_link.yaml ${scratch}/project/arm.yaml)
+file(COPY_FILE ${SOURCE}/models/two_link.yaml ${scratch}/project/two_link.yaml)
+file(WRITE ${scratch}/project/swing.yaml [[
+scene: swing
+model: two_link.yaml
+effects:
+  gravity: [0, 0, -9.81]
+initial:
+  q: {elbow: 0.5}
+stepping: {integrator: rk4, step: 0.01}
+duration: 1
+]])
 
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
@@ -59,6 +74,39 @@ run(${CMAKE_COMMAND} --build ${build})
 if(changed STREQUAL model OR NOT output MATCHES "treedyn generate arm.yaml")
   message(FATAL_ERROR "a changed model was not generated again:\n${output}")
 endif()
+run(${CMAKE_CTEST_COMMAND} --test-dir ${build} -R swing)
+file(READ ${scratch}/project/two_link.yaml model)  # which only the scene names
+string(REPLACE "a1: 1," "a1: 3," changed "${model}")
+file(WRITE ${scratch}/project/two_link.yaml "${changed}")
+run(${CMAKE_COMMAND} --build ${build})
+if(changed STREQUAL model OR NOT output MATCHES "treedyn generate swing.yaml")
+  message(FATAL_ERROR "the model of a scene changed, and it was not generated again:\n${output}")
+endif()
+
+# A processor with 32 bits: the package is that of the machine that builds.
+if(EXISTS /usr/bin/arm-none-eabi-g++)
+  run(${CMAKE_COMMAND} -S ${scratch}/project -B ${scratch}/cross -G Ninja -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_SYSTEM_PROCESSOR=arm
+      -DCMAKE_CXX_COMPILER=arm-none-eabi-g++ -DCMAKE_CXX_FLAGS=-mcpu=cortex-m4\ -mthumb -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY
+      -DCMAKE_PREFIX_PATH=${scratch}/second)
+  run(${CMAKE_COMMAND} --build ${scratch}/cross --target arm swing)
+else()
+  message(STATUS "arm-none-eabi-g++ is not there: no cross build")
+endif()
+
+# Make, by the stamp: a second run does nothing, a changed model is generated again.
+file(WRITE ${scratch}/make/Makefile "all: arm.stamp\narm.stamp: arm.yaml\n\t${scratch}/second/bin/treedyn generate arm.yaml --effort 0 -o . --depfile arm.d --stamp arm.stamp\n-include arm.d\n")
+file(COPY_FILE ${SOURCE}/models/two_link.yaml ${scratch}/make/arm.yaml)
+run(make -C ${scratch}/make)
+run(make -C ${scratch}/make)
+if(output MATCHES "generate")
+  message(FATAL_ERROR "make did something twice:\n${output}")
+endif()
+file(TOUCH ${scratch}/make/arm.yaml)
+run(make -C ${scratch}/make)
+if(NOT output MATCHES "generate")
+  message(FATAL_ERROR "make did not see the touched model:\n${output}")
+endif()
+
 foreach(file IN ITEMS share/doc/treedyn/LICENSE share/treedyn/templates/model.cpp.in bin/treedyn)
   if(NOT EXISTS ${scratch}/second/${file})
     message(FATAL_ERROR "${file} was not installed")

@@ -1,0 +1,85 @@
+# Functions for projects that use treedyn::treedyn, by find_package(treedyn) or add_subdirectory.
+
+# Sets `arguments` to the model or scene of a call as the program wants it, `subject` to its file.
+function(_treedyn_subject call)
+  if(ARG_UNPARSED_ARGUMENTS OR ARG_KEYWORDS_MISSING_VALUES OR (NOT ARG_MODEL AND NOT ARG_SCENE) OR (ARG_MODEL AND ARG_SCENE))
+    message(FATAL_ERROR "${call}")
+  endif()
+  get_filename_component(subject "${ARG_MODEL}${ARG_SCENE}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
+  set(arguments "${subject}")
+  if(ARG_SCENE)
+    set(arguments --scene "${subject}")
+  endif()
+  if(ARG_NAME)
+    list(APPEND arguments --name "${ARG_NAME}")
+  endif()
+  set(arguments ${arguments} ${ARG_OPTIONS} PARENT_SCOPE)
+  set(subject "${subject}" PARENT_SCOPE)
+endfunction()
+
+# Sets `files` to what `treedyn generate ${arguments} -o ${folder}` writes. Without a NAME it stands in the model or
+# scene, and the program is asked while the project is configured: it has to be there.
+function(_treedyn_files name folder subject)
+  if(name)
+    set(files "${folder}/${name}.hpp" "${folder}/${name}.cpp" "${folder}/${name}.json")
+  else()
+    get_target_property(imported treedyn::treedyn IMPORTED)
+    if(NOT imported)
+      message(FATAL_ERROR "treedyn_generate: treedyn is built in this project; expected NAME, the stem of the generated files")
+    endif()
+    get_target_property(program treedyn::treedyn IMPORTED_LOCATION)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${subject}")
+    execute_process(COMMAND "${program}" outputs -q ${ARGN} -o "${folder}"
+                    OUTPUT_VARIABLE files OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    string(REPLACE "\n" ";" files "${files}")
+  endif()
+  set(files ${files} PARENT_SCOPE)
+endfunction()
+
+# treedyn_generate(TARGET MODEL|SCENE file [NAME name] [OPTIONS option...] [FOLDER folder] [CONTRACTION on|off])
+#
+# A static library TARGET of the functions that `treedyn generate` writes for a model or a scene into FOLDER (default:
+# a folder of the build); whoever links it can include NAME.hpp. Runs again when a file that was read or treedyn changes.
+# CONTRACTION off: the same bits on every processor; on: products and sums as one rounded operation where there is one;
+# default: what the compiler does. Square roots leave errno alone.
+function(treedyn_generate target)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "MODEL;SCENE;NAME;FOLDER;CONTRACTION" "OPTIONS")
+  _treedyn_subject("treedyn_generate(TARGET MODEL|SCENE file [NAME name] [OPTIONS option...] [FOLDER folder] [CONTRACTION on|off])")
+  if(NOT ARG_FOLDER)
+    set(ARG_FOLDER "${CMAKE_CURRENT_BINARY_DIR}/${target}")
+  endif()
+  get_filename_component(folder "${ARG_FOLDER}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
+  _treedyn_files("${ARG_NAME}" "${folder}" "${subject}" ${arguments})
+  set(depfile "${CMAKE_CURRENT_BINARY_DIR}/${target}.treedyn.d")
+  add_custom_command(OUTPUT ${files}
+                     COMMAND treedyn::treedyn generate ${arguments} -o "${folder}" --depfile "${depfile}"
+                     COMMAND "${CMAKE_COMMAND}" -E touch ${files}  # unchanged files keep their time else
+                     DEPENDS "${subject}" treedyn::treedyn "$<TARGET_FILE:treedyn::treedyn>" DEPFILE "${depfile}"
+                     COMMENT "treedyn generate ${ARG_MODEL}${ARG_SCENE}" VERBATIM)
+  add_library(${target} STATIC ${files})
+  target_include_directories(${target} PUBLIC "${folder}")
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  set(gnu_like "$<CXX_COMPILER_ID:GNU,Clang,AppleClang>")
+  target_compile_options(${target} PRIVATE "$<${gnu_like}:-fno-math-errno>")
+  if(ARG_CONTRACTION STREQUAL "on")
+    target_compile_options(${target} PRIVATE "$<${gnu_like}:-ffp-contract=fast>")
+  elseif(ARG_CONTRACTION STREQUAL "off")
+    target_compile_options(${target} PRIVATE "$<${gnu_like}:-ffp-contract=off>")
+  elseif(ARG_CONTRACTION)
+    message(FATAL_ERROR "treedyn_generate: CONTRACTION '${ARG_CONTRACTION}'; expected on or off")
+  endif()
+endfunction()
+
+# treedyn_check(NAME MODEL|SCENE file FOLDER folder [STEM name] [OPTIONS option...])
+#
+# A test NAME that fails unless FOLDER holds what `treedyn generate` would write.
+function(treedyn_check name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "MODEL;SCENE;FOLDER;STEM" "OPTIONS")
+  set(ARG_NAME "${ARG_STEM}")
+  if(NOT ARG_FOLDER)
+    list(APPEND ARG_UNPARSED_ARGUMENTS FOLDER)
+  endif()
+  _treedyn_subject("treedyn_check(NAME MODEL|SCENE file FOLDER folder [STEM name] [OPTIONS option...])")
+  get_filename_component(folder "${ARG_FOLDER}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND treedyn::treedyn check ${arguments} -o "${folder}")
+endfunction()
