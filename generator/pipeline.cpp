@@ -18,6 +18,7 @@
 #include "limits.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
+#include "simplify/scene_loops.hpp"
 #include "simplify/scene_steps.hpp"
 #include "simulation/integrator.hpp"
 #include "symbolic/dump.hpp"
@@ -243,6 +244,7 @@ Model read_scene_model(const Request& request) {
   check_inertia(model);
   check_step(model);
   check_impacts(model, {*request.scene, 0, 0});
+  simplify::settle_loops(*model.scene);
   model.name = request.name.value_or(to_identifier(model.scene->name));
   model.name += is_reserved(model.name) ? "_" : "";
   return model;
@@ -401,6 +403,7 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   check_scene(scene, where);
   check_step(model);
   check_impacts(model, where);
+  simplify::settle_loops(*model.scene);
   Programs programs = formulate(model, request, [](const std::string&) {});
   StepFiles result{model.name,
                    {},
