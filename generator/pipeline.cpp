@@ -18,6 +18,7 @@
 #include "limits.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
+#include "simplify/scene_loops.hpp"
 #include "simplify/scene_steps.hpp"
 #include "simulation/integrator.hpp"
 #include "symbolic/dump.hpp"
@@ -167,6 +168,7 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   model.scene = scene;
   model.scene_functions = {"step"};
   require_step(model, where);
+  simplify::settle_loops(*model.scene);
   Programs programs = formulate(model, request, [](const std::string&) {});
   StepFiles result{model.name,
                    {},

@@ -13,6 +13,7 @@
 #include "limits.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
+#include "simplify/scene_loops.hpp"
 #include "simplify/scene_steps.hpp"
 #include "simulation/integrator.hpp"
 
@@ -224,6 +225,7 @@ Model read_scene_model(const Request& request) {
   check_inertia(model);
   check_step(model);
   check_impacts(model, {*request.scene, 0, 0});
+  simplify::settle_loops(*model.scene);
   model.name = request.name.value_or(to_identifier(model.scene->name));
   model.name += is_reserved(model.name) ? "_" : "";
   return model;

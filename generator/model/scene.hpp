@@ -43,6 +43,10 @@ struct Constraint {
   /// Empty, or one per row: the row states its acceleration J qdd + gamma instead, of t, q, qd; it
   /// has no position error and is not stabilised.
   std::vector<Expression> accelerations;
+  /// Set where its rows are spare ones of a closed loop that generated steps draw together: how its
+  /// point is at the initial state, position less curve (3, m) or rotation (9); empty: led by its
+  /// curve.
+  std::optional<std::vector<Real>> loop;
 
   [[nodiscard]] std::size_t rows() const {
     return kind == ConstraintKind::kJoint ? 1 : directions.size();

@@ -30,6 +30,7 @@ class Drift {
         forces_(forces),
         graph_(task.kinematics.graph()),
         scene_(*task.options.scene),
+        number_(constraint),
         constraint_(scene_.constraints[index(constraint)]),
         size_(anchor_size(scene_, constraint)),
         offset_(anchor_offset(scene_, constraint)),
@@ -68,6 +69,9 @@ class Drift {
 
  private:
   [[nodiscard]] Expr anchor(int element) const {
+    if (has_place(scene_, number_)) {
+      return constant(graph_, constraint_.loop->at(index(element)));
+    }
     return element < size_ ? Expr(graph_, graph_.input(anchor_, offset_ + element)) : Expr();
   }
 
@@ -139,6 +143,7 @@ class Drift {
   const SceneForces& forces_;
   Graph& graph_;
   const Scene& scene_;
+  int number_;
   const Constraint& constraint_;
   int size_;
   int offset_;
@@ -161,9 +166,14 @@ bool begins_anywhere(const Scene& scene, int constraint) {
 
 bool is_stabilised(const Scene& scene, int constraint) {
   const Constraint& c = scene.constraints[index(constraint)];
-  const bool loop = c.kind == ConstraintKind::kJoined && step_method(scene) &&
+  const bool loop = (c.kind == ConstraintKind::kJoined || c.loop) && step_method(scene) &&
                     scene.stepping.drift == model::Drift::kProjection;
   return c.accelerations.empty() && (loop || scene.stepping.drift == model::Drift::kBaumgarte);
+}
+
+bool has_place(const Scene& scene, int constraint) {
+  const std::optional<std::vector<Real>>& loop = scene.constraints[index(constraint)].loop;
+  return loop && !loop->empty() && scene.stepping.drift == model::Drift::kProjection;
 }
 
 Real stabilisation_rate(const Scene& scene) {
@@ -176,7 +186,7 @@ Real stabilisation_rate(const Scene& scene) {
 int anchor_size(const Scene& scene, int constraint) {
   const Constraint& c = scene.constraints[index(constraint)];
   if (!is_stabilised(scene, constraint) || c.kind == ConstraintKind::kJoined ||
-      !begins_anywhere(scene, constraint)) {
+      !begins_anywhere(scene, constraint) || has_place(scene, constraint)) {
     return 0;
   }
   return c.kind == ConstraintKind::kOrientation ? 9 : c.kind == ConstraintKind::kPoint ? 3 : 1;

@@ -12,6 +12,8 @@ namespace treedyn::simplify {
 /// where the scene asks for it, and, unless it asks for none, on closed loops that a step goes
 /// round.
 bool is_stabilised(const model::Scene& scene, int constraint);
+/// True if it is drawn to where the initial state of the scene has it, Constraint::loop.
+bool has_place(const model::Scene& scene, int constraint);
 /// Its alpha, 1/s: that of the scene; of loops never more than half of what a step resolves.
 Real stabilisation_rate(const model::Scene& scene);
 

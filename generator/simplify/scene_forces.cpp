@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "simplify/points.hpp"
+#include "simplify/scene_drift.hpp"
 
 namespace treedyn::simplify {
 
@@ -182,7 +183,7 @@ std::vector<AppliedLoad> SceneForces::loads() const {
 bool uses_time(const model::Scene& scene, const std::vector<int>& active) {
   const auto row_uses = [&](int c) {
     const model::Constraint& constraint = scene.constraints[index(c)];
-    const bool stabilised = scene.stepping.drift == model::Drift::kBaumgarte;
+    const bool stabilised = is_stabilised(scene, c);
     return constraint.accelerations.empty()
                ? of_time(constraint.curve.acceleration) ||
                      (stabilised && of_time(constraint.curve.position))

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "program/rank.hpp"
 #include "simplify/constrained.hpp"
 #include "simplify/constrained_inverse.hpp"
@@ -175,6 +177,13 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
     inner.inputs.push_back(anchor());
     staged.levels.push_back(0);
     staged.anchors = anchor_names(scene_);
+  }
+  for (const int c : options.active) {
+    if (has_place(scene_, c)) {
+      staged.anchors.push_back(
+          fmt::format("{} is drawn to where the initial state of the scene has it",
+                      scene_.constraints[index(c)].name));
+    }
   }
   if (r > 0) {
     staged.solves.push_back(solve_of(staged.function, r, options.active));

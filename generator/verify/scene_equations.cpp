@@ -132,8 +132,10 @@ model::Vector3 SceneEquations::turn_from(const Real* anchor, int point) const {
 
 Real SceneEquations::position_error(int constraint, std::size_t k) const {
   const model::Constraint& c = scene_.constraints[index(constraint)];
-  const Real* anchor = anchor_.data() + simplify::anchor_offset(scene_, constraint);
-  const bool has_anchor = simplify::anchor_size(scene_, constraint) > 0;
+  const bool has_place = simplify::has_place(scene_, constraint);
+  const Real* anchor =
+      has_place ? c.loop->data() : anchor_.data() + simplify::anchor_offset(scene_, constraint);
+  const bool has_anchor = has_place || simplify::anchor_size(scene_, constraint) > 0;
   if (c.kind == model::ConstraintKind::kJoint) {
     const Real off = q_[index(c.joint)] - value(c.curve.position[0], 0);
     return has_anchor ? Real(off - anchor[0]) : off;

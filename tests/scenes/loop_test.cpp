@@ -1,5 +1,6 @@
 // Redundant loops, generated: beside the loop, and a million steps along it.
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,14 +29,16 @@ std::string bennett_scene(const std::string& effects, const std::string& more) {
 }
 
 /// The four-bar on a free body.
-std::string floating_scene(const std::string& effects) {
+std::string floating_scene(const std::string& effects, const std::string& step = "0.001") {
   return fmt::format(
       "scene: loop_step\nmodel: {}\nbase: axes\neffects:\n  joined_constraint:\n    - {{name: "
       "loop, point: bar_end, other: right_end}}\n{}initial:\n  q: {{base_rz: 0.3, base_ry: 0.2, "
       "left: -asin(0.1), right: asin(0.1), bar: asin(0.1)}}\nduration: 20\n"
-      "stepping: {{integrator: rk4, step: 0.0002}}\n",
-      model_path("floating_loop"), effects);
+      "stepping: {{integrator: rk4, step: {}}}\n",
+      model_path("floating_loop"), effects, step);
 }
+
+const char* const kUnstabilised = "  stabilisation: {method: none}\n";
 
 VectorXd vector(const Vector& x, std::size_t from, std::size_t count) {
   return Eigen::Map<const VectorXd>(x.data() + from, static_cast<Eigen::Index>(count));
@@ -78,72 +81,91 @@ TEST(Loop, BennettMovesBesideItsLoop) {
   }
 }
 
-/// What a long run is held to.
+constexpr int kSteps = 1000000;
+
+/// What a long run is held to: the largest errors of every 50000th state.
 struct Drift {
   double position = 0, energy = 0, reactions = 0;
 };
 
-TEST(Loop, BennettTakesAMillionSteps) {
-  const SceneCode code(bennett_scene("  stabilisation: {method: baumgarte, rate: 20}\n",
-                                     "stepping: {integrator: rk4, step: 0.001}\n"));
-  const Vector place = values(
-      LoopOracle(model_path("bennett"), {"--gravity", "0,-9.81,0"}, 2, Vector(6)).errors(kBennett));
-  const LoopOracle oracle = bennett_oracle();
-  VectorXd q = kBennett;
-  VectorXd qd = VectorXd::Zero(3);
-  const double energy = bennett_energy(oracle, q, qd);
-  Drift most;
-  for (int k = 0; k < 1000000; ++k) {
-    const Measurement next = code.code().measure("step", {values(q), values(qd), Vector(3), place});
+/// A million steps, all without complaint.
+/// \param see  takes q, qd and the lambda of the same moment
+template <class See>
+void walk(const SceneCode& code, VectorXd q, VectorXd qd, const See& see) {
+  const auto n = static_cast<std::size_t>(q.size());
+  for (int k = 0; k < kSteps; ++k) {
+    const Measurement next = code.code().measure("step", {values(q), values(qd), Vector(n)});
     ASSERT_EQ(next.status, 0) << k;
     if (k % 50000 == 0) {
-      VectorXd on = q;
-      VectorXd speed = qd;
-      oracle.project(on, speed);
-      const VectorXd lambda = oracle.motion(on, speed, spring(on)).lambda;
-      most.reactions = std::max(most.reactions, distance(vector(next.values, 6, 6), lambda));
-      most.position = std::max(most.position, oracle.errors(q).norm());
-      most.energy = std::max(most.energy, std::abs(bennett_energy(oracle, q, qd) - energy));
+      see(q, qd, vector(next.values, 2 * n, next.values.size() - 2 * n));
     }
-    q = vector(next.values, 0, 3);
-    qd = vector(next.values, 3, 3);
+    q = vector(next.values, 0, n);
+    qd = vector(next.values, n, n);
   }
-  EXPECT_LT(most.reactions, 1e-6);
-  EXPECT_LT(most.position, 1e-7);
-  EXPECT_LT(most.energy, 1e-5 * energy);
 }
 
-/// The largest errors of a million steps of the loop on a free body.
+/// The reactions where the state is moved onto the loop.
+VectorXd reactions(const LoopOracle& oracle, VectorXd q, VectorXd qd,
+                   const std::function<VectorXd(const VectorXd& q)>& force) {
+  oracle.project(q, qd);
+  return oracle.motion(q, qd, force(q)).lambda;
+}
+
+Drift bennett_run(const std::string& effects) {
+  const SceneCode code(bennett_scene(effects, "stepping: {integrator: rk4, step: 0.001}\n"));
+  const LoopOracle oracle = bennett_oracle();
+  const double energy = bennett_energy(oracle, kBennett, VectorXd::Zero(3));
+  Drift most;
+  walk(code, kBennett, VectorXd::Zero(3),
+       [&](const VectorXd& q, const VectorXd& qd, const VectorXd& lambda) {
+         const double error = distance(lambda, reactions(oracle, q, qd, spring));
+         most.reactions = std::max(most.reactions, error);
+         most.position = std::max(most.position, oracle.errors(q).norm());
+         most.energy = std::max(most.energy, std::abs(bennett_energy(oracle, q, qd) / energy - 1));
+       });
+  return most;
+}
+
+TEST(Loop, BennettTakesAMillionSteps) {
+  const Drift most = bennett_run("");
+  EXPECT_LT(most.reactions, 1e-6);
+  EXPECT_LT(most.position, 1e-7);
+  EXPECT_LT(most.energy, 1e-5);
+}
+
+/// Turns about the axis of its largest inertia, which stays near the vertical: the pitch of the
+/// free body's axes stays away from where they are singular.
+struct FloatingState {
+  VectorXd q = VectorXd::Zero(9);
+  VectorXd qd = VectorXd::Zero(9);
+  FloatingState() {
+    const double a = std::asin(0.1);
+    q << 0, 0, 0, 0.3, 0.2, M_PI / 2, -a, a, a;
+    qd << 0.5, 0, 0.3, 2.3, -0.2, 0.3, 2, 2, -2;
+  }
+};
+
+LoopOracle floating_oracle() {
+  return {model_path("floating_loop"), {"--base", "axes", "--gravity", "0,0,0"}, 2};
+}
+
 Drift floating_run(const std::string& effects) {
   const SceneCode code(floating_scene(effects));
   EXPECT_EQ(code.manifest("constrained_dynamics").at("rank"), 2);
-  const LoopOracle oracle(model_path("floating_loop"), {"--base", "axes", "--gravity", "0,0,0"}, 2);
-  const double a = std::asin(0.1);
-  VectorXd q(9);
-  VectorXd qd(9);
-  q << 0, 0, 0, 0.3, 0.2, 0, -a, a, a;
-  qd << 0.5, 0, 0.3, 1.1, -0.4, 2.3, 2, 2, -2;
-  oracle.project(q, qd);
-  const double energy = oracle.energy(q, qd);
+  const LoopOracle oracle = floating_oracle();
+  FloatingState state;
+  oracle.project(state.q, state.qd);
+  const double energy = oracle.energy(state.q, state.qd);
+  const auto force = [](const VectorXd& q) -> VectorXd {
+    return VectorXd::Zero(q.size());
+  };
   Drift most;
-  for (int k = 0; k < 1000000; ++k) {
-    const Measurement next = code.code().measure("step", {values(q), values(qd), Vector(9)});
-    if (next.status != 0) {
-      ADD_FAILURE() << "status " << next.status << " in step " << k;
-      return most;
-    }
-    if (k % 50000 == 0) {
-      VectorXd on = q;
-      VectorXd speed = qd;
-      oracle.project(on, speed);
-      const VectorXd lambda = oracle.motion(on, speed, VectorXd::Zero(9)).lambda;
-      most.reactions = std::max(most.reactions, distance(vector(next.values, 18, 3), lambda));
-      most.position = std::max(most.position, oracle.errors(q).norm());
-      most.energy = std::max(most.energy, std::abs(oracle.energy(q, qd) / energy - 1));
-    }
-    q = vector(next.values, 0, 9);
-    qd = vector(next.values, 9, 9);
-  }
+  walk(code, state.q, state.qd, [&](const VectorXd& q, const VectorXd& qd, const VectorXd& lambda) {
+    const double error = distance(lambda, reactions(oracle, q, qd, force));
+    most.reactions = std::max(most.reactions, error);
+    most.position = std::max(most.position, oracle.errors(q).norm());
+    most.energy = std::max(most.energy, std::abs(oracle.energy(q, qd) / energy - 1));
+  });
   return most;
 }
 
@@ -151,7 +173,69 @@ TEST(Loop, OnAFreeBodyTakesAMillionSteps) {
   const Drift most = floating_run("");
   EXPECT_LT(most.reactions, 1e-6);
   EXPECT_LT(most.position, 1e-9);
-  EXPECT_LT(most.energy, 1e-4);
+  EXPECT_LT(most.energy, 1e-6);
+}
+
+/// Change of the energy while the pitch passes its singular place closely.
+double energy_lost(const std::string& step, int count) {
+  const SceneCode code(floating_scene("", step));
+  const LoopOracle oracle = floating_oracle();
+  FloatingState state;
+  state.q[4] = 1.2;
+  state.q[5] = 0.2;
+  state.qd[3] = 0.05;
+  state.qd[4] = 2;
+  state.qd[5] = 0.05;
+  oracle.project(state.q, state.qd);
+  const double energy = oracle.energy(state.q, state.qd);
+  for (int k = 0; k < count; ++k) {
+    const Measurement next =
+        code.code().measure("step", {values(state.q), values(state.qd), Vector(9)});
+    EXPECT_EQ(next.status, 0) << k;
+    state.q = vector(next.values, 0, 9);
+    state.qd = vector(next.values, 9, 9);
+  }
+  return std::abs(oracle.energy(state.q, state.qd) / energy - 1);
+}
+
+/// What tumbling bodies lose where their axes are singular is the error of the step, of order 4.
+TEST(Loop, NearTheSingularPitchTheStepErrsByItsOrder) {
+  const double whole = energy_lost("0.001", 400);
+  const double half = energy_lost("0.0005", 800);
+  const double quarter = energy_lost("0.00025", 1600);
+  EXPECT_GT(whole, 1e-8);
+  EXPECT_LT(half, whole / 12);
+  EXPECT_LT(quarter, half / 12);
+}
+
+/// Without stabilisation the error of a redundant loop on a turning body grows as exp(omega t), as
+/// a bead's way in a turning tube does: that is in the equations. The status says so before the
+/// loop is open, and whatever is not a number.
+void drift_apart(const SceneCode& code, const LoopOracle& oracle, VectorXd q, VectorXd qd) {
+  const auto n = static_cast<std::size_t>(q.size());
+  int first = 0;
+  for (int k = 0; k < 60000 && q.allFinite() && qd.allFinite(); ++k) {
+    const Measurement next = code.code().measure("step", {values(q), values(qd), Vector(n)});
+    if (next.status != 0 && first == 0) {
+      first = k;
+      EXPECT_LT(oracle.errors(q).norm(), 0.04);  // a tenth of its links
+    }
+    q = vector(next.values, 0, n);
+    qd = vector(next.values, n, n);
+    EXPECT_TRUE((q.allFinite() && qd.allFinite()) || (next.status & 16) != 0) << k;
+  }
+  EXPECT_GT(first, 5000);
+}
+
+TEST(Loop, UnstabilisedSaysThatItOpens) {
+  const SceneCode floating(floating_scene(kUnstabilised));
+  const LoopOracle oracle = floating_oracle();
+  FloatingState state;
+  oracle.project(state.q, state.qd);
+  drift_apart(floating, oracle, state.q, state.qd);
+  const SceneCode bennett(
+      bennett_scene(kUnstabilised, "stepping: {integrator: rk4, step: 0.001}\n"));
+  drift_apart(bennett, bennett_oracle(), kBennett, VectorXd::Zero(3));
 }
 
 }  // namespace

@@ -136,50 +136,5 @@ TEST(Rank, MassesOfABranchDoNotMatter) {
   }
 }
 
-std::string clamped_biped() {
-  return fmt::format(
-      "scene: clamped\nmodel: {}/models/biped.yaml\nbase: axes\neffects:\n  gravity: [0, 0, "
-      "-9.81]\n  point_constraint:\n    - {{point: left_heel}}\n    - {{point: right_heel}}\n"
-      "  orientation_constraint:\n    - {{name: left_flat, point: left_heel}}\n"
-      "    - {{name: right_flat, point: right_heel}}\nduration: 1\n",
-      TREEDYN_SOURCE_DIR);
-}
-
-/// Both feet of a biped without rotors: small pivots that are no dependence. The condition of the
-/// scaled K is below 1e3 in these crouches, and its entries are sums of some ten terms of either
-/// sign: 1e4 roundings of float.
-TEST(Rank, AClampedBipedCrouchesInFloat) {
-  const SceneCode in_double(clamped_biped());
-  const SceneCode in_float(clamped_biped(), Variant::kPlain, {"--scalar", "float"});
-  const std::vector<std::string>& joints = in_double.code().manifest().joints;
-  std::mt19937 engine(1);
-  const auto number = [&](double size) {
-    return std::uniform_real_distribution<double>(-size, size)(engine);
-  };
-  for (int trial = 0; trial < 200; ++trial) {
-    const double bend = 0.6 + number(0.58);
-    CompiledModel::Inputs state(3, Vector(joints.size()));
-    for (std::size_t k = 0; k < joints.size(); ++k) {
-      const bool knee = joints[k].find("knee") != std::string::npos;
-      const bool pitch = joints[k].find("pitch") != std::string::npos;
-      const double angle = (knee ? 2 * bend : pitch ? -bend : 0) + number(0.05);
-      state[0][k] = static_cast<float>(angle);
-      state[1][k] = static_cast<float>(number(0.5));
-      state[2][k] = static_cast<float>(number(20));
-    }
-    const Measurement exact = called(in_double, state);
-    const Measurement rounded = called(in_float, state);
-    ASSERT_EQ(exact.status, 0) << trial;
-    ASSERT_EQ(rounded.status, 0) << trial;
-    double size = 0;
-    double error = 0;
-    for (std::size_t k = 0; k < joints.size(); ++k) {
-      size = std::max(size, std::abs(exact.values[k]));
-      error = std::max(error, std::abs(exact.values[k] - rounded.values[k]));
-    }
-    EXPECT_LT(error, 1e-3 * size) << trial << " bend " << bend;
-  }
-}
-
 }  // namespace
 }  // namespace treedyn::support
