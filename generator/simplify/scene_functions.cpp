@@ -103,6 +103,9 @@ program::RowSolve SceneFormulator::solve_of(const program::Function& function, i
   const program::OrdinaryRows ordinary = positions_.ordinary(constraints, joints);
   program::RowSolve solve =
       program::solve_of(function, rows, ordinary.holds ? ordinary.rank : -1, ordinary.states);
+  solve.passes = step_method(scene_) &&
+                 std::any_of(constraints.begin(), constraints.end(),
+                             [&](int constraint) { return is_stabilised(scene_, constraint); });
   solve.tolerance = scene_.rank_tolerance.convert_to<double>();
   return solve;
 }
