@@ -189,6 +189,13 @@ std::vector<double> ladder(const AccuracyRequest& request, double interval, int 
       result.push_back(interval / part);
     }
   }
+  for (const double step : request.steps) {
+    const double parts = std::round(interval / step);
+    if (std::abs(parts * step - interval) > 1e-9 * interval) {
+      throw UsageError(fmt::format("step {} s does not divide {} s, the time between comparisons",
+                                   step, interval));
+    }
+  }
   return request.steps.empty() ? result : request.steps;
 }
 
@@ -219,7 +226,8 @@ accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTra
   study.states = request.states;
   study.spread = request.spread;
   const std::vector<double> steps = ladder(request, subject.interval, subject.times);
-  const std::vector<Motion> exact = reference(subject, steps.back(), study);
+  const std::vector<Motion> exact =
+      reference(subject, *std::min_element(steps.begin(), steps.end()), study);
   trace(fmt::format("reference: agreement {:.1e}", study.reference_agreement));
   std::vector<std::string> integrators = request.integrators;
   if (integrators.empty()) {

@@ -81,6 +81,10 @@ void add_accuracy(CLI::App& app, Settings& settings) {
       ->delimiter(',')
       ->check(one_of(methods))
       ->type_name("LIST");
+  command.add_option("--steps", request.steps, "s; default: a ladder of 1, 2, 5")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->type_name("LIST");
   command
       .add_option("--target", request.target,
                   "largest error of a joint, rad or m: prints the cheapest setting that keeps it")

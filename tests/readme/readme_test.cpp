@@ -1,6 +1,8 @@
 // README.md and the reference of scenes show what is there: their excerpts are text of committed
 // files.
+#include <filesystem>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -37,6 +39,77 @@ TEST(Readme, ShowsTextOfTheCommittedOutput) {
   for (const auto& [file, text] : shown) {
     const std::string committed = support::read_file(TREEDYN_SOURCE_DIR "/" + file);
     EXPECT_NE(committed.find(text), std::string::npos) << file << " has no longer\n" << text;
+  }
+}
+
+namespace fs = std::filesystem;
+
+/// Files of the folders of the project that end with one of `ends`.
+std::vector<fs::path> project_files(const std::vector<std::string>& ends) {
+  const fs::path root = TREEDYN_SOURCE_DIR;
+  std::vector<fs::path> result = {root / "README.md"};
+  for (const char* folder : {"generator", "templates", "models", "generated", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      for (const std::string& end : ends) {
+        if (entry.is_regular_file() && entry.path().string().ends_with(end)) {
+          result.push_back(entry.path());
+        }
+      }
+    }
+  }
+  return result;
+}
+
+/// What stands between `](` and `)` in a text and is no address of the network.
+std::vector<std::string> links(const std::string& text) {
+  std::vector<std::string> result;
+  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+    const std::size_t end = text.find_first_of(")\n #", at + 2);
+    const std::string link = text.substr(at + 2, end - at - 2);
+    if (!link.empty() && text[end] != '\n' && link.find("://") == std::string::npos) {
+      result.push_back(link);
+    }
+  }
+  return result;
+}
+
+TEST(Documents, LinkToFilesThatAreThere) {
+  int count = 0;
+  for (const fs::path& document : project_files({".md"})) {
+    for (const std::string& link : links(support::read_file(document))) {
+      EXPECT_TRUE(fs::exists(document.parent_path() / link)) << document << ": " << link;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 30);
+}
+
+/// Words like EQUATIONS.md.
+std::set<std::string> cited(const std::string& text) {
+  std::set<std::string> result;
+  for (std::size_t at = text.find(".md"); at != std::string::npos; at = text.find(".md", at + 1)) {
+    std::size_t begin = at;
+    while (begin > 0 &&
+           ((text[begin - 1] >= 'A' && text[begin - 1] <= 'Z') || text[begin - 1] == '_')) {
+      --begin;
+    }
+    if (at - begin > 2) {
+      result.insert(text.substr(begin, at + 3 - begin));
+    }
+  }
+  return result;
+}
+
+TEST(Documents, CitedByNameAreInTheRepository) {
+  std::set<std::string> there;
+  for (const fs::path& document : project_files({".md"})) {
+    there.insert(document.filename());
+  }
+  for (const fs::path& file :
+       project_files({".md", ".cpp", ".hpp", ".in", ".txt", ".cmake", ".yaml"})) {
+    for (const std::string& name : cited(support::read_file(file))) {
+      EXPECT_TRUE(there.contains(name)) << file << " cites " << name;
+    }
   }
 }
 

@@ -1,0 +1,98 @@
+// What is read off a study, from studies whose answers are known.
+#include "accuracy/study.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace treedyn::accuracy {
+namespace {
+
+/// An outcome of a step that costs `additions`.
+Outcome outcome(bool is_float, const char* integrator, double step, double error, int additions) {
+  Outcome result;
+  result.setting = {is_float, integrator, step};
+  result.step_cost.add = additions;
+  result.joint_errors = {error / 2, error};
+  return result;
+}
+
+/// Errors h^4 above a floor of 1e-12 in double; 1e-5 in float, which rises as 1e-8 / h.
+Study study_of_order_four() {
+  Study study;
+  for (const bool is_float : {true, false}) {
+    for (const double h : {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005}) {
+      const double floor = is_float ? 1e-8 / h : 1e-12;
+      study.outcomes.push_back(outcome(is_float, "rk4", h, std::pow(h, 4) + floor, 50));
+    }
+  }
+  return study;
+}
+
+const Core& core(const char* name) {
+  const Core* const found = find_core(name);
+  EXPECT_NE(found, nullptr);
+  return *found;
+}
+
+TEST(Study, FitsTheOrderAboveTheFloor) {
+  const std::optional<double> order = fitted_order(study_of_order_four(), false, "rk4");
+  ASSERT_TRUE(order);
+  EXPECT_NEAR(*order, 4, 0.01);
+  EXPECT_FALSE(fitted_order(study_of_order_four(), false, "euler"));
+}
+
+TEST(Study, FindsTheFloorOfAScalarAndItsStep) {
+  const std::optional<Floor> floor = floor_of(study_of_order_four(), true);
+  ASSERT_TRUE(floor);
+  EXPECT_EQ(floor->setting.step, 0.02);  // 1.6e-7 + 5e-7; beside it 1e-8 + 1e-6 and 6e-6 + 2e-7
+  EXPECT_FALSE(floor_of(Study{}, true));
+}
+
+TEST(Study, HasAParetoFrontThatFallsInErrorAsItRisesInCost) {
+  const Study study = study_of_order_four();
+  for (const Core& on : cores()) {
+    const std::vector<std::size_t> front = pareto(study, on);
+    ASSERT_GE(front.size(), 3U);
+    for (std::size_t k = 1; k < front.size(); ++k) {
+      const Outcome& before = study.outcomes[front[k - 1]];
+      const Outcome& behind = study.outcomes[front[k]];
+      EXPECT_GT(behind.cycles_per_second(on), before.cycles_per_second(on));
+      EXPECT_LT(behind.error(), before.error());
+    }
+  }
+}
+
+TEST(Study, ChoosesTheCheapestThatReachesTheTarget) {
+  const Study study = study_of_order_four();
+  const std::optional<std::size_t> coarse = cheapest(study, core("m4f"), 1e-5);
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(text_of(study.outcomes[*coarse].setting), "float rk4 0.05");
+  const std::optional<std::size_t> fine = cheapest(study, core("m4f"), 1e-8);
+  ASSERT_TRUE(fine);
+  EXPECT_EQ(text_of(study.outcomes[*fine].setting), "double rk4 0.005");
+  EXPECT_FALSE(cheapest(study, core("m4f"), 1e-20));
+  EXPECT_EQ(study.outcomes[most_accurate(study)].setting.step, 0.001);  // 1e-12 + 1e-12
+}
+
+TEST(Study, NeverChoosesWhatFailed) {
+  Study study;
+  const double infinity = std::numeric_limits<double>::infinity();
+  study.outcomes = {outcome(true, "rk4", 0.1, infinity, 1), outcome(true, "rk4", 0.05, 1, 1),
+                    outcome(true, "rk4", 0.02, std::nan(""), 1)};
+  EXPECT_TRUE(study.outcomes[0].failed());
+  EXPECT_TRUE(study.outcomes[2].failed());
+  EXPECT_THAT(pareto(study, core("host")), testing::ElementsAre(1U));
+  EXPECT_EQ(cheapest(study, core("host"), 2), 1U);
+}
+
+TEST(Study, CountsCyclesOfASecond) {
+  const Outcome one = outcome(true, "rk4", 0.01, 1, 10);
+  const Cycles& of = core("m4f").single;
+  EXPECT_DOUBLE_EQ(one.cycles_per_second(core("m4f")), 10 * (of.add + of.memory) / 0.01);
+}
+
+}  // namespace
+}  // namespace treedyn::accuracy

@@ -1,0 +1,144 @@
+// `treedyn accuracy` against the compiled step and an integration of the pendulum that shares no
+// code with it.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/cli.hpp"
+#include "support/compiled.hpp"
+
+namespace treedyn {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kPendulum = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
+constexpr double kInterval = 0.2;  ///< between comparisons: 10 s / 50
+constexpr int kTimes = 50;
+/// 2 pi / 3 as float holds it, from where the study begins.
+const double kBegin = static_cast<double>(2.0943951F);
+
+/// The angle at the times of comparison: theta'' = -9.81 sin(theta), by classical steps of 0.1 ms
+/// in long double, error some 1e-14.
+std::vector<double> exact() {
+  long double angle = kBegin;
+  long double speed = 0;
+  const long double h = 1e-4L;
+  const auto slope = [](long double x) {
+    return -9.81L * std::sin(x);
+  };
+  std::vector<double> result;
+  for (int k = 1; k <= 2000 * kTimes; ++k) {
+    const long double a1 = slope(angle);
+    const long double v2 = speed + h / 2 * a1;
+    const long double a2 = slope(angle + h / 2 * speed);
+    const long double v3 = speed + h / 2 * a2;
+    const long double a3 = slope(angle + h / 2 * v2);
+    const long double v4 = speed + h * a3;
+    const long double a4 = slope(angle + h * v3);
+    angle += h / 6 * (speed + 2 * v2 + 2 * v3 + v4);
+    speed += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    if (k % 2000 == 0) {
+      result.push_back(static_cast<double>(angle));
+    }
+  }
+  return result;
+}
+
+class Accuracy : public Cli {
+ protected:
+  /// The study of the scene's own initial state.
+  Json study(const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"accuracy", kPendulum, "--states", "1", "-o", out()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = treedyn(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return Json::parse(read_file(file("pendulum_accuracy.json")));
+  }
+
+  /// The error of the step that `generate` writes, compiled and iterated here.
+  double iterated(const std::string& scalar, const std::string& integrator, double step) {
+    const std::string scene = scratch("scene.yaml");
+    write_file(scene,
+               "scene: pendulum\nmodel: " TREEDYN_SOURCE_DIR
+               "/models/scenes/pendulum.model.yaml\neffects: {gravity: [0, 0, -9.81]}\nstepping: "
+               "{integrator: " +
+                   integrator + ", step: " + std::to_string(step) + "}\nduration: 10\n");
+    const support::CompiledModel model = support::generate_and_compile(
+        "", {"--scene", scene, "--functions", "step", "--scalar", scalar});
+    const std::vector<double> truth = exact();
+    std::vector<double> state = {kBegin, 0};
+    double largest = 0;
+    const int every = static_cast<int>(std::lround(kInterval / step));
+    for (int k = 1; k <= every * kTimes; ++k) {
+      state = model.call("step", {{state[0]}, {state[1]}, {0}});
+      if (k % every == 0) {
+        const auto at = static_cast<std::size_t>(k / every - 1);
+        largest = std::max(largest, std::abs(state[0] - truth[at]));
+      }
+    }
+    return largest;
+  }
+};
+
+TEST_F(Accuracy, RowsAreThoseOfTheCompiledStep) {
+  const Json result = study({"--integrators", "rk4,dopri5-fixed", "--steps", "0.1,0.02"});
+  const double agreement = result.at("reference_agreement");
+  EXPECT_LT(agreement, 1e-8);  // of the second reference, steps of 20 ms of order 5
+  ASSERT_EQ(result.at("settings").size(), 8U);
+  for (const Json& row : result.at("settings")) {
+    const double error = iterated(row.at("scalar"), row.at("integrator"), row.at("step"));
+    // simulate to 1e-13 a step against steps of 0.1 ms in long double: some 1e-11 over 10 s
+    EXPECT_NEAR(row.at("errors").at(0).get<double>(), error, 5e-11) << row;
+  }
+}
+
+TEST_F(Accuracy, OrdersAreThoseOfTheMethods) {
+  const Json result = study({"--integrators", "semi-implicit-euler,rk4,dopri5-fixed", "--steps",
+                             "0.02,0.01,0.005,0.002,0.001,0.0001,0.00005"});
+  const std::map<std::string, double> orders = {{"rk4", 4}, {"dopri5-fixed", 5}};
+  std::map<std::string, int> fitted;
+  const Json* before = nullptr;
+  for (const Json& row : result.at("settings")) {
+    if (before != nullptr && before->at("scalar") == "double" && row.at("scalar") == "double" &&
+        before->at("integrator") == row.at("integrator")) {
+      const double coarse = before->at("errors").at(0);
+      const double fine = row.at("errors").at(0);
+      const std::string name = row.at("integrator");
+      if (coarse < 1e-3 && fine > 1e-9 && orders.contains(name)) {
+        const double halvings =
+            std::log(before->at("step").get<double>() / row.at("step").get<double>());
+        EXPECT_NEAR(std::log(coarse / fine) / halvings, orders.at(name), 0.3) << row;
+        ++fitted[name];
+      }
+    }
+    before = &row;
+  }
+  EXPECT_GE(fitted["rk4"], 2);
+  EXPECT_GE(fitted["dopri5-fixed"], 1);
+}
+
+TEST_F(Accuracy, SaysWhichTargetsAreOutOfReach) {
+  const std::vector<std::string> arguments = {"accuracy",      kPendulum,    "--states", "2",
+                                              "--steps",       "0.02,0.005", "--on",     "m4f",
+                                              "--integrators", "rk4",        "--target"};
+  const auto with = [&](const char* target) {
+    std::vector<std::string> all = arguments;
+    all.emplace_back(target);
+    return treedyn(all);
+  };
+  const Outcome reached = with("1e-4");
+  EXPECT_EQ(reached.status, 0) << reached.err;
+  EXPECT_THAT(reached.out, HasSubstr("0.0001 on m4f: float rk4 0.02"));
+  const Outcome refused = with("1e-20");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.out, HasSubstr("1e-20 is out of reach: the smallest error is"));
+  EXPECT_THAT(refused.out, HasSubstr("with double rk4 0.005"));
+}
+
+TEST_F(Accuracy, RefusesStepsThatDoNotDivideTheTimeOfAComparison) {
+  expect_usage_error(treedyn({"accuracy", kPendulum, "--steps", "0.03"}),
+                     "step 0.03 s does not divide 0.2 s");
+}
+
+}  // namespace
+}  // namespace treedyn
