@@ -36,16 +36,15 @@ void eliminate(Matrix& a, std::size_t k) {
   }
 }
 
-}  // namespace
-
-int rank_of(const std::vector<Real>& lower, int rows) {
+/// Pivots as parts of their own diagonal entries, the largest first; those of 1e-25 count as zero.
+std::vector<Real> pivot_shares(const std::vector<Real>& lower, int rows) {
   Matrix a = symmetric(lower, rows);
   const Matrix whole = a;
   const auto share = [&](std::size_t i) {
     return whole[i][i] == 0 ? Real(0) : Real(a[i][i] / whole[i][i]);
   };
-  int rank = 0;
-  for (; rank < rows; ++rank) {
+  std::vector<Real> shares;
+  while (shares.size() < a.size()) {
     std::size_t k = 0;
     for (std::size_t i = 1; i < a.size(); ++i) {
       k = share(i) > share(k) ? i : k;
@@ -53,9 +52,16 @@ int rank_of(const std::vector<Real>& lower, int rows) {
     if (!(share(k) > Real("1e-25"))) {
       break;
     }
+    shares.push_back(share(k));
     eliminate(a, k);
   }
-  return rank;
+  return shares;
+}
+
+}  // namespace
+
+int rank_of(const std::vector<Real>& lower, int rows) {
+  return static_cast<int>(pivot_shares(lower, rows).size());
 }
 
 namespace {
@@ -92,12 +98,18 @@ RowSolve solve_of(const Function& function, int rows, int rank,
   }
   solve.rank = rank < 0 ? rank_of(values, rows) : rank;
   std::vector<Real> sizes(static_cast<std::size_t>(rows));
+  Real least = 0;
   for (const std::vector<double>& q : states) {
-    const std::vector<Real> K = values_at(function, inputs, q);
+    std::vector<Real> K = values_at(function, inputs, q);
     for (std::size_t k = 0; k < sizes.size(); ++k) {
       sizes[k] = std::max(sizes[k], K[k * (k + 3) / 2]);
     }
+    K.resize(values.size());
+    const std::vector<Real> shares = pivot_shares(K, rows);
+    const auto last = static_cast<std::size_t>(solve.rank);
+    least = last > 0 && last <= shares.size() ? std::max(least, shares[last - 1]) : least;
   }
+  solve.least = rounded(least);
   std::transform(sizes.begin(), sizes.end(), std::back_inserter(solve.sizes), rounded);
   return solve;
 }

@@ -17,7 +17,9 @@ struct RowSolve {
   int rank = 0;             ///< of K where the constraints hold; the regular path needs rank = rows
   std::vector<bool> zeros;  ///< of the lower half, row by row: entries that are always zero
   std::vector<double> sizes;  ///< of the rows: diagonal entries of K as they are in ordinary states
-  double tolerance = 0;       ///< 0: what rounding makes uncertain
+  double least = 0;      ///< of the pivots, as part of their diagonal entries, in ordinary states
+  bool passes = false;   ///< steps lead through positions of lower rank: rows are stabilised
+  double tolerance = 0;  ///< 0: what rounding makes uncertain
 
   [[nodiscard]] bool regular() const { return rank == rows; }
   bool operator==(const RowSolve&) const = default;
