@@ -34,6 +34,9 @@ class SearchWriter {
   [[nodiscard]] std::string first_event() const;
   [[nodiscard]] Lines event_lines(const StepEvent& event, int number) const;
   [[nodiscard]] std::string cut() const;
+  [[nodiscard]] bool looks_halfway() const;
+  [[nodiscard]] Lines between() const;
+  [[nodiscard]] std::string dips() const;
   [[nodiscard]] Lines search_lines() const;
   [[nodiscard]] Lines found_lines() const;
   [[nodiscard]] bool looks_at_time() const {
@@ -154,7 +157,79 @@ std::string SearchWriter::cut() const {
        {"approach_now", stepper_.most_approaches() > 0 ? "    approach(motion, now);" : ""}});
 }
 
+bool SearchWriter::looks_halfway() const {
+  return std::any_of(stepper_.phases.begin(), stepper_.phases.end(), [&](const StepPhase& phase) {
+    return !program::dipping(stepper_, phase).empty();
+  });
+}
+
+/// The state halfway: by cubics through positions and velocities at both ends; of Euler's steps,
+/// whose positions do not follow the velocities, by the parabola of its shorter steps.
+Lines SearchWriter::between() const {
+  Lines others;
+  bool speed = false;
+  for (const StepPhase& phase : stepper_.phases) {
+    speed = speed || phase.guards_speed;
+    if (program::dipping(stepper_, phase).empty()) {
+      others.push_back(fmt::format("motion.which == phase::{}", phase.identifier));
+    }
+  }
+  Lines lines;
+  if (!others.empty()) {
+    append(lines, {fmt::format("if ({}) {{", fmt::join(others, " || ")), "  return false;", "}"});
+  }
+  const auto number = [&](const char* value) {
+    return literal(Real(value), scalar_);
+  };
+  const bool euler = stepper_.method == program::StepMethod::kSemiImplicitEuler;
+  append(lines, {"const Scalar time = to.at - from.at;",
+                 fmt::format("low.at = from.at + {} * time;", number("0.5"))});
+  lines.push_back(fmt::format("const Scalar bend = {} * time;", number(euler ? "0.25" : "0.125")));
+  if (speed && !euler) {
+    lines.push_back(fmt::format("const Scalar rate = {} / time;", number("1.5")));
+  }
+  lines.emplace_back("for (int i = 0; i < kDof; ++i) {");
+  lines.push_back(
+      euler
+          ? fmt::format("  low.q[i] = ({} * from.q[i] + {} * to.q[i]) + bend * from.qd[i];",
+                        number("0.75"), number("0.25"))
+          : fmt::format("  low.q[i] = {} * (from.q[i] + to.q[i]) + bend * (from.qd[i] - to.qd[i]);",
+                        number("0.5")));
+  if (speed) {
+    lines.push_back(euler
+                        ? fmt::format("  low.qd[i] = {} * (from.qd[i] + to.qd[i]);", number("0.5"))
+                        : fmt::format("  low.qd[i] =\n        rate * (to.q[i] - from.q[i]) - {} * "
+                                      "(from.qd[i] + to.qd[i]);",
+                                      number("0.25")));
+  }
+  lines.emplace_back("}");
+  return lines;
+}
+
+std::string SearchWriter::dips() const {
+  if (!looks_halfway()) {
+    return {};
+  }
+  const Lines each = by_phase(stepper_, "motion.which", [&](const StepPhase& phase) {
+    Lines lines;
+    for (const int guard : program::dipping(stepper_, phase)) {
+      lines.push_back(
+          fmt::format("dip(from.guard[{0}], low.guard[{0}], to.guard[{0}], least);", guard));
+    }
+    return lines;
+  });
+  return fill(template_text("step_dips.cpp"), {{"three", literal(Real(3), scalar_)},
+                                               {"eight", literal(Real(8), scalar_)},
+                                               {"one_half", literal(Real("0.5"), scalar_)},
+                                               {"nearly", literal(Real("0.9375"), scalar_)},
+                                               {"between", joined(between(), "  ")},
+                                               {"each", joined(each, "  ")}});
+}
+
 Lines SearchWriter::search_lines() const {
+  if (stepper_.cuts > 0) {
+    return {"const bool behind = look(motion, to);", "const bool before = look(motion, from);"};
+  }
   std::string pulls;
   for (const StepPhase& phase : stepper_.phases) {
     if (program::pulls(phase)) {
@@ -184,15 +259,25 @@ Lines SearchWriter::found_lines() const {
   if (stepper_.cuts == 0) {
     return {"return first_event(motion, from, to, part);"};
   }
-  return {"const int event = first_event(motion, from, to, part);",
-          "if (event < 0 || last) {",
-          "  return event;",
-          "}",
-          "if (part < Scalar(0)) {",
-          "  to = from;",
-          "  return event;",
-          "}",
-          "return cut(motion, from, to);"};
+  const auto first = [&](const std::string& to) {
+    Lines lines;
+    if (stepper_.most_approaches() > 0) {
+      lines = {"  approach(motion, from);", fmt::format("  approach(motion, {});", to)};
+    }
+    lines.push_back(fmt::format("  event = first_event(motion, from, {}, part);", to));
+    return lines;
+  };
+  Lines lines = {"int event = -1;", "if (behind || before) {"};
+  append(lines, first("to"), "");
+  lines.emplace_back("}");
+  if (looks_halfway()) {
+    append(lines, {"Moment low = {};", "if (event < 0 && dips(motion, from, to, low)) {"});
+    append(lines, first("low"), "");
+    append(lines, {"  if (event >= 0 && !last) {", "    to = low;", "  }", "}"});
+  }
+  append(lines, {"if (event < 0 || last) {", "  return event;", "}", "if (part < Scalar(0)) {",
+                 "  to = from;", "  return event;", "}", "return cut(motion, from, to);"});
+  return lines;
 }
 
 std::string SearchWriter::text() const {
@@ -203,7 +288,7 @@ std::string SearchWriter::text() const {
        {"look", joined(look(), "  ")},
        {"approach", approach()},
        {"first_event", first_event()},
-       {"cut", cut()},
+       {"cut", cut() + dips()},
        {"becomes", cuts ? "It has\n/// just happened at `to`, unless the turn is the last."
                         : "`to` is\n/// the end of the step."},
        {"last", cuts ? ", bool last" : ""},

@@ -133,11 +133,33 @@ Cost most(const Cost& a, const Cost& b) {
           std::max(a.sqrt, b.sqrt), std::max(a.sin, b.sin), std::max(a.cos, b.cos)};
 }
 
+/// The look at guards halfway.
+Cost dip_cost(const Stepper& stepper, const StepPhase& phase) {
+  const int n = stepper.signature.inputs.front().size;
+  const auto guards = static_cast<int>(dipping(stepper, phase).size());
+  if (guards == 0) {
+    return {};
+  }
+  const bool speed = phase.guards_speed;
+  const Cost between = n * Cost{.add = speed ? 6 : 3, .mul = speed ? 4 : 2} +
+                       Cost{.add = 2, .mul = 2, .div = speed ? 1 : 0};
+  return between + guard_cost(phase) + guards * Cost{.add = 4, .mul = 2};
+}
+
+/// What is found there, in one part of a step.
+Cost found_cost(const Stepper& stepper, const StepPhase& phase) {
+  const auto guards = static_cast<int>(dipping(stepper, phase).size());
+  return guards == 0 ? Cost{}
+                     : guards * Cost{.add = 9, .mul = 9, .div = 6} + Cost{.add = 1, .mul = 1} +
+                           advance_cost(stepper, phase, true) + guard_cost(phase) +
+                           2 * of_all(phase.approaches) + choice_cost(stepper, phase);
+}
+
 /// A part of a step without an event in it, and what an event adds.
 Cost worst_part_cost(const Stepper& stepper, const StepPhase& phase) {
   return clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
          advance_cost(stepper, phase, true) + 2 * (guard_cost(phase) + of_all(phase.approaches)) +
-         choice_cost(stepper, phase);
+         choice_cost(stepper, phase) + dip_cost(stepper, phase) + found_cost(stepper, phase);
 }
 
 Cost worst_event_cost(const Stepper& stepper, const StepPhase& phase) {
@@ -204,13 +226,25 @@ bool pulls(const StepPhase& phase) {
                      [](const StepEvent& event) { return event.cause == StepCause::kPull; });
 }
 
+std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase) {
+  std::vector<int> guards;
+  for (const StepEvent& event : phase.events) {
+    const bool falls = event.cause == StepCause::kCross || event.cause == StepCause::kFall;
+    if (falls && stepper.cuts > 0) {
+      guards.push_back(event.guard);
+    }
+  }
+  return guards;
+}
+
 Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
   if (!stepper.ends()) {
     return integration_cost(stepper, phase.dynamics_cost, false);
   }
   // times are looked at before the step and behind it
   return 2 * clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
-         advance_cost(stepper, phase, false) + (pulls(phase) ? 2 : 1) * guard_cost(phase);
+         advance_cost(stepper, phase, false) +
+         (stepper.cuts > 0 || pulls(phase) ? 2 : 1) * guard_cost(phase) + dip_cost(stepper, phase);
 }
 
 Cost step_cost(const Stepper& stepper) { return step_cost(stepper, stepper.phases.front()); }

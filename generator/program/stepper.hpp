@@ -68,6 +68,7 @@ struct StepPhase {
   std::string dynamics;  ///< the function that it calls
   bool takes_time = false;
   bool takes_anchor = false;
+  bool guards_speed = false;  ///< an event waits for velocities
   int rows = 0;
   Cost dynamics_cost;              ///< of one call
   Cost dynamics_worst_cost;        ///< of the dearest call
@@ -111,6 +112,8 @@ std::vector<Lasting> clocks(const StepPhase& phase);
 bool takes_time(const Staged& staged);
 /// True if some event of the phase waits for a reaction.
 bool pulls(const StepPhase& phase);
+/// Guards of a phase that may fall below zero and rise again within a step and are looked at there.
+std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase);
 
 /// Operations of one step in a phase while no guard is negative.
 Cost step_cost(const Stepper& stepper, const StepPhase& phase);

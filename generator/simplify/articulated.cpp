@@ -26,8 +26,10 @@ Mat3 transposed(const Mat3& a) {
 
 }  // namespace
 
-ArticulatedLimbs::ArticulatedLimbs(const Kinematics& k, int first, const Vec3& omega)
+ArticulatedLimbs::ArticulatedLimbs(const Kinematics& k, int first, const Vec3& omega,
+                                   const JointForce& force)
     : k_(k),
+      force_(force),
       first_(first),
       omega_(index(k.size())),
       zeta_angular_(index(k.size())),
@@ -89,7 +91,7 @@ void ArticulatedLimbs::fold(int i) {
   const Expr diagonal = revolute ? joint.moment[2] : joint.force[2];
   const Expr bias = revolute ? body.bias.moment[2] : body.bias.force[2];
   joint.inverse = constant(k_.graph(), Real(1)) / diagonal;
-  joint.rest = k_.force(i) - bias;
+  joint.rest = force_(i) - bias;
   k_.graph().name(joint.inverse.ref(), "inverse_pivot", i);
   k_.graph().name(joint.rest.ref(), "u", i);
   const int f = k_.link(i).father;
@@ -126,7 +128,7 @@ void ArticulatedLimbs::project(int i, ArticulatedInertia& projected) {
     }
   }
   Wrench bias = {body.bias.force + joint.rest * force, body.bias.moment + joint.rest * moment};
-  (revolute ? bias.moment : bias.force)[2] = k_.force(i);
+  (revolute ? bias.moment : bias.force)[2] = force_(i);
   const Vec3& angular = zeta_angular_[index(i)];
   const Vec3& linear = zeta_linear_[index(i)];
   projected.bias.force =
@@ -190,8 +192,9 @@ std::vector<Expr> ArticulatedLimbs::accelerations(const Vec3& alpha, const Vec3&
   return qdd;
 }
 
-std::vector<Expr> articulated_forward_dynamics(const Kinematics& k, const Vec3& ground) {
-  return ArticulatedLimbs(k, 0, {}).accelerations({}, ground);
+std::vector<Expr> articulated_forward_dynamics(const Kinematics& k, const Vec3& ground,
+                                               const JointForce& force) {
+  return ArticulatedLimbs(k, 0, {}, force).accelerations({}, ground);
 }
 
 }  // namespace treedyn::simplify

@@ -1,6 +1,7 @@
 // Forward dynamics by articulated bodies: the elimination of 7.4 carried out link by link, O(N).
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "simplify/kinematics.hpp"
@@ -17,8 +18,12 @@ struct ArticulatedInertia {
   Wrench bias;
 };
 
-/// qdd for q, qd, tau. \param ground acceleration of the ground, -g.
-std::vector<Expr> articulated_forward_dynamics(const Kinematics& kinematics, const Vec3& ground);
+/// Drive force of joint i along +z of its normal frame.
+using JointForce = std::function<Expr(int)>;
+
+/// qdd for q, qd and joint forces. \param ground acceleration of the ground, -g.
+std::vector<Expr> articulated_forward_dynamics(const Kinematics& kinematics, const Vec3& ground,
+                                               const JointForce& force);
 
 /// The same for the limbs of a free base: folds them into the trunk's inertia and, once the trunk's
 /// acceleration is known, finds their joints' accelerations.
@@ -26,7 +31,8 @@ class ArticulatedLimbs {
  public:
   /// \param omega angular velocity of the trunk, \param first link that is folded (the trunk is
   /// first - 1); 0: all links, no trunk.
-  ArticulatedLimbs(const Kinematics& kinematics, int first, const Vec3& omega);
+  ArticulatedLimbs(const Kinematics& kinematics, int first, const Vec3& omega,
+                   const JointForce& force);
   /// \pre first > 0
   [[nodiscard]] const ArticulatedInertia& trunk() const { return inertia_[index(first_ - 1)]; }
   /// Joint accelerations of the links from `first` on; the others are zero.
@@ -49,6 +55,7 @@ class ArticulatedLimbs {
   void add_to_father(int i, const ArticulatedInertia& projected);
 
   const Kinematics& k_;
+  const JointForce& force_;
   int first_;
   std::vector<Vec3> omega_;
   std::vector<Vec3> zeta_angular_;  ///< velocity products of the angular acceleration

@@ -110,7 +110,10 @@ std::vector<Expr> build_forward_dynamics(const Task& task) {
         task, forward_dynamics_by_trunk(k, -k.ground_acceleration(), k.variant().articulated));
   }
   if (k.variant().articulated && one_joint_one_coordinate) {
-    return of_coordinates(task, articulated_forward_dynamics(k, k.ground_acceleration()));
+    const JointForce force = [&k](int i) {
+      return k.force(i);
+    };
+    return of_coordinates(task, articulated_forward_dynamics(k, k.ground_acceleration(), force));
   }
   const std::vector<Expr> bias = build_with_gravity(task);
   std::vector<Expr> right;

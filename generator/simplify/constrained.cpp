@@ -108,12 +108,24 @@ std::vector<Expr> lower_half(const Reduced& reduced) {
   return K;
 }
 
+/// Of a scene without rows: qdd and the depths of contacts.
+std::vector<Expr> articulated_dynamics(const Task& task, const SceneArrays& arrays) {
+  const SceneForces forces(task, arrays);
+  std::vector<Expr> result = articulated_accelerations(task, forces);
+  const std::vector<Expr> depths = contact_depths(*task.options.scene, task, forces);
+  result.insert(result.end(), depths.begin(), depths.end());
+  return result;
+}
+
 }  // namespace
 
 std::vector<Expr> build_constrained_dynamics(const Task& task) {
   Graph& graph = task.kinematics.graph();
   const std::vector<int>& active = task.options.active;
   const SceneArrays arrays = constrained_arrays(*task.options.scene, active);
+  if (task.kinematics.variant().articulated) {
+    return articulated_dynamics(task, arrays);
+  }
   const SceneSystem system(task, arrays);
   const Factorization factor(graph, task.tree.dof(), system.inertia());
   const SceneRows::Correction correction = [&](int constraint) {
@@ -138,7 +150,7 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   const std::vector<Expr> x = factor.from_root(with_reactions(reduced, mu));
   const std::vector<Expr> qdd = system.accelerations(x);
   result.insert(result.end(), qdd.begin(), qdd.end());
-  const std::vector<Expr> lambda = rows.reactions(mu);
+  const std::vector<Expr> lambda = system.reactions(rows.reactions(mu));
   result.insert(result.end(), lambda.begin(), lambda.end());
   const std::vector<Expr> depths = contact_depths(*task.options.scene, task, system.forces());
   result.insert(result.end(), depths.begin(), depths.end());
@@ -177,7 +189,7 @@ std::vector<Expr> build_impact(const Task& task) {
   for (std::size_t i = 0; i < qd.size(); ++i) {
     result.push_back(qd[i] + change[i]);
   }
-  const std::vector<Expr> P = rows.reactions(mu);
+  const std::vector<Expr> P = system.reactions(rows.reactions(mu));
   result.insert(result.end(), P.begin(), P.end());
   return result;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "common/error.hpp"
-#include "simplify/articulated.hpp"
 #include "simplify/composite.hpp"
 #include "simplify/factor.hpp"
 #include "simplify/sweeps.hpp"
@@ -96,9 +95,9 @@ void add_equations(const Kinematics& k, const Wrench& drive, const JointForce& f
 }
 
 /// x of `joint_accelerations`.
-std::vector<Expr> by_articulated_limbs(const Kinematics& k, const Wrench& drive,
-                                       const Vec3& omega) {
-  const ArticulatedLimbs limbs(k, kTrunk + 1, omega);
+std::vector<Expr> by_articulated_limbs(const Kinematics& k, const Wrench& drive, const Vec3& omega,
+                                       const JointForce& force) {
+  const ArticulatedLimbs limbs(k, kTrunk + 1, omega, force);
   const ArticulatedInertia& trunk = limbs.trunk();
   SparseSymmetric a;
   for (int r = 0; r < 3; ++r) {
@@ -186,7 +185,7 @@ std::vector<Expr> forward_dynamics_by_trunk(const Kinematics& k, const Vec3& gra
   const Wrench drive = drive_wrench(g, force);
   const TrunkVelocity velocity = trunk_velocity(k);
   return joint_accelerations(k, g, velocity, gravity,
-                             by_articulated_limbs(k, drive, velocity.omega));
+                             by_articulated_limbs(k, drive, velocity.omega, force));
 }
 
 }  // namespace treedyn::simplify

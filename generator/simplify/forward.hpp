@@ -1,16 +1,13 @@
 // Forward dynamics: qdd = A^-1 (tau - B - G), by factoring A or by articulated bodies.
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "simplify/articulated.hpp"
 #include "simplify/composite.hpp"
 #include "simplify/kinematics.hpp"
 
 namespace treedyn::simplify {
-
-/// Drive force of joint i along +z of its normal frame.
-using JointForce = std::function<Expr(int)>;
 
 /// The base's turning axes in the trunk: a3 = sine z + cosine b, a4, z with b, a4, z orthonormal.
 struct Gimbal {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "model/mass_unit.hpp"
 #include "program/rank.hpp"
 #include "simplify/constrained.hpp"
 #include "simplify/constrained_inverse.hpp"
@@ -13,6 +14,7 @@
 #include "simplify/scene_names.hpp"
 #include "simplify/scene_rank.hpp"
 #include "simplify/scene_steps.hpp"
+#include "simplify/scene_system.hpp"
 #include "simplify/search.hpp"
 
 namespace treedyn::simplify {
@@ -28,7 +30,11 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 class SceneFormulator {
  public:
   SceneFormulator(const model::Scene& scene, const Options& options)
-      : scene_(scene), options_(options), dof_(scene.tree.dof()), positions_(scene) {
+      : scene_(scene),
+        tree_(model::in_mass_unit(scene.tree, model::mass_unit(scene.tree))),
+        options_(options),
+        dof_(scene.tree.dof()),
+        positions_(scene) {
     options_.gravity = scene.gravity;
     options_.points = scene.points;
     options_.scene = &scene;
@@ -91,6 +97,7 @@ class SceneFormulator {
   }
 
   const model::Scene& scene_;
+  const model::Tree tree_;  ///< in its unit of mass
   Options options_;
   int dof_;
   ScenePositions positions_;
@@ -127,6 +134,7 @@ void SceneFormulator::add_depths(program::Signature& inner) const {
 program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) const {
   Options options = options_;
   options.active = state.active;
+  const bool free = rows_of(scene_, options.active) == 0 && can_be_articulated(scene_);
   const Recipe recipe{"",
                       "",
                       "",
@@ -137,12 +145,13 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
                        .moment_form = true,
                        .tensor_form = true,
                        .trunk = true,
+                       .articulated = free,
                        .fixed_length = true},
                       build_constrained_dynamics};
   const SceneArrays arrays = constrained_arrays(scene_, options.active);
   const int r = rows_of(scene_, options.active);
   program::Staged staged;
-  staged.function = cheapest(scene_.tree, recipe, options);
+  staged.function = cheapest(tree_, recipe, options);
   const program::Array tau = {"tau", dof_, kForce};
   const program::Array qdd = {"qdd", dof_, kAcceleration};
   staged.signature = {"constrained_dynamics" + state.ending,
@@ -269,7 +278,7 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
       build_impact};
   const int r = rows_of(scene_, impact.constraints);
   program::Staged staged;
-  staged.function = cheapest(scene_.tree, recipe, options);
+  staged.function = cheapest(tree_, recipe, options);
   const program::Array minus = {"qd_minus", dof_, "rad/s|m/s"};
   const program::Array plus = {"qd_plus", dof_, "rad/s|m/s"};
   const program::Array P = {"P", r, "N s|N m s"};

@@ -233,6 +233,9 @@ StepPhase StepMaker::phase(std::size_t state, const Staged& dynamics) const {
       add_event(event, state, result, guarded, approached);
     }
   }
+  result.guards_speed = std::any_of(guarded.begin(), guarded.end(), [](const Event& event) {
+    return event.kind == EventKind::kExpression && event.value.uses(model::Quantity::kVelocity);
+  });
   if (!guarded.empty()) {
     result.guards.push_back(guards(guarded, state, result.rows));
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/mass_unit.hpp"
+#include "simplify/articulated.hpp"
 #include "simplify/builders.hpp"
 
 namespace treedyn::simplify {
@@ -10,10 +12,31 @@ namespace {
 
 constexpr int kBaseJoints = 6;
 
+Expr divided(Graph& graph, const Expr& force, const Real& unit) {
+  return unit == 1 ? force : force * constant(graph, 1 / unit);
+}
+
+/// Calls `add(k, force)` for every coordinate k that a load moves: C f + H n.
+template <class Add>
+void each_load(const model::Scene& scene, const SceneForces& forces, const SceneFrame& frame,
+               Add add) {
+  for (const AppliedLoad& load : forces.loads()) {
+    const model::Point& point = scene.points[static_cast<std::size_t>(load.point)];
+    const MotionMap map = load.is_moment ? frame.turning(point) : frame.point(point);
+    const Vec3 value = frame.direction(load.value);
+    for (const auto& [k, column] : map.columns) {
+      add(static_cast<std::size_t>(k), dot(column, value));
+    }
+  }
+}
+
 }  // namespace
 
 SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays, bool forces)
-    : task_(task), scene_(*task.options.scene), forces_(task, arrays) {
+    : task_(task),
+      scene_(*task.options.scene),
+      unit_(model::mass_unit(scene_.tree)),
+      forces_(task, arrays) {
   add_equations(task.kinematics.variant().trunk && can_use_trunk(), forces);
   add_armatures();
   if (forces) {
@@ -41,20 +64,24 @@ bool SceneSystem::can_use_trunk() const {
 void SceneSystem::add_armatures() {
   for (const model::Armature& armature : scene_.armatures) {
     const int k = task_.tree.drives[static_cast<std::size_t>(armature.joint)].coordinate;
-    a_[{k, k}] += constant(task_.kinematics.graph(), armature.inertia);
+    a_[{k, k}] += constant(task_.kinematics.graph(), armature.inertia / unit_);
   }
 }
 
-/// C f + H n.
 void SceneSystem::add_loads() {
-  for (const AppliedLoad& load : forces_.loads()) {
-    const model::Point& point = scene_.points[static_cast<std::size_t>(load.point)];
-    const MotionMap map = load.is_moment ? frame_->turning(point) : frame_->point(point);
-    const Vec3 value = frame_->direction(load.value);
-    for (const auto& [k, column] : map.columns) {
-      right_[static_cast<std::size_t>(k)] += dot(column, value);
-    }
+  each_load(scene_, forces_, *frame_,
+            [&](std::size_t k, const Expr& force) { right_[k] += in_unit(force); });
+}
+
+Expr SceneSystem::in_unit(const Expr& force) const {
+  return divided(task_.kinematics.graph(), force, unit_);
+}
+
+std::vector<Expr> SceneSystem::reactions(std::vector<Expr> of_unit) const {
+  for (Expr& reaction : of_unit) {
+    reaction = divided(task_.kinematics.graph(), reaction, 1 / unit_);
   }
+  return of_unit;
 }
 
 void SceneSystem::add_equations(bool by_trunk, bool forces) {
@@ -62,7 +89,7 @@ void SceneSystem::add_equations(bool by_trunk, bool forces) {
   frame_.emplace(task_, by_trunk, forces && scene_.velocity_products);
   if (by_trunk) {
     trunk_ = trunk_system(k, [&](int i) {
-      const Expr force = forces ? forces_.joint(i) : Expr();
+      const Expr force = forces ? in_unit(forces_.joint(i)) : Expr();
       return k.link(i).sign > 0 ? force : -force;
     });
     a_ = trunk_->a;
@@ -76,7 +103,8 @@ void SceneSystem::add_equations(bool by_trunk, bool forces) {
     for (int j = 0; j <= i; ++j) {
       a_[{i, j}] = a[static_cast<std::size_t>(i * n + j)];
     }
-    right_.push_back(forces ? forces_.joint(i) - bias[static_cast<std::size_t>(i)] : Expr());
+    right_.push_back(forces ? in_unit(forces_.joint(i)) - bias[static_cast<std::size_t>(i)]
+                            : Expr());
   }
 }
 
@@ -112,6 +140,27 @@ std::vector<Expr> SceneSystem::velocities(const std::vector<Expr>& qd) const {
 
 std::vector<Expr> SceneSystem::joint_velocities(const std::vector<Expr>& x) const {
   return trunk_ ? joint_accelerations(task_.kinematics, trunk_->gimbal, {}, {}, x) : x;
+}
+
+bool can_be_articulated(const model::Scene& scene) {
+  return scene.armatures.empty() && scene.tree.dof() == scene.tree.size();
+}
+
+std::vector<Expr> articulated_accelerations(const Task& task, const SceneForces& forces) {
+  const model::Scene& scene = *task.options.scene;
+  const Kinematics& k = task.kinematics;
+  const Real unit = model::mass_unit(scene.tree);
+  const SceneFrame frame(task, false, scene.velocity_products);
+  std::vector<Expr> applied;
+  for (int i = 0; i < scene.tree.dof(); ++i) {
+    applied.push_back(forces.joint(i));
+  }
+  each_load(scene, forces, frame, [&](std::size_t i, const Expr& force) { applied[i] += force; });
+  const JointForce along = [&](int i) {
+    const Expr force = divided(k.graph(), applied[static_cast<std::size_t>(i)], unit);
+    return k.link(i).sign > 0 ? force : -force;
+  };
+  return articulated_forward_dynamics(k, k.ground_acceleration(), along);
 }
 
 }  // namespace treedyn::simplify

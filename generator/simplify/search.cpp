@@ -9,6 +9,7 @@
 #include <string>
 
 #include "program/limb_code.hpp"
+#include "program/rounding.hpp"
 #include "simplify/gate.hpp"
 
 namespace treedyn::simplify {
@@ -360,7 +361,11 @@ program::Function Search::finished(const Variant& variant) const {
 
 namespace {
 
-/// The cheaper of the methods that `options` leave open.
+/// A method whose bounds of rounding are so many times those of another one is not taken.
+constexpr double kMuchWorse = 100;
+
+/// The cheaper of the methods that `options` leave open; one that loses digits against the other
+/// counts as dearer.
 program::Function best_method(const model::Tree& tree, const Recipe& recipe,
                               const Options& options) {
   Variant start = plain_variant(tree);
@@ -371,9 +376,11 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
   if (two_methods && options.forward_dynamics == ForwardDynamics::kCheapest) {
     start.articulated = true;
     program::Function other = Search(tree, recipe, options, start).run();
-    if (weight(program::cost(other)) < weight(program::cost(function))) {
-      return other;
-    }
+    const bool cheaper = weight(program::cost(other)) < weight(program::cost(function));
+    const program::Function& taken = cheaper ? other : function;
+    const program::Function& left = cheaper ? function : other;
+    const bool both = taken.outputs.size() == left.outputs.size();  // limbs may be in one only
+    return both && program::amplification(taken, left) > kMuchWorse ? left : taken;
   }
   return function;
 }

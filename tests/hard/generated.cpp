@@ -134,24 +134,37 @@ void GeneratedMotion::advance_to(double end, const std::function<void()>& observ
   }
 }
 
-/// Quintic through positions, velocities and accelerations of both ends; beside an event the
-/// parabola of the nearer end.
+/// One step of rk4 of the generated dynamics, of any length: where no step ends, and no event is.
+Moment GeneratedMotion::moved(const Moment& from, double s) const {
+  const auto at = [&](double c, const Vector& v, const Vector& a) {
+    Moment result = from;
+    result.t = from.t + c;
+    result.q = from.q + c * v;
+    result.qd = from.qd + c * a;
+    return result;
+  };
+  const Vector a1 = acceleration(from);
+  const Moment second = at(s / 2, from.qd, a1);
+  const Vector a2 = acceleration(second);
+  const Moment third = at(s / 2, second.qd, a2);
+  const Vector a3 = acceleration(third);
+  const Moment fourth = at(s, third.qd, a3);
+  const Vector a4 = acceleration(fourth);
+  return at(s, (from.qd + 2 * (second.qd + third.qd) + fourth.qd) / 6,
+            (a1 + 2 * (a2 + a3) + a4) / 6);
+}
+
+/// Quintic through positions, velocities and accelerations of both ends; beside an event from the
+/// nearer end.
 Moment GeneratedMotion::between(const Moment& a, const Moment& b, double t) const {
+  if (const std::optional<Fall> fall = landing(a, b)) {
+    const Moment& from = t >= fall->time ? b : a;
+    return moved(from, t - from.t);
+  }
   Moment result = a;
   result.t = t;
   const double x = t - a.t;
   const Vector qdd_a = acceleration(a);
-  if (const std::optional<Fall> fall = landing(a, b)) {
-    const bool behind = t >= fall->time;
-    const Moment& from = behind ? b : a;
-    const Vector qdd = behind ? acceleration(b) : qdd_a;
-    const double s = t - from.t;
-    result = from;
-    result.t = t;
-    result.q = from.q + s * from.qd + s * s / 2 * qdd;
-    result.qd = from.qd + s * qdd;
-    return result;
-  }
   const Vector qdd_b = acceleration(b);
   const Vector d = b.q - a.q - h_ * a.qd - h_ * h_ / 2 * qdd_a;
   const Vector e = h_ * (b.qd - a.qd - h_ * qdd_a);
@@ -178,7 +191,7 @@ std::pair<double, double> GeneratedMotion::height(const model::Event& event,
           n.dot(link.v + link.omega.cross(p - link.O))};
 }
 
-/// What ended a phase within the step: where the parabola from its beginning meets the plane.
+/// What ended a phase within the step: where the motion from its beginning meets the plane.
 std::optional<Fall> GeneratedMotion::landing(const Moment& a, const Moment& b) const {
   const auto& states = code_->states();
   const auto phase = static_cast<std::size_t>(states[static_cast<std::size_t>(a.state)].phase);
@@ -204,16 +217,11 @@ std::optional<Fall> GeneratedMotion::landing(const Moment& a, const Moment& b) c
 }
 
 double GeneratedMotion::fall_time(const model::Event& event, const Moment& a) const {
-  const Vector qdd = acceleration(a);
-  const auto at = [&](double s) {
-    Moment moment = a;
-    moment.q = a.q + s * a.qd + s * s / 2 * qdd;
-    return height(event, moment).first;
-  };
   double low = 0;
   double high = h_;
   while (low < (low + high) / 2 && (low + high) / 2 < high) {
-    (at((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
+    const double middle = (low + high) / 2;
+    (height(event, moved(a, middle)).first > 0 ? low : high) = middle;
   }
   return a.t + high;
 }
@@ -222,14 +230,10 @@ void GeneratedMotion::record(const Fall& fall, const Moment& a, const Moment& b)
   simulation::EventRecord result;
   result.time = fall.time;
   result.phase = code_->states()[static_cast<std::size_t>(a.state)].phase;
-  const Vector qdd = acceleration(a);
-  const double s = fall.time - a.t;
-  Moment before = a;
-  before.q = a.q + s * a.qd + s * s / 2 * qdd;
-  before.qd = a.qd + s * qdd;
+  const Moment before = moved(a, fall.time - a.t);
   result.q = before.q;
   result.qd_before = before.qd;
-  result.qd_after = b.qd - (b.t - fall.time) * acceleration(b);
+  result.qd_after = moved(b, fall.time - b.t).qd;
   if (fall.event != nullptr && fall.event->impact) {
     const auto all = simplify::impacts_of(scene_);
     const auto used = std::find_if(all.begin(), all.end(), [&](const simplify::ImpactName& name) {

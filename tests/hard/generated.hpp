@@ -58,6 +58,7 @@ class GeneratedMotion final : public Motion {
   [[nodiscard]] Moment stepped(const Moment& moment);
   [[nodiscard]] Arrays dynamics(const Moment& moment, const Numbers& tau) const;
   [[nodiscard]] Vector acceleration(const Moment& moment) const;
+  [[nodiscard]] Moment moved(const Moment& from, double s) const;
   [[nodiscard]] Moment between(const Moment& a, const Moment& b, double t) const;
   [[nodiscard]] std::pair<double, double> height(const model::Event& event,
                                                  const Moment& moment) const;

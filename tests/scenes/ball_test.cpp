@@ -45,6 +45,50 @@ class BallCode {
   std::unique_ptr<CompiledModel> code_;
 };
 
+/// A ball under a gravity of 10 that pulls away from a plane, which it only grazes.
+std::string grazing(const std::string& event, const std::string& gravity,
+                    const std::string& integrator) {
+  return "effects:\n  gravity: [0, 0, " + gravity +
+         "]\n  point_constraint: [{name: floor, point: tip, along: [z]}]\nphases:\n  - name: fall\n"
+         "    active: []\n    until:\n      - " +
+         event +
+         "\n        impact: {constraints: [floor], restitution: 1}\n        then: fall\n"
+         "duration: 1\nstepping: {integrator: " +
+         integrator + ", step: 0.02}\n";
+}
+
+/// z and its speed behind one step, if the ball rebounds at the plane: 4.5e-4 m from it at 0.1 m/s
+/// it would be 5e-5 m behind it and back within the step.
+void expect_rebound(const BallCode& scene, double start, double side) {
+  const Measurement step =
+      scene.code().measure("step", {{start + side * 4.5e-4}, {-side * 0.1}, {0}});
+  ASSERT_EQ(step.status, 0);
+  const double speed = std::sqrt(0.1 * 0.1 - 2 * 10 * 4.5e-4);
+  const double rest = 0.02 - (0.1 - speed) / 10;
+  const double late = 1e-5 * 0.02;  // s: three cuts
+  EXPECT_NEAR(step.values.at(0), start + side * (speed * rest + 5 * rest * rest), 0.4 * late);
+  EXPECT_NEAR(step.values.at(1), side * (speed + 10 * rest), 20 * late);
+}
+
+TEST(PhaseStep, SeesGuardsThatFallAndRiseWithinAStep) {
+  for (const std::string integrator : {"rk4", "dopri5-fixed", "sdirk2"}) {
+    SCOPED_TRACE(integrator);
+    expect_rebound(BallCode(grazing("touch_down: {point: tip}", "10", integrator)), 0, 1);
+    expect_rebound(BallCode(grazing("expression: 0.3 - q[height]", "-10", integrator)), 0.3, -1);
+  }
+}
+
+/// Euler's shorter steps from 2e-4 m: z = 2e-4 - 0.1 s + 10 s^2, below zero from 2.76 ms on.
+TEST(PhaseStep, SeesThemInEulersStepsToo) {
+  const BallCode scene(grazing("touch_down: {point: tip}", "10", "semi-implicit-euler"));
+  const Measurement step = scene.code().measure("step", {{2e-4}, {-0.1}, {0}});
+  const double until = (0.1 - std::sqrt(0.01 - 40 * 2e-4)) / 20;
+  const double rest = 0.02 - until;
+  const double speed = 0.1 - 10 * until;
+  EXPECT_NEAR(step.values.at(1), speed + 10 * rest, 1e-4);
+  EXPECT_NEAR(step.values.at(0), rest * (speed + 10 * rest), 1e-5);
+}
+
 TEST(PhaseStep, BouncesAndComesToRest) {
   const BallCode scene(
       "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: floor, point: tip, along: "

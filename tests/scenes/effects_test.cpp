@@ -288,7 +288,7 @@ struct Feet {
   long limit;  ///< tests/benchmark/README.md
 };
 
-const Feet kFeet[] = {{"hyq_no_sensors.urdf", "lf_foot", "rh_foot", kPoints, 4500},
+const Feet kFeet[] = {{"hyq_no_sensors.urdf", "lf_foot", "rh_foot", kPoints, 4164},
                       {"simple_humanoid.urdf", "l_ankle", "r_ankle", kClamped, 14000}};
 
 class TwoFeet : public testing::TestWithParam<Feet> {};
