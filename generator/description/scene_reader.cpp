@@ -59,9 +59,9 @@ class SceneReader {
       : file_(file),
         root_(file, root, "scene file", {"schema", "id", "model", "scene", "expected", "verified"}),
         fields_(file, root_.get("scene"), "scene",
-                {"gravity", "q0", "qd0", "tau", "t0", "duration", "joint_springs", "point_springs",
-                 "body_torques", "forces", "constraints", "redundant", "active", "phases",
-                 "start_phase"}) {}
+                {"gravity", "q0", "qd0", "tau", "t0", "duration", "joint_springs", "armatures",
+                 "point_springs", "body_torques", "forces", "constraints", "redundant", "active",
+                 "phases", "start_phase"}) {}
 
   model::Scene run() {
     scene_.name = root_.find("id") == nullptr ? "scene" : root_.name("id", "scene").text;
@@ -93,6 +93,7 @@ class SceneReader {
 
   void read_effects() {
     read_all("joint spring", "joint_springs", &SceneReader::read_joint_spring);
+    read_all("armature", "armatures", &SceneReader::read_armature);
     read_all("point spring", "point_springs", &SceneReader::read_point_spring);
     read_all("body torque", "body_torques", &SceneReader::read_torque);
     read_all("force", "forces", &SceneReader::read_force);
@@ -124,6 +125,11 @@ class SceneReader {
     const SceneFields fields(file_, node, what, {"name", "joint", "k", "d", "q0"});
     scene_.joint_springs.push_back(
         {joint(fields), fields.number("k"), fields.number_or("d", 0), fields.number_or("q0", 0)});
+  }
+
+  void read_armature(const Node& node, const std::string& what) {
+    const SceneFields fields(file_, node, what, {"name", "joint", "inertia"});
+    scene_.armatures.push_back({joint(fields), fields.amount("inertia")});
   }
 
   void read_point_spring(const Node& node, const std::string& what) {

@@ -167,4 +167,51 @@ double amplification(const Function& function, const Function& before) {
       largest_quotient(summed_errors<float>(function, ours), summed_errors<float>(before, theirs)));
 }
 
+namespace {
+
+/// At the state that float has.
+template <class Scalar>
+std::vector<Scalar> results_at(const Function& function, int state) {
+  const std::vector<Scalar> values = node_values<Scalar>(
+      function.graph, function.outputs,
+      [state](int array, int element) {
+        return Scalar(static_cast<float>(kLargestInput * sample_input(array, element, state)));
+      },
+      [](Kind kind, const Scalar& x) {
+        using std::cos;
+        using std::sin;
+        using std::sqrt;
+        return kind == Kind::kSin   ? Scalar(sin(x))
+               : kind == Kind::kCos ? Scalar(cos(x))
+                                    : Scalar(sqrt(abs(x)));
+      });
+  std::vector<Scalar> results;
+  for (const Ref output : function.outputs) {
+    const Scalar value = values[static_cast<std::size_t>(std::abs(output))];
+    results.push_back(output < 0 ? Scalar(-value) : value);
+  }
+  return results;
+}
+
+}  // namespace
+
+double float_error(const Function& function) {
+  double worst = 0;
+  for (int state = 1; state <= kStates; ++state) {
+    const std::vector<Real> exact = results_at<Real>(function, state);
+    const std::vector<float> results = results_at<float>(function, state);
+    double error = 0;
+    double size = 0;
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      const auto value = static_cast<double>(exact[k]);
+      const double off = std::abs(double{results[k]} - value);
+      size = std::max(size, std::abs(value));
+      error = off <= error ? error : off;  // that of a NaN is one
+    }
+    const double part = error == 0 ? 0 : error / size;
+    worst = std::isfinite(part) ? std::max(worst, part) : std::numeric_limits<double>::infinity();
+  }
+  return worst;
+}
+
 }  // namespace treedyn::program

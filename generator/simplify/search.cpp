@@ -361,28 +361,50 @@ program::Function Search::finished(const Variant& variant) const {
 
 namespace {
 
-/// A method whose bounds of rounding are so many times those of another one is not taken.
-constexpr double kMuchWorse = 100;
+/// What float may lose, as a part of the results, before the other method is asked, and how much
+/// better that one has to be.
+constexpr double kLost = 1e-3;
+constexpr double kBetter = 10;
+/// Without passes so many times dearer: no search makes up for that.
+constexpr int kHopeless = 4;
 
-/// The cheaper of the methods that `options` leave open; one that loses digits against the other
-/// counts as dearer.
+/// True if float loses much with `taken` and not with `left`. Where one of them has no limbs to
+/// share, there is nothing to compare.
+bool loses(const program::Function& taken, const program::Function& left) {
+  if (taken.outputs.size() != left.outputs.size()) {
+    return false;
+  }
+  const double error = program::float_error(taken);
+  return error > kLost && program::float_error(left) < error / kBetter;
+}
+
+/// The cheaper of the methods that `options` leave open, or the one that float can do with. Of long
+/// chains A is not searched: it has N^2 entries.
 program::Function best_method(const model::Tree& tree, const Recipe& recipe,
                               const Options& options) {
-  Variant start = plain_variant(tree);
-  switch_off(options.without, start);
-  const bool two_methods = recipe.freedom.articulated;
-  start.articulated = two_methods && options.forward_dynamics == ForwardDynamics::kArticulated;
-  program::Function function = Search(tree, recipe, options, start).run();
-  if (two_methods && options.forward_dynamics == ForwardDynamics::kCheapest) {
-    start.articulated = true;
-    program::Function other = Search(tree, recipe, options, start).run();
-    const bool cheaper = weight(program::cost(other)) < weight(program::cost(function));
-    const program::Function& taken = cheaper ? other : function;
-    const program::Function& left = cheaper ? function : other;
-    const bool both = taken.outputs.size() == left.outputs.size();  // limbs may be in one only
-    return both && program::amplification(taken, left) > kMuchWorse ? left : taken;
+  Variant factor = plain_variant(tree);
+  switch_off(options.without, factor);
+  Variant articulated = factor;
+  articulated.articulated = true;
+  const auto search = [&](const Variant& start) {
+    return Search(tree, recipe, options, start).run();
+  };
+  if (!recipe.freedom.articulated || options.forward_dynamics == ForwardDynamics::kFactor) {
+    return search(factor);
   }
-  return function;
+  const auto plain_cost = [&](const Variant& start) {
+    return weight(program::cost(build(tree, recipe, options, start)));
+  };
+  if (options.forward_dynamics == ForwardDynamics::kArticulated ||
+      plain_cost(factor) > kHopeless * plain_cost(articulated)) {
+    return search(articulated);
+  }
+  program::Function function = search(factor);
+  program::Function other = search(articulated);
+  if (weight(program::cost(other)) < weight(program::cost(function))) {
+    std::swap(function, other);
+  }
+  return loses(function, other) ? other : function;
 }
 
 program::Function searched(const model::Tree& tree, const Recipe& recipe, const Options& options) {

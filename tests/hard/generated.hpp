@@ -116,6 +116,7 @@ class GeneratedSource final : public Source {
   long steps_ = 0;        ///< of the first motion
   long other_steps_ = 0;  ///< of all others
   long per_step_ = 0;
+  long per_call_ = 0;
 };
 
 }  // namespace treedyn::hard

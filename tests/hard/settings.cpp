@@ -123,6 +123,8 @@ std::unique_ptr<Motion> GeneratedSource::motion(const model::Scene& scene,
     method_ = {integrator, step};
     functions_only_ = scene.duration == 0;
     per_step_ = code->operations("step");
+    const auto start = static_cast<std::size_t>(ready.start_phase);
+    per_call_ = code->operations("constrained_dynamics" + code->states().at(start).ending);
   }
   return std::make_unique<GeneratedMotion>(ready, std::move(code), *this,
                                            first ? steps_ : other_steps_);
@@ -134,7 +136,8 @@ double GeneratedSource::sensitivity(const model::Scene&) {
 
 std::string GeneratedSource::cost() const {
   if (functions_only_) {
-    return fmt::format("generated functions in {}, no step", scalar_);
+    return fmt::format("generated functions in {}, no step, {} operations a call", scalar_,
+                       per_call_);
   }
   return fmt::format(
       "generated {} of {:.3g} s in {}, {} steps, {} evaluations, {} operations a step",
