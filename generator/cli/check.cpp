@@ -32,10 +32,16 @@ std::string model_file_of(const std::string& manifest) {
              : manifest.substr(start, end - start);
 }
 
+/// The content of what is a file: others, like pipes, could be waited for without end.
+std::optional<std::string> content(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) ? read_file(path.string()) : std::nullopt;
+}
+
 /// True if `stem` is a complete set of files of another model.
 bool belongs_to_other_model(const fs::path& folder, const std::string& stem,
                             const std::string& our_model) {
-  const std::optional<std::string> manifest = read_file((folder / (stem + ".json")).string());
+  const std::optional<std::string> manifest = content(folder / (stem + ".json"));
   return manifest && has_mark(*manifest) && model_file_of(*manifest) != our_model &&
          fs::exists(folder / (stem + ".hpp")) && fs::exists(folder / (stem + ".cpp"));
 }
@@ -52,7 +58,7 @@ std::set<std::string> surplus_files(const std::vector<emit::File>& files, const 
     if (ours || (ending != ".hpp" && ending != ".cpp" && ending != ".json")) {
       continue;
     }
-    const std::optional<std::string> text = read_file(entry.path().string());
+    const std::optional<std::string> text = content(entry.path());
     if (text && has_mark(*text) &&
         !belongs_to_other_model(folder, entry.path().stem().string(),
                                 model_file_of(files.back().text))) {
@@ -68,7 +74,7 @@ std::string check_files(const std::vector<emit::File>& files, const std::string&
   std::string report;
   for (const emit::File& file : files) {
     const std::string path = (fs::path(folder) / file.name).string();
-    const std::optional<std::string> present = read_file(path);
+    const std::optional<std::string> present = content(path);
     report += present ? unified_diff(*present, file.text, path, path + " (generated)")
                       : fmt::format("missing: {}\n", path);
   }

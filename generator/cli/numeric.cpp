@@ -69,8 +69,10 @@ std::string numeric_report(const Model& model, const std::vector<emit::File>& fi
   for (const emit::File& file : files) {
     write_files({{(fresh.path() / file.name).string(), file.text}});
   }
+  const fs::path present = fs::path(folder) / (model.name + ".hpp");
+  std::error_code ignored;
   const std::string header =
-      read_file((fs::path(folder) / (model.name + ".hpp")).string()).value_or("");
+      fs::is_regular_file(present, ignored) ? read_file(present.string()).value_or("") : "";
   std::vector<program::Signature> common;
   std::string report;
   const auto points = static_cast<int>(model.points.size());

@@ -15,4 +15,14 @@ std::string closest(std::string_view word, const std::vector<std::string_view>& 
 /// " (did you mean 'x'?)", or nothing.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known);
 
+/// The member `name` of every item; the views are into the list.
+template <class List>
+std::vector<std::string_view> names_of(const List& list) {
+  std::vector<std::string_view> names;
+  for (const auto& item : list) {
+    names.push_back(item.name);
+  }
+  return names;
+}
+
 }  // namespace treedyn

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 
 namespace treedyn::description {
@@ -31,10 +32,14 @@ Rule rule_of(const RawTree& raw, const RawJoint& joint, const NumberReader& numb
   const Text& leader = joint.mimic->joint;
   const auto found = moving.find(leader.text);
   if (found == moving.end()) {
+    std::vector<std::string_view> names;
+    for (const auto& [known, index] : moving) {
+      names.push_back(known);
+    }
     throw InputError(
         location(raw, leader.where),
-        fmt::format("{} of '{}', which is unknown or fixed; expected a joint that moves", name,
-                    shown(leader.text)));
+        fmt::format("{} of '{}', which is unknown or fixed{}; expected a joint that moves", name,
+                    shown(leader.text), did_you_mean(leader.text, names)));
   }
   Rule rule{found->second};
   if (joint.mimic->multiplier) {

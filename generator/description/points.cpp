@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/algebra.hpp"
@@ -85,8 +86,9 @@ class PointList {
   const model::Frame& frame(std::string_view name, std::string_view point) const {
     const model::Frame* const found = find_frame(tree_, name);
     if (found == nullptr) {
-      fail(fmt::format("point '{}': link '{}' is unknown; expected one of {}", shown(point),
-                       shown(name), some_names(frames_)));
+      fail(fmt::format("point '{}': link '{}' is unknown{}; expected one of {}", shown(point),
+                       shown(name), did_you_mean(name, names_of(tree_.frames)),
+                       some_names(frames_)));
     }
     return *found;
   }
@@ -125,8 +127,11 @@ class PointList {
     } else if (frames_.count(name) > 0) {
       result.push_back(on_frame(std::string(name), *frames_.find(name)->second, {}));
     } else {
-      fail(fmt::format("'{}' is neither a point nor a link of the model; expected one of {}",
-                       shown(name), some_names(frames_)));
+      std::vector<std::string_view> known = names_of(tree_.points);
+      const std::vector<std::string_view> links = names_of(tree_.frames);
+      known.insert(known.end(), links.begin(), links.end());
+      fail(fmt::format("'{}' is neither a point nor a link of the model{}; expected one of {}",
+                       shown(name), did_you_mean(name, known), some_names(frames_)));
     }
   }
 
@@ -182,9 +187,11 @@ void resolve_named_points(const RawTree& raw, const NumberReader& numbers, model
     const std::string what = fmt::format("point '{}'", shown(point.name.text));
     const model::Frame* const frame = find_frame(tree, point.link.text);
     if (frame == nullptr) {
-      throw InputError(location(raw, point.link.where),
-                       fmt::format("{}: link '{}' is unknown; expected one of {}", what,
-                                   shown(point.link.text), some_names(frames)));
+      throw InputError(
+          location(raw, point.link.where),
+          fmt::format("{}: link '{}' is unknown{}; expected one of {}", what,
+                      shown(point.link.text), did_you_mean(point.link.text, names_of(tree.frames)),
+                      some_names(frames)));
     }
     const Vector3 at = numbers.vector(point.at, what + ": at");
     tree.points.push_back(on_frame(point.name.text, *frame, at));

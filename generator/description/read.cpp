@@ -52,7 +52,7 @@ bool ends_with(std::string_view text, std::string_view end) {
 
 /// The format of a file, by the end of its name in letters of either case.
 Format format_of(const std::string& path) {
-  if (ends_with(path, ".urdf")) {
+  if (is_urdf(path)) {
     return Format::kUrdf;
   }
   if (path == "-" || ends_with(path, ".yaml") || ends_with(path, ".yml") ||
@@ -70,6 +70,8 @@ RawTree parse_raw(const std::string& text, const std::string& path) {
 }
 
 }  // namespace
+
+bool is_urdf(const std::string& path) { return ends_with(path, ".urdf"); }
 
 std::string read_text(const std::string& path) {
   if (path == "-") {

@@ -26,6 +26,9 @@ struct ReadOptions {
   Real snap = Real("1e-9");  ///< tolerance of snapping, rad; 0 switches it off
 };
 
+/// True for `*.urdf`, in letters of either case.
+bool is_urdf(const std::string& path);
+
 /// The bytes of a file, "-": of standard input. \throws InputError, also beyond 64 MiB
 std::string read_text(const std::string& path);
 

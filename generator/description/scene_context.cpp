@@ -139,7 +139,8 @@ void SceneContext::define_points(const SceneFields& root) {
     if (frame == nullptr) {
       point.fail(
           link.where,
-          fmt::format("link '{}' is not in the model; expected one of {}", shown(link.text),
+          fmt::format("link '{}' is not in the model{}; expected one of {}", shown(link.text),
+                      did_you_mean(link.text, names_of(scene_.tree.frames)),
                       some_of(scene_.tree.frames, [](const model::Frame& f) { return f.name; })));
     }
     model::Point defined = on_frame(name.text, *frame, point.vector_or("at", {}));
@@ -173,10 +174,14 @@ int SceneContext::point(const SceneFields& fields, std::string_view key) {
   if (std::optional<model::Point> point = of_model(name.text)) {
     return add(fields, name.where, std::move(*point));
   }
+  std::vector<std::string_view> known = names_of(scene_.points);
+  for (const auto& more : {names_of(scene_.tree.points), names_of(scene_.tree.frames)}) {
+    known.insert(known.end(), more.begin(), more.end());
+  }
   fields.fail(name.where,
-              fmt::format("'{}' is neither a point of the scene or the model nor a link; expected "
-                          "one of these, points are defined in 'points'",
-                          shown(name.text)));
+              fmt::format("'{}' is neither a point of the scene or the model nor a link{}; "
+                          "expected one of these, points are defined in 'points'",
+                          shown(name.text), did_you_mean(name.text, known)));
 }
 
 symbolic::VariableNames SceneContext::variables(Of kind) const {

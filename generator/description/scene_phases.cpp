@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/names.hpp"
@@ -173,9 +174,9 @@ class PhaseReader {
     }
     if (!effects_.is_off(name)) {
       fields.fail(node.where,
-                  fmt::format("constraint '{}' is not defined; expected the name of one "
+                  fmt::format("constraint '{}' is not defined{}; expected the name of one "
                               "in 'effects'",
-                              shown(name)));
+                              shown(name), did_you_mean(name, names_of(scene_.constraints))));
     }
     return std::nullopt;
   }
@@ -214,8 +215,9 @@ class PhaseReader {
         return static_cast<int>(k);
       }
     }
-    fields.fail(name.where, fmt::format("phase '{}' is not defined; expected one of 'phases'",
-                                        shown(name.text)));
+    fields.fail(name.where,
+                fmt::format("phase '{}' is not defined{}; expected one of 'phases'",
+                            shown(name.text), did_you_mean(name.text, names_of(scene_.phases))));
   }
 
   void add_unlisted() {

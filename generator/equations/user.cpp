@@ -8,6 +8,7 @@
 #include "block/evaluate.hpp"
 #include "block/plan.hpp"
 #include "block/print.hpp"
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "equations/dot.hpp"
@@ -194,8 +195,13 @@ const model::Frame& Reading::frame(const std::string& name) const {
       return frame;
     }
   }
+  std::vector<std::string_view> known = names_of(tree_.frames);
+  for (const model::Link& link : tree_.links) {
+    known.push_back(link.joint.name);
+  }
   throw std::runtime_error(
-      fmt::format("there is no link or joint '{}'; expected one of the model", shown(name)));
+      fmt::format("there is no link or joint '{}'{}; expected one of the model", shown(name),
+                  did_you_mean(name, known)));
 }
 
 /// The moving link that is called so, or moved by the joint that is, or carries that link.
@@ -235,7 +241,8 @@ Expression Reading::of_point(const std::string& name) {
     }
   }
   throw std::runtime_error(
-      fmt::format("there is no point '{}'; expected one of the points asked for", shown(name)));
+      fmt::format("there is no point '{}'{}; expected one of the points asked for", shown(name),
+                  did_you_mean(name, names_of(points_))));
 }
 
 /// The rate of a rotation is Λ(ω) R.

@@ -126,6 +126,10 @@ TEST_F(Hostile, PipesAndDevicesAreNoOutput) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("is no regular file; expected one, or nothing there"));
   EXPECT_EQ(files(), 1U);
+  const Outcome checked = support::run(
+      {"timeout", "60", TREEDYN_EXECUTABLE, "check", kModel, "--effort", "0", "-o", out()});
+  EXPECT_EQ(checked.status, 1) << "waits for what the pipe says";
+  EXPECT_THAT(checked.out, HasSubstr("missing: " + file("two_link.cpp").string()));
   EXPECT_THAT(
       treedyn({"generate", kModel, "--effort", "0", "-o", scratch("o"), "--depfile", "/dev/full"})
           .err,

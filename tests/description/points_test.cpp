@@ -89,6 +89,12 @@ TEST(ResolvePoints, NameTheMistake) {
             "shank, table");
   EXPECT_EQ(error_of("a=b"),
             "--points: point 'a': link 'b' is unknown; expected one of ns:foot, shank, table");
+  EXPECT_EQ(error_of("hell"),
+            "--points: 'hell' is neither a point nor a link of the model (did you mean 'heel'?); "
+            "expected one of ns:foot, shank, table");
+  EXPECT_EQ(error_of("a=shnk"),
+            "--points: point 'a': link 'shnk' is unknown (did you mean 'shank'?); expected one of "
+            "ns:foot, shank, table");
   EXPECT_EQ(error_of("a=shank:1,2"), "--points: point 'a' has 2 numbers; expected 3");
   EXPECT_EQ(error_of("a=shank:1"), "--points: point 'a' has 1 number; expected 3");
   EXPECT_EQ(error_of("a=shank:1,2,x"),
