@@ -11,6 +11,7 @@
 #include "simplify/constrained_inverse.hpp"
 #include "simplify/scene_functions.hpp"
 #include "verify/scene_equations.hpp"
+#include "verify/solve.hpp"
 
 namespace treedyn {
 
@@ -35,61 +36,6 @@ Real largest(const Values& values) {
     result = std::max(result, Real(abs(x)));
   }
   return result;
-}
-
-/// x of S x = b by Gaussian elimination with diagonal pivots; S positive semidefinite, components
-/// behind the rank are zero.
-Values solved(Matrix s, Values b) {
-  const std::size_t n = b.size();
-  std::vector<std::size_t> order;
-  Values x(n);
-  const auto free = [&](std::size_t i) {
-    return std::find(order.begin(), order.end(), i) == order.end();
-  };
-  const Matrix whole = s;
-  const auto share = [&](std::size_t i) {  // of its own diagonal entry
-    return whole[i][i] > 0 ? Real(s[i][i] / whole[i][i]) : Real(0);
-  };
-  for (std::size_t step = 0; step < n; ++step) {
-    std::size_t p = n;
-    for (std::size_t i = 0; i < n; ++i) {
-      p = free(i) && (p == n || share(i) > share(p)) ? i : p;
-    }
-    if (!(share(p) > Real("1e-25"))) {
-      break;
-    }
-    order.push_back(p);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (free(i)) {
-        const Real factor = s[i][p] / s[p][p];
-        for (std::size_t j = 0; j < n; ++j) {
-          s[i][j] -= factor * s[p][j];
-        }
-        b[i] -= factor * b[p];
-      }
-    }
-  }
-  for (auto p = order.rbegin(); p != order.rend(); ++p) {
-    Real sum = b[*p];
-    for (std::size_t j = 0; j < n; ++j) {
-      sum -= j == *p ? Real(0) : Real(s[*p][j] * x[j]);
-    }
-    x[*p] = sum / s[*p][*p];
-  }
-  return x;
-}
-
-/// x with K K x = K b: K x is as near to b as it can be.
-Values least_squares(const Matrix& K, const Values& b) {
-  Matrix square;
-  Values right;
-  for (const Values& row : K) {  // of the symmetric K
-    square.emplace_back();
-    std::transform(K.begin(), K.end(), std::back_inserter(square.back()),
-                   [&](const Values& column) { return dot(row, column); });
-    right.push_back(dot(row, b));
-  }
-  return solved(std::move(square), std::move(right));
 }
 
 /// Arrays by name, filled with pseudo-random numbers.
@@ -121,10 +67,14 @@ class State {
   std::vector<Values> values_;
 };
 
+/// \param sizes  of what is added up to it, the largest sum
+/// \param least  by the smallest pivots on the way errors may have grown
 void require_small(const std::string& name, const char* what, const Values& residual,
-                   const Real& scale) {
+                   const Real& sizes, const Real& least = 1) {
+  // values of 37 equal digits are one to the passes; some hundred meet in a sum
+  const Real tolerance = sizes * Real("1e-34") / least + Real("1e-40");
   for (std::size_t k = 0; k < residual.size(); ++k) {
-    if (!(abs(residual[k]) <= scale * Real("1e-30") + Real("1e-40"))) {
+    if (!(abs(residual[k]) <= tolerance)) {
       throw std::logic_error(
           fmt::format("function '{}' differs from its equations: {} {} is off by {}", name, what, k,
                       residual[k].str(5)));
@@ -167,17 +117,55 @@ void prove_plain(const model::Scene& scene, const program::Function& function,
   require_small(function.signature.name, "element", residual, largest(ours));
 }
 
-/// Finds the multipliers that K and b ask for. \return the values of all stages
-Values solved_values(const program::Staged& staged, State& state) {
+/// The values of all stages with the multipliers that K and b ask for, and the smallest pivot of K.
+Solution solved_values(const program::Staged& staged, State& state) {
+  Real least = 1;
   if (!staged.solves.empty()) {
     const std::size_t r = index(staged.solves.front().rows);
     const Values first = state.evaluate(staged.function);
     const auto size = static_cast<std::ptrdiff_t>(r * (r + 1) / 2);
     const Values lower(first.begin(), first.begin() + size);
     const Values b(first.begin() + size, first.begin() + size + static_cast<std::ptrdiff_t>(r));
-    state.at(program::kMultiplierArray) = least_squares(symmetric(lower, r), b);
+    Solution solution = least_squares(symmetric(lower, r), b);
+    state.at(program::kMultiplierArray) = std::move(solution.x);
+    least = solution.least;
   }
-  return state.evaluate(staged.function);
+  return {state.evaluate(staged.function), least};
+}
+
+/// What is left of A x = right + J^T y, and the largest sum of the sizes of its terms.
+struct Residual {
+  Values left;
+  Real sizes = 0;
+
+  void add(std::size_t i, const Real& term) {
+    left[i] += term;
+    sum[i] += abs(term);
+    sizes = std::max(sizes, sum[i]);
+  }
+  explicit Residual(std::size_t count) : left(count), sum(count) {}
+
+ private:
+  Values sum;
+};
+
+Residual motion_of(const SceneEquations& equations, const std::vector<SceneEquations::Row>& rows,
+                   const Values& x, const Values& y) {
+  Residual result(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      result.add(i, equations.inertia()[i][j] * x[j]);
+    }
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      result.add(i, -rows[k].J[i] * y[k]);
+    }
+  }
+  return result;
+}
+
+/// The smallest pivot of A.
+Real least_pivot(const SceneEquations& equations) {
+  return solved(equations.inertia(), Values(equations.inertia().size())).least;
 }
 
 /// What is left of errors of the rows. Of deficient rows some errors no motion can reach:
@@ -193,7 +181,7 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
       reaction[i] += rows[k].J[i] * error[k];
     }
   }
-  const Values moved = solved(equations.inertia(), reaction);
+  const Values moved = solved(equations.inertia(), reaction).x;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     error[k] = dot(rows[k].J, moved);
   }
@@ -204,7 +192,7 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
 void prove_impact(const model::Scene& scene, const program::Staged& staged,
                   program::Random& random) {
   State state(staged.function.signature, random);
-  const Values values = solved_values(staged, state);
+  const auto [values, least] = solved_values(staged, state);
   const std::size_t r = index(staged.solves.front().rows);
   const Values P(values.end() - static_cast<std::ptrdiff_t>(r), values.end());
   const Values& minus = state.at("qd_minus");
@@ -212,22 +200,24 @@ void prove_impact(const model::Scene& scene, const program::Staged& staged,
   const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
   const Values plus(values.end() - static_cast<std::ptrdiff_t>(r + minus.size()),
                     values.end() - static_cast<std::ptrdiff_t>(r));
-  Values motion;
+  Residual motion = motion_of(equations, rows, plus, P);
   for (std::size_t i = 0; i < minus.size(); ++i) {
-    Real sum = dot(equations.inertia()[i], plus) - dot(equations.inertia()[i], minus);
-    for (std::size_t k = 0; k < r; ++k) {
-      sum -= rows[k].J[i] * P[k];
+    for (std::size_t j = 0; j < minus.size(); ++j) {
+      motion.add(i, -equations.inertia()[i][j] * minus[j]);
     }
-    motion.push_back(sum);
   }
-  Values error;
-  for (const SceneEquations::Row& row : rows) {
-    error.push_back(dot(row.J, plus) + staged.restitution * dot(row.J, minus));
+  Residual error(r);
+  for (std::size_t k = 0; k < r; ++k) {
+    for (std::size_t i = 0; i < minus.size(); ++i) {
+      error.add(k, rows[k].J[i] * plus[i]);
+      error.add(k, staged.restitution * rows[k].J[i] * minus[i]);
+    }
   }
-  const Real scale = 1000 * (1 + largest(plus) + largest(P));
-  require_small(staged.signature.name, "equation of motion", motion, scale);
-  require_small(staged.signature.name, "row", reachable_error(staged, equations, rows, error),
-                scale);
+  const Real of_inertia = least_pivot(equations);
+  const std::string& name = staged.signature.name;
+  require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
+  require_small(name, "row", reachable_error(staged, equations, rows, error.left), error.sizes,
+                of_inertia * least);
 }
 
 void prove_constrained(const model::Scene& scene, const program::Staged& staged,
@@ -235,7 +225,7 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
   State state(staged.function.signature, random);
   const std::string& name = staged.signature.name;
   const auto n = index(scene.tree.dof());
-  const Values values = solved_values(staged, state);
+  const auto [values, least] = solved_values(staged, state);
   const std::size_t r = staged.solves.empty() ? 0 : index(staged.solves.front().rows);
   const auto contacts = static_cast<std::ptrdiff_t>(scene.contacts.size());
   const auto reactions = values.end() - contacts - static_cast<std::ptrdiff_t>(r);
@@ -248,23 +238,24 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
                                  state.has("anchor") ? state.at("anchor") : Values());
   const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
   const Values force = equations.force();
-  Values motion;
+  Residual motion = motion_of(equations, rows, qdd, lambda);
   for (std::size_t i = 0; i < n; ++i) {
-    Real sum = dot(equations.inertia()[i], qdd) + equations.bias()[i] - tau[i] - force[i];
-    for (std::size_t k = 0; k < r; ++k) {
-      sum -= rows[k].J[i] * lambda[k];
+    for (const Real& term : {equations.bias()[i], Real(-tau[i]), Real(-force[i])}) {
+      motion.add(i, term);
     }
-    motion.push_back(sum);
   }
-  const Real scale =
-      largest(equations.bias()) + largest(force) + largest(tau) + largest(qdd) + largest(lambda);
-  require_small(name, "equation of motion", motion, scale * 1000);
-  Values error;
-  for (const SceneEquations::Row& row : rows) {
-    error.push_back(dot(row.J, qdd) + row.gamma - row.wanted);
+  Residual error(r);
+  for (std::size_t k = 0; k < r; ++k) {
+    for (std::size_t i = 0; i < n; ++i) {
+      error.add(k, rows[k].J[i] * qdd[i]);
+    }
+    error.add(k, rows[k].gamma);
+    error.add(k, -rows[k].wanted);
   }
-  error = reachable_error(staged, equations, rows, error);
-  require_small(name, "row", error, scale * 1000);
+  const Real of_inertia = least_pivot(equations);
+  require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
+  require_small(name, "row", reachable_error(staged, equations, rows, error.left), error.sizes,
+                of_inertia * least);
 }
 
 /// A qdd + B + G = tau + J^T lambda and the scene's forces; regular rows leave the passive joints
@@ -272,7 +263,7 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
 void prove_inverse(const model::Scene& scene, const program::Staged& staged,
                    program::Random& random) {
   State state(staged.function.signature, random);
-  const Values values = solved_values(staged, state);
+  const auto [values, least] = solved_values(staged, state);
   const SceneEquations equations(scene, state.at("q"), state.at("qd"),
                                  state.has("t") ? state.at("t")[0] : Real(0));
   const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
@@ -286,23 +277,19 @@ void prove_inverse(const model::Scene& scene, const program::Staged& staged,
   for (std::size_t i = 0; i < n && !scene.contacts.empty(); ++i) {
     force[i] += state.at(program::kForceArray)[i];
   }
-  Values motion;
+  Residual motion = motion_of(equations, rows, state.at("qdd"), lambda);
   for (std::size_t i = 0; i < n; ++i) {
-    Real sum =
-        dot(equations.inertia()[i], state.at("qdd")) + equations.bias()[i] - tau[i] - force[i];
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      sum -= rows[k].J[i] * lambda[k];
+    for (const Real& term : {equations.bias()[i], Real(-tau[i]), Real(-force[i])}) {
+      motion.add(i, term);
     }
-    motion.push_back(sum);
   }
-  const Real scale = 1000 * (largest(tau) + largest(lambda) + largest(equations.bias()));
-  require_small(staged.signature.name, "equation of motion", motion, scale);
+  require_small(staged.signature.name, "equation of motion", motion.left, motion.sizes);
   if (staged.solves.front().regular()) {
     Values left;
     for (const int joint : simplify::passive_joints(scene)) {
       left.push_back(tau[index(joint)]);
     }
-    require_small(staged.signature.name, "passive joint", left, scale);
+    require_small(staged.signature.name, "passive joint", left, motion.sizes, least);
   }
 }
 

@@ -81,6 +81,28 @@ TEST(Loop, BennettMovesBesideItsLoop) {
   }
 }
 
+bool says_drawn(const SceneCode& code, const std::string& constraint) {
+  return has(read_file(code.folder() / "generated.hpp"),
+             "/// " + constraint + " is drawn to where");
+}
+
+/// Held points of a redundant loop have their place from the initial state; rows that repeat each
+/// other on one link of a free body close no loop.
+TEST(Loop, HeadersSayWhichPointsAreDrawn) {
+  const std::string rk4 = "stepping: {integrator: rk4, step: 0.001}\n";
+  EXPECT_TRUE(says_drawn(SceneCode(bennett_scene("", rk4)), "axis_1"));
+  EXPECT_FALSE(says_drawn(SceneCode(bennett_scene(kUnstabilised, rk4)), "axis_1"));
+  EXPECT_FALSE(says_drawn(SceneCode(bennett_scene("", "")), "axis_1"));
+  const SceneCode free(
+      fmt::format("scene: held\nmodel: {}\nbase: axes\npoints:\n  - {{name: one, link: body, at: "
+                  "[0.1, 0, 0]}}\n"
+                  "  - {{name: two, link: body, at: [-0.1, 0, 0]}}\neffects:\n  point_constraint:\n"
+                  "    - {{point: one}}\n    - {{point: two}}\nduration: 1\n{}",
+                  model_path("floating_loop"), rk4));
+  EXPECT_EQ(free.manifest("constrained_dynamics").at("rank"), 5);
+  EXPECT_FALSE(says_drawn(free, "one"));
+}
+
 constexpr int kSteps = 1000000;
 
 /// What a long run is held to: the largest errors of every 50000th state.
