@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "checked.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
@@ -15,6 +16,7 @@
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
 #include "equations/table.hpp"
+#include "in_scalar.hpp"
 #include "limits.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
@@ -29,12 +31,6 @@
 namespace treedyn {
 
 namespace {
-
-/// Functions that divide by the pivots of A.
-bool needs_inertia(const std::string& function) {
-  return function == "forward_dynamics" || function == "mass_matrix_factor" ||
-         function == "mass_matrix_solve" || function == "mass_matrix_inverse";
-}
 
 /// Base name and digest of what was read.
 Source source_of(const std::string& path, const std::string& text) {
@@ -360,6 +356,7 @@ program::Packing packing_of(const Model& model, const Request& request) {
 }  // namespace
 
 std::vector<emit::File> emit_files(const Model& model, const Request& request, Programs programs) {
+  programs = in_scalar(std::move(programs), request.target.scalar);
   emit::Unit unit;
   unit.name = model.name;
   unit.tree = &model.tree;
@@ -373,6 +370,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
     for (program::Function& function : unit.functions) {
       function = program::packed(std::move(function), "A", model.tree.dof(), unit.packing);
     }
+  }
+  if (request.checked) {
+    unit.checked = checked_siblings(model, unit.functions);
   }
   unit.command = generate_command(request, Paths::kBaseNames);
   unit.tool = fmt::format("treedyn {}", kVersion);
@@ -401,7 +401,7 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   check_scene(scene, where);
   check_step(model);
   check_impacts(model, where);
-  Programs programs = formulate(model, request, [](const std::string&) {});
+  Programs programs = in_scalar(formulate(model, request, [](const std::string&) {}), scalar);
   StepFiles result{model.name,
                    {},
                    programs.steppers.front().signature,
@@ -461,6 +461,13 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request) {
     const Location where{request.model, 0, 0};
     warnings.push_back(
         {where, "no two limbs have the same structure; --share-limbs changes nothing"});
+  }
+  if (request.checked && std::ranges::none_of(model.functions, needs_inertia)) {
+    const Location where{request.scene.value_or(request.model), 0, 0};
+    warnings.push_back(
+        {where,
+         "no function that is generated divides by the pivots of A; --checked changes "
+         "nothing"});
   }
   for (Warning singular : model.scene ? description::joints_without_inertia(*model.scene)
                                       : description::joints_without_inertia(model.tree)) {
