@@ -38,8 +38,8 @@ Real largest(const Values& values) {
 }
 
 /// x of S x = b by Gaussian elimination with diagonal pivots; S positive semidefinite, components
-/// behind the rank are zero.
-Values solved(Matrix s, Values b) {
+/// behind the rank are zero: pivots of at most `least` of their own diagonal entry.
+Values solved(Matrix s, Values b, const Real& least = Real("1e-25")) {
   const std::size_t n = b.size();
   std::vector<std::size_t> order;
   Values x(n);
@@ -55,7 +55,7 @@ Values solved(Matrix s, Values b) {
     for (std::size_t i = 0; i < n; ++i) {
       p = free(i) && (p == n || share(i) > share(p)) ? i : p;
     }
-    if (!(share(p) > Real("1e-25"))) {
+    if (!(share(p) > least)) {
       break;
     }
     order.push_back(p);
@@ -175,7 +175,9 @@ Values solved_values(const program::Staged& staged, State& state) {
     const auto size = static_cast<std::ptrdiff_t>(r * (r + 1) / 2);
     const Values lower(first.begin(), first.begin() + size);
     const Values b(first.begin() + size, first.begin() + size + static_cast<std::ptrdiff_t>(r));
-    state.at(program::kMultiplierArray) = least_squares(symmetric(lower, r), b);
+    const Matrix K = symmetric(lower, r);
+    state.at(program::kMultiplierArray) =
+        staged.solves.front().regular() ? solved(K, b, 0) : least_squares(K, b);
   }
   return state.evaluate(staged.function);
 }
@@ -198,6 +200,36 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
     error[k] = dot(rows[k].J, moved);
   }
   return error;
+}
+
+Real dot_of_sizes(const Values& a, const Values& b) {
+  Real sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sum += abs(a[k] * b[k]);
+  }
+  return sum;
+}
+
+/// Of what is added up in A x + .. = J^T f and in J x, where x is made of parts that reactions f
+/// cause: the largest.
+Real largest_term(const SceneEquations& equations, const std::vector<SceneEquations::Row>& rows,
+                  const Values& x, const Values& f) {
+  Values parts;
+  std::ranges::transform(x, std::back_inserter(parts), [](const Real& a) { return Real(abs(a)); });
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Values caused = solved(equations.inertia(), rows[k].J);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      parts[i] += abs(caused[i] * f[k]);
+    }
+  }
+  Real most = largest(parts);
+  for (const Values& row : equations.inertia()) {
+    most = std::max(most, dot_of_sizes(row, parts));
+  }
+  for (const SceneEquations::Row& row : rows) {
+    most = std::max({most, dot_of_sizes(row.J, parts), Real(largest(row.J) * largest(f))});
+  }
+  return most;
 }
 
 /// A (qd_plus - qd_minus) = J^T P, J qd_plus = -e J qd_minus.
@@ -224,7 +256,8 @@ void prove_impact(const model::Scene& scene, const program::Staged& staged,
   for (const SceneEquations::Row& row : rows) {
     error.push_back(dot(row.J, plus) + staged.restitution * dot(row.J, minus));
   }
-  const Real scale = 1000 * (1 + largest(plus) + largest(P));
+  const Real scale =
+      1000 * (1 + largest(plus) + largest(P) + largest_term(equations, rows, plus, P));
   require_small(staged.signature.name, "equation of motion", motion, scale);
   require_small(staged.signature.name, "row", reachable_error(staged, equations, rows, error),
                 scale);
@@ -256,8 +289,8 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
     }
     motion.push_back(sum);
   }
-  const Real scale =
-      largest(equations.bias()) + largest(force) + largest(tau) + largest(qdd) + largest(lambda);
+  const Real scale = largest(equations.bias()) + largest(force) + largest(tau) + largest(qdd) +
+                     largest(lambda) + largest_term(equations, rows, qdd, lambda);
   require_small(name, "equation of motion", motion, scale * 1000);
   Values error;
   for (const SceneEquations::Row& row : rows) {
