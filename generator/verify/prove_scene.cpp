@@ -8,6 +8,7 @@
 
 #include "program/interpret.hpp"
 #include "program/random.hpp"
+#include "program/rank.hpp"
 #include "simplify/constrained_inverse.hpp"
 #include "simplify/scene_functions.hpp"
 #include "verify/scene_equations.hpp"
@@ -182,8 +183,21 @@ Values solved_values(const program::Staged& staged, State& state) {
   return state.evaluate(staged.function);
 }
 
+/// J A^-1 J^T, the lower half row by row.
+Values inverse_weights(const SceneEquations& equations,
+                       const std::vector<SceneEquations::Row>& rows) {
+  Values K;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Values moved = solved(equations.inertia(), rows[k].J);
+    for (std::size_t j = 0; j <= k; ++j) {
+      K.push_back(dot(rows[j].J, moved));
+    }
+  }
+  return K;
+}
+
 /// What is left of errors of the rows. Of deficient rows some errors no motion can reach:
-/// J A^-1 J^T error = 0.
+/// J A^-1 J^T error = 0, as parts of the largest entry of this matrix.
 Values reachable_error(const program::Staged& staged, const SceneEquations& equations,
                        const std::vector<SceneEquations::Row>& rows, Values error) {
   if (staged.solves.empty() || staged.solves.front().regular()) {
@@ -196,8 +210,15 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
     }
   }
   const Values moved = solved(equations.inertia(), reaction);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    error[k] = dot(rows[k].J, moved);
+  const Values K = inverse_weights(equations, rows);
+  const Real most = largest(K);
+  // rows that depend on each other but for kDependent^2: the solution leaves out what is between
+  const bool nearly =
+      program::rank_of(K, static_cast<int>(rows.size())) > staged.solves.front().rank;
+  const Real left_out = nearly ? Real(largest(error) * Real("1e-12")) : Real(0);
+  for (std::size_t k = 0; k < rows.size() && most > 0; ++k) {
+    const Real part = dot(rows[k].J, moved) / most;
+    error[k] = abs(part) > left_out ? part : Real(0);
   }
   return error;
 }
