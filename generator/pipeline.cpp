@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "checked.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
@@ -15,6 +16,7 @@
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
 #include "equations/table.hpp"
+#include "in_scalar.hpp"
 #include "limits.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
@@ -129,6 +131,7 @@ program::Packing packing_of(const Model& model, const Request& request) {
 }  // namespace
 
 std::vector<emit::File> emit_files(const Model& model, const Request& request, Programs programs) {
+  programs = in_scalar(std::move(programs), request.target.scalar);
   emit::Unit unit;
   unit.name = model.name;
   unit.tree = &model.tree;
@@ -142,6 +145,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
     for (program::Function& function : unit.functions) {
       function = program::packed(std::move(function), "A", model.tree.dof(), unit.packing);
     }
+  }
+  if (request.checked) {
+    unit.checked = checked_siblings(model, unit.functions);
   }
   unit.command = generate_command(request, Paths::kBaseNames);
   unit.tool = fmt::format("treedyn {}", kVersion);
@@ -169,7 +175,7 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   model.scene_functions = {"step"};
   require_step(model, where);
   simplify::settle_loops(*model.scene);
-  Programs programs = formulate(model, request, [](const std::string&) {});
+  Programs programs = in_scalar(formulate(model, request, [](const std::string&) {}), scalar);
   StepFiles result{model.name,
                    {},
                    programs.steppers.front().signature,

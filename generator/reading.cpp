@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "checked.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
@@ -20,12 +21,6 @@
 namespace treedyn {
 
 namespace {
-
-/// Functions that divide by the pivots of A.
-bool needs_inertia(const std::string& function) {
-  return function == "forward_dynamics" || function == "mass_matrix_factor" ||
-         function == "mass_matrix_solve" || function == "mass_matrix_inverse";
-}
 
 /// Base name and digest of what was read.
 Source source_of(const std::string& path, const std::string& text) {
@@ -279,6 +274,13 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request) {
     const Location where{request.model, 0, 0};
     warnings.push_back(
         {where, "no two limbs have the same structure; --share-limbs changes nothing"});
+  }
+  if (request.checked && std::ranges::none_of(model.functions, needs_inertia)) {
+    const Location where{request.scene.value_or(request.model), 0, 0};
+    warnings.push_back(
+        {where,
+         "no function that is generated divides by the pivots of A; --checked changes "
+         "nothing"});
   }
   for (Warning singular : model.scene ? description::joints_without_inertia(*model.scene)
                                       : description::joints_without_inertia(model.tree)) {

@@ -76,6 +76,9 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   if (request.share_limbs) {
     options.emplace_back("share_limbs", "true");
   }
+  if (request.checked) {
+    options.emplace_back("checked", "true");
+  }
   return options;
 }
 
@@ -117,6 +120,9 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   add(!request.without.empty(), "--without", list_of(names_without(request)));
   if (request.share_limbs) {
     result.emplace_back("--share-limbs");
+  }
+  if (request.checked) {
+    result.emplace_back("--checked");
   }
   return result;
 }

@@ -34,6 +34,7 @@ struct Request {
   simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
   std::vector<simplify::Pass> without;  ///< passes that are switched off
   bool share_limbs = false;             ///< equal limbs share code
+  bool checked = false;                 ///< functions that can fail have siblings with a status
 };
 
 /// How a command names its files.

@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "checked.hpp"
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/equations.hpp"
+#include "description/read.hpp"
 #include "emit/names.hpp"
 #include "simplify/scene_functions.hpp"
 #include "system/files.hpp"
@@ -16,6 +19,12 @@ namespace {
 
 constexpr std::size_t kLongestText = 400;  // of an equation in a comment
 
+/// Siblings are functions, too, whether they were asked for or not.
+bool is_sibling(const std::string& name) {
+  constexpr std::string_view kEnding = "_checked";
+  return name.ends_with(kEnding) && needs_inertia(name.substr(0, name.size() - kEnding.size()));
+}
+
 bool is_function(const std::string& name) {
   const std::vector<std::string>& names = simplify::function_names();
   return simplify::is_scene_function(name) ||
@@ -24,7 +33,7 @@ bool is_function(const std::string& name) {
 
 void check_name(const std::string& name, const Location& where, const char* what) {
   const std::vector<std::string> ours = {"joint", "point", "Scalar", "kDof", "kPoints"};
-  if (is_function(name) || is_reserved(name) ||
+  if (is_function(name) || is_sibling(name) || is_reserved(name) ||
       std::find(ours.begin(), ours.end(), name) != ours.end()) {
     throw InputError(where, fmt::format("{} '{}' has a name that is taken; expected another one",
                                         what, shown(name)));
@@ -66,7 +75,7 @@ std::string without_stars(const std::string& text) {
 }
 
 bool is_tree_description(const std::string& file) {
-  return !file.empty() && !file.ends_with(".urdf");
+  return !file.empty() && !description::is_urdf(file);
 }
 
 }  // namespace
@@ -110,8 +119,10 @@ UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& w
       for (const auto& function : all) {
         names.push_back(function->equation.name);
       }
-      throw UsageError(fmt::format("--functions: there is no function {}; expected some of {}",
-                                   shown(name), fmt::join(names, ",")));
+      const std::vector<std::string_view> known_names(names.begin(), names.end());
+      throw UsageError(fmt::format("--functions: there is no function {}{}; expected some of {}",
+                                   shown(name), did_you_mean(name, known_names),
+                                   fmt::join(names, ",")));
     }
   }
   UserFunctions result;

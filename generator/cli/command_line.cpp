@@ -241,6 +241,12 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
         "expected a MODEL and 1 lane",
         kUsage);
   }
+  if (request.checked && (request.share_limbs || request.target.lanes > 1)) {
+    throw CLI::ParseError(
+        "--checked: a status is that of one state and of code that is not shared; expected no "
+        "--share-limbs and 1 lane",
+        kUsage);
+  }
   if (!request.scene) {
     return;
   }

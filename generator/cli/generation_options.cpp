@@ -109,6 +109,12 @@ void add_sharing(CLI::App& command, Request& request) {
       "one function for limbs of equal structure: half the code, a few more operations");
 }
 
+void add_checked(CLI::App& command, Request& request) {
+  command.add_flag("--checked", request.checked,
+                   "beside functions that can fail NAME_checked, which return a status: a pivot "
+                   "of A that is not safely above zero, what is not a number");
+}
+
 }  // namespace
 
 void add_model(CLI::App& command, Request& request) {
@@ -158,6 +164,7 @@ void add_model(CLI::App& command, Request& request) {
 void add_generation(CLI::App& command, Request& request) {
   add_model(command, request);
   add_sharing(command, request);
+  add_checked(command, request);
   command.get_option("MODEL")->required(false);
   command
       .add_option_function<std::string>(

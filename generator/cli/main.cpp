@@ -22,6 +22,7 @@
 #include "cli/numeric.hpp"
 #include "cli/simulate.hpp"
 #include "cli/vet.hpp"
+#include "in_scalar.hpp"
 #include "pipeline.hpp"
 #include "system/files.hpp"
 
@@ -127,7 +128,8 @@ int run_info(const Settings& settings) {
     print(passes_text(model, settings.request));
     return 0;
   }
-  const Programs programs = formulate(model, settings.request, trace_of(settings));
+  const Programs programs = in_scalar(formulate(model, settings.request, trace_of(settings)),
+                                      settings.request.target.scalar);
   print(settings.json ? info_json(model, settings.request, programs)
                       : info_text(model, settings.request, programs));
   return 0;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include "in_scalar.hpp"
 #include "model/effects.hpp"
 
 namespace treedyn {
@@ -200,8 +201,8 @@ std::vector<Price> effect_prices(const Model& model, const Request& request,
     }
     Model other = model;
     other.scene = without_effect(*model.scene, effect.name);
-    std::map<std::string, program::Cost> without =
-        costs(formulate(other, request, [](const std::string&) {}));
+    std::map<std::string, program::Cost> without = costs(
+        in_scalar(formulate(other, request, [](const std::string&) {}), request.target.scalar));
     const std::size_t before = result.size();
     for (const auto& [function, cost] : with) {
       if (!(without[function] == cost)) {

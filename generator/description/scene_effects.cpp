@@ -294,6 +294,9 @@ void SceneEffects::ground_contact(const SceneFields& fields) {
     if (contact.exponent < 1) {
       fields.fail(fields.get("exponent").where, "'exponent' is below 1; expected 1 or more");
     }
+    if (contact.exponent > 100) {  // whole powers are written as products
+      fields.fail(fields.get("exponent").where, "'exponent' is above 100; expected 1 to 100");
+    }
   }
   contact.friction = fields.amount_or("friction", 0);
   contact.slip_speed = fields.amount_or("slip_speed", 0);

@@ -173,6 +173,9 @@ class SceneReader {
     if (contact.exponent < 1) {
       fields.fail(fields.get("n").where, "exponent 'n' is below 1; expected 1 or more");
     }
+    if (contact.exponent > 100) {
+      fields.fail(fields.get("n").where, "exponent 'n' is above 100; expected 1 to 100");
+    }
     if (tangential) {
       contact.friction = fields.amount_or("mu", 0);
       contact.slip_speed = fields.amount_or("vs", 0);

@@ -51,6 +51,14 @@ std::string doc(const program::Function& function) {
                  "/// ");
 }
 
+std::string doc(const Checked& checked) {
+  return signature_doc(checked.signature) +
+         wrapped("\\return 0 or bits of status: rank_lost, not_a_number", "/// ") +
+         wrapped(fmt::format("Equation {}. Cost: {}, and comparisons.", checked.signature.equation,
+                             cost_text(cost(checked))),
+                 "/// ");
+}
+
 namespace {
 
 /// Why lambda is not unique. Where drives are sought, an equation stands for a joint without one.

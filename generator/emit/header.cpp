@@ -181,26 +181,30 @@ std::vector<std::string> phase_identifiers(const std::vector<program::Stepper>& 
 
 /// What functions that return a status return.
 std::string status_bits(const Unit& unit) {
-  if (unit.staged.empty() && unit.steppers.empty()) {
+  if (unit.checked.empty() && unit.staged.empty() && unit.steppers.empty()) {
     return {};
   }
-  return R"(
+  const bool checked = !unit.checked.empty();
+  return fmt::format(
+      R"(
 /// Bits of the int that functions return; 0: all is right.
-namespace status {
+namespace status {{
 /// Rows depend on each other more than they do where the constraints hold: a singular position.
-inline constexpr int rank_lost = 1;
+{}inline constexpr int rank_lost = 1;
 /// A row's wanted acceleration (or velocity, or joint force) cannot be had beside the others'.
 inline constexpr int row_given_up = 2;
 /// An iteration did not get there.
 inline constexpr int no_convergence = 4;
 /// An event may have been passed over.
 inline constexpr int event_missed = 8;
-/// A result is infinite or not a number.
+/// A result{} is infinite or not a number.
 inline constexpr int not_a_number = 16;
 /// What an event waits for is not a number.
 inline constexpr int guard_undefined = 32;
-}  // namespace status
-)";
+}}  // namespace status
+)",
+      checked ? "/// Or a pivot of A is not above zero, or all its digits are lost.\n" : "",
+      checked ? ", or an argument of a checked function," : "");
 }
 
 std::string prototype(const program::Signature& signature) {
@@ -212,6 +216,9 @@ std::string declarations(const Unit& unit) {
   std::string result;
   for (const program::Function& function : unit.functions) {
     result += '\n' + doc(function) + prototype(function.signature);
+  }
+  for (const Checked& checked : unit.checked) {
+    result += '\n' + doc(checked) + prototype(checked.signature);
   }
   for (const program::Staged& staged : unit.staged) {
     result += '\n' + doc(staged) + prototype(staged.signature);

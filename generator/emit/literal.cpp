@@ -32,6 +32,11 @@ std::string literal(const Real& value, Scalar scalar) {
   return scalar == Scalar::kFloat ? digits<float>(value) + "f" : digits<double>(value);
 }
 
+bool rounds_to_one(const Real& value, Scalar scalar) {
+  return scalar == Scalar::kFloat ? value.convert_to<float>() == 1.0F
+                                  : value.convert_to<double>() == 1.0;
+}
+
 std::string decimal(const Real& value) { return fmt::format("{}", value.convert_to<double>()); }
 
 }  // namespace treedyn::emit

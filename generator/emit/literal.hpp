@@ -33,6 +33,9 @@ std::string type_name(Scalar scalar);
 /// `1e-05f`. \throws std::range_error if the value is too large for the type.
 std::string literal(const Real& value, Scalar scalar);
 
+/// True if the literal is that of 1.
+bool rounds_to_one(const Real& value, Scalar scalar);
+
 /// `value` in plain JSON and for the reader: shortest digits that read back as the same double.
 std::string decimal(const Real& value);
 

@@ -148,8 +148,15 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
         function_json(function.signature, bodies[k],
                       operations_json(program::cost(function)) + rounding_json(function.rounding)));
   }
-  for (std::size_t k = plain; k < bodies.size(); ++k) {
-    const program::Staged& staged = unit.staged[k - plain];
+  for (std::size_t k = 0; k < unit.checked.size(); ++k) {
+    const Checked& checked = unit.checked[k];
+    functions.push_back(
+        function_json(checked.signature, bodies[plain + k],
+                      operations_json(cost(checked)) + rounding_json(checked.function.rounding)));
+  }
+  const std::size_t others = plain + unit.checked.size();
+  for (std::size_t k = others; k < bodies.size(); ++k) {
+    const program::Staged& staged = unit.staged[k - others];
     functions.push_back(function_json(staged.signature, bodies[k], staged_cost(staged)));
   }
   for (const program::Stepper& stepper : unit.steppers) {

@@ -1,6 +1,7 @@
 #include "emit/source.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include <fmt/format.h>
 
@@ -74,8 +75,15 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
     functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k].parts.front())
                                              : split_function(signature, bodies[k]);
   }
+  if (!unit.checked.empty() || !unit.staged.empty()) {
+    functions += check_text(unit.target);
+  }
+  const std::size_t plain = unit.functions.size();
+  for (std::size_t k = 0; k < unit.checked.size(); ++k) {
+    functions += '\n' + checked_text(unit.checked[k], bodies[plain + k], unit.target);
+  }
   const std::vector<Body> staged(
-      bodies.begin() + static_cast<std::ptrdiff_t>(unit.functions.size()), bodies.end());
+      bodies.begin() + static_cast<std::ptrdiff_t>(plain + unit.checked.size()), bodies.end());
   const Vocabulary words = vocabulary(*unit.tree);
   functions += staged_text(unit.staged, staged, words, unit.target);
   for (const program::Stepper& stepper : unit.steppers) {

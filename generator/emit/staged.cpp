@@ -325,18 +325,6 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
          block(lines);
 }
 
-/// What tells numbers from the rest.
-std::string check_text(const std::vector<Staged>& functions, const Target& target) {
-  const bool single = target.scalar == Scalar::kFloat;
-  return functions.empty()
-             ? ""
-             : "\nnamespace {\n" +
-                   fill(template_text("check.cpp"),
-                        {{"type", type_name(target.scalar)},
-                         {"largest", single ? "3.40282347e38f" : "1.7976931348623157e308"}}) +
-                   "\n}  // namespace\n";
-}
-
 /// The functions that closed contacts call, each once, without namespace.
 std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary& words,
                           const Target& target) {
@@ -373,8 +361,7 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
 std::string staged_text(const std::vector<Staged>& functions, const std::vector<Body>& bodies,
                         const Vocabulary& words, const Target& target) {
   const Solves all = solves_of(functions);
-  std::string result = check_text(functions, target) + solvers_text(all, target) +
-                       contacts_text(functions, words, target);
+  std::string result = solvers_text(all, target) + contacts_text(functions, words, target);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result += "\n";
     result += function_text(functions[k], bodies[k], all, target);

@@ -45,10 +45,13 @@ void sign(std::string& header, std::string& source) {
 std::vector<File> emit_files(const Unit& unit) {
   const Vocabulary words = vocabulary(*unit.tree);
   std::vector<Body> bodies;
-  bodies.reserve(unit.functions.size() + unit.staged.size());
+  bodies.reserve(unit.functions.size() + unit.checked.size() + unit.staged.size());
   for (const program::Function& function : unit.functions) {
     bodies.push_back(function.limb_code ? limb_body(function, words, unit.target)
                                         : body(function, words, unit.target));
+  }
+  for (const Checked& checked : unit.checked) {
+    bodies.push_back(body(checked.function, words, unit.target));
   }
   for (const program::Staged& staged : unit.staged) {
     bodies.push_back(staged_body(staged, words, unit.target));

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "emit/checked.hpp"
 #include "emit/literal.hpp"
 #include "model/tree.hpp"
 #include "program/packed.hpp"
@@ -18,7 +19,8 @@ struct Unit {
   const model::Tree* tree = nullptr;
   std::vector<model::Point> points;
   std::vector<program::Function> functions;
-  std::vector<program::Staged> staged;     ///< behind `functions`
+  std::vector<Checked> checked;            ///< behind `functions`: siblings of some
+  std::vector<program::Staged> staged;     ///< behind `checked`
   std::vector<program::Stepper> steppers;  ///< behind `staged`
   Target target;
   program::Packing packing;          ///< of A, if the target is packed

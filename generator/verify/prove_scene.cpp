@@ -8,6 +8,7 @@
 
 #include "program/interpret.hpp"
 #include "program/random.hpp"
+#include "program/rank.hpp"
 #include "simplify/constrained_inverse.hpp"
 #include "simplify/scene_functions.hpp"
 #include "verify/scene_equations.hpp"
@@ -126,7 +127,9 @@ Solution solved_values(const program::Staged& staged, State& state) {
     const auto size = static_cast<std::ptrdiff_t>(r * (r + 1) / 2);
     const Values lower(first.begin(), first.begin() + size);
     const Values b(first.begin() + size, first.begin() + size + static_cast<std::ptrdiff_t>(r));
-    Solution solution = least_squares(symmetric(lower, r), b);
+    const Matrix K = symmetric(lower, r);
+    Solution solution =
+        staged.solves.front().regular() ? solved(K, b, 0) : least_squares(K, b);
     state.at(program::kMultiplierArray) = std::move(solution.x);
     least = solution.least;
   }
@@ -168,8 +171,21 @@ Real least_pivot(const SceneEquations& equations) {
   return solved(equations.inertia(), Values(equations.inertia().size())).least;
 }
 
+/// J A^-1 J^T, the lower half row by row.
+Values inverse_weights(const SceneEquations& equations,
+                       const std::vector<SceneEquations::Row>& rows) {
+  Values K;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Values moved = solved(equations.inertia(), rows[k].J).x;
+    for (std::size_t j = 0; j <= k; ++j) {
+      K.push_back(dot(rows[j].J, moved));
+    }
+  }
+  return K;
+}
+
 /// What is left of errors of the rows. Of deficient rows some errors no motion can reach:
-/// J A^-1 J^T error = 0.
+/// J A^-1 J^T error = 0, as parts of the largest entry of this matrix.
 Values reachable_error(const program::Staged& staged, const SceneEquations& equations,
                        const std::vector<SceneEquations::Row>& rows, Values error) {
   if (staged.solves.empty() || staged.solves.front().regular()) {
@@ -182,13 +198,19 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
     }
   }
   const Values moved = solved(equations.inertia(), reaction).x;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    error[k] = dot(rows[k].J, moved);
+  const Values K = inverse_weights(equations, rows);
+  const Real most = largest(K);
+  // rows that depend on each other but for kDependent^2: the solution leaves out what is between
+  const bool nearly =
+      program::rank_of(K, static_cast<int>(rows.size())) > staged.solves.front().rank;
+  const Real left_out = nearly ? Real(largest(error) * Real("1e-12")) : Real(0);
+  for (std::size_t k = 0; k < rows.size() && most > 0; ++k) {
+    const Real part = dot(rows[k].J, moved) / most;
+    error[k] = abs(part) > left_out ? part : Real(0);
   }
   return error;
 }
 
-/// A (qd_plus - qd_minus) = J^T P, J qd_plus = -e J qd_minus.
 void prove_impact(const model::Scene& scene, const program::Staged& staged,
                   program::Random& random) {
   State state(staged.function.signature, random);

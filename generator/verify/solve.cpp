@@ -9,7 +9,7 @@ namespace treedyn {
 using Values = std::vector<Real>;
 using Matrix = std::vector<Values>;
 
-Solution solved(Matrix s, Values b) {
+Solution solved(Matrix s, Values b, const Real& least) {
   const std::size_t n = b.size();
   std::vector<std::size_t> order;
   Solution result{Values(n), 1};
@@ -26,7 +26,7 @@ Solution solved(Matrix s, Values b) {
     for (std::size_t i = 0; i < n; ++i) {
       p = free(i) && (p == n || share(i) > share(p)) ? i : p;
     }
-    if (!(share(p) > Real("1e-25"))) {
+    if (!(share(p) > least)) {
       break;
     }
     order.push_back(p);

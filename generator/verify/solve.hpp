@@ -14,8 +14,9 @@ struct Solution {
 };
 
 /// By Gaussian elimination with diagonal pivots; S (row by row) positive semidefinite, components
-/// behind the rank are zero.
-Solution solved(std::vector<std::vector<Real>> S, std::vector<Real> b);
+/// behind the rank are zero: pivots of at most `least` of their own diagonal entry.
+Solution solved(std::vector<std::vector<Real>> S, std::vector<Real> b,
+                const Real& least = Real("1e-25"));
 
 /// x with K K x = K b for a symmetric K: K x is as near to b as it can be. Its smallest pivot is
 /// the root of that of K K.

@@ -137,6 +137,17 @@ TEST_F(Hostile, PipesAndDevicesAreNoOutput) {
   EXPECT_FALSE(fs::exists(scratch("o")));
 }
 
+TEST_F(Hostile, ScenesOfFarPointsAreRightAsFarAsNumbersAre) {
+  for (const char* const far : {"1e7", "1e9", "1e12", "1e20"}) {
+    const std::string text =
+        scene(fmt::format("points: [{{name: far, link: forearm, at: [{}, 0, 0]}}]\n"
+                          "effects: {{point_constraint: [{{point: far, along: [x, z]}}]}}\n",
+                          far));
+    const Outcome outcome = treedyn({"generate", "--scene", text, "--effort", "0", "-o", out()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+}
+
 /// A header of another run beside a source: the compiler refuses them.
 TEST_F(Hostile, HeaderAndSourceOfDifferentRunsDoNotCompile) {
   const auto generate = [&](const std::string& gravity, const std::string& folder) {

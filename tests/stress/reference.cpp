@@ -15,6 +15,8 @@ using Matrix = std::vector<Values>;
 /// Below this a scaled pivot is zero: what rounding at 50 digits leaves, also where the robot is
 /// perturbed by much more.
 const Real kNoPivot("1e-25");
+/// What decimals of 40 digits leave of an entry of J that is zero; lengths have 12 decades.
+const Real kNoLength("1e-30");
 
 /// A x = b by elimination with the largest pivot of each column.
 Values solved(Matrix A, Values b) {
@@ -94,7 +96,9 @@ Choice independent(const Equations& equations) {
   const std::size_t r = K.size();
   Values scale(r);
   for (std::size_t k = 0; k < r; ++k) {
-    scale[k] = K[k][k];
+    const bool vanishes =
+        std::ranges::all_of(equations.rows[k].J, [](const Real& x) { return abs(x) <= kNoLength; });
+    scale[k] = vanishes ? Real(0) : K[k][k];
   }
   Choice result;
   std::vector<bool> used(r, false);

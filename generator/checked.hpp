@@ -1,0 +1,19 @@
+// Functions that can fail, and their siblings that tell so (`--checked`).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline.hpp"
+
+namespace treedyn {
+
+/// True for functions that divide by the pivots of A: the only ones of a model that have no answer
+/// in some positions.
+bool needs_inertia(const std::string& function);
+
+/// The siblings of those of `functions` that can fail, in their order.
+std::vector<emit::Checked> checked_siblings(const Model& model,
+                                            const std::vector<program::Function>& functions);
+
+}  // namespace treedyn

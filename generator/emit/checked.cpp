@@ -1,0 +1,154 @@
+#include "emit/checked.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "emit/layout.hpp"
+#include "emit/parts.hpp"
+#include "emit/template_file.hpp"
+
+namespace treedyn::emit {
+
+namespace {
+
+constexpr const char* kPivots = "pivot";
+constexpr const char* kWholes = "whole";
+
+/// What rounding leaves of a zero, as a part of what it was taken from: that of rows of constraints
+/// (`RowSolve`), N of them.
+double rounding(int size, const Target& target) {
+  const double epsilon = target.scalar == Scalar::kFloat
+                             ? double{std::numeric_limits<float>::epsilon()}
+                             : std::numeric_limits<double>::epsilon();
+  return 4 * std::max(size, 2) * epsilon;
+}
+
+/// A number with two digits, of normal size.
+std::string short_literal(double value, const Target& target) {
+  const double least = target.scalar == Scalar::kFloat ? 1e-36 : 1e-290;
+  return literal(Real(fmt::format("{:.1e}", std::max(value, least))), target.scalar);
+}
+
+void add_array(program::Function& function, const char* name,
+               const std::vector<program::Ref>& refs) {
+  if (!refs.empty()) {
+    function.signature.outputs.push_back({name, static_cast<int>(refs.size()), ""});
+    function.outputs.insert(function.outputs.end(), refs.begin(), refs.end());
+  }
+}
+
+std::string lost(const std::string& condition) {
+  return fmt::format("failed |= {} ? status::rank_lost : 0;", condition);
+}
+
+/// One comparison with a number, one with what the pivot is left of.
+std::vector<std::string> pivot_tests(const Checked& checked, const Target& target) {
+  const double share = rounding(checked.signature.inputs.front().size, target);
+  std::vector<std::string> lines;
+  int whole = 0;
+  for (std::size_t k = 0; k < checked.pivots.size(); ++k) {
+    const program::Pivot& pivot = checked.pivots[k];
+    const std::string value = fmt::format("{}[{}]", kPivots, k);
+    const std::string least = short_literal(share * pivot.size, target);
+    lines.push_back(lost(pivot.positive ? fmt::format("{} < {}", value, least)
+                                        : fmt::format("{0} < {1} && {0} > -{1}", value, least)));
+    if (pivot.whole != 0) {
+      lines.push_back(lost(
+          fmt::format("{} < {} * {}[{}]", value, short_literal(share, target), kWholes, whole++)));
+    }
+  }
+  return lines;
+}
+
+/// What the tests say, and whether all arguments, pivots and results are numbers.
+std::vector<std::string> return_lines(const Checked& checked) {
+  std::vector<std::string> lines;
+  const auto note = [&](const program::Array& array) {
+    lines.push_back(fmt::format("failed |= check({}, {});", array.name, array.size));
+  };
+  std::ranges::for_each(checked.signature.inputs, note);
+  std::ranges::for_each(checked.function.signature.outputs, note);
+  lines.emplace_back("return failed;");
+  return lines;
+}
+
+std::vector<std::string> local_arrays(const Checked& checked) {
+  std::vector<std::string> lines;
+  const auto& outputs = checked.function.signature.outputs;
+  for (std::size_t k = checked.signature.outputs.size(); k < outputs.size(); ++k) {
+    lines.push_back(fmt::format("Scalar {}[{}];", outputs[k].name, outputs[k].size));
+  }
+  return lines;
+}
+
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+  lines.insert(lines.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+Checked checked_sibling(const program::Function& function, std::vector<program::Pivot> pivots) {
+  Checked result{function.signature, function, std::move(pivots)};
+  result.signature.name += "_checked";
+  result.signature.brief = fmt::format("As {}, the same bits, and whether they can be trusted.",
+                                       function.signature.name);
+  result.signature.status = true;
+  result.function.signature = result.signature;
+  std::vector<program::Ref> values;
+  std::vector<program::Ref> wholes;
+  for (const program::Pivot& pivot : result.pivots) {
+    values.push_back(pivot.value);
+    if (pivot.whole != 0) {
+      wholes.push_back(pivot.whole);
+    }
+  }
+  add_array(result.function, kPivots, values);
+  add_array(result.function, kWholes, wholes);
+  return result;
+}
+
+program::Cost cost(const Checked& checked) {
+  program::Cost result = program::cost(checked.function);
+  for (const program::Pivot& pivot : checked.pivots) {
+    result.mul += pivot.whole != 0 ? 1 : 0;
+  }
+  return result;
+}
+
+std::string checked_text(const Checked& checked, const Body& body, const Target& target) {
+  std::vector<std::string> lines = local_arrays(checked);
+  std::string parts;
+  if (body.parts.size() == 1) {
+    append(lines, body.parts.front().lines);
+  } else {
+    const SplitText split = split_text(checked.function.signature, body);
+    parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
+    if (!split.declaration.empty()) {
+      lines.push_back(split.declaration);
+    }
+    append(lines, split.calls);
+  }
+  lines.emplace_back("int failed = 0;");
+  append(lines, pivot_tests(checked, target));
+  append(lines, return_lines(checked));
+  const std::vector<bool> all(checked.signature.inputs.size() + checked.signature.outputs.size(),
+                              true);
+  return parts +
+         declaration(returned(checked.signature), parameters(checked.signature, all),
+                     " noexcept {") +
+         block(lines);
+}
+
+std::string check_text(const Target& target) {
+  const bool single = target.scalar == Scalar::kFloat;
+  return "\nnamespace {\n" +
+         fill(template_text("check.cpp"),
+              {{"type", type_name(target.scalar)},
+               {"largest", single ? "3.40282347e38f" : "1.7976931348623157e308"}}) +
+         "\n}  // namespace\n";
+}
+
+}  // namespace treedyn::emit
