@@ -104,8 +104,8 @@ void add_global_choices(const model::Tree& tree, const Freedom& freedom, const O
       [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });
   add(freedom.trunk && has_free_base(tree) && options.has(Pass::kTrunk), 2,
       [](Variant& v, const std::vector<int>&, int k) { v.trunk = k != 0; });
-  add(freedom.two_ways, 2,
-      [](Variant& v, const std::vector<int>&, int k) { v.from_root = k != 0; });
+  add(freedom.any_way, 3,
+      [](Variant& v, const std::vector<int>&, int k) { v.way = static_cast<Way>(k); });
 }
 
 std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom,
@@ -371,6 +371,7 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
                               const Options& options) {
   Variant start = plain_variant(tree);
   switch_off(options.without, start);
+  start.way = recipe.freedom.way;
   const bool two_methods = recipe.freedom.articulated;
   start.articulated = two_methods && options.forward_dynamics == ForwardDynamics::kArticulated;
   program::Function function = Search(tree, recipe, options, start).run();
