@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x915f34baeffa54ccULL, "header and source are of different runs");
+static_assert(kDigest == 0xd9f9718cd67dd59eULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -2825,26 +2825,26 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar t_left_shank_2 = 0.01f + 0.432f * c_left_shank + 0.433f * c_left_ankle_pitch;
   const Scalar t_left_shank_3 = t_left_shank_2 + 0.05903f * c_left_ankle_roll;
   const Scalar t_left_thigh_2 = c_left_thigh * t_left_shank_3;
-  const Scalar r_left_hip_fork_x = 0.02f + 0.05903f * s_left_ankle_roll;
-  const Scalar t_left_hip_fork_1 = c_left_hip_roll * r_left_hip_fork_x;
+  const Scalar t_left_thigh_3 = 0.02f + 0.05903f * s_left_ankle_roll;
+  const Scalar t_left_hip_fork_1 = c_left_hip_roll * t_left_thigh_3;
   const Scalar t_left_shank_4 = 0.432f * s_left_shank + 0.433f * s_left_ankle_pitch;
   const Scalar t_left_shank_5 = 0.06f - t_left_shank_4;
-  const Scalar t_left_hip_block_1 = 0.01f - s_left_thigh * t_left_shank_3;
-  const Scalar r_left_hip_block_x = t_left_hip_block_1 - c_left_thigh * t_left_shank_5;
-  const Scalar t_left_thigh_3 = t_left_thigh_2 - s_left_thigh * t_left_shank_5;
-  const Scalar r_left_hip_block_y = t_left_hip_fork_1 + s_left_hip_roll * t_left_thigh_3;
-  p[1] = 0.08064f + s_left_hip_yaw * r_left_hip_block_x + c_left_hip_yaw * r_left_hip_block_y;
-  p[0] = c_left_hip_yaw * r_left_hip_block_x - s_left_hip_yaw * r_left_hip_block_y;
-  const Scalar t_left_hip_block_2 = 0.114f - s_left_hip_roll * r_left_hip_fork_x;
-  p[2] = -(t_left_hip_block_2 + c_left_hip_roll * t_left_thigh_3);
-  const Scalar r_left_thigh_y = 0.20904f + t_left_shank_4;
-  const Scalar t_left_thigh_4 = t_left_thigh_2 + s_left_thigh * r_left_thigh_y;
-  const Scalar r_left_hip_block_y_2 = t_left_hip_fork_1 + s_left_hip_roll * t_left_thigh_4;
-  const Scalar r_left_hip_block_x_2 = t_left_hip_block_1 + c_left_thigh * r_left_thigh_y;
-  const Scalar t_1 = 0.08064f + c_left_hip_yaw * r_left_hip_block_y_2;
-  p[4] = t_1 + s_left_hip_yaw * r_left_hip_block_x_2;
-  p[3] = c_left_hip_yaw * r_left_hip_block_x_2 - s_left_hip_yaw * r_left_hip_block_y_2;
-  p[5] = -(t_left_hip_block_2 + c_left_hip_roll * t_left_thigh_4);
+  const Scalar t_left_hip_fork_2 = 0.01f - s_left_thigh * t_left_shank_3;
+  const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 - c_left_thigh * t_left_shank_5;
+  const Scalar t_left_thigh_4 = t_left_thigh_2 - s_left_thigh * t_left_shank_5;
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_1 + s_left_hip_roll * t_left_thigh_4;
+  // left_hip_block
+  p[1] = 0.08064f + s_left_hip_yaw * t_left_hip_fork_3 + c_left_hip_yaw * t_left_hip_fork_4;
+  p[0] = c_left_hip_yaw * t_left_hip_fork_3 - s_left_hip_yaw * t_left_hip_fork_4;
+  const Scalar t_left_hip_block_1 = 0.114f - s_left_hip_roll * t_left_thigh_3;
+  p[2] = -(t_left_hip_block_1 + c_left_hip_roll * t_left_thigh_4);
+  const Scalar t_left_shank_6 = 0.20904f + t_left_shank_4;
+  const Scalar t_left_thigh_5 = t_left_thigh_2 + s_left_thigh * t_left_shank_6;
+  const Scalar t_left_hip_fork_5 = t_left_hip_fork_1 + s_left_hip_roll * t_left_thigh_5;
+  const Scalar t_left_hip_fork_6 = t_left_hip_fork_2 + c_left_thigh * t_left_shank_6;
+  p[4] = 0.08064f + c_left_hip_yaw * t_left_hip_fork_5 + s_left_hip_yaw * t_left_hip_fork_6;
+  p[3] = c_left_hip_yaw * t_left_hip_fork_6 - s_left_hip_yaw * t_left_hip_fork_5;
+  p[5] = -(t_left_hip_block_1 + c_left_hip_roll * t_left_thigh_5);
   const Scalar t_right_shank_2 = 0.01f + 0.432f * c_right_shank + 0.433f * c_right_ankle_pitch;
   const Scalar t_right_shank_3 = t_right_shank_2 + 0.05903f * c_right_ankle_roll;
   const Scalar t_right_thigh_2 = c_right_thigh * t_right_shank_3;
@@ -2852,24 +2852,24 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar t_right_hip_fork_1 = c_right_hip_roll * t_right_thigh_3;
   const Scalar t_right_shank_4 = 0.432f * s_right_shank + 0.433f * s_right_ankle_pitch;
   const Scalar t_right_shank_5 = 0.06f - t_right_shank_4;
-  const Scalar t_right_hip_block_1 = 0.01f - s_right_thigh * t_right_shank_3;
-  const Scalar r_right_hip_block_x = t_right_hip_block_1 - c_right_thigh * t_right_shank_5;
+  const Scalar t_right_hip_fork_2 = 0.01f - s_right_thigh * t_right_shank_3;
+  const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - c_right_thigh * t_right_shank_5;
   const Scalar t_right_thigh_4 = t_right_thigh_2 - s_right_thigh * t_right_shank_5;
-  const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 - s_right_hip_roll * t_right_thigh_4;
-  const Scalar t_right_hip_block_2 = 0.08064f - s_right_hip_yaw * r_right_hip_block_x;
-  p[7] = -(t_right_hip_block_2 + c_right_hip_yaw * t_right_hip_fork_2);
-  p[6] = s_right_hip_yaw * t_right_hip_fork_2 + c_right_hip_yaw * r_right_hip_block_x;
-  const Scalar t_right_hip_block_3 = 0.114f + s_right_hip_roll * t_right_thigh_3;
-  p[8] = -(t_right_hip_block_3 + c_right_hip_roll * t_right_thigh_4);
-  const Scalar r_right_thigh_y = 0.20904f + t_right_shank_4;
-  const Scalar t_right_thigh_5 = t_right_thigh_2 + s_right_thigh * r_right_thigh_y;
-  const Scalar t_right_hip_fork_3 = t_right_hip_fork_1 - s_right_hip_roll * t_right_thigh_5;
+  const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 - s_right_hip_roll * t_right_thigh_4;
   // right_hip_block
-  const Scalar r_right_hip_block_x_2 = t_right_hip_block_1 + c_right_thigh * r_right_thigh_y;
-  const Scalar t_right_hip_block_4 = 0.08064f + c_right_hip_yaw * t_right_hip_fork_3;
-  p[10] = s_right_hip_yaw * r_right_hip_block_x_2 - t_right_hip_block_4;
-  p[9] = c_right_hip_yaw * r_right_hip_block_x_2 + s_right_hip_yaw * t_right_hip_fork_3;
-  p[11] = -(t_right_hip_block_3 + c_right_hip_roll * t_right_thigh_5);
+  const Scalar t_right_hip_block_1 = 0.08064f - s_right_hip_yaw * t_right_hip_fork_3;
+  p[7] = -(t_right_hip_block_1 + c_right_hip_yaw * t_right_hip_fork_4);
+  p[6] = s_right_hip_yaw * t_right_hip_fork_4 + c_right_hip_yaw * t_right_hip_fork_3;
+  const Scalar t_right_hip_block_2 = 0.114f + s_right_hip_roll * t_right_thigh_3;
+  p[8] = -(t_right_hip_block_2 + c_right_hip_roll * t_right_thigh_4);
+  const Scalar t_right_shank_6 = 0.20904f + t_right_shank_4;
+  const Scalar t_right_thigh_5 = t_right_thigh_2 + s_right_thigh * t_right_shank_6;
+  const Scalar t_right_hip_fork_5 = t_right_hip_fork_1 - s_right_hip_roll * t_right_thigh_5;
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_2 + c_right_thigh * t_right_shank_6;
+  const Scalar t_right_hip_block_3 = 0.08064f + c_right_hip_yaw * t_right_hip_fork_5;
+  p[10] = s_right_hip_yaw * t_right_hip_fork_6 - t_right_hip_block_3;
+  p[9] = c_right_hip_yaw * t_right_hip_fork_6 + s_right_hip_yaw * t_right_hip_fork_5;
+  p[11] = -(t_right_hip_block_2 + c_right_hip_roll * t_right_thigh_5);
 }
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
@@ -2881,183 +2881,181 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar t_left_shank_2 = 0.432f * s_left_hip_pitch;
   // left_ankle_cross
   const Scalar t_left_ankle_cross_1 = q[2] + q[3];
-  const auto [s_left_ankle_cross, c_left_ankle_cross] = sine_cosine(t_left_ankle_cross_1);
-  const Scalar t_left_ankle_cross_2 = 0.433f * s_left_ankle_cross;
-  const Scalar t_left_ankle_cross_3 = 0.433f * c_left_ankle_cross;
-  const Scalar t_left_foot_1 = t_left_ankle_cross_1 + q[4];
-  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
+  const Scalar t_left_ankle_cross_2 = t_left_ankle_cross_1 + q[4];
+  const auto [s_left_ankle_cross, c_left_ankle_cross] = sine_cosine(t_left_ankle_cross_2);
+  const auto [s_left_ankle_cross_2, c_left_ankle_cross_2] = sine_cosine(t_left_ankle_cross_1);
+  const Scalar t_left_ankle_cross_3 = 0.433f * s_left_ankle_cross_2;
+  const Scalar t_left_ankle_cross_4 = 0.433f * c_left_ankle_cross_2;
   const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[6]);
   const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
-  // right_shank
   const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[8]);
-  const Scalar t_right_shank_1 = 0.432f * c_right_hip_pitch;
-  const Scalar t_right_shank_2 = 0.432f * s_right_hip_pitch;
+  const Scalar t_right_shank_1 = 0.432f * s_right_hip_pitch;
   // right_ankle_cross
   const Scalar t_righ_ankl_cros_1 = q[8] + q[9];
-  const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_1);
-  const Scalar t_righ_ankl_cros_2 = 0.433f * c_righ_ankl_cros;
-  const Scalar t_righ_ankl_cros_3 = 0.433f * s_righ_ankl_cros;
-  const Scalar t_right_foot_1 = t_righ_ankl_cros_1 + q[10];
-  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
-  const Scalar Rx_left_thigh_x = s_left_hip_yaw * s_left_hip_roll;
-  const Scalar t_left_thigh_1 = c_left_hip_yaw * s_left_hip_roll;
-  const Scalar t_right_thigh_1 = c_right_hip_yaw * s_right_hip_roll;
-  const Scalar Rx_right_thigh_x = s_right_hip_yaw * s_right_hip_roll;
+  const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + q[10];
+  const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_2);
+  const auto [s_righ_ankl_cros_2, c_righ_ankl_cros_2] = sine_cosine(t_righ_ankl_cros_1);
+  const Scalar t_righ_ankl_cros_3 = 0.433f * c_righ_ankl_cros_2;
+  const Scalar t_righ_ankl_cros_4 = 0.433f * s_righ_ankl_cros_2;
   const auto [s_left_ankle_roll, c_left_ankle_roll] = sine_cosine(q[5]);
-  const Scalar r_left_ankle_cross_z = 0.05903f * s_left_ankle_roll;
-  const Scalar t_right_foot_2 = 0.05903f * c_left_ankle_roll;
-  // left_foot
-  const Scalar t_left_foot_2 = s_left_foot * r_left_ankle_cross_z;
-  const Scalar t_left_foot_3 = c_left_foot * r_left_ankle_cross_z;
-  const Scalar t_left_foot_4 = c_left_hip_roll * t_right_foot_2;
-  const Scalar t_left_foot_5 = t_left_foot_4 - s_left_hip_roll * t_left_foot_3;
-  C[61] = s_left_hip_yaw * t_left_foot_2 + c_left_hip_yaw * t_left_foot_5;
-  C[64] = C[61];
-  C[60] = c_left_hip_yaw * t_left_foot_2 - s_left_hip_yaw * t_left_foot_5;
-  C[63] = C[60];
-  const Scalar t_left_foot_6 = 0.01f + t_right_foot_2;
-  const Scalar t_left_foot_7 = s_left_foot * t_left_foot_6;
-  const Scalar t_left_foot_8 = t_left_foot_7 + 0.06f * c_left_foot;
-  C[62] = c_left_hip_roll * t_left_foot_3 + s_left_hip_roll * t_right_foot_2;
-  C[65] = C[62];
-  const Scalar t_left_foot_9 = c_left_foot * t_left_foot_6;
-  const Scalar t_left_foot_10 = t_left_foot_9 - 0.06f * s_left_foot;
-  // left_ankle_cross
-  C[49] = -(t_left_thigh_1 * t_left_foot_8 + s_left_hip_yaw * t_left_foot_10);
-  C[48] = Rx_left_thigh_x * t_left_foot_8 - c_left_hip_yaw * t_left_foot_10;
-  C[50] = c_left_hip_roll * t_left_foot_8;
-  const Scalar t_left_ankle_cross_4 = t_left_ankle_cross_3 + t_left_foot_10;
-  const Scalar t_left_ankle_cross_5 = t_left_ankle_cross_2 + t_left_foot_8;
-  // left_shank
-  const Scalar t_left_shank_3 = t_left_thigh_1 * t_left_ankle_cross_5;
-  const Scalar t_left_shank_4 = s_left_hip_yaw * t_left_ankle_cross_4 + t_left_shank_3;
-  C[37] = -t_left_shank_4;
-  C[36] = Rx_left_thigh_x * t_left_ankle_cross_5 - c_left_hip_yaw * t_left_ankle_cross_4;
-  C[38] = c_left_hip_roll * t_left_ankle_cross_5;
-  const Scalar t_left_shank_5 = t_left_shank_1 + t_left_ankle_cross_4;
-  const Scalar t_left_shank_6 = t_left_shank_2 + t_left_ankle_cross_5;
-  // left_thigh
-  C[24] = Rx_left_thigh_x * t_left_shank_6 - c_left_hip_yaw * t_left_shank_5;
-  const Scalar r_left_thigh_z = 0.02f + r_left_ankle_cross_z;
-  const Scalar t_left_thigh_2 = s_left_hip_roll * r_left_thigh_z;
-  const Scalar t_left_thigh_3 = c_left_hip_roll * r_left_thigh_z;
-  const Scalar r_left_hip_fork_x = t_left_thigh_3 + s_left_hip_roll * t_left_shank_5;
-  C[14] = r_left_hip_fork_x;
-  const Scalar t_left_thigh_4 = t_left_shank_2 * t_left_thigh_1;
-  const Scalar t_left_thigh_5 = t_left_thigh_4 + s_left_hip_yaw * t_left_shank_1;
-  C[25] = -(t_left_shank_4 + t_left_thigh_5);
-  C[26] = c_left_hip_roll * t_left_shank_6;
-  // left_hip_fork
-  const Scalar r_left_hip_fork_y = t_left_thigh_2 - c_left_hip_roll * t_left_shank_5;
-  C[12] = s_left_hip_yaw * r_left_hip_fork_y;
-  C[13] = -c_left_hip_yaw * r_left_hip_fork_y;
-  const Scalar r_left_hip_fork_z = 0.01f - t_left_shank_6;
-  C[1] = c_left_hip_yaw * r_left_hip_fork_z - s_left_hip_yaw * r_left_hip_fork_x;
-  C[0] = -(s_left_hip_yaw * r_left_hip_fork_z + c_left_hip_yaw * r_left_hip_fork_x);
-  const Scalar t_left_foot_11 = t_left_foot_7 - 0.20904f * c_left_foot;
-  const Scalar t_left_foot_12 = t_left_foot_9 + 0.20904f * s_left_foot;
-  // left_ankle_cross
-  C[51] = Rx_left_thigh_x * t_left_foot_11 - c_left_hip_yaw * t_left_foot_12;
-  C[52] = -(t_left_thigh_1 * t_left_foot_11 + s_left_hip_yaw * t_left_foot_12);
-  C[53] = c_left_hip_roll * t_left_foot_11;
-  const Scalar t_left_ankle_cross_6 = t_left_ankle_cross_3 + t_left_foot_12;
-  const Scalar t_left_ankle_cross_7 = t_left_ankle_cross_2 + t_left_foot_11;
-  // left_shank
-  const Scalar t_left_shank_7 = t_left_thigh_1 * t_left_ankle_cross_7;
-  const Scalar t_left_shank_8 = s_left_hip_yaw * t_left_ankle_cross_6 + t_left_shank_7;
-  C[40] = -t_left_shank_8;
-  C[39] = Rx_left_thigh_x * t_left_ankle_cross_7 - c_left_hip_yaw * t_left_ankle_cross_6;
-  C[41] = c_left_hip_roll * t_left_ankle_cross_7;
-  const Scalar t_left_shank_9 = t_left_shank_1 + t_left_ankle_cross_6;
-  const Scalar t_left_shank_10 = t_left_shank_2 + t_left_ankle_cross_7;
-  C[27] = Rx_left_thigh_x * t_left_shank_10 - c_left_hip_yaw * t_left_shank_9;
-  C[28] = -(t_left_thigh_5 + t_left_shank_8);
-  const Scalar r_left_hip_fork_x_2 = t_left_thigh_3 + s_left_hip_roll * t_left_shank_9;
-  C[17] = r_left_hip_fork_x_2;
-  C[29] = c_left_hip_roll * t_left_shank_10;
-  // left_hip_fork
-  const Scalar r_left_hip_fork_y_2 = t_left_thigh_2 - c_left_hip_roll * t_left_shank_9;
-  C[15] = s_left_hip_yaw * r_left_hip_fork_y_2;
-  C[16] = -c_left_hip_yaw * r_left_hip_fork_y_2;
-  const Scalar r_left_hip_fork_z_2 = 0.01f - t_left_shank_10;
-  C[4] = c_left_hip_yaw * r_left_hip_fork_z_2 - s_left_hip_yaw * r_left_hip_fork_x_2;
-  // left_hip_block
-  C[3] = -(c_left_hip_yaw * r_left_hip_fork_x_2 + s_left_hip_yaw * r_left_hip_fork_z_2);
-  const auto [s_right_ankle_roll, c_right_ankle_roll] = sine_cosine(q[11]);
-  const Scalar t_left_hip_block_1 = 0.05903f * c_right_ankle_roll;
-  const Scalar r_righ_ankl_cros_z = 0.05903f * s_right_ankle_roll;
+  const Scalar r_left_foot_y = 0.05903f * s_left_ankle_roll;
   // right_foot
-  const Scalar t_right_foot_3 = c_right_foot * r_righ_ankl_cros_z;
-  const Scalar t_right_foot_4 = c_right_hip_roll * t_left_hip_block_1;
-  const Scalar t_right_foot_5 = t_right_foot_4 - s_right_hip_roll * t_right_foot_3;
-  const Scalar t_right_foot_6 = s_right_foot * r_righ_ankl_cros_z;
-  C[139] = c_right_hip_yaw * t_right_foot_5 + s_right_hip_yaw * t_right_foot_6;
-  C[142] = C[139];
-  C[138] = c_right_hip_yaw * t_right_foot_6 - s_right_hip_yaw * t_right_foot_5;
+  const auto [s_right_ankle_roll, c_right_ankle_roll] = sine_cosine(q[11]);
+  const Scalar r_right_foot_x = 0.05903f * c_right_ankle_roll;
+  const Scalar r_right_foot_y = 0.05903f * s_right_ankle_roll;
+  const Scalar r_left_foot_x = 0.05903f * c_left_ankle_roll;
+  const Scalar t_left_foot_1 = 0.01f + r_left_foot_x;
+  // left_ankle_cross
+  const Scalar t_left_ankle_cross_5 = s_left_ankle_cross * t_left_foot_1;
+  const Scalar t_left_ankle_cross_6 = t_left_ankle_cross_5 + 0.06f * c_left_ankle_cross;
+  const Scalar t_left_ankle_cross_7 = t_left_ankle_cross_3 + t_left_ankle_cross_6;
+  const Scalar t_left_ankle_cross_8 = c_left_ankle_cross * t_left_foot_1;
+  const Scalar t_left_ankle_cross_9 = t_left_ankle_cross_8 - 0.06f * s_left_ankle_cross;
+  const Scalar t_left_ankle_cross_10 = t_left_ankle_cross_4 + t_left_ankle_cross_9;
+  const Scalar t_left_shank_3 = t_left_shank_1 + t_left_ankle_cross_10;
+  const Scalar t_left_shank_4 = t_left_shank_2 + t_left_ankle_cross_7;
+  const Scalar r_left_hip_fork_x = 0.02f + r_left_foot_y;
+  const Scalar t_left_hip_fork_1 = c_left_hip_roll * r_left_hip_fork_x;
+  const Scalar r_left_hip_block_y = t_left_hip_fork_1 + s_left_hip_roll * t_left_shank_3;
+  C[14] = r_left_hip_block_y;
+  const Scalar t_left_hip_fork_2 = s_left_hip_roll * r_left_hip_fork_x;
+  const Scalar r_left_hip_block_x = 0.01f - t_left_shank_4;
+  C[0] = -(s_left_hip_yaw * r_left_hip_block_x + c_left_hip_yaw * r_left_hip_block_y);
+  C[1] = c_left_hip_yaw * r_left_hip_block_x - s_left_hip_yaw * r_left_hip_block_y;
+  const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 - c_left_hip_roll * t_left_shank_3;
+  // right_foot
+  C[12] = s_left_hip_yaw * t_left_hip_fork_3;
+  C[13] = -c_left_hip_yaw * t_left_hip_fork_3;
+  const Scalar t_right_foot_1 = c_left_hip_yaw * s_left_hip_roll;
+  C[25] = -(s_left_hip_yaw * t_left_shank_3 + t_left_shank_4 * t_right_foot_1);
+  const Scalar t_right_foot_2 = s_left_hip_yaw * s_left_hip_roll;
+  C[24] = t_left_shank_4 * t_right_foot_2 - c_left_hip_yaw * t_left_shank_3;
+  C[37] = -(t_left_ankle_cross_7 * t_right_foot_1 + s_left_hip_yaw * t_left_ankle_cross_10);
+  C[36] = t_left_ankle_cross_7 * t_right_foot_2 - c_left_hip_yaw * t_left_ankle_cross_10;
+  const Scalar t_right_foot_3 = c_left_hip_roll * t_left_ankle_cross_7;
+  C[38] = t_right_foot_3;
+  const Scalar t_right_foot_4 = c_left_hip_roll * t_left_shank_2;
+  C[26] = t_right_foot_3 + t_right_foot_4;
+  C[48] = t_left_ankle_cross_6 * t_right_foot_2 - c_left_hip_yaw * t_left_ankle_cross_9;
+  const Scalar t_right_foot_5 = c_left_ankle_cross * r_left_foot_y;
+  const Scalar t_right_foot_6 = s_left_hip_roll * t_right_foot_5;
+  const Scalar t_right_foot_7 = t_right_foot_6 - c_left_hip_roll * r_left_foot_x;
+  const Scalar t_right_foot_8 = s_left_ankle_cross * r_left_foot_y;
+  C[61] = s_left_hip_yaw * t_right_foot_8 - c_left_hip_yaw * t_right_foot_7;
+  C[64] = C[61];
+  C[60] = c_left_hip_yaw * t_right_foot_8 + s_left_hip_yaw * t_right_foot_7;
+  C[63] = C[60];
+  C[49] = -(t_left_ankle_cross_6 * t_right_foot_1 + s_left_hip_yaw * t_left_ankle_cross_9);
+  C[50] = c_left_hip_roll * t_left_ankle_cross_6;
+  C[62] = c_left_hip_roll * t_right_foot_5 + s_left_hip_roll * r_left_foot_x;
+  C[65] = C[62];
+  // left_ankle_cross
+  const Scalar t_left_ankle_cross_11 = t_left_ankle_cross_5 - 0.20904f * c_left_ankle_cross;
+  const Scalar t_left_ankle_cross_12 = t_left_ankle_cross_3 + t_left_ankle_cross_11;
+  const Scalar t_left_ankle_cross_13 = t_left_ankle_cross_8 + 0.20904f * s_left_ankle_cross;
+  const Scalar t_left_shank_5 = t_left_shank_2 + t_left_ankle_cross_12;
+  const Scalar t_left_ankle_cross_14 = t_left_ankle_cross_4 + t_left_ankle_cross_13;
+  const Scalar t_left_shank_6 = t_left_shank_1 + t_left_ankle_cross_14;
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_2 - c_left_hip_roll * t_left_shank_6;
+  const Scalar r_left_hip_block_y_2 = t_left_hip_fork_1 + s_left_hip_roll * t_left_shank_6;
+  C[17] = r_left_hip_block_y_2;
+  const Scalar r_left_hip_block_x_2 = 0.01f - t_left_shank_5;
+  // right_foot
+  C[3] = -(c_left_hip_yaw * r_left_hip_block_y_2 + s_left_hip_yaw * r_left_hip_block_x_2);
+  C[4] = c_left_hip_yaw * r_left_hip_block_x_2 - s_left_hip_yaw * r_left_hip_block_y_2;
+  C[15] = s_left_hip_yaw * t_left_hip_fork_4;
+  C[16] = -c_left_hip_yaw * t_left_hip_fork_4;
+  C[28] = -(s_left_hip_yaw * t_left_shank_6 + t_right_foot_1 * t_left_shank_5);
+  C[27] = t_right_foot_2 * t_left_shank_5 - c_left_hip_yaw * t_left_shank_6;
+  C[39] = t_right_foot_2 * t_left_ankle_cross_12 - c_left_hip_yaw * t_left_ankle_cross_14;
+  C[40] = -(s_left_hip_yaw * t_left_ankle_cross_14 + t_right_foot_1 * t_left_ankle_cross_12);
+  const Scalar t_right_foot_9 = c_left_hip_roll * t_left_ankle_cross_12;
+  C[41] = t_right_foot_9;
+  C[29] = t_right_foot_4 + t_right_foot_9;
+  C[51] = t_right_foot_2 * t_left_ankle_cross_11 - c_left_hip_yaw * t_left_ankle_cross_13;
+  C[52] = -(t_right_foot_1 * t_left_ankle_cross_11 + s_left_hip_yaw * t_left_ankle_cross_13);
+  C[53] = c_left_hip_roll * t_left_ankle_cross_11;
+  const Scalar t_right_foot_10 = 0.01f + r_right_foot_x;
+  // right_ankle_cross
+  const Scalar t_righ_ankl_cros_5 = c_righ_ankl_cros * t_right_foot_10;
+  const Scalar t_righ_ankl_cros_6 = s_righ_ankl_cros * t_right_foot_10;
+  const Scalar t_righ_ankl_cros_7 = t_righ_ankl_cros_6 + 0.06f * c_righ_ankl_cros;
+  const Scalar t_righ_ankl_cros_8 = t_righ_ankl_cros_5 - 0.06f * s_righ_ankl_cros;
+  const Scalar t_right_shank_2 = t_righ_ankl_cros_3 + 0.432f * c_right_hip_pitch;
+  const Scalar t_right_shank_3 = t_righ_ankl_cros_8 + t_right_shank_2;
+  const Scalar t_right_thigh_1 = 0.02f - r_right_foot_y;
+  // right_hip_fork
+  const Scalar t_right_hip_fork_1 = s_right_hip_roll * t_right_thigh_1;
+  const Scalar t_right_hip_fork_2 = c_right_hip_roll * t_right_thigh_1;
+  const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - s_right_hip_roll * t_right_shank_3;
+  C[92] = -t_right_hip_fork_3;
+  const Scalar t_righ_ankl_cros_9 = t_righ_ankl_cros_4 + t_righ_ankl_cros_7;
+  const Scalar t_right_shank_4 = t_right_shank_1 + t_righ_ankl_cros_9;
+  const Scalar r_right_hip_block_x = 0.01f - t_right_shank_4;
+  C[78] = c_right_hip_yaw * t_right_hip_fork_3 - s_right_hip_yaw * r_right_hip_block_x;
+  C[79] = c_right_hip_yaw * r_right_hip_block_x + s_right_hip_yaw * t_right_hip_fork_3;
+  const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 + c_right_hip_roll * t_right_shank_3;
+  // right_foot
+  C[91] = c_right_hip_yaw * t_right_hip_fork_4;
+  C[90] = -s_right_hip_yaw * t_right_hip_fork_4;
+  const Scalar t_right_foot_11 = c_right_hip_yaw * s_right_hip_roll;
+  C[103] = -(s_right_hip_yaw * t_right_shank_3 + t_right_shank_4 * t_right_foot_11);
+  const Scalar t_right_foot_12 = s_right_hip_yaw * s_right_hip_roll;
+  C[102] = t_right_shank_4 * t_right_foot_12 - c_right_hip_yaw * t_right_shank_3;
+  const Scalar t_right_foot_13 = t_righ_ankl_cros_7 * t_right_foot_12;
+  const Scalar t_right_foot_14 = c_right_hip_yaw * t_righ_ankl_cros_8 - t_right_foot_13;
+  C[126] = -t_right_foot_14;
+  const Scalar t_right_foot_15 = t_righ_ankl_cros_4 * t_right_foot_12;
+  const Scalar t_right_foot_16 = c_right_hip_yaw * t_righ_ankl_cros_3 - t_right_foot_15;
+  C[114] = -(t_right_foot_14 + t_right_foot_16);
+  const Scalar t_right_foot_17 = t_righ_ankl_cros_7 * t_right_foot_11;
+  const Scalar t_right_foot_18 = t_right_foot_17 + s_right_hip_yaw * t_righ_ankl_cros_8;
+  C[127] = -t_right_foot_18;
+  const Scalar t_right_foot_19 = t_righ_ankl_cros_4 * t_right_foot_11;
+  const Scalar t_right_foot_20 = t_right_foot_19 + s_right_hip_yaw * t_righ_ankl_cros_3;
+  C[115] = -(t_right_foot_18 + t_right_foot_20);
+  const Scalar t_right_foot_21 = c_right_hip_roll * t_righ_ankl_cros_9;
+  C[116] = t_right_foot_21;
+  const Scalar t_right_foot_22 = c_right_hip_roll * t_right_shank_1;
+  C[104] = t_right_foot_21 + t_right_foot_22;
+  const Scalar t_right_foot_23 = c_righ_ankl_cros * r_right_foot_y;
+  const Scalar t_right_foot_24 = s_righ_ankl_cros * r_right_foot_y;
+  const Scalar t_right_foot_25 = s_right_hip_roll * t_right_foot_23;
+  const Scalar t_right_foot_26 = t_right_foot_25 - c_right_hip_roll * r_right_foot_x;
+  C[138] = c_right_hip_yaw * t_right_foot_24 + s_right_hip_yaw * t_right_foot_26;
   C[141] = C[138];
-  const Scalar t_right_foot_7 = 0.01f + t_left_hip_block_1;
-  const Scalar t_right_foot_8 = c_right_foot * t_right_foot_7;
-  C[140] = c_right_hip_roll * t_right_foot_3 + s_right_hip_roll * t_left_hip_block_1;
+  C[139] = s_right_hip_yaw * t_right_foot_24 - c_right_hip_yaw * t_right_foot_26;
+  C[142] = C[139];
+  C[128] = c_right_hip_roll * t_righ_ankl_cros_7;
+  C[140] = c_right_hip_roll * t_right_foot_23 + s_right_hip_roll * r_right_foot_x;
   C[143] = C[140];
-  const Scalar t_right_foot_9 = s_right_foot * t_right_foot_7;
-  const Scalar t_right_foot_10 = t_right_foot_9 + 0.06f * c_right_foot;
-  const Scalar t_right_foot_11 = t_right_foot_8 - 0.06f * s_right_foot;
-  // right_ankle_cross
-  C[127] = -(t_right_thigh_1 * t_right_foot_10 + s_right_hip_yaw * t_right_foot_11);
-  C[126] = Rx_right_thigh_x * t_right_foot_10 - c_right_hip_yaw * t_right_foot_11;
-  C[128] = c_right_hip_roll * t_right_foot_10;
-  const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 + t_right_foot_10;
-  const Scalar t_righ_ankl_cros_5 = t_righ_ankl_cros_2 + t_right_foot_11;
-  // right_shank
-  C[114] = Rx_right_thigh_x * t_righ_ankl_cros_4 - c_right_hip_yaw * t_righ_ankl_cros_5;
-  C[115] = -(t_right_thigh_1 * t_righ_ankl_cros_4 + s_right_hip_yaw * t_righ_ankl_cros_5);
-  C[116] = c_right_hip_roll * t_righ_ankl_cros_4;
-  const Scalar t_right_shank_3 = t_right_shank_1 + t_righ_ankl_cros_5;
-  const Scalar t_right_shank_4 = t_right_shank_2 + t_righ_ankl_cros_4;
-  const Scalar t_right_shank_5 = 0.02f - r_righ_ankl_cros_z;
-  // right_thigh
-  const Scalar t_right_thigh_2 = s_right_hip_roll * t_right_shank_5;
-  C[102] = Rx_right_thigh_x * t_right_shank_4 - c_right_hip_yaw * t_right_shank_3;
-  const Scalar t_right_thigh_3 = c_right_hip_roll * t_right_shank_5;
-  const Scalar t_right_thigh_4 = t_right_thigh_3 - s_right_hip_roll * t_right_shank_3;
-  C[92] = -t_right_thigh_4;
-  C[103] = -(s_right_hip_yaw * t_right_shank_3 + t_right_thigh_1 * t_right_shank_4);
-  C[104] = c_right_hip_roll * t_right_shank_4;
-  const Scalar t_right_thigh_5 = t_right_thigh_2 + c_right_hip_roll * t_right_shank_3;
-  // right_hip_fork
-  C[90] = -s_right_hip_yaw * t_right_thigh_5;
-  C[91] = c_right_hip_yaw * t_right_thigh_5;
-  const Scalar r_right_hip_fork_z = 0.01f - t_right_shank_4;
-  C[79] = s_right_hip_yaw * t_right_thigh_4 + c_right_hip_yaw * r_right_hip_fork_z;
-  C[78] = c_right_hip_yaw * t_right_thigh_4 - s_right_hip_yaw * r_right_hip_fork_z;
-  const Scalar t_right_foot_12 = t_right_foot_9 - 0.20904f * c_right_foot;
-  const Scalar t_right_foot_13 = t_right_foot_8 + 0.20904f * s_right_foot;
-  // right_ankle_cross
-  C[129] = Rx_right_thigh_x * t_right_foot_12 - c_right_hip_yaw * t_right_foot_13;
-  C[130] = -(t_right_thigh_1 * t_right_foot_12 + s_right_hip_yaw * t_right_foot_13);
-  C[131] = c_right_hip_roll * t_right_foot_12;
-  const Scalar t_righ_ankl_cros_6 = t_righ_ankl_cros_2 + t_right_foot_13;
-  const Scalar t_righ_ankl_cros_7 = t_righ_ankl_cros_3 + t_right_foot_12;
-  // right_shank
-  C[118] = -(t_right_thigh_1 * t_righ_ankl_cros_7 + s_right_hip_yaw * t_righ_ankl_cros_6);
-  C[117] = Rx_right_thigh_x * t_righ_ankl_cros_7 - c_right_hip_yaw * t_righ_ankl_cros_6;
-  C[119] = c_right_hip_roll * t_righ_ankl_cros_7;
-  const Scalar t_right_shank_6 = t_right_shank_1 + t_righ_ankl_cros_6;
-  const Scalar t_right_shank_7 = t_right_shank_2 + t_righ_ankl_cros_7;
-  // right_thigh
-  const Scalar t_right_thigh_6 = t_right_thigh_3 - s_right_hip_roll * t_right_shank_6;
-  C[95] = -t_right_thigh_6;
-  C[105] = Rx_right_thigh_x * t_right_shank_7 - c_right_hip_yaw * t_right_shank_6;
-  C[106] = -(s_right_hip_yaw * t_right_shank_6 + t_right_thigh_1 * t_right_shank_7);
-  C[107] = c_right_hip_roll * t_right_shank_7;
-  const Scalar t_right_thigh_7 = t_right_thigh_2 + c_right_hip_roll * t_right_shank_6;
-  // right_hip_fork
-  C[93] = -s_right_hip_yaw * t_right_thigh_7;
-  C[94] = c_right_hip_yaw * t_right_thigh_7;
-  const Scalar r_right_hip_fork_z_2 = 0.01f - t_right_shank_7;
-  // right_hip_block
-  C[81] = c_right_hip_yaw * t_right_thigh_6 - s_right_hip_yaw * r_right_hip_fork_z_2;
-  C[82] = c_right_hip_yaw * r_right_hip_fork_z_2 + s_right_hip_yaw * t_right_thigh_6;
+  const Scalar t_righ_ankl_cros_10 = t_righ_ankl_cros_6 - 0.20904f * c_righ_ankl_cros;
+  const Scalar t_righ_ankl_cros_11 = t_righ_ankl_cros_5 + 0.20904f * s_righ_ankl_cros;
+  const Scalar t_right_shank_5 = t_right_shank_2 + t_righ_ankl_cros_11;
+  const Scalar t_righ_ankl_cros_12 = t_righ_ankl_cros_4 + t_righ_ankl_cros_10;
+  const Scalar t_right_shank_6 = t_right_shank_1 + t_righ_ankl_cros_12;
+  const Scalar t_right_hip_fork_5 = t_right_hip_fork_2 - s_right_hip_roll * t_right_shank_5;
+  C[95] = -t_right_hip_fork_5;
+  const Scalar r_right_hip_block_x_2 = 0.01f - t_right_shank_6;
+  C[81] = c_right_hip_yaw * t_right_hip_fork_5 - s_right_hip_yaw * r_right_hip_block_x_2;
+  C[82] = s_right_hip_yaw * t_right_hip_fork_5 + c_right_hip_yaw * r_right_hip_block_x_2;
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_1 + c_right_hip_roll * t_right_shank_5;
+  C[94] = c_right_hip_yaw * t_right_hip_fork_6;
+  C[93] = -s_right_hip_yaw * t_right_hip_fork_6;
+  C[106] = -(s_right_hip_yaw * t_right_shank_5 + t_right_foot_11 * t_right_shank_6);
+  C[105] = t_right_foot_12 * t_right_shank_6 - c_right_hip_yaw * t_right_shank_5;
+  const Scalar t_right_foot_27 = t_right_foot_11 * t_righ_ankl_cros_10;
+  const Scalar t_right_foot_28 = t_right_foot_27 + s_right_hip_yaw * t_righ_ankl_cros_11;
+  C[130] = -t_right_foot_28;
+  C[118] = -(t_right_foot_20 + t_right_foot_28);
+  const Scalar t_right_foot_29 = t_right_foot_12 * t_righ_ankl_cros_10;
+  const Scalar t_right_foot_30 = t_right_foot_29 - c_right_hip_yaw * t_righ_ankl_cros_11;
+  C[129] = t_right_foot_30;
+  C[117] = t_right_foot_30 - t_right_foot_16;
+  const Scalar t_right_foot_31 = c_right_hip_roll * t_righ_ankl_cros_12;
+  C[119] = t_right_foot_31;
+  C[107] = t_right_foot_22 + t_right_foot_31;
+  C[131] = c_right_hip_roll * t_righ_ankl_cros_10;
   C[2] = 0.0f;
   C[5] = 0.0f;
   C[6] = 0.0f;

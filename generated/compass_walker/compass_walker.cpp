@@ -14,7 +14,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0x96dadad0683fe969ULL, "header and source are of different runs");
+static_assert(kDigest == 0xd43631395cfef6acULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -173,10 +173,10 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
   const auto [s_left_hip, c_left_hip] = sine_cosine(q[2]);
   const auto [s_right_hip, c_right_hip] = sine_cosine(q[3]);
-  // slide
   p[2] = q[1] - c_left_hip;
   p[0] = q[0] - s_left_hip;
   p[5] = q[1] - c_right_hip;
+  // slide
   p[3] = q[0] - s_right_hip;
   p[1] = 0.0;
   p[4] = 0.0;

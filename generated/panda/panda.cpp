@@ -14,7 +14,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0x65310c3ca9148fdcULL, "header and source are of different runs");
+static_assert(kDigest == 0xbdee69ede137012eULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -1372,20 +1372,19 @@ void point_positions(const Scalar q[7], Scalar p[3]) noexcept {
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
   const auto [s_joint6, c_joint6] = sine_cosine(q[5]);
-  const Scalar r_link5_x = 0.107 * s_joint6 + 0.088 * c_joint6;
-  const Scalar r_link3_y = s_joint5 * r_link5_x;
-  const Scalar r_link4_x = 0.0825 - c_joint5 * r_link5_x;
-  const Scalar r_link5_z = 0.384 + 0.088 * s_joint6 - 0.107 * c_joint6;
-  // link3
-  const Scalar r_link3_x = 0.0825 - c_joint4 * r_link4_x - s_joint4 * r_link5_z;
-  const Scalar t_link3_1 = s_joint3 * r_link3_y - c_joint3 * r_link3_x;
-  const Scalar r_link3_z = 0.316 - s_joint4 * r_link4_x + c_joint4 * r_link5_z;
-  // link2
-  const Scalar t_link2_1 = s_joint2 * r_link3_z - c_joint2 * t_link3_1;
-  const Scalar r_link2_z = c_joint3 * r_link3_y + s_joint3 * r_link3_x;
-  p[1] = c_joint1 * r_link2_z + s_joint1 * t_link2_1;
-  p[0] = c_joint1 * t_link2_1 - s_joint1 * r_link2_z;
-  p[2] = 0.333 + s_joint2 * t_link3_1 + c_joint2 * r_link3_z;
+  const Scalar t_link6_1 = 0.107 * s_joint6 + 0.088 * c_joint6;
+  const Scalar t_link5_1 = s_joint5 * t_link6_1;
+  const Scalar t_link5_2 = 0.0825 - c_joint5 * t_link6_1;
+  const Scalar t_link6_2 = 0.384 + 0.088 * s_joint6 - 0.107 * c_joint6;
+  const Scalar t_link4_1 = 0.0825 - c_joint4 * t_link5_2 - s_joint4 * t_link6_2;
+  const Scalar t_link3_1 = s_joint3 * t_link5_1 - c_joint3 * t_link4_1;
+  const Scalar t_link4_2 = 0.316 - s_joint4 * t_link5_2 + c_joint4 * t_link6_2;
+  const Scalar t_link2_1 = s_joint2 * t_link4_2 - c_joint2 * t_link3_1;
+  const Scalar t_link3_2 = c_joint3 * t_link5_1 + s_joint3 * t_link4_1;
+  // link1
+  p[1] = c_joint1 * t_link3_2 + s_joint1 * t_link2_1;
+  p[0] = c_joint1 * t_link2_1 - s_joint1 * t_link3_2;
+  p[2] = 0.333 + s_joint2 * t_link3_1 + c_joint2 * t_link4_2;
 }
 
 void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
@@ -1395,62 +1394,60 @@ void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
   const auto [s_joint6, c_joint6] = sine_cosine(q[5]);
-  // link4
-  const Scalar t_link4_1 = c_joint1 * c_joint3;
-  const Scalar t_link4_2 = s_joint1 * s_joint3;
-  const Scalar t_link4_3 = s_joint2 * s_joint4;
-  const Scalar t_link4_4 = t_link4_2 - c_joint2 * t_link4_1;
-  const Scalar t_link4_5 = c_joint1 * t_link4_3 - c_joint4 * t_link4_4;
-  const Scalar t_link4_6 = s_joint1 * c_joint3;
-  const Scalar t_link4_7 = c_joint1 * s_joint3;
-  const Scalar t_link4_8 = s_joint2 * c_joint4;
-  const Scalar Rz_link4_x = c_joint3 * t_link4_8 - c_joint2 * s_joint4;
-  const Scalar r_link6_x = 0.088 * c_joint6 + 0.107 * s_joint6;
-  const Scalar Rx_link4_z = t_link4_6 + c_joint2 * t_link4_7;
   // link6
+  const Scalar r_link6_x = 0.088 * c_joint6 + 0.107 * s_joint6;
+  const Scalar t_link6_1 = c_joint5 * r_link6_x;
   const Scalar r_link6_y = 0.088 * s_joint6 - 0.107 * c_joint6;
-  const Scalar t_link6_1 = s_joint5 * r_link6_y;
-  const Scalar t_link6_2 = c_joint5 * r_link6_y;
-  const Scalar Rx_link5_z = c_joint1 * t_link4_8 + s_joint4 * t_link4_4;
-  C[15] = Rx_link4_z * t_link6_1 - t_link4_5 * t_link6_2 + r_link6_x * Rx_link5_z;
-  // link4
-  const Scalar t_link4_9 = t_link4_7 + c_joint2 * t_link4_6;
-  const Scalar t_link4_10 = s_joint1 * t_link4_3 + c_joint4 * t_link4_9;
-  const Scalar t_link4_11 = t_link4_1 - c_joint2 * t_link4_2;
-  const Scalar Ry_link5_z = s_joint1 * t_link4_8 - s_joint4 * t_link4_9;
-  C[16] = r_link6_x * Ry_link5_z - (t_link6_2 * t_link4_10 + t_link6_1 * t_link4_11);
-  const Scalar t_link4_12 = s_joint2 * s_joint3;
-  const Scalar Rz_link5_z = c_joint3 * t_link4_3 + c_joint2 * c_joint4;
-  C[17] = r_link6_x * Rz_link5_z - (t_link6_1 * t_link4_12 - Rz_link4_x * t_link6_2);
-  const Scalar t_link6_3 = c_joint5 * r_link6_x;
   const Scalar r_link5_z = 0.384 + r_link6_y;
-  const Scalar t_link6_4 = s_joint5 * r_link6_x;
-  // link5
-  C[12] = -(t_link4_5 * t_link6_4 + Rx_link4_z * t_link6_3);
-  C[13] = t_link4_11 * t_link6_3 - t_link4_10 * t_link6_4;
-  C[14] = t_link4_12 * t_link6_3 + Rz_link4_x * t_link6_4;
-  // link4
-  const Scalar r_link4_x = 0.0825 - t_link6_3;
-  const Scalar t_link4_13 = 0.0825 - c_joint4 * r_link4_x - s_joint4 * r_link5_z;
-  const Scalar t_link4_14 = s_joint3 * t_link6_4 - c_joint3 * t_link4_13;
-  const Scalar r_link3_y = c_joint3 * t_link6_4 + s_joint3 * t_link4_13;
-  C[10] = -(t_link4_10 * r_link5_z + Ry_link5_z * r_link4_x);
-  C[9] = -(Rx_link5_z * r_link4_x + t_link4_5 * r_link5_z);
-  C[11] = Rz_link4_x * r_link5_z - Rz_link5_z * r_link4_x;
-  const Scalar t_link2_1 = s_joint1 * r_link3_y;
-  C[7] = -(c_joint2 * t_link2_1 + c_joint1 * t_link4_14);
-  const Scalar r_link3_z = 0.316 + c_joint4 * r_link5_z - s_joint4 * r_link4_x;
-  const Scalar r_link2_x = c_joint2 * t_link4_14 - s_joint2 * r_link3_z;
-  C[5] = r_link2_x;
-  const Scalar t_link2_2 = c_joint1 * r_link3_y;
-  C[6] = s_joint1 * t_link4_14 - c_joint2 * t_link2_2;
-  C[8] = s_joint2 * r_link3_y;
-  C[1] = -(t_link2_1 + c_joint1 * r_link2_x);
-  C[0] = s_joint1 * r_link2_x - t_link2_2;
+  const Scalar r_link4_x = 0.0825 - t_link6_1;
+  const Scalar t_link4_1 = s_joint4 * r_link5_z + c_joint4 * r_link4_x;
+  // link3
+  const Scalar r_link3_y = s_joint5 * r_link6_x;
+  const Scalar t_link3_1 = s_joint3 * r_link3_y;
+  const Scalar r_link3_x = 0.0825 - t_link4_1;
+  const Scalar t_link3_2 = t_link3_1 - c_joint3 * r_link3_x;
+  const Scalar t_link4_2 = s_joint4 * r_link4_x - c_joint4 * r_link5_z;
+  const Scalar r_link3_z = 0.316 - t_link4_2;
+  const Scalar t_link3_3 = s_joint2 * r_link3_z - c_joint2 * t_link3_2;
+  C[5] = -t_link3_3;
+  const Scalar t_link3_4 = c_joint3 * r_link3_y;
+  const Scalar r_link2_z = t_link3_4 + s_joint3 * r_link3_x;
+  const Scalar t_link2_1 = c_joint1 * r_link2_z;
+  C[0] = -(t_link2_1 + s_joint1 * t_link3_3);
   // link2
-  const Scalar r_link2_y = s_joint2 * t_link4_14 + c_joint2 * r_link3_z;
-  C[3] = c_joint1 * r_link2_y;
+  const Scalar t_link2_2 = s_joint1 * r_link2_z;
+  C[1] = c_joint1 * t_link3_3 - t_link2_2;
+  const Scalar r_link2_y = s_joint2 * t_link3_2 + c_joint2 * r_link3_z;
+  // link7
   C[4] = s_joint1 * r_link2_y;
+  C[3] = c_joint1 * r_link2_y;
+  C[7] = -(c_joint2 * t_link2_2 + c_joint1 * t_link3_2);
+  C[6] = s_joint1 * t_link3_2 - c_joint2 * t_link2_1;
+  const Scalar t_link7_1 = c_joint3 * t_link4_2;
+  const Scalar t_link7_2 = s_joint3 * t_link4_2;
+  const Scalar t_link7_3 = c_joint2 * t_link7_1 - s_joint2 * t_link4_1;
+  C[9] = c_joint1 * t_link7_3 - s_joint1 * t_link7_2;
+  const Scalar t_link7_4 = c_joint5 * r_link6_y;
+  const Scalar t_link7_5 = s_joint5 * r_link6_y;
+  const Scalar t_link7_6 = s_joint4 * r_link6_x;
+  const Scalar t_link7_7 = t_link7_6 + c_joint4 * t_link7_4;
+  const Scalar t_link7_8 = c_joint3 * t_link7_5 + s_joint3 * t_link7_7;
+  const Scalar t_link7_9 = s_joint4 * t_link7_4 - c_joint4 * r_link6_x;
+  const Scalar t_link7_10 = s_joint3 * t_link7_5 - c_joint3 * t_link7_7;
+  const Scalar t_link7_11 = s_joint2 * t_link7_9 - c_joint2 * t_link7_10;
+  C[16] = -(c_joint1 * t_link7_8 + s_joint1 * t_link7_11);
+  C[10] = c_joint1 * t_link7_2 + s_joint1 * t_link7_3;
+  C[15] = s_joint1 * t_link7_8 - c_joint1 * t_link7_11;
+  C[8] = s_joint2 * r_link2_z;
+  const Scalar t_link7_12 = s_joint5 * t_link7_6;
+  const Scalar t_link7_13 = c_joint4 * t_link3_1 - c_joint3 * t_link6_1;
+  const Scalar t_link7_14 = c_joint4 * t_link3_4 + s_joint3 * t_link6_1;
+  const Scalar t_link7_15 = s_joint2 * t_link7_12 + c_joint2 * t_link7_14;
+  C[12] = s_joint1 * t_link7_13 - c_joint1 * t_link7_15;
+  C[13] = -(c_joint1 * t_link7_13 + s_joint1 * t_link7_15);
+  C[17] = -(c_joint2 * t_link7_9 + s_joint2 * t_link7_10);
+  C[11] = -(s_joint2 * t_link7_1 + c_joint2 * t_link4_1);
+  C[14] = s_joint2 * t_link7_14 - c_joint2 * t_link7_12;
   C[2] = 0.0;
   C[18] = 0.0;
   C[19] = 0.0;

@@ -14,7 +14,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xcca06f2a063333e5ULL, "header and source are of different runs");
+static_assert(kDigest == 0x11837d294c88b0f0ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -127,10 +127,10 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
+  // boom
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
   C[5] = c_shoulder;
   C[3] = s_shoulder;
-  // shoulder_link
   C[2] = -s_shoulder * q[1];
   C[0] = c_shoulder * q[1];
   C[1] = 0.0;

@@ -14,7 +14,7 @@
 
 namespace quadruped {
 
-static_assert(kDigest == 0x92ad085d17619a3dULL, "header and source are of different runs");
+static_assert(kDigest == 0xb07359cd08782784ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -1103,22 +1103,28 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar t_hind_right_shank_1 = q[10] + q[11];
   const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
   const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
-  const Scalar r_front_left_thigh_x = 0.209 * c_front_left_hip + 0.175 * c_front_left_shank;
-  p[1] = 0.049 + 0.062 * c_front_left_abduction + s_front_left_abduction * r_front_left_thigh_x;
-  p[2] = 0.062 * s_front_left_abduction - c_front_left_abduction * r_front_left_thigh_x;
+  const Scalar t_front_left_shank_2 = 0.209 * c_front_left_hip + 0.175 * c_front_left_shank;
+  // front_left_hip
+  const Scalar t_front_left_hip_1 = s_front_left_abduction * t_front_left_shank_2;
+  p[1] = 0.049 + 0.062 * c_front_left_abduction + t_front_left_hip_1;
+  p[2] = 0.062 * s_front_left_abduction - c_front_left_abduction * t_front_left_shank_2;
   p[0] = 0.19 + 0.209 * s_front_left_hip + 0.175 * s_front_left_shank;
-  const Scalar r_fron_righ_thig_x = 0.209 * c_front_right_hip + 0.175 * c_fron_righ_shan;
-  p[4] = s_front_right_abduction * r_fron_righ_thig_x - (0.049 + 0.062 * c_front_right_abduction);
-  p[5] = -(0.062 * s_front_right_abduction + c_front_right_abduction * r_fron_righ_thig_x);
+  const Scalar t_fron_righ_shan_2 = 0.209 * c_front_right_hip + 0.175 * c_fron_righ_shan;
+  // front_right_hip
+  const Scalar t_front_right_hip_1 = s_front_right_abduction * t_fron_righ_shan_2;
+  p[4] = t_front_right_hip_1 - (0.049 + 0.062 * c_front_right_abduction);
+  p[5] = -(0.062 * s_front_right_abduction + c_front_right_abduction * t_fron_righ_shan_2);
   p[3] = 0.19 + 0.209 * s_front_right_hip + 0.175 * s_fron_righ_shan;
-  const Scalar r_hind_left_thigh_x = 0.209 * c_hind_left_hip + 0.175 * c_hind_left_shank;
-  p[7] = 0.049 + 0.062 * c_hind_left_abduction + s_hind_left_abduction * r_hind_left_thigh_x;
-  p[8] = 0.062 * s_hind_left_abduction - c_hind_left_abduction * r_hind_left_thigh_x;
+  const Scalar t_hind_left_shank_2 = 0.209 * c_hind_left_hip + 0.175 * c_hind_left_shank;
+  // hind_left_hip
+  p[7] = 0.049 + 0.062 * c_hind_left_abduction + s_hind_left_abduction * t_hind_left_shank_2;
+  p[8] = 0.062 * s_hind_left_abduction - c_hind_left_abduction * t_hind_left_shank_2;
   p[6] = 0.175 * s_hind_left_shank - (0.19 - 0.209 * s_hind_left_hip);
-  // hind_right_thigh
-  const Scalar r_hind_right_thigh_x = 0.209 * c_hind_right_hip + 0.175 * c_hind_right_shank;
-  p[10] = s_hind_right_abduction * r_hind_right_thigh_x - (0.049 + 0.062 * c_hind_right_abduction);
-  p[11] = -(0.062 * s_hind_right_abduction + c_hind_right_abduction * r_hind_right_thigh_x);
+  const Scalar t_hind_right_shank_2 = 0.209 * c_hind_right_hip + 0.175 * c_hind_right_shank;
+  // hind_right_hip
+  const Scalar t_hind_right_hip_1 = s_hind_right_abduction * t_hind_right_shank_2;
+  p[10] = t_hind_right_hip_1 - (0.049 + 0.062 * c_hind_right_abduction);
+  p[11] = -(0.062 * s_hind_right_abduction + c_hind_right_abduction * t_hind_right_shank_2);
   p[9] = 0.175 * s_hind_right_shank - (0.19 - 0.209 * s_hind_right_hip);
 }
 
@@ -1132,69 +1138,66 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
   // hind_right_shank
   const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
-  const Scalar t_hind_right_shank_1 = q[1] + q[2];
+  const Scalar t_hind_right_shank_1 = q[10] + q[11];
   const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
-  const Scalar t_hind_right_shank_2 = 0.175 * s_hind_right_shank;
-  const Scalar t_hind_right_shank_3 = 0.175 * c_hind_right_shank;
-  C[24] = t_hind_right_shank_3;
-  C[26] = c_front_left_abduction * t_hind_right_shank_2;
-  C[25] = -s_front_left_abduction * t_hind_right_shank_2;
-  const Scalar r_front_left_thigh_y = t_hind_right_shank_2 + 0.209 * s_front_left_hip;
-  const Scalar r_front_left_thigh_x = t_hind_right_shank_3 + 0.209 * c_front_left_hip;
+  const Scalar r_hind_right_shank_x = 0.175 * c_hind_right_shank;
+  C[141] = r_hind_right_shank_x;
+  const Scalar t_hind_right_shank_2 = q[4] + q[5];
+  const auto [s_hind_right_shank_2, c_hind_right_shank_2] = sine_cosine(t_hind_right_shank_2);
+  const Scalar r_fron_righ_shan_y = 0.175 * s_hind_right_shank_2;
+  const Scalar t_hind_right_shank_3 = q[1] + q[2];
+  const auto [s_hind_right_shank_3, c_hind_right_shank_3] = sine_cosine(t_hind_right_shank_3);
+  const Scalar r_front_left_shank_y = 0.175 * s_hind_right_shank_3;
+  const Scalar r_hind_right_shank_y = 0.175 * s_hind_right_shank;
+  const Scalar t_hind_right_shank_4 = q[7] + q[8];
+  const auto [s_hind_right_shank_4, c_hind_right_shank_4] = sine_cosine(t_hind_right_shank_4);
+  const Scalar r_hind_left_shank_x = 0.175 * c_hind_right_shank_4;
+  C[102] = r_hind_left_shank_x;
+  const Scalar r_hind_left_shank_y = 0.175 * s_hind_right_shank_4;
+  const Scalar r_front_left_shank_x = 0.175 * c_hind_right_shank_3;
+  C[24] = r_front_left_shank_x;
+  const Scalar r_fron_righ_shan_x = 0.175 * c_hind_right_shank_2;
+  C[63] = r_fron_righ_shan_x;
+  const Scalar r_front_left_thigh_y = r_front_left_shank_y + 0.209 * s_front_left_hip;
+  const Scalar r_front_left_thigh_x = r_front_left_shank_x + 0.209 * c_front_left_hip;
   C[12] = r_front_left_thigh_x;
   C[2] = 0.062 * c_front_left_abduction + s_front_left_abduction * r_front_left_thigh_x;
-  // front_left_thigh
   C[1] = c_front_left_abduction * r_front_left_thigh_x - 0.062 * s_front_left_abduction;
   C[13] = -s_front_left_abduction * r_front_left_thigh_y;
   C[14] = c_front_left_abduction * r_front_left_thigh_y;
-  // front_left_hip
-  const Scalar t_front_left_hip_1 = q[4] + q[5];
-  const auto [s_front_left_hip_2, c_front_left_hip_2] = sine_cosine(t_front_left_hip_1);
-  const Scalar t_front_left_hip_2 = 0.175 * s_front_left_hip_2;
-  const Scalar t_front_left_hip_3 = 0.175 * c_front_left_hip_2;
-  C[63] = t_front_left_hip_3;
-  C[65] = c_front_right_abduction * t_front_left_hip_2;
-  C[64] = -s_front_right_abduction * t_front_left_hip_2;
+  C[26] = c_front_left_abduction * r_front_left_shank_y;
+  C[25] = -s_front_left_abduction * r_front_left_shank_y;
   // front_right_thigh
-  const Scalar r_fron_righ_thig_x = t_front_left_hip_3 + 0.209 * c_front_right_hip;
+  const Scalar r_fron_righ_thig_x = r_fron_righ_shan_x + 0.209 * c_front_right_hip;
   C[51] = r_fron_righ_thig_x;
-  const Scalar r_fron_righ_thig_y = t_front_left_hip_2 + 0.209 * s_front_right_hip;
+  const Scalar r_fron_righ_thig_y = r_fron_righ_shan_y + 0.209 * s_front_right_hip;
   C[40] = 0.062 * s_front_right_abduction + c_front_right_abduction * r_fron_righ_thig_x;
   C[41] = s_front_right_abduction * r_fron_righ_thig_x - 0.062 * c_front_right_abduction;
+  // hind_right_shank
   C[52] = -s_front_right_abduction * r_fron_righ_thig_y;
   C[53] = c_front_right_abduction * r_fron_righ_thig_y;
-  // front_right_hip
-  const Scalar t_front_right_hip_1 = q[7] + q[8];
-  const auto [s_front_right_hip_2, c_front_right_hip_2] = sine_cosine(t_front_right_hip_1);
-  const Scalar t_front_right_hip_2 = 0.175 * c_front_right_hip_2;
-  C[102] = t_front_right_hip_2;
-  const Scalar t_front_right_hip_3 = 0.175 * s_front_right_hip_2;
-  C[104] = c_hind_left_abduction * t_front_right_hip_3;
-  C[103] = -s_hind_left_abduction * t_front_right_hip_3;
+  C[65] = c_front_right_abduction * r_fron_righ_shan_y;
+  C[64] = -s_front_right_abduction * r_fron_righ_shan_y;
   // hind_left_thigh
-  const Scalar r_hind_left_thigh_y = t_front_right_hip_3 + 0.209 * s_hind_left_hip;
-  const Scalar r_hind_left_thigh_x = t_front_right_hip_2 + 0.209 * c_hind_left_hip;
+  const Scalar r_hind_left_thigh_y = r_hind_left_shank_y + 0.209 * s_hind_left_hip;
+  const Scalar r_hind_left_thigh_x = r_hind_left_shank_x + 0.209 * c_hind_left_hip;
   C[90] = r_hind_left_thigh_x;
   C[79] = c_hind_left_abduction * r_hind_left_thigh_x - 0.062 * s_hind_left_abduction;
   C[80] = 0.062 * c_hind_left_abduction + s_hind_left_abduction * r_hind_left_thigh_x;
+  // hind_right_shank
   C[92] = c_hind_left_abduction * r_hind_left_thigh_y;
   C[91] = -s_hind_left_abduction * r_hind_left_thigh_y;
-  // hind_left_hip
-  const Scalar t_hind_left_hip_1 = q[10] + q[11];
-  const auto [s_hind_left_hip_2, c_hind_left_hip_2] = sine_cosine(t_hind_left_hip_1);
-  const Scalar t_hind_left_hip_2 = 0.175 * c_hind_left_hip_2;
-  C[141] = t_hind_left_hip_2;
-  const Scalar t_hind_left_hip_3 = 0.175 * s_hind_left_hip_2;
-  C[142] = -s_hind_right_abduction * t_hind_left_hip_3;
-  C[143] = c_hind_right_abduction * t_hind_left_hip_3;
-  const Scalar r_hind_right_thigh_y = t_hind_left_hip_3 + 0.209 * s_hind_right_hip;
-  const Scalar r_hind_right_thigh_x = t_hind_left_hip_2 + 0.209 * c_hind_right_hip;
+  C[104] = c_hind_left_abduction * r_hind_left_shank_y;
+  C[103] = -s_hind_left_abduction * r_hind_left_shank_y;
+  const Scalar r_hind_right_thigh_y = r_hind_right_shank_y + 0.209 * s_hind_right_hip;
+  const Scalar r_hind_right_thigh_x = r_hind_right_shank_x + 0.209 * c_hind_right_hip;
   C[129] = r_hind_right_thigh_x;
   C[119] = s_hind_right_abduction * r_hind_right_thigh_x - 0.062 * c_hind_right_abduction;
-  // hind_right_thigh
   C[118] = 0.062 * s_hind_right_abduction + c_hind_right_abduction * r_hind_right_thigh_x;
   C[131] = c_hind_right_abduction * r_hind_right_thigh_y;
   C[130] = -s_hind_right_abduction * r_hind_right_thigh_y;
+  C[142] = -s_hind_right_abduction * r_hind_right_shank_y;
+  C[143] = c_hind_right_abduction * r_hind_right_shank_y;
   C[0] = 0.0;
   C[3] = 0.0;
   C[4] = 0.0;

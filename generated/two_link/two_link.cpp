@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0xe61a16a9a6beb67cULL, "header and source are of different runs");
+static_assert(kDigest == 0x28e5b5641966eb3bULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -146,7 +146,6 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
   const Scalar t_forearm_1 = q[0] + q[1];
   const auto [s_forearm, c_forearm] = sine_cosine(t_forearm_1);
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
-  // upper_arm
   p[0] = c_forearm + c_shoulder;
   p[2] = s_forearm + s_shoulder;
   p[1] = 0.0;
@@ -156,11 +155,11 @@ void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
   // forearm
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
   const Scalar t_forearm_1 = q[0] + q[1];
-  const auto [s_forearm, c_forearm] = sine_cosine(t_forearm_1);
-  C[5] = c_forearm;
-  C[3] = -s_forearm;
-  C[2] = c_shoulder + c_forearm;
-  C[0] = -(s_shoulder + s_forearm);
+  const auto [r_forearm_y, r_forearm_x] = sine_cosine(t_forearm_1);
+  C[5] = r_forearm_x;
+  C[3] = -r_forearm_y;
+  C[2] = c_shoulder + r_forearm_x;
+  C[0] = -(s_shoulder + r_forearm_y);
   C[1] = 0.0;
   C[4] = 0.0;
 }

@@ -24,7 +24,7 @@ inline constexpr int kDof = 2;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xe61a16a9a6beb67cULL;
+inline constexpr unsigned long long kDigest = 0x28e5b5641966eb3bULL;
 
 /// Index of every joint.
 namespace joint {

@@ -1,7 +1,6 @@
 #include "derive/algebra.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "common/error.hpp"
@@ -11,9 +10,6 @@ namespace treedyn::derive {
 namespace {
 
 constexpr Ratio kOne{1, 1};
-constexpr Ratio kMinus{-1, 1};
-
-bool is_sum_along(Op op) { return op >= Op::kPath && op <= Op::kCollect && op != Op::kBackward; }
 
 }  // namespace
 
@@ -37,6 +33,14 @@ int Algebra::bilinear(Op op, Type type, int a, int b) {
   }
   const auto [p, x] = split(a);
   const auto [q, y] = split(b);
+  const Value right = value(y);
+  if (right.op == Op::kScale && is_common(right.operands.back()) &&
+      (op == Op::kCross || op == Op::kDot)) {
+    const std::vector<int> numbers(right.operands.begin(), right.operands.end() - 1);
+    note(Rule::kCommon);
+    return linear(
+        {{multiply(p, q), bilinear(op, type, scaled(numbers, x), right.operands.back())}});
+  }
   const int product = values_.intern({op, set, type, {}, 0, {x, y}, {}});
   const Ratio factor = multiply(p, q);
   return factor == kOne ? product : linear({{factor, product}});
@@ -85,6 +89,12 @@ int Algebra::scaled(const std::vector<int>& numbers, int x) {
       return cross(scaled(factors, c.operands[0]), c.operands[1]);
     }
   }
+  if (body >= 0 && value(body).op == Op::kSkew && !factors.empty()) {
+    return skew(scaled(factors, value(body).operands.front()));
+  }
+  if (const int known = body < 0 ? -1 : with_moments(factors, body); known >= 0) {
+    return known;
+  }
   std::sort(factors.begin(), factors.end());
   if (body >= 0) {
     factors.push_back(body);
@@ -94,6 +104,33 @@ int Algebra::scaled(const std::vector<int>& numbers, int x) {
   }
   return factors.size() == 1 ? factors.front()
                              : values_.intern({Op::kScale, v.set, v.type, {}, 0, factors, {}});
+}
+
+/// R10: m c = h, m (x + c) = m x + h; -1 if there is no m or no c.
+int Algebra::with_moments(const std::vector<int>& numbers, int x) {
+  const Value v = value(x);
+  const auto is_centre = [this](int y) {
+    return value(y).name == "c^d";
+  };
+  const bool has_mass =
+      std::any_of(numbers.begin(), numbers.end(), [this](int y) { return value(y).name == "m^d"; });
+  const bool sum =
+      v.op == Op::kLinear && std::any_of(v.operands.begin(), v.operands.end(), is_centre);
+  if (!has_mass || (!sum && !is_centre(x))) {
+    return -1;
+  }
+  if (sum) {
+    Terms terms;
+    for (std::size_t k = 0; k < v.operands.size(); ++k) {
+      terms.emplace_back(v.factors[k], scaled(numbers, v.operands[k]));
+    }
+    return linear(terms);
+  }
+  note(Rule::kParameters);
+  std::vector<int> others = numbers;
+  others.erase(
+      std::find_if(others.begin(), others.end(), [this](int y) { return value(y).name == "m^d"; }));
+  return scaled(others, leaf("h^d", v.set, Type::kVector));
 }
 
 int Algebra::scale(int number, int x) {
@@ -147,8 +184,87 @@ int Algebra::sum_along(Op op, Set set, int x) {
       return known;
     }
   }
+  if (const int known = of_kind(op, set, x); known >= 0) {
+    note(Rule::kKinds);
+    return known;
+  }
+  if (const int known = of_common(op, set, x); known >= 0) {
+    note(Rule::kCommon);
+    return known;
+  }
   note(Rule::kSums);
   return values_.intern({op, set, type, {}, 0, {x}, {}});
+}
+
+/// R3': from sums over subtrees or all links; numbers take D off what they multiply there. -1 if
+/// nothing is common.
+int Algebra::of_common(Op op, Set set, int x) {
+  const Value v = value(x);
+  const bool all = op == Op::kCollect;
+  if ((!all && op != Op::kSubtree && op != Op::kSubtreeStrict) || v.operands.empty()) {
+    return -1;
+  }
+  const int last = v.operands.back();
+  const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
+  const auto sum = [&](int y) {
+    return sum_along(op, set, y);
+  };
+  const int g = leaf("g", set, Type::kVector);
+  if (is_common(last) && v.op == Op::kScale) {
+    return scale(sum(scaled(numbers, ones(v.set))), g);
+  }
+  if (is_common(last) && v.op == Op::kCross) {
+    return cross(sum(v.operands.front()), g);
+  }
+  if (v.op == Op::kDot && (is_common(last) || is_common(v.operands.front()))) {
+    return dot(g, sum(is_common(last) ? v.operands.front() : last));
+  }
+  return all ? of_weighed_paths(set, x) : -1;
+}
+
+/// R3': 1^T y D x = 1^T (D^T y) x for numbers y; -1 if no term of x is y D x.
+int Algebra::of_weighed_paths(Set set, int x) {
+  const Value v = value(x);
+  const bool weighed = v.op == Op::kScale && v.type == Type::kVector;
+  const int body = weighed ? v.operands.back() : x;
+  const Value inner = value(body);
+  const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
+  const auto scaled_term = [&](int y) {
+    return weighed ? scaled(numbers, y) : y;
+  };
+  if (weighed && inner.op == Op::kPath) {
+    const int subtree = sum_along(Op::kSubtree, v.set, scaled(numbers, ones(v.set)));
+    return sum_along(Op::kCollect, set, scale(subtree, inner.operands.front()));
+  }
+  const auto has_path = [&](int y) {
+    const Value& term = value(y);
+    return weighed ? term.op == Op::kPath
+                   : term.op == Op::kScale && term.type == Type::kVector &&
+                         of_weighed_paths(set, y) >= 0;
+  };
+  if (inner.op != Op::kLinear ||
+      std::none_of(inner.operands.begin(), inner.operands.end(), has_path)) {
+    return -1;
+  }
+  Terms terms;
+  for (std::size_t k = 0; k < inner.operands.size(); ++k) {
+    terms.emplace_back(inner.factors[k],
+                       sum_along(Op::kCollect, set, scaled_term(inner.operands[k])));
+  }
+  return linear(terms);
+}
+
+/// Sums of multiples of E and of skew blocks are such; -1 for other blocks.
+int Algebra::of_kind(Op op, Set set, int x) {
+  const Value v = value(x);
+  if (v.op == Op::kSkew) {
+    return skew(sum_along(op, set, v.operands.front()));
+  }
+  if (v.op == Op::kScale && value(v.operands.back()).op == Op::kIdentity) {
+    const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
+    return scale(sum_along(op, set, scaled(numbers, ones(v.set))), identity(set));
+  }
+  return -1;
 }
 
 /// R5 for sums of Λ(a)Λ(b) of w, D w and N w; -1 if it does not act.
@@ -168,237 +284,6 @@ int Algebra::telescoped(Op op, int x) {
   note(Rule::kTelescope);
   const int omega = sum_along(op, Set::kLinks, *w);
   return skew_product(omega, omega);
-}
-
-/// Sums opened, equal values collected, zeros dropped; D^T a + N^T b taken apart again.
-Terms Algebra::flattened(const Terms& terms) {
-  std::map<int, Ratio> collected;
-  const auto take = [&](const Ratio& factor, int x) {
-    const auto [place, is_new] = collected.emplace(x, factor);
-    if (!is_new) {
-      place->second = add(place->second, factor);
-    }
-  };
-  const auto open = [&](const Ratio& factor, int x) {
-    if (value(x).op != Op::kBackward) {
-      return take(factor, x);
-    }
-    const Value v = value(x);
-    for (const auto& [op, operand] :
-         {std::pair(Op::kSubtree, v.operands[0]), std::pair(Op::kSubtreeStrict, v.operands[1])}) {
-      const auto [p, y] = split(sum_along(op, v.set, operand));
-      take(multiply(factor, p), y);
-    }
-  };
-  for (const auto& [factor, x] : terms) {
-    const Value v = value(x);
-    if (v.op != Op::kLinear) {
-      open(factor, x);
-    }
-    for (std::size_t k = 0; v.op == Op::kLinear && k < v.operands.size(); ++k) {
-      open(multiply(factor, v.factors[k]), v.operands[k]);
-    }
-  }
-  Terms result;
-  for (const auto& [x, factor] : collected) {
-    if (factor.numerator != 0 && !is_zero(x)) {
-      result.emplace_back(factor, x);
-    }
-  }
-  return result;
-}
-
-template <class Key, class Merged>
-void Algebra::merge(Terms& terms, Key key, Merged merged) {
-  std::map<decltype(key(Value{})), Terms> groups;
-  Terms rest;
-  for (const auto& term : terms) {
-    const auto k = key(value(term.second));
-    if (k.empty()) {
-      rest.push_back(term);
-    } else {
-      groups[k].push_back(term);
-    }
-  }
-  for (const auto& [k, group] : groups) {
-    if (group.size() == 1) {
-      rest.push_back(group.front());
-      continue;
-    }
-    note(Rule::kMerge);
-    const int result = merged(group);
-    if (!is_zero(result)) {
-      rest.emplace_back(kOne, result);
-    }
-  }
-  terms = flattened(rest);
-}
-
-/// D x + D y = D (x + y).
-void Algebra::merge_sums(Terms& terms) {
-  merge(
-      terms,
-      [](const Value& v) {
-        return is_sum_along(v.op) ? std::vector<int>{static_cast<int>(v.op)} : std::vector<int>{};
-      },
-      [this](const Terms& group) {
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands.front());
-        }
-        const Value first = value(group.front().second);
-        return sum_along(first.op, first.set, linear(inner));
-      });
-}
-
-/// Λ(a) + Λ(b) = Λ(a + b).
-void Algebra::merge_skews(Terms& terms) {
-  merge(
-      terms,
-      [](const Value& v) { return v.op == Op::kSkew ? std::vector<int>{0} : std::vector<int>{}; },
-      [this](const Terms& group) {
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands.front());
-        }
-        return skew(linear(inner));
-      });
-}
-
-/// a×x + b×x = (a + b)×x.
-void Algebra::merge_seconds(Terms& terms) {
-  merge(
-      terms,
-      [](const Value& v) {
-        return v.op == Op::kCross ? std::vector<int>{v.operands[1]} : std::vector<int>{};
-      },
-      [this](const Terms& group) {
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands[0]);
-        }
-        const int second = value(group.front().second).operands[1];
-        return cross(linear(inner), second);
-      });
-}
-
-/// S v + T v = (S + T) v, where v×a = -Λ(a) v joins.
-void Algebra::merge_applied(Terms& terms) {
-  std::vector<int> applied;
-  for (const auto& [factor, x] : terms) {
-    if (value(x).op == Op::kApply) {
-      applied.push_back(value(x).operands[1]);
-    }
-  }
-  merge(
-      terms,
-      [&](const Value& v) {
-        const bool joins = v.op == Op::kCross && std::find(applied.begin(), applied.end(),
-                                                           v.operands[0]) != applied.end();
-        return v.op == Op::kApply ? std::vector<int>{v.operands[1]}
-               : joins            ? std::vector<int>{v.operands[0]}
-                                  : std::vector<int>{};
-      },
-      [this](const Terms& group) {
-        Terms inner;
-        int v = -1;
-        for (const auto& [factor, x] : group) {
-          const Value term = value(x);
-          const bool is_cross = term.op == Op::kCross;
-          v = term.operands[is_cross ? 0 : 1];
-          inner.emplace_back(is_cross ? multiply(kMinus, factor) : factor,
-                             is_cross ? skew(term.operands[1]) : term.operands[0]);
-        }
-        return apply(linear(inner), v);
-      });
-}
-
-/// a×b + a×c = a×(b + c), S x + S y = S (x + y), m x + m y = m (x + y).
-void Algebra::merge_factors(Terms& terms) {
-  merge(
-      terms,
-      [](const Value& v) {
-        const bool bilinear = v.op == Op::kCross || v.op == Op::kApply ||
-                              v.op == Op::kApplyTranspose || v.op == Op::kDot;
-        if (bilinear || (v.op == Op::kScale && v.type != Type::kScalar)) {
-          std::vector<int> key(v.operands.begin(), v.operands.end() - 1);
-          key.push_back(-1 - static_cast<int>(v.op));
-          return key;
-        }
-        return std::vector<int>{};
-      },
-      [this](const Terms& group) {
-        Terms inner;
-        for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands.back());
-        }
-        const Value first = value(group.front().second);
-        const int sum = linear(inner);
-        switch (first.op) {
-          case Op::kCross:
-            return cross(first.operands[0], sum);
-          case Op::kApply:
-            return apply(first.operands[0], sum);
-          case Op::kApplyTranspose:
-            return apply_transposed(first.operands[0], sum);
-          case Op::kDot:
-            return dot(first.operands[0], sum);
-          default:
-            return scale(scaled({first.operands.begin(), first.operands.end() - 2},
-                                first.operands[first.operands.size() - 2]),
-                         sum);
-        }
-      });
-}
-
-/// D^T a + N^T b: sons hand on b and their own sum.
-void Algebra::merge_backward(Terms& terms) {
-  const auto find = [&](Op op) {
-    return std::find_if(terms.begin(), terms.end(),
-                        [&](const auto& term) { return value(term.second).op == op; });
-  };
-  const auto a = find(Op::kSubtree);
-  const auto b = find(Op::kSubtreeStrict);
-  if (a == terms.end() || b == terms.end()) {
-    return;
-  }
-  const Value v = value(a->second);
-  const int own = linear({{a->first, v.operands[0]}});
-  const int of_sons = linear({{b->first, value(b->second).operands[0]}});
-  const std::vector<int> gone = {a->second, b->second};
-  std::erase_if(terms,
-                [&](const auto& term) { return term.second == gone[0] || term.second == gone[1]; });
-  note(Rule::kMerge);
-  terms.emplace_back(kOne,
-                     values_.intern({Op::kBackward, v.set, v.type, {}, 0, {own, of_sons}, {}}));
-}
-
-int Algebra::linear(const Terms& terms) {
-  TREEDYN_EXPECT(!terms.empty());
-  const Value first = value(terms.front().second);
-  Terms rest = flattened(terms);
-  if (rest.size() > 1) {
-    merge_sums(rest);
-    merge_skews(rest);
-    merge_seconds(rest);
-    merge_applied(rest);
-    merge_factors(rest);
-    merge_backward(rest);
-  }
-  if (rest.empty()) {
-    return zero(first.set, first.type);
-  }
-  if (rest.size() == 1 && rest.front().first == kOne) {
-    return rest.front().second;
-  }
-  std::sort(rest.begin(), rest.end(),
-            [](const auto& a, const auto& b) { return a.second < b.second; });
-  Value value{Op::kLinear, first.set, first.type, {}, 0, {}, {}};
-  for (const auto& [factor, x] : rest) {
-    value.operands.push_back(x);
-    value.factors.push_back(factor);
-  }
-  return values_.intern(std::move(value));
 }
 
 }  // namespace treedyn::derive

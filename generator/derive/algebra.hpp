@@ -17,6 +17,9 @@ class Algebra {
   int zero(Set set, Type type) { return values_.intern({Op::kZero, set, type, {}, 0, {}, {}}); }
   int ones(Set set) { return values_.intern({Op::kOnes, set, Type::kScalar, {}, 0, {}, {}}); }
   int unit(Set set, Type type) { return values_.intern({Op::kUnit, set, type, {}, 0, {}, {}}); }
+  int identity(Set set) {
+    return values_.intern({Op::kIdentity, set, Type::kTensor, {}, 0, {}, {}});
+  }
   int leaf(const std::string& name, Set set, Type type) {
     return values_.intern({Op::kLeaf, set, type, name, 0, {}, {}});
   }
@@ -49,6 +52,11 @@ class Algebra {
   int bilinear(Op op, Type type, int a, int b);
   int scaled(const std::vector<int>& numbers, int x);
   int telescoped(Op op, int x);
+  int of_kind(Op op, Set set, int x);
+  int of_common(Op op, Set set, int x);
+  int of_weighed_paths(Set set, int x);
+  [[nodiscard]] bool is_common(int x) const { return value(x).name == "g"; }
+  int with_moments(const std::vector<int>& numbers, int x);
 
   Terms flattened(const Terms& terms);
   void merge_sums(Terms& terms);

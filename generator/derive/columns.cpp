@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "block/rewrite.hpp"
 #include "common/error.hpp"
@@ -174,6 +175,9 @@ int Columns::leaf(const Expression& e, bool transposed, int x) {
 int Columns::full_leaf(const Expression& e, bool transposed, int x) {
   const block::Side& rows = e.shape().rows;
   TREEDYN_EXPECT(e.shape().cols.set == Set::kOne && rows.set != Set::kRows);
+  if (!transposed || type_of(e.shape()) != Type::kScalar) {
+    require_narrow();
+  }
   const int blocks = algebra_.leaf(e.node().name, rows.set, type_of(e.shape()));
   if (!transposed) {
     return diagonal(e.shape(), blocks, false, spread(rows, x));
@@ -184,7 +188,11 @@ int Columns::full_leaf(const Expression& e, bool transposed, int x) {
 
 /// Every block times the block of x.
 int Columns::diagonal(const block::Shape& shape, int blocks, bool transposed, int x) {
-  switch (type_of(shape)) {
+  const Type type = type_of(shape);
+  if (wide_ && type != Type::kScalar) {
+    return wide_diagonal(type, blocks, transposed, x);
+  }
+  switch (type) {
     case Type::kScalar:
       return algebra_.scale(blocks, x);
     case Type::kVector:
@@ -225,10 +233,11 @@ int Columns::product(const Factors& factors, bool transposed, int x) {
 
 int Columns::skew(const Expression& Y, bool transposed, int x) {
   if (is_diagonal(Y)) {
-    const int u = apply(Y, false, algebra_.ones(Y.shape().cols.set));
-    const int y = algebra_.cross(u, x);
+    const int u = narrow(Y, Y.shape().cols.set);
+    const int y = wide_ ? wide_cross(u, x) : algebra_.cross(u, x);
     return transposed ? algebra_.negative(y) : y;
   }
+  require_narrow();
   if (Y.shape().cols == block::Side{}) {  // one column
     const int u = column(Y);
     return transposed ? algebra_.sum_along(Op::kCollect, Set::kOne, algebra_.cross(x, u))
@@ -298,7 +307,7 @@ int Columns::skew_of_product(Factors factors, bool transposed, int x) {
   const Expression u = std::accumulate(
       v + 1, end, *v, [](const Expression& a, const Expression& b) { return a * b; });
   algebra_.note(Rule::kCrossWords);  // Λ(Λ(P) u) x = (P×u)×x = x×(u×P)
-  const int theta = algebra_.skew_product(x, apply(u, false, algebra_.ones(u.shape().cols.set)));
+  const int theta = algebra_.skew_product(x, narrow(u, u.shape().cols.set));
   const int result = cross_word(factors.front().operands().front(), theta);
   return factors.front().kind() == Kind::kSkew ? result : algebra_.negative(result);
 }
@@ -306,7 +315,7 @@ int Columns::skew_of_product(Factors factors, bool transposed, int x) {
 /// R4: Σ_j P_ij of every link with the 3x3 blocks θ_j in front: P = L s R gives L (R θ) s.
 int Columns::cross_word(const Expression& P, int theta) {
   if (is_diagonal(P)) {
-    const int s = apply(P, false, algebra_.ones(P.shape().cols.set));
+    const int s = narrow(P, P.shape().cols.set);
     return algebra_.apply(theta, s);
   }
   switch (P.kind()) {
@@ -332,6 +341,7 @@ int Columns::cross_word(const Expression& P, int theta) {
 
 /// Λ(Y) x = Σ (Y x_k)×e_k; (Λ(Y))^T x = Σ e_k Y^T (e_k×x). Holds for every Y.
 int Columns::by_components(const Expression& Y, bool transposed, int x) {
+  require_narrow();
   algebra_.note(Rule::kComponents);
   const auto unit = [&](int k, Set set) {
     const int zero = algebra_.zero(set, Type::kScalar);

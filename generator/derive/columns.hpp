@@ -1,6 +1,8 @@
 // Block expressions times columns, without a matrix: R0, R1, R2, R4.
 #pragma once
 
+#include <optional>
+
 #include "block/block.hpp"
 #include "derive/algebra.hpp"
 
@@ -8,12 +10,16 @@ namespace treedyn::derive {
 
 class Columns {
  public:
-  explicit Columns(Values& values) : algebra_(values) {}
+  /// \param wide  columns of blocks with three columns: x is a tensor or, if its blocks have one
+  /// row, a vector
+  explicit Columns(Values& values, bool wide = false) : algebra_(values), wide_(wide) {}
 
   /// e x, or e^T x.
   int apply(const block::Expression& e, bool transposed, int x);
+  /// The same for a wide x; nothing if some block would be neither of a kind nor one row.
+  std::optional<int> wide(const block::Expression& e, bool transposed, int x);
   /// The column e.
-  int column(const block::Expression& e) { return apply(e, false, algebra_.ones(Set::kOne)); }
+  int column(const block::Expression& e) { return narrow(e, Set::kOne); }
   Algebra& algebra() { return algebra_; }
 
  private:
@@ -30,8 +36,15 @@ class Columns {
   int cross_word(const block::Expression& P, int theta);
   int by_components(const block::Expression& Y, bool transposed, int x);
   int spread(const block::Side& side, int x);
+  /// e times numbers 1.
+  int narrow(const block::Expression& e, Set ones);
+  int wide_diagonal(Type type, int blocks, bool transposed, int x);
+  int wide_cross(int u, int x);
+  int multiple_of_identity(int x);
+  void require_narrow() const;
 
   Algebra algebra_;
+  bool wide_;
 };
 
 /// E, or a block diagonal made of block diagonals.

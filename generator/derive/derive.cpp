@@ -15,7 +15,44 @@ int basis(Algebra& algebra, const block::Side& side, int k) {
   return algebra.assemble(components);
 }
 
+/// The column of 3x3 blocks that has E at one place, as long as its blocks keep a kind.
+bool derive_wide(const block::Expression& expression, Derivation& result) {
+  const block::Side& side = result.by_rows ? result.shape.rows : result.shape.cols;
+  if (side.size != 3) {
+    return false;
+  }
+  Values values;
+  values.note(Rule::kUnits);
+  Columns columns(values, true);
+  Algebra& algebra = columns.algebra();
+  const int E = algebra.scale(algebra.unit(side.set, Type::kScalar), algebra.identity(side.set));
+  const std::optional<int> root = columns.wide(expression, result.by_rows, E);
+  if (root) {
+    result.values = std::move(values);
+    result.roots = {*root};
+    result.wide = result.by_units = true;
+  }
+  return root.has_value();
+}
+
+/// The columns (or rows) one by one.
+void derive_unit(const block::Expression& expression, Derivation& result) {
+  const block::Side& side = result.by_rows ? result.shape.rows : result.shape.cols;
+  result.values.note(Rule::kUnits);
+  Columns columns(result.values);
+  const Type type = side.size == 1 ? Type::kScalar : Type::kVector;
+  result.roots = {
+      columns.apply(expression, result.by_rows, columns.algebra().unit(side.set, type))};
+}
+
 }  // namespace
+
+std::optional<Derivation> derive_rows(const block::Expression& column) {
+  Derivation result;
+  result.shape = column.shape();
+  result.by_rows = true;
+  return derive_wide(column, result) ? std::optional(std::move(result)) : std::nullopt;
+}
 
 Derivation derive(const block::Expression& expression, bool by_rows) {
   Derivation result;
@@ -23,17 +60,19 @@ Derivation derive(const block::Expression& expression, bool by_rows) {
   const bool one_col = result.shape.cols.set == Set::kOne;
   const bool one_row = result.shape.rows.set == Set::kOne;
   const bool column = result.shape.cols == block::Side{};
-  result.by_rows = one_row && !column ? true : one_col ? false : by_rows;
   result.by_units = !one_col && !one_row;
-  Columns columns(result.values);
-  const block::Side& side = result.by_rows ? result.shape.rows : result.shape.cols;
-  if (result.by_units) {
-    result.values.note(Rule::kUnits);
-    const Type type = side.size == 1 ? Type::kScalar : Type::kVector;
-    result.roots = {
-        columns.apply(expression, result.by_rows, columns.algebra().unit(side.set, type))};
+  if (result.by_units && derive_wide(expression, result)) {
     return result;
   }
+  result.by_rows = one_row && !column ? true : one_col ? false : by_rows;
+  if (result.by_units) {
+    if (!result.by_rows || !derive_wide(expression, result)) {
+      derive_unit(expression, result);
+    }
+    return result;
+  }
+  const block::Side& side = result.by_rows ? result.shape.rows : result.shape.cols;
+  Columns columns(result.values);
   for (int k = 0; k < side.size; ++k) {
     const int unit = basis(columns.algebra(), side, k);
     result.roots.push_back(columns.apply(expression, result.by_rows, unit));

@@ -1,6 +1,7 @@
 // The derivation: a block expression becomes sums along the tree and steps of single links.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "block/block.hpp"
@@ -15,11 +16,16 @@ struct Derivation {
   block::Shape shape;
   bool by_rows = false;  ///< the roots are the rows, as columns
   bool by_units = false;
+  bool wide = false;  ///< the column that is asked for is one of 3x3 blocks: E at one place
   Values values;
   std::vector<int> roots;
 };
 
-/// \param by_rows  of matrices whose both sides count links or points
+/// \param by_rows  of matrices whose both sides count links or points; not where their columns are
+/// 3x3 blocks of a kind
 Derivation derive(const block::Expression& expression, bool by_rows);
+
+/// The rows of a single column of vectors, three at once; nothing if their blocks have no kind.
+std::optional<Derivation> derive_rows(const block::Expression& column);
 
 }  // namespace treedyn::derive

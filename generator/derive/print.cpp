@@ -45,7 +45,7 @@ class Printer {
     for (const int id : values_.needed(roots)) {
       const Value& value = values_[id];
       if (value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
-          value.op == Op::kUnit) {
+          value.op == Op::kUnit || value.op == Op::kIdentity) {
         names_[id] = symbol(value);
         continue;
       }
@@ -63,6 +63,8 @@ class Printer {
     switch (value.op) {
       case Op::kOnes:
         return "1";
+      case Op::kIdentity:
+        return "E";
       case Op::kZero:
         return "0";
       case Op::kUnit:

@@ -5,7 +5,7 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 8> kRows = {{
+  static constexpr std::array<RuleRow, 11> kRows = {{
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
@@ -16,6 +16,11 @@ std::span<const RuleRow> rules() {
       {Rule::kTelescope, "R5", "D (g - g of the father) = g"},
       {Rule::kComponents, "R4'", "Λ(Y) x = Σ (Y x_k) × e_k, component by component"},
       {Rule::kUnits, "R6'", "X is its columns X e_j (or rows), whatever is zero in them vanishes"},
+      {Rule::kKinds, "R7'",
+       "3x3 blocks keep their kind: D^T (y E) = (D^T y) E, D^T Λ(x) = Λ(D^T x)"},
+      {Rule::kCommon, "R3'",
+       "what is the same for all links leaves sums: D^T(y g) = (D^T y) g, D^T(x×g) = (D^T x)×g"},
+      {Rule::kParameters, "R10", "m c is the first moment h"},
   }};
   return kRows;
 }

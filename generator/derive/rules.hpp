@@ -16,6 +16,9 @@ enum class Rule {
   kTelescope,
   kComponents,
   kUnits,
+  kKinds,
+  kCommon,
+  kParameters,
 };
 
 struct RuleRow {

@@ -21,6 +21,7 @@ enum class Type { kScalar, kVector, kTensor };
 enum class Op {
   kZero,
   kOnes,            ///< the number 1
+  kIdentity,        ///< the 3x3 unit matrix
   kUnit,            ///< the column of a matrix that is asked for: 1 or a unit vector at one place
   kLeaf,            ///< a symbol: column, or diagonal of its blocks
   kLinear,          ///< Σ factor * operand

@@ -39,8 +39,7 @@ struct UserEquation {
 };
 
 /// An equation of EQUATIONS.md as one that a user might have written.
-UserEquation equation_of(const std::string& name, const block::Expression& expression,
-                         const model::Tree& tree);
+UserEquation equation_of(const std::string& name, const block::Expression& expression);
 
 /// Equations may use each other, in any order.
 /// \throws InputError with line and column for what does not conform, mixes units, is unknown,

@@ -7,8 +7,6 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-Mat3 transposed(const Mat3& m) { return {column(m, 0), column(m, 1), column(m, 2)}; }
-
 Vec3 unit(Graph& graph, std::size_t k) {
   Vec3 v;
   v[k] = constant(graph, Real(1));
@@ -21,12 +19,12 @@ bool is_zero(const Vec3& v) {
   return std::all_of(v.begin(), v.end(), [](const Expr& x) { return x.is_zero(); });
 }
 
-FrameChanges::FrameChanges(const Kinematics& kinematics, bool in_base)
-    : kinematics_(kinematics), in_base_(in_base) {
+FrameChanges::FrameChanges(const Kinematics& kinematics, Way way)
+    : kinematics_(kinematics), way_(way) {
   for (int i = 0; i < kinematics.size(); ++i) {
     const int f = kinematics.link(i).father;
     depth_.push_back(depth(f) + 1);
-    if (in_base) {
+    if (way_ != Way::kToRoot) {
       kinematics.graph().set_body(i);
       Mat3 r;
       for (std::size_t row = 0; row < 3; ++row) {  // R_i = R_f T_i, row by row
@@ -43,7 +41,7 @@ Vec3 FrameChanges::moved(const Vec3& v, int from, int to) const {
   if (from == to || is_zero(v)) {
     return v;
   }
-  if (in_base_) {
+  if (in_base() || (way_ == Way::kInLinks && to == kBase)) {
     const Vec3 base = from == kBase ? v : rotation_[index(from)] * v;
     return to == kBase ? base : transposed(rotation_[index(to)]) * base;
   }
@@ -67,9 +65,35 @@ Tensor FrameChanges::moved(const Tensor& t, int to) const {
   return {to, transposed(rows(transposed(rows(t.value))))};
 }
 
+bool FrameChanges::is_above(int i, int of) const {
+  while (depth(of) > depth(i)) {
+    of = kinematics_.link(of).father;
+  }
+  return i == of;
+}
+
+Parts FrameChanges::risen(Parts parts, int frame) const {
+  const auto below = [&](const Part& part) {
+    return is_above(part.frame, frame) ? -1 : part.frame;
+  };
+  const auto deepest = [&] {
+    return std::max_element(parts.begin(), parts.end(),
+                            [&](const Part& a, const Part& b) { return below(a) < below(b); });
+  };
+  for (auto part = deepest(); below(*part) >= 0; part = deepest()) {
+    const Part from = *part;
+    parts.erase(part);
+    kinematics_.graph().set_body(from.frame);
+    add(parts,
+        {{kinematics_.link(from.frame).father, kinematics_.to_father(from.frame, from.value)}},
+        constant(kinematics_.graph(), Real(1)));
+  }
+  return parts;
+}
+
 Vec3 FrameChanges::in(const Parts& parts, int frame) const {
   Vec3 sum;
-  for (const Part& part : parts) {
+  for (const Part& part : parts.size() > 1 && !in_base() ? risen(parts, frame) : parts) {
     sum = sum + moved(part.value, part.frame, frame);
   }
   return sum;

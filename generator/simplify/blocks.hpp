@@ -30,14 +30,14 @@ struct Blocks {
 };
 
 bool is_zero(const Vec3& v);
+inline Mat3 transposed(const Mat3& m) { return {column(m, 0), column(m, 1), column(m, 2)}; }
 
 /// Carries vectors and tensors between frames.
 class FrameChanges {
  public:
-  /// \param in_base  by the rotation matrices of all links instead of joint by joint
-  FrameChanges(const Kinematics& kinematics, bool in_base);
+  FrameChanges(const Kinematics& kinematics, Way way);
 
-  [[nodiscard]] bool in_base() const { return in_base_; }
+  [[nodiscard]] bool in_base() const { return way_ == Way::kInBase; }
   [[nodiscard]] Vec3 moved(const Vec3& v, int from, int to) const;
   [[nodiscard]] Tensor moved(const Tensor& t, int to) const;
   /// The sum of the parts in one frame.
@@ -46,14 +46,18 @@ class FrameChanges {
   void add(Parts& a, const Parts& b, Expr factor) const;
 
  private:
+  [[nodiscard]] bool is_above(int i, int of) const;
+  /// The part that stands deepest goes to the father, where it meets others, until all are above
+  /// `frame`.
+  [[nodiscard]] Parts risen(Parts parts, int frame) const;
   [[nodiscard]] int depth(int i) const {
     return i == kBase ? 0 : depth_[static_cast<std::size_t>(i)];
   }
 
   const Kinematics& kinematics_;
-  bool in_base_;
+  Way way_;
   std::vector<int> depth_;
-  std::vector<Mat3> rotation_;  ///< link frame -> base frame, if `in_base`
+  std::vector<Mat3> rotation_;  ///< link frame -> base frame, unless kToRoot
 };
 
 }  // namespace treedyn::simplify

@@ -55,22 +55,6 @@ std::vector<Expr> of_coordinates(const Task& task, std::vector<Expr> x) {
   return x;
 }
 
-/// N x 3P, row-major; rows of reduced mimic joints add up: T^T C.
-std::vector<Expr> dense(const Task& task, const std::vector<JacobianBlock>& blocks) {
-  const std::size_t width = 3 * task.options.points.size();
-  std::vector<Expr> result(static_cast<std::size_t>(task.tree.dof()) * width);
-  for (const JacobianBlock& block : blocks) {
-    const model::Drive& drive = task.tree.drives[static_cast<std::size_t>(block.joint)];
-    const Expr multiplier = constant(task.kinematics.graph(), drive.multiplier);
-    for (std::size_t n = 0; n < 3; ++n) {
-      const std::size_t column = 3 * static_cast<std::size_t>(block.point) + n;
-      result[static_cast<std::size_t>(drive.coordinate) * width + column] +=
-          multiplier * block.value[n];
-    }
-  }
-  return result;
-}
-
 /// A = L^T Delta L in the independent coordinates.
 Factorization factorization(const Task& task) {
   const std::vector<Expr> a = build_mass_matrix(task);
@@ -179,36 +163,11 @@ std::vector<Expr> build_mass_matrix_inverse(const Task& task) {
   return result;
 }
 
-std::vector<Expr> build_point_positions(const Task& task) {
-  return point_positions(task.kinematics, task.options.points);
-}
-std::vector<Expr> build_point_velocities(const Task& task) {
-  return point_velocities(task.kinematics, task.options.points);
-}
 std::vector<Expr> build_point_rotations(const Task& task) {
   return point_rotations(task.kinematics, task.options.points);
 }
 std::vector<Expr> build_point_bias(const Task& task) {
   return point_bias_acceleration(task.kinematics, task.options.points);
-}
-std::vector<Expr> build_angular_bias(const Task& task) {
-  return angular_bias_acceleration(task.kinematics, task.options.points);
-}
-
-std::vector<Expr> build_force_jacobian(const Task& task) {
-  return dense(task, force_jacobian_transpose(task.kinematics, task.options.points));
-}
-std::vector<Expr> build_moment_jacobian(const Task& task) {
-  return dense(task, moment_jacobian_transpose(task.kinematics, task.options.points));
-}
-std::vector<Expr> build_applied_force(const Task& task) {
-  return reduced(task, applied_force(task.kinematics, task.options.points, 1, 2));
-}
-std::vector<Expr> build_link_vectors(const Task& task) {
-  return joint_to_link_vectors(task.kinematics, task.tree);
-}
-std::vector<Expr> build_com_vectors(const Task& task) {
-  return joint_to_com_vectors(task.kinematics, task.tree);
 }
 std::vector<Expr> build_kinetic_energy(const Task& task) {
   return {kinetic_energy(task.kinematics)};

@@ -15,16 +15,8 @@ std::vector<Expr> build_dynamics_terms(const Task& task);
 std::vector<Expr> build_mass_matrix_factor(const Task& task);
 std::vector<Expr> build_mass_matrix_solve(const Task& task);
 std::vector<Expr> build_mass_matrix_inverse(const Task& task);
-std::vector<Expr> build_point_positions(const Task& task);
-std::vector<Expr> build_point_velocities(const Task& task);
 std::vector<Expr> build_point_rotations(const Task& task);
 std::vector<Expr> build_point_bias(const Task& task);
-std::vector<Expr> build_angular_bias(const Task& task);
-std::vector<Expr> build_force_jacobian(const Task& task);
-std::vector<Expr> build_moment_jacobian(const Task& task);
-std::vector<Expr> build_applied_force(const Task& task);
-std::vector<Expr> build_link_vectors(const Task& task);
-std::vector<Expr> build_com_vectors(const Task& task);
 std::vector<Expr> build_kinetic_energy(const Task& task);
 std::vector<Expr> build_potential_energy(const Task& task);
 

@@ -1,17 +1,18 @@
 #include "simplify/derived.hpp"
 
+#include <algorithm>
+#include <map>
+
+#include "equations/table.hpp"
 #include "simplify/lowering.hpp"
 
 namespace treedyn::simplify {
 namespace {
 
 using block::Set;
+using Matrix = std::vector<std::vector<Expr>>;
 
-/// How many columns (or rows) there are and what a column has a block for.
-struct Dimensions {
-  const block::Side& counted;
-  const block::Side& along;
-};
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Argument argument_of(const equations::UserArgument& argument) {
   const int links = argument.side.set == Set::kLinks ? 1 : 0;
@@ -19,41 +20,131 @@ Argument argument_of(const equations::UserArgument& argument) {
   return {argument.name.c_str(), argument.side.size, links, points, argument.unit.c_str()};
 }
 
+int count(const block::Side& side, int links, int points) {
+  return side.size * (side.set == Set::kLinks ? links : side.set == Set::kPoints ? points : 1);
+}
+
+/// Rows of joints (numbers of links) become rows of the independent coordinates: those of joints
+/// that move together add up. Of vectors of links those of independent joints remain.
+Matrix in_coordinates(const Task& task, const Matrix& rows, const block::Side& side, bool picked) {
+  const model::Tree& tree = task.tree;
+  Graph& graph = task.kinematics.graph();
+  if (side.set != Set::kLinks) {
+    return rows;
+  }
+  const std::size_t width = rows.front().size();
+  Matrix result(index(tree.dof() * side.size), std::vector<Expr>(width));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const int link = static_cast<int>(k) / side.size;
+    const model::Drive& drive = tree.drives[index(link)];
+    if (picked && tree.coordinates[index(drive.coordinate)] != link) {
+      continue;
+    }
+    std::vector<Expr>& sum = result[index(drive.coordinate * side.size) + k % index(side.size)];
+    for (std::size_t j = 0; j < width; ++j) {
+      sum[j] += picked ? rows[k][j] : constant(graph, drive.multiplier) * rows[k][j];
+    }
+  }
+  return result;
+}
+
+Matrix transposed(const Matrix& m) {
+  Matrix result(m.empty() ? 0 : m.front().size(), std::vector<Expr>(m.size()));
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    for (std::size_t j = 0; j < m[i].size(); ++j) {
+      result[j][i] = m[i][j];
+    }
+  }
+  return result;
+}
+
+/// The rows of what is derived.
+Matrix written(Lowering lowering) {
+  const derive::Derivation& derivation = lowering.derivation();
+  const auto& [rows, cols] = derivation.shape;
+  const block::Side& counted = derivation.by_rows ? rows : cols;
+  const block::Side& along = derivation.by_rows ? cols : rows;
+  const std::size_t stride = derivation.wide ? 3 : 1;
+  Matrix result;
+  for (int place = 0; place < lowering.count(counted.set); ++place) {
+    for (int k = 0; k < counted.size; k += static_cast<int>(stride)) {
+      const Blocks& blocks =
+          derivation.by_units ? lowering.root_of_unit(place, k) : lowering.root(k);
+      const std::vector<Expr> entries = lowering.written(blocks, along.set);
+      for (std::size_t n = 0; n < stride; ++n) {
+        std::vector<Expr>& column = result.emplace_back();
+        for (std::size_t e = n; e < entries.size(); e += stride) {
+          column.push_back(entries[e]);
+        }
+      }
+    }
+  }
+  return derivation.by_rows ? result : transposed(result);
+}
+
+/// Regrouped parameters have no centres of mass.
+bool needs_centres(const derive::Derivation& derivation) {
+  const std::vector<int> needed = derivation.values.needed(derivation.roots);
+  return std::any_of(needed.begin(), needed.end(), [&](int id) {
+    const std::string& name = derivation.values[id].name;
+    return name == "c^d" || name == "J_c^d";
+  });
+}
+
+/// Vectors of links against joints: (6) and (7).
+bool is_picked(const block::Shape& shape) {
+  return shape.rows.size == 3 && shape.rows.set == Set::kLinks;
+}
+
 }  // namespace
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
                                        int points) {
-  const auto count = [&](const block::Side& side) {
-    return side.size * (side.set == Set::kLinks ? links : side.set == Set::kPoints ? points : 1);
-  };
   const block::Shape& shape = equation.expression.shape();
-  const bool by_rows = count(shape.rows) < count(shape.cols);
-  return std::make_shared<const Derived>(
-      Derived{equation, derive::derive(equation.expression, by_rows)});
+  const bool by_rows = count(shape.rows, links, points) < count(shape.cols, links, points);
+  Derived result{equation, derive::derive(equation.expression, by_rows), std::nullopt};
+  if (shape.rows.set == Set::kPoints && shape.cols == block::Side{}) {
+    result.to_root = derive::derive_rows(equation.expression);
+  }
+  return std::make_shared<const Derived>(std::move(result));
 }
 
-std::vector<Expr> build_derived(const Task& task, const Derived& function) {
-  const derive::Derivation& derivation = function.derivation;
-  Lowering lowering(task, function);
-  const auto [counted, along] = derivation.by_rows
-                                    ? Dimensions{derivation.shape.rows, derivation.shape.cols}
-                                    : Dimensions{derivation.shape.cols, derivation.shape.rows};
-  std::vector<std::vector<Expr>> columns;
-  for (int place = 0; place < lowering.count(counted.set); ++place) {
-    for (int k = 0; k < counted.size; ++k) {
-      const Blocks& column =
-          derivation.by_units ? lowering.root_of_unit(place, k) : lowering.root(k);
-      columns.push_back(lowering.written(column, along.set));
-    }
+/// Our equations hold for every tree, and so does what is derived from them.
+std::shared_ptr<const Derived> derived(const std::string& name) {
+  static std::map<std::string, std::shared_ptr<const Derived>> known;
+  std::shared_ptr<const Derived>& function = known[name];
+  if (!function) {
+    const block::Expression& expression = equations::find(name)->expression;
+    Derived made = *derived(equations::equation_of(name, expression), 1, 1);
+    made.keeps_joints = is_picked(expression.shape());
+    made.regroups = !needs_centres(made.derivation);
+    function = std::make_shared<const Derived>(std::move(made));
   }
-  const std::size_t length = columns.empty() ? 0 : columns.front().size();
-  std::vector<Expr> result(columns.size() * length);
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    for (std::size_t i = 0; i < length; ++i) {
-      result[derivation.by_rows ? j * length + i : i * columns.size() + j] = columns[j][i];
-    }
+  return function;
+}
+
+std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way) {
+  const auto& [rows, cols] = function.derivation.shape;
+  const bool picked = is_picked(function.derivation.shape);
+  Matrix m = written(Lowering(task, function, way));
+  if (m.empty()) {
+    return {};
+  }
+  m = in_coordinates(task, m, rows, picked);
+  m = transposed(in_coordinates(task, transposed(m), cols, picked));
+  std::vector<Expr> result;
+  for (const std::vector<Expr>& row : m) {
+    result.insert(result.end(), row.begin(), row.end());
   }
   return result;
+}
+
+std::vector<Expr> values_at(const Task& task, const std::string& name,
+                            const std::vector<model::Point>& points, Way way) {
+  Options options;
+  options.gravity = task.options.gravity;
+  options.points = points;
+  return build_derived({task.tree, task.normal, options, task.kinematics}, *derived(name), way);
 }
 
 std::vector<program::Cost> costs_of_values(const model::Tree& tree,
@@ -62,8 +153,7 @@ std::vector<program::Cost> costs_of_values(const model::Tree& tree,
   std::vector<program::Cost> result;
   Recipe recipe = derived_recipe(function);
   recipe.build = [&](const Task& task) {
-    Lowering lowering(task, *function);
-    result = lowering.costs();
+    result = Lowering(task, *function, Way::kInLinks).costs();
     return std::vector<Expr>{};
   };
   build(tree, recipe, options, plain_variant(tree));
@@ -83,13 +173,18 @@ Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
   const block::Shape& shape = equation.expression.shape();
   for (std::size_t k = 0; k < equation.arguments.size(); ++k) {
     recipe.inputs.push_back(argument_of(equation.arguments[k]));
+    const std::string& name = equation.arguments[k].name;
+    int other = 0;
+    (name == "qd"    ? recipe.places.qd
+     : name == "qdd" ? recipe.places.qdd
+     : name == "tau" ? recipe.places.tau
+                     : other) = static_cast<int>(k);
   }
   recipe.outputs = {{"value", shape.rows.size * shape.cols.size, power(Set::kLinks),
                      power(Set::kPoints), equation.unit.c_str()}};
-  recipe.places = {.q = 0};
-  recipe.freedom = {.two_ways = true, .fixed_frames = true, .fixed_length = true};
+  recipe.freedom = {.any_way = true, .fixed_frames = true, .fixed_length = true};
   recipe.build = [function](const Task& task) {
-    return build_derived(task, *function);
+    return build_derived(task, *function, task.kinematics.variant().way);
   };
   return recipe;
 }

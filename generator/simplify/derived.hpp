@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "derive/derive.hpp"
@@ -10,10 +11,13 @@
 
 namespace treedyn::simplify {
 
-/// A function of a user: its equation and what it derives to.
+/// A function: its equation and what it derives to.
 struct Derived {
   equations::UserEquation equation;
   derive::Derivation derivation;
+  std::optional<derive::Derivation> to_root;  ///< the same by the rows of points, read backwards
+  bool keeps_joints = true;  ///< the result refers to the places P_i of sliding joints
+  bool regroups = false;     ///< of inertial parameters masses and first moments alone occur
 };
 
 using DerivedFunctions = std::vector<std::shared_ptr<const Derived>>;
@@ -21,9 +25,15 @@ using DerivedFunctions = std::vector<std::shared_ptr<const Derived>>;
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
                                        int points);
 
-/// The expressions of the function, row-major. `kinematics.variant().from_root`: all vectors in the
-/// base frame; else every vector in the frame of its link.
-std::vector<Expr> build_derived(const Task& task, const Derived& function);
+/// The expressions of the function, row-major.
+std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way);
+
+/// An equation of EQUATIONS.md. \pre `name` stands in equations/table.cpp.
+std::shared_ptr<const Derived> derived(const std::string& name);
+
+/// An equation of EQUATIONS.md for some points.
+std::vector<Expr> values_at(const Task& task, const std::string& name,
+                            const std::vector<model::Point>& points, Way way);
 
 /// Operations of every value of the derivation, before any search.
 std::vector<program::Cost> costs_of_values(const model::Tree& tree,

@@ -36,10 +36,13 @@ struct Freedom {
   bool tensor_form = false;   ///< composite bodies occur
   bool trunk = false;         ///< a free base may be treated as one body
   bool articulated = false;   ///< two methods exist
-  bool two_ways = false;      ///< points: from the root or to the root
+  bool any_way = false;       ///< vectors occur that may stand in other frames
+  Way way = Way::kToRoot;     ///< where they stand without a search
   bool fixed_frames = false;  ///< results refer to the model\'s own link origins: no slide
   bool fixed_length = false;  ///< points occur: the metre stays the unit of length
 };
+
+using Builder = std::function<std::vector<Expr>(const Task& task)>;
 
 struct Recipe {
   const char* name = nullptr;
@@ -49,7 +52,7 @@ struct Recipe {
   std::vector<Argument> outputs;
   Inputs places;  ///< which of `inputs` are q, qd, qdd, tau
   Freedom freedom;
-  std::function<std::vector<Expr>(const Task& task)> build;
+  Builder build;
 };
 
 /// In the order of INTERFACE.md 3, further functions behind.

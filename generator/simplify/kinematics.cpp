@@ -27,11 +27,14 @@ Kinematics::Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& 
 }
 
 Expr Kinematics::rate(int i, int array) const {
-  if (array < 0) {
-    return {};
-  }
-  const model::Drive& drive = tree_.drives[index(i)];
-  return constant(graph_, link(i).sign * multiplier(i)) * coordinate(array, drive.coordinate);
+  const Expr x = of_joint(i, array);
+  return link(i).sign > 0 ? x : -x;
+}
+
+Expr Kinematics::of_joint(int i, int array) const {
+  return array < 0 ? Expr()
+                   : constant(graph_, multiplier(i)) *
+                         coordinate(array, tree_.drives[index(i)].coordinate);
 }
 
 Expr Kinematics::force(int i) const {

@@ -56,6 +56,10 @@ class Kinematics {
 
   /// Element k of an argument of the function that has one element a coordinate.
   [[nodiscard]] Expr argument(int array, int k) const;
+  [[nodiscard]] const Inputs& inputs() const { return inputs_; }
+  /// The value of the joint of link i from an array with one element a coordinate; zero where not
+  /// an input.
+  [[nodiscard]] Expr of_joint(int i, int array) const;
   /// The value of coordinate k as an element of a result, from that of the joint of its link.
   [[nodiscard]] Expr result(int k, Expr of_joint) const;
 

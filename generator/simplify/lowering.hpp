@@ -12,7 +12,9 @@ namespace treedyn::simplify {
 
 class Lowering {
  public:
-  Lowering(const Task& task, const Derived& function);
+  Lowering(const Task& task, const Derived& function, Way way);
+
+  [[nodiscard]] const derive::Derivation& derivation() const { return derivation_; }
 
   /// Column `k` of what the function derives to: a block for every element of its rows.
   const Blocks& root(int k);
@@ -30,6 +32,7 @@ class Lowering {
   using Value = derive::Value;
 
   void compute(int id);
+  [[nodiscard]] const char* symbol(const Value& v) const;
   Blocks made(const Value& v) const;
   Blocks unit(const Value& v) const;
   Blocks leaf(const Value& v) const;
@@ -49,8 +52,9 @@ class Lowering {
   Blocks components(const Value& v) const;
 
   [[nodiscard]] const Blocks& of(int id) const { return *memo_[static_cast<std::size_t>(id)]; }
-  [[nodiscard]] const Value& value(int id) const { return function_.derivation.values[id]; }
+  [[nodiscard]] const Value& value(int id) const { return derivation_.values[id]; }
   [[nodiscard]] Blocks empty(const Value& v) const;
+  [[nodiscard]] std::vector<std::pair<Expr, int>> terms(int id) const;
   [[nodiscard]] int home(block::Set set, int e) const;
   [[nodiscard]] int father(int i) const { return task_.kinematics.link(i).father; }
   [[nodiscard]] int meeting(const Value& v, int e) const;
@@ -60,6 +64,7 @@ class Lowering {
 
   const Task& task_;
   const Derived& function_;
+  const derive::Derivation& derivation_;
   FrameChanges frames_;
   std::vector<int> needed_;
   std::vector<bool> of_unit_;  ///< depends on the column that is asked for

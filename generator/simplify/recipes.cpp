@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "simplify/builders.hpp"
+#include "simplify/derived.hpp"
 
 namespace treedyn::simplify {
 
@@ -11,6 +12,13 @@ constexpr const char* kForce = "N m|N";
 const Argument kQ = {"q", 1, 1, 0, "rad|m"};
 const Argument kQd = {"qd", 1, 1, 0, "rad/s|m/s"};
 const Argument kQdd = {"qdd", 1, 1, 0, "rad/s^2|m/s^2"};
+
+/// From the equation of that name.
+Builder derived_from(const char* name) {
+  return [name](const Task& task) {
+    return build_derived(task, *derived(name), task.kinematics.variant().way);
+  };
+}
 
 }  // namespace
 
@@ -68,16 +76,16 @@ const std::vector<Recipe>& recipes() {
        {kQ},
        {{"p", 3, 0, 1, "m"}},
        from_q,
-       {.two_ways = true},
-       build_point_positions},
+       {.any_way = true},
+       derived_from("point_positions")},
       {"point_velocities",
        "6.1",
        "Velocities C^T qd of the points, base frame.",
        {kQ, kQd},
        {{"v", 3, 0, 1, "m/s"}},
        from_q_qd,
-       {.two_ways = true},
-       build_point_velocities},
+       {.any_way = true},
+       derived_from("point_velocities")},
       {"point_rotations",
        "1.2",
        "Rotations link frame -> base frame of the points' links; 3 x 3 each, row-major.",
@@ -92,23 +100,23 @@ const std::vector<Recipe>& recipes() {
        {kQ},
        {{"C", 3, 1, 1, "m|1"}},
        from_q,
-       {},
-       build_force_jacobian},
+       {.any_way = true, .way = Way::kInLinks},
+       derived_from("force_jacobian_transpose")},
       {"moment_jacobian_transpose",
        "(11)",
        "H of the points' links; N x 3P, row-major.",
        {kQ},
        {{"H", 3, 1, 1, "1"}},
        from_q,
-       {},
-       build_moment_jacobian},
+       {.any_way = true, .way = Way::kInLinks},
+       derived_from("moment_jacobian_transpose")},
       {"point_bias_acceleration",
        "6.1",
        "gamma_f = d/dt(C^T) qd of the points, base frame.",
        {kQ, kQd},
        {{"gamma_f", 3, 0, 1, "m/s^2"}},
        from_q_qd,
-       {.two_ways = true},
+       {.any_way = true},
        build_point_bias},
       {"angular_bias_acceleration",
        "6.1",
@@ -116,32 +124,32 @@ const std::vector<Recipe>& recipes() {
        {kQ, kQd},
        {{"gamma_n", 3, 0, 1, "rad/s^2"}},
        from_q_qd,
-       {.two_ways = true},
-       build_angular_bias},
+       {.any_way = true},
+       derived_from("angular_bias_acceleration")},
       {"joint_to_link_vectors",
        "(6)",
        "l_D: block (i, j) = O_i - P_j, base frame; 3N x N, row-major.",
        {kQ},
        {{"l_D", 3, 2, 0, "m"}},
        from_q,
-       {.fixed_frames = true},
-       build_link_vectors},
+       {.way = Way::kInBase, .fixed_frames = true},
+       derived_from("joint_to_link_vectors")},
       {"joint_to_com_vectors",
        "(7)",
        "c_fD: block (i, j) = centre of mass of i - P_j, base frame; 3N x N, row-major.",
        {kQ},
        {{"c_fD", 3, 2, 0, "m"}},
        from_q,
-       {.fixed_frames = true},
-       build_com_vectors},
+       {.way = Way::kInBase, .fixed_frames = true},
+       derived_from("joint_to_com_vectors")},
       {"applied_force",
        "(8)",
        "Joint forces Q = C f + H n of forces f at the points and moments n on their links.",
        {kQ, {"f", 3, 0, 1, "N"}, {"n", 3, 0, 1, "N m"}},
        {{"Q", 1, 1, 0, kForce}},
        from_q,
-       {.two_ways = true},
-       build_applied_force},
+       {.any_way = true},
+       derived_from("applied_force")},
       {"kinetic_energy",
        "(2)",
        "Kinetic energy T = 1/2 qd^T A(q) qd.",

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simplify/points.hpp"
+#include "simplify/derived.hpp"
 #include "simplify/scene_drift.hpp"
 
 namespace treedyn::simplify {
@@ -121,12 +121,13 @@ Expr SceneForces::joint(int joint) const {
 }
 
 Vec3 SceneForces::position(int point) const {
-  return triple(point_positions(task_.kinematics, {scene_.points[index(point)]}));
+  return triple(values_at(task_, "point_positions", {scene_.points[index(point)]}, Way::kToRoot));
 }
 
 Vec3 SceneForces::velocity(int point) const {
   const Kinematics& k = moving_ ? *moving_ : task_.kinematics;
-  return triple(point_velocities(k, {scene_.points[index(point)]}));
+  return triple(values_at({task_.tree, task_.normal, task_.options, k}, "point_velocities",
+                          {scene_.points[index(point)]}, Way::kToRoot));
 }
 
 /// -(k (l - rest) + c l') along the unit vector from the anchor, l l' = u . v with u = p - anchor.

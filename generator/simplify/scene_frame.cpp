@@ -1,5 +1,7 @@
 #include "simplify/scene_frame.hpp"
 
+#include "simplify/blocks.hpp"
+#include "simplify/derived.hpp"
 #include "simplify/forward.hpp"
 #include "simplify/points.hpp"
 #include "simplify/sweeps.hpp"
@@ -64,17 +66,18 @@ void SceneFrame::add(int joint, const Vec3& column, MotionMap& map) const {
 
 MotionMap SceneFrame::in_base(const model::Point& point, bool turning) const {
   MotionMap map;
-  const Points points = {point};
-  const std::vector<JacobianBlock> blocks =
-      turning ? moment_jacobian_transpose(k_, points) : force_jacobian_transpose(k_, points);
-  for (const JacobianBlock& block : blocks) {  // of the joint as the model has it
-    const model::Drive& drive = task_.tree.drives[index(block.joint)];
-    const Vec3 term = constant(k_.graph(), drive.multiplier) * block.value;
-    Vec3& sum = map.columns[drive.coordinate];
-    sum = sum + term;
+  const std::vector<model::Point> points = {point};
+  const std::vector<Expr> J =
+      values_at(task_, turning ? "moment_jacobian_transpose" : "force_jacobian_transpose", points,
+                Way::kInLinks);
+  for (std::size_t k = 0; k < J.size(); k += 3) {
+    const Vec3 row = {J[k], J[k + 1], J[k + 2]};
+    if (!is_zero(row)) {
+      map.columns[static_cast<int>(k / 3)] = row;
+    }
   }
   if (velocity_products_) {
-    map.gamma = triple(turning ? angular_bias_acceleration(k_, points)
+    map.gamma = triple(turning ? values_at(task_, "angular_bias_acceleration", points, Way::kToRoot)
                                : point_bias_acceleration(k_, points));
   }
   return map;

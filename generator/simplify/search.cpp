@@ -99,8 +99,8 @@ void add_global_choices(const model::Tree& tree, const Freedom& freedom, const O
       [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });
   add(freedom.trunk && has_free_base(tree) && options.has(Pass::kTrunk), 2,
       [](Variant& v, const std::vector<int>&, int k) { v.trunk = k != 0; });
-  add(freedom.two_ways, 2,
-      [](Variant& v, const std::vector<int>&, int k) { v.from_root = k != 0; });
+  add(freedom.any_way, 3,
+      [](Variant& v, const std::vector<int>&, int k) { v.way = static_cast<Way>(k); });
 }
 
 std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom,
@@ -384,6 +384,7 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
                               const Options& options) {
   Variant factor = plain_variant(tree);
   switch_off(options.without, factor);
+  factor.way = recipe.freedom.way;
   Variant articulated = factor;
   articulated.articulated = true;
   const auto search = [&](const Variant& start) {

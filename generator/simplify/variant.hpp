@@ -19,6 +19,10 @@ enum class MassGauge : std::uint8_t { kAll, kCancelX, kCancelY, kCancelZ, kKeepM
 /// none.
 enum class TensorGauge : std::uint8_t { kZz, kZzPlusXx, kZzPlusYy, kKeep };
 
+/// Where the vectors of derived functions stand: in link frames, those of points carried to the
+/// root joint by joint, or turned into the base frame by rotation matrices; all in the base frame.
+enum class Way : std::uint8_t { kToRoot, kInLinks, kInBase };
+
 /// The choices for one link.
 struct LinkVariant {
   Slide slide = Slide::kAuto;
@@ -44,8 +48,7 @@ struct Variant {
   bool add_angles = true;       ///< sin(a + b) instead of sin a cos b + cos a sin b
   bool inertia_tensor = false;  ///< composite bodies by inertia tensors instead of pseudo-inertias
   bool trunk = true;            ///< a free base is treated as one body with six velocities
-  bool from_root =
-      false;  ///< points by frames carried from the root instead of vectors carried to it
+  Way way = Way::kToRoot;
   bool articulated = false;  ///< forward dynamics by articulated bodies instead of factoring A
   auto operator<=>(const Variant&) const = default;
 };

@@ -47,6 +47,11 @@ class Expansion {
   [[nodiscard]] const Expanded& position(std::size_t i) const { return position_[i]; }
   [[nodiscard]] const Expanded& rate(std::size_t i) const { return rate_[i]; }
 
+  /// Acceleration of joint i; element k of the forces at the points, of the moments.
+  [[nodiscard]] const Expanded& acceleration(std::size_t i) const { return acceleration_[i]; }
+  [[nodiscard]] const Expanded& force(std::size_t k) const { return force_[k]; }
+  [[nodiscard]] const Expanded& moment(std::size_t k) const { return moment_[k]; }
+
   /// Every entry of `expression`, in normal form; zero blocks are never computed.
   [[nodiscard]] Entries expand(const block::Expression& expression) const;
 

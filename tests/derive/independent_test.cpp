@@ -78,7 +78,7 @@ class Shipped : public testing::Test {
     for (const auto& argument : equation.arguments) {
       inputs.push_back(at.at(argument.name));
     }
-    return UserRobot::run(robot_.derived(equation, false), inputs);
+    return UserRobot::run(robot_.derived(equation, simplify::Way::kToRoot), inputs);
   }
   Numbers value(const std::string& name) { return value(name, at_); }
 

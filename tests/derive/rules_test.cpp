@@ -105,6 +105,50 @@ TEST(R5, DoesNotTelescopeWhatIsNoDifference) {
   EXPECT_FALSE(acts(half, Rule::kTelescope));
 }
 
+TEST(R7, KeepsTheKindOfBlocks) {
+  const Derivation C = derive(force_jacobian_transpose(points()), false);
+  EXPECT_TRUE(C.wide);
+  EXPECT_TRUE(C.values.acted().count(Rule::kKinds) > 0);
+  for (const int id : C.values.needed(C.roots)) {  // the skew blocks travel as their vectors
+    EXPECT_NE(C.values[id].type, Type::kTensor) << static_cast<int>(C.values[id].op);
+  }
+  EXPECT_FALSE(
+      derive(transpose(skew(joint_to_com_vectors())) * skew(joint_to_com_vectors()), false).wide);
+}
+
+TEST(R7, ReadsPointsBackwards) {
+  const auto v = derive_rows(point_velocities());
+  ASSERT_TRUE(v.has_value());
+  for (const int id : v->values.needed(v->roots)) {
+    EXPECT_NE(v->values[id].op, Op::kPath);  // nothing travels from the root
+  }
+  EXPECT_FALSE(derive_rows(point_bias_acceleration()).has_value());
+}
+
+TEST(R3, KeepsSumsOverLinksAndOverPointsApart) {
+  EXPECT_EQ(
+      count(transpose(ones) * m_d * c_d * ones + transpose(ones_P) * t_d * ones_P, Op::kCollect),
+      2);
+}
+
+TEST(R3, LetsWhatIsCommonLeaveSums) {
+  const std::vector<Op> G = operations(gravity_force());
+  EXPECT_EQ(std::count(G.begin(), G.end(), Op::kBackward), 1);  // first moments: h^c
+  EXPECT_EQ(std::count(G.begin(), G.end(), Op::kSubtree), 1);   // masses: m^c
+  const std::vector<Op> U = operations(potential_energy());
+  EXPECT_EQ(std::count(U.begin(), U.end(), Op::kPath), 0);
+  EXPECT_EQ(std::count(U.begin(), U.end(), Op::kCollect), 1);
+}
+
+TEST(R10, MakesMassesTimesCentresFirstMoments) {
+  for (const Expression& e : {gravity_force(), potential_energy()}) {
+    const Derivation derivation = derive(e, false);
+    for (const int id : derivation.values.needed(derivation.roots)) {
+      EXPECT_NE(derivation.values[id].name, "c^d");
+    }
+  }
+}
+
 TEST(R11, KnowsThatReachabilityAndMassesAreConstant) {
   EXPECT_EQ(operations(dot(D * m_d) * qd), (std::vector<Op>{Op::kZero}));
   EXPECT_THROW(dot(tau), NoRate);

@@ -70,10 +70,10 @@ struct UserRobot {
   }
   /// The program that the equation derives to, before any search.
   [[nodiscard]] program::Function derived(const equations::UserEquation& equation,
-                                          bool in_base) const {
+                                          simplify::Way way) const {
     const auto function = simplify::derived(equation, tree.size(), static_cast<int>(points.size()));
     simplify::Variant variant = simplify::plain_variant(tree);
-    variant.from_root = in_base;
+    variant.way = way;
     return simplify::build(tree, simplify::derived_recipe(function), options(), variant);
   }
   static Numbers run(const program::Function& function, const std::vector<Numbers>& at) {

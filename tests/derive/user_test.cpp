@@ -20,16 +20,17 @@ const std::vector<TreeShape>& shapes() {
 
 class Derived : public testing::TestWithParam<const char*> {};
 
-TEST_P(Derived, IsWhatTheEngineEvaluatesInBothKindsOfFrames) {
+TEST_P(Derived, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
   for (const TreeShape& shape : shapes()) {
     UserRobot robot(shape);
     const auto equation = robot.read(GetParam());
     const auto at = robot.inputs(equation);
     const Numbers expected = robot.expected(equation, at);
-    for (const bool in_base : {false, true}) {
-      const program::Function function = robot.derived(equation, in_base);
+    for (const simplify::Way way :
+         {simplify::Way::kToRoot, simplify::Way::kInLinks, simplify::Way::kInBase}) {
+      const program::Function function = robot.derived(equation, way);
       EXPECT_LT(support::distance(UserRobot::run(function, at), expected), kExact)
-          << shape.types << (in_base ? " in the base frame" : " in link frames");
+          << shape.types << " way " << static_cast<int>(way);
     }
   }
 }
@@ -62,7 +63,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "sqrt(2) * qd", "qd * pi / 3", "0 * qd",
                     "T(ones) * m_d * r / (T(ones) * m_d * ones)", "-D * sigma * (qd - -qd)",
                     "Lam(LamT(c_fD) * z_d) * omega", "T(LamT(J_v)) * omega",
-                    "Lam(Lam(c_fD) * z_d * sigma * D) * omega", "R(link1) * T(at(link1)) * omega"));
+                    "T(ones) * r + T(ones_P) * p", "Lam(Lam(c_fD) * z_d * sigma * D) * omega",
+                    "R(link1) * T(at(link1)) * omega"));
 
 INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                          testing::Values("dot(s_d) * ones", "dot(l_d) * ones", "dot(c_d) * ones",
@@ -80,7 +82,7 @@ TEST(Derived, TakesColumnsOfTheUser) {
   EXPECT_EQ(equation.arguments[0].name, "q");
   EXPECT_EQ(equation.arguments[1].name, "gain");
   const auto at = robot.inputs(equation);
-  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, false), at),
+  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, simplify::Way::kToRoot), at),
                               robot.expected(equation, at)),
             kExact);
 }
@@ -134,7 +136,7 @@ TEST(Refused, JointColumnsWhereJointsMimicOthers) {
   EXPECT_THROW(robot.read("T(qd) * tau"), InputError);
   auto equation = robot.read("T(ones) * m_d * J_v * qd");
   std::vector<Numbers> at = {robot.random(2), robot.random(2)};
-  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, false), at),
+  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, simplify::Way::kToRoot), at),
                               robot.expected(equation, at)),
             kExact);
 }

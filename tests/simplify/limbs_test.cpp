@@ -93,7 +93,7 @@ TEST(SharedLimbs, HaveTheValuesOfEveryFunctionWithRandomLimbs) {
       Variant variant = plain_variant(robot);
       variant.articulated = dice.below(2) == 0;
       variant.inertia_tensor = dice.below(2) == 0;
-      variant.from_root = dice.below(2) == 0;
+      variant.way = static_cast<Way>(dice.below(3));
       expect_same_values(robot, recipe, variant);
       if (testing::Test::HasFailure()) {
         return;

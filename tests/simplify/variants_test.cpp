@@ -75,7 +75,7 @@ Variant random_variant(const model::Tree& tree, std::mt19937_64& random) {
   variant.add_angles = random() % 2 == 0;
   variant.inertia_tensor = random() % 2 == 0;
   variant.trunk = random() % 2 == 0;
-  variant.from_root = random() % 2 == 0;
+  choose(random, variant.way, 3);
   variant.articulated = random() % 2 == 0;
   variant.unit_length = static_cast<int>(random() % (lengths + 1));
   return variant;

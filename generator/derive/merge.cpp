@@ -1,0 +1,253 @@
+// R3: terms of a sum that share an operation or an operand become one.
+#include <algorithm>
+#include <map>
+
+#include "common/error.hpp"
+#include "derive/algebra.hpp"
+
+namespace treedyn::derive {
+namespace {
+
+constexpr Ratio kOne{1, 1};
+constexpr Ratio kMinus{-1, 1};
+
+bool is_sum_along(Op op) { return op >= Op::kPath && op <= Op::kCollect && op != Op::kBackward; }
+
+}  // namespace
+
+/// Sums opened, equal values collected, zeros dropped; D^T a + N^T b taken apart again.
+Terms Algebra::flattened(const Terms& terms) {
+  std::map<int, Ratio> collected;
+  const auto take = [&](const Ratio& factor, int x) {
+    const auto [place, is_new] = collected.emplace(x, factor);
+    if (!is_new) {
+      place->second = add(place->second, factor);
+    }
+  };
+  const auto open = [&](const Ratio& factor, int x) {
+    if (value(x).op != Op::kBackward) {
+      return take(factor, x);
+    }
+    const Value v = value(x);
+    for (const auto& [op, operand] :
+         {std::pair(Op::kSubtree, v.operands[0]), std::pair(Op::kSubtreeStrict, v.operands[1])}) {
+      const auto [p, y] = split(sum_along(op, v.set, operand));
+      take(multiply(factor, p), y);
+    }
+  };
+  for (const auto& [factor, x] : terms) {
+    const Value v = value(x);
+    if (v.op != Op::kLinear) {
+      open(factor, x);
+    }
+    for (std::size_t k = 0; v.op == Op::kLinear && k < v.operands.size(); ++k) {
+      open(multiply(factor, v.factors[k]), v.operands[k]);
+    }
+  }
+  Terms result;
+  for (const auto& [x, factor] : collected) {
+    if (factor.numerator != 0 && !is_zero(x)) {
+      result.emplace_back(factor, x);
+    }
+  }
+  return result;
+}
+
+template <class Key, class Merged>
+void Algebra::merge(Terms& terms, Key key, Merged merged) {
+  std::map<decltype(key(Value{})), Terms> groups;
+  Terms rest;
+  for (const auto& term : terms) {
+    const auto k = key(value(term.second));
+    if (k.empty()) {
+      rest.push_back(term);
+    } else {
+      groups[k].push_back(term);
+    }
+  }
+  for (const auto& [k, group] : groups) {
+    if (group.size() == 1) {
+      rest.push_back(group.front());
+      continue;
+    }
+    note(Rule::kMerge);
+    const int result = merged(group);
+    if (!is_zero(result)) {
+      rest.emplace_back(kOne, result);
+    }
+  }
+  terms = flattened(rest);
+}
+
+/// D x + D y = D (x + y).
+void Algebra::merge_sums(Terms& terms) {
+  merge(
+      terms,
+      [this](const Value& v) {
+        const auto from = [&] {
+          return static_cast<int>(value(v.operands.front()).set);
+        };
+        return is_sum_along(v.op) ? std::vector<int>{static_cast<int>(v.op), from()}
+                                  : std::vector<int>{};
+      },
+      [this](const Terms& group) {
+        Terms inner;
+        for (const auto& [factor, x] : group) {
+          inner.emplace_back(factor, value(x).operands.front());
+        }
+        const Value first = value(group.front().second);
+        return sum_along(first.op, first.set, linear(inner));
+      });
+}
+
+/// Λ(a) + Λ(b) = Λ(a + b).
+void Algebra::merge_skews(Terms& terms) {
+  merge(
+      terms,
+      [](const Value& v) { return v.op == Op::kSkew ? std::vector<int>{0} : std::vector<int>{}; },
+      [this](const Terms& group) {
+        Terms inner;
+        for (const auto& [factor, x] : group) {
+          inner.emplace_back(factor, value(x).operands.front());
+        }
+        return skew(linear(inner));
+      });
+}
+
+/// a×x + b×x = (a + b)×x.
+void Algebra::merge_seconds(Terms& terms) {
+  merge(
+      terms,
+      [](const Value& v) {
+        return v.op == Op::kCross ? std::vector<int>{v.operands[1]} : std::vector<int>{};
+      },
+      [this](const Terms& group) {
+        Terms inner;
+        for (const auto& [factor, x] : group) {
+          inner.emplace_back(factor, value(x).operands[0]);
+        }
+        const int second = value(group.front().second).operands[1];
+        return cross(linear(inner), second);
+      });
+}
+
+/// S v + T v = (S + T) v, where v×a = -Λ(a) v joins.
+void Algebra::merge_applied(Terms& terms) {
+  std::vector<int> applied;
+  for (const auto& [factor, x] : terms) {
+    if (value(x).op == Op::kApply) {
+      applied.push_back(value(x).operands[1]);
+    }
+  }
+  merge(
+      terms,
+      [&](const Value& v) {
+        const bool joins = v.op == Op::kCross && std::find(applied.begin(), applied.end(),
+                                                           v.operands[0]) != applied.end();
+        return v.op == Op::kApply ? std::vector<int>{v.operands[1]}
+               : joins            ? std::vector<int>{v.operands[0]}
+                                  : std::vector<int>{};
+      },
+      [this](const Terms& group) {
+        Terms inner;
+        int v = -1;
+        for (const auto& [factor, x] : group) {
+          const Value term = value(x);
+          const bool is_cross = term.op == Op::kCross;
+          v = term.operands[is_cross ? 0 : 1];
+          inner.emplace_back(is_cross ? multiply(kMinus, factor) : factor,
+                             is_cross ? skew(term.operands[1]) : term.operands[0]);
+        }
+        return apply(linear(inner), v);
+      });
+}
+
+/// a×b + a×c = a×(b + c), S x + S y = S (x + y), m x + m y = m (x + y).
+void Algebra::merge_factors(Terms& terms) {
+  merge(
+      terms,
+      [](const Value& v) {
+        const bool bilinear = v.op == Op::kCross || v.op == Op::kApply ||
+                              v.op == Op::kApplyTranspose || v.op == Op::kDot;
+        if (bilinear || (v.op == Op::kScale && v.type != Type::kScalar)) {
+          std::vector<int> key(v.operands.begin(), v.operands.end() - 1);
+          key.push_back(-1 - static_cast<int>(v.op));
+          return key;
+        }
+        return std::vector<int>{};
+      },
+      [this](const Terms& group) {
+        Terms inner;
+        for (const auto& [factor, x] : group) {
+          inner.emplace_back(factor, value(x).operands.back());
+        }
+        const Value first = value(group.front().second);
+        const int sum = linear(inner);
+        switch (first.op) {
+          case Op::kCross:
+            return cross(first.operands[0], sum);
+          case Op::kApply:
+            return apply(first.operands[0], sum);
+          case Op::kApplyTranspose:
+            return apply_transposed(first.operands[0], sum);
+          case Op::kDot:
+            return dot(first.operands[0], sum);
+          default:
+            return scale(scaled({first.operands.begin(), first.operands.end() - 2},
+                                first.operands[first.operands.size() - 2]),
+                         sum);
+        }
+      });
+}
+
+/// D^T a + N^T b: sons hand on b and their own sum.
+void Algebra::merge_backward(Terms& terms) {
+  const auto find = [&](Op op) {
+    return std::find_if(terms.begin(), terms.end(),
+                        [&](const auto& term) { return value(term.second).op == op; });
+  };
+  const auto a = find(Op::kSubtree);
+  const auto b = find(Op::kSubtreeStrict);
+  if (a == terms.end() || b == terms.end()) {
+    return;
+  }
+  const Value v = value(a->second);
+  const int own = linear({{a->first, v.operands[0]}});
+  const int of_sons = linear({{b->first, value(b->second).operands[0]}});
+  const std::vector<int> gone = {a->second, b->second};
+  std::erase_if(terms,
+                [&](const auto& term) { return term.second == gone[0] || term.second == gone[1]; });
+  note(Rule::kMerge);
+  terms.emplace_back(kOne,
+                     values_.intern({Op::kBackward, v.set, v.type, {}, 0, {own, of_sons}, {}}));
+}
+
+int Algebra::linear(const Terms& terms) {
+  TREEDYN_EXPECT(!terms.empty());
+  const Value first = value(terms.front().second);
+  Terms rest = flattened(terms);
+  if (rest.size() > 1) {
+    merge_sums(rest);
+    merge_skews(rest);
+    merge_seconds(rest);
+    merge_applied(rest);
+    merge_factors(rest);
+    merge_backward(rest);
+  }
+  if (rest.empty()) {
+    return zero(first.set, first.type);
+  }
+  if (rest.size() == 1 && rest.front().first == kOne) {
+    return rest.front().second;
+  }
+  std::sort(rest.begin(), rest.end(),
+            [](const auto& a, const auto& b) { return a.second < b.second; });
+  Value value{Op::kLinear, first.set, first.type, {}, 0, {}, {}};
+  for (const auto& [factor, x] : rest) {
+    value.operands.push_back(x);
+    value.factors.push_back(factor);
+  }
+  return values_.intern(std::move(value));
+}
+
+}  // namespace treedyn::derive

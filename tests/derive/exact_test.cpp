@@ -1,0 +1,237 @@
+// The programs against the equations, exactly: what a function computes, carried out with
+// polynomials in sines, cosines, slides and rates, is the expansion of its block equation. Every
+// difference is the zero polynomial. Mechanisms whose numbers are decimals and whose axes are
+// coordinate axes, so that the constants of the programs are exact.
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "equations/equations.hpp"
+#include "equations/table.hpp"
+#include "program/interpret.hpp"
+#include "simplify/functions.hpp"
+#include "support/random_tree.hpp"
+#include "symbolic/expansion.hpp"
+
+namespace treedyn {
+namespace {
+
+using symbolic::Expanded;
+
+/// An element of the ring, or a sum of joint angles.
+struct Exact {
+  Exact() = default;
+  explicit Exact(Expanded number) : value(std::move(number)) {}
+  explicit Exact(int number) : value(number) {}
+
+  Expanded value;
+  std::map<int, int> turns;  ///< joint -> how often its angle
+
+  friend Exact operator+(Exact a, const Exact& b) {
+    a.value += b.value;
+    for (const auto& [joint, times] : b.turns) {
+      a.turns[joint] += times;
+    }
+    return a;
+  }
+  friend Exact operator*(const Exact& a, const Exact& b) {
+    if (a.turns.empty() && b.turns.empty()) {
+      return Exact(a.value * b.value);
+    }
+    const bool first = !a.turns.empty();
+    const Expanded& factor = first ? b.value : a.value;
+    Exact result = first ? a : b;
+    for (auto& [joint, times] : result.turns) {
+      times *= GiNaC::ex_to<GiNaC::numeric>(factor.value()).to_int();
+    }
+    return result;
+  }
+  friend Exact operator/(const Exact& a, const Exact& b) { return Exact(a.value / b.value); }
+  friend Exact operator-(const Exact& a) { return Exact(-1) * a; }
+};
+
+/// The ring of the expansion that a program is compared with; decimals need no other variables.
+const symbolic::Ring* ring = nullptr;
+
+}  // namespace
+
+template <>
+Exact program::from_real<Exact>(const Real& value) {
+  static symbolic::Ring decimals;
+  return Exact(Expanded(*ring, decimals.constant(value)));
+}
+
+namespace {
+
+struct Mechanism {
+  const char* name;
+  support::TreeShape shape;
+};
+void PrintTo(const Mechanism& mechanism, std::ostream* stream) { *stream << mechanism.name; }
+
+support::TreeShape chain(const std::string& types) {
+  support::TreeShape shape{{}, types};
+  for (int i = 0; i < static_cast<int>(types.size()); ++i) {
+    shape.father.push_back(i - 1);
+  }
+  return shape;
+}
+
+/// Turns by quarters, axes along x, y or z, numbers of two digits.
+model::Tree decimal_tree(const support::TreeShape& shape, support::Dice& dice) {
+  const auto decimal = [&] {
+    return Real(dice.below(199) - 99) / 100;
+  };
+  model::Tree tree = support::random_tree(shape, dice);
+  for (model::Link& link : tree.links) {
+    const auto first = static_cast<std::size_t>(dice.below(3));
+    const std::size_t second = (first + 1 + static_cast<std::size_t>(dice.below(2))) % 3;
+    const std::size_t third = 3 - first - second;
+    model::Matrix3 R{};
+    R[first] = dice.below(2) == 0 ? 1 : -1;
+    R[3 + second] = dice.below(2) == 0 ? 1 : -1;
+    const bool even = (second + 3 - first) % 3 == 1;
+    R[6 + third] = R[first] * R[3 + second] * (even ? 1 : -1);
+    link.joint.rotation = R;
+    link.joint.axis = {};
+    link.joint.axis[static_cast<std::size_t>(dice.below(3))] = dice.below(2) == 0 ? 1 : -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      link.joint.offset[k] = decimal();
+      link.inertia.com[k] = decimal();
+      link.inertia.about_com[4 * k] = 1 + decimal() / 4;
+    }
+    link.inertia.mass = 2 + decimal();
+    const Real xy = decimal() / 10;
+    link.inertia.about_com[1] = link.inertia.about_com[3] = xy;
+  }
+  return tree;
+}
+
+class Programs : public testing::TestWithParam<Mechanism> {
+ protected:
+  Programs() : dice_(5), tree_(decimal_tree(GetParam().shape, dice_)) {
+    for (int link = model::kGround; link < tree_.size(); ++link) {
+      model::Point point;
+      point.link = link;
+      point.identifier = "p" + std::to_string(options_.points.size());
+      point.at = {Real("0.25"), Real("-0.5"), Real("0.75")};
+      options_.points.push_back(point);
+    }
+    options_.gravity = {Real(1), Real(2), Real("-9.81")};
+    options_.effort = 0;
+    options_.without = {simplify::Pass::kNormals};  // whose frames have other angles than quarters
+  }
+
+  [[nodiscard]] Exact input(const symbolic::Expansion& e, const simplify::Recipe& recipe, int array,
+                            int k) const {
+    const std::string name = recipe.inputs[static_cast<std::size_t>(array)].name;
+    const auto i = static_cast<std::size_t>(k);
+    if (name == "q") {
+      const bool turns = tree_.links[i].joint.type == model::JointType::kRevolute;
+      Exact q(turns ? Expanded() : e.position(i));
+      if (turns) {
+        q.turns[k] = 1;
+      }
+      return q;
+    }
+    return Exact(name == "qd"    ? e.rate(i)
+                 : name == "qdd" ? e.acceleration(i)
+                 : name == "f"   ? e.force(i)
+                                 : e.moment(i));
+  }
+
+  /// cos or sin of a sum of angles, by addition theorems.
+  static Exact trigonometric(const symbolic::Expansion& e, program::Kind kind, const Exact& angle) {
+    Expanded c(1);
+    Expanded s(0);
+    EXPECT_TRUE(angle.value.is_zero());
+    for (const auto& [joint, times] : angle.turns) {
+      const auto i = static_cast<std::size_t>(joint);
+      const Expanded sine = times < 0 ? -e.sine(i) : e.sine(i);
+      for (int n = 0; n < std::abs(times); ++n) {
+        const Expanded old = c;
+        c = c * e.cosine(i) - s * sine;
+        s = s * e.cosine(i) + old * sine;
+      }
+    }
+    return Exact(kind == program::Kind::kSin ? s : c);
+  }
+
+  /// Entry by entry.
+  [[nodiscard]] bool is(const symbolic::Expansion& e, const simplify::Recipe& recipe,
+                        const program::Function& function,
+                        const block::Expression& expression) const {
+    ring = &e.ring();
+    const auto values = program::node_values<Exact>(
+        function.graph, function.outputs,
+        [&](int array, int k) { return input(e, recipe, array, k); },
+        [&](program::Kind kind, const Exact& angle) { return trigonometric(e, kind, angle); });
+    const symbolic::Entries expected = e.expand(expression);
+    bool equal = function.outputs.size() == expected.values.size();
+    for (std::size_t n = 0; equal && n < expected.values.size(); ++n) {
+      const program::Ref output = function.outputs[n];
+      const Expanded& value = values[static_cast<std::size_t>(std::abs(output))].value;
+      equal = ((output < 0 ? -value : value) - expected.values[n]).is_zero();
+    }
+    return equal;
+  }
+
+  support::Dice dice_;
+  model::Tree tree_;
+  simplify::Options options_;
+};
+
+TEST_P(Programs, AreTheirEquations) {
+  const symbolic::Expansion expansion(tree_, options_.points, options_.gravity);
+  for (const equations::Equation& equation : equations::table()) {
+    const simplify::Recipe& recipe = simplify::recipe_of(std::string(equation.name));
+    const program::Function function = simplify::formulate(tree_, recipe.name, options_);
+    EXPECT_TRUE(is(expansion, recipe, function, equation.expression)) << equation.name;
+  }
+}
+
+TEST_P(Programs, AreTheirEquationsInEveryFrame) {
+  const symbolic::Expansion expansion(tree_, options_.points, options_.gravity);
+  for (const equations::Equation& equation : equations::table()) {
+    const simplify::Recipe& recipe = simplify::recipe_of(std::string(equation.name));
+    for (const simplify::Way way :
+         {simplify::Way::kToRoot, simplify::Way::kInLinks, simplify::Way::kInBase}) {
+      simplify::Variant variant = simplify::plain_variant(tree_);
+      variant.way = way;
+      for (simplify::LinkVariant& link : variant.links) {
+        link.angle = simplify::FrameAngle::kKeep;
+      }
+      const program::Function function = simplify::build(tree_, recipe, options_, variant);
+      EXPECT_TRUE(is(expansion, recipe, function, equation.expression))
+          << equation.name << " way " << static_cast<int>(way);
+    }
+  }
+}
+
+TEST_P(Programs, AreNoOtherEquations) {
+  const symbolic::Expansion expansion(tree_, options_.points, options_.gravity);
+  equations::Attached wrong = equations::points();
+  wrong.t_d = -wrong.t_d;
+  const simplify::Recipe& recipe = simplify::recipe_of("force_jacobian_transpose");
+  const bool turns = GetParam().shape.types.find('R') != std::string::npos;
+  EXPECT_EQ(is(expansion, recipe, simplify::formulate(tree_, recipe.name, options_),
+               equations::force_jacobian_transpose(wrong)),
+            !turns);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mechanisms, Programs,
+    testing::Values(Mechanism{"RRR", chain("RRR")}, Mechanism{"RRP", chain("RRP")},
+                    Mechanism{"RPR", chain("RPR")}, Mechanism{"RPP", chain("RPP")},
+                    Mechanism{"PRR", chain("PRR")}, Mechanism{"PRP", chain("PRP")},
+                    Mechanism{"PPR", chain("PPR")}, Mechanism{"PPP", chain("PPP")},
+                    Mechanism{"TreeRRR", {{-1, 0, 0}, "RRR"}},
+                    Mechanism{"TreePRP", {{-1, 0, 0}, "PRP"}},
+                    Mechanism{"ForestRRP", {{-1, -1, 1}, "RRP"}}, Mechanism{"RPRP", chain("RPRP")},
+                    Mechanism{"PRRP", chain("PRRP")},
+                    Mechanism{"TreeRPRP", {{-1, 0, 0, 1}, "RPRP"}},
+                    Mechanism{"ForestPRPR", {{-1, 0, -1, 2}, "PRPR"}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace treedyn
