@@ -75,6 +75,7 @@ void Gate::note_plain(bool articulated) {
   options.share_limbs = false;
   Variant variant = plain_variant(tree_);
   switch_off(options.without, variant);
+  variant.way = recipe_.freedom.way;
   variant.articulated = articulated;
   before_.push_back(build(tree_, recipe_, options, variant));
   if (variant.trunk && recipe_.freedom.trunk && has_free_base(tree_)) {
