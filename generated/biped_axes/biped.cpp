@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0xe461d6da9bf7d707ULL, "header and source are of different runs");
+static_assert(kDigest == 0x43472f97df061fcaULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -2051,154 +2051,130 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept {
   const auto [s_base_rx, c_base_rx] = sine_cosine(q[5]);
   const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[6]);
   const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[7]);
-  const Scalar t_left_shank_1 = q[9] + q[10];
-  const Scalar t_left_thigh_1 = q[8] + t_left_shank_1;
-  const auto [s_left_thigh, c_left_thigh] = sine_cosine(t_left_thigh_1);
-  const auto [s_left_shank, c_left_shank] = sine_cosine(t_left_shank_1);
-  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[10]);
+  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[8]);
+  const Scalar t_left_ankle_cross_1 = q[8] + q[9];
+  const auto [s_left_ankle_cross, c_left_ankle_cross] = sine_cosine(t_left_ankle_cross_1);
+  const Scalar t_left_foot_1 = t_left_ankle_cross_1 + q[10];
+  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
   const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[12]);
   const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[13]);
-  const Scalar t_right_shank_1 = q[15] + q[16];
-  const Scalar t_right_thigh_1 = q[14] + t_right_shank_1;
-  const auto [s_right_thigh, c_right_thigh] = sine_cosine(t_right_thigh_1);
-  const auto [s_right_shank, c_right_shank] = sine_cosine(t_right_shank_1);
-  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[16]);
-  const Scalar t_base_ry_1 = 9.81 * c_base_ry;
-  const Scalar t_base_rx_1 = s_base_rx * t_base_ry_1;
-  const Scalar a_left_hip_block_z = c_base_rx * t_base_ry_1;
-  const Scalar a_base_ry_y = 9.81 * s_base_ry;
-  const Scalar a_left_hip_block_x = c_left_hip_yaw * t_base_rx_1 + s_left_hip_yaw * a_base_ry_y;
-  const Scalar a_left_hip_fork_z = s_left_hip_yaw * t_base_rx_1 - c_left_hip_yaw * a_base_ry_y;
-  const Scalar t_left_hip_block_1 = 0.00633696 * a_left_hip_block_z;
-  const Scalar t_left_hip_block_2 = 0.14177016 * a_left_hip_block_z;
-  // left_hip_fork
-  const Scalar t_left_hip_fork_1 = c_left_hip_roll * a_left_hip_block_z;
-  const Scalar a_left_hip_fork_x = t_left_hip_fork_1 - s_left_hip_roll * a_left_hip_block_x;
-  const Scalar t_left_hip_fork_2 = s_left_hip_roll * a_left_hip_block_z;
-  const Scalar a_left_thigh_z = t_left_hip_fork_2 + c_left_hip_roll * a_left_hip_block_x;
-  const Scalar a_left_foot_z = c_left_thigh * a_left_hip_fork_z - s_left_thigh * a_left_hip_fork_x;
-  const Scalar t_left_thigh_2 = s_left_thigh * a_left_hip_fork_z;
-  const Scalar t_left_thigh_3 = t_left_thigh_2 + c_left_thigh * a_left_hip_fork_x;
-  // left_foot
-  const Scalar t_left_foot_1 = 0.2614691411136524 + q[11];
-  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
-  const Scalar t_left_foot_2 = 0.014128635491404699 * c_left_foot;
-  const Scalar t_left_foot_3 = 0.014128635491404699 * s_left_foot;
-  const Scalar t_left_foot_4 = t_left_thigh_3 * t_left_foot_3;
-  const Scalar M_left_foot_z = a_left_thigh_z * t_left_foot_2 + t_left_foot_4;
-  G[11] = M_left_foot_z;
-  const Scalar a_right_hip_fork_z = s_right_hip_yaw * t_base_rx_1 - c_right_hip_yaw * a_base_ry_y;
-  const Scalar t_right_hip_block_1 = c_right_hip_yaw * t_base_rx_1;
-  const Scalar a_right_hip_block_x = t_right_hip_block_1 + s_right_hip_yaw * a_base_ry_y;
-  const Scalar t_right_hip_fork_1 = c_right_hip_roll * a_right_hip_block_x;
-  const Scalar a_right_thigh_z = s_right_hip_roll * a_left_hip_block_z + t_right_hip_fork_1;
-  const Scalar t_right_hip_fork_2 = s_right_hip_roll * a_right_hip_block_x;
-  const Scalar a_right_hip_fork_x = c_right_hip_roll * a_left_hip_block_z - t_right_hip_fork_2;
-  // right_thigh
-  const Scalar t_right_thigh_2 = s_right_thigh * a_right_hip_fork_x;
-  const Scalar a_right_thigh_y = t_right_thigh_2 - c_right_thigh * a_right_hip_fork_z;
-  const Scalar t_right_thigh_3 = c_right_thigh * a_right_hip_fork_x;
-  const Scalar t_right_thigh_4 = t_right_thigh_3 + s_right_thigh * a_right_hip_fork_z;
-  // right_foot
-  const Scalar t_right_foot_1 = 0.2614691411136524 - q[17];
+  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[14]);
+  const Scalar t_righ_ankl_cros_1 = q[14] + q[15];
+  const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_1);
+  const Scalar t_right_foot_1 = t_righ_ankl_cros_1 + q[16];
   const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
-  const Scalar t_right_foot_2 = 0.014128635491404699 * s_right_foot;
-  const Scalar t_right_foot_3 = 0.014128635491404699 * c_right_foot;
-  const Scalar t_right_foot_4 = t_right_thigh_4 * t_right_foot_2;
-  const Scalar t_right_foot_5 = t_right_foot_4 - a_right_thigh_z * t_right_foot_3;
-  G[17] = -t_right_foot_5;
-  const Scalar t_right_foot_6 = a_right_thigh_y * (0.0094668 + t_right_foot_3);
-  const Scalar t_right_foot_7 = 0.0550836384 * t_right_thigh_4 - t_right_foot_6;
-  G[16] = -t_right_foot_7;
-  // right_shank
-  const Scalar t_right_shank_2 = 0.080309376 * c_right_ankle_pitch;
-  const Scalar t_right_shank_3 = t_right_shank_2 - 1.10425392 * s_right_ankle_pitch;
-  const Scalar t_right_shank_4 = 0.080309376 * s_right_ankle_pitch;
-  const Scalar t_right_shank_5 = 1.10425392 * c_right_ankle_pitch + t_right_shank_4;
-  const Scalar t_righ_ankl_cros_1 = t_right_foot_7 - t_right_thigh_4 * t_right_shank_3;
-  const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 - a_right_thigh_y * t_right_shank_5;
-  G[15] = -t_righ_ankl_cros_2;
-  const Scalar t_right_thigh_5 = 0.14731530912 * s_right_shank + 3.62798116128 * c_right_shank;
-  const Scalar t_right_thigh_6 = 0.14731530912 * c_right_shank - 3.62798116128 * s_right_shank;
-  const Scalar t_right_shank_6 = t_righ_ankl_cros_2 - a_right_thigh_y * t_right_thigh_5;
-  const Scalar t_right_shank_7 = t_right_shank_6 - t_right_thigh_4 * t_right_thigh_6;
-  G[14] = -t_right_shank_7;
-  // right_thigh
-  const Scalar t_right_thigh_7 = t_right_thigh_6 - (0.0550836384 - t_right_shank_3);
-  const Scalar t_right_thigh_8 = a_right_thigh_z * t_right_thigh_7;
-  const Scalar M_right_thigh_x = t_right_thigh_8 + a_right_thigh_y * t_right_foot_2;
-  const Scalar t_right_thigh_9 = 0.0094668 + t_right_shank_5 + t_right_thigh_5;
-  const Scalar M_right_thigh_y = t_right_foot_5 - a_right_thigh_z * t_right_thigh_9;
-  const Scalar t_right_thigh_10 = s_right_thigh * M_right_thigh_x - 0.00475272 * a_right_thigh_z;
-  const Scalar t_right_thigh_11 = t_right_thigh_10 + c_right_thigh * M_right_thigh_y;
-  const Scalar t_right_thigh_12 = t_right_thigh_11 + 0.40746668256 * a_right_hip_fork_x;
-  G[13] = -t_right_thigh_12;
-  const Scalar t_right_thigh_13 = c_right_thigh * M_right_thigh_x;
-  const Scalar t_right_thigh_14 = t_right_thigh_13 - s_right_thigh * M_right_thigh_y;
-  const Scalar t_right_thigh_15 = t_right_thigh_14 - 0.40746668256 * a_right_hip_fork_z;
-  // right_hip_fork
-  const Scalar M_right_hip_fork_y = t_right_shank_7 + 0.00475272 * a_right_hip_fork_z;
-  const Scalar t_right_hip_fork_3 = c_right_hip_roll * t_right_thigh_15;
-  const Scalar t_right_hip_fork_4 = t_right_hip_fork_3 - 0.00633696 * a_right_hip_fork_z;
-  const Scalar t_right_hip_fork_5 = t_right_hip_fork_4 - 0.14177016 * a_right_hip_block_x;
-  const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 + s_right_hip_roll * M_right_hip_fork_y;
-  G[12] = -t_right_hip_fork_6;
-  const Scalar t_left_foot_5 = a_left_foot_z * (0.0094668 + t_left_foot_2);
-  const Scalar t_left_foot_6 = t_left_foot_5 + 0.0550836384 * t_left_thigh_3;
-  G[10] = -t_left_foot_6;
-  // left_shank
-  const Scalar t_left_shank_2 = 0.080309376 * s_left_ankle_pitch;
-  const Scalar t_left_shank_3 = t_left_shank_2 + 1.10425392 * c_left_ankle_pitch;
-  const Scalar t_left_shank_4 = 0.080309376 * c_left_ankle_pitch;
-  const Scalar t_left_shank_5 = 1.10425392 * s_left_ankle_pitch - t_left_shank_4;
-  const Scalar t_left_ankle_cross_1 = t_left_foot_6 + a_left_foot_z * t_left_shank_3;
-  const Scalar t_left_shank_6 = t_left_thigh_3 * t_left_shank_5;
-  const Scalar t_left_ankle_cross_2 = t_left_ankle_cross_1 + t_left_shank_6;
-  G[9] = -t_left_ankle_cross_2;
-  const Scalar t_left_thigh_4 = 3.62798116128 * s_left_shank - 0.14731530912 * c_left_shank;
-  const Scalar t_left_thigh_5 = 3.62798116128 * c_left_shank + 0.14731530912 * s_left_shank;
-  const Scalar t_left_shank_7 = t_left_ankle_cross_2 + t_left_thigh_3 * t_left_thigh_4;
-  const Scalar t_left_shank_8 = t_left_shank_7 + a_left_foot_z * t_left_thigh_5;
-  G[8] = -t_left_shank_8;
-  const Scalar t_left_thigh_6 = 0.0550836384 + t_left_shank_5 + t_left_thigh_4;
-  const Scalar M_left_thigh_x = a_left_foot_z * t_left_foot_3 - a_left_thigh_z * t_left_thigh_6;
-  const Scalar t_left_shank_9 = 0.0094668 + t_left_shank_3 + t_left_thigh_5;
-  const Scalar t_left_shank_10 = M_left_foot_z + a_left_thigh_z * t_left_shank_9;
-  // left_hip_fork
-  const Scalar t_left_hip_fork_3 = 0.00475272 * a_left_thigh_z - s_left_thigh * M_left_thigh_x;
-  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 + c_left_thigh * t_left_shank_10;
-  const Scalar M_left_hip_fork_z = t_left_hip_fork_4 + 0.40746668256 * a_left_hip_fork_x;
-  G[7] = M_left_hip_fork_z;
-  const Scalar M_left_hip_fork_y = t_left_shank_8 + 0.00475272 * a_left_hip_fork_z;
-  const Scalar t_left_hip_fork_5 = 0.40746668256 * a_left_hip_fork_z;
-  const Scalar t_left_thigh_7 = t_left_hip_fork_5 + s_left_thigh * t_left_shank_10;
-  const Scalar t_left_thigh_8 = t_left_thigh_7 + c_left_thigh * M_left_thigh_x;
-  const Scalar t_left_hip_fork_6 = c_left_hip_roll * t_left_thigh_8;
-  const Scalar t_left_hip_fork_7 = 0.00633696 * a_left_hip_fork_z + t_left_hip_fork_6;
-  const Scalar t_left_hip_fork_8 = t_left_hip_fork_7 - 0.14177016 * a_left_hip_block_x;
-  const Scalar t_left_hip_fork_9 = t_left_hip_fork_8 + s_left_hip_roll * M_left_hip_fork_y;
-  G[6] = -t_left_hip_fork_9;
-  const Scalar t_left_hip_fork_10 = t_left_hip_block_2 - s_left_hip_roll * t_left_thigh_8;
-  const Scalar t_left_hip_fork_11 = t_left_hip_fork_10 + c_left_hip_roll * M_left_hip_fork_y;
-  const Scalar t_left_hip_fork_12 = t_left_hip_block_1 + M_left_hip_fork_z;
-  const Scalar M_right_hip_block_y = t_left_hip_block_1 + t_right_thigh_12;
-  const Scalar t_right_hip_fork_7 = t_left_hip_block_2 - s_right_hip_roll * t_right_thigh_15;
-  const Scalar t_right_hip_fork_8 = t_right_hip_fork_7 + c_right_hip_roll * M_right_hip_fork_y;
-  const Scalar t_base_rx_2 = 8.4556102785 * t_base_rx_1 - 0.0494584755 * a_left_hip_block_z;
+  // left_foot
+  const Scalar t_left_foot_2 = 0.2614691411136524 + q[11];
+  const auto [s_left_foot_2, c_left_foot_2] = sine_cosine(t_left_foot_2);
+  const Scalar M_left_foot_y = 0.014128635491404699 * s_left_foot_2;
+  const Scalar M_left_foot_x = 0.014128635491404699 * c_left_foot_2;
+  // right_foot
+  const Scalar t_right_foot_2 = 0.2614691411136524 - q[17];
+  const auto [s_right_foot_2, c_right_foot_2] = sine_cosine(t_right_foot_2);
+  const Scalar M_right_foot_x = 0.014128635491404699 * c_right_foot_2;
+  const Scalar t_right_foot_3 = 0.014128635491404699 * s_right_foot_2;
+  // right_ankle_cross
+  const Scalar t_righ_ankl_cros_2 = 0.0094668 + M_right_foot_x;
+  const Scalar t_righ_ankl_cros_3 = c_right_foot * t_righ_ankl_cros_2;
+  const Scalar t_righ_ankl_cros_4 = 0.0550836384 * s_right_foot + t_righ_ankl_cros_3;
+  const Scalar t_right_shank_1 = t_righ_ankl_cros_4 - 0.080309376 * s_righ_ankl_cros;
+  const Scalar t_right_shank_2 = t_right_shank_1 + 1.10425392 * c_righ_ankl_cros;
+  const Scalar t_right_thigh_1 = t_right_shank_2 - 0.14731530912 * s_right_hip_pitch;
+  const Scalar t_right_thigh_2 = t_right_thigh_1 + 3.62798116128 * c_right_hip_pitch;
+  const Scalar t_right_hip_fork_1 = 0.00475272 + t_right_thigh_2;
+  const Scalar M_right_hip_fork_y = 0.40746668256 + t_right_foot_3;
+  const Scalar t_right_hip_block_1 = 0.00633696 + c_right_hip_roll * M_right_hip_fork_y;
+  const Scalar t_right_hip_fork_2 = s_right_hip_roll * t_right_hip_fork_1;
+  const Scalar t_right_hip_block_2 = t_right_hip_block_1 - t_right_hip_fork_2;
+  const Scalar t_righ_ankl_cros_5 = s_right_foot * t_righ_ankl_cros_2;
+  const Scalar M_righ_ankl_cros_y = 0.0550836384 * c_right_foot - t_righ_ankl_cros_5;
+  const Scalar t_right_shank_3 = M_righ_ankl_cros_y - 0.080309376 * c_righ_ankl_cros;
+  const Scalar M_right_shank_y = t_right_shank_3 - 1.10425392 * s_righ_ankl_cros;
+  const Scalar t_right_thigh_3 = M_right_shank_y - 3.62798116128 * s_right_hip_pitch;
+  const Scalar M_right_thigh_y = t_right_thigh_3 - 0.14731530912 * c_right_hip_pitch;
+  const Scalar t_right_hip_block_3 = 0.14177016 + M_right_thigh_y;
+  // left_ankle_cross
+  const Scalar t_left_ankle_cross_2 = 0.0094668 + M_left_foot_x;
+  const Scalar t_left_ankle_cross_3 = s_left_foot * t_left_ankle_cross_2;
+  const Scalar M_left_ankle_cross_y = 0.0550836384 * c_left_foot - t_left_ankle_cross_3;
+  const Scalar t_left_shank_1 = M_left_ankle_cross_y - 0.080309376 * c_left_ankle_cross;
+  const Scalar M_left_shank_y = t_left_shank_1 - 1.10425392 * s_left_ankle_cross;
+  const Scalar t_left_ankle_cross_4 = c_left_foot * t_left_ankle_cross_2;
+  const Scalar t_left_ankle_cross_5 = 0.0550836384 * s_left_foot + t_left_ankle_cross_4;
+  const Scalar t_left_shank_2 = t_left_ankle_cross_5 + 1.10425392 * c_left_ankle_cross;
+  const Scalar t_left_shank_3 = t_left_shank_2 - 0.080309376 * s_left_ankle_cross;
+  const Scalar t_left_thigh_1 = t_left_shank_3 - 0.14731530912 * s_left_hip_pitch;
+  const Scalar t_left_thigh_2 = t_left_thigh_1 + 3.62798116128 * c_left_hip_pitch;
+  const Scalar t_left_hip_fork_1 = 0.00475272 + t_left_thigh_2;
+  const Scalar t_left_hip_fork_2 = 0.40746668256 + M_left_foot_y;
+  const Scalar t_left_hip_block_1 = 0.00633696 + c_left_hip_roll * t_left_hip_fork_2;
+  const Scalar M_left_hip_block_x = t_left_hip_block_1 + s_left_hip_roll * t_left_hip_fork_1;
+  const Scalar t_left_thigh_3 = M_left_shank_y - 3.62798116128 * s_left_hip_pitch;
+  const Scalar M_left_thigh_y = t_left_thigh_3 - 0.14731530912 * c_left_hip_pitch;
+  const Scalar t_left_hip_block_2 = 0.14177016 + M_left_thigh_y;
   // base_ry
-  const Scalar t_base_ry_2 = t_base_rx_2 - s_left_hip_yaw * t_left_hip_fork_11;
-  const Scalar t_base_ry_3 = t_base_ry_2 - c_left_hip_yaw * t_left_hip_fork_12;
-  const Scalar t_base_ry_4 = t_base_ry_3 + c_right_hip_yaw * M_right_hip_block_y;
+  const Scalar t_base_ry_1 = 9.81 * s_base_ry;
+  const Scalar t_base_ry_2 = 0.086212924 - s_left_hip_yaw * M_left_hip_block_x;
+  const Scalar t_base_ry_3 = t_base_ry_2 + c_right_hip_yaw * t_right_hip_block_3;
+  const Scalar t_base_ry_4 = t_base_ry_3 + s_right_hip_yaw * t_right_hip_block_2;
+  const Scalar t_base_ry_5 = 9.81 * c_base_ry;
   // base_rx
-  G[5] = s_right_hip_yaw * t_right_hip_fork_8 - t_base_ry_4;
-  const Scalar t_base_rx_3 = t_right_hip_fork_6 + t_left_hip_fork_9;
-  const Scalar M_base_rx_y = t_base_rx_3 - 0.485187644655 * s_base_ry;
-  const Scalar t_base_rx_4 = 82.949536832085 * s_base_ry - s_left_hip_yaw * t_left_hip_fork_12;
-  const Scalar t_base_rx_5 = t_base_rx_4 + s_right_hip_yaw * M_right_hip_block_y;
-  const Scalar t_base_rx_6 = t_base_rx_5 + c_left_hip_yaw * t_left_hip_fork_11;
-  const Scalar M_base_rx_x = t_base_rx_6 + c_right_hip_yaw * t_right_hip_fork_8;
-  // base_ry
-  G[4] = -(0.84574878444 * c_base_ry - s_base_rx * M_base_rx_y + c_base_rx * M_base_rx_x);
+  const Scalar t_base_rx_1 = 0.0494584755 - c_right_hip_yaw * t_right_hip_block_2;
+  const Scalar t_base_rx_2 = t_base_rx_1 + s_right_hip_yaw * t_right_hip_block_3;
+  const Scalar t_base_rx_3 = t_base_rx_2 + c_left_hip_yaw * M_left_hip_block_x;
+  const Scalar t_base_rx_4 = t_base_rx_3 + s_left_hip_yaw * t_left_hip_block_2;
+  const Scalar t_base_rx_5 = 8.4556102785 - s_right_hip_roll * M_right_hip_fork_y;
+  const Scalar t_base_rx_6 = t_base_rx_5 - c_left_hip_roll * t_left_hip_fork_1;
+  const Scalar t_base_rx_7 = t_base_rx_6 + s_left_hip_roll * t_left_hip_fork_2;
+  const Scalar t_base_rx_8 = t_base_rx_7 - c_right_hip_roll * t_right_hip_fork_1;
+  const Scalar t_base_ry_6 = t_base_ry_4 + c_left_hip_yaw * t_left_hip_block_2;
+  const Scalar t_base_rx_9 = s_base_rx * t_base_rx_4 + c_base_rx * t_base_rx_8;
+  G[4] = -(t_base_ry_6 * t_base_ry_5 + t_base_ry_1 * t_base_rx_9);
+  const Scalar t_base_rx_10 = c_base_rx * t_base_ry_5;
+  const Scalar t_base_rx_11 = s_base_rx * t_base_ry_5;
+  G[5] = t_base_rx_4 * t_base_rx_10 - t_base_rx_8 * t_base_rx_11;
+  // left_hip_block
+  const Scalar t_left_hip_block_3 = s_left_hip_yaw * t_base_rx_11;
+  const Scalar t_left_hip_block_4 = t_left_hip_block_3 - c_left_hip_yaw * t_base_ry_1;
+  const Scalar t_left_hip_block_5 = c_left_hip_yaw * t_base_rx_11;
+  const Scalar t_left_hip_block_6 = t_left_hip_block_5 + s_left_hip_yaw * t_base_ry_1;
+  G[6] = t_left_hip_block_2 * t_left_hip_block_6 - M_left_hip_block_x * t_left_hip_block_4;
+  // left_hip_fork
+  const Scalar t_left_hip_fork_3 = s_left_hip_roll * t_left_hip_block_6;
+  const Scalar t_left_hip_fork_4 = c_left_hip_roll * t_base_rx_10 - t_left_hip_fork_3;
+  const Scalar t_left_hip_fork_5 = c_left_hip_roll * t_left_hip_block_6;
+  const Scalar t_left_hip_fork_6 = s_left_hip_roll * t_base_rx_10 + t_left_hip_fork_5;
+  G[7] = t_left_hip_fork_1 * t_left_hip_fork_6 + t_left_hip_fork_2 * t_left_hip_fork_4;
+  G[8] = -(t_left_thigh_2 * t_left_hip_block_4 + M_left_thigh_y * t_left_hip_fork_4);
+  G[9] = -(t_left_shank_3 * t_left_hip_block_4 + M_left_shank_y * t_left_hip_fork_4);
+  const Scalar t_left_ankle_cross_6 = t_left_ankle_cross_5 * t_left_hip_block_4;
+  G[10] = -(M_left_ankle_cross_y * t_left_hip_fork_4 + t_left_ankle_cross_6);
+  // left_foot
+  const Scalar t_left_foot_3 = s_left_foot * t_left_hip_block_4;
+  const Scalar t_left_foot_4 = c_left_foot * t_left_hip_fork_4 + t_left_foot_3;
+  G[11] = M_left_foot_y * t_left_foot_4 + M_left_foot_x * t_left_hip_fork_6;
+  // right_hip_block
+  const Scalar t_right_hip_block_4 = s_right_hip_yaw * t_base_rx_11;
+  const Scalar t_right_hip_block_5 = t_right_hip_block_4 - c_right_hip_yaw * t_base_ry_1;
+  const Scalar t_right_hip_block_6 = c_right_hip_yaw * t_base_rx_11;
+  const Scalar t_right_hip_block_7 = t_right_hip_block_6 + s_right_hip_yaw * t_base_ry_1;
+  const Scalar t_right_hip_block_8 = t_right_hip_block_2 * t_right_hip_block_5;
+  G[12] = t_right_hip_block_8 + t_right_hip_block_3 * t_right_hip_block_7;
+  // right_hip_fork
+  const Scalar t_right_hip_fork_3 = s_right_hip_roll * t_right_hip_block_7;
+  const Scalar t_right_hip_fork_4 = c_right_hip_roll * t_base_rx_10 - t_right_hip_fork_3;
+  const Scalar t_right_hip_fork_5 = c_right_hip_roll * t_right_hip_block_7;
+  const Scalar t_right_hip_fork_6 = s_right_hip_roll * t_base_rx_10 + t_right_hip_fork_5;
+  const Scalar t_right_hip_fork_7 = t_right_hip_fork_1 * t_right_hip_fork_6;
+  G[13] = t_right_hip_fork_7 - M_right_hip_fork_y * t_right_hip_fork_4;
+  G[14] = -(M_right_thigh_y * t_right_hip_fork_4 + t_right_thigh_2 * t_right_hip_block_5);
+  G[15] = -(t_right_shank_2 * t_right_hip_block_5 + M_right_shank_y * t_right_hip_fork_4);
+  const Scalar t_righ_ankl_cros_6 = t_righ_ankl_cros_4 * t_right_hip_block_5;
+  G[16] = -(t_righ_ankl_cros_6 + M_righ_ankl_cros_y * t_right_hip_fork_4);
+  // right_foot
+  const Scalar t_right_foot_4 = s_right_foot * t_right_hip_block_5;
+  const Scalar t_right_foot_5 = t_right_foot_4 + c_right_foot * t_right_hip_fork_4;
+  G[17] = M_right_foot_x * t_right_hip_fork_6 - t_right_foot_3 * t_right_foot_5;
   G[2] = 791.28441;
   G[0] = 0.0;
   G[1] = 0.0;

@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0xd9f9718cd67dd59eULL, "header and source are of different runs");
+static_assert(kDigest == 0x249404f2b319a29eULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -987,77 +987,69 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[1]);
   const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[2]);
-  // left_ankle_cross
   const Scalar t_left_ankle_cross_1 = q[2] + q[3];
-  const Scalar t_left_ankle_cross_2 = t_left_ankle_cross_1 + q[4];
-  const auto [s_left_ankle_cross, c_left_ankle_cross] = sine_cosine(t_left_ankle_cross_2);
-  const auto [s_left_ankle_cross_2, c_left_ankle_cross_2] = sine_cosine(t_left_ankle_cross_1);
+  const auto [s_left_ankle_cross, c_left_ankle_cross] = sine_cosine(t_left_ankle_cross_1);
+  const Scalar t_left_foot_1 = t_left_ankle_cross_1 + q[4];
+  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
   const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[7]);
   const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[8]);
-  // right_ankle_cross
   const Scalar t_righ_ankl_cros_1 = q[8] + q[9];
-  const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + q[10];
-  const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_2);
-  const auto [s_righ_ankl_cros_2, c_righ_ankl_cros_2] = sine_cosine(t_righ_ankl_cros_1);
-  // left_foot
-  const Scalar t_left_foot_1 = 0.26146916f + q[5];
-  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
-  const Scalar t_left_foot_2 = 0.13860191f * s_left_foot;
-  const Scalar t_left_foot_3 = 0.13860191f * c_left_foot;
-  const Scalar t_left_foot_4 = c_left_hip_roll * c_left_ankle_cross * t_left_foot_2;
-  const Scalar M_left_foot_z = t_left_foot_4 + s_left_hip_roll * t_left_foot_3;
-  G[5] = M_left_foot_z;
-  // right_foot
-  const Scalar t_right_foot_1 = 0.26146916f - q[11];
+  const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_1);
+  const Scalar t_right_foot_1 = t_righ_ankl_cros_1 + q[10];
   const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
-  const Scalar t_right_foot_2 = c_right_hip_roll * s_right_foot * 0.13860191f;
-  const Scalar t_right_foot_3 = 0.13860191f * c_right_foot;
-  const Scalar t_right_foot_4 = c_righ_ankl_cros * t_right_foot_2;
-  const Scalar t_right_foot_5 = t_right_foot_4 - s_right_hip_roll * t_right_foot_3;
-  G[11] = -t_right_foot_5;
-  // right_ankle_cross
-  const Scalar t_righ_ankl_cros_3 = s_righ_ankl_cros * (0.09286931f + t_right_foot_3);
-  const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 - 0.54037046f * c_righ_ankl_cros;
-  const Scalar M_righ_ankl_cros_z = c_right_hip_roll * t_righ_ankl_cros_4;
-  G[10] = M_righ_ankl_cros_z;
-  const Scalar t_right_shank_1 = 10.832731f * s_righ_ankl_cros_2 + 0.787835f * c_righ_ankl_cros_2;
-  const Scalar M_right_shank_z = M_righ_ankl_cros_z + c_right_hip_roll * t_right_shank_1;
-  G[9] = M_right_shank_z;
-  // right_thigh
-  const Scalar t_right_thigh_1 = 35.590496f * s_right_hip_pitch + 1.4451631f * c_right_hip_pitch;
-  G[8] = M_right_shank_z + c_right_hip_roll * t_right_thigh_1;
-  const Scalar t_right_thigh_2 = 0.046624184f + 0.54037046f * s_righ_ankl_cros;
-  const Scalar t_right_thigh_3 = t_right_thigh_2 + 35.590496f * c_right_hip_pitch;
-  const Scalar t_right_thigh_4 = t_right_thigh_3 - 1.4451631f * s_right_hip_pitch;
-  const Scalar t_right_thigh_5 = t_right_thigh_4 - 0.787835f * s_righ_ankl_cros_2;
-  const Scalar t_right_thigh_6 = t_right_thigh_5 + 10.832731f * c_righ_ankl_cros_2;
-  const Scalar t_right_thigh_7 = t_right_thigh_6 + 0.09286931f * c_righ_ankl_cros;
-  const Scalar t_right_thigh_8 = s_right_hip_roll * t_right_thigh_7;
-  const Scalar t_right_thigh_9 = c_righ_ankl_cros * t_right_foot_5 - t_right_thigh_8;
-  const Scalar t_right_thigh_10 = s_righ_ankl_cros * s_righ_ankl_cros * t_right_foot_2;
-  G[7] = -(t_right_thigh_9 + 3.9972482f * c_right_hip_roll + t_right_thigh_10);
-  // left_foot
-  const Scalar t_left_foot_5 = s_left_ankle_cross * (0.09286931f + t_left_foot_3);
-  const Scalar t_left_foot_6 = 0.54037046f * c_left_ankle_cross - t_left_foot_5;
-  const Scalar t_left_foot_7 = c_left_hip_roll * t_left_foot_6;
-  G[4] = -t_left_foot_7;
-  const Scalar t_left_shank_1 = 10.832731f * s_left_ankle_cross_2;
-  const Scalar t_left_shank_2 = t_left_shank_1 + 0.787835f * c_left_ankle_cross_2;
-  const Scalar t_left_ankle_cross_3 = t_left_foot_7 - c_left_hip_roll * t_left_shank_2;
-  G[3] = -t_left_ankle_cross_3;
-  const Scalar t_left_thigh_1 = 1.4451631f * c_left_hip_pitch + 35.590496f * s_left_hip_pitch;
-  G[2] = c_left_hip_roll * t_left_thigh_1 - t_left_ankle_cross_3;
+  const Scalar t_left_foot_2 = 0.26146916f + q[5];
+  const auto [s_left_foot_2, c_left_foot_2] = sine_cosine(t_left_foot_2);
+  const Scalar t_right_foot_2 = 0.26146916f - q[11];
+  const auto [s_right_foot_2, c_right_foot_2] = sine_cosine(t_right_foot_2);
   // left_hip_fork
-  const Scalar t_left_hip_fork_1 = s_left_ankle_cross * s_left_ankle_cross * t_left_foot_2;
-  const Scalar t_left_hip_fork_2 = 0.046624184f + 0.09286931f * c_left_ankle_cross;
-  const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 + 0.54037046f * s_left_ankle_cross;
-  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 + 35.590496f * c_left_hip_pitch;
-  const Scalar t_left_hip_fork_5 = t_left_hip_fork_4 - 1.4451631f * s_left_hip_pitch;
-  const Scalar t_left_hip_fork_6 = t_left_hip_fork_5 - 0.787835f * s_left_ankle_cross_2;
-  const Scalar t_left_hip_fork_7 = c_left_hip_roll * (3.9972482f + t_left_hip_fork_1);
-  const Scalar t_left_hip_fork_8 = t_left_hip_fork_6 + 10.832731f * c_left_ankle_cross_2;
-  const Scalar t_left_hip_fork_9 = c_left_ankle_cross * M_left_foot_z + t_left_hip_fork_7;
-  G[1] = t_left_hip_fork_9 + s_left_hip_roll * t_left_hip_fork_8;
+  const Scalar t_left_hip_fork_1 = 0.13860191f * c_left_foot_2;
+  const Scalar t_left_hip_fork_2 = 0.09286931f + t_left_hip_fork_1;
+  const Scalar t_left_hip_fork_3 = 0.046624184f + 35.590496f * c_left_hip_pitch;
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 - 1.4451631f * s_left_hip_pitch;
+  const Scalar t_left_hip_fork_5 = t_left_hip_fork_4 - 0.787835f * s_left_ankle_cross;
+  const Scalar t_left_hip_fork_6 = t_left_hip_fork_5 + 10.832731f * c_left_ankle_cross;
+  const Scalar t_left_hip_fork_7 = t_left_hip_fork_6 + 0.54037046f * s_left_foot;
+  const Scalar t_left_hip_fork_8 = 0.13860191f * s_left_foot_2;
+  const Scalar t_left_hip_fork_9 = t_left_hip_fork_7 + c_left_foot * t_left_hip_fork_2;
+  const Scalar t_left_hip_fork_10 = c_left_hip_roll * (3.9972482f + t_left_hip_fork_8);
+  G[1] = s_left_hip_roll * t_left_hip_fork_9 + t_left_hip_fork_10;
+  // left_ankle_cross
+  const Scalar t_left_ankle_cross_2 = c_left_hip_roll * c_left_foot;
+  const Scalar t_left_ankle_cross_3 = c_left_hip_roll * s_left_foot * t_left_hip_fork_2;
+  const Scalar t_left_ankle_cross_4 = 0.54037046f * t_left_ankle_cross_2;
+  const Scalar t_left_ankle_cross_5 = t_left_ankle_cross_4 - t_left_ankle_cross_3;
+  G[4] = -t_left_ankle_cross_5;
+  const Scalar t_left_shank_1 = 10.832731f * s_left_ankle_cross + 0.787835f * c_left_ankle_cross;
+  const Scalar t_left_shank_2 = t_left_ankle_cross_5 - c_left_hip_roll * t_left_shank_1;
+  G[3] = -t_left_shank_2;
+  const Scalar t_left_hip_fork_11 = 35.590496f * s_left_hip_pitch + 1.4451631f * c_left_hip_pitch;
+  G[2] = c_left_hip_roll * t_left_hip_fork_11 - t_left_shank_2;
+  G[5] = t_left_hip_fork_8 * t_left_ankle_cross_2 + s_left_hip_roll * t_left_hip_fork_1;
+  // right_hip_fork
+  const Scalar t_right_hip_fork_1 = 0.09286931f + 0.13860191f * c_right_foot_2;
+  const Scalar t_right_hip_fork_2 = 0.046624184f + c_right_foot * t_right_hip_fork_1;
+  const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - 1.4451631f * s_right_hip_pitch;
+  const Scalar t_right_hip_fork_4 = t_right_hip_fork_3 + 35.590496f * c_right_hip_pitch;
+  const Scalar t_right_hip_fork_5 = t_right_hip_fork_4 + 10.832731f * c_righ_ankl_cros;
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 - 0.787835f * s_righ_ankl_cros;
+  const Scalar t_right_hip_fork_7 = 3.9972482f + 0.13860191f * s_right_foot_2;
+  const Scalar t_right_hip_fork_8 = t_right_hip_fork_6 + 0.54037046f * s_right_foot;
+  G[7] = s_right_hip_roll * t_right_hip_fork_8 - c_right_hip_roll * t_right_hip_fork_7;
+  // right_ankle_cross
+  const Scalar t_righ_ankl_cros_2 = s_right_foot * t_right_hip_fork_1;
+  const Scalar t_righ_ankl_cros_3 = t_righ_ankl_cros_2 - 0.54037046f * c_right_foot;
+  const Scalar t_righ_ankl_cros_4 = c_right_hip_roll * t_righ_ankl_cros_3;
+  G[10] = t_righ_ankl_cros_4;
+  const Scalar t_right_shank_1 = 0.787835f * c_righ_ankl_cros + 10.832731f * s_righ_ankl_cros;
+  const Scalar t_right_shank_2 = t_righ_ankl_cros_4 + c_right_hip_roll * t_right_shank_1;
+  G[9] = t_right_shank_2;
+  // right_hip_fork
+  const Scalar t_right_hip_fork_9 = 35.590496f * s_right_hip_pitch;
+  const Scalar t_right_hip_fork_10 = t_right_hip_fork_9 + 1.4451631f * c_right_hip_pitch;
+  G[8] = t_right_shank_2 + c_right_hip_roll * t_right_hip_fork_10;
+  // right_foot
+  const Scalar t_right_foot_3 = c_right_hip_roll * c_right_foot * s_right_foot_2;
+  G[11] = -0.13860191f * (t_right_foot_3 - s_right_hip_roll * c_right_foot_2);
   G[0] = 0.0f;
   G[6] = 0.0f;
 }

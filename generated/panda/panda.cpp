@@ -14,7 +14,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0xbdee69ede137012eULL, "header and source are of different runs");
+static_assert(kDigest == 0x11845d57290e45d1ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -504,52 +504,43 @@ void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
   const auto [s_joint3, c_joint3] = sine_cosine(q[2]);
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
+  // link7
   const auto [s_joint6, c_joint6] = sine_cosine(q[5]);
-  const Scalar t_link2_1 = 9.81 * s_joint2;
-  // link3
-  const Scalar a_link3_y = s_joint3 * t_link2_1;
-  const Scalar t_link3_1 = c_joint3 * t_link2_1;
-  const Scalar a_link3_z = 9.81 * c_joint2;
-  const Scalar a_link5_z = s_joint4 * t_link3_1 + c_joint4 * a_link3_z;
-  const Scalar a_link4_x = c_joint4 * t_link3_1 - s_joint4 * a_link3_z;
-  const Scalar a_link5_x = s_joint5 * a_link3_y - c_joint5 * a_link4_x;
-  const Scalar a_link5_y = c_joint5 * a_link3_y + s_joint5 * a_link4_x;
   const Scalar t_link7_1 = 0.3842058806066518 - q[6];
   const auto [s_link7, c_link7] = sine_cosine(t_link7_1);
-  const Scalar a_link6_x = s_joint6 * a_link5_z + c_joint6 * a_link5_x;
-  // link7
+  const Scalar M_link7_x = 0.008343776383464369 * c_link7;
   const Scalar t_link7_2 = 0.008343776383464369 * s_link7;
-  const Scalar t_link7_3 = 0.008343776383464369 * c_link7;
-  const Scalar M_link7_z = a_link6_x * t_link7_2 - a_link5_y * t_link7_3;
-  G[6] = M_link7_z;
-  const Scalar a_link6_y = c_joint6 * a_link5_z - s_joint6 * a_link5_x;
-  const Scalar M_link6_z = a_link6_y * (0.164967552695 + t_link7_3) + 0.068832705569 * a_link6_x;
-  G[5] = M_link6_z;
-  const Scalar t_link7_4 = M_link7_z - 0.164967552695 * a_link5_y;
-  // link6
-  const Scalar M_link6_x = 0.068832705569 * a_link5_y + t_link7_2 * a_link6_y;
-  const Scalar t_link6_1 = 0.067870631425 * a_link5_x + c_joint6 * t_link7_4;
-  const Scalar t_link6_2 = t_link6_1 + 0.014653732538 * a_link5_y - s_joint6 * M_link6_x;
-  G[4] = -t_link6_2;
-  const Scalar t_link6_3 = c_joint6 * M_link6_x + s_joint6 * t_link7_4;
-  const Scalar M_link5_x = t_link6_3 + 0.067870631425 * a_link5_z;
-  const Scalar t_link6_4 = M_link6_z - 0.014653732538 * a_link5_z;
-  const Scalar t_link5_1 = 0.49008027465 * a_link5_z + s_joint5 * M_link5_x;
-  const Scalar t_link5_2 = t_link5_1 - 1.720683553603 * a_link4_x - c_joint5 * t_link6_4;
-  G[3] = -t_link5_2;
-  // link4
-  const Scalar t_link4_1 = 1.720683553603 * a_link3_y - s_joint5 * t_link6_4;
-  const Scalar M_link4_x = t_link4_1 - c_joint5 * M_link5_x;
-  const Scalar M_link4_y = t_link6_2 + 0.49008027465 * a_link3_y;
-  // link3
-  const Scalar t_link3_2 = 0.028227094878 * t_link3_1 + 0.684157959872 * a_link3_y;
-  G[2] = t_link3_2 - s_joint4 * M_link4_x - c_joint4 * M_link4_y;
-  const Scalar t_link3_3 = 0.27690780075318 * c_joint2 - c_joint4 * M_link4_x;
-  const Scalar M_link3_x = t_link3_3 + s_joint4 * M_link4_y;
-  const Scalar t_link3_4 = 30.45357582685272 * s_joint2 - c_joint3 * t_link5_2;
-  const Scalar t_link3_5 = c_joint2 * (0.01993386669246 - 6.71158958634432 * c_joint3);
+  const Scalar t_link6_1 = 0.164967552695 + M_link7_x;
+  const Scalar M_link6_x = 0.068832705569 * s_joint6 + c_joint6 * t_link6_1;
+  const Scalar t_link5_1 = 0.014653732538 - M_link6_x;
+  const Scalar M_link5_y = 0.067870631425 + t_link7_2;
+  const Scalar M_link4_x = 0.49008027465 + s_joint5 * M_link5_y + c_joint5 * t_link5_1;
+  const Scalar t_link6_2 = 0.068832705569 * c_joint6 - s_joint6 * t_link6_1;
+  const Scalar t_link4_1 = 1.720683553603 - t_link6_2;
+  const Scalar M_link3_y = 0.028227094878 + c_joint5 * M_link5_y - s_joint5 * t_link5_1;
+  const Scalar M_link3_x = 0.684157959872 - s_joint4 * t_link4_1 - c_joint4 * M_link4_x;
   // link2
-  G[1] = t_link3_5 - (t_link3_4 - s_joint3 * M_link3_x);
+  const Scalar t_link2_1 = 9.81 * c_joint2;
+  const Scalar t_link2_2 = 9.81 * s_joint2;
+  const Scalar t_link2_3 = 0.002031994566 + s_joint3 * M_link3_y - c_joint3 * M_link3_x;
+  const Scalar t_link2_4 = 3.104340043512 + c_joint4 * t_link4_1 - s_joint4 * M_link4_x;
+  G[1] = t_link2_3 * t_link2_1 - t_link2_4 * t_link2_2;
+  // link3
+  const Scalar t_link3_1 = s_joint3 * t_link2_2;
+  const Scalar t_link3_2 = c_joint3 * t_link2_2;
+  G[2] = M_link3_y * t_link3_2 + M_link3_x * t_link3_1;
+  // link4
+  const Scalar t_link4_2 = s_joint4 * t_link3_2 + c_joint4 * t_link2_1;
+  const Scalar t_link4_3 = c_joint4 * t_link3_2 - s_joint4 * t_link2_1;
+  G[3] = t_link4_1 * t_link4_3 - M_link4_x * t_link4_2;
+  // link5
+  const Scalar t_link5_2 = s_joint5 * t_link3_1 - c_joint5 * t_link4_3;
+  const Scalar t_link5_3 = c_joint5 * t_link3_1 + s_joint5 * t_link4_3;
+  G[4] = -(t_link5_1 * t_link5_3 + M_link5_y * t_link5_2);
+  G[5] = t_link6_2 * t_link5_2 + M_link6_x * t_link4_2;
+  // link7
+  const Scalar t_link7_3 = t_link7_2 * (s_joint6 * t_link4_2 + c_joint6 * t_link5_2);
+  G[6] = t_link7_3 - M_link7_x * t_link5_3;
   G[0] = 0.0;
 }
 

@@ -14,7 +14,7 @@
 
 namespace quadruped {
 
-static_assert(kDigest == 0xb07359cd08782784ULL, "header and source are of different runs");
+static_assert(kDigest == 0xfdf5ccedb4a67919ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -397,50 +397,48 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const auto [s_front_left_abduction, c_front_left_abduction] = sine_cosine(q[0]);
-  // front_left_shank
-  const Scalar t_front_left_shank_1 = q[1] + q[2];
-  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_1);
   const auto [s_front_left_hip, c_front_left_hip] = sine_cosine(q[1]);
   const auto [s_front_right_abduction, c_front_right_abduction] = sine_cosine(q[3]);
-  // front_right_shank
-  const Scalar t_fron_righ_shan_1 = q[4] + q[5];
-  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_1);
   const auto [s_front_right_hip, c_front_right_hip] = sine_cosine(q[4]);
   const auto [s_hind_left_abduction, c_hind_left_abduction] = sine_cosine(q[6]);
-  // hind_left_shank
-  const Scalar t_hind_left_shank_1 = q[7] + q[8];
-  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
   const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
   const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
-  // hind_right_shank
+  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
+  const Scalar t_front_left_shank_1 = q[1] + q[2];
+  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_1);
+  const Scalar t_fron_righ_shan_1 = q[4] + q[5];
+  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_1);
+  const Scalar t_hind_left_shank_1 = q[7] + q[8];
+  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
   const Scalar t_hind_right_shank_1 = q[10] + q[11];
   const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
-  const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
-  const Scalar M_front_left_shank_z = c_front_left_abduction * s_front_left_shank * 0.03829824;
-  G[2] = M_front_left_shank_z;
-  const Scalar M_fron_righ_shan_z = c_front_right_abduction * s_fron_righ_shan * 0.03829824;
-  G[5] = M_fron_righ_shan_z;
-  const Scalar M_hind_left_shank_z = c_hind_left_abduction * s_hind_left_shank * 0.03829824;
-  G[8] = M_hind_left_shank_z;
-  const Scalar M_hind_right_shank_z = c_hind_right_abduction * s_hind_right_shank * 0.03829824;
-  G[11] = M_hind_right_shank_z;
-  // hind_right_thigh
-  G[10] = M_hind_right_shank_z + c_hind_right_abduction * s_hind_right_hip * 0.25560936;
-  const Scalar t_hind_right_thigh_1 = 0.03829824 * c_hind_right_shank;
-  const Scalar t_hind_right_thigh_2 = 0.25560936 * c_hind_right_hip + t_hind_right_thigh_1;
-  G[9] = s_hind_right_abduction * t_hind_right_thigh_2 - 0.7147566 * c_hind_right_abduction;
-  G[7] = M_hind_left_shank_z + c_hind_left_abduction * s_hind_left_hip * 0.25560936;
-  const Scalar t_hind_left_thigh_1 = 0.25560936 * c_hind_left_hip + 0.03829824 * c_hind_left_shank;
-  G[6] = 0.7147566 * c_hind_left_abduction + s_hind_left_abduction * t_hind_left_thigh_1;
-  G[4] = M_fron_righ_shan_z + c_front_right_abduction * s_front_right_hip * 0.25560936;
-  const Scalar t_fron_righ_thig_1 = 0.25560936 * c_front_right_hip + 0.03829824 * c_fron_righ_shan;
-  G[3] = s_front_right_abduction * t_fron_righ_thig_1 - 0.7147566 * c_front_right_abduction;
-  // front_left_thigh
-  G[1] = M_front_left_shank_z + c_front_left_abduction * s_front_left_hip * 0.25560936;
-  const Scalar t_front_left_thigh_1 = 0.03829824 * c_front_left_shank;
-  const Scalar t_front_left_thigh_2 = 0.25560936 * c_front_left_hip + t_front_left_thigh_1;
   // front_left_hip
-  G[0] = 0.7147566 * c_front_left_abduction + s_front_left_abduction * t_front_left_thigh_2;
+  const Scalar t_front_left_hip_1 = 0.03829824 * c_front_left_shank;
+  const Scalar t_front_left_hip_2 = 0.25560936 * c_front_left_hip + t_front_left_hip_1;
+  G[0] = 0.7147566 * c_front_left_abduction + s_front_left_abduction * t_front_left_hip_2;
+  const Scalar t_front_left_shank_2 = c_front_left_abduction * s_front_left_shank * 0.03829824;
+  G[2] = t_front_left_shank_2;
+  G[1] = t_front_left_shank_2 + c_front_left_abduction * s_front_left_hip * 0.25560936;
+  // front_right_hip
+  const Scalar t_front_right_hip_1 = 0.25560936 * c_front_right_hip;
+  const Scalar t_front_right_hip_2 = t_front_right_hip_1 + 0.03829824 * c_fron_righ_shan;
+  G[3] = s_front_right_abduction * t_front_right_hip_2 - 0.7147566 * c_front_right_abduction;
+  const Scalar t_fron_righ_shan_2 = c_front_right_abduction * s_fron_righ_shan * 0.03829824;
+  G[5] = t_fron_righ_shan_2;
+  G[4] = t_fron_righ_shan_2 + c_front_right_abduction * s_front_right_hip * 0.25560936;
+  const Scalar t_hind_left_hip_1 = 0.25560936 * c_hind_left_hip + 0.03829824 * c_hind_left_shank;
+  G[6] = 0.7147566 * c_hind_left_abduction + s_hind_left_abduction * t_hind_left_hip_1;
+  const Scalar t_hind_left_shank_2 = c_hind_left_abduction * s_hind_left_shank * 0.03829824;
+  G[8] = t_hind_left_shank_2;
+  G[7] = t_hind_left_shank_2 + c_hind_left_abduction * s_hind_left_hip * 0.25560936;
+  // hind_right_hip
+  const Scalar t_hind_right_hip_1 = 0.03829824 * c_hind_right_shank;
+  const Scalar t_hind_right_hip_2 = 0.25560936 * c_hind_right_hip + t_hind_right_hip_1;
+  G[9] = s_hind_right_abduction * t_hind_right_hip_2 - 0.7147566 * c_hind_right_abduction;
+  const Scalar t_hind_right_shank_2 = c_hind_right_abduction * s_hind_right_shank * 0.03829824;
+  G[11] = t_hind_right_shank_2;
+  // hind_right_thigh
+  G[10] = t_hind_right_shank_2 + c_hind_right_abduction * s_hind_right_hip * 0.25560936;
 }
 
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],

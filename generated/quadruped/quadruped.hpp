@@ -37,7 +37,7 @@ inline constexpr int kDof = 12;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xb07359cd08782784ULL;
+inline constexpr unsigned long long kDigest = 0xfdf5ccedb4a67919ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x28e5b5641966eb3bULL, "header and source are of different runs");
+static_assert(kDigest == 0xc4d9c47c30a5107bULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -94,13 +94,13 @@ void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   // forearm
+  const Scalar c_shoulder = cos(q[0]);
   const Scalar t_forearm_1 = q[0] + q[1];
   const Scalar c_forearm = cos(t_forearm_1);
-  const Scalar c_shoulder = cos(q[0]);
-  const Scalar M_forearm_z = 245.25 * c_forearm;
-  G[1] = M_forearm_z;
+  const Scalar t_forearm_2 = 245.25 * c_forearm;
+  G[1] = t_forearm_2;
   // upper_arm
-  G[0] = M_forearm_z + 735.75 * c_shoulder;
+  G[0] = t_forearm_2 + 735.75 * c_shoulder;
 }
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],

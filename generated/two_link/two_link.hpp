@@ -24,7 +24,7 @@ inline constexpr int kDof = 2;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x28e5b5641966eb3bULL;
+inline constexpr unsigned long long kDigest = 0xc4d9c47c30a5107bULL;
 
 /// Index of every joint.
 namespace joint {

@@ -172,8 +172,5 @@ std::vector<Expr> build_point_bias(const Task& task) {
 std::vector<Expr> build_kinetic_energy(const Task& task) {
   return {kinetic_energy(task.kinematics)};
 }
-std::vector<Expr> build_potential_energy(const Task& task) {
-  return {potential_energy(task.kinematics, task.normal)};
-}
 
 }  // namespace treedyn::simplify

@@ -31,26 +31,4 @@ Expr kinetic_energy(const Kinematics& k) {
   return constant(k.graph(), Real("0.5")) * twice;
 }
 
-Expr potential_energy(const Kinematics& k, const NormalTree& normal) {
-  std::vector<Kinematics::Body> subtree;
-  for (int i = 0; i < k.size(); ++i) {
-    subtree.push_back(k.body(i));
-  }
-  Vec3 moment = constant(k.graph(), normal.ground_moment);
-  for (int i = k.size() - 1; i >= 0; --i) {  // h_f += h + m s
-    k.graph().set_body(i);
-    const Kinematics::Body& own = subtree[static_cast<std::size_t>(i)];
-    const Vec3 carried = k.to_father(i, own.moment) + own.mass * k.offset(i);
-    const int f = k.link(i).father;
-    if (f == model::kGround) {
-      moment = moment + carried;
-    } else {
-      Kinematics::Body& father = subtree[static_cast<std::size_t>(f)];
-      father.moment = father.moment + carried;
-      father.mass += own.mass;
-    }
-  }
-  return dot(k.ground_acceleration(), moment);
-}
-
 }  // namespace treedyn::simplify

@@ -1,4 +1,4 @@
-// Kinetic and potential energy.
+// Kinetic energy.
 #pragma once
 
 #include "simplify/kinematics.hpp"
@@ -7,8 +7,5 @@ namespace treedyn::simplify {
 
 /// T = 1/2 qd^T A(q) qd, J; one forward sweep of velocities.
 Expr kinetic_energy(const Kinematics& kinematics);
-
-/// U = -sum m g.r, J; zero with all mass at the base origin.
-Expr potential_energy(const Kinematics& kinematics, const NormalTree& normal);
 
 }  // namespace treedyn::simplify
