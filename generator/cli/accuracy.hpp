@@ -16,10 +16,10 @@ struct AccuracyRequest {
   std::string output;                             ///< folder of the files; empty: text only
   std::vector<std::string> on = {"m4f", "host"};  ///< of accuracy::cores()
   std::vector<std::string> integrators;           ///< empty: the explicit ones with fixed steps
-  std::vector<double> steps;                      ///< s, parts of the time between comparisons; empty: a ladder
-  std::optional<double> target;                   ///< error, rad or m
-  int states = 8;                                 ///< in the band
-  double spread = 0.01;                           ///< of the band
+  std::vector<double> steps;     ///< s, parts of the time between comparisons; empty: a ladder
+  std::optional<double> target;  ///< error, rad or m
+  int states = 8;                ///< in the band
+  double spread = 0.01;          ///< of the band
 };
 
 using AccuracyTrace = std::function<void(const std::string&)>;

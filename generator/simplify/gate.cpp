@@ -117,7 +117,8 @@ program::Function Gate::without_culprits() const {
   std::optional<program::Function> cheapest;
   for (const Pass pass : on) {
     program::Function quick = formulate({pass}, 0);
-    if (is_accurate(quick) && (!cheapest || weight(program::cost(quick)) < weight(program::cost(*cheapest)))) {
+    if (is_accurate(quick) &&
+        (!cheapest || weight(program::cost(quick)) < weight(program::cost(*cheapest)))) {
       left_out = {pass};
       cheapest = std::move(quick);
     }

@@ -367,6 +367,9 @@ constexpr double kLost = 1e-3;
 constexpr double kBetter = 10;
 /// Without passes so many times dearer: no search makes up for that.
 constexpr int kHopeless = 4;
+/// Percent that articulated bodies have to save in a scene: armatures and constraints rule them
+/// out, and what is not counted, moves and stores, must not make such an effect a gain.
+constexpr int kWorthwhile = 10;
 
 /// True if float loses much with `taken` and not with `left`. Where one of them has no limbs to
 /// share, there is nothing to compare.
@@ -402,7 +405,8 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
   }
   program::Function function = search(factor);
   program::Function other = search(articulated);
-  if (weight(program::cost(other)) < weight(program::cost(function))) {
+  const int least = options.scene != nullptr ? kWorthwhile : 0;
+  if (100 * weight(program::cost(other)) < (100 - least) * weight(program::cost(function))) {
     std::swap(function, other);
   }
   return loses(function, other) ? other : function;

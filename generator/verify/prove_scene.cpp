@@ -128,8 +128,7 @@ Solution solved_values(const program::Staged& staged, State& state) {
     const Values lower(first.begin(), first.begin() + size);
     const Values b(first.begin() + size, first.begin() + size + static_cast<std::ptrdiff_t>(r));
     const Matrix K = symmetric(lower, r);
-    Solution solution =
-        staged.solves.front().regular() ? solved(K, b, 0) : least_squares(K, b);
+    Solution solution = staged.solves.front().regular() ? solved(K, b, 0) : least_squares(K, b);
     state.at(program::kMultiplierArray) = std::move(solution.x);
     least = solution.least;
   }
