@@ -74,7 +74,7 @@ TEST(Study, ChoosesTheCheapestThatReachesTheTarget) {
   ASSERT_TRUE(fine);
   EXPECT_EQ(text_of(study.outcomes[*fine].setting), "double rk4 0.005");
   EXPECT_FALSE(cheapest(study, core("m4f"), 1e-20));
-  EXPECT_EQ(study.outcomes[most_accurate(study)].setting.step, 0.001);  // 1e-12 + 1e-12
+  EXPECT_EQ(study.outcomes[most_accurate(study)].setting.step, 0.0005);  // the floor, in double
 }
 
 TEST(Study, NeverChoosesWhatFailed) {
