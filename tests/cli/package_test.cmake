@@ -88,7 +88,7 @@ if(EXISTS /usr/bin/arm-none-eabi-g++)
   run(${CMAKE_COMMAND} -S ${scratch}/project -B ${scratch}/cross -G Ninja -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_SYSTEM_PROCESSOR=arm
       -DCMAKE_CXX_COMPILER=arm-none-eabi-g++ -DCMAKE_CXX_FLAGS=-mcpu=cortex-m4\ -mthumb -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY
       -DCMAKE_PREFIX_PATH=${scratch}/second)
-  run(${CMAKE_COMMAND} --build ${scratch}/cross --target arm swing)
+  run(${CMAKE_COMMAND} --build ${scratch}/cross --target arm)
 else()
   message(STATUS "arm-none-eabi-g++ is not there: no cross build")
 endif()
