@@ -43,7 +43,7 @@ inline constexpr int kDof = 18;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x43472f97df061fcaULL;
+inline constexpr unsigned long long kDigest = 0x34d018522421042fULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x249404f2b319a29eULL, "header and source are of different runs");
+static_assert(kDigest == 0x80d141a521589280ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -995,61 +995,61 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[8]);
   const Scalar t_righ_ankl_cros_1 = q[8] + q[9];
   const auto [s_righ_ankl_cros, c_righ_ankl_cros] = sine_cosine(t_righ_ankl_cros_1);
+  // right_foot
   const Scalar t_right_foot_1 = t_righ_ankl_cros_1 + q[10];
   const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
-  const Scalar t_left_foot_2 = 0.26146916f + q[5];
-  const auto [s_left_foot_2, c_left_foot_2] = sine_cosine(t_left_foot_2);
   const Scalar t_right_foot_2 = 0.26146916f - q[11];
   const auto [s_right_foot_2, c_right_foot_2] = sine_cosine(t_right_foot_2);
-  // left_hip_fork
-  const Scalar t_left_hip_fork_1 = 0.13860191f * c_left_foot_2;
-  const Scalar t_left_hip_fork_2 = 0.09286931f + t_left_hip_fork_1;
-  const Scalar t_left_hip_fork_3 = 0.046624184f + 35.590496f * c_left_hip_pitch;
-  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 - 1.4451631f * s_left_hip_pitch;
-  const Scalar t_left_hip_fork_5 = t_left_hip_fork_4 - 0.787835f * s_left_ankle_cross;
-  const Scalar t_left_hip_fork_6 = t_left_hip_fork_5 + 10.832731f * c_left_ankle_cross;
-  const Scalar t_left_hip_fork_7 = t_left_hip_fork_6 + 0.54037046f * s_left_foot;
-  const Scalar t_left_hip_fork_8 = 0.13860191f * s_left_foot_2;
-  const Scalar t_left_hip_fork_9 = t_left_hip_fork_7 + c_left_foot * t_left_hip_fork_2;
-  const Scalar t_left_hip_fork_10 = c_left_hip_roll * (3.9972482f + t_left_hip_fork_8);
-  G[1] = s_left_hip_roll * t_left_hip_fork_9 + t_left_hip_fork_10;
-  // left_ankle_cross
-  const Scalar t_left_ankle_cross_2 = c_left_hip_roll * c_left_foot;
-  const Scalar t_left_ankle_cross_3 = c_left_hip_roll * s_left_foot * t_left_hip_fork_2;
-  const Scalar t_left_ankle_cross_4 = 0.54037046f * t_left_ankle_cross_2;
-  const Scalar t_left_ankle_cross_5 = t_left_ankle_cross_4 - t_left_ankle_cross_3;
-  G[4] = -t_left_ankle_cross_5;
-  const Scalar t_left_shank_1 = 10.832731f * s_left_ankle_cross + 0.787835f * c_left_ankle_cross;
-  const Scalar t_left_shank_2 = t_left_ankle_cross_5 - c_left_hip_roll * t_left_shank_1;
-  G[3] = -t_left_shank_2;
-  const Scalar t_left_hip_fork_11 = 35.590496f * s_left_hip_pitch + 1.4451631f * c_left_hip_pitch;
-  G[2] = c_left_hip_roll * t_left_hip_fork_11 - t_left_shank_2;
-  G[5] = t_left_hip_fork_8 * t_left_ankle_cross_2 + s_left_hip_roll * t_left_hip_fork_1;
-  // right_hip_fork
-  const Scalar t_right_hip_fork_1 = 0.09286931f + 0.13860191f * c_right_foot_2;
-  const Scalar t_right_hip_fork_2 = 0.046624184f + c_right_foot * t_right_hip_fork_1;
-  const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - 1.4451631f * s_right_hip_pitch;
-  const Scalar t_right_hip_fork_4 = t_right_hip_fork_3 + 35.590496f * c_right_hip_pitch;
-  const Scalar t_right_hip_fork_5 = t_right_hip_fork_4 + 10.832731f * c_righ_ankl_cros;
-  const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 - 0.787835f * s_righ_ankl_cros;
-  const Scalar t_right_hip_fork_7 = 3.9972482f + 0.13860191f * s_right_foot_2;
-  const Scalar t_right_hip_fork_8 = t_right_hip_fork_6 + 0.54037046f * s_right_foot;
-  G[7] = s_right_hip_roll * t_right_hip_fork_8 - c_right_hip_roll * t_right_hip_fork_7;
+  const Scalar t_right_foot_3 = 0.13860191f * s_right_foot_2;
+  const Scalar t_right_foot_4 = 0.13860191f * c_right_foot_2;
+  const Scalar t_right_foot_5 = c_right_hip_roll * c_right_foot * t_right_foot_3;
+  G[11] = s_right_hip_roll * t_right_foot_4 - t_right_foot_5;
   // right_ankle_cross
-  const Scalar t_righ_ankl_cros_2 = s_right_foot * t_right_hip_fork_1;
-  const Scalar t_righ_ankl_cros_3 = t_righ_ankl_cros_2 - 0.54037046f * c_right_foot;
-  const Scalar t_righ_ankl_cros_4 = c_right_hip_roll * t_righ_ankl_cros_3;
-  G[10] = t_righ_ankl_cros_4;
+  const Scalar t_righ_ankl_cros_2 = 0.09286931f + t_right_foot_4;
+  const Scalar t_righ_ankl_cros_3 = s_right_foot * t_righ_ankl_cros_2;
+  const Scalar t_righ_ankl_cros_4 = 0.54037046f * c_right_foot - t_righ_ankl_cros_3;
+  const Scalar t_righ_ankl_cros_5 = c_right_hip_roll * t_righ_ankl_cros_4;
+  G[10] = -t_righ_ankl_cros_5;
   const Scalar t_right_shank_1 = 0.787835f * c_righ_ankl_cros + 10.832731f * s_righ_ankl_cros;
-  const Scalar t_right_shank_2 = t_righ_ankl_cros_4 + c_right_hip_roll * t_right_shank_1;
-  G[9] = t_right_shank_2;
+  const Scalar t_right_shank_2 = t_righ_ankl_cros_5 - c_right_hip_roll * t_right_shank_1;
+  G[9] = -t_right_shank_2;
+  const Scalar t_right_thigh_1 = 35.590496f * s_right_hip_pitch + 1.4451631f * c_right_hip_pitch;
+  G[8] = c_right_hip_roll * t_right_thigh_1 - t_right_shank_2;
   // right_hip_fork
-  const Scalar t_right_hip_fork_9 = 35.590496f * s_right_hip_pitch;
-  const Scalar t_right_hip_fork_10 = t_right_hip_fork_9 + 1.4451631f * c_right_hip_pitch;
-  G[8] = t_right_shank_2 + c_right_hip_roll * t_right_hip_fork_10;
-  // right_foot
-  const Scalar t_right_foot_3 = c_right_hip_roll * c_right_foot * s_right_foot_2;
-  G[11] = -0.13860191f * (t_right_foot_3 - s_right_hip_roll * c_right_foot_2);
+  const Scalar t_right_hip_fork_1 = 0.046624184f + 0.54037046f * s_right_foot;
+  const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 + 10.832731f * c_righ_ankl_cros;
+  const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - 0.787835f * s_righ_ankl_cros;
+  const Scalar t_right_hip_fork_4 = t_right_hip_fork_3 - 1.4451631f * s_right_hip_pitch;
+  const Scalar t_right_hip_fork_5 = t_right_hip_fork_4 + 35.590496f * c_right_hip_pitch;
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 + c_right_foot * t_righ_ankl_cros_2;
+  const Scalar t_right_hip_fork_7 = c_right_hip_roll * (3.9972482f + t_right_foot_3);
+  G[7] = s_right_hip_roll * t_right_hip_fork_6 - t_right_hip_fork_7;
+  // left_foot
+  const Scalar t_left_foot_2 = 0.26146916f + q[5];
+  const auto [s_left_foot_2, c_left_foot_2] = sine_cosine(t_left_foot_2);
+  const Scalar t_left_foot_3 = 0.13860191f * s_left_foot_2;
+  const Scalar t_left_foot_4 = c_left_hip_roll * c_left_foot;
+  const Scalar t_left_foot_5 = 0.13860191f * c_left_foot_2;
+  G[5] = t_left_foot_3 * t_left_foot_4 + s_left_hip_roll * t_left_foot_5;
+  // left_ankle_cross
+  const Scalar t_left_ankle_cross_2 = 0.09286931f + t_left_foot_5;
+  const Scalar t_left_ankle_cross_3 = c_left_hip_roll * s_left_foot * t_left_ankle_cross_2;
+  const Scalar t_left_ankle_cross_4 = 0.54037046f * t_left_foot_4 - t_left_ankle_cross_3;
+  G[4] = -t_left_ankle_cross_4;
+  const Scalar t_left_shank_1 = 10.832731f * s_left_ankle_cross + 0.787835f * c_left_ankle_cross;
+  const Scalar t_left_shank_2 = t_left_ankle_cross_4 - c_left_hip_roll * t_left_shank_1;
+  G[3] = -t_left_shank_2;
+  const Scalar t_left_thigh_1 = 35.590496f * s_left_hip_pitch + 1.4451631f * c_left_hip_pitch;
+  G[2] = c_left_hip_roll * t_left_thigh_1 - t_left_shank_2;
+  // left_hip_fork
+  const Scalar t_left_hip_fork_1 = 0.046624184f + 0.54037046f * s_left_foot;
+  const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 - 0.787835f * s_left_ankle_cross;
+  const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 + 10.832731f * c_left_ankle_cross;
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 + 35.590496f * c_left_hip_pitch;
+  const Scalar t_left_hip_fork_5 = t_left_hip_fork_4 - 1.4451631f * s_left_hip_pitch;
+  const Scalar t_left_hip_fork_6 = t_left_hip_fork_5 + c_left_foot * t_left_ankle_cross_2;
+  const Scalar t_left_hip_fork_7 = c_left_hip_roll * (3.9972482f + t_left_foot_3);
+  G[1] = t_left_hip_fork_7 + s_left_hip_roll * t_left_hip_fork_6;
   G[0] = 0.0f;
   G[6] = 0.0f;
 }
@@ -2891,7 +2891,6 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar t_righ_ankl_cros_4 = 0.433f * s_righ_ankl_cros_2;
   const auto [s_left_ankle_roll, c_left_ankle_roll] = sine_cosine(q[5]);
   const Scalar r_left_foot_y = 0.05903f * s_left_ankle_roll;
-  // right_foot
   const auto [s_right_ankle_roll, c_right_ankle_roll] = sine_cosine(q[11]);
   const Scalar r_right_foot_x = 0.05903f * c_right_ankle_roll;
   const Scalar r_right_foot_y = 0.05903f * s_right_ankle_roll;
@@ -2911,35 +2910,39 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar r_left_hip_block_y = t_left_hip_fork_1 + s_left_hip_roll * t_left_shank_3;
   C[14] = r_left_hip_block_y;
   const Scalar t_left_hip_fork_2 = s_left_hip_roll * r_left_hip_fork_x;
+  // left_hip_block
   const Scalar r_left_hip_block_x = 0.01f - t_left_shank_4;
   C[0] = -(s_left_hip_yaw * r_left_hip_block_x + c_left_hip_yaw * r_left_hip_block_y);
   C[1] = c_left_hip_yaw * r_left_hip_block_x - s_left_hip_yaw * r_left_hip_block_y;
   const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 - c_left_hip_roll * t_left_shank_3;
-  // right_foot
   C[12] = s_left_hip_yaw * t_left_hip_fork_3;
   C[13] = -c_left_hip_yaw * t_left_hip_fork_3;
-  const Scalar t_right_foot_1 = c_left_hip_yaw * s_left_hip_roll;
-  C[25] = -(s_left_hip_yaw * t_left_shank_3 + t_left_shank_4 * t_right_foot_1);
-  const Scalar t_right_foot_2 = s_left_hip_yaw * s_left_hip_roll;
-  C[24] = t_left_shank_4 * t_right_foot_2 - c_left_hip_yaw * t_left_shank_3;
-  C[37] = -(t_left_ankle_cross_7 * t_right_foot_1 + s_left_hip_yaw * t_left_ankle_cross_10);
-  C[36] = t_left_ankle_cross_7 * t_right_foot_2 - c_left_hip_yaw * t_left_ankle_cross_10;
-  const Scalar t_right_foot_3 = c_left_hip_roll * t_left_ankle_cross_7;
-  C[38] = t_right_foot_3;
-  const Scalar t_right_foot_4 = c_left_hip_roll * t_left_shank_2;
-  C[26] = t_right_foot_3 + t_right_foot_4;
-  C[48] = t_left_ankle_cross_6 * t_right_foot_2 - c_left_hip_yaw * t_left_ankle_cross_9;
-  const Scalar t_right_foot_5 = c_left_ankle_cross * r_left_foot_y;
-  const Scalar t_right_foot_6 = s_left_hip_roll * t_right_foot_5;
-  const Scalar t_right_foot_7 = t_right_foot_6 - c_left_hip_roll * r_left_foot_x;
-  const Scalar t_right_foot_8 = s_left_ankle_cross * r_left_foot_y;
-  C[61] = s_left_hip_yaw * t_right_foot_8 - c_left_hip_yaw * t_right_foot_7;
+  const Scalar t_left_hip_block_1 = c_left_hip_yaw * s_left_hip_roll;
+  C[25] = -(s_left_hip_yaw * t_left_shank_3 + t_left_shank_4 * t_left_hip_block_1);
+  const Scalar t_left_hip_block_2 = s_left_hip_yaw * s_left_hip_roll;
+  C[24] = t_left_shank_4 * t_left_hip_block_2 - c_left_hip_yaw * t_left_shank_3;
+  const Scalar t_left_hip_block_3 = t_left_ankle_cross_7 * t_left_hip_block_1;
+  C[37] = -(t_left_hip_block_3 + s_left_hip_yaw * t_left_ankle_cross_10);
+  const Scalar t_left_hip_block_4 = t_left_ankle_cross_7 * t_left_hip_block_2;
+  C[36] = t_left_hip_block_4 - c_left_hip_yaw * t_left_ankle_cross_10;
+  const Scalar t_left_hip_block_5 = c_left_hip_roll * t_left_ankle_cross_7;
+  C[38] = t_left_hip_block_5;
+  const Scalar t_left_hip_block_6 = c_left_hip_roll * t_left_shank_2;
+  C[26] = t_left_hip_block_5 + t_left_hip_block_6;
+  const Scalar t_left_hip_block_7 = t_left_ankle_cross_6 * t_left_hip_block_2;
+  C[48] = t_left_hip_block_7 - c_left_hip_yaw * t_left_ankle_cross_9;
+  const Scalar t_left_hip_block_8 = c_left_ankle_cross * r_left_foot_y;
+  const Scalar t_left_hip_block_9 = s_left_hip_roll * t_left_hip_block_8;
+  const Scalar t_left_hip_block_10 = t_left_hip_block_9 - c_left_hip_roll * r_left_foot_x;
+  const Scalar t_left_hip_block_11 = s_left_ankle_cross * r_left_foot_y;
+  C[61] = s_left_hip_yaw * t_left_hip_block_11 - c_left_hip_yaw * t_left_hip_block_10;
   C[64] = C[61];
-  C[60] = c_left_hip_yaw * t_right_foot_8 + s_left_hip_yaw * t_right_foot_7;
+  C[60] = c_left_hip_yaw * t_left_hip_block_11 + s_left_hip_yaw * t_left_hip_block_10;
   C[63] = C[60];
-  C[49] = -(t_left_ankle_cross_6 * t_right_foot_1 + s_left_hip_yaw * t_left_ankle_cross_9);
+  const Scalar t_left_hip_block_12 = t_left_ankle_cross_6 * t_left_hip_block_1;
+  C[49] = -(t_left_hip_block_12 + s_left_hip_yaw * t_left_ankle_cross_9);
   C[50] = c_left_hip_roll * t_left_ankle_cross_6;
-  C[62] = c_left_hip_roll * t_right_foot_5 + s_left_hip_roll * r_left_foot_x;
+  C[62] = c_left_hip_roll * t_left_hip_block_8 + s_left_hip_roll * r_left_foot_x;
   C[65] = C[62];
   // left_ankle_cross
   const Scalar t_left_ankle_cross_11 = t_left_ankle_cross_5 - 0.20904f * c_left_ankle_cross;
@@ -2949,28 +2952,32 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar t_left_ankle_cross_14 = t_left_ankle_cross_4 + t_left_ankle_cross_13;
   const Scalar t_left_shank_6 = t_left_shank_1 + t_left_ankle_cross_14;
   const Scalar t_left_hip_fork_4 = t_left_hip_fork_2 - c_left_hip_roll * t_left_shank_6;
+  // left_hip_block
   const Scalar r_left_hip_block_y_2 = t_left_hip_fork_1 + s_left_hip_roll * t_left_shank_6;
   C[17] = r_left_hip_block_y_2;
   const Scalar r_left_hip_block_x_2 = 0.01f - t_left_shank_5;
-  // right_foot
   C[3] = -(c_left_hip_yaw * r_left_hip_block_y_2 + s_left_hip_yaw * r_left_hip_block_x_2);
   C[4] = c_left_hip_yaw * r_left_hip_block_x_2 - s_left_hip_yaw * r_left_hip_block_y_2;
   C[15] = s_left_hip_yaw * t_left_hip_fork_4;
   C[16] = -c_left_hip_yaw * t_left_hip_fork_4;
-  C[28] = -(s_left_hip_yaw * t_left_shank_6 + t_right_foot_1 * t_left_shank_5);
-  C[27] = t_right_foot_2 * t_left_shank_5 - c_left_hip_yaw * t_left_shank_6;
-  C[39] = t_right_foot_2 * t_left_ankle_cross_12 - c_left_hip_yaw * t_left_ankle_cross_14;
-  C[40] = -(s_left_hip_yaw * t_left_ankle_cross_14 + t_right_foot_1 * t_left_ankle_cross_12);
-  const Scalar t_right_foot_9 = c_left_hip_roll * t_left_ankle_cross_12;
-  C[41] = t_right_foot_9;
-  C[29] = t_right_foot_4 + t_right_foot_9;
-  C[51] = t_right_foot_2 * t_left_ankle_cross_11 - c_left_hip_yaw * t_left_ankle_cross_13;
-  C[52] = -(t_right_foot_1 * t_left_ankle_cross_11 + s_left_hip_yaw * t_left_ankle_cross_13);
+  C[28] = -(s_left_hip_yaw * t_left_shank_6 + t_left_hip_block_1 * t_left_shank_5);
+  C[27] = t_left_hip_block_2 * t_left_shank_5 - c_left_hip_yaw * t_left_shank_6;
+  const Scalar t_left_hip_block_13 = t_left_hip_block_2 * t_left_ankle_cross_12;
+  C[39] = t_left_hip_block_13 - c_left_hip_yaw * t_left_ankle_cross_14;
+  const Scalar t_left_hip_block_14 = t_left_hip_block_1 * t_left_ankle_cross_12;
+  C[40] = -(s_left_hip_yaw * t_left_ankle_cross_14 + t_left_hip_block_14);
+  const Scalar t_left_hip_block_15 = c_left_hip_roll * t_left_ankle_cross_12;
+  C[41] = t_left_hip_block_15;
+  C[29] = t_left_hip_block_6 + t_left_hip_block_15;
+  const Scalar t_left_hip_block_16 = t_left_hip_block_2 * t_left_ankle_cross_11;
+  C[51] = t_left_hip_block_16 - c_left_hip_yaw * t_left_ankle_cross_13;
+  const Scalar t_left_hip_block_17 = t_left_hip_block_1 * t_left_ankle_cross_11;
+  C[52] = -(t_left_hip_block_17 + s_left_hip_yaw * t_left_ankle_cross_13);
   C[53] = c_left_hip_roll * t_left_ankle_cross_11;
-  const Scalar t_right_foot_10 = 0.01f + r_right_foot_x;
+  const Scalar t_right_foot_1 = 0.01f + r_right_foot_x;
   // right_ankle_cross
-  const Scalar t_righ_ankl_cros_5 = c_righ_ankl_cros * t_right_foot_10;
-  const Scalar t_righ_ankl_cros_6 = s_righ_ankl_cros * t_right_foot_10;
+  const Scalar t_righ_ankl_cros_5 = c_righ_ankl_cros * t_right_foot_1;
+  const Scalar t_righ_ankl_cros_6 = s_righ_ankl_cros * t_right_foot_1;
   const Scalar t_righ_ankl_cros_7 = t_righ_ankl_cros_6 + 0.06f * c_righ_ankl_cros;
   const Scalar t_righ_ankl_cros_8 = t_righ_ankl_cros_5 - 0.06f * s_righ_ankl_cros;
   const Scalar t_right_shank_2 = t_righ_ankl_cros_3 + 0.432f * c_right_hip_pitch;
@@ -2987,39 +2994,39 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[78] = c_right_hip_yaw * t_right_hip_fork_3 - s_right_hip_yaw * r_right_hip_block_x;
   C[79] = c_right_hip_yaw * r_right_hip_block_x + s_right_hip_yaw * t_right_hip_fork_3;
   const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 + c_right_hip_roll * t_right_shank_3;
-  // right_foot
+  // left_hip_block
   C[91] = c_right_hip_yaw * t_right_hip_fork_4;
   C[90] = -s_right_hip_yaw * t_right_hip_fork_4;
-  const Scalar t_right_foot_11 = c_right_hip_yaw * s_right_hip_roll;
-  C[103] = -(s_right_hip_yaw * t_right_shank_3 + t_right_shank_4 * t_right_foot_11);
-  const Scalar t_right_foot_12 = s_right_hip_yaw * s_right_hip_roll;
-  C[102] = t_right_shank_4 * t_right_foot_12 - c_right_hip_yaw * t_right_shank_3;
-  const Scalar t_right_foot_13 = t_righ_ankl_cros_7 * t_right_foot_12;
-  const Scalar t_right_foot_14 = c_right_hip_yaw * t_righ_ankl_cros_8 - t_right_foot_13;
-  C[126] = -t_right_foot_14;
-  const Scalar t_right_foot_15 = t_righ_ankl_cros_4 * t_right_foot_12;
-  const Scalar t_right_foot_16 = c_right_hip_yaw * t_righ_ankl_cros_3 - t_right_foot_15;
-  C[114] = -(t_right_foot_14 + t_right_foot_16);
-  const Scalar t_right_foot_17 = t_righ_ankl_cros_7 * t_right_foot_11;
-  const Scalar t_right_foot_18 = t_right_foot_17 + s_right_hip_yaw * t_righ_ankl_cros_8;
-  C[127] = -t_right_foot_18;
-  const Scalar t_right_foot_19 = t_righ_ankl_cros_4 * t_right_foot_11;
-  const Scalar t_right_foot_20 = t_right_foot_19 + s_right_hip_yaw * t_righ_ankl_cros_3;
-  C[115] = -(t_right_foot_18 + t_right_foot_20);
-  const Scalar t_right_foot_21 = c_right_hip_roll * t_righ_ankl_cros_9;
-  C[116] = t_right_foot_21;
-  const Scalar t_right_foot_22 = c_right_hip_roll * t_right_shank_1;
-  C[104] = t_right_foot_21 + t_right_foot_22;
-  const Scalar t_right_foot_23 = c_righ_ankl_cros * r_right_foot_y;
-  const Scalar t_right_foot_24 = s_righ_ankl_cros * r_right_foot_y;
-  const Scalar t_right_foot_25 = s_right_hip_roll * t_right_foot_23;
-  const Scalar t_right_foot_26 = t_right_foot_25 - c_right_hip_roll * r_right_foot_x;
-  C[138] = c_right_hip_yaw * t_right_foot_24 + s_right_hip_yaw * t_right_foot_26;
+  const Scalar t_left_hip_block_18 = c_right_hip_yaw * s_right_hip_roll;
+  C[103] = -(s_right_hip_yaw * t_right_shank_3 + t_right_shank_4 * t_left_hip_block_18);
+  const Scalar t_left_hip_block_19 = s_right_hip_yaw * s_right_hip_roll;
+  C[102] = t_right_shank_4 * t_left_hip_block_19 - c_right_hip_yaw * t_right_shank_3;
+  const Scalar t_left_hip_block_20 = t_righ_ankl_cros_7 * t_left_hip_block_19;
+  const Scalar t_left_hip_block_21 = c_right_hip_yaw * t_righ_ankl_cros_8 - t_left_hip_block_20;
+  C[126] = -t_left_hip_block_21;
+  const Scalar t_left_hip_block_22 = t_righ_ankl_cros_4 * t_left_hip_block_19;
+  const Scalar t_left_hip_block_23 = c_right_hip_yaw * t_righ_ankl_cros_3 - t_left_hip_block_22;
+  C[114] = -(t_left_hip_block_21 + t_left_hip_block_23);
+  const Scalar t_left_hip_block_24 = t_righ_ankl_cros_7 * t_left_hip_block_18;
+  const Scalar t_left_hip_block_25 = t_left_hip_block_24 + s_right_hip_yaw * t_righ_ankl_cros_8;
+  C[127] = -t_left_hip_block_25;
+  const Scalar t_left_hip_block_26 = t_righ_ankl_cros_4 * t_left_hip_block_18;
+  const Scalar t_left_hip_block_27 = t_left_hip_block_26 + s_right_hip_yaw * t_righ_ankl_cros_3;
+  C[115] = -(t_left_hip_block_25 + t_left_hip_block_27);
+  const Scalar t_left_hip_block_28 = c_right_hip_roll * t_righ_ankl_cros_9;
+  C[116] = t_left_hip_block_28;
+  const Scalar t_left_hip_block_29 = c_right_hip_roll * t_right_shank_1;
+  C[104] = t_left_hip_block_28 + t_left_hip_block_29;
+  const Scalar t_left_hip_block_30 = c_righ_ankl_cros * r_right_foot_y;
+  const Scalar t_left_hip_block_31 = s_righ_ankl_cros * r_right_foot_y;
+  const Scalar t_left_hip_block_32 = s_right_hip_roll * t_left_hip_block_30;
+  const Scalar t_left_hip_block_33 = t_left_hip_block_32 - c_right_hip_roll * r_right_foot_x;
+  C[138] = c_right_hip_yaw * t_left_hip_block_31 + s_right_hip_yaw * t_left_hip_block_33;
   C[141] = C[138];
-  C[139] = s_right_hip_yaw * t_right_foot_24 - c_right_hip_yaw * t_right_foot_26;
+  C[139] = s_right_hip_yaw * t_left_hip_block_31 - c_right_hip_yaw * t_left_hip_block_33;
   C[142] = C[139];
   C[128] = c_right_hip_roll * t_righ_ankl_cros_7;
-  C[140] = c_right_hip_roll * t_right_foot_23 + s_right_hip_roll * r_right_foot_x;
+  C[140] = c_right_hip_roll * t_left_hip_block_30 + s_right_hip_roll * r_right_foot_x;
   C[143] = C[140];
   const Scalar t_righ_ankl_cros_10 = t_righ_ankl_cros_6 - 0.20904f * c_righ_ankl_cros;
   const Scalar t_righ_ankl_cros_11 = t_righ_ankl_cros_5 + 0.20904f * s_righ_ankl_cros;
@@ -3034,19 +3041,19 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar t_right_hip_fork_6 = t_right_hip_fork_1 + c_right_hip_roll * t_right_shank_5;
   C[94] = c_right_hip_yaw * t_right_hip_fork_6;
   C[93] = -s_right_hip_yaw * t_right_hip_fork_6;
-  C[106] = -(s_right_hip_yaw * t_right_shank_5 + t_right_foot_11 * t_right_shank_6);
-  C[105] = t_right_foot_12 * t_right_shank_6 - c_right_hip_yaw * t_right_shank_5;
-  const Scalar t_right_foot_27 = t_right_foot_11 * t_righ_ankl_cros_10;
-  const Scalar t_right_foot_28 = t_right_foot_27 + s_right_hip_yaw * t_righ_ankl_cros_11;
-  C[130] = -t_right_foot_28;
-  C[118] = -(t_right_foot_20 + t_right_foot_28);
-  const Scalar t_right_foot_29 = t_right_foot_12 * t_righ_ankl_cros_10;
-  const Scalar t_right_foot_30 = t_right_foot_29 - c_right_hip_yaw * t_righ_ankl_cros_11;
-  C[129] = t_right_foot_30;
-  C[117] = t_right_foot_30 - t_right_foot_16;
-  const Scalar t_right_foot_31 = c_right_hip_roll * t_righ_ankl_cros_12;
-  C[119] = t_right_foot_31;
-  C[107] = t_right_foot_22 + t_right_foot_31;
+  C[106] = -(s_right_hip_yaw * t_right_shank_5 + t_left_hip_block_18 * t_right_shank_6);
+  C[105] = t_left_hip_block_19 * t_right_shank_6 - c_right_hip_yaw * t_right_shank_5;
+  const Scalar t_left_hip_block_34 = t_left_hip_block_18 * t_righ_ankl_cros_10;
+  const Scalar t_left_hip_block_35 = t_left_hip_block_34 + s_right_hip_yaw * t_righ_ankl_cros_11;
+  C[130] = -t_left_hip_block_35;
+  C[118] = -(t_left_hip_block_27 + t_left_hip_block_35);
+  const Scalar t_left_hip_block_36 = t_left_hip_block_19 * t_righ_ankl_cros_10;
+  const Scalar t_left_hip_block_37 = t_left_hip_block_36 - c_right_hip_yaw * t_righ_ankl_cros_11;
+  C[129] = t_left_hip_block_37;
+  C[117] = t_left_hip_block_37 - t_left_hip_block_23;
+  const Scalar t_left_hip_block_38 = c_right_hip_roll * t_righ_ankl_cros_12;
+  C[119] = t_left_hip_block_38;
+  C[107] = t_left_hip_block_29 + t_left_hip_block_38;
   C[131] = c_right_hip_roll * t_righ_ankl_cros_10;
   C[2] = 0.0f;
   C[5] = 0.0f;

@@ -14,7 +14,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0xd43631395cfef6acULL, "header and source are of different runs");
+static_assert(kDigest == 0xcec540ff9a0760dcULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -110,9 +110,9 @@ void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
 void gravity_force(const Scalar q[4], Scalar G[4]) noexcept {
   const Scalar s_left_hip = sin(q[2]);
   const Scalar s_right_hip = sin(q[3]);
-  G[2] = 24.525 * s_left_hip;
-  // right_leg
   G[3] = 24.525 * s_right_hip;
+  // left_leg
+  G[2] = 24.525 * s_left_hip;
   G[1] = 196.2;
   G[0] = 0.0;
 }

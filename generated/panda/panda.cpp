@@ -14,7 +14,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0x11845d57290e45d1ULL, "header and source are of different runs");
+static_assert(kDigest == 0x3bea54005acefe1bULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -508,39 +508,37 @@ void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
   const auto [s_joint6, c_joint6] = sine_cosine(q[5]);
   const Scalar t_link7_1 = 0.3842058806066518 - q[6];
   const auto [s_link7, c_link7] = sine_cosine(t_link7_1);
-  const Scalar M_link7_x = 0.008343776383464369 * c_link7;
+  const Scalar h_link7_x = 0.008343776383464369 * c_link7;
   const Scalar t_link7_2 = 0.008343776383464369 * s_link7;
-  const Scalar t_link6_1 = 0.164967552695 + M_link7_x;
-  const Scalar M_link6_x = 0.068832705569 * s_joint6 + c_joint6 * t_link6_1;
-  const Scalar t_link5_1 = 0.014653732538 - M_link6_x;
-  const Scalar M_link5_y = 0.067870631425 + t_link7_2;
-  const Scalar M_link4_x = 0.49008027465 + s_joint5 * M_link5_y + c_joint5 * t_link5_1;
-  const Scalar t_link6_2 = 0.068832705569 * c_joint6 - s_joint6 * t_link6_1;
-  const Scalar t_link4_1 = 1.720683553603 - t_link6_2;
-  const Scalar M_link3_y = 0.028227094878 + c_joint5 * M_link5_y - s_joint5 * t_link5_1;
-  const Scalar M_link3_x = 0.684157959872 - s_joint4 * t_link4_1 - c_joint4 * M_link4_x;
-  // link2
-  const Scalar t_link2_1 = 9.81 * c_joint2;
-  const Scalar t_link2_2 = 9.81 * s_joint2;
-  const Scalar t_link2_3 = 0.002031994566 + s_joint3 * M_link3_y - c_joint3 * M_link3_x;
-  const Scalar t_link2_4 = 3.104340043512 + c_joint4 * t_link4_1 - s_joint4 * M_link4_x;
-  G[1] = t_link2_3 * t_link2_1 - t_link2_4 * t_link2_2;
+  const Scalar t_link7_3 = 9.81 * s_joint2;
+  const Scalar t_link7_4 = c_joint3 * t_link7_3;
+  const Scalar t_link7_5 = 9.81 * c_joint2;
+  const Scalar t_link7_6 = c_joint4 * t_link7_4 - s_joint4 * t_link7_5;
+  const Scalar t_link7_7 = s_joint3 * t_link7_3;
+  const Scalar t_link7_8 = s_joint5 * t_link7_7 - c_joint5 * t_link7_6;
+  const Scalar t_link7_9 = s_joint4 * t_link7_4 + c_joint4 * t_link7_5;
+  const Scalar t_link7_10 = c_joint5 * t_link7_7 + s_joint5 * t_link7_6;
+  const Scalar t_link7_11 = t_link7_2 * (c_joint6 * t_link7_8 + s_joint6 * t_link7_9);
+  G[6] = t_link7_11 - h_link7_x * t_link7_10;
+  // link6
+  const Scalar t_link6_1 = 0.164967552695 + h_link7_x;
+  const Scalar h_link6_x = 0.068832705569 * s_joint6 + c_joint6 * t_link6_1;
+  const Scalar t_link6_2 = 0.014653732538 - h_link6_x;
+  const Scalar h_link5_y = 0.067870631425 + t_link7_2;
+  const Scalar t_link7_12 = 0.068832705569 * c_joint6 - s_joint6 * t_link6_1;
+  G[5] = t_link7_8 * t_link7_12 + t_link7_9 * h_link6_x;
+  const Scalar h_link4_x = 0.49008027465 + s_joint5 * h_link5_y + c_joint5 * t_link6_2;
+  const Scalar t_link5_1 = 1.720683553603 - t_link7_12;
+  G[4] = -(t_link7_8 * h_link5_y + t_link7_10 * t_link6_2);
+  G[3] = t_link7_6 * t_link5_1 - t_link7_9 * h_link4_x;
   // link3
-  const Scalar t_link3_1 = s_joint3 * t_link2_2;
-  const Scalar t_link3_2 = c_joint3 * t_link2_2;
-  G[2] = M_link3_y * t_link3_2 + M_link3_x * t_link3_1;
-  // link4
-  const Scalar t_link4_2 = s_joint4 * t_link3_2 + c_joint4 * t_link2_1;
-  const Scalar t_link4_3 = c_joint4 * t_link3_2 - s_joint4 * t_link2_1;
-  G[3] = t_link4_1 * t_link4_3 - M_link4_x * t_link4_2;
-  // link5
-  const Scalar t_link5_2 = s_joint5 * t_link3_1 - c_joint5 * t_link4_3;
-  const Scalar t_link5_3 = c_joint5 * t_link3_1 + s_joint5 * t_link4_3;
-  G[4] = -(t_link5_1 * t_link5_3 + M_link5_y * t_link5_2);
-  G[5] = t_link6_2 * t_link5_2 + M_link6_x * t_link4_2;
-  // link7
-  const Scalar t_link7_3 = t_link7_2 * (s_joint6 * t_link4_2 + c_joint6 * t_link5_2);
-  G[6] = t_link7_3 - M_link7_x * t_link5_3;
+  const Scalar h_link3_y = 0.028227094878 + c_joint5 * h_link5_y - s_joint5 * t_link6_2;
+  const Scalar h_link3_x = 0.684157959872 - c_joint4 * h_link4_x - s_joint4 * t_link5_1;
+  G[2] = t_link7_7 * h_link3_x + t_link7_4 * h_link3_y;
+  const Scalar t_link3_1 = 0.002031994566 + s_joint3 * h_link3_y - c_joint3 * h_link3_x;
+  const Scalar t_link3_2 = 3.104340043512 + c_joint4 * t_link5_1 - s_joint4 * h_link4_x;
+  // link2
+  G[1] = t_link7_5 * t_link3_1 - t_link7_3 * t_link3_2;
   G[0] = 0.0;
 }
 
@@ -1409,36 +1407,36 @@ void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
   const Scalar t_link2_2 = s_joint1 * r_link2_z;
   C[1] = c_joint1 * t_link3_3 - t_link2_2;
   const Scalar r_link2_y = s_joint2 * t_link3_2 + c_joint2 * r_link3_z;
-  // link7
+  // link1
   C[4] = s_joint1 * r_link2_y;
   C[3] = c_joint1 * r_link2_y;
   C[7] = -(c_joint2 * t_link2_2 + c_joint1 * t_link3_2);
   C[6] = s_joint1 * t_link3_2 - c_joint2 * t_link2_1;
-  const Scalar t_link7_1 = c_joint3 * t_link4_2;
-  const Scalar t_link7_2 = s_joint3 * t_link4_2;
-  const Scalar t_link7_3 = c_joint2 * t_link7_1 - s_joint2 * t_link4_1;
-  C[9] = c_joint1 * t_link7_3 - s_joint1 * t_link7_2;
-  const Scalar t_link7_4 = c_joint5 * r_link6_y;
-  const Scalar t_link7_5 = s_joint5 * r_link6_y;
-  const Scalar t_link7_6 = s_joint4 * r_link6_x;
-  const Scalar t_link7_7 = t_link7_6 + c_joint4 * t_link7_4;
-  const Scalar t_link7_8 = c_joint3 * t_link7_5 + s_joint3 * t_link7_7;
-  const Scalar t_link7_9 = s_joint4 * t_link7_4 - c_joint4 * r_link6_x;
-  const Scalar t_link7_10 = s_joint3 * t_link7_5 - c_joint3 * t_link7_7;
-  const Scalar t_link7_11 = s_joint2 * t_link7_9 - c_joint2 * t_link7_10;
-  C[16] = -(c_joint1 * t_link7_8 + s_joint1 * t_link7_11);
-  C[10] = c_joint1 * t_link7_2 + s_joint1 * t_link7_3;
-  C[15] = s_joint1 * t_link7_8 - c_joint1 * t_link7_11;
+  const Scalar t_link1_1 = c_joint3 * t_link4_2;
+  const Scalar t_link1_2 = s_joint3 * t_link4_2;
+  const Scalar t_link1_3 = c_joint2 * t_link1_1 - s_joint2 * t_link4_1;
+  C[9] = c_joint1 * t_link1_3 - s_joint1 * t_link1_2;
+  const Scalar t_link1_4 = c_joint5 * r_link6_y;
+  const Scalar t_link1_5 = s_joint5 * r_link6_y;
+  const Scalar t_link1_6 = s_joint4 * r_link6_x;
+  const Scalar t_link1_7 = t_link1_6 + c_joint4 * t_link1_4;
+  const Scalar t_link1_8 = c_joint3 * t_link1_5 + s_joint3 * t_link1_7;
+  const Scalar t_link1_9 = s_joint4 * t_link1_4 - c_joint4 * r_link6_x;
+  const Scalar t_link1_10 = s_joint3 * t_link1_5 - c_joint3 * t_link1_7;
+  const Scalar t_link1_11 = s_joint2 * t_link1_9 - c_joint2 * t_link1_10;
+  C[16] = -(c_joint1 * t_link1_8 + s_joint1 * t_link1_11);
+  C[10] = c_joint1 * t_link1_2 + s_joint1 * t_link1_3;
+  C[15] = s_joint1 * t_link1_8 - c_joint1 * t_link1_11;
   C[8] = s_joint2 * r_link2_z;
-  const Scalar t_link7_12 = s_joint5 * t_link7_6;
-  const Scalar t_link7_13 = c_joint4 * t_link3_1 - c_joint3 * t_link6_1;
-  const Scalar t_link7_14 = c_joint4 * t_link3_4 + s_joint3 * t_link6_1;
-  const Scalar t_link7_15 = s_joint2 * t_link7_12 + c_joint2 * t_link7_14;
-  C[12] = s_joint1 * t_link7_13 - c_joint1 * t_link7_15;
-  C[13] = -(c_joint1 * t_link7_13 + s_joint1 * t_link7_15);
-  C[17] = -(c_joint2 * t_link7_9 + s_joint2 * t_link7_10);
-  C[11] = -(s_joint2 * t_link7_1 + c_joint2 * t_link4_1);
-  C[14] = s_joint2 * t_link7_14 - c_joint2 * t_link7_12;
+  const Scalar t_link1_12 = s_joint5 * t_link1_6;
+  const Scalar t_link1_13 = c_joint4 * t_link3_1 - c_joint3 * t_link6_1;
+  const Scalar t_link1_14 = c_joint4 * t_link3_4 + s_joint3 * t_link6_1;
+  const Scalar t_link1_15 = s_joint2 * t_link1_12 + c_joint2 * t_link1_14;
+  C[12] = s_joint1 * t_link1_13 - c_joint1 * t_link1_15;
+  C[13] = -(c_joint1 * t_link1_13 + s_joint1 * t_link1_15);
+  C[17] = -(c_joint2 * t_link1_9 + s_joint2 * t_link1_10);
+  C[11] = -(s_joint2 * t_link1_1 + c_joint2 * t_link4_1);
+  C[14] = s_joint2 * t_link1_14 - c_joint2 * t_link1_12;
   C[2] = 0.0;
   C[18] = 0.0;
   C[19] = 0.0;

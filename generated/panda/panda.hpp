@@ -29,7 +29,7 @@ inline constexpr int kDof = 7;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x11845d57290e45d1ULL;
+inline constexpr unsigned long long kDigest = 0x3bea54005acefe1bULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xc0b0442f7e55bd47ULL, "header and source are of different runs");
+static_assert(kDigest == 0xcca06f2a063333e5ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -89,9 +89,9 @@ void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
-  G[0] = s_shoulder * (26.87915475 - 41.6925 * q[1]);
-  // boom
   G[1] = 41.6925 * c_shoulder;
+  // shoulder_link
+  G[0] = s_shoulder * (26.87915475 - 41.6925 * q[1]);
 }
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
@@ -127,10 +127,10 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
-  // boom
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
   C[5] = c_shoulder;
   C[3] = s_shoulder;
+  // shoulder_link
   C[2] = -s_shoulder * q[1];
   C[0] = c_shoulder * q[1];
   C[1] = 0.0;

@@ -14,7 +14,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0x6d76d4083f8f8e15ULL, "header and source are of different runs");
+static_assert(kDigest == 0x199a0f0a2fb8ebeeULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -268,17 +268,17 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
   const auto [s_link4, c_link4] = sine_cosine(t_link4_1);
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
-  const Scalar t_link5_1 = 0.0282528 * s_joint5;
-  const Scalar t_link5_2 = c_link4 * t_link5_1;
-  // link3
-  const Scalar t_link3_1 = s_link4 * c_joint5 * 0.0282528;
-  const Scalar t_link3_2 = t_link3_1 + 8.45420895 * s_link4 - 0.24892875 * c_link4;
-  const Scalar t_link3_3 = t_link3_2 + c_joint4 * t_link5_2;
-  G[2] = -t_link3_3;
-  G[1] = 1.024164 * s_joint2 - (t_link3_3 + 37.2347379 * c_joint2);
-  G[3] = s_link4 * s_joint4 * t_link5_1;
   // link5
-  G[4] = -(t_link5_2 + c_joint4 * t_link3_1);
+  const Scalar t_link5_1 = s_link4 * c_joint5 * 0.0282528;
+  const Scalar t_link5_2 = 0.0282528 * s_joint5;
+  const Scalar t_link5_3 = c_link4 * t_link5_2;
+  G[4] = -(t_link5_3 + c_joint4 * t_link5_1);
+  G[3] = s_link4 * s_joint4 * t_link5_2;
+  const Scalar t_link3_1 = t_link5_1 + 8.45420895 * s_link4 - 0.24892875 * c_link4;
+  const Scalar t_link3_2 = t_link3_1 + c_joint4 * t_link5_3;
+  G[2] = -t_link3_2;
+  // link2
+  G[1] = 1.024164 * s_joint2 - (t_link3_2 + 37.2347379 * c_joint2);
   G[0] = 0.0;
   G[5] = 0.0;
 }

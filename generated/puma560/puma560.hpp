@@ -25,7 +25,7 @@ inline constexpr int kDof = 6;
 /// Number of points.
 inline constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x6d76d4083f8f8e15ULL;
+inline constexpr unsigned long long kDigest = 0x199a0f0a2fb8ebeeULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace quadruped {
 
-static_assert(kDigest == 0xfdf5ccedb4a67919ULL, "header and source are of different runs");
+static_assert(kDigest == 0xce43dedd4c8271c8ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -403,42 +403,45 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const auto [s_hind_left_abduction, c_hind_left_abduction] = sine_cosine(q[6]);
   const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
   const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
+  // hind_right_shank
   const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
-  const Scalar t_front_left_shank_1 = q[1] + q[2];
-  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_1);
-  const Scalar t_fron_righ_shan_1 = q[4] + q[5];
-  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_1);
-  const Scalar t_hind_left_shank_1 = q[7] + q[8];
-  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
   const Scalar t_hind_right_shank_1 = q[10] + q[11];
   const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
-  // front_left_hip
-  const Scalar t_front_left_hip_1 = 0.03829824 * c_front_left_shank;
-  const Scalar t_front_left_hip_2 = 0.25560936 * c_front_left_hip + t_front_left_hip_1;
-  G[0] = 0.7147566 * c_front_left_abduction + s_front_left_abduction * t_front_left_hip_2;
-  const Scalar t_front_left_shank_2 = c_front_left_abduction * s_front_left_shank * 0.03829824;
-  G[2] = t_front_left_shank_2;
-  G[1] = t_front_left_shank_2 + c_front_left_abduction * s_front_left_hip * 0.25560936;
-  // front_right_hip
-  const Scalar t_front_right_hip_1 = 0.25560936 * c_front_right_hip;
-  const Scalar t_front_right_hip_2 = t_front_right_hip_1 + 0.03829824 * c_fron_righ_shan;
-  G[3] = s_front_right_abduction * t_front_right_hip_2 - 0.7147566 * c_front_right_abduction;
-  const Scalar t_fron_righ_shan_2 = c_front_right_abduction * s_fron_righ_shan * 0.03829824;
-  G[5] = t_fron_righ_shan_2;
-  G[4] = t_fron_righ_shan_2 + c_front_right_abduction * s_front_right_hip * 0.25560936;
-  const Scalar t_hind_left_hip_1 = 0.25560936 * c_hind_left_hip + 0.03829824 * c_hind_left_shank;
-  G[6] = 0.7147566 * c_hind_left_abduction + s_hind_left_abduction * t_hind_left_hip_1;
+  const Scalar t_hind_right_shank_2 = c_hind_right_abduction * s_hind_right_shank * 0.03829824;
+  G[11] = t_hind_right_shank_2;
+  G[10] = t_hind_right_shank_2 + c_hind_right_abduction * s_hind_right_hip * 0.25560936;
+  // hind_right_hip
+  const Scalar t_hind_right_hip_1 = 0.03829824 * c_hind_right_shank;
+  const Scalar t_hind_right_hip_2 = t_hind_right_hip_1 + 0.25560936 * c_hind_right_hip;
+  G[9] = s_hind_right_abduction * t_hind_right_hip_2 - 0.7147566 * c_hind_right_abduction;
+  // hind_left_shank
+  const Scalar t_hind_left_shank_1 = q[7] + q[8];
+  const auto [s_hind_left_shank, c_hind_left_shank] = sine_cosine(t_hind_left_shank_1);
   const Scalar t_hind_left_shank_2 = c_hind_left_abduction * s_hind_left_shank * 0.03829824;
   G[8] = t_hind_left_shank_2;
   G[7] = t_hind_left_shank_2 + c_hind_left_abduction * s_hind_left_hip * 0.25560936;
-  // hind_right_hip
-  const Scalar t_hind_right_hip_1 = 0.03829824 * c_hind_right_shank;
-  const Scalar t_hind_right_hip_2 = 0.25560936 * c_hind_right_hip + t_hind_right_hip_1;
-  G[9] = s_hind_right_abduction * t_hind_right_hip_2 - 0.7147566 * c_hind_right_abduction;
-  const Scalar t_hind_right_shank_2 = c_hind_right_abduction * s_hind_right_shank * 0.03829824;
-  G[11] = t_hind_right_shank_2;
-  // hind_right_thigh
-  G[10] = t_hind_right_shank_2 + c_hind_right_abduction * s_hind_right_hip * 0.25560936;
+  const Scalar t_hind_left_hip_1 = 0.03829824 * c_hind_left_shank + 0.25560936 * c_hind_left_hip;
+  G[6] = 0.7147566 * c_hind_left_abduction + s_hind_left_abduction * t_hind_left_hip_1;
+  // front_right_shank
+  const Scalar t_fron_righ_shan_1 = q[4] + q[5];
+  const auto [s_fron_righ_shan, c_fron_righ_shan] = sine_cosine(t_fron_righ_shan_1);
+  const Scalar t_fron_righ_shan_2 = c_front_right_abduction * s_fron_righ_shan * 0.03829824;
+  G[5] = t_fron_righ_shan_2;
+  G[4] = t_fron_righ_shan_2 + c_front_right_abduction * s_front_right_hip * 0.25560936;
+  // front_right_hip
+  const Scalar t_front_right_hip_1 = 0.25560936 * c_front_right_hip;
+  const Scalar t_front_right_hip_2 = 0.03829824 * c_fron_righ_shan + t_front_right_hip_1;
+  G[3] = s_front_right_abduction * t_front_right_hip_2 - 0.7147566 * c_front_right_abduction;
+  // front_left_shank
+  const Scalar t_front_left_shank_1 = q[1] + q[2];
+  const auto [s_front_left_shank, c_front_left_shank] = sine_cosine(t_front_left_shank_1);
+  const Scalar t_front_left_shank_2 = c_front_left_abduction * s_front_left_shank * 0.03829824;
+  G[2] = t_front_left_shank_2;
+  G[1] = t_front_left_shank_2 + c_front_left_abduction * s_front_left_hip * 0.25560936;
+  // front_left_hip
+  const Scalar t_front_left_hip_1 = 0.03829824 * c_front_left_shank;
+  const Scalar t_front_left_hip_2 = t_front_left_hip_1 + 0.25560936 * c_front_left_hip;
+  G[0] = 0.7147566 * c_front_left_abduction + s_front_left_abduction * t_front_left_hip_2;
 }
 
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
@@ -1134,33 +1137,33 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const auto [s_hind_left_abduction, c_hind_left_abduction] = sine_cosine(q[6]);
   const auto [s_hind_left_hip, c_hind_left_hip] = sine_cosine(q[7]);
   const auto [s_hind_right_abduction, c_hind_right_abduction] = sine_cosine(q[9]);
-  // hind_right_shank
   const auto [s_hind_right_hip, c_hind_right_hip] = sine_cosine(q[10]);
-  const Scalar t_hind_right_shank_1 = q[10] + q[11];
-  const auto [s_hind_right_shank, c_hind_right_shank] = sine_cosine(t_hind_right_shank_1);
-  const Scalar r_hind_right_shank_x = 0.175 * c_hind_right_shank;
+  const Scalar t_front_left_hip_1 = q[10] + q[11];
+  const auto [s_front_left_hip_2, c_front_left_hip_2] = sine_cosine(t_front_left_hip_1);
+  const Scalar r_hind_right_shank_x = 0.175 * c_front_left_hip_2;
   C[141] = r_hind_right_shank_x;
-  const Scalar t_hind_right_shank_2 = q[4] + q[5];
-  const auto [s_hind_right_shank_2, c_hind_right_shank_2] = sine_cosine(t_hind_right_shank_2);
-  const Scalar r_fron_righ_shan_y = 0.175 * s_hind_right_shank_2;
-  const Scalar t_hind_right_shank_3 = q[1] + q[2];
-  const auto [s_hind_right_shank_3, c_hind_right_shank_3] = sine_cosine(t_hind_right_shank_3);
-  const Scalar r_front_left_shank_y = 0.175 * s_hind_right_shank_3;
-  const Scalar r_hind_right_shank_y = 0.175 * s_hind_right_shank;
-  const Scalar t_hind_right_shank_4 = q[7] + q[8];
-  const auto [s_hind_right_shank_4, c_hind_right_shank_4] = sine_cosine(t_hind_right_shank_4);
-  const Scalar r_hind_left_shank_x = 0.175 * c_hind_right_shank_4;
+  const Scalar t_front_left_hip_2 = q[4] + q[5];
+  const auto [s_front_left_hip_3, c_front_left_hip_3] = sine_cosine(t_front_left_hip_2);
+  const Scalar r_fron_righ_shan_y = 0.175 * s_front_left_hip_3;
+  const Scalar t_front_left_hip_3 = q[1] + q[2];
+  const auto [s_front_left_hip_4, c_front_left_hip_4] = sine_cosine(t_front_left_hip_3);
+  const Scalar r_front_left_shank_y = 0.175 * s_front_left_hip_4;
+  const Scalar r_hind_right_shank_y = 0.175 * s_front_left_hip_2;
+  const Scalar t_front_left_hip_4 = q[7] + q[8];
+  const auto [s_front_left_hip_5, c_front_left_hip_5] = sine_cosine(t_front_left_hip_4);
+  const Scalar r_hind_left_shank_x = 0.175 * c_front_left_hip_5;
   C[102] = r_hind_left_shank_x;
-  const Scalar r_hind_left_shank_y = 0.175 * s_hind_right_shank_4;
-  const Scalar r_front_left_shank_x = 0.175 * c_hind_right_shank_3;
+  const Scalar r_hind_left_shank_y = 0.175 * s_front_left_hip_5;
+  const Scalar r_front_left_shank_x = 0.175 * c_front_left_hip_4;
   C[24] = r_front_left_shank_x;
-  const Scalar r_fron_righ_shan_x = 0.175 * c_hind_right_shank_2;
+  const Scalar r_fron_righ_shan_x = 0.175 * c_front_left_hip_3;
   C[63] = r_fron_righ_shan_x;
   const Scalar r_front_left_thigh_y = r_front_left_shank_y + 0.209 * s_front_left_hip;
   const Scalar r_front_left_thigh_x = r_front_left_shank_x + 0.209 * c_front_left_hip;
   C[12] = r_front_left_thigh_x;
   C[2] = 0.062 * c_front_left_abduction + s_front_left_abduction * r_front_left_thigh_x;
   C[1] = c_front_left_abduction * r_front_left_thigh_x - 0.062 * s_front_left_abduction;
+  // front_left_hip
   C[13] = -s_front_left_abduction * r_front_left_thigh_y;
   C[14] = c_front_left_abduction * r_front_left_thigh_y;
   C[26] = c_front_left_abduction * r_front_left_shank_y;
@@ -1171,7 +1174,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar r_fron_righ_thig_y = r_fron_righ_shan_y + 0.209 * s_front_right_hip;
   C[40] = 0.062 * s_front_right_abduction + c_front_right_abduction * r_fron_righ_thig_x;
   C[41] = s_front_right_abduction * r_fron_righ_thig_x - 0.062 * c_front_right_abduction;
-  // hind_right_shank
+  // front_left_hip
   C[52] = -s_front_right_abduction * r_fron_righ_thig_y;
   C[53] = c_front_right_abduction * r_fron_righ_thig_y;
   C[65] = c_front_right_abduction * r_fron_righ_shan_y;
@@ -1182,7 +1185,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[90] = r_hind_left_thigh_x;
   C[79] = c_hind_left_abduction * r_hind_left_thigh_x - 0.062 * s_hind_left_abduction;
   C[80] = 0.062 * c_hind_left_abduction + s_hind_left_abduction * r_hind_left_thigh_x;
-  // hind_right_shank
+  // front_left_hip
   C[92] = c_hind_left_abduction * r_hind_left_thigh_y;
   C[91] = -s_hind_left_abduction * r_hind_left_thigh_y;
   C[104] = c_hind_left_abduction * r_hind_left_shank_y;

@@ -37,7 +37,7 @@ inline constexpr int kDof = 12;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xfdf5ccedb4a67919ULL;
+inline constexpr unsigned long long kDigest = 0xce43dedd4c8271c8ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0xc4d9c47c30a5107bULL, "header and source are of different runs");
+static_assert(kDigest == 0x755d5ddbee6a5191ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -152,13 +152,13 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
-  // forearm
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
-  const Scalar t_forearm_1 = q[0] + q[1];
-  const auto [r_forearm_y, r_forearm_x] = sine_cosine(t_forearm_1);
+  const Scalar t_upper_arm_1 = q[0] + q[1];
+  const auto [r_forearm_y, r_forearm_x] = sine_cosine(t_upper_arm_1);
   C[5] = r_forearm_x;
   C[3] = -r_forearm_y;
   C[2] = c_shoulder + r_forearm_x;
+  // forearm
   C[0] = -(s_shoulder + r_forearm_y);
   C[1] = 0.0;
   C[4] = 0.0;

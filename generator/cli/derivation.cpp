@@ -107,10 +107,7 @@ std::string derivation_text(const Model& model, const Request& request, const st
                     shown(name)));
   }
   const bool is_own = own != model.equations.end();
-  const std::shared_ptr<const simplify::Derived> function =
-      is_own ? *own
-             : simplify::derived(equations::equation_of(name, ours->expression), model.tree.size(),
-                                 static_cast<int>(model.points.size()));
+  const std::shared_ptr<const simplify::Derived> function = is_own ? *own : simplify::derived(name);
   return equation_text(function->equation, is_own ? "of the user" : std::string(ours->number)) +
          words_text(function->equation.expression) + rules_text(function->derivation.values) +
          recursion_text(*function, simplify::costs_of_values(model.tree, function,

@@ -46,9 +46,25 @@ int Algebra::bilinear(Op op, Type type, int a, int b) {
   return factor == kOne ? product : linear({{factor, product}});
 }
 
+int Algebra::leaf(const std::string& name, Set set, Type type) {
+  if (name == "l^d" && !values_.choices().keeps_joints) {
+    note(Rule::kPlaces);
+    return zero(set, type);
+  }
+  return values_.intern({Op::kLeaf, set, type, name, 0, {}, {}});
+}
+
 int Algebra::cross(int a, int b) {
-  if (split(a).second == split(b).second) {
+  const auto [factor, x] = split(a);
+  const int y = split(b).second;
+  if (x == y) {
     return zero(set_of(a, b), Type::kVector);
+  }
+  if (value(x).name == "c^d" && has_mass(y)) {
+    return linear({{factor, moment_about_joint(x, b)}});
+  }
+  if (value(x).op != Op::kPathStrict && value(y).op == Op::kPathStrict) {
+    return negative(bilinear(Op::kCross, Type::kVector, b, a));
   }
   return bilinear(Op::kCross, Type::kVector, a, b);
 }
@@ -85,8 +101,15 @@ int Algebra::scaled(const std::vector<int>& numbers, int x) {
   }
   if (body >= 0 && value(body).op == Op::kCross && !factors.empty()) {  // m (a×b) = (m a)×b
     const Value c = value(body);
-    if (value(c.operands[0]).op == Op::kLeaf) {
-      return cross(scaled(factors, c.operands[0]), c.operands[1]);
+    const bool has_mass = std::any_of(factors.begin(), factors.end(),
+                                      [this](int y) { return value(y).name == "m^d"; });
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Value factor = value(c.operands[k]);
+      if (factor.op == Op::kLeaf || (has_mass && has_centre(c.operands[k])) ||
+          (factor.op == Op::kScale && value(factor.operands.back()).op == Op::kLeaf)) {
+        const int more = scaled(factors, c.operands[k]);
+        return k == 0 ? cross(more, c.operands[1]) : cross(c.operands[0], more);
+      }
     }
   }
   if (body >= 0 && value(body).op == Op::kSkew && !factors.empty()) {
@@ -104,33 +127,6 @@ int Algebra::scaled(const std::vector<int>& numbers, int x) {
   }
   return factors.size() == 1 ? factors.front()
                              : values_.intern({Op::kScale, v.set, v.type, {}, 0, factors, {}});
-}
-
-/// R10: m c = h, m (x + c) = m x + h; -1 if there is no m or no c.
-int Algebra::with_moments(const std::vector<int>& numbers, int x) {
-  const Value v = value(x);
-  const auto is_centre = [this](int y) {
-    return value(y).name == "c^d";
-  };
-  const bool has_mass =
-      std::any_of(numbers.begin(), numbers.end(), [this](int y) { return value(y).name == "m^d"; });
-  const bool sum =
-      v.op == Op::kLinear && std::any_of(v.operands.begin(), v.operands.end(), is_centre);
-  if (!has_mass || (!sum && !is_centre(x))) {
-    return -1;
-  }
-  if (sum) {
-    Terms terms;
-    for (std::size_t k = 0; k < v.operands.size(); ++k) {
-      terms.emplace_back(v.factors[k], scaled(numbers, v.operands[k]));
-    }
-    return linear(terms);
-  }
-  note(Rule::kParameters);
-  std::vector<int> others = numbers;
-  others.erase(
-      std::find_if(others.begin(), others.end(), [this](int y) { return value(y).name == "m^d"; }));
-  return scaled(others, leaf("h^d", v.set, Type::kVector));
 }
 
 int Algebra::scale(int number, int x) {

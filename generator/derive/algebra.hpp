@@ -20,9 +20,7 @@ class Algebra {
   int identity(Set set) {
     return values_.intern({Op::kIdentity, set, Type::kTensor, {}, 0, {}, {}});
   }
-  int leaf(const std::string& name, Set set, Type type) {
-    return values_.intern({Op::kLeaf, set, type, name, 0, {}, {}});
-  }
+  int leaf(const std::string& name, Set set, Type type);
 
   /// Σ factor * value. \pre `terms` is not empty, all of one set and type.
   int linear(const Terms& terms);
@@ -55,10 +53,18 @@ class Algebra {
   int of_kind(Op op, Set set, int x);
   int of_common(Op op, Set set, int x);
   int of_weighed_paths(Set set, int x);
-  [[nodiscard]] bool is_common(int x) const { return value(x).name == "g"; }
+  [[nodiscard]] bool is_common(int x) const {
+    return values_.choices().common_leaves && value(x).name == "g";
+  }
+  [[nodiscard]] bool has_centre(int x) const;
+  [[nodiscard]] bool has_mass(int x) const;
+  [[nodiscard]] bool is_turning(int S) const;
   int with_moments(const std::vector<int>& numbers, int x);
+  int moment_about_joint(int centre, int x);
+  int moment_of_turning(int S);
 
   Terms flattened(const Terms& terms);
+  [[nodiscard]] int body_of(const Value& scaled) const;
   void merge_sums(Terms& terms);
   void merge_backward(Terms& terms);
   void merge_skews(Terms& terms);

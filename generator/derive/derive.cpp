@@ -1,6 +1,9 @@
 #include "derive/derive.hpp"
 
+#include <algorithm>
+
 #include "derive/columns.hpp"
+#include "derive/forms.hpp"
 
 namespace treedyn::derive {
 namespace {
@@ -21,7 +24,7 @@ bool derive_wide(const block::Expression& expression, Derivation& result) {
   if (side.size != 3) {
     return false;
   }
-  Values values;
+  Values values(result.values.choices());
   values.note(Rule::kUnits);
   Columns columns(values, true);
   Algebra& algebra = columns.algebra();
@@ -45,17 +48,9 @@ void derive_unit(const block::Expression& expression, Derivation& result) {
       columns.apply(expression, result.by_rows, columns.algebra().unit(side.set, type))};
 }
 
-}  // namespace
-
-std::optional<Derivation> derive_rows(const block::Expression& column) {
+Derivation derive(const block::Expression& expression, bool by_rows, const Choices& choices) {
   Derivation result;
-  result.shape = column.shape();
-  result.by_rows = true;
-  return derive_wide(column, result) ? std::optional(std::move(result)) : std::nullopt;
-}
-
-Derivation derive(const block::Expression& expression, bool by_rows) {
-  Derivation result;
+  result.values = Values(choices);
   result.shape = expression.shape();
   const bool one_col = result.shape.cols.set == Set::kOne;
   const bool one_row = result.shape.rows.set == Set::kOne;
@@ -78,6 +73,35 @@ Derivation derive(const block::Expression& expression, bool by_rows) {
     result.roots.push_back(columns.apply(expression, result.by_rows, unit));
   }
   return result;
+}
+
+/// Sums along the tree that cannot be carried out while code is generated.
+auto sums(const Derivation& derivation) {
+  const std::vector<int> needed = derivation.values.needed(derivation.roots);
+  return std::count_if(needed.begin(), needed.end(), [&](int id) {
+    const Value& v = derivation.values[id];
+    return v.type != Type::kScalar && v.op >= Op::kPath && v.op <= Op::kBackward;
+  });
+}
+
+Derivation with_forms(Derivation derivation) {
+  derivation.values = with_forms(derivation.values, derivation.roots);
+  return derivation;
+}
+
+}  // namespace
+
+std::optional<Derivation> derive_rows(const block::Expression& column) {
+  Derivation result;
+  result.shape = column.shape();
+  result.by_rows = true;
+  return derive_wide(column, result) ? std::optional(with_forms(std::move(result))) : std::nullopt;
+}
+
+Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_joints) {
+  Derivation common = with_forms(derive(expression, by_rows, {keeps_joints, true}));
+  Derivation stays = with_forms(derive(expression, by_rows, {keeps_joints, false}));
+  return sums(stays) < sums(common) ? stays : common;
 }
 
 }  // namespace treedyn::derive

@@ -23,7 +23,8 @@ struct Derivation {
 
 /// \param by_rows  of matrices whose both sides count links or points; not where their columns are
 /// 3x3 blocks of a kind
-Derivation derive(const block::Expression& expression, bool by_rows);
+/// \param keeps_joints  places P_i of sliding joints are asked for
+Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_joints = true);
 
 /// The rows of a single column of vectors, three at once; nothing if their blocks have no kind.
 std::optional<Derivation> derive_rows(const block::Expression& column);

@@ -131,7 +131,7 @@ void Algebra::merge_seconds(Terms& terms) {
       });
 }
 
-/// S v + T v = (S + T) v, where v×a = -Λ(a) v joins.
+/// S v + T v = (S + T) v, where a×v = Λ(a) v and v×a = -Λ(a) v join.
 void Algebra::merge_applied(Terms& terms) {
   std::vector<int> applied;
   for (const auto& [factor, x] : terms) {
@@ -139,49 +139,74 @@ void Algebra::merge_applied(Terms& terms) {
       applied.push_back(value(x).operands[1]);
     }
   }
+  const auto is_applied = [&](int v) {
+    return std::find(applied.begin(), applied.end(), v) != applied.end();
+  };
+  const auto place = [&](const Value& v) {  // of the vector that a matrix multiplies
+    return v.op == Op::kApply || is_applied(v.operands[1]) ? 1U : 0U;
+  };
   merge(
       terms,
       [&](const Value& v) {
-        const bool joins = v.op == Op::kCross && std::find(applied.begin(), applied.end(),
-                                                           v.operands[0]) != applied.end();
-        return v.op == Op::kApply ? std::vector<int>{v.operands[1]}
-               : joins            ? std::vector<int>{v.operands[0]}
-                                  : std::vector<int>{};
+        const bool joins =
+            v.op == Op::kApply || (v.op == Op::kCross && is_applied(v.operands[place(v)]));
+        return joins ? std::vector<int>{v.operands[place(v)]} : std::vector<int>{};
       },
-      [this](const Terms& group) {
+      [&](const Terms& group) {
         Terms inner;
         int v = -1;
         for (const auto& [factor, x] : group) {
           const Value term = value(x);
-          const bool is_cross = term.op == Op::kCross;
-          v = term.operands[is_cross ? 0 : 1];
-          inner.emplace_back(is_cross ? multiply(kMinus, factor) : factor,
-                             is_cross ? skew(term.operands[1]) : term.operands[0]);
+          const bool first = place(term) == 0;
+          v = term.operands[first ? 0 : 1];
+          inner.emplace_back(
+              first ? multiply(kMinus, factor) : factor,
+              term.op == Op::kCross ? skew(term.operands[first ? 1 : 0]) : term.operands[0]);
         }
         return apply(linear(inner), v);
       });
+}
+
+/// What numbers scale: what is no number, or the only number that is no symbol; -1: several.
+int Algebra::body_of(const Value& v) const {
+  if (v.type != Type::kScalar) {
+    return v.operands.back();
+  }
+  int body = -1;
+  for (const int x : v.operands) {
+    if (value(x).op != Op::kLeaf) {
+      if (body >= 0) {
+        return -1;
+      }
+      body = x;
+    }
+  }
+  return body;
 }
 
 /// a×b + a×c = a×(b + c), S x + S y = S (x + y), m x + m y = m (x + y).
 void Algebra::merge_factors(Terms& terms) {
   merge(
       terms,
-      [](const Value& v) {
+      [this](const Value& v) {
         const bool bilinear = v.op == Op::kCross || v.op == Op::kApply ||
                               v.op == Op::kApplyTranspose || v.op == Op::kDot;
-        if (bilinear || (v.op == Op::kScale && v.type != Type::kScalar)) {
-          std::vector<int> key(v.operands.begin(), v.operands.end() - 1);
+        const int body = bilinear ? v.operands.back() : v.op == Op::kScale ? body_of(v) : -1;
+        std::vector<int> key;
+        if (body >= 0) {
+          key = v.operands;
+          key.erase(std::find(key.rbegin(), key.rend(), body).base() - 1);
           key.push_back(-1 - static_cast<int>(v.op));
-          return key;
         }
-        return std::vector<int>{};
+        return key;
       },
       [this](const Terms& group) {
+        const Value first = value(group.front().second);
         Terms inner;
         for (const auto& [factor, x] : group) {
-          inner.emplace_back(factor, value(x).operands.back());
+          const Value& v = value(x);
+          inner.emplace_back(factor, v.op == Op::kScale ? body_of(v) : v.operands.back());
         }
-        const Value first = value(group.front().second);
         const int sum = linear(inner);
         switch (first.op) {
           case Op::kCross:
@@ -192,10 +217,13 @@ void Algebra::merge_factors(Terms& terms) {
             return apply_transposed(first.operands[0], sum);
           case Op::kDot:
             return dot(first.operands[0], sum);
-          default:
-            return scale(scaled({first.operands.begin(), first.operands.end() - 2},
-                                first.operands[first.operands.size() - 2]),
-                         sum);
+          default: {
+            std::vector<int> numbers = first.operands;
+            numbers.erase(std::find(numbers.rbegin(), numbers.rend(), body_of(first)).base() - 1);
+            const int last = numbers.back();
+            numbers.pop_back();
+            return scale(scaled(numbers, last), sum);
+          }
         }
       });
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "derive/columns.hpp"
+#include "derive/forms.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::derive {
@@ -36,12 +37,34 @@ Names known_names(const Values& values) {
   return names;
 }
 
+/// Of dynamics: Ω, the accelerations of joints, the forces and moments that they carry.
+void add_dynamic_names(const Values& values, const std::vector<int>& needed, Names& names) {
+  const std::vector<Turning> turnings = turnings_about_axes(values, needed);
+  if (turnings.size() != 1) {
+    return;
+  }
+  names.emplace(turnings.front().Omega, "Ω");
+  for (const int id : needed) {
+    const Value& v = values[id];
+    if (v.type == Type::kVector) {
+      const char* const name = v.op == Op::kPath       ? "a"
+                               : v.op == Op::kSubtree  ? "F"
+                               : v.op == Op::kBackward ? "M"
+                                                       : nullptr;
+      if (name != nullptr) {
+        names.emplace(id, name);
+      }
+    }
+  }
+}
+
 class Printer {
  public:
   explicit Printer(const Values& values) : values_(values), names_(known_names(values)) {}
 
   std::vector<Line> run(const std::vector<int>& roots) {
     std::vector<Line> result;
+    add_dynamic_names(values_, values_.needed(roots), names_);
     for (const int id : values_.needed(roots)) {
       const Value& value = values_[id];
       if (value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
@@ -120,8 +143,11 @@ class Printer {
         return fmt::format("{} {}", a(), b());
       case Op::kApplyTranspose:
         return fmt::format("{}^T {}", a(), b());
+      case Op::kMoment:
+        return fmt::format("vee({} E)", a());
       case Op::kPath:
-        return fmt::format("D {}", a());
+        return value.operands.size() == 1 ? fmt::format("D {}", a())
+                                          : fmt::format("{} everywhere + D {}", b(), a());
       case Op::kPathStrict:
         return fmt::format("N {}", a());
       case Op::kSubtree:

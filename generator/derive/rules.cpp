@@ -5,7 +5,7 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 11> kRows = {{
+  static constexpr std::array<RuleRow, 15> kRows = {{
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
@@ -20,7 +20,13 @@ std::span<const RuleRow> rules() {
        "3x3 blocks keep their kind: D^T (y E) = (D^T y) E, D^T Λ(x) = Λ(D^T x)"},
       {Rule::kCommon, "R3'",
        "what is the same for all links leaves sums: D^T(y g) = (D^T y) g, D^T(x×g) = (D^T x)×g"},
-      {Rule::kParameters, "R10", "m c is the first moment h"},
+      {Rule::kParameters, "R10",
+       "m c = h, J_c - m Λ(c)² = I: c×(m x) = h×x, c×(Λ(α) h) = (I - J_c) α"},
+      {Rule::kPlaces, "F1", "a sliding joint may be anywhere on its axis: in the link, so l = 0"},
+      {Rule::kStart, "F2", "what is added to all sums along paths is where they start"},
+      {Rule::kFathers, "F3", "what is made of N x alone is the father's: S(N x) = Π S(D x)"},
+      {Rule::kPseudoInertia, "F4",
+       "I α + ω×(I ω) = vee(Ω E), Ω = Λ(α) + Λ(ω)², I = tr(E) - E: the same products twice"},
   }};
   return kRows;
 }

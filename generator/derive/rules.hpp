@@ -19,6 +19,10 @@ enum class Rule {
   kKinds,
   kCommon,
   kParameters,
+  kPlaces,
+  kStart,
+  kFathers,
+  kPseudoInertia,
 };
 
 struct RuleRow {

@@ -32,7 +32,8 @@ enum class Op {
   kSkewProduct,     ///< Λ(a) Λ(b)
   kApply,           ///< S v
   kApplyTranspose,  ///< S^T v
-  kPath,            ///< D x
+  kMoment,          ///< vee(Ω E) of Ω, α, ω: I α + ω×I ω by the pseudo-inertia E
+  kPath,            ///< D x, or a + D x where a second operand a is the same for all links
   kPathStrict,      ///< N x
   kSubtree,         ///< D^T x
   kSubtreeStrict,   ///< N^T x
@@ -57,9 +58,18 @@ struct Value {
   std::vector<Ratio> factors;  ///< kLinear
 };
 
+/// What the equations leave open.
+struct Choices {
+  bool keeps_joints = true;   ///< P_i of a sliding joint keeps its place: l has the slide, not s
+  bool common_leaves = true;  ///< R3' takes what all links have in common out of sums
+};
+
 /// The values that a function is made of, and the rules that made them.
 class Values {
  public:
+  explicit Values(const Choices& choices = {}) : choices_(choices) {}
+  [[nodiscard]] const Choices& choices() const { return choices_; }
+
   int intern(Value value);
   [[nodiscard]] const Value& operator[](int id) const {
     return values_[static_cast<std::size_t>(id)];
@@ -73,6 +83,7 @@ class Values {
   [[nodiscard]] std::vector<int> needed(const std::vector<int>& roots) const;
 
  private:
+  Choices choices_;
   std::vector<Value> values_;
   std::map<std::string, int> known_;
   std::set<Rule> acted_;

@@ -22,12 +22,13 @@ struct Tensor {
   Mat3 value;
 };
 
-/// One of the three, for every link or point.
-struct Blocks {
-  std::vector<Expr> numbers;
-  std::vector<Parts> vectors;
-  std::vector<Tensor> tensors;
+/// One of the three.
+struct Block {
+  Expr number;
+  Parts vector;
+  Tensor tensor;
 };
+using Blocks = std::vector<Block>;  ///< for every link or point
 
 bool is_zero(const Vec3& v);
 inline Mat3 transposed(const Mat3& m) { return {column(m, 0), column(m, 1), column(m, 2)}; }

@@ -2,11 +2,11 @@
 
 #include "simplify/articulated.hpp"
 #include "simplify/composite.hpp"
+#include "simplify/derived.hpp"
 #include "simplify/energy.hpp"
 #include "simplify/factor.hpp"
 #include "simplify/forward.hpp"
 #include "simplify/points.hpp"
-#include "simplify/sweeps.hpp"
 
 namespace treedyn::simplify {
 
@@ -28,17 +28,6 @@ std::vector<Expr> dense(const Task& task, const SparseSymmetric& a) {
     if (place.first != place.second) {
       result[j * n + i] += scaled;
     }
-  }
-  return result;
-}
-
-/// T^T tau.
-std::vector<Expr> reduced(const Task& task, const std::vector<Expr>& tau) {
-  std::vector<Expr> result(static_cast<std::size_t>(task.tree.dof()));
-  for (std::size_t i = 0; i < tau.size(); ++i) {
-    const model::Drive& drive = task.tree.drives[i];
-    result[static_cast<std::size_t>(drive.coordinate)] +=
-        constant(task.kinematics.graph(), drive.multiplier) * tau[i];
   }
   return result;
 }
@@ -75,16 +64,6 @@ std::vector<Expr> build_mass_matrix(const Task& task) {
       task, by_trunk(task) ? mass_matrix_by_trunk(task.kinematics) : mass_matrix(task.kinematics));
 }
 
-/// (3): no acceleration, no gravity.
-std::vector<Expr> build_bias_force(const Task& task) {
-  return reduced(task, inverse_dynamics(task.kinematics, {}));
-}
-
-/// 6.5 and (1): the ground accelerates by -g.
-std::vector<Expr> build_with_gravity(const Task& task) {
-  return reduced(task, inverse_dynamics(task.kinematics, task.kinematics.ground_acceleration()));
-}
-
 /// (1) solved for qdd.
 std::vector<Expr> build_forward_dynamics(const Task& task) {
   const Kinematics& k = task.kinematics;
@@ -99,7 +78,7 @@ std::vector<Expr> build_forward_dynamics(const Task& task) {
     };
     return of_coordinates(task, articulated_forward_dynamics(k, k.ground_acceleration(), force));
   }
-  const std::vector<Expr> bias = build_with_gravity(task);
+  const std::vector<Expr> bias = build_equation(task, "inverse_dynamics");
   std::vector<Expr> right;
   for (int i = 0; i < task.tree.dof(); ++i) {
     right.push_back(k.argument(2, i) - bias[static_cast<std::size_t>(i)]);
@@ -110,9 +89,9 @@ std::vector<Expr> build_forward_dynamics(const Task& task) {
 std::vector<Expr> build_dynamics_terms(const Task& task) {
   const Kinematics& k = task.kinematics;
   const Kinematics at_rest(k.graph(), task.tree, task.normal, k.variant(), {.q = 0}, k.limbs());
-  const std::vector<Expr> bias = build_bias_force(task);
+  const std::vector<Expr> bias = build_equation(task, "bias_force");
   const std::vector<Expr> gravity =
-      build_with_gravity({task.tree, task.normal, task.options, at_rest});
+      build_equation({task.tree, task.normal, task.options, at_rest}, "inverse_dynamics");
   std::vector<Expr> result = build_mass_matrix(task);
   result.insert(result.end(), bias.begin(), bias.end());
   result.insert(result.end(), gravity.begin(), gravity.end());

@@ -8,8 +8,6 @@
 namespace treedyn::simplify {
 
 std::vector<Expr> build_mass_matrix(const Task& task);
-std::vector<Expr> build_bias_force(const Task& task);
-std::vector<Expr> build_with_gravity(const Task& task);
 std::vector<Expr> build_forward_dynamics(const Task& task);
 std::vector<Expr> build_dynamics_terms(const Task& task);
 std::vector<Expr> build_mass_matrix_factor(const Task& task);

@@ -4,6 +4,7 @@
 
 #include "simplify/builders.hpp"
 #include "simplify/contacts.hpp"
+#include "simplify/derived.hpp"
 #include "simplify/scene_rows.hpp"
 
 namespace treedyn::simplify {
@@ -19,7 +20,7 @@ std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
   const model::Scene& scene = *task.options.scene;
   Graph& graph = task.kinematics.graph();
   const InverseArrays arrays = inverse_arrays(scene);
-  std::vector<Expr> h = build_with_gravity(task);
+  std::vector<Expr> h = build_equation(task, "inverse_dynamics");
   for (int i = 0; i < task.tree.dof(); ++i) {
     h[index(i)] -= forces.joint(i);
     if (arrays.force >= 0) {

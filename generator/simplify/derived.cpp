@@ -68,9 +68,10 @@ Matrix written(Lowering lowering) {
   Matrix result;
   for (int place = 0; place < lowering.count(counted.set); ++place) {
     for (int k = 0; k < counted.size; k += static_cast<int>(stride)) {
-      const Blocks& blocks =
-          derivation.by_units ? lowering.root_of_unit(place, k) : lowering.root(k);
-      const std::vector<Expr> entries = lowering.written(blocks, along.set);
+      if (derivation.by_units) {
+        lowering.ask_for(place, k);
+      }
+      const std::vector<Expr> entries = lowering.written(derivation.by_units ? 0 : k, along.set);
       for (std::size_t n = 0; n < stride; ++n) {
         std::vector<Expr>& column = result.emplace_back();
         for (std::size_t e = n; e < entries.size(); e += stride) {
@@ -99,10 +100,11 @@ bool is_picked(const block::Shape& shape) {
 }  // namespace
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
-                                       int points) {
+                                       int points, bool keeps_joints) {
   const block::Shape& shape = equation.expression.shape();
   const bool by_rows = count(shape.rows, links, points) < count(shape.cols, links, points);
-  Derived result{equation, derive::derive(equation.expression, by_rows), std::nullopt};
+  Derived result{equation, derive::derive(equation.expression, by_rows, keeps_joints), std::nullopt,
+                 keeps_joints};
   if (shape.rows.set == Set::kPoints && shape.cols == block::Side{}) {
     result.to_root = derive::derive_rows(equation.expression);
   }
@@ -115,8 +117,8 @@ std::shared_ptr<const Derived> derived(const std::string& name) {
   std::shared_ptr<const Derived>& function = known[name];
   if (!function) {
     const block::Expression& expression = equations::find(name)->expression;
-    Derived made = *derived(equations::equation_of(name, expression), 1, 1);
-    made.keeps_joints = is_picked(expression.shape());
+    Derived made =
+        *derived(equations::equation_of(name, expression), 1, 1, is_picked(expression.shape()));
     made.regroups = !needs_centres(made.derivation);
     function = std::make_shared<const Derived>(std::move(made));
   }
@@ -137,6 +139,10 @@ std::vector<Expr> build_derived(const Task& task, const Derived& function, Way w
     result.insert(result.end(), row.begin(), row.end());
   }
   return result;
+}
+
+std::vector<Expr> build_equation(const Task& task, const std::string& name) {
+  return build_derived(task, *derived(name), task.kinematics.variant().way);
 }
 
 std::vector<Expr> values_at(const Task& task, const std::string& name,

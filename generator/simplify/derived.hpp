@@ -16,20 +16,23 @@ struct Derived {
   equations::UserEquation equation;
   derive::Derivation derivation;
   std::optional<derive::Derivation> to_root;  ///< the same by the rows of points, read backwards
-  bool keeps_joints = true;  ///< the result refers to the places P_i of sliding joints
-  bool regroups = false;     ///< of inertial parameters masses and first moments alone occur
+  bool keeps_joints;      ///< the result refers to the places P_i of sliding joints
+  bool regroups = false;  ///< of inertial parameters masses and first moments alone occur
 };
 
 using DerivedFunctions = std::vector<std::shared_ptr<const Derived>>;
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
-                                       int points);
+                                       int points, bool keeps_joints = true);
 
 /// The expressions of the function, row-major.
 std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way);
 
 /// An equation of EQUATIONS.md. \pre `name` stands in equations/table.cpp.
 std::shared_ptr<const Derived> derived(const std::string& name);
+
+/// The same of an equation of EQUATIONS.md, in the frames of the task's variant.
+std::vector<Expr> build_equation(const Task& task, const std::string& name);
 
 /// An equation of EQUATIONS.md for some points.
 std::vector<Expr> values_at(const Task& task, const std::string& name,

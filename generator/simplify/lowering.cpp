@@ -1,6 +1,7 @@
 #include "simplify/lowering.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "common/error.hpp"
 
@@ -13,6 +14,14 @@ using derive::Type;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+bool is_to_sons(Op op) { return op == Op::kPath || op == Op::kPathStrict || op == Op::kFather; }
+bool is_to_fathers(Op op) {
+  return op == Op::kSubtree || op == Op::kSubtreeStrict || op == Op::kBackward || op == Op::kSons;
+}
+bool is_whole(const derive::Value& v) {
+  return v.set != Set::kLinks || v.op == Op::kGather || v.op == Op::kSpread;
+}
+
 }  // namespace
 
 Lowering::Lowering(const Task& task, const Derived& function, Way way)
@@ -22,59 +31,187 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way)
                                                           : function.derivation),
       frames_(task.kinematics, way),
       needed_(derivation_.values.needed(derivation_.roots)),
+      turnings_(frames_.in_base() ? std::vector<derive::Turning>{}
+                                  : derive::turnings_about_axes(derivation_.values, needed_)),
+      stage_(index(derivation_.values.size()), -1),
       of_unit_(index(derivation_.values.size()), false),
       memo_(index(derivation_.values.size())),
+      known_(index(derivation_.values.size())),
       costs_(index(derivation_.values.size())) {
+  arrange();
+  run(false);
+}
+
+/// The first stage that can hold a value: its operands are in earlier ones or in the same; -1 for
+/// leaves.
+int Lowering::stage_of(const Value& v) const {
+  if (v.operands.empty()) {
+    return -1;
+  }
+  int stage = 0;
+  for (const int operand : v.operands) {
+    stage = std::max(stage, stage_[index(operand)]);
+  }
+  const bool fixed = is_whole(v) || is_to_sons(v.op) || is_to_fathers(v.op);
+  const Walk walk = is_whole(v)           ? Walk::kWhole
+                    : is_to_fathers(v.op) ? Walk::kToFathers
+                                          : Walk::kToSons;
+  while (fixed ? walk_of(stage) != walk : walk_of(stage) == Walk::kWhole) {
+    ++stage;
+  }
+  return stage;
+}
+
+void Lowering::arrange() {
+  std::vector<bool> of_sum(memo_.size(), false);
   for (const int id : needed_) {
     const Value& v = value(id);
-    const auto depends = [this](int operand) {
-      return of_unit_[index(operand)];
-    };
+    memo_[index(id)].resize(index(count(v.set)));
+    known_[index(id)].assign(index(count(v.set)), false);
     of_unit_[index(id)] =
-        v.op == Op::kUnit || std::any_of(v.operands.begin(), v.operands.end(), depends);
-    if (!of_unit_[index(id)]) {
-      compute(id);
+        v.op == Op::kUnit || std::any_of(v.operands.begin(), v.operands.end(),
+                                         [this](int x) { return of_unit_[index(x)]; });
+    stage_[index(id)] = stage_of(v);
+    stages_.resize(std::max(stages_.size(), index(stage_[index(id)] + 1)));
+  }
+  for (auto id = needed_.rbegin(); id != needed_.rend(); ++id) {
+    const Value& v = value(*id);
+    of_sum[index(*id)] = of_sum[index(*id)] || is_to_sons(v.op) || is_to_fathers(v.op);
+    for (const int operand : v.operands) {
+      if (of_sum[index(*id)] && stage_[index(operand)] == stage_[index(*id)]) {
+        of_sum[index(operand)] = true;
+      }
+    }
+  }
+  for (const int id : needed_) {
+    if (stage_[index(id)] >= 0) {
+      Stage& stage = stages_[index(stage_[index(id)])];
+      (of_sum[index(id)] ? stage.sums : stage.rest).push_back(id);
     }
   }
 }
 
-const Blocks& Lowering::root(int k) { return of(derivation_.roots[index(k)]); }
+void Lowering::run(const std::vector<int>& ids, int e, bool of_unit) {
+  for (const int id : ids) {
+    if (of_unit_[index(id)] == of_unit) {
+      need(id, e);
+    }
+  }
+}
 
-const Blocks& Lowering::root_of_unit(int place, int component) {
+void Lowering::run(bool of_unit) {
+  const int n = task_.tree.size();
+  for (std::size_t s = 0; s < stages_.size(); ++s) {
+    const Stage& stage = stages_[s];
+    const Walk walk = walk_of(static_cast<int>(s));
+    for (const int id : walk == Walk::kWhole ? stage.rest : std::vector<int>{}) {
+      for (int e = 0; e < count(value(id).set); ++e) {
+        run({id}, e, of_unit);
+      }
+    }
+    for (int k = 0; walk != Walk::kWhole && k < n; ++k) {
+      const int e = walk == Walk::kToSons ? k : n - 1 - k;
+      graph().set_body(e);
+      run(stage.sums, e, of_unit);
+      name_sums(e);
+      graph().set_body(e);
+      run(stage.rest, e, of_unit);
+    }
+  }
+  for (const int root : derivation_.roots) {  // that are leaves
+    for (int e = 0; of_unit_[index(root)] == of_unit && e < count(value(root).set); ++e) {
+      need(root, e);
+    }
+  }
+}
+
+void Lowering::ask_for(int place, int component) {
   place_ = place;
   component_ = component;
   for (const int id : needed_) {
     if (of_unit_[index(id)]) {
-      compute(id);
+      std::fill(known_[index(id)].begin(), known_[index(id)].end(), false);
+      sums_.erase(id);
     }
   }
-  return root(0);
+  run(true);
 }
 
-void Lowering::compute(int id) {
+void Lowering::need(int id, int e) {
+  if (known_[index(id)][index(e)]) {
+    return;
+  }
+  const Value& v = value(id);
+  for (const int operand : v.operands) {
+    const bool elsewhere = value(operand).set != v.set || v.op == Op::kFather || v.op == Op::kSons;
+    for (int k = 0; elsewhere && stage_[index(operand)] < 0 && k < count(value(operand).set); ++k) {
+      need(operand, k);
+    }
+    if (!elsewhere) {
+      need(operand, e);
+    }
+  }
+  const auto turning =
+      std::find_if(turnings_.begin(), turnings_.end(),
+                   [&](const derive::Turning& t) { return t.alpha == id || t.Omega == id; });
   const std::size_t before = graph().size();
-  Blocks blocks = made(value(id));
+  if (turning != turnings_.end()) {
+    need(turning->omega, e);
+    turn(*turning, e);
+  } else {
+    memo_[index(id)][index(e)] = made(id, v, e);
+    known_[index(id)][index(e)] = true;
+  }
   for (std::size_t n = before; n < graph().size(); ++n) {
     const program::Kind kind = graph().node(static_cast<program::Ref>(n)).kind;
     costs_[index(id)].add += kind == program::Kind::kAdd ? 1 : 0;
     costs_[index(id)].mul += kind == program::Kind::kMultiply ? 1 : 0;
   }
-  memo_[index(id)] = std::move(blocks);
 }
 
 /// What the field calls a vector that travels along the tree.
-const char* Lowering::symbol(const Value& v) const {
+const char* Lowering::symbol(int id) const {
+  const Value& v = value(id);
   const Value& x = value(v.operands.front());
+  const auto is_alpha = [id](const derive::Turning& t) {
+    return t.alpha == id;
+  };
+  const auto with_Omega = [this](int y) {
+    return value(y).op == Op::kApply && value(value(y).operands[0]).op == Op::kFather;
+  };
   switch (v.op) {
     case Op::kPath:
     case Op::kPathStrict:
-      return x.op == Op::kScale && value(x.operands.back()).name == "z^d" ? "omega" : "";
+      return x.op == Op::kScale && value(x.operands.back()).name == "z^d"    ? "omega"
+             : std::any_of(turnings_.begin(), turnings_.end(), is_alpha)     ? "alpha"
+             : std::any_of(x.operands.begin(), x.operands.end(), with_Omega) ? "a"
+                                                                             : "";
     case Op::kSubtree:
     case Op::kSubtreeStrict:
       return derivation_.wide ? "r" : "F";
     default:
       return derivation_.wide ? "r" : x.name == "h^d" ? "h" : "M";
   }
+}
+
+/// Sums along the tree, and Ω.
+void Lowering::name_sums(int e) {
+  constexpr std::array<const char*, 9> kEntry = {"xx", "xy", "xz", "yx", "yy",
+                                                 "yz", "zx", "zy", "zz"};
+  std::sort(named_.begin(), named_.end());
+  for (const int id : named_) {
+    const Value& v = value(id);
+    const auto total = totals_.find(id);
+    const Block& block = total != totals_.end() ? total->second[index(e)] : of(id, e);
+    if (v.type == Type::kTensor) {
+      for (std::size_t n = 0; n < 9; ++n) {
+        graph().name(block.tensor.value[n / 3][n % 3].ref(), "Omega", e, kEntry[n]);
+      }
+    } else if (*symbol(id) != 0) {
+      name(graph(), frames_.in(block.vector, home(Set::kLinks, e)), symbol(id), e);
+    }
+  }
+  named_.clear();
 }
 
 /// A value as a sum.
@@ -107,89 +244,105 @@ int Lowering::home(Set set, int e) const {
   return set == Set::kLinks ? e : task_.options.points[index(e)].link;
 }
 
-Blocks Lowering::empty(const Value& v) const {
-  const std::size_t n = index(count(v.set));
-  Blocks blocks;
+Block Lowering::zero(const Value& v, int e) const { return {{}, {}, {home(v.set, e), {}}}; }
+
+/// sum + factor * x.
+void Lowering::add(const Value& v, Block& sum, const Block& x, Expr factor) const {
   switch (v.type) {
     case Type::kScalar:
-      blocks.numbers.resize(n);
+      sum.number += factor * x.number;
       break;
     case Type::kVector:
-      blocks.vectors.resize(n);
+      frames_.add(sum.vector, x.vector, factor);
       break;
-    case Type::kTensor:
-      for (std::size_t e = 0; e < n; ++e) {
-        blocks.tensors.push_back({home(v.set, static_cast<int>(e)), {}});
+    case Type::kTensor: {
+      const Mat3 term = frames_.moved(x.tensor, sum.tensor.frame).value;
+      for (std::size_t row = 0; row < 3; ++row) {
+        sum.tensor.value[row] = sum.tensor.value[row] + factor * term[row];
       }
+    }
   }
-  return blocks;
 }
 
-Blocks Lowering::made(const Value& v) const {
+/// x with everything in one frame.
+Block Lowering::moved(const Value& v, const Block& x, int from, int to) const {
+  Block result{x.number, {}, {to, {}}};
+  if (v.type == Type::kVector) {
+    result.vector = {{to, frames_.moved(frames_.in(x.vector, from), from, to)}};
+  } else if (v.type == Type::kTensor) {
+    result.tensor = frames_.moved(x.tensor, to);
+  }
+  return result;
+}
+
+Block Lowering::made(int id, const Value& v, int e) {
   switch (v.op) {
     case Op::kZero:
-      return empty(v);
-    case Op::kOnes: {
-      Blocks blocks = empty(v);
-      std::fill(blocks.numbers.begin(), blocks.numbers.end(), number(1));
-      return blocks;
-    }
-    case Op::kIdentity: {
-      Blocks blocks = empty(v);
-      for (Tensor& tensor : blocks.tensors) {
-        tensor.value = constant(graph(), simplify::identity());
-      }
-      return blocks;
-    }
+      return zero(v, e);
+    case Op::kOnes:
+      return {number(1), {}, {}};
+    case Op::kIdentity:
+      return {{}, {}, {home(v.set, e), constant(graph(), simplify::identity())}};
     case Op::kUnit:
-      return unit(v);
+      return unit(v, e);
     case Op::kLeaf:
-      return leaf(v);
+      return leaf(v, e);
     case Op::kLinear:
-      return linear(v);
+      return linear(v, e);
     case Op::kScale:
-      return scale(v);
+      return scale(v, e);
     case Op::kDot:
     case Op::kCross:
     case Op::kSkew:
     case Op::kSkewProduct:
-      return product(v);
+      return product(v, e);
+    case Op::kMoment:
+      return moment(v, e);
     case Op::kApply:
     case Op::kApplyTranspose:
-      return applied(v);
+      return applied(v, e);
     case Op::kPath:
     case Op::kPathStrict:
-      return path(v);
+      return path(id, v, e);
     case Op::kSubtree:
     case Op::kSubtreeStrict:
     case Op::kBackward:
-      return subtree(v);
+      return subtree(id, v, e);
     case Op::kFather:
     case Op::kSons:
-      return shifted(v);
+      return shifted(v, e);
     case Op::kGather:
     case Op::kPick:
-      return at_points(v);
+      return at_points(v, e);
     case Op::kSpread:
-      return spread(v);
+      return of(v.operands.front(), 0);
     case Op::kCollect:
       return collect(v);
     case Op::kComponent:
     case Op::kAssemble:
-      return components(v);
+      return components(v, e);
   }
-  return empty(v);
+  return zero(v, e);
 }
 
-std::vector<Expr> Lowering::written(const Blocks& blocks, Set set) const {
-  std::vector<Expr> result = blocks.numbers;
-  for (int e = 0; e < count(set) && !blocks.vectors.empty(); ++e) {
-    const Vec3 x = frames_.in(blocks.vectors[index(e)], kBase);
-    result.insert(result.end(), x.begin(), x.end());
-  }
-  for (const Tensor& tensor : blocks.tensors) {
-    for (const Vec3& row : frames_.moved(tensor, kBase).value) {
-      result.insert(result.end(), row.begin(), row.end());
+std::vector<Expr> Lowering::written(int k, Set set) const {
+  const int root = derivation_.roots[index(k)];
+  std::vector<Expr> result;
+  for (int e = 0; e < count(set); ++e) {
+    const Block& block = of(root, e);
+    switch (value(root).type) {
+      case Type::kScalar:
+        result.push_back(block.number);
+        break;
+      case Type::kVector: {
+        const Vec3 x = frames_.in(block.vector, kBase);
+        result.insert(result.end(), x.begin(), x.end());
+        break;
+      }
+      case Type::kTensor:
+        for (const Vec3& row : frames_.moved(block.tensor, kBase).value) {
+          result.insert(result.end(), row.begin(), row.end());
+        }
     }
   }
   return result;

@@ -1,9 +1,10 @@
 // Values of a derivation to expressions: link by link, each in the frame where it is cheap.
 #pragma once
 
-#include <optional>
+#include <map>
 #include <vector>
 
+#include "derive/forms.hpp"
 #include "program/function.hpp"
 #include "simplify/blocks.hpp"
 #include "simplify/derived.hpp"
@@ -16,13 +17,12 @@ class Lowering {
 
   [[nodiscard]] const derive::Derivation& derivation() const { return derivation_; }
 
-  /// Column `k` of what the function derives to: a block for every element of its rows.
-  const Blocks& root(int k);
-  /// The same where the column that is asked for is `place`, component `component`.
-  const Blocks& root_of_unit(int place, int component);
+  /// The column that is asked for is `place`, component `component`.
+  void ask_for(int place, int component);
 
-  /// Vectors in the base frame, numbers as they are, one behind the other.
-  [[nodiscard]] std::vector<Expr> written(const Blocks& blocks, block::Set set) const;
+  /// Column `k` of what the function derives to, a block for every element of its rows: vectors in
+  /// the base frame, numbers as they are, one behind the other.
+  [[nodiscard]] std::vector<Expr> written(int k, block::Set set) const;
   [[nodiscard]] int count(block::Set set) const;
 
   /// Operations that the values took, by their number in the derivation.
@@ -30,30 +30,65 @@ class Lowering {
 
  private:
   using Value = derive::Value;
+  /// Values that are computed together: one behind the other, or all of a link before the next.
+  enum class Walk { kWhole, kToSons, kToFathers };
+  struct Stage {
+    std::vector<int> sums;  ///< sums along the tree, and what they need
+    std::vector<int> rest;
+  };
+  struct Sum {
+    Block block;
+    bool begun = false;
+    bool has_own = false;  ///< the link's own block is in
+  };
+  /// What the entries of Ω share.
+  struct Squares {
+    Expr xx;     ///< omega_x^2, shared along a run of parallel axes
+    Expr yy;     ///< omega_y^2
+    Expr xx_zz;  ///< omega_x^2 - omega_z^2 = Omega_xx - Omega_zz
+  };
 
-  void compute(int id);
-  [[nodiscard]] const char* symbol(const Value& v) const;
-  Blocks made(const Value& v) const;
-  Blocks unit(const Value& v) const;
-  Blocks leaf(const Value& v) const;
-  Blocks link_leaf(const Value& v) const;
-  Blocks input(const Value& v, const equations::UserArgument& argument, int array) const;
-  Blocks orientation(const equations::UserFrame& frame) const;
-  Blocks linear(const Value& v) const;
-  Blocks scale(const Value& v) const;
-  Blocks product(const Value& v) const;
-  Blocks applied(const Value& v) const;
-  Blocks path(const Value& v) const;
-  Blocks subtree(const Value& v) const;
-  Blocks shifted(const Value& v) const;
-  Blocks at_points(const Value& v) const;
-  Blocks spread(const Value& v) const;
-  Blocks collect(const Value& v) const;
-  Blocks components(const Value& v) const;
+  [[nodiscard]] Walk walk_of(int stage) const { return static_cast<Walk>(stage % 3); }
+  [[nodiscard]] int stage_of(const Value& v) const;
+  void arrange();
+  void run(bool of_unit);
+  void run(const std::vector<int>& ids, int e, bool of_unit);
+  /// Block e of a value, if it is not known yet, and those of its operands.
+  void need(int id, int e);
+  void name_sums(int e);
 
-  [[nodiscard]] const Blocks& of(int id) const { return *memo_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const char* symbol(int id) const;
+  Block made(int id, const Value& v, int e);
+  Block unit(const Value& v, int e) const;
+  Block leaf(const Value& v, int e) const;
+  Block link_leaf(const Value& v, int e) const;
+  [[nodiscard]] Mat3 tensor_about_joint(int e) const;
+  [[nodiscard]] Mat3 pseudo_inertia(int e) const;
+  Block input(const Value& v, const equations::UserArgument& argument, int array, int e) const;
+  Block orientation(const equations::UserFrame& frame) const;
+  Block linear(const Value& v, int e) const;
+  Block scale(const Value& v, int e) const;
+  Block product(const Value& v, int e) const;
+  Block applied(const Value& v, int e) const;
+  Block moment(const Value& v, int e) const;
+  Block components(const Value& v, int e) const;
+  Block path(int id, const Value& v, int e);
+  void begin(int id, const Value& v, int e);
+  Block subtree(int id, const Value& v, int e);
+  Block shifted(const Value& v, int e) const;
+  Block at_points(const Value& v, int e) const;
+  Block collect(const Value& v) const;
+  void turn(const derive::Turning& turning, int i);
+  Mat3 turned_by_column(int i, const Vec3& omega, const Vec3& third, const Squares& father,
+                        Vec3& alpha, Squares& squares) const;
+
+  [[nodiscard]] const Block& of(int id, int e) const {
+    return memo_[static_cast<std::size_t>(id)][static_cast<std::size_t>(e)];
+  }
   [[nodiscard]] const Value& value(int id) const { return derivation_.values[id]; }
-  [[nodiscard]] Blocks empty(const Value& v) const;
+  [[nodiscard]] Block zero(const Value& v, int e) const;
+  void add(const Value& v, Block& sum, const Block& x, Expr factor) const;
+  [[nodiscard]] Block moved(const Value& v, const Block& x, int from, int to) const;
   [[nodiscard]] std::vector<std::pair<Expr, int>> terms(int id) const;
   [[nodiscard]] int home(block::Set set, int e) const;
   [[nodiscard]] int father(int i) const { return task_.kinematics.link(i).father; }
@@ -67,8 +102,16 @@ class Lowering {
   const derive::Derivation& derivation_;
   FrameChanges frames_;
   std::vector<int> needed_;
+  std::vector<derive::Turning> turnings_;  ///< whose joints turn about frame axes
+  std::vector<int> stage_;
+  std::vector<Stage> stages_;
   std::vector<bool> of_unit_;  ///< depends on the column that is asked for
-  std::vector<std::optional<Blocks>> memo_;
+  std::vector<Blocks> memo_;
+  std::vector<std::vector<bool>> known_;
+  std::map<int, Blocks> totals_;                 ///< D x or D^T x, by value
+  std::map<int, std::vector<Sum>> sums_;         ///< what the sons hand on, by value
+  std::map<int, std::vector<Squares>> squares_;  ///< of turnings, by Ω
+  std::vector<int> named_;                       ///< sums of the link that have no names yet
   std::vector<program::Cost> costs_;
   int place_ = 0;
   int component_ = 0;

@@ -16,7 +16,7 @@ const Argument kQdd = {"qdd", 1, 1, 0, "rad/s^2|m/s^2"};
 /// From the equation of that name.
 Builder derived_from(const char* name) {
   return [name](const Task& task) {
-    return build_derived(task, *derived(name), task.kinematics.variant().way);
+    return build_equation(task, name);
   };
 }
 
@@ -41,7 +41,7 @@ const std::vector<Recipe>& recipes() {
        {{"B", 1, 1, 0, kForce}},
        from_q_qd,
        {.regrouping = true, .moment_form = true},
-       build_bias_force},
+       derived_from("bias_force")},
       {"gravity_force",
        "6.5",
        "Gravity term G(q) of A qdd + B + G = tau.",
@@ -57,7 +57,7 @@ const std::vector<Recipe>& recipes() {
        {{"tau", 1, 1, 0, kForce}},
        {.q = 0, .qd = 1, .qdd = 2},
        {.regrouping = true, .moment_form = true},
-       build_with_gravity},
+       derived_from("inverse_dynamics")},
       {"forward_dynamics",
        "(1)",
        "Joint accelerations qdd of A(q) qdd + B(q, qd) + G(q) = tau.",

@@ -5,6 +5,7 @@
 #include "model/mass_unit.hpp"
 #include "simplify/articulated.hpp"
 #include "simplify/builders.hpp"
+#include "simplify/derived.hpp"
 
 namespace treedyn::simplify {
 
@@ -98,7 +99,7 @@ void SceneSystem::add_equations(bool by_trunk, bool forces) {
   }
   const int n = task_.tree.dof();
   const std::vector<Expr> a = build_mass_matrix(task_);
-  const std::vector<Expr> bias = build_with_gravity(task_);
+  const std::vector<Expr> bias = build_equation(task_, "inverse_dynamics");
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
       a_[{i, j}] = a[static_cast<std::size_t>(i * n + j)];

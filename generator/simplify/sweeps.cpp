@@ -238,19 +238,6 @@ std::vector<Motion> motions(const Kinematics& k, const Vec3& ground) {
   return result;
 }
 
-std::vector<Expr> inverse_dynamics(const Kinematics& k, const Vec3& ground) {
-  NewtonEuler sweep(k);
-  for (int i = 0; i < k.size(); ++i) {
-    sweep.forward(i, ground);
-    sweep.load(i);
-  }
-  std::vector<Expr> tau(static_cast<std::size_t>(k.size()));
-  for (int i = k.size() - 1; i >= 0; --i) {
-    tau[static_cast<std::size_t>(i)] = sweep.backward(i);
-  }
-  return tau;
-}
-
 TrunkBias trunk_bias(const Kinematics& k, const Vec3& omega) {
   NewtonEuler sweep(k);
   sweep.set_motion(kTrunk, motion(omega, {}, {}));

@@ -31,11 +31,6 @@ struct Wrench {
 /// Motion of every link for the rates and accelerations that are inputs, fathers first.
 std::vector<Motion> motions(const Kinematics& kinematics, const Vec3& ground);
 
-/// A qdd + B + G for the rates and accelerations that are inputs; `ground` is the ground's
-/// acceleration
-/// (-g gives G its place, zero leaves it out). Joint order. O(N).
-std::vector<Expr> inverse_dynamics(const Kinematics& kinematics, const Vec3& ground);
-
 /// What the limbs and the trunk of a free base need when nothing accelerates: the velocity products
 /// alone.
 struct TrunkBias {

@@ -1,9 +1,13 @@
 // The rules of the derivation, one by one.
 #include <algorithm>
+#include <set>
+#include <string>
 
+#include <ginac/ginac.h>
 #include <gtest/gtest.h>
 
 #include "derive/derive.hpp"
+#include "derive/forms.hpp"
 #include "derive/print.hpp"
 #include "derive/words.hpp"
 #include "equations/dot.hpp"
@@ -141,12 +145,156 @@ TEST(R3, LetsWhatIsCommonLeaveSums) {
 }
 
 TEST(R10, MakesMassesTimesCentresFirstMoments) {
-  for (const Expression& e : {gravity_force(), potential_energy()}) {
-    const Derivation derivation = derive(e, false);
+  for (const Expression& e :
+       {gravity_force(), potential_energy(), bias_force(), inverse_dynamics()}) {
+    const Derivation derivation = derive(e, false, false);
     for (const int id : derivation.values.needed(derivation.roots)) {
       EXPECT_NE(derivation.values[id].name, "c^d");
+      EXPECT_NE(derivation.values[id].name, "J_c^d");
     }
   }
+}
+
+TEST(R10, KeepsCentresWhoseTermsDoNotMakeUpAnInertia) {
+  const Expression half = transpose(D) * skew(c_d) * (D * w) + transpose(D) * m_d * c_d * qd;
+  EXPECT_EQ(count(half, Op::kCross), 1);
+  const Expression too_much = transpose(skew(c_d)) * m_d * skew(c_d) * w + J_d * w + J_d * w;
+  const Derivation derivation = derive(too_much, false, false);
+  std::set<std::string> names;
+  for (const int id : derivation.values.needed(derivation.roots)) {
+    names.insert(derivation.values[id].name);
+  }
+  EXPECT_TRUE(names.contains("I^d"));
+  EXPECT_TRUE(names.contains("J_c^d"));
+}
+
+TEST(F1, PutsSlidingJointsIntoTheirLinks) {
+  const auto names = [](bool keeps_joints) {
+    const Derivation derivation = derive(joint_to_com_vectors(), false, keeps_joints);
+    std::set<std::string> result;
+    for (const int id : derivation.values.needed(derivation.roots)) {
+      result.insert(derivation.values[id].name);
+    }
+    return result;
+  };
+  EXPECT_TRUE(names(true).contains("l^d"));
+  EXPECT_FALSE(names(false).contains("l^d"));
+}
+
+/// Values of inverse dynamics with an operation.
+std::vector<Value> of_inverse_dynamics(Op op) {
+  const Derivation derivation = derive(inverse_dynamics(), false, false);
+  std::vector<Value> result;
+  for (const int id : derivation.values.needed(derivation.roots)) {
+    if (derivation.values[id].op == op) {
+      result.push_back(derivation.values[id]);
+    }
+  }
+  return result;
+}
+
+TEST(F2, LetsPathsStartWithGravity) {
+  const std::vector<Value> paths = of_inverse_dynamics(Op::kPath);  // ω, α and a
+  ASSERT_EQ(paths.size(), 3U);
+  EXPECT_EQ(std::count_if(paths.begin(), paths.end(),
+                          [](const Value& v) { return v.operands.size() == 2; }),
+            1);
+  EXPECT_EQ(of_inverse_dynamics(Op::kSubtree).size(), 1U);  // no sums of masses beside forces
+  EXPECT_EQ(of_inverse_dynamics(Op::kBackward).size(), 1U);
+}
+
+TEST(F3, TakesTurningTensorsFromFathers) {
+  EXPECT_EQ(of_inverse_dynamics(Op::kFather).size(), 1U);
+  EXPECT_EQ(of_inverse_dynamics(Op::kSkewProduct).size(), 1U);  // Λ(ω)², none of ω_f
+}
+
+TEST(F4, WritesMomentsWithPseudoInertias) {
+  EXPECT_EQ(of_inverse_dynamics(Op::kMoment).size(), 1U);
+  EXPECT_EQ(count(transpose(D) * J_d * D * w, Op::kMoment), 0);
+}
+
+TEST(F4, FindsJointsThatTurnAboutTheirAxes) {
+  const auto turnings = [](const Expression& e) {
+    const Derivation derivation = derive(e, false, false);
+    return turnings_about_axes(derivation.values, derivation.values.needed(derivation.roots))
+        .size();
+  };
+  EXPECT_EQ(turnings(inverse_dynamics()), 1U);
+  EXPECT_EQ(turnings(bias_force()), 1U);
+  const Expression alpha = D * diagb(z_d * sigma * qdd + 2 * w) * ones;
+  EXPECT_EQ(turnings(skew(diagb(alpha)) * g), 0U);
+}
+
+/// Identities that the rules rest on, for all vectors.
+class Identities : public testing::Test {
+ protected:
+  using Matrix = GiNaC::matrix;
+
+  static Matrix vector(const std::string& name) {
+    Matrix v(3, 1);
+    for (unsigned k = 0; k < 3; ++k) {
+      v(k, 0) = GiNaC::symbol(name + std::to_string(k));
+    }
+    return v;
+  }
+  static Matrix symmetric(const std::string& name) {
+    Matrix m(3, 3);
+    for (unsigned i = 0; i < 3; ++i) {
+      for (unsigned j = i; j < 3; ++j) {
+        m(i, j) = m(j, i) = GiNaC::symbol(name + std::to_string(3 * i + j));
+      }
+    }
+    return m;
+  }
+  static Matrix lambda(const Matrix& a) {
+    return {{0, -a(2, 0), a(1, 0)}, {a(2, 0), 0, -a(0, 0)}, {-a(1, 0), a(0, 0), 0}};
+  }
+  static Matrix cross(const Matrix& a, const Matrix& b) { return lambda(a).mul(b); }
+  static bool equal(const Matrix& a, const Matrix& b) {
+    const Matrix difference = a.sub(b);
+    for (std::size_t n = 0; n < difference.nops(); ++n) {
+      if (!difference.op(n).expand().is_zero()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const Matrix alpha_ = vector("a");
+  const Matrix omega_ = vector("w");
+  const Matrix c_ = vector("c");
+  const GiNaC::symbol m_{"m"};
+  const Matrix steiner_ = lambda(c_).mul(lambda(c_)).mul_scalar(-m_);  // I - J_c
+};
+
+TEST_F(Identities, OfR10) {
+  const Matrix h = c_.mul_scalar(m_);
+  EXPECT_TRUE(equal(cross(c_, cross(alpha_, h)), steiner_.mul(alpha_)));
+  EXPECT_TRUE(
+      equal(cross(c_, cross(omega_, cross(omega_, h))), cross(omega_, steiner_.mul(omega_))));
+}
+
+TEST_F(Identities, OfF4) {
+  const Matrix pseudo = symmetric("E");
+  const GiNaC::ex trace = pseudo(0, 0) + pseudo(1, 1) + pseudo(2, 2);
+  const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Matrix I = one.mul_scalar(trace).sub(pseudo);
+  const Matrix p = lambda(alpha_).add(lambda(omega_).mul(lambda(omega_))).mul(pseudo);
+  const Matrix vee{{p(2, 1) - p(1, 2)}, {p(0, 2) - p(2, 0)}, {p(1, 0) - p(0, 1)}};
+  EXPECT_TRUE(equal(I.mul(alpha_).add(cross(omega_, I.mul(omega_))), vee));
+}
+
+TEST_F(Identities, OfTheCommonColumn) {
+  const Matrix z = vector("z");
+  const GiNaC::symbol x("x");
+  const GiNaC::symbol y("y");
+  const Matrix own = z.mul_scalar(y);
+  const Matrix omega = omega_.add(own);
+  const Matrix alpha = alpha_.add(z.mul_scalar(x)).add(cross(omega_, own));
+  const auto Omega = [](const Matrix& a, const Matrix& b) {
+    return lambda(a).add(lambda(b).mul(lambda(b)));
+  };
+  EXPECT_TRUE(equal(Omega(alpha, omega).mul(z), Omega(alpha_, omega_).mul(z)));
 }
 
 TEST(R11, KnowsThatReachabilityAndMassesAreConstant) {

@@ -1,0 +1,208 @@
+#include "derive/forms.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "derive/algebra.hpp"
+
+namespace treedyn::derive {
+namespace {
+
+constexpr Ratio kOne{1, 1};
+
+/// Ω = Λ(α) + Λ(ω)².
+std::optional<Turning> turning(const Values& values, int Omega) {
+  const Value& v = values[Omega];
+  if (v.op != Op::kLinear || v.operands.size() != 2 || v.factors[0] != kOne ||
+      v.factors[1] != kOne) {
+    return std::nullopt;
+  }
+  Turning result{Omega, -1, -1};
+  for (const int x : v.operands) {
+    const Value& term = values[x];
+    if (term.op == Op::kSkew) {
+      result.alpha = term.operands[0];
+    } else if (term.op == Op::kSkewProduct && term.operands[0] == term.operands[1]) {
+      result.omega = term.operands[0];
+    }
+  }
+  return result.alpha >= 0 && result.omega >= 0 ? std::optional(result) : std::nullopt;
+}
+
+class Forms {
+ public:
+  explicit Forms(const Values& values) : old_(values), new_(values.choices()), algebra_(new_) {
+    for (const Rule rule : values.acted()) {
+      new_.note(rule);
+    }
+  }
+
+  Values run(std::vector<int>& roots) {
+    std::vector<int> place(static_cast<std::size_t>(old_.size()), -1);
+    for (const int id : old_.needed(roots)) {
+      Value value = old_[id];
+      for (int& operand : value.operands) {
+        operand = place[static_cast<std::size_t>(operand)];
+      }
+      place[static_cast<std::size_t>(id)] = replaced(std::move(value));
+    }
+    for (int& root : roots) {
+      root = place[static_cast<std::size_t>(root)];
+    }
+    return std::move(new_);
+  }
+
+ private:
+  int noted(Rule rule, Value value) {
+    new_.note(rule);
+    return new_.intern(std::move(value));
+  }
+
+  int replaced(Value value) {
+    if (value.op == Op::kApply) {
+      if (const int whole = of_links(value.operands[0]); whole >= 0) {  // F3
+        value.operands[0] =
+            noted(Rule::kFathers, {Op::kFather, Set::kLinks, Type::kTensor, {}, 0, {whole}, {}});
+      }
+    } else if (value.op == Op::kLinear) {
+      if (const int path = started(value); path >= 0) {
+        return path;
+      }
+      gather_moment(value);
+      if (value.operands.size() == 1 && value.factors[0] == kOne) {
+        return value.operands[0];
+      }
+    }
+    return new_.intern(std::move(value));
+  }
+
+  /// S(D x) of S(N x); -1 for what is made of others.
+  int of_links(int S) {
+    Value value = new_[S];
+    if (value.op == Op::kPathStrict) {
+      return algebra_.sum_along(Op::kPath, Set::kLinks, value.operands[0]);
+    }
+    if (value.op != Op::kLinear && value.op != Op::kSkew && value.op != Op::kSkewProduct) {
+      return -1;
+    }
+    for (int& operand : value.operands) {
+      operand = of_links(operand);
+      if (operand < 0) {
+        return -1;
+      }
+    }
+    return value.op == Op::kLinear ? sorted(value) : new_.intern(std::move(value));
+  }
+
+  int sorted(const Value& value) {
+    Terms terms;
+    for (std::size_t k = 0; k < value.operands.size(); ++k) {
+      terms.emplace_back(value.factors[k], value.operands[k]);
+    }
+    return algebra_.linear(terms);
+  }
+
+  /// F2: D x ± g.
+  int started(const Value& value) {
+    if (value.operands.size() != 2 || new_.choices().common_leaves) {
+      return -1;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Value& path = new_[value.operands[k]];
+      const int g = value.operands[1 - k];
+      if (path.op == Op::kPath && path.operands.size() == 1 && new_[g].name == "g" &&
+          value.factors[k] == kOne) {
+        const int x = path.operands[0];
+        const int start = algebra_.linear({{value.factors[1 - k], g}});
+        return noted(Rule::kStart, {Op::kPath, value.set, value.type, {}, 0, {x, start}, {}});
+      }
+    }
+    return -1;
+  }
+
+  /// F4: I α + ω×(I ω) among the terms.
+  void gather_moment(Value& sum) {
+    for (std::size_t a = 0; a < sum.operands.size(); ++a) {
+      for (std::size_t b = 0; b < sum.operands.size(); ++b) {
+        const Value& linear = new_[sum.operands[a]];
+        const Value& square = new_[sum.operands[b]];
+        if (sum.factors[a] != kOne || sum.factors[b] != kOne || !is_momentum(sum.operands[a]) ||
+            square.op != Op::kCross || !is_momentum(square.operands[1]) ||
+            new_[square.operands[1]].operands[1] != square.operands[0]) {
+          continue;
+        }
+        const int alpha = linear.operands[1];
+        const int omega = square.operands[0];
+        const int Omega = algebra_.linear(
+            {{kOne, algebra_.skew(alpha)}, {kOne, algebra_.skew_product(omega, omega)}});
+        sum.operands[a] = noted(Rule::kPseudoInertia,
+                                {Op::kMoment, sum.set, sum.type, {}, 0, {Omega, alpha, omega}, {}});
+        sum.operands.erase(sum.operands.begin() + static_cast<std::ptrdiff_t>(b));
+        sum.factors.erase(sum.factors.begin() + static_cast<std::ptrdiff_t>(b));
+        return;
+      }
+    }
+  }
+
+  /// I x.
+  [[nodiscard]] bool is_momentum(int x) const {
+    return new_[x].op == Op::kApply && new_[new_[x].operands[0]].name == "I^d";
+  }
+
+  const Values& old_;
+  Values new_;
+  Algebra algebra_;
+};
+
+/// x z for numbers x, or 0.
+bool is_along_axis(const Values& values, int x) {
+  const Value& v = values[x];
+  return v.op == Op::kScale && values[v.operands.back()].name == "z^d";
+}
+
+/// α = D (x z + ω_f×w), terms of x z apart.
+bool turns_about_axes(const Values& values, const Turning& turning) {
+  const Value& omega = values[turning.omega];
+  const Value& alpha = values[turning.alpha];
+  if (omega.op != Op::kPath || alpha.op != Op::kPath || alpha.operands.size() != 1 ||
+      !is_along_axis(values, omega.operands[0])) {
+    return false;
+  }
+  const int w = omega.operands[0];
+  const int x = alpha.operands[0];
+  const Value& v = values[x];
+  const bool sum = v.op == Op::kLinear;
+  int crosses = 0;
+  for (std::size_t k = 0; k < (sum ? v.operands.size() : 1); ++k) {
+    const int term = sum ? v.operands[k] : x;
+    const Value& t = values[term];
+    const bool with_father = t.op == Op::kCross && t.operands[1] == w &&
+                             values[t.operands[0]].op == Op::kPathStrict &&
+                             values[t.operands[0]].operands[0] == w;
+    if (with_father && (!sum || v.factors[k] == kOne)) {
+      ++crosses;
+    } else if (!is_along_axis(values, term)) {
+      return false;
+    }
+  }
+  return crosses == 1;
+}
+
+}  // namespace
+
+Values with_forms(const Values& values, std::vector<int>& roots) {
+  return Forms(values).run(roots);
+}
+
+std::vector<Turning> turnings_about_axes(const Values& values, const std::vector<int>& needed) {
+  std::vector<Turning> result;
+  for (const int id : needed) {
+    const std::optional<Turning> found = turning(values, id);
+    if (found && turns_about_axes(values, *found)) {
+      result.push_back(*found);
+    }
+  }
+  return result;
+}
+
+}  // namespace treedyn::derive

@@ -1,0 +1,135 @@
+// R10: masses times centres are first moments, and what they turn is I = J_c - m Λ(c)².
+#include <algorithm>
+
+#include "derive/algebra.hpp"
+
+namespace treedyn::derive {
+namespace {
+
+constexpr Ratio kOne{1, 1};
+
+}  // namespace
+
+/// True for c, Ω c, c×x, x×c and sums with such a term.
+bool Algebra::has_centre(int x) const {
+  const Value& v = value(x);
+  const auto has = [this](int y) {
+    return has_centre(y);
+  };
+  const bool about_joint = !values_.choices().keeps_joints;
+  switch (v.op) {
+    case Op::kApply:
+      return about_joint && has(v.operands[1]);
+    case Op::kCross:
+    case Op::kLinear:
+      return (about_joint || v.op == Op::kLinear) &&
+             std::any_of(v.operands.begin(), v.operands.end(), has);
+    default:
+      return v.name == "c^d";
+  }
+}
+
+/// True for Λ(α), Λ(ω)² and their sums.
+bool Algebra::is_turning(int S) const {
+  const Value& v = value(S);
+  return v.op == Op::kSkew || (v.op == Op::kSkewProduct && v.operands[0] == v.operands[1]) ||
+         (v.op == Op::kLinear && std::all_of(v.operands.begin(), v.operands.end(),
+                                             [this](int x) { return is_turning(x); }));
+}
+
+/// True for m x, Ω h, h×x, x×h and sums with such a term: what has a moment about c. Where l is
+/// asked for, c alone is no lever.
+bool Algebra::has_mass(int x) const {
+  const Value& v = value(x);
+  if (values_.choices().keeps_joints) {
+    return false;
+  }
+  const auto is_moment = [&](std::size_t k) {
+    return value(v.operands[k]).name == "h^d";
+  };
+  switch (v.op) {
+    case Op::kLinear:
+      return std::any_of(v.operands.begin(), v.operands.end(),
+                         [this](int y) { return has_mass(y); });
+    case Op::kScale:
+      return std::any_of(v.operands.begin(), v.operands.end(),
+                         [this](int y) { return value(y).name == "m^d"; });
+    case Op::kApply:
+      return is_moment(1) && is_turning(v.operands[0]);
+    case Op::kCross:
+      return is_moment(0) || is_moment(1);
+    default:
+      return false;
+  }
+}
+
+/// R10: m c = h, m (x + Ω c) = m x + Ω h; -1 if there is no m or no c.
+int Algebra::with_moments(const std::vector<int>& numbers, int x) {
+  const Value v = value(x);
+  const auto mass = std::find_if(numbers.begin(), numbers.end(),
+                                 [this](int y) { return value(y).name == "m^d"; });
+  if (mass == numbers.end() || !has_centre(x)) {
+    return -1;
+  }
+  if (v.op == Op::kLinear) {
+    Terms terms;
+    for (std::size_t k = 0; k < v.operands.size(); ++k) {
+      terms.emplace_back(v.factors[k], scaled(numbers, v.operands[k]));
+    }
+    return linear(terms);
+  }
+  if (v.op == Op::kApply) {
+    return apply(v.operands[0], scaled(numbers, v.operands[1]));
+  }
+  if (v.op != Op::kLeaf) {
+    return -1;
+  }
+  note(Rule::kParameters);
+  std::vector<int> others = numbers;
+  others.erase(others.begin() + (mass - numbers.begin()));
+  return scaled(others, leaf("h^d", v.set, Type::kVector));
+}
+
+/// R10: c×(m x + Ω h) = h×x + c×(Ω h). \pre has_mass(x)
+int Algebra::moment_about_joint(int centre, int x) {
+  const Value v = value(x);
+  switch (v.op) {
+    case Op::kLinear: {
+      Terms terms;
+      for (std::size_t k = 0; k < v.operands.size(); ++k) {
+        terms.emplace_back(v.factors[k], cross(centre, v.operands[k]));
+      }
+      return linear(terms);
+    }
+    case Op::kScale: {
+      const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
+      return cross(scaled(numbers, centre), v.operands.back());
+    }
+    case Op::kApply:
+      return moment_of_turning(v.operands[0]);
+    default:
+      return value(v.operands[1]).name == "h^d" ? moment_of_turning(skew(v.operands[0]))
+                                                : negative(moment_of_turning(skew(v.operands[1])));
+  }
+}
+
+/// R10: c×(S h) by I = J_c - m Λ(c)²: (I - J_c) α for S = Λ(α), ω×((I - J_c) ω) for S = Λ(ω)².
+/// \pre is_turning(S)
+int Algebra::moment_of_turning(int S) {
+  const Value v = value(S);
+  if (v.op == Op::kLinear) {
+    Terms terms;
+    for (std::size_t k = 0; k < v.operands.size(); ++k) {
+      terms.emplace_back(v.factors[k], moment_of_turning(v.operands[k]));
+    }
+    return linear(terms);
+  }
+  note(Rule::kParameters);
+  const int x = v.operands[0];
+  const int I = leaf("I^d", v.set, Type::kTensor);
+  const int J = leaf("J_c^d", v.set, Type::kTensor);
+  const int more = linear({{kOne, apply(I, x)}, {{-1, 1}, apply(J, x)}});
+  return v.op == Op::kSkew ? more : cross(x, more);
+}
+
+}  // namespace treedyn::derive
