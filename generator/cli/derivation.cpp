@@ -15,28 +15,6 @@ namespace {
 
 constexpr std::size_t kMostWords = 60;
 
-/// What EQUATIONS.md 4 mends in the print of an equation.
-struct ErrataRow {
-  const char* equation;
-  const char* errata;
-};
-constexpr ErrataRow kErrata[] = {{"(2)", "E10 E11 E13"},
-                                 {"(3)", "E1 E2 E3 E4 E5 E10 E11 E14"},
-                                 {"(1)", "E1 E2 E3 E4 E5 E10 E11 E12"},
-                                 {"(9)", "E6 E17"},
-                                 {"(8)", "E7 E12"},
-                                 {"6.5", "E20"},
-                                 {"6.1", "E1 E2 E4"}};
-
-std::string errata_of(const std::string& equation) {
-  for (const ErrataRow& row : kErrata) {
-    if (equation == row.equation) {
-      return fmt::format("; errata of the print mended: {}", row.errata);
-    }
-  }
-  return "";
-}
-
 void define(const block::Expression& e, std::vector<std::string>& lines) {
   for (const block::Expression& operand : e.operands()) {
     define(operand, lines);
@@ -49,10 +27,17 @@ void define(const block::Expression& e, std::vector<std::string>& lines) {
   }
 }
 
-std::string equation_text(const equations::UserEquation& equation, const std::string& number) {
+/// \param ours  null: of the user
+std::string equation_text(const equations::UserEquation& equation,
+                          const equations::Equation* ours) {
   std::vector<std::string> lines;
   define(equation.expression, lines);
-  std::string result = fmt::format("{}: equation {}{}\n", equation.name, number, errata_of(number));
+  std::string result =
+      fmt::format("{}: equation {}", equation.name, ours != nullptr ? ours->number : "of the user");
+  if (ours != nullptr && !ours->errata.empty()) {
+    result += fmt::format("; errata of the print mended: {}", ours->errata);
+  }
+  result += "\n";
   if (equation.expression.kind() != block::Kind::kNamed) {
     lines.push_back(equation.name + " = " + block::print(equation.expression));
   }
@@ -108,7 +93,7 @@ std::string derivation_text(const Model& model, const Request& request, const st
   }
   const bool is_own = own != model.equations.end();
   const std::shared_ptr<const simplify::Derived> function = is_own ? *own : simplify::derived(name);
-  return equation_text(function->equation, is_own ? "of the user" : std::string(ours->number)) +
+  return equation_text(function->equation, is_own ? nullptr : ours) +
          words_text(function->equation.expression) + rules_text(function->derivation.values) +
          recursion_text(*function, simplify::costs_of_values(model.tree, function,
                                                              simplify_options(model, request)));

@@ -1,9 +1,14 @@
 // The errata find themselves: (3) follows from (2) by R11 alone, the printed forms do not; and
 // whatever stands in an equation arrives in the code that is derived from it.
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "derive/user_robot.hpp"
 #include "equations/equations.hpp"
+#include "equations/table.hpp"
 #include "symbolic/expansion.hpp"
 
 namespace treedyn {
@@ -101,6 +106,17 @@ TEST_P(Errata, PlantedErrorsArriveInTheDerivedCode) {
 INSTANTIATE_TEST_SUITE_P(Trees, Errata,
                          testing::Values(TreeShape{{-1, 0, 1}, "RPR"}, TreeShape{{-1, 0, 1}, "RRP"},
                                          TreeShape{{-1, 0, 0, 1}, "RRPP"}));
+
+TEST(Table, NamesErrataThatEquationsMdExplains) {
+  std::ifstream file(TREEDYN_SOURCE_DIR "/generator/equations/EQUATIONS.md");
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  for (const equations::Equation& equation : equations::table()) {
+    std::stringstream errata{std::string(equation.errata)};
+    for (std::string id; errata >> id;) {
+      EXPECT_NE(text.find("\n| " + id + " | "), std::string::npos) << equation.name << " " << id;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace treedyn
