@@ -34,6 +34,9 @@ class EventWriter {
   [[nodiscard]] Lines moment() const;
   [[nodiscard]] Lines advance() const;
   [[nodiscard]] std::string clocks() const;
+  [[nodiscard]] Lines stuck_lines() const;
+  [[nodiscard]] std::string sticking() const;
+  [[nodiscard]] bool goes_on() const;
   [[nodiscard]] Lines due_lines(const StepPhase& phase) const;
   [[nodiscard]] Lines clock_lines(const StepPhase& phase) const;
   [[nodiscard]] Lines turn_lines() const;
@@ -109,6 +112,7 @@ Lines EventWriter::advance() const {
     arguments.insert(arguments.end(), {"from.lambda", "to.lambda"});
   }
   lines.push_back(call_text("to.failed = integrate", arguments, 2));
+  append(lines, stuck_lines());
   return lines;
 }
 
@@ -133,6 +137,55 @@ Lines EventWriter::clock_lines(const StepPhase& phase) const {
         fmt::format("next = earlier(at, {}, next);", lasted_text(stepper_, lasting, scalar_)));
   }
   return lines;
+}
+
+/// Joints that stick stay where they are, without rounding.
+Lines EventWriter::stuck_lines() const {
+  const auto is_free = [](const StepPhase& phase) {
+    return phase.stuck.empty();
+  };
+  if (std::all_of(stepper_.phases.begin(), stepper_.phases.end(), is_free)) {
+    return {};
+  }
+  return by_phase(stepper_, "motion.which", [](const StepPhase& phase) {
+    Lines lines;
+    for (const int joint : phase.stuck) {
+      append(lines, {fmt::format("to.q[{0}] = from.q[{0}];", joint),
+                     fmt::format("to.qd[{}] = Scalar(0);", joint)});
+    }
+    return lines;
+  });
+}
+
+bool EventWriter::goes_on() const {
+  return std::any_of(stepper_.phases.begin(), stepper_.phases.end(), [](const StepPhase& phase) {
+    return std::any_of(phase.events.begin(), phase.events.end(),
+                       [](const StepEvent& event) { return event.goes_on; });
+  });
+}
+
+/// What tells how joints slip, and which events begin a phase of the scene.
+std::string EventWriter::sticking() const {
+  if (stepper_.sticking.empty()) {
+    return {};
+  }
+  std::string result =
+      "\n/// How a joint slips: 0 it does not, 1 forth, 2 back.\n"
+      "[[maybe_unused]] int way(Scalar speed) noexcept {\n"
+      "  return speed > Scalar(0) ? 1 : speed < Scalar(0) ? 2 : 0;\n}\n";
+  if (counts()) {
+    Lines begins;
+    for (const StepPhase& phase : stepper_.phases) {
+      for (const StepEvent& event : phase.events) {
+        begins.emplace_back(event.goes_on ? "false" : "true");
+      }
+    }
+    result += fmt::format(
+        "\n/// Events behind which a phase lasts anew: not those of sticking and slipping.\n"
+        "constexpr bool kBegins[] = {{{}}};\n",
+        fmt::join(begins, ", "));
+  }
+  return result;
 }
 
 /// What happens because time goes by.
@@ -171,7 +224,7 @@ std::string EventWriter::functions() const {
                {"moment", joined(moment(), "  ")},
                {"advance", joined(advance(), "  ")},
                {"watch", guards_ > 0 ? search_text(stepper_, scalar_) : ""},
-               {"clocks", clocks()},
+               {"clocks", clocks() + sticking()},
                {"happen", joined(effect_lines(stepper_, scalar_), "  ")}});
 }
 
@@ -265,6 +318,12 @@ std::string EventWriter::turns() const {
   }
   if (stepper_.begun) {
     restart.emplace_back("motion.begun = -from.at;");
+  }
+  if (counts() && goes_on()) {
+    Lines lines = {"if (kBegins[event]) {"};
+    append(lines, restart, "  ");
+    lines.emplace_back("}");
+    restart = lines;
   }
   return fill(
       template_text("step_turns.cpp"),

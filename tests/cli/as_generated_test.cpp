@@ -118,6 +118,36 @@ TEST(AsGenerated, WarnsOfStatuses) {
   EXPECT_EQ(Json::parse(outcome.out).at("statuses").at(0).at("name"), "guard_undefined");
 }
 
+const std::string kTwoFrictions =
+    "scene: two_frictions\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
+    "/models/two_link.yaml\neffects:\n  gravity: [0, 0, -9.81]\n"
+    "  coulomb_friction: [{joint: shoulder, force: 150}, {joint: elbow, force: 60}]\n"
+    "  drive: [{joint: shoulder, torque: \"300*sin(3*t)\"}]\nphases:\n"
+    "  - {name: one, until: [{time: 1.234, then: two}]}\n"
+    "  - {name: two, until: [{time: 0.5, then: one}]}\n"
+    "initial: {q: {shoulder: 0.5, elbow: 0.3}}\nduration: 4\n"
+    "stepping: {integrator: rk4, step: 0.002, output_step: 0.5}\n";
+
+/// Both stop and slip again; the clock of the scene's phases goes on meanwhile.
+TEST(AsGenerated, SticksAndSlipsLikeTheSimulator) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "frictions.yaml").string();
+  write_file(file, kTwoFrictions);
+  const Json expected = Json::parse(simulated(file, {}).out);
+  const std::vector<double> y = last_state(expected, 4);
+  for (const auto& [scalar, tolerance] : {std::pair("double", 1e-9), std::pair("float", 1e-3)}) {
+    const Outcome outcome = simulated(file, {"--as-generated", "--scalar", scalar});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const Json result = Json::parse(outcome.out);
+    EXPECT_GT(result.at("events").size(), 8U);
+    const std::vector<double> x = last_state(result, 4);
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_NEAR(x[k], y[k], tolerance) << scalar << " " << k;
+    }
+  }
+}
+
 TEST(AsGenerated, NeedsAStepOfFixedLength) {
   const Outcome outcome = simulated(kScenes + "compass_walk.yaml", {"--as-generated"});
   EXPECT_EQ(outcome.status, 1);
