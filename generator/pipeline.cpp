@@ -22,6 +22,7 @@
 #include "simplify/scene_functions.hpp"
 #include "simplify/scene_loops.hpp"
 #include "simplify/scene_steps.hpp"
+#include "simplify/scene_sticking.hpp"
 #include "simulation/integrator.hpp"
 #include "symbolic/dump.hpp"
 #include "system/files.hpp"
@@ -175,6 +176,7 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   model.scene_functions = {"step"};
   require_step(model, where);
   simplify::settle_loops(*model.scene);
+  simplify::settle_sticking(*model.scene);
   Programs programs = in_scalar(formulate(model, request, [](const std::string&) {}), scalar);
   StepFiles result{model.name,
                    {},

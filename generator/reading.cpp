@@ -15,7 +15,9 @@
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
 #include "simplify/scene_loops.hpp"
+#include "simplify/scene_phases.hpp"
 #include "simplify/scene_steps.hpp"
+#include "simplify/scene_sticking.hpp"
 #include "simulation/integrator.hpp"
 
 namespace treedyn {
@@ -114,15 +116,40 @@ void check_inertia(const Model& model) {
   }
 }
 
-/// Effects that cannot be written as code that branches on pivots and contacts alone.
+/// True if some rebound may be rest.
+bool rests_by_impact(const model::Scene& scene) {
+  return std::ranges::any_of(scene.phases, [](const model::Phase& phase) {
+    return std::ranges::any_of(phase.until, simplify::may_rest);
+  });
+}
+
+/// Friction that sticks is told by phases, which only steps change.
 void check_scene(const model::Scene& scene, const Location& where) {
   for (const model::JointFriction& friction : scene.frictions) {
-    if (friction.slip_speed == 0) {
-      throw InputError(
-          where,
-          fmt::format("coulomb friction of joint '{}' sticks, which generated functions do "
-                      "not; expected a slip_speed",
-                      scene.tree.links[static_cast<std::size_t>(friction.joint)].joint.name));
+    if (friction.slip_speed > 0 || !scene.sticking.empty()) {
+      continue;
+    }
+    const std::string& joint =
+        scene.tree.links[static_cast<std::size_t>(friction.joint)].joint.name;
+    if (!simplify::step_method(scene)) {
+      throw InputError(where,
+                       fmt::format("coulomb friction of joint '{}' sticks, which takes a generated "
+                                   "step; expected a slip_speed, or an integrator out of {}",
+                                   shown(joint), fmt::join(simplify::step_method_names(), ", ")));
+    }
+    if (simplify::sticking_phases(scene) > simplify::kMostStickingPhases) {
+      throw InputError(where,
+                       fmt::format("coulomb friction of joint '{}' and others sticks in more "
+                                   "than {} phases of a generated step; expected a "
+                                   "slip_speed",
+                                   shown(joint), simplify::kMostStickingPhases));
+    }
+    if (rests_by_impact(scene)) {
+      throw InputError(where,
+                       fmt::format("coulomb friction of joint '{}' sticks beside an impact that "
+                                   "may come to rest, which generated steps do not tell apart; "
+                                   "expected a slip_speed, or no rest_below",
+                                   shown(joint)));
     }
   }
 }
@@ -137,6 +164,11 @@ void check_step(const Model& model) {
                                  "expected {}",
                                  shown(model.scene->stepping.integrator),
                                  fmt::join(simplify::step_method_names(), ", ")));
+  }
+  if (asked && model.scene->stepping.compensated && model.scene->stepping.integrator == "sdirk2") {
+    throw InputError(model.scene->stepping.where,
+                     "function 'step': sdirk2 keeps no compensated state; expected rk4, "
+                     "dopri5-fixed or semi-implicit-euler");
   }
 }
 
@@ -189,6 +221,13 @@ void check_model(const Request& request, const model::Scene& scene, const std::s
   }
 }
 
+void choose(const StepChoice& choice, model::Stepping& stepping) {
+  stepping.integrator = choice.integrator.value_or(stepping.integrator);
+  stepping.step = choice.step.value_or(stepping.step);
+  stepping.cuts = choice.cuts.value_or(stepping.cuts);
+  stepping.compensated = choice.compensated.value_or(stepping.compensated);
+}
+
 /// A scene brings its tree, gravity and points. Its digest is that of scene and model, one behind
 /// the other.
 Model read_scene_model(const Request& request) {
@@ -198,6 +237,7 @@ Model read_scene_model(const Request& request) {
   model.scene = description::parse_scene(text, *request.scene, [&](const std::string& path) {
     return model_text = description::read_model_text(path);
   });
+  choose(request.stepping, model.scene->stepping);
   check_scene(*model.scene, {*request.scene, 0, 0});
   simulation::require_integrator(model.scene->stepping);
   check_model(request, *model.scene, model_text);
@@ -221,6 +261,7 @@ Model read_scene_model(const Request& request) {
   check_step(model);
   check_impacts(model, {*request.scene, 0, 0});
   simplify::settle_loops(*model.scene);
+  simplify::settle_sticking(*model.scene);
   model.name = request.name.value_or(to_identifier(model.scene->name));
   model.name += is_reserved(model.name) ? "_" : "";
   return model;

@@ -12,6 +12,7 @@
 #include "limits.hpp"
 #include "model/effects.hpp"
 #include "pipeline.hpp"
+#include "simplify/scene_sticking.hpp"
 #include "simulation/integrator.hpp"
 #include "system/files.hpp"
 
@@ -21,6 +22,8 @@ namespace {
 
 /// Rows of a table if nothing else is asked for.
 constexpr int kRows = 500;
+/// Of constraints in a motion in float a warning, Bounds::drift_warning.
+constexpr double kDriftInFloat = 1e-4;
 /// Rows that a run may have.
 constexpr double kMostRows = 1e6;
 
@@ -41,6 +44,9 @@ simulation::Settings settings_of(const SimulateRequest& request, const model::St
   result.tolerance = static_cast<double>(stepping.tolerance);
   result.drift = stepping.drift;
   result.stabilisation = static_cast<double>(stepping.stabilisation);
+  if (request.scalar.value_or("") == "float") {
+    result.bounds.drift_warning = kDriftInFloat;
+  }
   if (request.drift_limit) {
     result.bounds.drift_end = static_cast<double>(*request.drift_limit);
   }
@@ -74,15 +80,15 @@ std::unique_ptr<simulation::Dynamics> dynamics_of(const SimulateRequest& request
   return request.compiled ? compiled_dynamics(scene) : program_dynamics(scene);
 }
 
-/// Nothing unless the generated step is the motion.
-std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request,
-                                              const model::Scene& scene) {
+/// Nothing unless the generated step is the motion. \post the scene's phases are those of the step
+std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request, model::Scene& scene) {
   if (!request.as_generated) {
     return nullptr;
   }
   const emit::Scalar scalar =
       request.scalar.value_or("double") == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
   const StepFiles files = step_files(scene, scalar, request.scene);
+  simplify::settle_sticking(scene);
   return std::make_unique<GeneratedStep>(files.name, files.files, files.signature);
 }
 

@@ -205,17 +205,25 @@ symbolic::VariableNames SceneContext::variables(Of kind) const {
     }
     return kind == Of::kPoint ? component(name) : std::nullopt;
   };
+  std::vector<std::string> known = {"t"};
+  if (kind == Of::kState || kind == Of::kPoint) {
+    for (const int link : scene_.tree.coordinates) {
+      const std::string& joint = scene_.tree.links[static_cast<std::size_t>(link)].joint.name;
+      known.push_back(fmt::format("q[{}]", joint));
+      known.push_back(fmt::format("qd[{}]", joint));
+    }
+  }
   switch (kind) {
     case Of::kTime:
-      return {find, ", t"};
+      return {find, ", t", known};
     case Of::kPoint:
-      return {find, ", t, q[joint], qd[joint], x, y, z, vx, vy, vz"};
+      return {find, ", t, q[joint], qd[joint], x, y, z, vx, vy, vz", known};
     case Of::kDepth:
       return {find, ", d (depth), v (speed along the normal)"};
     case Of::kState:
       break;
   }
-  return {find, ", t, q[joint], qd[joint]"};
+  return {find, ", t, q[joint], qd[joint]", known};
 }
 
 template <class Read>

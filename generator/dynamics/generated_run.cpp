@@ -9,6 +9,7 @@
 
 #include "program/interpret.hpp"
 #include "simplify/scene_steps.hpp"
+#include "simulation/names.hpp"
 
 namespace treedyn {
 
@@ -124,7 +125,9 @@ bool Run::go(const std::function<void(const Values&)>& show, const simulation::P
     note_status(status, time(k));
     const Vector next = vector_of(step_.at("q"));
     if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
-      throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", time(k + 1)));
+      Values last = q;
+      last.insert(last.end(), qd.begin(), qd.end());
+      throw std::runtime_error(simulation::not_finite(scene_.tree, time(k + 1), last));
     }
     changed = state() != before;
     if (changed) {
@@ -154,9 +157,9 @@ void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
   for (std::size_t k = 0; k < scene.tau.size(); ++k) {
     tau[k] = static_cast<double>(scene.tau[k]);
   }
-  for (const char* name : {"steps", "begun"}) {
+  for (const char* name : {"steps", "begun", "rest"}) {
     if (step.has(name)) {
-      step.at(name)[0] = 0;
+      std::fill(step.at(name).begin(), step.at(name).end(), 0.0);
     }
   }
   if (step.has("phase")) {

@@ -24,6 +24,7 @@ class EffectWriter {
 
  private:
   [[nodiscard]] Lines event_lines(const StepPhase& phase, const StepEvent& event) const;
+  [[nodiscard]] Lines sticking_lines(const StepEvent& event) const;
   [[nodiscard]] Lines next_phase(const StepOutcome& outcome) const;
   [[nodiscard]] Lines renewal_lines(const std::vector<Renewal>& renewals) const;
   [[nodiscard]] Lines rest_lines(const StepPhase& phase, const StepEvent& event) const;
@@ -112,6 +113,24 @@ bool EffectWriter::needs_time(const StepPhase& phase, const StepEvent& event) co
           program::takes_time(phase.guards.front()));
 }
 
+/// Which joints stick or slip behind an event that is not one of them.
+Lines EffectWriter::sticking_lines(const StepEvent& event) const {
+  if (event.outcome.stops >= 0) {
+    return {fmt::format("now.qd[{}] = Scalar(0);", event.outcome.stops)};
+  }
+  if (event.goes_on || stepper_.sticking.empty()) {
+    return {};
+  }
+  std::string ways;
+  int place = 1;
+  for (const int joint : stepper_.sticking) {
+    ways +=
+        fmt::format(" + {}way(now.qd[{}])", place > 1 ? fmt::format("{} * ", place) : "", joint);
+    place *= 3;
+  }
+  return {fmt::format("motion.which = motion.which{};", ways)};
+}
+
 Lines EffectWriter::event_lines(const StepPhase& phase, const StepEvent& event) const {
   Lines lines = next_phase(event.outcome);
   if (needs_time(phase, event)) {
@@ -123,6 +142,7 @@ Lines EffectWriter::event_lines(const StepPhase& phase, const StepEvent& event) 
   }
   append(lines, renewal_lines(event.outcome.renewals));
   if (event.outcome.impact.empty()) {
+    append(lines, sticking_lines(event));
     return lines;
   }
   lines.push_back(fmt::format("Scalar qd_plus[{}];", dof_));
@@ -131,7 +151,12 @@ Lines EffectWriter::event_lines(const StepPhase& phase, const StepEvent& event) 
   if (event.rest) {
     append(lines, rest_lines(phase, event));
   }
-  append(lines, {"for (int i = 0; i < kDof; ++i) {", "  now.qd[i] = qd_plus[i];", "}"});
+  append(lines, {"for (int i = 0; i < kDof; ++i) {", "  now.qd[i] = qd_plus[i];"});
+  if (stepper_.compensated) {
+    lines.emplace_back("  now.rest[kDof + i] = Scalar(0);");
+  }
+  lines.emplace_back("}");
+  append(lines, sticking_lines(event));
   return lines;
 }
 

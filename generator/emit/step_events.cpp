@@ -34,6 +34,9 @@ class EventWriter {
   [[nodiscard]] Lines moment() const;
   [[nodiscard]] Lines advance() const;
   [[nodiscard]] std::string clocks() const;
+  [[nodiscard]] Lines stuck_lines() const;
+  [[nodiscard]] std::string sticking() const;
+  [[nodiscard]] bool goes_on() const;
   [[nodiscard]] Lines due_lines(const StepPhase& phase) const;
   [[nodiscard]] Lines clock_lines(const StepPhase& phase) const;
   [[nodiscard]] Lines turn_lines() const;
@@ -69,6 +72,9 @@ Lines EventWriter::motion() const {
 Lines EventWriter::moment() const {
   Lines lines = {"Scalar at;  // s from the beginning of the step", "Scalar q[kDof];",
                  "Scalar qd[kDof];"};
+  if (stepper_.compensated) {
+    lines.emplace_back("Scalar rest[2 * kDof];  // lost by q and qd");
+  }
   if (stepper_.rows > 0) {
     lines.push_back(fmt::format("Scalar lambda[{}];", stepper_.rows));
   }
@@ -88,7 +94,12 @@ Lines EventWriter::advance() const {
   if (stepper_.switches()) {
     arguments.emplace_back("motion.which");
   }
-  arguments.insert(arguments.end(), {"from.q", "from.qd", "motion.tau"});
+  arguments.insert(arguments.end(), {"from.q", "from.qd"});
+  if (stepper_.compensated) {
+    append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  to.rest[i] = from.rest[i];", "}"});
+    arguments.emplace_back("to.rest");
+  }
+  arguments.emplace_back("motion.tau");
   if (stepper_.takes_time) {
     lines.emplace_back("const Scalar t[1] = {motion.t[0] + from.at};");
     arguments.emplace_back("t");
@@ -101,6 +112,7 @@ Lines EventWriter::advance() const {
     arguments.insert(arguments.end(), {"from.lambda", "to.lambda"});
   }
   lines.push_back(call_text("to.failed = integrate", arguments, 2));
+  append(lines, stuck_lines());
   return lines;
 }
 
@@ -125,6 +137,55 @@ Lines EventWriter::clock_lines(const StepPhase& phase) const {
         fmt::format("next = earlier(at, {}, next);", lasted_text(stepper_, lasting, scalar_)));
   }
   return lines;
+}
+
+/// Joints that stick stay where they are, without rounding.
+Lines EventWriter::stuck_lines() const {
+  const auto is_free = [](const StepPhase& phase) {
+    return phase.stuck.empty();
+  };
+  if (std::all_of(stepper_.phases.begin(), stepper_.phases.end(), is_free)) {
+    return {};
+  }
+  return by_phase(stepper_, "motion.which", [](const StepPhase& phase) {
+    Lines lines;
+    for (const int joint : phase.stuck) {
+      append(lines, {fmt::format("to.q[{0}] = from.q[{0}];", joint),
+                     fmt::format("to.qd[{}] = Scalar(0);", joint)});
+    }
+    return lines;
+  });
+}
+
+bool EventWriter::goes_on() const {
+  return std::any_of(stepper_.phases.begin(), stepper_.phases.end(), [](const StepPhase& phase) {
+    return std::any_of(phase.events.begin(), phase.events.end(),
+                       [](const StepEvent& event) { return event.goes_on; });
+  });
+}
+
+/// What tells how joints slip, and which events begin a phase of the scene.
+std::string EventWriter::sticking() const {
+  if (stepper_.sticking.empty()) {
+    return {};
+  }
+  std::string result =
+      "\n/// How a joint slips: 0 it does not, 1 forth, 2 back.\n"
+      "[[maybe_unused]] int way(Scalar speed) noexcept {\n"
+      "  return speed > Scalar(0) ? 1 : speed < Scalar(0) ? 2 : 0;\n}\n";
+  if (counts()) {
+    Lines begins;
+    for (const StepPhase& phase : stepper_.phases) {
+      for (const StepEvent& event : phase.events) {
+        begins.emplace_back(event.goes_on ? "false" : "true");
+      }
+    }
+    result += fmt::format(
+        "\n/// Events behind which a phase lasts anew: not those of sticking and slipping.\n"
+        "constexpr bool kBegins[] = {{{}}};\n",
+        fmt::join(begins, ", "));
+  }
+  return result;
 }
 
 /// What happens because time goes by.
@@ -163,7 +224,7 @@ std::string EventWriter::functions() const {
                {"moment", joined(moment(), "  ")},
                {"advance", joined(advance(), "  ")},
                {"watch", guards_ > 0 ? search_text(stepper_, scalar_) : ""},
-               {"clocks", clocks()},
+               {"clocks", clocks() + sticking()},
                {"happen", joined(effect_lines(stepper_, scalar_), "  ")}});
 }
 
@@ -219,6 +280,9 @@ Lines EventWriter::begin_lines() const {
   }
   lines.push_back(fmt::format("Motion motion = {{{}}};", fmt::join(values, ", ")));
   append(lines, {"Moment from = {};", "Moment to = {};"});
+  if (stepper_.compensated) {
+    append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  from.rest[i] = rest[i];", "}"});
+  }
   if (counts()) {
     lines.emplace_back("bool changed = false;");
   }
@@ -227,6 +291,9 @@ Lines EventWriter::begin_lines() const {
 
 Lines EventWriter::end_lines() const {
   Lines lines;
+  if (stepper_.compensated) {
+    append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  rest_next[i] = from.rest[i];", "}"});
+  }
   if (stepper_.switches()) {
     lines.emplace_back("phase_next[0] = motion.which;");
   }
@@ -251,6 +318,12 @@ std::string EventWriter::turns() const {
   }
   if (stepper_.begun) {
     restart.emplace_back("motion.begun = -from.at;");
+  }
+  if (counts() && goes_on()) {
+    Lines lines = {"if (kBegins[event]) {"};
+    append(lines, restart, "  ");
+    lines.emplace_back("}");
+    restart = lines;
   }
   return fill(
       template_text("step_turns.cpp"),

@@ -39,6 +39,10 @@ class SearchWriter {
   [[nodiscard]] std::string dips() const;
   [[nodiscard]] Lines search_lines() const;
   [[nodiscard]] Lines found_lines() const;
+  /// What rounding leaves of the rest of a force, as a part of the force.
+  [[nodiscard]] Real roundings() const {
+    return ldexp(Real(1), scalar_ == Scalar::kFloat ? -19 : -48);
+  }
   [[nodiscard]] bool looks_at_time() const {
     return std::any_of(stepper_.phases.begin(), stepper_.phases.end(), [](const StepPhase& phase) {
       return !phase.guards.empty() && program::takes_time(phase.guards.front());
@@ -102,7 +106,9 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
                                 event.guard, approach));
     part = "chord(from.guard[k], to.guard[k])";
   } else {
-    condition += fmt::format(" || from.guard[{}] < Scalar(0)", event.guard);
+    const std::string least =
+        event.holds > 0 ? literal(-roundings() * event.holds, scalar_) : "Scalar(0)";
+    condition = fmt::format("to.guard[{0}] < {1} || from.guard[{0}] < {1}", event.guard, least);
   }
   inner.push_back(fmt::format("note({}, {}, first, part);", number, part));
   Lines lines = {fmt::format("if ({}) {{", condition)};

@@ -48,6 +48,8 @@ struct Constraint {
   /// curve.
   std::optional<std::vector<Real>> loop;
 
+  bool sticks = false;  ///< kJoint: dry friction that holds the joint
+
   [[nodiscard]] std::size_t rows() const {
     return kind == ConstraintKind::kJoint ? 1 : directions.size();
   }
@@ -141,8 +143,10 @@ struct Impact {
 };
 
 enum class EventKind {
-  kHeight,      ///< the height of `point` over `plane` crosses zero downwards: touch-down
-  kReaction,    ///< plane.normal . (force of `constraint`) becomes negative: lift-off
+  kHeight,  ///< the height of `point` over `plane` crosses zero downwards: touch-down
+  /// plane.normal . (force of `constraint`) + plane.height becomes negative: lift-off; of a joint
+  /// normal[0] is the factor
+  kReaction,
   kTime,        ///< the phase has lasted `not_before`
   kExpression,  ///< `value` of t, q, qd crosses zero downwards
 };
@@ -158,15 +162,27 @@ struct Event {
   std::optional<Impact> impact;
   std::vector<int> pins;  ///< constraints whose curve moves to where their points are
   int then = 0;           ///< the next phase
+  int stops = -1;         ///< the joint whose velocity is zero behind it
+  bool goes_on = false;   ///< the next phase lasts since this one began
+};
+
+/// A constant force of a joint.
+struct JointForce {
+  int joint = 0;
+  Real force = 0;  ///< N m or N
 };
 
 struct Phase {
   std::string name;
   std::vector<int> active;  ///< constraints, ascending
   std::vector<Event> until;
+  std::vector<JointForce> forces = {};  ///< that act in it alone
 };
 
 enum class Drift { kNone, kBaumgarte, kProjection };
+
+/// Shorter steps that look for an event, and events of one step, at most.
+inline constexpr int kMostCuts = 16;
 
 /// How a scene is stepped.
 struct Stepping {
@@ -175,6 +191,8 @@ struct Stepping {
   Real step = Real("1e-3");  ///< s, methods with fixed steps
   int cuts = 3;    ///< generated steps: shorter steps that look for an event; 0: at the end
   int events = 3;  ///< generated steps: events of one step, at most
+  /// Generated steps: what rounding takes from the state is kept and added in the next step.
+  bool compensated = false;
   Real tolerance = Real("1e-10");  ///< error of a step, relative and absolute, adaptive methods
   Drift drift = Drift::kProjection;
   Real stabilisation = 20;  ///< alpha of Baumgarte, 1/s
@@ -208,6 +226,9 @@ struct Scene {
   std::optional<std::vector<int>> actuated;
   std::vector<Phase> phases;  ///< at least one
   int start_phase = 0;
+  /// Joints whose exact friction is told by phases, which come in threes: at rest, forth, back;
+  /// those of the first joint are neighbours. Empty: friction without slip_speed is not told.
+  std::vector<int> sticking;
   /// Pivots of K = J A^-1 J^T below this multiple of their own diagonal entry count as zero; 0:
   /// what rounding makes uncertain.
   Real rank_tolerance = 0;

@@ -51,9 +51,10 @@ struct Staged {
   std::vector<Staged> contacts;  ///< of kPress
   Power power;                   ///< of kPower
   std::vector<int> constraints;  ///< of the scene: those that act
-  Real restitution = 0;          ///< of an impact
-  std::vector<std::string> rows;     ///< what the rows of lambda are, for the reader
-  std::vector<std::string> anchors;  ///< what the parts of `anchor` are
+  std::vector<std::pair<int, Real>> forces;  ///< of joints, of its phase alone
+  Real restitution = 0;                      ///< of an impact
+  std::vector<std::string> rows;             ///< what the rows of lambda are, for the reader
+  std::vector<std::string> anchors;          ///< what the parts of `anchor` are
 };
 
 /// The local arrays of a solve.

@@ -31,6 +31,7 @@ struct StepOutcome {
   Cost impact_cost;    ///< of its dearest call
   int then = 0;        ///< of Stepper::phases
   std::vector<Renewal> renewals;
+  int stops = -1;  ///< the joint whose velocity becomes zero
 };
 
 /// What an event waits for.
@@ -59,7 +60,9 @@ struct StepEvent {
   StepOutcome outcome;
   /// Instead, where `outcome` leaves an approach below rest_below.
   std::optional<StepOutcome> rest;
-  Real rest_below = 0;  ///< m/s
+  Real rest_below = 0;   ///< m/s
+  Real holds = 0;        ///< kPull: the force that a guard is the rest of; roundings of it are none
+  bool goes_on = false;  ///< the next phase lasts since this one began
 };
 
 /// Dynamics between two events, and the events.
@@ -69,6 +72,7 @@ struct StepPhase {
   bool takes_time = false;
   bool takes_anchor = false;
   bool guards_speed = false;  ///< an event waits for velocities
+  std::vector<int> stuck;     ///< joints that stay where they are
   int rows = 0;
   Cost dynamics_cost;              ///< of one call
   Cost dynamics_worst_cost;        ///< of the dearest call
@@ -77,8 +81,9 @@ struct StepPhase {
   std::vector<StepEvent> events;
 };
 
-/// step(q, qd, tau[, t][, anchor][, phase][, steps][, begun]) ->
-///   q_next, qd_next[, lambda][, anchor_next][, phase_next][, steps_next][, begun_next],
+/// step(q, qd, tau[, t][, anchor][, phase][, steps][, begun][, rest]) ->
+///   q_next, qd_next[, lambda][, anchor_next][, phase_next][, steps_next][, begun_next][,
+///   rest_next],
 /// by calls of constrained_dynamics. \invariant at least one phase
 struct Stepper {
   Signature signature;
@@ -90,10 +95,14 @@ struct Stepper {
   std::vector<Staged> anchors;  ///< one or none: q[, t] -> anchor, as they are now
   bool takes_time = false;
   bool takes_anchor = false;
-  int rows = 0;        ///< of lambda: the most of any phase
-  int counted = 0;     ///< steps of a phase are counted up to here; 0: not at all
-  bool begun = false;  ///< phases with counted steps begin within a step
-  std::string first;   ///< the phase in which the scene begins
+  int rows = 0;              ///< of lambda: the most of any phase
+  int counted = 0;           ///< steps of a phase are counted up to here; 0: not at all
+  bool begun = false;        ///< phases with counted steps begin within a step
+  bool compensated = false;  ///< rest: what q and qd lost by rounding
+  std::string first;         ///< the phase in which the scene begins
+  /// Joints by whose velocities phases come in threes: at rest, forth, back; those of the first are
+  /// neighbours.
+  std::vector<int> sticking;
 
   /// True if the phase is an argument.
   [[nodiscard]] bool switches() const { return phases.size() > 1; }

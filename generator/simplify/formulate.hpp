@@ -23,10 +23,11 @@ struct Options {
   std::vector<Pass> without;            ///< passes that are switched off
   const model::Scene* scene = nullptr;  ///< of scene functions
   std::vector<int> active = {};         ///< of scene functions: the constraints that act, ascending
-  Real restitution = 0;                 ///< of impacts
-  int contact = 0;                      ///< of functions of one ground contact: which
-  std::vector<model::Event> events = {};  ///< of functions of events: which
-  bool share_limbs = false;               ///< equal limbs share code, see program/limb_code.hpp
+  std::vector<model::JointForce> phase_forces = {};  ///< of scene functions: those of the phase
+  Real restitution = 0;                              ///< of impacts
+  int contact = 0;                                   ///< of functions of one ground contact: which
+  std::vector<model::Event> events = {};             ///< of functions of events: which
+  bool share_limbs = false;  ///< equal limbs share code, see program/limb_code.hpp
 
   [[nodiscard]] bool has(Pass pass) const {
     return std::find(without.begin(), without.end(), pass) == without.end();

@@ -108,6 +108,9 @@ Expr SceneForces::joint(int joint) const {
   if (!scene_.tau.empty()) {
     sum += constant(graph, scene_.tau[index(joint)]);
   }
+  for (const model::JointForce& own : task_.options.phase_forces) {
+    sum += own.joint == joint ? constant(graph, own.force) : Expr();
+  }
   for (const model::Motor& motor : scene_.motors) {
     if (motor.joint == joint) {
       sum += value_of(graph, motor.torque, meaning_);

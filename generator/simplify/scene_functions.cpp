@@ -71,6 +71,7 @@ class SceneFormulator {
   [[nodiscard]] program::Staged contact_force(std::size_t contact) const;
 
  private:
+  static void add_forces(const PhaseState& state, program::Staged& staged);
   /// \param joints  whose columns of J the rows of K stand for; empty: K stands for rows of J
   [[nodiscard]] program::RowSolve solve_of(const program::Function& function, int rows,
                                            const std::vector<int>& constraints,
@@ -104,6 +105,12 @@ class SceneFormulator {
   std::vector<int> all_;
 };
 
+void SceneFormulator::add_forces(const PhaseState& state, program::Staged& staged) {
+  for (const model::JointForce& own : state.forces) {
+    staged.forces.emplace_back(own.joint, own.force);
+  }
+}
+
 program::RowSolve SceneFormulator::solve_of(const program::Function& function, int rows,
                                             const std::vector<int>& constraints,
                                             const std::vector<int>& joints) const {
@@ -134,6 +141,7 @@ void SceneFormulator::add_depths(program::Signature& inner) const {
 program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) const {
   Options options = options_;
   options.active = state.active;
+  options.phase_forces = state.forces;
   const bool free = rows_of(scene_, options.active) == 0 && can_be_articulated(scene_);
   const Recipe recipe{"",
                       "",
@@ -202,12 +210,14 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   }
   staged.rows = row_names(scene_, options.active);
   staged.constraints = options.active;
+  add_forces(state, staged);
   return staged;
 }
 
 program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const {
   Options options = options_;
   options.active = state.active;
+  options.phase_forces = state.forces;
   Inputs where = places();
   const InverseArrays arrays = inverse_arrays(scene_);
   where.qdd = arrays.qdd;
@@ -255,6 +265,7 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
   staged.solves = {solve_of(staged.function, p, options.active, passive_joints(scene_))};
   staged.rows = row_names(scene_, options.active);
   staged.constraints = options.active;
+  add_forces(state, staged);
   return staged;
 }
 

@@ -14,17 +14,21 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-/// normal . (sum of lambda_k d_k) over the rows of a constraint.
+/// normal . (sum of lambda_k d_k) over the rows of a constraint, and the height.
 Expr pull(const Task& task, const Event& event, int lambda) {
   Graph& graph = task.kinematics.graph();
   const model::Scene& scene = *task.options.scene;
   int row = 0;
-  Expr sum;
+  Expr sum = event.plane.height == 0 ? Expr() : constant(graph, event.plane.height);
   for (const int c : task.options.active) {
     const model::Constraint& constraint = scene.constraints[index(c)];
     for (std::size_t k = 0; c == event.constraint && k < constraint.directions.size(); ++k) {
       const Expr reaction(graph, graph.input(lambda, row + static_cast<int>(k)));
       sum += constant(graph, dot(event.plane.normal, constraint.directions[k])) * reaction;
+    }
+    if (c == event.constraint && constraint.kind == model::ConstraintKind::kJoint) {
+      const Expr reaction(graph, graph.input(lambda, row));
+      sum += constant(graph, event.plane.normal[0]) * reaction;
     }
     row += static_cast<int>(constraint.rows());
   }

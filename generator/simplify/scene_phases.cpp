@@ -80,7 +80,7 @@ std::vector<PhaseState> phase_states(const Scene& scene, bool at_rest) {
   std::vector<PhaseState> states;
   for (std::size_t k = 0; k < scene.phases.size(); ++k) {
     states.push_back({static_cast<int>(k), scene.phases[k].active, phase_name(scene, k, ""),
-                      to_identifier(scene.phases[k].name)});
+                      to_identifier(scene.phases[k].name), scene.phases[k].forces});
   }
   for (std::size_t k = 0; at_rest && k < states.size(); ++k) {
     for (const Event& event : scene.phases[index(states[k].phase)].until) {

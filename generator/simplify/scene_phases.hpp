@@ -12,9 +12,10 @@ namespace treedyn::simplify {
 /// come to rest.
 struct PhaseState {
   int phase = 0;
-  std::vector<int> active;  ///< ascending
-  std::string ending;       ///< of names of functions: "", "_left", "_at_rest"
-  std::string identifier;   ///< left, left_at_rest
+  std::vector<int> active;                     ///< ascending
+  std::string ending;                          ///< of names of functions: "", "_left", "_at_rest"
+  std::string identifier;                      ///< left, left_at_rest
+  std::vector<model::JointForce> forces = {};  ///< of its own
 };
 
 /// The phases of the scene, and behind them those at rest that a step may reach.

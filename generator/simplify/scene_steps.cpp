@@ -167,6 +167,7 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
     result.impulses = impact.signature.outputs.back().size;
     result.impact_cost = program::worst_cost(impact);
   }
+  result.stops = event.stops;
   const std::vector<int>& before = states_[state].active;
   for (int c = 0; c < static_cast<int>(scene_.constraints.size()); ++c) {
     const model::Constraint& constraint = scene_.constraints[index(c)];
@@ -180,14 +181,21 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
   return result;
 }
 
+const std::string& joint_name(const Scene& scene, int joint) {
+  return scene.tree.links[index(scene.tree.coordinates[index(joint)])].joint.name;
+}
+
 std::string brief_of(const Scene& scene, const Event& event) {
   switch (event.kind) {
     case EventKind::kHeight:
       return fmt::format("touch_down of {}", scene.points[index(event.point)].name);
-    case EventKind::kReaction:
-      return fmt::format("lift_off of {}", scene.constraints[index(event.constraint)].name);
+    case EventKind::kReaction: {
+      const model::Constraint& row = scene.constraints[index(event.constraint)];
+      return fmt::format("{} {}", row.sticks ? "beyond" : "lift_off of", row.name);
+    }
     case EventKind::kExpression:
-      return "the expression falls below zero";
+      return event.stops < 0 ? "the expression falls below zero"
+                             : fmt::format("{} stops", joint_name(scene, event.stops));
     case EventKind::kTime:
       break;
   }
@@ -213,6 +221,8 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
     result.rest = outcome(event, state, true);
     result.rest_below = event.impact->rest_below;
   }
+  result.goes_on = event.goes_on;
+  result.holds = event.kind == EventKind::kReaction ? event.plane.height : Real(0);
   phase.events.push_back(std::move(result));
 }
 
@@ -236,6 +246,12 @@ StepPhase StepMaker::phase(std::size_t state, const Staged& dynamics) const {
   result.guards_speed = std::any_of(guarded.begin(), guarded.end(), [](const Event& event) {
     return event.kind == EventKind::kExpression && event.value.uses(model::Quantity::kVelocity);
   });
+  for (const int c : states_[state].active) {
+    const model::Constraint& row = scene_.constraints[index(c)];
+    if (row.sticks) {
+      result.stuck.push_back(row.joint);
+    }
+  }
   if (!guarded.empty()) {
     result.guards.push_back(guards(guarded, state, result.rows));
   }
@@ -271,11 +287,15 @@ void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
   add(s.inputs, stepper.switches(), {"phase", 1, "index", true});
   add(s.inputs, counts, {"steps", 1, "done in this phase", true});
   add(s.inputs, stepper.begun, {"begun", 1, "s in this phase before them"});
+  add(s.inputs, stepper.compensated,
+      {"rest", 2 * n, "what q and qd lost by rounding; zero at first"});
   add(s.outputs, stepper.rows > 0, {"lambda", stepper.rows, "N|N m"});
   add(s.outputs, renews, {"anchor_next", anchor_count(), "m|1|rad"});
   add(s.outputs, stepper.switches(), {"phase_next", 1, "index", true});
   add(s.outputs, counts, {"steps_next", 1, "done in the next phase", true});
   add(s.outputs, stepper.begun, {"begun_next", 1, "s in the next phase before them"});
+  add(s.outputs, stepper.compensated,
+      {"rest_next", 2 * n, "what q_next and qd_next lost by rounding"});
 }
 
 /// How far steps of a phase must be counted, and whether phases begin within a step.
@@ -301,6 +321,7 @@ program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
   result.step = scene_.stepping.step;
   result.cuts = scene_.stepping.cuts;
   result.events = scene_.stepping.events;
+  result.compensated = scene_.stepping.compensated;
   bool renews = false;
   for (std::size_t state = 0; state < states_.size(); ++state) {
     result.phases.push_back(phase(state, dynamics[state]));
@@ -319,6 +340,7 @@ program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
     result.anchors.push_back(anchors());
     result.takes_time = result.takes_time || program::takes_time(result.anchors.front());
   }
+  result.sticking = scene_.sticking;
   result.first = states_[index(scene_.start_phase)].identifier;
   sign(dynamics.front(), result);
   return result;

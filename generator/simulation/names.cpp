@@ -1,5 +1,7 @@
 #include "simulation/names.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace treedyn::simulation {
@@ -42,6 +44,11 @@ namespace {
 bool turns(const model::Tree& tree, int coordinate) {
   const int link = tree.coordinates[static_cast<std::size_t>(coordinate)];
   return tree.links[static_cast<std::size_t>(link)].joint.type == model::JointType::kRevolute;
+}
+
+/// rad or m, per second.
+const char* speed_unit(const model::Tree& tree, int coordinate) {
+  return turns(tree, coordinate) ? "rad/s" : "m/s";
 }
 
 const std::string& point_name(const model::Scene& scene, int point) {
@@ -123,6 +130,19 @@ std::string event_name(const model::Scene& scene, int phase, std::size_t event) 
       break;
   }
   return fmt::format("expression {}", event + 1);
+}
+
+std::string not_finite(const model::Tree& tree, double time, const std::vector<double>& state) {
+  const std::size_t n = state.size() / 2;
+  std::size_t fastest = 0;
+  for (std::size_t k = 1; k < n; ++k) {
+    fastest = std::fabs(state[n + k]) > std::fabs(state[n + fastest]) ? k : fastest;
+  }
+  const auto joint = static_cast<int>(fastest);
+  return fmt::format(
+      "the motion is not finite at t = {:.6g} s; before, joint '{}' was at {:.6g} and moved at "
+      "{:.3g} {}",
+      time, joint_name(tree, joint), state[fastest], state[n + fastest], speed_unit(tree, joint));
 }
 
 }  // namespace treedyn::simulation

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "simulation/names.hpp"
 #include "simulation/time_scale.hpp"
 
 namespace treedyn::simulation {
@@ -28,11 +29,15 @@ Vector to_vector(const std::vector<Real>& values) {
   return result;
 }
 
-/// Who asks for drift does not want to end by it, unless a bound of his own says so.
+/// The part of the robot's size, or rad, that drift may reach where nothing is done against it.
+constexpr double kDriftOfNone = 0.1;
+
+/// Who asks for drift does not want to end by it while the robot is about whole, unless a bound of
+/// his own says so.
 Bounds bounds_of(const Settings& settings) {
   Bounds result = settings.bounds;
   if (settings.drift == Drift::kNone && result.drift_end == Bounds{}.drift_end) {
-    result.drift_end = std::numeric_limits<double>::infinity();
+    result.drift_end = kDriftOfNone;
   }
   return result;
 }
@@ -150,18 +155,18 @@ void Simulator::land(double h, double time) {
     work.power = std::max(work.power, std::fabs(powers_[k]));
   }
   if (!next_.allFinite()) {
-    throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", time));
+    throw std::runtime_error(not_finite(scene_.tree, time, {y_.begin(), y_.end()}));
   }
   Vector arrived = next_;
   project(time, arrived);
   show_between(h, time);
+  if (!arrived.allFinite()) {
+    throw std::runtime_error(not_finite(scene_.tree, time, {y_.begin(), y_.end()}));
+  }
   t_ = time;
   y_ = arrived;
   last_ = h;
   ++cost_.steps;
-  if (!y_.allFinite()) {
-    throw std::runtime_error(fmt::format("the motion is not finite at t = {} s", t_));
-  }
   monitor_.drift(system_, t_, q());
   monitor_.energy(system_, t_, h, q(), qd(), work);
 }
@@ -208,6 +213,7 @@ void Simulator::place(double time, const Vector& q, const Vector& qd, int phase,
   if (phase != phase_ || active != system_.constraints().active()) {
     start_phase(phase, active);
   }
+  monitor_.drift(system_, t_, q);
 }
 
 void Simulator::show_at(double step, Show show) {
@@ -229,6 +235,9 @@ void Simulator::show_between(double h, double end) {
     const double time = row();
     integrator_->step(rate_, from, time - from, state, trial_, trial_error_);
     project(time, trial_);
+    if (!trial_.allFinite()) {
+      throw std::runtime_error(not_finite(scene_.tree, time, {state.begin(), state.end()}));
+    }
     t_ = time;
     y_ = trial_;
     show_();

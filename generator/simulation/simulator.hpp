@@ -78,6 +78,7 @@ class Simulator {
   /// that state meanwhile. States inside a step are those of a shorter step from its beginning.
   void show_at(double step, Show show);
   /// Another one computes the motion: the state is set to what it says.
+  /// \throws std::runtime_error if its constraints are off beyond the bound
   void place(double time, const Vector& q, const Vector& qd, int phase,
              const std::vector<int>& active);
   /// An event that it noted.

@@ -257,6 +257,9 @@ void Simulator::fire(const model::Event& event) {
   }
   y_ << record.q, record.qd_after;
   start_phase(event.then, active);
+  for (std::size_t k = 0; k < system_.frictions().size(); ++k) {  // an impact may have moved them
+    stick_or_slip(k);
+  }
   monitor_.positions(system_, t_, record.q);
   events_.push_back(std::move(record));
 }

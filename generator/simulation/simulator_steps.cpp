@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "simulation/names.hpp"
 #include "simulation/simulator.hpp"
 #include "simulation/time_scale.hpp"
 
@@ -90,10 +91,12 @@ void Simulator::propose() {
   const double h1 = std::pow(0.01 / std::max(d2, 1e-300), 1 / (order + 1));
   suggested_ = std::min(100 * h0, std::isfinite(h1) ? h1 : h0);
   const Eigen::Index n = y_.size() / 2;
-  const double stiffness = (f1 - f0).tail(n).norm() / (h0 * f0.head(n)).norm();
+  const double moved = h0 * f0.head(n).norm() + h0 * h0 * f0.tail(n).norm();
+  const double stiffness = (f1 - f0).tail(n).norm() / moved;
   if (stiffness > 0 && std::isfinite(stiffness)) {
     suggested_ = std::min(suggested_, kFirstTurn / std::sqrt(stiffness));
   }
+  suggested_ = std::max(suggested_, 2 * least_step());
   powers_.clear();
 }
 
@@ -150,7 +153,7 @@ double Simulator::adaptive_step(double longest) {
           next_.size() == 0 || next_.allFinite()
               ? fmt::format("no step that advances time meets the tolerance of {} at t = {} s",
                             settings_.tolerance, t_)
-              : fmt::format("the motion is not finite at t = {} s", t_));
+              : not_finite(scene_.tree, t_, {y_.begin(), y_.end()}));
     }
     take(h);
     const double ratio = error_ratio(h);

@@ -214,7 +214,11 @@ void System::add_balance(const State& state) {
     solution_.wanted.resize(0);
     return;
   }
-  solution_.power += all_lambda_.dot(J_ * state.qd);
+  constraints_.velocities(state.t, rate_);
+  for (int k = 0; k < rows; ++k) {  // a speed that a row has beyond its own is an error of the step
+    const double speed = constraints_.is_held(k) ? rate_[k] : J_.row(k).dot(state.qd);
+    solution_.power += all_lambda_[k] * speed;
+  }
   solution_.wanted = rhs_.head(rows);
   solution_.residuals = J_.topRows(rows) * solution_.qdd - solution_.wanted;
 }

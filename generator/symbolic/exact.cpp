@@ -85,6 +85,8 @@ GiNaC::ex exact_decimal(std::string_view text) {
   return GiNaC::numeric(digits.c_str()) * GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(power));
 }
 
+std::span<const FunctionRow> functions() { return kFunctions; }
+
 const FunctionRow* find_function(std::string_view name) {
   const auto* const row = std::find_if(kFunctions.begin(), kFunctions.end(),
                                        [name](const FunctionRow& f) { return f.name == name; });

@@ -1,6 +1,7 @@
 // Exact numbers of GiNaC: evaluated, and functions of them with their domains.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include <ginac/ginac.h>
@@ -44,5 +45,7 @@ struct FunctionRow {
 
 /// The row of sqrt, sin, cos, tan, asin, acos or atan; nullptr for other names.
 const FunctionRow* find_function(std::string_view name);
+/// All of them.
+std::span<const FunctionRow> functions();
 
 }  // namespace treedyn::symbolic

@@ -55,6 +55,7 @@ class Symbols final : public Variables {
     return known_.back().second;
   }
   [[nodiscard]] std::string expected() const override { return names_.expected; }
+  [[nodiscard]] std::vector<std::string> known() const override { return names_.known; }
 
   [[nodiscard]] model::Variable variable(const GiNaC::ex& symbol) const {
     const auto found = std::find_if(known_.begin(), known_.end(),

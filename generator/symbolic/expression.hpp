@@ -18,7 +18,8 @@ struct VariableNames {
   std::function<std::optional<model::Variable>(std::string_view name,
                                                std::optional<std::string_view> index)>
       find;
-  std::string expected;  ///< ", t, q[joint], qd[joint]": for messages
+  std::string expected;                 ///< ", t, q[joint], qd[joint]": for messages
+  std::vector<std::string> known = {};  ///< "t", "q[elbow]", ..: for what a typo may have meant
 };
 
 /// Reads an expression in the grammar of `Constants`, whose parameters it may use; a name of

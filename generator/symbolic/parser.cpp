@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "symbolic/exact.hpp"
 
@@ -283,9 +284,9 @@ class Parser {
     if (variables_ != nullptr) {
       return variable(start, word);
     }
-    fail(start, fmt::format("'{}' is unknown; expected a parameter, pi or one of sqrt, sin, cos, "
+    fail(start, fmt::format("'{}' is unknown{}; expected a parameter, pi or one of sqrt, sin, cos, "
                             "tan, asin, acos, atan",
-                            shown(word)));
+                            shown(word), hint(word)));
   }
 
   /// A name, or a name with an index in brackets.
@@ -301,10 +302,25 @@ class Parser {
     }
     const std::optional<GiNaC::ex> found = variables_->find(word, index);
     if (!found) {
-      fail(start, fmt::format("'{}' is unknown; expected a parameter, pi, sqrt, sin, cos, tan{}",
-                              shown(text_.substr(start, at_ - start)), variables_->expected()));
+      const std::string_view written = text_.substr(start, at_ - start);
+      fail(start, fmt::format("'{}' is unknown{}; expected a parameter, pi, sqrt, sin, cos, tan{}",
+                              shown(written), hint(written), variables_->expected()));
     }
     return {*found, 1};
+  }
+
+  /// What a typo may have meant.
+  [[nodiscard]] std::string hint(std::string_view written) const {
+    const std::vector<std::string> variables =
+        variables_ == nullptr ? std::vector<std::string>{} : variables_->known();
+    std::vector<std::string_view> known(variables.begin(), variables.end());
+    for (const auto& [name, value] : names_) {
+      known.emplace_back(name);
+    }
+    for (const FunctionRow& row : functions()) {
+      known.push_back(row.name);
+    }
+    return did_you_mean(written, known);
   }
 
   Exact call(const FunctionRow& function, std::size_t start) {

@@ -30,6 +30,8 @@ class Variables {
       std::string_view name, std::optional<std::string_view> index) const = 0;
   /// ", t, q[joint]": what a message about an unknown name expects.
   [[nodiscard]] virtual std::string expected() const = 0;
+  /// All there are, as one would write them.
+  [[nodiscard]] virtual std::vector<std::string> known() const { return {}; }
 };
 
 bool is_letter(char c);  ///< of a name

@@ -241,6 +241,15 @@ void prove_impact(const model::Scene& scene, const program::Staged& staged,
                 of_inertia * least);
 }
 
+/// Of the scene, and of the phase.
+Values forces_of(const program::Staged& staged, const SceneEquations& equations) {
+  Values force = equations.force();
+  for (const auto& [joint, own] : staged.forces) {
+    force[index(joint)] += own;
+  }
+  return force;
+}
+
 void prove_constrained(const model::Scene& scene, const program::Staged& staged,
                        program::Random& random) {
   State state(staged.function.signature, random);
@@ -258,7 +267,7 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
                                  state.has("t") ? state.at("t")[0] : Real(0),
                                  state.has("anchor") ? state.at("anchor") : Values());
   const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
-  const Values force = equations.force();
+  const Values force = forces_of(staged, equations);
   Residual motion = motion_of(equations, rows, qdd, lambda);
   for (std::size_t i = 0; i < n; ++i) {
     for (const Real& term : {equations.bias()[i], Real(-tau[i]), Real(-force[i])}) {
@@ -294,7 +303,7 @@ void prove_inverse(const model::Scene& scene, const program::Staged& staged,
   const Values tau(first, first + static_cast<std::ptrdiff_t>(n));
   const Values lambda(first + static_cast<std::ptrdiff_t>(n),
                       first + static_cast<std::ptrdiff_t>(n + rows.size()));
-  Values force = equations.force();
+  Values force = forces_of(staged, equations);
   for (std::size_t i = 0; i < n && !scene.contacts.empty(); ++i) {
     force[i] += state.at(program::kForceArray)[i];
   }

@@ -72,6 +72,31 @@ TEST(AsGenerated, ShowsWhatFloatDoes) {
   EXPECT_LT(largest, 1e-4);
 }
 
+/// Through an impact and a change of phase; in double, where rounding is 1e-13.
+TEST(AsGenerated, CompensatesThroughEvents) {
+  const TemporaryFolder folder;
+  std::string walk = read_file(kScenes + "compass_walk.yaml");
+  const std::string model = "model: ";
+  walk.replace(walk.find(model), model.size(), model + kScenes);
+  std::vector<std::vector<double>> states;
+  for (const std::string state : {"compensated", "plain"}) {
+    std::string text = walk;
+    text.insert(text.find("output_step"), "state: " + state + ", ");
+    write_file(folder.path() / "walk.yaml", text);
+    const Outcome outcome = simulated(
+        (folder.path() / "walk.yaml").string(),
+        {"--as-generated", "--integrator", "rk4", "--step", "0.001", "--duration", "1.2"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json result = Json::parse(outcome.out);
+    EXPECT_EQ(result.at("events").size(), 1U);
+    states.push_back(last_state(result, 8));
+  }
+  EXPECT_NE(states[0], states[1]);
+  for (std::size_t k = 0; k < 8; ++k) {
+    EXPECT_NEAR(states[0][k], states[1][k], 1e-10);
+  }
+}
+
 TEST(AsGenerated, WarnsOfStatuses) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "ball.yaml").string();
@@ -91,6 +116,36 @@ TEST(AsGenerated, WarnsOfStatuses) {
             std::string::npos)
       << outcome.err;
   EXPECT_EQ(Json::parse(outcome.out).at("statuses").at(0).at("name"), "guard_undefined");
+}
+
+const std::string kTwoFrictions =
+    "scene: two_frictions\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
+    "/models/two_link.yaml\neffects:\n  gravity: [0, 0, -9.81]\n"
+    "  coulomb_friction: [{joint: shoulder, force: 150}, {joint: elbow, force: 60}]\n"
+    "  drive: [{joint: shoulder, torque: \"300*sin(3*t)\"}]\nphases:\n"
+    "  - {name: one, until: [{time: 1.234, then: two}]}\n"
+    "  - {name: two, until: [{time: 0.5, then: one}]}\n"
+    "initial: {q: {shoulder: 0.5, elbow: 0.3}}\nduration: 4\n"
+    "stepping: {integrator: rk4, step: 0.002, output_step: 0.5}\n";
+
+/// Both stop and slip again; the clock of the scene's phases goes on meanwhile.
+TEST(AsGenerated, SticksAndSlipsLikeTheSimulator) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "frictions.yaml").string();
+  write_file(file, kTwoFrictions);
+  const Json expected = Json::parse(simulated(file, {}).out);
+  const std::vector<double> y = last_state(expected, 4);
+  for (const auto& [scalar, tolerance] : {std::pair("double", 1e-9), std::pair("float", 1e-3)}) {
+    const Outcome outcome = simulated(file, {"--as-generated", "--scalar", scalar});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const Json result = Json::parse(outcome.out);
+    EXPECT_GT(result.at("events").size(), 8U);
+    const std::vector<double> x = last_state(result, 4);
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_NEAR(x[k], y[k], tolerance) << scalar << " " << k;
+    }
+  }
 }
 
 TEST(AsGenerated, NeedsAStepOfFixedLength) {

@@ -61,7 +61,7 @@ Stop stop_of(Scene s, Dynamics d) {
   run.observer = [&] {
     const int now = direction();
     stop.swings += now != 0 && now != before ? 1 : 0;
-    stop.time = now == 0 && before != 0 ? run.time() : stop.time;
+    stop.time = now == 0 && before != 0 ? run.motion().slip_time() : stop.time;
     before = now;
   };
   run.advance_to(run.end());

@@ -191,11 +191,22 @@ std::pair<double, double> GeneratedMotion::height(const model::Event& event,
           n.dot(link.v + link.omega.cross(p - link.O))};
 }
 
+/// What falls below zero where the event happens: a height, or the velocity of a joint that stops.
+double GeneratedMotion::guard(const model::Event& event, const Moment& moment) const {
+  return event.stops < 0 ? height(event, moment).first
+                         : event.value.evaluate([&](const model::Variable& variable) {
+                             return moment.qd[variable.index];
+                           });
+}
+
 /// What ended a phase within the step: where the motion from its beginning meets the plane.
 std::optional<Fall> GeneratedMotion::landing(const Moment& a, const Moment& b) const {
   const auto& states = code_->states();
   const auto phase = static_cast<std::size_t>(states[static_cast<std::size_t>(a.state)].phase);
   for (const model::Event& event : scene_.phases[phase].until) {
+    if (event.stops >= 0 && states[static_cast<std::size_t>(b.state)].phase == event.then) {
+      return Fall{&event, fall_time(event, a)};
+    }
     if (event.kind != model::EventKind::kHeight) {
       continue;
     }
@@ -221,7 +232,7 @@ double GeneratedMotion::fall_time(const model::Event& event, const Moment& a) co
   double high = h_;
   while (low < (low + high) / 2 && (low + high) / 2 < high) {
     const double middle = (low + high) / 2;
-    (height(event, moved(a, middle)).first > 0 ? low : high) = middle;
+    (guard(event, moved(a, middle)) > 0 ? low : high) = middle;
   }
   return a.t + high;
 }

@@ -50,6 +50,7 @@ class GeneratedMotion final : public Motion {
   double residual() override;
   Strike strike_all() override;
   int slip_direction() override;
+  [[nodiscard]] double slip_time() const override { return events_.back().time; }
   simulation::System& system() override { return system_; }
 
  private:
@@ -62,6 +63,7 @@ class GeneratedMotion final : public Motion {
   [[nodiscard]] Moment between(const Moment& a, const Moment& b, double t) const;
   [[nodiscard]] std::pair<double, double> height(const model::Event& event,
                                                  const Moment& moment) const;
+  [[nodiscard]] double guard(const model::Event& event, const Moment& moment) const;
   [[nodiscard]] std::optional<Fall> landing(const Moment& a, const Moment& b) const;
   [[nodiscard]] double fall_time(const model::Event& event, const Moment& a) const;
   void record(const Fall& fall, const Moment& a, const Moment& b);

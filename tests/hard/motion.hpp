@@ -40,6 +40,8 @@ class Motion {
   virtual Strike strike_all() = 0;
   /// Sign of the velocity of the first dry joint, 0 while it sticks.
   virtual int slip_direction() = 0;
+  /// When that changed last. \pre it has changed in the last step
+  [[nodiscard]] virtual double slip_time() const { return time(); }
   /// What measures the state, in double: rows, errors of position, heights, energies.
   virtual simulation::System& system() = 0;
 };

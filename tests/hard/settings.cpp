@@ -7,6 +7,7 @@
 
 #include "dynamics/scene_dynamics.hpp"
 #include "hard/generated.hpp"
+#include "simplify/scene_sticking.hpp"
 
 namespace treedyn::hard {
 
@@ -50,12 +51,6 @@ double step_for(const model::Scene& scene) {
 }
 
 Method method_for(const model::Scene& scene) {
-  const bool sticks =
-      std::any_of(scene.frictions.begin(), scene.frictions.end(),
-                  [](const model::JointFriction& friction) { return friction.slip_speed == 0; });
-  if (sticks) {
-    return {"sdirk2", step_for(scene) / 8};
-  }
   const bool led = scene.duration > 0 && !scene.constraints.empty();
   return led ? Method{"rk4", step_for(scene) / kOfOrderFour}
              : Method{"dopri5-fixed", step_for(scene)};
@@ -67,9 +62,7 @@ model::Scene prepared(const model::Scene& scene, const std::string& integrator, 
   result.stepping.step = Real(step);
   result.stepping.drift = scene.duration == 0 ? model::Drift::kNone : model::Drift::kBaumgarte;
   result.stepping.stabilisation = Real(std::min(20.0, kCorrected / step));
-  for (model::JointFriction& friction : result.frictions) {
-    friction.slip_speed = friction.slip_speed == 0 ? Real("1e-6") : friction.slip_speed;
-  }
+  simplify::settle_sticking(result);
   return result;
 }
 

@@ -249,6 +249,58 @@ TEST(Friction, WithASlipSpeedLeavesStickingToOtherJoints) {
               slip_integral(1.5, 0.3) - 2 * 0.1 / inertia, 1e-9);
 }
 
+/// A carriage that its friction holds, and on it an inclined guide: the ball on it strikes the
+/// floor and the carriage slides from there.
+TEST(Friction, ThatSticksLetsAnImpactMoveTheJoint) {
+  Running running(scene_of(R"yaml(
+scene: slide
+model: ../../tests/scenes/models/slide.yaml
+effects:
+  gravity: [0, 0, -10]
+  coulomb_friction: [{joint: x, force: 4}]
+  point_constraint: [{name: floor, point: ball, along: [z]}]
+phases:
+  - name: flight
+    active: []
+    until:
+      - {touch_down: {point: ball}, impact: {constraints: [floor], restitution: 0.8}, then: flight}
+initial: {q: {z: 1}}
+duration: 1
+)yaml"));
+  running.advance_to(0.6);
+  ASSERT_EQ(running.simulator.events().size(), 1U);
+  const EventRecord& impact = running.simulator.events().front();
+  EXPECT_EQ(impact.qd_before[0], 0);
+  EXPECT_LT(impact.qd_after[0], -1);
+  const double s = std::sin(0.5);
+  const double braked = (4 + 0.7 * 10 * s * std::cos(0.5)) / (1.7 - 0.7 * s * s);
+  const double time = 0.6 - impact.time;
+  ASSERT_LT(time, -impact.qd_after[0] / braked);  // it still slides
+  EXPECT_NEAR(running.simulator.qd()[0], impact.qd_after[0] + braked * time, 1e-8);
+  EXPECT_NEAR(running.simulator.q()[0],
+              impact.q[0] + impact.qd_after[0] * time + braked * time * time / 2, 1e-8);
+}
+
+/// Both joints stop about at once; the first step behind it is no part of a turn that speeds of
+/// 1e-34 tell.
+TEST(Friction, ThatStopsAllJointsLeavesAStepThatAdvancesTime) {
+  Running running(scene_of(R"yaml(
+scene: stops
+model: ../two_link.yaml
+effects:
+  gravity: [0, 0, -9.81]
+  coulomb_friction: [{joint: shoulder, force: 150}, {joint: elbow, force: 60}]
+  drive: [{joint: shoulder, torque: "300*sin(3*t)"}]
+phases:
+  - {name: one, until: [{time: 1.234, then: two}]}
+  - {name: two, until: [{time: 0.5, then: one}]}
+initial: {q: {shoulder: 0.5, elbow: 0.3}}
+duration: 2
+)yaml"));
+  running.advance_to(2);
+  EXPECT_EQ(running.simulator.time(), 2);
+}
+
 TEST(Rows, ComeInTheOrderOfTheFile) {
   const model::Scene scene = scene_of(
       "scene: s\nmodel: ../two_link.yaml\nduration: 1\neffects:\n"
