@@ -165,6 +165,11 @@ void check_step(const Model& model) {
                                  shown(model.scene->stepping.integrator),
                                  fmt::join(simplify::step_method_names(), ", ")));
   }
+  if (asked && model.scene->stepping.compensated && model.scene->stepping.integrator == "sdirk2") {
+    throw InputError(model.scene->stepping.where,
+                     "function 'step': sdirk2 keeps no compensated state; expected rk4, "
+                     "dopri5-fixed or semi-implicit-euler");
+  }
 }
 
 /// Generated impacts bring rows to rest, or let them rebound: they do not know of speeds of curves.
@@ -216,6 +221,13 @@ void check_model(const Request& request, const model::Scene& scene, const std::s
   }
 }
 
+void choose(const StepChoice& choice, model::Stepping& stepping) {
+  stepping.integrator = choice.integrator.value_or(stepping.integrator);
+  stepping.step = choice.step.value_or(stepping.step);
+  stepping.cuts = choice.cuts.value_or(stepping.cuts);
+  stepping.compensated = choice.compensated.value_or(stepping.compensated);
+}
+
 /// A scene brings its tree, gravity and points. Its digest is that of scene and model, one behind
 /// the other.
 Model read_scene_model(const Request& request) {
@@ -225,6 +237,7 @@ Model read_scene_model(const Request& request) {
   model.scene = description::parse_scene(text, *request.scene, [&](const std::string& path) {
     return model_text = description::read_model_text(path);
   });
+  choose(request.stepping, model.scene->stepping);
   check_scene(*model.scene, {*request.scene, 0, 0});
   simulation::require_integrator(model.scene->stepping);
   check_model(request, *model.scene, model_text);

@@ -53,6 +53,24 @@ std::vector<std::string> names_without(const Request& request) {
   return names;
 }
 
+/// What the command line says of the step, instead of the scene: options and values.
+std::vector<std::pair<const char*, std::string>> step_options(const StepChoice& choice) {
+  std::vector<std::pair<const char*, std::string>> result;
+  if (choice.integrator) {
+    result.emplace_back("--integrator", *choice.integrator);
+  }
+  if (choice.step) {
+    result.emplace_back("--step", emit::decimal(*choice.step));
+  }
+  if (choice.cuts) {
+    result.emplace_back("--cuts", std::to_string(*choice.cuts));
+  }
+  if (choice.compensated) {
+    result.emplace_back("--state", *choice.compensated ? "compensated" : "plain");
+  }
+  return result;
+}
+
 std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", text); }
 
 }  // namespace
@@ -118,6 +136,9 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
       forward_dynamics_text(request.forward_dynamics));
   add(!request.without.empty(), "--without", list_of(names_without(request)));
+  for (const auto& [option, value] : step_options(request.stepping)) {
+    add(true, option, value);
+  }
   if (request.share_limbs) {
     result.emplace_back("--share-limbs");
   }

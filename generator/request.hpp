@@ -19,6 +19,14 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// How the generated step of a scene goes, instead of what the scene says.
+struct StepChoice {
+  std::optional<std::string> integrator;
+  std::optional<Real> step;  ///< s
+  std::optional<int> cuts;
+  std::optional<bool> compensated;
+};
+
 /// What to generate: the options of the command line, checked.
 struct Request {
   std::string model;                 ///< path, "-" for standard input; empty: the scene's own
@@ -35,6 +43,7 @@ struct Request {
   std::vector<simplify::Pass> without;  ///< passes that are switched off
   bool share_limbs = false;             ///< equal limbs share code
   bool checked = false;                 ///< functions that can fail have siblings with a status
+  StepChoice stepping;                  ///< of a scene
 };
 
 /// How a command names its files.

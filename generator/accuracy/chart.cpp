@@ -43,6 +43,18 @@ struct Decades {
   }
 };
 
+const char* dashes(State state) {
+  switch (state) {
+    case State::kFloat:
+      return " stroke-dasharray=\"4 2\"";
+    case State::kCompensated:
+      return " stroke-dasharray=\"1 2\"";
+    case State::kDouble:
+      break;
+  }
+  return "";
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -113,15 +125,14 @@ class Chart {
 
   [[nodiscard]] std::string floors() const {
     std::string text;
-    for (const bool is_float : {true, false}) {
-      if (const std::optional<Floor> floor = floor_of(study_, is_float)) {
+    for (const State state : kStates) {
+      if (const std::optional<Floor> floor = floor_of(study_, state)) {
         const double y = py(floor->error);
         text += fmt::format(
             "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#555\" stroke-dasharray=\"2 3\"/><text "
             "x=\"{3}\" "
             "y=\"{4:.1f}\" fill=\"#555\">floor of {5}: {6:.1e}</text>\n",
-            kLeft, y, kWidth - kRight, kLeft + 4, y - 3, is_float ? "float" : "double",
-            floor->error);
+            kLeft, y, kWidth - kRight, kLeft + 4, y - 3, name_of(state), floor->error);
       }
     }
     return text;
@@ -153,11 +164,11 @@ class Chart {
     std::string text;
     double line = kTop + 6;
     for (std::size_t k = 0; k < integrators.size(); ++k) {
-      for (const bool is_float : {true, false}) {
+      for (const State state : kStates) {
         const std::string one =
-            one_series(integrators[k], is_float, kColours[k % std::size(kColours)]);
+            one_series(integrators[k], state, kColours[k % std::size(kColours)]);
         if (!one.empty()) {
-          text += one + legend(integrators[k], is_float, kColours[k % std::size(kColours)], line);
+          text += one + legend(integrators[k], state, kColours[k % std::size(kColours)], line);
           line += 17;
         }
       }
@@ -165,21 +176,21 @@ class Chart {
     return text;
   }
 
-  [[nodiscard]] static std::string legend(const std::string& name, bool is_float,
-                                          const char* colour, double y) {
+  [[nodiscard]] static std::string legend(const std::string& name, State state, const char* colour,
+                                          double y) {
     return fmt::format(
         "<path d=\"M{0} {1}h18\" stroke=\"{2}\" stroke-width=\"2\"{3}/><text x=\"{4}\" "
         "y=\"{5}\">{6} {7}</text>\n",
-        kWidth - kRight + 8, y, colour, is_float ? " stroke-dasharray=\"4 2\"" : "",
-        kWidth - kRight + 30, y + 4, is_float ? "float" : "double", escaped(name));
+        kWidth - kRight + 8, y, colour, dashes(state), kWidth - kRight + 30, y + 4, name_of(state),
+        escaped(name));
   }
 
-  [[nodiscard]] std::string one_series(const std::string& name, bool is_float,
+  [[nodiscard]] std::string one_series(const std::string& name, State state,
                                        const char* colour) const {
     std::string path;
     std::string marks;
     for (const Outcome& outcome : study_.outcomes) {
-      if (outcome.setting.integrator != name || outcome.setting.is_float != is_float) {
+      if (outcome.setting.integrator != name || outcome.setting.state != state) {
         continue;
       }
       const double x = px(abscissa_(outcome));
@@ -202,7 +213,7 @@ class Chart {
       return marks;
     }
     return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n{}",
-                       path, colour, is_float ? " stroke-dasharray=\"4 2\"" : "", marks);
+                       path, colour, dashes(state), marks);
   }
 
   const Study& study_;

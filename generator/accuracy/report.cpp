@@ -12,6 +12,10 @@ namespace treedyn::accuracy {
 
 namespace {
 
+const char* scalar_of(State state) { return state == State::kDouble ? "double" : "float"; }
+
+const char* kept_of(State state) { return state == State::kCompensated ? "compensated" : "plain"; }
+
 std::string error_text(const Outcome& outcome) {
   return outcome.failed() ? "failed" : fmt::format("{:.2e}", outcome.error());
 }
@@ -61,19 +65,18 @@ std::string facts_text(const Study& study) {
       "reference: {} and {}, which differ by {:.1e}\n",
       study.scene, study.duration, study.states, study.spread, study.reference_settings.front(),
       study.reference_settings.back(), study.reference_agreement);
-  for (const bool is_float : {true, false}) {
-    if (const std::optional<Floor> floor = floor_of(study, is_float)) {
-      text += fmt::format("floor of {}: {:.2e} with {}\n", is_float ? "float" : "double",
-                          floor->error, text_of(floor->setting));
+  for (const State state : kStates) {
+    if (const std::optional<Floor> floor = floor_of(study, state)) {
+      text += fmt::format("floor of {}: {:.2e} with {}\n", name_of(state), floor->error,
+                          text_of(floor->setting));
     }
   }
   std::string last;
   for (const std::string& name : integrators_of(study)) {
-    for (const bool is_float : {true, false}) {
-      const std::optional<double> order = fitted_order(study, is_float, name);
-      const std::string line = order ? fmt::format("order of {} {}: {:.2f}\n",
-                                                   is_float ? "float" : "double", name, *order)
-                                     : "";
+    for (const State state : kStates) {
+      const std::optional<double> order = fitted_order(study, state, name);
+      const std::string line =
+          order ? fmt::format("order of {} {}: {:.2f}\n", name_of(state), name, *order) : "";
       text += text.find(line) == std::string::npos ? line : "";
     }
   }
@@ -91,10 +94,9 @@ std::string html(const std::string& text) {
 std::string html_rows(const Study& study, const std::vector<const Core*>& on) {
   std::string text;
   for (const Outcome& outcome : study.outcomes) {
-    text +=
-        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
-                    outcome.setting.is_float ? "float" : "double", html(outcome.setting.integrator),
-                    outcome.setting.step, error_text(outcome), outcome.step_cost.total());
+    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                        name_of(outcome.setting.state), html(outcome.setting.integrator),
+                        outcome.setting.step, error_text(outcome), outcome.step_cost.total());
     for (const Core* core : on) {
       text += fmt::format("<td>{:.4g}</td>", outcome.cycles_per_second(*core));
     }
@@ -114,7 +116,8 @@ std::string report_text(const Study& study, const std::vector<const Core*>& on) 
 }
 
 std::string report_csv(const Study& study) {
-  std::string text = "scalar,integrator,step,error,least_error,status,add,mul,div,sqrt,sin,cos";
+  std::string text =
+      "scalar,state,integrator,step,error,least_error,status,add,mul,div,sqrt,sin,cos";
   for (const Core& core : cores()) {
     text += fmt::format(",cycles_per_second_{}", core.name);
   }
@@ -123,8 +126,8 @@ std::string report_csv(const Study& study) {
     const program::Cost& cost = outcome.step_cost;
     const bool failed = outcome.failed();
     text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}",
-                    outcome.setting.is_float ? "float" : "double", outcome.setting.integrator,
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", scalar_of(outcome.setting.state),
+                    kept_of(outcome.setting.state), outcome.setting.integrator,
                     outcome.setting.step, failed ? "failed" : fmt::format("{}", outcome.error()),
                     failed ? "failed" : fmt::format("{}", outcome.least()), outcome.status,
                     cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos);
@@ -144,7 +147,8 @@ std::string report_json(const Study& study) {
       errors.push_back(std::isfinite(error) ? fmt::format("{}", error) : "null");
     }
     std::vector<std::pair<std::string, std::string>> members = {
-        {"scalar", outcome.setting.is_float ? "\"float\"" : "\"double\""},
+        {"scalar", fmt::format("\"{}\"", scalar_of(outcome.setting.state))},
+        {"state", fmt::format("\"{}\"", kept_of(outcome.setting.state))},
         {"integrator", emit::json_string(outcome.setting.integrator)},
         {"step", fmt::format("{}", outcome.setting.step)},
         {"errors", fmt::format("[{}]", fmt::join(errors, ", "))},
@@ -175,6 +179,12 @@ std::string report_page(const Study& study, const std::vector<const Core*>& on) 
                                                            {"charts", charts},
                                                            {"heads", heads},
                                                            {"rows", html_rows(study, on)}});
+}
+
+std::string settings_text(const Setting& setting) {
+  return fmt::format("scalar = \"{}\"\nintegrator = \"{}\"\nstep = {}\nstate = \"{}\"\n",
+                     scalar_of(setting.state), setting.integrator, setting.step,
+                     kept_of(setting.state));
 }
 
 std::string choice_text(const Study& study, const Core& core, double target) {

@@ -22,9 +22,20 @@ double largest(const std::vector<double>& values) {
 
 }  // namespace
 
+const char* name_of(State state) {
+  switch (state) {
+    case State::kFloat:
+      break;
+    case State::kCompensated:
+      return "float compensated";
+    case State::kDouble:
+      return "double";
+  }
+  return "float";
+}
+
 std::string text_of(const Setting& setting) {
-  return fmt::format("{} {} {}", setting.is_float ? "float" : "double", setting.integrator,
-                     setting.step);
+  return fmt::format("{} {} {}", name_of(setting.state), setting.integrator, setting.step);
 }
 
 bool Outcome::failed() const {
@@ -38,7 +49,7 @@ double Outcome::least() const {
 }
 
 double Outcome::cycles_per_second(const Core& core) const {
-  return cycles(step_cost, core, setting.is_float) / setting.step;
+  return cycles(step_cost, core, setting.state != State::kDouble) / setting.step;
 }
 
 std::vector<std::size_t> pareto(const Study& study, const Core& core) {
@@ -77,17 +88,16 @@ std::size_t most_accurate(const Study& study) {
   return static_cast<std::size_t>(found - study.outcomes.begin());
 }
 
-std::optional<double> fitted_order(const Study& study, bool is_float,
-                                   const std::string& integrator) {
+std::optional<double> fitted_order(const Study& study, State state, const std::string& integrator) {
   std::vector<std::pair<double, double>> points;
   double least = std::numeric_limits<double>::infinity();
   for (const Outcome& outcome : study.outcomes) {
-    if (outcome.setting.is_float == is_float && !outcome.failed()) {
+    if (outcome.setting.state == state && !outcome.failed()) {
       least = std::min(least, outcome.error());
     }
   }
   for (const Outcome& outcome : study.outcomes) {
-    const bool belongs = outcome.setting.is_float == is_float && !outcome.failed() &&
+    const bool belongs = outcome.setting.state == state && !outcome.failed() &&
                          outcome.setting.integrator == integrator;
     if (belongs && outcome.error() >= 100 * least && outcome.error() <= 1e-3) {
       points.emplace_back(std::log(outcome.setting.step), std::log(outcome.error()));
@@ -111,10 +121,10 @@ std::optional<double> fitted_order(const Study& study, bool is_float,
   return xy / xx;
 }
 
-std::optional<Floor> floor_of(const Study& study, bool is_float) {
+std::optional<Floor> floor_of(const Study& study, State state) {
   std::optional<Floor> result;
   for (const Outcome& outcome : study.outcomes) {
-    if (outcome.setting.is_float == is_float && !outcome.failed() &&
+    if (outcome.setting.state == state && !outcome.failed() &&
         (!result || outcome.error() < result->error)) {
       result = Floor{outcome.error(), outcome.setting};
     }

@@ -10,15 +10,22 @@
 
 namespace treedyn::accuracy {
 
+/// What holds the state: a scalar, in a compensated step with what its sums lost.
+enum class State { kFloat, kCompensated, kDouble };
+inline constexpr State kStates[] = {State::kFloat, State::kCompensated, State::kDouble};
+
+/// "float", "float compensated", "double".
+const char* name_of(State state);
+
 /// How firmware would step the scene.
 struct Setting {
-  bool is_float = false;
+  State state = State::kFloat;
   std::string integrator;
   double step = 0;  ///< s
   bool operator==(const Setting&) const = default;
 };
 
-/// "float rk4 0.01".
+/// "float compensated rk4 0.01".
 std::string text_of(const Setting& setting);
 
 /// What came of a setting over the band of initial states.
@@ -60,14 +67,13 @@ std::size_t most_accurate(const Study& study);
 
 /// The order p of e = C h^p by least squares over the steps of one scalar and integrator whose
 /// error lies between 100 times the smallest and 1e-3; nothing with fewer than two.
-std::optional<double> fitted_order(const Study& study, bool is_float,
-                                   const std::string& integrator);
+std::optional<double> fitted_order(const Study& study, State state, const std::string& integrator);
 
 /// The smallest error of a scalar and the step at which it is reached; nothing where all failed.
 struct Floor {
   double error = 0;
   Setting setting;
 };
-std::optional<Floor> floor_of(const Study& study, bool is_float);
+std::optional<Floor> floor_of(const Study& study, State state);
 
 }  // namespace treedyn::accuracy

@@ -235,6 +235,13 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
   if (request.model.empty() && !request.scene) {
     throw CLI::ParseError("MODEL is required; expected a model or --scene FILE", kUsage);
   }
+  const StepChoice& step = request.stepping;
+  if (!request.scene && (step.integrator || step.step || step.cuts || step.compensated)) {
+    throw CLI::ParseError(
+        "--integrator, --step, --cuts and --state are of the step of a scene; expected --scene "
+        "FILE",
+        kUsage);
+  }
   if (request.share_limbs && (request.scene || request.target.lanes > 1)) {
     throw CLI::ParseError(
         "--share-limbs: functions of a scene and of several states at once have no shared limbs; "
@@ -320,7 +327,9 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   add_commands(app, result.settings);
   try {
     require_known_command(app, argc > 1 ? argv[1] : "");
-    app.parse(argc, argv);
+    std::vector<std::string> words = with_settings({argv + std::min(argc, 1), argv + argc});
+    std::reverse(words.begin(), words.end());
+    app.parse(std::move(words));
     require_options(app, result.settings);
     result.settings.command = app.get_subcommands().front()->get_name();
   } catch (const CLI::Success& success) {  // --help, --version
@@ -328,6 +337,9 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     std::ostringstream error;
     result.status = app.exit(success, out, error);
     result.out = out.str();
+  } catch (const InputError& error) {  // of --settings
+    result.status = kFailure;
+    result.error = fmt::format("treedyn: {}\n", error.what());
   } catch (const CLI::ParseError& error) {
     result.status = kUsage;
     result.error = fmt::format("treedyn: {}; see treedyn --help\n", error.what());

@@ -1,13 +1,16 @@
 #include "cli/generation_options.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "description/read.hpp"
 #include "pipeline.hpp"
 #include "simplify/scene_functions.hpp"
+#include "simplify/scene_steps.hpp"
 
 namespace treedyn {
 
@@ -161,10 +164,73 @@ void add_model(CLI::App& command, Request& request) {
       ->type_name("reduce|independent");
 }
 
+namespace {
+
+/// What goes before the `stepping` of a scene.
+void add_stepping(CLI::App& command, StepChoice& stepping) {
+  command
+      .add_option("--integrator", stepping.integrator, "of the scene's step, instead of its own")
+      ->check(one_of(simplify::step_method_names()))
+      ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--step",
+          [&stepping](const std::string& text) {
+            stepping.step = number("--step", text);
+            if (!(*stepping.step > 0)) {
+              throw CLI::ValidationError("--step",
+                                         fmt::format("{} is not above zero", shown(text)));
+            }
+          },
+          "length of the scene's step in s, instead of its own")
+      ->type_name("S");
+  command
+      .add_option("--cuts", stepping.cuts, "shorter steps that look for an event; 0: at the end")
+      ->check(CLI::Range(0, model::kMostCuts))
+      ->type_name("N");
+  command
+      .add_option_function<std::string>(
+          "--state",
+          [&stepping](const std::string& state) { stepping.compensated = state == "compensated"; },
+          "compensated: the step keeps what rounding takes from the state; default plain")
+      ->check(one_of({"plain", "compensated"}))
+      ->type_name("plain|compensated");
+  command
+      .add_option_function<std::string>(
+          "--settings", [](const std::string& /*file*/) {},
+          "a file with options of this list, a line each: step = 0.01; `accuracy` writes one")
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+std::vector<std::string> with_settings(const std::vector<std::string>& words) {
+  std::vector<std::string> result;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] != "--settings" || k + 1 == words.size()) {
+      result.push_back(words[k]);
+      continue;
+    }
+    const std::string& file = words[++k];
+    std::istringstream text(description::read_text(file));
+    for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(text)) {
+      if (!item.parents.empty() || item.name.empty() || item.name.size() > 64) {
+        throw InputError({file, 0, 0}, fmt::format("settings: {} is not usable; expected lines "
+                                                   "like scalar = \"float\"",
+                                                   shown(item.fullname())));
+      }
+      result.push_back("--" + item.name);
+      result.insert(result.end(), item.inputs.begin(), item.inputs.end());
+    }
+  }
+  return result;
+}
+
 void add_generation(CLI::App& command, Request& request) {
   add_model(command, request);
   add_sharing(command, request);
   add_checked(command, request);
+  add_stepping(command, request.stepping);
   command.get_option("MODEL")->required(false);
   command
       .add_option_function<std::string>(

@@ -23,4 +23,8 @@ void add_model(CLI::App& command, Request& request);
 /// All options of `generate`; MODEL is optional among them.
 void add_generation(CLI::App& command, Request& request);
 
+/// The words of a command line, with `--settings FILE` replaced by the options that stand in FILE.
+/// \throws InputError for a file that cannot be read, CLI::ParseError for lines that are no options
+std::vector<std::string> with_settings(const std::vector<std::string>& words);
+
 }  // namespace treedyn

@@ -15,9 +15,6 @@ namespace treedyn::description {
 
 namespace {
 
-/// Cuts and events of a generated step, at most.
-constexpr int kMostCuts = 16;
-
 Keys root_keys() {
   return {"scene",    "model",    "base",     "parameters",    "points",
           "effects",  "use",      "phases",   "start_phase",   "initial",
@@ -76,8 +73,9 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
   if (node == nullptr) {
     return;
   }
-  const SceneFields fields = context.fields(
-      *node, "stepping", {"integrator", "step", "tolerance", "output_step", "cuts", "events"});
+  const SceneFields fields =
+      context.fields(*node, "stepping",
+                     {"integrator", "step", "tolerance", "output_step", "cuts", "events", "state"});
   model::Stepping& stepping = scene.stepping;
   if (const std::optional<Text> name = fields.optional_text("integrator")) {
     stepping.integrator = name->text;
@@ -88,10 +86,18 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
   };
   positive("step", stepping.step);
   const auto count = [&](const char* key, int least, int& value) {
-    value = fields.find(key) == nullptr ? value : fields.integer(key, least, kMostCuts);
+    value = fields.find(key) == nullptr ? value : fields.integer(key, least, model::kMostCuts);
   };
   count("cuts", 0, stepping.cuts);
   count("events", 1, stepping.events);
+  if (const std::optional<Text> state = fields.optional_text("state")) {
+    if (state->text != "plain" && state->text != "compensated") {
+      throw InputError({fields.file(), state->where.line, state->where.column},
+                       fmt::format("stepping: state {} is unknown; expected plain or compensated",
+                                   shown(state->text)));
+    }
+    stepping.compensated = state->text == "compensated";
+  }
   positive("tolerance", stepping.tolerance);
   positive("output_step", stepping.output_step);
 }

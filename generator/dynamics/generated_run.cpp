@@ -157,9 +157,9 @@ void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
   for (std::size_t k = 0; k < scene.tau.size(); ++k) {
     tau[k] = static_cast<double>(scene.tau[k]);
   }
-  for (const char* name : {"steps", "begun"}) {
+  for (const char* name : {"steps", "begun", "rest"}) {
     if (step.has(name)) {
-      step.at(name)[0] = 0;
+      std::fill(step.at(name).begin(), step.at(name).end(), 0.0);
     }
   }
   if (step.has("phase")) {

@@ -151,7 +151,11 @@ Lines EffectWriter::event_lines(const StepPhase& phase, const StepEvent& event) 
   if (event.rest) {
     append(lines, rest_lines(phase, event));
   }
-  append(lines, {"for (int i = 0; i < kDof; ++i) {", "  now.qd[i] = qd_plus[i];", "}"});
+  append(lines, {"for (int i = 0; i < kDof; ++i) {", "  now.qd[i] = qd_plus[i];"});
+  if (stepper_.compensated) {
+    lines.emplace_back("  now.rest[kDof + i] = Scalar(0);");
+  }
+  lines.emplace_back("}");
   append(lines, sticking_lines(event));
   return lines;
 }

@@ -72,6 +72,9 @@ Lines EventWriter::motion() const {
 Lines EventWriter::moment() const {
   Lines lines = {"Scalar at;  // s from the beginning of the step", "Scalar q[kDof];",
                  "Scalar qd[kDof];"};
+  if (stepper_.compensated) {
+    lines.emplace_back("Scalar rest[2 * kDof];  // lost by q and qd");
+  }
   if (stepper_.rows > 0) {
     lines.push_back(fmt::format("Scalar lambda[{}];", stepper_.rows));
   }
@@ -91,7 +94,12 @@ Lines EventWriter::advance() const {
   if (stepper_.switches()) {
     arguments.emplace_back("motion.which");
   }
-  arguments.insert(arguments.end(), {"from.q", "from.qd", "motion.tau"});
+  arguments.insert(arguments.end(), {"from.q", "from.qd"});
+  if (stepper_.compensated) {
+    append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  to.rest[i] = from.rest[i];", "}"});
+    arguments.emplace_back("to.rest");
+  }
+  arguments.emplace_back("motion.tau");
   if (stepper_.takes_time) {
     lines.emplace_back("const Scalar t[1] = {motion.t[0] + from.at};");
     arguments.emplace_back("t");
@@ -272,6 +280,9 @@ Lines EventWriter::begin_lines() const {
   }
   lines.push_back(fmt::format("Motion motion = {{{}}};", fmt::join(values, ", ")));
   append(lines, {"Moment from = {};", "Moment to = {};"});
+  if (stepper_.compensated) {
+    append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  from.rest[i] = rest[i];", "}"});
+  }
   if (counts()) {
     lines.emplace_back("bool changed = false;");
   }
@@ -280,6 +291,9 @@ Lines EventWriter::begin_lines() const {
 
 Lines EventWriter::end_lines() const {
   Lines lines;
+  if (stepper_.compensated) {
+    append(lines, {"for (int i = 0; i < 2 * kDof; ++i) {", "  rest_next[i] = from.rest[i];", "}"});
+  }
   if (stepper_.switches()) {
     lines.emplace_back("phase_next[0] = motion.which;");
   }

@@ -150,6 +150,9 @@ std::vector<std::string> integrate_list(const Stepper& stepper, bool parameters)
     result.push_back(parameters ? fmt::format("const Scalar* {}", name)
                                 : std::string(name == std::string("q") ? "x" : "v"));
   }
+  if (stepper.compensated) {
+    result.emplace_back("Scalar* rest_next");
+  }
   result.insert(result.end(), beside.begin() + (which ? 1 : 0), beside.end());
   for (const char* const name : {"q_next", "qd_next", "lambda", "later"}) {
     if (stepper.rows > 0 || name[0] == 'q') {
@@ -297,12 +300,22 @@ std::string integration_end(const Stepper& stepper, Form form) {
   return joined(lines, "  ");
 }
 
+std::string kept_lines(const Stepper& stepper) {
+  return stepper.compensated ? "\n  for (int i = 0; i < 2 * kDof; ++i) {\n"
+                               "    rest_next[i] = rest[i];\n"
+                               "  }"
+                             : "";
+}
+
 /// `step` without events, or `integrate`.
 std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
   const bool own = form == Form::kStep;
   const bool reacts = stepper.rows > 0;
+  const auto plus = [&](const std::string& x) {
+    return stepper.compensated ? fmt::format("add({}[i],", x) : x + "[i] +";
+  };
   Slots slots = {{"declaration",
-                  own ? step_declaration(stepper)
+                  own ? step_declaration(stepper) + kept_lines(stepper)
                       : declaration("int integrate", integrate_list(stepper, true), " noexcept {")},
                  {"dynamics", dynamics_name(stepper)},
                  {"phase", !stepper.switches() ? ""
@@ -311,7 +324,11 @@ std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
                  {"t", stepper.takes_time ? ", t" : ""},
                  {"anchor", stepper.takes_anchor ? ", anchor" : ""},
                  {"lambda", reacts ? ", lambda" : ""},
-                 {"end", integration_end(stepper, form)}};
+                 {"end", integration_end(stepper, form)},
+                 {"q_plus", plus("q")},
+                 {"qd_plus", plus("qd")},
+                 {"q_rest", stepper.compensated ? ", rest_next[i])" : ""},
+                 {"qd_rest", stepper.compensated ? ", rest_next[kDof + i])" : ""}};
   if (stepper.method == StepMethod::kSemiImplicitEuler) {
     slots["lengths"] = lengths(stepper, form, scalar, {}, true);
     return fill(template_text("step_semi_implicit_euler.cpp"), slots);
@@ -340,6 +357,9 @@ std::string local_text(const Stepper& stepper, const Vocabulary& words, const Ta
   }
   result += local_functions(stepper.anchors, words, target);
   result += stepper.switches() ? dispatch(stepper) : "";
+  if (stepper.compensated) {
+    result += template_text("step_add.cpp");
+  }
   if (stepper.method == StepMethod::kSdirk2) {
     result += sdirk2_stages(stepper, target.scalar);
   }

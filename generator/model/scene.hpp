@@ -181,6 +181,9 @@ struct Phase {
 
 enum class Drift { kNone, kBaumgarte, kProjection };
 
+/// Shorter steps that look for an event, and events of one step, at most.
+inline constexpr int kMostCuts = 16;
+
 /// How a scene is stepped.
 struct Stepping {
   std::string integrator = "fehlberg78";
@@ -188,6 +191,8 @@ struct Stepping {
   Real step = Real("1e-3");  ///< s, methods with fixed steps
   int cuts = 3;    ///< generated steps: shorter steps that look for an event; 0: at the end
   int events = 3;  ///< generated steps: events of one step, at most
+  /// Generated steps: what rounding takes from the state is kept and added in the next step.
+  bool compensated = false;
   Real tolerance = Real("1e-10");  ///< error of a step, relative and absolute, adaptive methods
   Drift drift = Drift::kProjection;
   Real stabilisation = 20;  ///< alpha of Baumgarte, 1/s

@@ -118,7 +118,7 @@ Ref Graph::multiply(Ref a, Ref b) {
     product = b;
   } else if (is_constant(a) && is_constant(b)) {
     product = constant(value(a) * value(b));
-  } else if (const Node& n = node(b);
+  } else if (const Node n = node(b);
              is_constant(a) && n.kind == Kind::kMultiply && is_constant(n.a)) {
     product = multiply(constant(value(a) * value(n.a)), n.b);  // c1 (c2 x) = (c1 c2) x
   } else {

@@ -41,24 +41,26 @@ Cost sdirk2_cost(const Stepper& stepper, const Cost& dynamics, int newton_steps,
 /// The integration alone, given the operations of one call of the dynamics.
 Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
   const int n = stepper.signature.inputs.front().size;
+  const Cost kept{.add = stepper.compensated ? 6 * n : 0};
   const bool timed = stepper.takes_time;
   const bool any_length = stepper.ends();
   switch (stepper.method) {
     case StepMethod::kSemiImplicitEuler:
       break;
     case StepMethod::kRk4:
-      return 4 * dynamics +
+      return kept + 4 * dynamics +
              Cost{.add = 14 * n + (timed ? 2 : 0), .mul = 10 * n + (any_length ? 2 : 0)};
     case StepMethod::kDopri5:
-      return 6 * dynamics + Cost{.add = 40 * n + (timed ? 5 : 0),
-                                 .mul = 40 * n + (any_length ? 20 + (timed ? 5 : 0) : 0)};
+      return kept + 6 * dynamics +
+             Cost{.add = 40 * n + (timed ? 5 : 0),
+                  .mul = 40 * n + (any_length ? 20 + (timed ? 5 : 0) : 0)};
     case StepMethod::kSdirk2:
       return worst ? kMostTries * (sdirk2_cost(stepper, dynamics, kMostJacobians * kMostNewtonSteps,
                                                1 + 2 * kMostJacobians) +
                                    Cost{.add = 1, .mul = 1 + 2 * kMostJacobians})
                    : sdirk2_cost(stepper, dynamics, kUsualNewtonSteps, 1);
   }
-  return dynamics + Cost{.add = 2 * n, .mul = 2 * n};
+  return kept + dynamics + Cost{.add = 2 * n, .mul = 2 * n};
 }
 
 /// When a phase has lasted so long.

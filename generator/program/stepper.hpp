@@ -81,8 +81,9 @@ struct StepPhase {
   std::vector<StepEvent> events;
 };
 
-/// step(q, qd, tau[, t][, anchor][, phase][, steps][, begun]) ->
-///   q_next, qd_next[, lambda][, anchor_next][, phase_next][, steps_next][, begun_next],
+/// step(q, qd, tau[, t][, anchor][, phase][, steps][, begun][, rest]) ->
+///   q_next, qd_next[, lambda][, anchor_next][, phase_next][, steps_next][, begun_next][,
+///   rest_next],
 /// by calls of constrained_dynamics. \invariant at least one phase
 struct Stepper {
   Signature signature;
@@ -94,10 +95,11 @@ struct Stepper {
   std::vector<Staged> anchors;  ///< one or none: q[, t] -> anchor, as they are now
   bool takes_time = false;
   bool takes_anchor = false;
-  int rows = 0;        ///< of lambda: the most of any phase
-  int counted = 0;     ///< steps of a phase are counted up to here; 0: not at all
-  bool begun = false;  ///< phases with counted steps begin within a step
-  std::string first;   ///< the phase in which the scene begins
+  int rows = 0;              ///< of lambda: the most of any phase
+  int counted = 0;           ///< steps of a phase are counted up to here; 0: not at all
+  bool begun = false;        ///< phases with counted steps begin within a step
+  bool compensated = false;  ///< rest: what q and qd lost by rounding
+  std::string first;         ///< the phase in which the scene begins
   /// Joints by whose velocities phases come in threes: at rest, forth, back; those of the first are
   /// neighbours.
   std::vector<int> sticking;

@@ -287,11 +287,15 @@ void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
   add(s.inputs, stepper.switches(), {"phase", 1, "index", true});
   add(s.inputs, counts, {"steps", 1, "done in this phase", true});
   add(s.inputs, stepper.begun, {"begun", 1, "s in this phase before them"});
+  add(s.inputs, stepper.compensated,
+      {"rest", 2 * n, "what q and qd lost by rounding; zero at first"});
   add(s.outputs, stepper.rows > 0, {"lambda", stepper.rows, "N|N m"});
   add(s.outputs, renews, {"anchor_next", anchor_count(), "m|1|rad"});
   add(s.outputs, stepper.switches(), {"phase_next", 1, "index", true});
   add(s.outputs, counts, {"steps_next", 1, "done in the next phase", true});
   add(s.outputs, stepper.begun, {"begun_next", 1, "s in the next phase before them"});
+  add(s.outputs, stepper.compensated,
+      {"rest_next", 2 * n, "what q_next and qd_next lost by rounding"});
 }
 
 /// How far steps of a phase must be counted, and whether phases begin within a step.
@@ -317,6 +321,7 @@ program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
   result.step = scene_.stepping.step;
   result.cuts = scene_.stepping.cuts;
   result.events = scene_.stepping.events;
+  result.compensated = scene_.stepping.compensated;
   bool renews = false;
   for (std::size_t state = 0; state < states_.size(); ++state) {
     result.phases.push_back(phase(state, dynamics[state]));

@@ -11,9 +11,9 @@ namespace treedyn::accuracy {
 namespace {
 
 /// An outcome of a step that costs `additions`.
-Outcome outcome(bool is_float, const char* integrator, double step, double error, int additions) {
+Outcome outcome(State state, const char* integrator, double step, double error, int additions) {
   Outcome result;
-  result.setting = {is_float, integrator, step};
+  result.setting = {state, integrator, step};
   result.step_cost.add = additions;
   result.joint_errors = {error / 2, error};
   return result;
@@ -22,10 +22,10 @@ Outcome outcome(bool is_float, const char* integrator, double step, double error
 /// Errors h^4 above a floor of 1e-12 in double; 1e-5 in float, which rises as 1e-8 / h.
 Study study_of_order_four() {
   Study study;
-  for (const bool is_float : {true, false}) {
+  for (const State state : {State::kFloat, State::kDouble}) {
     for (const double h : {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005}) {
-      const double floor = is_float ? 1e-8 / h : 1e-12;
-      study.outcomes.push_back(outcome(is_float, "rk4", h, std::pow(h, 4) + floor, 50));
+      const double floor = state == State::kFloat ? 1e-8 / h : 1e-12;
+      study.outcomes.push_back(outcome(state, "rk4", h, std::pow(h, 4) + floor, 50));
     }
   }
   return study;
@@ -38,17 +38,17 @@ const Core& core(const char* name) {
 }
 
 TEST(Study, FitsTheOrderAboveTheFloor) {
-  const std::optional<double> order = fitted_order(study_of_order_four(), false, "rk4");
+  const std::optional<double> order = fitted_order(study_of_order_four(), State::kDouble, "rk4");
   ASSERT_TRUE(order);
   EXPECT_NEAR(*order, 4, 0.01);
-  EXPECT_FALSE(fitted_order(study_of_order_four(), false, "euler"));
+  EXPECT_FALSE(fitted_order(study_of_order_four(), State::kDouble, "euler"));
 }
 
 TEST(Study, FindsTheFloorOfAScalarAndItsStep) {
-  const std::optional<Floor> floor = floor_of(study_of_order_four(), true);
+  const std::optional<Floor> floor = floor_of(study_of_order_four(), State::kFloat);
   ASSERT_TRUE(floor);
   EXPECT_EQ(floor->setting.step, 0.02);  // 1.6e-7 + 5e-7; beside it 1e-8 + 1e-6 and 6e-6 + 2e-7
-  EXPECT_FALSE(floor_of(Study{}, true));
+  EXPECT_FALSE(floor_of(Study{}, State::kFloat));
 }
 
 TEST(Study, HasAParetoFrontThatFallsInErrorAsItRisesInCost) {
@@ -80,8 +80,9 @@ TEST(Study, ChoosesTheCheapestThatReachesTheTarget) {
 TEST(Study, NeverChoosesWhatFailed) {
   Study study;
   const double infinity = std::numeric_limits<double>::infinity();
-  study.outcomes = {outcome(true, "rk4", 0.1, infinity, 1), outcome(true, "rk4", 0.05, 1, 1),
-                    outcome(true, "rk4", 0.02, std::nan(""), 1)};
+  study.outcomes = {outcome(State::kFloat, "rk4", 0.1, infinity, 1),
+                    outcome(State::kFloat, "rk4", 0.05, 1, 1),
+                    outcome(State::kFloat, "rk4", 0.02, std::nan(""), 1)};
   EXPECT_TRUE(study.outcomes[0].failed());
   EXPECT_TRUE(study.outcomes[2].failed());
   EXPECT_THAT(pareto(study, core("host")), testing::ElementsAre(1U));
@@ -89,7 +90,7 @@ TEST(Study, NeverChoosesWhatFailed) {
 }
 
 TEST(Study, CountsCyclesOfASecond) {
-  const Outcome one = outcome(true, "rk4", 0.01, 1, 10);
+  const Outcome one = outcome(State::kFloat, "rk4", 0.01, 1, 10);
   const Cycles& of = core("m4f").single;
   EXPECT_DOUBLE_EQ(one.cycles_per_second(core("m4f")), 10 * (of.add + of.memory) / 0.01);
 }

@@ -56,22 +56,28 @@ class Accuracy : public Cli {
   }
 
   /// The error of the step that `generate` writes, compiled and iterated here.
-  double iterated(const std::string& scalar, const std::string& integrator, double step) {
+  double iterated(const std::string& scalar, const std::string& kept, const std::string& integrator,
+                  double step) {
     const std::string scene = scratch("scene.yaml");
     write_file(scene,
                "scene: pendulum\nmodel: " TREEDYN_SOURCE_DIR
                "/models/scenes/pendulum.model.yaml\neffects: {gravity: [0, 0, -9.81]}\nstepping: "
                "{integrator: " +
-                   integrator + ", step: " + std::to_string(step) + "}\nduration: 10\n");
-    const std::string folder = scratch(scalar + integrator + std::to_string(step));
+                   integrator + ", step: " + std::to_string(step) + ", state: " + kept +
+                   "}\nduration: 10\n");
+    const std::string folder = scratch(scalar + kept + integrator + std::to_string(step));
     support::generate("", {"--scene", scene, "--functions", "step", "--scalar", scalar}, folder);
     const support::CompiledModel model(folder, "generated");
     const std::vector<double> truth = exact();
-    std::vector<double> state = {kBegin, 0};
+    std::vector<double> state = {kBegin, 0, 0, 0};
     double largest = 0;
     const int every = static_cast<int>(std::lround(kInterval / step));
     for (int k = 1; k <= every * kTimes; ++k) {
-      state = model.call("step", {{state[0]}, {state[1]}, {0}});
+      support::CompiledModel::Inputs inputs = {{state[0]}, {state[1]}, {0}};
+      if (kept == "compensated") {
+        inputs.push_back({state[2], state[3]});
+      }
+      state = model.call("step", inputs);
       if (k % every == 0) {
         const auto at = static_cast<std::size_t>(k / every - 1);
         largest = std::max(largest, std::abs(state[0] - truth[at]));
@@ -85,9 +91,10 @@ TEST_F(Accuracy, RowsAreThoseOfTheCompiledStep) {
   const Json result = study({"--integrators", "rk4,dopri5-fixed", "--steps", "0.1,0.005"});
   const double agreement = result.at("reference_agreement");
   EXPECT_LT(agreement, 1e-10);  // of the second reference, steps of 5 ms of order 5
-  ASSERT_EQ(result.at("settings").size(), 8U);
+  ASSERT_EQ(result.at("settings").size(), 12U);
   for (const Json& row : result.at("settings")) {
-    const double error = iterated(row.at("scalar"), row.at("integrator"), row.at("step"));
+    const double error =
+        iterated(row.at("scalar"), row.at("state"), row.at("integrator"), row.at("step"));
     // simulate to 1e-13 a step against steps of 0.1 ms in long double: some 1e-11 over 10 s
     EXPECT_NEAR(row.at("errors").at(0).get<double>(), error, 5e-11) << row;
   }
@@ -128,6 +135,32 @@ TEST_F(Accuracy, SaysWhichTargetsAreOutOfReach) {
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.out, HasSubstr("1e-20 is out of reach: the smallest error is"));
   EXPECT_THAT(refused.out, HasSubstr("with double rk4 0.005"));
+}
+
+/// Rounding of the state to float, some 1e-7 a step, adds up over 10 000 steps; kept, it does not.
+TEST_F(Accuracy, ACompensatedStateLowersTheFloorOfFloat) {
+  const Json result = study({"--integrators", "rk4", "--steps", "0.001"});
+  std::map<std::string, double> errors;
+  for (const Json& row : result.at("settings")) {
+    errors[std::string(row.at("scalar")) + " " + std::string(row.at("state"))] =
+        row.at("errors").at(0);
+  }
+  EXPECT_LT(errors.at("float compensated"), errors.at("float plain") / 10);
+  EXPECT_LT(errors.at("double plain"), errors.at("float compensated"));
+}
+
+TEST_F(Accuracy, WritesSettingsThatGenerateTakes) {
+  study({"--integrators", "rk4", "--steps", "0.02", "--on", "m4f", "--target", "1e-5"});
+  const std::string settings = file("pendulum_accuracy_m4f.toml");
+  EXPECT_EQ(read_file(settings),
+            "scalar = \"float\"\nintegrator = \"rk4\"\nstep = 0.02\nstate = \"compensated\"\n");
+  const Outcome made = treedyn({"generate", "--scene", kPendulum, "--functions", "step",
+                                "--settings", settings, "-o", scratch("made")});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(read_file(scratch("made") + "/pendulum.cpp"), HasSubstr("constexpr float h = 0.02f"));
+  write_file(settings, "stepp = 0.02\n");
+  expect_usage_error(
+      treedyn({"generate", "--scene", kPendulum, "--settings", settings, "-o", out()}), "--stepp");
 }
 
 TEST_F(Accuracy, RefusesStepsThatDoNotDivideTheTimeOfAComparison) {

@@ -182,7 +182,8 @@ long flash_of(const std::string& object) {
   return text;
 }
 
-const Words kCompile = {"arm-none-eabi-g++", "-std=c++17",         "-mthumb",
+/// The driver for C: that for C++ would link libstdc++, which is not needed.
+const Words kCompile = {"arm-none-eabi-gcc", "-std=c++17",         "-mthumb",
                         "-fno-exceptions",   "-fno-rtti",          "-fno-math-errno",
                         "-ffp-contract=off", "-ffunction-sections"};
 
@@ -314,7 +315,7 @@ bool is_there(const std::string& program) {
 }
 
 int run(const Places& places, const std::string& path, bool update) {
-  for (const char* program : {"arm-none-eabi-g++", "qemu-system-arm"}) {
+  for (const char* program : {"arm-none-eabi-gcc", "qemu-system-arm"}) {
     if (!is_there(program)) {
       fmt::print("{} is not installed: nothing was measured\n", program);
       return 77;
