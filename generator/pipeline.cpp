@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -18,6 +19,7 @@
 #include "equations/table.hpp"
 #include "in_scalar.hpp"
 #include "limits.hpp"
+#include "program/rounding.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
 #include "simplify/scene_loops.hpp"
@@ -162,6 +164,40 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   }
 }
 
+namespace {
+
+/// What float may lose of the largest result at some ordinary state before there is a warning.
+constexpr double kFloatLoses = 1e-2;
+
+/// Functions of which float keeps no digits.
+std::vector<Warning> float_warnings(const Programs& programs, emit::Scalar scalar,
+                                    const Location& where) {
+  std::vector<Warning> result;
+  const auto check = [&](const std::string& name, const program::Function& function) {
+    const double error = program::float_error(function);
+    if (!(error <= kFloatLoses)) {
+      result.push_back(
+          {where, fmt::format("function '{}' {} in float at some ordinary state, and no status "
+                              "tells; expected double, or masses and lengths of more equal size",
+                              name,
+                              std::isfinite(error)
+                                  ? fmt::format("is off by {:.1g} of its largest result", error)
+                                  : "has no result")});
+    }
+  };
+  if (scalar == emit::Scalar::kFloat) {
+    for (const program::Function& function : programs.functions) {
+      check(function.signature.name, function);
+    }
+    for (const program::Staged& staged : programs.staged) {
+      check(staged.signature.name, staged.function);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::string& file) {
   const Location where{file, 0, 0};
   Request request;
@@ -181,7 +217,8 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   StepFiles result{model.name,
                    {},
                    programs.steppers.front().signature,
-                   program::step_cost(programs.steppers.front())};
+                   program::step_cost(programs.steppers.front()),
+                   float_warnings(programs, scalar, where)};
   result.files = emit_files(model, request, std::move(programs));
   return result;
 }
@@ -212,6 +249,10 @@ std::vector<emit::File> generate(const Model& model, const Request& request, con
                                  const Warn& warn) {
   Programs programs = formulate(model, request, trace);
   warn_of_rounding(request, programs, warn);
+  const Location where{request.scene.value_or(request.model), 0, 0};
+  for (const Warning& warning : float_warnings(programs, request.target.scalar, where)) {
+    warn(warning);
+  }
   prove(model, request, programs);
   return emit_files(model, request, std::move(programs));
 }

@@ -44,6 +44,7 @@ struct StepFiles {
   std::vector<emit::File> files;
   program::Signature signature;  ///< of `step`
   program::Cost cost;            ///< of one step in the first phase
+  std::vector<Warning> warnings;
 };
 /// \param file  of the scene, for messages
 /// \throws InputError if the scene has no generated step

@@ -6,6 +6,7 @@
 
 #include "in_scalar.hpp"
 #include "model/effects.hpp"
+#include "simplify/scene_sticking.hpp"
 
 namespace treedyn {
 
@@ -194,13 +195,16 @@ Scene without_effect(const Scene& scene, std::string_view effect) {
 std::vector<Price> effect_prices(const Model& model, const Request& request,
                                  const Programs& programs) {
   const std::map<std::string, program::Cost> with = costs(programs);
+  Scene scene = *model.scene;
+  simplify::forget_sticking(scene);
   std::vector<Price> result;
   for (const model::EffectRow& effect : model::kEffects) {
-    if (!names(*model.scene, effect.name)) {
+    if (!names(scene, effect.name)) {
       continue;
     }
     Model other = model;
-    other.scene = without_effect(*model.scene, effect.name);
+    other.scene = without_effect(scene, effect.name);
+    simplify::settle_sticking(*other.scene);
     std::map<std::string, program::Cost> without = costs(
         in_scalar(formulate(other, request, [](const std::string&) {}), request.target.scalar));
     const std::size_t before = result.size();

@@ -81,13 +81,15 @@ std::unique_ptr<simulation::Dynamics> dynamics_of(const SimulateRequest& request
 }
 
 /// Nothing unless the generated step is the motion. \post the scene's phases are those of the step
-std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request, model::Scene& scene) {
+std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request, model::Scene& scene,
+                                              std::vector<Warning>& warnings) {
   if (!request.as_generated) {
     return nullptr;
   }
   const emit::Scalar scalar =
       request.scalar.value_or("double") == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
   const StepFiles files = step_files(scene, scalar, request.scene);
+  warnings = files.warnings;
   simplify::settle_sticking(scene);
   return std::make_unique<GeneratedStep>(files.name, files.files, files.signature);
 }
@@ -95,10 +97,10 @@ std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request, mo
 }  // namespace
 
 SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress) {
-  SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, 0, {}};
+  SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, 0, {}, {}};
   apply(request, result.scene);
   check(request, result.scene);
-  std::unique_ptr<GeneratedStep> step = generated_step(request, result.scene);
+  std::unique_ptr<GeneratedStep> step = generated_step(request, result.scene, result.warnings);
   const std::unique_ptr<simulation::Dynamics> dynamics = dynamics_of(request, result.scene);
   result.operations = dynamics->operations();
   try {

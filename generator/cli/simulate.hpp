@@ -40,6 +40,7 @@ struct SimulateResult {
   std::optional<double> seconds;       ///< that the run took, if it was asked for
   long operations = 0;                 ///< of one evaluation of the terms, sin and cos among them
   std::vector<StatusRecord> statuses;  ///< of a generated step
+  std::vector<Warning> warnings;       ///< of how it was made
 };
 
 /// Reads and runs the scene. \throws InputError for mistakes in it

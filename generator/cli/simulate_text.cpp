@@ -150,6 +150,9 @@ std::vector<std::string> warnings_of(const SimulateResult& result) {
   for (const simulation::Notice& notice : result.recording.notices) {
     lines.push_back(simulation::to_string(notice));
   }
+  for (const Warning& warning : result.warnings) {
+    lines.push_back(warning.message);
+  }
   return lines;
 }
 

@@ -172,6 +172,33 @@ std::size_t sticking_phases(const Scene& scene) {
   return result;
 }
 
+void forget_sticking(Scene& scene) {
+  int ways = 1;
+  std::string suffix;
+  for (const int joint : scene.sticking) {
+    suffix += fmt::format("_{}_{}", name_of(scene, joint), kWayNames[kRests]);
+    ways *= 3;
+  }
+  std::vector<Phase> phases;
+  for (std::size_t k = 0; k < scene.phases.size(); k += index(ways)) {
+    Phase phase = scene.phases[k];
+    if (phase.name.ends_with(suffix)) {
+      phase.name.resize(phase.name.size() - suffix.size());
+    }
+    std::erase_if(phase.active, [&](int c) { return scene.constraints[index(c)].sticks; });
+    std::erase_if(phase.until, [](const Event& event) { return event.goes_on; });
+    for (Event& event : phase.until) {
+      event.then /= ways;
+    }
+    phase.forces.clear();
+    phases.push_back(std::move(phase));
+  }
+  scene.phases = std::move(phases);
+  scene.start_phase /= ways;
+  scene.sticking.clear();
+  std::erase_if(scene.constraints, [](const model::Constraint& row) { return row.sticks; });
+}
+
 void settle_sticking(Scene& scene) {
   std::vector<Sticking> joints = sticking_joints(scene);
   if (!joints.empty() && scene.sticking.empty()) {

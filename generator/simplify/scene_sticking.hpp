@@ -17,5 +17,7 @@ std::size_t sticking_phases(const model::Scene& scene);
 /// row holds a joint that sticks, until its reaction is beyond the friction; a constant force acts
 /// on one that slips, until it stops. \post Scene::sticking
 void settle_sticking(model::Scene& scene);
+/// The scene before that; names of phases may keep a number.
+void forget_sticking(model::Scene& scene);
 
 }  // namespace treedyn::simplify

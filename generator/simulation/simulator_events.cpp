@@ -182,6 +182,9 @@ double Simulator::refine(const Watch& watch, double low, double high, double h) 
   if (!(watch.side * g(to) < 0)) {  // the motion is a little behind its polynomial
     to = std::min(h, to + (to - from));
     if (!(watch.side * g(to) < 0)) {
+      to = h;  // by far, as steps of order 1 are
+    }
+    if (!(watch.side * g(to) < 0)) {
       return -1;
     }
   }

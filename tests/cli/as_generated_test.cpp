@@ -148,6 +148,34 @@ TEST(AsGenerated, SticksAndSlipsLikeTheSimulator) {
   }
 }
 
+/// Milligrams before a kilogram, and a row: by 1e-6 of what A is made of, float is off by tenths.
+TEST(Float, ThatKeepsNoDigitsIsWarnedOf) {
+  const TemporaryFolder folder;
+  const auto warned = [&](const std::string& mass) {
+    std::string model = "name: chain\nlinks:\n";
+    std::string father = "ground";
+    for (int k = 0; k < 5; ++k) {
+      const std::string m = k == 4 ? "1" : mass;
+      const std::string name = "l" + std::to_string(k);
+      model += "  - name: " + name + "\n    father: " + father + "\n    joint: {name: j" +
+               std::to_string(k) + ", type: revolute, axis: [0, 1, 0]" +
+               (k == 0 ? "" : ", offset: [0.3, 0.02, 0.1]") + "}\n    mass: " + m +
+               "\n    com: [0.15, 0, 0.02]\n    inertia: [0.01*" + m + ", 0, 0, 0.01*" + m +
+               ", 0, 0.01*" + m + "]\n";
+      father = name;
+    }
+    write_file(folder.path() / "model.yaml", model);
+    const std::string file = (folder.path() / "chain.yaml").string();
+    write_file(file,
+               "scene: chain\nmodel: model.yaml\neffects: {gravity: [0, 0, -9.81], locked_joint: "
+               "[{joint: j1}]}\nduration: 0.001\nstepping: {integrator: rk4, step: 0.001}\n");
+    const Outcome outcome = simulated(file, {"--as-generated", "--scalar", "float"});
+    return outcome.err.find("in float at some ordinary state") != std::string::npos;
+  };
+  EXPECT_TRUE(warned("1e-6"));
+  EXPECT_FALSE(warned("0.1"));
+}
+
 TEST(AsGenerated, NeedsAStepOfFixedLength) {
   const Outcome outcome = simulated(kScenes + "compass_walk.yaml", {"--as-generated"});
   EXPECT_EQ(outcome.status, 1);

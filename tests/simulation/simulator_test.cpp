@@ -281,6 +281,37 @@ duration: 1
               impact.q[0] + impact.qd_after[0] * time + braked * time * time / 2, 1e-8);
 }
 
+/// The last rebounds end within a step, whose path is not the cubic through its ends.
+TEST(Impact, OfEverSmallerReboundsEndsOnTheFloorByEveryMethod) {
+  for (const char* const name : {"semi-implicit-euler", "rk4", "sdirk2"}) {
+    for (const char* const step : {"0.0005", "0.001", "0.003"}) {
+      model::Scene scene = scene_of(R"yaml(
+scene: zeno
+model: drop.model.yaml
+effects:
+  gravity: [0, 0, -9.81]
+  point_constraint:
+    - {name: floor, point: ball, along: [z]}
+phases:
+  - name: flight
+    active: []
+    until:
+      - touch_down: {point: ball}
+        impact: {constraints: [floor], restitution: 0.8, rest_below: 1e-4}
+        then: flight
+initial: {q: {height: 1}}
+duration: 6
+)yaml");
+      scene.stepping.integrator = name;
+      scene.stepping.step = Real(step);
+      Running running(scene);
+      running.advance_to(6);
+      EXPECT_NEAR(running.simulator.q()[0], 0, 1e-9) << name << " " << step;
+      EXPECT_NEAR(running.simulator.qd()[0], 0, 1e-9) << name << " " << step;
+    }
+  }
+}
+
 /// Both joints stop about at once; the first step behind it is no part of a turn that speeds of
 /// 1e-34 tell.
 TEST(Friction, ThatStopsAllJointsLeavesAStepThatAdvancesTime) {
