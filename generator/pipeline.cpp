@@ -12,6 +12,7 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
+#include "emit/c99.hpp"
 #include "emit/header.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
@@ -137,6 +138,10 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   programs = in_scalar(std::move(programs), request.target.scalar);
   emit::Unit unit;
   unit.name = model.name;
+  unit.language = request.language;
+  unit.space = request.space.value_or(model.name);
+  unit.prefix = request.prefix.value_or(model.name);
+  unit.section = request.section;
   unit.tree = &model.tree;
   unit.points = model.points;
   unit.functions = std::move(programs.functions);
@@ -151,6 +156,14 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   }
   if (request.checked) {
     unit.checked = checked_siblings(model, unit.functions);
+  }
+  const std::string lacking =
+      request.language == emit::Language::kC99 ? emit::c99_lacks(unit) : std::string{};
+  if (!lacking.empty()) {
+    throw InputError({request.scene.value_or(request.model), 0, 0},
+                     fmt::format("--language c99 lacks {}; expected --language c++, or "
+                                 "other --functions",
+                                 lacking));
   }
   unit.command = generate_command(request, Paths::kBaseNames);
   unit.tool = fmt::format("treedyn {}", kVersion);

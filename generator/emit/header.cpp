@@ -285,6 +285,7 @@ std::string header_text(const Unit& unit) {
   const model::Tree& tree = *unit.tree;
   return fill(template_text("model.hpp"),
               {{"name", unit.name},
+               {"space", unit.space},
                {"model", for_comment(tree.name, kLongestCell * 2)},
                {"command", command_comment(unit.command)},
                {"joints", joint_table(tree)},

@@ -327,8 +327,8 @@ std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
                  {"end", integration_end(stepper, form)},
                  {"q_plus", plus("q")},
                  {"qd_plus", plus("qd")},
-                 {"q_rest", stepper.compensated ? ", rest_next[i])" : ""},
-                 {"qd_rest", stepper.compensated ? ", rest_next[kDof + i])" : ""}};
+                 {"q_rest", stepper.compensated ? ", &rest_next[i])" : ""},
+                 {"qd_rest", stepper.compensated ? ", &rest_next[kDof + i])" : ""}};
   if (stepper.method == StepMethod::kSemiImplicitEuler) {
     slots["lengths"] = lengths(stepper, form, scalar, {}, true);
     return fill(template_text("step_semi_implicit_euler.cpp"), slots);

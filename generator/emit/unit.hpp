@@ -13,9 +13,15 @@
 
 namespace treedyn::emit {
 
+enum class Language { kCpp, kC99 };
+
 /// Everything that the generated files say.
 struct Unit {
-  std::string name;  ///< file stem and namespace
+  std::string name;  ///< file stem
+  Language language = Language::kCpp;
+  std::string space;    ///< C++: the namespace
+  std::string prefix;   ///< C99: before every name that others see, with a `_`
+  std::string section;  ///< a macro of the user in front of every function; empty: none
   const model::Tree* tree = nullptr;
   std::vector<model::Point> points;
   std::vector<program::Function> functions;
@@ -39,12 +45,12 @@ struct File {
   std::string text;
 };
 
-/// The names of the files that `emit_files` makes, in its order.
-std::vector<std::string> file_names(const std::string& name);
+/// The names of the files that `emit_files` makes, in its order: header, source, manifest.
+std::vector<std::string> file_names(const std::string& name, Language language);
 
-/// NAME.hpp, NAME.cpp, NAME.json; header and source carry the digest of both. The same unit gives
-/// the same bytes everywhere. \throws std::range_error if a constant is too large for the scalar
-/// type.
+/// NAME.hpp and NAME.cpp, or NAME.h and NAME.c, and NAME.json; header and source carry the digest
+/// of both. The same unit gives the same bytes everywhere. \throws std::range_error if a constant
+/// is too large for the scalar type.
 std::vector<File> emit_files(const Unit& unit);
 
 }  // namespace treedyn::emit
