@@ -148,6 +148,12 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   unit.staged = std::move(programs.staged);
   unit.steppers = std::move(programs.steppers);
   unit.target = request.target;
+  unit.self_test = request.self_test;
+  if (unit.self_test && (unit.functions.empty() || request.target.lanes > 1)) {
+    throw InputError({request.scene.value_or(request.model), 0, 0},
+                     "--self-test tests functions of the model, of one state; expected some among "
+                     "--functions, and no --lanes");
+  }
   if (request.target.packed) {
     unit.packing = packing_of(model, request);
     for (program::Function& function : unit.functions) {

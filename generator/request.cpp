@@ -103,6 +103,9 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   if (request.share_limbs) {
     options.emplace_back("share_limbs", "true");
   }
+  if (request.self_test) {
+    options.emplace_back("self_test", "true");
+  }
   if (request.checked) {
     options.emplace_back("checked", "true");
   }
@@ -154,6 +157,9 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   }
   if (request.share_limbs) {
     result.emplace_back("--share-limbs");
+  }
+  if (request.self_test) {
+    result.emplace_back("--self-test");
   }
   if (request.checked) {
     result.emplace_back("--checked");

@@ -46,6 +46,7 @@ struct Request {
   simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
   std::vector<simplify::Pass> without;  ///< passes that are switched off
   bool share_limbs = false;             ///< equal limbs share code
+  bool self_test = false;               ///< known answers and a function that compares with them
   bool checked = false;                 ///< functions that can fail have siblings with a status
   StepChoice stepping;                  ///< of a scene
 };

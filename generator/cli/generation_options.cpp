@@ -140,6 +140,9 @@ void add_sharing(CLI::App& command, Request& request) {
 }
 
 void add_checked(CLI::App& command, Request& request) {
+  command.add_flag(
+      "--self-test", request.self_test,
+      "known answers from 50 digits, and a function self_test that compares with them");
   command.add_flag("--checked", request.checked,
                    "beside functions that can fail NAME_checked, which return a status: a pivot "
                    "of A that is not safely above zero, what is not a number");

@@ -10,6 +10,7 @@
 
 #include "emit/definitions.hpp"
 #include "emit/layout.hpp"
+#include "emit/self_test.hpp"
 
 namespace treedyn::emit {
 
@@ -71,6 +72,9 @@ Translator::Translator(const Unit& unit) : unit_(unit) {
       functions_.insert(one.signature.name);
     }
   };
+  if (unit.self_test) {
+    functions_.insert(kSelfTest);
+  }
   add(unit.functions);
   add(unit.checked);
   add(unit.staged);

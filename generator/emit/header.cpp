@@ -9,6 +9,7 @@
 #include "emit/doc.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
+#include "emit/self_test.hpp"
 #include "emit/sincos.hpp"
 #include "emit/template_file.hpp"
 
@@ -217,6 +218,7 @@ std::string declarations(const Unit& unit) {
   for (const program::Function& function : unit.functions) {
     result += '\n' + doc(function) + prototype(function.signature);
   }
+  result += unit.self_test ? self_test_declaration(unit) : "";
   for (const Checked& checked : unit.checked) {
     result += '\n' + doc(checked) + prototype(checked.signature);
   }

@@ -9,6 +9,7 @@
 #include "emit/layout.hpp"
 #include "emit/limb_text.hpp"
 #include "emit/parts.hpp"
+#include "emit/self_test.hpp"
 #include "emit/sincos.hpp"
 #include "emit/staged.hpp"
 #include "emit/stepper.hpp"
@@ -75,6 +76,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
     functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k].parts.front())
                                              : split_function(signature, bodies[k]);
   }
+  functions += unit.self_test ? self_test_text(unit) : "";
   if (!unit.checked.empty() || !unit.staged.empty()) {
     functions += check_text(unit.target);
   }

@@ -29,6 +29,7 @@ struct Unit {
   std::vector<program::Staged> staged;     ///< behind `checked`
   std::vector<program::Stepper> steppers;  ///< behind `staged`
   Target target;
+  bool self_test = false;  ///< known answers of `functions`, and what compares with them
   program::Packing packing;          ///< of A, if the target is packed
   std::vector<std::string> command;  ///< program and arguments that reproduce the files
   std::string tool;                  ///< "treedyn 0.1.0", for the manifest only

@@ -138,7 +138,7 @@ TEST_P(C99, HasTheBitsOfTheCppFunctions) {
 
 INSTANTIATE_TEST_SUITE_P(
     Texts, C99,
-    testing::Values(Case{"puma560", {"puma560.yaml", "--checked"}},
+    testing::Values(Case{"puma560", {"puma560.yaml", "--checked", "--self-test"}},
                     Case{"biped",
                          {"biped.yaml", "--base", "axes", "--scalar", "float", "--points", "all"}},
                     Case{"libm", {"panda.yaml", "--scalar", "float", "--sincos", "libm"}},
