@@ -149,10 +149,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   unit.steppers = std::move(programs.steppers);
   unit.target = request.target;
   unit.self_test = request.self_test;
-  if (unit.self_test && (unit.functions.empty() || request.target.lanes > 1)) {
+  if (unit.self_test && unit.functions.empty()) {
     throw InputError({request.scene.value_or(request.model), 0, 0},
-                     "--self-test tests functions of the model, of one state; expected some among "
-                     "--functions, and no --lanes");
+                     "--self-test tests functions of the model; expected some among --functions");
   }
   if (request.target.packed) {
     unit.packing = packing_of(model, request);

@@ -270,11 +270,6 @@ Model read_scene_model(const Request& request) {
 }  // namespace
 
 Model read(const Request& request) {
-  const bool c = request.language == emit::Language::kC99;
-  if (c ? request.space.has_value() : request.prefix.has_value()) {
-    throw UsageError(c ? "C has no --namespace; expected --prefix"
-                       : "--prefix is that of --language c99; expected --namespace");
-  }
   if (request.scene) {
     return read_scene_model(request);
   }

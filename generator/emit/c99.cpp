@@ -355,15 +355,6 @@ std::string Translator::source(const std::string& text) const {
 }  // namespace
 
 std::string c99_lacks(const Unit& unit) {
-  if (unit.target.lanes > 1) {
-    return "lanes";
-  }
-  const auto& functions = unit.functions;
-  if (std::any_of(functions.begin(), functions.end(), [](const program::Function& function) {
-        return function.limb_code != nullptr;
-      })) {
-    return "code that limbs share";
-  }
   const bool ends = std::any_of(unit.steppers.begin(), unit.steppers.end(),
                                 [](const program::Stepper& stepper) { return stepper.ends(); });
   return ends ? "a step that locates events" : "";

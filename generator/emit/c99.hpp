@@ -17,7 +17,7 @@ namespace treedyn::emit {
 std::pair<std::string, std::string> in_c99(const Unit& unit, const std::string& header,
                                            const std::string& source);
 
-/// What of the unit there is in C++ only, for a message; empty: nothing.
+/// What of the unit there is in C++ only, for a message; empty: nothing. \pre no lanes, no limb code
 std::string c99_lacks(const Unit& unit);
 
 }  // namespace treedyn::emit

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/manifest.hpp"
@@ -17,7 +16,6 @@ namespace fs = std::filesystem;
 using support::FunctionInfo;
 using support::Manifest;
 using support::Outcome;
-using testing::HasSubstr;
 
 const std::string kWarnings =
     "-pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion "
@@ -156,22 +154,22 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(C99Refuses, WhatItHasNoWordsFor) {
   const support::TemporaryFolder folder;
-  const std::string model = TREEDYN_SOURCE_DIR "/models/biped.yaml";
+  const std::string model = TREEDYN_SOURCE_DIR "/models/two_link.yaml";
   const std::string walk = TREEDYN_SOURCE_DIR "/models/scenes/compass_walk.yaml";
-  for (const auto& [options, what] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-           {{model, "--lanes", "4"}, "lacks lanes"},
-           {{model, "--share-limbs"}, "lacks code that limbs share"},
-           {{"--scene", walk, "--functions", "step", "--integrator", "rk4", "--step", "0.01"},
-            "lacks a step that locates events"}}) {
-    std::vector<std::string> all = options;
-    all.insert(all.end(), {"--language", "c99", "-o", folder.path() / "out"});
-    const Outcome outcome = treedyn(all);
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_THAT(outcome.err, HasSubstr(what));
+  const auto status = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"-o", folder.path() / "out"});
+    const Outcome outcome = treedyn(options);
     EXPECT_FALSE(fs::exists(folder.path() / "out"));
-  }
-  EXPECT_EQ(treedyn({model, "--language", "c99", "--namespace", "x"}).status, 2);
-  EXPECT_EQ(treedyn({model, "--prefix", "x"}).status, 2);
+    EXPECT_FALSE(outcome.err.empty());
+    return outcome.status;
+  };
+  EXPECT_EQ(status({model, "--language", "c99", "--lanes", "4"}), 2);
+  EXPECT_EQ(status({model, "--language", "c99", "--share-limbs"}), 2);
+  EXPECT_EQ(status({model, "--language", "c99", "--namespace", "x"}), 2);
+  EXPECT_EQ(status({model, "--prefix", "x"}), 2);
+  EXPECT_EQ(status({"--scene", walk, "--functions", "step", "--integrator", "rk4", "--step", "0.01",
+                    "--language", "c99"}),
+            1);
 }
 
 }  // namespace

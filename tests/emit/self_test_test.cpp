@@ -71,9 +71,11 @@ TEST_P(SelfTest, FindsNothingWrongAndNamesAWrongDigit) {
 }
 
 TEST_F(SelfTest, NeedsFunctionsOfTheModel) {
-  generate({kPuma, "--lanes", "4"});
+  generate({"--scene", TREEDYN_SOURCE_DIR "/models/scenes/drop.yaml"});
   EXPECT_EQ(outcome_.status, 1);
   EXPECT_THAT(outcome_.err, HasSubstr("--self-test tests functions of the model"));
+  generate({kPuma, "--lanes", "4"});
+  EXPECT_EQ(outcome_.status, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scalars, SelfTest, testing::Values("double", "float"),
