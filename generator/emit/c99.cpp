@@ -160,6 +160,8 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
              !digest.empty()) {
     result.push_back(
         fmt::format("#define {} {}", macro("kDigest"), digest.substr(0, digest.size() - 1)));
+  } else if (const auto step = behind(line, "inline constexpr Scalar kStep = "); !step.empty()) {
+    result.push_back(fmt::format("#define {} {}", macro("kStep"), step.substr(0, step.size() - 1)));
   } else if (line.starts_with(kInteger.substr(0, kInteger.size() - 1)) && line.ends_with('{')) {
     const std::string table = line.substr(kInteger.size());
     const std::size_t name = table.find('[');

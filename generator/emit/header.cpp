@@ -256,6 +256,14 @@ std::string quoted(const std::string& word) {
   return result + "'";
 }
 
+/// The length of a step, without line feed.
+std::string step_constant(const Unit& unit) {
+  return unit.steppers.empty()
+             ? ""
+             : fmt::format("/// Time that `step` takes, s.\ninline constexpr Scalar kStep = {};",
+                           literal(unit.steppers.front().step, unit.target.scalar));
+}
+
 }  // namespace
 
 std::string shell_line(const std::vector<std::string>& words) {
@@ -295,6 +303,7 @@ std::string header_text(const Unit& unit) {
                {"scalar", scalar_declaration(unit.target)},
                {"dof", std::to_string(tree.dof())},
                {"point_count", std::to_string(unit.points.size())},
+               {"step", step_constant(unit)},
                {"digest", kNoDigest},
                {"joint_indices", index_namespace("joint", joint_identifiers(tree))},
                {"point_indices", index_namespace("point", point_identifiers(unit.points))},

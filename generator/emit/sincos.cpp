@@ -156,6 +156,11 @@ std::string sincos_text(const Target& target, const std::string& functions) {
                {"singles", singles(target, functions)}});
 }
 
+std::string sincos_range(const Target& target) {
+  const Approximation& a = approximation(target.scalar);
+  return fmt::format(R"({{"error": {}, "range": {}, "end": {}}})", a.error, a.range, a.end);
+}
+
 std::string sincos_comment(const Target& target) {
   const Approximation& a = approximation(target.scalar);
   return fmt::format(

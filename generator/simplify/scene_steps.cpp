@@ -318,6 +318,7 @@ void StepMaker::count_steps(program::Stepper& stepper) {
 program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
   program::Stepper result;
   result.method = *step_method(scene_);
+  result.integrator = scene_.stepping.integrator;
   result.step = scene_.stepping.step;
   result.cuts = scene_.stepping.cuts;
   result.events = scene_.stepping.events;
