@@ -202,6 +202,8 @@ inline constexpr int event_missed = 8;
 inline constexpr int not_a_number = 16;
 /// What an event waits for is not a number.
 inline constexpr int guard_undefined = 32;
+/// An event was taken at the end of the step in which it happened: `cuts` is 0.
+inline constexpr int event_late = 64;
 }}  // namespace status
 )",
       checked ? "/// Or a pivot of A is not above zero, or all its digits are lost.\n" : "",

@@ -120,8 +120,9 @@ struct Stepper {
 std::vector<Lasting> clocks(const StepPhase& phase);
 /// True if `staged` takes the time.
 bool takes_time(const Staged& staged);
-/// True if some event of the phase waits for a reaction.
-bool pulls(const StepPhase& phase);
+/// True if integration tells the reactions halfway, which some event waits for: from its stages. A
+/// step of kSemiImplicitEuler knows those of its beginning only.
+bool tells_reactions(const Stepper& stepper);
 /// Guards of a phase that may fall below zero and rise again within a step and are looked at there.
 std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase);
 
