@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x755d5ddbee6a5191ULL, "header and source are of different runs");
+static_assert(kDigest == 0x70e279aa8c4f7db9ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -74,10 +74,10 @@ SineCosine<Number> sine_cosine(const Number& x) noexcept {
 
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
   const Scalar c_elbow = cos(q[1]);
+  A[0] = 95.0 + 50.0 * c_elbow;
+  // forearm
   A[1] = 22.5 + 25.0 * c_elbow;
   A[2] = A[1];
-  // upper_arm
-  A[0] = 95.0 + 50.0 * c_elbow;
   A[3] = 22.5;
 }
 
