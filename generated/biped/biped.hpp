@@ -37,7 +37,7 @@ inline constexpr int kDof = 12;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x57d01ab05cd77922ULL;
+inline constexpr unsigned long long kDigest = 0x1c3163d67565f434ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -43,7 +43,7 @@ inline constexpr int kDof = 18;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x7e0322495cea5278ULL;
+inline constexpr unsigned long long kDigest = 0x15ba70fe596ba99dULL;
 
 /// Index of every joint.
 namespace joint {

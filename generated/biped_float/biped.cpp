@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x792947ab9700b39aULL, "header and source are of different runs");
+static_assert(kDigest == 0xb1fa68874888174aULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,7 +32,7 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1e-7 for
 /// |x| < 1e5; not a number for |x| > 1.03e5 and where x is none.
-[[gnu::noinline, maybe_unused]] SineCosine<float> sine_cosine(float x) noexcept {
+[[gnu::noinline]] SineCosine<float> sine_cosine(float x) noexcept {
   const float k = (x * 0.63661975f + 12582912.0f) - 12582912.0f;
   const float t = k * 5.192297e+33f;  // infinite beyond the range
   const float r_1 = x - t * 3.0243119e-34f;
@@ -61,9 +61,6 @@ template <class Number>
 SineCosine<Number> sine_cosine(const Number& x) noexcept {
   return {sin(x), cos(x)};
 }
-
-[[maybe_unused]] inline float sin(float x) noexcept { return sine_cosine(x).sine; }
-[[maybe_unused]] inline float cos(float x) noexcept { return sine_cosine(x).cosine; }
 
 }  // namespace
 

@@ -37,7 +37,7 @@ inline constexpr int kDof = 12;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x792947ab9700b39aULL;
+inline constexpr unsigned long long kDigest = 0xb1fa68874888174aULL;
 
 /// Index of every joint.
 namespace joint {

@@ -29,7 +29,7 @@ inline constexpr int kDof = 7;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x69d6b3ed12b4a707ULL;
+inline constexpr unsigned long long kDigest = 0x212b9068f1d40c25ULL;
 
 /// Index of every joint.
 namespace joint {

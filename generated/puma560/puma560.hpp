@@ -25,7 +25,7 @@ inline constexpr int kDof = 6;
 /// Number of points.
 inline constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x3a413a3d4e37563bULL;
+inline constexpr unsigned long long kDigest = 0x9377613a587e6646ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -37,7 +37,7 @@ inline constexpr int kDof = 12;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xe2edac829e6c7f73ULL;
+inline constexpr unsigned long long kDigest = 0xc463b0c29b6648b4ULL;
 
 /// Index of every joint.
 namespace joint {
