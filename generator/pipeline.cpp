@@ -139,8 +139,8 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   emit::Unit unit;
   unit.name = model.name;
   unit.language = request.language;
-  unit.space = request.space.value_or(model.name);
-  unit.prefix = request.prefix.value_or(model.name);
+  unit.given_space = request.space.value_or("");
+  unit.given_prefix = request.prefix.value_or("");
   unit.section = request.section;
   unit.tree = &model.tree;
   unit.points = model.points;

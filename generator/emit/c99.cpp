@@ -49,10 +49,10 @@ class Translator {
 
  private:
   [[nodiscard]] std::string prefixed(std::string_view name) const {
-    return fmt::format("{}_{}", unit_.prefix, name);
+    return fmt::format("{}_{}", unit_.prefix(), name);
   }
   [[nodiscard]] std::string macro(std::string_view constant) const {
-    return in_capitals(unit_.prefix) + "_" + in_capitals(constant.substr(1));
+    return in_capitals(unit_.prefix()) + "_" + in_capitals(constant.substr(1));
   }
   [[nodiscard]] std::string words(const std::string& line) const;
   [[nodiscard]] std::string word(const std::string& word, bool called) const;
@@ -139,13 +139,15 @@ void Translator::constant(std::string line, bool in_list, Lines& result) const {
 void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
                              bool& in_list) const {
   static const std::string kInteger = "inline constexpr int ";
+  const std::string step_start =
+      fmt::format("inline constexpr {} kStep = ", type_name(unit_.target.scalar));
   const std::string& line = lines[at];
   if (line == "#pragma once") {
     const std::string guard = in_capitals(unit_.name) + "_H";
     result.insert(result.end(), {"#ifndef " + guard, "#define " + guard});
-  } else if (line == fmt::format("namespace {} {{", unit_.space)) {
+  } else if (line == fmt::format("namespace {} {{", unit_.space())) {
     result.insert(result.end(), {"#ifdef __cplusplus", "extern \"C\" {", "#endif"});
-  } else if (line == "}  // namespace " + unit_.space) {
+  } else if (line == "}  // namespace " + unit_.space()) {
     result.insert(result.end(), {"#ifdef __cplusplus", "}", "#endif", "", "#endif"});
   } else if (line.starts_with("namespace ")) {
     in_list = true;
@@ -160,7 +162,7 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
              !digest.empty()) {
     result.push_back(
         fmt::format("#define {} {}", macro("kDigest"), digest.substr(0, digest.size() - 1)));
-  } else if (const auto step = behind(line, "inline constexpr Scalar kStep = "); !step.empty()) {
+  } else if (const auto step = behind(line, step_start); !step.empty()) {
     result.push_back(fmt::format("#define {} {}", macro("kStep"), step.substr(0, step.size() - 1)));
   } else if (line.starts_with(kInteger.substr(0, kInteger.size() - 1)) && line.ends_with('{')) {
     const std::string table = line.substr(kInteger.size());
@@ -272,7 +274,7 @@ void Translator::statement(const Lines& lines, std::size_t& at, Lines& result) c
 bool Translator::frame(const std::string& line, bool& is_local, Lines& result) const {
   if (line == "namespace {" || line == "}  // namespace") {
     is_local = line.front() == 'n';
-  } else if (line == fmt::format("namespace {} {{", unit_.space)) {
+  } else if (line == fmt::format("namespace {} {{", unit_.space())) {
     result.push_back(fmt::format("typedef {} Scalar;", prefixed("Scalar")));
   } else if (const auto digest = behind(line, "static_assert(kDigest == "); !digest.empty()) {
     const std::size_t comma = digest.find(", ");
@@ -284,7 +286,7 @@ bool Translator::frame(const std::string& line, bool& is_local, Lines& result) c
   } else if (line == "#include <cmath>") {
     result.emplace_back("#include <math.h>");
   } else {
-    return line.starts_with("using std::") || line == "}  // namespace " + unit_.space;
+    return line.starts_with("using std::") || line == "}  // namespace " + unit_.space();
   }
   return true;
 }

@@ -262,8 +262,8 @@ std::string quoted(const std::string& word) {
 std::string step_constant(const Unit& unit) {
   return unit.steppers.empty()
              ? ""
-             : fmt::format("/// Time that `step` takes, s.\ninline constexpr Scalar kStep = {};",
-                           literal(unit.steppers.front().step, unit.target.scalar));
+             : fmt::format("/// Time that `step` takes, s.\ninline constexpr {} kStep = {};",
+                           type_name(unit.target.scalar), literal(unit.steppers.front().step, unit.target.scalar));
 }
 
 }  // namespace
@@ -297,7 +297,7 @@ std::string header_text(const Unit& unit) {
   const model::Tree& tree = *unit.tree;
   return fill(template_text("model.hpp"),
               {{"name", unit.name},
-               {"space", unit.space},
+               {"space", unit.space()},
                {"model", for_comment(tree.name, kLongestCell * 2)},
                {"command", command_comment(unit.command)},
                {"joints", joint_table(tree)},

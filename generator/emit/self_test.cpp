@@ -41,7 +41,7 @@ class Tables {
     const std::string name = numbered(stem, known.size() - 1);
     std::string lines = wrapped(list + "};", "    ");
     lines.pop_back();
-    text_ += fmt::format("constexpr Scalar {}[{}] = {{\n{}\n", name, values.size(), lines);
+    text_ += fmt::format("static const Scalar {}[{}] = {{\n{}\n", name, values.size(), lines);
     return name;
   }
   [[nodiscard]] const std::string& text() const { return text_; }

@@ -92,7 +92,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
     functions += '\n' + stepper_text(stepper, words, unit.target);
   }
   return fill(template_text("model.cpp"), {{"name", unit.name},
-                                           {"space", unit.space},
+                                           {"space", unit.space()},
                                            {"command", command_comment(unit.command)},
                                            {"digest", kNoDigest},
                                            {"includes", includes(unit)},

@@ -19,8 +19,8 @@ enum class Language { kCpp, kC99 };
 struct Unit {
   std::string name;  ///< file stem
   Language language = Language::kCpp;
-  std::string space;    ///< C++: the namespace
-  std::string prefix;   ///< C99: before every name that others see, with a `_`
+  std::string given_space;   ///< C++: the namespace; empty: the file stem
+  std::string given_prefix;  ///< C99: before every name that others see; empty: the file stem
   std::string section;  ///< a macro of the user in front of every function; empty: none
   const model::Tree* tree = nullptr;
   std::vector<model::Point> points;
@@ -36,6 +36,11 @@ struct Unit {
   std::string model_file;            ///< base name, "-" for standard input
   std::string model_sha256;
   std::vector<std::pair<std::string, std::string>> options;  ///< for the manifest; values are JSON
+
+  [[nodiscard]] const std::string& space() const { return given_space.empty() ? name : given_space; }
+  [[nodiscard]] const std::string& prefix() const {
+    return given_prefix.empty() ? name : given_prefix;
+  }
 };
 
 /// Operations of all functions together, of the dearest calls.

@@ -53,7 +53,6 @@ Unit unit(const model::Tree& tree, const program::Function& function,
           Scalar scalar = Scalar::kDouble) {
   Unit result;
   result.name = "robot";
-  result.space = "robot";
   result.tree = &tree;
   result.functions = {function};
   result.functions[0].signature.brief = "What the test says.";
