@@ -12,7 +12,6 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
-#include "emit/c99.hpp"
 #include "emit/header.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
@@ -161,14 +160,6 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   }
   if (request.checked) {
     unit.checked = checked_siblings(model, unit.functions);
-  }
-  const std::string lacking =
-      request.language == emit::Language::kC99 ? emit::c99_lacks(unit) : std::string{};
-  if (!lacking.empty()) {
-    throw InputError({request.scene.value_or(request.model), 0, 0},
-                     fmt::format("--language c99 lacks {}; expected --language c++, or "
-                                 "other --functions",
-                                 lacking));
   }
   unit.command = generate_command(request, Paths::kBaseNames);
   unit.tool = fmt::format("treedyn {}", kVersion);

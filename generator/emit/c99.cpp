@@ -44,8 +44,8 @@ std::string_view behind(std::string_view line, std::string_view start) {
 class Translator {
  public:
   explicit Translator(const Unit& unit);
-  [[nodiscard]] std::string header(const std::string& text) const;
-  [[nodiscard]] std::string source(const std::string& text) const;
+  [[nodiscard]] std::string header(const std::string& text);
+  [[nodiscard]] std::string source(const std::string& text);
 
  private:
   [[nodiscard]] std::string prefixed(std::string_view name) const {
@@ -56,14 +56,18 @@ class Translator {
   }
   [[nodiscard]] std::string words(const std::string& line) const;
   [[nodiscard]] std::string word(const std::string& word, bool called) const;
-  void header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list) const;
+  void header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list);
   void constant(std::string line, bool in_list, Lines& result) const;
-  void function(const std::string& line, bool is_local, bool is_noinline, Lines& result) const;
+  std::set<std::string> function(const std::string& line, bool is_local, bool is_noinline,
+                                 Lines& result);
+  [[nodiscard]] std::string with_addresses(std::string body) const;
   void statement(const Lines& lines, std::size_t& at, Lines& result) const;
   bool frame(const std::string& line, bool& is_local, Lines& result) const;
 
   const Unit& unit_;
   std::set<std::string> functions_;  ///< with external linkage
+  /// Of functions that take references the places of these among the arguments.
+  std::map<std::string, std::set<std::ptrdiff_t>> by_reference_;
 };
 
 Translator::Translator(const Unit& unit) : unit_(unit) {
@@ -110,6 +114,8 @@ std::string Translator::words(const std::string& line) const {
   for (const char* const number : {"0", "1", "-1"}) {
     code = replaced(code, fmt::format("Scalar({})", number), fmt::format("(Scalar){}", number));
   }
+  code = replaced(replaced(code, " Scalar(", " (Scalar)("), "(Scalar(", "((Scalar)(");
+  code = replaced(code, "= {};", "= {0};");
   std::string result;
   for (std::size_t at = 0; at < code.size();) {
     std::size_t end = at;
@@ -136,8 +142,7 @@ void Translator::constant(std::string line, bool in_list, Lines& result) const {
   }
 }
 
-void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
-                             bool& in_list) const {
+void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list) {
   static const std::string kInteger = "inline constexpr int ";
   const std::string step_start =
       fmt::format("inline constexpr {} kStep = ", type_name(unit_.target.scalar));
@@ -178,7 +183,7 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
   }
 }
 
-std::string Translator::header(const std::string& text) const {
+std::string Translator::header(const std::string& text) {
   const Lines lines = lines_of(replaced(text, " noexcept", ""));
   Lines result;
   bool in_list = false;
@@ -197,8 +202,13 @@ std::string Translator::header(const std::string& text) const {
                   unit_.name + ".h");
 }
 
-/// `const Scalar /*q*/[6]` -> `const Scalar q[6]`. \return q; empty if it has a name already
+/// `const Scalar /*q*/[6]` -> `const Scalar q[6]`. \return the name of what may not be used
 std::string give_name(std::string& argument) {
+  constexpr std::string_view kUnused = "[[maybe_unused]] ";
+  if (argument.starts_with(kUnused)) {
+    argument.erase(0, kUnused.size());
+    return argument.substr(argument.find_last_of("& ") + 1);
+  }
   const std::size_t begin = argument.find("/*");
   const std::size_t end = argument.find("*/");
   if (begin == std::string::npos) {
@@ -211,17 +221,24 @@ std::string give_name(std::string& argument) {
 
 /// A definition's first lines, or a prototype: arguments without a name get theirs, and a
 /// statement that says that they are not used.
-void Translator::function(const std::string& line, bool is_local, bool is_noinline,
-                          Lines& result) const {
+std::set<std::string> Translator::function(const std::string& line, bool is_local, bool is_noinline,
+                                           Lines& result) {
   Declaration parts = declaration_of(line);
   const std::size_t name = parts.head.rfind(' ') + 1;
   const std::string word = parts.head.substr(name);
   const bool is_prototype = parts.ending.ends_with(';');
   Lines unused;
+  std::set<std::string> references;
   for (std::string& argument : parts.arguments) {
     const std::string given = give_name(argument);
     if (!given.empty()) {
       unused.push_back(fmt::format("  (void){};", given));
+    }
+    const std::size_t reference = argument.find("& ");
+    if (reference != std::string::npos) {
+      references.insert(argument.substr(reference + 2));
+      by_reference_[word].insert(&argument - parts.arguments.data());
+      argument.replace(reference, 1, "*");
     }
     argument = is_prototype ? replaced(argument, "Scalar ", prefixed("Scalar ")) : argument;
   }
@@ -232,6 +249,7 @@ void Translator::function(const std::string& line, bool is_local, bool is_noinli
     result.push_back(is_prototype ? part : words(part));
   }
   result.insert(result.end(), unused.begin(), unused.end());
+  return references;
 }
 
 /// A statement that C writes otherwise, else its words.
@@ -307,6 +325,76 @@ std::string in_plain_words(std::string text, const std::string& type) {
   return text;
 }
 
+/// The word at a place of code, empty where none begins.
+std::string_view word_at(std::string_view code, std::size_t at) {
+  std::size_t end = at;
+  while (end < code.size() && is_word_byte(code[end])) {
+    ++end;
+  }
+  return at > 0 && is_word_byte(code[at - 1]) ? std::string_view{} : code.substr(at, end - at);
+}
+
+/// Where the argument that begins at a place ends: at a comma or the bracket.
+std::size_t end_of_argument(const std::string& code, std::size_t at) {
+  for (int depth = 0; at < code.size(); ++at) {
+    if (depth == 0 && (code[at] == ',' || code[at] == ')')) {
+      break;
+    }
+    depth += code[at] == '(' || code[at] == '[' ? 1 : code[at] == ')' || code[at] == ']' ? -1 : 0;
+  }
+  return at;
+}
+
+/// Calls pass addresses where the function takes references.
+std::string Translator::with_addresses(std::string body) const {
+  for (std::size_t at = 0; at < body.size(); ++at) {
+    const auto called = by_reference_.find(std::string(word_at(body, at)));
+    if (called == by_reference_.end() || body[at + called->first.size()] != '(') {
+      continue;
+    }
+    std::size_t argument = at + called->first.size() + 1;
+    for (std::ptrdiff_t place = 0; body[argument - 1] != ')'; ++place) {
+      argument = std::min(body.find_first_not_of(" \n", argument), body.size());
+      if (called->second.contains(place)) {
+        body.insert(argument, "&");
+      }
+      argument = end_of_argument(body, argument) + 1;
+    }
+  }
+  return body;
+}
+
+/// The parameters that were references are pointers: `x.` is `x->`, `&x` is `x`.
+std::string with_pointers(const std::string& body, const std::set<std::string>& references) {
+  std::string result;
+  for (std::size_t at = 0; at < body.size();) {
+    if (body.compare(at, 2, "//") == 0) {
+      const std::size_t end = std::min(body.find('\n', at), body.size());
+      result += body.substr(at, end - at);
+      at = end;
+      continue;
+    }
+    const std::string word(word_at(body, at));
+    const bool is_member = at > 0 && body[at - 1] == '.';
+    if (word.empty() || is_member || !references.contains(word)) {
+      result += word.empty() ? std::string(1, body[at]) : word;
+      at += std::max<std::size_t>(word.size(), 1);
+      continue;
+    }
+    at += word.size();
+    if (body.compare(at, 1, ".") == 0) {
+      result += word + "->";
+      ++at;
+    } else if (result.ends_with('&') && !result.ends_with("&&")) {
+      result.back() = word.front();
+      result += word.substr(1);
+    } else {
+      result += fmt::format("(*{})", word);
+    }
+  }
+  return result;
+}
+
 /// What the words of the text need in front of it.
 std::string with_beginning(std::string text, const std::string& scalar, const std::string& dof) {
   const std::string type = fmt::format("typedef {} Scalar;\n", scalar);
@@ -326,7 +414,7 @@ std::string with_beginning(std::string text, const std::string& scalar, const st
   return text;
 }
 
-std::string Translator::source(const std::string& text) const {
+std::string Translator::source(const std::string& text) {
   const std::string type = type_name(unit_.target.scalar);
   const Lines lines = lines_of(in_plain_words(text, type));
   Lines result;
@@ -340,13 +428,26 @@ std::string Translator::source(const std::string& text) const {
     if (frame(line, is_local, result)) {
       continue;
     }
+    if (const auto name = behind(line, "struct "); !name.empty()) {
+      result.push_back(fmt::format("typedef struct {0} {0};", name.substr(0, name.find(' '))));
+    }
     if (begins_function(line)) {
       Lines rest(lines.begin() + static_cast<std::ptrdiff_t>(at), lines.end());
       rest.front() = line;
       std::size_t taken = 0;
       const std::string whole = gathered(rest, taken, '{');
       at += taken;
-      function(whole, is_local, is_noinline, result);
+      const std::set<std::string> references = function(whole, is_local, is_noinline, result);
+      Lines body;
+      for (++at; lines[at] != "}"; ++at) {
+        statement(lines, at, body);
+      }
+      const std::string code = with_addresses(fmt::format("{}\n", fmt::join(body, "\n")));
+      for (const std::string& body_line :
+           lines_of(references.empty() ? code : with_pointers(code, references))) {
+        result.push_back(body_line);
+      }
+      result.emplace_back("}");
     } else if (!line.empty() || !result.back().empty()) {  // frames leave no second blank line
       statement(lines, at, result);
     }
@@ -358,15 +459,9 @@ std::string Translator::source(const std::string& text) const {
 
 }  // namespace
 
-std::string c99_lacks(const Unit& unit) {
-  const bool ends = std::any_of(unit.steppers.begin(), unit.steppers.end(),
-                                [](const program::Stepper& stepper) { return stepper.ends(); });
-  return ends ? "a step that locates events" : "";
-}
-
 std::pair<std::string, std::string> in_c99(const Unit& unit, const std::string& header,
                                            const std::string& source) {
-  const Translator translator(unit);
+  Translator translator(unit);
   return {translator.header(header), translator.source(source)};
 }
 

@@ -13,11 +13,8 @@ namespace treedyn::emit {
 /// external linkage and before its constants, `static` for the anonymous namespace, enumerators for
 /// constant integers, `(Scalar)0` for `Scalar(0)`.
 /// \param header, source  as `header_text` and `source_text` make them
-/// \pre c99_lacks(unit).empty()
+/// \pre no lanes, no limb code
 std::pair<std::string, std::string> in_c99(const Unit& unit, const std::string& header,
                                            const std::string& source);
-
-/// What of the unit there is in C++ only, for a message; empty: nothing. \pre no lanes, no limb code
-std::string c99_lacks(const Unit& unit);
 
 }  // namespace treedyn::emit
