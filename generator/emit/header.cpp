@@ -263,7 +263,8 @@ std::string step_constant(const Unit& unit) {
   return unit.steppers.empty()
              ? ""
              : fmt::format("/// Time that `step` takes, s.\ninline constexpr {} kStep = {};",
-                           type_name(unit.target.scalar), literal(unit.steppers.front().step, unit.target.scalar));
+                           type_name(unit.target.scalar),
+                           literal(unit.steppers.front().step, unit.target.scalar));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Unit {
   Language language = Language::kCpp;
   std::string given_space;   ///< C++: the namespace; empty: the file stem
   std::string given_prefix;  ///< C99: before every name that others see; empty: the file stem
-  std::string section;  ///< a macro of the user in front of every function; empty: none
+  std::string section;       ///< a macro of the user in front of every function; empty: none
   const model::Tree* tree = nullptr;
   std::vector<model::Point> points;
   std::vector<program::Function> functions;
@@ -29,7 +29,7 @@ struct Unit {
   std::vector<program::Staged> staged;     ///< behind `checked`
   std::vector<program::Stepper> steppers;  ///< behind `staged`
   Target target;
-  bool self_test = false;  ///< known answers of `functions`, and what compares with them
+  bool self_test = false;            ///< known answers of `functions`, and what compares with them
   program::Packing packing;          ///< of A, if the target is packed
   std::vector<std::string> command;  ///< program and arguments that reproduce the files
   std::string tool;                  ///< "treedyn 0.1.0", for the manifest only
@@ -37,7 +37,9 @@ struct Unit {
   std::string model_sha256;
   std::vector<std::pair<std::string, std::string>> options;  ///< for the manifest; values are JSON
 
-  [[nodiscard]] const std::string& space() const { return given_space.empty() ? name : given_space; }
+  [[nodiscard]] const std::string& space() const {
+    return given_space.empty() ? name : given_space;
+  }
   [[nodiscard]] const std::string& prefix() const {
     return given_prefix.empty() ? name : given_prefix;
   }
