@@ -10,13 +10,12 @@
 
 #include "emit/definitions.hpp"
 #include "emit/layout.hpp"
+#include "emit/references.hpp"
 #include "emit/self_test.hpp"
 
 namespace treedyn::emit {
 
 namespace {
-
-bool is_word_byte(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 std::string in_capitals(std::string_view word) {
   std::string result;
@@ -60,14 +59,12 @@ class Translator {
   void constant(std::string line, bool in_list, Lines& result) const;
   std::set<std::string> function(const std::string& line, bool is_local, bool is_noinline,
                                  Lines& result);
-  [[nodiscard]] std::string with_addresses(std::string body) const;
   void statement(const Lines& lines, std::size_t& at, Lines& result) const;
   bool frame(const std::string& line, bool& is_local, Lines& result) const;
 
   const Unit& unit_;
   std::set<std::string> functions_;  ///< with external linkage
-  /// Of functions that take references the places of these among the arguments.
-  std::map<std::string, std::set<std::ptrdiff_t>> by_reference_;
+  ReferencePlaces by_reference_;
 };
 
 Translator::Translator(const Unit& unit) : unit_(unit) {
@@ -325,76 +322,6 @@ std::string in_plain_words(std::string text, const std::string& type) {
   return text;
 }
 
-/// The word at a place of code, empty where none begins.
-std::string_view word_at(std::string_view code, std::size_t at) {
-  std::size_t end = at;
-  while (end < code.size() && is_word_byte(code[end])) {
-    ++end;
-  }
-  return at > 0 && is_word_byte(code[at - 1]) ? std::string_view{} : code.substr(at, end - at);
-}
-
-/// Where the argument that begins at a place ends: at a comma or the bracket.
-std::size_t end_of_argument(const std::string& code, std::size_t at) {
-  for (int depth = 0; at < code.size(); ++at) {
-    if (depth == 0 && (code[at] == ',' || code[at] == ')')) {
-      break;
-    }
-    depth += code[at] == '(' || code[at] == '[' ? 1 : code[at] == ')' || code[at] == ']' ? -1 : 0;
-  }
-  return at;
-}
-
-/// Calls pass addresses where the function takes references.
-std::string Translator::with_addresses(std::string body) const {
-  for (std::size_t at = 0; at < body.size(); ++at) {
-    const auto called = by_reference_.find(std::string(word_at(body, at)));
-    if (called == by_reference_.end() || body[at + called->first.size()] != '(') {
-      continue;
-    }
-    std::size_t argument = at + called->first.size() + 1;
-    for (std::ptrdiff_t place = 0; body[argument - 1] != ')'; ++place) {
-      argument = std::min(body.find_first_not_of(" \n", argument), body.size());
-      if (called->second.contains(place)) {
-        body.insert(argument, "&");
-      }
-      argument = end_of_argument(body, argument) + 1;
-    }
-  }
-  return body;
-}
-
-/// The parameters that were references are pointers: `x.` is `x->`, `&x` is `x`.
-std::string with_pointers(const std::string& body, const std::set<std::string>& references) {
-  std::string result;
-  for (std::size_t at = 0; at < body.size();) {
-    if (body.compare(at, 2, "//") == 0) {
-      const std::size_t end = std::min(body.find('\n', at), body.size());
-      result += body.substr(at, end - at);
-      at = end;
-      continue;
-    }
-    const std::string word(word_at(body, at));
-    const bool is_member = at > 0 && body[at - 1] == '.';
-    if (word.empty() || is_member || !references.contains(word)) {
-      result += word.empty() ? std::string(1, body[at]) : word;
-      at += std::max<std::size_t>(word.size(), 1);
-      continue;
-    }
-    at += word.size();
-    if (body.compare(at, 1, ".") == 0) {
-      result += word + "->";
-      ++at;
-    } else if (result.ends_with('&') && !result.ends_with("&&")) {
-      result.back() = word.front();
-      result += word.substr(1);
-    } else {
-      result += fmt::format("(*{})", word);
-    }
-  }
-  return result;
-}
-
 /// What the words of the text need in front of it.
 std::string with_beginning(std::string text, const std::string& scalar, const std::string& dof) {
   const std::string type = fmt::format("typedef {} Scalar;\n", scalar);
@@ -442,7 +369,8 @@ std::string Translator::source(const std::string& text) {
       for (++at; lines[at] != "}"; ++at) {
         statement(lines, at, body);
       }
-      const std::string code = with_addresses(fmt::format("{}\n", fmt::join(body, "\n")));
+      const std::string code =
+          with_addresses(fmt::format("{}\n", fmt::join(body, "\n")), by_reference_);
       for (const std::string& body_line :
            lines_of(references.empty() ? code : with_pointers(code, references))) {
         result.push_back(body_line);

@@ -89,7 +89,7 @@ struct Stepper {
   Signature signature;
   StepMethod method = StepMethod::kSemiImplicitEuler;
   std::string integrator;  ///< the method's name
-  Real step = 0;   ///< s
+  Real step = 0;           ///< s
   int cuts = 0;    ///< steps of shorter length that look for an event; 0: it is taken at the end
   int events = 0;  ///< in one step, at most
   std::vector<StepPhase> phases;

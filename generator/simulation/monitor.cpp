@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "simulation/names.hpp"
@@ -143,15 +144,16 @@ void Monitor::positions(System& system, double t, const Vector& q) {
   }
 }
 
-void Monitor::speeds(System& system, double t, const Vector& q, const Vector& qd) {
+void Monitor::speeds(System& system, double t, const Vector& q, const Vector& qd,
+                     const Vector& qd_before) {
+  const Vector moving = qd.cwiseAbs() + qd_before.cwiseAbs();
   Matrix J;
   Vector wanted;
   system.constraints().jacobian(system.geometry(q), J);
   system.constraints().velocities(t, wanted);
   for (int k = 0; k < J.rows(); ++k) {
     const double off = std::fabs(J.row(k).dot(qd) - wanted[k]);
-    const double bound =
-        kOwnSpeed * (J.row(k).cwiseAbs().dot(qd.cwiseAbs()) + std::fabs(wanted[k]));
+    const double bound = kOwnSpeed * (J.row(k).cwiseAbs().dot(moving) + std::fabs(wanted[k]));
     if (!system.constraints().is_held(k) || !(off > bound)) {
       continue;
     }

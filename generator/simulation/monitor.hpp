@@ -71,8 +71,9 @@ class Monitor {
   void row_equations(const System& system, double t, double h);
   /// A row that moves elsewhere and has J = 0 here; when rows begin to act.
   void positions(System& system, double t, const Vector& q);
-  /// Rows that begin to act at a speed that no impact has taken.
-  void speeds(System& system, double t, const Vector& q, const Vector& qd);
+  /// Rows that begin to act at a speed that no impact has taken, beyond roundings of the speeds
+  /// before.
+  void speeds(System& system, double t, const Vector& q, const Vector& qd, const Vector& qd_before);
   /// A stage that counts for the time h in the step that ends at t.
   void turn(const Constraints& constraints, const Turn& turn, double t, double h);
   /// Position errors of the rows after a step.

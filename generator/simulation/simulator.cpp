@@ -213,11 +213,12 @@ bool Simulator::advance_to(double end, const Observe& observe) {
 
 void Simulator::place(double time, const Vector& q, const Vector& qd, int phase,
                       const std::vector<int>& active) {
+  const Vector qd_before = this->qd();
   t_ = time;
   y_ << q, qd;
   if (phase != phase_ || active != system_.constraints().active()) {
     start_phase(phase, active);
-    monitor_.speeds(system_, t_, q, qd);
+    monitor_.speeds(system_, t_, q, qd, qd_before);
   }
   for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
     system_.forces().touch(k, true);  // the depth tells

@@ -331,7 +331,7 @@ void Simulator::fire(std::size_t index) {
     stick_or_slip(k);
   }
   monitor_.positions(system_, t_, record.q);
-  monitor_.speeds(system_, t_, record.q, record.qd_after);
+  monitor_.speeds(system_, t_, record.q, record.qd_after, record.qd_before);
   events_.push_back(std::move(record));
 }
 
