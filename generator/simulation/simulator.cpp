@@ -244,10 +244,10 @@ void Simulator::follow(double h, const Vector& next, bool changes) {
   const Vector middle = dense_.at(0.5);
   const Solution& half = system_.accelerate(t_ + h / 2, middle.head(n), middle.tail(n));
   const Vector change = h / 6 * (begin.qdd + 4 * half.qdd + end.qdd);
-  const auto scale = 1 + qd().array().abs().max(velocity.array().abs());
+  const Vector scale = 1 + qd().array().abs().max(velocity.array().abs());
   Work work{h / 6 * (begin.power + 4 * half.power + end.power),
             std::max({std::fabs(begin.power), std::fabs(half.power), std::fabs(end.power)})};
-  work.strikes = ((velocity - qd() - change).array().abs() / scale).maxCoeff() > kStroke;
+  work.strikes = ((velocity - qd() - change).array().abs() / scale.array()).maxCoeff() > kStroke;
   monitor_.energy(system_, t_ + h, h, position, velocity, work);
 }
 
