@@ -11,7 +11,8 @@ constexpr int kStates = 8;
 /// Revolute joints turn by up to 3 rad, prismatic ones move by up to the size of the mechanism.
 constexpr double kTurn = 3;
 
-/// Ordinary positions.
+}  // namespace
+
 std::vector<std::vector<double>> ordinary_states(const Model& model) {
   const std::vector<double> reach = model::reach_of(model.tree, model.points);
   program::Random random(5);
@@ -26,8 +27,6 @@ std::vector<std::vector<double>> ordinary_states(const Model& model) {
   }
   return states;
 }
-
-}  // namespace
 
 bool needs_inertia(const std::string& function) {
   return function == "forward_dynamics" || function == "mass_matrix_factor" ||

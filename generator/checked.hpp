@@ -12,6 +12,9 @@ namespace treedyn {
 /// in some positions.
 bool needs_inertia(const std::string& function);
 
+/// Ordinary positions, one q a state.
+std::vector<std::vector<double>> ordinary_states(const Model& model);
+
 /// The siblings of those of `functions` that can fail, in their order.
 std::vector<emit::Checked> checked_siblings(const Model& model,
                                             const std::vector<program::Function>& functions);

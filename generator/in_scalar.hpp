@@ -5,8 +5,8 @@
 
 namespace treedyn {
 
-/// The same programs without factors that the scalar type rounds to one: they are neither written
-/// nor counted.
-Programs in_scalar(Programs programs, emit::Scalar scalar);
+/// The same programs of a model without factors that the scalar type rounds to one, which are
+/// neither written nor counted, and with tests of the pivots that may lose their digits in it.
+Programs in_scalar(Programs programs, const Model& model, emit::Scalar scalar);
 
 }  // namespace treedyn

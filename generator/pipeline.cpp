@@ -152,7 +152,7 @@ void require_length(const Real& step, const Request& request) {
 }  // namespace
 
 std::vector<emit::File> emit_files(const Model& model, const Request& request, Programs programs) {
-  programs = in_scalar(std::move(programs), request.target.scalar);
+  programs = in_scalar(std::move(programs), model, request.target.scalar);
   emit::Unit unit;
   unit.name = model.name;
   unit.language = request.language;
@@ -253,11 +253,12 @@ StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::
   require_step(model, where);
   simplify::settle_loops(*model.scene);
   simplify::settle_sticking(*model.scene);
-  Programs programs = in_scalar(formulate(model, request, [](const std::string&) {}), scalar);
+  Programs programs = formulate(model, request, [](const std::string&) {});
+  const program::Stepper stepper = in_scalar(programs, model, scalar).steppers.front();
   StepFiles result{model.name,
                    {},
-                   programs.steppers.front().signature,
-                   program::step_cost(programs.steppers.front()),
+                   stepper.signature,
+                   program::step_cost(stepper),
                    float_warnings(programs, scalar, where)};
   result.files = emit_files(model, request, std::move(programs));
   return result;

@@ -128,7 +128,7 @@ int run_info(const Settings& settings) {
     print(passes_text(model, settings.request));
     return 0;
   }
-  const Programs programs = in_scalar(formulate(model, settings.request, trace_of(settings)),
+  const Programs programs = in_scalar(formulate(model, settings.request, trace_of(settings)), model,
                                       settings.request.target.scalar);
   print(settings.json ? info_json(model, settings.request, programs)
                       : info_text(model, settings.request, programs));

@@ -205,8 +205,8 @@ std::vector<Price> effect_prices(const Model& model, const Request& request,
     Model other = model;
     other.scene = without_effect(scene, effect.name);
     simplify::settle_sticking(*other.scene);
-    std::map<std::string, program::Cost> without = costs(
-        in_scalar(formulate(other, request, [](const std::string&) {}), request.target.scalar));
+    std::map<std::string, program::Cost> without = costs(in_scalar(
+        formulate(other, request, [](const std::string&) {}), other, request.target.scalar));
     const std::size_t before = result.size();
     for (const auto& [function, cost] : with) {
       if (!(without[function] == cost)) {

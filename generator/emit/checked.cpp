@@ -14,53 +14,14 @@ namespace treedyn::emit {
 
 namespace {
 
-constexpr const char* kPivots = "pivot";
-constexpr const char* kWholes = "whole";
-
-/// What rounding leaves of a zero, as a part of what it was taken from: that of rows of constraints
-/// (`RowSolve`), N of them.
-double rounding(int size, const Target& target) {
-  const double epsilon = target.scalar == Scalar::kFloat
-                             ? double{std::numeric_limits<float>::epsilon()}
-                             : std::numeric_limits<double>::epsilon();
-  return 4 * std::max(size, 2) * epsilon;
-}
-
 /// A number with two digits, of normal size.
 std::string short_literal(double value, const Target& target) {
   const double least = target.scalar == Scalar::kFloat ? 1e-36 : 1e-290;
   return literal(Real(fmt::format("{:.1e}", std::max(value, least))), target.scalar);
 }
 
-void add_array(program::Function& function, const char* name,
-               const std::vector<program::Ref>& refs) {
-  if (!refs.empty()) {
-    function.signature.outputs.push_back({name, static_cast<int>(refs.size()), ""});
-    function.outputs.insert(function.outputs.end(), refs.begin(), refs.end());
-  }
-}
-
 std::string lost(const std::string& condition) {
   return fmt::format("failed |= {} ? status::rank_lost : 0;", condition);
-}
-
-/// One comparison with a number, one with what the pivot is left of.
-std::vector<std::string> pivot_tests(const Checked& checked, const Target& target) {
-  const double share = rounding(checked.signature.inputs.front().size, target);
-  std::vector<std::string> lines;
-  int whole = 0;
-  for (std::size_t k = 0; k < checked.pivots.size(); ++k) {
-    const program::Pivot& pivot = checked.pivots[k];
-    const std::string value = fmt::format("{}[{}]", kPivots, k);
-    const std::string least = short_literal(share * pivot.size, target);
-    lines.push_back(lost(pivot.positive ? fmt::format("{} < {}", value, least)
-                                        : fmt::format("{0} < {1} && {0} > -{1}", value, least)));
-    if (pivot.whole != 0) {
-      lines.push_back(lost(
-          fmt::format("{} < {} * {}[{}]", value, short_literal(share, target), kWholes, whole++)));
-    }
-  }
-  return lines;
 }
 
 /// What the tests say, and whether all arguments, pivots and results are numbers.
@@ -90,6 +51,31 @@ void append(std::vector<std::string>& lines, const std::vector<std::string>& mor
 
 }  // namespace
 
+double pivot_rounding(int size, Scalar scalar) {
+  const double epsilon = scalar == Scalar::kFloat ? double{std::numeric_limits<float>::epsilon()}
+                                                  : std::numeric_limits<double>::epsilon();
+  return 4 * std::max(size, 2) * epsilon;
+}
+
+std::vector<std::string> pivot_tests(const std::vector<program::Pivot>& pivots, int dof,
+                                     const Target& target) {
+  const double share = pivot_rounding(dof, target.scalar);
+  std::vector<std::string> lines;
+  int whole = 0;
+  for (std::size_t k = 0; k < pivots.size(); ++k) {
+    const program::Pivot& pivot = pivots[k];
+    const std::string value = fmt::format("{}[{}]", program::kPivotArray, k);
+    const std::string least = short_literal(share * pivot.size, target);
+    lines.push_back(lost(pivot.positive ? fmt::format("{} < {}", value, least)
+                                        : fmt::format("{0} < {1} && {0} > -{1}", value, least)));
+    if (pivot.whole != 0) {
+      lines.push_back(lost(fmt::format("{} < {} * {}[{}]", value, short_literal(share, target),
+                                       program::kWholeArray, whole++)));
+    }
+  }
+  return lines;
+}
+
 Checked checked_sibling(const program::Function& function, std::vector<program::Pivot> pivots) {
   Checked result{function.signature, function, std::move(pivots)};
   result.signature.name += "_checked";
@@ -97,25 +83,12 @@ Checked checked_sibling(const program::Function& function, std::vector<program::
                                        function.signature.name);
   result.signature.status = true;
   result.function.signature = result.signature;
-  std::vector<program::Ref> values;
-  std::vector<program::Ref> wholes;
-  for (const program::Pivot& pivot : result.pivots) {
-    values.push_back(pivot.value);
-    if (pivot.whole != 0) {
-      wholes.push_back(pivot.whole);
-    }
-  }
-  add_array(result.function, kPivots, values);
-  add_array(result.function, kWholes, wholes);
+  program::show_pivots(result.function, result.pivots);
   return result;
 }
 
 program::Cost cost(const Checked& checked) {
-  program::Cost result = program::cost(checked.function);
-  for (const program::Pivot& pivot : checked.pivots) {
-    result.mul += pivot.whole != 0 ? 1 : 0;
-  }
-  return result;
+  return program::cost(checked.function) + program::test_cost(checked.pivots);
 }
 
 std::string checked_text(const Checked& checked, const Body& body, const Target& target) {
@@ -132,7 +105,7 @@ std::string checked_text(const Checked& checked, const Body& body, const Target&
     append(lines, split.calls);
   }
   lines.emplace_back("int failed = 0;");
-  append(lines, pivot_tests(checked, target));
+  append(lines, pivot_tests(checked.pivots, checked.signature.inputs.front().size, target));
   append(lines, return_lines(checked));
   const std::vector<bool> all(checked.signature.inputs.size() + checked.signature.outputs.size(),
                               true);

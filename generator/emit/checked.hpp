@@ -20,6 +20,15 @@ struct Checked {
 /// so the same bits.
 Checked checked_sibling(const program::Function& function, std::vector<program::Pivot> pivots);
 
+/// What rounding leaves of a pivot that is zero, of `size` rows, as a part of what it was taken
+/// from.
+double pivot_rounding(int size, Scalar scalar);
+
+/// Statements that add status::rank_lost to `failed` where a pivot has lost its digits: one
+/// comparison with a number, one with what the pivot is left of. \param dof  rows of A
+std::vector<std::string> pivot_tests(const std::vector<program::Pivot>& pivots, int dof,
+                                     const Target& target);
+
 /// That of the function, and a multiplication for every whole.
 program::Cost cost(const Checked& checked);
 

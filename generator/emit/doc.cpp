@@ -71,9 +71,11 @@ std::string rank_text(const program::Staged& staged, const program::RowSolve& so
 
 /// What it may return.
 std::string status_doc(const program::Staged& staged) {
-  return wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number",
-                             staged.solves.empty() ? "" : "rank_lost, row_given_up, "),
-                 "/// ");
+  const bool loses = !staged.solves.empty() || !staged.pivots.empty();
+  return wrapped(
+      fmt::format("\\return 0 or bits of status: {}{}not_a_number", loses ? "rank_lost, " : "",
+                  staged.solves.empty() ? "" : "row_given_up, "),
+      "/// ");
 }
 
 }  // namespace
@@ -195,7 +197,9 @@ std::string doc(const program::Stepper& stepper) {
           ? fmt::format(" Where the iteration does not converge, parts of the step, {} at most.",
                         program::kMostTries)
           : "";
-  std::string bits = stepper.rows > 0 ? "rank_lost, row_given_up, " : "";
+  std::string bits = stepper.rows > 0 || stepper.tests_pivots ? "rank_lost, " : "";
+  bits += stepper.rows > 0 ? "row_given_up, " : "";
+  bits += stepper.turning.empty() ? "" : "turned_far, ";
   bits += iterates ? "no_convergence, " : "";
   bits += stepper.ends() ? "event_missed, " : "";
   bits += stepper.most_guards() > 0 && stepper.cuts == 0 ? "event_late, " : "";

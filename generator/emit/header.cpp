@@ -186,6 +186,9 @@ std::string status_bits(const Unit& unit) {
     return {};
   }
   const bool checked = !unit.checked.empty();
+  const bool pivots =
+      checked || std::any_of(unit.staged.begin(), unit.staged.end(),
+                             [](const program::Staged& staged) { return !staged.pivots.empty(); });
   return fmt::format(
       R"(
 /// Bits of the int that functions return; 0: all is right.
@@ -204,9 +207,11 @@ inline constexpr int not_a_number = 16;
 inline constexpr int guard_undefined = 32;
 /// An event was taken at the end of the step in which it happened: `cuts` is 0.
 inline constexpr int event_late = 64;
+/// Beside a position without accelerations a joint turned by more than half a radian in one step.
+inline constexpr int turned_far = 128;
 }}  // namespace status
 )",
-      checked ? "/// Or a pivot of A is not above zero, or all its digits are lost.\n" : "",
+      pivots ? "/// Or a pivot of A is not above zero, or all its digits are lost.\n" : "",
       checked ? ", or an argument of a checked function," : "");
 }
 

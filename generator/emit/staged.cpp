@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "emit/checked.hpp"
 #include "emit/layout.hpp"
 #include "emit/parts.hpp"
 #include "emit/template_file.hpp"
@@ -50,14 +51,6 @@ std::string parameter_list(const RowSolve& solve) {
                      solve.rows * (solve.rows + 1) / 2, solve.rows, solve.rows);
 }
 
-/// What rounding leaves of a pivot that is zero, as a multiple of its own diagonal entry.
-double rounding(const RowSolve& solve, const Target& target) {
-  const double epsilon = target.scalar == Scalar::kFloat
-                             ? double{std::numeric_limits<float>::epsilon()}
-                             : std::numeric_limits<double>::epsilon();
-  return 4 * std::max(solve.rows, 2) * epsilon;
-}
-
 /// Below this part of what it ordinarily is a pivot is lost to steps. Beside a singular position a
 /// row of length s, the root of the part, asks for eps/s more acceleration than it should, and a
 /// step that passes there for that times its own growth. Of 160 motions (40 lengths of steps of rk4
@@ -69,7 +62,8 @@ double lost(const RowSolve& solve, const Target& target) {
 /// Multiple of its own diagonal entry that a pivot has to exceed.
 double tolerance(const RowSolve& solve, const Target& target) {
   return solve.tolerance > 0 ? solve.tolerance
-                             : std::max(rounding(solve, target), lost(solve, target) * solve.least);
+                             : std::max(pivot_rounding(solve.rows, target.scalar),
+                                        lost(solve, target) * solve.least);
 }
 
 /// A number with two digits.
@@ -241,7 +235,7 @@ std::vector<std::string> return_lines(const Staged& staged) {
 /// What the solver says, and whether all results are numbers.
 std::string return_line(const Staged& staged) {
   std::vector<std::string> parts;
-  if (!staged.solves.empty()) {
+  if (!staged.solves.empty() || !staged.pivots.empty()) {
     parts.emplace_back("failed");
   }
   for (const program::Array& array : staged.signature.outputs) {
@@ -267,7 +261,7 @@ std::vector<std::string> between(const Staged& staged, std::size_t level, const 
     case program::Gate::kSolve:
       break;
   }
-  return {fmt::format("const int failed = {}({}, {}, {});",
+  return {fmt::format("{}int failed = {}({}, {}, {});", staged.pivots.empty() ? "const " : "",
                       name_of(staged.solves.front(), all, "solve_rows"), program::kMatrixArray,
                       program::kRightArray, program::kMultiplierArray)};
 }
@@ -330,6 +324,12 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
       lines.push_back(split.calls[k]);
     }
     used = split.used;
+  }
+  if (!staged.pivots.empty()) {
+    if (staged.solves.empty()) {
+      lines.emplace_back("int failed = 0;");
+    }
+    append(lines, pivot_tests(staged.pivots, staged.signature.inputs.front().size, target));
   }
   if (staged.signature.status) {
     lines.push_back(return_line(staged));

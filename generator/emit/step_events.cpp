@@ -337,7 +337,8 @@ std::string EventWriter::turns() const {
        {"begin", joined(begin_lines(), "  ")},
        {"turn", joined(turn_lines(), "    ")},
        {"restart", joined(restart, "      ")},
-       {"end", joined(end_lines(), "  ")}});
+       {"end", joined(end_lines(), "  ")},
+       {"return", return_line(stepper_)}});
 }
 
 }  // namespace

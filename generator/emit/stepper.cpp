@@ -338,7 +338,7 @@ std::string integration_end(const Stepper& stepper, Form form) {
   if (stepper.switches()) {
     lines.emplace_back("phase_next[0] = phase[0];");
   }
-  lines.emplace_back("return failed | check(q_next, kDof) | check(qd_next, kDof);");
+  lines.push_back(return_line(stepper));
   return joined(lines, "  ");
 }
 
@@ -406,6 +406,7 @@ std::string local_text(const Stepper& stepper, const Vocabulary& words, const Ta
   }
   result += local_functions(stepper.anchors, words, target);
   result += stepper.switches() ? dispatch(stepper) : "";
+  result += turned_text(stepper, target.scalar);
   if (stepper.compensated) {
     result += template_text("step_add.cpp");
   }

@@ -59,6 +59,7 @@ class Pivots {
   Real sum_of_sizes(Ref a) const;
   Real largest_size(Ref a) const;
   bool may_be_named(Ref a) const;
+  bool of_first_alone(Ref a) const;
 
   const Function& function_;
   const Graph& graph_;
@@ -81,7 +82,7 @@ std::set<Ref> Pivots::divisors() const {
     }
     first += static_cast<std::size_t>(array.size);
   }
-  std::erase_if(result, [this](Ref a) { return graph_.is_constant(a); });
+  std::erase_if(result, [this](Ref a) { return graph_.is_constant(a) || !of_first_alone(a); });
   return result;
 }
 
@@ -127,6 +128,13 @@ bool Pivots::may_be_named(Ref a) const {
          (graph_.node(a).kind == Kind::kMultiply && uses_[index(a)] > 1);
 }
 
+bool Pivots::of_first_alone(Ref a) const {
+  const std::vector<Ref> root = {a};
+  return std::ranges::none_of(reachable(graph_, root), [this](Ref k) {
+    return graph_.node(k).kind == Kind::kInput && graph_.node(k).a != 0;
+  });
+}
+
 Pivot Pivots::pivot(Ref divisor) const {
   const int own = sign(divisor);
   Pivot result{own < 0 ? -divisor : divisor, 0, 0, own != 0};
@@ -157,6 +165,35 @@ std::vector<Pivot> Pivots::find() const {
 std::vector<Pivot> pivots_of(const Function& function,
                              const std::vector<std::vector<double>>& states) {
   return Pivots(function, states).find();
+}
+
+namespace {
+
+void add_array(Function& function, const char* name, const std::vector<Ref>& refs) {
+  if (!refs.empty()) {
+    function.signature.outputs.push_back({name, static_cast<int>(refs.size()), ""});
+    function.outputs.insert(function.outputs.end(), refs.begin(), refs.end());
+  }
+}
+
+}  // namespace
+
+void show_pivots(Function& function, const std::vector<Pivot>& pivots) {
+  std::vector<Ref> values;
+  std::vector<Ref> wholes;
+  for (const Pivot& pivot : pivots) {
+    values.push_back(pivot.value);
+    if (pivot.whole != 0) {
+      wholes.push_back(pivot.whole);
+    }
+  }
+  add_array(function, kPivotArray, values);
+  add_array(function, kWholeArray, wholes);
+}
+
+Cost test_cost(const std::vector<Pivot>& pivots) {
+  return {.mul = static_cast<int>(
+              std::ranges::count_if(pivots, [](const Pivot& pivot) { return pivot.whole != 0; }))};
 }
 
 }  // namespace treedyn::program

@@ -19,10 +19,19 @@ struct Pivot {
   bool positive = true;  ///< else it changes its sign, like the cosine of a gimbal
 };
 
-/// Every pivot once, in order of evaluation. They depend on the first argument alone.
+/// Every pivot once, in order of evaluation: divisors that depend on the first argument alone.
 /// \param states  ordinary values of the first argument
 /// O(operations) with 50 digits for each state.
 std::vector<Pivot> pivots_of(const Function& function,
                              const std::vector<std::vector<double>>& states);
+
+/// The arrays in which pivots and what they are the rest of stand behind the outputs.
+inline constexpr const char* kPivotArray = "pivot";
+inline constexpr const char* kWholeArray = "whole";
+
+/// Appends both arrays to the outputs of the function.
+void show_pivots(Function& function, const std::vector<Pivot>& pivots);
+/// Operations of tests of pivots: a multiplication for every whole.
+Cost test_cost(const std::vector<Pivot>& pivots);
 
 }  // namespace treedyn::program

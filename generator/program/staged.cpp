@@ -108,7 +108,7 @@ Cost deficient_cost(int rows, int rank) {
 }
 
 Cost cost(const Staged& staged) {
-  Cost c = cost(staged.function);
+  Cost c = cost(staged.function) + test_cost(staged.pivots);
   for (const RowSolve& solve : staged.solves) {
     c = c + (solve.regular() ? regular_cost(solve) : deficient_cost(solve.rows, solve.rank));
   }
@@ -124,7 +124,7 @@ int worst_powers(const Staged& staged) {
 }
 
 Cost worst_cost(const Staged& staged) {
-  Cost c = cost(staged.function);
+  Cost c = cost(staged.function) + test_cost(staged.pivots);
   for (const RowSolve& solve : staged.solves) {
     const Cost regular = solve.regular() ? regular_cost(solve) : Cost{};
     c = c + regular + deficient_cost(solve.rows, solve.rows);

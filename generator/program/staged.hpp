@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "program/function.hpp"
+#include "program/pivots.hpp"
 
 namespace treedyn::program {
 
@@ -50,6 +51,7 @@ struct Staged {
   std::vector<RowSolve> solves;  ///< of kSolve; at most one
   std::vector<Staged> contacts;  ///< of kPress
   Power power;                   ///< of kPower
+  std::vector<Pivot> pivots;     ///< of A, that are tested; their arrays end the outputs
   std::vector<int> constraints;  ///< of the scene: those that act
   std::vector<std::pair<int, Real>> forces;  ///< of joints, of its phase alone
   Real restitution = 0;                      ///< of an impact

@@ -247,11 +247,12 @@ std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase) {
 }
 
 Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
+  const Cost turns{.add = static_cast<int>(stepper.turning.size())};
   if (!stepper.ends()) {
-    return integration_cost(stepper, phase.dynamics_cost, false);
+    return turns + integration_cost(stepper, phase.dynamics_cost, false);
   }
   // times are looked at before the step and behind it
-  return 2 * clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
+  return turns + 2 * clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
          advance_cost(stepper, phase, false) + 2 * guard_cost(phase) + dip_cost(stepper, phase);
 }
 
@@ -268,8 +269,9 @@ Cost worst_step_cost(const Stepper& stepper) {
     part = most(part, worst_part_cost(stepper, phase));
     event = most(event, worst_event_cost(stepper, phase));
   }
+  const Cost turns{.add = static_cast<int>(stepper.turning.size())};
   if (!stepper.ends()) {
-    return part;
+    return part + turns;
   }
   const int parts = stepper.cuts > 0 ? stepper.events + 1 : 1;
   const int times = stepper.events + 1;  // looks at the clock
@@ -277,7 +279,7 @@ Cost worst_step_cost(const Stepper& stepper) {
   for (const StepPhase& phase : stepper.phases) {
     clock = most(clock, clock_cost(stepper, phase, true));
   }
-  return parts * part + stepper.events * event + times * clock + Cost{.add = 1};
+  return parts * part + stepper.events * event + times * clock + turns + Cost{.add = 1};
 }
 
 }  // namespace treedyn::program

@@ -96,11 +96,15 @@ struct Stepper {
   std::vector<Staged> anchors;  ///< one or none: q[, t] -> anchor, as they are now
   bool takes_time = false;
   bool takes_anchor = false;
-  int rows = 0;              ///< of lambda: the most of any phase
-  int counted = 0;           ///< steps of a phase are counted up to here; 0: not at all
-  bool begun = false;        ///< phases with counted steps begin within a step
-  bool compensated = false;  ///< rest: what q and qd lost by rounding
-  std::string first;         ///< the phase in which the scene begins
+  int rows = 0;               ///< of lambda: the most of any phase
+  int counted = 0;            ///< steps of a phase are counted up to here; 0: not at all
+  bool begun = false;         ///< phases with counted steps begin within a step
+  bool compensated = false;   ///< rest: what q and qd lost by rounding
+  std::string first;          ///< the phase in which the scene begins
+  bool tests_pivots = false;  ///< the dynamics tell lost pivots of A
+  /// Revolute joints that turn without bound beside a position without accelerations, as the outer
+  /// angles of a free body do: how far in a step is looked at.
+  std::vector<int> turning;
   /// Joints by whose velocities phases come in threes: at rest, forth, back; those of the first are
   /// neighbours.
   std::vector<int> sticking;

@@ -230,6 +230,51 @@ TEST(Loop, NearTheSingularPitchTheStepErrsByItsOrder) {
   EXPECT_LT(quarter, half / 12);
 }
 
+/// Six steps before the pitch passes its singular place at 0.0016 rad: roll and yaw turn by half a
+/// radian and more in a step, and it gains more energy than there was.
+TEST(Loop, TellsThatAStepTurnedTooFar) {
+  const SceneCode code(floating_scene(""));
+  const LoopOracle oracle = floating_oracle();
+  FloatingState state;
+  state.q << 0, 0, 0, 2.058658, -1.549461, 1.682636, -2.58294, 0.844225, 3.821072;
+  state.qd << 0.3293, 0.135441, 0.552503, 8.723561, -2.90425, -8.327541, 0.520906, -0.438819,
+      -0.421586;
+  oracle.project(state.q, state.qd);
+  const double energy = oracle.energy(state.q, state.qd);
+  int status = 0;
+  int steps = 0;
+  for (; steps < 20 && status == 0; ++steps) {
+    EXPECT_NEAR(oracle.energy(state.q, state.qd) / energy, 1, 1e-4) << steps;
+    const Measurement next =
+        code.code().measure("step", {values(state.q), values(state.qd), Vector(9)});
+    status = next.status;
+    state.q = vector(next.values, 0, 9);
+    state.qd = vector(next.values, 9, 9);
+  }
+  EXPECT_EQ(status, 128);  // turned_far
+  EXPECT_GT(std::abs(oracle.energy(state.q, state.qd) / energy - 1), 1e-3);
+  EXPECT_GT(steps, 3);
+}
+
+TEST(Loop, TellsThatAnInertiaIsLost) {
+  for (const std::string scalar : {"double", "float"}) {
+    const SceneCode code(floating_scene(""), Variant::kPlain, {"--scalar", scalar});
+    FloatingState state;
+    for (const std::string function : {"constrained_dynamics", "step"}) {
+      EXPECT_EQ(
+          code.code().measure(function, {values(state.q), values(state.qd), Vector(9)}).status, 0);
+    }
+    const auto status_at = [&](const std::string& function, double pitch) {
+      state.q[4] = pitch;
+      return code.code().measure(function, {values(state.q), values(state.qd), Vector(9)}).status;
+    };
+    EXPECT_NE(status_at("constrained_dynamics", M_PI / 2) & 1, 0);
+    EXPECT_NE(status_at("step", M_PI / 2) & 1, 0);
+    // accelerations of 1e11 rad/s^2 are right there, in double
+    EXPECT_NE(status_at("step", M_PI / 2 - 1e-12) & (scalar == "double" ? 128 : 1), 0);
+  }
+}
+
 /// Without stabilisation the error of a redundant loop on a turning body grows as exp(omega t), as
 /// a bead's way in a turning tube does: that is in the equations. The status says so before the
 /// loop is open, and whatever is not a number.
