@@ -73,9 +73,9 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
   if (node == nullptr) {
     return;
   }
-  const SceneFields fields =
-      context.fields(*node, "stepping",
-                     {"integrator", "step", "tolerance", "output_step", "cuts", "events", "state"});
+  const SceneFields fields = context.fields(
+      *node, "stepping",
+      {"integrator", "step", "tolerance", "output_step", "cuts", "events", "parts", "state"});
   model::Stepping& stepping = scene.stepping;
   if (const std::optional<Text> name = fields.optional_text("integrator")) {
     stepping.integrator = name->text;
@@ -85,11 +85,12 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
     value = fields.find(key) == nullptr ? value : fields.positive(key);
   };
   positive("step", stepping.step);
-  const auto count = [&](const char* key, int least, int& value) {
-    value = fields.find(key) == nullptr ? value : fields.integer(key, least, model::kMostCuts);
+  const auto count = [&](const char* key, int least, int most, int& value) {
+    value = fields.find(key) == nullptr ? value : fields.integer(key, least, most);
   };
-  count("cuts", 0, stepping.cuts);
-  count("events", 1, stepping.events);
+  count("cuts", 0, model::kMostCuts, stepping.cuts);
+  count("events", 1, model::kMostCuts, stepping.events);
+  count("parts", 1, model::kMostParts, stepping.parts);
   if (const std::optional<Text> state = fields.optional_text("state")) {
     if (state->text != "plain" && state->text != "compensated") {
       throw InputError({fields.file(), state->where.line, state->where.column},

@@ -204,11 +204,16 @@ std::string doc(const program::Stepper& stepper) {
   bits += stepper.ends() ? "event_missed, " : "";
   bits += stepper.most_guards() > 0 && stepper.cuts == 0 ? "event_late, " : "";
   bits += stepper.most_guards() > 0 ? "guard_undefined, " : "";
+  const std::string parts =
+      stepper.turning.empty()
+          ? ""
+          : fmt::format(" Where joints turn far, parts of the step, {} at most.",
+                        stepper.parts);
   return signature_doc(stepper.signature) + events_doc(stepper) +
          wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number", bits), "/// ") +
-         wrapped(fmt::format("By {}, {} s.{} Cost{}{}: {}. Never more than {}.",
-                             method_text(stepper.method), decimal(stepper.step), fails, where, with,
-                             cost_text(program::step_cost(stepper)),
+         wrapped(fmt::format("By {}, {} s.{}{} Cost{}{}: {}. Never more than {}.",
+                             method_text(stepper.method), decimal(stepper.step), parts, fails,
+                             where, with, cost_text(program::step_cost(stepper)),
                              cost_text(program::worst_step_cost(stepper))),
                  "/// ");
 }

@@ -207,7 +207,7 @@ inline constexpr int not_a_number = 16;
 inline constexpr int guard_undefined = 32;
 /// An event was taken at the end of the step in which it happened: `cuts` is 0.
 inline constexpr int event_late = 64;
-/// Beside a position without accelerations a joint turned by more than half a radian in one step.
+/// Beside a position without accelerations a joint turned by more than half a radian at once.
 inline constexpr int turned_far = 128;
 }}  // namespace status
 )",

@@ -337,8 +337,7 @@ std::string EventWriter::turns() const {
        {"begin", joined(begin_lines(), "  ")},
        {"turn", joined(turn_lines(), "    ")},
        {"restart", joined(restart, "      ")},
-       {"end", joined(end_lines(), "  ")},
-       {"return", return_line(stepper_)}});
+       {"end", joined(end_lines(), "  ")}});
 }
 
 }  // namespace

@@ -70,29 +70,6 @@ Lines by_phase(const program::Stepper& stepper, const std::string& which,
   return lines;
 }
 
-std::string return_line(const program::Stepper& stepper) {
-  return fmt::format("return failed{} | check(q_next, kDof) | check(qd_next, kDof);",
-                     stepper.turning.empty() ? "" : " | turned(q, q_next)");
-}
-
-std::string turned_text(const program::Stepper& stepper, Scalar scalar) {
-  if (stepper.turning.empty()) {
-    return {};
-  }
-  Lines lines = {
-      fmt::format("static constexpr int joints[] = {{{}}};", fmt::join(stepper.turning, ", ")),
-      fmt::format("for (int i = 0; i < {}; ++i) {{", stepper.turning.size()),
-      "  const Scalar turn = q_next[joints[i]] - q[joints[i]];",
-      fmt::format("  if (turn > {0} || turn < -{0}) {{", literal(Real("0.5"), scalar)),
-      "    return status::turned_far;",
-      "  }",
-      "}",
-      "return 0;"};
-  return "\n/// status::turned_far if one of the joints turned by more than half a radian.\n"
-         "int turned(const Scalar* q, const Scalar* q_next) noexcept {\n" +
-         joined(lines, "  ") + "\n}\n";
-}
-
 int first_event_of(const program::Stepper& stepper, const program::StepPhase& phase) {
   std::size_t count = 0;
   for (const program::StepPhase& other : stepper.phases) {

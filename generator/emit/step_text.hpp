@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "emit/literal.hpp"
 #include "program/stepper.hpp"
 
 namespace treedyn::emit {
@@ -30,12 +29,6 @@ std::string call_text(const std::string& head, const std::vector<std::string>& a
 /// What depends on the phase `which`: a switch, or the lines of the only phase.
 Lines by_phase(const program::Stepper& stepper, const std::string& which,
                const std::function<Lines(const program::StepPhase&)>& lines_of);
-
-/// How a step ends: what failed, and whether its results are numbers.
-std::string return_line(const program::Stepper& stepper);
-
-/// The function that looks how far joints turned; empty: none is looked at.
-std::string turned_text(const program::Stepper& stepper, Scalar scalar);
 
 /// Number of the first event of a phase among those of the scene.
 int first_event_of(const program::Stepper& stepper, const program::StepPhase& phase);

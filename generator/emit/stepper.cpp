@@ -338,7 +338,7 @@ std::string integration_end(const Stepper& stepper, Form form) {
   if (stepper.switches()) {
     lines.emplace_back("phase_next[0] = phase[0];");
   }
-  lines.push_back(return_line(stepper));
+  lines.emplace_back("return failed | check(q_next, kDof) | check(qd_next, kDof);");
   return joined(lines, "  ");
 }
 
@@ -356,9 +356,10 @@ std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
   const auto plus = [&](const std::string& x) {
     return stepper.compensated ? fmt::format("add({}[i],", x) : x + "[i] +";
   };
-  Slots slots = {{"declaration",
-                  own ? step_declaration(stepper) + kept_lines(stepper)
-                      : declaration("int integrate", integrate_list(stepper, true), " noexcept {")},
+  Slots slots = {{"declaration", own ? step_declaration(stepper) + kept_lines(stepper)
+                                     : declaration(stepper.turning.empty() ? "int integrate"
+                                                                           : "int integrate_part",
+                                                   integrate_list(stepper, true), " noexcept {")},
                  {"dynamics", dynamics_name(stepper)},
                  {"phase", !stepper.switches() ? ""
                            : own               ? "phase[0], "
@@ -397,6 +398,50 @@ std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
   }
 }
 
+/// By how much joints turn beside a position without accelerations: half a turn and a little more,
+/// rad.
+constexpr double kPassage = 3.2;
+
+/// `integrate` in parts, where joints may turn far.
+std::string parts_text(const Stepper& stepper, Scalar scalar) {
+  std::vector<std::string> arguments = integrate_list(stepper, false);
+  std::string unused;
+  if (stepper.rows > 0) {  // reactions of the beginning, and of the middle
+    unused = fmt::format("  Scalar unused[{}];", stepper.rows);
+    *std::find(arguments.begin(), arguments.end(), "lambda") = "done > Scalar(0) ? unused : lambda";
+  }
+  if (program::tells_reactions(stepper)) {
+    arguments.back() = "done + done < h ? halfway : unused";
+  }
+  return fill(
+      template_text("step_parts.cpp"),
+      {{"parts", std::to_string(stepper.parts)},
+       {"declaration", declaration("int integrate", integrate_list(stepper, true), " noexcept {")},
+       {"joints", fmt::format("{}", fmt::join(stepper.turning, ", "))},
+       {"count", std::to_string(stepper.turning.size())},
+       {"turn", literal(Real(fmt::format("{:.2g}", kPassage / stepper.parts)), scalar)},
+       {"far", literal(Real("0.5"), scalar)},
+       {"unused", unused},
+       {"times", stepper.takes_time ? "    const Scalar t_now[1] = {t[0] + done};" : ""},
+       {"integrate", call_text("failed |= integrate_part", arguments, 4)}});
+}
+
+/// `step` without events that integrates in parts.
+std::string step_of_parts(const Stepper& stepper, Scalar scalar) {
+  std::vector<std::string> arguments = integrate_list(stepper, false);
+  arguments.front() = literal(stepper.step, scalar);
+  const std::map<std::string, std::string> own = {
+      {"which", "phase[0]"}, {"x", "q"}, {"v", "qd"}, {"t_now", "t"}};
+  for (std::string& argument : arguments) {
+    const auto found = own.find(argument);
+    argument = found == own.end() ? argument : found->second;
+  }
+  return step_declaration(stepper) + kept_lines(stepper) + "\n" +
+         (stepper.rows > 0 ? fmt::format("  Scalar later[{}];\n", stepper.rows) : "") +
+         call_text("  const int failed = integrate", arguments, 2) + "\n" +
+         integration_end(stepper, Form::kStep) + "\n}\n";
+}
+
 /// What only `step` calls.
 std::string local_text(const Stepper& stepper, const Vocabulary& words, const Target& target) {
   std::string result;
@@ -406,17 +451,21 @@ std::string local_text(const Stepper& stepper, const Vocabulary& words, const Ta
   }
   result += local_functions(stepper.anchors, words, target);
   result += stepper.switches() ? dispatch(stepper) : "";
-  result += turned_text(stepper, target.scalar);
   if (stepper.compensated) {
     result += template_text("step_add.cpp");
   }
   if (stepper.method == StepMethod::kSdirk2) {
     result += sdirk2_stages(stepper, target.scalar);
   }
-  if (stepper.ends()) {
+  if (stepper.any_length()) {
     result += "\n/// One step of length h of a phase.\n" +
-              integration(stepper, Form::kIntegrate, target.scalar) +
-              event_functions(stepper, target.scalar);
+              integration(stepper, Form::kIntegrate, target.scalar);
+  }
+  if (!stepper.turning.empty()) {
+    result += parts_text(stepper, target.scalar);
+  }
+  if (stepper.ends()) {
+    result += event_functions(stepper, target.scalar);
   }
   return result.empty() ? result : "namespace {\n" + result + "\n}  // namespace\n\n";
 }
@@ -425,7 +474,9 @@ std::string local_text(const Stepper& stepper, const Vocabulary& words, const Ta
 
 std::string stepper_text(const Stepper& stepper, const Vocabulary& words, const Target& target) {
   return local_text(stepper, words, target) +
-         (stepper.ends() ? turns_text(stepper) : integration(stepper, Form::kStep, target.scalar));
+         (stepper.ends()         ? turns_text(stepper)
+          : stepper.any_length() ? step_of_parts(stepper, target.scalar)
+                                 : integration(stepper, Form::kStep, target.scalar));
 }
 
 }  // namespace treedyn::emit

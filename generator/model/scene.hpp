@@ -183,6 +183,8 @@ enum class Drift { kNone, kBaumgarte, kProjection };
 
 /// Shorter steps that look for an event, and events of one step, at most.
 inline constexpr int kMostCuts = 16;
+/// Parts of one step, at most.
+inline constexpr int kMostParts = 1000;
 
 /// How a scene is stepped.
 struct Stepping {
@@ -191,6 +193,7 @@ struct Stepping {
   Real step = Real("1e-3");  ///< s, methods with fixed steps
   int cuts = 3;    ///< generated steps: shorter steps that look for an event; 0: at the end
   int events = 3;  ///< generated steps: events of one step, at most
+  int parts = 64;  ///< generated steps: of one in which the angles of a free body turn far, at most
   /// Generated steps: what rounding takes from the state is kept and added in the next step.
   bool compensated = false;
   Real tolerance = Real("1e-10");  ///< error of a step, relative and absolute, adaptive methods

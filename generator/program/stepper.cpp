@@ -40,12 +40,12 @@ Cost sdirk2_cost(const Stepper& stepper, const Cost& dynamics, int newton_steps,
          2 * newton_steps * newton_cost(n, dynamics) + own;
 }
 
-/// The integration alone, given the operations of one call of the dynamics.
-Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
+/// One part of the integration, given the operations of one call of the dynamics.
+Cost part_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
   const int n = stepper.signature.inputs.front().size;
   const Cost kept{.add = stepper.compensated ? 6 * n : 0};
   const bool timed = stepper.takes_time;
-  const bool any_length = stepper.ends();
+  const bool any_length = stepper.any_length();
   const int halfway = tells_reactions(stepper) ? stepper.rows : 0;
   switch (stepper.method) {
     case StepMethod::kSemiImplicitEuler:
@@ -64,6 +64,19 @@ Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) 
                    : sdirk2_cost(stepper, dynamics, kUsualNewtonSteps, 1);
   }
   return kept + dynamics + Cost{.add = 2 * n, .mul = 2 * n};
+}
+
+/// The integration alone.
+Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
+  const Cost part = part_cost(stepper, dynamics, worst);
+  const auto turning = static_cast<int>(stepper.turning.size());
+  if (turning == 0) {
+    return part;
+  }
+  const Cost looks{.add = 2 + turning + (stepper.takes_time ? 1 : 0),
+                   .mul = turning,
+                   .div = worst ? turning : 0};
+  return (worst ? stepper.parts : 1) * (part + looks);
 }
 
 /// When a phase has lasted so long.
@@ -247,12 +260,11 @@ std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase) {
 }
 
 Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
-  const Cost turns{.add = static_cast<int>(stepper.turning.size())};
   if (!stepper.ends()) {
-    return turns + integration_cost(stepper, phase.dynamics_cost, false);
+    return integration_cost(stepper, phase.dynamics_cost, false);
   }
   // times are looked at before the step and behind it
-  return turns + 2 * clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
+  return 2 * clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
          advance_cost(stepper, phase, false) + 2 * guard_cost(phase) + dip_cost(stepper, phase);
 }
 
@@ -269,9 +281,8 @@ Cost worst_step_cost(const Stepper& stepper) {
     part = most(part, worst_part_cost(stepper, phase));
     event = most(event, worst_event_cost(stepper, phase));
   }
-  const Cost turns{.add = static_cast<int>(stepper.turning.size())};
   if (!stepper.ends()) {
-    return part + turns;
+    return part;
   }
   const int parts = stepper.cuts > 0 ? stepper.events + 1 : 1;
   const int times = stepper.events + 1;  // looks at the clock
@@ -279,7 +290,7 @@ Cost worst_step_cost(const Stepper& stepper) {
   for (const StepPhase& phase : stepper.phases) {
     clock = most(clock, clock_cost(stepper, phase, true));
   }
-  return parts * part + stepper.events * event + times * clock + turns + Cost{.add = 1};
+  return parts * part + stepper.events * event + times * clock + Cost{.add = 1};
 }
 
 }  // namespace treedyn::program

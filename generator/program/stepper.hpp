@@ -92,6 +92,7 @@ struct Stepper {
   Real step = 0;           ///< s
   int cuts = 0;    ///< steps of shorter length that look for an event; 0: it is taken at the end
   int events = 0;  ///< in one step, at most
+  int parts = 0;   ///< of a step in which `turning` joints turn far, at most
   std::vector<StepPhase> phases;
   std::vector<Staged> anchors;  ///< one or none: q[, t] -> anchor, as they are now
   bool takes_time = false;
@@ -103,7 +104,7 @@ struct Stepper {
   std::string first;          ///< the phase in which the scene begins
   bool tests_pivots = false;  ///< the dynamics tell lost pivots of A
   /// Revolute joints that turn without bound beside a position without accelerations, as the outer
-  /// angles of a free body do: how far in a step is looked at.
+  /// angles of a free body do: steps are done in parts in which they turn little.
   std::vector<int> turning;
   /// Joints by whose velocities phases come in threes: at rest, forth, back; those of the first are
   /// neighbours.
@@ -113,6 +114,8 @@ struct Stepper {
   [[nodiscard]] bool switches() const { return phases.size() > 1; }
   /// True if some phase ends.
   [[nodiscard]] bool ends() const;
+  /// True if it integrates over other lengths than `step`, too.
+  [[nodiscard]] bool any_length() const { return ends() || !turning.empty(); }
   /// True if some phase ends because of its time alone.
   [[nodiscard]] bool has_times() const;
   /// Guards and, behind them, approaches of the phase with the most.

@@ -321,6 +321,7 @@ program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
   result.integrator = scene_.stepping.integrator;
   result.step = scene_.stepping.step;
   result.cuts = scene_.stepping.cuts;
+  result.parts = scene_.stepping.parts;
   result.events = scene_.stepping.events;
   result.compensated = scene_.stepping.compensated;
   bool renews = false;
