@@ -4,6 +4,7 @@
 
 #include "derive/columns.hpp"
 #include "derive/forms.hpp"
+#include "derive/transpose.hpp"
 
 namespace treedyn::derive {
 namespace {
@@ -122,6 +123,17 @@ Derivation with_forms(Derivation derivation) {
   return derivation;
 }
 
+/// Numbers alone can be transposed.
+Derivation transposed(Derivation derivation) {
+  for (int& root : derivation.roots) {
+    const Value& v = derivation.values[root];
+    if (!derivation.by_units && v.set == Set::kOne && v.type == Type::kScalar) {
+      root = transposed(derivation.values, root).value_or(root);
+    }
+  }
+  return derivation;
+}
+
 }  // namespace
 
 std::optional<Derivation> derive_rows(const block::Expression& column) {
@@ -132,9 +144,17 @@ std::optional<Derivation> derive_rows(const block::Expression& column) {
 }
 
 Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_joints) {
-  Derivation common = with_forms(derive(expression, by_rows, {keeps_joints, true}));
-  Derivation stays = with_forms(derive(expression, by_rows, {keeps_joints, false}));
-  return sums(stays) < sums(common) ? stays : common;
+  std::optional<Derivation> best;
+  for (const bool common_leaves : {true, false}) {
+    const Derivation plain = derive(expression, by_rows, {keeps_joints, common_leaves});
+    for (const bool transposes : {false, true}) {
+      Derivation next = with_forms(transposes ? transposed(plain) : plain);
+      if (!best || sums(next) < sums(*best)) {
+        best = std::move(next);
+      }
+    }
+  }
+  return *best;
 }
 
 }  // namespace treedyn::derive

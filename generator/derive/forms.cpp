@@ -69,6 +69,10 @@ class Forms {
       if (const int inertia = composite(value); inertia >= 0) {
         return inertia;
       }
+    } else if (value.op == Op::kDot && is_momentum(value.operands[1]) &&
+               new_[value.operands[1]].operands[1] == value.operands[0]) {
+      const int omega = value.operands[0];
+      return noted(Rule::kSquare, {Op::kSquare, value.set, value.type, {}, 0, {omega}, {}});
     } else if (value.op == Op::kLinear) {
       if (const int path = started(value); path >= 0) {
         return path;

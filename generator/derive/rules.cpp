@@ -5,10 +5,11 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 18> kRows = {{
+  static constexpr std::array<RuleRow, 20> kRows = {{
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
+      {Rule::kTransposes, "R1'", "1^T (a·D^T y) = 1^T (D a·y), a·(b×c) = b·(c×a)"},
       {Rule::kSkewPasses, "R2", "Λ(D X) = D Λ(X), Λ(X D) = Λ(X) D"},
       {Rule::kMerge, "R3",
        "D x + D y = D (x + y), D^T y + N^T x is one recursion, a×b + a×c = a×(b+c)"},
@@ -32,6 +33,7 @@ std::span<const RuleRow> rules() {
        "I α + ω×(I ω) = vee(Ω E), Ω = Λ(α) + Λ(ω)², I = tr(E) - E: the same products twice"},
       {Rule::kComposite, "F5",
        "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) - F, F = h s^T + s h^T + m s s^T: symmetric"},
+      {Rule::kSquare, "F6", "ω·(I ω) = -tr(Λ(ω)² E): squares and products of ω, each once"},
   }};
   return kRows;
 }

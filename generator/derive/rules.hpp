@@ -10,6 +10,7 @@ namespace treedyn::derive {
 enum class Rule {
   kDistribute,
   kSums,
+  kTransposes,
   kSkewPasses,
   kMerge,
   kCrossWords,
@@ -26,6 +27,7 @@ enum class Rule {
   kFathers,
   kPseudoInertia,
   kComposite,
+  kSquare,
 };
 
 struct RuleRow {

@@ -323,6 +323,8 @@ Block Lowering::made(int id, const Value& v, int e) {
       return composite(id, v, e);
     case Op::kMoment:
       return moment(v, e);
+    case Op::kSquare:
+      return square(v, e);
     case Op::kApply:
     case Op::kApplyTranspose:
       return applied(v, e);

@@ -83,6 +83,7 @@ class Lowering {
   Block product(const Value& v, int e) const;
   Block applied(const Value& v, int e) const;
   Block moment(const Value& v, int e) const;
+  Block square(const Value& v, int e) const;
   Block composite(int id, const Value& v, int e);
   Block components(const Value& v, int e) const;
   Block path(int id, const Value& v, int e);

@@ -57,25 +57,6 @@ Carried to_ground(const Kinematics& k, const model::Point& point) {
 
 }  // namespace
 
-std::vector<Velocity> velocities(const Kinematics& k) {
-  std::vector<Velocity> result;
-  for (int i = 0; i < k.size(); ++i) {
-    k.graph().set_body(i);
-    const int f = k.link(i).father;
-    Velocity v;
-    if (f != model::kGround) {
-      const Velocity& father = result[index(f)];
-      v.omega = k.from_father(i, father.omega);
-      v.origin = k.from_father(i, father.origin + cross(father.omega, k.offset(i)));
-    }
-    (k.link(i).revolute ? v.omega : v.origin)[2] += k.speed(i);
-    name(k.graph(), v.omega, "omega", i);
-    name(k.graph(), v.origin, "v", i);
-    result.push_back(v);
-  }
-  return result;
-}
-
 std::vector<Expr> point_bias_acceleration(const Kinematics& k, const Points& points) {
   const bool to_root = k.variant().way == Way::kToRoot;
   const FrameChanges frames(k, to_root ? Way::kToRoot : Way::kInLinks);

@@ -1,4 +1,4 @@
-// Points: rotations, accelerations of 6.1; velocities of links.
+// Points: rotations, accelerations of 6.1.
 #pragma once
 
 #include <vector>
@@ -6,14 +6,6 @@
 #include "simplify/kinematics.hpp"
 
 namespace treedyn::simplify {
-
-/// Velocity of a link in its expression frame.
-struct Velocity {
-  Vec3 omega;
-  Vec3 origin;
-};
-/// Of all links, fathers first: D as prefix sum.
-std::vector<Velocity> velocities(const Kinematics& kinematics);
 
 /// The points of a function in the order of its arrays.
 using Points = std::vector<model::Point>;

@@ -157,7 +157,7 @@ const std::vector<Recipe>& recipes() {
        {{"T", 1, 0, 0, "J"}},
        from_q_qd,
        {.regrouping = true},
-       build_kinetic_energy},
+       derived_from("kinetic_energy")},
       {"potential_energy",
        "6.5",
        "Potential energy of gravity; zero with all mass at the base origin.",

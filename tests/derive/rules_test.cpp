@@ -63,6 +63,20 @@ TEST(R1, TurnsReachabilityIntoSumsAlongTheTree) {
   EXPECT_EQ(count((transpose(D) - E) * qd, Op::kSubtreeStrict), 1);
 }
 
+TEST(R1, LetsPathsTakeOverFromSubtreesInSumsOverAllLinks) {
+  EXPECT_EQ(count(kinetic_energy(), Op::kSubtree), 0);
+  EXPECT_EQ(count(kinetic_energy(), Op::kBackward), 0);
+  EXPECT_EQ(count(kinetic_energy(), Op::kPath), 2);  // ω and v
+  EXPECT_TRUE(derive(kinetic_energy(), false).values.acted().contains(Rule::kTransposes));
+}
+
+TEST(R1, LeavesSubtreesInWhatIsNotLinearInThem) {
+  const Expression x = transpose(D) * w;
+  EXPECT_FALSE(acts(transpose(x) * x, Rule::kTransposes));
+  EXPECT_EQ(count(transpose(x) * x, Op::kSubtree), 1);
+  EXPECT_FALSE(acts(transpose(D) * w, Rule::kTransposes));
+}
+
 TEST(R2, LetsSkewPassReachability) {
   EXPECT_EQ(texts(skew(D * z_d * sigma)), (std::vector<std::string>{"D Λ(z^d) σ"}));
   EXPECT_TRUE(acts(skew(D * z_d * sigma) * g, Rule::kSkewPasses));
@@ -331,6 +345,17 @@ TEST(F4, FindsJointsThatTurnAboutTheirAxes) {
   EXPECT_EQ(turnings(skew(diagb(alpha)) * g), 0U);
 }
 
+TEST(F6, WritesEnergiesWithPseudoInertias) {
+  const auto squares = [](const Expression& e) {
+    const Derivation derivation = derive(e, false, false);
+    const std::vector<int> needed = derivation.values.needed(derivation.roots);
+    return std::count_if(needed.begin(), needed.end(),
+                         [&](int id) { return derivation.values[id].op == Op::kSquare; });
+  };
+  EXPECT_EQ(squares(kinetic_energy()), 1);
+  EXPECT_EQ(squares(transpose(D * w) * J_d * D * w), 0);
+}
+
 /// Identities that the rules rest on, for all vectors.
 class Identities : public testing::Test {
  protected:
@@ -398,6 +423,15 @@ TEST_F(Identities, OfF5) {
   const Matrix F = h.mul(s.transpose()).add(s.mul(h.transpose())).add(ms.mul(s.transpose()));
   const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   EXPECT_TRUE(equal(shift.mul_scalar(-1), one.mul_scalar(F.trace()).sub(F)));
+}
+
+TEST_F(Identities, OfF6) {
+  const Matrix pseudo = symmetric("E");
+  const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Matrix I = one.mul_scalar(pseudo.trace()).sub(pseudo);
+  const Matrix energy = omega_.transpose().mul(I).mul(omega_);
+  const Matrix square = lambda(omega_).mul(lambda(omega_)).mul(pseudo);
+  EXPECT_TRUE(equal(energy, Matrix{{-square.trace()}}));
 }
 
 TEST_F(Identities, OfTheCommonColumn) {

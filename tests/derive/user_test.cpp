@@ -64,7 +64,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "T(ones) * m_d * r / (T(ones) * m_d * ones)", "-D * sigma * (qd - -qd)",
                     "Lam(LamT(c_fD) * z_d) * omega", "T(LamT(J_v)) * omega",
                     "T(ones) * r + T(ones_P) * p", "Lam(Lam(c_fD) * z_d * sigma * D) * omega",
-                    "R(link1) * T(at(link1)) * omega"));
+                    "R(link1) * T(at(link1)) * omega", "T(qd) * (A * qdd + B)",
+                    "T(T(D) * omega) * J_d * T(D) * omega", "T(omega) * LamT(c_d) * T(D) * omega",
+                    "T(tau) * sigma * T(z_d) * Lam(s_d) * J_d * T(N) * omega"));
 
 INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                          testing::Values("dot(s_d) * ones", "dot(l_d) * ones", "dot(c_d) * ones",
