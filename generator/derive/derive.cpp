@@ -30,7 +30,9 @@ bool derive_wide(const block::Expression& expression, Derivation& result) {
   Columns columns(values, true);
   Algebra& algebra = columns.algebra();
   const int E = algebra.scale(algebra.unit(side.set, Type::kScalar), algebra.identity(side.set));
-  const std::optional<int> root = columns.wide(expression, result.by_rows, E);
+  const std::optional<int> root = result.shape.cols == block::Side{}
+                                      ? columns.meet(expression, E, algebra.ones(Set::kOne))
+                                      : columns.wide(expression, result.by_rows, E);
   if (root) {
     result.values = std::move(values);
     result.roots = {*root};

@@ -13,10 +13,12 @@ enum class Rule {
   kTransposes,
   kSkewPasses,
   kMerge,
+  kJacobi,
   kCrossWords,
   kTelescope,
   kComponents,
   kUnits,
+  kMeet,
   kSymmetric,
   kComposites,
   kKinds,
@@ -28,6 +30,7 @@ enum class Rule {
   kPseudoInertia,
   kComposite,
   kSquare,
+  kTwice,
 };
 
 struct RuleRow {

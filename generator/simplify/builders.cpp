@@ -118,8 +118,5 @@ std::vector<Expr> build_mass_matrix_inverse(const Task& task) {
 std::vector<Expr> build_point_rotations(const Task& task) {
   return point_rotations(task.kinematics, task.options.points);
 }
-std::vector<Expr> build_point_bias(const Task& task) {
-  return point_bias_acceleration(task.kinematics, task.options.points);
-}
 
 }  // namespace treedyn::simplify

@@ -1,4 +1,4 @@
-// Points: rotations, accelerations of 6.1.
+// Rotations of points.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,6 @@ namespace treedyn::simplify {
 /// The points of a function in the order of its arrays.
 using Points = std::vector<model::Point>;
 
-/// gamma_f = d/dt(J) qd of 6.1 in the base frame, 3 P.
-std::vector<Expr> point_bias_acceleration(const Kinematics& kinematics, const Points& points);
 /// Link frame -> base frame, row-major, 9 P.
 std::vector<Expr> point_rotations(const Kinematics& kinematics, const Points& points);
 

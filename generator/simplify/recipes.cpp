@@ -117,7 +117,7 @@ const std::vector<Recipe>& recipes() {
        {{"gamma_f", 3, 0, 1, "m/s^2"}},
        from_q_qd,
        {.any_way = true},
-       build_point_bias},
+       derived_from("point_bias_acceleration")},
       {"angular_bias_acceleration",
        "6.1",
        "gamma_n = d/dt(H^T) qd of the points' links, base frame.",

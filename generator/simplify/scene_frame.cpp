@@ -3,7 +3,6 @@
 #include "simplify/blocks.hpp"
 #include "simplify/derived.hpp"
 #include "simplify/forward.hpp"
-#include "simplify/points.hpp"
 #include "simplify/sweeps.hpp"
 
 namespace treedyn::simplify {
@@ -76,8 +75,9 @@ MotionMap SceneFrame::in_base(const model::Point& point, bool turning) const {
     }
   }
   if (velocity_products_) {
-    map.gamma = triple(turning ? values_at(task_, "angular_bias_acceleration", points, Way::kToRoot)
-                               : point_bias_acceleration(k_, points));
+    map.gamma =
+        triple(values_at(task_, turning ? "angular_bias_acceleration" : "point_bias_acceleration",
+                         points, Way::kToRoot));
   }
   return map;
 }

@@ -226,16 +226,6 @@ Motion motion(const Vec3& omega, const Vec3& alpha, const Vec3& a) {
   return m;
 }
 
-std::vector<Motion> motions(const Kinematics& k, const Vec3& ground) {
-  NewtonEuler sweep(k);
-  std::vector<Motion> result;
-  for (int i = 0; i < k.size(); ++i) {
-    sweep.forward(i, ground);
-    result.push_back(sweep.motion_of(i));
-  }
-  return result;
-}
-
 TrunkBias trunk_bias(const Kinematics& k, const Vec3& omega) {
   NewtonEuler sweep(k);
   sweep.set_motion(kTrunkLink, motion(omega, {}, {}));

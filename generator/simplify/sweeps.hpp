@@ -28,9 +28,6 @@ struct Wrench {
   Vec3 moment;
 };
 
-/// Motion of every link for the rates and accelerations that are inputs, fathers first.
-std::vector<Motion> motions(const Kinematics& kinematics, const Vec3& ground);
-
 /// What the limbs and the trunk of a free base need when nothing accelerates: the velocity products
 /// alone.
 struct TrunkBias {

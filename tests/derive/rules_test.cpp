@@ -123,6 +123,37 @@ TEST(R5, DoesNotTelescopeWhatIsNoDifference) {
   EXPECT_FALSE(acts(half, Rule::kTelescope));
 }
 
+/// Values of the rows of a column for one point.
+std::vector<Value> of_rows(const Expression& column, Op op) {
+  const Derivation rows = derive_rows(column).value();
+  std::vector<Value> result;
+  for (const int id : rows.values.needed(rows.roots)) {
+    if (rows.values[id].op == op) {
+      result.push_back(rows.values[id]);
+    }
+  }
+  return result;
+}
+
+TEST(R6, LetsRowsAndColumnsMeet) {
+  const Derivation rows = derive_rows(point_bias_acceleration()).value();
+  for (const Rule rule : {Rule::kMeet, Rule::kJacobi, Rule::kTransposes, Rule::kTwice}) {
+    EXPECT_TRUE(rows.values.acted().contains(rule)) << row_of(rule).name;
+  }
+  EXPECT_TRUE(of_rows(point_bias_acceleration(), Op::kPath).empty());  // a point alone travels
+  EXPECT_TRUE(of_rows(point_bias_acceleration(), Op::kPathStrict).empty());
+  EXPECT_EQ(of_rows(point_bias_acceleration(), Op::kCross).size(), 2U);
+  const Expression of_links = transpose(W) * J_d * D * w;  // a tensor stops the rows
+  const Derivation stopped = derive_rows(of_links).value();
+  EXPECT_TRUE(stopped.values.acted().contains(Rule::kMeet));
+  EXPECT_EQ(of_rows(of_links, Op::kApply).size(), 1U);
+}
+
+TEST(F7, HandsOnSumsOfVelocities) {
+  EXPECT_EQ(of_rows(point_bias_acceleration(), Op::kBackward).size(), 1U);  // places alone
+  EXPECT_EQ(of_rows(point_bias_acceleration(), Op::kSubtreeStrict).size(), 1U);
+}
+
 TEST(R7, KeepsTheKindOfBlocks) {
   const Derivation C = derive(force_jacobian_transpose(points()), false);
   EXPECT_TRUE(C.wide);
@@ -246,7 +277,7 @@ TEST(R7, ReadsPointsBackwards) {
   for (const int id : v->values.needed(v->roots)) {
     EXPECT_NE(v->values[id].op, Op::kPath);  // nothing travels from the root
   }
-  EXPECT_FALSE(derive_rows(point_bias_acceleration()).has_value());
+  EXPECT_FALSE(derive_rows(transpose(W) * D * qd).has_value());
 }
 
 TEST(R3, KeepsSumsOverLinksAndOverPointsApart) {
@@ -403,6 +434,11 @@ TEST_F(Identities, OfR10) {
   EXPECT_TRUE(equal(cross(c_, cross(alpha_, h)), steiner_.mul(alpha_)));
   EXPECT_TRUE(
       equal(cross(c_, cross(omega_, cross(omega_, h))), cross(omega_, steiner_.mul(omega_))));
+}
+
+TEST_F(Identities, OfJacobi) {
+  EXPECT_TRUE(equal(cross(cross(alpha_, omega_), c_),
+                    cross(alpha_, cross(omega_, c_)).sub(cross(omega_, cross(alpha_, c_)))));
 }
 
 TEST_F(Identities, OfF4) {
