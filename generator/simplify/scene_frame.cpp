@@ -1,9 +1,7 @@
 #include "simplify/scene_frame.hpp"
 
 #include "simplify/blocks.hpp"
-#include "simplify/derived.hpp"
 #include "simplify/forward.hpp"
-#include "simplify/sweeps.hpp"
 
 namespace treedyn::simplify {
 
@@ -45,7 +43,7 @@ void SceneFrame::place_limbs() {
     }
   }
   if (velocity_products_) {
-    motions_ = limb_motions(k_, trunk_velocity(k_).omega);
+    motions_ = limb_motions(task_, trunk_velocity(k_).omega);
   }
 }
 
