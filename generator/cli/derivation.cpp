@@ -76,6 +76,13 @@ std::string recursion_text(const simplify::Derived& function,
     const program::Cost& cost = costs[static_cast<std::size_t>(line.id)];
     result += fmt::format("  {:>5}  {}\n", cost.total(), line.text);
   }
+  if (function.to_root) {
+    result += "\nor from one point E e_j to the root\n";
+    for (const derive::Line& line : derive::lines(*function.to_root)) {
+      result += fmt::format("         {}\n", line.text);
+    }
+    result += rules_text(function.to_root->values);
+  }
   return result;
 }
 

@@ -35,7 +35,7 @@ class Algebra {
   int skew_product(int a, int b);
   int apply(int tensor, int v) { return bilinear(Op::kApply, Type::kVector, tensor, v); }
   int apply_transposed(int tensor, int v) {
-    const bool symmetric = value(tensor).name == "J_c^d";
+    const bool symmetric = value(tensor).name == "J_c^d" || value(tensor).name == "I^d";
     return bilinear(symmetric ? Op::kApply : Op::kApplyTranspose, Type::kVector, tensor, v);
   }
   /// D, N, D^T, N^T, Π, W, .. times x; the result has a block for every element of `set`.

@@ -237,7 +237,9 @@ int Columns::skew(const Expression& Y, bool transposed, int x) {
     const int y = wide_ ? wide_cross(u, x) : algebra_.cross(u, x);
     return transposed ? algebra_.negative(y) : y;
   }
-  require_narrow();
+  if (wide_) {
+    return wide_skew(Y, transposed, x);
+  }
   if (Y.shape().cols == block::Side{}) {  // one column
     const int u = column(Y);
     return transposed ? algebra_.sum_along(Op::kCollect, Set::kOne, algebra_.cross(x, u))

@@ -18,6 +18,9 @@ class Columns {
   int apply(const block::Expression& e, bool transposed, int x);
   /// The same for a wide x; nothing if some block would be neither of a kind nor one row.
   std::optional<int> wide(const block::Expression& e, bool transposed, int x);
+  /// x^T e c for a wide x and a column c: rows come from the left as far as their blocks have a
+  /// kind, columns from the right.
+  int meet(const block::Expression& e, int x, int c);
   /// The column e.
   int column(const block::Expression& e) { return narrow(e, Set::kOne); }
   Algebra& algebra() { return algebra_; }
@@ -40,7 +43,11 @@ class Columns {
   int narrow(const block::Expression& e, Set ones);
   int wide_diagonal(Type type, int blocks, bool transposed, int x);
   int wide_cross(int u, int x);
+  int wide_skew(const block::Expression& Y, bool transposed, int x);
   int multiple_of_identity(int x);
+  int apply_narrow(const block::Expression& e, int x);
+  int contract(int x, int c);
+  int contract_skew(int r, int c);
   void require_narrow() const;
 
   Algebra algebra_;

@@ -4,6 +4,7 @@
 
 #include "derive/columns.hpp"
 #include "derive/forms.hpp"
+#include "derive/transpose.hpp"
 
 namespace treedyn::derive {
 namespace {
@@ -29,7 +30,9 @@ bool derive_wide(const block::Expression& expression, Derivation& result) {
   Columns columns(values, true);
   Algebra& algebra = columns.algebra();
   const int E = algebra.scale(algebra.unit(side.set, Type::kScalar), algebra.identity(side.set));
-  const std::optional<int> root = columns.wide(expression, result.by_rows, E);
+  const std::optional<int> root = result.shape.cols == block::Side{}
+                                      ? columns.meet(expression, E, algebra.ones(Set::kOne))
+                                      : columns.wide(expression, result.by_rows, E);
   if (root) {
     result.values = std::move(values);
     result.roots = {*root};
@@ -122,6 +125,17 @@ Derivation with_forms(Derivation derivation) {
   return derivation;
 }
 
+/// Numbers alone can be transposed.
+Derivation transposed(Derivation derivation) {
+  for (int& root : derivation.roots) {
+    const Value& v = derivation.values[root];
+    if (!derivation.by_units && v.set == Set::kOne && v.type == Type::kScalar) {
+      root = transposed(derivation.values, root).value_or(root);
+    }
+  }
+  return derivation;
+}
+
 }  // namespace
 
 std::optional<Derivation> derive_rows(const block::Expression& column) {
@@ -132,9 +146,17 @@ std::optional<Derivation> derive_rows(const block::Expression& column) {
 }
 
 Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_joints) {
-  Derivation common = with_forms(derive(expression, by_rows, {keeps_joints, true}));
-  Derivation stays = with_forms(derive(expression, by_rows, {keeps_joints, false}));
-  return sums(stays) < sums(common) ? stays : common;
+  std::optional<Derivation> best;
+  for (const bool common_leaves : {true, false}) {
+    const Derivation plain = derive(expression, by_rows, {keeps_joints, common_leaves});
+    for (const bool transposes : {false, true}) {
+      Derivation next = with_forms(transposes ? transposed(plain) : plain);
+      if (!best || sums(next) < sums(*best)) {
+        best = std::move(next);
+      }
+    }
+  }
+  return *best;
 }
 
 }  // namespace treedyn::derive

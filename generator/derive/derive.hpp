@@ -28,7 +28,7 @@ struct Derivation {
 /// \param keeps_joints  places P_i of sliding joints are asked for
 Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_joints = true);
 
-/// The rows of a single column of vectors, three at once; nothing if their blocks have no kind.
+/// The rows of a single column, three at once; nothing of numbers.
 std::optional<Derivation> derive_rows(const block::Expression& column);
 
 }  // namespace treedyn::derive

@@ -69,6 +69,13 @@ class Forms {
       if (const int inertia = composite(value); inertia >= 0) {
         return inertia;
       }
+      if (const int rates = twice(value); rates >= 0) {
+        return rates;
+      }
+    } else if (value.op == Op::kDot && is_momentum(value.operands[1]) &&
+               new_[value.operands[1]].operands[1] == value.operands[0]) {
+      const int omega = value.operands[0];
+      return noted(Rule::kSquare, {Op::kSquare, value.set, value.type, {}, 0, {omega}, {}});
     } else if (value.op == Op::kLinear) {
       if (const int path = started(value); path >= 0) {
         return path;
@@ -174,6 +181,25 @@ class Forms {
       }
     }
     return -1;
+  }
+
+  /// F7: D^T a + N^T (a + 2 b); -1: another sum.
+  int twice(const Value& sum) {
+    const int a = sum.operands[0];
+    const Terms rest = {{kOne, sum.operands[1]}, {kMinus, a}};
+    const Value both = new_[algebra_.linear(rest)];
+    if (both.op != Op::kLinear ||
+        std::any_of(both.factors.begin(), both.factors.end(),
+                    [](const Ratio& f) { return f.numerator % 2 != 0; })) {
+      return -1;
+    }
+    new_.note(Rule::kTwice);
+    Terms inner = {{kOne, a}};
+    for (std::size_t k = 0; k < both.operands.size(); ++k) {
+      inner.emplace_back(multiply({1, 2}, both.factors[k]), both.operands[k]);
+    }
+    const int below = algebra_.sum_along(Op::kSubtreeStrict, sum.set, algebra_.linear(inner));
+    return algebra_.linear({{kOne, a}, {{2, 1}, below}});
   }
 
   /// I x.

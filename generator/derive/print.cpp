@@ -28,6 +28,8 @@ Names known_names(const Values& values) {
   };
   add("w", w);
   add("ω", eq::D * w);
+  add("v", eq::D * (eq::z_d * (eq::E - eq::sigma) * eq::qd +
+                    block::skew_transpose(eq::s_d) * (eq::D - eq::E) * w));
   add("ω_f", (eq::D - eq::E) * w);
   add("α", alpha);
   add("α", eq::D * eq::z_d * eq::sigma * eq::qdd + alpha);
@@ -166,6 +168,8 @@ class Printer {
             name(value.operands[1]), b());
       case Op::kMoment:
         return fmt::format("vee({} E)", a());
+      case Op::kSquare:
+        return fmt::format("-tr(Λ({})² E)", a());
       case Op::kPath:
         return value.operands.size() == 1 ? fmt::format("D {}", a())
                                           : fmt::format("{} everywhere + D {}", b(), a());

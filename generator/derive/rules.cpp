@@ -5,17 +5,21 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 18> kRows = {{
+  static constexpr std::array<RuleRow, 23> kRows = {{
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
+      {Rule::kTransposes, "R1'",
+       "1^T (a·D^T y) = 1^T (D a·y), 1^T (N a×y) = 1^T (a×N^T y), a·(b×c) = b·(c×a)"},
       {Rule::kSkewPasses, "R2", "Λ(D X) = D Λ(X), Λ(X D) = Λ(X) D"},
       {Rule::kMerge, "R3",
        "D x + D y = D (x + y), D^T y + N^T x is one recursion, a×b + a×c = a×(b+c)"},
+      {Rule::kJacobi, "R2'", "(a×b)×c = a×(b×c) - b×(a×c)"},
       {Rule::kCrossWords, "R4", "Λ^T(Λ^T(P) u) x = Σ Λ(x) Λ(u) P: sums of 3x3 blocks times s"},
       {Rule::kTelescope, "R5", "D (g - g of the father) = g"},
       {Rule::kComponents, "R4'", "Λ(Y) x = Σ (Y x_k) × e_k, component by component"},
       {Rule::kUnits, "R6'", "X is its columns X e_j (or rows), whatever is zero in them vanishes"},
+      {Rule::kMeet, "R6''", "rows come from the left, columns from the right, they meet anywhere"},
       {Rule::kSymmetric, "R6", "A e_j = A^T e_j: the rows from link j to the root are enough"},
       {Rule::kComposites, "R7",
        "D^T X D = D^T X^c + X^c N, N^T X N = D^T X^s + X^s N: composites X^c = D^T X, X^s = N^T X"},
@@ -32,6 +36,8 @@ std::span<const RuleRow> rules() {
        "I α + ω×(I ω) = vee(Ω E), Ω = Λ(α) + Λ(ω)², I = tr(E) - E: the same products twice"},
       {Rule::kComposite, "F5",
        "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) - F, F = h s^T + s h^T + m s s^T: symmetric"},
+      {Rule::kSquare, "F6", "ω·(I ω) = -tr(Λ(ω)² E): squares and products of ω, each once"},
+      {Rule::kTwice, "F7", "D^T a + N^T (a + 2 b) = a + 2 N^T (a + b)"},
   }};
   return kRows;
 }

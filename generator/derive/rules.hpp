@@ -10,12 +10,15 @@ namespace treedyn::derive {
 enum class Rule {
   kDistribute,
   kSums,
+  kTransposes,
   kSkewPasses,
   kMerge,
+  kJacobi,
   kCrossWords,
   kTelescope,
   kComponents,
   kUnits,
+  kMeet,
   kSymmetric,
   kComposites,
   kKinds,
@@ -26,6 +29,8 @@ enum class Rule {
   kFathers,
   kPseudoInertia,
   kComposite,
+  kSquare,
+  kTwice,
 };
 
 struct RuleRow {

@@ -27,11 +27,89 @@ std::optional<int> Columns::wide(const Expression& e, bool transposed, int x) {
   }
 }
 
-int Columns::narrow(const Expression& e, Set ones) {
+int Columns::apply_narrow(const Expression& e, int x) {
   const bool was = std::exchange(wide_, false);
-  const int result = apply(e, false, algebra_.ones(ones));
+  const int result = apply(e, false, x);
   wide_ = was;
   return result;
+}
+
+int Columns::narrow(const Expression& e, Set ones) { return apply_narrow(e, algebra_.ones(ones)); }
+
+int Columns::meet(const Expression& e, int x, int c) {
+  if (const std::optional<int> rows = wide(e, true, x)) {
+    return contract(*rows, c);
+  }
+  std::vector<Expression> factors = e.operands();
+  switch (e.kind()) {
+    case block::Kind::kNamed:
+      return meet(factors.front(), x, c);
+    case block::Kind::kScaled:
+      return algebra_.linear({{e.node().factor, meet(factors.front(), x, c)}});
+    case block::Kind::kSum: {
+      Terms terms;
+      for (const Expression& term : factors) {
+        terms.emplace_back(Ratio{}, meet(term, x, c));
+      }
+      return algebra_.linear(terms);
+    }
+    case block::Kind::kProduct: {
+      auto first = factors.begin();
+      for (std::optional<int> rows = x; (rows = wide(*first, true, x)); ++first) {
+        x = *rows;
+      }
+      while (factors.end() - 1 != first) {
+        c = apply_narrow(factors.back(), c);
+        factors.pop_back();
+      }
+      return meet(*first, x, c);
+    }
+    default:
+      algebra_.note(Rule::kMeet);
+      return contract(x, apply_narrow(e, c));
+  }
+}
+
+/// 1^T X^T c.
+int Columns::contract(int x, int c) {
+  const Value v = algebra_.value(x);
+  const auto sum = [this](int y) {
+    return algebra_.sum_along(Op::kCollect, Set::kOne, y);
+  };
+  if (v.type != Type::kTensor) {
+    return sum(algebra_.scale(c, x));
+  }
+  switch (v.op) {
+    case Op::kZero:
+      return algebra_.zero(Set::kOne, Type::kVector);
+    case Op::kSkew:
+      return sum(contract_skew(v.operands.front(), c));
+    case Op::kLinear: {
+      Terms terms;
+      for (std::size_t k = 0; k < v.operands.size(); ++k) {
+        terms.emplace_back(v.factors[k], contract(v.operands[k], c));
+      }
+      return algebra_.linear(terms);
+    }
+    default:
+      return sum(algebra_.scale(multiple_of_identity(x), c));
+  }
+}
+
+/// Λ(r)^T c; of c = N a × b it is N a×(b×r) - b×(N a×r), and 1^T (N a × y) = 1^T (a × N^T y).
+int Columns::contract_skew(int r, int c) {
+  const Value v = algebra_.value(c);
+  if (v.op != Op::kCross || algebra_.value(v.operands[0]).op != Op::kPathStrict) {
+    return algebra_.cross(c, r);
+  }
+  algebra_.note(Rule::kJacobi);
+  algebra_.note(Rule::kTransposes);
+  const int above = v.operands[0];
+  const int a = algebra_.value(above).operands.front();
+  const int b = v.operands[1];
+  const int below = algebra_.sum_along(Op::kSubtreeStrict, Set::kLinks, algebra_.cross(b, r));
+  return algebra_.linear({{Ratio{1, 1}, algebra_.cross(a, below)},
+                          {Ratio{-1, 1}, algebra_.cross(b, algebra_.cross(above, r))}});
 }
 
 /// v^T X as a vector: of X = y E it is y v, of X = Λ(r) it is v×r.
@@ -64,6 +142,15 @@ int Columns::wide_cross(int u, int x) {
     throw NoKind{};
   }
   return v.op == Op::kZero ? x : algebra_.skew(algebra_.scale(multiple_of_identity(x), u));
+}
+
+/// (Λ(Y))^T y E = -Λ(Y^T y E).
+int Columns::wide_skew(const Expression& Y, bool transposed, int x) {
+  if (!transposed) {
+    throw NoKind{};
+  }
+  multiple_of_identity(x);
+  return algebra_.negative(algebra_.skew(apply(Y, true, x)));
 }
 
 /// y of x = y E.

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "simplify/kinematics.hpp"
-#include "simplify/sweeps.hpp"
 
 namespace treedyn::simplify {
 

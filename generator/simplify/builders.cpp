@@ -2,7 +2,6 @@
 
 #include "simplify/articulated.hpp"
 #include "simplify/derived.hpp"
-#include "simplify/energy.hpp"
 #include "simplify/factor.hpp"
 #include "simplify/forward.hpp"
 #include "simplify/points.hpp"
@@ -118,12 +117,6 @@ std::vector<Expr> build_mass_matrix_inverse(const Task& task) {
 
 std::vector<Expr> build_point_rotations(const Task& task) {
   return point_rotations(task.kinematics, task.options.points);
-}
-std::vector<Expr> build_point_bias(const Task& task) {
-  return point_bias_acceleration(task.kinematics, task.options.points);
-}
-std::vector<Expr> build_kinetic_energy(const Task& task) {
-  return {kinetic_energy(task.kinematics)};
 }
 
 }  // namespace treedyn::simplify

@@ -13,7 +13,5 @@ std::vector<Expr> build_mass_matrix_factor(const Task& task);
 std::vector<Expr> build_mass_matrix_solve(const Task& task);
 std::vector<Expr> build_mass_matrix_inverse(const Task& task);
 std::vector<Expr> build_point_rotations(const Task& task);
-std::vector<Expr> build_point_bias(const Task& task);
-std::vector<Expr> build_kinetic_energy(const Task& task);
 
 }  // namespace treedyn::simplify

@@ -202,6 +202,29 @@ Trunk trunk_of_mass_matrix(const Task& task) {
   return trunk;
 }
 
+TrunkBias trunk_bias(const Task& task, const Vec3& omega) {
+  const Lowering lowering(task, *derived("bias_force"), Way::kToRoot, omega);
+  const auto at_trunk = [&](derive::Op op) {
+    return lowering.frames().in(lowering.first(op, derive::Type::kVector, false, kTrunkLink).vector,
+                                kTrunkLink);
+  };
+  TrunkBias bias{{}, {at_trunk(derive::Op::kSubtree), at_trunk(derive::Op::kBackward)}};
+  bias.tau.resize(index(task.tree.size()));
+  for (int i = kTrunkLink + 1; i < task.tree.size(); ++i) {
+    bias.tau[index(i)] = lowering.entry(i);
+  }
+  return bias;
+}
+
+std::vector<Motion> limb_motions(const Task& task, const Vec3& omega) {
+  const Lowering lowering(task, *derived("bias_force"), Way::kToRoot, omega);
+  std::vector<Motion> result(kTrunkLink);
+  for (int i = kTrunkLink; i < task.tree.size(); ++i) {
+    result.push_back(lowering.motion(i));
+  }
+  return result;
+}
+
 std::vector<Expr> values_at(const Task& task, const std::string& name,
                             const std::vector<model::Point>& points, Way way) {
   Options options;

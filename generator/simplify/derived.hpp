@@ -53,6 +53,24 @@ struct Trunk {
 /// \pre the base is free and the variant takes the trunk as one body
 Trunk trunk_of_mass_matrix(const Task& task);
 
+/// How a link moves, in its frame.
+struct Motion {
+  Vec3 alpha;  ///< angular acceleration
+  Vec3 a;      ///< acceleration of the origin
+  Mat3 Omega;  ///< Lambda(alpha) + Lambda(omega)^2
+};
+
+/// What the limbs and the trunk of a free base need when nothing accelerates: the velocity products
+/// alone.
+struct TrunkBias {
+  std::vector<Expr> tau;  ///< joints of the limbs; the base joints' entries are zero
+  Wrench trunk;           ///< on the trunk, at its origin, in its frame
+};
+/// From (3). \param omega angular velocity of the trunk in its frame
+TrunkBias trunk_bias(const Task& task, const Vec3& omega);
+/// Motions of the trunk and of the limbs of a free base in the same state; those before are empty.
+std::vector<Motion> limb_motions(const Task& task, const Vec3& omega);
+
 /// An equation of EQUATIONS.md for some points.
 std::vector<Expr> values_at(const Task& task, const std::string& name,
                             const std::vector<model::Point>& points, Way way);

@@ -4,7 +4,6 @@
 
 #include "common/error.hpp"
 #include "simplify/factor.hpp"
-#include "simplify/sweeps.hpp"
 
 namespace treedyn::simplify {
 
@@ -83,7 +82,7 @@ void add_equations(const Task& task, const Wrench& drive, const JointForce& forc
                    TrunkSystem& system) {
   const Kinematics& k = task.kinematics;
   const Trunk trunk = trunk_of_mass_matrix(task);
-  const TrunkBias bias = trunk_bias(k, system.velocity.omega);
+  const TrunkBias bias = trunk_bias(task, system.velocity.omega);
   system.a = trunk.limbs;
   add_trunk_rows(trunk, system.a);
   for (const Trunk::Column& column : trunk.columns) {

@@ -25,13 +25,15 @@ bool is_whole(const derive::Value& v) {
 
 }  // namespace
 
-Lowering::Lowering(const Task& task, const Derived& function, Way way)
+Lowering::Lowering(const Task& task, const Derived& function, Way way,
+                   const std::optional<Vec3>& turning)
     : task_(task),
       function_(function),
       derivation_(way == Way::kToRoot && function.to_root ? *function.to_root
                                                           : function.derivation),
       trunk_(derivation_.symmetric && way != Way::kInBase && task.kinematics.variant().trunk &&
              has_free_base(task.tree)),
+      turning_(turning),
       frames_(task.kinematics, trunk_ ? Way::kInLinks : way),
       needed_(derivation_.values.needed(derivation_.roots)),
       turnings_(frames_.in_base() ? std::vector<derive::Turning>{}
@@ -102,8 +104,11 @@ void Lowering::run(const std::vector<int>& ids, int e, bool of_unit) {
   }
 }
 
-/// False for rows that a symmetric matrix need not have in a column.
+/// False for links above the trunk, and for rows that a symmetric matrix need not have in a column.
 bool Lowering::is_asked(int e, bool of_unit) const {
+  if (turning_ && e < kTrunkLink) {
+    return false;
+  }
   int i = place_;
   while (of_unit && derivation_.symmetric && i > e) {
     i = father(i);
@@ -323,6 +328,8 @@ Block Lowering::made(int id, const Value& v, int e) {
       return composite(id, v, e);
     case Op::kMoment:
       return moment(v, e);
+    case Op::kSquare:
+      return square(v, e);
     case Op::kApply:
     case Op::kApplyTranspose:
       return applied(v, e);
@@ -356,6 +363,16 @@ const Block& Lowering::first(Op op, Type type, bool of_unit, int e) const {
   });
   TREEDYN_EXPECT(found != needed_.end());
   return of(*found, e);
+}
+
+Motion Lowering::motion(int i) const {
+  const derive::Turning& turning = turnings_.front();
+  const auto a = std::find_if(needed_.begin(), needed_.end(), [this](int id) {
+    return value(id).op == Op::kPath && symbol(id) == std::string("a");
+  });
+  TREEDYN_EXPECT(a != needed_.end());
+  return {frames_.in(of(turning.alpha, i).vector, i), frames_.in(of(*a, i).vector, i),
+          of(turning.Omega, i).tensor.value};
 }
 
 std::vector<Expr> Lowering::written(int k, Set set) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "derive/forms.hpp"
@@ -14,7 +15,10 @@ namespace treedyn::simplify {
 
 class Lowering {
  public:
-  Lowering(const Task& task, const Derived& function, Way way);
+  /// \param turning  of the trunk of a free base, in its frame: sums along the tree start there
+  /// with this angular velocity and no acceleration; links above it are left out
+  Lowering(const Task& task, const Derived& function, Way way,
+           const std::optional<Vec3>& turning = {});
 
   [[nodiscard]] const derive::Derivation& derivation() const { return derivation_; }
 
@@ -31,6 +35,8 @@ class Lowering {
 
   /// The first needed value with an operation, of the column that is asked for or of none.
   [[nodiscard]] const Block& first(derive::Op op, derive::Type type, bool of_unit, int e) const;
+  /// \pre bodies turn
+  [[nodiscard]] Motion motion(int i) const;
   [[nodiscard]] const FrameChanges& frames() const { return frames_; }
 
   /// Operations that the values took, by their number in the derivation.
@@ -83,6 +89,7 @@ class Lowering {
   Block product(const Value& v, int e) const;
   Block applied(const Value& v, int e) const;
   Block moment(const Value& v, int e) const;
+  Block square(const Value& v, int e) const;
   Block composite(int id, const Value& v, int e);
   Block components(const Value& v, int e) const;
   Block path(int id, const Value& v, int e);
@@ -104,7 +111,9 @@ class Lowering {
   [[nodiscard]] Block moved(const Value& v, const Block& x, int from, int to) const;
   [[nodiscard]] std::vector<std::pair<Expr, int>> terms(int id) const;
   [[nodiscard]] int home(block::Set set, int e) const;
-  [[nodiscard]] int father(int i) const { return task_.kinematics.link(i).father; }
+  [[nodiscard]] int father(int i) const {
+    return turning_ && i == kTrunkLink ? kBase : task_.kinematics.link(i).father;
+  }
   TensorTerms& composite_terms(int id, int i);
   void hand_on(TensorTerms& father, Expr mass, const Vec3& h, const Vec3& s,
                const Mat3& tensor) const;
@@ -118,6 +127,7 @@ class Lowering {
   const Derived& function_;
   const derive::Derivation& derivation_;
   bool trunk_;  ///< of a free base: its turning links are at home in the trunk's frame
+  std::optional<Vec3> turning_;
   FrameChanges frames_;
   std::vector<int> needed_;
   std::vector<derive::Turning> turnings_;  ///< whose joints turn about frame axes

@@ -20,7 +20,11 @@ Block Lowering::path(int id, const Value& v, int i) {
   const int f = father(i);
   const int at = home(Set::kLinks, i);
   const bool root = f == kBase;
-  const Block& x = of(v.operands.front(), i);
+  Block x = of(v.operands.front(), i);
+  if (turning_ && i == kTrunkLink &&
+      v.operands.front() == value(turnings_.front().omega).operands.front()) {
+    x.vector = {{i, *turning_}};
+  }
   Block before = zero(v, i);
   if (!root) {
     before = totals[index(f)];

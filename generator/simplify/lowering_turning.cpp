@@ -155,4 +155,14 @@ Block Lowering::moment(const Value& v, int e) const {
   return {{}, {{frame, M}}, {}};
 }
 
+/// ω·(I ω) = -tr(Λ(ω)² E).
+Block Lowering::square(const Value& v, int e) const {
+  const int frame = home(v.set, e);
+  const Mat3 u = skew_squared(frames_.in(of(v.operands[0], e).vector, frame));
+  const Mat3 E = frames_.moved({e, pseudo_inertia(e)}, frame).value;
+  const Expr squares = sum({-u[0][0] * E[0][0], -u[1][1] * E[1][1], -u[2][2] * E[2][2]});
+  const Expr products = sum({u[0][1] * E[0][1], u[0][2] * E[0][2], u[1][2] * E[1][2]});
+  return {squares - number(2) * products, {}, {}};
+}
+
 }  // namespace treedyn::simplify

@@ -1,10 +1,7 @@
 #include "simplify/scene_frame.hpp"
 
 #include "simplify/blocks.hpp"
-#include "simplify/derived.hpp"
 #include "simplify/forward.hpp"
-#include "simplify/points.hpp"
-#include "simplify/sweeps.hpp"
 
 namespace treedyn::simplify {
 
@@ -46,7 +43,7 @@ void SceneFrame::place_limbs() {
     }
   }
   if (velocity_products_) {
-    motions_ = limb_motions(k_, trunk_velocity(k_).omega);
+    motions_ = limb_motions(task_, trunk_velocity(k_).omega);
   }
 }
 
@@ -76,8 +73,9 @@ MotionMap SceneFrame::in_base(const model::Point& point, bool turning) const {
     }
   }
   if (velocity_products_) {
-    map.gamma = triple(turning ? values_at(task_, "angular_bias_acceleration", points, Way::kToRoot)
-                               : point_bias_acceleration(k_, points));
+    map.gamma =
+        triple(values_at(task_, turning ? "angular_bias_acceleration" : "point_bias_acceleration",
+                         points, Way::kToRoot));
   }
   return map;
 }

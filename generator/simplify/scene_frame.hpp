@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/scene.hpp"
+#include "simplify/derived.hpp"
 #include "simplify/functions.hpp"
-#include "simplify/sweeps.hpp"
 
 namespace treedyn::simplify {
 

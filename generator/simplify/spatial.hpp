@@ -66,6 +66,12 @@ inline Mat3 constant(Graph& graph, const model::Matrix3& m) {
   return result;
 }
 
+/// Force and moment about the origin.
+struct Wrench {
+  Vec3 force;
+  Vec3 moment;
+};
+
 /// A sum whose constant terms are added last, as one number.
 Expr sum(const std::vector<Expr>& terms);
 

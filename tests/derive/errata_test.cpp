@@ -127,6 +127,57 @@ TEST_P(Errata, PlantedErrorsArriveInTheDerivedMassMatrix) {
   }
 }
 
+TEST_P(Errata, PlantedErrorsArriveInTheDerivedKineticEnergy) {
+  const auto right = robot_.read("1/2 * T(qd) * A * qd");
+  const auto at = robot_.inputs(right);
+  const Numbers T = robot_.expected(right, at);
+  const std::string moving = "T(J_v) * m_d * J_v";
+  const std::string turning = "T(J_w) * J_d * J_w";
+  for (const auto& [text, planted] : std::vector<std::pair<std::string, bool>>{
+           {"1/2 * T(qd) * (" + moving + " + " + turning + ") * qd", false},
+           {"T(qd) * A * qd", true},
+           {"1/2 * T(qd) * " + moving + " * qd", true},
+           {"1/2 * T(qd) * (" + moving + " - " + turning + ") * qd", true},
+           {"1/2 * T(qd) * (" + moving + " + T(J_w) * J_d * N * z_d * sigma) * qd", true},
+           {"1/2 * T(qd) * (T(J_v) * m_d * LamT(c_fD) * z_d * sigma + " + turning + ") * qd", true},
+           {"1/2 * T(qd) * sigma * A * qd", true}}) {
+    const auto equation = robot_.read(text);
+    const Numbers derived = UserRobot::run(robot_.derived(equation, simplify::Way::kToRoot), at);
+    EXPECT_LT(support::distance(derived, robot_.expected(equation, at)), Real("1e-40")) << text;
+    EXPECT_EQ(support::distance(derived, T) > Real("1e-6"), planted) << text;
+  }
+}
+
+TEST_P(Errata, PlantedErrorsArriveInTheDerivedBiasOfPoints) {
+  const auto of_points = [](std::string text) {
+    for (const char* name : {"c_fD", " D * LamT"}) {
+      const std::string other = name == std::string("c_fD") ? "t_fD" : " D_P * LamT";
+      for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;
+           at += other.size()) {
+        text.replace(at, std::string(name).size(), other);
+      }
+    }
+    return "(" + text + ") * z_d * sigma * qd";
+  };
+  const auto right = robot_.read("gamma_f");
+  const auto at = robot_.inputs(right);
+  const Numbers gamma = robot_.expected(right, at);
+  const std::string twice = kT1 + " + 2 * " + kT2;
+  for (const auto& [text, planted] :
+       std::vector<std::pair<std::string, bool>>{{kK, false},
+                                                 {kE1, true},
+                                                 {twice, true},
+                                                 {kT1 + " + 1 * " + kT2 + " + " + kT3, true},
+                                                 {"2 * " + kT2 + " + " + kT3, true},
+                                                 {twice + " - " + kT3, true},
+                                                 {twice + " + LamT(" + kInner + ")", true}}) {
+    const auto equation = robot_.read(of_points(text));
+    const Numbers derived = UserRobot::run(robot_.derived(equation, simplify::Way::kToRoot), at);
+    EXPECT_LT(support::distance(derived, robot_.expected(equation, at)), Real("1e-40")) << text;
+    EXPECT_EQ(support::distance(derived, gamma) > Real("1e-6"), planted) << text;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Trees, Errata,
                          testing::Values(TreeShape{{-1, 0, 1}, "RPR"}, TreeShape{{-1, 0, 1}, "RRP"},
                                          TreeShape{{-1, 0, 0, 1}, "RRPP"}));

@@ -63,6 +63,20 @@ TEST(R1, TurnsReachabilityIntoSumsAlongTheTree) {
   EXPECT_EQ(count((transpose(D) - E) * qd, Op::kSubtreeStrict), 1);
 }
 
+TEST(R1, LetsPathsTakeOverFromSubtreesInSumsOverAllLinks) {
+  EXPECT_EQ(count(kinetic_energy(), Op::kSubtree), 0);
+  EXPECT_EQ(count(kinetic_energy(), Op::kBackward), 0);
+  EXPECT_EQ(count(kinetic_energy(), Op::kPath), 2);  // ω and v
+  EXPECT_TRUE(derive(kinetic_energy(), false).values.acted().contains(Rule::kTransposes));
+}
+
+TEST(R1, LeavesSubtreesInWhatIsNotLinearInThem) {
+  const Expression x = transpose(D) * w;
+  EXPECT_FALSE(acts(transpose(x) * x, Rule::kTransposes));
+  EXPECT_EQ(count(transpose(x) * x, Op::kSubtree), 1);
+  EXPECT_FALSE(acts(transpose(D) * w, Rule::kTransposes));
+}
+
 TEST(R2, LetsSkewPassReachability) {
   EXPECT_EQ(texts(skew(D * z_d * sigma)), (std::vector<std::string>{"D Λ(z^d) σ"}));
   EXPECT_TRUE(acts(skew(D * z_d * sigma) * g, Rule::kSkewPasses));
@@ -107,6 +121,37 @@ TEST(R5, DoesNotTelescopeWhatIsNoDifference) {
   const Expression half =  // (3), T3, without the fathers' part
       skew_transpose(skew_transpose(c) * z_d * sigma * qd_d * D) * w;
   EXPECT_FALSE(acts(half, Rule::kTelescope));
+}
+
+/// Values of the rows of a column for one point.
+std::vector<Value> of_rows(const Expression& column, Op op) {
+  const Derivation rows = derive_rows(column).value();
+  std::vector<Value> result;
+  for (const int id : rows.values.needed(rows.roots)) {
+    if (rows.values[id].op == op) {
+      result.push_back(rows.values[id]);
+    }
+  }
+  return result;
+}
+
+TEST(R6, LetsRowsAndColumnsMeet) {
+  const Derivation rows = derive_rows(point_bias_acceleration()).value();
+  for (const Rule rule : {Rule::kMeet, Rule::kJacobi, Rule::kTransposes, Rule::kTwice}) {
+    EXPECT_TRUE(rows.values.acted().contains(rule)) << row_of(rule).name;
+  }
+  EXPECT_TRUE(of_rows(point_bias_acceleration(), Op::kPath).empty());  // a point alone travels
+  EXPECT_TRUE(of_rows(point_bias_acceleration(), Op::kPathStrict).empty());
+  EXPECT_EQ(of_rows(point_bias_acceleration(), Op::kCross).size(), 2U);
+  const Expression of_links = transpose(W) * J_d * D * w;  // a tensor stops the rows
+  const Derivation stopped = derive_rows(of_links).value();
+  EXPECT_TRUE(stopped.values.acted().contains(Rule::kMeet));
+  EXPECT_EQ(of_rows(of_links, Op::kApply).size(), 1U);
+}
+
+TEST(F7, HandsOnSumsOfVelocities) {
+  EXPECT_EQ(of_rows(point_bias_acceleration(), Op::kBackward).size(), 1U);  // places alone
+  EXPECT_EQ(of_rows(point_bias_acceleration(), Op::kSubtreeStrict).size(), 1U);
 }
 
 TEST(R7, KeepsTheKindOfBlocks) {
@@ -232,7 +277,7 @@ TEST(R7, ReadsPointsBackwards) {
   for (const int id : v->values.needed(v->roots)) {
     EXPECT_NE(v->values[id].op, Op::kPath);  // nothing travels from the root
   }
-  EXPECT_FALSE(derive_rows(point_bias_acceleration()).has_value());
+  EXPECT_FALSE(derive_rows(transpose(W) * D * qd).has_value());
 }
 
 TEST(R3, KeepsSumsOverLinksAndOverPointsApart) {
@@ -331,6 +376,17 @@ TEST(F4, FindsJointsThatTurnAboutTheirAxes) {
   EXPECT_EQ(turnings(skew(diagb(alpha)) * g), 0U);
 }
 
+TEST(F6, WritesEnergiesWithPseudoInertias) {
+  const auto squares = [](const Expression& e) {
+    const Derivation derivation = derive(e, false, false);
+    const std::vector<int> needed = derivation.values.needed(derivation.roots);
+    return std::count_if(needed.begin(), needed.end(),
+                         [&](int id) { return derivation.values[id].op == Op::kSquare; });
+  };
+  EXPECT_EQ(squares(kinetic_energy()), 1);
+  EXPECT_EQ(squares(transpose(D * w) * J_d * D * w), 0);
+}
+
 /// Identities that the rules rest on, for all vectors.
 class Identities : public testing::Test {
  protected:
@@ -380,6 +436,11 @@ TEST_F(Identities, OfR10) {
       equal(cross(c_, cross(omega_, cross(omega_, h))), cross(omega_, steiner_.mul(omega_))));
 }
 
+TEST_F(Identities, OfJacobi) {
+  EXPECT_TRUE(equal(cross(cross(alpha_, omega_), c_),
+                    cross(alpha_, cross(omega_, c_)).sub(cross(omega_, cross(alpha_, c_)))));
+}
+
 TEST_F(Identities, OfF4) {
   const Matrix pseudo = symmetric("E");
   const GiNaC::ex trace = pseudo(0, 0) + pseudo(1, 1) + pseudo(2, 2);
@@ -398,6 +459,15 @@ TEST_F(Identities, OfF5) {
   const Matrix F = h.mul(s.transpose()).add(s.mul(h.transpose())).add(ms.mul(s.transpose()));
   const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   EXPECT_TRUE(equal(shift.mul_scalar(-1), one.mul_scalar(F.trace()).sub(F)));
+}
+
+TEST_F(Identities, OfF6) {
+  const Matrix pseudo = symmetric("E");
+  const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Matrix I = one.mul_scalar(pseudo.trace()).sub(pseudo);
+  const Matrix energy = omega_.transpose().mul(I).mul(omega_);
+  const Matrix square = lambda(omega_).mul(lambda(omega_)).mul(pseudo);
+  EXPECT_TRUE(equal(energy, Matrix{{-square.trace()}}));
 }
 
 TEST_F(Identities, OfTheCommonColumn) {

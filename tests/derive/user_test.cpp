@@ -54,17 +54,20 @@ INSTANTIATE_TEST_SUITE_P(Matrices, Derived,
 
 INSTANTIATE_TEST_SUITE_P(
     Operations, Derived,
-    testing::Values("T(qd) * tau", "1/2 * T(qd) * A * qd", "T(at(link1)) * tau", "at(joint2)",
-                    "under(link1) * qd", "above(link2) * qd", "T(at_point(point0)) * v",
-                    "diagb(omega) * qd", "T(diagb(omega)) * omega",
-                    "Lam(diagb(omega)) * J_d * omega", "LamT(s_d) * omega",
-                    "T(Lam(diagb(r)) * J_v) * omega", "Lam(T(ones) * m_d * r) * T(ones) * omega",
-                    "Lam(r) * T(ones) * omega", "T(Lam(r)) * omega", "qd * T(qd) * tau",
-                    "sqrt(2) * qd", "qd * pi / 3", "0 * qd",
-                    "T(ones) * m_d * r / (T(ones) * m_d * ones)", "-D * sigma * (qd - -qd)",
-                    "Lam(LamT(c_fD) * z_d) * omega", "T(LamT(J_v)) * omega",
-                    "T(ones) * r + T(ones_P) * p", "Lam(Lam(c_fD) * z_d * sigma * D) * omega",
-                    "R(link1) * T(at(link1)) * omega"));
+    testing::Values(
+        "T(qd) * tau", "1/2 * T(qd) * A * qd", "T(at(link1)) * tau", "at(joint2)",
+        "under(link1) * qd", "above(link2) * qd", "T(at_point(point0)) * v", "diagb(omega) * qd",
+        "T(diagb(omega)) * omega", "Lam(diagb(omega)) * J_d * omega", "LamT(s_d) * omega",
+        "T(Lam(diagb(r)) * J_v) * omega", "Lam(T(ones) * m_d * r) * T(ones) * omega",
+        "Lam(r) * T(ones) * omega", "T(Lam(r)) * omega", "qd * T(qd) * tau", "sqrt(2) * qd",
+        "qd * pi / 3", "0 * qd", "T(ones) * m_d * r / (T(ones) * m_d * ones)",
+        "-D * sigma * (qd - -qd)", "Lam(LamT(c_fD) * z_d) * omega", "T(LamT(J_v)) * omega",
+        "T(ones) * r + T(ones_P) * p", "Lam(Lam(c_fD) * z_d * sigma * D) * omega",
+        "R(link1) * T(at(link1)) * omega", "T(qd) * (A * qdd + B)", "T(W) * J_d * omega",
+        "D_P * Lam(diagb(omega)) * J_d * omega", "D_P * LamT(LamT(s_d) * N * z_d * sigma) * omega",
+        "T(W) * diagb(D * sigma * qd) * (LamT(c_d) * D * Lam(diagb(N * omega)) * omega)",
+        "T(T(D) * omega) * J_d * T(D) * omega", "T(omega) * LamT(c_d) * T(D) * omega",
+        "T(tau) * sigma * T(z_d) * Lam(s_d) * J_d * T(N) * omega"));
 
 INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                          testing::Values("dot(s_d) * ones", "dot(l_d) * ones", "dot(c_d) * ones",
