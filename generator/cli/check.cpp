@@ -70,18 +70,36 @@ std::set<std::string> surplus_files(const std::vector<emit::File>& files, const 
 
 }  // namespace
 
+namespace {
+
+/// What a reader wants to know before the diff.
+std::string verdict(const std::string& old_text, const std::string& new_text,
+                    const std::string& path) {
+  const bool constants = without_literals(old_text) == without_literals(new_text);
+  const int lines = added_lines(old_text, new_text);
+  return fmt::format("{}: {}, {} line{}\n", path, constants ? "constants only" : "structure", lines,
+                     lines == 1 ? "" : "s");
+}
+
+}  // namespace
+
 std::string check_files(const std::vector<emit::File>& files, const std::string& folder) {
   std::string report;
+  std::string diffs;
   for (const emit::File& file : files) {
     const std::string path = (fs::path(folder) / file.name).string();
     const std::optional<std::string> present = content(path);
-    report += present ? unified_diff(*present, file.text, path, path + " (generated)")
-                      : fmt::format("missing: {}\n", path);
+    if (!present) {
+      report += fmt::format("missing: {}\n", path);
+    } else if (*present != file.text) {
+      report += verdict(*present, file.text, path);
+      diffs += unified_diff(*present, file.text, path, path + " (generated)");
+    }
   }
   for (const std::string& path : surplus_files(files, folder)) {
     report += fmt::format("surplus: {}\n", path);
   }
-  return report;
+  return report + diffs;
 }
 
 }  // namespace treedyn

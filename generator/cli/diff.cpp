@@ -201,4 +201,52 @@ std::string unified_diff(std::string_view old_text, std::string_view new_text,
   return result;
 }
 
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_hexadecimal(char c) { return is_digit(c) || (c >= 'a' && c <= 'f'); }
+
+/// Letters, digits, points and the signs of exponents from `begin` on: a number or a word.
+std::size_t end_of_word(std::string_view text, std::size_t begin) {
+  std::size_t end = begin;
+  const auto is_word = [](char c) {
+    return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  const bool number = is_digit(text[begin]);
+  for (; end < text.size(); ++end) {
+    const bool sign = number && (text[end] == '-' || text[end] == '+') && text[end - 1] == 'e';
+    if (!is_word(text[end]) && !sign && !(number && text[end] == '.')) {
+      break;
+    }
+  }
+  return std::max(end, begin + 1);
+}
+
+bool is_literal(std::string_view word) {
+  constexpr std::size_t kSha256 = 64;
+  const bool decimal =
+      is_digit(word.front()) && word.find_first_of(".ex") != std::string_view::npos;
+  return decimal ||
+         (word.size() == kSha256 && std::all_of(word.begin(), word.end(), is_hexadecimal));
+}
+
+}  // namespace
+
+std::string without_literals(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, end_of_word(text, 0));
+    result += is_literal(word) ? std::string_view("#") : word;
+    text.remove_prefix(word.size());
+  }
+  return result;
+}
+
+int added_lines(std::string_view old_text, std::string_view new_text) {
+  const std::vector<Edit> all = edits(lines_of(old_text), lines_of(new_text));
+  return static_cast<int>(
+      std::count_if(all.begin(), all.end(), [](const Edit& edit) { return edit.sign == '+'; }));
+}
+
 }  // namespace treedyn

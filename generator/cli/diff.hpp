@@ -11,4 +11,11 @@ namespace treedyn {
 std::string unified_diff(std::string_view old_text, std::string_view new_text,
                          const std::string& old_label, const std::string& new_label);
 
+/// The text with every literal of a program replaced by `#`: decimals (a point or an exponent),
+/// hexadecimal digests. Equal for two generated files: they differ in constants only.
+std::string without_literals(std::string_view text);
+
+/// Lines that a diff adds.
+int added_lines(std::string_view old_text, std::string_view new_text);
+
 }  // namespace treedyn

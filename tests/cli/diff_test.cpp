@@ -37,6 +37,16 @@ TEST(UnifiedDiff, HandlesEmptyTextsAndMissingLineFeeds) {
             "--- old\n+++ new\n@@ -1 +0,0 @@\n-a\n\\ No newline at end of file\n");
 }
 
+TEST(WithoutLiterals, KeepsNamesIndicesAndCounts) {
+  EXPECT_EQ(without_literals("A[12] = 0.5 * t_2 - 1e-05f * q1.x;  // 3 mul\n"),
+            "A[12] = # * t_2 - # * q1.x;  // 3 mul\n");
+  EXPECT_EQ(without_literals("kDigest == 0x12abULL, \"" + std::string(64, 'a') + "\""),
+            "kDigest == #, \"#\"");
+  EXPECT_NE(without_literals("a + 2.0"), without_literals("a - 2.0"));
+}
+
+TEST(AddedLines, CountsThoseOfTheNewText) { EXPECT_EQ(added_lines("a\nb\n", "a\nc\nd\n"), 2); }
+
 /// The lines that a diff adds or removes, and the texts that it tells of, for texts so short that
 /// one hunk holds everything.
 struct Reading {
