@@ -68,15 +68,11 @@ std::set<std::string> surplus_files(const std::vector<emit::File>& files, const 
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 /// What a reader wants to know before the diff.
 std::string verdict(const std::string& old_text, const std::string& new_text,
                     const std::string& path) {
   const bool constants = without_literals(old_text) == without_literals(new_text);
-  const int lines = added_lines(old_text, new_text);
+  const int lines = changed_lines(old_text, new_text);
   return fmt::format("{}: {}, {} line{}\n", path, constants ? "constants only" : "structure", lines,
                      lines == 1 ? "" : "s");
 }

@@ -243,10 +243,13 @@ std::string without_literals(std::string_view text) {
   return result;
 }
 
-int added_lines(std::string_view old_text, std::string_view new_text) {
+int changed_lines(std::string_view old_text, std::string_view new_text) {
   const std::vector<Edit> all = edits(lines_of(old_text), lines_of(new_text));
-  return static_cast<int>(
-      std::count_if(all.begin(), all.end(), [](const Edit& edit) { return edit.sign == '+'; }));
+  const auto lines = [&](char sign) {
+    return static_cast<int>(
+        std::ranges::count_if(all, [sign](const Edit& edit) { return edit.sign == sign; }));
+  };
+  return std::max(lines('+'), lines('-'));
 }
 
 }  // namespace treedyn

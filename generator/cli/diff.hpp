@@ -15,7 +15,7 @@ std::string unified_diff(std::string_view old_text, std::string_view new_text,
 /// hexadecimal digests. Equal for two generated files: they differ in constants only.
 std::string without_literals(std::string_view text);
 
-/// Lines that a diff adds.
-int added_lines(std::string_view old_text, std::string_view new_text);
+/// Lines that a diff adds, or those that it removes if they are more.
+int changed_lines(std::string_view old_text, std::string_view new_text);
 
 }  // namespace treedyn

@@ -93,6 +93,7 @@ TEST_F(Cli, ShowsWhatDiffersWhatIsMissingAndWhatIsSurplus) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr("missing: " + file("two_link.hpp").string() + "\n"));
   EXPECT_THAT(outcome.out, HasSubstr("surplus: " + file("old_name.cpp").string() + "\n"));
+  EXPECT_THAT(outcome.out, HasSubstr(file("two_link.cpp").string() + ": structure, 1 line\n"));
   EXPECT_THAT(outcome.out, HasSubstr("--- " + file("two_link.cpp").string() + "\n"));
   EXPECT_THAT(outcome.out, HasSubstr("\n }  // namespace two_link\n-// edited\n"));
   EXPECT_THAT(outcome.out,
@@ -115,6 +116,7 @@ TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
   write_file(file("two_link.cpp"), source.replace(at, 12, "A[3] = 23.0;"));
   const Outcome outcome = treedyn({"check", kModel, "-o", out(), "--numeric"});
   EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr(file("two_link.cpp").string() + ": constants only, 1 line\n"));
   EXPECT_THAT(outcome.out, HasSubstr("numeric: mass_matrix: largest distance 0.5,"));
   EXPECT_THAT(outcome.out, HasSubstr("numeric: bias_force: largest distance 0,"));
 }

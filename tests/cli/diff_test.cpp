@@ -45,7 +45,11 @@ TEST(WithoutLiterals, KeepsNamesIndicesAndCounts) {
   EXPECT_NE(without_literals("a + 2.0"), without_literals("a - 2.0"));
 }
 
-TEST(AddedLines, CountsThoseOfTheNewText) { EXPECT_EQ(added_lines("a\nb\n", "a\nc\nd\n"), 2); }
+TEST(ChangedLines, CountsThoseOfTheTextThatHasMore) {
+  EXPECT_EQ(changed_lines("a\nb\n", "a\nc\nd\n"), 2);
+  EXPECT_EQ(changed_lines("a\nb\nc\n", "a\n"), 2);
+  EXPECT_EQ(changed_lines("a\n", "a\n"), 0);
+}
 
 /// The lines that a diff adds or removes, and the texts that it tells of, for texts so short that
 /// one hunk holds everything.
