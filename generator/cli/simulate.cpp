@@ -47,6 +47,9 @@ simulation::Settings settings_of(const SimulateRequest& request, const model::St
   if (request.scalar.value_or("") == "float") {
     result.bounds.drift_warning = kDriftInFloat;
   }
+  if (request.most_steps) {
+    result.most_steps = static_cast<double>(*request.most_steps);
+  }
   if (request.drift_limit) {
     result.bounds.drift_end = static_cast<double>(*request.drift_limit);
   }

@@ -27,6 +27,7 @@ struct SimulateRequest {
   std::optional<Real> tolerance;
   std::optional<Real> duration;
   std::optional<model::Drift> drift;
+  std::optional<Real> most_steps;    ///< instead of Settings::most_steps
   std::optional<Real> drift_limit;   ///< instead of Bounds::drift_end
   std::optional<Real> energy_limit;  ///< instead of Bounds::energy_end
 };

@@ -269,11 +269,13 @@ void Simulator::guard_against_standstill(double end) {
   const std::vector<Notice> notices = monitor_.notices();
   const bool stuck = std::any_of(notices.begin(), notices.end(),
                                  [](const Notice& notice) { return notice.kind == "position"; });
-  const double most = stuck ? kHopelessWhereStuck : kHopeless;
+  const double most =
+      stuck ? std::min(kHopelessWhereStuck, settings_.most_steps) : settings_.most_steps;
   if (advance * (most / static_cast<double>(kTrial)) < end - t_) {
-    throw std::runtime_error(
-        fmt::format("steps no longer advance time: {} of them, {:.2g} s in all, at t = {} s",
-                    kTrial, advance, t_));
+    throw std::runtime_error(fmt::format(
+        "steps hardly advance time: {} of them, {:.2g} s in all, at t = {} s; more than {:.2g} for "
+        "the rest (a stiff scene: --integrator sdirk2; or --max-steps)",
+        kTrial, advance, t_, most));
   }
 }
 

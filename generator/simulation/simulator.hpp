@@ -21,6 +21,8 @@ struct Settings {
   double step = 1e-3;        ///< s, methods with fixed steps
   double longest = 0;        ///< s, adaptive methods; 0: as long as the tolerance allows
   double tolerance = 1e-10;  ///< error of a step, relative and absolute, adaptive methods
+  double most_steps =
+      1e7;  ///< beyond which a motion is not begun or gone on with, adaptive methods
   Drift drift = Drift::kProjection;
   double stabilisation = 20;  ///< alpha of Baumgarte, 1/s
   Bounds bounds;
@@ -30,10 +32,11 @@ struct Settings {
 /// by less than kTurns times this.
 inline constexpr double kTurn = 0.5;
 inline constexpr int kTurns = 64;
-/// Steps of an adaptive method after which a motion that would need kHopeless more of them ends.
+/// Steps of an adaptive method after which a motion that would need Settings::most_steps more of
+/// them, at their length, ends.
 inline constexpr long kTrial = 1000;
-inline constexpr double kHopeless = 1e8;
-/// The same of motions with a constraint that no joint moves where it begins to act.
+/// Steps instead of Settings::most_steps for a constraint that no joint moves where it begins to
+/// act.
 inline constexpr double kHopelessWhereStuck = 1e5;
 
 /// What one event of a phase did.

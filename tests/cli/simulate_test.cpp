@@ -259,6 +259,19 @@ TEST_F(Simulate, EndsConstraintsThatPartWhereTheUserSays) {
   EXPECT_LT(table(early.out).size(), table(outcome.out).size());
 }
 
+TEST_F(Simulate, RefusesAMotionOfMoreStepsThanTheUserWants) {
+  write_file(scratch("s.yaml"), "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                                "/models/scenes/drop.model.yaml\nduration: 1\neffects:\n"
+                                "  drive: [{joint: height, kp: 1e20, kd: 0, target: 1}]\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("steps hardly advance time: 1000 of them"));
+  EXPECT_THAT(outcome.err, HasSubstr("--max-steps"));
+  const std::string stiff = scratch("s.yaml").string();
+  EXPECT_EQ(treedyn({stiff, "--duration", "1e-6", "-q"}).status, 0);
+  EXPECT_EQ(treedyn({stiff, "--duration", "1e-6", "--max-steps", "1500"}).status, 1);
+}
+
 TEST_F(Simulate, LeavesAValidFileWhenItIsInterrupted) {
   const std::string scene_file = scene("biped_stepping");
   const std::string folder = out();
