@@ -1,4 +1,5 @@
-# cmake --install: the program, the templates, the CMake package and the licence.
+# cmake --install: the program, the templates, the CMake package, manual page, completion and the licence; `cpack` packs
+# the same as a Debian package.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -9,9 +10,32 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/templates/treedynConfig.cmak
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/treedynConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)  # it runs on the machine that builds
 
+# Manual page and completion are the program's own words; where it does not run on this machine there are none.
+if(NOT CMAKE_CROSSCOMPILING)
+  foreach(page man bash)
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/treedyn.${page})
+    add_custom_command(OUTPUT ${file} COMMAND treedyn pages ${page} > ${file} DEPENDS treedyn VERBATIM)
+    list(APPEND pages ${file})
+  endforeach()
+  add_custom_target(treedyn_pages ALL DEPENDS ${pages})
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/treedyn.man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME treedyn.1)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/treedyn.bash
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME treedyn)
+endif()
+
 install(TARGETS treedyn RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/treedynConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/treedynConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/templates/treedynFunctions.cmake DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/treedyn/templates)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+if(PROJECT_IS_TOP_LEVEL)
+  set(CPACK_GENERATOR DEB)
+  set(CPACK_PACKAGE_CONTACT "treedyn maintainers")
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # with dpkg-dev: versions of the libraries
+  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_PACKAGE_SECTION science)
+  set(CPACK_STRIP_FILES ON)
+  include(CPack)
+endif()

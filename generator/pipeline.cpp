@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -135,16 +136,45 @@ program::Packing packing_of(const Model& model, const Request& request) {
 
 }  // namespace
 
+namespace {
+
+/// The length of a step as a number of full precision in the scalar.
+void require_length(const Real& step, const Request& request) {
+  const bool single = request.target.scalar == emit::Scalar::kFloat;
+  const double least =
+      single ? double{std::numeric_limits<float>::min()} : std::numeric_limits<double>::min();
+  if (step < least) {
+    throw InputError(
+        {request.scene.value_or(request.model), 0, 0},
+        fmt::format("a step of {} s has no digits in {}; expected {} s or more",
+                    emit::decimal(step), emit::type_name(request.target.scalar), least));
+  }
+}
+
+}  // namespace
+
 std::vector<emit::File> emit_files(const Model& model, const Request& request, Programs programs) {
   programs = in_scalar(std::move(programs), request.target.scalar);
   emit::Unit unit;
   unit.name = model.name;
+  unit.language = request.language;
+  unit.given_space = request.space.value_or("");
+  unit.given_prefix = request.prefix.value_or("");
+  unit.section = request.section;
   unit.tree = &model.tree;
   unit.points = model.points;
   unit.functions = std::move(programs.functions);
   unit.staged = std::move(programs.staged);
   unit.steppers = std::move(programs.steppers);
   unit.target = request.target;
+  for (const program::Stepper& stepper : unit.steppers) {
+    require_length(stepper.step, request);
+  }
+  unit.self_test = request.self_test;
+  if (unit.self_test && unit.functions.empty()) {
+    throw InputError({request.scene.value_or(request.model), 0, 0},
+                     "--self-test tests functions of the model; expected some among --functions");
+  }
   if (request.target.packed) {
     unit.packing = packing_of(model, request);
     for (program::Function& function : unit.functions) {

@@ -116,13 +116,6 @@ void check_inertia(const Model& model) {
   }
 }
 
-/// True if some rebound may be rest.
-bool rests_by_impact(const model::Scene& scene) {
-  return std::ranges::any_of(scene.phases, [](const model::Phase& phase) {
-    return std::ranges::any_of(phase.until, simplify::may_rest);
-  });
-}
-
 /// Friction that sticks is told by phases, which only steps change.
 void check_scene(const model::Scene& scene, const Location& where) {
   for (const model::JointFriction& friction : scene.frictions) {
@@ -143,13 +136,6 @@ void check_scene(const model::Scene& scene, const Location& where) {
                                    "than {} phases of a generated step; expected a "
                                    "slip_speed",
                                    shown(joint), simplify::kMostStickingPhases));
-    }
-    if (rests_by_impact(scene)) {
-      throw InputError(where,
-                       fmt::format("coulomb friction of joint '{}' sticks beside an impact that "
-                                   "may come to rest, which generated steps do not tell apart; "
-                                   "expected a slip_speed, or no rest_below",
-                                   shown(joint)));
     }
   }
 }

@@ -91,8 +91,20 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   if (request.target.trigonometry == program::Trigonometry::kLate) {
     options.emplace_back("trig", in_quotes("late"));
   }
+  const auto add_word = [&](const char* option, const std::string& word) {
+    if (!word.empty()) {
+      options.emplace_back(option, in_quotes(word));
+    }
+  };
+  add_word("language", request.language == emit::Language::kC99 ? "c99" : "");
+  add_word("namespace", request.space.value_or(""));
+  add_word("prefix", request.prefix.value_or(""));
+  add_word("section", request.section);
   if (request.share_limbs) {
     options.emplace_back("share_limbs", "true");
+  }
+  if (request.self_test) {
+    options.emplace_back("self_test", "true");
   }
   if (request.checked) {
     options.emplace_back("checked", "true");
@@ -114,6 +126,10 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   result.push_back(paths == Paths::kAsGiven ? input
                                             : std::filesystem::path(input).filename().string());
   add(request.name.has_value(), "--name", request.name.value_or(""));
+  add(request.language == emit::Language::kC99, "--language", "c99");
+  add(request.space.has_value(), "--namespace", request.space.value_or(""));
+  add(request.prefix.has_value(), "--prefix", request.prefix.value_or(""));
+  add(!request.section.empty(), "--section", request.section);
   add(!request.scene && request.read.base != kDefaults.read.base, "--base",
       base_text(request.read.base));
   add(request.target.scalar != kDefaults.target.scalar, "--scalar",
@@ -141,6 +157,9 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   }
   if (request.share_limbs) {
     result.emplace_back("--share-limbs");
+  }
+  if (request.self_test) {
+    result.emplace_back("--self-test");
   }
   if (request.checked) {
     result.emplace_back("--checked");

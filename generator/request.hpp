@@ -32,7 +32,11 @@ struct Request {
   std::string model;                 ///< path, "-" for standard input; empty: the scene's own
   std::optional<std::string> scene;  ///< path of a scene file
   description::ReadOptions read;
-  std::optional<std::string> name;     ///< file stem and namespace; default: the model's own
+  std::optional<std::string> name;  ///< file stem; default: the model's own
+  emit::Language language = emit::Language::kCpp;
+  std::optional<std::string> space;    ///< namespace of C++; default: the file stem
+  std::optional<std::string> prefix;   ///< of C99; default: the file stem
+  std::string section;                 ///< macro in front of every function; empty: none
   std::optional<std::string> points;   ///< --points; default: the model's own
   std::vector<std::string> functions;  ///< empty: the default set
   std::vector<std::string> equations;  ///< files with equations of the user
@@ -42,6 +46,7 @@ struct Request {
   simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
   std::vector<simplify::Pass> without;  ///< passes that are switched off
   bool share_limbs = false;             ///< equal limbs share code
+  bool self_test = false;               ///< known answers and a function that compares with them
   bool checked = false;                 ///< functions that can fail have siblings with a status
   StepChoice stepping;                  ///< of a scene
 };

@@ -20,7 +20,9 @@ endfunction()
 # Sets `files` to what `treedyn generate ${arguments} -o ${folder}` writes. Without a NAME it stands in the model or
 # scene, and the program is asked while the project is configured: it has to be there.
 function(_treedyn_files name folder subject)
-  if(name)
+  if(name AND "${ARGN}" MATCHES "(^|;)--language(;|=)c99(;|$)")
+    set(files "${folder}/${name}.h" "${folder}/${name}.c" "${folder}/${name}.json")
+  elseif(name)
     set(files "${folder}/${name}.hpp" "${folder}/${name}.cpp" "${folder}/${name}.json")
   else()
     get_target_property(imported treedyn::treedyn IMPORTED)
@@ -39,7 +41,7 @@ endfunction()
 # treedyn_generate(TARGET MODEL|SCENE file [NAME name] [OPTIONS option...] [FOLDER folder] [CONTRACTION on|off])
 #
 # A static library TARGET of the functions that `treedyn generate` writes for a model or a scene into FOLDER (default:
-# a folder of the build); whoever links it can include NAME.hpp. Runs again when a file that was read or treedyn changes.
+# a folder of the build); whoever links it can include NAME.hpp (NAME.h with OPTIONS --language c99). Runs again when a file that was read or treedyn changes.
 # CONTRACTION off: the same bits on every processor; on: products and sums as one rounded operation where there is one;
 # default: what the compiler does. Square roots leave errno alone.
 function(treedyn_generate target)
@@ -58,8 +60,16 @@ function(treedyn_generate target)
                      COMMENT "treedyn generate ${ARG_MODEL}${ARG_SCENE}" VERBATIM)
   add_library(${target} STATIC ${files})
   target_include_directories(${target} PUBLIC "${folder}")
-  target_compile_features(${target} PUBLIC cxx_std_17)
-  set(gnu_like "$<CXX_COMPILER_ID:GNU,Clang,AppleClang>")
+  if("${files}" MATCHES "\\.hpp")
+    set(language CXX)
+    target_compile_features(${target} PUBLIC cxx_std_17)
+  elseif(CMAKE_C_COMPILER)
+    set(language C)
+    target_compile_features(${target} PRIVATE c_std_99)
+  else()
+    message(FATAL_ERROR "treedyn_generate: --language c99 needs a C compiler; expected C among the LANGUAGES of project()")
+  endif()
+  set(gnu_like "$<${language}_COMPILER_ID:GNU,Clang,AppleClang>")
   target_compile_options(${target} PRIVATE "$<${gnu_like}:-fno-math-errno>")
   if(ARG_CONTRACTION STREQUAL "on")
     target_compile_options(${target} PRIVATE "$<${gnu_like}:-ffp-contract=fast>")

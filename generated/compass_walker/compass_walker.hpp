@@ -27,7 +27,7 @@ inline constexpr int kDof = 4;
 /// Number of points.
 inline constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xcec540ff9a0760dcULL;
+inline constexpr unsigned long long kDigest = 0x6974f9243f365189ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xcca06f2a063333e5ULL, "header and source are of different runs");
+static_assert(kDigest == 0xee8fea818f934a32ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,7 +32,7 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
 /// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
-[[gnu::noinline, maybe_unused]] SineCosine<double> sine_cosine(double x) noexcept {
+[[gnu::noinline]] SineCosine<double> sine_cosine(double x) noexcept {
   const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
   const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
   const double r_1 = x - t * 7.32983532344312e-302;
@@ -66,9 +66,6 @@ template <class Number>
 SineCosine<Number> sine_cosine(const Number& x) noexcept {
   return {sin(x), cos(x)};
 }
-
-[[maybe_unused]] inline double sin(double x) noexcept { return sine_cosine(x).sine; }
-[[maybe_unused]] inline double cos(double x) noexcept { return sine_cosine(x).cosine; }
 
 }  // namespace
 

@@ -24,7 +24,7 @@ inline constexpr int kDof = 2;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xcca06f2a063333e5ULL;
+inline constexpr unsigned long long kDigest = 0xee8fea818f934a32ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0x199a0f0a2fb8ebeeULL, "header and source are of different runs");
+static_assert(kDigest == 0x9377613a587e6646ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,7 +32,7 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
 /// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
-[[gnu::noinline, maybe_unused]] SineCosine<double> sine_cosine(double x) noexcept {
+[[gnu::noinline]] SineCosine<double> sine_cosine(double x) noexcept {
   const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
   const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
   const double r_1 = x - t * 7.32983532344312e-302;
@@ -67,9 +67,6 @@ SineCosine<Number> sine_cosine(const Number& x) noexcept {
   return {sin(x), cos(x)};
 }
 
-[[maybe_unused]] inline double sin(double x) noexcept { return sine_cosine(x).sine; }
-[[maybe_unused]] inline double cos(double x) noexcept { return sine_cosine(x).cosine; }
-
 }  // namespace
 
 void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
@@ -79,83 +76,83 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   const auto [s_joint2, c_joint2] = sine_cosine(q[1]);
   const Scalar t_link3_2 = 21.27093596059113 * c_joint2;
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
-  // link5
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
-  const Scalar t_link5_1 = s_joint5 * s_joint5;
-  const Scalar t_link5_2 = 0.00020216 * t_link5_1;
-  const Scalar t_link5_3 = 0.002494656 * c_joint5;
-  const Scalar t_link5_4 = 5.8464e-05 * s_joint5;
+  const Scalar t_link5_1 = 5.8464e-05 * s_joint5;
   const Scalar h_link4_z = 5.8464e-05 * c_joint5;
-  const Scalar t_link5_5 = 4e-05 * c_joint5;
-  A[23] = t_link5_5;
-  A[33] = A[23];
+  const Scalar t_link5_2 = s_joint5 * s_joint5 * 0.00020216;
+  const Scalar t_link5_3 = 0.002494656 * c_joint5;
+  const Scalar t_link4_1 = c_joint4 * t_link5_1;
+  const Scalar h_link3_z = s_joint4 * t_link5_1;
   // link4
   const Scalar I_link4_zz = 0.00164 + t_link5_2;
   A[21] = I_link4_zz;
-  const Scalar t_link4_1 = s_joint4 * (0.0001 + t_link5_2);
-  const Scalar t_link4_2 = s_joint4 * t_link4_1;
+  const Scalar t_link4_2 = s_joint4 * (0.0001 + t_link5_2);
+  const Scalar t_link4_3 = s_joint4 * t_link4_2;
   const Scalar I_link4_xz = s_joint5 * (0.001247328 + 0.00020216 * c_joint5);
-  const Scalar t_link4_3 = s_joint4 * I_link4_xz;
-  A[15] = -t_link4_3;
+  const Scalar t_link4_4 = s_joint4 * I_link4_xz;
+  A[15] = -t_link4_4;
   A[20] = A[15];
-  const Scalar t_link4_4 = c_joint4 * t_link5_4;
-  const Scalar t_link5_6 = 0.00064216 + 0.001247328 * c_joint5;
-  const Scalar t_link4_5 = t_link5_4 - c_joint4 * t_link5_6;
-  A[16] = -t_link4_5;
-  A[26] = A[16];
-  const Scalar t_link5_7 = 4e-05 * s_joint5;
-  A[11] = s_joint4 * t_link5_7;
+  const Scalar t_link4_5 = c_joint4 * I_link4_xz;
+  const Scalar t_link4_6 = 2.0 * t_link4_1;
+  const Scalar t_link3_3 = t_link4_6 - (t_link5_3 - t_link4_3);
+  const Scalar I_link3_zz = 0.313747409 - t_link3_3;
+  A[14] = I_link3_zz;
+  const Scalar t_link4_7 = 0.0005151125 - t_link4_1;
+  // link3
+  const Scalar h_link3_x = 0.0174944385 + h_link4_z;
+  const Scalar t_link3_4 = t_link3_2 * (c_link3 * t_link4_7 - s_link3 * h_link3_x);
+  const Scalar t_link3_5 = 2.0 * t_link3_4;
+  const Scalar t_link3_6 = s_link3 * t_link4_7 + c_link3 * h_link3_x;
+  const Scalar t_link3_7 = 21.27093596059113 * s_joint2;
+  const Scalar t_link3_8 = t_link3_6 * t_link3_7;
+  const Scalar I_link3_yz = h_link3_z - c_joint4 * t_link4_2;
+  const Scalar t_link3_9 = s_link3 * I_link3_yz + 7.394088669950739 * t_link3_6;
+  const Scalar t_link3_10 = t_link3_9 + c_link3 * (0.004704 + t_link4_4);
+  A[2] = -t_link3_10;
+  A[12] = A[2];
+  // link2
+  const Scalar t_link2_1 = 21.27093596059113 * h_link3_z;
+  A[1] = s_joint2 * (0.690314699 + t_link2_1) - (t_link3_10 - 0.023751 * c_joint2);
+  A[6] = A[1];
+  A[7] = -(t_link3_5 - (2.061861411 - t_link3_3) + 2.0 * t_link3_8);
+  const Scalar t_link4_8 = t_link4_3 - (t_link5_2 - t_link5_3);
+  const Scalar t_link3_11 = c_link3 * (0.298477184 - t_link5_2 + t_link4_6 + t_link4_8);
+  const Scalar t_link3_12 = s_link3 * (0.021347277 + 2.0 * (h_link4_z - t_link4_5));
+  const Scalar t_link1_1 = 3.453599449 - t_link3_5 + t_link4_8;
+  const Scalar t_link3_13 = s_joint2 * (0.0141984 * c_joint2 + 1.601861202 * s_joint2);
+  const Scalar t_link1_2 = t_link1_1 + 14.788177339901479 * h_link3_z - t_link3_13;
+  A[0] = t_link1_2 - c_link3 * (t_link3_12 + t_link3_11);
+  const Scalar t_link5_4 = 4e-05 * c_joint5;
+  A[23] = t_link5_4;
+  A[33] = A[23];
+  const Scalar t_link5_5 = 4e-05 * s_joint5;
+  A[11] = s_joint4 * t_link5_5;
   A[17] = A[11];
   A[31] = A[11];
   A[32] = A[11];
-  // link3
-  const Scalar t_link3_3 = t_link4_2 + 2.0 * t_link4_4;
-  const Scalar t_link3_4 = t_link5_3 - t_link3_3;
-  const Scalar I_link3_zz = 0.313747409 + t_link3_4;
-  A[14] = I_link3_zz;
-  const Scalar t_link4_6 = c_joint4 * I_link4_xz;
-  const Scalar t_link3_5 = h_link4_z - t_link4_6;
-  const Scalar h_link3_z = s_joint4 * t_link5_4;
-  const Scalar I_link3_yz = h_link3_z - c_joint4 * t_link4_1;
-  const Scalar t_link3_6 = 0.0005151125 - t_link4_4;
-  const Scalar h_link3_x = 0.0174944385 + h_link4_z;
-  const Scalar t_link3_7 = s_link3 * t_link3_6 + c_link3 * h_link3_x;
-  const Scalar t_link3_8 = s_link3 * I_link3_yz + 7.394088669950739 * t_link3_7;
-  const Scalar t_link3_9 = t_link3_8 + c_link3 * (0.004704 + t_link4_3);
-  A[2] = -t_link3_9;
-  A[12] = A[2];
-  const Scalar t_link3_10 = 21.27093596059113 * s_joint2;
-  const Scalar t_link3_11 = t_link3_7 * t_link3_10;
-  const Scalar t_link3_12 = t_link3_2 * (s_link3 * h_link3_x - c_link3 * t_link3_6);
-  A[8] = I_link3_zz - t_link3_11 + t_link3_12;
-  A[13] = A[8];
-  const Scalar t_link3_13 = c_link3 - t_link3_2;
-  const Scalar t_link3_14 = c_link3 * (I_link4_zz + 7.394088669950739 * h_link3_z);
-  A[3] = s_link3 * t_link4_6 + t_link3_14 - t_link4_4 * t_link3_13;
-  A[18] = A[3];
-  const Scalar t_link4_7 = c_joint4 * h_link4_z;
-  const Scalar t_link3_15 = s_link3 * t_link5_4 - c_link3 * t_link4_7;
-  const Scalar t_link3_16 = s_joint4 * (s_link3 * t_link5_6 - h_link4_z * t_link3_13);
-  A[4] = t_link3_16 + 7.394088669950739 * t_link3_15;
-  A[24] = A[4];
-  const Scalar t_link3_17 = t_link3_2 * (s_link3 * t_link4_7 + c_link3 * t_link5_4);
-  A[10] = t_link3_17 - (t_link4_5 - t_link3_10 * t_link3_15);
-  A[25] = A[10];
-  const Scalar t_link3_18 = 21.27093596059113 * h_link3_z;
-  A[9] = -(t_link4_3 + (s_link3 * c_joint2 - c_link3 * s_joint2) * t_link3_18);
-  A[19] = A[9];
-  A[5] = c_link3 * t_link5_5 - s_link3 * c_joint4 * t_link5_7;
+  A[5] = c_link3 * t_link5_4 - s_link3 * c_joint4 * t_link5_5;
   A[30] = A[5];
-  A[1] = s_joint2 * (0.690314699 + t_link3_18) - (t_link3_9 - 0.023751 * c_joint2);
-  A[6] = A[1];
-  const Scalar t_link3_19 = 2.0 * t_link3_12;
-  A[7] = 2.061861411 + t_link3_4 + t_link3_19 - 2.0 * t_link3_11;
-  const Scalar t_link3_20 = 0.298477184 + t_link5_3 + t_link3_3 - 0.00040432 * t_link5_1;
-  const Scalar t_link1_1 = 3.453599449 - t_link5_2 + t_link5_3 + t_link4_2 + t_link3_19;
-  const Scalar t_link3_21 = c_link3 * t_link3_20 + s_link3 * (0.021347277 + 2.0 * t_link3_5);
-  // link1
-  const Scalar t_link1_2 = t_link1_1 + 14.788177339901479 * h_link3_z - c_link3 * t_link3_21;
-  A[0] = t_link1_2 - s_joint2 * (0.0141984 * c_joint2 + 1.601861202 * s_joint2);
+  const Scalar t_link5_6 = 0.00064216 + 0.001247328 * c_joint5;
+  const Scalar t_link4_9 = t_link5_1 - c_joint4 * t_link5_6;
+  A[16] = -t_link4_9;
+  A[26] = A[16];
+  const Scalar t_link4_10 = c_joint4 * h_link4_z;
+  // link3
+  const Scalar t_link3_14 = c_link3 * t_link4_10 - s_link3 * t_link5_1;
+  const Scalar t_link3_15 = c_link3 - t_link3_2;
+  const Scalar t_link3_16 = s_joint4 * (s_link3 * t_link5_6 - h_link4_z * t_link3_15);
+  A[4] = t_link3_16 - 7.394088669950739 * t_link3_14;
+  A[24] = A[4];
+  const Scalar t_link3_17 = t_link3_2 * (s_link3 * t_link4_10 + c_link3 * t_link5_1);
+  A[10] = -(t_link4_9 - t_link3_17 + t_link3_7 * t_link3_14);
+  A[25] = A[10];
+  const Scalar t_link3_18 = c_link3 * (I_link4_zz + 7.394088669950739 * h_link3_z);
+  A[3] = s_link3 * t_link4_5 - t_link4_1 * t_link3_15 + t_link3_18;
+  A[18] = A[3];
+  A[9] = -(t_link4_4 + t_link2_1 * (s_link3 * c_joint2 - c_link3 * s_joint2));
+  A[19] = A[9];
+  A[8] = I_link3_zz - t_link3_4 - t_link3_8;
+  A[13] = A[8];
   A[28] = 0.00064216;
   A[35] = 4e-05;
   A[22] = 0.0;
@@ -430,196 +427,198 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   // link3
   const Scalar omega_link3_z = qd[1] + qd[2];
   const Scalar t_link3_3 = omega_link3_z * omega_link3_z;
-  const Scalar t_link3_4 = 0.1293554295 * s_link4 - 0.0038087875 * c_link4;
+  const Scalar t_link3_4 = t_link1_1 + t_link3_3;
+  const Scalar t_link3_5 = 0.1293554295 * s_link4 - 0.0038087875 * c_link4;
+  const Scalar t_link4_2 = s_link4_x * t_link3_4 - t_link3_1 * (t_link1_1 + t_link2_1);
   const Scalar a_link3_y = 65.3564290473018 + t_link3_2 * t_link2_1;
-  const Scalar t_link4_2 = a_link3_y - s_link4_y * t_link3_3;
-  const Scalar t_link3_5 = t_link1_1 + t_link3_2 * Omega_link2_zy;
+  const Scalar t_link4_3 = a_link3_y - s_link4_y * t_link3_3;
   const Scalar Omega_link3_zy = t_link2_3 * omega_link3_z;
+  const Scalar t_link3_6 = t_link1_1 + t_link3_2 * Omega_link2_zy;
   // link4
-  const Scalar t_link4_3 = t_link3_5 - s_link4_y * Omega_link3_zy;
-  const Scalar t_link4_4 = s_link4 * qd[0];
-  const Scalar t_link4_5 = c_joint4 * omega_link3_z;
-  const Scalar t_link4_6 = c_link4 * qd[0];
-  const Scalar omega_link4_y = t_link4_5 + s_joint4 * t_link4_4;
-  const Scalar t_link4_7 = t_link4_5 * t_link4_6 - qd[3] * omega_link4_y;
-  const Scalar t_link4_8 = s_joint4 * omega_link3_z;
-  const Scalar omega_link4_x = t_link4_8 - c_joint4 * t_link4_4;
-  const Scalar omega_link4_z = qd[3] + t_link4_6;
-  const Scalar t_link4_9 = omega_link3_z * t_link4_4;
-  // link5
+  const Scalar t_link4_4 = t_link3_6 - s_link4_y * Omega_link3_zy;
+  const Scalar t_link4_5 = s_link4 * t_link4_3 - c_link4 * t_link4_2;
+  const Scalar t_link4_6 = s_link4 * qd[0];
+  const Scalar t_link4_7 = c_link4 * qd[0];
+  const Scalar t_link4_8 = c_joint4 * omega_link3_z;
+  const Scalar t_link4_9 = s_link4 * c_joint4;
+  const Scalar t_link4_10 = s_joint4 * omega_link3_z;
+  const Scalar omega_link4_x = t_link4_10 - qd[0] * t_link4_9;
+  const Scalar omega_link4_z = qd[3] + t_link4_7;
+  const Scalar t_link4_11 = omega_link3_z * t_link4_6;
   const Scalar t_link5_1 = c_joint5 * omega_link4_z + s_joint5 * omega_link4_x;
-  const Scalar omega_link5_z = omega_link4_y + qd[4];
-  const Scalar omega_link5_x = c_joint5 * omega_link4_x - s_joint5 * omega_link4_z;
-  const Scalar t_link5_2 = c_joint5 * t_link4_9 + s_joint5 * t_link4_7;
-  const Scalar alpha_link5_y = t_link5_2 - qd[4] * omega_link5_x;
+  const Scalar omega_link4_y = t_link4_8 + s_joint4 * t_link4_6;
+  const Scalar omega_link5_z = qd[4] + omega_link4_y;
+  const Scalar t_link5_2 = s_joint5 * omega_link4_z - c_joint5 * omega_link4_x;
+  const Scalar t_link4_12 = t_link4_7 * t_link4_8 - qd[3] * omega_link4_y;
+  const Scalar t_link5_3 = c_joint5 * t_link4_11 + s_joint5 * t_link4_12;
+  const Scalar alpha_link5_y = t_link5_3 + qd[4] * t_link5_2;
   const Scalar t_link6_1 = 4e-05 * alpha_link5_y;
-  const Scalar t_link5_3 = omega_link5_z * omega_link5_x * 0.0001;
-  const Scalar M_link5_y = t_link6_1 + 0.0003 * alpha_link5_y - t_link5_3;
-  const Scalar t_link3_6 = t_link1_1 + t_link3_3;
-  // link4
-  const Scalar t_link4_10 = t_link3_1 * (t_link1_1 + t_link2_1) - s_link4_x * t_link3_6;
-  const Scalar t_link4_11 = s_link4 * t_link4_2 + c_link4 * t_link4_10;
-  const Scalar t_link4_12 = s_link4 * t_link4_10 - c_link4 * t_link4_2;
-  const Scalar omega_link6_z = t_link5_1 + qd[5];
-  const Scalar t_link5_4 = t_link5_1 * omega_link5_x;
-  const Scalar alpha_link4_y = t_link4_6 * t_link4_8 - qd[3] * omega_link4_x;
-  const Scalar t_link5_5 = t_link5_4 + alpha_link4_y;
-  const Scalar t_link5_6 = omega_link5_x * omega_link5_x + omega_link5_z * omega_link5_z;
-  const Scalar t_link4_13 = s_joint5 * t_link5_6 - c_joint5 * t_link5_5;
-  const Scalar t_link1_2 = t_link6_1 + tau[5];
-  const Scalar t_link5_7 = 0.00020216 * s_joint5;
-  const Scalar t_link5_8 = s_joint5 * t_link5_7;
+  const Scalar alpha_link4_y = t_link4_7 * t_link4_10 - qd[3] * omega_link4_x;
   const Scalar h_link4_x = 0.000432288 * s_joint5;
-  const Scalar t_link4_14 = s_joint4 * (0.0001 + t_link5_8);
-  const Scalar t_link4_15 = s_joint4 * t_link4_14;
-  const Scalar t_link4_16 = s_link4 * c_joint4;
-  const Scalar t_link5_9 = c_joint5 * t_link5_7;
-  const Scalar t_link4_17 = s_joint4 * t_link5_9;
   const Scalar h_link4_z = 0.000432288 * c_joint5;
-  const Scalar t_link4_18 = s_link4 * h_link4_z;
-  const Scalar t_link4_19 = c_joint4 * t_link4_18 + c_link4 * h_link4_x;
-  const Scalar t_link4_20 = c_link4 * c_joint4;
-  const Scalar t_link4_21 = h_link4_z * t_link4_20 - s_link4 * h_link4_x;
-  const Scalar t_link4_22 = 0.00064216 * c_joint4 - s_link4_x * t_link4_19;
-  const Scalar t_link4_23 = t_link4_22 + s_link4_y * t_link4_21;
-  const Scalar t_link4_24 = t_link4_18 + h_link4_x * t_link4_20;
-  const Scalar t_link4_25 = s_link4_x * t_link4_24 * 2.0;
-  const Scalar t_link5_10 = 4e-05 * c_joint5;
-  const Scalar t_link4_26 = c_link4 * t_link5_10 - s_joint5 * t_link4_16 * 4e-05;
-  const Scalar h_link3_z = s_joint4 * h_link4_x;
-  const Scalar t_link4_27 = s_link4_y * h_link3_z;
-  // link3
-  const Scalar t_link3_7 = 0.0038087875 * s_link4 + 0.1293554295 * c_link4;
-  const Scalar h_link3_y = t_link3_7 + 10.8072 * t_link4_26;
-  const Scalar t_link3_8 = t_link3_2 * h_link3_y;
-  const Scalar t_link3_9 = t_link3_1 * t_link4_19 - t_link3_2 * t_link4_21;
-  const Scalar t_link3_10 = t_link4_23 + t_link3_9;
-  const Scalar t_link3_11 = t_link3_1 * (t_link3_4 + t_link4_24);
-  const Scalar t_link3_12 = t_link3_2 * h_link3_z;
-  const Scalar t_link4_28 = s_link4 * h_link3_z;
-  const Scalar t_link3_13 = 0.000432288 * (t_link3_1 - s_link4_x);
-  const Scalar t_link3_14 = s_joint4 * (0.00064216 * s_link4 + c_joint5 * t_link3_13);
-  const Scalar t_link3_15 = t_link4_21 - t_link3_14;
-  const Scalar t_link6_2 = s_joint4 * s_joint5;
-  const Scalar t_link4_29 = 4e-05 * t_link6_2;
-  const Scalar t_link3_16 = c_link4 * t_link3_12 - t_link3_1 * t_link4_28;
-  // link6
-  const Scalar t_link6_3 = t_link4_17 + c_joint5 * t_link4_29 + c_link4 * t_link4_27;
-  const Scalar t_link6_4 = t_link6_3 - s_link4_x * t_link4_28;
-  const Scalar t_link6_5 = s_link4 * t_link5_9;
-  const Scalar I_link4_zz = 0.00164 + t_link5_8;
-  const Scalar t_link6_6 = c_joint4 * (t_link6_5 + s_joint5 * t_link3_13);
-  const Scalar t_link6_7 = t_link6_6 - c_joint5 * t_link4_26;
-  const Scalar t_link6_8 = t_link6_7 + c_link4 * (h_link3_z + I_link4_zz);
-  const Scalar inverse_pivot_link4 = 1.0 / (I_link4_zz - c_joint5 * t_link5_10);
-  const Scalar t_link4_30 = t_link6_8 * inverse_pivot_link4;
-  const Scalar t_link5_11 = 1557.2443004858603 * t_link4_23;
-  const Scalar t_link4_31 = t_link6_4 * inverse_pivot_link4;
-  const Scalar t_link6_9 = t_link4_15 + t_link6_2 * t_link4_29;
-  const Scalar t_link6_10 = t_link6_9 - s_link4_y * t_link4_26 * 21.6144;
-  // link4
-  const Scalar t_link4_32 = t_link6_10 - (0.313747409 - t_link4_25) + t_link6_4 * t_link4_31;
-  const Scalar t_link4_33 = t_link4_32 + t_link4_23 * t_link5_11;
-  const Scalar t_link4_34 = t_link3_8 - t_link3_11 + t_link4_33 - t_link3_16 * t_link4_31;
-  const Scalar t_link4_35 = t_link4_34 + t_link3_9 * t_link5_11;
-  const Scalar t_link5_12 = 1557.2443004858603 * t_link3_15;
-  const Scalar t_link6_11 = 25000.0 * t_link4_26;
-  const Scalar t_link3_17 = t_link4_27 + h_link3_y - t_link4_14 * t_link4_16;
-  const Scalar t_link3_18 = t_link3_17 + c_link4 * (0.004704 + t_link4_17);
-  const Scalar t_link5_13 = t_link3_18 + t_link4_29 * t_link6_11 - t_link3_15 * t_link5_11;
-  const Scalar t_link4_36 = t_link5_13 - t_link6_8 * t_link4_31;
-  // link3
-  const Scalar t_link3_19 = 1.0 / t_link4_33;
-  const Scalar t_link3_20 = t_link4_35 * t_link3_19;
-  const Scalar t_link3_21 = t_link3_12 - t_link4_36 + 0.023751 * c_joint2;
-  const Scalar t_link3_22 = t_link3_21 + 0.690314699 * s_joint2 + t_link4_36 * t_link3_20;
-  const Scalar t_link3_23 = t_link3_22 + t_link3_9 * t_link5_12 - t_link3_16 * t_link4_30;
-  const Scalar t_link6_12 = t_link3_16 - t_link6_4;
-  const Scalar t_link4_37 = inverse_pivot_link4 * t_link6_12;
-  const Scalar t_link6_13 = t_link4_25 - 2.0 * t_link3_11;
-  const Scalar t_link5_14 = 1557.2443004858603 * t_link3_10;
-  const Scalar t_link6_14 = t_link6_13 - (2.061861411 - t_link6_10) + 2.0 * t_link3_8;
-  const Scalar t_link4_38 = t_link6_14 + t_link6_12 * t_link4_37 + t_link3_10 * t_link5_14;
-  const Scalar t_link2_4 = 1.0 / (t_link4_38 - t_link4_35 * t_link3_20);
-  const Scalar t_link2_5 = t_link3_23 * t_link2_4;
-  const Scalar t_link3_24 = 0.299575024 * s_link4 - 0.021347277 * c_link4;
-  const Scalar t_link3_25 = t_link4_36 * t_link3_19;
-  // link2
-  const Scalar t_link2_6 = t_link6_13 - (3.155122265 + t_link5_8) + s_joint2 * t_link2_2;
-  const Scalar t_link2_7 = t_link2_6 - 2.0 * (h_link3_z + t_link4_20 * t_link6_5);
-  const Scalar t_link2_8 = t_link2_7 + t_link3_15 * t_link5_12 - t_link4_36 * t_link3_25;
-  const Scalar t_link2_9 = t_link2_8 - t_link3_23 * t_link2_5 + t_link4_26 * t_link6_11;
-  const Scalar t_link2_10 = t_link3_24 - s_link4 * (0.00109784 - t_link4_15 + 2.0 * t_link5_8);
-  const Scalar t_link2_11 = t_link2_9 + t_link6_8 * t_link4_30 - s_link4 * t_link2_10;
-  const Scalar t_link1_3 = 1.0 / t_link2_11;
-  const Scalar a_link4_y = s_joint4 * t_link4_11 - c_joint4 * t_link4_3;
   // link5
-  const Scalar t_link5_15 = s_joint5 * t_link4_9 - t_link5_1 * qd[4];
-  const Scalar alpha_link5_x = t_link5_15 - c_joint5 * t_link4_7;
-  const Scalar t_link5_16 = t_link5_1 * omega_link5_z;
-  const Scalar t_link6_15 = 4e-05 * omega_link6_z;
-  const Scalar t_link5_17 = 0.000432288 * a_link4_y - 0.00054216 * alpha_link5_x;
-  const Scalar t_link6_16 = t_link5_17 + 0.00034216 * t_link5_16 - omega_link5_z * t_link6_15;
-  const Scalar t_link5_18 = 0.0013 * t_link4_9 - s_joint5 * t_link6_16 + c_joint5 * M_link5_y;
-  const Scalar t_link1_4 = tau[3] + t_link5_18 - c_joint5 * t_link1_2;
-  const Scalar t_link5_19 = t_link5_5 * h_link4_x + t_link5_6 * h_link4_z;
-  const Scalar t_link1_5 = inverse_pivot_link4 * t_link1_4;
-  const Scalar Omega_link5_zy = alpha_link5_x - t_link5_16;
-  const Scalar t_link4_39 = 0.000432288 * (c_joint4 * t_link4_13 - s_joint4 * Omega_link5_zy);
-  const Scalar t_link1_6 = t_link3_1 * t_link3_7;
-  const Scalar t_link5_20 = c_joint5 * (s_joint4 * t_link4_3 + c_joint4 * t_link4_11);
-  const Scalar a_link5_x = s_joint5 * t_link4_12 - t_link5_20;
-  const Scalar t_link5_21 = 0.000432288 * a_link5_x - omega_link5_x * t_link6_15;
-  const Scalar M_link5_z = t_link5_21 + 0.00024216 * t_link5_4 + 0.00064216 * alpha_link4_y;
-  const Scalar t_link1_7 = tau[4] - M_link5_z;
-  const Scalar t_link1_8 = 1557.2443004858603 * t_link1_7;
+  const Scalar t_link5_4 = t_link5_2 * t_link5_2 + omega_link5_z * omega_link5_z;
+  const Scalar t_link5_5 = alpha_link4_y - t_link5_1 * t_link5_2;
+  const Scalar t_link5_6 = h_link4_x * t_link5_4 - h_link4_z * t_link5_5;
+  const Scalar t_link5_7 = s_joint5 * t_link4_11 - t_link5_1 * qd[4];
+  const Scalar alpha_link5_x = t_link5_7 - c_joint5 * t_link4_12;
+  const Scalar t_link5_8 = t_link5_1 * omega_link5_z;
+  const Scalar Omega_link5_zy = alpha_link5_x - t_link5_8;
+  const Scalar t_link5_9 = 0.000432288 * Omega_link5_zy;
+  const Scalar t_link4_13 = s_joint4 * t_link5_9 - c_joint4 * t_link5_6;
+  const Scalar a_link4_z = c_link4 * t_link4_3 + s_link4 * t_link4_2;
+  const Scalar t_link5_10 = c_joint5 * (s_joint4 * t_link4_4 + c_joint4 * t_link4_5);
+  const Scalar omega_link6_z = t_link5_1 + qd[5];
+  const Scalar t_link6_2 = 4e-05 * omega_link6_z;
+  const Scalar t_link5_11 = 0.000432288 * (t_link5_10 + s_joint5 * a_link4_z);
+  const Scalar t_link6_3 = t_link5_2 * (t_link6_2 - 0.00024216 * t_link5_1);
+  const Scalar t_link6_4 = t_link5_11 - 0.00064216 * alpha_link4_y - t_link6_3;
+  const Scalar t_link1_2 = tau[4] + t_link6_4;
+  const Scalar t_link1_3 = t_link6_1 + tau[5];
+  const Scalar t_link5_12 = 0.00020216 * s_joint5;
+  const Scalar t_link5_13 = s_joint5 * t_link5_12;
+  const Scalar t_link6_5 = c_link4 * c_joint5 - s_joint5 * t_link4_9;
+  const Scalar t_link4_14 = c_link4 * h_link4_x;
+  const Scalar t_link6_6 = s_joint4 * s_joint5;
+  const Scalar h_link3_z = 0.000432288 * t_link6_6;
+  const Scalar t_link4_15 = s_joint4 * (0.0001 + t_link5_13);
+  const Scalar t_link4_16 = s_joint4 * t_link4_15;
+  const Scalar t_link5_14 = c_joint5 * t_link5_12;
   // link4
-  const Scalar t_link4_40 = 0.0013 * omega_link4_z;
-  const Scalar t_link4_41 = omega_link4_y * t_link4_40 - c_joint5 * t_link6_16;
-  const Scalar M_link4_x = t_link4_41 - s_joint5 * M_link5_y;
-  const Scalar t_link1_9 = M_link4_x + s_joint5 * t_link1_2;
-  const Scalar t_link4_42 = s_link4 * t_link4_39 - c_link4 * t_link5_19;
-  const Scalar t_link2_12 = 0.690314699 * c_joint2 - 0.023751 * s_joint2;
-  const Scalar t_link4_43 = c_link4 * t_link4_39 + s_link4 * t_link5_19;
-  const Scalar F_link3_x = t_link4_43 + t_link3_4 * t_link3_6;
-  const Scalar t_link1_10 = 0.0106736385 + t_link1_6 + c_link4 * t_link3_24;
-  const Scalar t_link1_11 = s_joint4 * t_link4_13 + c_joint4 * Omega_link5_zy;
-  const Scalar t_link2_13 = 0.0070992 - c_joint2 * t_link2_2;
-  const Scalar M_link4_y = M_link5_z - omega_link4_x * t_link4_40;
+  const Scalar t_link4_17 = s_joint4 * t_link5_14;
+  const Scalar t_link4_18 = c_joint4 * t_link4_14 + s_link4 * h_link4_z;
+  const Scalar t_link4_19 = s_link4_x * t_link4_18 * 2.0;
+  // link3
+  const Scalar t_link3_7 = t_link3_1 * (t_link3_5 + t_link4_18);
+  const Scalar t_link3_8 = 2.0 * t_link3_7;
+  const Scalar t_link3_9 = 0.0038087875 * s_link4 + 0.1293554295 * c_link4;
+  const Scalar h_link3_y = t_link3_9 + 0.000432288 * t_link6_5;
+  const Scalar t_link3_10 = t_link3_2 * h_link3_y;
+  const Scalar t_link3_11 = t_link3_2 * h_link3_z;
+  // link4
+  const Scalar t_link4_20 = c_joint4 * h_link4_z;
+  const Scalar t_link4_21 = s_link4 * h_link4_x;
+  const Scalar t_link4_22 = t_link4_14 + s_link4 * t_link4_20;
+  const Scalar t_link4_23 = t_link4_21 - c_link4 * t_link4_20;
+  const Scalar t_link4_24 = 0.00064216 * c_joint4 - s_link4_x * t_link4_22;
+  const Scalar t_link4_25 = t_link4_24 - s_link4_y * t_link4_23;
+  // link3
+  const Scalar t_link3_12 = t_link3_2 * t_link4_23 + t_link3_1 * t_link4_22;
+  const Scalar t_link3_13 = t_link4_25 + t_link3_12;
+  const Scalar t_link3_14 = t_link3_1 - s_link4_x;
+  const Scalar t_link3_15 = s_joint4 * (0.00064216 * s_link4 + h_link4_z * t_link3_14);
+  const Scalar t_link3_16 = t_link4_23 + t_link3_15;
+  // link4
+  const Scalar t_link4_26 = t_link4_9 * t_link5_14;
+  const Scalar t_link4_27 = s_link4_y * h_link3_z;
+  const Scalar t_link4_28 = s_joint4 * t_link4_21;
+  const Scalar t_link4_29 = 4e-05 * t_link6_6;
+  const Scalar t_link4_30 = 4e-05 * t_link6_5;
+  const Scalar I_link4_zz = 0.00164 + t_link5_13;
+  // link6
+  const Scalar t_link6_7 = c_joint4 * t_link3_14;
+  const Scalar t_link6_8 = t_link4_26 - c_joint5 * t_link4_30;
+  const Scalar t_link6_9 = t_link6_8 + c_link4 * (h_link3_z + I_link4_zz);
+  const Scalar t_link6_10 = t_link6_9 + h_link4_x * t_link6_7;
+  const Scalar inverse_pivot_link4 = 1.0 / (I_link4_zz - c_joint5 * c_joint5 * 4e-05);
+  const Scalar t_link6_11 = t_link4_17 + c_link4 * t_link4_27 + c_joint5 * t_link4_29;
+  const Scalar t_link6_12 = t_link6_11 - s_link4_x * t_link4_28;
+  const Scalar t_link3_17 = c_link4 * t_link3_11 - t_link3_1 * t_link4_28;
+  const Scalar t_link4_31 = inverse_pivot_link4 * t_link3_17;
+  const Scalar t_link4_32 = inverse_pivot_link4 * t_link6_12;
+  const Scalar t_link5_15 = 1557.2443004858603 * t_link4_25;
+  const Scalar t_link6_13 = t_link4_16 + t_link4_19 + t_link6_6 * t_link4_29;
+  const Scalar t_link6_14 = t_link6_13 - s_link4_y * t_link6_5 * 0.000864576;
+  const Scalar t_link5_16 = 0.313747409 - t_link6_14 - t_link4_25 * t_link5_15;
+  const Scalar t_link4_33 = t_link5_16 - t_link6_12 * t_link4_32;
+  const Scalar t_link4_34 = t_link6_10 * inverse_pivot_link4;
+  const Scalar t_link5_17 = 1557.2443004858603 * t_link3_16;
+  // link4
+  const Scalar t_link4_35 = h_link3_y + t_link4_27 - t_link4_9 * t_link4_15;
+  const Scalar t_link4_36 = t_link4_35 - t_link6_12 * t_link4_34 + t_link4_25 * t_link5_17;
+  const Scalar t_link4_37 = t_link4_36 + c_link4 * (0.004704 + t_link4_17);
+  const Scalar t_link4_38 = t_link4_37 + t_link6_5 * t_link4_29;
+  const Scalar inverse_pivot_link3 = 1.0 / t_link4_33;
+  const Scalar t_link5_18 = 1557.2443004858603 * t_link3_13;
+  const Scalar t_link4_39 = t_link3_7 - t_link3_10 + t_link4_33 - t_link3_12 * t_link5_15;
+  const Scalar t_link4_40 = t_link4_39 + t_link3_17 * t_link4_32;
+  const Scalar t_link3_18 = inverse_pivot_link3 * t_link4_40;
+  const Scalar t_link6_15 = t_link6_14 - (2.061861411 + t_link3_8) + 2.0 * t_link3_10;
+  const Scalar t_link4_41 = (t_link4_31 - t_link4_32) * (t_link6_12 - t_link3_17);
+  const Scalar t_link4_42 = t_link6_15 + t_link3_13 * t_link5_18 - t_link4_41;
+  const Scalar t_link3_19 = t_link4_38 * inverse_pivot_link3;
+  const Scalar t_link4_43 = t_link3_11 - t_link4_38 + 0.690314699 * s_joint2;
+  const Scalar t_link4_44 = t_link4_43 + 0.023751 * c_joint2 - t_link3_17 * t_link4_34;
+  const Scalar t_link3_20 = t_link4_44 - t_link3_12 * t_link5_17 + t_link4_40 * t_link3_19;
+  const Scalar t_link2_4 = 1.0 / (t_link4_42 + t_link4_40 * t_link3_18);
+  const Scalar t_link3_21 = 0.299575024 * s_link4 - 0.021347277 * c_link4;
+  const Scalar t_link2_5 = t_link3_20 * t_link2_4;
   // link1
-  const Scalar t_link1_12 = t_link2_1 * t_link1_6 - s_joint4 * t_link1_9;
-  const Scalar t_link1_13 = t_link1_12 - s_link4_x * t_link4_42 - c_joint4 * M_link4_y;
-  const Scalar t_link1_14 = t_link1_13 + t_link3_4 * a_link3_y + t_link1_1 * t_link1_10;
-  const Scalar t_link1_15 = t_link1_14 - t_link5_11 * t_link1_7 + s_link4_y * t_link4_43;
-  const Scalar t_link1_16 = tau[2] + t_link1_15 + t_link6_4 * t_link1_5;
-  const Scalar t_link1_17 = s_joint2 * (1.024164 + 2.876748834110593 * F_link3_x);
-  const Scalar t_link1_18 = tau[1] + t_link1_15 - t_link1_17 - t_link6_12 * t_link1_5;
-  const Scalar t_link1_19 = t_link1_18 - t_link3_3 * t_link1_6 - t_link3_20 * t_link1_16;
-  const Scalar t_link1_20 = c_joint2 * (37.2347379 + 2.876748834110593 * t_link4_42);
-  const Scalar t_link1_21 = t_link1_19 + t_link1_20 + t_link1_1 * t_link2_13;
-  const Scalar t_link1_22 = t_link1_21 - t_link3_9 * t_link1_8;
-  const Scalar t_link1_23 = tau[0] - F_link3_x - t_link2_1 * t_link2_12;
-  const Scalar t_link1_24 = t_link1_23 + t_link3_13 * t_link1_11 - Omega_link2_zy * t_link2_13;
-  const Scalar t_link1_25 = t_link1_24 + t_link3_4 * t_link3_5 + t_link2_5 * t_link1_22;
-  const Scalar t_link1_26 = c_joint4 * M_link4_x - 0.004704 * t_link3_3 - s_joint4 * M_link4_y;
-  const Scalar t_link1_27 = t_link1_25 - Omega_link3_zy * t_link1_10 + c_link4 * t_link5_18;
-  const Scalar t_link1_28 = t_link1_27 + s_link4 * t_link1_26 - t_link4_30 * t_link1_4;
-  const Scalar t_link1_29 = t_link1_28 - t_link3_25 * t_link1_16 - t_link1_2 * t_link6_11;
-  const Scalar t_link1_30 = t_link1_3 * (t_link1_29 + t_link5_12 * t_link1_7);
-  qdd[0] = -t_link1_30;
-  const Scalar t_link1_31 = t_link2_4 * (t_link1_22 + t_link3_23 * t_link1_30);
-  qdd[1] = -t_link1_31;
-  const Scalar t_link1_32 = t_link1_16 - t_link4_35 * t_link1_31 - t_link4_36 * t_link1_30;
-  const Scalar t_link1_33 = t_link3_19 * t_link1_32;
-  qdd[2] = -t_link1_33;
-  const Scalar t_link1_34 = t_link1_5 + t_link4_37 * t_link1_31 + t_link4_30 * t_link1_30;
-  const Scalar t_link1_35 = t_link1_34 - t_link4_31 * t_link1_33;
-  qdd[3] = t_link1_35;
-  const Scalar t_link1_36 = t_link4_29 * (t_link1_31 + t_link1_33);
-  const Scalar t_link1_37 = 25000.0 * (t_link1_2 + t_link4_26 * t_link1_30 + t_link1_36);
-  qdd[5] = t_link1_37 - c_joint5 * t_link1_35;
-  const Scalar t_link1_38 = t_link1_8 - t_link5_12 * t_link1_30 + t_link5_14 * t_link1_31;
-  qdd[4] = t_link1_38 + t_link5_11 * t_link1_33;
+  const Scalar t_link1_4 = t_link3_8 - (t_link4_19 - (3.155122265 + t_link5_13));
+  const Scalar t_link1_5 = t_link1_4 + 2.0 * (h_link3_z + c_link4 * t_link4_26);
+  const Scalar t_link1_6 = t_link3_21 - s_link4 * (0.00109784 - t_link4_16 + 2.0 * t_link5_13);
+  const Scalar I_link1_zz = t_link1_5 - s_joint2 * t_link2_2 + s_link4 * t_link1_6;
+  const Scalar t_link2_6 = I_link1_zz - t_link6_10 * t_link4_34 - t_link6_5 * t_link4_30;
+  const Scalar t_link2_7 = t_link2_6 + t_link3_20 * t_link2_5 - t_link4_38 * t_link3_19;
+  const Scalar inverse_pivot_link1 = 1.0 / (t_link2_7 - t_link3_16 * t_link5_17);
+  const Scalar t_link5_19 = 0.000432288 * (c_joint4 * t_link4_4 - s_joint4 * t_link4_5);
+  const Scalar t_link5_20 = 0.00034216 * t_link5_8 - 0.00054216 * alpha_link5_x - t_link5_19;
+  const Scalar t_link6_16 = t_link5_20 - omega_link5_z * t_link6_2;
+  // link5
+  const Scalar t_link5_21 = t_link6_1 + 0.0003 * alpha_link5_y;
+  const Scalar M_link5_y = t_link5_21 + omega_link5_z * t_link5_2 * 0.0001;
+  const Scalar t_link5_22 = 0.0013 * t_link4_11 + c_joint5 * M_link5_y - s_joint5 * t_link6_16;
+  const Scalar t_link1_7 = tau[3] + t_link5_22 - c_joint5 * t_link1_3;
+  const Scalar t_link1_8 = t_link3_1 * t_link3_9;
+  const Scalar t_link5_23 = h_link4_z * t_link5_4 + h_link4_x * t_link5_5;
+  const Scalar t_link4_45 = s_link4 * t_link4_13 + c_link4 * t_link5_23;
+  const Scalar t_link4_46 = 0.0013 * omega_link4_z;
+  const Scalar t_link5_24 = c_joint5 * t_link6_16 - omega_link4_y * t_link4_46;
+  const Scalar t_link5_25 = t_link5_24 + s_joint5 * M_link5_y;
+  const Scalar t_link5_26 = t_link6_4 + omega_link4_x * t_link4_46;
+  const Scalar t_link4_47 = c_link4 * t_link4_13 - s_link4 * t_link5_23;
+  const Scalar t_link4_48 = t_link4_47 - t_link3_4 * t_link3_5;
+  // link1
+  const Scalar t_link1_9 = 1.024164 - 2.876748834110593 * t_link4_48;
+  const Scalar t_link1_10 = 0.0106736385 + t_link1_8 + c_link4 * t_link3_21;
+  const Scalar t_link1_11 = s_joint4 * (t_link5_25 - s_joint5 * t_link1_3);
+  const Scalar t_link1_12 = t_link2_1 * t_link1_8 + t_link1_11 + c_joint4 * t_link5_26;
+  const Scalar t_link1_13 = t_link1_12 + t_link3_5 * a_link3_y + t_link4_32 * t_link1_7;
+  const Scalar t_link1_14 = t_link1_13 - s_link4_y * t_link4_47 + s_link4_x * t_link4_45;
+  const Scalar t_link1_15 = t_link1_14 + t_link1_1 * t_link1_10;
+  const Scalar t_link1_16 = tau[2] + t_link1_15 - t_link1_2 * t_link5_15;
+  const Scalar t_link4_49 = s_joint4 * t_link5_26 - c_joint4 * t_link5_25;
+  const Scalar t_link1_17 = t_link4_49 - 0.004704 * t_link3_3;
+  const Scalar t_link2_8 = 0.0070992 - c_joint2 * t_link2_2;
+  const Scalar t_link1_18 = tau[1] + t_link1_15 - t_link3_3 * t_link1_8;
+  const Scalar t_link1_19 = c_joint2 * (37.2347379 - 2.876748834110593 * t_link4_45);
+  const Scalar t_link1_20 = t_link1_18 - t_link4_31 * t_link1_7 + t_link1_19;
+  const Scalar t_link1_21 = t_link1_20 - s_joint2 * t_link1_9 - t_link3_18 * t_link1_16;
+  const Scalar t_link1_22 = t_link1_21 - t_link1_2 * t_link5_18 + t_link1_1 * t_link2_8;
+  const Scalar t_link2_9 = 0.690314699 * c_joint2 - 0.023751 * s_joint2;
+  const Scalar t_link1_23 = tau[0] + t_link4_48 - t_link1_2 * t_link5_17;
+  const Scalar t_link1_24 = t_link1_23 + t_link2_5 * t_link1_22 + t_link5_9 * t_link6_7;
+  const Scalar t_link1_25 = t_link1_24 + s_joint4 * t_link5_6 * t_link3_14;
+  const Scalar t_link1_26 = t_link1_25 + s_link4 * t_link1_17 + t_link3_19 * t_link1_16;
+  const Scalar t_link1_27 = t_link1_26 + c_link4 * t_link5_22 + t_link3_5 * t_link3_6;
+  const Scalar t_link1_28 = t_link1_27 - Omega_link3_zy * t_link1_10;
+  const Scalar t_link1_29 = t_link1_28 - Omega_link2_zy * t_link2_8 - t_link1_3 * t_link6_5;
+  const Scalar t_link1_30 = t_link1_29 - t_link4_34 * t_link1_7 - t_link2_1 * t_link2_9;
+  const Scalar t_link1_31 = inverse_pivot_link1 * t_link1_30;
+  qdd[0] = t_link1_31;
+  const Scalar t_link1_32 = t_link2_4 * (t_link1_22 - t_link3_20 * t_link1_31);
+  qdd[1] = -t_link1_32;
+  const Scalar t_link1_33 = t_link1_16 + t_link4_40 * t_link1_32 + t_link4_38 * t_link1_31;
+  const Scalar t_link1_34 = inverse_pivot_link3 * t_link1_33;
+  qdd[2] = t_link1_34;
+  const Scalar t_link1_35 = t_link1_32 - t_link1_34;
+  const Scalar t_link1_36 = t_link1_7 - t_link6_10 * t_link1_31 - t_link6_12 * t_link1_35;
+  const Scalar t_link1_37 = inverse_pivot_link4 * t_link1_36 + t_link4_31 * t_link1_32;
+  qdd[3] = t_link1_37;
+  const Scalar t_link1_38 = 25000.0 * (t_link1_3 - t_link4_30 * t_link1_31);
+  qdd[5] = t_link1_38 + t_link6_6 * t_link1_35 - c_joint5 * t_link1_37;
+  const Scalar t_link1_39 = t_link1_2 + t_link4_25 * t_link1_35 - t_link3_16 * t_link1_31;
+  qdd[4] = 1557.2443004858603 * (t_link1_39 + t_link3_12 * t_link1_32);
 }
 
 }  // namespace puma560

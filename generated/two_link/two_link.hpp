@@ -24,7 +24,7 @@ inline constexpr int kDof = 2;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x755d5ddbee6a5191ULL;
+inline constexpr unsigned long long kDigest = 0xa4f3820ed1347349ULL;
 
 /// Index of every joint.
 namespace joint {

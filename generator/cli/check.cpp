@@ -1,8 +1,10 @@
 #include "cli/check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -43,7 +45,8 @@ bool belongs_to_other_model(const fs::path& folder, const std::string& stem,
                             const std::string& our_model) {
   const std::optional<std::string> manifest = content(folder / (stem + ".json"));
   return manifest && has_mark(*manifest) && model_file_of(*manifest) != our_model &&
-         fs::exists(folder / (stem + ".hpp")) && fs::exists(folder / (stem + ".cpp"));
+         ((fs::exists(folder / (stem + ".hpp")) && fs::exists(folder / (stem + ".cpp"))) ||
+          (fs::exists(folder / (stem + ".h")) && fs::exists(folder / (stem + ".c"))));
 }
 
 /// Generated files in `folder` that are not among `files`, sorted by name.
@@ -55,7 +58,8 @@ std::set<std::string> surplus_files(const std::vector<emit::File>& files, const 
     const std::string ending = entry.path().extension().string();
     const bool ours = std::any_of(files.begin(), files.end(),
                                   [&](const emit::File& file) { return file.name == name; });
-    if (ours || (ending != ".hpp" && ending != ".cpp" && ending != ".json")) {
+    constexpr std::array<std::string_view, 5> kOurs = {".hpp", ".cpp", ".h", ".c", ".json"};
+    if (ours || std::find(kOurs.begin(), kOurs.end(), ending) == kOurs.end()) {
       continue;
     }
     const std::optional<std::string> text = content(entry.path());

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/generation_options.hpp"
+#include "cli/pages.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "simplify/scene_functions.hpp"
@@ -135,7 +136,7 @@ void add_simulate(CLI::App& app, Settings& settings) {
                request.tolerance);
   add_positive(command, "--duration", "s", "T", request.duration);
   add_positive(command, "--max-steps",
-               "end where an adaptive integrator would need more steps; default 1e7", "N",
+               "end where more steps would be needed; default 1e7", "N",
                request.most_steps);
   add_positive(command, "--drift-limit",
                "end where a constraint is further off: rad, or parts of the robot's size; default "
@@ -200,11 +201,19 @@ void add_commands(CLI::App& app, Settings& settings) {
 
   CLI::App* list = app.add_subcommand("list", "names that other commands accept");
   add_talk(*list, settings);
-  list->add_option("WHAT", settings.list_of, "functions, effects or integrators")
+  list->add_option("WHAT", settings.list_of, "what is named")
       ->required()
       ->check(one_of({"functions", "effects", "integrators"}))
-      ->type_name("");
+      ->type_name("functions|effects|integrators");
+
+  CLI::App* pages = app.add_subcommand("pages", "what packages of treedyn install");
+  add_talk(*pages, settings);
+  pages->add_option("WHAT", settings.list_of, "the manual page, or completion for bash")
+      ->required()
+      ->check(one_of({"man", "bash"}))
+      ->type_name("man|bash");
 }
+
 /// CLI11 takes an unknown command for a positional argument and says less.
 void require_known_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
@@ -266,6 +275,26 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
   refuse_options_of_scene(command, request);
 }
 
+/// What the language and the functions have words for.
+void require_words_of_language(const Request& request) {
+  const bool c = request.language == emit::Language::kC99;
+  if (c && (request.share_limbs || request.target.lanes > 1)) {
+    throw CLI::ParseError(
+        "--language c99: has no lanes and no code that limbs share; expected no --share-limbs and "
+        "1 lane",
+        kUsage);
+  }
+  if (c && request.space) {
+    throw CLI::ParseError("--namespace: C has none; expected --prefix", kUsage);
+  }
+  if (!c && request.prefix) {
+    throw CLI::ParseError("--prefix: is that of --language c99; expected --namespace", kUsage);
+  }
+  if (request.self_test && request.target.lanes > 1) {
+    throw CLI::ParseError("--self-test: tests functions of one state; expected 1 lane", kUsage);
+  }
+}
+
 /// Functions of a scene need one.
 void require_scene_of_functions(const Request& request) {
   const auto of_scene =
@@ -308,6 +337,7 @@ void require_options(const CLI::App& app, Settings& settings) {
   if (std::any_of(generation.begin(), generation.end(),
                   [&](const char* name) { return app.got_subcommand(name); })) {
     require_model_or_scene(*app.get_subcommands().front(), settings);
+    require_words_of_language(settings.request);
     require_scene_of_functions(settings.request);
     require_functions_of_passes(settings);
   }
@@ -335,6 +365,10 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     app.parse(std::move(words));
     require_options(app, result.settings);
     result.settings.command = app.get_subcommands().front()->get_name();
+    if (result.settings.command == "pages") {
+      result.status = 0;
+      result.out = result.settings.list_of == "man" ? manual_page(app) : bash_completion(app);
+    }
   } catch (const CLI::Success& success) {  // --help, --version
     std::ostringstream out;
     std::ostringstream error;

@@ -1,6 +1,7 @@
 #include "cli/generation_options.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -40,21 +41,47 @@ std::vector<std::string> split(const std::string& list) {
   return result;
 }
 
-void add_name(CLI::App& command, Request& request) {
+/// A word of the user's that the output takes as a name.
+void add_output_word(CLI::App& command, const char* option, const char* what, const char* help,
+                     const std::function<void(const std::string&)>& set) {
   command
       .add_option_function<std::string>(
-          "--name",
-          [&request](const std::string& name) {
-            if (to_identifier(name) != name || is_reserved(name)) {
+          option,
+          [option, what, set](const std::string& word) {
+            if (to_identifier(word) != word || is_reserved(word)) {
               throw CLI::ValidationError(
-                  "--name", fmt::format("{} is not usable as a namespace; expected an identifier "
-                                        "that C++ and its library leave free",
-                                        shown(name)));
+                  option, fmt::format("{} is not usable as {}; expected an identifier that C++ and "
+                                      "its library leave free",
+                                      shown(word), what));
             }
-            request.name = name;
+            set(word);
           },
-          "file stem and namespace; default: the model's own name")
+          help)
       ->type_name("NAME");
+}
+
+void add_language(CLI::App& command, Request& request) {
+  command
+      .add_option_function<std::string>(
+          "--language",
+          [&request](const std::string& language) {
+            request.language = language == "c99" ? emit::Language::kC99 : emit::Language::kCpp;
+          },
+          "c99: the same statements as NAME.h and NAME.c, for C and C++; default c++")
+      ->check(one_of({"c++", "c99"}))
+      ->type_name("c++|c99");
+  add_output_word(command, "--name", "a namespace",
+                  "file stem, namespace and prefix; default: the model's own name",
+                  [&request](const std::string& name) { request.name = name; });
+  add_output_word(command, "--namespace", "a namespace", "of C++; default: the file stem",
+                  [&request](const std::string& space) { request.space = space; });
+  add_output_word(
+      command, "--prefix", "a prefix",
+      "of the functions and constants of C99, PREFIX_mass_matrix; default: the file stem",
+      [&request](const std::string& prefix) { request.prefix = prefix; });
+  add_output_word(command, "--section", "a macro",
+                  "a macro in front of every function, which your build defines: where code goes",
+                  [&request](const std::string& section) { request.section = section; });
 }
 
 void set_functions(Request& request, const std::string& list) {
@@ -113,6 +140,9 @@ void add_sharing(CLI::App& command, Request& request) {
 }
 
 void add_checked(CLI::App& command, Request& request) {
+  command.add_flag(
+      "--self-test", request.self_test,
+      "known answers from 50 digits, and a function self_test that compares with them");
   command.add_flag("--checked", request.checked,
                    "beside functions that can fail NAME_checked, which return a status: a pivot "
                    "of A that is not safely above zero, what is not a number");
@@ -237,7 +267,7 @@ void add_generation(CLI::App& command, Request& request) {
           "--scene", [&request](const std::string& file) { request.scene = file; },
           "a scene: its model, effects and functions instead of a MODEL")
       ->type_name("FILE");
-  add_name(command, request);
+  add_language(command, request);
   command
       .add_option_function<std::string>(
           "--scalar",

@@ -55,7 +55,7 @@ Trace trace_of(const Settings& settings) {
 
 std::vector<std::string> paths(const Settings& settings, const std::string& name) {
   std::vector<std::string> result;
-  for (const std::string& file : emit::file_names(name)) {
+  for (const std::string& file : emit::file_names(name, settings.request.language)) {
     result.push_back((std::filesystem::path(settings.output) / file).string());
   }
   return result;

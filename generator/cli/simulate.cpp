@@ -1,5 +1,6 @@
 #include "cli/simulate.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "limits.hpp"
 #include "model/effects.hpp"
 #include "pipeline.hpp"
+#include "simplify/scene_steps.hpp"
 #include "simplify/scene_sticking.hpp"
 #include "simulation/integrator.hpp"
 #include "system/files.hpp"
@@ -66,6 +68,17 @@ void check(const SimulateRequest& request, const model::Scene& scene) {
   if (scene.duration <= 0) {
     throw InputError({request.scene, 0, 0},
                      "the scene has no duration; expected one above zero, or --duration");
+  }
+  const std::vector<std::string> fixed = simplify::step_method_names();
+  const Real most = request.most_steps.value_or(Real(simulation::Settings{}.most_steps));
+  const bool is_fixed =
+      std::find(fixed.begin(), fixed.end(), scene.stepping.integrator) != fixed.end();
+  if (is_fixed && scene.duration > most * scene.stepping.step) {
+    throw InputError({request.scene, 0, 0},
+                     fmt::format("{:.3g} s are more than {:.3g} steps of {:.3g} s; expected longer "
+                                 "steps, or --max-steps",
+                                 static_cast<double>(scene.duration), static_cast<double>(most),
+                                 static_cast<double>(scene.stepping.step)));
   }
 }
 

@@ -69,6 +69,16 @@ int Algebra::cross(int a, int b) {
   return bilinear(Op::kCross, Type::kVector, a, b);
 }
 
+/// Λ(a)Λ(b), a leading minus of a sum in front.
+int Algebra::skew_product(int a, int b) {
+  for (const int x : {a, b}) {
+    if (value(x).op == Op::kLinear && value(x).factors.front().numerator < 0) {
+      return negative(skew_product(x == a ? negative(a) : a, x == a ? b : negative(b)));
+    }
+  }
+  return bilinear(Op::kSkewProduct, Type::kTensor, a, b);
+}
+
 int Algebra::skew(int a) {
   if (is_zero(a)) {
     return zero(value(a).set, Type::kTensor);
@@ -177,6 +187,11 @@ int Algebra::sum_along(Op op, Set set, int x) {
   }
   if (op == Op::kPath || op == Op::kPathStrict) {
     if (const int known = telescoped(op, x); known >= 0) {
+      return known;
+    }
+  }
+  if (op == Op::kSubtree || op == Op::kSubtreeStrict) {
+    if (const int known = of_composites(op, x); known >= 0) {
       return known;
     }
   }

@@ -10,6 +10,9 @@ namespace treedyn::derive {
 
 using Terms = std::vector<std::pair<Ratio, int>>;
 
+/// What R6 and R7 do not cover.
+struct NoComposites {};
+
 class Algebra {
  public:
   explicit Algebra(Values& values) : values_(values) {}
@@ -29,14 +32,18 @@ class Algebra {
   int dot(int a, int b) { return bilinear(Op::kDot, Type::kScalar, a, b); }
   int cross(int a, int b);
   int skew(int a);
-  int skew_product(int a, int b) { return bilinear(Op::kSkewProduct, Type::kTensor, a, b); }
+  int skew_product(int a, int b);
   int apply(int tensor, int v) { return bilinear(Op::kApply, Type::kVector, tensor, v); }
   int apply_transposed(int tensor, int v) {
-    return bilinear(Op::kApplyTranspose, Type::kVector, tensor, v);
+    const bool symmetric = value(tensor).name == "J_c^d";
+    return bilinear(symmetric ? Op::kApply : Op::kApplyTranspose, Type::kVector, tensor, v);
   }
   /// D, N, D^T, N^T, Π, W, .. times x; the result has a block for every element of `set`.
   int sum_along(Op op, Set set, int x);
   int component(int x, int k);
+  /// x where its rows on the way from the column that is asked for to the root are enough. \pre
+  /// made with `Choices::composites` \throws NoComposites if they are not
+  int on_way_to_root(int x);
   int assemble(const std::vector<int>& components);
 
   [[nodiscard]] const Value& value(int id) const { return values_[id]; }
@@ -63,12 +70,31 @@ class Algebra {
   int moment_about_joint(int centre, int x);
   int moment_of_turning(int S);
 
+  /// A sum of terms X (D y), X (N y) and others.
+  struct Opened {
+    struct Path {
+      Ratio factor;
+      int step = -1;  ///< X; -1: E
+      int y = -1;
+      bool strict = false;  ///< N y
+    };
+    std::vector<Path> paths;
+    Terms rest;
+  };
+  int product_of_steps(int a, int b);
+  int step(int X, int y);
+  void open_paths(const Ratio& factor, int X, int x, Opened& opened);
+  [[nodiscard]] bool has_sum(int x) const;
+  [[nodiscard]] bool is_below_unit(int x) const;
+  int of_composites(Op op, int x);
+
   Terms flattened(const Terms& terms);
   [[nodiscard]] int body_of(const Value& scaled) const;
   void merge_sums(Terms& terms);
   void merge_backward(Terms& terms);
   void merge_skews(Terms& terms);
   void merge_factors(Terms& terms);
+  void merge_skew_products(Terms& terms);
   void merge_seconds(Terms& terms);
   void merge_applied(Terms& terms);
   /// Replaces the terms for which `key` is the same, if there are several, by `merged` of them.

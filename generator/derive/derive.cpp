@@ -38,6 +38,38 @@ bool derive_wide(const block::Expression& expression, Derivation& result) {
   return root.has_value();
 }
 
+/// The columns of a matrix of numbers between links by composites, if A e_j and A^T e_j derive to
+/// the same.
+bool derive_symmetric(const block::Expression& expression, Derivation& result) {
+  const block::Side joints{Set::kLinks, 1};
+  if (result.shape != block::Shape{joints, joints}) {
+    return false;
+  }
+  Choices choices = result.values.choices();
+  const auto column = [&](Values& values, bool transposed) {
+    Columns columns(values);
+    const int unit = columns.algebra().unit(Set::kLinks, Type::kScalar);
+    const int x = columns.apply(expression, transposed, unit);
+    return choices.composites ? columns.algebra().on_way_to_root(x) : x;
+  };
+  Values plain(choices);
+  if (column(plain, false) != column(plain, true)) {
+    return false;
+  }
+  choices.composites = true;
+  Values values(choices);
+  values.note(Rule::kUnits);
+  values.note(Rule::kSymmetric);
+  try {
+    result.roots = {column(values, false)};
+  } catch (const NoComposites&) {
+    return false;
+  }
+  result.values = std::move(values);
+  result.symmetric = true;
+  return true;
+}
+
 /// The columns (or rows) one by one.
 void derive_unit(const block::Expression& expression, Derivation& result) {
   const block::Side& side = result.by_rows ? result.shape.rows : result.shape.cols;
@@ -56,7 +88,8 @@ Derivation derive(const block::Expression& expression, bool by_rows, const Choic
   const bool one_row = result.shape.rows.set == Set::kOne;
   const bool column = result.shape.cols == block::Side{};
   result.by_units = !one_col && !one_row;
-  if (result.by_units && derive_wide(expression, result)) {
+  if (result.by_units &&
+      (derive_wide(expression, result) || derive_symmetric(expression, result))) {
     return result;
   }
   result.by_rows = one_row && !column ? true : one_col ? false : by_rows;

@@ -16,6 +16,8 @@ struct Derivation {
   block::Shape shape;
   bool by_rows = false;  ///< the roots are the rows, as columns
   bool by_units = false;
+  bool symmetric =
+      false;          ///< the root has the rows from the column that is asked for to the ground
   bool wide = false;  ///< the column that is asked for is one of 3x3 blocks: E at one place
   Values values;
   std::vector<int> roots;

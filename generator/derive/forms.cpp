@@ -9,6 +9,7 @@ namespace treedyn::derive {
 namespace {
 
 constexpr Ratio kOne{1, 1};
+constexpr Ratio kMinus{-1, 1};
 
 /// Ω = Λ(α) + Λ(ω)².
 std::optional<Turning> turning(const Values& values, int Omega) {
@@ -63,6 +64,10 @@ class Forms {
       if (const int whole = of_links(value.operands[0]); whole >= 0) {  // F3
         value.operands[0] =
             noted(Rule::kFathers, {Op::kFather, Set::kLinks, Type::kTensor, {}, 0, {whole}, {}});
+      }
+    } else if (value.op == Op::kBackward) {
+      if (const int inertia = composite(value); inertia >= 0) {
+        return inertia;
       }
     } else if (value.op == Op::kLinear) {
       if (const int path = started(value); path >= 0) {
@@ -142,6 +147,33 @@ class Forms {
         return;
       }
     }
+  }
+
+  /// F5: D^T I - N^T (Λ(h)Λ(s) + Λ(s)Λ(h + m s)) for h = D^T h_own + N^T (m s); -1: another sum.
+  int composite(const Value& sum) {
+    const Value X = new_[sum.operands[1]];
+    if (new_[sum.operands[0]].name != "I^d" || X.op != Op::kLinear || X.operands.size() != 2 ||
+        X.factors[0] != kMinus || X.factors[1] != kMinus) {
+      return -1;
+    }
+    for (const std::size_t k : {0U, 1U}) {
+      const Value& first = new_[X.operands[k]];
+      const Value& second = new_[X.operands[1 - k]];
+      if (first.op != Op::kSkewProduct || second.op != Op::kSkewProduct ||
+          first.operands[1] != second.operands[0]) {
+        continue;
+      }
+      const int h = first.operands[0];
+      const int s = first.operands[1];
+      const int shifted = second.operands[1];
+      const int ms = new_[h].op == Op::kBackward ? new_[h].operands[1] : -1;
+      if (ms >= 0 && new_[ms].op == Op::kScale && new_[ms].operands.size() == 2 &&
+          new_[ms].operands[1] == s && algebra_.linear({{kOne, h}, {kOne, ms}}) == shifted) {
+        return noted(Rule::kComposite,
+                     {Op::kComposite, sum.set, sum.type, {}, 0, {new_[ms].operands[0], h, s}, {}});
+      }
+    }
+    return -1;
   }
 
   /// I x.

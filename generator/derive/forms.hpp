@@ -1,4 +1,4 @@
-// The values of single links in their cheapest forms: pattern -> replacement (F2 to F4).
+// The values of single links in their cheapest forms: pattern -> replacement (F2 to F5).
 #pragma once
 
 #include <vector>

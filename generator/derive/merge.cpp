@@ -228,6 +228,32 @@ void Algebra::merge_factors(Terms& terms) {
       });
 }
 
+/// Λ(a)Λ(s) + Λ(b)Λ(s) = Λ(a + b)Λ(s), Λ(s)Λ(a) + Λ(s)Λ(b) = Λ(s)Λ(a + b) for a symbol s.
+void Algebra::merge_skew_products(Terms& terms) {
+  const auto place = [this](const Value& v) {  // of the symbol
+    return value(v.operands[1]).op == Op::kLeaf ? 1U : 0U;
+  };
+  merge(
+      terms,
+      [&](const Value& v) {
+        const bool has = v.op == Op::kSkewProduct && value(v.operands[place(v)]).op == Op::kLeaf;
+        return has ? std::vector<int>{static_cast<int>(place(v)), v.operands[place(v)]}
+                   : std::vector<int>{};
+      },
+      [&](const Terms& group) {
+        const Value first = value(group.front().second);
+        const bool last = place(first) == 1;
+        const Ratio sign = group.front().first.numerator < 0 ? kMinus : kOne;
+        Terms inner;
+        for (const auto& [factor, x] : group) {
+          inner.emplace_back(multiply(sign, factor), value(x).operands[last ? 0 : 1]);
+        }
+        const int sum = linear(inner);
+        return linear({{sign, last ? skew_product(sum, first.operands[1])
+                                   : skew_product(first.operands[0], sum)}});
+      });
+}
+
 /// D^T a + N^T b: sons hand on b and their own sum.
 void Algebra::merge_backward(Terms& terms) {
   const auto find = [&](Op op) {
@@ -240,13 +266,14 @@ void Algebra::merge_backward(Terms& terms) {
     return;
   }
   const Value v = value(a->second);
-  const int own = linear({{a->first, v.operands[0]}});
-  const int of_sons = linear({{b->first, value(b->second).operands[0]}});
+  const bool negative = values_.choices().composites && a->first == kMinus && b->first == kMinus;
+  const int own = linear({{negative ? kOne : a->first, v.operands[0]}});
+  const int of_sons = linear({{negative ? kOne : b->first, value(b->second).operands[0]}});
   const std::vector<int> gone = {a->second, b->second};
   std::erase_if(terms,
                 [&](const auto& term) { return term.second == gone[0] || term.second == gone[1]; });
   note(Rule::kMerge);
-  terms.emplace_back(kOne,
+  terms.emplace_back(negative ? kMinus : kOne,
                      values_.intern({Op::kBackward, v.set, v.type, {}, 0, {own, of_sons}, {}}));
 }
 
@@ -260,6 +287,7 @@ int Algebra::linear(const Terms& terms) {
     merge_seconds(rest);
     merge_applied(rest);
     merge_factors(rest);
+    merge_skew_products(rest);
     merge_backward(rest);
   }
   if (rest.empty()) {

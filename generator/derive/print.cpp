@@ -58,6 +58,22 @@ void add_dynamic_names(const Values& values, const std::vector<int>& needed, Nam
   }
 }
 
+/// Of symmetric matrices: composites, and the force and moment of the column that is asked for.
+void add_composite_names(const Values& values, const std::vector<int>& needed, Names& names) {
+  for (const int id : needed) {
+    const Value& v = values[id];
+    if (v.op == Op::kComposite) {
+      names.emplace(id, "I^c");
+      names.emplace(v.operands[1], "h^c");
+    } else if (values.choices().composites && values.of_unit(id) && v.type == Type::kVector) {
+      const char* const name = v.op == Op::kSubtree ? "F" : v.op == Op::kBackward ? "M" : nullptr;
+      if (name != nullptr) {
+        names.emplace(id, name);
+      }
+    }
+  }
+}
+
 class Printer {
  public:
   explicit Printer(const Values& values) : values_(values), names_(known_names(values)) {}
@@ -65,6 +81,7 @@ class Printer {
   std::vector<Line> run(const std::vector<int>& roots) {
     std::vector<Line> result;
     add_dynamic_names(values_, values_.needed(roots), names_);
+    add_composite_names(values_, values_.needed(roots), names_);
     for (const int id : values_.needed(roots)) {
       const Value& value = values_[id];
       if (value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
@@ -143,6 +160,10 @@ class Printer {
         return fmt::format("{} {}", a(), b());
       case Op::kApplyTranspose:
         return fmt::format("{}^T {}", a(), b());
+      case Op::kComposite:
+        return fmt::format(
+            "tr(E^c) - E^c, E^c = D^T E + N^T ({1} {2}^T + {2} {1}^T + {0} {2} {2}^T)", a(),
+            name(value.operands[1]), b());
       case Op::kMoment:
         return fmt::format("vee({} E)", a());
       case Op::kPath:

@@ -5,7 +5,7 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 15> kRows = {{
+  static constexpr std::array<RuleRow, 18> kRows = {{
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
@@ -16,6 +16,9 @@ std::span<const RuleRow> rules() {
       {Rule::kTelescope, "R5", "D (g - g of the father) = g"},
       {Rule::kComponents, "R4'", "Λ(Y) x = Σ (Y x_k) × e_k, component by component"},
       {Rule::kUnits, "R6'", "X is its columns X e_j (or rows), whatever is zero in them vanishes"},
+      {Rule::kSymmetric, "R6", "A e_j = A^T e_j: the rows from link j to the root are enough"},
+      {Rule::kComposites, "R7",
+       "D^T X D = D^T X^c + X^c N, N^T X N = D^T X^s + X^s N: composites X^c = D^T X, X^s = N^T X"},
       {Rule::kKinds, "R7'",
        "3x3 blocks keep their kind: D^T (y E) = (D^T y) E, D^T Λ(x) = Λ(D^T x)"},
       {Rule::kCommon, "R3'",
@@ -27,6 +30,8 @@ std::span<const RuleRow> rules() {
       {Rule::kFathers, "F3", "what is made of N x alone is the father's: S(N x) = Π S(D x)"},
       {Rule::kPseudoInertia, "F4",
        "I α + ω×(I ω) = vee(Ω E), Ω = Λ(α) + Λ(ω)², I = tr(E) - E: the same products twice"},
+      {Rule::kComposite, "F5",
+       "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) - F, F = h s^T + s h^T + m s s^T: symmetric"},
   }};
   return kRows;
 }

@@ -16,6 +16,8 @@ enum class Rule {
   kTelescope,
   kComponents,
   kUnits,
+  kSymmetric,
+  kComposites,
   kKinds,
   kCommon,
   kParameters,
@@ -23,6 +25,7 @@ enum class Rule {
   kStart,
   kFathers,
   kPseudoInertia,
+  kComposite,
 };
 
 struct RuleRow {

@@ -1,5 +1,6 @@
 #include "derive/value.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 
@@ -47,6 +48,9 @@ Ratio add(const Ratio& a, const Ratio& b) {
 int Values::intern(Value value) {
   const auto [place, is_new] = known_.emplace(key_of(value), size());
   if (is_new) {
+    of_unit_.push_back(value.op == Op::kUnit ||
+                       std::any_of(value.operands.begin(), value.operands.end(),
+                                   [this](int operand) { return of_unit(operand); }));
     values_.push_back(std::move(value));
   }
   return place->second;

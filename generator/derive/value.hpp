@@ -32,6 +32,7 @@ enum class Op {
   kSkewProduct,     ///< Λ(a) Λ(b)
   kApply,           ///< S v
   kApplyTranspose,  ///< S^T v
+  kComposite,       ///< D^T I - N^T (Λ(h)Λ(s) + Λ(s)Λ(h + m s)) of m, h, s
   kMoment,          ///< vee(Ω E) of Ω, α, ω: I α + ω×I ω by the pseudo-inertia E
   kPath,            ///< D x, or a + D x where a second operand a is the same for all links
   kPathStrict,      ///< N x
@@ -62,6 +63,7 @@ struct Value {
 struct Choices {
   bool keeps_joints = true;   ///< P_i of a sliding joint keeps its place: l has the slide, not s
   bool common_leaves = true;  ///< R3' takes what all links have in common out of sums
+  bool composites = false;    ///< R7 takes sums over subtrees out of sums along paths
 };
 
 /// The values that a function is made of, and the rules that made them.
@@ -76,6 +78,9 @@ class Values {
   }
   [[nodiscard]] int size() const { return static_cast<int>(values_.size()); }
 
+  /// True for what depends on the column that is asked for.
+  [[nodiscard]] bool of_unit(int id) const { return of_unit_[static_cast<std::size_t>(id)]; }
+
   void note(Rule rule) { acted_.insert(rule); }
   [[nodiscard]] const std::set<Rule>& acted() const { return acted_; }
 
@@ -85,6 +90,7 @@ class Values {
  private:
   Choices choices_;
   std::vector<Value> values_;
+  std::vector<bool> of_unit_;
   std::map<std::string, int> known_;
   std::set<Rule> acted_;
 };

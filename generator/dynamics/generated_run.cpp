@@ -114,8 +114,8 @@ bool Run::go(const std::function<void(const Values&)>& show, const simulation::P
     const int status = step_.call();
     const bool due =
         (static_cast<double>(k) + 1e-6) * h_ >= static_cast<double>(shown) * output_step_;
+    place(k, q, qd, before);
     if (due || changed || k == count_) {
-      place(k, q, qd, before);
       show(reactions(before));
       shown += due ? 1 : 0;
     }
@@ -130,6 +130,9 @@ bool Run::go(const std::function<void(const Values&)>& show, const simulation::P
       throw std::runtime_error(simulation::not_finite(scene_.tree, time(k + 1), last));
     }
     changed = state() != before;
+    Vector after(2 * next.size());
+    after << next, vector_of(step_.at("qd"));
+    simulator_.follow(h_, after, changed);
     if (changed) {
       simulator_.note({time(k + 1),
                        states_[static_cast<std::size_t>(before)].phase,

@@ -130,8 +130,9 @@ int GeneratedStep::call() {
 }
 
 std::string status_names(int status) {
-  constexpr std::array<const char*, 6> kNames = {"rank_lost",    "row_given_up", "no_convergence",
-                                                 "event_missed", "not_a_number", "guard_undefined"};
+  constexpr std::array<const char*, 7> kNames = {"rank_lost",    "row_given_up", "no_convergence",
+                                                 "event_missed", "not_a_number", "guard_undefined",
+                                                 "event_late"};
   std::string result;
   for (std::size_t k = 0; k < kNames.size(); ++k) {
     if ((status >> k) % 2 != 0) {

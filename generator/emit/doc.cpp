@@ -141,8 +141,11 @@ std::string event_text(const program::Stepper& stepper, const program::StepPhase
   };
   const std::string after = lasting_text(event);
   const std::string rest =
-      event.rest ? fmt::format("; slower than {} m/s, or than one step takes back: {}",
-                               decimal(event.rest_below), outcome(*event.rest))
+      event.rest ? fmt::format("; slower than {}one step takes back: {}",
+                               event.rest_below > 0
+                                   ? fmt::format("{} m/s, or than ", decimal(event.rest_below))
+                                   : "",
+                               outcome(*event.rest))
                  : "";
   return fmt::format("Phase {}: {}{}: {}{}", phase.identifier,
                      for_comment(event.brief, kLongestCell * 2), after, outcome(event.outcome),
@@ -195,6 +198,7 @@ std::string doc(const program::Stepper& stepper) {
   std::string bits = stepper.rows > 0 ? "rank_lost, row_given_up, " : "";
   bits += iterates ? "no_convergence, " : "";
   bits += stepper.ends() ? "event_missed, " : "";
+  bits += stepper.most_guards() > 0 && stepper.cuts == 0 ? "event_late, " : "";
   bits += stepper.most_guards() > 0 ? "guard_undefined, " : "";
   return signature_doc(stepper.signature) + events_doc(stepper) +
          wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number", bits), "/// ") +

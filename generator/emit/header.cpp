@@ -9,6 +9,7 @@
 #include "emit/doc.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
+#include "emit/self_test.hpp"
 #include "emit/sincos.hpp"
 #include "emit/template_file.hpp"
 
@@ -201,6 +202,8 @@ inline constexpr int event_missed = 8;
 inline constexpr int not_a_number = 16;
 /// What an event waits for is not a number.
 inline constexpr int guard_undefined = 32;
+/// An event was taken at the end of the step in which it happened: `cuts` is 0.
+inline constexpr int event_late = 64;
 }}  // namespace status
 )",
       checked ? "/// Or a pivot of A is not above zero, or all its digits are lost.\n" : "",
@@ -217,6 +220,7 @@ std::string declarations(const Unit& unit) {
   for (const program::Function& function : unit.functions) {
     result += '\n' + doc(function) + prototype(function.signature);
   }
+  result += unit.self_test ? self_test_declaration(unit) : "";
   for (const Checked& checked : unit.checked) {
     result += '\n' + doc(checked) + prototype(checked.signature);
   }
@@ -254,6 +258,15 @@ std::string quoted(const std::string& word) {
   return result + "'";
 }
 
+/// The length of a step, without line feed.
+std::string step_constant(const Unit& unit) {
+  return unit.steppers.empty()
+             ? ""
+             : fmt::format("/// Time that `step` takes, s.\ninline constexpr {} kStep = {};",
+                           type_name(unit.target.scalar),
+                           literal(unit.steppers.front().step, unit.target.scalar));
+}
+
 }  // namespace
 
 std::string shell_line(const std::vector<std::string>& words) {
@@ -285,6 +298,7 @@ std::string header_text(const Unit& unit) {
   const model::Tree& tree = *unit.tree;
   return fill(template_text("model.hpp"),
               {{"name", unit.name},
+               {"space", unit.space()},
                {"model", for_comment(tree.name, kLongestCell * 2)},
                {"command", command_comment(unit.command)},
                {"joints", joint_table(tree)},
@@ -292,6 +306,7 @@ std::string header_text(const Unit& unit) {
                {"scalar", scalar_declaration(unit.target)},
                {"dof", std::to_string(tree.dof())},
                {"point_count", std::to_string(unit.points.size())},
+               {"step", step_constant(unit)},
                {"digest", kNoDigest},
                {"joint_indices", index_namespace("joint", joint_identifiers(tree))},
                {"point_indices", index_namespace("point", point_identifiers(unit.points))},

@@ -7,6 +7,7 @@
 
 #include "emit/header.hpp"
 #include "emit/json.hpp"
+#include "emit/sincos.hpp"
 
 namespace treedyn::emit {
 
@@ -112,7 +113,11 @@ std::string staged_cost(const program::Staged& staged) {
 }
 
 std::string stepper_cost(const program::Stepper& stepper) {
-  std::string result = operations_json(program::step_cost(stepper));
+  std::string result =
+      operations_json(program::step_cost(stepper)) +
+      fmt::format(",\n     \"integrator\": {}, \"step\": {}, \"cuts\": {}, \"state\": {}",
+                  json_string(stepper.integrator), decimal(stepper.step), stepper.cuts,
+                  json_string(stepper.compensated ? "compensated" : "plain"));
   std::vector<std::string> phases;
   for (std::size_t k = 0; stepper.switches() && k < stepper.phases.size(); ++k) {
     const program::StepPhase& phase = stepper.phases[k];
@@ -126,6 +131,11 @@ std::string stepper_cost(const program::Stepper& stepper) {
   }
   return fmt::format("{},\n     \"worst_case\": {}", result,
                      operations_json(program::worst_step_cost(stepper)));
+}
+
+/// Where sines and cosines are numbers, if they are those of the source.
+std::string sincos_json(const Unit& unit) {
+  return has_sincos(unit) ? fmt::format(",\n  \"sincos\": {}", sincos_range(unit.target)) : "";
 }
 
 }  // namespace
@@ -168,7 +178,7 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
       json_string(unit.name), json_string(unit.tool),
       json_object(
           {{"file", json_string(unit.model_file)}, {"sha256", json_string(unit.model_sha256)}}),
-      json_object(unit.options), unit.tree->dof(), joints_json(*unit.tree),
+      json_object(unit.options) + sincos_json(unit), unit.tree->dof(), joints_json(*unit.tree),
       points_json(unit.points), json_lines(functions, 4));
 }
 

@@ -1,6 +1,6 @@
 #include "emit/sincos.hpp"
 
-#include <map>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -97,6 +97,30 @@ std::string reduction(const Approximation& a, const Target& target) {
   return text;
 }
 
+/// True if the text calls the function of this name.
+bool calls(const std::string& text, const std::string& name) {
+  const std::string call = name + "(";
+  for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
+    const char before = at == 0 ? ' ' : text[at - 1];
+    if (before == ' ' || before == '(' || before == '-') {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// `sin` and `cos`, of those the called ones.
+std::string singles(const Target& target, const std::string& functions) {
+  std::string text;
+  for (const auto& [name, member] : {std::pair("sin", "sine"), std::pair("cos", "cosine")}) {
+    if (calls(functions, name)) {
+      text += fmt::format("\ninline {0} {1}({0} x) noexcept {{ return sine_cosine(x).{2}; }}",
+                          type(target), name, member);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 bool has_sincos(const Unit& unit) {
@@ -104,7 +128,7 @@ bool has_sincos(const Unit& unit) {
   return !unit.target.takes_libm() && cost.sin + cost.cos > 0;
 }
 
-std::string sincos_text(const Target& target) {
+std::string sincos_text(const Target& target, const std::string& functions) {
   const Approximation& a = approximation(target.scalar);
   const auto number = [&](const Real& value) {
     return literal(value, target.scalar);
@@ -128,7 +152,13 @@ std::string sincos_text(const Target& target) {
                {"sine", horner("s", a.sine, target)},
                {"cosine", horner("c", a.cosine, target)},
                {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
-               {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)}});
+               {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)},
+               {"singles", singles(target, functions)}});
+}
+
+std::string sincos_range(const Target& target) {
+  const Approximation& a = approximation(target.scalar);
+  return fmt::format(R"({{"error": {}, "range": {}, "end": {}}})", a.error, a.range, a.end);
 }
 
 std::string sincos_comment(const Target& target) {

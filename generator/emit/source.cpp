@@ -9,6 +9,7 @@
 #include "emit/layout.hpp"
 #include "emit/limb_text.hpp"
 #include "emit/parts.hpp"
+#include "emit/self_test.hpp"
 #include "emit/sincos.hpp"
 #include "emit/staged.hpp"
 #include "emit/stepper.hpp"
@@ -41,7 +42,7 @@ bool raises_to_powers(const Unit& unit) {
 }
 
 /// Where sin, cos and sqrt come from.
-std::string mathematics(const Unit& unit) {
+std::string mathematics(const Unit& unit, const std::string& functions) {
   const program::Cost total = total_cost(unit);
   const bool library = unit.target.takes_libm();
   std::string result;
@@ -50,7 +51,7 @@ std::string mathematics(const Unit& unit) {
   result += library && total.sin > 0 ? "using std::sin;\n" : "";
   result += total.sqrt > 0 ? "using std::sqrt;\n" : "";
   result = result.empty() ? result : '\n' + result;
-  return has_sincos(unit) ? result + sincos_text(unit.target) : result;
+  return has_sincos(unit) ? result + sincos_text(unit.target, functions) : result;
 }
 
 /// <cmath>, for what is used of it: the functions above, and what scene functions take.
@@ -75,6 +76,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
     functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k].parts.front())
                                              : split_function(signature, bodies[k]);
   }
+  functions += unit.self_test ? self_test_text(unit) : "";
   if (!unit.checked.empty() || !unit.staged.empty()) {
     functions += check_text(unit.target);
   }
@@ -90,10 +92,11 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
     functions += '\n' + stepper_text(stepper, words, unit.target);
   }
   return fill(template_text("model.cpp"), {{"name", unit.name},
+                                           {"space", unit.space()},
                                            {"command", command_comment(unit.command)},
                                            {"digest", kNoDigest},
                                            {"includes", includes(unit)},
-                                           {"using", mathematics(unit)},
+                                           {"using", mathematics(unit, functions)},
                                            {"functions", functions}});
 }
 

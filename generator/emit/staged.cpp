@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -131,7 +132,7 @@ std::vector<std::string> deficient_lines(const RowSolve& solve, const Target& ta
   std::string list = wrapped(fmt::format("{}}};", fmt::join(weights, ", ")), "      ");
   list.pop_back();
   return {fmt::format("static constexpr {} weights[] = {{\n{}", type_name(target.scalar), list),
-          declaration(fmt::format("return solve_deficient<{}>", solve.rows),
+          declaration(fmt::format("return solve_deficient_{}", solve.rows),
                       {std::to_string(solve.rank), "weights",
                        short_literal(tolerance(solve, target), target),
                        short_literal(vanishing(solve, target), target), "K", "b", "x"},
@@ -150,16 +151,30 @@ std::string solve_text(const RowSolve& solve, const Solves& all, const Target& t
   return regular_text(solve, regular, target) + head + block(lines);
 }
 
+/// The path for dependent rows of one number of rows.
+std::string deficient_text(int rows, const Target& target) {
+  const bool single = target.scalar == Scalar::kFloat;
+  const std::string type = type_name(target.scalar);
+  return fill(
+      template_text("solve_rows.cpp"),
+      {{"declaration",
+        declaration(fmt::format("[[gnu::noinline]] int solve_deficient_{}", rows),
+                    {"int expected", fmt::format("const {}* weights", type), type + " tolerance",
+                     type + " vanishing", "const Scalar* K", "const Scalar* b", "Scalar* x"},
+                    " noexcept {")},
+       {"rows", std::to_string(rows)},
+       {"given_up", single ? "0.01f" : "0.01"},
+       {"given_up_least", single ? "1e-3f" : "1e-6"}});
+}
+
 std::string solvers_text(const Solves& all, const Target& target) {
   if (all.empty()) {
     return {};
   }
-  const bool single = target.scalar == Scalar::kFloat;
-  std::string result =
-      fill(template_text("solve_rows.cpp"), {{"type", type_name(target.scalar)},
-                                             {"given_up", single ? "0.01f" : "0.01"},
-                                             {"given_up_least", single ? "1e-3f" : "1e-6"}});
+  std::string result;
+  std::set<int> done;
   for (const RowSolve& solve : all) {
+    result += done.insert(solve.rows).second ? deficient_text(solve.rows, target) : "";
     result += solve_text(solve, all, target);
   }
   return "\nnamespace {\n" + result + "\n}  // namespace\n";

@@ -25,6 +25,7 @@ class EffectWriter {
  private:
   [[nodiscard]] Lines event_lines(const StepPhase& phase, const StepEvent& event) const;
   [[nodiscard]] Lines sticking_lines(const StepEvent& event) const;
+  [[nodiscard]] std::string ways_text(const std::string& qd) const;
   [[nodiscard]] Lines next_phase(const StepOutcome& outcome) const;
   [[nodiscard]] Lines renewal_lines(const std::vector<Renewal>& renewals) const;
   [[nodiscard]] Lines rest_lines(const StepPhase& phase, const StepEvent& event) const;
@@ -89,12 +90,18 @@ Lines EffectWriter::rest_lines(const StepPhase& phase, const StepEvent& event) c
       "  ahead.at = now.at + h;",
       "  for (int i = 0; i < kDof; ++i) {",
       "    flight.qd[i] = qd_plus[i];",
-      "  }",
-      "  advance(motion, flight, ahead);",
-      "  " + call(phase.approaches.front(), {"ahead.q", "ahead.qd", "", ""}, "approach"),
-      fmt::format("  rests = {} < Scalar(0);", speed),
-      "}",
-      "if (rests) {"};
+      "  }"};
+  if (stepper_.sticking.empty()) {
+    lines.emplace_back("  advance(motion, flight, ahead);");
+  } else {
+    append(lines,
+           {"Motion free = motion;",
+            fmt::format("free.which = motion.which{};", ways_text("flight.qd")),
+            "advance(free, flight, ahead);"},
+           "  ");
+  }
+  append(lines, {"  " + call(phase.approaches.front(), {"ahead.q", "ahead.qd", "", ""}, "approach"),
+                 fmt::format("  rests = {} < Scalar(0);", speed), "}", "if (rests) {"});
   if (event.cause == StepCause::kFall) {
     append(lines, plane_lines(phase, event), "  ");
   }
@@ -121,14 +128,19 @@ Lines EffectWriter::sticking_lines(const StepEvent& event) const {
   if (event.goes_on || stepper_.sticking.empty()) {
     return {};
   }
+  return {fmt::format("motion.which = motion.which{};", ways_text("now.qd"))};
+}
+
+/// What joints that stick or slip add to the phase in which all of them stick.
+std::string EffectWriter::ways_text(const std::string& qd) const {
   std::string ways;
   int place = 1;
   for (const int joint : stepper_.sticking) {
     ways +=
-        fmt::format(" + {}way(now.qd[{}])", place > 1 ? fmt::format("{} * ", place) : "", joint);
+        fmt::format(" + {}way({}[{}])", place > 1 ? fmt::format("{} * ", place) : "", qd, joint);
     place *= 3;
   }
-  return {fmt::format("motion.which = motion.which{};", ways)};
+  return ways;
 }
 
 Lines EffectWriter::event_lines(const StepPhase& phase, const StepEvent& event) const {

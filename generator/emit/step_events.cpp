@@ -78,6 +78,9 @@ Lines EventWriter::moment() const {
   if (stepper_.rows > 0) {
     lines.push_back(fmt::format("Scalar lambda[{}];", stepper_.rows));
   }
+  if (program::tells_reactions(stepper_)) {
+    lines.push_back(fmt::format("Scalar halfway[{}];  // of the way here: lambda", stepper_.rows));
+  }
   if (guards_ > 0) {
     lines.push_back(fmt::format("Scalar guard[kGuards];  // below zero behind an event{}",
                                 stepper_.most_approaches() > 0
@@ -110,6 +113,9 @@ Lines EventWriter::advance() const {
   arguments.insert(arguments.end(), {"to.q", "to.qd"});
   if (stepper_.rows > 0) {
     arguments.insert(arguments.end(), {"from.lambda", "to.lambda"});
+  }
+  if (program::tells_reactions(stepper_)) {
+    arguments.emplace_back("to.halfway");
   }
   lines.push_back(call_text("to.failed = integrate", arguments, 2));
   append(lines, stuck_lines());

@@ -37,7 +37,7 @@ class SearchWriter {
   [[nodiscard]] bool looks_halfway() const;
   [[nodiscard]] Lines between() const;
   [[nodiscard]] std::string dips() const;
-  [[nodiscard]] Lines search_lines() const;
+  [[nodiscard]] Lines choice_lines(const std::string& to) const;
   [[nodiscard]] Lines found_lines() const;
   /// What rounding leaves of the rest of a force, as a part of the force.
   [[nodiscard]] Real roundings() const {
@@ -152,6 +152,7 @@ std::string SearchWriter::cut() const {
     return {};
   }
   const bool single = scalar_ == Scalar::kFloat;
+  const bool loses = stepper_.cuts > 2;
   return fill(
       template_text("step_cut.cpp"),
       {{"cuts", std::to_string(stepper_.cuts)},
@@ -159,6 +160,13 @@ std::string SearchWriter::cut() const {
        {"further", literal(Real("0.0625"), scalar_)},
        {"beyond", literal(ldexp(Real(1), single ? -12 : -32), scalar_)},
        {"more", literal(Real(single ? 64 : 1024), scalar_)},
+       {"lost", loses ? "/// A last correction beyond this part of h has not found the event.\n"
+                        "constexpr " +
+                            type_name(scalar_) + " kLost = " + literal(Real("0.25"), scalar_) + ";"
+                      : ""},
+       {"begin", loses ? "  bool lost = false;" : ""},
+       {"is_lost", loses ? "      lost = lost || way > kLost * h;" : ""},
+       {"end", loses ? "  to.failed |= lost ? status::event_missed : 0;" : ""},
        {"one_half", literal(Real("0.5"), scalar_)},
        {"approach_now", stepper_.most_approaches() > 0 ? "    approach(motion, now);" : ""}});
 }
@@ -209,6 +217,10 @@ Lines SearchWriter::between() const {
                                       number("0.25")));
   }
   lines.emplace_back("}");
+  if (program::tells_reactions(stepper_)) {
+    append(lines, {fmt::format("for (int i = 0; i < {}; ++i) {{", stepper_.rows),
+                   "  low.lambda[i] = to.halfway[i];", "}"});
+  }
   return lines;
 }
 
@@ -232,57 +244,35 @@ std::string SearchWriter::dips() const {
                                                {"each", joined(each, "  ")}});
 }
 
-Lines SearchWriter::search_lines() const {
-  if (stepper_.cuts > 0) {
-    return {"const bool behind = look(motion, to);", "const bool before = look(motion, from);"};
-  }
-  std::string pulls;
-  for (const StepPhase& phase : stepper_.phases) {
-    if (program::pulls(phase)) {
-      pulls += pulls.empty() ? "" : " || ";
-      pulls += fmt::format("motion.which == phase::{}", phase.identifier);
-    }
-  }
+/// The choice among the events between `from` and another moment.
+Lines SearchWriter::choice_lines(const std::string& to) const {
   Lines lines;
-  if (pulls.empty()) {
-    lines = {"if (!look(motion, to)) {", "  return -1;", "}", "look(motion, from);"};
-  } else {
-    lines = {"const bool behind = look(motion, to);"};
-    lines.push_back(stepper_.switches() ? fmt::format("const bool pulls = {};", pulls)
-                                        : std::string());
-    lines.push_back(fmt::format("const bool before = {}look(motion, from);",
-                                stepper_.switches() ? "(behind || pulls) && " : ""));
-    append(lines, {"if (!behind && !before) {", "  return -1;", "}"});
-    lines.erase(std::remove(lines.begin(), lines.end(), ""), lines.end());
-  }
   if (stepper_.most_approaches() > 0) {
-    append(lines, {"approach(motion, from);", "approach(motion, to);"});
+    lines = {"  approach(motion, from);", fmt::format("  approach(motion, {});", to)};
   }
+  lines.push_back(fmt::format("  event = first_event(motion, from, {}, part);", to));
   return lines;
 }
 
 Lines SearchWriter::found_lines() const {
-  if (stepper_.cuts == 0) {
-    return {"return first_event(motion, from, to, part);"};
-  }
-  const auto first = [&](const std::string& to) {
-    Lines lines;
-    if (stepper_.most_approaches() > 0) {
-      lines = {"  approach(motion, from);", fmt::format("  approach(motion, {});", to)};
-    }
-    lines.push_back(fmt::format("  event = first_event(motion, from, {}, part);", to));
-    return lines;
-  };
+  const bool cuts = stepper_.cuts > 0;
   Lines lines = {"int event = -1;", "if (behind || before) {"};
-  append(lines, first("to"), "");
+  append(lines, choice_lines("to"));
   lines.emplace_back("}");
+  if (!cuts) {
+    append(lines,
+           {"if (event >= 0) {", "  to.failed |= status::event_late;", "  return event;", "}"});
+  }
   if (looks_halfway()) {
     append(lines, {"Moment low = {};", "if (event < 0 && dips(motion, from, to, low)) {"});
-    append(lines, first("low"), "");
-    append(lines, {"  if (event >= 0 && !last) {", "    to = low;", "  }", "}"});
+    append(lines, choice_lines("low"));
+    append(lines, cuts ? Lines{"  if (event >= 0 && !last) {", "    to = low;", "  }", "}"}
+                       : Lines{"  to.failed |= event < 0 ? 0 : status::event_missed;", "}"});
   }
-  append(lines, {"if (event < 0 || last) {", "  return event;", "}", "if (part < Scalar(0)) {",
-                 "  to = from;", "  return event;", "}", "return cut(motion, from, to);"});
+  append(lines,
+         cuts ? Lines{"if (event < 0 || last) {", "  return event;", "}", "if (part < Scalar(0)) {",
+                      "  to = from;", "  return event;", "}", "return cut(motion, from, to);"}
+              : Lines{"return -1;"});
   return lines;
 }
 
@@ -298,7 +288,6 @@ std::string SearchWriter::text() const {
        {"becomes", cuts ? "It has\n/// just happened at `to`, unless the turn is the last."
                         : "`to` is\n/// the end of the step."},
        {"last", cuts ? ", bool last" : ""},
-       {"search", joined(search_lines(), "  ")},
        {"found", joined(found_lines(), "  ")}});
 }
 

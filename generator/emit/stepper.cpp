@@ -1,5 +1,6 @@
 #include "emit/stepper.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
@@ -136,8 +137,8 @@ std::string stage_declaration(const Stepper& stepper, const std::string& head,
   return declaration(head, parameters, " noexcept {");
 }
 
-/// integrate(h, which, q, qd, tau, t, anchor, q_next, qd_next, lambda, later): parameters, or
-/// arguments at a state (x, v).
+/// integrate(h, which, q, qd, tau, t, anchor, q_next, qd_next, lambda, later, halfway): parameters,
+/// or arguments at a state (x, v).
 std::vector<std::string> integrate_list(const Stepper& stepper, bool parameters) {
   std::vector<std::string> result = {parameters ? "Scalar h" : "part"};
   const std::vector<std::string> beside =
@@ -154,18 +155,45 @@ std::vector<std::string> integrate_list(const Stepper& stepper, bool parameters)
     result.emplace_back("Scalar* rest_next");
   }
   result.insert(result.end(), beside.begin() + (which ? 1 : 0), beside.end());
-  for (const char* const name : {"q_next", "qd_next", "lambda", "later"}) {
-    if (stepper.rows > 0 || name[0] == 'q') {
+  for (const char* const name : {"q_next", "qd_next", "lambda", "later", "halfway"}) {
+    const bool told = name[0] == 'h' ? program::tells_reactions(stepper) : stepper.rows > 0;
+    if (told || name[0] == 'q') {
       result.push_back(parameters ? fmt::format("Scalar* {}", name) : std::string(name));
     }
   }
   return result;
 }
 
+/// Reactions in the middle of a step, of those at some parts of it: as of a polynomial through
+/// them.
+Lines halfway_lines(const Stepper& stepper, Scalar scalar) {
+  struct Known {
+    const char* lambda;
+    Real part;
+  };
+  std::vector<Known> known = {
+      {"lambda", 0}, {"halfway", Real(1) - sqrt(Real("0.5"))}, {"later", 1}};
+  if (stepper.method == StepMethod::kDopri5) {
+    known = {{"lambda", 0}, {"halfway", Real("0.3")}, {"fourth", Real("0.8")}, {"later", 1}};
+  }
+  std::vector<std::string> terms;
+  for (const Known& one : known) {
+    Real weight = 1;
+    for (const Known& other : known) {
+      weight = &one == &other ? weight
+                              : Real(weight * (Real("0.5") - other.part) / (one.part - other.part));
+    }
+    terms.push_back(fmt::format("{} * {}[i]", literal(weight, scalar), one.lambda));
+  }
+  return {fmt::format("for (int i = 0; i < {}; ++i) {{", stepper.rows),
+          fmt::format("  halfway[i] = {};", fmt::join(terms, " + ")), "}"};
+}
+
 /// The stages that `step` or `integrate` tries.
 std::string sdirk2_stages(const Stepper& stepper, Scalar scalar) {
   const bool single = scalar == Scalar::kFloat;
   const bool reacts = stepper.rows > 0;
+  const bool tells = program::tells_reactions(stepper);
   const auto arguments = [&](const std::string& t) {
     return fmt::format("{}", fmt::join(context(stepper, "which", t, false), ", "));
   };
@@ -200,6 +228,10 @@ std::string sdirk2_stages(const Stepper& stepper, Scalar scalar) {
                {"lambda", reacts ? ", lambda" : ""},
                {"later", reacts ? ", later" : ""},
                {"later_lambda", reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : ""},
+               {"halfway", tells    ? ", halfway"
+                           : reacts ? ", later"
+                                    : ""},
+               {"between", tells ? joined(halfway_lines(stepper, scalar), "  ") : ""},
                {"times", stepper.takes_time ? "  const Scalar t_stage[1] = {t[0] + stage};\n"
                                               "  const Scalar t_full[1] = {t[0] + h};"
                                             : ""},
@@ -214,11 +246,21 @@ void add_sdirk2_slots(const Stepper& stepper, Form form, Scalar scalar, Slots& s
     arguments[1] = "phase[0]";
   }
   if (stepper.rows > 0) {  // of the beginning
-    arguments[arguments.size() - 2] = "done > Scalar(0) ? later : lambda";
+    *std::find(arguments.begin(), arguments.end(), "lambda") = "done > Scalar(0) ? later : lambda";
+  }
+  Lines first_part;
+  std::string unused;
+  if (program::tells_reactions(stepper)) {  // where parts were tried, behind the first of them
+    arguments.back() = "done > Scalar(0) ? unused : halfway";
+    unused = fmt::format("  Scalar unused[{}];", stepper.rows);
+    first_part = {fmt::format("for (int i = 0; i < {} && part < h && !(done > Scalar(0)); ++i) {{",
+                              stepper.rows),
+                  "  halfway[i] = later[i];", "}"};
   }
   slots = {{"declaration", slots.at("declaration")},
            {"end", slots.at("end")},
-           {"later_lambda", slots.at("later_lambda")},
+           {"later_lambda", slots.at("later_lambda") + unused},
+           {"first_part", joined(first_part, "    ")},
            {"lengths", lengths(stepper, form, scalar, {}, true)},
            {"times", stepper.takes_time ? "    const Scalar t_now[1] = {t[0] + done};" : ""},
            {"one_half", literal(Real("0.5"), scalar)},
@@ -327,19 +369,26 @@ std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
                  {"end", integration_end(stepper, form)},
                  {"q_plus", plus("q")},
                  {"qd_plus", plus("qd")},
-                 {"q_rest", stepper.compensated ? ", rest_next[i])" : ""},
-                 {"qd_rest", stepper.compensated ? ", rest_next[kDof + i])" : ""}};
+                 {"q_rest", stepper.compensated ? ", &rest_next[i])" : ""},
+                 {"qd_rest", stepper.compensated ? ", &rest_next[kDof + i])" : ""}};
   if (stepper.method == StepMethod::kSemiImplicitEuler) {
     slots["lengths"] = lengths(stepper, form, scalar, {}, true);
     return fill(template_text("step_semi_implicit_euler.cpp"), slots);
   }
   slots["later_lambda"] = reacts && own ? fmt::format("  Scalar later[{}];", stepper.rows) : "";
   slots["later"] = reacts ? ", later" : "";
+  const bool tells = !own && program::tells_reactions(stepper);
+  slots["halfway"] = tells ? ", halfway" : slots["later"];
   switch (stepper.method) {
     case StepMethod::kRk4:
       add_rk4_slots(stepper, form, scalar, slots);
       return fill(template_text("step_rk4.cpp"), slots);
     case StepMethod::kDopri5:
+      slots["fourth"] = tells ? ", fourth" : slots["later"];
+      if (tells) {
+        slots["later_lambda"] = fmt::format("  Scalar fourth[{}];", stepper.rows);
+        slots["end"] = joined(halfway_lines(stepper, scalar), "  ") + "\n" + slots["end"];
+      }
       add_dopri5_slots(stepper, form, scalar, slots);
       return fill(template_text("step_dopri5.cpp"), slots);
     default:

@@ -1,8 +1,11 @@
 #include "emit/unit.hpp"
 
+#include <tuple>
 #include <utility>
 
 #include "emit/body.hpp"
+#include "emit/c99.hpp"
+#include "emit/definitions.hpp"
 #include "emit/header.hpp"
 #include "emit/limb_text.hpp"
 #include "emit/manifest.hpp"
@@ -26,8 +29,9 @@ program::Cost total_cost(const Unit& unit) {
   return total;
 }
 
-std::vector<std::string> file_names(const std::string& name) {
-  return {name + ".hpp", name + ".cpp", name + ".json"};
+std::vector<std::string> file_names(const std::string& name, Language language) {
+  const bool c = language == Language::kC99;
+  return {name + (c ? ".h" : ".hpp"), name + (c ? ".c" : ".cpp"), name + ".json"};
 }
 
 namespace {
@@ -56,9 +60,15 @@ std::vector<File> emit_files(const Unit& unit) {
   for (const program::Staged& staged : unit.staged) {
     bodies.push_back(staged_body(staged, words, unit.target));
   }
-  const std::vector<std::string> names = file_names(unit.name);
+  const std::vector<std::string> names = file_names(unit.name, unit.language);
   std::string header = header_text(unit);
   std::string source = source_text(unit, bodies);
+  if (unit.language == Language::kC99) {
+    std::tie(header, source) = in_c99(unit, header, source);
+  }
+  if (!unit.section.empty()) {
+    source = placed(source, unit.section);
+  }
   sign(header, source);
   return {{names[0], std::move(header)},
           {names[1], std::move(source)},

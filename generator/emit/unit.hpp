@@ -13,9 +13,15 @@
 
 namespace treedyn::emit {
 
+enum class Language { kCpp, kC99 };
+
 /// Everything that the generated files say.
 struct Unit {
-  std::string name;  ///< file stem and namespace
+  std::string name;  ///< file stem
+  Language language = Language::kCpp;
+  std::string given_space;   ///< C++: the namespace; empty: the file stem
+  std::string given_prefix;  ///< C99: before every name that others see; empty: the file stem
+  std::string section;       ///< a macro of the user in front of every function; empty: none
   const model::Tree* tree = nullptr;
   std::vector<model::Point> points;
   std::vector<program::Function> functions;
@@ -23,12 +29,20 @@ struct Unit {
   std::vector<program::Staged> staged;     ///< behind `checked`
   std::vector<program::Stepper> steppers;  ///< behind `staged`
   Target target;
+  bool self_test = false;            ///< known answers of `functions`, and what compares with them
   program::Packing packing;          ///< of A, if the target is packed
   std::vector<std::string> command;  ///< program and arguments that reproduce the files
   std::string tool;                  ///< "treedyn 0.1.0", for the manifest only
   std::string model_file;            ///< base name, "-" for standard input
   std::string model_sha256;
   std::vector<std::pair<std::string, std::string>> options;  ///< for the manifest; values are JSON
+
+  [[nodiscard]] const std::string& space() const {
+    return given_space.empty() ? name : given_space;
+  }
+  [[nodiscard]] const std::string& prefix() const {
+    return given_prefix.empty() ? name : given_prefix;
+  }
 };
 
 /// Operations of all functions together, of the dearest calls.
@@ -39,12 +53,12 @@ struct File {
   std::string text;
 };
 
-/// The names of the files that `emit_files` makes, in its order.
-std::vector<std::string> file_names(const std::string& name);
+/// The names of the files that `emit_files` makes, in its order: header, source, manifest.
+std::vector<std::string> file_names(const std::string& name, Language language);
 
-/// NAME.hpp, NAME.cpp, NAME.json; header and source carry the digest of both. The same unit gives
-/// the same bytes everywhere. \throws std::range_error if a constant is too large for the scalar
-/// type.
+/// NAME.hpp and NAME.cpp, or NAME.h and NAME.c, and NAME.json; header and source carry the digest
+/// of both. The same unit gives the same bytes everywhere. \throws std::range_error if a constant
+/// is too large for the scalar type.
 std::vector<File> emit_files(const Unit& unit);
 
 }  // namespace treedyn::emit

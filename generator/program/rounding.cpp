@@ -233,4 +233,66 @@ double float_error(const Function& function) {
   return worst;
 }
 
+namespace {
+
+/// Appends the elements of every array of a state.
+void append_by_array(const std::vector<Array>& arrays, const std::vector<double>& values,
+                     std::vector<std::vector<double>>& result) {
+  result.resize(arrays.size());
+  auto at = values.begin();
+  for (std::size_t k = 0; k < arrays.size(); ++k) {
+    result[k].insert(result[k].end(), at, at + arrays[k].size);
+    at += arrays[k].size;
+  }
+}
+
+std::vector<double> inputs_at(const Function& function, int state) {
+  std::vector<double> result;
+  for (std::size_t k = 0; k < function.signature.inputs.size(); ++k) {
+    for (int element = 0; element < function.signature.inputs[k].size; ++element) {
+      result.push_back(
+          static_cast<float>(kLargestInput * sample_input(static_cast<int>(k), element, state)));
+    }
+  }
+  return result;
+}
+
+template <class Scalar>
+std::vector<double> in_double(const std::vector<Scalar>& values) {
+  std::vector<double> result;
+  std::ranges::transform(values, std::back_inserter(result),
+                         [](const Scalar& x) { return static_cast<double>(x); });
+  return result;
+}
+
+}  // namespace
+
+KnownAnswers known_answers(const Function& function, int states, bool single) {
+  constexpr double kMargin = 8;
+  const double unit = (single ? double{std::numeric_limits<float>::epsilon()}
+                              : std::numeric_limits<double>::epsilon()) /
+                      2;
+  KnownAnswers result;
+  std::vector<std::vector<double>> carried_out;
+  const auto& outputs = function.signature.outputs;
+  for (int state = 1; state <= states; ++state) {
+    append_by_array(function.signature.inputs, inputs_at(function, state), result.inputs);
+    append_by_array(outputs, in_double(results_at<Real>(function, state)), result.outputs);
+    append_by_array(outputs,
+                    single ? in_double(results_at<float>(function, state))
+                           : in_double(results_at<double>(function, state)),
+                    carried_out);
+  }
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    double off = 0;
+    double size = 0;
+    for (std::size_t i = 0; i < result.outputs[k].size(); ++i) {
+      off = std::max(off, std::abs(carried_out[k][i] - result.outputs[k][i]));
+      size = std::max(size, std::abs(result.outputs[k][i]));
+    }
+    result.bounds.push_back(kMargin * (off + unit * size));
+  }
+  return result;
+}
+
 }  // namespace treedyn::program

@@ -119,4 +119,17 @@ bool same_results(const Function& function, const Function& other);
 /// nothing. O(operations) with 50 digits for each state.
 double float_error(const Function& function);
 
+/// What a function gives at some pseudo-random states, one after the other.
+struct KnownAnswers {
+  std::vector<std::vector<double>>
+      inputs;  ///< by array: elements of the first state, the second ..
+  std::vector<std::vector<double>> outputs;  ///< the same, from 50 digits
+  /// By output array: eight times what the same operations in the scalar lose there, and eight unit
+  /// roundoffs of its largest value. Other orders of rounding (fused operations) stay within.
+  std::vector<double> bounds;
+};
+
+/// \param single  float, not double. O(operations) with 50 digits for each state.
+KnownAnswers known_answers(const Function& function, int states, bool single);
+
 }  // namespace treedyn::program

@@ -33,7 +33,9 @@ Cost newton_cost(int n, const Cost& dynamics) {
 Cost sdirk2_cost(const Stepper& stepper, const Cost& dynamics, int newton_steps, int jacobians) {
   const int n = stepper.signature.inputs.front().size;
   // the first Newton step of a stage is not compared with one before
-  const Cost own{.add = 8 * n + (stepper.takes_time ? 3 : 0) + 2, .mul = 8 * n - 1};
+  const int halfway = tells_reactions(stepper) ? stepper.rows : 0;
+  const Cost own{.add = 8 * n + (stepper.takes_time ? 3 : 0) + 2 + 2 * halfway,
+                 .mul = 8 * n - 1 + 3 * halfway};
   return dynamics + jacobians * factor_cost(n, dynamics) +
          2 * newton_steps * newton_cost(n, dynamics) + own;
 }
@@ -44,6 +46,7 @@ Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) 
   const Cost kept{.add = stepper.compensated ? 6 * n : 0};
   const bool timed = stepper.takes_time;
   const bool any_length = stepper.ends();
+  const int halfway = tells_reactions(stepper) ? stepper.rows : 0;
   switch (stepper.method) {
     case StepMethod::kSemiImplicitEuler:
       break;
@@ -52,8 +55,8 @@ Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) 
              Cost{.add = 14 * n + (timed ? 2 : 0), .mul = 10 * n + (any_length ? 2 : 0)};
     case StepMethod::kDopri5:
       return kept + 6 * dynamics +
-             Cost{.add = 40 * n + (timed ? 5 : 0),
-                  .mul = 40 * n + (any_length ? 20 + (timed ? 5 : 0) : 0)};
+             Cost{.add = 40 * n + (timed ? 5 : 0) + 3 * halfway,
+                  .mul = 40 * n + (any_length ? 20 + (timed ? 5 : 0) : 0) + 4 * halfway};
     case StepMethod::kSdirk2:
       return worst ? kMostTries * (sdirk2_cost(stepper, dynamics, kMostJacobians * kMostNewtonSteps,
                                                1 + 2 * kMostJacobians) +
@@ -223,16 +226,20 @@ bool takes_time(const Staged& staged) {
                      [](const Array& array) { return array.name == "t"; });
 }
 
-bool pulls(const StepPhase& phase) {
-  return std::any_of(phase.events.begin(), phase.events.end(),
-                     [](const StepEvent& event) { return event.cause == StepCause::kPull; });
+bool tells_reactions(const Stepper& stepper) {
+  const auto pulls = [](const StepPhase& phase) {
+    return std::any_of(phase.events.begin(), phase.events.end(),
+                       [](const StepEvent& event) { return event.cause == StepCause::kPull; });
+  };
+  return stepper.method != StepMethod::kSemiImplicitEuler &&
+         std::any_of(stepper.phases.begin(), stepper.phases.end(), pulls);
 }
 
 std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase) {
   std::vector<int> guards;
   for (const StepEvent& event : phase.events) {
     const bool falls = event.cause == StepCause::kCross || event.cause == StepCause::kFall;
-    if (falls && stepper.cuts > 0) {
+    if (falls || (event.cause == StepCause::kPull && tells_reactions(stepper))) {
       guards.push_back(event.guard);
     }
   }
@@ -245,8 +252,7 @@ Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
   }
   // times are looked at before the step and behind it
   return 2 * clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
-         advance_cost(stepper, phase, false) +
-         (stepper.cuts > 0 || pulls(phase) ? 2 : 1) * guard_cost(phase) + dip_cost(stepper, phase);
+         advance_cost(stepper, phase, false) + 2 * guard_cost(phase) + dip_cost(stepper, phase);
 }
 
 Cost step_cost(const Stepper& stepper) { return step_cost(stepper, stepper.phases.front()); }

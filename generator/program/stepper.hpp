@@ -88,7 +88,8 @@ struct StepPhase {
 struct Stepper {
   Signature signature;
   StepMethod method = StepMethod::kSemiImplicitEuler;
-  Real step = 0;   ///< s
+  std::string integrator;  ///< the method's name
+  Real step = 0;           ///< s
   int cuts = 0;    ///< steps of shorter length that look for an event; 0: it is taken at the end
   int events = 0;  ///< in one step, at most
   std::vector<StepPhase> phases;
@@ -119,8 +120,9 @@ struct Stepper {
 std::vector<Lasting> clocks(const StepPhase& phase);
 /// True if `staged` takes the time.
 bool takes_time(const Staged& staged);
-/// True if some event of the phase waits for a reaction.
-bool pulls(const StepPhase& phase);
+/// True if integration tells the reactions halfway, which some event waits for: from its stages. A
+/// step of kSemiImplicitEuler knows those of its beginning only.
+bool tells_reactions(const Stepper& stepper);
 /// Guards of a phase that may fall below zero and rise again within a step and are looked at there.
 std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase);
 

@@ -1,7 +1,6 @@
 #include "simplify/builders.hpp"
 
 #include "simplify/articulated.hpp"
-#include "simplify/composite.hpp"
 #include "simplify/derived.hpp"
 #include "simplify/energy.hpp"
 #include "simplify/factor.hpp"
@@ -11,26 +10,6 @@
 namespace treedyn::simplify {
 
 namespace {
-
-/// Dense row-major matrix of the degrees of freedom: T^T A T for reduced mimic joints (q = T u +
-/// q0).
-std::vector<Expr> dense(const Task& task, const SparseSymmetric& a) {
-  const auto n = static_cast<std::size_t>(task.tree.dof());
-  std::vector<Expr> result(n * n);
-  for (const auto& [place, entry] : a) {
-    const model::Drive& row = task.tree.drives[static_cast<std::size_t>(place.first)];
-    const model::Drive& column = task.tree.drives[static_cast<std::size_t>(place.second)];
-    const Expr scaled =
-        constant(task.kinematics.graph(), row.multiplier * column.multiplier) * entry;
-    const auto i = static_cast<std::size_t>(row.coordinate);
-    const auto j = static_cast<std::size_t>(column.coordinate);
-    result[i * n + j] += scaled;
-    if (place.first != place.second) {
-      result[j * n + i] += scaled;
-    }
-  }
-  return result;
-}
 
 bool by_trunk(const Task& task) {
   return task.kinematics.variant().trunk && has_free_base(task.tree);
@@ -46,7 +25,7 @@ std::vector<Expr> of_coordinates(const Task& task, std::vector<Expr> x) {
 
 /// A = L^T Delta L in the independent coordinates.
 Factorization factorization(const Task& task) {
-  const std::vector<Expr> a = build_mass_matrix(task);
+  const std::vector<Expr> a = build_equation(task, "mass_matrix");
   const int n = task.tree.dof();
   SparseSymmetric lower;
   for (int i = 0; i < n; ++i) {
@@ -59,18 +38,13 @@ Factorization factorization(const Task& task) {
 
 }  // namespace
 
-std::vector<Expr> build_mass_matrix(const Task& task) {
-  return dense(
-      task, by_trunk(task) ? mass_matrix_by_trunk(task.kinematics) : mass_matrix(task.kinematics));
-}
-
 /// (1) solved for qdd.
 std::vector<Expr> build_forward_dynamics(const Task& task) {
   const Kinematics& k = task.kinematics;
   const bool one_joint_one_coordinate = task.tree.dof() == task.tree.size();
   if (by_trunk(task) && one_joint_one_coordinate) {
     return of_coordinates(
-        task, forward_dynamics_by_trunk(k, -k.ground_acceleration(), k.variant().articulated));
+        task, forward_dynamics_by_trunk(task, -k.ground_acceleration(), k.variant().articulated));
   }
   if (k.variant().articulated && one_joint_one_coordinate) {
     const JointForce force = [&k](int i) {
@@ -92,7 +66,7 @@ std::vector<Expr> build_dynamics_terms(const Task& task) {
   const std::vector<Expr> bias = build_equation(task, "bias_force");
   const std::vector<Expr> gravity =
       build_equation({task.tree, task.normal, task.options, at_rest}, "inverse_dynamics");
-  std::vector<Expr> result = build_mass_matrix(task);
+  std::vector<Expr> result = build_equation(task, "mass_matrix");
   result.insert(result.end(), bias.begin(), bias.end());
   result.insert(result.end(), gravity.begin(), gravity.end());
   return result;

@@ -7,7 +7,6 @@
 
 namespace treedyn::simplify {
 
-std::vector<Expr> build_mass_matrix(const Task& task);
 std::vector<Expr> build_forward_dynamics(const Task& task);
 std::vector<Expr> build_dynamics_terms(const Task& task);
 std::vector<Expr> build_mass_matrix_factor(const Task& task);

@@ -83,6 +83,35 @@ Matrix written(Lowering lowering) {
   return derivation.by_rows ? result : transposed(result);
 }
 
+/// Column j of a symmetric matrix, the rows from link j up to `from`.
+void add_column(const Kinematics& k, Lowering& lowering, int j, int from, SparseSymmetric& a) {
+  lowering.ask_for(j, 0);
+  for (int i = j; i >= from; i = k.link(i).father) {
+    if (const Expr entry = lowering.entry(i); !entry.is_zero()) {
+      a[{j, i}] = entry;
+    }
+  }
+}
+
+/// Row-major, of the degrees of freedom: T^T A T for reduced mimic joints (q = T u + q0).
+std::vector<Expr> dense(const Task& task, const SparseSymmetric& a) {
+  const auto n = index(task.tree.dof());
+  std::vector<Expr> result(n * n);
+  for (const auto& [place, entry] : a) {
+    const model::Drive& row = task.tree.drives[index(place.first)];
+    const model::Drive& column = task.tree.drives[index(place.second)];
+    const Expr scaled =
+        constant(task.kinematics.graph(), row.multiplier * column.multiplier) * entry;
+    const auto i = index(row.coordinate);
+    const auto j = index(column.coordinate);
+    result[i * n + j] += scaled;
+    if (place.first != place.second) {
+      result[j * n + i] += scaled;
+    }
+  }
+  return result;
+}
+
 /// Regrouped parameters have no centres of mass.
 bool needs_centres(const derive::Derivation& derivation) {
   const std::vector<int> needed = derivation.values.needed(derivation.roots);
@@ -128,6 +157,14 @@ std::shared_ptr<const Derived> derived(const std::string& name) {
 std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way) {
   const auto& [rows, cols] = function.derivation.shape;
   const bool picked = is_picked(function.derivation.shape);
+  if (function.derivation.symmetric) {
+    Lowering lowering(task, function, way);
+    SparseSymmetric a;
+    for (int j = task.tree.size() - 1; j >= 0; --j) {
+      add_column(task.kinematics, lowering, j, 0, a);
+    }
+    return dense(task, a);
+  }
   Matrix m = written(Lowering(task, function, way));
   if (m.empty()) {
     return {};
@@ -143,6 +180,26 @@ std::vector<Expr> build_derived(const Task& task, const Derived& function, Way w
 
 std::vector<Expr> build_equation(const Task& task, const std::string& name) {
   return build_derived(task, *derived(name), task.kinematics.variant().way);
+}
+
+Trunk trunk_of_mass_matrix(const Task& task) {
+  using derive::Op;
+  using derive::Type;
+  const auto vector = [&](const Lowering& lowering, Op op, bool of_unit) {
+    const Block& x = lowering.first(op, Type::kVector, of_unit, kTrunkLink);
+    return lowering.frames().in(x.vector, kTrunkLink);
+  };
+  Lowering lowering(task, *derived("mass_matrix"), Way::kToRoot);
+  Trunk trunk;
+  trunk.mass = lowering.first(Op::kSubtree, Type::kScalar, false, kTrunkLink).number;
+  trunk.moment = vector(lowering, Op::kBackward, false);
+  trunk.inertia = lowering.first(Op::kComposite, Type::kTensor, false, kTrunkLink).tensor.value;
+  for (int j = task.tree.size() - 1; j > kTrunkLink; --j) {
+    add_column(task.kinematics, lowering, j, kTrunkLink + 1, trunk.limbs);
+    trunk.columns.push_back(
+        {j, vector(lowering, Op::kSubtree, true), vector(lowering, Op::kBackward, true)});
+  }
+  return trunk;
 }
 
 std::vector<Expr> values_at(const Task& task, const std::string& name,

@@ -7,6 +7,7 @@
 
 #include "derive/derive.hpp"
 #include "equations/user.hpp"
+#include "simplify/factor.hpp"
 #include "simplify/functions.hpp"
 
 namespace treedyn::simplify {
@@ -33,6 +34,24 @@ std::shared_ptr<const Derived> derived(const std::string& name);
 
 /// The same of an equation of EQUATIONS.md, in the frames of the task's variant.
 std::vector<Expr> build_equation(const Task& task, const std::string& name);
+
+/// The columns of A for the joints of the limbs and the composite body of the trunk of a free base.
+struct Trunk {
+  /// Force and moment that a unit acceleration of a joint needs, at the trunk's origin, in its
+  /// frame.
+  struct Column {
+    int joint = 0;
+    Vec3 force;
+    Vec3 moment;
+  };
+  SparseSymmetric limbs;        ///< A between joints of the limbs
+  std::vector<Column> columns;  ///< joints of the limbs, descending
+  Expr mass;                    ///< of everything that moves
+  Vec3 moment;                  ///< its first moment about the trunk's origin
+  Mat3 inertia;                 ///< its inertia tensor there
+};
+/// \pre the base is free and the variant takes the trunk as one body
+Trunk trunk_of_mass_matrix(const Task& task);
 
 /// An equation of EQUATIONS.md for some points.
 std::vector<Expr> values_at(const Task& task, const std::string& name,

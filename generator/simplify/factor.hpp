@@ -5,9 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "simplify/composite.hpp"
+#include "simplify/spatial.hpp"
 
 namespace treedyn::simplify {
+
+/// Symmetric matrix by (row, column) with row >= column; entries that are structurally zero are
+/// absent.
+using SparseSymmetric = std::map<std::pair<int, int>, Expr>;
 
 /// L (unit lower triangular) and Delta of a symmetric matrix, eliminated from the last row to the
 /// first. Zero entries stay zero and cost nothing: with fathers before sons only ancestor entries

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "common/error.hpp"
-#include "simplify/composite.hpp"
 #include "simplify/factor.hpp"
 #include "simplify/sweeps.hpp"
 
@@ -11,15 +10,28 @@ namespace treedyn::simplify {
 
 namespace {
 
-constexpr int kTrunk = 5;
+BaseAxes base_axes(const Kinematics& k) {
+  const Vec3 z = {Expr(), Expr(), constant(k.graph(), Real(1))};
+  BaseAxes axes;
+  axes.second = k.from_father(kTrunkLink, z);
+  axes.first = k.from_father(kTrunkLink, k.from_father(kTrunkLink - 1, z));
+  for (int joint = 0; joint < 3; ++joint) {
+    Vec3 v = z;
+    for (int i = joint + 1; i <= kTrunkLink; ++i) {
+      v = k.from_father(i, v);
+    }
+    axes.sliding[static_cast<std::size_t>(joint)] = v;
+  }
+  return axes;
+}
 
 Gimbal gimbal(const Kinematics& k) {
   Gimbal g;
   g.axes = base_axes(k);
   g.sine = g.axes.first[2];
   const Vec3 z = {Expr(), Expr(), constant(k.graph(), Real(1))};
-  const Vec3 first = k.from_father(kTrunk - 1, z);  // axis of joint 3 in the frame of link 4
-  const Vec3 last = k.axis_in_father(kTrunk);       // axis of joint 5 there
+  const Vec3 first = k.from_father(kTrunkLink - 1, z);  // axis of joint 3 in the frame of link 4
+  const Vec3 last = k.axis_in_father(kTrunkLink);       // axis of joint 5 there
   std::size_t component = 3;
   for (std::size_t n = 0; n < 3; ++n) {
     if (!first[n].is_zero() && last[n].is_zero()) {
@@ -29,9 +41,9 @@ Gimbal gimbal(const Kinematics& k) {
   TREEDYN_EXPECT(component < 3);
   Vec3 direction{};
   direction[component] = z[2];
-  g.b = k.from_father(kTrunk, direction);
+  g.b = k.from_father(kTrunkLink, direction);
   g.inverse_cosine = z[2] / first[component];
-  k.graph().name(g.inverse_cosine.ref(), "inverse_cosine", kTrunk - 1);
+  k.graph().name(g.inverse_cosine.ref(), "inverse_cosine", kTrunkLink - 1);
   return g;
 }
 
@@ -50,37 +62,35 @@ Wrench drive_wrench(const Gimbal& g, const JointForce& force) {
 }
 
 /// The trunk's inertia at its origin as rows 0..2 (linear) and 3..5 (angular) of a matrix.
-void add_trunk_rows(const Kinematics::Body& body, bool inertia_tensor, SparseSymmetric& a) {
-  const Vec3& h = body.moment;
+void add_trunk_rows(const Trunk& trunk, SparseSymmetric& a) {
+  const Vec3& h = trunk.moment;
   const Mat3 coupling = {{{Expr(), h[2], -h[1]}, {-h[2], Expr(), h[0]}, {h[1], -h[0], Expr()}}};
-  const Expr trace = body.pseudo[0][0] + body.pseudo[1][1] + body.pseudo[2][2];
   for (int r = 0; r < 3; ++r) {
     const auto i = static_cast<std::size_t>(r);
-    a[{r, r}] = body.mass;
+    a[{r, r}] = trunk.mass;
     for (int c = 0; c < 3; ++c) {
       const auto j = static_cast<std::size_t>(c);
       a[{3 + c, r}] = coupling[i][j];
       if (c <= r) {
-        const Expr e = body.pseudo[i][j];
-        a[{3 + r, 3 + c}] = inertia_tensor ? e : r == c ? trace - e : -e;
+        a[{3 + r, 3 + c}] = trunk.inertia[i][j];
       }
     }
   }
 }
 
 /// The rows of A and of the right side, in the coordinates of a TrunkSystem.
-void add_equations(const Kinematics& k, const Wrench& drive, const JointForce& force,
+void add_equations(const Task& task, const Wrench& drive, const JointForce& force,
                    TrunkSystem& system) {
-  const Trunk trunk = trunk_composite(k);
+  const Kinematics& k = task.kinematics;
+  const Trunk trunk = trunk_of_mass_matrix(task);
   const TrunkBias bias = trunk_bias(k, system.velocity.omega);
   system.a = trunk.limbs;
-  add_trunk_rows(trunk.body, k.variant().inertia_tensor, system.a);
+  add_trunk_rows(trunk, system.a);
   for (const Trunk::Column& column : trunk.columns) {
-    const bool positive = k.link(column.joint).sign > 0;
     for (int n = 0; n < 3; ++n) {
       const auto m = static_cast<std::size_t>(n);
-      system.a[{column.joint, n}] = positive ? column.force[m] : -column.force[m];
-      system.a[{column.joint, 3 + n}] = positive ? column.moment[m] : -column.moment[m];
+      system.a[{column.joint, n}] = column.force[m];
+      system.a[{column.joint, 3 + n}] = column.moment[m];
     }
   }
   system.right.resize(static_cast<std::size_t>(k.size()));
@@ -88,7 +98,7 @@ void add_equations(const Kinematics& k, const Wrench& drive, const JointForce& f
     system.right[n] = drive.force[n] - bias.trunk.force[n];
     system.right[3 + n] = drive.moment[n] - bias.trunk.moment[n];
   }
-  for (int i = kTrunk + 1; i < k.size(); ++i) {
+  for (int i = kTrunkLink + 1; i < k.size(); ++i) {
     const Expr tau = k.link(i).sign > 0 ? force(i) : -force(i);
     system.right[static_cast<std::size_t>(i)] = tau - bias.tau[static_cast<std::size_t>(i)];
   }
@@ -97,7 +107,7 @@ void add_equations(const Kinematics& k, const Wrench& drive, const JointForce& f
 /// x of `joint_accelerations`.
 std::vector<Expr> by_articulated_limbs(const Kinematics& k, const Wrench& drive, const Vec3& omega,
                                        const JointForce& force) {
-  const ArticulatedLimbs limbs(k, kTrunk + 1, omega, force);
+  const ArticulatedLimbs limbs(k, kTrunkLink + 1, omega, force);
   const ArticulatedInertia& trunk = limbs.trunk();
   SparseSymmetric a;
   for (int r = 0; r < 3; ++r) {
@@ -126,7 +136,7 @@ std::vector<Expr> by_articulated_limbs(const Kinematics& k, const Wrench& drive,
 
 TrunkVelocity trunk_velocity(const Kinematics& k) {
   TrunkVelocity v;
-  for (int i = 3; i <= kTrunk; ++i) {
+  for (int i = 3; i <= kTrunkLink; ++i) {
     const Expr qd = k.speed(i);
     const Vec3 w = k.from_father(i, v.omega);
     const Vec3 zeta = k.from_father(i, v.zeta);
@@ -136,13 +146,14 @@ TrunkVelocity trunk_velocity(const Kinematics& k) {
   return v;
 }
 
-TrunkSystem trunk_system(const Kinematics& k, const JointForce& force) {
-  k.graph().set_body(kTrunk);
+TrunkSystem trunk_system(const Task& task, const JointForce& force) {
+  const Kinematics& k = task.kinematics;
+  k.graph().set_body(kTrunkLink);
   TrunkSystem system;
   system.gimbal = gimbal(k);
   const Wrench drive = drive_wrench(system.gimbal, force);
   system.velocity = trunk_velocity(k);
-  add_equations(k, drive, force, system);
+  add_equations(task, drive, force, system);
   return system;
 }
 
@@ -151,7 +162,7 @@ std::vector<Expr> joint_accelerations(const Kinematics& k, const Gimbal& g,
                                       std::vector<Expr> x) {
   const Vec3 linear = {x[0], x[1], x[2]};
   const Vec3 angular = {x[3], x[4], x[5]};
-  k.graph().set_body(kTrunk);
+  k.graph().set_body(kTrunkLink);
   const Vec3 d = angular - velocity.zeta;
   const Expr q3 = dot(g.b, d) * g.inverse_cosine;
   const std::array<Expr, 3> turning = {q3, dot(g.axes.second, d), d[2] - g.sine * q3};
@@ -170,17 +181,18 @@ std::vector<Expr> joint_accelerations(const Kinematics& k, const Gimbal& g,
   return x;
 }
 
-std::vector<Expr> forward_dynamics_by_trunk(const Kinematics& k, const Vec3& gravity,
+std::vector<Expr> forward_dynamics_by_trunk(const Task& task, const Vec3& gravity,
                                             bool articulated) {
+  const Kinematics& k = task.kinematics;
   const JointForce force = [&k](int i) {
     return k.force(i);
   };
   if (!articulated) {
-    const TrunkSystem s = trunk_system(k, force);
+    const TrunkSystem s = trunk_system(task, force);
     const std::vector<Expr> x = Factorization(k.graph(), k.size(), s.a).solve(s.right);
     return joint_accelerations(k, s.gimbal, s.velocity, gravity, x);
   }
-  k.graph().set_body(kTrunk);
+  k.graph().set_body(kTrunkLink);
   const Gimbal g = gimbal(k);
   const Wrench drive = drive_wrench(g, force);
   const TrunkVelocity velocity = trunk_velocity(k);

@@ -4,10 +4,17 @@
 #include <vector>
 
 #include "simplify/articulated.hpp"
-#include "simplify/composite.hpp"
+#include "simplify/derived.hpp"
 #include "simplify/kinematics.hpp"
 
 namespace treedyn::simplify {
+
+/// The base axes of a free base, seen from the trunk.
+struct BaseAxes {
+  std::array<Vec3, 3> sliding;  ///< axes of joints 0..2
+  Vec3 first;                   ///< axis of joint 3
+  Vec3 second;                  ///< axis of joint 4
+};
 
 /// The base's turning axes in the trunk: a3 = sine z + cosine b, a4, z with b, a4, z orthonormal.
 struct Gimbal {
@@ -33,7 +40,7 @@ struct TrunkSystem {
   SparseSymmetric a;
   std::vector<Expr> right;
 };
-TrunkSystem trunk_system(const Kinematics& kinematics, const JointForce& force);
+TrunkSystem trunk_system(const Task& task, const JointForce& force);
 
 /// qdd for the x of a TrunkSystem.
 std::vector<Expr> joint_accelerations(const Kinematics& kinematics, const Gimbal& gimbal,
@@ -43,7 +50,7 @@ std::vector<Expr> joint_accelerations(const Kinematics& kinematics, const Gimbal
 /// Forward dynamics of a free base: the trunk's six accelerations are solved for first, in the
 /// trunk's frame; the base joints' accelerations follow from them. Singular where the base's second
 /// turning angle is pi/2.
-std::vector<Expr> forward_dynamics_by_trunk(const Kinematics& kinematics, const Vec3& gravity,
+std::vector<Expr> forward_dynamics_by_trunk(const Task& task, const Vec3& gravity,
                                             bool articulated);
 
 }  // namespace treedyn::simplify

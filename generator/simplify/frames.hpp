@@ -47,6 +47,9 @@ std::vector<Real> unit_lengths(const model::Tree& tree);
 NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Variant& variant,
                        const std::vector<LimbLinks>& limbs = {});
 
+/// The link that carries the body of a free base.
+inline constexpr int kTrunkLink = 5;
+
 /// True if joints 0..5 are three sliding and three turning joints through one point whose links
 /// 0..4 have no inertia and no other son: the base of a robot that is free to move.
 bool has_free_base(const model::Tree& tree);

@@ -16,7 +16,8 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool is_to_sons(Op op) { return op == Op::kPath || op == Op::kPathStrict || op == Op::kFather; }
 bool is_to_fathers(Op op) {
-  return op == Op::kSubtree || op == Op::kSubtreeStrict || op == Op::kBackward || op == Op::kSons;
+  return op == Op::kSubtree || op == Op::kSubtreeStrict || op == Op::kBackward || op == Op::kSons ||
+         op == Op::kComposite;
 }
 bool is_whole(const derive::Value& v) {
   return v.set != Set::kLinks || v.op == Op::kGather || v.op == Op::kSpread;
@@ -29,7 +30,9 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way)
       function_(function),
       derivation_(way == Way::kToRoot && function.to_root ? *function.to_root
                                                           : function.derivation),
-      frames_(task.kinematics, way),
+      trunk_(derivation_.symmetric && way != Way::kInBase && task.kinematics.variant().trunk &&
+             has_free_base(task.tree)),
+      frames_(task.kinematics, trunk_ ? Way::kInLinks : way),
       needed_(derivation_.values.needed(derivation_.roots)),
       turnings_(frames_.in_base() ? std::vector<derive::Turning>{}
                                   : derive::turnings_about_axes(derivation_.values, needed_)),
@@ -99,6 +102,15 @@ void Lowering::run(const std::vector<int>& ids, int e, bool of_unit) {
   }
 }
 
+/// False for rows that a symmetric matrix need not have in a column.
+bool Lowering::is_asked(int e, bool of_unit) const {
+  int i = place_;
+  while (of_unit && derivation_.symmetric && i > e) {
+    i = father(i);
+  }
+  return !of_unit || !derivation_.symmetric || i == e;
+}
+
 void Lowering::run(bool of_unit) {
   const int n = task_.tree.size();
   for (std::size_t s = 0; s < stages_.size(); ++s) {
@@ -111,6 +123,9 @@ void Lowering::run(bool of_unit) {
     }
     for (int k = 0; walk != Walk::kWhole && k < n; ++k) {
       const int e = walk == Walk::kToSons ? k : n - 1 - k;
+      if (!is_asked(e, of_unit)) {
+        continue;
+      }
       graph().set_body(e);
       run(stage.sums, e, of_unit);
       name_sums(e);
@@ -120,7 +135,9 @@ void Lowering::run(bool of_unit) {
   }
   for (const int root : derivation_.roots) {  // that are leaves
     for (int e = 0; of_unit_[index(root)] == of_unit && e < count(value(root).set); ++e) {
-      need(root, e);
+      if (is_asked(e, of_unit)) {
+        need(root, e);
+      }
     }
   }
 }
@@ -201,6 +218,9 @@ void Lowering::name_sums(int e) {
   std::sort(named_.begin(), named_.end());
   for (const int id : named_) {
     const Value& v = value(id);
+    if (derivation_.symmetric && of_unit_[index(id)]) {
+      continue;  // as many as columns
+    }
     const auto total = totals_.find(id);
     const Block& block = total != totals_.end() ? total->second[index(e)] : of(id, e);
     if (v.type == Type::kTensor) {
@@ -240,6 +260,9 @@ Expr Lowering::number(const Real& x) const { return constant(graph(), x); }
 int Lowering::home(Set set, int e) const {
   if (frames_.in_base() || set == Set::kOne) {
     return kBase;
+  }
+  if (trunk_ && set == Set::kLinks && e < kTrunkLink) {
+    return task_.kinematics.link(e).revolute ? kTrunkLink : kBase;
   }
   return set == Set::kLinks ? e : task_.options.points[index(e)].link;
 }
@@ -296,6 +319,8 @@ Block Lowering::made(int id, const Value& v, int e) {
     case Op::kSkew:
     case Op::kSkewProduct:
       return product(v, e);
+    case Op::kComposite:
+      return composite(id, v, e);
     case Op::kMoment:
       return moment(v, e);
     case Op::kApply:
@@ -323,6 +348,14 @@ Block Lowering::made(int id, const Value& v, int e) {
       return components(v, e);
   }
   return zero(v, e);
+}
+
+const Block& Lowering::first(Op op, Type type, bool of_unit, int e) const {
+  const auto found = std::find_if(needed_.begin(), needed_.end(), [&](int id) {
+    return value(id).op == op && value(id).type == type && of_unit_[index(id)] == of_unit;
+  });
+  TREEDYN_EXPECT(found != needed_.end());
+  return of(*found, e);
 }
 
 std::vector<Expr> Lowering::written(int k, Set set) const {

@@ -1,6 +1,7 @@
 // Values of a derivation to expressions: link by link, each in the frame where it is cheap.
 #pragma once
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -17,13 +18,20 @@ class Lowering {
 
   [[nodiscard]] const derive::Derivation& derivation() const { return derivation_; }
 
-  /// The column that is asked for is `place`, component `component`.
+  /// The column that is asked for, of a symmetric matrix its rows on the way to the root, is
+  /// `place`, component `component`.
   void ask_for(int place, int component);
 
   /// Column `k` of what the function derives to, a block for every element of its rows: vectors in
   /// the base frame, numbers as they are, one behind the other.
   [[nodiscard]] std::vector<Expr> written(int k, block::Set set) const;
   [[nodiscard]] int count(block::Set set) const;
+  /// Entry (i, place) of a symmetric matrix. \pre i is `place` or above
+  [[nodiscard]] Expr entry(int i) const { return of(derivation_.roots.front(), i).number; }
+
+  /// The first needed value with an operation, of the column that is asked for or of none.
+  [[nodiscard]] const Block& first(derive::Op op, derive::Type type, bool of_unit, int e) const;
+  [[nodiscard]] const FrameChanges& frames() const { return frames_; }
 
   /// Operations that the values took, by their number in the derivation.
   [[nodiscard]] const std::vector<program::Cost>& costs() const { return costs_; }
@@ -48,11 +56,15 @@ class Lowering {
     Expr xx_zz;  ///< omega_x^2 - omega_z^2 = Omega_xx - Omega_zz
   };
 
+  /// The entries of a symmetric tensor as lists of terms, so that constants add up first.
+  using TensorTerms = std::array<std::array<std::vector<Expr>, 3>, 3>;
+
   [[nodiscard]] Walk walk_of(int stage) const { return static_cast<Walk>(stage % 3); }
   [[nodiscard]] int stage_of(const Value& v) const;
   void arrange();
   void run(bool of_unit);
   void run(const std::vector<int>& ids, int e, bool of_unit);
+  [[nodiscard]] bool is_asked(int e, bool of_unit) const;
   /// Block e of a value, if it is not known yet, and those of its operands.
   void need(int id, int e);
   void name_sums(int e);
@@ -71,6 +83,7 @@ class Lowering {
   Block product(const Value& v, int e) const;
   Block applied(const Value& v, int e) const;
   Block moment(const Value& v, int e) const;
+  Block composite(int id, const Value& v, int e);
   Block components(const Value& v, int e) const;
   Block path(int id, const Value& v, int e);
   void begin(int id, const Value& v, int e);
@@ -92,6 +105,10 @@ class Lowering {
   [[nodiscard]] std::vector<std::pair<Expr, int>> terms(int id) const;
   [[nodiscard]] int home(block::Set set, int e) const;
   [[nodiscard]] int father(int i) const { return task_.kinematics.link(i).father; }
+  TensorTerms& composite_terms(int id, int i);
+  void hand_on(TensorTerms& father, Expr mass, const Vec3& h, const Vec3& s,
+               const Mat3& tensor) const;
+  [[nodiscard]] bool has_tensors() const { return task_.kinematics.variant().inertia_tensor; }
   [[nodiscard]] int meeting(const Value& v, int e) const;
   [[nodiscard]] Expr number(const Real& x) const;
   [[nodiscard]] Expr element(int array, int k) const;
@@ -100,6 +117,7 @@ class Lowering {
   const Task& task_;
   const Derived& function_;
   const derive::Derivation& derivation_;
+  bool trunk_;  ///< of a free base: its turning links are at home in the trunk's frame
   FrameChanges frames_;
   std::vector<int> needed_;
   std::vector<derive::Turning> turnings_;  ///< whose joints turn about frame axes
@@ -108,10 +126,11 @@ class Lowering {
   std::vector<bool> of_unit_;  ///< depends on the column that is asked for
   std::vector<Blocks> memo_;
   std::vector<std::vector<bool>> known_;
-  std::map<int, Blocks> totals_;                 ///< D x or D^T x, by value
-  std::map<int, std::vector<Sum>> sums_;         ///< what the sons hand on, by value
-  std::map<int, std::vector<Squares>> squares_;  ///< of turnings, by Ω
-  std::vector<int> named_;                       ///< sums of the link that have no names yet
+  std::map<int, Blocks> totals_;                     ///< D x or D^T x, by value
+  std::map<int, std::vector<Sum>> sums_;             ///< what the sons hand on, by value
+  std::map<int, std::vector<TensorTerms>> tensors_;  ///< of composites, by value
+  std::map<int, std::vector<Squares>> squares_;      ///< of turnings, by Ω
+  std::vector<int> named_;                           ///< sums of the link that have no names yet
   std::vector<program::Cost> costs_;
   int place_ = 0;
   int component_ = 0;

@@ -33,7 +33,7 @@ const std::vector<Recipe>& recipes() {
        {{"A", 1, 2, 0, "kg m^2|kg m|kg"}},
        from_q,
        {.regrouping = true, .tensor_form = true, .trunk = true},
-       build_mass_matrix},
+       derived_from("mass_matrix")},
       {"bias_force",
        "(3)",
        "Coriolis and centrifugal joint forces B(q, qd), without gravity.",

@@ -10,8 +10,6 @@ namespace treedyn::simplify {
 
 namespace {
 
-constexpr int kTrunk = 5;
-
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// z x r.
@@ -37,12 +35,13 @@ SceneFrame::SceneFrame(const Task& task, bool by_trunk, bool velocity_products)
 /// R_i = R_f T_i, row by row, the trunk's own being the unit matrix.
 void SceneFrame::place_limbs() {
   rotation_.resize(index(k_.size()));
-  for (int i = kTrunk + 1; i < k_.size(); ++i) {
+  for (int i = kTrunkLink + 1; i < k_.size(); ++i) {
     k_.graph().set_body(i);
     const int f = k_.link(i).father;
     Mat3& r = rotation_[index(i)];
     for (std::size_t row = 0; row < 3; ++row) {
-      r[row] = k_.from_father(i, f == kTrunk ? unit(k_.graph(), row) : rotation_[index(f)][row]);
+      r[row] =
+          k_.from_father(i, f == kTrunkLink ? unit(k_.graph(), row) : rotation_[index(f)][row]);
       name(k_.graph(), r[row], row == 0 ? "Rx" : row == 1 ? "Ry" : "Rz", i);
     }
   }
@@ -53,7 +52,7 @@ void SceneFrame::place_limbs() {
 
 /// A vector of the expression frame of `link` in F.
 Vec3 SceneFrame::to_frame(int link, const Vec3& v) const {
-  return link == kTrunk ? v : rotation_[index(link)] * v;
+  return link == kTrunkLink ? v : rotation_[index(link)] * v;
 }
 
 void SceneFrame::add(int joint, const Vec3& column, MotionMap& map) const {
@@ -94,7 +93,7 @@ MotionMap SceneFrame::point(const model::Point& point) const {
   }
   const Vec3 t = k_.point(point.link, point.at);
   Vec3 r = t;
-  for (int i = point.link; i != kTrunk; i = k_.link(i).father) {
+  for (int i = point.link; i != kTrunkLink; i = k_.link(i).father) {
     k_.graph().set_body(i);
     const bool revolute = k_.link(i).revolute;
     add(i, revolute ? to_frame(i, about_axis(r)) : column(rotation_[index(i)], 2), map);
@@ -123,7 +122,7 @@ MotionMap SceneFrame::turning(const model::Point& point) const {
   if (point.link == model::kGround) {
     return map;
   }
-  for (int i = point.link; i != kTrunk; i = k_.link(i).father) {
+  for (int i = point.link; i != kTrunkLink; i = k_.link(i).father) {
     if (k_.link(i).revolute) {
       add(i, column(rotation_[index(i)], 2), map);
     }
@@ -139,7 +138,7 @@ MotionMap SceneFrame::turning(const model::Point& point) const {
 
 Vec3 SceneFrame::direction(const Vec3& base) const {
   Vec3 v = base;
-  for (int i = 0; by_trunk_ && i <= kTrunk; ++i) {
+  for (int i = 0; by_trunk_ && i <= kTrunkLink; ++i) {
     v = k_.from_father(i, v);
   }
   return v;

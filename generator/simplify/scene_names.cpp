@@ -6,6 +6,7 @@
 
 #include "common/identifier.hpp"
 #include "simplify/scene_drift.hpp"
+#include "simplify/scene_phases.hpp"
 
 namespace treedyn::simplify {
 
@@ -45,14 +46,23 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
       }
     }
   }
+  if (result.size() == 1) {
+    result.front().name = "impact";
+  }
+  const bool one = result.size() == 1;
+  for (const model::Phase& phase : scene.phases) {
+    for (const model::Event& event : phase.until) {
+      if (rests_unasked(scene, event)) {
+        add({event.impact->constraints, 0,
+             one ? "impact_at_rest" : fmt::format("impact_{}_at_rest", to_identifier(phase.name))});
+      }
+    }
+  }
   for (std::size_t k = 0; k < result.size(); ++k) {
     const auto same =
         std::count_if(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(k),
                       [&](const ImpactName& other) { return other.name == result[k].name; });
     result[k].name += same > 0 ? fmt::format("_{}", same + 1) : "";
-  }
-  if (result.size() == 1) {
-    result.front().name = "impact";
   }
   return result;
 }

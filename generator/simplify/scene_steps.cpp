@@ -154,7 +154,7 @@ program::Lasting StepMaker::lasting(const Real& time) const {
 
 StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_rest) const {
   StepOutcome result;
-  const std::vector<int> active = active_behind(scene_, event, at_rest);
+  const std::vector<int> active = active_behind(scene_, states_[state], event, at_rest);
   result.then = find_state(states_, event.then, active);
   if (event.impact && !event.impact->constraints.empty()) {
     const ImpactName wanted{event.impact->constraints,
@@ -213,11 +213,11 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
     guarded.push_back(event);
   }
   result.cause = cause_of(event);
-  if (result.cause == StepCause::kFall || may_rest(event)) {
+  if (result.cause == StepCause::kFall || may_rest(scene_, event)) {
     result.approach = static_cast<int>(approached.size());
     approached.push_back(event);
   }
-  if (may_rest(event)) {
+  if (may_rest(scene_, event)) {
     result.rest = outcome(event, state, true);
     result.rest_below = event.impact->rest_below;
   }
@@ -238,7 +238,7 @@ StepPhase StepMaker::phase(std::size_t state, const Staged& dynamics) const {
   result.dynamics_worst_cost = program::worst_cost(dynamics);
   std::vector<Event> guarded;
   std::vector<Event> approached;
-  for (const Event& event : scene_.phases[index(states_[state].phase)].until) {
+  for (const Event& event : events_of(scene_, states_[state])) {
     if (is_watched(event, states_[state].active)) {
       add_event(event, state, result, guarded, approached);
     }
@@ -318,6 +318,7 @@ void StepMaker::count_steps(program::Stepper& stepper) {
 program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
   program::Stepper result;
   result.method = *step_method(scene_);
+  result.integrator = scene_.stepping.integrator;
   result.step = scene_.stepping.step;
   result.cuts = scene_.stepping.cuts;
   result.events = scene_.stepping.events;

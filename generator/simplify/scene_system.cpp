@@ -89,7 +89,7 @@ void SceneSystem::add_equations(bool by_trunk, bool forces) {
   const Kinematics& k = task_.kinematics;
   frame_.emplace(task_, by_trunk, forces && scene_.velocity_products);
   if (by_trunk) {
-    trunk_ = trunk_system(k, [&](int i) {
+    trunk_ = trunk_system(task_, [&](int i) {
       const Expr force = forces ? in_unit(forces_.joint(i)) : Expr();
       return k.link(i).sign > 0 ? force : -force;
     });
@@ -98,7 +98,7 @@ void SceneSystem::add_equations(bool by_trunk, bool forces) {
     return;
   }
   const int n = task_.tree.dof();
-  const std::vector<Expr> a = build_mass_matrix(task_);
+  const std::vector<Expr> a = build_equation(task_, "mass_matrix");
   const std::vector<Expr> bias = build_equation(task_, "inverse_dynamics");
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {

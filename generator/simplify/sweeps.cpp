@@ -6,8 +6,6 @@ namespace treedyn::simplify {
 
 namespace {
 
-constexpr int kTrunk = 5;
-
 bool any(const Vec3& v) { return !v[0].is_zero() || !v[1].is_zero() || !v[2].is_zero(); }
 
 /// An axis that coincides with a coordinate axis: which, and in which direction.
@@ -241,27 +239,27 @@ std::vector<Motion> motions(const Kinematics& k, const Vec3& ground) {
 
 TrunkBias trunk_bias(const Kinematics& k, const Vec3& omega) {
   NewtonEuler sweep(k);
-  sweep.set_motion(kTrunk, motion(omega, {}, {}));
-  sweep.load(kTrunk);
-  for (int i = kTrunk + 1; i < k.size(); ++i) {
+  sweep.set_motion(kTrunkLink, motion(omega, {}, {}));
+  sweep.load(kTrunkLink);
+  for (int i = kTrunkLink + 1; i < k.size(); ++i) {
     sweep.forward(i, {});
     sweep.load(i);
   }
   TrunkBias bias;
   bias.tau.resize(static_cast<std::size_t>(k.size()));
-  for (int i = k.size() - 1; i > kTrunk; --i) {
+  for (int i = k.size() - 1; i > kTrunkLink; --i) {
     bias.tau[static_cast<std::size_t>(i)] = sweep.backward(i);
   }
-  bias.trunk = sweep.wrench(kTrunk);
+  bias.trunk = sweep.wrench(kTrunkLink);
   return bias;
 }
 
 std::vector<Motion> limb_motions(const Kinematics& k, const Vec3& omega) {
   NewtonEuler sweep(k);
-  sweep.set_motion(kTrunk, motion(omega, {}, {}));
-  std::vector<Motion> result(kTrunk);
-  result.push_back(sweep.motion_of(kTrunk));
-  for (int i = kTrunk + 1; i < k.size(); ++i) {
+  sweep.set_motion(kTrunkLink, motion(omega, {}, {}));
+  std::vector<Motion> result(kTrunkLink);
+  result.push_back(sweep.motion_of(kTrunkLink));
+  for (int i = kTrunkLink + 1; i < k.size(); ++i) {
     sweep.forward(i, {});
     result.push_back(sweep.motion_of(i));
   }

@@ -171,4 +171,11 @@ void Constraints::accelerations(const Terms& terms, const State& state, Vector& 
   }
 }
 
+void Constraints::bends(const Terms& terms, Vector& rhs) const {
+  rhs.resize(rows());
+  for (int k = 0; k < rows(); ++k) {
+    rhs[k] = -bias(terms, at(k));
+  }
+}
+
 }  // namespace treedyn::simulation

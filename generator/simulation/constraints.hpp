@@ -48,6 +48,8 @@ class Constraints {
   void velocities(double t, Vector& rate) const;
   /// a_des - gamma, without stabilisation.
   void accelerations(const Terms& terms, const State& state, Vector& rhs) const;
+  /// -gamma alone: what keeps velocities along the rows.
+  void bends(const Terms& terms, Vector& rhs) const;
 
  private:
   struct Item {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "simulation/names.hpp"
@@ -23,6 +24,8 @@ constexpr double kRoundings = 1e3;
 /// step, and steps of the beginning that are not judged.
 constexpr double kPowerSteps = 100;
 constexpr int kFirstSteps = 10;
+/// The part of the speeds that a row adds up that counts as a speed of its own.
+constexpr double kOwnSpeed = 1e-3;
 
 bool is_length(const model::Scene& scene, const model::Constraint& constraint) {
   if (constraint.kind == model::ConstraintKind::kJoint) {
@@ -45,7 +48,7 @@ Vector nearby(const Vector& q) {
 
 Bounds unbounded() {
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  return {kNever, kNever, kNever, kNever, kNever, kNever};
+  return {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};
 }
 
 std::string to_string(const Notice& notice) {
@@ -141,6 +144,51 @@ void Monitor::positions(System& system, double t, const Vector& q) {
   }
 }
 
+void Monitor::speeds(System& system, double t, const Vector& q, const Vector& qd,
+                     const Vector& qd_before) {
+  const Vector moving = qd.cwiseAbs() + qd_before.cwiseAbs();
+  Matrix J;
+  Vector wanted;
+  system.constraints().jacobian(system.geometry(q), J);
+  system.constraints().velocities(t, wanted);
+  for (int k = 0; k < J.rows(); ++k) {
+    const double off = std::fabs(J.row(k).dot(qd) - wanted[k]);
+    const double bound = kOwnSpeed * (J.row(k).cwiseAbs().dot(moving) + std::fabs(wanted[k]));
+    if (!system.constraints().is_held(k) || !(off > bound)) {
+      continue;
+    }
+    const Row row = this->row(system.constraints(), k);
+    const char* const unit = row.scale == size_ ? "m/s" : "1/s";
+    note({"speed", names_[row.name], t, off, bound, 0, 0, unit,
+          fmt::format(
+              "constraint '{}' begins to act at t = {:.6g} s at a speed of {:.3g} {} that no "
+              "impact has taken",
+              names_[row.name], t, off, unit)});
+  }
+}
+
+void Monitor::turn(const Constraints& constraints, const Turn& turn, double t, double h) {
+  if (!(turn.beside > bounds_.beside)) {
+    return;
+  }
+  turned_ += turn.rate * h;
+  if (!(turned_ > bounds_.turn_warning)) {
+    return;
+  }
+  const std::string& name = names_[row(constraints, turn.row).name];
+  note({"branch", name, t, turned_, bounds_.turn_warning, 0, 0, "rad",
+        fmt::format("constraint '{}' is near a position in which it moves no joint and turns the "
+                    "motion at t = {:.6g} s, {:.2g} rad so far, by errors of position and "
+                    "velocity that turn its own direction by {:.2g} rad",
+                    name, t, turned_, turn.beside)});
+  if (turned_ > bounds_.turn_end) {
+    throw std::runtime_error(fmt::format(
+        "constraint '{}' and the others no longer tell where the motion goes: near a singular "
+        "position their errors have turned it by {:.2g} rad (bound {:.2g})",
+        name, turned_, bounds_.turn_end));
+  }
+}
+
 void Monitor::drift(System& system, double t, const Vector& q) {
   Constraints& constraints = system.constraints();
   if (constraints.rows() == 0) {
@@ -214,6 +262,9 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
                      const Work& work) {
   const double before = energy_;
   energy_ = energy_of(system, q, qd);
+  if (work.strikes && energy_ - before < work.done) {
+    return;
+  }
   unexplained_ += energy_ - before - work.done;
   const double excess = std::max(0.0, unexplained_);
   worked_ += std::fabs(work.done);

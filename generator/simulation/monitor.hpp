@@ -22,6 +22,11 @@ struct Bounds {
   /// the motion has exchanged, or of the fall of the robot by its size if that is more.
   double energy_warning = 1e-2;
   double energy_end = 1;
+  /// Turn of the velocity, rad, by rows near a singular position while errors of position and
+  /// velocity turn their own tangent by more than `beside`, rad: the branch is not told by them.
+  double turn_warning = 1e-3;
+  double turn_end = 0.1;
+  double beside = 0.05;
 };
 
 /// No bound is ever exceeded.
@@ -29,7 +34,7 @@ Bounds unbounded();
 
 /// A warning: what was noticed first, and the worst of it.
 struct Notice {
-  std::string kind;  ///< drift, residual, energy, guard, position, step
+  std::string kind;  ///< drift, residual, energy, guard, position, speed, branch, step
   std::string name;  ///< the row, the event, the integrator
   double time = 0;   ///< s, when it was first beyond its bound
   double value = 0;  ///< then
@@ -43,10 +48,18 @@ struct Notice {
 /// One line: the text, and the worst if it is another.
 std::string to_string(const Notice& notice);
 
+/// What rows do to the velocity in one stage of a step: Solution::turn, beside, turning.
+struct Turn {
+  double rate;
+  double beside;
+  int row;
+};
+
 /// Of all forces without potential in a step.
 struct Work {
-  double done;   ///< J
-  double power;  ///< W, the largest
+  double done;           ///< J
+  double power;          ///< W, the largest
+  bool strikes = false;  ///< an impact within the step may have taken energy
 };
 
 class Monitor {
@@ -58,6 +71,11 @@ class Monitor {
   void row_equations(const System& system, double t, double h);
   /// A row that moves elsewhere and has J = 0 here; when rows begin to act.
   void positions(System& system, double t, const Vector& q);
+  /// Rows that begin to act at a speed that no impact has taken, beyond roundings of the speeds
+  /// before.
+  void speeds(System& system, double t, const Vector& q, const Vector& qd, const Vector& qd_before);
+  /// A stage that counts for the time h in the step that ends at t.
+  void turn(const Constraints& constraints, const Turn& turn, double t, double h);
   /// Position errors of the rows after a step.
   void drift(System& system, double t, const Vector& q);
   /// Energy after a step of length h.
@@ -95,6 +113,7 @@ class Monitor {
   std::vector<std::string> names_;
   std::vector<std::size_t> first_;  ///< of a constraint, in names_
   std::vector<double> lost_;        ///< velocity of each row
+  double turned_ = 0;               ///< rad, by errors
   std::vector<Notice> notices_;
   bool has_energy_ = false;
   double energy_ = 0;     ///< J, after the last step

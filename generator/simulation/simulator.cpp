@@ -21,6 +21,8 @@ constexpr double kSettled = 1e-8;
 constexpr double kSettledSpeed = 1e-6;
 /// Times that differ by less than this part of a step are the same.
 constexpr double kSameTime = 1e-9;
+/// Velocity that a step gains beyond what accelerations explain, a part of it: it has struck.
+constexpr double kStroke = 0.05;
 
 Vector to_vector(const std::vector<Real>& values) {
   Vector result(static_cast<Eigen::Index>(values.size()));
@@ -97,11 +99,13 @@ void Simulator::rate(double t, const Vector& y, Vector& dy) {
     }
   }
   powers_.push_back(solution.power);
+  turns_.push_back({solution.turn, solution.beside, solution.turning});
 }
 
 /// `next_`, a step of length h from here.
 void Simulator::take(double h) {
   powers_.clear();
+  turns_.clear();
   integrator_->step(rate_, t_, h, y_, next_, error_);
 }
 
@@ -153,6 +157,7 @@ void Simulator::land(double h, double time) {
   for (std::size_t k = 0; k < calls; ++k) {
     work.done += h * weights[k] * powers_[k];
     work.power = std::max(work.power, std::fabs(powers_[k]));
+    monitor_.turn(system_.constraints(), turns_[k], time, h * std::fabs(weights[k]));
   }
   if (!next_.allFinite()) {
     throw std::runtime_error(not_finite(scene_.tree, time, {y_.begin(), y_.end()}));
@@ -208,12 +213,42 @@ bool Simulator::advance_to(double end, const Observe& observe) {
 
 void Simulator::place(double time, const Vector& q, const Vector& qd, int phase,
                       const std::vector<int>& active) {
+  const Vector qd_before = this->qd();
   t_ = time;
   y_ << q, qd;
   if (phase != phase_ || active != system_.constraints().active()) {
     start_phase(phase, active);
+    monitor_.speeds(system_, t_, q, qd, qd_before);
+  }
+  for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
+    system_.forces().touch(k, true);  // the depth tells
+  }
+  for (DryFriction& friction : system_.frictions()) {
+    const double speed = qd[friction.joint];
+    friction.direction = speed > 0 ? 1 : speed < 0 ? -1 : 0;
   }
   monitor_.drift(system_, t_, q);
+}
+
+void Simulator::follow(double h, const Vector& next, bool changes) {
+  const Eigen::Index n = system_.dof();
+  const Vector position = next.head(n);
+  const Vector velocity = next.tail(n);
+  if (changes) {
+    monitor_.restart_energy(system_, position, velocity);
+    return;
+  }
+  const Solution begin = system_.accelerate(t_, q(), qd());
+  const Solution end = system_.accelerate(t_ + h, position, velocity);
+  dense_.set(h, y_, begin.qdd, next, end.qdd);
+  const Vector middle = dense_.at(0.5);
+  const Solution& half = system_.accelerate(t_ + h / 2, middle.head(n), middle.tail(n));
+  const Vector change = h / 6 * (begin.qdd + 4 * half.qdd + end.qdd);
+  const Vector scale = 1 + qd().array().abs().max(velocity.array().abs());
+  Work work{h / 6 * (begin.power + 4 * half.power + end.power),
+            std::max({std::fabs(begin.power), std::fabs(half.power), std::fabs(end.power)})};
+  work.strikes = ((velocity - qd() - change).array().abs() / scale.array()).maxCoeff() > kStroke;
+  monitor_.energy(system_, t_ + h, h, position, velocity, work);
 }
 
 void Simulator::show_at(double step, Show show) {

@@ -84,6 +84,10 @@ class Simulator {
   /// \throws std::runtime_error if its constraints are off beyond the bound
   void place(double time, const Vector& q, const Vector& qd, int phase,
              const std::vector<int>& active);
+  /// From there it moves to `next`, (q; qd), in a step of length h: its energy.
+  /// \param changes  whether an event ends the phase meanwhile
+  /// \throws std::runtime_error if that grows without power beyond the bound
+  void follow(double h, const Vector& next, bool changes);
   /// An event that it noted.
   void note(const EventRecord& event) { events_.push_back(event); }
 
@@ -105,6 +109,12 @@ class Simulator {
   struct Crossing {
     std::size_t watch;
     double step;  ///< from the beginning of the step, s
+  };
+
+  /// The end of a rest that nobody has asked for.
+  struct LiftOff {
+    model::Event event;
+    std::vector<int> constraints;  ///< that act no longer
   };
 
   void rate(double t, const Vector& y, Vector& dy);
@@ -134,7 +144,11 @@ class Simulator {
   double refine(const Watch& watch, double low, double high, double h);
   void happen(Watch& watch);
   void stick_or_slip(std::size_t friction);
-  void fire(const model::Event& event);
+  void fire(std::size_t event);
+  void lift_off(const LiftOff& rest);
+  void add_lift_off(const model::Event& event);
+  const model::Event& event_at(std::size_t event) const;
+  std::string name_of(std::size_t event) const;
   bool strike(const model::Event& event, EventRecord& record);
   void guard_against_pile();
 
@@ -149,6 +163,7 @@ class Simulator {
   Vector y_, next_, error_, trial_, trial_error_;
   Vector qdd_;                  ///< at the beginning of the step
   std::vector<double> powers_;  ///< of the calls of `rate` in this step
+  std::vector<Turn> turns_;     ///< of the same
   double suggested_ = 0;        ///< 0: to be proposed
   double last_ = 0;             ///< length of the step before
   bool looked_ = false;         ///< at the row equations of this step
@@ -165,6 +180,7 @@ class Simulator {
   double scale_ = 0;                      ///< in which that changes, s
   std::vector<int> turning_;              ///< revolute coordinates
   std::vector<Watch> watches_;
+  std::vector<LiftOff> lift_offs_;  ///< events behind those of the phase
   std::vector<EventRecord> events_;
 };
 

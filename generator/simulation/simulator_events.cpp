@@ -1,6 +1,7 @@
 // Events of a motion: watches, the places where they change, and what happens there.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -48,13 +49,14 @@ void Simulator::start_phase(int phase, const std::vector<int>& active) {
   }
   phase_ = phase;
   phase_start_ = t_;
+  lift_offs_.clear();
 }
 
 void Simulator::add_watch(const std::vector<Watch>& before, Kind kind, std::size_t index, int point,
                           const model::Plane& plane) {
   Watch watch{kind, index, point, PlaneValues(plane), 1};
   if (kind != Kind::kContact && kind != Kind::kSlip && kind != Kind::kStick) {
-    watch.event = &scene_.phases[static_cast<std::size_t>(phase_)].until[index];
+    watch.event = &event_at(index);
     watch.until = phase_start_ + static_cast<double>(watch.event->not_before);
     watch.armed = watch.until <= t_;
   }
@@ -80,6 +82,9 @@ void Simulator::build_watches() {
     if (!rests) {
       add_watch(before, kind_of(events[k].kind), k, events[k].point, events[k].plane);
     }
+  }
+  for (std::size_t k = 0; k < lift_offs_.size(); ++k) {
+    add_watch(before, Kind::kReaction, events.size() + k, 0, lift_offs_[k].event.plane);
   }
   for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
     add_watch(before, Kind::kContact, k, scene_.contacts[k].point, scene_.contacts[k].plane);
@@ -166,7 +171,7 @@ void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first
   watch.next_side = watch.kind == Kind::kReaction ? 1 : side;
   const double undefined = (from + (1 - from) * changes.undefined) * h;
   if (changes.undefined >= 0 && watch.ends_phase() && !(first && first->step < undefined)) {
-    monitor_.guard(event_name(scene_, phase_, watch.index), t_ + undefined, true);
+    monitor_.guard(name_of(watch.index), t_ + undefined, true);
   }
 }
 
@@ -201,7 +206,7 @@ void Simulator::happen(Watch& watch) {
     case Kind::kReaction:
     case Kind::kTime:
     case Kind::kExpression:
-      fire(scene_.phases[static_cast<std::size_t>(phase_)].until[watch.index]);
+      fire(watch.index);
       break;
     case Kind::kContact:
       watch.side = -watch.side;
@@ -241,14 +246,68 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
   return true;
 }
 
-void Simulator::fire(const model::Event& event) {
-  guard_against_pile();
+const model::Event& Simulator::event_at(std::size_t event) const {
   const std::vector<model::Event>& all = scene_.phases[static_cast<std::size_t>(phase_)].until;
-  const auto index = static_cast<std::size_t>(&event - all.data());
-  EventRecord record{t_,   phase_, event_name(scene_, phase_, index), event.then, q(), qd(),
-                     qd(), {}};
+  return event < all.size() ? all[event] : lift_offs_[event - all.size()].event;
+}
+
+std::string Simulator::name_of(std::size_t event) const {
+  const std::size_t count = scene_.phases[static_cast<std::size_t>(phase_)].until.size();
+  if (event < count) {
+    return event_name(scene_, phase_, event);
+  }
+  const auto constraint = static_cast<std::size_t>(event_at(event).constraint);
+  return "lift_off of " + scene_.constraints[constraint].name;
+}
+
+/// A rebound so small that it rests, though nobody has said that it may: until it would be pulled.
+void Simulator::add_lift_off(const model::Event& event) {
+  LiftOff result{{}, event.impact->constraints};
+  result.event.kind = model::EventKind::kReaction;
+  result.event.plane.normal = event.plane.normal;
+  result.event.then = event.then;
+  const Eigen::Vector3d normal = vector_of(event.plane.normal);
+  for (const int c : event.impact->constraints) {
+    const model::Constraint& row = scene_.constraints[static_cast<std::size_t>(c)];
+    const bool along =
+        std::any_of(row.directions.begin(), row.directions.end(),
+                    [&](const model::Vector3& d) { return vector_of(d).dot(normal) != 0; });
+    if (row.kind == model::ConstraintKind::kPoint && row.point == event.point && along) {
+      result.event.constraint = c;
+      lift_offs_.push_back(result);
+      return;
+    }
+  }
+}
+
+void Simulator::lift_off(const LiftOff& rest) {
+  const double began = phase_start_;
+  std::vector<int> active = system_.constraints().active();
+  std::erase_if(active, [&](int c) {
+    return std::find(rest.constraints.begin(), rest.constraints.end(), c) != rest.constraints.end();
+  });
+  const std::vector<LiftOff> others = lift_offs_;
+  start_phase(phase_, active);
+  phase_start_ = began;
+  std::copy_if(
+      others.begin(), others.end(), std::back_inserter(lift_offs_),
+      [&](const LiftOff& other) { return other.event.constraint != rest.event.constraint; });
+}
+
+void Simulator::fire(std::size_t index) {
+  guard_against_pile();
+  const model::Event event = event_at(index);
+  EventRecord record{t_, phase_, name_of(index), event.then, q(), qd(), qd(), {}};
+  const std::size_t own = scene_.phases[static_cast<std::size_t>(phase_)].until.size();
+  if (index >= own) {
+    lift_off(LiftOff(lift_offs_[index - own]));
+    events_.push_back(std::move(record));
+    return;
+  }
   std::vector<int> active = scene_.phases[static_cast<std::size_t>(event.then)].active;
-  if (event.impact && strike(event, record)) {
+  const bool rests = event.impact && strike(event, record);
+  const std::vector<LiftOff> before = lift_offs_;
+  if (rests) {
     const std::vector<int>& resting = event.impact->constraints;
     active.insert(active.end(), resting.begin(), resting.end());
     std::sort(active.begin(), active.end());
@@ -260,10 +319,19 @@ void Simulator::fire(const model::Event& event) {
   }
   y_ << record.q, record.qd_after;
   start_phase(event.then, active);
+  std::copy_if(before.begin(), before.end(), std::back_inserter(lift_offs_),
+               [&](const LiftOff& other) {
+                 return event.then == record.phase &&
+                        std::binary_search(active.begin(), active.end(), other.event.constraint);
+               });
+  if (rests && event.impact->rest_below == 0) {
+    add_lift_off(event);
+  }
   for (std::size_t k = 0; k < system_.frictions().size(); ++k) {  // an impact may have moved them
     stick_or_slip(k);
   }
   monitor_.positions(system_, t_, record.q);
+  monitor_.speeds(system_, t_, record.q, record.qd_after, record.qd_before);
   events_.push_back(std::move(record));
 }
 

@@ -98,6 +98,7 @@ void Simulator::propose() {
   }
   suggested_ = std::max(suggested_, 2 * least_step());
   powers_.clear();
+  turns_.clear();
 }
 
 /// What the clock of forces and guards allows, and the turn of the joints if there are guards.

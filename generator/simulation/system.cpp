@@ -187,6 +187,7 @@ const Solution& System::accelerate(double t, const Vector& q, const Vector& qd) 
   const int rows = constraints_.rows();
   if (J_.rows() > 0) {
     constraints_.accelerations(terms_, {t, q, qd}, rhs_);
+    bend_ = rhs_;
     if (alpha_ > 0) {
       add_stabilisation(t, q, qd);
     }
@@ -200,6 +201,7 @@ const Solution& System::accelerate(double t, const Vector& q, const Vector& qd) 
   }
   solution_.qdd = A_.matrixU().solve(x_);
   add_balance({t, q, qd});
+  add_turn({t, q, qd});
   solution_.lambda = rows == 0 ? Vector() : Vector(all_lambda_.head(rows));
   solution_.residual = J_.rows() == 0 ? 0 : largest(J_ * solution_.qdd - rhs_);
   return solution_;
@@ -221,6 +223,45 @@ void System::add_balance(const State& state) {
   }
   solution_.wanted = rhs_.head(rows);
   solution_.residuals = J_.topRows(rows) * solution_.qdd - solution_.wanted;
+}
+
+/// On a curve of radius r in the metric A the velocity turns by |v| / r; a state d beside it has a
+/// tangent turned by d / r. Two ways through a singular position are curves that meet: there r is
+/// small, and beside them by as much the rows hold it on a third, which leads from one to the
+/// other.
+void System::add_turn(const State& state) {
+  const int rows = constraints_.rows();
+  solution_.turn = 0;
+  solution_.beside = 0;
+  const Vector along = A_.matrixU() * state.qd;
+  const double speed = along.norm();
+  if (rows == 0 || speed == 0) {
+    return;
+  }
+  double pace = 0;
+  for (int k = 0; k < dof(); ++k) {
+    pace = std::max(pace, std::fabs(state.qd[k]) / reach_[static_cast<std::size_t>(k)]);
+  }
+  const auto across = [&](Vector& rows_ask) {
+    pad(rows_ask);
+    const Vector bend = solve_.preimage(rows_ask);
+    return (bend - bend.dot(along) / along.squaredNorm() * along).norm() / speed;
+  };
+  const double led = across(bend_);   // what leads the rows may ask for it as well: at a cusp, and
+  constraints_.bends(terms_, bend_);  // where it takes them through a singular position
+  const double turn = std::min(led, across(bend_));
+  if (!(kSharp * turn > pace)) {
+    return;
+  }
+  solve_.multipliers().head(rows).cwiseAbs().maxCoeff(&solution_.turning);
+  constraints_.errors(terms_, state.t, state.q, phi_);
+  pad(phi_);
+  constraints_.velocities(state.t, rate_);
+  pad(rate_);
+  rate_ = J_ * state.qd - rate_;
+  keep_held(rate_);
+  solution_.turn = turn;
+  solution_.beside = (turn * solve_.preimage(phi_).norm() + solve_.preimage(rate_).norm()) / speed;
 }
 
 Arrival System::arrival(int point, const Eigen::Vector3d& normal, const Vector& qd,

@@ -25,6 +25,10 @@ inline constexpr double kProjectionError = 1e-15;
 /// position so near to a singular one counts as that. Masses take no part.
 inline constexpr double kRankThreshold = 1e-11;
 
+/// Radius of the curve in which rows lead the joints, rad or sizes of the mechanism, below which a
+/// singular position is near.
+inline constexpr double kSharp = 0.1;
+
 /// What (8) gives for one state.
 struct Solution {
   Vector qdd;           ///< N, unique
@@ -34,6 +38,12 @@ struct Solution {
   Vector residuals;     ///< r, row by row, with signs
   Vector wanted;        ///< r, a_des - gamma
   double power = 0;     ///< of all that acts apart from gravity and what stores energy, W
+  /// How fast the rows turn the velocity, rad/s in the metric A, where they are curved sharply: a
+  /// singular position is near; else 0. And then how far beside them the state is: what errors of
+  /// position turn their tangent by, and the part of the velocity that is not along it.
+  double turn = 0;
+  double beside = 0;
+  int turning = 0;  ///< the row that asks most for it
 };
 
 /// Dry friction of a joint: the sign of its velocity while it slips, 0 while it sticks.
@@ -116,6 +126,7 @@ class System {
   void add_stabilisation(double t, const Vector& q, const Vector& qd);
   void keep_held(Vector& rows) const;
   void add_balance(const State& state);
+  void add_turn(const State& state);
 
   Dynamics& dynamics_;
   double alpha_;
@@ -135,7 +146,7 @@ class System {
   Solution solution_;
   Eigen::MatrixXd inertia_;
   Matrix J_, W_;
-  Vector Q_, rhs_, phi_, rate_, x_;
+  Vector Q_, rhs_, bend_, phi_, rate_, x_;
   Vector all_lambda_;
 };
 

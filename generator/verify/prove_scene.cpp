@@ -9,6 +9,7 @@
 #include "program/interpret.hpp"
 #include "program/random.hpp"
 #include "program/rank.hpp"
+#include "program/row_rank.hpp"
 #include "simplify/constrained_inverse.hpp"
 #include "simplify/scene_functions.hpp"
 #include "verify/scene_equations.hpp"
@@ -183,6 +184,26 @@ Values inverse_weights(const SceneEquations& equations,
   return K;
 }
 
+/// The largest part of an error, of J A^-1 J^T relative to its largest entry, that rows which
+/// depend on each other but for kDependent leave: for such a combination e of them |J^T e| is at
+/// most r kDependent |e| of the longest row, and e^T K e at most |J^T e|^2 times the trace of A^-1.
+Real dependent_part(const SceneEquations& equations, const std::vector<SceneEquations::Row>& rows,
+                    const Real& most) {
+  const std::size_t n = equations.inertia().size();
+  Real trace = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    Values unit(n);
+    unit[i] = 1;
+    trace += solved(equations.inertia(), unit).x[i];
+  }
+  Real longest = 0;
+  for (const SceneEquations::Row& row : rows) {
+    longest = std::max(longest, dot(row.J, row.J));
+  }
+  const Real part = Real(program::kDependent) * static_cast<int>(rows.size());
+  return part * part * longest * trace / most;
+}
+
 /// What is left of errors of the rows. Of deficient rows some errors no motion can reach:
 /// J A^-1 J^T error = 0, as parts of the largest entry of this matrix.
 Values reachable_error(const program::Staged& staged, const SceneEquations& equations,
@@ -199,10 +220,11 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
   const Values moved = solved(equations.inertia(), reaction).x;
   const Values K = inverse_weights(equations, rows);
   const Real most = largest(K);
-  // rows that depend on each other but for kDependent^2: the solution leaves out what is between
+  // rows that depend on each other nearly: the solution leaves out what is between
   const bool nearly =
       program::rank_of(K, static_cast<int>(rows.size())) > staged.solves.front().rank;
-  const Real left_out = nearly ? Real(largest(error) * Real("1e-12")) : Real(0);
+  const Real left_out =
+      nearly ? Real(largest(error) * dependent_part(equations, rows, most)) : Real(0);
   for (std::size_t k = 0; k < rows.size() && most > 0; ++k) {
     const Real part = dot(rows[k].J, moved) / most;
     error[k] = abs(part) > left_out ? part : Real(0);

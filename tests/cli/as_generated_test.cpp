@@ -118,6 +118,28 @@ TEST(AsGenerated, WarnsOfStatuses) {
   EXPECT_EQ(Json::parse(outcome.out).at("statuses").at(0).at("name"), "guard_undefined");
 }
 
+/// 778 J out of 9.81 J, by steps that never see the ground softly.
+TEST(AsGenerated, EndsWhereEnergyGrowsOutOfNothing) {
+  for (const std::string scalar : {"double", "float"}) {
+    const Outcome outcome =
+        simulated(kScenes + "drop.yaml", {"--as-generated", "--integrator", "semi-implicit-euler",
+                                          "--step", "0.002", "--scalar", scalar});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("energy grows without power"), std::string::npos) << outcome.err;
+  }
+}
+
+/// Work of a drive, losses of a contact and of impacts: no alarm.
+TEST(AsGenerated, ExplainsEnergyByWork) {
+  for (const std::string scene : {"drop", "arm_circle", "four_bar"}) {
+    const Outcome outcome = simulated(
+        kScenes + scene + ".yaml",
+        {"--as-generated", "--integrator", "rk4", "--step", "0.0002", "--duration", "0.6"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("energy"), std::string::npos) << outcome.err;
+  }
+}
+
 const std::string kTwoFrictions =
     "scene: two_frictions\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
     "/models/two_link.yaml\neffects:\n  gravity: [0, 0, -9.81]\n"

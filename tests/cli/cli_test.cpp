@@ -133,6 +133,19 @@ TEST_F(Cli, VetsInThreeFormats) {
               HasSubstr("\"severity\": \"error\""));
 }
 
+TEST_F(Cli, PagesComeFromTheHelp) {
+  const std::string man = treedyn({"pages", "man"}).out;
+  EXPECT_THAT(man, HasSubstr(".SS \\&treedyn accuracy\n"));
+  EXPECT_THAT(man, HasSubstr(".B \\&\\-\\-language c++|c99\n"));
+  const std::string script = treedyn({"pages", "bash"}).out;
+  const Outcome complete = support::run(
+      {"bash", "-c",
+       script + "COMP_WORDS=(treedyn generate --language c); COMP_CWORD=3; _treedyn\n"
+                "echo ${COMPREPLY[*]}; COMP_WORDS=(treedyn gen); COMP_CWORD=1; _treedyn\n"
+                "echo ${COMPREPLY[*]}"});
+  EXPECT_EQ(complete.out, "c++ c99\ngenerate\n") << complete.err;
+}
+
 TEST_F(Cli, TellsVersionHelpAndNames) {
   EXPECT_THAT(treedyn({"--version"}).out, StartsWith("treedyn "));
   const Outcome help = treedyn({"--help"});

@@ -11,7 +11,7 @@ file(RENAME ${scratch}/first ${scratch}/second)
 
 file(WRITE ${scratch}/project/CMakeLists.txt [[
 cmake_minimum_required(VERSION 3.25)
-project(consumer CXX)
+project(consumer C CXX)
 find_package(treedyn 0.1 REQUIRED)
 treedyn_generate(arm MODEL arm.yaml OPTIONS --scalar float --functions gravity_force)
 add_executable(consumer main.cpp)
@@ -19,11 +19,14 @@ target_link_libraries(consumer PRIVATE arm)
 enable_testing()
 treedyn_generate(swing SCENE swing.yaml NAME swing OPTIONS --effort 0 CONTRACTION off)
 target_link_libraries(consumer PRIVATE swing)
+treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --language c99 --functions mass_matrix --effort 0)
+target_link_libraries(consumer PRIVATE in_c)
 treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_BINARY_DIR}/swing OPTIONS --effort 0)
 treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
               OPTIONS --scalar float --functions gravity_force)
 ]])
 file(WRITE ${scratch}/project/main.cpp [[
+#include "in_c.h"
 #include "swing.hpp"
 #include "two_link.hpp"
 
@@ -31,7 +34,10 @@ int main() {
   const two_link::Scalar q[2] = {0, 0};
   two_link::Scalar G[2];
   two_link::gravity_force(q, G);
-  return G[two_link::joint::elbow] > 0 ? 0 : 1;
+  const double pose[IN_C_DOF] = {0, 0};
+  double A[4];
+  in_c_mass_matrix(pose, A);
+  return G[two_link::joint::elbow] > 0 && A[0] > 0 ? 0 : 1;
 }
 ]])
 file(COPY_FILE ${SOURCE}/models/two_link.yaml ${scratch}/project/arm.yaml)
@@ -115,7 +121,8 @@ if(NOT output MATCHES "generate")
   message(FATAL_ERROR "make did not see the touched model:\n${output}")
 endif()
 
-foreach(file IN ITEMS share/doc/treedyn/LICENSE share/treedyn/templates/model.cpp.in bin/treedyn)
+foreach(file IN ITEMS share/doc/treedyn/LICENSE share/treedyn/templates/model.cpp.in bin/treedyn
+        share/man/man1/treedyn.1 share/bash-completion/completions/treedyn)
   if(NOT EXISTS ${scratch}/second/${file})
     message(FATAL_ERROR "${file} was not installed")
   endif()

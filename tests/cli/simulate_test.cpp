@@ -272,6 +272,36 @@ TEST_F(Simulate, RefusesAMotionOfMoreStepsThanTheUserWants) {
   EXPECT_EQ(treedyn({stiff, "--duration", "1e-6", "--max-steps", "1500"}).status, 1);
 }
 
+TEST_F(Simulate, RefusesStepsThatNeverArrive) {
+  const std::string pendulum = scene("pendulum");
+  for (const char* const step : {"1e-10", "1e-20", "1e-300"}) {
+    for (const char* const how : {"-q", "--as-generated"}) {
+      const Outcome outcome = treedyn({pendulum, "--integrator", "rk4", "--step", step, how});
+      EXPECT_EQ(outcome.status, 1) << step;
+      EXPECT_THAT(outcome.err, HasSubstr("more than 1e+07 steps of")) << outcome.err;
+    }
+  }
+  EXPECT_EQ(treedyn({pendulum, "--integrator", "rk4", "--step", "1e-5", "--duration", "1e-3",
+                     "--max-steps", "99"})
+                .status,
+            1);
+}
+
+TEST_F(Simulate, LandsWithoutAWordWhereAnImpactTakesAllSpeed) {
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+             "/models/two_link.yaml\nduration: 1\ninitial: {q: {shoulder: 0.3, elbow: 0.5}}\n"
+             "effects:\n  gravity: [0, 0, -9.81]\n"
+             "  point_constraint: [{name: floor, point: tip, along: [x, z]}]\n"
+             "phases:\n  - name: flight\n    active: []\n"
+             "    until: [{touch_down: {point: tip, height: -0.5}, "
+             "impact: {constraints: [floor]}, then: stand}]\n"
+             "  - {name: stand, active: [floor]}\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+}
+
 TEST_F(Simulate, LeavesAValidFileWhenItIsInterrupted) {
   const std::string scene_file = scene("biped_stepping");
   const std::string folder = out();

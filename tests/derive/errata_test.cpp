@@ -103,6 +103,30 @@ TEST_P(Errata, PlantedErrorsArriveInTheDerivedCode) {
   }
 }
 
+TEST_P(Errata, PlantedErrorsArriveInTheDerivedMassMatrix) {
+  const auto right = robot_.read("A");
+  const auto at = robot_.inputs(right);
+  const Numbers A = robot_.expected(right, at);
+  const std::string lever = "-T(Lam(c_fD)) * m_d * J_v";
+  const std::string turning = "T(D) * J_d * D * z_d * sigma";
+  const std::string sliding = "(E - sigma) * T(z_d) * T(D) * m_d * J_v";
+  const std::string head = "sigma * T(z_d) * (";
+  const auto derived = [&](const std::string& text) {
+    const auto equation = robot_.read(text);
+    const Numbers result = UserRobot::run(robot_.derived(equation, simplify::Way::kToRoot), at);
+    EXPECT_LT(support::distance(result, robot_.expected(equation, at)), Real("1e-40")) << text;
+    return result;
+  };
+  EXPECT_LT(support::distance(derived(head + lever + " + " + turning + ") + " + sliding), A),
+            Real("1e-40"));
+  for (const std::string& text :
+       {head + lever + " + 2 * " + turning + ") + " + sliding, head + lever + ") + " + sliding,
+        head + lever + " + " + turning + ") + 2 * " + sliding, head + turning + ") + " + sliding,
+        head + lever + " + " + turning + ")"}) {
+    EXPECT_GT(support::distance(derived(text), A), Real("1e-6")) << text;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Trees, Errata,
                          testing::Values(TreeShape{{-1, 0, 1}, "RPR"}, TreeShape{{-1, 0, 1}, "RRP"},
                                          TreeShape{{-1, 0, 0, 1}, "RRPP"}));

@@ -120,6 +120,112 @@ TEST(R7, KeepsTheKindOfBlocks) {
       derive(transpose(skew(joint_to_com_vectors())) * skew(joint_to_com_vectors()), false).wide);
 }
 
+TEST(R6, TakesColumnsOfSymmetricMatricesToTheRoot) {
+  EXPECT_TRUE(derive(mass_matrix(), false, false).symmetric);
+  EXPECT_TRUE(derive(transpose(D) * m_d * D, false).symmetric);
+  const Expression J_v = velocity_jacobian(centres_of_mass());
+  const Expression prismatic = (E - sigma) * transpose(z_d) * transpose(D) * m_d * J_v;
+  EXPECT_FALSE(derive(prismatic, false, false).symmetric);
+  EXPECT_FALSE(derive(D * m_d, false).symmetric);
+}
+
+TEST(R6, LeavesWhatReachesBelowTheColumnOnlyThroughItsFathers) {
+  EXPECT_FALSE(derive(mass_matrix() * mass_matrix(), false, false).symmetric);
+}
+
+/// (2): values of the derivation.
+std::vector<Value> of_mass_matrix(Op op) {
+  const Derivation derivation = derive(mass_matrix(), false, false);
+  std::vector<Value> result;
+  for (const int id : derivation.values.needed(derivation.roots)) {
+    if (derivation.values[id].op == op) {
+      result.push_back(derivation.values[id]);
+    }
+  }
+  return result;
+}
+
+TEST(R7, MakesTwoSidedWordsComposites) {
+  EXPECT_TRUE(of_mass_matrix(Op::kPath).empty());  // nothing travels from the root
+  EXPECT_TRUE(of_mass_matrix(Op::kPathStrict).empty());
+  EXPECT_EQ(of_mass_matrix(Op::kSubtree).size(), 2U);   // m^c and the force of the column
+  EXPECT_EQ(of_mass_matrix(Op::kBackward).size(), 2U);  // h^c and the moment of the column
+  EXPECT_EQ(of_mass_matrix(Op::kComposite).size(), 1U);
+}
+
+/// D, N and X on a forest, entry by entry.
+class Enclosed : public testing::TestWithParam<std::vector<int>> {
+ protected:
+  using Matrix = std::vector<std::vector<int>>;
+
+  Enclosed() : n_(GetParam().size()), D_(n_, std::vector<int>(n_)), N_(D_), X_(D_) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      X_[i][i] = static_cast<int>(3 * i * i + 7 * i + 1) % 23;
+      for (int j = static_cast<int>(i); j >= 0; j = GetParam()[static_cast<std::size_t>(j)]) {
+        D_[i][static_cast<std::size_t>(j)] = 1;
+        N_[i][static_cast<std::size_t>(j)] = j == static_cast<int>(i) ? 0 : 1;
+      }
+    }
+  }
+  static Matrix product(const Matrix& a, const Matrix& b) {
+    Matrix c(a.size(), std::vector<int>(a.size()));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t j = 0; j < a.size(); ++j) {
+        for (std::size_t k = 0; k < a.size(); ++k) {
+          c[i][j] += a[i][k] * b[k][j];
+        }
+      }
+    }
+    return c;
+  }
+  static Matrix sum(Matrix a, const Matrix& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t j = 0; j < a.size(); ++j) {
+        a[i][j] += b[i][j];
+      }
+    }
+    return a;
+  }
+  static Matrix turned(const Matrix& a) {
+    Matrix c = a;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t j = 0; j < a.size(); ++j) {
+        c[i][j] = a[j][i];
+      }
+    }
+    return c;
+  }
+  /// diagb(M^T x), X = diagb(x).
+  [[nodiscard]] Matrix composite(const Matrix& M) const {
+    Matrix c(n_, std::vector<int>(n_));
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t k = 0; k < n_; ++k) {
+        c[i][i] += M[k][i] * X_[k][k];
+      }
+    }
+    return c;
+  }
+
+  std::size_t n_;
+  Matrix D_, N_, X_;
+};
+
+TEST_P(Enclosed, SumsAreUpperAndLowerOnes) {
+  const Matrix whole = composite(D_);
+  const Matrix below = composite(N_);
+  const Matrix DT = turned(D_);
+  const Matrix NT = turned(N_);
+  EXPECT_EQ(product(product(DT, X_), D_), sum(product(DT, whole), product(whole, N_)));
+  EXPECT_EQ(product(product(DT, X_), N_), sum(product(DT, below), product(whole, N_)));
+  EXPECT_EQ(product(product(NT, X_), N_), sum(product(DT, below), product(below, N_)));
+  EXPECT_EQ(product(product(NT, X_), D_), sum(sum(product(NT, whole), below), product(below, N_)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Forests, Enclosed,
+                         testing::Values(std::vector<int>{-1, 0, 1, 2, 3},
+                                         std::vector<int>{-1, 0, 0, 1, 1, 2, 4},
+                                         std::vector<int>{-1, -1, 0, 1, 3, 3, 2, 6}));
+
 TEST(R7, ReadsPointsBackwards) {
   const auto v = derive_rows(point_velocities());
   ASSERT_TRUE(v.has_value());
@@ -282,6 +388,16 @@ TEST_F(Identities, OfF4) {
   const Matrix p = lambda(alpha_).add(lambda(omega_).mul(lambda(omega_))).mul(pseudo);
   const Matrix vee{{p(2, 1) - p(1, 2)}, {p(0, 2) - p(2, 0)}, {p(1, 0) - p(0, 1)}};
   EXPECT_TRUE(equal(I.mul(alpha_).add(cross(omega_, I.mul(omega_))), vee));
+}
+
+TEST_F(Identities, OfF5) {
+  const Matrix& h = alpha_;
+  const Matrix& s = omega_;
+  const Matrix ms = s.mul_scalar(m_);
+  const Matrix shift = lambda(h).mul(lambda(s)).add(lambda(s).mul(lambda(h.add(ms))));
+  const Matrix F = h.mul(s.transpose()).add(s.mul(h.transpose())).add(ms.mul(s.transpose()));
+  const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  EXPECT_TRUE(equal(shift.mul_scalar(-1), one.mul_scalar(F.trace()).sub(F)));
 }
 
 TEST_F(Identities, OfTheCommonColumn) {

@@ -69,7 +69,8 @@ std::vector<std::vector<std::string>> commands(const Seed& seed, const std::stri
     result.push_back({"vet", file});
     return result;
   }
-  result.front() = {"simulate", file, "--duration", "1e-4", "--max-steps", "1e4", "-o", out + "-motion"};
+  result.front() = {"simulate",    file,  "--duration", "1e-4",
+                    "--max-steps", "1e4", "-o",         out + "-motion"};
   result.push_back(with({"generate"}, {"--effort", "0", "-o", out}));
   return result;
 }

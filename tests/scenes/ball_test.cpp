@@ -1,4 +1,6 @@
 // Steps of a ball: bounces, rest, lift-off, events in time, and contact that is stiff.
+#include "scenes/ball.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,43 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/arm_scene.hpp"
-
 namespace treedyn::support {
 namespace {
-
-/// A mass of 1 kg on a vertical slide.
-std::string ball(const std::string& rest) {
-  return "scene: ball\nmodel: ball.yaml\npoints: [{name: tip, link: ball, at: [0, 0, 0]}]\n" + rest;
-}
-
-class BallCode {
- public:
-  explicit BallCode(const std::string& rest, Variant variant = Variant::kPlain) {
-    write_file(
-        folder_.path() / "ball.yaml",
-        "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: height, type: "
-        "prismatic, axis: [0, 0, 1]}\n    mass: 1\n");
-    write_file(folder_.path() / "scene.yaml", ball(rest));
-    generate({}, {"--scene", (folder_.path() / "scene.yaml").string()}, folder_.path());
-    code_ = std::make_unique<CompiledModel>(folder_.path(), "generated", variant);
-  }
-  [[nodiscard]] const CompiledModel& code() const { return *code_; }
-  [[nodiscard]] Operations worst_case() const {
-    const Json manifest = Json::parse(read_file(folder_.path() / "generated.json"));
-    for (const Json& entry : manifest.at("functions")) {
-      if (entry.at("name") == "step") {
-        return operations_of(entry.at("worst_case"));
-      }
-    }
-    throw std::out_of_range("step");
-  }
-  [[nodiscard]] std::string header() const { return read_file(folder_.path() / "generated.hpp"); }
-
- private:
-  TemporaryFolder folder_;
-  std::unique_ptr<CompiledModel> code_;
-};
 
 /// A ball under a gravity of 10 that pulls away from a plane, which it only grazes.
 std::string grazing(const std::string& event, const std::string& gravity,
@@ -272,93 +239,6 @@ TEST(PhaseStep, CountsStepsForEventsInTime) {
     phases.push_back(static_cast<int>(phase[0]));
   }
   EXPECT_EQ(phases, (std::vector<int>{0, 0, 1, 1, 0, 0, 0, 1}));
-}
-
-/// The reproduction that sank: rests below a speed that a step takes away.
-std::string bouncing(const std::string& stepping) {
-  return "effects:\n  gravity: [0, 0, -9.81]\n  point_constraint: [{name: floor, point: tip, "
-         "along: "
-         "[z]}]\n"
-         "phases:\n  - name: flight\n    active: []\n    until:\n      - touch_down: {point: "
-         "tip}\n        impact: {constraints: [floor], restitution: 0.8, rest_below: 1e-4}\n"
-         "        then: flight\nduration: 5\nstepping: {" +
-         stepping + "}\n";
-}
-
-/// Lowest height and the last one of so many steps from 1 m on.
-std::pair<double, double> bounced(const std::string& stepping, int count) {
-  const BallCode scene(bouncing(stepping));
-  Vector q = {1};
-  Vector qd = {0};
-  Vector phase = {0};
-  double lowest = 1;
-  for (int k = 0; k < count; ++k) {
-    const Measurement next = scene.code().measure("step", {q, qd, {0}, phase});
-    q = {next.values.at(0)};
-    qd = {next.values.at(1)};
-    phase = {next.values.at(3)};
-    lowest = std::min(lowest, q[0]);
-    if (next.status != 0) {
-      ADD_FAILURE() << "status " << next.status << " in step " << k;
-      break;
-    }
-  }
-  EXPECT_EQ(phase[0], 1);
-  return {lowest, q[0]};
-}
-
-TEST(PhaseStep, RestsWhereAStepTakesTheReboundBack) {
-  const auto [lowest, last] = bounced("integrator: semi-implicit-euler, step: 1e-4", 1000000);
-  EXPECT_GE(lowest, -1e-15);  // roundings of the way back to the plane; 5 cm without rest
-  EXPECT_NEAR(last, 0, 1e-15);
-  const auto [coarse_lowest, coarse_last] = bounced("integrator: rk4, step: 1e-2", 10000);
-  EXPECT_GE(coarse_lowest, -1e-15);
-  EXPECT_NEAR(coarse_last, 0, 1e-15);
-  const auto [late_lowest, late_last] =
-      bounced("integrator: semi-implicit-euler, step: 1e-4, cuts: 0", 100000);
-  EXPECT_GE(late_lowest, -4.5e-4);  // a step's way at 4.43 m/s
-  EXPECT_NEAR(late_last, 0, 1e-15);
-}
-
-TEST(PhaseStep, NoBounceCostsMoreThanTheWorstCase) {
-  for (const char* const stepping :
-       {"integrator: rk4, step: 1e-2", "integrator: sdirk2, step: 1e-2, cuts: 5, events: 2",
-        "integrator: semi-implicit-euler, step: 1e-2, cuts: 0"}) {
-    const BallCode scene(bouncing(stepping), Variant::kMeasured);
-    const Operations worst = scene.worst_case();
-    Vector q = {1};
-    Vector qd = {0};
-    Vector phase = {0};
-    for (int k = 0; k < 500; ++k) {
-      const Measurement next = scene.code().measure("step", {q, qd, {0}, phase});
-      q = {next.values.at(0)};
-      qd = {next.values.at(1)};
-      phase = {next.values.at(3)};
-      for (std::size_t n = 0; n < worst.size(); ++n) {
-        ASSERT_LE(next.operations[n], worst[n]) << stepping << " step " << k;
-      }
-    }
-    EXPECT_EQ(phase[0], 1) << stepping;
-  }
-}
-
-TEST(PhaseStep, SaysWhereEventsAreMissed) {
-  // without rest the bounces pile up
-  std::string text = bouncing("integrator: rk4, step: 1e-2");
-  const std::string rest = ", rest_below: 1e-4";
-  const BallCode scene(text.replace(text.find(rest), rest.size(), ""));
-  Vector q = {1};
-  Vector qd = {0};
-  int missed = -1;
-  for (int k = 0; k < 1000 && missed < 0; ++k) {
-    const Measurement next = scene.code().measure("step", {q, qd, {0}});
-    q = {next.values.at(0)};
-    qd = {next.values.at(1)};
-    EXPECT_TRUE(next.status == 0 || next.status == 8);
-    missed = next.status == 8 ? k : missed;
-    ASSERT_GE(q[0], -1e-3) << "step " << k;  // what falls in a step
-  }
-  EXPECT_NEAR(missed, 406, 10);  // 9 sqrt(2 / 9.81) s, shortly before the last bounce
 }
 
 TEST(PhaseStep, SaysThatAGuardIsUndefined) {

@@ -1,0 +1,396 @@
+#include "emit/c99.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "emit/definitions.hpp"
+#include "emit/layout.hpp"
+#include "emit/references.hpp"
+#include "emit/self_test.hpp"
+
+namespace treedyn::emit {
+
+namespace {
+
+std::string in_capitals(std::string_view word) {
+  std::string result;
+  for (const char c : word) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += std::isupper(byte) != 0 && !result.empty() ? "_" : "";
+    result += static_cast<char>(std::toupper(byte));
+  }
+  return result;
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// The rest of a line behind `start`; empty if it starts otherwise.
+std::string_view behind(std::string_view line, std::string_view start) {
+  return line.starts_with(start) ? line.substr(start.size()) : std::string_view{};
+}
+
+class Translator {
+ public:
+  explicit Translator(const Unit& unit);
+  [[nodiscard]] std::string header(const std::string& text);
+  [[nodiscard]] std::string source(const std::string& text);
+
+ private:
+  [[nodiscard]] std::string prefixed(std::string_view name) const {
+    return fmt::format("{}_{}", unit_.prefix(), name);
+  }
+  [[nodiscard]] std::string macro(std::string_view constant) const {
+    return in_capitals(unit_.prefix()) + "_" + in_capitals(constant.substr(1));
+  }
+  [[nodiscard]] std::string words(const std::string& line) const;
+  [[nodiscard]] std::string word(const std::string& word, bool called) const;
+  void header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list);
+  void constant(std::string line, bool in_list, Lines& result) const;
+  std::set<std::string> function(const std::string& line, bool is_local, bool is_noinline,
+                                 Lines& result);
+  void statement(const Lines& lines, std::size_t& at, Lines& result) const;
+  bool frame(const std::string& line, bool& is_local, Lines& result) const;
+
+  const Unit& unit_;
+  std::set<std::string> functions_;  ///< with external linkage
+  ReferencePlaces by_reference_;
+};
+
+Translator::Translator(const Unit& unit) : unit_(unit) {
+  const auto add = [&](const auto& all) {
+    for (const auto& one : all) {
+      functions_.insert(one.signature.name);
+    }
+  };
+  if (unit.self_test) {
+    functions_.insert(kSelfTest);
+  }
+  add(unit.functions);
+  add(unit.checked);
+  add(unit.staged);
+  add(unit.steppers);
+}
+
+/// One word of code.
+std::string Translator::word(const std::string& word, bool called) const {
+  static const std::set<std::string> kConstants = {"kPoints", "kMassMatrixNonzeros"};
+  static const std::set<std::string> kOfLibrary = {"sqrt", "pow", "sin", "cos"};
+  if (called && functions_.contains(word)) {
+    return prefixed(word);
+  }
+  if (kConstants.contains(word)) {
+    return macro(word);
+  }
+  if (!called || !kOfLibrary.contains(word)) {
+    return word;
+  }
+  if (!unit_.target.takes_libm() && (word == "sin" || word == "cos")) {
+    return word == "sin" ? "sine" : "cosine";
+  }
+  return word + (unit_.target.scalar == Scalar::kFloat ? "f" : "");
+}
+
+/// A line with its words, but for its comment.
+std::string Translator::words(const std::string& line) const {
+  std::string code = line.substr(0, line.find("//"));
+  const std::string comment = line.substr(code.size());
+  for (const char* const list : {"status", "phase", "joint", "point"}) {
+    code = replaced(code, fmt::format("{}::", list), prefixed(list) + "_");
+  }
+  for (const char* const number : {"0", "1", "-1"}) {
+    code = replaced(code, fmt::format("Scalar({})", number), fmt::format("(Scalar){}", number));
+  }
+  code = replaced(replaced(code, " Scalar(", " (Scalar)("), "(Scalar(", "((Scalar)(");
+  code = replaced(code, "= {};", "= {0};");
+  std::string result;
+  for (std::size_t at = 0; at < code.size();) {
+    std::size_t end = at;
+    while (end < code.size() && is_word_byte(code[end])) {
+      ++end;
+    }
+    result += end == at ? std::string(1, code[at])
+                        : word(code.substr(at, end - at), end < code.size() && code[end] == '(');
+    at = std::max(end, at + 1);
+  }
+  return result + comment;
+}
+
+/// A constant of the header: an enumerator, which may be the length of an array; of a list of
+/// names `  prefix_joint_elbow = 1,`.
+void Translator::constant(std::string line, bool in_list, Lines& result) const {
+  const std::size_t equals = line.find(" = ");
+  const std::string name = line.substr(0, equals);
+  const std::string value = line.substr(equals + 3, line.size() - equals - 4);
+  if (in_list) {
+    result.push_back(fmt::format("  {} = {},", name, value));
+  } else {
+    result.push_back(fmt::format("enum {{ {} = {} }};", macro(name), value));
+  }
+}
+
+void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list) {
+  static const std::string kInteger = "inline constexpr int ";
+  const std::string step_start =
+      fmt::format("inline constexpr {} kStep = ", type_name(unit_.target.scalar));
+  const std::string& line = lines[at];
+  if (line == "#pragma once") {
+    const std::string guard = in_capitals(unit_.name) + "_H";
+    result.insert(result.end(), {"#ifndef " + guard, "#define " + guard});
+  } else if (line == fmt::format("namespace {} {{", unit_.space())) {
+    result.insert(result.end(), {"#ifdef __cplusplus", "extern \"C\" {", "#endif"});
+  } else if (line == "}  // namespace " + unit_.space()) {
+    result.insert(result.end(), {"#ifdef __cplusplus", "}", "#endif", "", "#endif"});
+  } else if (line.starts_with("namespace ")) {
+    in_list = true;
+    result.emplace_back("enum {");
+  } else if (line.starts_with("}  // namespace ")) {
+    in_list = false;
+    result.emplace_back("};");
+  } else if (const auto type = behind(line, "using Scalar = "); !type.empty()) {
+    result.push_back(
+        fmt::format("typedef {} {};", type.substr(0, type.size() - 1), prefixed("Scalar")));
+  } else if (const auto digest = behind(line, "inline constexpr unsigned long long kDigest = ");
+             !digest.empty()) {
+    result.push_back(
+        fmt::format("#define {} {}", macro("kDigest"), digest.substr(0, digest.size() - 1)));
+  } else if (const auto step = behind(line, step_start); !step.empty()) {
+    result.push_back(fmt::format("#define {} {}", macro("kStep"), step.substr(0, step.size() - 1)));
+  } else if (line.starts_with(kInteger.substr(0, kInteger.size() - 1)) && line.ends_with('{')) {
+    const std::string table = line.substr(kInteger.size());
+    const std::size_t name = table.find('[');
+    result.push_back(
+        fmt::format("static const int {}{}", macro(table.substr(0, name)), table.substr(name)));
+  } else if (line.starts_with(kInteger.substr(0, kInteger.size() - 1))) {
+    constant(gathered(lines, at, ';').substr(kInteger.size()), in_list, result);
+  } else if (line.starts_with("void ") || line.starts_with("int ")) {
+    function(gathered(lines, at, ';'), false, false, result);
+  } else {
+    result.push_back(in_list && line.starts_with("///") ? "  " + line : line);
+  }
+}
+
+std::string Translator::header(const std::string& text) {
+  const Lines lines = lines_of(replaced(text, " noexcept", ""));
+  Lines result;
+  bool in_list = false;
+  std::string list;
+  for (std::size_t at = 0; at < lines.size(); ++at) {
+    if (const auto name = behind(lines[at], "namespace "); !name.empty()) {
+      list = std::string(name.substr(0, name.find(' ')));
+    }
+    const std::size_t before = result.size();
+    header_line(lines, at, result, in_list);
+    if (in_list && result.size() > before && result.back().ends_with(',')) {
+      result.back() = "  " + prefixed(list) + "_" + result.back().substr(2);
+    }
+  }
+  return replaced(fmt::format("{}\n", fmt::join(result, "\n")), unit_.name + ".hpp",
+                  unit_.name + ".h");
+}
+
+/// `const Scalar /*q*/[6]` -> `const Scalar q[6]`. \return the name of what may not be used
+std::string give_name(std::string& argument) {
+  constexpr std::string_view kUnused = "[[maybe_unused]] ";
+  if (argument.starts_with(kUnused)) {
+    argument.erase(0, kUnused.size());
+    return argument.substr(argument.find_last_of("& ") + 1);
+  }
+  const std::size_t begin = argument.find("/*");
+  const std::size_t end = argument.find("*/");
+  if (begin == std::string::npos) {
+    return {};
+  }
+  const std::string name = argument.substr(begin + 2, end - begin - 2);
+  argument.replace(begin, end + 2 - begin, name);
+  return name;
+}
+
+/// A definition's first lines, or a prototype: arguments without a name get theirs, and a
+/// statement that says that they are not used.
+std::set<std::string> Translator::function(const std::string& line, bool is_local, bool is_noinline,
+                                           Lines& result) {
+  Declaration parts = declaration_of(line);
+  const std::size_t name = parts.head.rfind(' ') + 1;
+  const std::string word = parts.head.substr(name);
+  const bool is_prototype = parts.ending.ends_with(';');
+  Lines unused;
+  std::set<std::string> references;
+  for (std::string& argument : parts.arguments) {
+    const std::string given = give_name(argument);
+    if (!given.empty()) {
+      unused.push_back(fmt::format("  (void){};", given));
+    }
+    const std::size_t reference = argument.find("& ");
+    if (reference != std::string::npos) {
+      references.insert(argument.substr(reference + 2));
+      by_reference_[word].insert(&argument - parts.arguments.data());
+      argument.replace(reference, 1, "*");
+    }
+    argument = is_prototype ? replaced(argument, "Scalar ", prefixed("Scalar ")) : argument;
+  }
+  const std::string head =
+      fmt::format("{}{}{}{}", is_local ? "static " : "", is_noinline ? "NOINLINE " : "",
+                  parts.head.substr(0, name), functions_.contains(word) ? prefixed(word) : word);
+  for (const std::string& part : lines_of(declaration(head, parts.arguments, parts.ending))) {
+    result.push_back(is_prototype ? part : words(part));
+  }
+  result.insert(result.end(), unused.begin(), unused.end());
+  return references;
+}
+
+/// A statement that C writes otherwise, else its words.
+void Translator::statement(const Lines& lines, std::size_t& at, Lines& result) const {
+  const std::string& line = lines[at];
+  const std::size_t indentation = std::min(line.find_first_not_of(' '), line.size());
+  const std::string_view code = std::string_view(line).substr(indentation);
+  const std::string blank(indentation, ' ');
+  if (const auto both = behind(code, "const auto ["); !both.empty()) {
+    const std::string whole(gathered(lines, at, ';').substr(indentation));
+    const std::size_t comma = whole.find(", ");
+    const std::size_t end = whole.find("] = ");
+    const std::string sine = whole.substr(12, comma - 12);
+    const std::string cosine = whole.substr(comma + 2, end - comma - 2);
+    const std::string pair = "p_" + sine;
+    for (const std::string& text :
+         {fmt::format("const SineCosine {} = {}", pair, whole.substr(end + 4)),
+          fmt::format("const Scalar {} = {}.sine;", sine, pair),
+          fmt::format("const Scalar {} = {}.cosine;", cosine, pair)}) {
+      result.push_back(blank + text);
+    }
+  } else if (const auto integer = behind(code, "constexpr int "); !integer.empty()) {
+    result.push_back(
+        words(fmt::format("{}enum {{ {} }};", blank, integer.substr(0, integer.size() - 1))));
+  } else if (const auto value = behind(code, "constexpr "); !value.empty()) {
+    result.push_back(
+        words(fmt::format("{}{}const {}", blank, indentation == 0 ? "static " : "", value)));
+  } else if (const auto table = behind(code, "static constexpr "); !table.empty()) {
+    result.push_back(words(fmt::format("{}static const {}", blank, table)));
+  } else if (const auto values = behind(code, "return {"); !values.empty()) {
+    result.push_back(words(fmt::format("{}return (SineCosine){{{}", blank, values)));
+  } else if (const auto single = behind(code, "inline "); !single.empty()) {
+    result.push_back(words(fmt::format("{}static {}", blank, single)));
+  } else {
+    result.push_back(words(line));
+  }
+}
+
+/// What stands around the functions: namespaces, includes, the digest. True if the line is of it.
+bool Translator::frame(const std::string& line, bool& is_local, Lines& result) const {
+  if (line == "namespace {" || line == "}  // namespace") {
+    is_local = line.front() == 'n';
+  } else if (line == fmt::format("namespace {} {{", unit_.space())) {
+    result.push_back(fmt::format("typedef {} Scalar;", prefixed("Scalar")));
+  } else if (const auto digest = behind(line, "static_assert(kDigest == "); !digest.empty()) {
+    const std::size_t comma = digest.find(", ");
+    result.push_back(fmt::format("#if {} != {}", macro("kDigest"), digest.substr(0, comma)));
+    result.push_back(fmt::format("#error {}", digest.substr(comma + 2, digest.size() - comma - 4)));
+    result.emplace_back("#endif");
+  } else if (line == fmt::format("#include \"{}.hpp\"", unit_.name)) {
+    result.push_back(fmt::format("#include \"{}.h\"", unit_.name));
+  } else if (line == "#include <cmath>") {
+    result.emplace_back("#include <math.h>");
+  } else {
+    return line.starts_with("using std::") || line == "}  // namespace " + unit_.space();
+  }
+  return true;
+}
+
+/// What C has no word for: one struct for two, no template of a function.
+std::string in_plain_words(std::string text, const std::string& type) {
+  text = replaced(text, " noexcept", "");
+  text = replaced(
+      text,
+      "template <class Number>\nstruct SineCosine {\n  Number sine;\n  Number "
+      "cosine;\n};\n",
+      fmt::format("typedef struct {{\n  {0} sine;\n  {0} cosine;\n}} SineCosine;\n", type));
+  text = replaced(text, fmt::format("SineCosine<{}>", type), "SineCosine");
+  const std::size_t other = text.find("/// For other types that stand for Scalar");
+  if (other != std::string::npos) {
+    text.erase(other, text.find("\n\n", other) + 2 - other);
+  }
+  return text;
+}
+
+/// What the words of the text need in front of it.
+std::string with_beginning(std::string text, const std::string& scalar, const std::string& dof) {
+  const std::string type = fmt::format("typedef {} Scalar;\n", scalar);
+  const std::size_t begin = text.find(type);
+  if (text.find("kDof") != std::string::npos) {
+    text.insert(begin + type.size(), fmt::format("enum {{ kDof = {} }};\n", dof));
+  }
+  if (text.find("NOINLINE ") != std::string::npos) {
+    text.insert(begin,
+                "#if defined(__GNUC__)\n#define NOINLINE __attribute__((noinline))\n"
+                "#else\n#define NOINLINE\n#endif\n\n");
+  }
+  if (text.find("bool ") != std::string::npos) {
+    const std::size_t include = text.find("\n\n", text.find("#include ")) + 1;
+    text.insert(include, "#include <stdbool.h>\n");
+  }
+  return text;
+}
+
+std::string Translator::source(const std::string& text) {
+  const std::string type = type_name(unit_.target.scalar);
+  const Lines lines = lines_of(in_plain_words(text, type));
+  Lines result;
+  bool is_local = false;
+  for (std::size_t at = 0; at < lines.size(); ++at) {
+    const std::string_view noinline_function = behind(lines[at], "[[gnu::noinline");
+    const bool is_noinline = !noinline_function.empty();
+    const std::string line =
+        is_noinline ? std::string(noinline_function.substr(noinline_function.find("]] ") + 3))
+                    : lines[at];
+    if (frame(line, is_local, result)) {
+      continue;
+    }
+    if (const auto name = behind(line, "struct "); !name.empty()) {
+      result.push_back(fmt::format("typedef struct {0} {0};", name.substr(0, name.find(' '))));
+    }
+    if (begins_function(line)) {
+      Lines rest(lines.begin() + static_cast<std::ptrdiff_t>(at), lines.end());
+      rest.front() = line;
+      std::size_t taken = 0;
+      const std::string whole = gathered(rest, taken, '{');
+      at += taken;
+      const std::set<std::string> references = function(whole, is_local, is_noinline, result);
+      Lines body;
+      for (++at; lines[at] != "}"; ++at) {
+        statement(lines, at, body);
+      }
+      const std::string code =
+          with_addresses(fmt::format("{}\n", fmt::join(body, "\n")), by_reference_);
+      for (const std::string& body_line :
+           lines_of(references.empty() ? code : with_pointers(code, references))) {
+        result.push_back(body_line);
+      }
+      result.emplace_back("}");
+    } else if (!line.empty() || !result.back().empty()) {  // frames leave no second blank line
+      statement(lines, at, result);
+    }
+  }
+  result.front() = fmt::format("// {0}.c: see {0}.h", unit_.name);
+  return with_beginning(fmt::format("{}\n", fmt::join(result, "\n")), prefixed("Scalar"),
+                        macro("kDof"));
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> in_c99(const Unit& unit, const std::string& header,
+                                           const std::string& source) {
+  Translator translator(unit);
+  return {translator.header(header), translator.source(source)};
+}
+
+}  // namespace treedyn::emit

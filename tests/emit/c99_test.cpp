@@ -1,0 +1,174 @@
+// NAME.h and NAME.c: clean C99, and the bits of NAME.hpp and NAME.cpp.
+#include <array>
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/manifest.hpp"
+#include "support/process.hpp"
+
+namespace treedyn {
+namespace {
+
+namespace fs = std::filesystem;
+using support::FunctionInfo;
+using support::Manifest;
+using support::Outcome;
+
+const std::string kWarnings =
+    "-pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion "
+    "-Wfloat-conversion -Wcast-qual -Wundef -Wunused -Wformat=2 -ffp-contract=off -O1";
+
+Outcome treedyn(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {TREEDYN_EXECUTABLE, "generate"});
+  arguments.insert(arguments.end(), {"-q", "--effort", "0"});
+  return support::run(arguments);
+}
+
+/// Runs the compiler; C99 and C by `-x c`.
+void compile(const std::string& options) {
+  std::vector<std::string> command = {TREEDYN_CXX};
+  std::istringstream words(options);
+  for (std::string word; words >> word;) {
+    command.push_back(word);
+  }
+  const Outcome outcome = support::run(command);
+  ASSERT_EQ(outcome.status, 0) << options << '\n' << outcome.err;
+}
+
+/// A call of both functions with random arguments, and how many results differ in a bit.
+std::string comparison(const FunctionInfo& function) {
+  std::string text = "  {\n";
+  std::string inputs;
+  for (std::size_t k = 0; k < function.inputs.size(); ++k) {
+    const bool integer = function.integer_inputs[k];
+    text += fmt::format("    {0} {1}[{2}];\n    for ({0}& x : {1}) x = {3};\n",
+                        integer ? "int" : "Scalar", function.arguments[k], function.inputs[k],
+                        integer ? "0" : "random_number()");
+    inputs += ", " + function.arguments[k];
+  }
+  std::string compare = "0";
+  std::array<std::string, 2> outputs;
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    const std::string& name = function.results[k];
+    for (std::size_t language = 0; language < 2; ++language) {
+      const std::string own = fmt::format("{}_{}", language == 0 ? "c" : "cpp", name);
+      text += fmt::format("    {} {}[{}] = {{}};\n", function.integer_outputs[k] ? "int" : "Scalar",
+                          own, function.outputs[k]);
+      outputs[language] += ", " + own;
+    }
+    compare += fmt::format(" + (std::memcmp(c_{0}, cpp_{0}, sizeof c_{0}) != 0)", name);
+  }
+  const auto call = [&](const std::string& name, const std::string& results) {
+    return fmt::format("{}({})", name, (inputs + results).substr(2));
+  };
+  const std::string c = call("p_" + function.name, outputs[0]);
+  const std::string cpp = call("space::" + function.name, outputs[1]);
+  text += function.status ? fmt::format("    differ += {} != {};\n", c, cpp)
+                          : fmt::format("    {};\n    {};\n", c, cpp);
+  return text + fmt::format("    differ += {};\n    calls += 1;\n  }}\n", compare);
+}
+
+std::string driver(const Manifest& manifest) {
+  std::string calls;
+  for (const FunctionInfo& function : manifest.functions) {
+    calls += comparison(function);
+  }
+  return fmt::format(R"(#include <cstdio>
+#include <cstring>
+#include "m.h"
+#include "m.hpp"
+using space::Scalar;
+static unsigned state = 1;
+static Scalar random_number() {{
+  state = state * 1664525u + 1013904223u;
+  return static_cast<Scalar>(state >> 8) / 8388608 - 1;
+}}
+int main() {{
+  int differ = 0;
+  int calls = 0;
+  for (int n = 0; n < 100; ++n) {{
+{}  }}
+  std::printf("%d of %d", differ, calls);
+}}
+)",
+                     calls);
+}
+
+struct Case {
+  const char* name;
+  std::vector<std::string> options;
+};
+
+class C99 : public testing::TestWithParam<Case> {};
+
+TEST_P(C99, HasTheBitsOfTheCppFunctions) {
+  const support::TemporaryFolder folder;
+  const std::string at = folder.path().string() + '/';
+  std::vector<std::string> options = GetParam().options;
+  options.front() = fs::path(TREEDYN_SOURCE_DIR) / "models" / options.front();
+  if (options.front().find("/scenes/") != std::string::npos) {
+    options.insert(options.begin(), "--scene");
+  }
+  options.insert(options.end(), {"--name", "m", "-o", folder.path()});
+  const auto generate = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), options.begin(), options.end());
+    const Outcome outcome = treedyn(more);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  };
+  generate({"--namespace", "space", "--section", "PLACE"});
+  generate({"--language", "c99", "--prefix", "p", "--section", "PLACE"});
+  const Manifest manifest = support::read_manifest(folder.path() / "m.json");
+  support::write_file(at + "driver.cpp", driver(manifest));
+  compile(
+      fmt::format("-x c -std=c99 {0} -DPLACE=__attribute__((cold)) -Wmissing-prototypes "
+                  "-Wstrict-prototypes -c {1}m.c -o {1}c.o",
+                  kWarnings, at));
+  compile(fmt::format("-x c++ -std=c++11 {0} -fsyntax-only {1}m.h", kWarnings, at));
+  compile(fmt::format("-std=c++17 {0} -DPLACE= -c {1}m.cpp -o {1}cpp.o", kWarnings, at));
+  compile(fmt::format("-std=c++17 -O1 {0}driver.cpp {0}c.o {0}cpp.o -o {0}driver", at));
+  const Outcome outcome = support::run({at + "driver"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, fmt::format("0 of {}", 100 * manifest.functions.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Texts, C99,
+    testing::Values(
+        Case{"puma560", {"puma560.yaml", "--checked", "--self-test"}},
+        Case{"biped", {"biped.yaml", "--base", "axes", "--scalar", "float", "--points", "all"}},
+        Case{"libm", {"panda.yaml", "--scalar", "float", "--sincos", "libm"}},
+        Case{"packed", {"quadruped.yaml", "--layout", "packed", "--trig", "late"}},
+        Case{"rows", {"scenes/biped_double_support.yaml", "--functions", "constrained_dynamics"}},
+        Case{"contacts", {"scenes/drop.yaml", "--scalar", "float"}},
+        Case{"rk4",
+             {"scenes/four_bar.yaml", "--functions", "step", "--integrator", "rk4", "--step",
+              "0.001", "--state", "compensated"}},
+        Case{"events",
+             {"scenes/compass_walk.yaml", "--functions", "step", "--integrator", "rk4", "--step",
+              "0.02"}},
+        Case{"sdirk2",
+             {"scenes/pendulum.yaml", "--functions", "step", "--integrator", "sdirk2", "--step",
+              "0.001", "--scalar", "float"}}),
+    [](const testing::TestParamInfo<Case>& param) { return std::string(param.param.name); });
+
+TEST(C99Refuses, WhatItHasNoWordsFor) {
+  const support::TemporaryFolder folder;
+  const std::string model = TREEDYN_SOURCE_DIR "/models/two_link.yaml";
+  const auto status = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"-o", folder.path() / "out"});
+    const Outcome outcome = treedyn(options);
+    EXPECT_FALSE(fs::exists(folder.path() / "out"));
+    EXPECT_FALSE(outcome.err.empty());
+    return outcome.status;
+  };
+  EXPECT_EQ(status({model, "--language", "c99", "--lanes", "4"}), 2);
+  EXPECT_EQ(status({model, "--language", "c99", "--share-limbs"}), 2);
+  EXPECT_EQ(status({model, "--language", "c99", "--namespace", "x"}), 2);
+  EXPECT_EQ(status({model, "--prefix", "x"}), 2);
+}
+
+}  // namespace
+}  // namespace treedyn
