@@ -205,14 +205,17 @@ const Real& pi();
 /// `scale`.
 inline bool negligible(const Real& value, const Real& scale) {
   return Real::both(value, scale, [](const Digits& x, const Digits& of) {
-    return abs(x) <= abs(of) * Digits(1e-40);
+    static const Digits rounding(1e-40);
+    return x.is_zero() || abs(x) <= abs(of) * rounding;
   });
 }
 
 /// Equal but for rounding at 50 digits: one number, reached along two ways.
 inline bool identical(const Real& a, const Real& b) {
-  return Real::both(
-      a, b, [](const Digits& x, const Digits& y) { return abs(x - y) <= abs(y) * Digits(1e-38); });
+  return Real::both(a, b, [](const Digits& x, const Digits& y) {
+    static const Digits same(1e-38);
+    return x == y || abs(x - y) <= abs(y) * same;
+  });
 }
 
 }  // namespace treedyn

@@ -306,10 +306,36 @@ Seen StandIns::run(const model::Tree& tree, const Options& options) {
   return seen;
 }
 
+void forget(Real& number) { number = number.seen(); }
+
+template <class... Arrays>
+void forget_numbers(Arrays&... arrays) {
+  (std::ranges::for_each(arrays, [](Real& number) { forget(number); }), ...);
+}
+
 }  // namespace
 
 Seen with_stand_ins(const model::Tree& tree, const Options& options) {
   return StandIns().run(tree, options);
+}
+
+Seen stand_ins_alone(const model::Tree& tree, const Options& options) {
+  Seen seen{tree, options};
+  for (model::Link& link : seen.tree.links) {
+    forget_numbers(link.joint.axis, link.joint.rotation, link.joint.offset, link.inertia.com,
+                   link.inertia.about_com);
+    forget(link.inertia.mass);
+  }
+  for (model::Frame& frame : seen.tree.frames) {
+    forget_numbers(frame.rotation, frame.origin);
+  }
+  for (std::vector<model::Point>* points : {&seen.tree.points, &seen.options.points}) {
+    for (model::Point& point : *points) {
+      forget_numbers(point.at, point.rotation);
+    }
+  }
+  forget_numbers(seen.options.gravity);
+  return seen;
 }
 
 }  // namespace treedyn::simplify

@@ -21,4 +21,8 @@ struct Seen {
 /// magnitude is seen; rotations that no three angles describe are seen as they are. O(N).
 Seen with_stand_ins(const model::Tree& tree, const Options& options);
 
+/// Of numbers that are seen as others only what is seen: enough to compare costs, at half the
+/// price. O(N)
+Seen stand_ins_alone(const model::Tree& tree, const Options& options);
+
 }  // namespace treedyn::simplify
