@@ -184,6 +184,16 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   if (request.checked) {
     unit.checked = checked_siblings(model, unit.functions);
   }
+  for (const program::Function& function : unit.functions) {
+    const std::string& name = function.signature.name;
+    if (unit.self_test &&
+        (name == "self_test" || name == "compare" || name.starts_with("known_"))) {
+      throw InputError({request.scene.value_or(request.model), 0, 0},
+                       fmt::format("function '{}' has a name that --self-test needs; expected "
+                                   "another one",
+                                   name));
+    }
+  }
   unit.command = generate_command(request, Paths::kBaseNames);
   unit.tool = fmt::format("treedyn {}", kVersion);
   unit.model_file = model.source.file;

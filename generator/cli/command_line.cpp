@@ -135,8 +135,7 @@ void add_simulate(CLI::App& app, Settings& settings) {
   add_positive(command, "--tolerance", "error of a step of an adaptive integrator", "T",
                request.tolerance);
   add_positive(command, "--duration", "s", "T", request.duration);
-  add_positive(command, "--max-steps",
-               "end where more steps would be needed; default 1e7", "N",
+  add_positive(command, "--max-steps", "end where more steps would be needed; default 1e7", "N",
                request.most_steps);
   add_positive(command, "--drift-limit",
                "end where a constraint is further off: rad, or parts of the robot's size; default "

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "common/error.hpp"
 #include "emit/definitions.hpp"
 #include "emit/layout.hpp"
 #include "emit/references.hpp"
@@ -224,6 +225,11 @@ std::set<std::string> Translator::function(const std::string& line, bool is_loca
   const std::size_t name = parts.head.rfind(' ') + 1;
   const std::string word = parts.head.substr(name);
   const bool is_prototype = parts.ending.ends_with(';');
+  if (is_local && functions_.contains(word)) {
+    throw InputError({}, fmt::format("function '{}' has a name that the C text itself needs; "
+                                     "expected another one, or --language c++",
+                                     word));
+  }
   Lines unused;
   std::set<std::string> references;
   for (std::string& argument : parts.arguments) {
@@ -343,7 +349,7 @@ std::string with_beginning(std::string text, const std::string& scalar, const st
 
 std::string Translator::source(const std::string& text) {
   const std::string type = type_name(unit_.target.scalar);
-  const Lines lines = lines_of(in_plain_words(text, type));
+  Lines lines = lines_of(in_plain_words(text, type));
   Lines result;
   bool is_local = false;
   for (std::size_t at = 0; at < lines.size(); ++at) {
@@ -359,11 +365,8 @@ std::string Translator::source(const std::string& text) {
       result.push_back(fmt::format("typedef struct {0} {0};", name.substr(0, name.find(' '))));
     }
     if (begins_function(line)) {
-      Lines rest(lines.begin() + static_cast<std::ptrdiff_t>(at), lines.end());
-      rest.front() = line;
-      std::size_t taken = 0;
-      const std::string whole = gathered(rest, taken, '{');
-      at += taken;
+      lines[at] = line;
+      const std::string whole = gathered(lines, at, '{');
       const std::set<std::string> references = function(whole, is_local, is_noinline, result);
       Lines body;
       for (++at; lines[at] != "}"; ++at) {

@@ -37,8 +37,9 @@ struct Unit {
   std::string model_sha256;
   std::vector<std::pair<std::string, std::string>> options;  ///< for the manifest; values are JSON
 
-  [[nodiscard]] const std::string& space() const {
-    return given_space.empty() ? name : given_space;
+  /// Of the C++ text; of one that becomes C a name that no list of names has.
+  [[nodiscard]] std::string space() const {
+    return language == Language::kC99 ? "c99_text" : given_space.empty() ? name : given_space;
   }
   [[nodiscard]] const std::string& prefix() const {
     return given_prefix.empty() ? name : given_prefix;

@@ -168,6 +168,24 @@ TEST(C99Refuses, WhatItHasNoWordsFor) {
   EXPECT_EQ(status({model, "--language", "c99", "--share-limbs"}), 2);
   EXPECT_EQ(status({model, "--language", "c99", "--namespace", "x"}), 2);
   EXPECT_EQ(status({model, "--prefix", "x"}), 2);
+  const std::string equations = folder.path() / "e.yaml";
+  support::write_file(
+      equations, "equations:\n  - {name: sine_cosine, value: T(ones) * m_d * J_v * qd, doc: x}\n");
+  EXPECT_EQ(status({model, "--equations", equations, "--functions", "sine_cosine,mass_matrix",
+                    "--language", "c99"}),
+            1);
+}
+
+TEST(C99Names, AFileMayBeCalledLikeAListOfNames) {
+  const support::TemporaryFolder folder;
+  const std::string at = folder.path();
+  for (const std::string name : {"joint", "point", "status"}) {
+    ASSERT_EQ(treedyn({TREEDYN_SOURCE_DIR "/models/two_link.yaml", "--language", "c99", "--name",
+                       name, "-o", at})
+                  .status,
+              0);
+    compile(fmt::format("-x c -std=c99 {0} -c {1}/{2}.c -o {1}/o", kWarnings, at, name));
+  }
 }
 
 }  // namespace

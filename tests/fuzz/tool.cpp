@@ -72,6 +72,10 @@ std::vector<std::vector<std::string>> commands(const Seed& seed, const std::stri
   result.front() = {"simulate",    file,  "--duration", "1e-4",
                     "--max-steps", "1e4", "-o",         out + "-motion"};
   result.push_back(with({"generate"}, {"--effort", "0", "-o", out}));
+  if (dice % 8 == 1) {
+    result.push_back({"simulate", file, "--as-generated", "--integrator", "rk4", "--step", "1e-3",
+                      "--duration", "0.02", "--max-steps", "1e4"});
+  }
   return result;
 }
 
@@ -123,7 +127,7 @@ class Run {
     const bool model_instead = seed.is_scene && mutator_.below(4) == 0;
     mutate(model_instead ? model_of(file) : file);
     const std::string out = folder.path() / "out";
-    for (const auto& arguments : commands(seed, file, out, mutator_.below(2))) {
+    for (const auto& arguments : commands(seed, file, out, mutator_.below(16))) {
       std::vector<std::string> command = {"timeout", kLongest, tool_};
       command.insert(command.end(), arguments.begin(), arguments.end());
       const Outcome outcome = support::run(command);
