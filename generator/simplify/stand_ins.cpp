@@ -168,6 +168,12 @@ Array seen_as(const Array& values, const Array& stand_ins) {
   return result;
 }
 
+/// True for coordinate axes and for rotations among them.
+template <class Array>
+bool is_exact(const Array& values) {
+  return std::ranges::all_of(values, [](const Real& x) { return x == 0 || x == 1 || x == -1; });
+}
+
 class StandIns {
  public:
   Seen run(const model::Tree& tree, const Options& options);
@@ -210,6 +216,9 @@ Matrix3 StandIns::symmetric(const Matrix3& m) {
 Matrix3 StandIns::rotation(const Matrix3& r) {
   const int place = place_;
   place_ += 3;
+  if (is_exact(r)) {
+    return r;
+  }
   Numbers best_numbers = numbers_;
   std::optional<Matrix3> best;
   int fewest = 4;
@@ -241,6 +250,9 @@ Matrix3 StandIns::rotation(const Matrix3& r) {
 Vector3 StandIns::axis(const Vector3& v) {
   const int place = place_;
   place_ += 2;
+  if (is_exact(v)) {
+    return v;
+  }
   Numbers numbers = numbers_;
   int changed = 0;
   const Digits plane = sqrt(Digits(v[0].digits() * v[0].digits() + v[1].digits() * v[1].digits()));
