@@ -26,6 +26,7 @@
 #include "simplify/scene_loops.hpp"
 #include "simplify/scene_steps.hpp"
 #include "simplify/scene_sticking.hpp"
+#include "simplify/stand_ins.hpp"
 #include "simulation/integrator.hpp"
 #include "symbolic/dump.hpp"
 #include "system/files.hpp"
@@ -127,8 +128,9 @@ program::Packing packing_of(const Model& model, const Request& request) {
   simplify::Options options = simplify_options(model, request);
   options.without.clear();
   options.share_limbs = false;
-  return program::lower_triangle(simplify::build(model.tree, simplify::recipe_of("mass_matrix"),
-                                                 options, simplify::plain_variant(model.tree)),
+  const simplify::Seen seen = simplify::with_stand_ins(model.tree, options);
+  return program::lower_triangle(simplify::build(seen.tree, simplify::recipe_of("mass_matrix"),
+                                                 seen.options, simplify::plain_variant(seen.tree)),
                                  model.tree.dof());
 }
 

@@ -14,7 +14,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0x6974f9243f365189ULL, "header and source are of different runs");
+static_assert(kDigest == 0xf3a7a641478d9a7cULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -75,10 +75,10 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   const auto [s_left_hip, c_left_hip] = sine_cosine(q[2]);
   // right_leg
   const auto [s_right_hip, c_right_hip] = sine_cosine(q[3]);
-  A[3] = -2.5 * c_right_hip;
-  A[12] = A[3];
   A[7] = 2.5 * s_right_hip;
   A[13] = A[7];
+  A[3] = -2.5 * c_right_hip;
+  A[12] = A[3];
   // left_leg
   A[2] = -2.5 * c_left_hip;
   A[8] = A[2];
@@ -127,46 +127,57 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
   const Scalar t_left_leg_3 = qd[2] * qd[2];
   // right_leg
   const auto [s_right_hip, c_right_hip] = sine_cosine(q[3]);
-  const Scalar t_right_leg_1 = 2.5 * s_right_hip;
-  const Scalar t_right_leg_2 = 2.5 * c_right_hip;
-  tau[3] = a_hip_z * t_right_leg_1 - qdd[0] * t_right_leg_2 + 1.25 * qdd[3];
+  const Scalar t_right_leg_1 = 2.5 * c_right_hip;
+  const Scalar t_right_leg_2 = 2.5 * s_right_hip;
+  tau[3] = 1.25 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
   const Scalar t_right_leg_3 = qd[3] * qd[3];
   // hip
-  const Scalar t_hip_1 = 20.0 * qdd[0] - qdd[2] * t_left_leg_1 + t_left_leg_2 * t_left_leg_3;
-  tau[0] = t_hip_1 - qdd[3] * t_right_leg_2 + t_right_leg_1 * t_right_leg_3;
-  const Scalar t_hip_2 = 20.0 * a_hip_z + t_left_leg_1 * t_left_leg_3 + qdd[2] * t_left_leg_2;
-  tau[1] = t_hip_2 + qdd[3] * t_right_leg_1 + t_right_leg_2 * t_right_leg_3;
+  const Scalar t_hip_1 = 20.0 * a_hip_z + qdd[2] * t_left_leg_2;
+  const Scalar t_hip_2 = t_hip_1 + t_left_leg_1 * t_left_leg_3;
+  tau[1] = t_hip_2 + t_right_leg_1 * t_right_leg_3 + qdd[3] * t_right_leg_2;
+  const Scalar t_hip_3 = 20.0 * qdd[0] + t_left_leg_2 * t_left_leg_3;
+  const Scalar t_hip_4 = t_hip_3 - qdd[2] * t_left_leg_1 - qdd[3] * t_right_leg_1;
+  tau[0] = t_hip_4 + t_right_leg_2 * t_right_leg_3;
 }
 
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
                       Scalar qdd[4]) noexcept {
   const auto [s_left_hip, c_left_hip] = sine_cosine(q[2]);
   const auto [s_right_hip, c_right_hip] = sine_cosine(q[3]);
-  const Scalar t_left_leg_1 = 5.0 * (c_right_hip * c_right_hip + c_left_hip * c_left_hip);
-  const Scalar t_left_leg_2 = 10.0 + t_left_leg_1;
-  const Scalar inverse_pivot_hip = 1.0 / t_left_leg_2;
-  const Scalar t_left_leg_3 = 5.0 * (c_right_hip * s_right_hip + c_left_hip * s_left_hip);
-  const Scalar t_hip_1 = inverse_pivot_hip * t_left_leg_3;
-  const Scalar inverse_pivot_slide = 1.0 / (20.0 - t_left_leg_1 - t_left_leg_3 * t_hip_1);
-  const Scalar t_right_leg_1 = qd[3] * qd[3];
-  const Scalar t_left_leg_4 = qd[2] * qd[2];
-  const Scalar t_hip_2 = 2.5 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4);
-  const Scalar u_hip = tau[1] - t_hip_2 - 2.0 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
-  // slide
-  const Scalar t_slide_1 = 2.5 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4);
-  const Scalar t_slide_2 = 2.0 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
-  const Scalar u_slide = tau[0] - t_slide_1 - t_hip_1 * u_hip + t_slide_2;
-  const Scalar t_slide_3 = inverse_pivot_slide * u_slide;
-  qdd[0] = t_slide_3;
-  const Scalar t_hip_3 = u_hip - t_left_leg_3 * t_slide_3 - 9.81 * t_left_leg_2;
-  const Scalar t_hip_4 = inverse_pivot_hip * t_hip_3;
-  qdd[1] = t_hip_4;
   // left_leg
-  const Scalar t_left_leg_5 = 2.0 * t_slide_3;
-  const Scalar t_left_leg_6 = 19.62 + 2.0 * t_hip_4;
-  qdd[2] = 0.8 * tau[2] + c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
+  const Scalar t_left_leg_1 = c_right_hip * c_right_hip + c_left_hip * c_left_hip;
+  const Scalar t_left_leg_2 = 5.0 * t_left_leg_1;
+  const Scalar t_left_leg_3 = 10.0 + t_left_leg_2;
+  const Scalar inverse_pivot_hip = 1.0 / t_left_leg_3;
+  const Scalar t_left_leg_4 = c_right_hip * s_right_hip + c_left_hip * s_left_hip;
+  const Scalar t_left_leg_5 = 5.0 * t_left_leg_4;
+  const Scalar t_hip_1 = inverse_pivot_hip * t_left_leg_5;
+  const Scalar t_hip_2 = 20.0 - t_left_leg_2 - t_left_leg_5 * t_hip_1;
+  const Scalar inverse_pivot_slide = 1.0 / t_hip_2;
+  const Scalar t_right_leg_1 = qd[3] * qd[3];
+  const Scalar t_left_leg_6 = qd[2] * qd[2];
+  // hip
+  const Scalar t_hip_3 = c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_6;
+  const Scalar t_hip_4 = 2.0 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
+  const Scalar u_hip = tau[1] - 2.5 * t_hip_3 - t_hip_4;
+  // slide
+  const Scalar t_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_6;
+  const Scalar t_slide_2 = 2.0 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
+  const Scalar t_slide_3 = tau[0] - 2.5 * t_slide_1 - t_hip_1 * u_hip;
+  const Scalar u_slide = t_slide_3 + t_slide_2;
+  const Scalar t_slide_4 = inverse_pivot_slide * u_slide;
+  qdd[0] = t_slide_4;
+  const Scalar t_hip_5 = 9.81 * t_left_leg_3;
+  const Scalar t_hip_6 = inverse_pivot_hip * (u_hip - t_left_leg_5 * t_slide_4 - t_hip_5);
+  qdd[1] = t_hip_6;
+  // left_leg
+  const Scalar t_left_leg_7 = 2.0 * t_slide_4;
+  const Scalar t_left_leg_8 = 19.62 + 2.0 * t_hip_6;
+  const Scalar t_left_leg_9 = 0.8 * tau[2] + c_left_hip * t_left_leg_7;
+  qdd[2] = t_left_leg_9 - s_left_hip * t_left_leg_8;
   // right_leg
-  qdd[3] = 0.8 * tau[3] + c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;
+  const Scalar t_right_leg_2 = 0.8 * tau[3] + c_right_hip * t_left_leg_7;
+  qdd[3] = t_right_leg_2 - s_right_hip * t_left_leg_8;
 }
 
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {

@@ -14,7 +14,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xee8fea818f934a32ULL, "header and source are of different runs");
+static_assert(kDigest == 0xc09d068eece18e5aULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -70,8 +70,9 @@ SineCosine<Number> sine_cosine(const Number& x) noexcept {
 }  // namespace
 
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
+  const Scalar t_boom_1 = q[1] * (5.47995 - 4.25 * q[1]);
   // shoulder_link
-  A[0] = 2.528 - q[1] * (5.47995 - 4.25 * q[1]);
+  A[0] = 2.528 - t_boom_1;
   A[3] = 4.25;
   A[1] = 0.0;
   A[2] = 0.0;
@@ -97,22 +98,28 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   // boom
   const Scalar t_boom_1 = 4.25 * q[1];
   const Scalar t_boom_2 = 2.739975 - t_boom_1;
-  tau[1] = 41.6925 * c_shoulder + 4.25 * qdd[1] + qd[0] * qd[0] * t_boom_2;
+  const Scalar t_boom_3 = 41.6925 * c_shoulder + 4.25 * qdd[1];
+  tau[1] = t_boom_3 + qd[0] * qd[0] * t_boom_2;
   // shoulder_link
-  const Scalar t_shoulder_1 = t_boom_2 * (9.81 * s_shoulder - qd[0] * qd[1] * 2.0);
-  tau[0] = qdd[0] * (2.528 - q[1] * (5.47995 - t_boom_1)) + t_shoulder_1;
+  const Scalar t_shoulder_1 = q[1] * (5.47995 - t_boom_1);
+  const Scalar t_shoulder_2 = 9.81 * s_shoulder - qd[0] * qd[1] * 2.0;
+  tau[0] = qdd[0] * (2.528 - t_shoulder_1) + t_boom_2 * t_shoulder_2;
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
-  const Scalar inverse_pivot_shoulder = 1.0 / (2.528 - q[1] * (5.47995 - 4.25 * q[1]));
-  const Scalar t_boom_1 = 0.6447 - q[1];
-  const Scalar t_boom_2 = qd[0] * t_boom_1;
-  const Scalar t_shoulder_1 = tau[0] - s_shoulder * t_boom_1 * 41.6925 + qd[1] * t_boom_2 * 8.5;
-  qdd[0] = inverse_pivot_shoulder * t_shoulder_1;
+  const Scalar t_boom_1 = q[1] * (5.47995 - 4.25 * q[1]);
+  const Scalar inverse_pivot_shoulder = 1.0 / (2.528 - t_boom_1);
+  const Scalar t_boom_2 = 0.6447 - q[1];
+  const Scalar t_boom_3 = qd[0] * t_boom_2;
+  // shoulder_link
+  const Scalar t_shoulder_1 = tau[0] - s_shoulder * t_boom_2 * 41.6925;
+  const Scalar t_shoulder_2 = t_shoulder_1 + qd[1] * t_boom_3 * 8.5;
+  qdd[0] = inverse_pivot_shoulder * t_shoulder_2;
   // boom
-  qdd[1] = -(9.81 * c_shoulder - 0.23529411764705882 * tau[1] + qd[0] * t_boom_2);
+  const Scalar t_boom_4 = 9.81 * c_shoulder - 0.23529411764705882 * tau[1];
+  qdd[1] = -(t_boom_4 + qd[0] * t_boom_3);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {

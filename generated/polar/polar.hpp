@@ -24,7 +24,7 @@ inline constexpr int kDof = 2;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xee8fea818f934a32ULL;
+inline constexpr unsigned long long kDigest = 0xc09d068eece18e5aULL;
 
 /// Index of every joint.
 namespace joint {

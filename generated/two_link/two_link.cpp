@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0xa4f3820ed1347349ULL, "header and source are of different runs");
+static_assert(kDigest == 0x4601c89d9f10f867ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -111,13 +111,16 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar alpha_forearm_z = qdd[0] + qdd[1];
   const Scalar t_forearm_1 = s_elbow * (9.81 * s_shoulder - qd[0] * qd[0]);
-  const Scalar a_forearm_y = c_elbow * (qdd[0] + 9.81 * c_shoulder) - t_forearm_1;
-  const Scalar M_forearm_z = 22.5 * alpha_forearm_z + 25.0 * a_forearm_y;
+  const Scalar t_forearm_2 = c_elbow * (qdd[0] + 9.81 * c_shoulder);
+  const Scalar a_forearm_y = t_forearm_2 - t_forearm_1;
+  const Scalar t_forearm_3 = 22.5 * alpha_forearm_z;
+  const Scalar M_forearm_z = t_forearm_3 + 25.0 * a_forearm_y;
   tau[1] = M_forearm_z;
-  const Scalar t_forearm_2 = s_elbow * omega_forearm_z * omega_forearm_z;
+  const Scalar t_forearm_4 = s_elbow * omega_forearm_z * omega_forearm_z;
+  const Scalar t_upper_arm_1 = M_forearm_z + 735.75 * c_shoulder;
+  const Scalar t_forearm_5 = 25.0 * (c_elbow * alpha_forearm_z - t_forearm_4);
   // upper_arm
-  const Scalar t_upper_arm_1 = M_forearm_z + 735.75 * c_shoulder + 72.5 * qdd[0];
-  tau[0] = t_upper_arm_1 + 25.0 * (c_elbow * alpha_forearm_z - t_forearm_2);
+  tau[0] = t_upper_arm_1 + 72.5 * qdd[0] + t_forearm_5;
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
@@ -131,14 +134,17 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar t_upper_arm_1 = 9.81 * c_shoulder;
   const Scalar t_forearm_2 = 25.0 * s_elbow;
   const Scalar t_forearm_3 = 1.1111111111111112 * c_elbow;
-  const Scalar t_upper_arm_2 = tau[1] - t_forearm_2 * (qd[0] * qd[0] - 9.81 * s_shoulder);
-  const Scalar t_upper_arm_3 = tau[1] - tau[0] + (75.0 - t_forearm_1) * t_upper_arm_1;
-  const Scalar t_forearm_4 = omega_forearm_z * omega_forearm_z * t_forearm_2;
-  const Scalar t_upper_arm_4 = t_upper_arm_3 + t_forearm_3 * t_upper_arm_2 - t_forearm_4;
-  const Scalar t_upper_arm_5 = inverse_pivot_upper_arm * t_upper_arm_4;
-  qdd[0] = -t_upper_arm_5;
-  const Scalar t_forearm_5 = t_upper_arm_5 + 0.044444444444444446 * t_upper_arm_2;
-  qdd[1] = t_forearm_5 - t_forearm_3 * (t_upper_arm_1 - t_upper_arm_5);
+  const Scalar t_forearm_4 = t_forearm_2 * (qd[0] * qd[0] - 9.81 * s_shoulder);
+  // upper_arm
+  const Scalar t_upper_arm_2 = tau[1] - t_forearm_4;
+  const Scalar t_upper_arm_3 = (75.0 - t_forearm_1) * t_upper_arm_1;
+  const Scalar t_upper_arm_4 = tau[1] - tau[0] + t_upper_arm_3 + t_forearm_3 * t_upper_arm_2;
+  const Scalar t_upper_arm_5 = t_upper_arm_4 - omega_forearm_z * omega_forearm_z * t_forearm_2;
+  const Scalar t_upper_arm_6 = inverse_pivot_upper_arm * t_upper_arm_5;
+  qdd[0] = -t_upper_arm_6;
+  // forearm
+  const Scalar t_forearm_5 = t_upper_arm_6 + 0.044444444444444446 * t_upper_arm_2;
+  qdd[1] = t_forearm_5 - t_forearm_3 * (t_upper_arm_1 - t_upper_arm_6);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {

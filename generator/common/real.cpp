@@ -5,7 +5,7 @@
 namespace treedyn {
 
 const Real& pi() {
-  static const Real value = boost::math::constants::pi<Real>();
+  static const Real value = boost::math::constants::pi<Digits>();
   return value;
 }
 

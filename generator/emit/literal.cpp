@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,14 @@ std::string type_name(Scalar scalar) { return scalar == Scalar::kFloat ? "float"
 
 std::string literal(const Real& value, Scalar scalar) {
   return scalar == Scalar::kFloat ? digits<float>(value) + "f" : digits<double>(value);
+}
+
+int literal_width(const Real& value, Scalar scalar) {
+  constexpr std::string_view kLongestDouble = "1.2345678901234567e-300";
+  constexpr std::string_view kLongestFloat = "1.23456789e-30f";
+  const auto longest = (scalar == Scalar::kFloat ? kLongestFloat : kLongestDouble).size();
+  const bool of_structure = value.digits() == value.seen();
+  return static_cast<int>(of_structure ? literal(value, scalar).size() : longest);
 }
 
 bool rounds_to_one(const Real& value, Scalar scalar) {

@@ -33,6 +33,10 @@ std::string type_name(Scalar scalar);
 /// `1e-05f`. \throws std::range_error if the value is too large for the type.
 std::string literal(const Real& value, Scalar scalar);
 
+/// Columns to keep free for the literal: those of the longest, as the digits of a number of the
+/// robot must not decide where lines end; the actual ones of numbers that structure gives.
+int literal_width(const Real& value, Scalar scalar);
+
 /// True if the literal is that of 1.
 bool rounds_to_one(const Real& value, Scalar scalar);
 

@@ -109,6 +109,9 @@ void Statements::make_schedule() {
     return available(value);
   };
   measure.atom = [this](Ref value) {
+    if (graph_.node(value).kind == Kind::kConstant) {
+      return literal_width(graph_.value(value), scalar_);
+    }
     return is_operation(value) ? names_.width(value) : static_cast<int>(atom(value).size());
   };
   schedule_ = program::schedule(graph_, function_.outputs, operations_, measure);

@@ -1,8 +1,7 @@
 // Software floats, apart from engine.cpp because they take long to compile.
-#include <boost/multiprecision/eigen.hpp>
-
 #include "common/real.hpp"
 #include "engine/definitions.hpp"
+#include "engine/eigen_real.hpp"
 #include "engine/engine.hpp"
 
 namespace treedyn::engine {

@@ -47,7 +47,7 @@ class Structure {
     const Node& node = graph_.node(k);
     switch (node.kind) {
       case Kind::kConstant:
-        return key_of(static_cast<double>(graph_.value(k)));
+        return key_of(static_cast<double>(graph_.value(k).seen()));
       case Kind::kInput:
         return key_of(node.a, node.b);
       case Kind::kAdd:

@@ -6,22 +6,12 @@
 
 namespace treedyn::program {
 
-namespace {
-
-/// Relative distance below which two constants are the same number, reached along two ways.
-const Real& same_constant() {
-  static const Real value("1e-38");
-  return value;
-}
-
-}  // namespace
-
 int ConstantTable::find_or_add(const Real& value) {
-  TREEDYN_EXPECT(value > 0);
-  const auto key = static_cast<double>(value);
+  TREEDYN_EXPECT(value >= 0 && value != 0);
+  const auto key = static_cast<double>(value.seen());
   for (auto it = table_.lower_bound(key * (1 - 1e-14));
        it != table_.end() && it->first <= key * (1 + 1e-14); ++it) {
-    if (abs(this->value(it->second) - value) <= value * same_constant()) {
+    if (identical(this->value(it->second), value)) {
       return it->second;
     }
   }

@@ -11,7 +11,7 @@ namespace treedyn::program {
 /// Positive numbers in order of their first appearance; two that agree to 38 digits are one.
 class ConstantTable {
  public:
-  /// The index of `value`. \pre value > 0
+  /// The index of `value`. \pre it is seen as no negative number, and not 0
   int find_or_add(const Real& value);
   [[nodiscard]] const Real& value(int index) const {
     return values_[static_cast<std::size_t>(index)];

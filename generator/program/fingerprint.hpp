@@ -33,14 +33,14 @@ Scalar sample_function(Kind kind, const Scalar& a) {
   return kind == Kind::kSin ? Scalar(2 * t * scale) : Scalar((1 - t * t) * scale);
 }
 
-/// The value of every node that `outputs` need, at the point number `point`; others are zero.
+/// What is seen of every node that `outputs` need, at the point number `point`; others are zero.
 /// O(size of the graph).
 template <class Scalar>
 std::vector<Scalar> fingerprint(const Graph& graph, std::span<const Ref> outputs, int point) {
   return node_values<Scalar>(
       graph, outputs,
       [point](int array, int element) { return Scalar(sample_input(array, element, point)); },
-      sample_function<Scalar>);
+      sample_function<Scalar>, Numbers::kSeen);
 }
 
 }  // namespace treedyn::program

@@ -9,12 +9,6 @@ namespace treedyn::program {
 
 namespace {
 
-/// Relative distance below which two constants are the same number, reached along two ways.
-const Real& same_constant() {
-  static const Real value("1e-38");
-  return value;
-}
-
 std::uint64_t pack(Ref a, Ref b) {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
          static_cast<std::uint64_t>(static_cast<std::uint32_t>(b));
@@ -43,11 +37,11 @@ Ref Graph::constant(const Real& value) {
     return 0;
   }
   const Real magnitude = abs(value);
-  const auto key = static_cast<double>(magnitude);
+  const auto key = static_cast<double>(magnitude.seen());
   for (auto it = constant_table_.lower_bound(key * (1 - 1e-14));
        it != constant_table_.end() && it->first <= key * (1 + 1e-14); ++it) {
     const Real& known = constants_[static_cast<std::size_t>(node(it->second).a)];
-    if (abs(known - magnitude) <= magnitude * same_constant()) {
+    if (identical(known, magnitude)) {
       return value < 0 ? -it->second : it->second;
     }
   }
@@ -74,7 +68,7 @@ Ref Graph::add_constant(Ref sum, Ref constant) {
   const Real a = value(sum);
   const Real b = value(constant);
   const Real total = a + b;
-  return negligible(total, std::max(Real(abs(a)), Real(abs(b)))) ? 0 : this->constant(total);
+  return negligible(total, larger(a, b)) ? 0 : this->constant(total);
 }
 
 Ref Graph::add(Ref a, Ref b) {
@@ -144,21 +138,21 @@ Ref Graph::divide(Ref a, Ref b) {
 
 Ref Graph::sin(Ref a) {
   if (is_constant(a)) {
-    return constant(boost::multiprecision::sin(value(a)));
+    return constant(treedyn::sin(value(a)));
   }
   return a < 0 ? -make(Kind::kSin, -a, 0) : make(Kind::kSin, a, 0);
 }
 
 Ref Graph::cos(Ref a) {
   if (is_constant(a)) {
-    return constant(boost::multiprecision::cos(value(a)));
+    return constant(treedyn::cos(value(a)));
   }
   return make(Kind::kCos, std::abs(a), 0);
 }
 
 Ref Graph::sqrt(Ref a) {
   TREEDYN_EXPECT(a >= 0);
-  return is_constant(a) ? constant(boost::multiprecision::sqrt(value(a))) : make(Kind::kSqrt, a, 0);
+  return is_constant(a) ? constant(treedyn::sqrt(value(a))) : make(Kind::kSqrt, a, 0);
 }
 
 void Graph::name(Ref a, const char* symbol, int body, const char* component) {

@@ -17,12 +17,15 @@ Scalar from_real(const Real& value) {
   return static_cast<Scalar>(value);
 }
 
+/// Constants as they are, or as decisions see them.
+enum class Numbers { kPlain, kSeen };
+
 /// The value of every node that `outputs` need; others are zero. O(size of the graph).
 /// \param input       value of (array, element)
 /// \param elementary  value of (kSin, kCos or kSqrt, argument)
 template <class Scalar, class Input, class Elementary>
 std::vector<Scalar> node_values(const Graph& graph, std::span<const Ref> outputs, Input input,
-                                Elementary elementary) {
+                                Elementary elementary, Numbers numbers = Numbers::kPlain) {
   std::vector<Scalar> value(graph.size(), Scalar(0));
   const auto at = [&](Ref a) -> Scalar {
     return a < 0 ? Scalar(-value[static_cast<std::size_t>(-a)])
@@ -33,7 +36,8 @@ std::vector<Scalar> node_values(const Graph& graph, std::span<const Ref> outputs
     Scalar& result = value[static_cast<std::size_t>(k)];
     switch (node.kind) {
       case Kind::kConstant:
-        result = from_real<Scalar>(graph.value(k));
+        result = from_real<Scalar>(numbers == Numbers::kPlain ? graph.value(k).plain()
+                                                              : Real(graph.value(k).seen()));
         break;
       case Kind::kInput:
         result = input(node.a, node.b);

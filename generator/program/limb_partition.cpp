@@ -11,6 +11,15 @@ namespace {
 
 constexpr int kMostJoints = 1 << 12;  ///< of a limb, for its keys
 
+/// Equal for numbers that are equal as they are and as they are seen.
+Key key_of_number(const Real& x) {
+  const Key seen = residue::key_of(static_cast<double>(x.seen()));
+  return x.seen() == x.digits()
+             ? seen
+             : residue::sum(seen,
+                            residue::odd(residue::key_of(static_cast<double>(x)), Kind::kConstant));
+}
+
 }  // namespace
 
 LimbPartition::LimbPartition(const Function& function, const Limbs& limbs)
@@ -51,7 +60,7 @@ void LimbPartition::place_leaves() {
     const Node& node = graph_.node(k);
     LimbPlace& place = places_[index(k)];
     if (node.kind == Kind::kConstant) {
-      keys_[index(k)] = residue::key_of(static_cast<double>(graph_.value(k)));
+      keys_[index(k)] = key_of_number(graph_.value(k));
     } else if (node.kind == Kind::kInput && node.a >= kFixedArrays) {
       const int c = node.a - kFixedArrays;
       const int size = limbs_[static_cast<std::size_t>(c)].size();

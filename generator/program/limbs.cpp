@@ -12,11 +12,9 @@ namespace {
 
 std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
 
-bool same(const Real& a, const Real& b) { return abs(a - b) <= (abs(a) + abs(b)) * Real(1e-38); }
-
 bool same(const std::vector<Real>& a, const std::vector<Real>& b, int sign) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [sign](const Real& x, const Real& y) { return same(x, Real(sign * y)); });
+                    [sign](const Real& x, const Real& y) { return identical(x, Real(sign * y)); });
 }
 
 /// The column with these values (+k + 1) or their negatives (-(k + 1)); 0: none.
@@ -65,7 +63,7 @@ Number negated(Number a) {
 Number sum(const Number& a, const Number& b) {
   return combined(a, b, [](const Real& x, const Real& y) {
     const Real total = x + y;
-    return negligible(total, std::max(Real(abs(x)), Real(abs(y)))) ? Real(0) : total;
+    return negligible(total, larger(x, y)) ? Real(0) : total;
   });
 }
 
@@ -76,9 +74,9 @@ Number product(const Number& a, const Number& b) {
 /// The value of an operation on numbers. \param of  Ref -> Number
 template <class Of>
 Number operation(const Node& node, Of of) {
-  using boost::multiprecision::cos;
-  using boost::multiprecision::sin;
-  using boost::multiprecision::sqrt;
+  using treedyn::cos;
+  using treedyn::sin;
+  using treedyn::sqrt;
   const auto map = [&](auto function) {
     return combined(of(node.a), {-1, 0, {Real(0)}},
                     [&](const Real& x, const Real&) { return function(x); });
@@ -236,7 +234,7 @@ void Folder::visit(Ref k) {
 
 Ref limb_constant(Graph& graph, Limbs& limbs, int limb_class, int limb,
                   const std::vector<Real>& values) {
-  if (std::ranges::all_of(values, [&](const Real& x) { return same(x, values.front()); })) {
+  if (std::ranges::all_of(values, [&](const Real& x) { return identical(x, values.front()); })) {
     return graph.constant(values.front());
   }
   LimbClass& table = limbs[static_cast<std::size_t>(limb_class)];

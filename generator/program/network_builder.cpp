@@ -143,7 +143,7 @@ void NetworkBuilder::add_constants(std::vector<Ref>& terms) {
     }
     const Real& value = network_.magnitude(term);
     total += term < 0 ? Real(-value) : value;
-    scale = std::max(scale, value);
+    scale = larger(scale, value);
     return true;
   });
   if (!negligible(total, scale)) {

@@ -280,8 +280,8 @@ bool Resubstitution::shorten(int k) {
       const Sample a = sample(operands[i]);
       const Sample b = sample(operands[j]);
       const Sample value = kind == Kind::kAdd ? a + b : a * b;
-      const Ref same =
-          find_operand(static_cast<double>(value.first), static_cast<double>(value.second), k);
+      const Ref same = find_operand(static_cast<double>(value.first.seen()),
+                                    static_cast<double>(value.second.seen()), k);
       if (same != 0 && identical(sample(same), value) && (kind == Kind::kAdd || same > 0)) {
         std::vector<Ref> rest = operands;
         rest[i] = same;

@@ -28,7 +28,7 @@ std::vector<Rounded<double>> rounded_items(const Network& network, int point) {
     const Item& item = network.item(k);
     Number& result = items[static_cast<std::size_t>(k)];
     if (item.kind == Kind::kConstant) {
-      result = Number(static_cast<double>(network.magnitude(k)));
+      result = Number(static_cast<double>(network.magnitude(k).seen()));
     } else if (item.kind == Kind::kInput) {
       result = Number(sample_input(item.first, item.size, point));
     } else {
@@ -194,6 +194,25 @@ std::vector<Scalar> results_at(const Function& function, int state) {
 }
 
 }  // namespace
+
+bool same_results(const Function& function, const Function& other) {
+  constexpr int kCompared = 2;
+  for (int state = 1; state <= kCompared; ++state) {
+    const std::vector<Real> ours = results_at<Real>(function, state);
+    const std::vector<Real> theirs = results_at<Real>(other, state);
+    Real largest = 0;
+    for (const Real& value : theirs) {
+      largest = larger(largest, value);
+    }
+    const Real tolerance = largest * Real("1e-30");
+    if (!std::ranges::equal(ours, theirs, [&](const Real& a, const Real& b) {
+          return abs(a - b) <= tolerance;  // no NaN is
+        })) {
+      return false;
+    }
+  }
+  return true;
+}
 
 double float_error(const Function& function) {
   double worst = 0;

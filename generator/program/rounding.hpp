@@ -110,6 +110,10 @@ class RoundingGuard {
 /// for each state.
 double amplification(const Function& function, const Function& before);
 
+/// True if the results agree to 30 digits of the largest at some pseudo-random states.
+/// O(operations) with 50 digits for each state.
+bool same_results(const Function& function, const Function& other);
+
 /// What float loses at some pseudo-random states, measured: the largest error as a part of the
 /// largest output; infinite where float has no result. Bounds of recursions along many links say
 /// nothing. O(operations) with 50 digits for each state.

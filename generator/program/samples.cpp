@@ -53,8 +53,8 @@ void SampleTable::update_errors(std::span<const int> order) {
 
 void SampleTable::append(int k) {
   samples_.push_back(evaluate(k));
-  fast_.push_back(
-      {static_cast<double>(samples_.back().first), static_cast<double>(samples_.back().second)});
+  fast_.push_back({static_cast<double>(samples_.back().first.seen()),
+                   static_cast<double>(samples_.back().second.seen())});
   errors_.emplace_back();
   update_errors(std::span(&k, 1));
   zero_.push_back(vanishes(k));
@@ -83,20 +83,32 @@ bool SampleTable::vanishes(int k) const {
   return std::ranges::all_of(operands, zero) || is_rounding(k);
 }
 
+namespace {
+
 /// What cancels 30 digits of the largest term is suspicious; it is rounding if it is within the
 /// error bound of values that agree to 38 digits when they are the same. (Tilts of 1e-16 leave
-/// 1e-32 of sums that are no zeros.)
+/// 1e-32 of sums that are no zeros.) The bound is that of the stand-ins, and as a part of the
+/// largest term that of the numbers.
+bool cancels(const Real& value, const Real& largest, double error) {
+  if (largest.seen() == 0) {
+    return value == 0;
+  }
+  const Digits part = Digits(1e-38 * error) / largest.seen();
+  return Real::both(value, largest, [&](const Digits& x, const Digits& of) {
+    return abs(x) <= of * Digits(1e-30) && abs(x) <= of * part;
+  });
+}
+
+}  // namespace
+
 bool SampleTable::is_rounding(int k) const {
   Sample largest;
   for (const Ref term : network_.operands(k)) {
-    largest.first = std::max(largest.first, Real(abs(sample(term).first)));
-    largest.second = std::max(largest.second, Real(abs(sample(term).second)));
+    largest.first = larger(largest.first, sample(term).first);
+    largest.second = larger(largest.second, sample(term).second);
   }
-  const Real suspicious("1e-30");
-  const double same = 1e-38;
-  return abs(sample(k).first) <= suspicious * largest.first &&
-         abs(sample(k).second) <= suspicious * largest.second &&
-         std::abs(fast(k)[0]) <= same * errors(k)[0] && std::abs(fast(k)[1]) <= same * errors(k)[1];
+  return cancels(sample(k).first, largest.first, errors(k)[0]) &&
+         cancels(sample(k).second, largest.second, errors(k)[1]);
 }
 
 }  // namespace treedyn::program

@@ -28,9 +28,6 @@ struct Sample {
   }
 };
 
-/// Equal but for rounding at 50 digits.
-inline bool identical(const Real& a, const Real& b) { return abs(a - b) <= abs(b) * Real(1e-38); }
-
 inline bool identical(const Sample& a, const Sample& b) {
   return identical(a.first, b.first) && identical(a.second, b.second);
 }

@@ -1,9 +1,12 @@
 #include "simplify/formulate.hpp"
 
 #include "common/error.hpp"
+#include "program/signs.hpp"
 #include "simplify/derived.hpp"
 #include "simplify/functions.hpp"
+#include "simplify/gate.hpp"
 #include "simplify/search.hpp"
+#include "simplify/stand_ins.hpp"
 
 namespace treedyn::simplify {
 
@@ -31,9 +34,23 @@ program::Signature signature(const std::string& name, int dof, int points) {
           arrays(recipe.outputs)};
 }
 
+namespace {
+
+/// By structure, if the numbers allow it: not where what is zero by chance was divided by, or
+/// where it has cancelled nearly.
+program::Function cheapest_seen(const model::Tree& tree, const Recipe& recipe,
+                                const Options& options) {
+  const Seen seen = with_stand_ins(tree, options);
+  program::Function function = cheapest(seen.tree, recipe, seen.options);
+  return holds(function, tree, recipe, options) ? program::with_positive_constants(function)
+                                                : cheapest(tree, recipe, options);
+}
+
+}  // namespace
+
 program::Function formulate(const model::Tree& tree, const std::string& name,
                             const Options& options) {
-  program::Function function = cheapest(tree, recipe_of(name), options);
+  program::Function function = cheapest_seen(tree, recipe_of(name), options);
   function.signature = signature(name, tree.dof(), static_cast<int>(options.points.size()));
   return function;
 }
@@ -42,7 +59,7 @@ program::Function formulate(const model::Tree& tree, const std::shared_ptr<const
                             const Options& options) {
   Options own = options;
   own.share_limbs = false;
-  program::Function result = cheapest(tree, derived_recipe(function), own);
+  program::Function result = cheapest_seen(tree, derived_recipe(function), own);
   result.signature.name = function->equation.name;
   return result;
 }

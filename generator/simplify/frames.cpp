@@ -9,7 +9,6 @@ namespace treedyn::simplify {
 
 namespace {
 
-const Real kTiny("1e-40");
 /// Squared sine of the angle between axes that count as parallel for the choice of origins: the
 /// feet of their common normal are far away (1e12 m for the 1e-12 rad of a rounded right angle),
 /// and inertias about them would cancel. Any slide is exact, so only the cost depends on this.
@@ -48,7 +47,7 @@ class Workbench {
 /// A rotation whose third column is `axis`; a relabelling of axes if `axis` is one of them.
 Matrix3 frame_with_z(const Vector3& axis) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (abs(abs(axis[k]) - 1) < kTiny) {
+    if (identical(abs(axis[k]), 1)) {
       const bool negative = axis[k] < 0;
       Matrix3 relabel{};
       relabel[3 * ((k + 1) % 3) + (negative ? 1 : 0)] = 1;
@@ -151,11 +150,15 @@ void Workbench::slide(int i, const Real& distance) {
   }
 }
 
+bool is_nearly_parallel(const Real& sine2) {
+  return sine2 < kNearlyParallel || sine2.plain() < kNearlyParallel;
+}
+
 /// Distance along z_i to the foot of the common normal with the father's axis.
 Real foot_to_father(const NormalLink& l) {
   const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
   const Real sine2 = z[0] * z[0] + z[1] * z[1];
-  if (sine2 < kNearlyParallel) {
+  if (is_nearly_parallel(sine2)) {
     return -l.offset[2] / z[2];
   }
   return -(l.offset[0] * z[0] + l.offset[1] * z[1]) / sine2;
@@ -166,7 +169,7 @@ Real foot_to_father(const NormalLink& l) {
 Real foot_on_father(const NormalLink& l) {
   const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
   const Real sine2 = z[0] * z[0] + z[1] * z[1];
-  return sine2 < kNearlyParallel ? l.offset[2] : l.offset[2] + foot_to_father(l) * z[2];
+  return is_nearly_parallel(sine2) ? l.offset[2] : l.offset[2] + foot_to_father(l) * z[2];
 }
 
 std::optional<Real> Workbench::slide_distance(int i) {
@@ -233,7 +236,7 @@ int equal_constants(const NormalLink& a, const NormalLink& b) {
   int count = 0;
   const auto compare = [&](const auto& x, const auto& y, int weight) {
     for (std::size_t k = 0; k < x.size(); ++k) {
-      count += abs(x[k] - y[k]) <= (abs(x[k]) + abs(y[k])) * kTiny ? weight : 0;
+      count += identical(x[k], y[k]) ? weight : 0;
     }
   };
   compare(a.rotation, b.rotation, kRotationWeight);
@@ -291,7 +294,7 @@ NormalTree Workbench::run(const std::vector<LimbLinks>& limbs) {
   }
   for (int i = 0; i < n; ++i) {
     if (link(i).revolute) {
-      turn(i, frame_turn(i));
+      turn(i, with_right_angles(frame_turn(i)));  // any turn is exact
     }
   }
   for (const LimbLinks& of_class : limbs) {

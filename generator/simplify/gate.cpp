@@ -54,6 +54,10 @@ class Gate {
   }
 
   program::Function run() const;
+  [[nodiscard]] bool holds(const program::Function& function) const {
+    return program::same_results(function, before_.front()) &&
+           amplification(function) <= kMostAmplification;
+  }
 
  private:
   /// Before the passes, without and with the trunk.
@@ -150,6 +154,11 @@ program::Function Gate::run() const {
 program::Function held_to_rounding(const model::Tree& tree, const Recipe& recipe,
                                    const Options& options, Formulate formulate) {
   return Gate(tree, recipe, options, formulate).run();
+}
+
+bool holds(const program::Function& function, const model::Tree& tree, const Recipe& recipe,
+           const Options& options) {
+  return Gate(tree, recipe, options, nullptr).holds(function);
 }
 
 }  // namespace treedyn::simplify

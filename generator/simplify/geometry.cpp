@@ -1,14 +1,21 @@
 #include "simplify/geometry.hpp"
 
+#include <algorithm>
+
 namespace treedyn::simplify {
 
 namespace {
 
 const Real kTiny("1e-40");
 
+bool is_tiny(const Real& x) {
+  return Real::both(x, x,
+                    [](const Digits& value, const Digits&) { return abs(value) < kTiny.digits(); });
+}
+
 Real clean(const Real& x) {
   for (const int exact : {0, 1, -1}) {
-    if (abs(x - exact) < kTiny) {
+    if (is_tiny(x - exact)) {
       return exact;
     }
   }
@@ -85,6 +92,8 @@ Matrix3 operator*(const Real& s, const Matrix3& a) {
   return map(a, a, [&](const Real& x, const Real&) { return Real(s * x); });
 }
 
+Vector3 plain(const Vector3& v) { return {v[0].plain(), v[1].plain(), v[2].plain()}; }
+
 Matrix3 clean(Matrix3 rotation) {
   for (Real& entry : rotation) {
     entry = clean(entry);
@@ -94,22 +103,52 @@ Matrix3 clean(Matrix3 rotation) {
 
 Turn turn_to(const Real& x, const Real& y) {
   const Real length = sqrt(x * x + y * y);
-  return length == 0 ? Turn{} : clean(Turn{x / length, y / length});
+  const auto part = [&](const Real& of, int else_) {
+    return Real::map(of, length, [else_](const Digits& a, const Digits& b) {
+      return b == 0 ? Digits(else_) : Digits(a / b);
+    });
+  };
+  return clean(Turn{part(x, 1), part(y, 0)});
 }
 
 Turn turn_by(const Real& angle) { return clean(Turn{cos(angle), sin(angle)}); }
+Turn with_right_angles(const Turn& turn) {
+  const Turn seen = clean(Turn{turn.c.seen(), turn.s.seen()});
+  return seen.is_quarter() ? seen : turn;
+}
 Turn operator*(const Turn& a, const Turn& b) {
   return clean(Turn{a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s});
 }
 Real angle_of(const Turn& turn) { return atan2(turn.s, turn.c); }
 Matrix3 about_z(const Turn& turn) { return {turn.c, -turn.s, 0, turn.s, turn.c, 0, 0, 0, 1}; }
 
-EulerZxz euler_zxz(const Matrix3& r) {
+namespace {
+
+/// Of numbers without stand-ins.
+EulerZxz angles_of(const Matrix3& r) {
   const Real sine = sqrt(r[2] * r[2] + r[5] * r[5]);
   if (sine < kTiny) {  // axes parallel: one turn says all
     return {turn_to(r[0], r[3]), {r[8] > 0 ? 1 : -1, 0}, {}};
   }
   return {turn_to(-r[5], r[2]), turn_to(r[8], sine), turn_to(r[7], r[6])};
+}
+
+Turn seen_as(const Turn& a, const Turn& stand_in) {
+  return {Real::seen_as(a.c.digits(), stand_in.c.digits()),
+          Real::seen_as(a.s.digits(), stand_in.s.digits())};
+}
+
+}  // namespace
+
+EulerZxz euler_zxz(const Matrix3& r) {
+  Matrix3 own;
+  Matrix3 seen;
+  std::ranges::transform(r, own.begin(), [](const Real& x) { return x.plain(); });
+  std::ranges::transform(r, seen.begin(), [](const Real& x) { return Real(x.seen()); });
+  const EulerZxz angles = angles_of(own);
+  const EulerZxz stand_ins = angles_of(seen);
+  return {seen_as(angles.gamma, stand_ins.gamma), seen_as(angles.alpha, stand_ins.alpha),
+          seen_as(angles.epsilon, stand_ins.epsilon)};
 }
 
 }  // namespace treedyn::simplify

@@ -26,6 +26,9 @@ Matrix3 operator+(const Matrix3& a, const Matrix3& b);
 Matrix3 operator-(const Matrix3& a, const Matrix3& b);
 Matrix3 operator*(const Real& s, const Matrix3& a);
 
+/// The numbers themselves, without stand-ins.
+Vector3 plain(const Vector3& v);
+
 /// Makes entries exact that rounding left next to -1, 0 or 1.
 Matrix3 clean(Matrix3 rotation);
 
@@ -34,15 +37,19 @@ struct Turn {
   Real c = 1;
   Real s = 0;
 
-  [[nodiscard]] bool is_identity() const { return s == 0 && c > 0; }
+  [[nodiscard]] bool is_identity() const { return s == 0 && c == 1; }
   /// Multiple of pi/2.
-  [[nodiscard]] bool is_quarter() const { return s == 0 || c == 0; }
+  [[nodiscard]] bool is_quarter() const {
+    return s == 0 ? c == 1 || c == -1 : c == 0 && (s == 1 || s == -1);
+  }
   [[nodiscard]] Turn inverse() const { return {c, -s}; }
 };
 
 /// Rotation from the direction (x, y), which need not have unit length; identity for (0, 0).
 Turn turn_to(const Real& x, const Real& y);
 Turn turn_by(const Real& angle);
+/// The right angle that `turn` is seen as, if it is.
+Turn with_right_angles(const Turn& turn);
 Turn operator*(const Turn& a, const Turn& b);
 Real angle_of(const Turn& turn);
 Matrix3 about_z(const Turn& turn);

@@ -18,7 +18,8 @@ struct CoordinateAxis {
 
 std::optional<CoordinateAxis> coordinate_axis(const Vec3& v) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (v[(k + 1) % 3].is_zero() && v[(k + 2) % 3].is_zero() && v[k].is_constant()) {
+    if (v[(k + 1) % 3].is_zero() && v[(k + 2) % 3].is_zero() && v[k].is_constant() &&
+        identical(abs(v[k].value()), 1)) {
       return CoordinateAxis{k, v[k].value() < 0};
     }
   }

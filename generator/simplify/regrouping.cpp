@@ -28,9 +28,10 @@ void move_to_father(NormalTree& tree, NormalLink& l, Real mass, Real moment, Rea
 
 /// True if a mass may be chosen by its moment along `axis`: over a lever that is the rounding of a
 /// zero (1e-12 m beside 1 m) it would be huge, and cancel later.
-bool is_lever(const Vector3& offset, std::size_t axis) {
+bool is_lever(const Vector3& seen, std::size_t axis) {
+  const Vector3 offset = plain(seen);
   const Real length = abs(offset[0]) + abs(offset[1]) + abs(offset[2]);
-  return abs(offset[axis]) > Real("1e-6") + length * Real("1e-4");
+  return seen[axis] != 0 && abs(offset[axis]) > Real("1e-6") + length * Real("1e-4");
 }
 
 /// The mass that passes to the father.
@@ -82,11 +83,11 @@ void clean_constants(NormalTree& tree) {
   Real offset = 0;
   const auto raise = [](Real& bound, const auto& values) {
     for (const Real& value : values) {
-      bound = std::max(bound, Real(abs(value)));
+      bound = larger(bound, value);
     }
   };
   for (const NormalLink& l : tree.links) {
-    mass = std::max(mass, Real(abs(l.mass)));
+    mass = larger(mass, l.mass);
     raise(moment, l.moment);
     raise(pseudo, l.pseudo);
     raise(offset, l.offset);

@@ -11,6 +11,7 @@
 #include "program/limb_code.hpp"
 #include "program/rounding.hpp"
 #include "simplify/gate.hpp"
+#include "simplify/stand_ins.hpp"
 
 namespace treedyn::simplify {
 
@@ -129,8 +130,9 @@ class Search {
       : tree_(tree),
         recipe_(recipe),
         options_(options),
+        seen_(stand_ins_alone(tree, options)),
         choices_(choices_of(tree, recipe.freedom, options)) {
-    const program::Function first = build_with_limbs(tree_, recipe_, options_, start).function;
+    const program::Function first = compared(start);
     const std::size_t size = std::max(first.graph.size(), kReferenceSize);
     moves_ = static_cast<int>(static_cast<std::size_t>(options.effort) * kReferenceSize / size);
     note(start, weight(program::cost(first)));
@@ -147,6 +149,10 @@ class Search {
     return links;
   }
   [[nodiscard]] program::Function finished(const Variant& variant) const;
+  /// With stand-ins alone: for its cost.
+  [[nodiscard]] program::Function compared(const Variant& variant) const {
+    return build_with_limbs(seen_.tree, recipe_, seen_.options, variant).function;
+  }
   [[nodiscard]] program::Effort algebra_effort(const program::Function& function) const;
   void note(const Variant& variant, int cost);
   void drop_what_does_not_pay(Variant& variant, int& cost);
@@ -163,6 +169,7 @@ class Search {
   const model::Tree& tree_;
   const Recipe& recipe_;
   const Options& options_;
+  const Seen seen_;
   std::vector<Choice> choices_;
   int moves_ = 0;
   std::mt19937_64 generator_{20110602};
@@ -187,8 +194,7 @@ int Search::raw_cost(const Variant& variant) {
     return known->second;
   }
   --moves_;
-  const int cost =
-      weight(program::cost(build_with_limbs(tree_, recipe_, options_, variant).function));
+  const int cost = weight(program::cost(compared(variant)));
   note(variant, cost);
   return cost;
 }
@@ -199,7 +205,7 @@ int Search::optimised_cost(const Variant& variant) {
     return known->second;
   }
   moves_ -= kOptimisedMove;
-  const program::Function function = build_with_limbs(tree_, recipe_, options_, variant).function;
+  const program::Function function = compared(variant);
   const program::Cost raw = program::cost(function);
   const int total = options_.has(Pass::kAlgebra)
                         ? program::estimate_operations(function.graph, function.outputs)

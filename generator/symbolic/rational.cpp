@@ -21,13 +21,13 @@ std::optional<GiNaC::numeric> nearby_rational(const Real& value) {
   Real rest = value;
   while (true) {
     const Real whole = floor(rest);
-    const Integer a(whole);
+    const Integer a(whole.digits());
     const Integer h = a * h1 + h0;
     const Integer k = a * k1 + k0;
     if (k > largest) {
       return std::nullopt;
     }
-    if (abs(Real(h) / Real(k) - value) <= tolerance) {
+    if (abs(Real(Digits(h) / Digits(k)) - value) <= tolerance) {
       return to_numeric(h) / to_numeric(k);
     }
     h0 = h1;
@@ -40,7 +40,7 @@ std::optional<GiNaC::numeric> nearby_rational(const Real& value) {
 
 GiNaC::numeric binary_fraction(const Real& value) {
   int exponent = 0;
-  const Real mantissa = frexp(value, &exponent);
+  const Digits mantissa = frexp(value.digits(), &exponent);
   constexpr int kBits = std::numeric_limits<Real>::digits;
   const Integer scaled(ldexp(mantissa, kBits));
   return to_numeric(scaled) * GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(exponent - kBits));

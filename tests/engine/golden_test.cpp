@@ -1,11 +1,11 @@
 // The engine on the golden cases of EQUATIONS.md 9.
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "common/real.hpp"
+#include "engine/eigen_real.hpp"
 #include "engine/engine.hpp"
 #include "support/golden_tree.hpp"
 

@@ -1,9 +1,8 @@
 // Facts about A, B, G and the energies that need no second implementation, in 50 digits.
-#include <boost/multiprecision/eigen.hpp>
-
 #include <gtest/gtest.h>
 
 #include "common/real.hpp"
+#include "engine/eigen_real.hpp"
 #include "engine/engine.hpp"
 #include "engine/factor.hpp"
 #include "support/random_tree.hpp"

@@ -1,9 +1,8 @@
 // Rows of reactions, EQUATIONS.md 6.2.
-#include <boost/multiprecision/eigen.hpp>
-
 #include <gtest/gtest.h>
 
 #include "block/evaluate.hpp"
+#include "engine/eigen_real.hpp"
 #include "equations/equations.hpp"
 #include "equations/kinematics.hpp"
 #include "support/golden_tree.hpp"

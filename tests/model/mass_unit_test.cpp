@@ -43,7 +43,7 @@ TEST(MassUnit, BringsTheLargestResistanceNearOne) {
       EXPECT_GE(resistance / unit, 1) << mass;
       EXPECT_LT(resistance / unit, 2) << mass;
       int exponent = 0;
-      EXPECT_EQ(frexp(unit, &exponent), Real("0.5")) << mass;  // no digit changes
+      EXPECT_EQ(frexp(unit.digits(), &exponent), Digits("0.5")) << mass;  // no digit changes
     }
   }
 }
