@@ -207,8 +207,7 @@ std::string doc(const program::Stepper& stepper) {
   const std::string parts =
       stepper.turning.empty()
           ? ""
-          : fmt::format(" Where joints turn far, parts of the step, {} at most.",
-                        stepper.parts);
+          : fmt::format(" Where joints turn far, parts of the step, {} at most.", stepper.parts);
   return signature_doc(stepper.signature) + events_doc(stepper) +
          wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number", bits), "/// ") +
          wrapped(fmt::format("By {}, {} s.{}{} Cost{}{}: {}. Never more than {}.",
