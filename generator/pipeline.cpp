@@ -113,8 +113,7 @@ void prove(const Model& model, const Request& request, const Programs& programs)
                  return !simplify::is_scene_function(function.signature.name);
                });
   const model::Vector3 gravity = decided_request(model, request).gravity;
-  prove_functions(model.tree, model.points, gravity, model.equations, of_model,
-                  {request.scene.value_or(request.model), 0, 0});
+  prove_functions(model.tree, model.points, gravity, model.equations, of_model);
   if (model.scene) {
     prove_scene(*model.scene, programs);
   }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "common/decimal.hpp"
 #include "engine/engine.hpp"
 #include "engine/user.hpp"
 #include "program/interpret.hpp"
@@ -46,6 +47,16 @@ Real largest_inertia(const model::Tree& tree) {
     largest += link.inertia.mass * reach * reach;
   }
   return largest;
+}
+
+/// The link with the largest inertia about the origin of its own joint, a bound of it.
+const model::Link& heaviest(const model::Tree& tree) {
+  const auto inertia = [](const model::Link& link) {
+    const model::Inertia& of = link.inertia;
+    return of.mass * (of.com[0] * of.com[0] + of.com[1] * of.com[1] + of.com[2] * of.com[2]) +
+           of.about_com[0] + of.about_com[4] + of.about_com[8];
+  };
+  return *std::ranges::max_element(tree.links, {}, inertia);
 }
 
 /// The same numbers on every machine (splitmix64), in (-2, 2).
@@ -95,9 +106,24 @@ Numbers interpreted(const program::Function& function, const std::vector<Values>
 }
 
 struct Check {
-  Location where;
   Real largest_inertia;
+  const model::Link& heaviest;
 };
+
+/// Numbers of a model are too far apart, most likely those of the link with the largest inertia.
+[[noreturn]] void refuse_decades(const std::string& function, const model::Link& link) {
+  Real distance = 0;
+  for (const Real& x : link.inertia.com) {
+    distance = std::max(distance, Real(abs(x)));
+  }
+  throw InputError(
+      link.where,
+      fmt::format(
+          "link '{}': with a mass of {} kg {} m from its joint masses, lengths and inertias "
+          "cancel so that no digit of '{}' is left; expected masses, lengths and inertias "
+          "of fewer decades",
+          shown(link.name), link.inertia.mass.str(6), distance.str(6), function));
+}
 
 /// \throws InputError if the difference is what cancellation makes of numbers that many decades
 /// apart: no digit would be left in double
@@ -122,11 +148,7 @@ void compare(const std::string& name, const Numbers& ours, const Values& engines
           ours[k].value.str(20), engines[k].str(20)));
     }
     if (!(difference <= no_digit)) {
-      throw InputError(check.where,
-                       fmt::format("function '{}': masses, lengths and inertias cancel so "
-                                   "that no digit is left; expected numbers of fewer "
-                                   "decades",
-                                   name));
+      refuse_decades(name, check.heaviest);
     }
   }
 }
@@ -215,10 +237,10 @@ const simplify::Derived* find(const simplify::DerivedFunctions& equations,
 
 void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
                      const model::Vector3& gravity, const simplify::DerivedFunctions& equations,
-                     const std::vector<program::Function>& functions, const Location& where) {
+                     const std::vector<program::Function>& functions) {
   engine::Engine<Real> engine(tree, points, gravity);
   States states;
-  const Check check{where, largest_inertia(tree)};
+  const Check check{largest_inertia(tree), heaviest(tree)};
   for (int count = tree.size() <= kLargestForTwoStates ? 2 : 1; count > 0; --count) {
     for (const program::Function& function : functions) {
       if (const simplify::Derived* const of_user = find(equations, function.signature.name)) {

@@ -143,6 +143,7 @@ TEST_F(Cli, RefusesNumbersThatLeaveNoDigitOfAResult) {
   write_file(scratch("far.urdf"), far_body("1e20"));
   const Outcome refused = treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()});
   EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("far.urdf:1: link 'a': with a mass of 1 kg 1e+20 m"));
   EXPECT_THAT(refused.err, HasSubstr("expected masses, lengths and inertias of fewer decades"));
   write_file(scratch("far.urdf"), far_body("1e10"));
   EXPECT_EQ(treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()}).status, 0);
