@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "common/decimal.hpp"
 #include "engine/engine.hpp"
 #include "engine/user.hpp"
 #include "program/interpret.hpp"
@@ -47,16 +46,6 @@ Real largest_inertia(const model::Tree& tree) {
     largest += link.inertia.mass * reach * reach;
   }
   return largest;
-}
-
-/// The link with the largest inertia about the origin of its own joint, a bound of it.
-const model::Link& heaviest(const model::Tree& tree) {
-  const auto inertia = [](const model::Link& link) {
-    const model::Inertia& of = link.inertia;
-    return of.mass * (of.com[0] * of.com[0] + of.com[1] * of.com[1] + of.com[2] * of.com[2]) +
-           of.about_com[0] + of.about_com[4] + of.about_com[8];
-  };
-  return *std::ranges::max_element(tree.links, {}, inertia);
 }
 
 /// The same numbers on every machine (splitmix64), in (-2, 2).
@@ -105,37 +94,17 @@ Numbers interpreted(const program::Function& function, const std::vector<Values>
   return outputs;
 }
 
-struct Check {
-  Real largest_inertia;
-  const model::Link& heaviest;
-};
-
-/// Numbers of a model are too far apart, most likely those of the link with the largest inertia.
-[[noreturn]] void refuse_decades(const std::string& function, const model::Link& link) {
-  Real distance = 0;
-  for (const Real& x : link.inertia.com) {
-    distance = std::max(distance, Real(abs(x)));
-  }
-  throw InputError(
-      link.where,
-      fmt::format(
-          "link '{}': with a mass of {} kg {} m from its joint masses, lengths and inertias "
-          "cancel so that no digit of '{}' is left; expected masses, lengths and inertias "
-          "of fewer decades",
-          shown(link.name), link.inertia.mass.str(6), distance.str(6), function));
-}
-
-/// \throws InputError if the difference is what cancellation makes of numbers that many decades
-/// apart: no digit would be left in double
+/// \throws std::range_error if the difference is what cancellation makes of numbers that many
+/// decades apart: no digit would be left in double
 void compare(const std::string& name, const Numbers& ours, const Values& engines,
-             const Check& check) {
+             const Real& largest_inertia) {
   Real largest = 0;
   for (const Real& value : engines) {
     largest = std::max(largest, Real(abs(value)));
   }
   const Real tolerance = largest * Real("1e-35") + Real("1e-40");
   const Real no_digit = largest * Real("1e-17");
-  const Real dropped = check.largest_inertia * (1 + largest);
+  const Real dropped = largest_inertia * (1 + largest);
   TREEDYN_EXPECT(ours.size() == engines.size());
   for (std::size_t k = 0; k < engines.size(); ++k) {
     const Real difference = abs(ours[k].value - engines[k]);
@@ -148,7 +117,10 @@ void compare(const std::string& name, const Numbers& ours, const Values& engines
           ours[k].value.str(20), engines[k].str(20)));
     }
     if (!(difference <= no_digit)) {
-      refuse_decades(name, check.heaviest);
+      throw std::range_error(fmt::format(
+          "masses, lengths and inertias cancel so that no digit of '{}' is left; expected numbers "
+          "of fewer decades",
+          name));
     }
   }
 }
@@ -190,7 +162,7 @@ Values identity(std::size_t n) {
 
 /// Functions that have no equation of their own are held against the equations they stand for.
 void prove_function(const program::Function& function, engine::Engine<Real>& engine, States& states,
-                    const Check& check) {
+                    const Real& largest_inertia) {
   const std::string& name = function.signature.name;
   const std::vector<Values> inputs = states.inputs(function.signature);
   const Numbers ours = interpreted(function, inputs);
@@ -207,20 +179,20 @@ void prove_function(const program::Function& function, engine::Engine<Real>& eng
     return product(numbers, b, n);
   };
   if (name == "mass_matrix_factor") {
-    compare(name, multiplied_out(ours, n), mass_matrix(), check);
+    compare(name, multiplied_out(ours, n), mass_matrix(), largest_inertia);
   } else if (name == "mass_matrix_solve") {
-    compare(name, times_inertia(ours), inputs[1], check);
+    compare(name, times_inertia(ours), inputs[1], largest_inertia);
   } else if (name == "mass_matrix_inverse") {
-    compare(name, times_inertia(ours), identity(n), check);
+    compare(name, times_inertia(ours), identity(n), largest_inertia);
   } else if (name == "dynamics_terms") {
     Values expected = mass_matrix();
     for (const Values& term :
          {engine.evaluate("bias_force", inputs), engine.evaluate("gravity_force", {inputs[0]})}) {
       expected.insert(expected.end(), term.begin(), term.end());
     }
-    compare(name, ours, expected, check);
+    compare(name, ours, expected, largest_inertia);
   } else {
-    compare(name, ours, engine.evaluate(name, inputs), check);
+    compare(name, ours, engine.evaluate(name, inputs), largest_inertia);
   }
 }
 
@@ -240,15 +212,15 @@ void prove_functions(const model::Tree& tree, const std::vector<model::Point>& p
                      const std::vector<program::Function>& functions) {
   engine::Engine<Real> engine(tree, points, gravity);
   States states;
-  const Check check{largest_inertia(tree), heaviest(tree)};
+  const Real largest = largest_inertia(tree);
   for (int count = tree.size() <= kLargestForTwoStates ? 2 : 1; count > 0; --count) {
     for (const program::Function& function : functions) {
       if (const simplify::Derived* const of_user = find(equations, function.signature.name)) {
         const std::vector<Values> inputs = states.inputs(function.signature);
         engine::UserFunction<Real> expected(of_user->equation, tree, points, gravity);
-        compare(function.signature.name, interpreted(function, inputs), expected(inputs), check);
+        compare(function.signature.name, interpreted(function, inputs), expected(inputs), largest);
       } else {
-        prove_function(function, engine, states, check);
+        prove_function(function, engine, states, largest);
       }
     }
   }

@@ -13,8 +13,7 @@ namespace treedyn {
 /// states and compares, 1e-35 relative to the largest value, or what cancellation within the
 /// program explains.
 /// \throws std::logic_error naming the function that differs: a mistake of ours.
-/// \throws InputError naming the link with the largest inertia if numbers of the model cancel so
-/// that no digit would be left in double
+/// \throws std::range_error if numbers of the model cancel so that no digit would be left in double
 void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
                      const model::Vector3& gravity, const simplify::DerivedFunctions& equations,
                      const std::vector<program::Function>& functions);
