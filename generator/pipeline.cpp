@@ -103,7 +103,7 @@ Programs formulate(const Model& model, const Request& request, const Trace& trac
   try {
     return formulated(model, request, trace);
   } catch (const std::range_error& error) {
-    throw InputError({request.scene.value_or(request.model), 0, 0}, error.what());
+    refuse_decades(model.tree, error.what());
   }
 }
 
@@ -114,8 +114,11 @@ void prove(const Model& model, const Request& request, const Programs& programs)
                  return !simplify::is_scene_function(function.signature.name);
                });
   const model::Vector3 gravity = decided_request(model, request).gravity;
-  prove_functions(model.tree, model.points, gravity, model.equations, of_model,
-                  {request.scene.value_or(request.model), 0, 0});
+  try {
+    prove_functions(model.tree, model.points, gravity, model.equations, of_model);
+  } catch (const std::range_error& error) {
+    refuse_decades(model.tree, error.what());
+  }
   if (model.scene) {
     prove_scene(*model.scene, programs);
   }
