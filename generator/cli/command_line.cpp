@@ -87,6 +87,11 @@ void add_accuracy(CLI::App& app, Settings& settings) {
       ->check(CLI::PositiveNumber)
       ->type_name("LIST");
   command
+      .add_option("--rate", request.rate,
+                  "of a controller, Hz: only steps of which a whole number makes its period")
+      ->check(CLI::PositiveNumber)
+      ->type_name("HZ");
+  command
       .add_option("--target", request.target,
                   "largest error of a joint, rad or m: prints the cheapest setting that keeps it")
       ->check(CLI::PositiveNumber)
