@@ -340,7 +340,7 @@ void add_generation(CLI::App& command, Request& request) {
       .add_option("--accuracy-samples", request.accuracy_samples,
                   "states in which errors of the functions of the model are measured: into the "
                   "manifest; of info --accuracy, default 200")
-      ->check(CLI::Range(1, 1000000))
+      ->check(CLI::Range(1, 10000))
       ->type_name("N");
   command.add_option("--effort", request.effort, "search effort in moves; 0: none")
       ->check(CLI::Range(0, 1000000000))
