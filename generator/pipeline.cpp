@@ -18,6 +18,7 @@
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
 #include "equations/table.hpp"
+#include "function_accuracy.hpp"
 #include "in_scalar.hpp"
 #include "limits.hpp"
 #include "program/rounding.hpp"
@@ -177,6 +178,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   if (unit.self_test && unit.functions.empty()) {
     throw InputError({request.scene.value_or(request.model), 0, 0},
                      "--self-test tests functions of the model; expected some among --functions");
+  }
+  if (request.accuracy_samples > 0) {
+    unit.errors = measured_errors(model, request, unit.functions);
   }
   if (request.target.packed) {
     unit.packing = packing_of(model, request);
