@@ -9,4 +9,8 @@ namespace treedyn {
 /// neither written nor counted, and with tests of the pivots that may lose their digits in it.
 Programs in_scalar(Programs programs, const Model& model, emit::Scalar scalar);
 
+/// Functions of which float keeps no digits.
+std::vector<Warning> float_warnings(const Programs& programs, emit::Scalar scalar,
+                                    const Location& where);
+
 }  // namespace treedyn

@@ -215,66 +215,6 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
 
 namespace {
 
-/// What float may lose of the largest result at some ordinary state before there is a warning.
-constexpr double kFloatLoses = 1e-2;
-
-/// Functions of which float keeps no digits.
-std::vector<Warning> float_warnings(const Programs& programs, emit::Scalar scalar,
-                                    const Location& where) {
-  std::vector<Warning> result;
-  const auto check = [&](const std::string& name, const program::Function& function) {
-    const double error = program::float_error(function);
-    if (!(error <= kFloatLoses)) {
-      result.push_back(
-          {where, fmt::format("function '{}' {} in float at some ordinary state, and no status "
-                              "tells; expected double, or masses and lengths of more equal size",
-                              name,
-                              std::isfinite(error)
-                                  ? fmt::format("is off by {:.1g} of its largest result", error)
-                                  : "has no result")});
-    }
-  };
-  if (scalar == emit::Scalar::kFloat) {
-    for (const program::Function& function : programs.functions) {
-      check(function.signature.name, function);
-    }
-    for (const program::Staged& staged : programs.staged) {
-      check(staged.signature.name, staged.function);
-    }
-  }
-  return result;
-}
-
-}  // namespace
-
-StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::string& file) {
-  const Location where{file, 0, 0};
-  Request request;
-  request.scene = file;
-  request.functions = {"step"};
-  request.target.scalar = scalar;
-  Model model;
-  model.name = "generated";
-  model.tree = scene.tree;
-  model.points = scene.points;
-  model.scene = scene;
-  model.scene_functions = {"step"};
-  require_step(model, where);
-  simplify::settle_loops(*model.scene);
-  simplify::settle_sticking(*model.scene);
-  Programs programs = formulate(model, request, [](const std::string&) {});
-  const program::Stepper stepper = in_scalar(programs, model, scalar).steppers.front();
-  StepFiles result{model.name,
-                   {},
-                   stepper.signature,
-                   program::step_cost(stepper),
-                   float_warnings(programs, scalar, where)};
-  result.files = emit_files(model, request, std::move(programs));
-  return result;
-}
-
-namespace {
-
 /// Functions without some pass, because it would have amplified rounding.
 void warn_of_rounding(const Request& request, const Programs& programs, const Warn& warn) {
   const Location where{request.scene.value_or(request.model), 0, 0};

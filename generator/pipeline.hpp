@@ -38,18 +38,6 @@ void prove(const Model& model, const Request& request, const Programs& programs)
 /// Programs to text.
 std::vector<emit::File> emit_files(const Model& model, const Request& request, Programs programs);
 
-/// A scene's `step` and what it calls, by the default options.
-struct StepFiles {
-  std::string name;
-  std::vector<emit::File> files;
-  program::Signature signature;  ///< of `step`
-  program::Cost cost;            ///< of one step in the first phase
-  std::vector<Warning> warnings;
-};
-/// \param file  of the scene, for messages
-/// \throws InputError if the scene has no generated step
-StepFiles step_files(const model::Scene& scene, emit::Scalar scalar, const std::string& file);
-
 /// A model to text: `formulate`, `prove`, `emit_files`.
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace,
                                  const Warn& warn);

@@ -36,14 +36,14 @@ std::string next_decade(const Study& study, const std::vector<std::size_t>& fron
 
 std::string front_text(const Study& study, const Core& core) {
   std::string text =
-      fmt::format("\ncheapest settings on {} ({}):\n{:>12} {:>12}  {:<36} {}\n", core.name,
-                  core.brief, "error", "cycles/s", "setting", "next decade costs");
+      fmt::format("\ncheapest settings on {} ({}):\n{:>12} {:>12} {:>12}  {:<36} {}\n", core.name,
+                  core.brief, "error", "energy, J", "cycles/s", "setting", "next decade costs");
   const std::vector<std::size_t> front = pareto(study, core);
   for (std::size_t k = 0; k < front.size(); ++k) {
     const Outcome& outcome = study.outcomes[front[k]];
-    text += fmt::format("{:>12.2e} {:>12.4g}  {:<36} {}\n", outcome.error(),
-                        outcome.cycles_per_second(core), text_of(outcome.setting),
-                        next_decade(study, front, k, core));
+    text += fmt::format("{:>12.2e} {:>12.1e} {:>12.4g}  {:<36} {}\n", outcome.error(),
+                        outcome.energy_error(), outcome.cycles_per_second(core),
+                        text_of(outcome.setting), next_decade(study, front, k, core));
   }
   return text;
 }
@@ -58,13 +58,24 @@ std::vector<std::string> integrators_of(const Study& study) {
   return names;
 }
 
+std::string reference_text(const Reference& reference) {
+  const std::string text = fmt::format(
+      "reference: {}, which differ by {:.1e}: errors above {:.1e} are known to a hundredth\n",
+      reference.methods, reference.agreement, 100 * reference.uncertainty());
+  return text +
+         (reference.check.empty()
+              ? "check: none, simulate does not get through\n"
+              : fmt::format("check: {} differs by {:.1e}{}\n", reference.check,
+                            reference.check_difference,
+                            reference.refuted() ? ", more than it may: one of them is wrong" : ""));
+}
+
 std::string facts_text(const Study& study) {
   std::string text = fmt::format(
       "{}: {} s, {} initial states (the scene's own and others within {:.1g} of each coordinate "
-      "and speed)\n"
-      "reference: {} and {}, which differ by {:.1e}\n",
-      study.scene, study.duration, study.states, study.spread, study.reference_settings.front(),
-      study.reference_settings.back(), study.reference_agreement);
+      "and speed)\n",
+      study.scene, study.duration, study.states, study.spread);
+  text += reference_text(study.reference);
   for (const State state : kStates) {
     if (const std::optional<Floor> floor = floor_of(study, state)) {
       text += fmt::format("floor of {}: {:.2e} with {}\n", name_of(state), floor->error,
@@ -83,6 +94,15 @@ std::string facts_text(const Study& study) {
   return text;
 }
 
+/// A JSON array; null: not finite.
+std::string numbers(const std::vector<double>& values) {
+  std::vector<std::string> result;
+  for (const double value : values) {
+    result.push_back(std::isfinite(value) ? fmt::format("{}", value) : "null");
+  }
+  return fmt::format("[{}]", fmt::join(result, ", "));
+}
+
 std::string html(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -94,9 +114,11 @@ std::string html(const std::string& text) {
 std::string html_rows(const Study& study, const std::vector<const Core*>& on) {
   std::string text;
   for (const Outcome& outcome : study.outcomes) {
-    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
                         name_of(outcome.setting.state), html(outcome.setting.integrator),
-                        outcome.setting.step, error_text(outcome), outcome.step_cost.total());
+                        outcome.setting.step, error_text(outcome),
+                        outcome.failed() ? "" : fmt::format("{:.1e}", outcome.energy_error()),
+                        outcome.step_cost.total());
     for (const Core* core : on) {
       text += fmt::format("<td>{:.4g}</td>", outcome.cycles_per_second(*core));
     }
@@ -117,7 +139,7 @@ std::string report_text(const Study& study, const std::vector<const Core*>& on) 
 
 std::string report_csv(const Study& study) {
   std::string text =
-      "scalar,state,integrator,step,error,least_error,status,add,mul,div,sqrt,sin,cos";
+      "scalar,state,integrator,step,error,least_error,energy_error,status,add,mul,div,sqrt,sin,cos";
   for (const Core& core : cores()) {
     text += fmt::format(",cycles_per_second_{}", core.name);
   }
@@ -126,10 +148,11 @@ std::string report_csv(const Study& study) {
     const program::Cost& cost = outcome.step_cost;
     const bool failed = outcome.failed();
     text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", scalar_of(outcome.setting.state),
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", scalar_of(outcome.setting.state),
                     kept_of(outcome.setting.state), outcome.setting.integrator,
                     outcome.setting.step, failed ? "failed" : fmt::format("{}", outcome.error()),
-                    failed ? "failed" : fmt::format("{}", outcome.least()), outcome.status,
+                    failed ? "failed" : fmt::format("{}", outcome.least()),
+                    failed ? "failed" : fmt::format("{}", outcome.energy_error()), outcome.status,
                     cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos);
     for (const Core& core : cores()) {
       text += fmt::format(",{:.6g}", outcome.cycles_per_second(core));
@@ -142,16 +165,13 @@ std::string report_csv(const Study& study) {
 std::string report_json(const Study& study) {
   std::vector<std::string> rows;
   for (const Outcome& outcome : study.outcomes) {
-    std::vector<std::string> errors;
-    for (const double error : outcome.joint_errors) {
-      errors.push_back(std::isfinite(error) ? fmt::format("{}", error) : "null");
-    }
     std::vector<std::pair<std::string, std::string>> members = {
         {"scalar", fmt::format("\"{}\"", scalar_of(outcome.setting.state))},
         {"state", fmt::format("\"{}\"", kept_of(outcome.setting.state))},
         {"integrator", emit::json_string(outcome.setting.integrator)},
         {"step", fmt::format("{}", outcome.setting.step)},
-        {"errors", fmt::format("[{}]", fmt::join(errors, ", "))},
+        {"errors", numbers(outcome.joint_errors)},
+        {"energy_errors", numbers(outcome.energy_errors)},
         {"status", fmt::format("{}", outcome.status)},
         {"operations", fmt::format("{}", outcome.step_cost.total())}};
     for (const Core& core : cores()) {
@@ -162,9 +182,10 @@ std::string report_json(const Study& study) {
   }
   return fmt::format(
       "{{\n  \"scene\": {},\n  \"duration\": {},\n  \"states\": {},\n  \"spread\": {},\n  "
-      "\"reference_agreement\": {:.3g},\n  \"settings\": {}\n}}\n",
+      "\"reference_agreement\": {:.3g},\n  \"check_difference\": {:.3g},\n  \"settings\": "
+      "{}\n}}\n",
       emit::json_string(study.scene), study.duration, study.states, study.spread,
-      study.reference_agreement, emit::json_lines(rows, 4));
+      study.reference.agreement, study.reference.check_difference, emit::json_lines(rows, 4));
 }
 
 std::string report_page(const Study& study, const std::vector<const Core*>& on) {
@@ -191,8 +212,12 @@ std::string choice_text(const Study& study, const Core& core, double target) {
   const std::optional<std::size_t> chosen = cheapest(study, core, target);
   if (!chosen) {
     const Outcome& best = study.outcomes[most_accurate(study)];
-    return fmt::format("{:.3g} is out of reach: the smallest error is {:.2e}, with {}\n", target,
-                       best.error(), text_of(best.setting));
+    const double unknown = study.reference.uncertainty();
+    return fmt::format("{:.3g} is out of reach: the smallest error is {:.2e}, with {}{}\n", target,
+                       best.error(), text_of(best.setting),
+                       best.error() > target
+                           ? ""
+                           : fmt::format("; the reference is uncertain by {:.2e}", unknown));
   }
   const Outcome& outcome = study.outcomes[*chosen];
   const double cycles = outcome.cycles_per_second(core);

@@ -48,6 +48,16 @@ double Outcome::least() const {
   return *std::min_element(joint_errors.begin(), joint_errors.end());
 }
 
+double Outcome::energy_error() const { return largest(energy_errors); }
+
+bool Reference::refuted() const {
+  return !check.empty() && !(check_difference <= 1e6 * check_tolerance);
+}
+
+double Reference::uncertainty() const {
+  return refuted() ? std::max(agreement, check_difference) : agreement;
+}
+
 double Outcome::cycles_per_second(const Core& core) const {
   return cycles(step_cost, core, setting.state != State::kDouble) / setting.step;
 }
@@ -73,10 +83,24 @@ std::vector<std::size_t> pareto(const Study& study, const Core& core) {
   return result;
 }
 
+namespace {
+
+bool outcome_reaches(const Study& study, const Outcome& outcome, double target) {
+  return outcome.error() + study.reference.uncertainty() <= target;
+}
+
+}  // namespace
+
+bool reaches(const Study& study, double target) {
+  return std::any_of(study.outcomes.begin(), study.outcomes.end(), [&](const Outcome& outcome) {
+    return !outcome.failed() && outcome_reaches(study, outcome, target);
+  });
+}
+
 std::optional<std::size_t> cheapest(const Study& study, const Core& core, double target) {
   const std::vector<std::size_t> front = pareto(study, core);
   const auto found = std::find_if(front.begin(), front.end(), [&](std::size_t k) {
-    return study.outcomes[k].error() <= target;
+    return outcome_reaches(study, study.outcomes[k], target);
   });
   return found == front.end() ? std::nullopt : std::optional(*found);
 }

@@ -36,31 +36,52 @@ struct Outcome {
   /// Largest difference of a joint coordinate from the reference at the times of output, of each
   /// initial state, rad or m; not finite where the motion ended.
   std::vector<double> joint_errors;
+  /// The same of the energy that is stored in motion, gravity, springs and contacts, J.
+  std::vector<double> energy_errors;
   int status = 0;  ///< bits that `step` returned
 
   [[nodiscard]] bool failed() const;
-  [[nodiscard]] double error() const;  ///< largest of joint_errors
-  [[nodiscard]] double least() const;  ///< smallest
+  [[nodiscard]] double error() const;         ///< largest of joint_errors
+  [[nodiscard]] double least() const;         ///< smallest
+  [[nodiscard]] double energy_error() const;  ///< largest of energy_errors, J
   /// Cycles for a second of motion.
   [[nodiscard]] double cycles_per_second(const Core& core) const;
+};
+
+/// What errors are measured against.
+struct Reference {
+  std::string methods;          ///< the two that were compared
+  double agreement = 0;         ///< largest difference of their joint coordinates, rad or m
+  std::string check;            ///< what shares no text with them; empty: it did not get through
+  double check_tolerance = 0;   ///< of its steps
+  double check_difference = 0;  ///< largest, from the first method
+
+  /// True if the check contradicts: it is off by more than a million times its tolerance, which
+  /// leaves room for errors that grow.
+  [[nodiscard]] bool refuted() const;
+  /// What an error is not known to.
+  [[nodiscard]] double uncertainty() const;
 };
 
 /// All runs of one scene.
 struct Study {
   std::string scene;
-  double duration = 0;             ///< s
-  int states = 0;                  ///< in the band, the scene's own first
-  double spread = 0;               ///< of the band, part of each coordinate and speed
-  std::optional<double> rate;      ///< of a controller, Hz; a whole number of steps a period
-  double reference_agreement = 0;  ///< largest difference of the two reference solutions
-  std::vector<std::string> reference_settings;
+  double duration = 0;         ///< s
+  int states = 0;              ///< in the band, the scene's own first
+  double spread = 0;           ///< of the band, part of each coordinate and speed
+  std::optional<double> rate;  ///< of a controller, Hz; a whole number of steps a period
+  Reference reference;
   std::vector<Outcome> outcomes;  ///< by scalar, integrator, falling step
 };
 
 /// Numbers of the outcomes than which none is both cheaper and more accurate, by rising cost.
 std::vector<std::size_t> pareto(const Study& study, const Core& core);
 
-/// The outcome whose error is at most `target` for the fewest cycles; nothing if there is none.
+/// True if an outcome is off by at most `target`, even if the uncertainty of the reference is added
+/// to its error.
+bool reaches(const Study& study, double target);
+
+/// The outcome that reaches `target` for the fewest cycles; nothing if there is none.
 std::optional<std::size_t> cheapest(const Study& study, const Core& core, double target);
 
 /// The outcome of the smallest error. \pre there is one that did not fail

@@ -4,18 +4,17 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "accuracy/chart.hpp"
 #include "accuracy/report.hpp"
+#include "cli/motions.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
-#include "dynamics/generated_run.hpp"
 #include "dynamics/scene_dynamics.hpp"
-#include "pipeline.hpp"
 #include "program/random.hpp"
 #include "simulation/simulator.hpp"
 #include "system/files.hpp"
@@ -35,33 +34,22 @@ constexpr int kTimes = 50;
 constexpr double kLadder[] = {1, 2, 5, 10, 20, 50, 100, 200, 500};
 /// Steps of one run at most.
 constexpr double kMostSteps = 400'000;
-/// Error of a step of the reference.
-constexpr double kReferenceTolerance = 1e-13;
+/// Operations of a reference at most: half a minute.
+constexpr double kReferenceWork = 2e10;
+/// Errors of a step of the check.
+constexpr double kCheckTolerances[] = {1e-13, 1e-10, 1e-7};
 
-using simulation::Vector;
-
-struct State {
-  Vector q;
-  Vector qd;
-};
-
-/// q at every time of comparison, one behind the other; ends where the motion is not finite.
-struct Motion {
-  Values q;
-  int status = 0;
-};
-
-model::Scene stepped(const model::Scene& scene, const std::string& integrator, double step) {
-  model::Scene result = scene;
-  result.stepping.compensated = false;
-  result.stepping.integrator = integrator;
-  result.stepping.step = Real(fmt::format("{}", step));
-  return result;
+double largest_distance(const std::vector<Motion>& a, const std::vector<Motion>& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    largest = std::max(largest, distance(a[k].q, b[k].q));
+  }
+  return largest;
 }
 
 /// The scene's own initial state and others within `spread`, moved onto the constraints.
-std::vector<State> band(const AccuracyRequest& request, const model::Scene& scene) {
-  std::vector<State> result;
+std::vector<Start> band(const AccuracyRequest& request, const model::Scene& scene) {
+  std::vector<Start> result;
   program::Random random(1);
   const std::unique_ptr<simulation::Dynamics> dynamics = program_dynamics(scene);
   for (int k = 0; k < request.states; ++k) {
@@ -84,103 +72,43 @@ std::vector<State> band(const AccuracyRequest& request, const model::Scene& scen
   return result;
 }
 
-/// Steps from a state to the end of the scene.
-Motion run(GeneratedStep& step, const model::Scene& scene, const State& initial, long steps,
-           long every) {
-  Motion motion;
-  const auto h = static_cast<double>(scene.stepping.step);
-  begin_motion(scene, initial.q, initial.qd, step);
-  for (long k = 0; k < steps; ++k) {
-    if (step.has("t")) {
-      step.at("t")[0] = static_cast<double>(scene.t0) + static_cast<double>(k) * h;
-    }
-    motion.status |= step.call();
-    if ((k + 1) % every == 0) {
-      const Values& q = step.at("q");
-      if (!std::all_of(q.begin(), q.end(), [](double x) { return std::isfinite(x); })) {
-        break;
-      }
-      motion.q.insert(motion.q.end(), q.begin(), q.end());
-    }
-  }
-  return motion;
+/// Steps between two comparisons with which the references stay below kReferenceWork.
+long reference_parts(const Subject& subject, const program::Cost& step) {
+  const double work = static_cast<double>(subject.starts.size()) * step.total();
+  const double steps = std::min(kMostSteps, kReferenceWork / work);
+  return std::max(1L, std::lround(steps / subject.times));
 }
 
-/// The largest difference of two motions; not finite if one of them ends early.
-double distance(const Motion& a, const Motion& b) {
-  if (a.q.size() != b.q.size()) {
-    return std::numeric_limits<double>::infinity();
-  }
-  double largest = 0;
-  for (std::size_t k = 0; k < a.q.size(); ++k) {
-    largest = std::max(largest, std::abs(a.q[k] - b.q[k]));
-  }
-  return largest;
-}
-
-/// The scene, its band and the times of comparison.
-struct Subject {
-  model::Scene scene;
-  std::string file;
-  std::vector<State> states;
-  double interval = 0;  ///< s between comparisons
-  int times = 0;
-
-  [[nodiscard]] long every(double step) const { return std::lround(interval / step); }
-  /// Of the generated step, from every initial state. \param[out] cost  of one step
-  [[nodiscard]] std::vector<Motion> motions(const model::Scene& stepped, emit::Scalar scalar,
-                                            program::Cost* cost) const {
-    StepFiles files = step_files(stepped, scalar, file);
-    if (cost != nullptr) {
-      *cost = files.cost;
-    }
-    GeneratedStep step(files.name, files.files, std::move(files.signature));
-    const long between = every(static_cast<double>(stepped.stepping.step));
-    std::vector<Motion> result;
-    for (const State& state : states) {
-      result.push_back(run(step, stepped, state, between * times, between));
-    }
-    return result;
-  }
-};
-
-/// The interpreted equations of the scene by Fehlberg's method of order eight, events located to
-/// the resolution of time, constraints projected.
-std::vector<Motion> simulated(const Subject& subject) {
-  std::vector<Motion> result;
-  const std::unique_ptr<simulation::Dynamics> dynamics = program_dynamics(subject.scene);
-  simulation::Settings how;
-  how.tolerance = kReferenceTolerance;
-  for (const State& state : subject.states) {
-    model::Scene scene = subject.scene;
-    scene.q0.assign(state.q.begin(), state.q.end());
-    scene.qd0.assign(state.qd.begin(), state.qd.end());
-    simulation::Simulator simulator(scene, *dynamics, how);
-    simulator.settle();
-    Motion motion;
-    for (int k = 1; k <= subject.times; ++k) {
-      simulator.advance_to(static_cast<double>(scene.t0) + k * subject.interval,
-                           [] { return true; });
-      const Vector q = simulator.q();
-      motion.q.insert(motion.q.end(), q.begin(), q.end());
-    }
-    result.push_back(std::move(motion));
-  }
-  return result;
-}
-
-/// `simulate`, checked by the generated step of order five in double with short steps: two programs
-/// that share neither text nor method.
-std::vector<Motion> reference(const Subject& subject, double step, Study& study) {
-  const std::vector<Motion> exact = simulated(subject);
-  const std::vector<Motion> second =
-      subject.motions(stepped(subject.scene, "dopri5-fixed", step), emit::Scalar::kDouble, nullptr);
-  for (std::size_t k = 0; k < exact.size(); ++k) {
-    study.reference_agreement = std::max(study.reference_agreement, distance(exact[k], second[k]));
-  }
-  study.reference_settings = {fmt::format("simulate, fehlberg78 to {:.0e}", kReferenceTolerance),
-                              fmt::format("the generated dopri5-fixed of {} s in double", step)};
+/// The generated steps of order five and four in the longest scalar of the host.
+std::vector<Motion> reference(const Subject& subject, StepWriter& writer, Study& study) {
+  Stepped how{"dopri5-fixed", 1, emit::Scalar::kExtended, false};
+  const auto files = [&] {
+    return writer.files(stepped_scene(subject, how), how.scalar);
+  };
+  how.parts = reference_parts(subject, files().cost);
+  const std::vector<Motion> exact = stepped_motions(subject, how, files());
+  how.integrator = "rk4";
+  const std::vector<Motion> second = stepped_motions(subject, how, files());
+  study.reference.agreement = largest_distance(exact, second);
+  study.reference.methods =
+      fmt::format("the generated dopri5-fixed and rk4 of {:.2g} s in long double, {} bits",
+                  static_cast<double>(subject.interval) / static_cast<double>(how.parts),
+                  std::numeric_limits<long double>::digits);
   return exact;
+}
+
+/// `simulate`, as precisely as its steps get through.
+void check(const Subject& subject, const std::vector<Motion>& exact, Study& study) {
+  for (const double tolerance : kCheckTolerances) {
+    try {
+      study.reference.check_difference =
+          largest_distance(exact, simulated_motions(subject, tolerance));
+      study.reference.check_tolerance = tolerance;
+      study.reference.check = fmt::format("simulate, fehlberg78 to {:.0e},", tolerance);
+      return;
+    } catch (const std::runtime_error&) {  // steps that hardly advance time
+    }
+  }
 }
 
 /// \throws UsageError if no whole number of steps makes `time`
@@ -224,26 +152,69 @@ Subject subject_of(const AccuracyRequest& request) {
   // a power of ten times 1, 2 or 5, so that steps are short decimals
   const double rough = duration / kTimes;
   const double decade = std::pow(10, std::floor(std::log10(rough)));
-  subject.interval = rough >= 5 * decade ? 5 * decade : rough >= 2 * decade ? 2 * decade : decade;
-  subject.times = static_cast<int>(std::floor(duration / subject.interval * (1 + 1e-12)));
-  subject.states = band(request, subject.scene);
+  const double interval = decade * (rough >= 5 * decade ? 5 : rough >= 2 * decade ? 2 : 1);
+  subject.interval = Real(fmt::format("{:.3g}", interval));
+  subject.times = static_cast<int>(std::floor(duration / interval * (1 + 1e-12)));
+  subject.starts = band(request, subject.scene);
   return subject;
 }
+
+/// What the references say, and how far settings are off.
+class Comparison {
+ public:
+  /// \pre `subject` outlives it
+  Comparison(const Subject& subject, std::vector<Motion> exact)
+      : subject_(subject), exact_(std::move(exact)), energies_(subject.scene) {
+    for (const Motion& motion : exact_) {
+      exact_energies_.push_back(energies_.of(motion));
+    }
+  }
+
+  Outcome outcome(const Setting& setting, StepWriter& writer) {
+    Stepped how;
+    how.integrator = setting.integrator;
+    how.parts = std::lround(static_cast<double>(subject_.interval) / setting.step);
+    how.compensated = setting.state == accuracy::State::kCompensated;
+    how.scalar =
+        setting.state == accuracy::State::kDouble ? emit::Scalar::kDouble : emit::Scalar::kFloat;
+    const StepFiles files = writer.files(stepped_scene(subject_, how), how.scalar);
+    const std::vector<Motion> motions = stepped_motions(subject_, how, files);
+    Outcome result;
+    result.setting = setting;
+    result.step_cost = files.cost;
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      result.joint_errors.push_back(distance(motions[k].q, exact_[k].q));
+      result.energy_errors.push_back(distance(energies_.of(motions[k]), exact_energies_[k]));
+      result.status |= motions[k].status;
+    }
+    return result;
+  }
+
+ private:
+  const Subject& subject_;
+  std::vector<Motion> exact_;
+  Energies energies_;
+  std::vector<Values> exact_energies_;
+};
 
 }  // namespace
 
 accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTrace& trace) {
   const Subject subject = subject_of(request);
+  const auto interval = static_cast<double>(subject.interval);
   Study study;
   study.scene = subject.scene.name;
-  study.duration = subject.interval * subject.times;
+  study.duration = subject.duration();
   study.states = request.states;
   study.spread = request.spread;
   study.rate = request.rate;
-  const std::vector<double> steps = ladder(request, subject.interval, subject.times);
-  const std::vector<Motion> exact =
-      reference(subject, *std::min_element(steps.begin(), steps.end()), study);
-  trace(fmt::format("reference: agreement {:.1e}", study.reference_agreement));
+  const std::vector<double> steps = ladder(request, interval, subject.times);
+  StepWriter writer(subject.file);
+  const std::vector<Motion> exact = reference(subject, writer, study);
+  trace(fmt::format("reference: agreement {:.1e}", study.reference.agreement));
+  check(subject, exact, study);
+  trace(fmt::format("check: {:.1e}", study.reference.check_difference));
+  Comparison comparison(subject, exact);
   std::vector<std::string> integrators = request.integrators;
   if (integrators.empty()) {
     integrators = {"semi-implicit-euler", "rk4", "dopri5-fixed"};
@@ -254,19 +225,9 @@ accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTra
         continue;  // which is not made
       }
       for (const double step : steps) {
-        Outcome outcome;
-        outcome.setting = {state, integrator, step};
-        model::Scene scene = stepped(subject.scene, integrator, step);
-        scene.stepping.compensated = state == accuracy::State::kCompensated;
-        const bool twice = state == accuracy::State::kDouble;
-        const std::vector<Motion> motions = subject.motions(
-            scene, twice ? emit::Scalar::kDouble : emit::Scalar::kFloat, &outcome.step_cost);
-        for (std::size_t k = 0; k < motions.size(); ++k) {
-          outcome.joint_errors.push_back(distance(motions[k], exact[k]));
-          outcome.status |= motions[k].status;
-        }
+        study.outcomes.push_back(comparison.outcome({state, integrator, step}, writer));
+        const Outcome& outcome = study.outcomes.back();
         trace(fmt::format("{}: {:.2e}", accuracy::text_of(outcome.setting), outcome.error()));
-        study.outcomes.push_back(std::move(outcome));
       }
     }
   }

@@ -218,8 +218,7 @@ int run_accuracy(const Settings& settings) {
   const accuracy::Study study = study_accuracy(settings.accuracy, trace_of(settings));
   print(write_accuracy(settings.accuracy, study));
   const std::optional<double>& target = settings.accuracy.target;
-  const bool reached = !target || study.outcomes[accuracy::most_accurate(study)].error() <= *target;
-  return reached ? 0 : kFailure;
+  return !target || accuracy::reaches(study, *target) ? 0 : kFailure;
 }
 
 int run(const Settings& settings) {

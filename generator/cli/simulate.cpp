@@ -12,10 +12,10 @@
 #include "dynamics/scene_dynamics.hpp"
 #include "limits.hpp"
 #include "model/effects.hpp"
-#include "pipeline.hpp"
 #include "simplify/scene_steps.hpp"
 #include "simplify/scene_sticking.hpp"
 #include "simulation/integrator.hpp"
+#include "step_files.hpp"
 #include "system/files.hpp"
 
 namespace treedyn {
@@ -104,7 +104,7 @@ std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request, mo
   }
   const emit::Scalar scalar =
       request.scalar.value_or("double") == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
-  const StepFiles files = step_files(scene, scalar, request.scene);
+  const StepFiles files = StepWriter(request.scene).files(scene, scalar);
   warnings = files.warnings;
   simplify::settle_sticking(scene);
   return std::make_unique<GeneratedStep>(files.name, files.files, files.signature);

@@ -18,10 +18,6 @@ namespace {
 using simulation::Vector;
 using Values = GeneratedStep::Values;
 
-Vector vector_of(const Values& values) {
-  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 /// One run: what the step is given and what is noted.
 class Run {
  public:
@@ -39,13 +35,13 @@ class Run {
   }
 
   /// Calls `show` with the reactions of every row of the table.
-  bool go(const std::function<void(const Values&)>& show, const simulation::Progress& progress);
+  bool go(const simulation::ShowState& show, const simulation::Progress& progress);
   [[nodiscard]] const std::vector<StatusRecord>& statuses() const { return statuses_; }
 
  private:
   void begin();
   void place(long k, const Values& q, const Values& qd, int state);
-  [[nodiscard]] Values reactions(int state) const;
+  [[nodiscard]] std::vector<double> reactions(int state) const;
   void note_status(int status, double time);
   [[nodiscard]] int state() const {
     return step_.has("phase") ? static_cast<int>(step_.at("phase")[0]) : scene_.start_phase;
@@ -71,15 +67,15 @@ void Run::place(long k, const Values& q, const Values& qd, int state) {
 }
 
 /// Of all constraints; zero where they do not act.
-Values Run::reactions(int state) const {
+std::vector<double> Run::reactions(int state) const {
   const std::vector<int>& active = states_[static_cast<std::size_t>(state)].active;
-  Values result;
+  std::vector<double> result;
   std::size_t row = 0;
   for (std::size_t c = 0; c < scene_.constraints.size(); ++c) {
     const std::size_t rows = scene_.constraints[c].rows();
     const bool acts = std::find(active.begin(), active.end(), static_cast<int>(c)) != active.end();
     for (std::size_t k = 0; k < rows; ++k) {
-      result.push_back(acts ? step_.at("lambda")[row + k] : 0);
+      result.push_back(acts ? static_cast<double>(step_.at("lambda")[row + k]) : 0);
     }
     row += acts ? rows : 0;
   }
@@ -101,7 +97,7 @@ void Run::note_status(int status, double time) {
   }
 }
 
-bool Run::go(const std::function<void(const Values&)>& show, const simulation::Progress& progress) {
+bool Run::go(const simulation::ShowState& show, const simulation::Progress& progress) {
   long shown = 0;  // rows of the table
   bool changed = false;
   for (long k = 0; k <= count_; ++k) {
@@ -125,7 +121,7 @@ bool Run::go(const std::function<void(const Values&)>& show, const simulation::P
     note_status(status, time(k));
     const Vector next = vector_of(step_.at("q"));
     if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
-      Values last = q;
+      std::vector<double> last(q.begin(), q.end());
       last.insert(last.end(), qd.begin(), qd.end());
       throw std::runtime_error(simulation::not_finite(scene_.tree, time(k + 1), last));
     }
@@ -152,6 +148,12 @@ bool Run::go(const std::function<void(const Values&)>& show, const simulation::P
 
 }  // namespace
 
+Vector vector_of(const Values& values) {
+  using Extended = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+  return Eigen::Map<const Extended>(values.data(), static_cast<Eigen::Index>(values.size()))
+      .cast<double>();
+}
+
 void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
                   GeneratedStep& step) {
   step.at("q").assign(q.begin(), q.end());
@@ -162,7 +164,7 @@ void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
   }
   for (const char* name : {"steps", "begun", "rest"}) {
     if (step.has(name)) {
-      std::fill(step.at(name).begin(), step.at(name).end(), 0.0);
+      std::fill(step.at(name).begin(), step.at(name).end(), 0);
     }
   }
   if (step.has("phase")) {
@@ -170,9 +172,11 @@ void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
   }
   if (step.has("anchor")) {
     const program::Function anchors = simplify::anchor_function(scene);
-    const std::vector<Values> inputs = {step.at("q"), {static_cast<double>(scene.t0)}};
+    const std::vector<double> at(q.begin(), q.end());
+    const std::vector<std::vector<double>> inputs = {at, {static_cast<double>(scene.t0)}};
     const std::vector<std::span<const double>> spans(inputs.begin(), inputs.end());
-    step.at("anchor") = program::interpret<double>(anchors, spans);
+    const std::vector<double> values = program::interpret<double>(anchors, spans);
+    step.at("anchor").assign(values.begin(), values.end());
   }
 }
 

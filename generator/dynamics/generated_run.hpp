@@ -21,6 +21,9 @@ struct GeneratedRun {
   std::vector<StatusRecord> statuses;
 };
 
+/// Rounded to double.
+simulation::Vector vector_of(const GeneratedStep::Values& values);
+
 /// The arguments of the first step of the scene from a state: joint forces, phase, anchors.
 void begin_motion(const model::Scene& scene, const simulation::Vector& q,
                   const simulation::Vector& qd, GeneratedStep& step);

@@ -17,7 +17,7 @@ namespace treedyn {
 
 namespace {
 
-/// The call between C arrays of double and the arrays of the step.
+/// The call between C arrays of long double and the arrays of the step.
 std::string adapter(const std::string& name, const program::Signature& signature) {
   std::string before;
   std::string after;
@@ -49,7 +49,7 @@ std::string adapter(const std::string& name, const program::Signature& signature
 /// A shared library; its file may vanish while it is in use.
 class GeneratedStep::Library {
  public:
-  using Step = int (*)(const double* const*, double* const*);
+  using Step = int (*)(const long double* const*, long double* const*);
 
   explicit Library(const std::string& path)
       : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)),
@@ -112,8 +112,8 @@ GeneratedStep::Values& GeneratedStep::at(const std::string& name) {
 }
 
 int GeneratedStep::call() {
-  std::vector<const double*> in;
-  std::vector<double*> out;
+  std::vector<const long double*> in;
+  std::vector<long double*> out;
   for (const program::Array& array : signature_.inputs) {
     in.push_back(at(array.name).data());
   }

@@ -13,7 +13,8 @@ namespace treedyn {
 
 class GeneratedStep {
  public:
-  using Values = std::vector<double>;
+  /// Of every scalar type, unrounded.
+  using Values = std::vector<long double>;
 
   /// Compiles the files NAME.hpp and NAME.cpp, without contraction.
   /// \param signature  of `step` \throws InputError without a compiler

@@ -10,15 +10,15 @@ namespace treedyn::emit {
 
 namespace {
 
+/// The digits of `rounded`, which is `value` in the scalar type.
 template <class T>
-std::string digits(const Real& value) {
-  const T rounded = value.convert_to<T>();
+std::string digits(const Real& value, T rounded, Scalar scalar) {
   if (!std::isfinite(rounded)) {
     throw std::range_error(fmt::format("the constant {:.6g} is too large for {}",
-                                       value.convert_to<long double>(),
-                                       sizeof(T) == sizeof(float) ? "float" : "double"));
+                                       value.convert_to<long double>(), type_name(scalar)));
   }
-  std::string text = fmt::format("{}", rounded);
+  std::string text =
+      scalar == Scalar::kExtended ? fmt::format("{:.20e}", rounded) : fmt::format("{}", rounded);
   if (text.find_first_of(".e") == std::string::npos) {
     text += ".0";
   }
@@ -27,23 +27,44 @@ std::string digits(const Real& value) {
 
 }  // namespace
 
-std::string type_name(Scalar scalar) { return scalar == Scalar::kFloat ? "float" : "double"; }
+std::string type_name(Scalar scalar) {
+  return scalar == Scalar::kFloat ? "float" : scalar == Scalar::kDouble ? "double" : "long double";
+}
 
 std::string literal(const Real& value, Scalar scalar) {
-  return scalar == Scalar::kFloat ? digits<float>(value) + "f" : digits<double>(value);
+  switch (scalar) {
+    case Scalar::kFloat:
+      return digits(value, value.convert_to<float>(), scalar) + "f";
+    case Scalar::kDouble:
+      return digits(value, value.convert_to<double>(), scalar);
+    case Scalar::kExtended:
+      return digits(value, value.convert_to<long double>(), scalar) + "L";
+  }
+  return {};
 }
 
 int literal_width(const Real& value, Scalar scalar) {
   constexpr std::string_view kLongestDouble = "1.2345678901234567e-300";
   constexpr std::string_view kLongestFloat = "1.23456789e-30f";
-  const auto longest = (scalar == Scalar::kFloat ? kLongestFloat : kLongestDouble).size();
+  constexpr std::string_view kLongestExtended = "1.23456789012345678901e-300L";
+  const auto longest = (scalar == Scalar::kFloat    ? kLongestFloat
+                        : scalar == Scalar::kDouble ? kLongestDouble
+                                                    : kLongestExtended)
+                           .size();
   const bool of_structure = value.digits() == value.seen();
   return static_cast<int>(of_structure ? literal(value, scalar).size() : longest);
 }
 
 bool rounds_to_one(const Real& value, Scalar scalar) {
-  return scalar == Scalar::kFloat ? value.convert_to<float>() == 1.0F
-                                  : value.convert_to<double>() == 1.0;
+  switch (scalar) {
+    case Scalar::kFloat:
+      return value.convert_to<float>() == 1;
+    case Scalar::kDouble:
+      return value.convert_to<double>() == 1;
+    case Scalar::kExtended:
+      return value.convert_to<long double>() == 1;
+  }
+  return false;
 }
 
 std::string decimal(const Real& value) { return fmt::format("{}", value.convert_to<double>()); }

@@ -8,8 +8,9 @@
 
 namespace treedyn::emit {
 
-/// The only floating-point type of a generated file.
-enum class Scalar { kDouble, kFloat };
+/// The only floating-point type of a generated file. Extended is that of references only: `long
+/// double`, with the forms and bounds of double and the sines of <cmath>.
+enum class Scalar { kDouble, kFloat, kExtended };
 
 /// Where sine and cosine come from: one function of the source for both, or <cmath>.
 enum class Sincos { kPair, kLibm };
@@ -26,7 +27,7 @@ struct Target {
   [[nodiscard]] bool takes_libm() const { return sincos == Sincos::kLibm && lanes == 1; }
 };
 
-/// "double" or "float".
+/// "double", "float" or "long double".
 std::string type_name(Scalar scalar);
 
 /// The shortest decimal that reads back as `value` rounded to nearest in the scalar type: `0.5`,

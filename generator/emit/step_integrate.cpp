@@ -144,7 +144,7 @@ std::vector<std::string> integrate_list(const Stepper& stepper, bool parameters)
                                 : std::string(name == std::string("q") ? "x" : "v"));
   }
   if (stepper.compensated) {
-    result.emplace_back("Scalar* rest_next");
+    result.emplace_back(parameters ? "Scalar* rest_next" : "rest_next");
   }
   result.insert(result.end(), beside.begin() + (which ? 1 : 0), beside.end());
   for (const char* const name : {"q_next", "qd_next", "lambda", "later", "halfway"}) {

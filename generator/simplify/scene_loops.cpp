@@ -24,14 +24,15 @@ bool contains(const std::vector<int>& all, int one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// True if it acts from the beginning and an event moves its place never.
+/// True if it acts in every phase and no event moves its place: one that is let go, such as a foot,
+/// begins to act again where it lands.
 bool stays(const Scene& scene, int constraint) {
-  return contains(scene.phases[index(scene.start_phase)].active, constraint) &&
-         std::none_of(scene.phases.begin(), scene.phases.end(), [&](const model::Phase& phase) {
-           return std::any_of(
-               phase.until.begin(), phase.until.end(),
-               [&](const model::Event& event) { return contains(event.pins, constraint); });
-         });
+  return std::all_of(scene.phases.begin(), scene.phases.end(), [&](const model::Phase& phase) {
+    return contains(phase.active, constraint) &&
+           std::none_of(phase.until.begin(), phase.until.end(), [&](const model::Event& event) {
+             return contains(event.pins, constraint);
+           });
+  });
 }
 
 /// True if the rows of some phase in which it acts depend on each other.

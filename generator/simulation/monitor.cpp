@@ -46,6 +46,12 @@ Vector nearby(const Vector& q) {
 
 }  // namespace
 
+double energy(System& system, Pose& pose, const Vector& q, const Vector& qd) {
+  pose.update(q, qd);
+  return pose.kinetic_energy() + system.armature_energy(qd) + pose.potential_energy() +
+         system.elastic_energy(q);
+}
+
 Bounds unbounded() {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   return {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};
@@ -242,14 +248,8 @@ void Monitor::measure(const Vector& q) {
                      kRoundings * std::numeric_limits<double>::epsilon() * (most + q.norm()));
 }
 
-double Monitor::energy_of(System& system, const Vector& q, const Vector& qd) {
-  pose_.update(q, qd);
-  return pose_.kinetic_energy() + system.armature_energy(qd) + pose_.potential_energy() +
-         system.elastic_energy(q);
-}
-
 void Monitor::restart_energy(System& system, const Vector& q, const Vector& qd) {
-  energy_ = energy_of(system, q, qd);
+  energy_ = simulation::energy(system, pose_, q, qd);
   if (!has_energy_) {
     measure(q);
     has_energy_ = true;
@@ -261,7 +261,7 @@ void Monitor::restart_energy(System& system, const Vector& q, const Vector& qd) 
 void Monitor::energy(System& system, double t, double h, const Vector& q, const Vector& qd,
                      const Work& work) {
   const double before = energy_;
-  energy_ = energy_of(system, q, qd);
+  energy_ = simulation::energy(system, pose_, q, qd);
   if (work.strikes && energy_ - before < work.done) {
     return;
   }

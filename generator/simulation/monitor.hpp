@@ -62,6 +62,9 @@ struct Work {
   bool strikes = false;  ///< an impact within the step may have taken energy
 };
 
+/// Kinetic energy with that of armatures, potential energy with that of springs and contacts, J.
+double energy(System& system, Pose& pose, const Vector& q, const Vector& qd);
+
 class Monitor {
  public:
   Monitor(const model::Scene& scene, const Bounds& bounds);
@@ -102,7 +105,6 @@ class Monitor {
   };
   [[nodiscard]] Row row(const Constraints& constraints, int k) const;
   [[nodiscard]] double scale_of(const model::Constraint& constraint) const;
-  double energy_of(System& system, const Vector& q, const Vector& qd);
   void measure(const Vector& q);
 
   const model::Scene& scene_;

@@ -77,6 +77,16 @@ TEST(Study, ChoosesTheCheapestThatReachesTheTarget) {
   EXPECT_EQ(study.outcomes[most_accurate(study)].setting.step, 0.0005);  // the floor, in double
 }
 
+/// 6.5e-6 at 50 ms reaches 1e-5 if the reference is known to 1e-6, not if to 5e-6.
+TEST(Study, AllowsForWhatTheReferencesDifferBy) {
+  Study study = study_of_order_four();
+  study.reference.agreement = 1e-6;
+  EXPECT_EQ(study.outcomes[cheapest(study, core("m4f"), 1e-5).value()].setting.step, 0.05);
+  study.reference.agreement = 5e-6;
+  EXPECT_EQ(study.outcomes[cheapest(study, core("m4f"), 1e-5).value()].setting.step, 0.02);
+  EXPECT_FALSE(cheapest(study, core("m4f"), 1e-6));
+}
+
 TEST(Study, NeverChoosesWhatFailed) {
   Study study;
   const double infinity = std::numeric_limits<double>::infinity();

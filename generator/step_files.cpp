@@ -1,0 +1,62 @@
+#include "step_files.hpp"
+
+#include <utility>
+
+#include "in_scalar.hpp"
+#include "simplify/scene_drift.hpp"
+#include "simplify/scene_loops.hpp"
+#include "simplify/scene_phases.hpp"
+#include "simplify/scene_steps.hpp"
+#include "simplify/scene_sticking.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// The same dynamics and impacts, stepped as the scene says.
+program::Stepper stepper_of(const Model& model, const Request& request, const Programs& programs) {
+  const std::vector<simplify::PhaseState> states = simplify::phase_states(*model.scene, true);
+  const auto impacts = programs.staged.begin() + static_cast<std::ptrdiff_t>(states.size());
+  simplify::Options options = simplify_options(model, request);
+  return simplify::make_stepper(*model.scene, options, states, {programs.staged.begin(), impacts},
+                                {impacts, programs.staged.end()});
+}
+
+}  // namespace
+
+StepFiles StepWriter::files(model::Scene scene, emit::Scalar scalar) {
+  const Location where{file_, 0, 0};
+  Request request;
+  request.scene = file_;
+  request.functions = {"step"};
+  request.target.scalar = scalar;
+  if (scalar == emit::Scalar::kExtended) {  // for which the pair has no polynomials
+    request.target.sincos = emit::Sincos::kLibm;
+  }
+  Model model;
+  model.name = "generated";
+  model.tree = scene.tree;
+  model.points = scene.points;
+  model.scene = std::move(scene);
+  model.scene_functions = {"step"};
+  require_step(model, where);
+  simplify::settle_loops(*model.scene);
+  simplify::settle_sticking(*model.scene);
+  const Real rate = simplify::stabilisation_rate(*model.scene);
+  auto found = formulated_.find(rate);
+  if (found == formulated_.end()) {
+    found = formulated_.emplace(rate, formulate(model, request, [](const std::string&) {})).first;
+  }
+  Programs programs = found->second;
+  programs.steppers = {stepper_of(model, request, programs)};
+  const program::Stepper stepper = in_scalar(programs, model, scalar).steppers.front();
+  StepFiles result{model.name,
+                   {},
+                   stepper.signature,
+                   program::step_cost(stepper),
+                   float_warnings(programs, scalar, where)};
+  result.files = emit_files(model, request, std::move(programs));
+  return result;
+}
+
+}  // namespace treedyn
