@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -16,12 +17,14 @@
 #include "emit/header.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
+#include "emit/run_time.hpp"
 #include "emit/sha256.hpp"
 #include "equations/table.hpp"
 #include "function_accuracy.hpp"
 #include "in_scalar.hpp"
 #include "limits.hpp"
 #include "program/rounding.hpp"
+#include "program/run_time.hpp"
 #include "simplify/functions.hpp"
 #include "simplify/scene_functions.hpp"
 #include "simplify/scene_loops.hpp"
@@ -107,6 +110,56 @@ Programs formulate(const Model& model, const Request& request, const Trace& trac
   }
 }
 
+namespace {
+
+/// Functions that no mass enters. The others take what is known at run time, whether a model needs
+/// it or not: a signature is no matter of numbers.
+bool is_weighed(const program::Signature& signature) {
+  static const std::set<std::string> kKinematic = {
+      "point_positions",           "point_velocities",          "point_rotations",
+      "force_jacobian_transpose",  "moment_jacobian_transpose", "point_bias_acceleration",
+      "angular_bias_acceleration", "joint_to_link_vectors",     "applied_force"};
+  return !kKinematic.contains(signature.name);
+}
+
+/// A user's function or argument that is called what run-time parameters need.
+void refuse_names(const program::Signature& signature, const Location& where) {
+  const std::set<std::string> taken = {emit::kUpdate, emit::kParameters, emit::kDerivedParameters,
+                                       emit::kNominal, emit::derived_array().name};
+  const auto refuse = [&](const std::string& name) {
+    if (taken.contains(name)) {
+      throw InputError(where, fmt::format("function '{}': the name {} is one of run-time "
+                                          "parameters; expected another one",
+                                          signature.name, name));
+    }
+  };
+  refuse(signature.name);
+  for (const auto* const arrays : {&signature.inputs, &signature.outputs}) {
+    for (const program::Array& array : *arrays) {
+      refuse(array.name);
+    }
+  }
+}
+
+}  // namespace
+
+void separate_parameters(const Model& model, const Request& request, Programs& programs) {
+  if (model.tree.parameters.empty()) {
+    return;
+  }
+  const program::Array derived = emit::derived_array();
+  for (const program::Function& function : programs.functions) {
+    refuse_names(function.signature, {request.model, 0, 0});
+  }
+  program::Function update = program::separate_parameters(
+      programs.functions, emit::parameters_array(model.tree), derived, is_weighed);
+  update.signature.name = emit::kUpdate;
+  update.signature.brief =
+      "What the functions need of the run-time parameters: to be called before them and when a "
+      "parameter has changed.";
+  programs.update = std::move(update);
+}
+
 void prove(const Model& model, const Request& request, const Programs& programs) {
   std::vector<program::Function> of_model;
   std::copy_if(programs.functions.begin(), programs.functions.end(), std::back_inserter(of_model),
@@ -115,7 +168,8 @@ void prove(const Model& model, const Request& request, const Programs& programs)
                });
   const model::Vector3 gravity = decided_request(model, request).gravity;
   try {
-    prove_functions(model.tree, model.points, gravity, model.equations, of_model);
+    prove_functions(model.tree, model.points, gravity, model.equations, of_model,
+                    programs.update ? &*programs.update : nullptr);
   } catch (const std::range_error& error) {
     refuse_decades(model.tree, error.what());
   }
@@ -168,6 +222,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   unit.tree = &model.tree;
   unit.points = model.points;
   unit.functions = std::move(programs.functions);
+  if (programs.update) {
+    unit.functions.insert(unit.functions.begin(), std::move(*programs.update));
+  }
   unit.staged = std::move(programs.staged);
   unit.steppers = std::move(programs.steppers);
   unit.target = request.target;
@@ -243,6 +300,7 @@ std::vector<emit::File> generate(const Model& model, const Request& request, con
   for (const Warning& warning : float_warnings(programs, request.target.scalar, where)) {
     warn(warning);
   }
+  separate_parameters(model, request, programs);
   prove(model, request, programs);
   return emit_files(model, request, std::move(programs));
 }

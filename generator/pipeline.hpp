@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Programs {
   std::vector<program::Function> functions;
   std::vector<program::Staged> staged;     ///< functions that branch
   std::vector<program::Stepper> steppers;  ///< of the scene's integrator
+  /// What depends on numbers that are known at run time only, of `functions` that take it.
+  std::optional<program::Function> update = {};
 };
 
 /// Called with a line about every stage when it is done, for -v.
@@ -30,6 +33,11 @@ Programs formulate(const Model& model, const Request& request, const Trace& trac
 
 /// What the formulations of a model are free to choose from.
 simplify::Options simplify_options(const Model& model, const Request& request);
+
+/// What depends on numbers that are known at run time only becomes a function of its own, and an
+/// argument of the others. Nothing happens without such numbers.
+/// \throws InputError for a function of a user that has a name which the result needs
+void separate_parameters(const Model& model, const Request& request, Programs& programs);
 
 /// Stops the program, naming the function, if a formulation differs from the block equations
 /// evaluated with 50 digits.

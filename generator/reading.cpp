@@ -1,6 +1,7 @@
 #include "reading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -255,7 +256,32 @@ Model read_scene_model(const Request& request) {
 
 }  // namespace
 
+namespace {
+
+/// What knows of numbers that are the same at run time only.
+void refuse_parameters(const Request& request) {
+  const std::array<std::pair<bool, const char*>, 5> others = {
+      {{request.target.lanes > 1, "--lanes"},
+       {request.share_limbs, "--share-limbs"},
+       {request.self_test, "--self-test"},
+       {request.checked, "--checked"},
+       {request.accuracy_samples > 0, "--accuracy-samples"}}};
+  for (const auto& [given, option] : others) {
+    if (given) {
+      throw InputError(
+          {request.model, 0, 0},
+          fmt::format("has run-time parameters, and {} is for models without; expected one of both",
+                      option));
+    }
+  }
+}
+
+}  // namespace
+
 Model read(const Request& request) {
+  if (request.scene && !request.read.runtime.empty()) {
+    throw UsageError("--runtime is for models; expected none beside --scene");
+  }
   if (request.scene) {
     return read_scene_model(request);
   }
@@ -264,6 +290,9 @@ Model read(const Request& request) {
   model.source = std::move(loaded.source);
   model.tree = std::move(loaded.tree);
   const Location where{request.model, 0, 0};
+  if (!model.tree.parameters.empty()) {
+    refuse_parameters(request);
+  }
   if (model.tree.dof() == 0) {
     throw InputError(where, "the model has no moving joint; expected at least one");
   }

@@ -151,6 +151,7 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   add(request.gravity != kDefaults.gravity, "--gravity", gravity_text(request.gravity));
   add(request.read.snap != kDefaults.read.snap, "--snap", emit::decimal(request.read.snap));
   add(request.read.mimic != kDefaults.read.mimic, "--mimic", mimic_text(request.read.mimic));
+  add(!request.read.runtime.empty(), "--runtime", list_of(request.read.runtime));
   add(request.effort != kDefaults.effort, "--effort", std::to_string(request.effort));
   add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
       forward_dynamics_text(request.forward_dynamics));

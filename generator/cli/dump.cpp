@@ -100,9 +100,11 @@ std::string dump(const Request& request, const std::string& stage) {
     }
     return text;
   }
-  const Programs programs = formulate(model, request, [](const std::string&) {});
+  Programs programs = formulate(model, request, [](const std::string&) {});
+  separate_parameters(model, request, programs);
   std::string result;
   if (stage == "program") {
+    result += programs.update ? program_text(*programs.update) : "";
     for (const program::Function& function : programs.functions) {
       result += program_text(function);
     }

@@ -196,6 +196,20 @@ void add_model(CLI::App& command, Request& request) {
 
 namespace {
 
+void add_runtime(CLI::App& command, Request& request) {
+  command
+      .add_option_function<std::string>(
+          "--runtime",
+          [&request](const std::string& list) {
+            for (const std::string& name : split(list)) {
+              request.read.runtime.push_back(name);
+            }
+          },
+          "numbers that are known at run time only, comma-separated LINK.mass, LINK.com, "
+          "LINK.inertia: fields of a struct Parameters; info prints what each costs")
+      ->type_name("LIST");
+}
+
 /// What goes before the `stepping` of a scene.
 void add_stepping(CLI::App& command, StepChoice& stepping) {
   command
@@ -260,6 +274,7 @@ void add_generation(CLI::App& command, Request& request) {
   add_model(command, request);
   add_sharing(command, request);
   add_checked(command, request);
+  add_runtime(command, request);
   add_stepping(command, request.stepping);
   command.get_option("MODEL")->required(false);
   command

@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 
 #include "block/pattern.hpp"
+#include "cli/parameter_prices.hpp"
 #include "cli/scene_prices.hpp"
 #include "common/decimal.hpp"
 #include "emit/header.hpp"
 #include "emit/json.hpp"
 #include "emit/layout.hpp"
 #include "emit/manifest.hpp"
+#include "emit/run_time.hpp"
 #include "simplify/scene_functions.hpp"
 
 namespace treedyn {
@@ -159,6 +161,10 @@ struct Priced {
 
 std::vector<Priced> priced(const Programs& programs) {
   std::vector<Priced> result;
+  if (programs.update) {
+    const program::Function& update = *programs.update;
+    result.push_back({update.signature, program::cost(update), program::fused(update)});
+  }
   for (const program::Function& function : programs.functions) {
     result.push_back({function.signature, program::cost(function), program::fused(function)});
   }
@@ -216,6 +222,20 @@ std::string price_table(const Model& model, const Request& request, const Progra
                           emit::cost_text(contact.cost));
   }
   return result;
+}
+
+std::string parameter_table(const Model& model, const Request& request, const Programs& programs) {
+  if (!programs.update) {
+    return {};
+  }
+  Rows rows = {{"declared", "function", "without", "with", "price"}};
+  for (const ParameterPrice& price : parameter_prices(model, request, programs)) {
+    rows.push_back({shown(price.declared), price.function.empty() ? "none" : price.function,
+                    std::to_string(price.without.total()), std::to_string(price.with.total()),
+                    change_text(price.with, price.without)});
+  }
+  return "\nprice of every run-time parameter: operations with it less those without it\n" +
+         table(rows);
 }
 
 std::string json_list(const std::vector<std::string>& values) {
@@ -299,6 +319,22 @@ std::vector<std::string> prices_json(const Model& model, const Request& request,
   return result;
 }
 
+/// Nothing without run-time parameters.
+std::string parameters_json(const Model& model, const Request& request, const Programs& programs) {
+  if (!programs.update) {
+    return {};
+  }
+  std::vector<std::string> prices;
+  for (const ParameterPrice& price : parameter_prices(model, request, programs)) {
+    prices.push_back(json_object({{"declared", json_string(price.declared)},
+                                  {"function", json_string(price.function)},
+                                  {"with", emit::operations_json(price.with)},
+                                  {"without", emit::operations_json(price.without)}}));
+  }
+  return emit::parameters_json(model.tree) +
+         fmt::format(",\n  \"parameter_prices\": {}", emit::json_lines(prices, 4));
+}
+
 std::vector<std::string> functions_json(const Programs& programs) {
   std::vector<std::string> result;
   for (const Priced& function : priced(programs)) {
@@ -321,18 +357,19 @@ std::string info_text(const Model& model, const Request& request, const Programs
                      emit::decimal(total_mass(model.tree)), axes ? "axes" : "fixed") +
          joint_table(model) + mimic_lines(model) + reachability_text(model.tree) +
          point_table(model) + snap_table(model.tree) + cost_table(programs) +
-         price_table(model, request, programs);
+         parameter_table(model, request, programs) + price_table(model, request, programs);
 }
 
 std::string info_json(const Model& model, const Request& request, const Programs& programs) {
   const bool axes = decided_request(model, request).read.base == description::Base::kAxes;
   return fmt::format(
       "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
-      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}{}\n}}\n",
+      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}{}{}\n}}\n",
       json_string(model.tree.name), json_string(axes ? "axes" : "fixed"), model.tree.dof(),
       emit::decimal(total_mass(model.tree)), emit::json_lines(joints_json(model), 4),
       emit::json_lines(links_json(model.tree), 4), emit::json_lines(points_json(model), 4),
       emit::json_lines(snaps_json(model.tree), 4), emit::json_lines(functions_json(programs), 4),
+      parameters_json(model, request, programs),
       model.scene ? fmt::format(",\n  \"prices\": {}",
                                 emit::json_lines(prices_json(model, request, programs), 4))
                   : "");

@@ -90,8 +90,18 @@ int run_generate(const Settings& settings) {
   return 0;
 }
 
+/// \throws UsageError for an option that is for models without run-time parameters
+void refuse_with_parameters(const Model& model, bool given, const char* option) {
+  if (given && !model.tree.parameters.empty()) {
+    throw UsageError(fmt::format(
+        "{} is for models without run-time parameters; expected a model without, or no {}", option,
+        option));
+  }
+}
+
 int run_check(const Settings& settings) {
   const Model model = read(settings.request);
+  refuse_with_parameters(model, settings.numeric, "--numeric");
   print_warnings(settings, warnings_of(model, settings.request));
   const std::vector<emit::File> files =
       generate(model, settings.request, trace_of(settings), warn_of(settings));
@@ -116,6 +126,8 @@ int run_outputs(const Settings& settings) {
 
 int run_info(const Settings& settings) {
   const Model model = read(settings.request);
+  refuse_with_parameters(model, settings.errors, "--accuracy");
+  refuse_with_parameters(model, settings.passes, "--passes");
   print_warnings(settings, warnings_of(model, settings.request));
   if (settings.equations) {
     print(equations_text(model, settings.request));
@@ -137,8 +149,9 @@ int run_info(const Settings& settings) {
     print(settings.json ? accuracy::functions_json(study) : accuracy::functions_text(study));
     return 0;
   }
-  const Programs programs = in_scalar(formulate(model, settings.request, trace_of(settings)), model,
-                                      settings.request.target.scalar);
+  Programs programs = formulate(model, settings.request, trace_of(settings));
+  separate_parameters(model, settings.request, programs);
+  programs = in_scalar(std::move(programs), model, settings.request.target.scalar);
   print(settings.json ? info_json(model, settings.request, programs)
                       : info_text(model, settings.request, programs));
   return 0;

@@ -2,6 +2,8 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include "common/recipe.hpp"
+
 namespace treedyn {
 
 Real::Real(const char* text) : value_(text) {}
@@ -12,6 +14,10 @@ Real Real::from(unsigned long long value) { return Digits(value); }
 
 Real Real::seen_as(const Digits& value, const Digits& stand_in) {
   return {value, stand_in, value != stand_in};
+}
+
+Real Real::of_parameter(int index, const Digits& value, const Digits& stand_in) {
+  return {value, stand_in, value != stand_in, recipe_of_parameter(index)};
 }
 
 template <class T>
@@ -28,18 +34,28 @@ std::string Real::str(std::streamsize digits, std::ios_base::fmtflags flags) con
   return value_.str(digits, flags);
 }
 
-Real Real::operator-() const { return {-value_, -seen_, differs_}; }
+Real Real::operator-() const {
+  return {-value_, -seen_, differs_, recipe_ == 0 ? 0 : negative_recipe(recipe_)};
+}
 Real operator+(const Real& a, const Real& b) {
-  return Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x + y); });
+  Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x + y); });
+  result.recipe_ = recipe_of(RecipeKind::kAdd, a, b);
+  return result;
 }
 Real operator-(const Real& a, const Real& b) {
-  return Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x - y); });
+  Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x - y); });
+  result.recipe_ = recipe_of(RecipeKind::kSubtract, a, b);
+  return result;
 }
 Real operator*(const Real& a, const Real& b) {
-  return Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x * y); });
+  Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x * y); });
+  result.recipe_ = recipe_of(RecipeKind::kMultiply, a, b);
+  return result;
 }
 Real operator/(const Real& a, const Real& b) {
-  return Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x / y); });
+  Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x / y); });
+  result.recipe_ = recipe_of(RecipeKind::kDivide, a, b);
+  return result;
 }
 
 bool operator==(const Real& a, const Real& b) {

@@ -42,6 +42,10 @@ namespace treedyn {
 /// so the form depends on what the stand-ins have in common and on no value, and no stand-in makes
 /// it wrong. Conversions and `plain` give the number itself. Without a stand-in there is one
 /// number, at its price.
+///
+/// A number that is known at run time only has its nominal value, and a recipe (recipe.hpp): how it
+/// is made of run-time parameters. Sums, differences, products and quotients of such numbers have
+/// recipes too.
 class Real {
  public:
   Real() = default;
@@ -56,12 +60,16 @@ class Real {
       : value_(value) {}
   /// `value`, seen as `stand_in`.
   static Real seen_as(const Digits& value, const Digits& stand_in);
+  /// Run-time parameter `index` with this nominal value, seen as `stand_in`.
+  static Real of_parameter(int index, const Digits& value, const Digits& stand_in);
 
   /// The number itself.
   [[nodiscard]] const Digits& digits() const { return value_; }
   [[nodiscard]] Real plain() const { return value_; }
   /// What decisions look at.
   [[nodiscard]] const Digits& seen() const { return differs_ ? seen_ : value_; }
+  /// The number of its recipe; 0: the same number at run time.
+  [[nodiscard]] int recipe() const { return recipe_; }
 
   template <class T>
   requires(!std::same_as<T, Real> && std::constructible_from<T, Digits>) explicit operator T()
@@ -114,8 +122,8 @@ class Real {
       std::conditional_t<std::is_floating_point_v<T>, long double,
                          std::conditional_t<std::is_signed_v<T>, long long, unsigned long long>>;
 
-  Real(const Digits& value, const Digits& seen, bool differs)
-      : value_(value), seen_(seen), differs_(differs) {}
+  Real(const Digits& value, const Digits& seen, bool differs, int recipe = 0)
+      : value_(value), seen_(seen), differs_(differs), recipe_(recipe) {}
   static Real from(long double value);
   static Real from(long long value);
   static Real from(unsigned long long value);
@@ -123,6 +131,7 @@ class Real {
   Digits value_;
   Digits seen_;
   bool differs_ = false;
+  int recipe_ = 0;
 };
 
 /// Not negative as it is seen.

@@ -84,6 +84,12 @@ struct RawParameter {
   Text value;
 };
 
+/// What is known at run time only: "mass", "com" or "inertia" of a link.
+struct RawRuntime {
+  Text link;
+  Text quantity;
+};
+
 enum class Format { kYaml, kUrdf };
 
 struct RawTree {
@@ -94,6 +100,7 @@ struct RawTree {
   std::vector<RawLink> links;
   std::vector<RawJoint> joints;  ///< in a tree description joint k is the joint of link k
   std::vector<RawPoint> points;
+  std::vector<RawRuntime> runtime;
   std::vector<Warning> oddities;  ///< what is not read and looks like a slip
 };
 

@@ -13,6 +13,7 @@
 #include "description/mimic.hpp"
 #include "description/names.hpp"
 #include "description/numbers.hpp"
+#include "description/parameters.hpp"
 #include "description/points.hpp"
 #include "description/rotation.hpp"
 #include "description/skeleton.hpp"
@@ -89,6 +90,7 @@ class Resolver {
     check_identifiers(joint_names(), "joint");
     resolve_mimics(raw_, skeleton_, numbers_, options_.mimic == Mimic::kReduce, tree_);
     resolve_named_points(raw_, numbers_, tree_);
+    resolve_parameters(raw_, options_.runtime, tree_);
     tree_.snaps = in_file_order(snapper_.log().snaps);
     findings_.insert(findings_.begin(), raw_.oddities.begin(), raw_.oddities.end());
     findings_.insert(findings_.begin(), snapper_.log().misses.begin(), snapper_.log().misses.end());

@@ -132,6 +132,13 @@ model::Scene read_scene_yaml(const Node& node, const std::string& file,
   scene.name = root.name("scene", "scene").text;
   scene.tree_file = model_path(root, file);
   scene.tree = parse_model(model_text(scene.tree_file), scene.tree_file, {.base = base_of(root)});
+  if (!scene.tree.parameters.empty()) {
+    throw InputError(
+        {scene.tree_file, 0, 0},
+        fmt::format("declares '{}' as known at run time, which scenes do not take; expected a "
+                    "model without 'runtime'",
+                    shown(scene.tree.parameters.front().declared)));
+  }
   if (scene.tree.dof() == 0) {
     root.fail(root.get("model").where, "the model has no moving joint; expected at least one");
   }

@@ -48,7 +48,8 @@ RawJoint read_joint(const std::string& file, const Node& node, const Text& link,
 
 void read_link(const Node& node, std::size_t index, RawTree& raw) {
   const std::string what = called("link", node, index);
-  const Fields fields(raw.file, node, what, {"name", "father", "joint", "mass", "com", "inertia"});
+  const Fields fields(raw.file, node, what,
+                      {"name", "father", "joint", "mass", "com", "inertia", "runtime"});
   RawLink link{fields.text("name"), std::nullopt, node.where};
   RawJoint joint = read_joint(raw.file, fields.get("joint"), link.name, what);
   joint.father = fields.text("father");
@@ -59,6 +60,11 @@ void read_link(const Node& node, std::size_t index, RawTree& raw) {
                  fields.find("com") != nullptr ? fields.find("com") : fields.find("inertia")) {
     fields.fail(lone->key.where,
                 fmt::format("'{}' without a mass; expected mass too", lone->key.text));
+  }
+  if (const Node* const runtime = fields.find("runtime")) {
+    for (const Node& item : fields.sequence(*runtime)) {
+      raw.runtime.push_back({link.name, fields.scalar(item)});
+    }
   }
   raw.links.push_back(std::move(link));
   raw.joints.push_back(std::move(joint));

@@ -13,6 +13,7 @@
 #include "emit/definitions.hpp"
 #include "emit/layout.hpp"
 #include "emit/references.hpp"
+#include "emit/run_time.hpp"
 #include "emit/self_test.hpp"
 
 namespace treedyn::emit {
@@ -63,6 +64,7 @@ class Translator {
                                  Lines& result);
   void statement(const Lines& lines, std::size_t& at, Lines& result) const;
   bool frame(const std::string& line, bool& is_local, Lines& result) const;
+  void structure(const Lines& lines, std::size_t& at, Lines& result) const;
 
   const Unit& unit_;
   std::set<std::string> functions_;  ///< with external linkage
@@ -141,6 +143,16 @@ void Translator::constant(std::string line, bool in_list, Lines& result) const {
   }
 }
 
+/// A struct of the header.
+void Translator::structure(const Lines& lines, std::size_t& at, Lines& result) const {
+  const std::string_view name = behind(lines[at], "struct ");
+  result.emplace_back("typedef struct {");
+  for (++at; lines[at] != "};"; ++at) {
+    result.push_back(replaced(lines[at], "  Scalar ", "  " + prefixed("Scalar ")));
+  }
+  result.push_back(fmt::format("}} {};", prefixed(name.substr(0, name.find(' ')))));
+}
+
 void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list) {
   static const std::string kInteger = "inline constexpr int ";
   const std::string step_start =
@@ -175,6 +187,12 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
         fmt::format("static const int {}{}", macro(table.substr(0, name)), table.substr(name)));
   } else if (line.starts_with(kInteger.substr(0, kInteger.size() - 1))) {
     constant(gathered(lines, at, ';').substr(kInteger.size()), in_list, result);
+  } else if (line.starts_with("struct ")) {
+    structure(lines, at, result);
+  } else if (const auto nominal = behind(line, fmt::format("inline constexpr {} ", kParameters));
+             !nominal.empty()) {
+    result.push_back(
+        fmt::format("static const {} {} = {{", prefixed(kParameters), macro(kNominal)));
   } else if (line.starts_with("void ") || line.starts_with("int ")) {
     function(gathered(lines, at, ';'), false, false, result);
   } else {
@@ -244,7 +262,14 @@ std::set<std::string> Translator::function(const std::string& line, bool is_loca
       by_reference_[word].insert(&argument - parts.arguments.data());
       argument.replace(reference, 1, "*");
     }
-    argument = is_prototype ? replaced(argument, "Scalar ", prefixed("Scalar ")) : argument;
+    for (const std::string& type : {std::string("Scalar "), fmt::format("{}* ", kParameters),
+                                    fmt::format("{}* ", kDerivedParameters)}) {
+      const std::size_t place = argument.find(type);
+      if (is_prototype && place != std::string::npos &&
+          (place == 0 || argument[place - 1] == ' ')) {
+        argument.insert(place, prefixed(""));
+      }
+    }
   }
   const std::string head =
       fmt::format("{}{}{}{}", is_local ? "static " : "", is_noinline ? "NOINLINE " : "",
@@ -298,6 +323,11 @@ bool Translator::frame(const std::string& line, bool& is_local, Lines& result) c
     is_local = line.front() == 'n';
   } else if (line == fmt::format("namespace {} {{", unit_.space())) {
     result.push_back(fmt::format("typedef {} Scalar;", prefixed("Scalar")));
+    for (const char* const type : {kParameters, kDerivedParameters}) {
+      if (!unit_.tree->parameters.empty()) {
+        result.push_back(fmt::format("typedef {} {};", prefixed(type), type));
+      }
+    }
   } else if (const auto digest = behind(line, "static_assert(kDigest == "); !digest.empty()) {
     const std::size_t comma = digest.find(", ");
     result.push_back(fmt::format("#if {} != {}", macro("kDigest"), digest.substr(0, comma)));

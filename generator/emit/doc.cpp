@@ -17,6 +17,12 @@ constexpr std::size_t kLongestCell = 32;  ///< of what models name
 
 std::string array_doc(const program::Array& array, bool output, std::size_t name_width) {
   const std::string unit = array.unit.empty() ? "" : fmt::format(", {}", array.unit);
+  if (!array.type.empty()) {
+    return wrapped(
+        array.fields.empty() ? std::string("made by update_parameters")
+                             : fmt::format("{} numbers, SI units", array.size),
+        fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name, name_width));
+  }
   return wrapped(
       fmt::format("{}{}", array.size, unit),
       fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name, name_width));
@@ -44,9 +50,10 @@ std::string signature_doc(const program::Signature& signature) {
 
 std::string doc(const program::Function& function) {
   const program::Signature& signature = function.signature;
+  const std::string equation =
+      signature.equation.empty() ? "" : fmt::format("Equation {}. ", signature.equation);
   return signature_doc(signature) +
-         wrapped(fmt::format("Equation {}. Cost: {}.{}", signature.equation,
-                             cost_text(program::cost(function)),
+         wrapped(fmt::format("{}Cost: {}.{}", equation, cost_text(program::cost(function)),
                              function.limb_code ? " Equal limbs share code." : ""),
                  "/// ");
 }

@@ -9,6 +9,7 @@
 #include "emit/doc.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
+#include "emit/run_time.hpp"
 #include "emit/self_test.hpp"
 #include "emit/sincos.hpp"
 #include "emit/template_file.hpp"
@@ -317,7 +318,7 @@ std::string header_text(const Unit& unit) {
                {"point_indices", index_namespace("point", point_identifiers(unit.points))},
                {"phase_indices", index_namespace("phase", phase_identifiers(unit.steppers))},
                {"status", status_bits(unit)},
-               {"packing", packing_tables(unit)},
+               {"packing", packing_tables(unit) + parameter_types(unit)},
                {"arrays", arrays_comment(unit)},
                {"functions", declarations(unit)}});
 }

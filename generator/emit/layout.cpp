@@ -51,6 +51,11 @@ std::vector<std::string> parameters(const program::Signature& signature,
   std::vector<std::string> result;
   const auto add = [&](const program::Array& array, const char* qualifier) {
     const bool used = uses[result.size()];
+    if (!array.type.empty()) {
+      result.push_back(fmt::format("{}{}& {}{}{}", qualifier, array.type, used ? "" : "/*",
+                                   array.name, used ? "" : "*/"));
+      return;
+    }
     result.push_back(fmt::format("{}{} {}{}{}[{}]", qualifier, array.integer ? "int" : "Scalar",
                                  used ? "" : "/*", array.name, used ? "" : "*/", array.size));
   };

@@ -20,7 +20,7 @@ std::string declaration(const std::string& head, const std::vector<std::string>&
                         const std::string& ending);
 
 /// `const Scalar q[6]` for every input, `Scalar A[36]` for every output; an array that `uses` does
-/// not hold is an unnamed parameter, `const Scalar /*q*/[6]`.
+/// not hold is an unnamed parameter, `const Scalar /*q*/[6]`. Structs are references.
 std::vector<std::string> parameters(const program::Signature& signature,
                                     const std::vector<bool>& uses);
 

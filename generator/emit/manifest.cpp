@@ -7,6 +7,7 @@
 
 #include "emit/header.hpp"
 #include "emit/json.hpp"
+#include "emit/run_time.hpp"
 #include "emit/sincos.hpp"
 
 namespace treedyn::emit {
@@ -50,6 +51,9 @@ std::string arrays_json(const std::vector<program::Array>& arrays) {
     std::vector<std::pair<std::string, std::string>> fields = {{"name", json_string(array.name)},
                                                                {"size", std::to_string(array.size)},
                                                                {"unit", json_string(array.unit)}};
+    if (!array.type.empty()) {
+      fields.emplace_back("type", json_string(array.type));
+    }
     if (array.integer) {
       fields.emplace_back("type", json_string("int"));
     }
@@ -181,12 +185,12 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
   }
   return fmt::format(
       "{{\n  \"name\": {},\n  \"tool\": {},\n  \"model\": {},\n  \"options\": {},\n"
-      "  \"dof\": {},\n  \"joints\": {},\n  \"points\": {},\n  \"functions\": {}\n}}\n",
+      "  \"dof\": {},\n  \"joints\": {},\n  \"points\": {}{},\n  \"functions\": {}\n}}\n",
       json_string(unit.name), json_string(unit.tool),
       json_object(
           {{"file", json_string(unit.model_file)}, {"sha256", json_string(unit.model_sha256)}}),
       json_object(unit.options) + sincos_json(unit), unit.tree->dof(), joints_json(*unit.tree),
-      points_json(unit.points), json_lines(functions, 4));
+      points_json(unit.points), parameters_json(*unit.tree), json_lines(functions, 4));
 }
 
 }  // namespace treedyn::emit

@@ -116,6 +116,15 @@ std::string short_body(const std::string& identifier) {
   return identifier.size() <= kLongestBody ? identifier : shorter_words(identifier, kLongestBody);
 }
 
+std::string element_text(const program::Array& array, int element) {
+  if (array.type.empty()) {
+    return fmt::format("{}[{}]", array.name, element);
+  }
+  return array.fields.empty()
+             ? fmt::format("{}.value[{}]", array.name, element)
+             : fmt::format("{}.{}", array.name, array.fields[static_cast<std::size_t>(element)]);
+}
+
 Vocabulary vocabulary(const model::Tree& tree) {
   Vocabulary words;
   std::vector<std::string> bodies;

@@ -21,6 +21,9 @@ std::string identifier_part(std::string_view text);
 /// ones between words; at most `longest` characters.
 std::string for_comment(std::string_view text, std::size_t longest);
 
+/// An element of an argument: `q[3]`, `p.hand_mass`, `derived.value[3]`.
+std::string element_text(const program::Array& array, int element);
+
 /// Identifiers of at most `longest` characters, unique: the given ones without a common "_link"
 /// ending, long ones with shortened words ("left_shou_pitc").
 std::vector<std::string> shortened(const std::vector<std::string>& identifiers,

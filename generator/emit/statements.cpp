@@ -307,12 +307,11 @@ std::string Statements::element(int output) const {
   for (std::size_t k = 0; k < array; ++k) {
     place -= function_.signature.outputs[k].size;
   }
-  return fmt::format("{}[{}]", function_.signature.outputs[array].name, place);
+  return element_text(function_.signature.outputs[array], place);
 }
 
 std::string Statements::input(const program::Node& node) const {
-  return fmt::format("{}[{}]", function_.signature.inputs[static_cast<std::size_t>(node.a)].name,
-                     node.b);
+  return element_text(function_.signature.inputs[static_cast<std::size_t>(node.a)], node.b);
 }
 
 std::string Statements::atom(Ref value) const {

@@ -93,6 +93,17 @@ struct Snap {
   Real change = 0;   ///< |exact - written|, rad or 1
 };
 
+enum class InertiaPart { kMass, kCom, kInertia };
+
+/// A number of a link that is known at run time only; the tree has its nominal value.
+struct Parameter {
+  int link = 0;
+  InertiaPart quantity = InertiaPart::kMass;
+  int component = 0;       ///< x y z of a centre of mass, xx xy xz yy yz zz of a tensor about it
+  std::string declared;    ///< "forearm.com", as a user declares it
+  std::string identifier;  ///< forearm_com_x, a C++ identifier, unique among the parameters
+};
+
 struct Tree {
   std::string name;           ///< as the file writes it
   std::string identifier;     ///< a C++ identifier
@@ -100,8 +111,9 @@ struct Tree {
   std::vector<Drive> drives;  ///< one per link; identity unless mimic joints are reduced
   std::vector<int>
       coordinates;  ///< the link whose joint is independent coordinate k (size: degrees of freedom)
-  std::vector<Frame> frames;  ///< every link of the file, in file order
-  std::vector<Point> points;  ///< the model's own named points, in file order
+  std::vector<Frame> frames;          ///< every link of the file, in file order
+  std::vector<Point> points;          ///< the model's own named points, in file order
+  std::vector<Parameter> parameters;  ///< of one declaration one behind the other
   std::vector<Snap> snaps;
   std::vector<Warning> warnings;
 

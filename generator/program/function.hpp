@@ -14,8 +14,10 @@ namespace treedyn::program {
 struct Array {
   std::string name;
   int size = 0;
-  std::string unit;      ///< "rad|m"
-  bool integer = false;  ///< int instead of Scalar
+  std::string unit;                      ///< "rad|m"
+  bool integer = false;                  ///< int instead of Scalar
+  std::string type = {};                 ///< a struct of the header; empty: an array
+  std::vector<std::string> fields = {};  ///< of the struct; empty: one array `value`
 };
 
 /// What the header, the manifest and `treedyn list` say of a function.

@@ -14,7 +14,8 @@ namespace {
 
 /// A constant that is not 1 but counts as it.
 bool is_other_one(const Graph& graph, Ref k, const IsOne& is_one) {
-  return graph.node(k).kind == Kind::kConstant && graph.value(k) != 1 && is_one(graph.value(k));
+  return graph.node(k).kind == Kind::kConstant && graph.value(k) != 1 &&
+         graph.value(k).recipe() == 0 && is_one(graph.value(k));
 }
 
 /// `to` gets the nodes of `from` that its outputs need.

@@ -56,6 +56,7 @@ class Resubstitution {
   explicit Resubstitution(Network& network) : network_(network), samples_(network) {
     for (int k = 0; k < network.size(); ++k) {
       reference_.push_back(samples_.errors(k));
+      has_recipes_ |= k > 0 && network.is_constant(k) && network.magnitude(k).recipe() != 0;
     }
   }
 
@@ -93,6 +94,7 @@ class Resubstitution {
   std::vector<bool> exclusive_;  ///< needed by the item at hand alone
   std::vector<bool> dependent_;  ///< needs the item at hand
   int marked_ = 0;               ///< the item that dependent_ belongs to
+  bool has_recipes_ = false;     ///< some numbers are known at run time only
 };
 
 /// After operands have changed.
@@ -233,6 +235,9 @@ std::optional<Ref> Resubstitution::multiple_for(int k, int x) {
     return std::nullopt;
   }
   const Real ratio = sample(k).first / sample(x).first;
+  if (has_recipes_ && !identical(ratio.plain(), Real(ratio.seen()))) {
+    return std::nullopt;  // it may be another one at run time, or have no bounds
+  }
   if (!identical(Real(ratio * sample(x).second), sample(k).second)) {
     return std::nullopt;
   }

@@ -18,7 +18,9 @@ SampleTable::SampleTable(const Network& network)
 Sample SampleTable::evaluate(int k) const {
   const Item& item = network_.item(k);
   if (item.kind == Kind::kConstant) {
-    return {network_.magnitude(k), network_.magnitude(k)};
+    const Real& value = network_.magnitude(k);
+    const Real sample = value.recipe() == 0 ? value : Real::seen_as(value.digits(), value.seen());
+    return {sample, sample};
   }
   if (item.kind == Kind::kInput) {
     return {sample_input(item.first, item.size, 1), sample_input(item.first, item.size, 2)};

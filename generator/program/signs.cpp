@@ -13,7 +13,8 @@ namespace treedyn::program {
 namespace {
 
 bool is_turned(const Graph& graph, Ref k) {
-  return graph.node(k).kind == Kind::kConstant && graph.value(k).digits() < 0;
+  return graph.node(k).kind == Kind::kConstant && graph.value(k).digits() < 0 &&
+         graph.value(k).recipe() == 0;
 }
 
 /// The constant as another node of the same stand-in, with the opposite number.

@@ -42,8 +42,11 @@ program::Function cheapest_seen(const model::Tree& tree, const Recipe& recipe,
                                 const Options& options) {
   const Seen seen = with_stand_ins(tree, options);
   program::Function function = cheapest(seen.tree, recipe, seen.options);
-  return holds(function, tree, recipe, options) ? program::with_positive_constants(function)
-                                                : cheapest(tree, recipe, options);
+  if (holds(function, tree, recipe, options)) {
+    return program::with_positive_constants(function);
+  }
+  const Seen own = with_parameters(tree, options);
+  return cheapest(own.tree, recipe, own.options);
 }
 
 }  // namespace

@@ -154,6 +154,12 @@ bool is_nearly_parallel(const Real& sine2) {
   return sine2 < kNearlyParallel || sine2.plain() < kNearlyParallel;
 }
 
+/// True if the numbers are the same at run time.
+template <class Array>
+bool is_fixed(const Array& values) {
+  return std::ranges::all_of(values, [](const Real& x) { return x.recipe() == 0; });
+}
+
 /// Distance along z_i to the foot of the common normal with the father's axis.
 Real foot_to_father(const NormalLink& l) {
   const Vector3 z = {l.rotation[2], l.rotation[5], l.rotation[8]};
@@ -206,6 +212,9 @@ Turn Workbench::frame_turn(int i) {
     angle = FrameAngle::kFirstMoment;
   }
   const Matrix3& e = l.pseudo;
+  if (angle == FrameAngle::kFirstMoment ? !is_fixed(l.moment) : !is_fixed(e)) {
+    return {};  // what a turn makes zero would not stay so
+  }
   switch (angle) {
     case FrameAngle::kKeep:
       return {};

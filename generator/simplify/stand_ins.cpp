@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/parameters.hpp"
 #include "program/random.hpp"
 #include "simplify/geometry.hpp"
 #include "simplify/limbs.hpp"
@@ -25,6 +26,8 @@ constexpr double kShort = 1e-6;
 constexpr double kSmall = 1e-3;
 /// Any set of stand-ins does; with this one the models of the repository cost least among a few.
 constexpr std::uint64_t kSet = 3;
+/// Beyond the places of links and points.
+constexpr int kParameterPlaces = 1 << 24;
 
 bool same(const Digits& a, const Digits& b) {
   return abs(a - b) <= (abs(a) + abs(b)) * Digits("1e-38");
@@ -320,7 +323,23 @@ Seen StandIns::run(const model::Tree& tree, const Options& options) {
   return seen;
 }
 
-void forget(Real& number) { number = number.seen(); }
+/// Numbers that are known at run time only are like no other number, zeros and ones as well.
+void see_parameters(model::Tree& tree) {
+  constexpr std::array<Quantity, 3> kParts = {Quantity::kMass, Quantity::kCom, Quantity::kInertia};
+  int index = 0;
+  for (const model::Parameter& parameter : tree.parameters) {
+    const Quantity quantity = kParts[static_cast<std::size_t>(parameter.quantity)];
+    const Digits stand_in = generic(quantity, kParameterPlaces + index);
+    model::set(tree, parameter,
+               Real::of_parameter(index, model::nominal(tree, parameter).digits(), stand_in));
+    ++index;
+  }
+}
+
+void forget(Real& number) {
+  number = number.recipe() == 0 ? Real(number.seen())
+                                : Real::of_parameter(-1, number.seen(), number.seen());
+}
 
 template <class... Arrays>
 void forget_numbers(Arrays&... arrays) {
@@ -330,7 +349,15 @@ void forget_numbers(Arrays&... arrays) {
 }  // namespace
 
 Seen with_stand_ins(const model::Tree& tree, const Options& options) {
-  return StandIns().run(tree, options);
+  Seen seen = StandIns().run(tree, options);
+  see_parameters(seen.tree);
+  return seen;
+}
+
+Seen with_parameters(const model::Tree& tree, const Options& options) {
+  Seen seen{tree, options};
+  see_parameters(seen.tree);
+  return seen;
 }
 
 Seen stand_ins_alone(const model::Tree& tree, const Options& options) {

@@ -18,8 +18,12 @@ struct Seen {
 /// equal or opposite stay so in one link and in links that are alike (`similar_links`), angles and
 /// distances of joints in the whole robot; rotations keep their zeros, ones and equal entries, all
 /// numbers their signs. Of lengths below a micrometre and angles below a milliradian the order of
-/// magnitude is seen; rotations that no three angles describe are seen as they are. O(N).
+/// magnitude is seen; rotations that no three angles describe are seen as they are. Numbers that
+/// are known at run time only have recipes (`Tree::parameters`). O(N).
 Seen with_stand_ins(const model::Tree& tree, const Options& options);
+
+/// Only what is known at run time is seen as other numbers.
+Seen with_parameters(const model::Tree& tree, const Options& options);
 
 /// Of numbers that are seen as others only what is seen: enough to compare costs, at half the
 /// price. O(N)

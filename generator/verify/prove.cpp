@@ -1,6 +1,7 @@
 #include "verify/prove.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 
 #include "engine/engine.hpp"
 #include "engine/user.hpp"
+#include "model/parameters.hpp"
 #include "program/interpret.hpp"
 #include "program/rounding.hpp"
 
@@ -63,6 +65,9 @@ class States {
   std::vector<Values> inputs(const program::Signature& signature) {
     std::vector<Values> result;
     for (const program::Array& array : signature.inputs) {
+      if (!array.type.empty()) {
+        continue;  // what is made of parameters
+      }
       result.emplace_back();
       std::generate_n(std::back_inserter(result.back()), array.size, [&] { return next(); });
     }
@@ -73,11 +78,15 @@ class States {
   std::uint64_t state_ = 1;
 };
 
-Numbers interpreted(const program::Function& function, const std::vector<Values>& inputs) {
+/// \param derived  the elements of the argument behind `inputs`, if there is one
+Numbers interpreted(const program::Function& function, const std::vector<Values>& inputs,
+                    const Numbers& derived) {
   const auto values = program::node_values<Number>(
       function.graph, function.outputs,
       [&](int array, int element) {
-        return Number(inputs[static_cast<std::size_t>(array)][static_cast<std::size_t>(element)]);
+        const auto a = static_cast<std::size_t>(array);
+        const auto k = static_cast<std::size_t>(element);
+        return a < inputs.size() ? Number(inputs[a][k]) : derived[k];
       },
       [](program::Kind kind, const Number& a) {
         const Real& x = a.value;
@@ -162,10 +171,10 @@ Values identity(std::size_t n) {
 
 /// Functions that have no equation of their own are held against the equations they stand for.
 void prove_function(const program::Function& function, engine::Engine<Real>& engine, States& states,
-                    const Real& largest_inertia) {
+                    const Real& largest_inertia, const Numbers& derived) {
   const std::string& name = function.signature.name;
   const std::vector<Values> inputs = states.inputs(function.signature);
-  const Numbers ours = interpreted(function, inputs);
+  const Numbers ours = interpreted(function, inputs, derived);
   const auto n = static_cast<std::size_t>(engine.dof());
   const auto mass_matrix = [&] {
     return engine.evaluate("mass_matrix", {inputs[0]});
@@ -205,24 +214,86 @@ const simplify::Derived* find(const simplify::DerivedFunctions& equations,
   return found == equations.end() ? nullptr : found->get();
 }
 
+/// What all functions are held against.
+struct Proof {
+  const std::vector<model::Point>& points;
+  const model::Vector3& gravity;
+  const simplify::DerivedFunctions& equations;
+  States states = {};
+};
+
+/// Every function at a state.
+void prove_at_state(Proof& proof, const model::Tree& tree,
+                    const std::vector<const program::Function*>& functions,
+                    const Numbers& derived) {
+  engine::Engine<Real> engine(tree, proof.points, proof.gravity);
+  const Real largest = largest_inertia(tree);
+  for (const program::Function* const function : functions) {
+    if (const simplify::Derived* const of_user = find(proof.equations, function->signature.name)) {
+      const std::vector<Values> inputs = proof.states.inputs(function->signature);
+      engine::UserFunction<Real> expected(of_user->equation, tree, proof.points, proof.gravity);
+      compare(function->signature.name, interpreted(*function, inputs, derived), expected(inputs),
+              largest);
+    } else {
+      prove_function(*function, engine, proof.states, largest, derived);
+    }
+  }
+}
+
+/// True for functions of ours that have a value where nothing has a mass.
+bool takes_zeros(const program::Function& function) {
+  constexpr std::array<const char*, 4> kDivide = {"forward_dynamics", "mass_matrix_factor",
+                                                  "mass_matrix_solve", "mass_matrix_inverse"};
+  const std::string& name = function.signature.name;
+  return std::find(kDivide.begin(), kDivide.end(), name) == kDivide.end();
+}
+
+/// At run time as `update` and the functions compute it, with other numbers than the nominal ones.
+void prove_at_run_time(Proof& proof, const model::Tree& tree,
+                       const std::vector<const program::Function*>& functions,
+                       const program::Function& update) {
+  enum class Draw { kNominal, kFirst, kSecond, kZero };
+  for (const Draw draw : {Draw::kNominal, Draw::kFirst, Draw::kSecond, Draw::kZero}) {
+    model::Tree changed = tree;
+    Values values;
+    for (const model::Parameter& parameter : tree.parameters) {
+      const bool positive = parameter.quantity == model::InertiaPart::kMass;
+      const Real random = proof.states.next();
+      values.push_back(draw == Draw::kNominal ? model::nominal(tree, parameter)
+                       : draw == Draw::kZero  ? Real(0)
+                       : positive             ? abs(random)
+                                              : random);
+      model::set(changed, parameter, values.back());
+    }
+    std::vector<const program::Function*> proven = functions;
+    if (draw == Draw::kZero) {
+      std::erase_if(proven, [&](const program::Function* f) {
+        return !takes_zeros(*f) || find(proof.equations, f->signature.name) != nullptr;
+      });
+    }
+    prove_at_state(proof, changed, proven, interpreted(update, {values}, {}));
+  }
+}
+
 }  // namespace
 
 void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
                      const model::Vector3& gravity, const simplify::DerivedFunctions& equations,
-                     const std::vector<program::Function>& functions) {
-  engine::Engine<Real> engine(tree, points, gravity);
-  States states;
-  const Real largest = largest_inertia(tree);
+                     const std::vector<program::Function>& functions,
+                     const program::Function* update) {
+  Proof proof{points, gravity, equations};
+  std::vector<const program::Function*> fixed;
+  std::vector<const program::Function*> at_run_time;
+  for (const program::Function& function : functions) {
+    const std::vector<program::Array>& inputs = function.signature.inputs;
+    const bool takes_derived = !inputs.empty() && !inputs.back().type.empty();
+    (takes_derived ? at_run_time : fixed).push_back(&function);
+  }
   for (int count = tree.size() <= kLargestForTwoStates ? 2 : 1; count > 0; --count) {
-    for (const program::Function& function : functions) {
-      if (const simplify::Derived* const of_user = find(equations, function.signature.name)) {
-        const std::vector<Values> inputs = states.inputs(function.signature);
-        engine::UserFunction<Real> expected(of_user->equation, tree, points, gravity);
-        compare(function.signature.name, interpreted(function, inputs), expected(inputs), largest);
-      } else {
-        prove_function(function, engine, states, largest);
-      }
-    }
+    prove_at_state(proof, tree, fixed, {});
+  }
+  if (!at_run_time.empty()) {
+    prove_at_run_time(proof, tree, at_run_time, *update);
   }
 }
 

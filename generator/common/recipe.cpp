@@ -1,0 +1,65 @@
+#include "common/recipe.hpp"
+
+#include <cstddef>
+#include <cstdlib>
+#include <deque>
+#include <map>
+#include <tuple>
+
+namespace treedyn {
+
+namespace {
+
+/// All recipes of a thread, each operation on the same operands once.
+class Recipes {
+ public:
+  int number(const Digits& value) { return add({RecipeKind::kNumber, 0, 0, value}); }
+  int operation(RecipeKind kind, int a, int b) {
+    const auto [place, is_new] = known_.try_emplace({kind, a, b}, 0);
+    if (is_new) {
+      place->second = add({kind, a, b, 0});
+    }
+    return place->second;
+  }
+  [[nodiscard]] const Recipe& at(int number) const {
+    return recipes_[static_cast<std::size_t>(number)];
+  }
+
+ private:
+  int add(const Recipe& recipe) {
+    recipes_.push_back(recipe);
+    return static_cast<int>(recipes_.size()) - 1;
+  }
+
+  std::deque<Recipe> recipes_ = std::deque<Recipe>(1);  // number 0 is none
+  std::map<std::tuple<RecipeKind, int, int>, int> known_;
+};
+
+Recipes& recipes() {
+  static thread_local Recipes all;
+  return all;
+}
+
+}  // namespace
+
+const Recipe& recipe(int number) { return recipes().at(number); }
+
+int recipe_of_parameter(int index) {
+  return index < 0 ? kUnknownRecipe : recipes().operation(RecipeKind::kParameter, index, 0);
+}
+
+int recipe_of(RecipeKind kind, const Real& a, const Real& b) {
+  if (a.recipe() == 0 && b.recipe() == 0) {
+    return 0;
+  }
+  if (std::abs(a.recipe()) == kUnknownRecipe || std::abs(b.recipe()) == kUnknownRecipe) {
+    return kUnknownRecipe;
+  }
+  const auto operand = [](const Real& x) {
+    return x.recipe() != 0 ? x.recipe() : recipes().number(x.digits());
+  };
+  const int first = operand(a);
+  return recipes().operation(kind, first, operand(b));
+}
+
+}  // namespace treedyn

@@ -1,0 +1,116 @@
+#include "emit/run_time.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "emit/json.hpp"
+#include "emit/layout.hpp"
+#include "emit/names.hpp"
+#include "model/parameters.hpp"
+
+namespace treedyn::emit {
+
+namespace {
+
+constexpr std::size_t kLongestMeaning = 90;
+/// With `p.` in front two of them fit into a statement.
+constexpr std::size_t kLongestField = 25;
+
+/// Elements of `derived`.
+int derived_size(const Unit& unit) {
+  for (const program::Function& function : unit.functions) {
+    if (function.signature.name == kUpdate) {
+      return function.signature.outputs.front().size;
+    }
+  }
+  return 0;
+}
+
+std::string fields(const Unit& unit) {
+  std::string result;
+  std::size_t k = 0;
+  const std::vector<std::string> names = field_names(*unit.tree);
+  for (const model::Parameter& parameter : unit.tree->parameters) {
+    result += wrapped(for_comment(model::meaning(*unit.tree, parameter), kLongestMeaning) +
+                          fmt::format(", {}", model::unit(parameter)),
+                      "  /// ");
+    result += fmt::format("  Scalar {};\n", names[k++]);
+  }
+  return result;
+}
+
+/// One value a line: a changed model changes one line, or all where it is the longest.
+std::string nominal_values(const Unit& unit) {
+  std::vector<std::string> values;
+  std::size_t width = 0;
+  for (const model::Parameter& parameter : unit.tree->parameters) {
+    const Real value = model::nominal(*unit.tree, parameter);
+    values.push_back((value < 0 ? "-" : "") + literal(abs(value), unit.target.scalar) + ",");
+    width = std::max(width, values.back().size());
+  }
+  std::string result;
+  const std::vector<std::string> names = field_names(*unit.tree);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    result += fmt::format("    {:{}}  // {}\n", values[k], width, names[k]);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> field_names(const model::Tree& tree) {
+  std::vector<std::string> identifiers;
+  for (const model::Parameter& parameter : tree.parameters) {
+    identifiers.push_back(parameter.identifier);
+  }
+  return shortened(identifiers, kLongestField);
+}
+
+program::Array parameters_array(const model::Tree& tree) {
+  program::Array result{"p", static_cast<int>(tree.parameters.size()), ""};
+  result.type = kParameters;
+  result.fields = field_names(tree);
+  return result;
+}
+
+program::Array derived_array() {
+  program::Array result{"derived", 0, ""};
+  result.type = kDerivedParameters;
+  return result;
+}
+
+std::string parameter_types(const Unit& unit) {
+  if (unit.tree->parameters.empty()) {
+    return {};
+  }
+  return fmt::format(
+      "\n/// Numbers that are known at run time only, in SI units and the frames of the links.\n"
+      "struct {0} {{\n{1}}};\n"
+      "/// The numbers of the model.\n"
+      "inline constexpr {0} {2} = {{\n{3}}};\n"
+      "/// What functions need of them: made by {4}, outside the loop that calls these.\n"
+      "struct {5} {{\n  Scalar value[{6}];\n}};\n",
+      kParameters, fields(unit), kNominal, nominal_values(unit), kUpdate, kDerivedParameters,
+      std::max(derived_size(unit), 1));
+}
+
+std::string parameters_json(const model::Tree& tree) {
+  if (tree.parameters.empty()) {
+    return {};
+  }
+  std::vector<std::string> rows;
+  std::size_t k = 0;
+  const std::vector<std::string> names = field_names(tree);
+  for (const model::Parameter& parameter : tree.parameters) {
+    const std::string& link = tree.links[static_cast<std::size_t>(parameter.link)].name;
+    rows.push_back(json_object({{"field", json_string(names[k++])},
+                                {"declared", json_string(parameter.declared)},
+                                {"link", json_string(link)},
+                                {"unit", json_string(model::unit(parameter))},
+                                {"nominal", decimal(model::nominal(tree, parameter))}}));
+  }
+  return fmt::format(",\n  \"parameters\": {}", json_lines(rows, 4));
+}
+
+}  // namespace treedyn::emit

@@ -1,0 +1,351 @@
+// Numbers that are known at run time only: the same results as code that was generated from them.
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "cli/cli.hpp"
+#include "support/manifest.hpp"
+
+namespace treedyn {
+namespace {
+
+using support::FunctionInfo;
+using support::Manifest;
+
+const std::string kWarnings =
+    "-Wall -Wextra -Werror -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion "
+    "-Wunused -ffp-contract=off -O1";
+
+/// A number of the model and what it is at run time.
+struct Change {
+  std::string from;   ///< in the model
+  std::string to;     ///< in the model that other code is generated from
+  std::string field;  ///< of Parameters
+  std::string value;
+};
+
+struct Robot {
+  const char* name;
+  const char* model;
+  std::string runtime;
+  std::vector<Change> changes;
+  std::vector<std::string> options;
+  double epsilon;
+};
+
+std::string with(std::string text, const Change& change) {
+  const std::size_t at = text.find(change.from);
+  EXPECT_NE(at, std::string::npos) << change.from;
+  EXPECT_EQ(text.find(change.from, at + 1), std::string::npos) << change.from;
+  return text.replace(at, change.from.size(), change.to);
+}
+
+/// Calls of the functions of both with the same random arguments, the results compared: the
+/// largest difference, as a part of the largest result.
+std::string comparison(const FunctionInfo& function, const std::string& first,
+                       const std::string& second) {
+  std::string text = "  {\n";
+  std::string inputs;
+  bool derived = false;
+  for (std::size_t k = 0; k < function.inputs.size(); ++k) {
+    derived |= function.arguments[k] == "derived";
+    if (function.arguments[k] == "derived") {
+      continue;
+    }
+    text += fmt::format("    Scalar {0}[{1}];\n    for (Scalar& x : {0}) x = random_number();\n",
+                        function.arguments[k], function.inputs[k]);
+    inputs += (inputs.empty() ? "" : ", ") + function.arguments[k];
+  }
+  std::string ours = inputs + (derived ? ", ours" : "");
+  std::string theirs = inputs + (derived && second == "p_" ? ", &theirs" : "");
+  std::string compare;
+  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
+    const std::string& name = function.results[k];
+    for (const std::string own : {"a_", "b_"}) {
+      text += fmt::format("    Scalar {}{}[{}] = {{}};\n", own, name, function.outputs[k]);
+      (own == "a_" ? ours : theirs) += ", " + own + name;
+    }
+    compare += fmt::format("    compare(\"{0}\", a_{1}, b_{1}, {2});\n", function.name, name,
+                           function.outputs[k]);
+  }
+  return text + fmt::format("    {}{}({});\n    {}{}({});\n{}  }}\n", first, function.name, ours,
+                            second, function.name, theirs, compare);
+}
+
+std::string driver(const Manifest& manifest, const std::string& header, const std::string& second,
+                   const std::string& set) {
+  std::string calls;
+  for (const FunctionInfo& function : manifest.functions) {
+    calls += function.name == "update_parameters" ? "" : comparison(function, "r::", second);
+  }
+  return fmt::format(R"(#include <cmath>
+#include <cstdio>
+#include "r.hpp"
+#include "{0}"
+using r::Scalar;
+static unsigned state = 1;
+static Scalar random_number() {{
+  state = state * 1664525u + 1013904223u;
+  return static_cast<Scalar>(state >> 8) / 8388608 - 1;
+}}
+static double worst = 0;
+static void compare(const char*, const Scalar* a, const Scalar* b, int count) {{
+  double largest = 0;
+  double difference = 0;
+  for (int k = 0; k < count; ++k) {{
+    largest = std::fmax(largest, std::fabs(static_cast<double>(b[k])));
+    const double d = std::fabs(static_cast<double>(a[k]) - static_cast<double>(b[k]));
+    difference = d <= difference ? difference : d;
+  }}
+  const double part = difference == 0 ? 0 : difference / largest;
+  worst = part <= worst ? worst : part;
+}}
+int main() {{
+  r::Parameters p = r::kNominalParameters;
+  r::DerivedParameters ours;
+{1}
+  for (int n = 0; n < 20; ++n) {{
+{2}  }}
+  std::printf("%.3e", worst);
+}}
+)",
+                     header, set, calls);
+}
+
+class RunTime : public Cli, public testing::WithParamInterface<Robot> {
+ protected:
+  void SetUp() override {
+    std::string text = read_file(fmt::format("{}/models/{}", TREEDYN_SOURCE_DIR, GetParam().model));
+    write_file(scratch("nominal.yaml"), text);
+    for (const Change& change : GetParam().changes) {
+      text = with(text, change);
+    }
+    write_file(scratch("changed.yaml"), text);
+    generate("nominal.yaml", {"--name", "r", "--runtime", GetParam().runtime});
+  }
+
+  void generate(const std::string& model, std::vector<std::string> more) {
+    more.insert(more.begin(), {"generate", "-q", scratch(model), "-o", out()});
+    more.insert(more.end(), GetParam().options.begin(), GetParam().options.end());
+    const Outcome outcome = treedyn(more);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+
+  static void run_compiler(const std::string& options) {
+    std::vector<std::string> command = {TREEDYN_CXX};
+    std::istringstream words(options);
+    for (std::string word; words >> word;) {
+      command.push_back(word);
+    }
+    const Outcome outcome = support::run(command);
+    ASSERT_EQ(outcome.status, 0) << options << '\n' << outcome.err;
+  }
+
+  /// What the driver finds.
+  double difference(const std::string& other_source, const std::string& text) const {
+    write_file(file("driver.cpp"), text);
+    const std::string at = out() + "/";
+    run_compiler(fmt::format("-std=c++17 {0} -c {1}r.cpp -o {1}r.o", kWarnings, at));
+    run_compiler(fmt::format("{2} {0} -c {1}{3} -o {1}other.o", kWarnings, at,
+                             other_source.ends_with(".c") ? "-x c -std=c99" : "-std=c++17",
+                             other_source));
+    run_compiler(fmt::format("-std=c++17 -O1 {0}driver.cpp {0}r.o {0}other.o -o {0}driver", at));
+    const Outcome outcome = support::run({at + "driver"});
+    EXPECT_EQ(outcome.status, 0);
+    return std::stod(outcome.out);
+  }
+
+  static std::string changed_fields(const std::string& object) {
+    std::string set;
+    for (const Change& change : GetParam().changes) {
+      set +=
+          fmt::format("  {}.{} = static_cast<Scalar>({});\n", object, change.field, change.value);
+    }
+    return set;
+  }
+
+  /// Rounding: as many unit roundoffs of the largest result as both functions have operations.
+  static double tolerance(const Manifest& manifest) {
+    long most = 0;
+    for (const FunctionInfo& function : manifest.functions) {
+      most = std::max(most, function.operations[0] + function.operations[1]);
+    }
+    return 2 * static_cast<double>(most) * GetParam().epsilon;
+  }
+};
+
+TEST_P(RunTime, GivesWhatCodeOfTheChangedModelGives) {
+  generate("changed.yaml", {"--name", "m"});
+  const Manifest manifest = support::read_manifest(file("r.json"));
+  const std::string update = "  r::update_parameters(p, ours);\n";
+  const double off =
+      difference("m.cpp", driver(manifest, "m.hpp", "m::", changed_fields("p") + update));
+  EXPECT_LE(off, tolerance(manifest));
+  const double control = difference("m.cpp", driver(manifest, "m.hpp", "m::", update));
+  EXPECT_GE(control, 1e-3) << "the changes change nothing";
+}
+
+using RunTimeInC = RunTime;
+
+TEST_P(RunTimeInC, HasTheSameBits) {
+  generate("nominal.yaml",
+           {"--name", "r", "--language", "c99", "--prefix", "p", "--runtime", GetParam().runtime});
+  const Manifest manifest = support::read_manifest(file("r.json"));
+  const std::string set = changed_fields("p") +
+                          "  r::update_parameters(p, ours);\n"
+                          "  p_Parameters in_c = P_NOMINAL_PARAMETERS;\n" +
+                          changed_fields("in_c") +
+                          "  p_DerivedParameters theirs;\n  p_update_parameters(&in_c, &theirs);\n";
+  EXPECT_EQ(difference("r.c", driver(manifest, "r.h", "p_", set)), 0);
+}
+
+const std::string kFunctions =
+    "mass_matrix,bias_force,gravity_force,inverse_dynamics,forward_dynamics,kinetic_energy,"
+    "potential_energy,mass_matrix_factor,mass_matrix_solve,mass_matrix_inverse,dynamics_terms,"
+    "joint_to_com_vectors";
+const std::vector<Change> kOfPuma = {
+    {"mass: 4.8", "mass: 6.3125", "link3_mass", "6.3125"},
+    {"com: [0, -0.070, 0.014]", "com: [0.03, 0.05, -0.02]", "link3_com_x", "0.03"},
+    {"[0.03, 0.05", "[0.03, 0.05", "link3_com_y", "0.05"},
+    {"0.05, -0.02]", "0.05, -0.02]", "link3_com_z", "-0.02"},
+    {"mass: 0.09\n", "mass: 0.5\n", "link6_mass", "0.5"},
+    {"inertia: [0.15e-3, 0, 0, 0.15e-3, 0, 0.04e-3]",
+     "inertia: [0.3e-3, 1e-5, -2e-5, 0.4e-3, 3e-5, 0.5e-3]", "link6_inertia_xx", "0.3e-3"},
+    {"[0.3e-3, 1e-5", "[0.3e-3, 1e-5", "link6_inertia_xy", "1e-5"},
+    {"1e-5, -2e-5", "1e-5, -2e-5", "link6_inertia_xz", "-2e-5"},
+    {"-2e-5, 0.4e-3", "-2e-5, 0.4e-3", "link6_inertia_yy", "0.4e-3"},
+    {"0.4e-3, 3e-5", "0.4e-3, 3e-5", "link6_inertia_yz", "3e-5"},
+    {"3e-5, 0.5e-3", "3e-5, 0.5e-3", "link6_inertia_zz", "0.5e-3"}};
+const std::vector<Change> kOfBiped = {
+    {"com: [0.502*foot, 0.034*foot, 0.01 - 0.199*foot]", "com: [0.04, -0.01, -0.03]",
+     "left_foot_com_x", "0.04"},
+    {"[0.04, -0.01", "[0.04, -0.01", "left_foot_com_y", "-0.01"},
+    {"-0.01, -0.03]", "-0.01, -0.03]", "left_foot_com_z", "-0.03"},
+    {"[22^2*J_foot, -11^2*J_foot, 17^2*J_foot, 48^2*J_foot, 0, 49^2*J_foot]",
+     "[0.02, 0.001, -0.002, 0.03, 0.003, 0.04]", "left_foot_inertia_xx", "0.02"},
+    {"[0.02, 0.001", "[0.02, 0.001", "left_foot_inertia_xy", "0.001"},
+    {"0.001, -0.002", "0.001, -0.002", "left_foot_inertia_xz", "-0.002"},
+    {"-0.002, 0.03", "-0.002, 0.03", "left_foot_inertia_yy", "0.03"},
+    {"0.03, 0.003", "0.03, 0.003", "left_foot_inertia_yz", "0.003"},
+    {"0.003, 0.04", "0.003, 0.04", "left_foot_inertia_zz", "0.04"}};
+const std::string kRuntimeOfPuma = "link3.mass,link3.com,link6.mass,link6.inertia";
+
+const Robot kPuma = {
+    "Puma", "puma560.yaml", kRuntimeOfPuma, kOfPuma, {"--effort", "20", "--functions", kFunctions},
+    2.3e-16};
+const Robot kPlainPuma = {"PumaPlain",
+                          "puma560.yaml",
+                          kRuntimeOfPuma,
+                          kOfPuma,
+                          {"--effort", "0", "--functions", kFunctions, "--layout", "packed"},
+                          2.3e-16};
+const Robot kPumaInFloat = {"PumaInFloat",
+                            "puma560.yaml",
+                            kRuntimeOfPuma,
+                            kOfPuma,
+                            {"--effort", "0", "--scalar", "float", "--functions",
+                             "mass_matrix,inverse_dynamics,gravity_force"},
+                            1.2e-7};
+const Robot kFreeBiped = {"FreeBiped",
+                          "biped.yaml",
+                          "left_foot.com,left_foot.inertia",
+                          kOfBiped,
+                          {"--effort", "0", "--base", "axes", "--functions",
+                           "mass_matrix,inverse_dynamics,forward_dynamics"},
+                          2.3e-16};
+const Robot kPolar = {"Polar",
+                      "polar.yaml",
+                      "boom.mass,boom.com",
+                      {{"mass: m3", "mass: 5.5", "boom_mass", "5.5"},
+                       {"com: [0, 0, -c3]", "com: [0.01, 0.02, -0.4]", "boom_com_x", "0.01"},
+                       {"[0.01, 0.02", "[0.01, 0.02", "boom_com_y", "0.02"},
+                       {"0.02, -0.4]", "0.02, -0.4]", "boom_com_z", "-0.4"}},
+                      {"--effort", "20"},
+                      2.3e-16};
+
+std::string name_of(const testing::TestParamInfo<Robot>& of) { return of.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Robots, RunTime,
+                         testing::Values(kPuma, kPlainPuma, kPumaInFloat, kFreeBiped, kPolar),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Robots, RunTimeInC, testing::Values(kPlainPuma, kPumaInFloat, kPolar),
+                         name_of);
+
+const std::string kScene = TREEDYN_SOURCE_DIR "/models/scenes/drop.yaml";
+
+class RunTimeCli : public Cli {
+ protected:
+  /// One link.
+  static std::string declared(const std::string& mass) {
+    return "name: one\nlinks:\n  - name: a\n    father: ground\n    joint: {name: j, type: "
+           "revolute, axis: [0, 1, 0]}\n    " +
+           mass + "\n";
+  }
+};
+
+TEST_F(RunTimeCli, RefusesWhatItDoesNotTake) {
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& what) {
+    arguments.insert(arguments.begin(), {"generate", "-o", out(), kModel});
+    const Outcome outcome = treedyn(arguments);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(what));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(fs::exists(out()));
+  };
+  refused({"--runtime", "hand.mass"}, "runtime: there is no link 'hand'; expected one");
+  refused({"--runtime", "mass"}, "runtime: 'mass' names no number of a link; expected LINK.mass");
+  refused({"--runtime", "forearm.length"},
+          "'length' cannot be known at run time only; expected "
+          "mass, com, inertia");
+  refused({"--runtime", "forearm.mass,forearm.mass"}, "'forearm.mass' is defined twice");
+  for (const std::string option :
+       {"--lanes=2", "--share-limbs", "--self-test", "--checked", "--accuracy-samples=3"}) {
+    refused({"--runtime", "forearm.mass", option}, option.substr(0, option.find('=')));
+  }
+}
+
+TEST_F(RunTimeCli, RefusesOptionsThatReportNumbers) {
+  for (const std::string option : {"--accuracy", "--passes"}) {
+    expect_usage_error(treedyn({"info", kModel, "--runtime", "forearm.mass", option}), option);
+  }
+  expect_usage_error(
+      treedyn({"check", kModel, "--runtime", "forearm.mass", "--numeric", "-o", out()}),
+      "--numeric");
+  expect_usage_error(treedyn({"generate", "--scene", kScene, "--runtime", "a.mass", "-o", out()}),
+                     "--runtime is for models");
+}
+
+TEST_F(RunTimeCli, ScenesRefuseModelsThatDeclareSuchNumbers) {
+  write_file(scratch("model.yaml"), declared("mass: 2\n    runtime: [mass]"));
+  write_file(scratch("scene.yaml"), "scene: s\nmodel: model.yaml\n");
+  const Outcome outcome = treedyn({"generate", "--scene", scratch("scene.yaml"), "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("model.yaml: declares 'a.mass' as known at run time"));
+}
+
+TEST_F(RunTimeCli, SaysWhatEachCosts) {
+  const Outcome outcome =
+      treedyn({"info", kModel, "--effort", "0", "--runtime", "forearm.mass,forearm.com"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("price of every run-time parameter"));
+  EXPECT_THAT(outcome.out, HasSubstr("  forearm.com   "));
+  EXPECT_THAT(outcome.out, HasSubstr("  update_parameters "));
+}
+
+/// Names are hostile: long, equal when shortened, with bytes that no identifier has.
+TEST_F(RunTimeCli, TakesNamesOfAnyKind) {
+  const std::string one = "a*/ link " + std::string(200, 'x');
+  std::string text = declared("mass: 2\n    runtime: [inertia, com, mass]");
+  text.replace(text.find("name: a"), 7, "name: '" + one + "'");
+  write_file(scratch("model.yaml"), text);
+  const Outcome outcome = treedyn(
+      {"generate", "-q", "--language", "c99", "--name", "m", scratch("model.yaml"), "-o", out()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome compiled =
+      support::run({TREEDYN_CXX, "-x", "c", "-std=c99", "-pedantic-errors", "-Wall", "-Wextra",
+                    "-Werror", "-fsyntax-only", file("m.c").string()});
+  EXPECT_EQ(compiled.status, 0) << compiled.err;
+}
+
+}  // namespace
+}  // namespace treedyn
