@@ -71,6 +71,10 @@ std::vector<std::pair<const char*, std::string>> step_options(const StepChoice& 
   return result;
 }
 
+std::string sincos_word(const emit::Target& target) {
+  return target.takes_libm() ? "libm" : target.takes_vectors() ? "vector" : "pair";
+}
+
 std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", text); }
 
 }  // namespace
@@ -79,7 +83,7 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   std::vector<std::pair<std::string, std::string>> options = {
       {"scalar", in_quotes(emit::type_name(request.target.scalar))},
       {"lanes", std::to_string(request.target.lanes)},
-      {"sincos", in_quotes(request.target.takes_libm() ? "libm" : "pair")},
+      {"sincos", in_quotes(sincos_word(request.target))},
       {"layout", in_quotes(request.target.packed ? "packed" : "dense")},
       {"base", in_quotes(base_text(request.read.base))},
       {"gravity", fmt::format("[{}]", gravity_text(request.gravity))},
@@ -139,7 +143,8 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
       emit::type_name(request.target.scalar));
   add(request.target.lanes != kDefaults.target.lanes, "--lanes",
       std::to_string(request.target.lanes));
-  add(request.target.takes_libm(), "--sincos", "libm");
+  add(sincos_word(request.target) != sincos_word(kDefaults.target), "--sincos",
+      sincos_word(request.target));
   add(request.target.trigonometry == program::Trigonometry::kLate, "--trig", "late");
   add(request.target.packed, "--layout", "packed");
   add(!request.functions.empty(), "--functions", list_of(request.functions));

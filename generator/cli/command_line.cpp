@@ -345,6 +345,7 @@ void require_options(const CLI::App& app, Settings& settings) {
                   [&](const char* name) { return app.got_subcommand(name); })) {
     require_model_or_scene(*app.get_subcommands().front(), settings);
     require_words_of_language(settings.request);
+    require_room_for_vectors(settings.request);
     require_scene_of_functions(settings.request);
     require_functions_of_passes(settings);
   }

@@ -248,6 +248,16 @@ void add_stepping(CLI::App& command, StepChoice& stepping) {
 
 }  // namespace
 
+void require_room_for_vectors(const Request& request) {
+  const emit::Target& target = request.target;
+  if (target.vectors && (target.lanes > 1 || request.language == emit::Language::kC99 ||
+                         target.trigonometry == program::Trigonometry::kLate)) {
+    throw CLI::ValidationError("--sincos vector",
+                               "all angles of one state first, in C++; expected 1 lane, no "
+                               "--trig late and no --language c99");
+  }
+}
+
 std::vector<std::string> with_settings(const std::vector<std::string>& words) {
   std::vector<std::string> result;
   for (std::size_t k = 0; k < words.size(); ++k) {
@@ -304,11 +314,13 @@ void add_generation(CLI::App& command, Request& request) {
           "--sincos",
           [&request](const std::string& choice) {
             request.target.sincos = choice == "libm" ? emit::Sincos::kLibm : emit::Sincos::kPair;
+            request.target.vectors = choice == "vector";
           },
           "sine and cosine by one branch-free function in the source, the same bits everywhere "
-          "(builtin: the same), or of the C library; default pair")
-      ->check(one_of({"pair", "libm", "builtin"}))
-      ->type_name("pair|libm");
+          "(builtin: the same); by that function for several angles of a function at once, on "
+          "processors with vectors; or of the C library; default pair")
+      ->check(one_of({"pair", "vector", "libm", "builtin"}))
+      ->type_name("pair|vector|libm");
   command
       .add_option_function<std::string>(
           "--trig",

@@ -23,6 +23,10 @@ void add_model(CLI::App& command, Request& request);
 /// All options of `generate`; MODEL is optional among them.
 void add_generation(CLI::App& command, Request& request);
 
+/// `--sincos vector` works on several angles of one state at once, before all that needs them, in
+/// vectors that C++ has. \throws CLI::ValidationError where other options ask for something else
+void require_room_for_vectors(const Request& request);
+
 /// The words of a command line, with `--settings FILE` replaced by the options that stand in FILE.
 /// \throws InputError for a file that cannot be read, CLI::ParseError for lines that are no options
 std::vector<std::string> with_settings(const std::vector<std::string>& words);

@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "emit/expression.hpp"
+#include "emit/layout.hpp"
 #include "emit/sincos.hpp"
 #include "emit/statements.hpp"
 
@@ -37,6 +38,7 @@ class Writer {
  private:
   std::string text(const Statement& statement) const;
   std::string pair(const Statement& statement) const;
+  void state_angles(const Statement& statement, Part& part, Body& body) const;
   std::string broadcast(Ref value) const;
   std::string right_side(const Statement& statement) const;
   int body_of(const Statement& statement) const;
@@ -90,6 +92,41 @@ std::string Writer::pair(const Statement& statement) const {
   return fmt::format("{}{}{}", left, fits ? " " : "\n      ", right);
 }
 
+/// The arrays hold whole vectors; a call for each of the longest.
+void Writer::state_angles(const Statement& statement, Part& part, Body& body) const {
+  const std::size_t number = ++body.angle_statements;
+  const std::string suffix = number == 1 ? "" : fmt::format("_{}", number);
+  const std::vector<std::string> arrays = {statements_.array_name("sines" + suffix),
+                                           statements_.array_name("cosines" + suffix)};
+  const std::size_t count = statement.angles.size();
+  const std::size_t most = most_angles(target_.scalar);
+  for (const std::string& array : arrays) {
+    part.lines.push_back(fmt::format("Scalar {}[{}];", array, (count + most - 1) / most * most));
+  }
+  for (std::size_t begin = 0; begin < count; begin += most) {
+    std::vector<std::string> arguments;
+    for (const std::string& array : arrays) {
+      arguments.push_back(begin == 0 ? array : fmt::format("{} + {}", array, begin));
+    }
+    for (std::size_t k = begin; k < std::min(begin + most, count); ++k) {
+      arguments.push_back(statements_.atom(statement.angles[k].angle));
+    }
+    part.lines.push_back(
+        declaration(fmt::format("  {}", kSinesCosines), arguments, ";").substr(kIndentation));
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const Angle& angle = statement.angles[k];
+    for (const auto& [value, array] :
+         {std::pair(angle.sine, arrays[0]), std::pair(angle.cosine, arrays[1])}) {
+      if (value != 0) {
+        part.lines.push_back(
+            fmt::format("const Scalar {} = {}[{}];", statements_.name(value), array, k));
+        ++body.statements;
+      }
+    }
+  }
+}
+
 std::string Writer::text(const Statement& statement) const {
   if (statement.partner != 0) {
     return pair(statement);
@@ -104,7 +141,8 @@ std::string Writer::text(const Statement& statement) const {
 
 /// The body that a statement computes something for, -1 if it stores a result that exists.
 int Writer::body_of(const Statement& statement) const {
-  const bool computes = statement.copy_of < 0 && statements_.is_operation(statement.value) &&
+  const bool computes = statement.copy_of < 0 && statement.angles.empty() &&
+                        statements_.is_operation(statement.value) &&
                         (statement.output < 0 || !statements_.is_local(statement.value));
   return computes ? graph_.hint(statement.value).body : -1;
 }
@@ -187,7 +225,11 @@ Body Writer::write() {
     note_body(at, part, current);
     note_arrays(statement, part);
     load(statement, part, result);
-    part.lines.push_back(text(statement));
+    if (statement.angles.empty()) {
+      part.lines.push_back(text(statement));
+    } else {
+      state_angles(statement, part, result);
+    }
     ++result.statements;
     Statements::visit_definitions(statement, [&](Ref value) { share(value, part, result); });
   }

@@ -23,7 +23,8 @@ struct Part {
 struct Body {
   std::vector<Part> parts;
   int workspace = 0;  ///< elements for values that one part computes and another needs
-  std::vector<std::size_t> stages;  ///< of a single part: where stages 1, 2, .. begin
+  std::vector<std::size_t> stages;   ///< of a single part: where stages 1, 2, .. begin
+  std::size_t angle_statements = 0;  ///< those of several angles together
   int statements = 0;
   int structural_zeros = 0;
 };

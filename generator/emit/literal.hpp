@@ -20,11 +20,17 @@ struct Target {
   Scalar scalar = Scalar::kDouble;
   int lanes = 1;  ///< states at once; more than one: Scalar is a vector type
   Sincos sincos = Sincos::kPair;
-  bool packed = false;  ///< A: what is not structurally zero, lower triangle
+  bool vectors = false;  ///< the pair of all angles of a function together, in vectors
+  bool packed = false;   ///< A: what is not structurally zero, lower triangle
   program::Trigonometry trigonometry = program::Trigonometry::kEarly;
 
   /// True if <cmath> gives sines and cosines: it has none for several lanes.
   [[nodiscard]] bool takes_libm() const { return sincos == Sincos::kLibm && lanes == 1; }
+  /// True if the angles of a function are worked on together.
+  [[nodiscard]] bool takes_vectors() const { return vectors && lanes == 1; }
+  [[nodiscard]] program::Trigonometry order() const {
+    return takes_vectors() ? program::Trigonometry::kTogether : trigonometry;
+  }
 };
 
 /// "double", "float" or "long double".

@@ -1,5 +1,6 @@
 #include "emit/sincos.hpp"
 
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -55,7 +56,16 @@ const Approximation& approximation(Scalar scalar) {
 
 /// What an angle is. Of a single state not Scalar: another type may stand for that.
 std::string type(const Target& target) {
-  return target.lanes == 1 ? type_name(target.scalar) : "Scalar";
+  return target.takes_vectors() ? "Angles"
+         : target.lanes == 1    ? type_name(target.scalar)
+                                : "Scalar";
+}
+
+/// A template of what only vectors of angles need.
+std::string of_vectors(const std::string& name, std::map<std::string, std::string> slots,
+                       const Target& target) {
+  slots.emplace("type", type_name(target.scalar));
+  return target.takes_vectors() ? fill(template_text(name), slots) : "";
 }
 
 /// Horner's rule in z, a statement a coefficient.
@@ -205,6 +215,8 @@ SineCosine<double> sine_cosine(double x) {
   return executed(numbers, x);
 }
 
+std::size_t most_angles(Scalar scalar) { return scalar == Scalar::kFloat ? 8 : 4; }
+
 bool has_sincos(const Unit& unit) {
   const program::Cost cost = total_cost(unit);
   return !unit.target.takes_libm() && cost.sin + cost.cos > 0;
@@ -215,26 +227,32 @@ std::string sincos_text(const Target& target, const std::string& functions) {
   const auto number = [&](const Real& value) {
     return literal(value, target.scalar);
   };
-  return fill(template_text("sincos.cpp"),
-              {{"type", type(target)},
-               {"error", a.error},
-               {"range", a.range},
-               {"end", a.end},
-               {"half", number(Real("0.5"))},
-               {"one", number(1)},
-               {"four", number(4)},
-               {"third", number(Real(1) / 3)},
-               {"two_over_pi", number(2 / pi())},
-               {"rounding", number(rounding(a))},
-               {"rounding_to_fours", number(4 * rounding(a))},
-               {"scale", number(scale(a))},
-               {"unscale", number(1 / scale(a))},
-               {"reduction", reduction(a, target)},
-               {"sine", horner("s", a.sine, target)},
-               {"cosine", horner("c", a.cosine, target)},
-               {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
-               {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)},
-               {"singles", singles(target, functions)}});
+  return fill(
+      template_text("sincos.cpp"),
+      {{"type", type(target)},
+       {"error", a.error},
+       {"range", a.range},
+       {"end", a.end},
+       {"half", number(Real("0.5"))},
+       {"one", number(1)},
+       {"four", number(4)},
+       {"third", number(Real(1) / 3)},
+       {"two_over_pi", number(2 / pi())},
+       {"rounding", number(rounding(a))},
+       {"rounding_to_fours", number(4 * rounding(a))},
+       {"scale", number(scale(a))},
+       {"unscale", number(1 / scale(a))},
+       {"reduction", reduction(a, target)},
+       {"sine", horner("s", a.sine, target)},
+       {"cosine", horner("c", a.cosine, target)},
+       {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
+       {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)},
+       {"inlining", target.takes_vectors() ? "[[gnu::always_inline]] inline" : "[[gnu::noinline]]"},
+       {"angles", of_vectors("angles.cpp", {}, target)},
+       {"singles", singles(target, functions)},
+       {"sines_cosines",
+        of_vectors("sines_cosines.cpp", {{"most", std::to_string(most_angles(target.scalar))}},
+                   target)}});
 }
 
 std::string sincos_range(const Target& target) {

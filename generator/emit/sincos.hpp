@@ -7,8 +7,12 @@
 
 namespace treedyn::emit {
 
-/// The function that gives both.
+/// The function that gives both, and that for several angles.
 inline constexpr const char* kSineCosine = "sine_cosine";
+inline constexpr const char* kSinesCosines = "sines_cosines";
+
+/// Angles in the longest vector of the source; arrays of sines have room for whole vectors.
+std::size_t most_angles(Scalar scalar);
 
 /// True if the source defines sines and cosines: where some are needed that <cmath> does not give.
 bool has_sincos(const Unit& unit);

@@ -54,12 +54,14 @@ std::string mathematics(const Unit& unit, const std::string& functions) {
   return has_sincos(unit) ? result + sincos_text(unit.target, functions) : result;
 }
 
-/// <cmath>, for what is used of it: the functions above, and what scene functions take.
+/// <cmath>, for what is used of it: the functions above, and what scene functions take; <cstring>.
 std::string includes(const Unit& unit) {
   const bool scene = !unit.staged.empty() || !unit.steppers.empty();
   const program::Cost total = total_cost(unit);
   const bool trigonometric = unit.target.takes_libm() && total.sin + total.cos > 0;
-  return scene || trigonometric || total.sqrt > 0 ? "#include <cmath>\n\n" : "";
+  std::string result = scene || trigonometric || total.sqrt > 0 ? "#include <cmath>\n" : "";
+  result += unit.target.takes_vectors() && has_sincos(unit) ? "#include <cstring>\n" : "";
+  return result.empty() ? result : result + '\n';
 }
 
 }  // namespace

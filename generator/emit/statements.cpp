@@ -26,19 +26,25 @@ Statements::Statements(const program::Function& function, const Vocabulary& word
                        const Target& target, const std::function<int(int, int)>& level)
     : function_(function),
       graph_(function.graph),
-      scalar_(target.scalar),
-      operations_(program::operations_in_order(graph_, function.outputs, target.trigonometry)),
+      target_(target),
+      operations_(program::operations_in_order(graph_, function.outputs, target.order())),
       names_(function, words, operations_),
       slot_(graph_.size(), -1) {
   find_levels(level);
   find_uses();
-  if (!target.takes_libm()) {
+  if (target.takes_vectors()) {
+    name_angles();
+  } else if (!target.takes_libm()) {
     find_pairs();
   }
   make_schedule();
   list_statements();
   divide();
   assign_slots();
+}
+
+bool Statements::is_trigonometric(Ref a) const {
+  return graph_.node(a).kind == Kind::kSin || graph_.node(a).kind == Kind::kCos;
 }
 
 bool Statements::is_operation(Ref a) const {
@@ -80,11 +86,10 @@ void Statements::find_uses() {
 void Statements::find_pairs() {
   std::vector<Ref> first(graph_.size(), 0);
   for (const Ref k : operations_) {
-    const program::Node& node = graph_.node(k);
-    if (node.kind != Kind::kSin && node.kind != Kind::kCos) {
+    if (!is_trigonometric(k)) {
       continue;
     }
-    Ref& other = first[index(node.a)];
+    Ref& other = first[index(graph_.node(k).a)];
     if (other != 0) {
       partner_[index(k)] = other;
       partner_[index(other)] = k;
@@ -94,13 +99,21 @@ void Statements::find_pairs() {
   }
 }
 
+/// Of several angles together every sine and cosine has a name.
+void Statements::name_angles() {
+  for (const Ref k : operations_) {
+    is_local_[index(k)] = is_local_[index(k)] || is_trigonometric(k);
+  }
+}
+
 /// Room for the expression of a value: `const Scalar name = ...;`, or `A[12] = -(...);`.
 int Statements::available(Ref value) const {
   const int left =
       is_local(value)
           ? static_cast<int>(std::string_view("const Scalar ").size()) + names_.width(value)
           : static_cast<int>(element(outputs_of_[index(value)].front()).size()) + 3;
-  return kColumns - kIndentation - left - static_cast<int>(std::string_view(" = ;").size());
+  return static_cast<int>(kColumns) - kIndentation - left -
+         static_cast<int>(std::string_view(" = ;").size());
 }
 
 void Statements::make_schedule() {
@@ -110,7 +123,7 @@ void Statements::make_schedule() {
   };
   measure.atom = [this](Ref value) {
     if (graph_.node(value).kind == Kind::kConstant) {
-      return literal_width(graph_.value(value), scalar_);
+      return literal_width(graph_.value(value), target_.scalar);
     }
     return is_operation(value) ? names_.width(value) : static_cast<int>(atom(value).size());
   };
@@ -120,23 +133,53 @@ void Statements::make_schedule() {
 void Statements::list_statements() {
   std::vector<bool> stated(graph_.size(), false);
   for (int level = 0; level <= last_level_; ++level) {
+    std::vector<Ref> waiting;  // to be stored behind all that are computed together
+    const auto store = [&] {
+      std::ranges::for_each(waiting, [&](Ref value) { list_stores(value); });
+      waiting.clear();
+    };
     for (const Ref value : schedule_.statements) {
       if (level_[index(value)] != level) {
         continue;
       }
-      if (is_local(value)) {
+      const bool together = target_.takes_vectors() && is_trigonometric(value);
+      if (together) {
+        list_angle(value);
+      } else {
+        store();
         list_definition(value, stated);
       }
-      list_stores(value);
+      waiting.push_back(value);
     }
+    store();
     list_constants(level);
   }
+}
+
+/// Joins the statement before it if that is one of angles, of this level and not of the sine or
+/// cosine whose sine or cosine this is.
+void Statements::list_angle(Ref value) {
+  const program::Node& node = graph_.node(value);
+  names_.assign(value);
+  const auto gives = [&](const Angle& angle) {
+    return angle.sine == node.a || angle.cosine == node.a;
+  };
+  if (statements_.empty() || statements_.back().angles.empty() ||
+      level_of(statements_.size() - 1) != level_[index(value)] ||
+      std::ranges::any_of(statements_.back().angles, gives)) {
+    statements_.push_back({.value = value});
+  }
+  std::vector<Angle>& angles = statements_.back().angles;
+  if (angles.empty() || angles.back().angle != node.a) {
+    angles.push_back({.angle = node.a});
+  }
+  (node.kind == Kind::kSin ? angles.back().sine : angles.back().cosine) = value;
 }
 
 /// Of sine and cosine of one angle the first brings both.
 void Statements::list_definition(Ref value, std::vector<bool>& stated) {
   const Ref partner = partner_[index(value)];
-  if (stated[index(value)]) {
+  if (!is_local(value) || stated[index(value)]) {
     return;
   }
   names_.assign(value);
@@ -184,7 +227,16 @@ void Statements::visit_definitions(const Statement& statement,
   if (statement.output >= 0) {
     return;
   }
-  visit(statement.value);
+  for (const Angle& angle : statement.angles) {
+    for (const Ref value : {angle.sine, angle.cosine}) {
+      if (value != 0) {
+        visit(value);
+      }
+    }
+  }
+  if (statement.angles.empty()) {
+    visit(statement.value);
+  }
   if (statement.partner != 0) {
     visit(statement.partner);
   }
@@ -193,6 +245,10 @@ void Statements::visit_definitions(const Statement& statement,
 void Statements::visit_atoms(const Statement& statement,
                              const std::function<void(Ref)>& visit) const {
   if (statement.value == 0 || statement.copy_of >= 0) {
+    return;
+  }
+  if (!statement.angles.empty()) {
+    std::ranges::for_each(statement.angles, [&](const Angle& angle) { visit(angle.angle); });
     return;
   }
   if (!is_operation(statement.value) || (statement.output >= 0 && is_local(statement.value))) {
@@ -301,6 +357,19 @@ std::size_t Statements::output_array(int output) const {
   return array;
 }
 
+std::string Statements::array_name(const std::string& stem) const {
+  std::string name = stem;
+  const auto is_name = [&](const program::Array& array) {
+    return array.name == name;
+  };
+  const program::Signature& signature = function_.signature;
+  while (std::ranges::any_of(signature.inputs, is_name) ||
+         std::ranges::any_of(signature.outputs, is_name)) {
+    name += '_';
+  }
+  return name;
+}
+
 std::string Statements::element(int output) const {
   int place = output;
   const std::size_t array = output_array(output);
@@ -317,7 +386,7 @@ std::string Statements::input(const program::Node& node) const {
 std::string Statements::atom(Ref value) const {
   const program::Node& node = graph_.node(value);
   if (node.kind == Kind::kConstant) {
-    return literal(graph_.value(value), scalar_);
+    return literal(graph_.value(value), target_.scalar);
   }
   if (node.kind == Kind::kInput) {
     return input(node);

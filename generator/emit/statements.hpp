@@ -7,20 +7,28 @@
 #include <string>
 #include <vector>
 
+#include "emit/layout.hpp"
 #include "emit/literal.hpp"
 #include "emit/names.hpp"
 #include "program/schedule.hpp"
 
 namespace treedyn::emit {
 
-inline constexpr int kColumns = 100;
 inline constexpr int kIndentation = 2;
 
-/// One statement: `const Scalar x = ...;` (output < 0) or `A[output] = ...;`, or of the sine and
-/// the cosine of an angle together `const auto [s, c] = ...;`.
+/// What is needed of an angle.
+struct Angle {
+  program::Ref angle = 0;
+  program::Ref sine = 0;  ///< 0: not needed
+  program::Ref cosine = 0;
+};
+
+/// One statement: `const Scalar x = ...;` (output < 0) or `A[output] = ...;`, of the sine and the
+/// cosine of an angle together `const auto [s, c] = ...;`, or those of several angles.
 struct Statement {
-  program::Ref value = 0;    ///< of both the sine
-  program::Ref partner = 0;  ///< the cosine; 0: one value is stated
+  program::Ref value = 0;          ///< of both the sine; of several angles the first that is needed
+  program::Ref partner = 0;        ///< the cosine; 0: one value is stated
+  std::vector<Angle> angles = {};  ///< of several together; empty: none
   int output = -1;
   int copy_of = -1;  ///< another output with the same value up to its sign
   std::size_t part = 0;
@@ -41,6 +49,7 @@ class Statements {
     return level_[index(statements_[statement].value)];
   }
   [[nodiscard]] bool is_operation(program::Ref a) const;
+  [[nodiscard]] bool is_trigonometric(program::Ref a) const;
   /// True if the value has a name of its own: some operation uses it, or it is one of a pair.
   [[nodiscard]] bool is_local(program::Ref a) const { return is_local_[index(a)]; }
   /// True if a part behind its own needs the value.
@@ -56,6 +65,8 @@ class Statements {
   /// The values that a statement gives names to.
   static void visit_definitions(const Statement& statement,
                                 const std::function<void(program::Ref)>& visit);
+  /// The name of a local array.
+  [[nodiscard]] std::string array_name(const std::string& stem) const;
   /// What the right side of a statement names: locals, inputs and constants.
   void visit_atoms(const Statement& statement,
                    const std::function<void(program::Ref)>& visit) const;
@@ -73,9 +84,11 @@ class Statements {
   void find_levels(const std::function<int(int, int)>& level);
   void find_uses();
   void find_pairs();
+  void name_angles();
   void make_schedule();
   void list_statements();
   void list_definition(program::Ref value, std::vector<bool>& stated);
+  void list_angle(program::Ref value);
   void list_stores(program::Ref value);
   void list_constants(int level);
   bool stays(int output, program::Ref value) const;
@@ -90,7 +103,7 @@ class Statements {
 
   const program::Function& function_;
   const program::Graph& graph_;
-  Scalar scalar_;
+  Target target_;
   std::vector<program::Ref> operations_;
   LocalNames names_;
   program::Schedule schedule_;

@@ -103,6 +103,35 @@ void Order::add(Ref value) {
   }
 }
 
+/// The sines and cosines; those of the k-th list depend on some of the list before it.
+std::vector<std::vector<Ref>> by_dependence(const Graph& graph, const std::vector<Ref>& nodes) {
+  std::vector<std::vector<Ref>> result;
+  std::vector<std::size_t> before(graph.size(), 0);  // by node: lists that its operands need
+  for (const Ref k : nodes) {
+    for_each_operand(graph.node(k), [&](Ref operand) {
+      const std::size_t own = is_trigonometric(graph.node(operand).kind) ? 1 : 0;
+      before[index(k)] = std::max(before[index(k)], before[index(operand)] + own);
+    });
+    if (is_trigonometric(graph.node(k).kind)) {
+      result.resize(std::max(result.size(), before[index(k)] + 1));
+      result[before[index(k)]].push_back(k);
+    }
+  }
+  return result;
+}
+
+/// All angles of a list, then their sines and cosines.
+void add_together(const Graph& graph, const std::vector<Ref>& nodes, Order& order) {
+  for (const std::vector<Ref>& list : by_dependence(graph, nodes)) {
+    for (const Ref k : list) {
+      order.add(graph.node(k).a);
+    }
+    for (const Ref k : list) {
+      order.add(k);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> outputs,
@@ -112,6 +141,9 @@ std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> ou
                                       ? needed_by_angles_only(graph, outputs, nodes)
                                       : std::vector<bool>(graph.size(), false);
   Order order(graph, trigonometric_partners(graph, nodes));
+  if (trigonometry == Trigonometry::kTogether) {
+    add_together(graph, nodes, order);
+  }
   for (const Ref k : nodes) {
     if (!waits[index(k)]) {
       order.add(k);

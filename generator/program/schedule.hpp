@@ -11,9 +11,10 @@
 namespace treedyn::program {
 
 /// Where sines and cosines stand: at the place of the algorithm, most of them at the beginning, so
-/// that a processor that executes out of order works on several at once; or just before their first
-/// use, so that they need no registers before it.
-enum class Trigonometry { kEarly, kLate };
+/// that a processor that executes out of order works on several at once; just before their first
+/// use, so that they need no registers before it; or all together, behind what their angles need:
+/// first those of angles that depend on none, then of those that depend on these only, ..
+enum class Trigonometry { kEarly, kLate, kTogether };
 
 /// The operations (no constants, no inputs) that `outputs` need, in order of creation, so that
 /// every operand precedes its user; sine and cosine of one angle stand side by side. O(size of the

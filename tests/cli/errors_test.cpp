@@ -153,6 +153,16 @@ TEST_F(Cli, RefusesNumbersThatLeaveNoDigitOfAResult) {
   EXPECT_EQ(treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()}).status, 0);
 }
 
+TEST_F(Cli, RefusesVectorsOfAnglesWhereTheyHaveNoPlace) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--lanes", "4"}, {"--trig", "late"}, {"--language", "c99"}}) {
+    std::vector<std::string> line = {"generate", kModel, "--sincos", "vector", "-o", out()};
+    line.insert(line.end(), options.begin(), options.end());
+    expect_usage_error(treedyn(line), "--sincos vector");
+    EXPECT_FALSE(std::filesystem::exists(out()));
+  }
+}
+
 TEST_F(Cli, RefusesToShareLimbsAmongLanesAndInScenes) {
   expect_usage_error(treedyn({"generate", kModel, "--share-limbs", "--lanes", "4", "-o", out()}),
                      "--share-limbs");

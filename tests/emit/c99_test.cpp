@@ -1,11 +1,11 @@
 // NAME.h and NAME.c: clean C99, and the bits of NAME.hpp and NAME.cpp.
-#include <array>
 #include <filesystem>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/driver.hpp"
 #include "support/manifest.hpp"
 #include "support/process.hpp"
 
@@ -13,7 +13,6 @@ namespace treedyn {
 namespace {
 
 namespace fs = std::filesystem;
-using support::FunctionInfo;
 using support::Manifest;
 using support::Outcome;
 
@@ -38,64 +37,8 @@ void compile(const std::string& options) {
   ASSERT_EQ(outcome.status, 0) << options << '\n' << outcome.err;
 }
 
-/// A call of both functions with random arguments, and how many results differ in a bit.
-std::string comparison(const FunctionInfo& function) {
-  std::string text = "  {\n";
-  std::string inputs;
-  for (std::size_t k = 0; k < function.inputs.size(); ++k) {
-    const bool integer = function.integer_inputs[k];
-    text += fmt::format("    {0} {1}[{2}];\n    for ({0}& x : {1}) x = {3};\n",
-                        integer ? "int" : "Scalar", function.arguments[k], function.inputs[k],
-                        integer ? "0" : "random_number()");
-    inputs += ", " + function.arguments[k];
-  }
-  std::string compare = "0";
-  std::array<std::string, 2> outputs;
-  for (std::size_t k = 0; k < function.outputs.size(); ++k) {
-    const std::string& name = function.results[k];
-    for (std::size_t language = 0; language < 2; ++language) {
-      const std::string own = fmt::format("{}_{}", language == 0 ? "c" : "cpp", name);
-      text += fmt::format("    {} {}[{}] = {{}};\n", function.integer_outputs[k] ? "int" : "Scalar",
-                          own, function.outputs[k]);
-      outputs[language] += ", " + own;
-    }
-    compare += fmt::format(" + (std::memcmp(c_{0}, cpp_{0}, sizeof c_{0}) != 0)", name);
-  }
-  const auto call = [&](const std::string& name, const std::string& results) {
-    return fmt::format("{}({})", name, (inputs + results).substr(2));
-  };
-  const std::string c = call("p_" + function.name, outputs[0]);
-  const std::string cpp = call("space::" + function.name, outputs[1]);
-  text += function.status ? fmt::format("    differ += {} != {};\n", c, cpp)
-                          : fmt::format("    {};\n    {};\n", c, cpp);
-  return text + fmt::format("    differ += {};\n    calls += 1;\n  }}\n", compare);
-}
-
-std::string driver(const Manifest& manifest) {
-  std::string calls;
-  for (const FunctionInfo& function : manifest.functions) {
-    calls += comparison(function);
-  }
-  return fmt::format(R"(#include <cstdio>
-#include <cstring>
-#include "m.h"
-#include "m.hpp"
-using space::Scalar;
-static unsigned state = 1;
-static Scalar random_number() {{
-  state = state * 1664525u + 1013904223u;
-  return static_cast<Scalar>(state >> 8) / 8388608 - 1;
-}}
-int main() {{
-  int differ = 0;
-  int calls = 0;
-  for (int n = 0; n < 100; ++n) {{
-{}  }}
-  std::printf("%d of %d", differ, calls);
-}}
-)",
-                     calls);
-}
+const support::Program kC = {"#include \"m.h\"", "p_", "c_"};
+const support::Program kCpp = {"#include \"m.hpp\"", "space::", "cpp_"};
 
 struct Case {
   const char* name;
@@ -121,7 +64,7 @@ TEST_P(C99, HasTheBitsOfTheCppFunctions) {
   generate({"--namespace", "space", "--section", "PLACE"});
   generate({"--language", "c99", "--prefix", "p", "--section", "PLACE"});
   const Manifest manifest = support::read_manifest(folder.path() / "m.json");
-  support::write_file(at + "driver.cpp", driver(manifest));
+  support::write_file(at + "driver.cpp", support::comparing_driver(manifest, kC, kCpp));
   compile(
       fmt::format("-x c -std=c99 {0} -DPLACE=__attribute__((cold)) -Wmissing-prototypes "
                   "-Wstrict-prototypes -c {1}m.c -o {1}c.o",

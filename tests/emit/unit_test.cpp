@@ -99,11 +99,12 @@ program::Function special_function() {
 
 /// Values and operation counts of compiled code against the interpreter and the graph.
 void expect_same_as_program(const program::Function& function, int links, Scalar scalar,
-                            Sincos sincos = Sincos::kPair) {
+                            Sincos sincos = Sincos::kPair, bool vectors = false) {
   const model::Tree robot = plain_tree(links);
   const support::TemporaryFolder folder;
   Unit robot_unit = unit(robot, function, scalar);
   robot_unit.target.sincos = sincos;
+  robot_unit.target.vectors = vectors;
   write(folder.path(), robot_unit);
   const support::CompiledModel code(folder.path(), "robot", support::Variant::kMeasured);
   support::Random random(3);
@@ -176,6 +177,38 @@ TEST(EmitFiles, StatesAPairOfWhichOneIsOnlyAnOutput) {
   EXPECT_THAT(source_of(f, Sincos::kPair),
               HasSubstr("  const auto [s_j1, c_j1] = sine_cosine(q[1]);\n  B[0] = s_j1;\n"));
   expect_same_as_program(f, 2, Scalar::kDouble);
+}
+
+/// Sines and cosines of an angle, of a sine, and of a sum with a cosine.
+program::Function nested_function() {
+  program::Function f;
+  program::Graph& g = f.graph;
+  f.signature = {"f", "", "F.", {{"q", 2, ""}, {"sines", 1, ""}}, {{"B", 6, ""}}};
+  const auto pair = [&](program::Ref angle) {
+    return std::pair(g.sin(angle), g.cos(angle));
+  };
+  const auto [s0, c0] = pair(g.input(0, 0));
+  const auto [s1, c1] = pair(s0);
+  const auto [s2, c2] = pair(g.add(c0, g.input(0, 1)));
+  const auto [s3, c3] = pair(g.input(1, 0));
+  f.outputs = {s0, g.multiply(c0, s3), c1, g.add(s1, c3), s2, g.multiply(c2, c2)};
+  return f;
+}
+
+TEST(EmitFiles, StatesAllAnglesThatDependOnNoneTogether) {
+  const model::Tree robot = plain_tree(2);
+  Unit vectors = unit(robot, nested_function());
+  vectors.target.vectors = true;
+  const std::string source = emit_files(vectors)[1].text;
+  EXPECT_THAT(source, HasSubstr("  Scalar sines_[4];\n  Scalar cosines[4];\n"
+                                "  sines_cosines(sines_, cosines, q[0], sines[0]);\n"
+                                "  const Scalar s_j0 = sines_[0];\n"
+                                "  const Scalar c_j0 = cosines[0];\n"));
+  EXPECT_THAT(source, HasSubstr("  sines_cosines(sines_2, cosines_2, s_j0, t_1);\n"));
+  EXPECT_THAT(source, HasSubstr("#include <cstring>"));
+  expect_same_as_program(nested_function(), 2, Scalar::kDouble, Sincos::kPair, true);
+  expect_same_as_program(nested_function(), 2, Scalar::kFloat, Sincos::kPair, true);
+  expect_same_as_program(program::spatial_chain(60), 60, Scalar::kDouble, Sincos::kPair, true);
 }
 
 TEST(EmitFiles, IncludesCmathOnlyForWhatItUsesOfIt) {
@@ -301,7 +334,13 @@ TEST(EmitFiles, CompilesWithoutWarningsAndIsFormatted) {
   expect_clean(unit(four, special_function()));
   expect_clean(unit(four, special_function(), Scalar::kFloat));
   const model::Tree sixty = plain_tree(60);
-  expect_clean(unit(sixty, program::spatial_chain(60)));
+  Unit chain = unit(sixty, program::spatial_chain(60));
+  expect_clean(chain);
+  chain.target.vectors = true;
+  expect_clean(chain);
+  Unit nested = unit(four, nested_function(), Scalar::kFloat);
+  nested.target.vectors = true;
+  expect_clean(nested);
 }
 
 TEST(EmitFiles, SurvivesHostileNames) {

@@ -1,10 +1,12 @@
 // The pair of sine and cosine itself: errors over its range, what it says beyond, the same bits
 // from every compiler and in every lane.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -14,6 +16,8 @@
 #include "pair_double.cpp"   // NOLINT(bugprone-suspicious-include)
 #include "pair_float.cpp"    // NOLINT(bugprone-suspicious-include)
 #include "support/process.hpp"
+#include "vector_double.cpp"  // NOLINT(bugprone-suspicious-include)
+#include "vector_float.cpp"   // NOLINT(bugprone-suspicious-include)
 
 namespace {
 
@@ -128,19 +132,111 @@ TEST(SineCosine, HasTheSameBitsInEveryLane) {
   }
 }
 
-/// Prints all bits of the pair at many arguments, folded.
+/// The same bits, or no number in both.
+template <class T>
+void expect_same(const std::array<T, 2>& value, const std::array<T, 2>& expected, T x) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (std::isnan(expected[k])) {
+      ASSERT_TRUE(std::isnan(value[k])) << x;
+    } else {
+      ASSERT_EQ(std::memcmp(&value[k], &expected[k], sizeof(T)), 0) << x;
+    }
+  }
+}
+
+/// Small, near multiples of pi/2, at both ends of the range, beyond, and no number.
+template <class T>
+std::vector<T> edges(T range, T end) {
+  using Limits = std::numeric_limits<T>;
+  std::vector<T> result = {0,
+                           Limits::denorm_min(),
+                           Limits::min(),
+                           Limits::epsilon(),
+                           1,
+                           Limits::max(),
+                           Limits::infinity(),
+                           Limits::quiet_NaN(),
+                           end,
+                           2 * end,
+                           range};
+  for (T x = static_cast<T>(0.7853981633974483); x < end; x *= 2) {
+    result.insert(result.end(), {std::nextafter(x, T(0)), x, std::nextafter(x, end)});
+  }
+  for (T x : {range, end}) {
+    for (int k = 0; k < 50; ++k) {
+      result.push_back(x = std::nextafter(x, T(0)));
+    }
+  }
+  const std::size_t positive = result.size();
+  for (std::size_t k = 0; k < positive; ++k) {
+    result.push_back(-result[k]);
+  }
+  return result;
+}
+
+TEST(SinesCosines, HaveTheBitsOfThePairInDouble) {
+  std::vector<double> all = arguments(5000);
+  const std::vector<double> more = edges(kRangeDouble, kEndDouble);
+  all.insert(all.end(), more.begin(), more.end());
+  for (std::size_t k = 0; k + 4 <= all.size(); ++k) {
+    std::array<double, 4> sines{};
+    std::array<double, 4> cosines{};
+    const std::size_t count = k % 2 == 0 ? 4 : 3;
+    if (count == 4) {
+      vector_double::sines_cosines(sines.data(), cosines.data(), all[k], all[k + 1], all[k + 2],
+                                   all[k + 3]);
+    } else {
+      vector_double::sines_cosines(sines.data(), cosines.data(), all[k], all[k + 1], all[k + 2]);
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto [sine, cosine] = pair_double::sine_cosine(all[k + n]);
+      expect_same<double>({sines[n], cosines[n]}, {sine, cosine}, all[k + n]);
+    }
+  }
+}
+
+TEST(SinesCosines, HaveTheBitsOfThePairInFloat) {
+  std::vector<float> all = edges(kRangeFloat, kEndFloat);
+  for (std::uint32_t bits = 0; bits < 0xFFFFFFFFU - 40013U; bits += 40013U) {
+    all.push_back(float_of(bits));
+  }
+  for (std::size_t k = 0; k + 5 <= all.size(); ++k) {
+    std::array<float, 8> sines{};
+    std::array<float, 8> cosines{};
+    vector_float::sines_cosines(sines.data(), cosines.data(), all[k], all[k + 1], all[k + 2],
+                                all[k + 3], all[k + 4]);
+    for (std::size_t n = 0; n < 5; ++n) {
+      const auto [sine, cosine] = pair_float::sine_cosine(all[k + n]);
+      expect_same<float>({sines[n], cosines[n]}, {sine, cosine}, all[k + n]);
+    }
+  }
+}
+
+/// Prints all bits of the pair at many arguments, folded; of a vector those of each place in turn.
 constexpr const char* kDriver = R"(
 #include "SOURCE.cpp"
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+using SOURCE::Scalar;
+#ifdef PLACES
+SOURCE::SineCosine<Scalar> pair_of(Scalar x, int k) {
+  Scalar s[8], c[8];
+  const Scalar y = 1;
+  k %= PLACES;
+  SOURCE::sines_cosines(s, c, k == 0 ? x : y, k == 1 ? x : y, k == 2 ? x : y, k == 3 ? x : y);
+  return {s[k], c[k]};
+}
+#else
+SOURCE::SineCosine<Scalar> pair_of(Scalar x, int) { return SOURCE::sine_cosine(x); }
+#endif
 int main() {
   std::uint64_t hash = 14695981039346656037ULL, state = 1;
   for (int k = 0; k < 200000; ++k) {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
     const auto x = static_cast<SOURCE::Scalar>((static_cast<double>(state >> 11) * 0x1p-52 - 1) *
                                                (k % 2 ? 4 : 9e4));
-    const auto pair = SOURCE::sine_cosine(x);
+    const auto pair = pair_of(x, k);
     unsigned char bytes[sizeof(pair)];
     std::memcpy(bytes, &pair, sizeof(pair));
     for (const unsigned char byte : bytes) {
@@ -170,17 +266,22 @@ Outcome compile(const std::filesystem::path& folder, const std::string& source,
 
 TEST(SineCosine, HasTheSameBitsFromEveryCompilerWithoutContraction) {
   const treedyn::support::TemporaryFolder folder;
-  for (const char* source : {"pair_double", "pair_float"}) {
+  for (const std::string scalar : {"double", "float"}) {
+    using Options = std::vector<std::string>;
     std::string expected;
-    for (const auto& [compiler, options] :
-         {std::pair<std::string, std::vector<std::string>>{"g++", {"-O0"}},
-          {"g++", {"-O3", "-march=native"}},
-          {"clang++", {"-O3", "-march=native"}}}) {
-      const Outcome compiled = compile(folder.path(), source, compiler, options);
+    for (const auto& [kind, compiler, options] :
+         {std::tuple<std::string, std::string, Options>{"pair_", "g++", {"-O0"}},
+          {"pair_", "g++", {"-O3", "-march=native"}},
+          {"pair_", "clang++", {"-O3", "-march=native"}},
+          {"vector_", "g++", {"-O0", "-DPLACES=4"}},
+          {"vector_", "g++", {"-O3", "-march=native", "-DPLACES=4"}},
+          {"vector_", "g++", {"-O1", "-U__AVX__", "-U__SSE2__", "-U__aarch64__", "-DPLACES=4"}},
+          {"vector_", "clang++", {"-O3", "-march=native", "-DPLACES=4"}}}) {
+      const Outcome compiled = compile(folder.path(), kind + scalar, compiler, options);
       ASSERT_EQ(compiled.status, 0) << compiled.err;
       const std::string bits = treedyn::support::run({folder.path() / "driver"}).out;
       expected = expected.empty() ? bits : expected;
-      EXPECT_EQ(bits, expected) << compiler;
+      EXPECT_EQ(bits, expected) << kind << compiler;
     }
     EXPECT_EQ(expected.size(), 17U);
   }
