@@ -48,6 +48,14 @@ enum class Op {
   kCollect,         ///< 1^T x: over all links or points
   kComponent,       ///< one component in the base frame
   kAssemble,        ///< a vector of three components in the base frame
+  kTravelling,      ///< what a value that is defined by it, son by son or from the father, has here
+  kFold,            ///< a + Π^T b, b made of the sum; `component` 1: symmetric
+  kAtLink,          ///< x, once; further operands are of interest with it
+  kReciprocal,      ///< 1 / x
+  kDyad,            ///< a b^T
+  kLever,           ///< Λ(a) S; `component` 1: Λ(a) S^T, 2: S Λ(a)
+  kAcross,          ///< S, of which S b = 0 and a^T S = 0 are known, of S, a, b
+  kAlong,           ///< x with a·x = y, of x, a, y
 };
 
 struct Value {
@@ -79,6 +87,10 @@ class Values {
   }
   [[nodiscard]] int size() const { return static_cast<int>(values_.size()); }
 
+  /// What a travelling value is.
+  void define(int travelling, int value) { definitions_[travelling] = value; }
+  [[nodiscard]] const std::map<int, int>& definitions() const { return definitions_; }
+
   /// True for what depends on the column that is asked for.
   [[nodiscard]] bool of_unit(int id) const { return of_unit_[static_cast<std::size_t>(id)]; }
 
@@ -93,6 +105,7 @@ class Values {
   std::vector<Value> values_;
   std::vector<bool> of_unit_;
   std::map<std::string, int> known_;
+  std::map<int, int> definitions_;
   std::set<Rule> acted_;
 };
 

@@ -17,7 +17,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 bool is_to_sons(Op op) { return op == Op::kPath || op == Op::kPathStrict || op == Op::kFather; }
 bool is_to_fathers(Op op) {
   return op == Op::kSubtree || op == Op::kSubtreeStrict || op == Op::kBackward || op == Op::kSons ||
-         op == Op::kComposite;
+         op == Op::kComposite || op == Op::kFold;
 }
 bool is_whole(const derive::Value& v) {
   return v.set != Set::kLinks || v.op == Op::kGather || v.op == Op::kSpread;
@@ -26,11 +26,13 @@ bool is_whole(const derive::Value& v) {
 }  // namespace
 
 Lowering::Lowering(const Task& task, const Derived& function, Way way,
-                   const std::optional<Vec3>& turning)
+                   const std::optional<Vec3>& turning, JointForce force, TrunkSolution trunk)
     : task_(task),
       function_(function),
       derivation_(way == Way::kToRoot && function.to_root ? *function.to_root
                                                           : function.derivation),
+      force_(std::move(force)),
+      solution_(std::move(trunk)),
       trunk_(derivation_.symmetric && way != Way::kInBase && task.kinematics.variant().trunk &&
              has_free_base(task.tree)),
       turning_(turning),
@@ -49,7 +51,11 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way,
 
 /// The first stage that can hold a value: its operands are in earlier ones or in the same; -1 for
 /// leaves.
-int Lowering::stage_of(const Value& v) const {
+int Lowering::stage_of(int id) const {
+  const Value& v = value(id);
+  if (v.op == Op::kTravelling) {
+    return stage_[index(derivation_.values.definitions().at(id))];
+  }
   if (v.operands.empty()) {
     return -1;
   }
@@ -76,14 +82,24 @@ void Lowering::arrange() {
     of_unit_[index(id)] =
         v.op == Op::kUnit || std::any_of(v.operands.begin(), v.operands.end(),
                                          [this](int x) { return of_unit_[index(x)]; });
-    stage_[index(id)] = stage_of(v);
-    stages_.resize(std::max(stages_.size(), index(stage_[index(id)] + 1)));
+  }
+  for (bool settled = false; !settled;) {
+    settled = true;
+    for (const int id : needed_) {
+      const int stage = stage_of(id);
+      settled = settled && stage == stage_[index(id)];
+      stage_[index(id)] = stage;
+      stages_.resize(std::max(stages_.size(), index(stage + 1)));
+    }
   }
   for (auto id = needed_.rbegin(); id != needed_.rend(); ++id) {
     const Value& v = value(*id);
-    of_sum[index(*id)] = of_sum[index(*id)] || is_to_sons(v.op) || is_to_fathers(v.op);
+    of_sum[index(*id)] =
+        of_sum[index(*id)] || is_to_sons(v.op) || is_to_fathers(v.op) ||
+        (v.op == Op::kAtLink && v.type == Type::kVector && stage_[index(*id)] == 1);
+    const bool here = !derivation_.elimination || v.op != Op::kFather;
     for (const int operand : v.operands) {
-      if (of_sum[index(*id)] && stage_[index(operand)] == stage_[index(*id)]) {
+      if (of_sum[index(*id)] && here && stage_[index(operand)] == stage_[index(*id)]) {
         of_sum[index(operand)] = true;
       }
     }
@@ -133,6 +149,7 @@ void Lowering::run(bool of_unit) {
       }
       graph().set_body(e);
       run(stage.sums, e, of_unit);
+      hand_on(stage.sums, e);
       name_sums(e);
       graph().set_body(e);
       run(stage.rest, e, of_unit);
@@ -163,8 +180,11 @@ void Lowering::need(int id, int e) {
   if (known_[index(id)][index(e)]) {
     return;
   }
+  if (is_given(id, e)) {
+    return;
+  }
   const Value& v = value(id);
-  for (const int operand : v.operands) {
+  for (const int operand : v.op == Op::kFold ? std::vector<int>{} : v.operands) {
     const bool elsewhere = value(operand).set != v.set || v.op == Op::kFather || v.op == Op::kSons;
     for (int k = 0; elsewhere && stage_[index(operand)] < 0 && k < count(value(operand).set); ++k) {
       need(operand, k);
@@ -184,11 +204,12 @@ void Lowering::need(int id, int e) {
     memo_[index(id)][index(e)] = made(id, v, e);
     known_[index(id)][index(e)] = true;
   }
-  for (std::size_t n = before; n < graph().size(); ++n) {
+  for (std::size_t n = std::max(before, counted_); n < graph().size(); ++n) {
     const program::Kind kind = graph().node(static_cast<program::Ref>(n)).kind;
     costs_[index(id)].add += kind == program::Kind::kAdd ? 1 : 0;
     costs_[index(id)].mul += kind == program::Kind::kMultiply ? 1 : 0;
   }
+  counted_ = graph().size();
 }
 
 /// What the field calls a vector that travels along the tree.
@@ -340,6 +361,22 @@ Block Lowering::made(int id, const Value& v, int e) {
     case Op::kSubtreeStrict:
     case Op::kBackward:
       return subtree(id, v, e);
+    case Op::kTravelling: {
+      const int definition = derivation_.values.definitions().at(id);
+      need(definition, e);
+      return of(definition, e);
+    }
+    case Op::kFold:
+      return folded(id, v, e);
+    case Op::kAtLink:
+      return once(v, e);
+    case Op::kReciprocal:
+      return reciprocal(v, e);
+    case Op::kDyad:
+    case Op::kLever:
+    case Op::kAcross:
+    case Op::kAlong:
+      return without_joint(v, e);
     case Op::kFather:
     case Op::kSons:
       return shifted(v, e);

@@ -21,8 +21,7 @@ Block Lowering::path(int id, const Value& v, int i) {
   const int at = home(Set::kLinks, i);
   const bool root = f == kBase;
   Block x = of(v.operands.front(), i);
-  if (turning_ && i == kTrunkLink &&
-      v.operands.front() == value(turnings_.front().omega).operands.front()) {
+  if (turning_ && i == kTrunkLink && symbol(id) == std::string("omega")) {
     x.vector = {{i, *turning_}};
   }
   Block before = zero(v, i);
@@ -101,7 +100,7 @@ Block Lowering::shifted(const Value& v, int i) const {
   const int x = v.operands.front();
   const int f = father(i);
   if (v.op == Op::kFather) {
-    return f == kBase ? zero(v, i) : of(x, f);
+    return f != kBase ? of(x, f) : v.operands.size() > 1 ? of(v.operands.back(), i) : zero(v, i);
   }
   Block sum = zero(v, i);
   const int at = home(Set::kLinks, i);

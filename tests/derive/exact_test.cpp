@@ -2,6 +2,7 @@
 // polynomials in sines, cosines, slides and rates, is the expansion of its block equation. Every
 // difference is the zero polynomial. Mechanisms whose numbers are decimals and whose axes are
 // coordinate axes, so that the constants of the programs are exact.
+#include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -18,17 +19,20 @@ namespace {
 
 using symbolic::Expanded;
 
-/// An element of the ring, or a sum of joint angles.
+/// A fraction of elements of the ring, or a sum of joint angles.
 struct Exact {
   Exact() = default;
   explicit Exact(Expanded number) : value(std::move(number)) {}
   explicit Exact(int number) : value(number) {}
 
   Expanded value;
+  Expanded below{1};
   std::map<int, int> turns;  ///< joint -> how often its angle
 
   friend Exact operator+(Exact a, const Exact& b) {
-    a.value += b.value;
+    const bool same = a.below == b.below;
+    a.value = same ? a.value + b.value : a.value * b.below + b.value * a.below;
+    a.below = same ? a.below : a.below * b.below;
     for (const auto& [joint, times] : b.turns) {
       a.turns[joint] += times;
     }
@@ -36,7 +40,9 @@ struct Exact {
   }
   friend Exact operator*(const Exact& a, const Exact& b) {
     if (a.turns.empty() && b.turns.empty()) {
-      return Exact(a.value * b.value);
+      Exact result(a.value * b.value);
+      result.below = a.below * b.below;
+      return result;
     }
     const bool first = !a.turns.empty();
     const Expanded& factor = first ? b.value : a.value;
@@ -46,7 +52,11 @@ struct Exact {
     }
     return result;
   }
-  friend Exact operator/(const Exact& a, const Exact& b) { return Exact(a.value / b.value); }
+  friend Exact operator/(const Exact& a, const Exact& b) {
+    Exact result(a.value * b.below);
+    result.below = a.below * b.value;
+    return result;
+  }
   friend Exact operator-(const Exact& a) { return Exact(-1) * a; }
 };
 
@@ -170,8 +180,8 @@ class Programs : public testing::TestWithParam<Mechanism> {
     bool equal = function.outputs.size() == expected.values.size();
     for (std::size_t n = 0; equal && n < expected.values.size(); ++n) {
       const program::Ref output = function.outputs[n];
-      const Expanded& value = values[static_cast<std::size_t>(std::abs(output))].value;
-      equal = ((output < 0 ? -value : value) - expected.values[n]).is_zero();
+      const Exact& x = values[static_cast<std::size_t>(std::abs(output))];
+      equal = ((output < 0 ? -x.value : x.value) - expected.values[n] * x.below).is_zero();
     }
     return equal;
   }
@@ -218,6 +228,60 @@ TEST_P(Programs, AreNoOtherEquations) {
                equations::force_jacobian_transpose(wrong)),
             !turns);
 }
+
+/// Leaves whose pivots are powers of 2, so that the constants of the programs are exact.
+class Solved : public Programs {
+ protected:
+  Solved() {
+    for (model::Link& link : tree_.links) {
+      const auto i = static_cast<int>(&link - tree_.links.data());
+      if (std::none_of(tree_.links.begin(), tree_.links.end(),
+                       [i](const model::Link& son) { return son.father == i; })) {
+        const Real half("0.5");
+        link.inertia = {2, {half, half, -half}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+      }
+    }
+  }
+  void expect_inverse(simplify::ForwardDynamics method);
+};
+
+/// q̈ of the program for τ of (1), fractions: numerator - q̈ * denominator is zero.
+void Solved::expect_inverse(simplify::ForwardDynamics method) {
+  options_.forward_dynamics = method;
+  const symbolic::Expansion e(tree_, options_.points, options_.gravity);
+  ring = &e.ring();
+  const symbolic::Entries tau = e.expand(equations::inverse_dynamics());
+  const simplify::Recipe& recipe = simplify::recipe_of("forward_dynamics");
+  const program::Function function = simplify::formulate(tree_, recipe.name, options_);
+  const auto values = program::node_values<Exact>(
+      function.graph, function.outputs,
+      [&](int array, int k) {
+        return array == 2 ? Exact(tau.values[static_cast<std::size_t>(k)])
+                          : input(e, recipe, array, k);
+      },
+      [&](program::Kind kind, const Exact& angle) { return trigonometric(e, kind, angle); });
+  for (std::size_t i = 0; i < function.outputs.size(); ++i) {
+    const program::Ref output = function.outputs[i];
+    const Exact& x = values[static_cast<std::size_t>(std::abs(output))];
+    const Expanded qdd = output < 0 ? -e.acceleration(i) : e.acceleration(i);
+    EXPECT_FALSE(x.below.is_zero());
+    EXPECT_TRUE((x.value - qdd * x.below).is_zero()) << i;
+  }
+}
+
+TEST_P(Solved, ArticulatedBodiesInvertInverseDynamics) {
+  expect_inverse(simplify::ForwardDynamics::kArticulated);
+}
+
+TEST_P(Solved, FactorsOfTheMassMatrixInvertInverseDynamics) {
+  expect_inverse(simplify::ForwardDynamics::kFactor);
+}
+
+INSTANTIATE_TEST_SUITE_P(Mechanisms, Solved,
+                         testing::Values(Mechanism{"RR", chain("RR")}, Mechanism{"RP", chain("RP")},
+                                         Mechanism{"PR", chain("PR")},
+                                         Mechanism{"TreeRPP", {{-1, 0, 0}, "RPP"}}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Mechanisms, Programs,
