@@ -1,8 +1,11 @@
 #include "limits.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
+
+#include "common/decimal.hpp"
 
 namespace treedyn {
 
@@ -45,6 +48,22 @@ void require_size(const model::Tree& tree, const std::vector<model::Point>& poin
   }
   require(where, "the paths from the points to the ground have", of_points, "joints in all",
           kMostPointJoints);
+}
+
+void refuse_decades(const model::Tree& tree, const std::string& what) {
+  const auto distance = [](const model::Link& link) {
+    const model::Vector3& com = link.inertia.com;
+    return sqrt(com[0] * com[0] + com[1] * com[1] + com[2] * com[2]);
+  };
+  const model::Link& heaviest =
+      *std::ranges::max_element(tree.links, {}, [&](const model::Link& link) {
+        const model::Matrix3& I = link.inertia.about_com;
+        return link.inertia.mass * distance(link) * distance(link) + I[0] + I[4] + I[8];
+      });
+  throw InputError(heaviest.where,
+                   fmt::format("link '{}', {:.6g} kg, centre of mass {:.6g} m from its joint: {}",
+                               shown(heaviest.name), heaviest.inertia.mass.convert_to<double>(),
+                               distance(heaviest).convert_to<double>(), what));
 }
 
 }  // namespace treedyn

@@ -1,6 +1,7 @@
 // How large a model may be before functions of it would take hours or gigabytes.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "common/error.hpp"
@@ -12,5 +13,9 @@ namespace treedyn {
 /// that are too long in all (the operations of a mass matrix), or too many points on such paths.
 void require_size(const model::Tree& tree, const std::vector<model::Point>& points,
                   const Location& where);
+
+/// Numbers of the model are too many decades apart for `what`.
+/// \throws InputError naming the link with the largest inertia, of which they most likely are
+[[noreturn]] void refuse_decades(const model::Tree& tree, const std::string& what);
 
 }  // namespace treedyn

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "checked.hpp"
+#include "description/algebra.hpp"
 #include "engine/engine.hpp"
 #include "program/interpret.hpp"
 
@@ -19,29 +20,17 @@ constexpr double kSafe = 1e3;
 /// Part by which equal inertias differ by rounding.
 constexpr double kSame = 1e-9;
 
-Real dot(const model::Vector3& a, const model::Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-model::Vector3 cross(const model::Vector3& a, const model::Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// What a link opposes to its own joint, kg m^2 or kg.
 Real own_inertia(const model::Link& link) {
+  using description::operator+;
+  using description::operator*;
   const model::Inertia& inertia = link.inertia;
   if (link.joint.type == model::JointType::kPrismatic) {
     return inertia.mass;
   }
-  const model::Vector3& axis = link.joint.axis;
-  const model::Vector3 arm = cross(axis, inertia.com);
-  Real about_axis = inertia.mass * dot(arm, arm);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      about_axis += axis[i] * inertia.about_com[3 * i + j] * axis[j];
-    }
-  }
-  return about_axis;
+  const model::Matrix3 about_origin =
+      inertia.about_com + description::point_inertia(inertia.mass, inertia.com);
+  return description::dot(link.joint.axis, about_origin * link.joint.axis);
 }
 
 /// Inertias by coordinate at a state.

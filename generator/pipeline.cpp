@@ -18,6 +18,7 @@
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
 #include "equations/table.hpp"
+#include "function_accuracy.hpp"
 #include "in_scalar.hpp"
 #include "limits.hpp"
 #include "program/rounding.hpp"
@@ -102,7 +103,7 @@ Programs formulate(const Model& model, const Request& request, const Trace& trac
   try {
     return formulated(model, request, trace);
   } catch (const std::range_error& error) {
-    throw InputError({request.scene.value_or(request.model), 0, 0}, error.what());
+    refuse_decades(model.tree, error.what());
   }
 }
 
@@ -113,8 +114,11 @@ void prove(const Model& model, const Request& request, const Programs& programs)
                  return !simplify::is_scene_function(function.signature.name);
                });
   const model::Vector3 gravity = decided_request(model, request).gravity;
-  prove_functions(model.tree, model.points, gravity, model.equations, of_model,
-                  {request.scene.value_or(request.model), 0, 0});
+  try {
+    prove_functions(model.tree, model.points, gravity, model.equations, of_model);
+  } catch (const std::range_error& error) {
+    refuse_decades(model.tree, error.what());
+  }
   if (model.scene) {
     prove_scene(*model.scene, programs);
   }
@@ -174,6 +178,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   if (unit.self_test && unit.functions.empty()) {
     throw InputError({request.scene.value_or(request.model), 0, 0},
                      "--self-test tests functions of the model; expected some among --functions");
+  }
+  if (request.accuracy_samples > 0) {
+    unit.errors = measured_errors(model, request, unit.functions);
   }
   if (request.target.packed) {
     unit.packing = packing_of(model, request);

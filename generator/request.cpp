@@ -109,6 +109,9 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   if (request.checked) {
     options.emplace_back("checked", "true");
   }
+  if (request.accuracy_samples > 0) {
+    options.emplace_back("accuracy_samples", std::to_string(request.accuracy_samples));
+  }
   return options;
 }
 
@@ -152,6 +155,7 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
       forward_dynamics_text(request.forward_dynamics));
   add(!request.without.empty(), "--without", list_of(names_without(request)));
+  add(request.accuracy_samples > 0, "--accuracy-samples", std::to_string(request.accuracy_samples));
   for (const auto& [option, value] : step_options(request.stepping)) {
     add(true, option, value);
   }

@@ -48,6 +48,7 @@ struct Request {
   bool share_limbs = false;             ///< equal limbs share code
   bool self_test = false;               ///< known answers and a function that compares with them
   bool checked = false;                 ///< functions that can fail have siblings with a status
+  int accuracy_samples = 0;             ///< states in which errors are measured; 0: none
   StepChoice stepping;                  ///< of a scene
 };
 

@@ -195,12 +195,16 @@ std::string choice_text(const Study& study, const Core& core, double target) {
                        best.error(), text_of(best.setting));
   }
   const Outcome& outcome = study.outcomes[*chosen];
+  const double cycles = outcome.cycles_per_second(core);
+  const std::string in_period = study.rate ? fmt::format(", {:.4g} in each period of {} Hz",
+                                                         cycles / *study.rate, *study.rate)
+                                           : "";
   return fmt::format(
       "{:.3g} on {}: {}, error {:.2e} (over {} initial states {:.1e} to {:.1e}), {} operations a "
       "step, {:.4g} "
-      "cycles for a second of motion\n",
+      "cycles for a second of motion{}\n",
       target, core.name, text_of(outcome.setting), outcome.error(), study.states, outcome.least(),
-      outcome.error(), outcome.step_cost.total(), outcome.cycles_per_second(core));
+      outcome.error(), outcome.step_cost.total(), cycles, in_period);
 }
 
 }  // namespace treedyn::accuracy

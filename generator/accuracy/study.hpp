@@ -51,6 +51,7 @@ struct Study {
   double duration = 0;             ///< s
   int states = 0;                  ///< in the band, the scene's own first
   double spread = 0;               ///< of the band, part of each coordinate and speed
+  std::optional<double> rate;      ///< of a controller, Hz; a whole number of steps a period
   double reference_agreement = 0;  ///< largest difference of the two reference solutions
   std::vector<std::string> reference_settings;
   std::vector<Outcome> outcomes;  ///< by scalar, integrator, falling step

@@ -183,21 +183,34 @@ std::vector<Motion> reference(const Subject& subject, double step, Study& study)
   return exact;
 }
 
+/// \throws UsageError if no whole number of steps makes `time`
+void require_part(double step, double time, const std::string& what) {
+  if (std::abs(std::round(time / step) * step - time) > 1e-9 * time) {
+    throw UsageError(fmt::format("step {} s does not divide {} s, {}", step, time, what));
+  }
+}
+
+/// Falling steps: those that were asked for, else parts of the controller's period or of the time
+/// between comparisons.
 std::vector<double> ladder(const AccuracyRequest& request, double interval, int times) {
-  std::vector<double> result;
+  std::vector<double> result = request.steps;
+  const double longest = request.rate ? 1 / *request.rate : interval;
   for (const double part : kLadder) {
-    if (request.steps.empty() && part * times <= kMostSteps) {
-      result.push_back(interval / part);
+    if (request.steps.empty() && part * times * interval / longest <= kMostSteps) {
+      result.push_back(longest / part);
     }
   }
-  for (const double step : request.steps) {
-    const double parts = std::round(interval / step);
-    if (std::abs(parts * step - interval) > 1e-9 * interval) {
-      throw UsageError(fmt::format("step {} s does not divide {} s, the time between comparisons",
-                                   step, interval));
-    }
+  if (result.empty()) {
+    throw UsageError(fmt::format("--rate {}: {} s need more than {} steps; expected a lower rate",
+                                 *request.rate, times * interval, kMostSteps));
   }
-  return request.steps.empty() ? result : request.steps;
+  for (const double step : result) {
+    if (request.rate) {
+      require_part(step, longest, fmt::format("the period of {} Hz", *request.rate));
+    }
+    require_part(step, interval, "the time between comparisons");
+  }
+  return result;
 }
 
 Subject subject_of(const AccuracyRequest& request) {
@@ -226,6 +239,7 @@ accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTra
   study.duration = subject.interval * subject.times;
   study.states = request.states;
   study.spread = request.spread;
+  study.rate = request.rate;
   const std::vector<double> steps = ladder(request, subject.interval, subject.times);
   const std::vector<Motion> exact =
       reference(subject, *std::min_element(steps.begin(), steps.end()), study);

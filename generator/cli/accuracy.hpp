@@ -17,6 +17,7 @@ struct AccuracyRequest {
   std::vector<std::string> on = {"m4f", "host"};  ///< of accuracy::cores()
   std::vector<std::string> integrators;           ///< empty: the explicit ones with fixed steps
   std::vector<double> steps;     ///< s, parts of the time between comparisons; empty: a ladder
+  std::optional<double> rate;    ///< Hz: only steps of which a whole number makes its period
   std::optional<double> target;  ///< error, rad or m
   int states = 8;                ///< in the band
   double spread = 0.01;          ///< of the band

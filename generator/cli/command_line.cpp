@@ -87,6 +87,11 @@ void add_accuracy(CLI::App& app, Settings& settings) {
       ->check(CLI::PositiveNumber)
       ->type_name("LIST");
   command
+      .add_option("--rate", request.rate,
+                  "of a controller, Hz: only steps of which a whole number makes its period")
+      ->check(CLI::PositiveNumber)
+      ->type_name("HZ");
+  command
       .add_option("--target", request.target,
                   "largest error of a joint, rad or m: prints the cheapest setting that keeps it")
       ->check(CLI::PositiveNumber)
@@ -184,6 +189,9 @@ void add_commands(CLI::App& app, Settings& settings) {
   add_talk(*info, settings);
   info->add_flag("--json", settings.json, "as JSON");
   info->add_flag("--passes", settings.passes, "operations of every function, pass by pass");
+  info->add_flag("--accuracy", settings.errors,
+                 "largest errors of every function in float and double beside its operations, "
+                 "option by option");
   info->add_option("--derivation", settings.derivation,
                    "how the code of a function comes about: equation, rules, recursion, cost")
       ->type_name("FUNCTION");
@@ -339,6 +347,9 @@ void require_options(const CLI::App& app, Settings& settings) {
     require_words_of_language(settings.request);
     require_scene_of_functions(settings.request);
     require_functions_of_passes(settings);
+  }
+  if (app.got_subcommand("info") && settings.request.accuracy_samples > 0 && !settings.errors) {
+    throw CLI::ParseError("--accuracy-samples: is a number of states; expected --accuracy", kUsage);
   }
   if (settings.simulation.report && settings.simulation.output.empty()) {
     throw CLI::RequiredError("--report: -o DIR");

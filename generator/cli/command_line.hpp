@@ -30,6 +30,7 @@ struct Settings {
   bool json = false;
   bool equations = false;
   bool passes = false;
+  bool errors = false;  ///< info --accuracy
   bool numeric = false;
   bool quiet = false;
   bool verbose = false;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "common/identifier.hpp"
+
 namespace treedyn {
 
 namespace {
@@ -203,20 +205,15 @@ std::string unified_diff(std::string_view old_text, std::string_view new_text,
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 bool is_hexadecimal(char c) { return is_digit(c) || (c >= 'a' && c <= 'f'); }
 
 /// Letters, digits, points and the signs of exponents from `begin` on: a number or a word.
 std::size_t end_of_word(std::string_view text, std::size_t begin) {
   std::size_t end = begin;
-  const auto is_word = [](char c) {
-    return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
   const bool number = is_digit(text[begin]);
   for (; end < text.size(); ++end) {
     const bool sign = number && (text[end] == '-' || text[end] == '+') && text[end - 1] == 'e';
-    if (!is_word(text[end]) && !sign && !(number && text[end] == '.')) {
+    if (!is_word_byte(text[end]) && !sign && !(number && text[end] == '.')) {
       break;
     }
   }

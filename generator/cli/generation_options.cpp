@@ -336,6 +336,12 @@ void add_generation(CLI::App& command, Request& request) {
           "--gravity", [&request](const std::string& text) { set_gravity(request, text); },
           "m/s^2 in the base frame; default 0,0,-9.81")
       ->type_name("x,y,z");
+  command
+      .add_option("--accuracy-samples", request.accuracy_samples,
+                  "states in which errors of the functions of the model are measured: into the "
+                  "manifest; of info --accuracy, default 200")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("N");
   command.add_option("--effort", request.effort, "search effort in moves; 0: none")
       ->check(CLI::Range(0, 1000000000))
       ->type_name("N")

@@ -22,6 +22,7 @@
 #include "cli/numeric.hpp"
 #include "cli/simulate.hpp"
 #include "cli/vet.hpp"
+#include "function_accuracy.hpp"
 #include "in_scalar.hpp"
 #include "pipeline.hpp"
 #include "system/files.hpp"
@@ -126,6 +127,14 @@ int run_info(const Settings& settings) {
   }
   if (settings.passes) {
     print(passes_text(model, settings.request));
+    return 0;
+  }
+  if (settings.errors) {
+    constexpr int kStates = 200;
+    const int states = settings.request.accuracy_samples;
+    const accuracy::FunctionStudy study = function_accuracy(
+        model, settings.request, states > 0 ? states : kStates, trace_of(settings));
+    print(settings.json ? accuracy::functions_json(study) : accuracy::functions_text(study));
     return 0;
   }
   const Programs programs = in_scalar(formulate(model, settings.request, trace_of(settings)), model,

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "common/identifier.hpp"
+
 namespace treedyn {
 
 namespace {
@@ -23,8 +25,6 @@ struct Parts {
   long last_place = 0;  ///< power of ten of the last digit written
   bool valid = false;
 };
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The exponent after 'e', saturated: what is larger is out of range anyway.
 bool read_exponent(std::string_view text, long& exponent) {

@@ -6,6 +6,11 @@
 
 namespace treedyn {
 
+// Bytes of names and numbers, the same in every locale.
+bool is_digit(char c);      ///< [0-9]
+bool is_letter(char c);     ///< [A-Za-z_]
+bool is_word_byte(char c);  ///< [A-Za-z0-9_]
+
 /// True for what no identifier may be: keywords of C, C++ and the GNU modes of their compilers,
 /// names that C headers or the compiler's environment define as macros (`NULL`, `NAN`, `linux`),
 /// and `std`.

@@ -4,9 +4,152 @@
 
 namespace treedyn {
 
+Real::Real(const char* text) : value_(text) {}
+
+Real Real::from(long double value) { return Digits(value); }
+Real Real::from(long long value) { return Digits(value); }
+Real Real::from(unsigned long long value) { return Digits(value); }
+
+Real Real::seen_as(const Digits& value, const Digits& stand_in) {
+  return {value, stand_in, value != stand_in};
+}
+
+template <class T>
+T Real::convert_to() const {
+  return value_.convert_to<T>();
+}
+template int Real::convert_to<int>() const;
+template long Real::convert_to<long>() const;
+template float Real::convert_to<float>() const;
+template double Real::convert_to<double>() const;
+template long double Real::convert_to<long double>() const;
+
+std::string Real::str(std::streamsize digits, std::ios_base::fmtflags flags) const {
+  return value_.str(digits, flags);
+}
+
+Real Real::operator-() const { return {-value_, -seen_, differs_}; }
+Real operator+(const Real& a, const Real& b) {
+  return Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x + y); });
+}
+Real operator-(const Real& a, const Real& b) {
+  return Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x - y); });
+}
+Real operator*(const Real& a, const Real& b) {
+  return Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x * y); });
+}
+Real operator/(const Real& a, const Real& b) {
+  return Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x / y); });
+}
+
+bool operator==(const Real& a, const Real& b) {
+  return Real::both(a, b, [](const Digits& x, const Digits& y) { return x == y; });
+}
+
+std::partial_ordering operator<=>(const Real& a, const Real& b) {
+  const Digits& x = a.seen();
+  const Digits& y = b.seen();
+  return x < y    ? std::partial_ordering::less
+         : x > y  ? std::partial_ordering::greater
+         : x == y ? std::partial_ordering::equivalent
+                  : std::partial_ordering::unordered;
+}
+
+Real abs(const Real& x) { return x.seen() < 0 ? -x : x; }
+
+Real sqrt(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(sqrt(a)); });
+}
+Real sin(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(sin(a)); });
+}
+Real cos(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(cos(a)); });
+}
+Real tan(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(tan(a)); });
+}
+Real asin(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(asin(a)); });
+}
+Real acos(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(acos(a)); });
+}
+Real atan(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(atan(a)); });
+}
+Real exp(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(exp(a)); });
+}
+Real log(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(log(a)); });
+}
+Real floor(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(floor(a)); });
+}
+Real ceil(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(ceil(a)); });
+}
+Real round(const Real& x) {
+  return Real::map(x, [](const Digits& a) { return Digits(round(a)); });
+}
+Real atan2(const Real& y, const Real& x) {
+  return Real::map(y, x, [](const Digits& a, const Digits& b) { return Digits(atan2(a, b)); });
+}
+Real pow(const Real& x, const Real& y) {
+  return Real::map(x, y, [](const Digits& a, const Digits& b) { return Digits(pow(a, b)); });
+}
+Real ldexp(const Real& x, int exponent) {
+  return Real::map(x, [exponent](const Digits& a) { return Digits(ldexp(a, exponent)); });
+}
+long lround(const Real& x) { return lround(x.digits()); }
+bool isfinite(const Real& x) { return isfinite(x.digits()) && isfinite(x.seen()); }
+bool isnan(const Real& x) { return isnan(x.digits()); }
+
+Real larger(const Real& a, const Real& b) {
+  return Real::map(a, b, [](const Digits& x, const Digits& y) {
+    const Digits p = abs(x);
+    const Digits q = abs(y);
+    return p < q ? q : p;
+  });
+}
+
 const Real& pi() {
   static const Real value = boost::math::constants::pi<Digits>();
   return value;
 }
 
+bool negligible(const Real& value, const Real& scale) {
+  return Real::both(value, scale, [](const Digits& x, const Digits& of) {
+    static const Digits rounding(1e-40);
+    return x.is_zero() || abs(x) <= abs(of) * rounding;
+  });
+}
+
+bool identical(const Real& a, const Real& b) {
+  return Real::both(a, b, [](const Digits& x, const Digits& y) {
+    static const Digits same(1e-38);
+    return x == y || abs(x - y) <= abs(y) * same;
+  });
+}
+
 }  // namespace treedyn
+
+treedyn::Real std::numeric_limits<treedyn::Real>::min() {
+  return std::numeric_limits<treedyn::Digits>::min();
+}
+treedyn::Real std::numeric_limits<treedyn::Real>::max() {
+  return std::numeric_limits<treedyn::Digits>::max();
+}
+treedyn::Real std::numeric_limits<treedyn::Real>::lowest() {
+  return std::numeric_limits<treedyn::Digits>::lowest();
+}
+treedyn::Real std::numeric_limits<treedyn::Real>::epsilon() {
+  return std::numeric_limits<treedyn::Digits>::epsilon();
+}
+treedyn::Real std::numeric_limits<treedyn::Real>::infinity() {
+  return std::numeric_limits<treedyn::Digits>::infinity();
+}
+treedyn::Real std::numeric_limits<treedyn::Real>::quiet_NaN() {
+  return std::numeric_limits<treedyn::Digits>::quiet_NaN();
+}

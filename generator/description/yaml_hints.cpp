@@ -6,14 +6,11 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/identifier.hpp"
 
 namespace treedyn::description {
 
 namespace {
-
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 /// A line of the text, counted from 1; empty beyond the end.
 std::string_view line_of(std::string_view text, int number) {
@@ -31,7 +28,7 @@ bool contains(std::string_view text, std::string_view part) {
 /// The word before `end`: "q" of "-5*q[elbow]".
 std::string_view word_before(std::string_view line, std::size_t end) {
   std::size_t start = end;
-  while (start > 0 && is_word(line[start - 1])) {
+  while (start > 0 && is_word_byte(line[start - 1])) {
     --start;
   }
   return line.substr(start, end - start);
@@ -44,7 +41,7 @@ std::string_view word_behind_dash(std::string_view line) {
     return {};
   }
   std::size_t end = dash + 1;
-  while (end < line.size() && is_word(line[end])) {
+  while (end < line.size() && is_word_byte(line[end])) {
     ++end;
   }
   const bool key = end > dash + 1 && end < line.size() && line[end] == ':';

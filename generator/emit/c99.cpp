@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "common/identifier.hpp"
 #include "emit/definitions.hpp"
 #include "emit/layout.hpp"
 #include "emit/references.hpp"

@@ -91,6 +91,12 @@ std::string rounding_json(const program::Rounding& rounding) {
   return result;
 }
 
+/// Errors that were measured, if they were asked for.
+std::string errors_json(const Unit& unit, const std::string& function) {
+  const auto found = unit.errors.find(function);
+  return found == unit.errors.end() ? "" : fmt::format(",\n     \"errors\": {}", found->second);
+}
+
 /// Operations of the path that regular states take, and of the dearest call.
 std::string staged_cost(const program::Staged& staged) {
   std::string result = operations_json(program::cost(staged));
@@ -154,9 +160,10 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
   const std::size_t plain = unit.functions.size();
   for (std::size_t k = 0; k < plain; ++k) {
     const program::Function& function = unit.functions[k];
-    functions.push_back(
-        function_json(function.signature, bodies[k],
-                      operations_json(program::cost(function)) + rounding_json(function.rounding)));
+    functions.push_back(function_json(function.signature, bodies[k],
+                                      operations_json(program::cost(function)) +
+                                          rounding_json(function.rounding) +
+                                          errors_json(unit, function.signature.name)));
   }
   for (std::size_t k = 0; k < unit.checked.size(); ++k) {
     const Checked& checked = unit.checked[k];

@@ -1,14 +1,13 @@
 #include "emit/references.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include <fmt/format.h>
 
-namespace treedyn::emit {
+#include "common/identifier.hpp"
 
-bool is_word_byte(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+namespace treedyn::emit {
 
 namespace {
 
@@ -44,7 +43,7 @@ std::string with_addresses(std::string body, const ReferencePlaces& by_reference
     for (std::ptrdiff_t place = 0; body[argument - 1] != ')'; ++place) {
       argument = std::min(body.find_first_not_of(" \n", argument), body.size());
       if (called->second.contains(place)) {
-        body.insert(argument, "&");
+        body.insert(argument, 1, '&');
       }
       argument = end_of_argument(body, argument) + 1;
     }

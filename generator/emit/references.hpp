@@ -8,9 +8,6 @@
 
 namespace treedyn::emit {
 
-/// Part of a word of code.
-bool is_word_byte(char c);
-
 /// Of functions that take references the places of these among the arguments.
 using ReferencePlaces = std::map<std::string, std::set<std::ptrdiff_t>>;
 

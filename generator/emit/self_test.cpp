@@ -58,8 +58,9 @@ class Tables {
 
 /// A bound that is a number above zero, where every value is zero too.
 std::string bound_text(double bound, Scalar scalar) {
-  const double least = scalar == Scalar::kFloat ? double{std::numeric_limits<float>::min()}
-                                                : std::numeric_limits<double>::min();
+  const double least = scalar == Scalar::kFloat
+                           ? static_cast<double>(std::numeric_limits<float>::min())
+                           : std::numeric_limits<double>::min();
   return literal(Real(fmt::format("{:.2g}", std::max(bound, least * 2))), scalar);
 }
 

@@ -77,17 +77,31 @@ Real power_of_two(int exponent) { return ldexp(Real(1), exponent); }
 /// 2^n with which k overflows from |k| = 2^bits on.
 Real scale(const Approximation& a) { return power_of_two(a.largest_exponent - a.bits); }
 
+/// 3/4 of the first number beside which the next one is 2 off: added and subtracted it rounds to a
+/// whole number.
+Real rounding(const Approximation& a) { return 3 * power_of_two(a.digits - 2); }
+
+/// pi/2 in parts.
+std::vector<Real> right_angle(const Approximation& a) {
+  std::vector<Real> parts;
+  Real rest = pi() / 2;
+  for (const int end : a.ends) {
+    const Real unit = power_of_two(-end);
+    parts.emplace_back(round(rest / unit) * unit);
+    rest -= parts.back();
+  }
+  parts.push_back(rest);
+  return parts;
+}
+
 /// x - k pi/2, part by part; the first product is that of t = k scale.
 std::string reduction(const Approximation& a, const Target& target) {
   std::string text;
   std::string previous = "x";
-  Real rest = pi() / 2;
-  for (std::size_t part = 0; part <= a.ends.size(); ++part) {
-    const bool last = part == a.ends.size();
-    const Real unit = last ? Real(1) : power_of_two(-a.ends[part]);
-    const Real value = last ? rest : Real(round(rest / unit) * unit);
-    rest -= value;
-    const std::string name = last ? "r" : fmt::format("r_{}", part + 1);
+  const std::vector<Real> parts = right_angle(a);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const Real& value = parts[part];
+    const std::string name = part + 1 == parts.size() ? "r" : fmt::format("r_{}", part + 1);
     const Real factor = part == 0 ? Real(value / scale(a)) : Real(abs(value));
     text +=
         fmt::format("  const {} {} = {} {} {} * {};\n", type(target), name, previous,
@@ -121,7 +135,75 @@ std::string singles(const Target& target, const std::string& functions) {
   return text;
 }
 
+/// The constants of the source as numbers.
+template <class T>
+struct Numbers {
+  T two_over_pi, rounding, rounding_to_fours, scale, unscale, third;
+  std::vector<T> parts;  ///< of pi/2, the first less `scale` times
+  std::vector<T> sine, cosine;
+
+  explicit Numbers(const Approximation& a)
+      : two_over_pi((2 / pi()).convert_to<T>()),
+        rounding(emit::rounding(a).convert_to<T>()),
+        rounding_to_fours((4 * emit::rounding(a)).convert_to<T>()),
+        scale(emit::scale(a).convert_to<T>()),
+        unscale((1 / emit::scale(a)).convert_to<T>()),
+        third((Real(1) / 3).convert_to<T>()) {
+    std::vector<Real> right = right_angle(a);
+    right.front() = right.front() / emit::scale(a);
+    for (const Real& part : right) {
+      parts.push_back(part.convert_to<T>());
+    }
+    for (const char* const coefficient : a.sine) {
+      sine.push_back(Real(coefficient).convert_to<T>());
+    }
+    for (const char* const coefficient : a.cosine) {
+      cosine.push_back(Real(coefficient).convert_to<T>());
+    }
+  }
+};
+
+template <class T>
+T value_of(const std::vector<T>& polynomial, T z) {
+  T value = polynomial.front();
+  for (std::size_t k = 1; k < polynomial.size(); ++k) {
+    const T product = value * z;
+    value = product + polynomial[k];
+  }
+  return value;
+}
+
+/// The statements of the template `sincos.cpp`, one by one.
+template <class T>
+SineCosine<T> executed(const Numbers<T>& a, T x) {
+  const T k = (x * a.two_over_pi + a.rounding) - a.rounding;
+  const T t = k * a.scale;
+  T r = x;
+  for (std::size_t part = 0; part < a.parts.size(); ++part) {
+    r = r - (part == 0 ? t : k) * a.parts[part];
+  }
+  const T z = r * r;
+  const T sine = r + r * z * value_of(a.sine, z);
+  const T cosine = T(1) - z * (T(0.5) - z * value_of(a.cosine, z));
+  const T l = t * a.unscale;
+  const T m = l - ((l + a.rounding_to_fours) - a.rounding_to_fours);
+  const T n = T(4) - m * m;
+  const T s = m * (n * a.third);
+  const T c = T(0.5) * (n - s * s) - T(1);
+  return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
 }  // namespace
+
+SineCosine<float> sine_cosine(float x) {
+  static const Numbers<float> numbers(approximation(Scalar::kFloat));
+  return executed(numbers, x);
+}
+
+SineCosine<double> sine_cosine(double x) {
+  static const Numbers<double> numbers(approximation(Scalar::kDouble));
+  return executed(numbers, x);
+}
 
 bool has_sincos(const Unit& unit) {
   const program::Cost cost = total_cost(unit);
@@ -133,7 +215,6 @@ std::string sincos_text(const Target& target, const std::string& functions) {
   const auto number = [&](const Real& value) {
     return literal(value, target.scalar);
   };
-  const Real rounding = 3 * power_of_two(a.digits - 2);
   return fill(template_text("sincos.cpp"),
               {{"type", type(target)},
                {"error", a.error},
@@ -144,8 +225,8 @@ std::string sincos_text(const Target& target, const std::string& functions) {
                {"four", number(4)},
                {"third", number(Real(1) / 3)},
                {"two_over_pi", number(2 / pi())},
-               {"rounding", number(rounding)},
-               {"rounding_to_fours", number(4 * rounding)},
+               {"rounding", number(rounding(a))},
+               {"rounding_to_fours", number(4 * rounding(a))},
                {"scale", number(scale(a))},
                {"unscale", number(1 / scale(a))},
                {"reduction", reduction(a, target)},

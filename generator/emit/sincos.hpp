@@ -17,6 +17,15 @@ bool has_sincos(const Unit& unit);
 /// as far as `functions`, the text of those behind it, call them.
 std::string sincos_text(const Target& target, const std::string& functions);
 
+/// What the source's `sine_cosine` returns for float and double, bit by bit.
+template <class T>
+struct SineCosine {
+  T sine;
+  T cosine;
+};
+SineCosine<float> sine_cosine(float x);
+SineCosine<double> sine_cosine(double x);
+
 /// Error, range and end in rad as JSON: {"error": 1.7e-16, "range": 1.3e7, "end": 1.32e7}.
 std::string sincos_range(const Target& target);
 

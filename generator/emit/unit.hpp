@@ -1,6 +1,7 @@
 // What is written for one model, and the three files that come of it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,7 @@ struct Unit {
   std::string model_file;            ///< base name, "-" for standard input
   std::string model_sha256;
   std::vector<std::pair<std::string, std::string>> options;  ///< for the manifest; values are JSON
+  std::map<std::string, std::string> errors;  ///< of functions, for the manifest; values are JSON
 
   /// Of the C++ text; of one that becomes C a name that no list of names has.
   [[nodiscard]] std::string space() const {

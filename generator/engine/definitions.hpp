@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -42,9 +43,13 @@ std::span<const Scalar> Engine<Scalar>::evaluate(Function function,
   return implementation_->evaluate(function, inputs);
 }
 
+namespace detail {
+
+/// The function of that name and its inputs.
 template <class Scalar>
-std::vector<Scalar> Engine<Scalar>::evaluate(std::string_view function,
-                                             const std::vector<std::vector<Scalar>>& inputs) {
+std::pair<Function, std::vector<std::span<const Scalar>>> checked(
+    std::string_view function, const std::vector<std::vector<Scalar>>& inputs, int dof,
+    int points) {
   const Signature* signature = find_signature(function);
   if (signature == nullptr || signature->inputs.size() != inputs.size()) {
     throw std::invalid_argument(
@@ -52,7 +57,7 @@ std::vector<Scalar> Engine<Scalar>::evaluate(std::string_view function,
   }
   std::vector<std::span<const Scalar>> views;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    const auto size = static_cast<std::size_t>(signature->inputs[k].rows.count(dof(), points()));
+    const auto size = static_cast<std::size_t>(signature->inputs[k].rows.count(dof, points));
     if (inputs[k].size() != size) {
       throw std::invalid_argument(fmt::format("engine: {}: input {} has {} numbers; expected {}",
                                               function, signature->inputs[k].name, inputs[k].size(),
@@ -60,8 +65,24 @@ std::vector<Scalar> Engine<Scalar>::evaluate(std::string_view function,
     }
     views.emplace_back(inputs[k]);
   }
-  const std::span<const Scalar> result = evaluate(signature->function, views);
+  return {signature->function, std::move(views)};
+}
+
+}  // namespace detail
+
+template <class Scalar>
+std::vector<Scalar> Engine<Scalar>::evaluate(std::string_view function,
+                                             const std::vector<std::vector<Scalar>>& inputs) {
+  const auto [of, views] = detail::checked(function, inputs, dof(), points());
+  const std::span<const Scalar> result = evaluate(of, views);
   return {result.begin(), result.end()};
+}
+
+template <class Scalar>
+std::vector<double> Engine<Scalar>::scales(std::string_view function,
+                                           const std::vector<std::vector<Scalar>>& inputs) {
+  const auto [of, views] = detail::checked(function, inputs, dof(), points());
+  return implementation_->scales(of, views);
 }
 
 template <class Scalar>

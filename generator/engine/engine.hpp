@@ -52,6 +52,13 @@ class Engine {
   std::span<const Scalar> evaluate(Function function,
                                    std::span<const std::span<const Scalar>> inputs);
 
+  /// The natural scale of every value of a function: the sum of the magnitudes of the terms of its
+  /// equation, multiplied out down to masses, tensors and vectors of the links, which count with
+  /// their norms: the same in every frame. Of accelerations |A^-1| (|tau| + |B| + |G| + |A| |qdd|)
+  /// with such sums, of rotations 1. Allocates. \pre `inputs` as for `evaluate`
+  std::vector<double> scales(std::string_view function,
+                             const std::vector<std::vector<Scalar>>& inputs);
+
   void mass_matrix(In q, MatrixOut A);                       ///< (2)
   void bias_force(In q, In qd, Out B);                       ///< (3)
   void gravity_force(In q, Out G);                           ///< 6.5, left-hand side

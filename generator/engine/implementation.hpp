@@ -13,6 +13,7 @@
 #include "engine/engine.hpp"
 #include "engine/factor.hpp"
 #include "engine/outputs.hpp"
+#include "engine/scales.hpp"
 #include "equations/kinematics.hpp"
 
 namespace treedyn::engine {
@@ -23,6 +24,7 @@ class Engine<Scalar>::Implementation {
   Implementation(const model::Tree& tree, std::span<const model::Point> points,
                  const model::Vector3& gravity)
       : coordinates_(tree, convert),
+        sizes_(tree, [](const Real& x) { return std::abs(static_cast<double>(x)); }),
         outputs_(equations::index_of(tree, points)),
         constants_(equations::constants_of<Scalar>(tree, points, convert)),
         evaluation_(outputs_.plan()),
@@ -54,6 +56,15 @@ class Engine<Scalar>::Implementation {
     const Output& output = outputs_.of(function);
     evaluation_.run(output.steps);
     return reduced(output);
+  }
+
+  std::vector<double> scales(Function function, std::span<const std::span<const Scalar>> inputs) {
+    evaluate(function, inputs);
+    if (function == Function::kPointRotations) {
+      return std::vector<double>(9 * constants_.points.size(), 1);
+    }
+    const std::vector<double> sums = sizes_of_terms(outputs_.of(function));
+    return function == Function::kForwardDynamics ? solved(sums, inputs.back()) : sums;
   }
 
  private:
@@ -137,6 +148,38 @@ class Engine<Scalar>::Implementation {
     return {solution_.data(), static_cast<std::size_t>(dof())};
   }
 
+  /// Of the terms of `output`. \pre the leaves are set
+  std::vector<double> sizes_of_terms(const Output& output) {
+    Scales scales(outputs_.plan());
+    scales.run(evaluation_, output.steps);
+    const std::vector<double> full = scales.values(output.step, output.shape);
+    std::vector<double> result(full.size());
+    const auto cols = static_cast<std::size_t>(output.cols.count(links(), points()));
+    const std::span<const double> values = sizes_.reduce(output.reduction, full, cols, result);
+    return {values.begin(), values.end()};
+  }
+
+  /// |A^-1| (|tau| + forces + |A| |qdd|): what terms of their sizes make of accelerations.
+  /// \pre the accelerations have been computed
+  std::vector<double> solved(const std::vector<double>& forces, std::span<const Scalar> tau) {
+    const std::vector<double> A = sizes_of_terms(outputs_.of(Function::kMassMatrix));
+    const auto n = static_cast<std::size_t>(dof());
+    const Vector qdd = solution_;
+    std::vector<double> result(n, 0);
+    for (std::size_t j = 0; j < n; ++j) {
+      double size = std::abs(static_cast<double>(tau[j])) + forces[j];
+      for (std::size_t k = 0; k < n; ++k) {
+        size += A[j * n + k] * std::abs(static_cast<double>(qdd(static_cast<Eigen::Index>(k))));
+      }
+      Vector column = Vector::Unit(dof(), static_cast<Eigen::Index>(j));
+      solve_factorized(factor_, column);
+      for (std::size_t i = 0; i < n; ++i) {
+        result[i] += std::abs(static_cast<double>(column(static_cast<Eigen::Index>(i)))) * size;
+      }
+    }
+    return result;
+  }
+
   /// The value of `output` in independent coordinates.
   std::span<const Scalar> reduced(const Output& output) {
     const int rows = output.rows.count(links(), points());
@@ -147,6 +190,7 @@ class Engine<Scalar>::Implementation {
   }
 
   Coordinates<Scalar> coordinates_;
+  Coordinates<double> sizes_;  ///< with the magnitudes of the multipliers
   Outputs outputs_;
   equations::Constants<Scalar> constants_;
   block::Evaluation<Scalar> evaluation_;

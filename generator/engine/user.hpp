@@ -8,6 +8,7 @@
 
 #include "block/evaluate.hpp"
 #include "engine/coordinates.hpp"
+#include "engine/scales.hpp"
 #include "equations/kinematics.hpp"
 #include "equations/user.hpp"
 
@@ -31,6 +32,24 @@ class UserFunction {
   /// \param inputs  in the order of `UserEquation::arguments`
   /// \return row-major
   std::vector<Scalar> operator()(const std::vector<std::vector<Scalar>>& inputs) {
+    set(inputs);
+    evaluation_.run(plan_.needed({step_}));
+    const block::Shape& shape = equation_.expression.shape();
+    std::vector<Scalar> result(count(shape.rows) * count(shape.cols));
+    evaluation_.write(step_, shape, result);
+    return result;
+  }
+
+  /// The natural scale of every value, see Engine::scales.
+  std::vector<double> scales(const std::vector<std::vector<Scalar>>& inputs) {
+    set(inputs);
+    Scales result(plan_);
+    result.run(evaluation_, plan_.needed({step_}));
+    return result.values(step_, equation_.expression.shape());
+  }
+
+ private:
+  void set(const std::vector<std::vector<Scalar>>& inputs) {
     std::vector<Scalar> q(links(), Scalar(0));
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const equations::UserArgument& argument = equation_.arguments[k];
@@ -42,14 +61,8 @@ class UserFunction {
     }
     set_positions(q);
     set_constants();
-    evaluation_.run(plan_.needed({step_}));
-    const block::Shape& shape = equation_.expression.shape();
-    std::vector<Scalar> result(count(shape.rows) * count(shape.cols));
-    evaluation_.write(step_, shape, result);
-    return result;
   }
 
- private:
   static Scalar convert(const Real& x) { return static_cast<Scalar>(x); }
   [[nodiscard]] std::size_t links() const { return constants_.links.size(); }
   [[nodiscard]] std::size_t count(const block::Side& side) const {

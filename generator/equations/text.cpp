@@ -7,6 +7,7 @@
 
 #include "common/decimal.hpp"
 #include "common/error.hpp"
+#include "common/identifier.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::equations {
@@ -16,8 +17,6 @@ constexpr int kDeepest = 100;            // brackets
 constexpr std::size_t kLongest = 20000;  // bytes
 constexpr int kLargest = 1000;  // of a numerator or denominator that is kept: factors multiply
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 std::optional<block::Ratio> small(std::int64_t numerator, std::int64_t denominator) {
@@ -252,7 +251,7 @@ class Parser {
     if (!is_letter(c)) {
       fail(at_, fmt::format("found {}; expected a number, a name or '('", next_text()));
     }
-    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) {
+    while (at_ < text_.size() && is_word_byte(text_[at_])) {
       ++at_;
     }
     const std::string name(text_.substr(offset, at_ - offset));

@@ -223,7 +223,7 @@ double float_error(const Function& function) {
     double size = 0;
     for (std::size_t k = 0; k < exact.size(); ++k) {
       const auto value = static_cast<double>(exact[k]);
-      const double off = std::abs(double{results[k]} - value);
+      const double off = std::abs(static_cast<double>(results[k]) - value);
       size = std::max(size, std::abs(value));
       error = off <= error ? error : off;  // that of a NaN is one
     }
@@ -250,8 +250,9 @@ std::vector<double> inputs_at(const Function& function, int state) {
   std::vector<double> result;
   for (std::size_t k = 0; k < function.signature.inputs.size(); ++k) {
     for (int element = 0; element < function.signature.inputs[k].size; ++element) {
-      result.push_back(
-          static_cast<float>(kLargestInput * sample_input(static_cast<int>(k), element, state)));
+      const auto single =
+          static_cast<float>(kLargestInput * sample_input(static_cast<int>(k), element, state));
+      result.push_back(static_cast<double>(single));
     }
   }
   return result;
@@ -269,7 +270,7 @@ std::vector<double> in_double(const std::vector<Scalar>& values) {
 
 KnownAnswers known_answers(const Function& function, int states, bool single) {
   constexpr double kMargin = 8;
-  const double unit = (single ? double{std::numeric_limits<float>::epsilon()}
+  const double unit = (single ? static_cast<double>(std::numeric_limits<float>::epsilon())
                               : std::numeric_limits<double>::epsilon()) /
                       2;
   KnownAnswers result;

@@ -17,9 +17,9 @@ namespace treedyn::program {
 template <class Target>
 double rounding_of(double value) {
   const double size = std::abs(value);
-  return size > double{std::numeric_limits<Target>::max()}
+  return size > static_cast<double>(std::numeric_limits<Target>::max())
              ? std::numeric_limits<double>::infinity()
-             : std::max(size, double{std::numeric_limits<Target>::min()});
+             : std::max(size, static_cast<double>(std::numeric_limits<Target>::min()));
 }
 
 /// A value and a bound of its error in unit roundoffs of `Target`, to first order. Inputs and

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/identifier.hpp"
 #include "symbolic/constant_table.hpp"
 #include "symbolic/exact.hpp"
 
@@ -16,9 +17,8 @@ Constants::Constants(Constants&&) noexcept = default;
 Constants& Constants::operator=(Constants&&) noexcept = default;
 
 void Constants::define(const std::string& name, std::string_view text) {
-  const bool identifier =
-      !name.empty() && is_letter(name.front()) &&
-      std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
+  const bool identifier = !name.empty() && is_letter(name.front()) &&
+                          std::all_of(name.begin(), name.end(), is_word_byte);
   if (!identifier) {
     throw ConstantError(
         0,

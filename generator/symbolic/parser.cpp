@@ -6,6 +6,7 @@
 
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
+#include "common/identifier.hpp"
 #include "symbolic/exact.hpp"
 
 namespace treedyn::symbolic {
@@ -42,7 +43,7 @@ class Parser {
   /// The next word or character, for messages.
   [[nodiscard]] std::string rest() const {
     std::size_t end = at_;
-    while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) {
+    while (end < text_.size() && is_word_byte(text_[end])) {
       ++end;
     }
     return shown(text_.substr(at_, std::max<std::size_t>(end - at_, 1)));
@@ -268,7 +269,7 @@ class Parser {
 
   Exact name() {
     const std::size_t start = at_;
-    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) {
+    while (at_ < text_.size() && is_word_byte(text_[at_])) {
       ++at_;
     }
     const std::string_view word = text_.substr(start, at_ - start);
@@ -353,9 +354,6 @@ class Parser {
 };
 
 }  // namespace
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_constant(const GiNaC::ex& value) {
   return std::none_of(value.preorder_begin(), value.preorder_end(),

@@ -34,8 +34,6 @@ class Variables {
   [[nodiscard]] virtual std::vector<std::string> known() const { return {}; }
 };
 
-bool is_letter(char c);  ///< of a name
-bool is_digit(char c);
 /// True if no symbol occurs.
 bool is_constant(const GiNaC::ex& value);
 

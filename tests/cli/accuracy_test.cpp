@@ -163,6 +163,26 @@ TEST_F(Accuracy, WritesSettingsThatGenerateTakes) {
       treedyn({"generate", "--scene", kPendulum, "--settings", settings, "-o", out()}), "--stepp");
 }
 
+/// At 100 Hz a setting of 20 ms is none, though it would be the cheapest.
+TEST_F(Accuracy, KeepsToThePeriodOfAController) {
+  const std::vector<std::string> arguments = {"accuracy", kPendulum, "--states",      "1",
+                                              "--on",     "m4f",     "--rate",        "100",
+                                              "--target", "1e-4",    "--integrators", "rk4"};
+  const auto with = [&](const char* steps) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--steps", steps});
+    return treedyn(all);
+  };
+  const Outcome chosen = with("0.01,0.005");
+  EXPECT_EQ(chosen.status, 0) << chosen.err;
+  EXPECT_THAT(chosen.out, HasSubstr("0.0001 on m4f: float rk4 0.01"));
+  EXPECT_THAT(chosen.out, HasSubstr(" in each period of 100 Hz\n"));
+  expect_usage_error(with("0.02,0.01"), "step 0.02 s does not divide 0.01 s, the period of 100 Hz");
+  expect_usage_error(treedyn({"accuracy", kPendulum, "--rate", "7"}),
+                     "does not divide 0.2 s, the time between comparisons");
+  expect_usage_error(treedyn({"accuracy", kPendulum, "--rate", "1e5"}), "expected a lower rate");
+}
+
 TEST_F(Accuracy, RefusesStepsThatDoNotDivideTheTimeOfAComparison) {
   expect_usage_error(treedyn({"accuracy", kPendulum, "--steps", "0.03"}),
                      "step 0.03 s does not divide 0.2 s");

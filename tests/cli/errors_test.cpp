@@ -140,10 +140,15 @@ std::string far_body(const std::string& distance) {
 }
 
 TEST_F(Cli, RefusesNumbersThatLeaveNoDigitOfAResult) {
-  write_file(scratch("far.urdf"), far_body("1e20"));
-  const Outcome refused = treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()});
-  EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, HasSubstr("expected masses, lengths and inertias of fewer decades"));
+  for (const std::string distance : {"1e+18", "1e+20"}) {  // B, then the pivots of A
+    write_file(scratch("far.urdf"), far_body(distance));
+    const Outcome refused =
+        treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.err,
+                HasSubstr("far.urdf:1:38: link 'a', 1 kg, centre of mass " + distance));
+    EXPECT_THAT(refused.err, HasSubstr("of fewer decades"));
+  }
   write_file(scratch("far.urdf"), far_body("1e10"));
   EXPECT_EQ(treedyn({"generate", scratch("far.urdf"), "--effort", "0", "-o", out()}).status, 0);
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace treedyn {
@@ -68,7 +69,7 @@ TEST(HalfUnitOfLastDigit, FollowsThePointAndTheExponent) {
 
 TEST(Shown, EscapesWhatATerminalWouldObey) {
   EXPECT_EQ(shown("a\nb\x1b[31m"), "a\\x0ab\\x1b[31m");
-  EXPECT_EQ(shown(std::string(100, 'x')), std::string(60, 'x') + "...");
+  EXPECT_EQ(shown(std::string(100, 'x')), fmt::format("{:x<60}...", ""));
 }
 
 }  // namespace

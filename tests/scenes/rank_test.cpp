@@ -72,7 +72,7 @@ TEST_P(InScalar, ACraneIsLedBesideALockedCamera) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rank, InScalar, ::testing::Values("double", "float"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& of) { return of.param; });
 
 /// A chain of three links, of which the last two are scaled in mass and all in length.
 std::string chain(double mass, double length) {

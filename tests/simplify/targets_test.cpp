@@ -35,10 +35,10 @@ const Target kTargets[] = {
 };
 
 std::string path_of(const Target& target) {
-  const std::string model = std::string(TREEDYN_SOURCE_DIR) + "/models/" + target.file;
+  const std::string model = std::string(TREEDYN_SOURCE_DIR "/models/") + target.file;
   return std::filesystem::exists(model)
              ? model
-             : std::string(TREEDYN_SHARED_DATA) + "/robots/urdf/" + target.file;
+             : std::string(TREEDYN_SHARED_DATA "/robots/urdf/") + target.file;
 }
 
 class Targets : public testing::TestWithParam<Target> {};

@@ -1,6 +1,7 @@
 // Every choice of a formulation leaves the values alone, and passes never add operations.
 #include <random>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "description/read.hpp"
@@ -15,8 +16,7 @@ using Values = std::vector<Real>;
 model::Tree model_tree(const std::string& name, description::Base base) {
   description::ReadOptions options;
   options.base = base;
-  return description::read_model(std::string(TREEDYN_SOURCE_DIR) + "/models/" + name + ".yaml",
-                                 options);
+  return description::read_model(fmt::format(TREEDYN_SOURCE_DIR "/models/{}.yaml", name), options);
 }
 
 /// A point on the last link and one on the ground, so that every function has points.

@@ -60,7 +60,7 @@ TEST(RejectedScenes, SayWhereAndWhatWasExpected) {
 
 TEST(Scenes, OfTheRepositoryAreAccepted) {
   std::size_t count = 0;
-  const std::string folder = std::string(TREEDYN_SOURCE_DIR) + "/models/scenes";
+  const std::string folder = TREEDYN_SOURCE_DIR "/models/scenes";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (name.find(".model.") == std::string::npos && entry.path().extension() == ".yaml") {

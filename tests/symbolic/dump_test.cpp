@@ -13,7 +13,7 @@ using testing::Not;
 
 std::string dump_of(const std::string& name, const DumpOptions& options) {
   const support::GoldenCase golden =
-      support::read_golden(std::string(TREEDYN_SOURCE_DIR) + "/tests/data/golden/" + name);
+      support::read_golden(std::string(TREEDYN_SOURCE_DIR "/tests/data/golden/") + name);
   return dump(golden.tree, golden.points, golden.gravity, options);
 }
 

@@ -1,0 +1,110 @@
+#include "accuracy/states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "program/random.hpp"
+
+namespace treedyn::accuracy {
+
+namespace {
+
+/// The float in the range next to a number in it.
+double in_float(double x, double low, double high) {
+  auto value = static_cast<float>(x);
+  if (static_cast<double>(value) > high) {
+    value = std::nextafter(value, -std::numeric_limits<float>::infinity());
+  } else if (static_cast<double>(value) < low) {
+    value = std::nextafter(value, std::numeric_limits<float>::infinity());
+  }
+  return static_cast<double>(value);
+}
+
+/// A seed for every argument of every state.
+std::uint64_t seed(const std::string& argument, int number) {
+  std::uint64_t result = static_cast<std::uint64_t>(number) + 1;
+  for (const char c : argument) {
+    result = program::scramble(result ^ static_cast<unsigned char>(c));
+  }
+  return result;
+}
+
+std::string names(const std::vector<std::string>& joints, std::size_t of) {
+  std::vector<std::string> words;
+  for (const std::string& name : joints) {
+    words.push_back(shown(name));
+  }
+  return joints.size() == of ? "any joint" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+States::States(const model::Tree& tree) : dof_(static_cast<std::size_t>(tree.dof())) {
+  for (const int k : tree.coordinates) {
+    const model::Joint& joint = tree.links[static_cast<std::size_t>(k)].joint;
+    const model::Limits& limits = joint.limits;
+    const auto bound = [&](const std::optional<Real>& limit, std::vector<std::string>& without) {
+      const double value = limit ? std::abs(static_cast<double>(*limit)) : 0;
+      if (value == 0) {
+        without.push_back(joint.name);
+      }
+      return value == 0 ? Range{} : Range{-value, value};
+    };
+    const double usual = joint.type == model::JointType::kRevolute ? std::numbers::pi : 1;
+    const bool stated = limits.lower && limits.upper;
+    position_.push_back(
+        stated ? Range{static_cast<double>(*limits.lower), static_cast<double>(*limits.upper)}
+               : Range{-usual, usual});
+    if (!stated) {
+      without_position_.push_back(joint.name);
+    }
+    speed_.push_back(bound(limits.velocity, without_speed_));
+    effort_.push_back(bound(limits.effort, without_effort_));
+  }
+}
+
+const std::vector<States::Range>* States::ranges_of(const std::string& argument) const {
+  return argument == "q"                        ? &position_
+         : argument == "qd"                     ? &speed_
+         : argument == "tau" || argument == "b" ? &effort_
+                                                : nullptr;
+}
+
+Inputs States::operator()(const program::Signature& signature, int number) const {
+  Inputs result;
+  for (const program::Array& array : signature.inputs) {
+    const std::vector<Range>* const ranges = ranges_of(array.name);
+    program::Random random(seed(array.name, number));
+    std::vector<double> values;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(array.size); ++i) {
+      const Range range = ranges == nullptr ? Range{} : (*ranges)[i];
+      const double part = (random.symmetric() + 1) / 2;
+      values.push_back(
+          in_float(range.low + part * (range.high - range.low), range.low, range.high));
+    }
+    result.push_back(std::move(values));
+  }
+  return result;
+}
+
+std::string States::missing() const {
+  std::vector<std::string> words;
+  const auto add = [&](const std::vector<std::string>& joints, const char* what,
+                       const char* instead) {
+    if (!joints.empty()) {
+      words.push_back(fmt::format("of {} for {} (taken: {})", what, names(joints, dof_), instead));
+    }
+  };
+  add(without_position_, "position", "-pi to pi rad, -1 to 1 m");
+  add(without_speed_, "speed", "-1 to 1 rad/s or m/s");
+  add(without_effort_, "effort", "-1 to 1 N m or N");
+  return words.empty() ? "" : fmt::format("the model states no limits {}", fmt::join(words, ", "));
+}
+
+}  // namespace treedyn::accuracy
