@@ -45,7 +45,7 @@ class Eliminator {
   /// As it stands, without R3: the order of the sums is that of the elimination.
   int sum(const Terms& terms);
   int travelling(const char* name, Type type) { return made(Op::kTravelling, type, {}, 0, name); }
-  int fold(int travelling, int own, int handed, bool symmetric = false);
+  int fold(int travelling, int own, int handed);
   void eliminate(int r, Elimination& result);
   int onward(Elimination& result);
 
@@ -232,8 +232,8 @@ int Eliminator::sum(const Terms& terms) {
                                                                 : values_.intern(value);
 }
 
-int Eliminator::fold(int travelling, int own, int handed, bool symmetric) {
-  const int result = made(Op::kFold, values_[travelling].type, {own, handed}, symmetric ? 1 : 0);
+int Eliminator::fold(int travelling, int own, int handed) {
+  const int result = made(Op::kFold, values_[travelling].type, {own, handed});
   values_.define(travelling, result);
   return result;
 }
@@ -268,8 +268,7 @@ void Eliminator::eliminate(int r, Elimination& result) {
     q[k] = made(Op::kAlong, Type::kVector, {sum({{kOne, p[k]}, {kOne, more}}), b[k], r});
   }
   const auto without = [&](int K, std::size_t k, std::size_t l) {
-    const int dyad = made(Op::kDyad, Type::kTensor, {U_[k], V[l]});
-    return made(Op::kAcross, Type::kTensor, {sum({{kOne, K}, {kMinus, dyad}}), b[k], b[l]});
+    return made(Op::kAcross, Type::kTensor, {K, U_[k], V[l], b[k], b[l]});
   };
   const int I1 = without(I, 0, 0);
   const int H1 = without(H, 0, 1);
@@ -278,14 +277,11 @@ void Eliminator::eliminate(int r, Elimination& result) {
       sum({{kOne, q[0]}, {kOne, sum({{kOne, times(I1, zeta_[0])}, {kOne, times(H1, zeta_[1])}})}}),
       sum({{kOne, q[1]},
            {kOne, sum({{kOne, times(H1, zeta_[0], true)}, {kOne, times(M1, zeta_[1])}})}})};
-  const auto lever = [&](int S, int form) {
-    return made(Op::kLever, Type::kTensor, {s_, S}, form);
-  };
-  const int H2 = sum({{kOne, lever(M1, 0)}, {kOne, H1}});
-  const int I2 = sum({{kOne, sum({{kOne, lever(H1, 1)}, {kMinus, lever(H2, 2)}})}, {kOne, I1}});
-  result.inertia = {fold(I, tensor(z_[0].own, {y_[0].sum, false}), I2, true),
+  const int H2 = sum({{kOne, made(Op::kLever, Type::kTensor, {s_, M1})}, {kOne, H1}});
+  const int I2 = sum({{kOne, made(Op::kLever, Type::kTensor, {s_, H1, H2})}, {kOne, I1}});
+  result.inertia = {fold(I, tensor(z_[0].own, {y_[0].sum, false}), I2),
                     fold(H, tensor(z_[0].own, {y_[1].sum, false}), H2),
-                    fold(M, tensor(z_[1].own, {y_[1].sum, false}), M1, true)};
+                    fold(M, tensor(z_[1].own, {y_[1].sum, false}), M1)};
   const int moment = algebra_.step(s_, p1[1]);
   const std::array<int, 2> own = {opening_.rest(z_[0].own, Type::kVector),
                                   opening_.rest(z_[1].own, Type::kVector)};

@@ -209,14 +209,13 @@ class Printer {
         return a();
       case Op::kReciprocal:
         return fmt::format("1 / {}", a());
-      case Op::kDyad:
-        return fmt::format("{} {}^T", a(), b());
       case Op::kLever:
-        return value.component == 2
-                   ? fmt::format("{} Λ({})", b(), a())
-                   : fmt::format("Λ({}) {}{}", a(), b(), value.component == 1 ? "^T" : "");
+        return value.operands.size() == 2
+                   ? fmt::format("Λ({}) {}", a(), b())
+                   : fmt::format("Λ({}) {}^T - {} Λ({})", a(), name(value.operands[1]), b(), a());
       case Op::kAcross:
-        return fmt::format("{}, across {} and {}", a(), name(value.operands[1]), b());
+        return fmt::format("{} - {} {}^T, across {} and {}", a(), name(value.operands[1]),
+                           name(value.operands[2]), name(value.operands[3]), b());
       case Op::kAlong:
         return fmt::format("{}, along {} {}", a(), name(value.operands[1]), b());
       case Op::kAssemble:

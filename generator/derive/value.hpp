@@ -49,12 +49,11 @@ enum class Op {
   kComponent,       ///< one component in the base frame
   kAssemble,        ///< a vector of three components in the base frame
   kTravelling,      ///< what a value that is defined by it, son by son or from the father, has here
-  kFold,            ///< a + Π^T b, b made of the sum; `component` 1: symmetric
+  kFold,            ///< a + Π^T b, b made of the sum
   kAtLink,          ///< x, once; further operands are of interest with it
   kReciprocal,      ///< 1 / x
-  kDyad,            ///< a b^T
-  kLever,           ///< Λ(a) S; `component` 1: Λ(a) S^T, 2: S Λ(a)
-  kAcross,          ///< S, of which S b = 0 and a^T S = 0 are known, of S, a, b
+  kLever,           ///< Λ(a) S of a, S; symmetric Λ(a) S^T - T Λ(a) of a, S, T
+  kAcross,          ///< K - U V^T, whose products with b and a^T are zero, of K, U, V, a, b
   kAlong,           ///< x with a·x = y, of x, a, y
 };
 

@@ -46,6 +46,9 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way,
       known_(index(derivation_.values.size())),
       costs_(index(derivation_.values.size())) {
   arrange();
+  if (derivation_.elimination && !turning_) {  // numbers of no link come first
+    static_cast<void>(task_.kinematics.ground_acceleration());
+  }
   run(false);
 }
 
@@ -120,9 +123,10 @@ void Lowering::run(const std::vector<int>& ids, int e, bool of_unit) {
   }
 }
 
-/// False for links above the trunk, and for rows that a symmetric matrix need not have in a column.
-bool Lowering::is_asked(int e, bool of_unit) const {
-  if (turning_ && e < kTrunkLink) {
+/// False for links above the trunk, for the trunk where limbs are eliminated, and for rows that a
+/// symmetric matrix need not have in a column.
+bool Lowering::is_asked(int stage, int e, bool of_unit) const {
+  if (turning_ && (e < kTrunkLink || (e == kTrunkLink && is_elimination(stage)))) {
     return false;
   }
   int i = place_;
@@ -144,20 +148,25 @@ void Lowering::run(bool of_unit) {
     }
     for (int k = 0; walk != Walk::kWhole && k < n; ++k) {
       const int e = walk == Walk::kToSons ? k : n - 1 - k;
-      if (!is_asked(e, of_unit)) {
+      if (!is_asked(static_cast<int>(s), e, of_unit)) {
         continue;
       }
       graph().set_body(e);
       run(stage.sums, e, of_unit);
       hand_on(stage.sums, e);
       name_sums(e);
-      graph().set_body(e);
+      if (!derivation_.elimination || !stage.rest.empty()) {
+        graph().set_body(e);
+      }
       run(stage.rest, e, of_unit);
+    }
+    if (turning_ && walk == Walk::kToFathers && is_elimination(static_cast<int>(s))) {
+      solve_trunk();
     }
   }
   for (const int root : derivation_.roots) {  // that are leaves
     for (int e = 0; of_unit_[index(root)] == of_unit && e < count(value(root).set); ++e) {
-      if (is_asked(e, of_unit)) {
+      if (is_asked(stage_[index(root)], e, of_unit)) {
         need(root, e);
       }
     }
@@ -178,9 +187,6 @@ void Lowering::ask_for(int place, int component) {
 
 void Lowering::need(int id, int e) {
   if (known_[index(id)][index(e)]) {
-    return;
-  }
-  if (is_given(id, e)) {
     return;
   }
   const Value& v = value(id);
@@ -210,54 +216,6 @@ void Lowering::need(int id, int e) {
     costs_[index(id)].mul += kind == program::Kind::kMultiply ? 1 : 0;
   }
   counted_ = graph().size();
-}
-
-/// What the field calls a vector that travels along the tree.
-const char* Lowering::symbol(int id) const {
-  const Value& v = value(id);
-  const Value& x = value(v.operands.front());
-  const auto is_alpha = [id](const derive::Turning& t) {
-    return t.alpha == id;
-  };
-  const auto with_Omega = [this](int y) {
-    return value(y).op == Op::kApply && value(value(y).operands[0]).op == Op::kFather;
-  };
-  switch (v.op) {
-    case Op::kPath:
-    case Op::kPathStrict:
-      return x.op == Op::kScale && value(x.operands.back()).name == "z^d"    ? "omega"
-             : std::any_of(turnings_.begin(), turnings_.end(), is_alpha)     ? "alpha"
-             : std::any_of(x.operands.begin(), x.operands.end(), with_Omega) ? "a"
-                                                                             : "";
-    case Op::kSubtree:
-    case Op::kSubtreeStrict:
-      return derivation_.wide ? "r" : "F";
-    default:
-      return derivation_.wide ? "r" : x.name == "h^d" ? "h" : "M";
-  }
-}
-
-/// Sums along the tree, and Ω.
-void Lowering::name_sums(int e) {
-  constexpr std::array<const char*, 9> kEntry = {"xx", "xy", "xz", "yx", "yy",
-                                                 "yz", "zx", "zy", "zz"};
-  std::sort(named_.begin(), named_.end());
-  for (const int id : named_) {
-    const Value& v = value(id);
-    if (derivation_.symmetric && of_unit_[index(id)]) {
-      continue;  // as many as columns
-    }
-    const auto total = totals_.find(id);
-    const Block& block = total != totals_.end() ? total->second[index(e)] : of(id, e);
-    if (v.type == Type::kTensor) {
-      for (std::size_t n = 0; n < 9; ++n) {
-        graph().name(block.tensor.value[n / 3][n % 3].ref(), "Omega", e, kEntry[n]);
-      }
-    } else if (*symbol(id) != 0) {
-      name(graph(), frames_.in(block.vector, home(Set::kLinks, e)), symbol(id), e);
-    }
-  }
-  named_.clear();
 }
 
 /// A value as a sum.
@@ -371,12 +329,13 @@ Block Lowering::made(int id, const Value& v, int e) {
     case Op::kAtLink:
       return once(v, e);
     case Op::kReciprocal:
-      return reciprocal(v, e);
-    case Op::kDyad:
+      return {number(1) / of(v.operands.front(), e).number, {}, {}};
     case Op::kLever:
+      return lever(v, e);
     case Op::kAcross:
+      return across(v, e);
     case Op::kAlong:
-      return without_joint(v, e);
+      return along(v, e);
     case Op::kFather:
     case Op::kSons:
       return shifted(v, e);

@@ -79,7 +79,9 @@ class Lowering {
   void arrange();
   void run(bool of_unit);
   void run(const std::vector<int>& ids, int e, bool of_unit);
-  [[nodiscard]] bool is_asked(int e, bool of_unit) const;
+  [[nodiscard]] bool is_asked(int stage, int e, bool of_unit) const;
+  /// From the sums of R9 on.
+  [[nodiscard]] bool is_elimination(int stage) const;
   /// Block e of a value, if it is not known yet, and those of its operands.
   void need(int id, int e);
   void name_sums(int e);
@@ -107,10 +109,12 @@ class Lowering {
   Block shifted(const Value& v, int e) const;
   Block folded(int id, const Value& v, int i);
   void hand_on(const std::vector<int>& ids, int i);
-  bool is_given(int id, int e);
+  void solve_trunk();
+  [[nodiscard]] bool is_absent(int id, int e) const;
   Block once(const Value& v, int e) const;
-  Block reciprocal(const Value& v, int e) const;
-  Block without_joint(const Value& v, int e) const;
+  Block along(const Value& v, int e) const;
+  Block across(const Value& v, int e) const;
+  Block lever(const Value& v, int e) const;
   [[nodiscard]] Vec3 direction(int id, int e) const;
   Block at_points(const Value& v, int e) const;
   Block collect(const Value& v) const;

@@ -23,31 +23,29 @@ Mat3 mirrored(Mat3 S) {
 
 }  // namespace
 
-/// True for accelerations of the trunk, which are known by now.
-bool Lowering::is_given(int id, int e) {
-  if (!turning_ || e != kTrunkLink || !derivation_.elimination) {
-    return false;
-  }
-  const std::array<int, 2>& motion = derivation_.elimination->motion;
-  if (id != motion[0] && id != motion[1]) {
-    return false;
-  }
+bool Lowering::is_elimination(int stage) const {
+  return derivation_.elimination && stage >= stage_[index(derivation_.elimination->bias[0])];
+}
+
+/// The accelerations that its limbs start from, once they have handed on to it.
+void Lowering::solve_trunk() {
+  const derive::Elimination& at = *derivation_.elimination;
+  run({at.inertia.begin(), at.inertia.end()}, kTrunkLink, false);
+  run({at.bias.begin(), at.bias.end()}, kTrunkLink, false);
   const std::array<Vec3, 2> given = solution_(*this);
   for (std::size_t k = 0; k < 2; ++k) {
-    memo_[index(motion[k])][index(e)].vector = {{e, given[k]}};
-    known_[index(motion[k])][index(e)] = true;
+    memo_[index(at.motion[k])][index(kTrunkLink)].vector = {{kTrunkLink, given[k]}};
+    known_[index(at.motion[k])][index(kTrunkLink)] = true;
   }
-  return true;
+  for (const auto& [travelling, _] : derivation_.values.definitions()) {
+    need(travelling, kTrunkLink);
+  }
 }
 
 /// a + Π^T b.
 Block Lowering::folded(int id, const Value& v, int i) {
   begin(id, v, i);
-  Block total = sums_[id][index(i)].block;
-  if (v.component == 1) {
-    total.tensor.value = mirrored(total.tensor.value);
-  }
-  return total;
+  return sums_[id][index(i)].block;
 }
 
 /// When all of a link is known.
@@ -72,7 +70,7 @@ Block Lowering::once(const Value& v, int e) const {
   const Block& x = of(v.operands.front(), e);
   if (v.type == Type::kScalar) {
     graph().name(of(v.operands.back(), e).number.ref(), "inverse_pivot", e);
-    graph().name(x.number.ref(), "u", e);
+    graph().name((task_.kinematics.link(e).sign > 0 ? x.number : -x.number).ref(), "u", e);
   }
   if (v.type != Type::kVector) {
     return x;
@@ -85,53 +83,58 @@ Block Lowering::once(const Value& v, int e) const {
   return {{}, {{at, value}}, {}};
 }
 
-/// The trunk takes nothing.
-Block Lowering::reciprocal(const Value& v, int e) const {
-  const bool takes = !turning_ || e != kTrunkLink;
-  return {takes ? number(1) / of(v.operands.front(), e).number : Expr(), {}, {}};
-}
-
 /// The axis of a joint in its frame, 0 or along z.
 Vec3 Lowering::direction(int id, int e) const { return frames_.in(of(id, e).vector, e); }
 
-Block Lowering::without_joint(const Value& v, int e) const {
-  const int a = v.operands[0];
-  const int b = v.operands[1];
-  if (v.op == Op::kAlong) {
-    Vec3 x = frames_.in(of(a, e).vector, e);
-    const Vec3 axis = direction(b, e);
-    for (std::size_t k = 0; k < kSize; ++k) {
-      x[k] = axis[k].is_zero() ? x[k] : axis[k] * of(v.operands[2], e).number;
-    }
-    return {{}, {{e, x}}, {}};
+/// x of which a·x is known.
+Block Lowering::along(const Value& v, int e) const {
+  Vec3 x = frames_.in(of(v.operands[0], e).vector, e);
+  const Vec3 axis = direction(v.operands[1], e);
+  for (std::size_t k = 0; k < kSize; ++k) {
+    x[k] = axis[k].is_zero() ? x[k] : axis[k] * of(v.operands[2], e).number;
   }
-  if (v.op == Op::kDyad) {
-    const Vec3 left = frames_.in(of(a, e).vector, e);
-    const Vec3 right = frames_.in(of(b, e).vector, e);
-    return {{}, {}, {e, {left[0] * right, left[1] * right, left[2] * right}}};
-  }
-  if (v.op == Op::kAcross) {
-    Tensor S = of(a, e).tensor;
-    const Vec3 left = direction(b, e);
-    const Vec3 right = direction(v.operands[2], e);
-    for (std::size_t n = 0; n < kSize * kSize; ++n) {
-      if (!left[n / kSize].is_zero() || !right[n % kSize].is_zero()) {
-        S.value[n / kSize][n % kSize] = Expr();
+  return {{}, {{e, x}}, {}};
+}
+
+/// K - U V^T without the rows along a and the columns along b, of symmetric ones the upper half.
+Block Lowering::across(const Value& v, int e) const {
+  const Mat3& K = of(v.operands[0], e).tensor.value;
+  const Vec3 U = frames_.in(of(v.operands[1], e).vector, e);
+  const Vec3 V = frames_.in(of(v.operands[2], e).vector, e);
+  const Vec3 a = direction(v.operands[3], e);
+  const Vec3 b = direction(v.operands[4], e);
+  const bool symmetric = v.operands[3] == v.operands[4];
+  Mat3 S;
+  for (std::size_t row = 0; row < kSize; ++row) {
+    for (std::size_t col = symmetric ? row : 0; col < kSize; ++col) {
+      if (a[row].is_zero() && b[col].is_zero()) {
+        S[row][col] = K[row][col] - U[row] * V[col];
       }
     }
-    S.symmetric = b == v.operands[2];
-    S.value = S.symmetric ? mirrored(S.value) : S.value;
-    return {{}, {}, S};
   }
+  return {{}, {}, {e, symmetric ? mirrored(S) : S, symmetric}};
+}
+
+/// In the father's frame, where a is at home.
+Block Lowering::lever(const Value& v, int e) const {
   const int frame = home(v.set, father(e));
-  const Vec3 s = frames_.in(of(a, e).vector, frame);
-  const Mat3 S = frames_.moved(of(b, e).tensor, frame).value;
-  const Mat3 rows = v.component == 0 ? simplify::transposed(S) : S;
+  const Vec3 a = frames_.in(of(v.operands[0], e).vector, frame);
+  const Mat3 S = frames_.moved(of(v.operands[1], e).tensor, frame).value;
   Mat3 result;
-  for (std::size_t k = 0; k < kSize; ++k) {
-    result[k] = v.component == 2 ? cross(rows[k], s) : cross(s, rows[k]);
+  if (v.operands.size() == 2) {
+    for (std::size_t col = 0; col < kSize; ++col) {
+      result[col] = cross(a, column(S, col));
+    }
+    return {{}, {}, {frame, simplify::transposed(result)}};
   }
-  return {{}, {}, {frame, v.component == 2 ? result : simplify::transposed(result)}};
+  const Mat3 T = frames_.moved(of(v.operands[2], e).tensor, frame).value;
+  for (std::size_t row = 0; row < kSize; ++row) {
+    const Vec3 first = cross(T[row], a);
+    for (std::size_t col = row; col < kSize; ++col) {
+      result[row][col] = cross(a, S[col])[row] - first[col];
+    }
+  }
+  return {{}, {}, {frame, mirrored(result), true}};
 }
 
 }  // namespace treedyn::simplify
