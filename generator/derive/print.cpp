@@ -94,6 +94,10 @@ class Printer {
         names_[id] = symbol(value);
         continue;
       }
+      if (value.op == Op::kAtLink && values_[value.operands.front()].op == Op::kLeaf) {
+        names_[id] = name(value.operands.front());
+        continue;
+      }
       if (value.op == Op::kAtLink && !value.name.empty()) {
         names_[id] = value.name;
       }

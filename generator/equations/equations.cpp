@@ -101,7 +101,7 @@ Expression inverse_dynamics() {
 }
 
 // (1), zero for the accelerations
-Expression forward_dynamics() { return inverse_dynamics() - tau; }
+Expression forward_dynamics() { return mass_matrix() * qdd + bias_force() + gravity_force() - tau; }
 
 // 6.5: gravity is a force f_i = m_i g at the centre of mass, so C takes t_i = c_ii (E20)
 Expression gravity_force() {
