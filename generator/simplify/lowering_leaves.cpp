@@ -158,7 +158,7 @@ Block Lowering::link_leaf(const Value& v, int e) const {
     return {{}, {}, {e, k.tensor_of(e, inertia.about_com)}};
   }
   if (v.name == "I^d") {
-    const bool pseudo = function_.regroups && !has_tensors();
+    const bool pseudo = function_.regroups && (derivation_.elimination || !has_tensors());
     return {{}, {}, {e, pseudo ? inertia_tensor(pseudo_inertia(e)) : tensor_about_joint(e)}};
   }
   TREEDYN_EXPECT(v.name == "g");
