@@ -34,6 +34,9 @@ std::string equation_text(const equations::UserEquation& equation,
   define(equation.expression, lines);
   std::string result =
       fmt::format("{}: equation {}", equation.name, ours != nullptr ? ours->number : "of the user");
+  if (ours != nullptr && !ours->unknown.empty()) {
+    result += fmt::format(" for {}, zero there", ours->unknown);
+  }
   if (ours != nullptr && !ours->errata.empty()) {
     result += fmt::format("; errata of the print mended: {}", ours->errata);
   }
@@ -91,7 +94,7 @@ std::string recursion_text(const simplify::Derived& function,
 std::string derivation_text(const Model& model, const Request& request, const std::string& name) {
   const auto own = std::find_if(model.equations.begin(), model.equations.end(),
                                 [&](const auto& f) { return f->equation.name == name; });
-  const equations::Equation* const ours = equations::find(name);
+  const equations::Equation* const ours = equations::find_solved(name);
   if (own == model.equations.end() && ours == nullptr) {
     throw UsageError(
         fmt::format("--derivation: {} is no block equation; expected one of the "

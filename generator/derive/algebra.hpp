@@ -45,6 +45,10 @@ class Algebra {
   /// made with `Choices::composites` \throws NoComposites if they are not
   int on_way_to_root(int x);
   int assemble(const std::vector<int>& components);
+  /// Steps of links as blocks: a number y stands for y E, a vector a for Λ(a). a b; -1: E.
+  /// \throws NoComposites for what is of no such kind
+  int product_of_steps(int a, int b);
+  int step(int X, int y);
 
   [[nodiscard]] const Value& value(int id) const { return values_[id]; }
   void note(Rule rule) { values_.note(rule); }
@@ -81,8 +85,6 @@ class Algebra {
     std::vector<Path> paths;
     Terms rest;
   };
-  int product_of_steps(int a, int b);
-  int step(int X, int y);
   void open_paths(const Ratio& factor, int X, int x, Opened& opened);
   [[nodiscard]] bool has_sum(int x) const;
   [[nodiscard]] bool is_below_unit(int x) const;

@@ -11,8 +11,6 @@ constexpr Ratio kMinus{-1, 1};
 
 }  // namespace
 
-/// The steps of links as blocks: a number y stands for y E, a vector a for Λ(a). a b; -1: of no
-/// such kind.
 int Algebra::product_of_steps(int a, int b) {
   if (a < 0 || b < 0) {
     return std::max(a, b);  // E

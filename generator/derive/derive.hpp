@@ -1,13 +1,22 @@
 // The derivation: a block expression becomes sums along the tree and steps of single links.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "block/block.hpp"
 #include "derive/value.hpp"
 
 namespace treedyn::derive {
+
+/// Values of R9 for a chain of two states, the second of which adds a multiple of the first.
+struct Elimination {
+  std::array<int, 2> motion{};   ///< y
+  std::array<int, 2> bias{};     ///< p
+  std::array<int, 3> inertia{};  ///< K: of the first, between both, of the second
+};
 
 /// What an expression derives to. Its columns (or rows) are `roots`: one for every column of a
 /// single block; if the columns count links or points, `roots` holds one that depends on kUnit, the
@@ -21,6 +30,7 @@ struct Derivation {
   bool wide = false;  ///< the column that is asked for is one of 3x3 blocks: E at one place
   Values values;
   std::vector<int> roots;
+  std::optional<Elimination> elimination;
 };
 
 /// \param by_rows  of matrices whose both sides count links or points; not where their columns are
@@ -30,5 +40,9 @@ Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_
 
 /// The rows of a single column, three at once; nothing of numbers.
 std::optional<Derivation> derive_rows(const block::Expression& column);
+
+/// The numbers of links x for which `system`, a column A x + b, is zero, by R9. Nothing if A is not
+/// symmetric or if joints do not either turn or slide.
+std::optional<Derivation> solved(const Derivation& system, const std::string& x);
 
 }  // namespace treedyn::derive

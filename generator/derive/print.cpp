@@ -84,12 +84,22 @@ class Printer {
     std::vector<Line> result;
     add_dynamic_names(values_, values_.needed(roots), names_);
     add_composite_names(values_, values_.needed(roots), names_);
+    for (const auto& [travelling, definition] : values_.definitions()) {
+      names_[definition] = values_[travelling].name;
+    }
     for (const int id : values_.needed(roots)) {
       const Value& value = values_[id];
       if (value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
-          value.op == Op::kUnit || value.op == Op::kIdentity) {
+          value.op == Op::kUnit || value.op == Op::kIdentity || value.op == Op::kTravelling) {
         names_[id] = symbol(value);
         continue;
+      }
+      if (value.op == Op::kAtLink && values_[value.operands.front()].op == Op::kLeaf) {
+        names_[id] = name(value.operands.front());
+        continue;
+      }
+      if (value.op == Op::kAtLink && !value.name.empty()) {
+        names_[id] = value.name;
       }
       const std::string text = expression(value);
       if (names_.count(id) == 0) {
@@ -182,7 +192,9 @@ class Printer {
       case Op::kBackward:
         return fmt::format("D^T {} + N^T {}", a(), b());
       case Op::kFather:
-        return fmt::format("{} of the father", a());
+        return value.operands.size() == 1
+                   ? fmt::format("{} of the father", a())
+                   : fmt::format("{} of the father, {} above roots", a(), b());
       case Op::kSons:
         return fmt::format("sum of {} of the sons", a());
       case Op::kGather:
@@ -195,6 +207,21 @@ class Printer {
         return fmt::format("sum of all {}", a());
       case Op::kComponent:
         return fmt::format("{}_{}", a(), "xyz"[value.component]);
+      case Op::kFold:
+        return fmt::format("{} + sum of {} of the sons", a(), b());
+      case Op::kAtLink:
+        return a();
+      case Op::kReciprocal:
+        return fmt::format("1 / {}", a());
+      case Op::kLever:
+        return value.operands.size() == 2
+                   ? fmt::format("Λ({}) {}", a(), b())
+                   : fmt::format("Λ({}) {}^T - {} Λ({})", a(), name(value.operands[1]), b(), a());
+      case Op::kAcross:
+        return fmt::format("{} - {} {}^T, across {} and {}", a(), name(value.operands[1]),
+                           name(value.operands[2]), name(value.operands[3]), b());
+      case Op::kAlong:
+        return fmt::format("{}, along {} {}", a(), name(value.operands[1]), b());
       case Op::kAssemble:
         return fmt::format("({}, {}, {})", a(), name(value.operands[1]), b());
       default:

@@ -5,7 +5,7 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 23> kRows = {{
+  static constexpr std::array<RuleRow, 25> kRows = {{
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
@@ -38,6 +38,9 @@ std::span<const RuleRow> rules() {
        "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) - F, F = h s^T + s h^T + m s s^T: symmetric"},
       {Rule::kSquare, "F6", "ω·(I ω) = -tr(Λ(ω)² E): squares and products of ω, each once"},
       {Rule::kTwice, "F7", "D^T a + N^T (a + 2 b) = a + 2 N^T (a + b)"},
+      {Rule::kElimination, "R9",
+       "A x = r: U = K b, d = b·U, x = (u - U·y)/d; fathers take K' = K - U U^T/d, p' = p + U u/d"},
+      {Rule::kYields, "R9'", "K' b = 0 and b·p' = r: a joint hands on nothing along its axis"},
   }};
   return kRows;
 }

@@ -31,6 +31,8 @@ enum class Rule {
   kComposite,
   kSquare,
   kTwice,
+  kElimination,
+  kYields,
 };
 
 struct RuleRow {

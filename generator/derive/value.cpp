@@ -58,14 +58,17 @@ int Values::intern(Value value) {
 
 std::vector<int> Values::needed(const std::vector<int>& roots) const {
   std::vector<bool> wanted(values_.size(), false);
-  for (const int root : roots) {
-    wanted[static_cast<std::size_t>(root)] = true;
-  }
-  for (int id = size() - 1; id >= 0; --id) {
+  std::vector<int> open = roots;
+  while (!open.empty()) {
+    const int id = open.back();
+    open.pop_back();
     if (wanted[static_cast<std::size_t>(id)]) {
-      for (const int operand : (*this)[id].operands) {
-        wanted[static_cast<std::size_t>(operand)] = true;
-      }
+      continue;
+    }
+    wanted[static_cast<std::size_t>(id)] = true;
+    open.insert(open.end(), (*this)[id].operands.begin(), (*this)[id].operands.end());
+    if (const auto definition = definitions_.find(id); definition != definitions_.end()) {
+      open.push_back(definition->second);
     }
   }
   std::vector<int> result;

@@ -48,6 +48,13 @@ enum class Op {
   kCollect,         ///< 1^T x: over all links or points
   kComponent,       ///< one component in the base frame
   kAssemble,        ///< a vector of three components in the base frame
+  kTravelling,      ///< what a value that is defined by it, son by son or from the father, has here
+  kFold,            ///< a + Π^T b, b made of the sum
+  kAtLink,          ///< x, once; further operands are of interest with it
+  kReciprocal,      ///< 1 / x
+  kLever,           ///< Λ(a) S of a, S; symmetric Λ(a) S^T - T Λ(a) of a, S, T
+  kAcross,          ///< K - U V^T, whose products with b and a^T are zero, of K, U, V, a, b
+  kAlong,           ///< x with a·x = y, of x, a, y
 };
 
 struct Value {
@@ -79,6 +86,10 @@ class Values {
   }
   [[nodiscard]] int size() const { return static_cast<int>(values_.size()); }
 
+  /// What a travelling value is.
+  void define(int travelling, int value) { definitions_[travelling] = value; }
+  [[nodiscard]] const std::map<int, int>& definitions() const { return definitions_; }
+
   /// True for what depends on the column that is asked for.
   [[nodiscard]] bool of_unit(int id) const { return of_unit_[static_cast<std::size_t>(id)]; }
 
@@ -93,6 +104,7 @@ class Values {
   std::vector<Value> values_;
   std::vector<bool> of_unit_;
   std::map<std::string, int> known_;
+  std::map<int, int> definitions_;
   std::set<Rule> acted_;
 };
 

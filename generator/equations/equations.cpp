@@ -100,6 +100,9 @@ Expression inverse_dynamics() {
   return named("τ", mass_matrix() * qdd + bias_force() + gravity_force());
 }
 
+// (1), zero for the accelerations
+Expression forward_dynamics() { return mass_matrix() * qdd + bias_force() + gravity_force() - tau; }
+
 // 6.5: gravity is a force f_i = m_i g at the centre of mass, so C takes t_i = c_ii (E20)
 Expression gravity_force() {
   return named("G", -force_jacobian_transpose(centres_of_mass()) * m_d * g);

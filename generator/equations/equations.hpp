@@ -69,6 +69,7 @@ Expression moment_of_forces();
 
 /// (1) A q̈ + B + G, N, with gravity on the left-hand side.
 Expression inverse_dynamics();
+Expression forward_dynamics();
 
 /// 6.5, N: the left-hand side term G = -C(c_ii) m^d g = +∂U/∂q.
 Expression gravity_force();

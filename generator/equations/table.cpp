@@ -36,4 +36,10 @@ const Equation* find(std::string_view name) {
   return nullptr;
 }
 
+const Equation* find_solved(std::string_view name) {
+  static const Equation kForward = {"forward_dynamics", "(1)", forward_dynamics(),
+                                    find("inverse_dynamics")->errata, "q̈"};
+  return name == kForward.name ? &kForward : find(name);
+}
+
 }  // namespace treedyn::equations

@@ -13,6 +13,7 @@ struct Equation {
   std::string_view number;  ///< in EQUATIONS.md
   block::Expression expression;
   std::string_view errata = {};  ///< of the print that the expression mends, EQUATIONS.md 4
+  std::string_view unknown = {};  ///< what the function solves for where the expression is zero
 };
 
 /// In the order of the functions of the generated code.
@@ -20,5 +21,8 @@ std::span<const Equation> table();
 
 /// nullptr if there is none of that name.
 const Equation* find(std::string_view name);
+
+/// The same, forward dynamics among them, which is no expression but solves one.
+const Equation* find_solved(std::string_view name);
 
 }  // namespace treedyn::equations

@@ -56,6 +56,12 @@ Tensor FrameChanges::moved(const Tensor& t, int to) const {
   if (t.frame == to) {
     return t;
   }
+  if (!in_base() && to != kBase && t.frame != kBase && kinematics_.link(t.frame).father == to) {
+    return {to,
+            t.symmetric ? kinematics_.to_father_symmetric(t.frame, t.value)
+                        : kinematics_.to_father_general(t.frame, t.value),
+            t.symmetric};
+  }
   const auto rows = [&](const Mat3& m) {
     Mat3 result;
     std::transform(m.begin(), m.end(), result.begin(),

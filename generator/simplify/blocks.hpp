@@ -20,6 +20,7 @@ using Parts = std::vector<Part>;
 struct Tensor {
   int frame = kBase;
   Mat3 value;
+  bool symmetric = false;  ///< known to be
 };
 
 /// One of the three.

@@ -1,6 +1,5 @@
 #include "simplify/builders.hpp"
 
-#include "simplify/articulated.hpp"
 #include "simplify/derived.hpp"
 #include "simplify/factor.hpp"
 #include "simplify/forward.hpp"
@@ -49,7 +48,8 @@ std::vector<Expr> build_forward_dynamics(const Task& task) {
     const JointForce force = [&k](int i) {
       return k.force(i);
     };
-    return of_coordinates(task, articulated_forward_dynamics(k, k.ground_acceleration(), force));
+    return of_coordinates(task,
+                          articulated_forward_dynamics(task, *derived("forward_dynamics"), force));
   }
   const std::vector<Expr> bias = build_equation(task, "inverse_dynamics");
   std::vector<Expr> right;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include "equations/table.hpp"
 #include "simplify/lowering.hpp"
@@ -140,14 +141,27 @@ std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, 
   return std::make_shared<const Derived>(std::move(result));
 }
 
+Derived solved(const Derived& system, const std::string& unknown) {
+  std::optional<derive::Derivation> solution = derive::solved(system.derivation, unknown);
+  if (!solution) {
+    throw std::domain_error("R9 does not solve " + system.equation.name);
+  }
+  Derived result = system;
+  result.derivation = *std::move(solution);
+  return result;
+}
+
 /// Our equations hold for every tree, and so does what is derived from them.
 std::shared_ptr<const Derived> derived(const std::string& name) {
   static std::map<std::string, std::shared_ptr<const Derived>> known;
   std::shared_ptr<const Derived>& function = known[name];
   if (!function) {
-    const block::Expression& expression = equations::find(name)->expression;
+    const auto& [_, number, expression, errata, unknown] = *equations::find_solved(name);
     Derived made =
         *derived(equations::equation_of(name, expression), 1, 1, is_picked(expression.shape()));
+    if (!unknown.empty()) {
+      made = solved(made, std::string(unknown));
+    }
     made.regroups = !needs_centres(made.derivation);
     function = std::make_shared<const Derived>(std::move(made));
   }
@@ -214,6 +228,28 @@ TrunkBias trunk_bias(const Task& task, const Vec3& omega) {
     bias.tau[index(i)] = lowering.entry(i);
   }
   return bias;
+}
+
+std::vector<Expr> articulated_forward_dynamics(const Task& task, const Derived& system,
+                                               const JointForce& force) {
+  return Lowering(task, system, Way::kToRoot, {}, force).written(0, Set::kLinks);
+}
+
+std::vector<Expr> limb_accelerations(const Task& task, const Vec3& omega, const JointForce& force,
+                                     const TrunkSolution& solve) {
+  const auto of_trunk = [&](const Lowering& lowering) {
+    const derive::Elimination& at = *lowering.derivation().elimination;
+    const auto K = [&](std::size_t k) {
+      return lowering.tensor(at.inertia[k], kTrunkLink);
+    };
+    return solve(
+        {K(0),
+         K(1),
+         K(2),
+         {lowering.vector(at.bias[1], kTrunkLink), lowering.vector(at.bias[0], kTrunkLink)}});
+  };
+  return Lowering(task, *derived("forward_dynamics"), Way::kToRoot, omega, force, of_trunk)
+      .written(0, Set::kLinks);
 }
 
 std::vector<Motion> limb_motions(const Task& task, const Vec3& omega) {

@@ -1,6 +1,8 @@
 // Derived values in frames: from sums along the tree and steps of links to expressions.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,6 +34,10 @@ std::vector<Expr> build_derived(const Task& task, const Derived& function, Way w
 /// An equation of EQUATIONS.md. \pre `name` stands in equations/table.cpp.
 std::shared_ptr<const Derived> derived(const std::string& name);
 
+/// What a linear system, a column that is zero for the unknown numbers of links, derives to by R9.
+/// \throws std::domain_error if it does not act
+Derived solved(const Derived& system, const std::string& unknown);
+
 /// The same of an equation of EQUATIONS.md, in the frames of the task's variant.
 std::vector<Expr> build_equation(const Task& task, const std::string& name);
 
@@ -52,6 +58,27 @@ struct Trunk {
 };
 /// \pre the base is free and the variant takes the trunk as one body
 Trunk trunk_of_mass_matrix(const Task& task);
+
+/// Drive force of joint i along +z of its normal frame.
+using JointForce = std::function<Expr(int)>;
+
+/// qdd of the links' joints by R9. \param system  "forward_dynamics", or another that is solved
+std::vector<Expr> articulated_forward_dynamics(const Task& task, const Derived& system,
+                                               const JointForce& force);
+
+/// The 6x6 inertia [mass coupling^T; coupling tensor] with which the trunk of a free base resists,
+/// its limbs free to move, and its bias wrench, in its frame.
+struct ArticulatedTrunk {
+  Mat3 tensor;
+  Mat3 coupling;
+  Mat3 mass;
+  Wrench bias;
+};
+/// The trunk's acceleration, angular and linear.
+using TrunkSolution = std::function<std::array<Vec3, 2>(const ArticulatedTrunk&)>;
+/// qdd of the limbs' joints of a free base, the base joints' zero. \param omega as for trunk_bias
+std::vector<Expr> limb_accelerations(const Task& task, const Vec3& omega, const JointForce& force,
+                                     const TrunkSolution& solve);
 
 /// How a link moves, in its frame.
 struct Motion {

@@ -104,29 +104,29 @@ void add_equations(const Task& task, const Wrench& drive, const JointForce& forc
 }
 
 /// x of `joint_accelerations`.
-std::vector<Expr> by_articulated_limbs(const Kinematics& k, const Wrench& drive, const Vec3& omega,
+std::vector<Expr> by_articulated_limbs(const Task& task, const Wrench& drive, const Vec3& omega,
                                        const JointForce& force) {
-  const ArticulatedLimbs limbs(k, kTrunkLink + 1, omega, force);
-  const ArticulatedInertia& trunk = limbs.trunk();
-  SparseSymmetric a;
-  for (int r = 0; r < 3; ++r) {
-    const auto i = static_cast<std::size_t>(r);
-    for (int c = 0; c < 3; ++c) {
-      const auto j = static_cast<std::size_t>(c);
-      a[{3 + c, r}] = trunk.coupling[j][i];
-      if (c <= r) {
-        a[{r, c}] = trunk.mass[i][j];
-        a[{3 + r, 3 + c}] = trunk.tensor[i][j];
+  std::vector<Expr> x;
+  const auto solve = [&](const ArticulatedTrunk& trunk) {
+    SparseSymmetric a;
+    std::vector<Expr> right(6);
+    for (int r = 0; r < 3; ++r) {
+      const auto i = static_cast<std::size_t>(r);
+      right[i] = drive.force[i] - trunk.bias.force[i];
+      right[3 + i] = drive.moment[i] - trunk.bias.moment[i];
+      for (int c = 0; c < 3; ++c) {
+        const auto j = static_cast<std::size_t>(c);
+        a[{3 + c, r}] = trunk.coupling[j][i];
+        if (c <= r) {
+          a[{r, c}] = trunk.mass[i][j];
+          a[{3 + r, 3 + c}] = trunk.tensor[i][j];
+        }
       }
     }
-  }
-  std::vector<Expr> right(6);
-  for (std::size_t n = 0; n < 3; ++n) {
-    right[n] = drive.force[n] - trunk.bias.force[n];
-    right[3 + n] = drive.moment[n] - trunk.bias.moment[n];
-  }
-  const std::vector<Expr> x = Factorization(k.graph(), 6, a).solve(right);
-  std::vector<Expr> result = limbs.accelerations({x[3], x[4], x[5]}, {x[0], x[1], x[2]});
+    x = Factorization(task.kinematics.graph(), 6, a).solve(right);
+    return std::array{Vec3{x[3], x[4], x[5]}, Vec3{x[0], x[1], x[2]}};
+  };
+  std::vector<Expr> result = limb_accelerations(task, omega, force, solve);
   std::copy(x.begin(), x.end(), result.begin());
   return result;
 }
@@ -196,7 +196,7 @@ std::vector<Expr> forward_dynamics_by_trunk(const Task& task, const Vec3& gravit
   const Wrench drive = drive_wrench(g, force);
   const TrunkVelocity velocity = trunk_velocity(k);
   return joint_accelerations(k, g, velocity, gravity,
-                             by_articulated_limbs(k, drive, velocity.omega, force));
+                             by_articulated_limbs(task, drive, velocity.omega, force));
 }
 
 }  // namespace treedyn::simplify

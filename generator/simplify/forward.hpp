@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "simplify/articulated.hpp"
 #include "simplify/derived.hpp"
 #include "simplify/kinematics.hpp"
 

@@ -17,7 +17,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 bool is_to_sons(Op op) { return op == Op::kPath || op == Op::kPathStrict || op == Op::kFather; }
 bool is_to_fathers(Op op) {
   return op == Op::kSubtree || op == Op::kSubtreeStrict || op == Op::kBackward || op == Op::kSons ||
-         op == Op::kComposite;
+         op == Op::kComposite || op == Op::kFold;
 }
 bool is_whole(const derive::Value& v) {
   return v.set != Set::kLinks || v.op == Op::kGather || v.op == Op::kSpread;
@@ -26,11 +26,13 @@ bool is_whole(const derive::Value& v) {
 }  // namespace
 
 Lowering::Lowering(const Task& task, const Derived& function, Way way,
-                   const std::optional<Vec3>& turning)
+                   const std::optional<Vec3>& turning, JointForce force, TrunkSolution trunk)
     : task_(task),
       function_(function),
       derivation_(way == Way::kToRoot && function.to_root ? *function.to_root
                                                           : function.derivation),
+      force_(std::move(force)),
+      solution_(std::move(trunk)),
       trunk_(derivation_.symmetric && way != Way::kInBase && task.kinematics.variant().trunk &&
              has_free_base(task.tree)),
       turning_(turning),
@@ -44,12 +46,19 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way,
       known_(index(derivation_.values.size())),
       costs_(index(derivation_.values.size())) {
   arrange();
+  if (derivation_.elimination && !turning_) {  // numbers of no link come first
+    static_cast<void>(task_.kinematics.ground_acceleration());
+  }
   run(false);
 }
 
 /// The first stage that can hold a value: its operands are in earlier ones or in the same; -1 for
 /// leaves.
-int Lowering::stage_of(const Value& v) const {
+int Lowering::stage_of(int id) const {
+  const Value& v = value(id);
+  if (v.op == Op::kTravelling) {
+    return stage_[index(derivation_.values.definitions().at(id))];
+  }
   if (v.operands.empty()) {
     return -1;
   }
@@ -76,14 +85,24 @@ void Lowering::arrange() {
     of_unit_[index(id)] =
         v.op == Op::kUnit || std::any_of(v.operands.begin(), v.operands.end(),
                                          [this](int x) { return of_unit_[index(x)]; });
-    stage_[index(id)] = stage_of(v);
-    stages_.resize(std::max(stages_.size(), index(stage_[index(id)] + 1)));
+  }
+  for (bool settled = false; !settled;) {
+    settled = true;
+    for (const int id : needed_) {
+      const int stage = stage_of(id);
+      settled = settled && stage == stage_[index(id)];
+      stage_[index(id)] = stage;
+      stages_.resize(std::max(stages_.size(), index(stage + 1)));
+    }
   }
   for (auto id = needed_.rbegin(); id != needed_.rend(); ++id) {
     const Value& v = value(*id);
-    of_sum[index(*id)] = of_sum[index(*id)] || is_to_sons(v.op) || is_to_fathers(v.op);
+    of_sum[index(*id)] =
+        of_sum[index(*id)] || is_to_sons(v.op) || is_to_fathers(v.op) ||
+        (v.op == Op::kAtLink && v.type == Type::kVector && stage_[index(*id)] == 1);
+    const bool here = !derivation_.elimination || v.op != Op::kFather;
     for (const int operand : v.operands) {
-      if (of_sum[index(*id)] && stage_[index(operand)] == stage_[index(*id)]) {
+      if (of_sum[index(*id)] && here && stage_[index(operand)] == stage_[index(*id)]) {
         of_sum[index(operand)] = true;
       }
     }
@@ -104,9 +123,10 @@ void Lowering::run(const std::vector<int>& ids, int e, bool of_unit) {
   }
 }
 
-/// False for links above the trunk, and for rows that a symmetric matrix need not have in a column.
-bool Lowering::is_asked(int e, bool of_unit) const {
-  if (turning_ && e < kTrunkLink) {
+/// False for links above the trunk, for the trunk where limbs are eliminated, and for rows that a
+/// symmetric matrix need not have in a column.
+bool Lowering::is_asked(int stage, int e, bool of_unit) const {
+  if (turning_ && (e < kTrunkLink || (e == kTrunkLink && is_elimination(stage)))) {
     return false;
   }
   int i = place_;
@@ -128,19 +148,25 @@ void Lowering::run(bool of_unit) {
     }
     for (int k = 0; walk != Walk::kWhole && k < n; ++k) {
       const int e = walk == Walk::kToSons ? k : n - 1 - k;
-      if (!is_asked(e, of_unit)) {
+      if (!is_asked(static_cast<int>(s), e, of_unit)) {
         continue;
       }
       graph().set_body(e);
       run(stage.sums, e, of_unit);
+      hand_on(stage.sums, e);
       name_sums(e);
-      graph().set_body(e);
+      if (!derivation_.elimination || !stage.rest.empty()) {
+        graph().set_body(e);
+      }
       run(stage.rest, e, of_unit);
+    }
+    if (turning_ && walk == Walk::kToFathers && is_elimination(static_cast<int>(s))) {
+      solve_trunk();
     }
   }
   for (const int root : derivation_.roots) {  // that are leaves
     for (int e = 0; of_unit_[index(root)] == of_unit && e < count(value(root).set); ++e) {
-      if (is_asked(e, of_unit)) {
+      if (is_asked(stage_[index(root)], e, of_unit)) {
         need(root, e);
       }
     }
@@ -164,7 +190,7 @@ void Lowering::need(int id, int e) {
     return;
   }
   const Value& v = value(id);
-  for (const int operand : v.operands) {
+  for (const int operand : v.op == Op::kFold ? std::vector<int>{} : v.operands) {
     const bool elsewhere = value(operand).set != v.set || v.op == Op::kFather || v.op == Op::kSons;
     for (int k = 0; elsewhere && stage_[index(operand)] < 0 && k < count(value(operand).set); ++k) {
       need(operand, k);
@@ -184,59 +210,12 @@ void Lowering::need(int id, int e) {
     memo_[index(id)][index(e)] = made(id, v, e);
     known_[index(id)][index(e)] = true;
   }
-  for (std::size_t n = before; n < graph().size(); ++n) {
+  for (std::size_t n = std::max(before, counted_); n < graph().size(); ++n) {
     const program::Kind kind = graph().node(static_cast<program::Ref>(n)).kind;
     costs_[index(id)].add += kind == program::Kind::kAdd ? 1 : 0;
     costs_[index(id)].mul += kind == program::Kind::kMultiply ? 1 : 0;
   }
-}
-
-/// What the field calls a vector that travels along the tree.
-const char* Lowering::symbol(int id) const {
-  const Value& v = value(id);
-  const Value& x = value(v.operands.front());
-  const auto is_alpha = [id](const derive::Turning& t) {
-    return t.alpha == id;
-  };
-  const auto with_Omega = [this](int y) {
-    return value(y).op == Op::kApply && value(value(y).operands[0]).op == Op::kFather;
-  };
-  switch (v.op) {
-    case Op::kPath:
-    case Op::kPathStrict:
-      return x.op == Op::kScale && value(x.operands.back()).name == "z^d"    ? "omega"
-             : std::any_of(turnings_.begin(), turnings_.end(), is_alpha)     ? "alpha"
-             : std::any_of(x.operands.begin(), x.operands.end(), with_Omega) ? "a"
-                                                                             : "";
-    case Op::kSubtree:
-    case Op::kSubtreeStrict:
-      return derivation_.wide ? "r" : "F";
-    default:
-      return derivation_.wide ? "r" : x.name == "h^d" ? "h" : "M";
-  }
-}
-
-/// Sums along the tree, and Ω.
-void Lowering::name_sums(int e) {
-  constexpr std::array<const char*, 9> kEntry = {"xx", "xy", "xz", "yx", "yy",
-                                                 "yz", "zx", "zy", "zz"};
-  std::sort(named_.begin(), named_.end());
-  for (const int id : named_) {
-    const Value& v = value(id);
-    if (derivation_.symmetric && of_unit_[index(id)]) {
-      continue;  // as many as columns
-    }
-    const auto total = totals_.find(id);
-    const Block& block = total != totals_.end() ? total->second[index(e)] : of(id, e);
-    if (v.type == Type::kTensor) {
-      for (std::size_t n = 0; n < 9; ++n) {
-        graph().name(block.tensor.value[n / 3][n % 3].ref(), "Omega", e, kEntry[n]);
-      }
-    } else if (*symbol(id) != 0) {
-      name(graph(), frames_.in(block.vector, home(Set::kLinks, e)), symbol(id), e);
-    }
-  }
-  named_.clear();
+  counted_ = graph().size();
 }
 
 /// A value as a sum.
@@ -340,6 +319,23 @@ Block Lowering::made(int id, const Value& v, int e) {
     case Op::kSubtreeStrict:
     case Op::kBackward:
       return subtree(id, v, e);
+    case Op::kTravelling: {
+      const int definition = derivation_.values.definitions().at(id);
+      need(definition, e);
+      return of(definition, e);
+    }
+    case Op::kFold:
+      return folded(id, v, e);
+    case Op::kAtLink:
+      return once(v, e);
+    case Op::kReciprocal:
+      return {number(1) / of(v.operands.front(), e).number, {}, {}};
+    case Op::kLever:
+      return lever(v, e);
+    case Op::kAcross:
+      return across(v, e);
+    case Op::kAlong:
+      return along(v, e);
     case Op::kFather:
     case Op::kSons:
       return shifted(v, e);

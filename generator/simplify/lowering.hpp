@@ -15,10 +15,16 @@ namespace treedyn::simplify {
 
 class Lowering {
  public:
+  /// Acceleration of the trunk, angular and linear, by what R9 has made of its limbs.
+  using TrunkSolution = std::function<std::array<Vec3, 2>(const Lowering&)>;
+
   /// \param turning  of the trunk of a free base, in its frame: sums along the tree start there
   /// with this angular velocity and no acceleration; links above it are left out
+  /// \param force  null: the argument `tau`
+  /// \param trunk  of eliminations that start there
   Lowering(const Task& task, const Derived& function, Way way,
-           const std::optional<Vec3>& turning = {});
+           const std::optional<Vec3>& turning = {}, JointForce force = {},
+           TrunkSolution trunk = {});
 
   [[nodiscard]] const derive::Derivation& derivation() const { return derivation_; }
 
@@ -38,6 +44,9 @@ class Lowering {
   /// \pre bodies turn
   [[nodiscard]] Motion motion(int i) const;
   [[nodiscard]] const FrameChanges& frames() const { return frames_; }
+  /// \pre of links
+  [[nodiscard]] Vec3 vector(int id, int i) const { return frames_.in(of(id, i).vector, i); }
+  [[nodiscard]] const Mat3& tensor(int id, int i) const { return of(id, i).tensor.value; }
 
   /// Operations that the values took, by their number in the derivation.
   [[nodiscard]] const std::vector<program::Cost>& costs() const { return costs_; }
@@ -66,11 +75,13 @@ class Lowering {
   using TensorTerms = std::array<std::array<std::vector<Expr>, 3>, 3>;
 
   [[nodiscard]] Walk walk_of(int stage) const { return static_cast<Walk>(stage % 3); }
-  [[nodiscard]] int stage_of(const Value& v) const;
+  [[nodiscard]] int stage_of(int id) const;
   void arrange();
   void run(bool of_unit);
   void run(const std::vector<int>& ids, int e, bool of_unit);
-  [[nodiscard]] bool is_asked(int e, bool of_unit) const;
+  [[nodiscard]] bool is_asked(int stage, int e, bool of_unit) const;
+  /// From the sums of R9 on.
+  [[nodiscard]] bool is_elimination(int stage) const;
   /// Block e of a value, if it is not known yet, and those of its operands.
   void need(int id, int e);
   void name_sums(int e);
@@ -96,6 +107,15 @@ class Lowering {
   void begin(int id, const Value& v, int e);
   Block subtree(int id, const Value& v, int e);
   Block shifted(const Value& v, int e) const;
+  Block folded(int id, const Value& v, int i);
+  void hand_on(const std::vector<int>& ids, int i);
+  void solve_trunk();
+  [[nodiscard]] bool is_absent(int id, int e) const;
+  Block once(const Value& v, int e) const;
+  Block along(const Value& v, int e) const;
+  Block across(const Value& v, int e) const;
+  Block lever(const Value& v, int e) const;
+  [[nodiscard]] Vec3 direction(int id, int e) const;
   Block at_points(const Value& v, int e) const;
   Block collect(const Value& v) const;
   void turn(const derive::Turning& turning, int i);
@@ -126,6 +146,8 @@ class Lowering {
   const Task& task_;
   const Derived& function_;
   const derive::Derivation& derivation_;
+  JointForce force_;
+  TrunkSolution solution_;
   bool trunk_;  ///< of a free base: its turning links are at home in the trunk's frame
   std::optional<Vec3> turning_;
   FrameChanges frames_;
@@ -142,6 +164,7 @@ class Lowering {
   std::map<int, std::vector<Squares>> squares_;      ///< of turnings, by Ω
   std::vector<int> named_;                           ///< sums of the link that have no names yet
   std::vector<program::Cost> costs_;
+  std::size_t counted_ = 0;  ///< nodes of the graph that are in them
   int place_ = 0;
   int component_ = 0;
 };

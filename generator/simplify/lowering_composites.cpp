@@ -84,20 +84,10 @@ Block Lowering::composite(int id, const Value& v, int i) {
     const int above = home(block::Set::kLinks, f);
     const Vec3 h = frames_.moved(frames_.in(of(v.operands[1], i).vector, at), at, above);
     const Vec3 s = frames_.in(of(v.operands[2], i).vector, above);
-    const Mat3 up = at == i && above == f ? task_.kinematics.to_father_symmetric(i, tensor)
-                                          : frames_.moved({at, tensor}, above).value;
+    const Mat3 up = frames_.moved({at, tensor, true}, above).value;
     hand_on(composite_terms(id, f), of(v.operands[0], i).number, h, s, up);
   }
-  if (has_tensors()) {
-    return {{}, {}, {at, tensor}};
-  }
-  const Mat3& E = tensor;
-  return {{},
-          {},
-          {at,
-           {{{E[1][1] + E[2][2], -E[0][1], -E[0][2]},
-             {-E[0][1], E[0][0] + E[2][2], -E[1][2]},
-             {-E[0][2], -E[1][2], E[0][0] + E[1][1]}}}}};
+  return {{}, {}, {at, has_tensors() ? tensor : inertia_tensor(tensor)}};
 }
 
 }  // namespace treedyn::simplify

@@ -55,6 +55,10 @@ Block Lowering::input(const Value& v, const equations::UserArgument& argument, i
   const int of_joint = argument.name == "qd"    ? inputs.qd
                        : argument.name == "qdd" ? inputs.qdd
                                                 : inputs.tau;
+  if (argument.name == "tau" && force_) {
+    const Expr along = force_(e);
+    return {task_.kinematics.link(e).sign > 0 ? along : -along, {}, {}};
+  }
   if (of_joints) {
     return {task_.kinematics.of_joint(e, of_joint), {}, {}};
   }
@@ -154,7 +158,8 @@ Block Lowering::link_leaf(const Value& v, int e) const {
     return {{}, {}, {e, k.tensor_of(e, inertia.about_com)}};
   }
   if (v.name == "I^d") {
-    return {{}, {}, {e, tensor_about_joint(e)}};
+    const bool pseudo = function_.regroups && (derivation_.elimination || !has_tensors());
+    return {{}, {}, {e, pseudo ? inertia_tensor(pseudo_inertia(e)) : tensor_about_joint(e)}};
   }
   TREEDYN_EXPECT(v.name == "g");
   return vector(kBase, -k.ground_acceleration());

@@ -1,4 +1,6 @@
 // Steps of single links.
+#include <algorithm>
+
 #include "simplify/lowering.hpp"
 
 namespace treedyn::simplify {
@@ -15,12 +17,23 @@ Mat3 skew(const Vec3& a) {
 
 }  // namespace
 
+/// True for a product with a number that the joint's kind makes zero.
+bool Lowering::is_absent(int id, int e) const {
+  const Value& v = value(id);
+  const bool is_product = v.op == Op::kScale || v.op == Op::kCross || v.op == Op::kApply;
+  return is_product ? std::any_of(v.operands.begin(), v.operands.end(),
+                                  [&](int x) { return is_absent(x, e); })
+                    : v.op == Op::kLeaf && v.type == Type::kScalar && of(id, e).number.is_zero();
+}
+
 Block Lowering::linear(const Value& v, int e) const {
   Block result = zero(v, e);
   result.tensor.frame = of(v.operands.front(), e).tensor.frame;
   for (std::size_t n = 0; n < v.operands.size(); ++n) {
-    add(v, result, of(v.operands[n], e),
-        number(Real(v.factors[n].numerator) / v.factors[n].denominator));
+    if (!derivation_.elimination || !is_absent(v.operands[n], e)) {
+      add(v, result, of(v.operands[n], e),
+          number(Real(v.factors[n].numerator) / v.factors[n].denominator));
+    }
   }
   return result;
 }

@@ -1,4 +1,7 @@
-// Sums along the tree, joint by joint.
+// Sums along the tree, joint by joint, and their names.
+#include <algorithm>
+#include <array>
+
 #include "common/error.hpp"
 #include "simplify/lowering.hpp"
 
@@ -21,8 +24,7 @@ Block Lowering::path(int id, const Value& v, int i) {
   const int at = home(Set::kLinks, i);
   const bool root = f == kBase;
   Block x = of(v.operands.front(), i);
-  if (turning_ && i == kTrunkLink &&
-      v.operands.front() == value(turnings_.front().omega).operands.front()) {
+  if (turning_ && i == kTrunkLink && symbol(id) == std::string("omega")) {
     x.vector = {{i, *turning_}};
   }
   Block before = zero(v, i);
@@ -101,7 +103,7 @@ Block Lowering::shifted(const Value& v, int i) const {
   const int x = v.operands.front();
   const int f = father(i);
   if (v.op == Op::kFather) {
-    return f == kBase ? zero(v, i) : of(x, f);
+    return f != kBase ? of(x, f) : v.operands.size() > 1 ? of(v.operands.back(), i) : zero(v, i);
   }
   Block sum = zero(v, i);
   const int at = home(Set::kLinks, i);
@@ -146,6 +148,54 @@ Block Lowering::collect(const Value& v) const {
     }
   }
   return sum;
+}
+
+/// What the field calls a vector that travels along the tree.
+const char* Lowering::symbol(int id) const {
+  const Value& v = value(id);
+  const Value& x = value(v.operands.front());
+  const auto is_alpha = [id](const derive::Turning& t) {
+    return t.alpha == id;
+  };
+  const auto with_Omega = [this](int y) {
+    return value(y).op == Op::kApply && value(value(y).operands[0]).op == Op::kFather;
+  };
+  switch (v.op) {
+    case Op::kPath:
+    case Op::kPathStrict:
+      return x.op == Op::kScale && value(x.operands.back()).name == "z^d"    ? "omega"
+             : std::any_of(turnings_.begin(), turnings_.end(), is_alpha)     ? "alpha"
+             : std::any_of(x.operands.begin(), x.operands.end(), with_Omega) ? "a"
+                                                                             : "";
+    case Op::kSubtree:
+    case Op::kSubtreeStrict:
+      return derivation_.wide ? "r" : "F";
+    default:
+      return derivation_.wide ? "r" : x.name == "h^d" ? "h" : "M";
+  }
+}
+
+/// Sums along the tree, and Ω.
+void Lowering::name_sums(int e) {
+  constexpr std::array<const char*, 9> kEntry = {"xx", "xy", "xz", "yx", "yy",
+                                                 "yz", "zx", "zy", "zz"};
+  std::sort(named_.begin(), named_.end());
+  for (const int id : named_) {
+    const Value& v = value(id);
+    if (derivation_.symmetric && of_unit_[index(id)]) {
+      continue;  // as many as columns
+    }
+    const auto total = totals_.find(id);
+    const Block& block = total != totals_.end() ? total->second[index(e)] : of(id, e);
+    if (v.type == Type::kTensor) {
+      for (std::size_t n = 0; n < 9; ++n) {
+        graph().name(block.tensor.value[n / 3][n % 3].ref(), "Omega", e, kEntry[n]);
+      }
+    } else if (*symbol(id) != 0) {
+      name(graph(), frames_.in(block.vector, home(Set::kLinks, e)), symbol(id), e);
+    }
+  }
+  named_.clear();
 }
 
 }  // namespace treedyn::simplify

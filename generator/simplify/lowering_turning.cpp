@@ -112,6 +112,12 @@ Mat3 Lowering::turned_by_column(int i, const Vec3& omega, const Vec3& third, con
 
 namespace {
 
+/// vee(Omega E) of a body that does not accelerate: Omega is symmetric.
+Vec3 centrifugal_moment(const Mat3& Omega, const Mat3& e) {
+  const Mat3 m = Omega * e;
+  return {m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]};
+}
+
 /// vee(Omega E): the moment of a turning body by its pseudo-inertia.
 Vec3 moment_by_pseudo_inertia(const Mat3& u, Expr xx_zz, const Mat3& e) {
   return {sum({u[2][1] * e[1][1], u[2][0] * e[0][1], -(u[1][0] * e[0][2]), -(u[1][2] * e[2][2]),
@@ -144,6 +150,9 @@ Block Lowering::moment(const Value& v, int e) const {
   const Tensor& Omega = of(v.operands[0], e).tensor;
   const int frame = Omega.frame;
   const Mat3 E = frames_.moved({e, pseudo_inertia(e)}, frame).value;
+  if (value(v.operands[1]).op == derive::Op::kZero) {
+    return {{}, {{frame, centrifugal_moment(Omega.value, E)}}, {}};
+  }
   const Vec3 alpha = frames_.in(of(v.operands[1], e).vector, frame);
   const Vec3 omega = frames_.in(of(v.operands[2], e).vector, frame);
   const auto known = squares_.find(v.operands[0]);

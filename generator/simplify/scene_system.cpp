@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "model/mass_unit.hpp"
-#include "simplify/articulated.hpp"
 #include "simplify/builders.hpp"
 #include "simplify/derived.hpp"
 
@@ -161,7 +160,7 @@ std::vector<Expr> articulated_accelerations(const Task& task, const SceneForces&
     const Expr force = divided(k.graph(), applied[static_cast<std::size_t>(i)], unit);
     return k.link(i).sign > 0 ? force : -force;
   };
-  return articulated_forward_dynamics(k, k.ground_acceleration(), along);
+  return articulated_forward_dynamics(task, *derived("forward_dynamics"), along);
 }
 
 }  // namespace treedyn::simplify

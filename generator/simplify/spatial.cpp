@@ -2,6 +2,12 @@
 
 namespace treedyn::simplify {
 
+Mat3 inertia_tensor(const Mat3& E) {
+  return {{{E[1][1] + E[2][2], -E[0][1], -E[0][2]},
+           {-E[0][1], E[0][0] + E[2][2], -E[1][2]},
+           {-E[0][2], -E[1][2], E[0][0] + E[1][1]}}};
+}
+
 Expr sum(const std::vector<Expr>& terms) {
   Expr result;
   Expr constants;

@@ -66,6 +66,9 @@ inline Mat3 constant(Graph& graph, const model::Matrix3& m) {
   return result;
 }
 
+/// I = tr(E) - E.
+Mat3 inertia_tensor(const Mat3& pseudo);
+
 /// Force and moment about the origin.
 struct Wrench {
   Vec3 force;

@@ -72,7 +72,11 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(
       treedyn({"info", kModel, "--equations", kMomentum, "--derivation", "linear_momentum"}).out,
       HasSubstr("linear_momentum = 1_N^T m^d J_v q̇"));
-  expect_usage_error(treedyn({"info", kModel, "--derivation", "forward_dynamics"}),
+  const Outcome solved = treedyn({"info", kModel, "--derivation", "forward_dynamics"});
+  EXPECT_THAT(solved.out, HasSubstr("equation (1) for q̈, zero there"));
+  EXPECT_THAT(solved.out, HasSubstr("\n  R9   A x = r: "));
+  EXPECT_THAT(solved.out, HasSubstr("I^A = I^d + sum of "));
+  expect_usage_error(treedyn({"info", kModel, "--derivation", "mass_matrix_solve"}),
                      "is no block equation");
   EXPECT_THAT(treedyn({"generate", kModel, "--dump", "derive"}).out, HasSubstr("mass_matrix: "));
 }

@@ -178,6 +178,44 @@ TEST_P(Errata, PlantedErrorsArriveInTheDerivedBiasOfPoints) {
   }
 }
 
+TEST_P(Errata, PlantedErrorsArriveInTheDerivedForwardDynamics) {
+  const std::string lever = "-T(Lam(c_fD)) * m_d * J_v";
+  const std::string turning = "T(D) * J_d * D * z_d * sigma";
+  const std::string sliding = "(E - sigma) * T(z_d) * T(D) * m_d * J_v";
+  const auto system = [&](const std::string& revolute_half, const std::string& B) {
+    return robot_.read("(sigma * T(z_d) * (" + revolute_half + ") + " + sliding + ") * qdd + " + B +
+                       " + G - tau");
+  };
+  const auto right = system(lever + " + " + turning, bias(kK));
+  const auto at = robot_.inputs(right);
+  const auto acceleration = static_cast<std::size_t>(
+      std::find_if(right.arguments.begin(), right.arguments.end(),
+                   [](const equations::UserArgument& a) { return a.name == "qdd"; }) -
+      right.arguments.begin());
+  const auto largest = [](const Numbers& numbers) {
+    Real result = 0;
+    for (const Real& x : numbers) {
+      result = std::max(result, Real(abs(x)));
+    }
+    return result;
+  };
+  for (const auto& [text, planted] : std::vector<std::pair<equations::UserEquation, bool>>{
+           {right, false},
+           {system(lever + " + 2 * " + turning, bias(kK)), true},
+           {system(lever, bias(kK)), true},
+           {system(lever + " + " + turning, bias(kK, kE3)), true},
+           {system(lever + " + " + turning, bias(kT1 + " + " + kT2 + " + " + kT3)), true},
+           {system(lever + " + " + turning, "2 * B"), true},
+           {system(lever + " + " + turning, "0 * B"), true}}) {
+    auto with = at;
+    with[acceleration] = UserRobot::run(robot_.solved(text), at);
+    EXPECT_LT(largest(robot_.expected(text, with)), Real("1e-40")) << text.text;
+    EXPECT_EQ(largest(robot_.expected(right, with)) > Real("1e-6"), planted) << text.text;
+  }
+  EXPECT_THROW(robot_.solved(robot_.read("A * qdd + " + sliding + " * qdd - tau")),
+               std::domain_error);
+}
+
 INSTANTIATE_TEST_SUITE_P(Trees, Errata,
                          testing::Values(TreeShape{{-1, 0, 1}, "RPR"}, TreeShape{{-1, 0, 1}, "RRP"},
                                          TreeShape{{-1, 0, 0, 1}, "RRPP"}));

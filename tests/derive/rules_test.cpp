@@ -387,6 +387,46 @@ TEST(F6, WritesEnergiesWithPseudoInertias) {
   EXPECT_EQ(squares(transpose(D * w) * J_d * D * w), 0);
 }
 
+/// Values of a system that R9 solves for q̈; nothing if it does not act.
+std::optional<std::vector<Value>> of_solved(const Expression& system) {
+  const auto derivation = solved(derive(system, false, false), "q̈");
+  if (!derivation) {
+    return std::nullopt;
+  }
+  std::vector<Value> result;
+  for (const int id : derivation->values.needed(derivation->roots)) {
+    result.push_back(derivation->values[id]);
+  }
+  return result;
+}
+
+TEST(R9, EliminatesJointByJoint) {
+  const std::vector<Value> all = of_solved(forward_dynamics()).value();
+  const auto count = [&](Op op) {
+    return std::count_if(all.begin(), all.end(), [op](const Value& v) { return v.op == op; });
+  };
+  EXPECT_EQ(count(Op::kFold), 5);        // inertia in three blocks and bias in two
+  EXPECT_EQ(count(Op::kReciprocal), 1);  // one pivot a joint
+  EXPECT_EQ(count(Op::kPath), 1);        // ω; what accelerates travels after the elimination
+  EXPECT_EQ(count(Op::kSubtree) + count(Op::kBackward) + count(Op::kComposite), 0);
+  EXPECT_TRUE(std::none_of(all.begin(), all.end(), [](const Value& v) { return v.name == "q̈"; }));
+  EXPECT_TRUE(of_solved(mass_matrix() * qdd - tau).has_value());
+}
+
+TEST(R9, SolvesSymmetricMatricesAlone) {
+  EXPECT_FALSE(of_solved(forward_dynamics() + (E - sigma) * mass_matrix() * qdd).has_value());
+  EXPECT_FALSE(of_solved(sigma * mass_matrix() * qdd - tau).has_value());
+  EXPECT_FALSE(of_solved(transpose(D) * m_d * D * qdd - tau).has_value());
+  EXPECT_FALSE(of_solved(D * qdd - tau).has_value());
+}
+
+TEST(R9, HasTheRulesInItsDerivation) {
+  const auto derivation = solved(derive(forward_dynamics(), false, false), "q̈").value();
+  for (const Rule rule : {Rule::kElimination, Rule::kYields}) {
+    EXPECT_TRUE(derivation.values.acted().contains(rule)) << row_of(rule).name;
+  }
+}
+
 /// Identities that the rules rest on, for all vectors.
 class Identities : public testing::Test {
  protected:
@@ -468,6 +508,43 @@ TEST_F(Identities, OfF6) {
   const Matrix energy = omega_.transpose().mul(I).mul(omega_);
   const Matrix square = lambda(omega_).mul(lambda(omega_)).mul(pseudo);
   EXPECT_TRUE(equal(energy, Matrix{{-square.trace()}}));
+}
+
+/// K' = K - U U^T / d, p' = p + U u / d.
+TEST_F(Identities, OfTheJointThatYields) {
+  const Matrix K = symmetric("K");
+  const Matrix& b = alpha_;
+  const Matrix& p = omega_;
+  const GiNaC::symbol r("r");
+  const Matrix U = K.mul(b);
+  const GiNaC::ex d = b.transpose().mul(U)(0, 0);
+  const GiNaC::ex u = r - b.transpose().mul(p)(0, 0);
+  const Matrix without = K.mul_scalar(d).sub(U.mul(U.transpose()));  // d K'
+  EXPECT_TRUE(equal(without.mul(b), Matrix(3, 1)));
+  EXPECT_TRUE(equal(b.transpose().mul(p.mul_scalar(d).add(U.mul_scalar(u))), Matrix{{d * r}}));
+  const Matrix y = vector("y");  // b·(K (y + b x) + p) = r, and what is left is K' y + p'
+  const GiNaC::ex dx = u - U.transpose().mul(y)(0, 0);
+  const Matrix force = K.mul(y.mul_scalar(d).add(b.mul_scalar(dx))).add(p.mul_scalar(d));
+  EXPECT_TRUE(equal(b.transpose().mul(force), Matrix{{d * r}}));
+  EXPECT_TRUE(equal(force, without.mul(y).add(p.mul_scalar(d)).add(U.mul_scalar(u))));
+}
+
+/// X^T K X for y_1 += Λ^T(s) y_0 of the father.
+TEST_F(Identities, OfWhatFathersTake) {
+  const Matrix I = symmetric("I");
+  const Matrix M = symmetric("M");
+  const Matrix S = lambda(c_);
+  const Matrix H{{GiNaC::symbol("a"), GiNaC::symbol("b"), GiNaC::symbol("c")},
+                 {GiNaC::symbol("d"), GiNaC::symbol("e"), GiNaC::symbol("f")},
+                 {GiNaC::symbol("g"), GiNaC::symbol("h"), GiNaC::symbol("i")}};
+  const Matrix H_father = S.mul(M).add(H);
+  const Matrix I_father = S.mul(H.transpose()).sub(H_father.mul(S)).add(I);
+  const Matrix y0 = alpha_;
+  const Matrix y1 = omega_.add(S.transpose().mul(y0));
+  const Matrix F = H.transpose().mul(y0).add(M.mul(y1));
+  const Matrix moment = I.mul(y0).add(H.mul(y1)).add(S.mul(F));
+  EXPECT_TRUE(equal(moment, I_father.mul(y0).add(H_father.mul(omega_))));
+  EXPECT_TRUE(equal(F, H_father.transpose().mul(y0).add(M.mul(omega_))));
 }
 
 TEST_F(Identities, OfTheCommonColumn) {

@@ -76,6 +76,13 @@ struct UserRobot {
     variant.way = way;
     return simplify::build(tree, simplify::derived_recipe(function), options(), variant);
   }
+  /// The program that solves an equation, zero for q̈, by R9.
+  [[nodiscard]] program::Function solved(const equations::UserEquation& equation) const {
+    const auto system = simplify::derived(equation, tree.size(), 0, false);
+    const auto function = std::make_shared<const simplify::Derived>(simplify::solved(*system, "q̈"));
+    return simplify::build(tree, simplify::derived_recipe(function), options(),
+                           simplify::plain_variant(tree));
+  }
   static Numbers run(const program::Function& function, const std::vector<Numbers>& at) {
     const std::vector<std::span<const Real>> spans(at.begin(), at.end());
     return program::interpret<Real>(function, spans);
