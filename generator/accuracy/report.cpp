@@ -59,15 +59,18 @@ std::vector<std::string> integrators_of(const Study& study) {
 }
 
 std::string reference_text(const Reference& reference) {
-  const std::string text = fmt::format(
+  std::string text = fmt::format(
       "reference: {}, which differ by {:.1e}: errors above {:.1e} are known to a hundredth\n",
       reference.methods, reference.agreement, 100 * reference.uncertainty());
-  return text +
-         (reference.check.empty()
-              ? "check: none, simulate does not get through\n"
-              : fmt::format("check: {} differs by {:.1e}{}\n", reference.check,
-                            reference.check_difference,
-                            reference.refuted() ? ", more than it may: one of them is wrong" : ""));
+  if (reference.check.empty()) {
+    return text + "check: none, simulate does not get through\n";
+  }
+  text += fmt::format("check: {} differs by {:.1e}", reference.check, reference.check_difference);
+  if (reference.refuted()) {
+    text +=
+        fmt::format(", though it is known to {:.1e}: one of them is wrong", reference.check_error);
+  }
+  return text + "\n";
 }
 
 std::string facts_text(const Study& study) {

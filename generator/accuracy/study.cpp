@@ -51,7 +51,8 @@ double Outcome::least() const {
 double Outcome::energy_error() const { return largest(energy_errors); }
 
 bool Reference::refuted() const {
-  return !check.empty() && !(check_difference <= 1e6 * check_tolerance);
+  constexpr double kRounding = 1e-13;  // of a motion in double
+  return !check.empty() && !(check_difference <= 10 * (check_error + agreement + kRounding));
 }
 
 double Reference::uncertainty() const {

@@ -53,11 +53,10 @@ struct Reference {
   std::string methods;          ///< the two that were compared
   double agreement = 0;         ///< largest difference of their joint coordinates, rad or m
   std::string check;            ///< what shares no text with them; empty: it did not get through
-  double check_tolerance = 0;   ///< of its steps
   double check_difference = 0;  ///< largest, from the first method
+  double check_error = 0;       ///< of it, by its difference from itself at ten times its tolerance
 
-  /// True if the check contradicts: it is off by more than a million times its tolerance, which
-  /// leaves room for errors that grow.
+  /// True if the check contradicts: it is off by more than ten times what both are known to.
   [[nodiscard]] bool refuted() const;
   /// What an error is not known to.
   [[nodiscard]] double uncertainty() const;

@@ -101,9 +101,10 @@ std::vector<Motion> reference(const Subject& subject, StepWriter& writer, Study&
 void check(const Subject& subject, const std::vector<Motion>& exact, Study& study) {
   for (const double tolerance : kCheckTolerances) {
     try {
-      study.reference.check_difference =
-          largest_distance(exact, simulated_motions(subject, tolerance));
-      study.reference.check_tolerance = tolerance;
+      const std::vector<Motion> motions = simulated_motions(subject, tolerance);
+      study.reference.check_difference = largest_distance(exact, motions);
+      study.reference.check_error =
+          largest_distance(motions, simulated_motions(subject, 10 * tolerance));
       study.reference.check = fmt::format("simulate, fehlberg78 to {:.0e},", tolerance);
       return;
     } catch (const std::runtime_error&) {  // steps that hardly advance time

@@ -87,6 +87,19 @@ TEST(Study, AllowsForWhatTheReferencesDifferBy) {
   EXPECT_FALSE(cheapest(study, core("m4f"), 1e-6));
 }
 
+/// A check that is off by what it is known to says nothing; by more, that one of them is wrong.
+TEST(Study, ChoosesNothingThatTheCheckContradicts) {
+  Study study = study_of_order_four();
+  study.reference.check = "simulate";
+  study.reference.check_error = 1e-4;
+  study.reference.check_difference = 5e-4;
+  EXPECT_TRUE(reaches(study, 1e-5));
+  study.reference.check_difference = 1.1e-3;
+  EXPECT_TRUE(study.reference.refuted());
+  EXPECT_FALSE(reaches(study, 1e-5));
+  EXPECT_TRUE(reaches(study, 1e-2));
+}
+
 TEST(Study, NeverChoosesWhatFailed) {
   Study study;
   const double infinity = std::numeric_limits<double>::infinity();
