@@ -11,10 +11,10 @@ namespace treedyn::accuracy {
 
 namespace {
 
-constexpr double kWidth = 700;
+constexpr double kWidth = 760;
 constexpr double kHeight = 430;
 constexpr double kLeft = 70;
-constexpr double kRight = 200;  ///< for the names of the series
+constexpr double kRight = 260;  ///< for the names of the series
 constexpr double kTop = 46;
 constexpr double kBottom = 50;
 constexpr const char* kColours[] = {"#1b5e9b", "#d95f02", "#2f8f5b", "#7a5195", "#8c6d1f"};
@@ -128,11 +128,12 @@ class Chart {
     for (const State state : kStates) {
       if (const std::optional<Floor> floor = floor_of(study_, state)) {
         const double y = py(floor->error);
+        const double name = y + (state == State::kCompensated ? 11 : -3);  // near that of float
         text += fmt::format(
             "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#555\" stroke-dasharray=\"2 3\"/><text "
             "x=\"{3}\" "
             "y=\"{4:.1f}\" fill=\"#555\">floor of {5}: {6:.1e}</text>\n",
-            kLeft, y, kWidth - kRight, kLeft + 4, y - 3, name_of(state), floor->error);
+            kLeft, y, kWidth - kRight, kLeft + 4, name, name_of(state), floor->error);
       }
     }
     return text;
