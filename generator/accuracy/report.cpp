@@ -75,9 +75,9 @@ std::string reference_text(const Reference& reference) {
 
 std::string facts_text(const Study& study) {
   std::string text = fmt::format(
-      "{}: {} s, {} initial states (the scene's own and others within {:.1g} of each coordinate "
-      "and speed)\n",
-      study.scene, study.duration, study.states, study.spread);
+      "{}: {} s, {} initial states (the scene's own and others within {:.1g} of each {})\n",
+      study.scene, study.duration, study.states, study.spread,
+      study.speeds_only ? "speed: loops have their place" : "coordinate and speed");
   text += reference_text(study.reference);
   for (const State state : kStates) {
     if (const std::optional<Floor> floor = floor_of(study, state)) {

@@ -51,8 +51,9 @@ double Outcome::least() const {
 double Outcome::energy_error() const { return largest(energy_errors); }
 
 bool Reference::refuted() const {
-  constexpr double kRounding = 1e-13;  // of a motion in double
-  return !check.empty() && !(check_difference <= 10 * (check_error + agreement + kRounding));
+  // what initial states and places of constraints, given in ten digits, may make of a motion
+  constexpr double kDigits = 1e-9;
+  return !check.empty() && !(check_difference <= 10 * (check_error + agreement + kDigits));
 }
 
 double Reference::uncertainty() const {

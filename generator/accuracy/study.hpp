@@ -68,6 +68,7 @@ struct Study {
   double duration = 0;         ///< s
   int states = 0;              ///< in the band, the scene's own first
   double spread = 0;           ///< of the band, part of each coordinate and speed
+  bool speeds_only = false;    ///< loops have their place: coordinates stay
   std::optional<double> rate;  ///< of a controller, Hz; a whole number of steps a period
   Reference reference;
   std::vector<Outcome> outcomes;  ///< by scalar, integrator, falling step

@@ -16,6 +16,7 @@
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
 #include "program/random.hpp"
+#include "simplify/scene_loops.hpp"
 #include "simulation/simulator.hpp"
 #include "system/files.hpp"
 
@@ -47,8 +48,20 @@ double largest_distance(const std::vector<Motion>& a, const std::vector<Motion>&
   return largest;
 }
 
+/// True if generated steps draw a loop to where the scene begins.
+bool has_placed_loop(const Subject& subject) {
+  Stepped how;
+  how.integrator = "rk4";
+  model::Scene scene = stepped_scene(subject, how);
+  simplify::settle_loops(scene);
+  return std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                     [](const model::Constraint& c) { return c.loop && !c.loop->empty(); });
+}
+
 /// The scene's own initial state and others within `spread`, moved onto the constraints.
-std::vector<Start> band(const AccuracyRequest& request, const model::Scene& scene) {
+std::vector<Start> band(const AccuracyRequest& request, const Subject& subject) {
+  const model::Scene& scene = subject.scene;
+  const bool speeds_only = has_placed_loop(subject);
   std::vector<Start> result;
   program::Random random(1);
   const std::unique_ptr<simulation::Dynamics> dynamics = program_dynamics(scene);
@@ -58,7 +71,9 @@ std::vector<Start> band(const AccuracyRequest& request, const model::Scene& scen
       x += Real(request.spread * random.symmetric()) * std::max(Real(abs(x)), Real("0.1"));
     };
     if (k > 0) {
-      std::for_each(other.q0.begin(), other.q0.end(), move);
+      if (!speeds_only) {
+        std::for_each(other.q0.begin(), other.q0.end(), move);
+      }
       std::for_each(other.qd0.begin(), other.qd0.end(), move);
     }
     simulation::Simulator simulator(other, *dynamics, {});
@@ -156,7 +171,13 @@ Subject subject_of(const AccuracyRequest& request) {
   const double interval = decade * (rough >= 5 * decade ? 5 : rough >= 2 * decade ? 2 : 1);
   subject.interval = Real(fmt::format("{:.3g}", interval));
   subject.times = static_cast<int>(std::floor(duration / interval * (1 + 1e-12)));
-  subject.starts = band(request, subject.scene);
+  try {
+    subject.starts = band(request, subject);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& problem) {
+    throw InputError({request.scene, 0, 0}, fmt::format("{}; expected a motion", problem.what()));
+  }
   return subject;
 }
 
@@ -208,6 +229,7 @@ accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTra
   study.duration = subject.duration();
   study.states = request.states;
   study.spread = request.spread;
+  study.speeds_only = has_placed_loop(subject);
   study.rate = request.rate;
   const std::vector<double> steps = ladder(request, interval, subject.times);
   StepWriter writer(subject.file);
