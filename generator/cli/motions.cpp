@@ -105,7 +105,8 @@ Values Energies::of(const Motion& motion) {
   for (std::size_t at = 0; at < motion.q.size(); at += joints_) {
     const Values q(&motion.q[at], &motion.q[at] + joints_);
     const Values qd(&motion.qd[at], &motion.qd[at] + joints_);
-    result.push_back(simulation::energy(system_, pose_, vector_of(q), vector_of(qd)));
+    const double energy = simulation::energy(system_, pose_, vector_of(q), vector_of(qd));
+    result.push_back(static_cast<long double>(energy));
   }
   return result;
 }

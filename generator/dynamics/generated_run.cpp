@@ -105,7 +105,7 @@ bool Run::go(const simulation::ShowState& show, const simulation::Progress& prog
     const Values qd = step_.at("qd");
     const int before = state();
     if (step_.has("t")) {
-      step_.at("t")[0] = time(k);
+      step_.at("t")[0] = static_cast<long double>(time(k));
     }
     const int status = step_.call();
     const bool due =
@@ -160,7 +160,7 @@ void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
   step.at("qd").assign(qd.begin(), qd.end());
   Values& tau = step.at("tau");
   for (std::size_t k = 0; k < scene.tau.size(); ++k) {
-    tau[k] = static_cast<double>(scene.tau[k]);
+    tau[k] = static_cast<long double>(scene.tau[k]);
   }
   for (const char* name : {"steps", "begun", "rest"}) {
     if (step.has(name)) {
