@@ -13,7 +13,7 @@ namespace treedyn::description {
 namespace {
 
 model::InertiaPart quantity_of(const std::string& name, const Location& where,
-                            const std::string& what) {
+                               const std::string& what) {
   const auto& names = model::quantity_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {

@@ -12,7 +12,7 @@ struct Equation {
   std::string_view name;    ///< of the generated function
   std::string_view number;  ///< in EQUATIONS.md
   block::Expression expression;
-  std::string_view errata = {};  ///< of the print that the expression mends, EQUATIONS.md 4
+  std::string_view errata = {};   ///< of the print that the expression mends, EQUATIONS.md 4
   std::string_view unknown = {};  ///< what the function solves for where the expression is zero
 };
 

@@ -70,7 +70,7 @@ Real nominal(const Tree& tree, const Parameter& parameter) {
   const std::size_t k = index(parameter.component);
   return parameter.quantity == InertiaPart::kCom       ? inertia.com[k]
          : parameter.quantity == InertiaPart::kInertia ? inertia.about_com[kPlaces[k]]
-                                                    : inertia.mass;
+                                                       : inertia.mass;
 }
 
 void set(Tree& tree, const Parameter& parameter, const Real& value) {
