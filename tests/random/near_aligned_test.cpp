@@ -77,15 +77,15 @@ std::string link(const std::string& name, Random& random) {
       number(0, 0.02), number(0, 0.02), number(0.15, 0.03), number(0, 0.02), number(0.15, 0.03));
 }
 
-std::string joint(int i, Random& random) {
+std::string joint(int i, Random& random, const std::string& limb = {}) {
   const int father = random.below(4) > 0 ? i - 1 : random.below(i + 1) - 1;
   return fmt::format(
-      "<joint name=\"j{0}\" type=\"{1}\"><origin xyz=\"{2} {3} {4}\" rpy=\"{5} {6} {7}\"/>"
-      "<parent link=\"{8}\"/><child link=\"l{0}\"/><axis xyz=\"{9}\"/>"
+      "<joint name=\"{10}j{0}\" type=\"{1}\"><origin xyz=\"{2} {3} {4}\" rpy=\"{5} {6} {7}\"/>"
+      "<parent link=\"{8}\"/><child link=\"{10}l{0}\"/><axis xyz=\"{9}\"/>"
       "<limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>\n",
       i, random.below(3) > 0 ? "revolute" : "prismatic", length(random), length(random),
       length(random), angle(random), angle(random), angle(random),
-      father < 0 ? "base" : fmt::format("l{}", father), axis(random));
+      father < 0 ? "base" : fmt::format("{}l{}", limb, father), axis(random), limb);
 }
 
 std::string robot(int joints, bool is_free, Random& random) {
@@ -93,6 +93,20 @@ std::string robot(int joints, bool is_free, Random& random) {
   text += is_free ? link("base", random) : "<link name=\"base\"/>\n";
   for (int i = 0; i < joints; ++i) {
     text += link(fmt::format("l{}", i), random) + joint(i, random);
+  }
+  return text + "</robot>\n";
+}
+
+/// A base with two limbs that differ in their names only.
+std::string robot_with_limbs(int joints, bool is_free, int seed) {
+  Random random(static_cast<std::uint64_t>(seed));
+  std::string text = "<robot name=\"near\">";
+  text += is_free ? link("base", random) : "<link name=\"base\"/>\n";
+  for (const std::string limb : {"left_", "right_"}) {
+    Random same(static_cast<std::uint64_t>(seed) + 1);
+    for (int i = 0; i < joints; ++i) {
+      text += link(fmt::format("{}l{}", limb, i), same) + joint(i, same, limb);
+    }
   }
   return text + "</robot>\n";
 }
@@ -128,6 +142,7 @@ std::vector<Scalar> evaluated(const program::Function& function,
 /// The formulation without any pass, whose error bounds are the measure.
 program::Function plain(const model::Tree& tree, const std::string& name,
                         simplify::Options options) {
+  options.share_limbs = false;
   simplify::Variant variant = simplify::plain_variant(tree);
   for (const simplify::PassInfo& info : simplify::passes()) {
     if (info.pass != simplify::Pass::kSums) {
@@ -214,6 +229,26 @@ TEST_P(NearAligned, RobotsKeepTheAccuracyOfTheEquations) {
     expect_accurate(description::parse_urdf(text, "near.urdf", read), options_number(k, joints),
                     random);
   }
+}
+
+/// Of limbs that share their code.
+TEST(NearAlignedLimbs, KeepTheAccuracyOfTheEquations) {
+  int shared = 0;
+  for (int k = 0; k < 30; ++k) {
+    const bool is_free = k % 3 == 2;
+    const std::string text = robot_with_limbs(2, is_free, 1000 + 10 * k);
+    SCOPED_TRACE(fmt::format("robot {}\n{}", k, text));
+    description::ReadOptions read;
+    read.snap = k % 2 == 0 ? Real(0) : read.snap;
+    read.base = is_free ? description::Base::kAxes : read.base;
+    const model::Tree tree = description::parse_urdf(text, "near.urdf", read);
+    simplify::Options options = options_number(k, 4);
+    options.share_limbs = true;
+    shared += simplify::formulate(tree, "inverse_dynamics", options).limb_code != nullptr ? 1 : 0;
+    Random random(static_cast<std::uint64_t>(k) + 1);
+    expect_accurate(tree, options, random);
+  }
+  EXPECT_GT(shared, 15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, NearAligned, testing::Range(0, 10));
