@@ -1,5 +1,4 @@
 // Numbers that are known at run time only: the same results as code that was generated from them.
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -132,12 +131,7 @@ class RunTime : public Cli, public testing::WithParamInterface<Robot> {
   }
 
   static void run_compiler(const std::string& options) {
-    std::vector<std::string> command = {TREEDYN_CXX};
-    std::istringstream words(options);
-    for (std::string word; words >> word;) {
-      command.push_back(word);
-    }
-    const Outcome outcome = support::run(command);
+    const Outcome outcome = support::run_words(TREEDYN_CXX " " + options);
     ASSERT_EQ(outcome.status, 0) << options << '\n' << outcome.err;
   }
 

@@ -1,6 +1,5 @@
 // NAME.h and NAME.c: clean C99, and the bits of NAME.hpp and NAME.cpp.
 #include <filesystem>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -28,12 +27,7 @@ Outcome treedyn(std::vector<std::string> arguments) {
 
 /// Runs the compiler; C99 and C by `-x c`.
 void compile(const std::string& options) {
-  std::vector<std::string> command = {TREEDYN_CXX};
-  std::istringstream words(options);
-  for (std::string word; words >> word;) {
-    command.push_back(word);
-  }
-  const Outcome outcome = support::run(command);
+  const Outcome outcome = support::run_words(TREEDYN_CXX " " + options);
   ASSERT_EQ(outcome.status, 0) << options << '\n' << outcome.err;
 }
 

@@ -1,6 +1,5 @@
 // `--sincos vector`: clean C++, and the bits of the pair of sine and cosine.
 #include <filesystem>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -31,16 +30,7 @@ std::vector<std::string> compilers() {
   return {"g++", "clang++"};
 }
 
-/// Runs a program with arguments between spaces; MODELS is the folder of the models.
-Outcome execute(const std::string& line) {
-  std::vector<std::string> command;
-  std::istringstream words(line);
-  for (std::string word; words >> word;) {
-    const bool model = word.starts_with("MODELS");
-    command.push_back(model ? TREEDYN_SOURCE_DIR "/models" + word.substr(6) : word);
-  }
-  return support::run(command);
-}
+const std::string kModels = TREEDYN_SOURCE_DIR "/models/";
 
 struct Case {
   const char* name;
@@ -53,20 +43,20 @@ TEST_P(Vectors, HaveTheBitsOfThePair) {
   const support::TemporaryFolder folder;
   const std::string at = folder.path().string() + '/';
   for (const std::string kind : {"pair", "vector"}) {
-    const Outcome outcome =
-        execute(fmt::format("{0} generate {1} -q --effort 0 --sincos {2} --name {2} -o {3}",
-                            TREEDYN_EXECUTABLE, GetParam().options, kind, at));
+    const Outcome outcome = support::run_words(
+        fmt::format("{0} generate {1} -q --effort 0 --sincos {2} --name {2} -o {3}",
+                    TREEDYN_EXECUTABLE, GetParam().options, kind, at));
     ASSERT_EQ(outcome.status, 0) << outcome.err;
   }
   const support::Manifest manifest = support::read_manifest(at + "vector.json");
   support::write_file(at + "driver.cpp", support::comparing_driver(manifest, kPair, kVector));
   for (const std::string& compiler : compilers()) {
     for (const char* const kind : {"pair", "vector"}) {
-      const Outcome outcome =
-          execute(fmt::format("{0} {1} -c {2}{3}.cpp -o {2}{3}.o", compiler, kOptions, at, kind));
+      const Outcome outcome = support::run_words(
+          fmt::format("{0} {1} -c {2}{3}.cpp -o {2}{3}.o", compiler, kOptions, at, kind));
       ASSERT_EQ(outcome.status, 0) << compiler << outcome.err;
     }
-    const Outcome linked = execute(fmt::format(
+    const Outcome linked = support::run_words(fmt::format(
         "{0} -std=c++17 {1}driver.cpp {1}pair.o {1}vector.o -o {1}driver", compiler, at));
     ASSERT_EQ(linked.status, 0) << linked.err;
     EXPECT_EQ(support::run({at + "driver"}).out,
@@ -77,14 +67,14 @@ TEST_P(Vectors, HaveTheBitsOfThePair) {
 
 INSTANTIATE_TEST_SUITE_P(
     Texts, Vectors,
-    testing::Values(Case{"puma560", "MODELS/puma560.yaml --checked --self-test"},
-                    Case{"quadruped", "MODELS/quadruped.yaml --scalar float --layout packed"},
+    testing::Values(Case{"puma560", kModels + "puma560.yaml --checked --self-test"},
+                    Case{"quadruped", kModels + "quadruped.yaml --scalar float --layout packed"},
                     Case{"limbs",
-                         "MODELS/quadruped.yaml --share-limbs --functions inverse_dynamics"},
-                    Case{"rows",
-                         "--scene MODELS/scenes/biped_double_support.yaml --functions "
-                         "constrained_dynamics"},
-                    Case{"contacts", "--scene MODELS/scenes/drop.yaml --scalar float"}),
+                         kModels + "quadruped.yaml --share-limbs --functions inverse_dynamics"},
+                    Case{"rows", "--scene " + kModels +
+                                     "scenes/biped_double_support.yaml --functions "
+                                     "constrained_dynamics"},
+                    Case{"contacts", "--scene " + kModels + "scenes/drop.yaml --scalar float"}),
     [](const testing::TestParamInfo<Case>& param) { return std::string(param.param.name); });
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -68,6 +69,11 @@ Outcome run(const std::vector<std::string>& command, const std::string& input) {
   }
   const int status = wait_for(process);
   return {status, read_file(out), read_file(err)};
+}
+
+Outcome run_words(const std::string& line) {
+  std::istringstream words(line);
+  return run({std::istream_iterator<std::string>(words), {}});
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -20,6 +20,9 @@ struct Outcome {
 /// \throws std::system_error if the program cannot be started.
 Outcome run(const std::vector<std::string>& command, const std::string& input = {});
 
+/// The same of words between spaces.
+Outcome run_words(const std::string& line);
+
 /// A new folder for the files of one test; removed with everything in it at the end.
 class TemporaryFolder {
  public:
