@@ -82,14 +82,18 @@ std::string Writer::right_side(const Statement& statement) const {
       graph_, statements_.schedule(), [&](Ref used) { return statements_.atom(used); }, value);
 }
 
-/// Broken where clang-format breaks it.
+/// Both in one call: C++11 has no structured bindings.
 std::string Writer::pair(const Statement& statement) const {
-  const std::string left = fmt::format("const auto [{}, {}] =", statements_.name(statement.value),
-                                       statements_.name(statement.partner));
-  const std::string right = fmt::format("{}({});", kSineCosine,
-                                        statements_.atom(std::abs(graph_.node(statement.value).a)));
-  const bool fits = kIndentation + left.size() + 1 + right.size() <= kColumns;
-  return fmt::format("{}{}{}", left, fits ? " " : "\n      ", right);
+  const std::string& sine = statements_.name(statement.value);
+  const std::string both = "p_" + sine;
+  const std::string call = fmt::format("{}({});", kSineCosine,
+                                       statements_.atom(std::abs(graph_.node(statement.value).a)));
+  const std::string left = fmt::format("const auto {} =", both);
+  const bool fits = kIndentation + left.size() + 1 + call.size() <= kColumns;
+  return fmt::format(
+      "{0}{1}{2}\n{3:{4}}const Scalar {5} = {6}.sine;\n{3:{4}}const Scalar {7} = {6}.cosine;", left,
+      fits ? " " : "\n      ", call, "", kIndentation, sine, both,
+      statements_.name(statement.partner));
 }
 
 /// The arrays hold whole vectors; a call for each of the longest.

@@ -154,9 +154,9 @@ void Translator::structure(const Lines& lines, std::size_t& at, Lines& result) c
 }
 
 void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list) {
-  static const std::string kInteger = "inline constexpr int ";
+  static const std::string kInteger = "constexpr int ";
   const std::string step_start =
-      fmt::format("inline constexpr {} kStep = ", type_name(unit_.target.scalar));
+      fmt::format("constexpr {} kStep = ", type_name(unit_.target.scalar));
   const std::string& line = lines[at];
   if (line == "#pragma once") {
     const std::string guard = in_capitals(unit_.name) + "_H";
@@ -174,7 +174,7 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
   } else if (const auto type = behind(line, "using Scalar = "); !type.empty()) {
     result.push_back(
         fmt::format("typedef {} {};", type.substr(0, type.size() - 1), prefixed("Scalar")));
-  } else if (const auto digest = behind(line, "inline constexpr unsigned long long kDigest = ");
+  } else if (const auto digest = behind(line, "constexpr unsigned long long kDigest = ");
              !digest.empty()) {
     result.push_back(
         fmt::format("#define {} {}", macro("kDigest"), digest.substr(0, digest.size() - 1)));
@@ -189,7 +189,7 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
     constant(gathered(lines, at, ';').substr(kInteger.size()), in_list, result);
   } else if (line.starts_with("struct ")) {
     structure(lines, at, result);
-  } else if (const auto nominal = behind(line, fmt::format("inline constexpr {} ", kParameters));
+  } else if (const auto nominal = behind(line, fmt::format("constexpr {} ", kParameters));
              !nominal.empty()) {
     result.push_back(
         fmt::format("static const {} {} = {{", prefixed(kParameters), macro(kNominal)));
@@ -287,19 +287,8 @@ void Translator::statement(const Lines& lines, std::size_t& at, Lines& result) c
   const std::size_t indentation = std::min(line.find_first_not_of(' '), line.size());
   const std::string_view code = std::string_view(line).substr(indentation);
   const std::string blank(indentation, ' ');
-  if (const auto both = behind(code, "const auto ["); !both.empty()) {
-    const std::string whole(gathered(lines, at, ';').substr(indentation));
-    const std::size_t comma = whole.find(", ");
-    const std::size_t end = whole.find("] = ");
-    const std::string sine = whole.substr(12, comma - 12);
-    const std::string cosine = whole.substr(comma + 2, end - comma - 2);
-    const std::string pair = "p_" + sine;
-    for (const std::string& text :
-         {fmt::format("const SineCosine {} = {}", pair, whole.substr(end + 4)),
-          fmt::format("const Scalar {} = {}.sine;", sine, pair),
-          fmt::format("const Scalar {} = {}.cosine;", cosine, pair)}) {
-      result.push_back(blank + text);
-    }
+  if (const auto both = behind(code, "const auto "); !both.empty()) {
+    result.push_back(fmt::format("{}const SineCosine {}", blank, both));
   } else if (const auto integer = behind(code, "constexpr int "); !integer.empty()) {
     result.push_back(
         words(fmt::format("{}enum {{ {} }};", blank, integer.substr(0, integer.size() - 1))));

@@ -72,15 +72,15 @@ std::string point_table(const std::vector<model::Point>& points) {
   return "//\n" + comment_table(rows);
 }
 
-/// `inline constexpr int name = value;`, broken where clang-format breaks what is too long.
+/// `constexpr int name = value;`, broken where clang-format breaks what is too long.
 std::string index_constant(const std::string& name, std::size_t value) {
-  const std::size_t type = std::string_view("inline constexpr int ").size();
+  const std::size_t type = std::string_view("constexpr int ").size();
   const std::size_t number = std::to_string(value).size() + 1;
   const bool fits = type + name.size() + 3 + number <= kColumns;
   const bool breaks_after_type = type + name.size() + 2 > kColumns;
   const bool breaks_after_equal =
       !fits && (!breaks_after_type || name.size() + 7 + number > kColumns);
-  return fmt::format("inline constexpr int{}{} ={}{};\n", breaks_after_type ? "\n    " : " ", name,
+  return fmt::format("constexpr int{}{} ={}{};\n", breaks_after_type ? "\n    " : " ", name,
                      !breaks_after_equal ? " "
                      : breaks_after_type ? "\n        "
                                          : "\n    ",
@@ -122,7 +122,7 @@ std::string scalar_declaration(const Target& target) {
   }
   return fmt::format(
       "/// States that are computed at once.\n"
-      "inline constexpr int kLanes = {0};\n"
+      "constexpr int kLanes = {0};\n"
       "/// One value of every state, the only floating-point type in use: value[lane] is that of a "
       "state.\n"
       "/// For a processor with vectors of this size (-march), or with -Wno-psabi.\n"
@@ -130,9 +130,9 @@ std::string scalar_declaration(const Target& target) {
       target.lanes, type);
 }
 
-/// `inline constexpr int name[] = {...};`, as many numbers a line as fit.
+/// `constexpr int name[] = {...};`, as many numbers a line as fit.
 std::string index_table(const std::string& name, const std::vector<int>& values) {
-  std::string result = fmt::format("inline constexpr int {}[{}] = {{", name, values.size());
+  std::string result = fmt::format("constexpr int {}[{}] = {{", name, values.size());
   std::string line;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::string cell = fmt::format("{}{}", values[k], k + 1 < values.size() ? "," : "");
@@ -153,7 +153,7 @@ std::string packing_tables(const Unit& unit) {
   return fmt::format(
              "\n/// Value k of A is entry (kMassMatrixRow[k], kMassMatrixColumn[k]) and its mirror "
              "image;\n/// other entries are zero in every state.\n"
-             "inline constexpr int kMassMatrixNonzeros = {};\n",
+             "constexpr int kMassMatrixNonzeros = {};\n",
              unit.packing.size()) +
          index_table("kMassMatrixRow", unit.packing.row) +
          index_table("kMassMatrixColumn", unit.packing.column);
@@ -195,21 +195,21 @@ std::string status_bits(const Unit& unit) {
 /// Bits of the int that functions return; 0: all is right.
 namespace status {{
 /// Rows depend on each other more than they do where the constraints hold: a singular position.
-{}inline constexpr int rank_lost = 1;
+{}constexpr int rank_lost = 1;
 /// A row's wanted acceleration (or velocity, or joint force) cannot be had beside the others'.
-inline constexpr int row_given_up = 2;
+constexpr int row_given_up = 2;
 /// An iteration did not get there.
-inline constexpr int no_convergence = 4;
+constexpr int no_convergence = 4;
 /// An event may have been passed over.
-inline constexpr int event_missed = 8;
+constexpr int event_missed = 8;
 /// A result{} is infinite or not a number.
-inline constexpr int not_a_number = 16;
+constexpr int not_a_number = 16;
 /// What an event waits for is not a number.
-inline constexpr int guard_undefined = 32;
+constexpr int guard_undefined = 32;
 /// An event was taken at the end of the step in which it happened: `cuts` is 0.
-inline constexpr int event_late = 64;
+constexpr int event_late = 64;
 /// Beside a position without accelerations a joint turned by more than half a radian at once.
-inline constexpr int turned_far = 128;
+constexpr int turned_far = 128;
 }}  // namespace status
 )",
       pivots ? "/// Or a pivot of A is not above zero, or all its digits are lost.\n" : "",
@@ -268,7 +268,7 @@ std::string quoted(const std::string& word) {
 std::string step_constant(const Unit& unit) {
   return unit.steppers.empty()
              ? ""
-             : fmt::format("/// Time that `step` takes, s.\ninline constexpr {} kStep = {};",
+             : fmt::format("/// Time that `step` takes, s.\nconstexpr {} kStep = {};",
                            type_name(unit.target.scalar),
                            literal(unit.steppers.front().step, unit.target.scalar));
 }

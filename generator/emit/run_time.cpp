@@ -88,7 +88,7 @@ std::string parameter_types(const Unit& unit) {
       "\n/// Numbers that are known at run time only, in SI units and the frames of the links.\n"
       "struct {0} {{\n{1}}};\n"
       "/// The numbers of the model.\n"
-      "inline constexpr {0} {2} = {{\n{3}}};\n"
+      "constexpr {0} {2} = {{\n{3}}};\n"
       "/// What functions need of them: made by {4}, outside the loop that calls these.\n"
       "struct {5} {{\n  Scalar value[{6}];\n}};\n",
       kParameters, fields(unit), kNominal, nominal_values(unit), kUpdate, kDerivedParameters,

@@ -215,7 +215,7 @@ TEST(CheckedOption, CompilesWithoutWarnings) {
                     {"-q", "--effort", "0", "--checked", "--scalar", "float"}, folder.path());
   for (const char* compiler : {"g++", "clang++"}) {
     const support::Outcome outcome =
-        support::run({compiler, "-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow",
+        support::run({compiler, "-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow",
                       "-Wconversion", "-Wdouble-promotion", "-Wold-style-cast", "-Werror", "-O1",
                       "-fno-exceptions", "-c", folder.path() / "generated.cpp", "-o", "/dev/null"});
     EXPECT_EQ(outcome.status, 0) << outcome.err.substr(0, 1000);

@@ -35,7 +35,7 @@ void expect_clean(const std::string& model) {
                     folder.path());
   for (const char* compiler : {"g++", "clang++"}) {
     const support::Outcome outcome =
-        support::run({compiler, "-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow",
+        support::run({compiler, "-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow",
                       "-Werror", "-O1", "-c", folder.path() / "generated.cpp", "-o", "/dev/null"});
     EXPECT_EQ(outcome.status, 0) << outcome.err.substr(0, 1000);
   }

@@ -38,7 +38,7 @@ class SelfTest : public testing::TestWithParam<const char*> {
   /// What the program prints.
   [[nodiscard]] std::string run(const std::string& contraction) const {
     support::write_file(at() + "/main.cpp", kMain);
-    const Outcome compiler = support::run({TREEDYN_CXX, "-std=c++17", "-O1", "-Wall", "-Wextra",
+    const Outcome compiler = support::run({TREEDYN_CXX, "-std=c++11", "-O1", "-Wall", "-Wextra",
                                            "-Wconversion", "-Wshadow", "-Werror", contraction,
                                            at() + "/main.cpp", at() + "/m.cpp", "-o", at() + "/m"});
     EXPECT_EQ(compiler.status, 0) << compiler.err;
