@@ -220,6 +220,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request, P
   unit.given_prefix = request.prefix.value_or("");
   unit.section = request.section;
   unit.tree = &model.tree;
+  unit.gravity = decided_request(model, request).gravity;
   unit.points = model.points;
   unit.functions = std::move(programs.functions);
   if (programs.update) {

@@ -206,7 +206,7 @@ void add_runtime(CLI::App& command, Request& request) {
             }
           },
           "numbers that are known at run time only, comma-separated LINK.mass, LINK.com, "
-          "LINK.inertia: fields of a struct Parameters; info prints what each costs")
+          "LINK.inertia, gravity: fields of a struct Parameters; info prints what each costs")
       ->type_name("LIST");
 }
 

@@ -331,7 +331,7 @@ std::string parameters_json(const Model& model, const Request& request, const Pr
                                   {"with", emit::operations_json(price.with)},
                                   {"without", emit::operations_json(price.without)}}));
   }
-  return emit::parameters_json(model.tree) +
+  return emit::parameters_json(model.tree, decided_request(model, request).gravity) +
          fmt::format(",\n  \"parameter_prices\": {}", emit::json_lines(prices, 4));
 }
 

@@ -12,15 +12,15 @@ namespace treedyn::description {
 
 namespace {
 
-model::InertiaPart quantity_of(const std::string& name, const Location& where,
-                               const std::string& what) {
+model::ParameterKind quantity_of(const std::string& name, const Location& where,
+                                 const std::string& what) {
   const auto& names = model::quantity_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     throw InputError(where, fmt::format("{}: '{}' cannot be known at run time only; expected {}",
                                         what, shown(name), fmt::join(names, ", ")));
   }
-  return static_cast<model::InertiaPart>(found - names.begin());
+  return static_cast<model::ParameterKind>(found - names.begin());
 }
 
 /// The moving link of that name. What is fixed to a link has no numbers of its own.
@@ -52,8 +52,23 @@ class Declarations {
   void add(const std::string& link, const std::string& quantity, const Location& where) {
     const int i = moving_link(tree_, link, where);
     const std::string what = fmt::format("link '{}': runtime", shown(link));
-    for (model::Parameter& parameter :
-         model::parameters_of(tree_, i, quantity_of(quantity, where, what))) {
+    add(i, quantity_of(quantity, where, what), where);
+  }
+  /// What is no number of a link.
+  void add(const std::string& name, const Location& where) {
+    if (name != "gravity") {
+      throw InputError(
+          where, fmt::format("runtime: '{}' cannot be known at run time only; expected gravity, or "
+                             "LINK.mass, LINK.com, LINK.inertia on the command line",
+                             shown(name)));
+    }
+    add(model::kGround, model::ParameterKind::kGravity, where);
+  }
+  void check() const { check_identifiers(named_, "run-time parameter"); }
+
+ private:
+  void add(int link, model::ParameterKind quantity, const Location& where) {
+    for (model::Parameter& parameter : model::parameters_of(tree_, link, quantity)) {
       const std::string name = parameter.component == 0
                                    ? parameter.declared
                                    : fmt::format("{} {}", parameter.declared, parameter.component);
@@ -61,9 +76,7 @@ class Declarations {
       tree_.parameters.push_back(std::move(parameter));
     }
   }
-  void check() const { check_identifiers(named_, "run-time parameter"); }
 
- private:
   model::Tree& tree_;
   std::vector<Named> named_;
 };
@@ -74,18 +87,21 @@ void resolve_parameters(const RawTree& raw, const std::vector<std::string>& list
                         model::Tree& tree) {
   Declarations declarations(tree);
   for (const RawRuntime& runtime : raw.runtime) {
-    declarations.add(runtime.link.text, runtime.quantity.text,
-                     location(raw, runtime.quantity.where));
+    const Location where = location(raw, runtime.quantity.where);
+    if (runtime.link.text.empty()) {
+      declarations.add(runtime.quantity.text, where);
+    } else {
+      declarations.add(runtime.link.text, runtime.quantity.text, where);
+    }
   }
   for (const std::string& text : list) {
     const Location where{raw.file, 0, 0};
     const std::size_t dot = text.rfind('.');
     if (dot == std::string::npos) {
-      throw InputError(where, fmt::format("runtime: '{}' names no number of a link; expected "
-                                          "LINK.mass, LINK.com or LINK.inertia",
-                                          shown(text)));
+      declarations.add(text, where);
+    } else {
+      declarations.add(text.substr(0, dot), text.substr(dot + 1), where);
     }
-    declarations.add(text.substr(0, dot), text.substr(dot + 1), where);
   }
   declarations.check();
 }

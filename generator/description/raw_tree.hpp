@@ -84,9 +84,9 @@ struct RawParameter {
   Text value;
 };
 
-/// What is known at run time only: "mass", "com" or "inertia" of a link.
+/// What is known at run time only: "mass", "com" or "inertia" of a link, or "gravity".
 struct RawRuntime {
-  Text link;
+  Text link;  ///< empty: of none
   Text quantity;
 };
 

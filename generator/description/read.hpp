@@ -24,7 +24,7 @@ struct ReadOptions {
   Base base = Base::kFixed;
   Mimic mimic = Mimic::kReduce;
   Real snap = Real("1e-9");               ///< tolerance of snapping, rad; 0 switches it off
-  std::vector<std::string> runtime = {};  ///< LINK.mass, LINK.com, LINK.inertia: known at run time
+  std::vector<std::string> runtime = {};  ///< LINK.mass, LINK.com, LINK.inertia, gravity: known at run time
 };
 
 /// True for `*.urdf`, in letters of either case.

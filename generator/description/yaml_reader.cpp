@@ -109,7 +109,7 @@ RawTree read_yaml(const std::string& text, const std::string& file) {
   raw.format = Format::kYaml;
   raw.file = file;
   const Fields fields(raw.file, root, "tree description",
-                      {"name", "parameters", "links", "points", "equations"});
+                      {"name", "parameters", "links", "points", "equations", "runtime"});
   raw.name = fields.text("name");
   if (const Node* const parameters = fields.find("parameters")) {
     read_parameters(*parameters, raw);
@@ -117,6 +117,11 @@ RawTree read_yaml(const std::string& text, const std::string& file) {
   const std::vector<Node>& links = fields.sequence(fields.get("links"));
   for (std::size_t k = 0; k < links.size(); ++k) {
     read_link(links[k], k, raw);
+  }
+  if (const Node* const runtime = fields.find("runtime")) {
+    for (const Node& item : fields.sequence(*runtime)) {
+      raw.runtime.push_back({{}, fields.scalar(item)});
+    }
   }
   if (const Node* const points = fields.find("points")) {
     const std::vector<Node>& items = fields.sequence(*points);

@@ -45,7 +45,7 @@ std::string nominal_values(const Unit& unit) {
   std::vector<std::string> values;
   std::size_t width = 0;
   for (const model::Parameter& parameter : unit.tree->parameters) {
-    const Real value = model::nominal(*unit.tree, parameter);
+    const Real value = model::nominal(*unit.tree, unit.gravity, parameter);
     values.push_back((value < 0 ? "-" : "") + literal(abs(value), unit.target.scalar) + ",");
     width = std::max(width, values.back().size());
   }
@@ -95,7 +95,7 @@ std::string parameter_types(const Unit& unit) {
       std::max(derived_size(unit), 1));
 }
 
-std::string parameters_json(const model::Tree& tree) {
+std::string parameters_json(const model::Tree& tree, const model::Vector3& gravity) {
   if (tree.parameters.empty()) {
     return {};
   }
@@ -103,12 +103,14 @@ std::string parameters_json(const model::Tree& tree) {
   std::size_t k = 0;
   const std::vector<std::string> names = field_names(tree);
   for (const model::Parameter& parameter : tree.parameters) {
-    const std::string& link = tree.links[static_cast<std::size_t>(parameter.link)].name;
+    const std::string link = parameter.link == model::kGround
+                                 ? ""
+                                 : tree.links[static_cast<std::size_t>(parameter.link)].name;
     rows.push_back(json_object({{"field", json_string(names[k++])},
                                 {"declared", json_string(parameter.declared)},
                                 {"link", json_string(link)},
                                 {"unit", json_string(model::unit(parameter))},
-                                {"nominal", decimal(model::nominal(tree, parameter))}}));
+                                {"nominal", decimal(model::nominal(tree, gravity, parameter))}}));
   }
   return fmt::format(",\n  \"parameters\": {}", json_lines(rows, 4));
 }

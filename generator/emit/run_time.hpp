@@ -25,6 +25,6 @@ program::Array derived_array();
 std::string parameter_types(const Unit& unit);
 
 /// `,\n  "parameters": [...]` of the manifest; nothing without parameters.
-std::string parameters_json(const model::Tree& tree);
+std::string parameters_json(const model::Tree& tree, const model::Vector3& gravity);
 
 }  // namespace treedyn::emit

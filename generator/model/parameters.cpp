@@ -15,13 +15,14 @@ constexpr std::array<std::size_t, 6> kMirrored = {0, 3, 6, 4, 7, 8};
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// "", "_x", "_xx"
-std::string ending(InertiaPart quantity, int component) {
+std::string ending(ParameterKind quantity, int component) {
   switch (quantity) {
-    case InertiaPart::kCom:
+    case ParameterKind::kCom:
+    case ParameterKind::kGravity:
       return std::string("_") + kAxes[index(component)];
-    case InertiaPart::kInertia:
+    case ParameterKind::kInertia:
       return std::string("_") + kEntries[index(component)];
-    case InertiaPart::kMass:
+    case ParameterKind::kMass:
       break;
   }
   return {};
@@ -34,58 +35,66 @@ const std::array<const char*, 3>& quantity_names() {
   return names;
 }
 
-std::vector<Parameter> parameters_of(const Tree& tree, int link, InertiaPart quantity) {
-  constexpr std::array<int, 3> kCounts = {1, 3, 6};
+std::vector<Parameter> parameters_of(const Tree& tree, int link, ParameterKind quantity) {
+  constexpr std::array<int, 4> kCounts = {1, 3, 6, 3};
   const auto kind = static_cast<std::size_t>(quantity);
-  const std::string& name = tree.links[index(link)].name;
+  const bool of_link = quantity != ParameterKind::kGravity;
+  const std::string name = of_link ? tree.links[index(link)].name : "";
+  const std::string declared = of_link ? name + "." + quantity_names()[kind] : "gravity";
+  const std::string stem = of_link ? name + "_" + quantity_names()[kind] : declared;
   std::vector<Parameter> result;
   for (int k = 0; k < kCounts[kind]; ++k) {
-    result.push_back({link, quantity, k, name + "." + quantity_names()[kind],
-                      to_identifier(name + "_" + quantity_names()[kind] + ending(quantity, k))});
+    result.push_back({link, quantity, k, declared, to_identifier(stem + ending(quantity, k))});
   }
   return result;
 }
 
 const char* unit(const Parameter& parameter) {
-  constexpr std::array<const char*, 3> kUnits = {"kg", "m", "kg m^2"};
+  constexpr std::array<const char*, 4> kUnits = {"kg", "m", "kg m^2", "m/s^2"};
   return kUnits[static_cast<std::size_t>(parameter.quantity)];
 }
 
 std::string meaning(const Tree& tree, const Parameter& parameter) {
-  const std::string of = " of link " + tree.links[index(parameter.link)].name;
+  const std::string of =
+      parameter.link == kGround ? "" : " of link " + tree.links[index(parameter.link)].name;
   switch (parameter.quantity) {
-    case InertiaPart::kCom:
+    case ParameterKind::kCom:
       return std::string("centre of mass ") + kAxes[index(parameter.component)] + of;
-    case InertiaPart::kInertia:
+    case ParameterKind::kInertia:
       return std::string("inertia about the centre of mass ") +
              kEntries[index(parameter.component)] + of;
-    case InertiaPart::kMass:
+    case ParameterKind::kGravity:
+      return std::string("gravity ") + kAxes[index(parameter.component)] + ", base frame";
+    case ParameterKind::kMass:
       break;
   }
   return "mass" + of;
 }
 
-Real nominal(const Tree& tree, const Parameter& parameter) {
-  const Inertia& inertia = tree.links[index(parameter.link)].inertia;
+Real nominal(const Tree& tree, const Vector3& gravity, const Parameter& parameter) {
   const std::size_t k = index(parameter.component);
-  return parameter.quantity == InertiaPart::kCom       ? inertia.com[k]
-         : parameter.quantity == InertiaPart::kInertia ? inertia.about_com[kPlaces[k]]
-                                                       : inertia.mass;
+  if (parameter.quantity == ParameterKind::kGravity) {
+    return gravity[k];
+  }
+  const Inertia& inertia = tree.links[index(parameter.link)].inertia;
+  return parameter.quantity == ParameterKind::kCom       ? inertia.com[k]
+         : parameter.quantity == ParameterKind::kInertia ? inertia.about_com[kPlaces[k]]
+                                                         : inertia.mass;
 }
 
-void set(Tree& tree, const Parameter& parameter, const Real& value) {
-  Inertia& inertia = tree.links[index(parameter.link)].inertia;
+void set(Tree& tree, Vector3& gravity, const Parameter& parameter, const Real& value) {
   const std::size_t k = index(parameter.component);
-  switch (parameter.quantity) {
-    case InertiaPart::kMass:
-      inertia.mass = value;
-      break;
-    case InertiaPart::kCom:
-      inertia.com[k] = value;
-      break;
-    case InertiaPart::kInertia:
-      inertia.about_com[kPlaces[k]] = inertia.about_com[kMirrored[k]] = value;
-      break;
+  if (parameter.quantity == ParameterKind::kGravity) {
+    gravity[k] = value;
+    return;
+  }
+  Inertia& inertia = tree.links[index(parameter.link)].inertia;
+  if (parameter.quantity == ParameterKind::kMass) {
+    inertia.mass = value;
+  } else if (parameter.quantity == ParameterKind::kCom) {
+    inertia.com[k] = value;
+  } else {
+    inertia.about_com[kPlaces[k]] = inertia.about_com[kMirrored[k]] = value;
   }
 }
 

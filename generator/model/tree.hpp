@@ -93,14 +93,15 @@ struct Snap {
   Real change = 0;   ///< |exact - written|, rad or 1
 };
 
-enum class InertiaPart { kMass, kCom, kInertia };
+enum class ParameterKind { kMass, kCom, kInertia, kGravity };
 
-/// A number of a link that is known at run time only; the tree has its nominal value.
+/// A number of a link, or a component of gravity, that is known at run time only; the tree (or what
+/// gives gravity) has its nominal value.
 struct Parameter {
-  int link = 0;
-  InertiaPart quantity = InertiaPart::kMass;
-  int component = 0;       ///< x y z of a centre of mass, xx xy xz yy yz zz of a tensor about it
-  std::string declared;    ///< "forearm.com", as a user declares it
+  int link = kGround;  ///< kGround for gravity
+  ParameterKind quantity = ParameterKind::kMass;
+  int component = 0;       ///< x y z of a vector, xx xy xz yy yz zz of a tensor about the c.o.m.
+  std::string declared;    ///< "forearm.com", "gravity": as a user declares it
   std::string identifier;  ///< forearm_com_x, a C++ identifier, unique among the parameters
 };
 

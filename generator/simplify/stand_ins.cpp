@@ -324,14 +324,16 @@ Seen StandIns::run(const model::Tree& tree, const Options& options) {
 }
 
 /// Numbers that are known at run time only are like no other number, zeros and ones as well.
-void see_parameters(model::Tree& tree) {
-  constexpr std::array<Quantity, 3> kParts = {Quantity::kMass, Quantity::kCom, Quantity::kInertia};
+void see_parameters(Seen& seen) {
+  constexpr std::array<Quantity, 4> kParts = {Quantity::kMass, Quantity::kCom, Quantity::kInertia,
+                                              Quantity::kGravity};
   int index = 0;
-  for (const model::Parameter& parameter : tree.parameters) {
+  for (const model::Parameter& parameter : seen.tree.parameters) {
     const Quantity quantity = kParts[static_cast<std::size_t>(parameter.quantity)];
     const Digits stand_in = generic(quantity, kParameterPlaces + index);
-    model::set(tree, parameter,
-               Real::of_parameter(index, model::nominal(tree, parameter).digits(), stand_in));
+    const Real nominal = model::nominal(seen.tree, seen.options.gravity, parameter);
+    model::set(seen.tree, seen.options.gravity, parameter,
+               Real::of_parameter(index, nominal.digits(), stand_in));
     ++index;
   }
 }
@@ -350,13 +352,13 @@ void forget_numbers(Arrays&... arrays) {
 
 Seen with_stand_ins(const model::Tree& tree, const Options& options) {
   Seen seen = StandIns().run(tree, options);
-  see_parameters(seen.tree);
+  see_parameters(seen);
   return seen;
 }
 
 Seen with_parameters(const model::Tree& tree, const Options& options) {
   Seen seen{tree, options};
-  see_parameters(seen.tree);
+  see_parameters(seen);
   return seen;
 }
 

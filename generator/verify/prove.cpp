@@ -217,7 +217,7 @@ const simplify::Derived* find(const simplify::DerivedFunctions& equations,
 /// What all functions are held against.
 struct Proof {
   const std::vector<model::Point>& points;
-  const model::Vector3& gravity;
+  model::Vector3 gravity;
   const simplify::DerivedFunctions& equations;
   States states = {};
 };
@@ -253,17 +253,18 @@ void prove_at_run_time(Proof& proof, const model::Tree& tree,
                        const std::vector<const program::Function*>& functions,
                        const program::Function& update) {
   enum class Draw { kNominal, kFirst, kSecond, kZero };
+  const model::Vector3 gravity = proof.gravity;
   for (const Draw draw : {Draw::kNominal, Draw::kFirst, Draw::kSecond, Draw::kZero}) {
     model::Tree changed = tree;
     Values values;
     for (const model::Parameter& parameter : tree.parameters) {
-      const bool positive = parameter.quantity == model::InertiaPart::kMass;
+      const bool positive = parameter.quantity == model::ParameterKind::kMass;
       const Real random = proof.states.next();
-      values.push_back(draw == Draw::kNominal ? model::nominal(tree, parameter)
+      values.push_back(draw == Draw::kNominal ? model::nominal(tree, gravity, parameter)
                        : draw == Draw::kZero  ? Real(0)
                        : positive             ? abs(random)
                                               : random);
-      model::set(changed, parameter, values.back());
+      model::set(changed, proof.gravity, parameter, values.back());
     }
     std::vector<const program::Function*> proven = functions;
     if (draw == Draw::kZero) {

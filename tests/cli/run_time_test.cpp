@@ -30,6 +30,7 @@ struct Robot {
   std::vector<Change> changes;
   std::vector<std::string> options;
   double epsilon;
+  std::vector<std::string> others = {};  ///< options of the changed model alone
 };
 
 std::string with(std::string text, const Change& change) {
@@ -169,7 +170,9 @@ class RunTime : public Cli, public testing::WithParamInterface<Robot> {
 };
 
 TEST_P(RunTime, GivesWhatCodeOfTheChangedModelGives) {
-  generate("changed.yaml", {"--name", "m"});
+  std::vector<std::string> others = GetParam().others;
+  others.insert(others.end(), {"--name", "m"});
+  generate("changed.yaml", others);
   const Manifest manifest = support::read_manifest(file("r.json"));
   const std::string update = "  r::update_parameters(p, ours);\n";
   const double off =
@@ -256,14 +259,45 @@ const Robot kPolar = {"Polar",
                        {"0.02, -0.4]", "0.02, -0.4]", "boom_com_z", "-0.4"}},
                       {"--effort", "20"},
                       2.3e-16};
+/// A robot on a slope, with a load.
+const Robot kTilted = {"Tilted",
+                       "puma560.yaml",
+                       "gravity,link6.mass",
+                       {{"name: puma560", "name: puma560", "gravity_x", "1.5"},
+                        {"name: puma560", "name: puma560", "gravity_y", "-2.25"},
+                        {"name: puma560", "name: puma560", "gravity_z", "-9.0"},
+                        {"mass: 0.09\n", "mass: 0.5\n", "link6_mass", "0.5"}},
+                       {"--effort", "20", "--functions",
+                        "gravity_force,inverse_dynamics,forward_dynamics,potential_energy"},
+                       2.3e-16,
+                       {"--gravity", "1.5,-2.25,-9"}};
+const Robot kTiltedPolar = {"TiltedPolar",
+                            "polar.yaml",
+                            "gravity",
+                            {{"name: polar", "name: polar", "gravity_x", "1.5"},
+                             {"name: polar", "name: polar", "gravity_y", "-2.25"},
+                             {"name: polar", "name: polar", "gravity_z", "0"}},
+                            {"--effort", "0", "--layout", "packed"},
+                            2.3e-16,
+                            {"--gravity", "1.5,-2.25,0"}};
+const Robot kTiltedBiped = {"TiltedBiped",
+                            "biped.yaml",
+                            "gravity",
+                            {{"name: biped", "name: biped", "gravity_x", "1.5"},
+                             {"name: biped", "name: biped", "gravity_y", "-2.25"}},
+                            {"--effort", "0", "--base", "axes", "--functions",
+                             "inverse_dynamics,forward_dynamics,gravity_force"},
+                            2.3e-16,
+                            {"--gravity", "1.5,-2.25,-9.81"}};
 
 std::string name_of(const testing::TestParamInfo<Robot>& of) { return of.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RunTime,
-                         testing::Values(kPuma, kPlainPuma, kPumaInFloat, kFreeBiped, kPolar),
+                         testing::Values(kPuma, kPlainPuma, kPumaInFloat, kFreeBiped, kPolar,
+                                         kTilted, kTiltedPolar, kTiltedBiped),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(Robots, RunTimeInC, testing::Values(kPlainPuma, kPumaInFloat, kPolar),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Robots, RunTimeInC,
+                         testing::Values(kPlainPuma, kPumaInFloat, kPolar, kTiltedPolar), name_of);
 
 const std::string kScene = TREEDYN_SOURCE_DIR "/models/scenes/drop.yaml";
 
@@ -287,7 +321,9 @@ TEST_F(RunTimeCli, RefusesWhatItDoesNotTake) {
     EXPECT_FALSE(fs::exists(out()));
   };
   refused({"--runtime", "hand.mass"}, "runtime: there is no link 'hand'; expected one");
-  refused({"--runtime", "mass"}, "runtime: 'mass' names no number of a link; expected LINK.mass");
+  refused({"--runtime", "mass"},
+          "runtime: 'mass' cannot be known at run time only; expected gravity");
+  refused({"--runtime", "gravity,gravity"}, "'gravity 0' is defined twice");
   refused({"--runtime", "forearm.length"},
           "'length' cannot be known at run time only; expected "
           "mass, com, inertia");
