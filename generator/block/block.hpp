@@ -40,6 +40,7 @@ enum class Structure {
   kOnes,          ///< a full column of ones
   kRowPoints,     ///< S: block (p,a) iff row a acts on point p; the values depend on the state
   kDiagonal,      ///< block (i,i); the values depend on the state
+  kAlongPaths,    ///< where D has blocks; the values depend on the state
   kFull,          ///< every block; the values depend on the state
 };
 

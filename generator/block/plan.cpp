@@ -35,6 +35,7 @@ Pattern leaf_pattern(const Expression& e, const Index& index) {
     case Structure::kDiagonal:
       return diagonal(rows);
     case Structure::kReachability:
+    case Structure::kAlongPaths:
       return reachability(index);
     case Structure::kFather:
       for (const int father : index.father) {

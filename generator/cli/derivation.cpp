@@ -9,6 +9,7 @@
 #include "derive/words.hpp"
 #include "equations/table.hpp"
 #include "pipeline.hpp"
+#include "simplify/factored.hpp"
 
 namespace treedyn {
 namespace {
@@ -28,12 +29,12 @@ void define(const block::Expression& e, std::vector<std::string>& lines) {
 }
 
 /// \param ours  null: of the user
-std::string equation_text(const equations::UserEquation& equation,
+std::string equation_text(const std::string& name, const block::Expression& expression,
                           const equations::Equation* ours) {
   std::vector<std::string> lines;
-  define(equation.expression, lines);
+  define(expression, lines);
   std::string result =
-      fmt::format("{}: equation {}", equation.name, ours != nullptr ? ours->number : "of the user");
+      fmt::format("{}: equation {}", name, ours != nullptr ? ours->number : "of the user");
   if (ours != nullptr && !ours->unknown.empty()) {
     result += fmt::format(" for {}, zero there", ours->unknown);
   }
@@ -41,8 +42,8 @@ std::string equation_text(const equations::UserEquation& equation,
     result += fmt::format("; errata of the print mended: {}", ours->errata);
   }
   result += "\n";
-  if (equation.expression.kind() != block::Kind::kNamed) {
-    lines.push_back(equation.name + " = " + block::print(equation.expression));
+  if (expression.kind() != block::Kind::kNamed) {
+    lines.push_back(name + " = " + block::print(expression));
   }
   for (const std::string& line : lines) {
     result += fmt::format("  {}\n", line);
@@ -70,21 +71,50 @@ std::string rules_text(const derive::Values& values) {
   return result;
 }
 
+std::string lines_text(const derive::Derivation& derivation,
+                       const std::vector<program::Cost>& costs) {
+  std::string result;
+  for (const derive::Line& line : derive::lines(derivation)) {
+    const program::Cost& cost = costs[static_cast<std::size_t>(line.id)];
+    result += fmt::format("  {:>5}  {}\n", cost.total(), line.text);
+  }
+  return result;
+}
+
 std::string recursion_text(const simplify::Derived& function,
                            const std::vector<program::Cost>& costs) {
   std::string result =
       "\nrecursion: D and N from the root, D^T and N^T to it; operations in link frames before any "
-      "search\n";
-  for (const derive::Line& line : derive::lines(function.derivation)) {
-    const program::Cost& cost = costs[static_cast<std::size_t>(line.id)];
-    result += fmt::format("  {:>5}  {}\n", cost.total(), line.text);
-  }
+      "search\n" +
+      lines_text(function.derivation, costs);
   if (function.to_root) {
     result += "\nor from one point E e_j to the root\n";
     for (const derive::Line& line : derive::lines(*function.to_root)) {
       result += fmt::format("         {}\n", line.text);
     }
     result += rules_text(function.to_root->values);
+  }
+  return result;
+}
+
+using Derived = std::shared_ptr<const simplify::Derived>;
+
+std::string derived_text(const Model& model, const Request& request, const Derived& function) {
+  return rules_text(function->derivation.values) +
+         recursion_text(*function, simplify::costs_of_values(model.tree, function,
+                                                             simplify_options(model, request)));
+}
+
+std::string factored_text(const Model& model, const Request& request, const std::string& name) {
+  const simplify::FactoredFunction& function = simplify::factored(name);
+  std::string result =
+      "\nnumbers of joints" + rules_text(function.derivation.values) + "\nrecursion, row by row\n" +
+      lines_text(function.derivation,
+                 simplify::costs_of_numbers(model.tree, name, simplify_options(model, request)));
+  for (const auto& [leaf, of] : function.given) {
+    const std::string text = block::print(of->equation.expression);
+    result += "\n" + (text == leaf ? leaf : leaf + " = " + text) + "\n" +
+              derived_text(model, request, of);
   }
   return result;
 }
@@ -102,11 +132,13 @@ std::string derivation_text(const Model& model, const Request& request, const st
                     shown(name)));
   }
   const bool is_own = own != model.equations.end();
-  const std::shared_ptr<const simplify::Derived> function = is_own ? *own : simplify::derived(name);
-  return equation_text(function->equation, is_own ? nullptr : ours) +
-         words_text(function->equation.expression) + rules_text(function->derivation.values) +
-         recursion_text(*function, simplify::costs_of_values(model.tree, function,
-                                                             simplify_options(model, request)));
+  const block::Expression& e = is_own ? (*own)->equation.expression : ours->expression;
+  std::string result = equation_text(name, e, is_own ? nullptr : ours) + words_text(e);
+  const bool is_solved = !is_own && !ours->unknown.empty();
+  if (!is_solved || simplify::recipe_of(name).freedom.articulated) {
+    result += derived_text(model, request, is_own ? *own : simplify::derived(name));
+  }
+  return is_solved ? result + factored_text(model, request, name) : result;
 }
 
 }  // namespace treedyn

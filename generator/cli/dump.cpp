@@ -93,7 +93,8 @@ std::string dump(const Request& request, const std::string& stage) {
   if (stage == "derive") {
     std::string text;
     for (const std::string& name : model.functions) {
-      text += equations::find(name) != nullptr ? derivation_text(model, request, name) + "\n" : "";
+      text += equations::find_solved(name) != nullptr ? derivation_text(model, request, name) + "\n"
+                                                      : "";
     }
     for (const auto& equation : model.equations) {
       text += derivation_text(model, request, equation->equation.name) + "\n";

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "block/block.hpp"
@@ -44,5 +45,15 @@ std::optional<Derivation> derive_rows(const block::Expression& column);
 /// The numbers of links x for which `system`, a column A x + b, is zero, by R9. Nothing if A is not
 /// symmetric or if joints do not either turn or slide.
 std::optional<Derivation> solved(const Derivation& system, const std::string& x);
+
+/// Numbers of links and matrices of them; of symmetric matrices the lower half.
+struct Factored {
+  Derivation derivation;  ///< the unknown; of A = L^T Δ L: L, Δ, Δ^-1
+  std::vector<std::pair<std::string, block::Expression>> given;  ///< leaves that stand for these
+};
+
+/// The unknown for which `equation` is zero, by R12: A x + b, A X - E, A - L^T Δ L, with factors L,
+/// or L x + b and L^T x + b. Nothing for other equations or if A is not symmetric.
+std::optional<Factored> factored(const block::Expression& equation, const std::string& unknown);
 
 }  // namespace treedyn::derive

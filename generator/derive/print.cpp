@@ -98,7 +98,7 @@ class Printer {
         names_[id] = name(value.operands.front());
         continue;
       }
-      if (value.op == Op::kAtLink && !value.name.empty()) {
+      if (!value.name.empty()) {
         names_[id] = value.name;
       }
       const std::string text = expression(value);
@@ -222,6 +222,17 @@ class Printer {
                            name(value.operands[2]), name(value.operands[3]), b());
       case Op::kAlong:
         return fmt::format("{}, along {} {}", a(), name(value.operands[1]), b());
+      case Op::kEliminated:
+      case Op::kFromLeaves:
+      case Op::kFromRoot: {
+        const bool up = value.op != Op::kFromRoot;
+        return fmt::format("{} - {}{} {}, from the {}", a(), b(), up ? "^T" : "", value.name,
+                           up ? "leaves" : "root");
+      }
+      case Op::kDiagonal:
+        return fmt::format("diagonal of {}", a());
+      case Op::kCongruence:
+        return fmt::format("{0} {1} {0}^T", a(), b());
       case Op::kAssemble:
         return fmt::format("({}, {}, {})", a(), name(value.operands[1]), b());
       default:

@@ -5,7 +5,7 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 25> kRows = {{
+  static constexpr std::array<RuleRow, 27> kRows = {{
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
@@ -41,6 +41,11 @@ std::span<const RuleRow> rules() {
       {Rule::kElimination, "R9",
        "A x = r: U = K b, d = b·U, x = (u - U·y)/d; fathers take K' = K - U U^T/d, p' = p + U u/d"},
       {Rule::kYields, "R9'", "K' b = 0 and b·p' = r: a joint hands on nothing along its axis"},
+      {Rule::kFactors, "R12",
+       "A = A^T, zero but along paths: A = L^T Δ L, L = E + L' zero where D is, a = Δ L is A - "
+       "L'^T a"},
+      {Rule::kTriangles, "R12'",
+       "L x = r: x = r - L' x from the root; L^T x = r: x = r - L'^T x from the leaves"},
   }};
   return kRows;
 }

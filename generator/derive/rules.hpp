@@ -33,6 +33,8 @@ enum class Rule {
   kTwice,
   kElimination,
   kYields,
+  kFactors,
+  kTriangles,
 };
 
 struct RuleRow {

@@ -55,6 +55,11 @@ enum class Op {
   kLever,           ///< Λ(a) S of a, S; symmetric Λ(a) S^T - T Λ(a) of a, S, T
   kAcross,          ///< K - U V^T, whose products with b and a^T are zero, of K, U, V, a, b
   kAlong,           ///< x with a·x = y, of x, a, y
+  kEliminated,      ///< the lower half of a = A - L'^T a, of A, L'
+  kFromLeaves,      ///< x = r - L'^T x, of r, L'
+  kFromRoot,        ///< x = r - L' x, of r, L'
+  kDiagonal,        ///< the diagonal of a matrix of numbers
+  kCongruence,      ///< Y d Y^T of Y, d
 };
 
 struct Value {

@@ -103,6 +103,24 @@ Expression inverse_dynamics() {
 // (1), zero for the accelerations
 Expression forward_dynamics() { return mass_matrix() * qdd + bias_force() + gravity_force() - tau; }
 
+// 7.4
+Expression mass_matrix_factor() {
+  const Expression L = leaf("L", block::Structure::kAlongPaths, {kLinks, kLinks});
+  const Expression Delta = leaf("Δ", block::Structure::kDiagonal, {kLinks, kLinks});
+  return mass_matrix() - transpose(L) * Delta * L;
+}
+
+Expression mass_matrix_solve() {
+  const Expression x = leaf("x", block::Structure::kFull, {kLinks, kOne});
+  const Expression b = leaf("b", block::Structure::kFull, {kLinks, kOne});
+  return mass_matrix() * x - b;
+}
+
+Expression mass_matrix_inverse() {
+  const Expression X = leaf("X", block::Structure::kFull, {kLinks, kLinks});
+  return mass_matrix() * X - E;
+}
+
 // 6.5: gravity is a force f_i = m_i g at the centre of mass, so C takes t_i = c_ii (E20)
 Expression gravity_force() {
   return named("G", -force_jacobian_transpose(centres_of_mass()) * m_d * g);

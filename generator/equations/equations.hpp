@@ -71,6 +71,11 @@ Expression moment_of_forces();
 Expression inverse_dynamics();
 Expression forward_dynamics();
 
+/// 7.4, zero for the unknown that comes last: A - L^T Δ L, A x - b, A X - E.
+Expression mass_matrix_factor();
+Expression mass_matrix_solve();
+Expression mass_matrix_inverse();
+
 /// 6.5, N: the left-hand side term G = -C(c_ii) m^d g = +∂U/∂q.
 Expression gravity_force();
 

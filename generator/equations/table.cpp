@@ -1,5 +1,6 @@
 #include "equations/table.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "equations/equations.hpp"
@@ -27,19 +28,30 @@ std::span<const Equation> table() {
   return kTable;
 }
 
-const Equation* find(std::string_view name) {
-  for (const Equation& equation : table()) {
-    if (equation.name == name) {
-      return &equation;
-    }
-  }
-  return nullptr;
+std::span<const Equation> solved_table() {
+  static const std::vector<Equation> kTable = {
+      {"forward_dynamics", "(1)", forward_dynamics(), find("inverse_dynamics")->errata, "q̈"},
+      {"mass_matrix_factor", "7.4", mass_matrix_factor(), find("mass_matrix")->errata, "L"},
+      {"mass_matrix_solve", "7.4", mass_matrix_solve(), find("mass_matrix")->errata, "x"},
+      {"mass_matrix_inverse", "7.4", mass_matrix_inverse(), find("mass_matrix")->errata, "X"},
+  };
+  return kTable;
 }
 
+namespace {
+
+const Equation* find(std::span<const Equation> table, std::string_view name) {
+  const auto found = std::ranges::find(table, name, &Equation::name);
+  return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Equation* find(std::string_view name) { return find(table(), name); }
+
 const Equation* find_solved(std::string_view name) {
-  static const Equation kForward = {"forward_dynamics", "(1)", forward_dynamics(),
-                                    find("inverse_dynamics")->errata, "q̈"};
-  return name == kForward.name ? &kForward : find(name);
+  const Equation* const solved = find(solved_table(), name);
+  return solved != nullptr ? solved : find(name);
 }
 
 }  // namespace treedyn::equations

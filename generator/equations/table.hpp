@@ -19,10 +19,13 @@ struct Equation {
 /// In the order of the functions of the generated code.
 std::span<const Equation> table();
 
+/// Functions that are no expressions but solve one.
+std::span<const Equation> solved_table();
+
 /// nullptr if there is none of that name.
 const Equation* find(std::string_view name);
 
-/// The same, forward dynamics among them, which is no expression but solves one.
+/// The same, those that solve an expression among them.
 const Equation* find_solved(std::string_view name);
 
 }  // namespace treedyn::equations

@@ -1,7 +1,6 @@
 #include "simplify/builders.hpp"
 
-#include "simplify/derived.hpp"
-#include "simplify/factor.hpp"
+#include "simplify/factored.hpp"
 #include "simplify/forward.hpp"
 #include "simplify/points.hpp"
 
@@ -21,19 +20,6 @@ std::vector<Expr> of_coordinates(const Task& task, std::vector<Expr> x) {
   return x;
 }
 
-/// A = L^T Delta L in the independent coordinates.
-Factorization factorization(const Task& task) {
-  const std::vector<Expr> a = build_equation(task, "mass_matrix");
-  const int n = task.tree.dof();
-  SparseSymmetric lower;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      lower[{i, j}] = a[static_cast<std::size_t>(i * n + j)];
-    }
-  }
-  return {task.kinematics.graph(), n, lower};
-}
-
 }  // namespace
 
 /// (1) solved for qdd.
@@ -51,12 +37,7 @@ std::vector<Expr> build_forward_dynamics(const Task& task) {
     return of_coordinates(task,
                           articulated_forward_dynamics(task, *derived("forward_dynamics"), force));
   }
-  const std::vector<Expr> bias = build_equation(task, "inverse_dynamics");
-  std::vector<Expr> right;
-  for (int i = 0; i < task.tree.dof(); ++i) {
-    right.push_back(k.argument(2, i) - bias[static_cast<std::size_t>(i)]);
-  }
-  return factorization(task).solve(right);
+  return build_factored(task, "forward_dynamics");
 }
 
 std::vector<Expr> build_dynamics_terms(const Task& task) {
@@ -68,50 +49,6 @@ std::vector<Expr> build_dynamics_terms(const Task& task) {
   std::vector<Expr> result = build_equation(task, "mass_matrix");
   result.insert(result.end(), bias.begin(), bias.end());
   result.insert(result.end(), gravity.begin(), gravity.end());
-  return result;
-}
-
-std::vector<Expr> build_mass_matrix_factor(const Task& task) {
-  const Factorization factor = factorization(task);
-  const auto n = static_cast<std::size_t>(factor.size());
-  std::vector<Expr> result(n * n + n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const int row = static_cast<int>(i);
-    for (const auto& [j, l_ij] : factor.row(row)) {
-      result[i * n + static_cast<std::size_t>(j)] = l_ij;
-    }
-    result[i * n + i] = constant(task.kinematics.graph(), Real(1));
-    result[n * n + i] = factor.pivot(row);
-  }
-  return result;
-}
-
-std::vector<Expr> build_mass_matrix_solve(const Task& task) {
-  std::vector<Expr> right;
-  for (int i = 0; i < task.tree.dof(); ++i) {
-    right.push_back(task.kinematics.argument(1, i));
-  }
-  return factorization(task).solve(right);
-}
-
-/// A^-1 = L^-1 Delta^-1 L^-T; L^-1 has the zero pattern of D.
-std::vector<Expr> build_mass_matrix_inverse(const Task& task) {
-  const Factorization factor = factorization(task);
-  const std::vector<std::map<int, Expr>> y = factor.inverse_of_lower();
-  const std::size_t n = y.size();
-  std::vector<Expr> result(n * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      Expr entry;
-      for (const auto& [k, y_jk] : y[j]) {
-        const auto y_ik = y[i].find(k);
-        if (y_ik != y[i].end()) {
-          entry += y_ik->second * (y_jk * factor.inverse_pivot(k));
-        }
-      }
-      result[i * n + j] = result[j * n + i] = entry;
-    }
-  }
   return result;
 }
 

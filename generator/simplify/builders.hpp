@@ -9,9 +9,6 @@ namespace treedyn::simplify {
 
 std::vector<Expr> build_forward_dynamics(const Task& task);
 std::vector<Expr> build_dynamics_terms(const Task& task);
-std::vector<Expr> build_mass_matrix_factor(const Task& task);
-std::vector<Expr> build_mass_matrix_solve(const Task& task);
-std::vector<Expr> build_mass_matrix_inverse(const Task& task);
 std::vector<Expr> build_point_rotations(const Task& task);
 
 }  // namespace treedyn::simplify

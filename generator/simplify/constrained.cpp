@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "simplify/contacts.hpp"
-#include "simplify/factor.hpp"
+#include "simplify/factored.hpp"
 #include "simplify/scene_drift.hpp"
 #include "simplify/scene_rows.hpp"
 
@@ -12,12 +12,10 @@ namespace treedyn::simplify {
 
 namespace {
 
-using SparseColumn = std::map<int, Expr>;
-
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// a . b over the places that both have.
-Expr product(const SparseColumn& a, const SparseColumn& b) {
+Expr product(const SparseRow& a, const SparseRow& b) {
   Expr sum;
   for (const auto& [k, value] : a) {
     const auto other = b.find(k);
@@ -28,22 +26,40 @@ Expr product(const SparseColumn& a, const SparseColumn& b) {
   return sum;
 }
 
+SparseRows transposed(const SparseRow& row, std::size_t size) {
+  SparseRows column(size);
+  for (const auto& [k, value] : row) {
+    column[index(k)][0] = value;
+  }
+  return column;
+}
+
+SparseRow transposed(const SparseRows& column) {
+  SparseRow row;
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    if (!column[k].empty()) {
+      row[static_cast<int>(k)] = column[k].at(0);
+    }
+  }
+  return row;
+}
+
 /// Y, Delta^-1 Y and the right side in the coordinates of L.
 struct Reduced {
-  std::vector<SparseColumn> Y;
-  std::vector<SparseColumn> scaled;
+  std::vector<SparseRow> Y;
+  std::vector<SparseRow> scaled;
   std::vector<Expr> free;  ///< Delta^-1 L^-T right
 };
 
-Reduced reduce(const Factorization& factor, const std::vector<Row>& rows,
+Reduced reduce(const Factors& factor, const std::vector<Row>& rows,
                const std::vector<Expr>& right) {
   Reduced r;
-  r.free = factor.to_root(right);
-  for (int k = 0; k < factor.size(); ++k) {
-    r.free[index(k)] = r.free[index(k)] * factor.inverse_pivot(k);
+  r.free = column_of(factor.to_root(sparse(right)));
+  for (std::size_t k = 0; k < right.size(); ++k) {
+    r.free[k] = r.free[k] * factor.inverse_pivot(static_cast<int>(k));
   }
   for (const Row& row : rows) {
-    r.Y.push_back(factor.to_root(row.columns));
+    r.Y.push_back(transposed(factor.to_root(transposed(row.columns, right.size()))));
     r.scaled.push_back(r.Y.back());
     for (auto& [k, value] : r.scaled.back()) {
       value = value * factor.inverse_pivot(k);
@@ -127,7 +143,7 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
     return articulated_dynamics(task, arrays);
   }
   const SceneSystem system(task, arrays);
-  const Factorization factor(graph, task.tree.dof(), system.inertia());
+  const Factors factor(graph, task.tree.dof(), system.inertia());
   const SceneRows::Correction correction = [&](int constraint) {
     return is_stabilised(*task.options.scene, constraint)
                ? drift_corrections(task, system.forces(), constraint, arrays.anchor)
@@ -162,7 +178,7 @@ std::vector<Expr> build_impact(const Task& task) {
   const model::Scene& scene = *task.options.scene;
   const SceneArrays& arrays = kImpactArrays;
   const SceneSystem system(task, arrays, false);
-  const Factorization factor(graph, task.tree.dof(), system.inertia());
+  const Factors factor(graph, task.tree.dof(), system.inertia());
   const Meaning nothing = [&](const model::Variable&) {  // what rows want takes no part
     return constant(graph, Real(1));
   };

@@ -157,15 +157,19 @@ std::shared_ptr<const Derived> derived(const std::string& name) {
   std::shared_ptr<const Derived>& function = known[name];
   if (!function) {
     const auto& [_, number, expression, errata, unknown] = *equations::find_solved(name);
-    Derived made =
-        *derived(equations::equation_of(name, expression), 1, 1, is_picked(expression.shape()));
-    if (!unknown.empty()) {
-      made = solved(made, std::string(unknown));
-    }
-    made.regroups = !needs_centres(made.derivation);
-    function = std::make_shared<const Derived>(std::move(made));
+    const Derived made = *derived_part(name, expression);
+    function = std::make_shared<const Derived>(
+        unknown.empty() ? made : solved(made, std::string(unknown)));
   }
   return function;
+}
+
+std::shared_ptr<const Derived> derived_part(const std::string& name,
+                                            const block::Expression& expression) {
+  Derived made =
+      *derived(equations::equation_of(name, expression), 1, 1, is_picked(expression.shape()));
+  made.regroups = !needs_centres(made.derivation);
+  return std::make_shared<const Derived>(std::move(made));
 }
 
 std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way) {

@@ -9,8 +9,8 @@
 
 #include "derive/derive.hpp"
 #include "equations/user.hpp"
-#include "simplify/factor.hpp"
 #include "simplify/functions.hpp"
+#include "simplify/numbers.hpp"
 
 namespace treedyn::simplify {
 
@@ -33,6 +33,9 @@ std::vector<Expr> build_derived(const Task& task, const Derived& function, Way w
 
 /// An equation of EQUATIONS.md. \pre `name` stands in equations/table.cpp.
 std::shared_ptr<const Derived> derived(const std::string& name);
+/// A sum of them.
+std::shared_ptr<const Derived> derived_part(const std::string& name,
+                                            const block::Expression& expression);
 
 /// What a linear system, a column that is zero for the unknown numbers of links, derives to by R9.
 /// \throws std::domain_error if it does not act

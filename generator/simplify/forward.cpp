@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/error.hpp"
-#include "simplify/factor.hpp"
+#include "simplify/factored.hpp"
 
 namespace treedyn::simplify {
 
@@ -123,7 +123,7 @@ std::vector<Expr> by_articulated_limbs(const Task& task, const Wrench& drive, co
         }
       }
     }
-    x = Factorization(task.kinematics.graph(), 6, a).solve(right);
+    x = simplify::solve(task.kinematics.graph(), a, right);
     return std::array{Vec3{x[3], x[4], x[5]}, Vec3{x[0], x[1], x[2]}};
   };
   std::vector<Expr> result = limb_accelerations(task, omega, force, solve);
@@ -188,7 +188,7 @@ std::vector<Expr> forward_dynamics_by_trunk(const Task& task, const Vec3& gravit
   };
   if (!articulated) {
     const TrunkSystem s = trunk_system(task, force);
-    const std::vector<Expr> x = Factorization(k.graph(), k.size(), s.a).solve(s.right);
+    const std::vector<Expr> x = simplify::solve(k.graph(), s.a, s.right);
     return joint_accelerations(k, s.gimbal, s.velocity, gravity, x);
   }
   k.graph().set_body(kTrunkLink);

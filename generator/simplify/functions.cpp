@@ -11,6 +11,15 @@ int weight(const program::Cost& cost) {
   return cost.total() + kOperationsOfSineAndCosine * std::max(cost.sin, cost.cos);
 }
 
+void count_new(const Graph& graph, std::size_t first, program::Cost& cost) {
+  for (std::size_t n = first; n < graph.size(); ++n) {
+    const program::Kind kind = graph.node(static_cast<program::Ref>(n)).kind;
+    cost.add += kind == program::Kind::kAdd ? 1 : 0;
+    cost.mul += kind == program::Kind::kMultiply ? 1 : 0;
+    cost.div += kind == program::Kind::kDivide ? 1 : 0;
+  }
+}
+
 int Argument::size(int dof, int points) const {
   int result = factor;
   for (int k = 0; k < power_of_dof; ++k) {

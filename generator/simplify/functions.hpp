@@ -63,6 +63,9 @@ const Recipe& recipe_of(const std::string& name);
 /// What formulations are compared by: operations, a sine with its cosine as 8 of them.
 int weight(const program::Cost& cost);
 
+/// Adds the operations of the nodes from number `first` on.
+void count_new(const Graph& graph, std::size_t first, program::Cost& cost);
+
 /// One formulation of a function and, with `options.share_limbs`, the leaves of its limbs.
 struct Built {
   program::Function function;

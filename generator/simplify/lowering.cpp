@@ -210,11 +210,7 @@ void Lowering::need(int id, int e) {
     memo_[index(id)][index(e)] = made(id, v, e);
     known_[index(id)][index(e)] = true;
   }
-  for (std::size_t n = std::max(before, counted_); n < graph().size(); ++n) {
-    const program::Kind kind = graph().node(static_cast<program::Ref>(n)).kind;
-    costs_[index(id)].add += kind == program::Kind::kAdd ? 1 : 0;
-    costs_[index(id)].mul += kind == program::Kind::kMultiply ? 1 : 0;
-  }
+  count_new(graph(), std::max(before, counted_), costs_[index(id)]);
   counted_ = graph().size();
 }
 
@@ -349,6 +345,12 @@ Block Lowering::made(int id, const Value& v, int e) {
     case Op::kComponent:
     case Op::kAssemble:
       return components(v, e);
+    case Op::kEliminated:  // of Numbers
+    case Op::kFromLeaves:
+    case Op::kFromRoot:
+    case Op::kDiagonal:
+    case Op::kCongruence:
+      break;
   }
   return zero(v, e);
 }

@@ -2,7 +2,7 @@
 
 #include "common/error.hpp"
 #include "simplify/builders.hpp"
-#include "simplify/derived.hpp"
+#include "simplify/factored.hpp"
 
 namespace treedyn::simplify {
 
@@ -17,6 +17,13 @@ const Argument kQdd = {"qdd", 1, 1, 0, "rad/s^2|m/s^2"};
 Builder derived_from(const char* name) {
   return [name](const Task& task) {
     return build_equation(task, name);
+  };
+}
+
+/// From the equation of that name, solved by factors.
+Builder solved_from(const char* name) {
+  return [name](const Task& task) {
+    return build_factored(task, name);
   };
 }
 
@@ -181,7 +188,7 @@ const std::vector<Recipe>& recipes() {
        {{"L", 1, 2, 0, "1|m|1/m"}, {"d", 1, 1, 0, "kg m^2|kg"}},
        from_q,
        {.regrouping = true, .tensor_form = true, .trunk = true},
-       build_mass_matrix_factor},
+       solved_from("mass_matrix_factor")},
       {"mass_matrix_solve",
        "7.4",
        "x of A(q) x = b by the factors of A.",
@@ -189,7 +196,7 @@ const std::vector<Recipe>& recipes() {
        {{"x", 1, 1, 0, "rad/s^2|m/s^2"}},
        from_q,
        {.regrouping = true, .tensor_form = true, .trunk = true},
-       build_mass_matrix_solve},
+       solved_from("mass_matrix_solve")},
       {"mass_matrix_inverse",
        "7.4",
        "Inverse of A(q); N x N, row-major, symmetric.",
@@ -197,7 +204,7 @@ const std::vector<Recipe>& recipes() {
        {{"A_inverse", 1, 2, 0, "1/(kg m^2)|1/(kg m)|1/kg"}},
        from_q,
        {.regrouping = true, .tensor_form = true, .trunk = true},
-       build_mass_matrix_inverse},
+       solved_from("mass_matrix_inverse")},
   };
   return table;
 }

@@ -87,6 +87,15 @@ TEST(Pattern, OfMassMatrixJoinsRelatedLinksOnly) {
   });
 }
 
+// No fill-in: A = L^T Δ L has no more zeros than L^T Δ L, nor has L^-1 more blocks than L.
+TEST(Pattern, OfFactorsAlongPathsIsThatOfTheMassMatrix) {
+  const Expression L = leaf("L", Structure::kAlongPaths, {kLinks, kLinks});
+  expect_pattern(transpose(L) * m_d * L, [](const Index& index, int i, int j) {
+    return reaches(index, i, j) || reaches(index, j, i);
+  });
+  expect_pattern(L * L, reaches);
+}
+
 TEST(Pattern, OfAngularJacobianHasRevoluteColumnsOnly) {
   expect_pattern(angular_jacobian(), [](const Index& index, int i, int j) {
     return reaches(index, i, j) && index.revolute[static_cast<std::size_t>(j)];

@@ -76,7 +76,12 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(solved.out, HasSubstr("equation (1) for q̈, zero there"));
   EXPECT_THAT(solved.out, HasSubstr("\n  R9   A x = r: "));
   EXPECT_THAT(solved.out, HasSubstr("I^A = I^d + sum of "));
-  expect_usage_error(treedyn({"info", kModel, "--derivation", "mass_matrix_solve"}),
+  EXPECT_THAT(solved.out, HasSubstr("q̈ = w - L' q̈, from the root"));
+  const Outcome factored = treedyn({"info", kModel, "--derivation", "mass_matrix_factor"});
+  EXPECT_THAT(factored.out, HasSubstr("equation 7.4 for L, zero there"));
+  EXPECT_THAT(factored.out, HasSubstr("\n  R12  A = A^T"));
+  EXPECT_THAT(factored.out, HasSubstr("a = A - L'^T a, from the leaves"));
+  expect_usage_error(treedyn({"info", kModel, "--derivation", "dynamics_terms"}),
                      "is no block equation");
   EXPECT_THAT(treedyn({"generate", kModel, "--dump", "derive"}).out, HasSubstr("mass_matrix: "));
 }

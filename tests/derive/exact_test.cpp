@@ -242,30 +242,109 @@ class Solved : public Programs {
       }
     }
   }
+
+  /// The outputs for an argument that comes last.
+  [[nodiscard]] std::vector<Exact> outputs(const symbolic::Expansion& e, const std::string& name,
+                                           const std::vector<Expanded>& last) const {
+    ring = &e.ring();
+    const simplify::Recipe& recipe = simplify::recipe_of(name);
+    const program::Function function = simplify::formulate(tree_, recipe.name, options_);
+    const auto is_last = [&](int array) {
+      return !last.empty() && array + 1 == static_cast<int>(recipe.inputs.size());
+    };
+    const auto values = program::node_values<Exact>(
+        function.graph, function.outputs,
+        [&](int array, int k) {
+          return is_last(array) ? Exact(last[static_cast<std::size_t>(k)])
+                                : input(e, recipe, array, k);
+        },
+        [&](program::Kind kind, const Exact& angle) { return trigonometric(e, kind, angle); });
+    std::vector<Exact> result;
+    for (const program::Ref output : function.outputs) {
+      const Exact& x = values[static_cast<std::size_t>(std::abs(output))];
+      EXPECT_FALSE(x.below.is_zero());
+      result.push_back(output < 0 ? -x : x);
+    }
+    return result;
+  }
   void expect_inverse(simplify::ForwardDynamics method);
+  [[nodiscard]] std::vector<Expanded> accelerations(const symbolic::Expansion& e) const {
+    std::vector<Expanded> qdd;
+    for (std::size_t k = 0; k < tree_.links.size(); ++k) {
+      qdd.push_back(e.acceleration(k));
+    }
+    return qdd;
+  }
 };
+
+/// Row i, column j of a product of square matrices.
+template <class A, class B>
+Exact entry(const std::vector<A>& a, const std::vector<B>& b, std::size_t n, std::size_t i,
+            std::size_t j) {
+  Exact sum(0);
+  for (std::size_t k = 0; k < n; ++k) {
+    sum = sum + Exact(a[i * n + k]) * Exact(b[k * n + j]);
+  }
+  return sum;
+}
+
+bool equal(const Exact& a, const Exact& b) { return (a + -b).value.is_zero(); }
 
 /// q̈ of the program for τ of (1), fractions: numerator - q̈ * denominator is zero.
 void Solved::expect_inverse(simplify::ForwardDynamics method) {
   options_.forward_dynamics = method;
   const symbolic::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
-  const symbolic::Entries tau = e.expand(equations::inverse_dynamics());
-  const simplify::Recipe& recipe = simplify::recipe_of("forward_dynamics");
-  const program::Function function = simplify::formulate(tree_, recipe.name, options_);
-  const auto values = program::node_values<Exact>(
-      function.graph, function.outputs,
-      [&](int array, int k) {
-        return array == 2 ? Exact(tau.values[static_cast<std::size_t>(k)])
-                          : input(e, recipe, array, k);
-      },
-      [&](program::Kind kind, const Exact& angle) { return trigonometric(e, kind, angle); });
-  for (std::size_t i = 0; i < function.outputs.size(); ++i) {
-    const program::Ref output = function.outputs[i];
-    const Exact& x = values[static_cast<std::size_t>(std::abs(output))];
-    const Expanded qdd = output < 0 ? -e.acceleration(i) : e.acceleration(i);
-    EXPECT_FALSE(x.below.is_zero());
-    EXPECT_TRUE((x.value - qdd * x.below).is_zero()) << i;
+  const std::vector<Exact> qdd =
+      outputs(e, "forward_dynamics", e.expand(equations::inverse_dynamics()).values);
+  for (std::size_t i = 0; i < qdd.size(); ++i) {
+    EXPECT_TRUE(equal(qdd[i], Exact(e.acceleration(i)))) << i;
+  }
+}
+
+TEST_P(Solved, FactorsMultiplyToTheMassMatrix) {
+  const symbolic::Expansion e(tree_, options_.points, options_.gravity);
+  ring = &e.ring();
+  const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
+  const std::vector<Exact> all = outputs(e, "mass_matrix_factor", {});
+  const std::size_t n = tree_.links.size();
+  std::vector<Exact> upper(n * n);  // L^T Δ
+  for (std::size_t i = 0; i < n; ++i) {
+    EXPECT_TRUE(equal(all[i * n + i], Exact(1)));
+    for (std::size_t k = 0; k < n; ++k) {
+      EXPECT_TRUE(k <= i || all[i * n + k].value.is_zero());
+      upper[k * n + i] = all[i * n + k] * all[n * n + i];
+    }
+  }
+  for (std::size_t i = 0; i < n * n; ++i) {
+    EXPECT_TRUE(equal(entry(upper, all, n, i / n, i % n), Exact(A[i]))) << i;
+  }
+}
+
+TEST_P(Solved, SolutionsOfTheMassMatrixSolve) {
+  const symbolic::Expansion e(tree_, options_.points, options_.gravity);
+  ring = &e.ring();
+  const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
+  const std::vector<Expanded> b = accelerations(e);
+  const std::vector<Exact> x = outputs(e, "mass_matrix_solve", b);
+  const std::size_t n = x.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Exact sum(0);
+    for (std::size_t k = 0; k < n; ++k) {
+      sum = sum + Exact(A[i * n + k]) * x[k];
+    }
+    EXPECT_TRUE(equal(sum, Exact(b[i]))) << i;
+  }
+}
+
+TEST_P(Solved, InversesOfTheMassMatrixInvertIt) {
+  const symbolic::Expansion e(tree_, options_.points, options_.gravity);
+  ring = &e.ring();
+  const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
+  const std::vector<Exact> X = outputs(e, "mass_matrix_inverse", {});
+  const std::size_t n = tree_.links.size();
+  for (std::size_t i = 0; i < n * n; ++i) {
+    EXPECT_TRUE(equal(entry(A, X, n, i / n, i % n), Exact(i / n == i % n ? 1 : 0))) << i;
   }
 }
 

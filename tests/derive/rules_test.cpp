@@ -560,6 +560,56 @@ TEST_F(Identities, OfTheCommonColumn) {
   EXPECT_TRUE(equal(Omega(alpha, omega).mul(z), Omega(alpha_, omega_).mul(z)));
 }
 
+const Expression x = leaf("x", block::Structure::kFull, {kLinks, kOne});
+const Expression b = leaf("b", block::Structure::kFull, {kLinks, kOne});
+
+/// Operations of the numbers for which the equation is zero.
+std::vector<Op> of_numbers(const Expression& equation, const std::string& unknown) {
+  const Factored f = factored(equation, unknown).value();
+  std::vector<Op> result;
+  for (const int id : f.derivation.values.needed(f.derivation.roots)) {
+    result.push_back(f.derivation.values[id].op);
+  }
+  return result;
+}
+
+TEST(R12, FactorsSymmetricMatrices) {
+  for (const auto& [equation, unknown] : {std::pair{mass_matrix_factor(), "L"},
+                                          {mass_matrix_solve(), "x"},
+                                          {mass_matrix_inverse(), "X"},
+                                          {forward_dynamics(), "q̈"},
+                                          {transpose(D) * m_d * D * x - b, "x"}}) {
+    const Factored f = factored(equation, unknown).value();
+    EXPECT_TRUE(f.derivation.values.acted().contains(Rule::kFactors)) << unknown;
+    const std::vector<Op> all = of_numbers(equation, unknown);
+    EXPECT_EQ(std::count(all.begin(), all.end(), Op::kEliminated), 1) << unknown;
+    EXPECT_EQ(f.given.back().first, "A");
+  }
+}
+
+TEST(R12, TakesWhatIsKnownAsOneColumn) {
+  const Factored f = factored(forward_dynamics(), "q̈").value();
+  ASSERT_EQ(f.given.size(), 2U);
+  EXPECT_EQ(f.given[0].first, "h");
+  EXPECT_TRUE(block::equal(f.given[0].second, bias_force() + gravity_force()));
+  EXPECT_TRUE(block::equal(f.given[1].second, mass_matrix()));
+}
+
+TEST(R12, SolvesTrianglesFromTheirEnds) {
+  const Expression L = leaf("L", block::Structure::kAlongPaths, {kLinks, kLinks});
+  EXPECT_EQ(of_numbers(transpose(L) * x - b, "x").back(), Op::kFromLeaves);
+  EXPECT_EQ(of_numbers(L * x - b, "x").back(), Op::kFromRoot);
+}
+
+TEST(R12, LeavesOtherEquations) {
+  EXPECT_FALSE(factored(D * x - b, "x"));                        // not symmetric
+  EXPECT_FALSE(factored(transpose(D) * m_d * x - b, "x"));       // not symmetric
+  EXPECT_FALSE(factored(mass_matrix() * x + m_d * x - b, "x"));  // two terms
+  EXPECT_FALSE(factored(mass_matrix() * b, "x"));                // none
+  EXPECT_FALSE(factored(-(mass_matrix() * x) - b, "x"));         // -A has other pivots
+  EXPECT_FALSE(factored(mass_matrix() * x, "x"));                // nothing to solve for
+}
+
 TEST(R11, KnowsThatReachabilityAndMassesAreConstant) {
   EXPECT_EQ(operations(dot(D * m_d) * qd), (std::vector<Op>{Op::kZero}));
   EXPECT_THROW(dot(tau), NoRate);
