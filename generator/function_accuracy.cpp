@@ -111,6 +111,14 @@ std::vector<std::pair<std::string, std::string>> values_of(const program::Signat
   return result;
 }
 
+accuracy::Measured measured_and_bounded(const program::Function& function,
+                                        const accuracy::Arithmetic& how,
+                                        const accuracy::Truth& truth) {
+  accuracy::Measured result = measured(function, how, truth);
+  result.bound = bounded(function, how, truth, result);
+  return result;
+}
+
 void name_states(const FunctionRow& row, const program::Signature& signature,
                  const accuracy::Truth& truth, accuracy::FunctionStudy& study) {
   std::set<int> states;
@@ -147,9 +155,9 @@ accuracy::FunctionStudy function_accuracy(const Model& model, const Request& req
         truth = functions.truth(function.signature, states);
       }
       const emit::Sincos sincos = option.request.target.sincos;
-      study.rows.push_back({name, option.name,
-                            measured(function, {emit::Scalar::kFloat, sincos}, truth),
-                            measured(function, {emit::Scalar::kDouble, sincos}, truth)});
+      study.rows.push_back(
+          {name, option.name, measured_and_bounded(function, {emit::Scalar::kFloat, sincos}, truth),
+           measured_and_bounded(function, {emit::Scalar::kDouble, sincos}, truth)});
       if (first) {
         name_states(study.rows.back(), function.signature, truth, study);
       }
@@ -167,8 +175,8 @@ std::map<std::string, std::string> measured_errors(
     if (!simplify::is_scene_function(function.signature.name)) {
       const accuracy::Truth truth = of_model.truth(function.signature, request.accuracy_samples);
       const accuracy::Measured of =
-          measured(function, {request.target.scalar, request.target.sincos}, truth);
-      result.emplace(function.signature.name, accuracy::errors_json(of.errors));
+          measured_and_bounded(function, {request.target.scalar, request.target.sincos}, truth);
+      result.emplace(function.signature.name, accuracy::errors_json(of));
     }
   }
   return result;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -23,7 +24,23 @@ Cells worst_cells(const Worst& worst, const char* format) {
           fmt::format("#{}", worst.state)};
 }
 
-/// Operations and pairs of sine and cosine, then both errors.
+/// So that printing this many digits makes it no smaller.
+double rounded_up(double bound, int digits) {
+  return bound * (1 + 0.51 * std::pow(10, 1 - digits));
+}
+
+/// "1.9e-06 16x"; running bounds in brackets.
+std::string bound_cell(const Bound& bound) {
+  const std::string error =
+      std::isfinite(bound.error) ? fmt::format("{:.2g}", rounded_up(bound.error, 2)) : "none";
+  const double times = bound.error / bound.sampled;
+  return fmt::format("{}{}", bound.obstacle.empty() ? error : fmt::format("({})", error),
+                     !std::isfinite(times) ? ""
+                     : times < 10          ? fmt::format(" {:.1f}x", times)
+                                           : fmt::format(" {:.0f}x", times));
+}
+
+/// Operations and pairs of sine and cosine, then both errors and the bound.
 Cells cells_of(const Measured& measured) {
   const program::Cost& cost = measured.cost;
   Cells result = {fmt::format("{} + {}", cost.total(), std::max(cost.sin, cost.cos))};
@@ -31,6 +48,7 @@ Cells cells_of(const Measured& measured) {
                             worst_cells(measured.errors.ulps, "{:.3g}")}) {
     result.insert(result.end(), more.begin(), more.end());
   }
+  result.push_back(bound_cell(measured.bound));
   return result;
 }
 
@@ -89,29 +107,65 @@ std::vector<Cells> cells_of_function(const std::vector<FunctionRow>& rows,
   return result;
 }
 
+std::string number_json(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "null";
+}
+
 /// No error has no place; an infinite one is null.
 std::string worst_json(const Worst& worst) {
   const bool none = worst.output.empty();
+  return emit::json_object({{"error", number_json(worst.error)},
+                            {"output", none ? "null" : emit::json_string(worst.output)},
+                            {"state", none ? "null" : std::to_string(worst.state)}});
+}
+
+std::string bound_json(const Bound& bound) {
   return emit::json_object(
-      {{"error", std::isfinite(worst.error) ? fmt::format("{:.3g}", worst.error) : "null"},
-       {"output", none ? "null" : emit::json_string(worst.output)},
-       {"state", none ? "null" : std::to_string(worst.state)}});
+      {{"kind", emit::json_string(bound.obstacle.empty() ? "proven" : "running")},
+       {"error", number_json(rounded_up(bound.error, 3))},
+       {"output", bound.output.empty() ? "null" : emit::json_string(bound.output)},
+       {"sampled", number_json(bound.sampled)},
+       {"assumed", emit::json_string(bound.assumed)},
+       {"obstacle", emit::json_string(bound.obstacle)}});
 }
 
 std::string measured_json(const Measured& measured) {
   return emit::json_object({{"scaled", worst_json(measured.errors.scaled)},
                             {"ulp", worst_json(measured.errors.ulps)},
+                            {"bound", bound_json(measured.bound)},
                             {"operations", emit::operations_json(measured.cost)}});
+}
+
+/// What the bounds of the first rows hold for, and where there is none over the ranges.
+std::string bounds_text(const FunctionStudy& study) {
+  std::string text =
+      "\nbounds of the error over all ranges of the arguments, proven with intervals on the "
+      "operations; of the scale where\nevery argument is at the end of its range (16x: the largest "
+      "error in the states, of that scale); (running): of the state\nof the largest error alone\n";
+  std::set<std::string> seen;
+  for (const FunctionRow& row : study.rows) {
+    const Bound& bound = row.in_double.bound;
+    if (!seen.insert(row.function).second || (bound.assumed.empty() && bound.obstacle.empty())) {
+      continue;
+    }
+    text += bound.obstacle.empty()
+                ? fmt::format("  {}: proven for the ranges taken of {}, which have no limits\n",
+                              row.function, bound.assumed)
+                : fmt::format("  {}: running, because {} as far as intervals tell\n", row.function,
+                              bound.obstacle);
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string functions_text(const FunctionStudy& study) {
   std::vector<Cells> rows = {
-      {"", "", "float:", "largest", "", "", "largest", "", "", "double:", "largest", "", "",
-       "largest", "", ""},
+      {"", "", "float:", "largest", "", "", "largest", "", "", "", "double:", "largest", "", "",
+       "largest", "", "", ""},
       {"function", "option", "operations", "error/scale", "of", "state", "error/ulp", "of", "state",
-       "operations", "error/scale", "of", "state", "error/ulp", "of", "state"}};
+       "bound/scale", "operations", "error/scale", "of", "state", "error/ulp", "of", "state",
+       "bound/scale"}};
   std::vector<std::string> seen;
   for (const FunctionRow& row : study.rows) {
     if (std::find(seen.begin(), seen.end(), row.function) == seen.end()) {
@@ -126,7 +180,8 @@ std::string functions_text(const FunctionStudy& study) {
       "and pairs of sine and cosine\n",
       shown(study.model), study.states);
   text += study.missing.empty() ? "" : study.missing + "\n";
-  text += "\n" + table(rows) + "\nstates of the largest errors of the first rows\n";
+  text += "\n" + table(rows) + bounds_text(study) +
+          "\nstates of the largest errors of the first rows\n";
   for (const FunctionStudy::Named& named : study.named) {
     std::vector<std::string> values;
     for (const auto& [name, list] : named.values) {
@@ -137,9 +192,10 @@ std::string functions_text(const FunctionStudy& study) {
   return text;
 }
 
-std::string errors_json(const Errors& errors) {
-  return emit::json_object(
-      {{"scaled", worst_json(errors.scaled)}, {"ulp", worst_json(errors.ulps)}});
+std::string errors_json(const Measured& measured) {
+  return emit::json_object({{"scaled", worst_json(measured.errors.scaled)},
+                            {"ulp", worst_json(measured.errors.ulps)},
+                            {"bound", bound_json(measured.bound)}});
 }
 
 std::string functions_json(const FunctionStudy& study) {

@@ -38,16 +38,17 @@ double unit_in_last_place(double value) {
   return std::ldexp(1.0, exponent - std::numeric_limits<T>::digits + 1);
 }
 
-/// "A[7]" for the output value number k.
-std::string output_name(const program::Signature& signature, std::size_t k) {
-  for (const program::Array& array : signature.outputs) {
-    const auto size = static_cast<std::size_t>(array.size);
-    if (k < size) {
-      return fmt::format("{}[{}]", array.name, k);
+/// Every element at the end of its range that is farther from zero.
+Inputs ends(const program::Signature& signature, const std::vector<Interval>& ranges) {
+  Inputs result;
+  auto range = ranges.begin();
+  for (const program::Array& array : signature.inputs) {
+    result.emplace_back();
+    for (int i = 0; i < array.size; ++i, ++range) {
+      result.back().push_back(-range->low > range->high ? range->low : range->high);
     }
-    k -= size;
   }
-  return "";
+  return result;
 }
 
 /// A value and its error as parts of something; no error is none of nothing.
@@ -56,7 +57,8 @@ double part(double error, double of) { return error == 0 ? 0 : error / of; }
 template <class T>
 class Meter {
  public:
-  explicit Meter(const program::Function& function) : function_(function) {}
+  explicit Meter(const program::Function& function)
+      : function_(function), largest_(function.outputs.size(), 0) {}
 
   void note(const std::vector<T>& values, const engine::Exact& exact, int state) {
     TREEDYN_EXPECT(values.size() == exact.values.size() && values.size() == exact.scales.size());
@@ -65,6 +67,7 @@ class Meter {
       const double error = std::isfinite(values[k]) ? static_cast<double>(abs(Real(values[k]) - y))
                                                     : std::numeric_limits<double>::infinity();
       const auto size = std::abs(static_cast<double>(y));
+      largest_[k] = std::max(largest_[k], error);
       keep(part(error, exact.scales[k]), k, state, errors_.scaled);
       if (size > kZero * exact.scales[k]) {
         keep(error / unit_in_last_place<T>(size), k, state, errors_.ulps);
@@ -72,6 +75,7 @@ class Meter {
     }
   }
   [[nodiscard]] const Errors& errors() const { return errors_; }
+  [[nodiscard]] const std::vector<double>& largest() const { return largest_; }
 
  private:
   void keep(double error, std::size_t k, int state, Worst& worst) const {
@@ -82,6 +86,7 @@ class Meter {
 
   const program::Function& function_;
   Errors errors_;
+  std::vector<double> largest_;
 };
 
 template <class T>
@@ -93,14 +98,30 @@ Measured measured_in(const program::Function& function, const Arithmetic& how, c
     meter.note(executed<T>(in_scalar, truth.inputs[k], how.sincos), truth.exact[k],
                static_cast<int>(k));
   }
-  return {meter.errors(), program::cost(in_scalar)};
+  return {meter.errors(), program::cost(in_scalar), meter.largest()};
 }
 
 }  // namespace
 
+std::string output_name(const program::Signature& signature, std::size_t k) {
+  for (const program::Array& array : signature.outputs) {
+    const auto size = static_cast<std::size_t>(array.size);
+    if (k < size) {
+      return fmt::format("{}[{}]", array.name, k);
+    }
+    k -= size;
+  }
+  return "";
+}
+
 Truth truth_of(const program::Signature& signature, const States& states, int count,
                const std::function<engine::Exact(const Inputs&)>& reference) {
   Truth result;
+  result.ranges = states.ranges(signature);
+  result.scales = reference(ends(signature, result.ranges)).scales;
+  result.assumed = [states, signature](const Dependence& on) {
+    return states.assumed(signature, on);
+  };
   for (int k = 0; k < count; ++k) {
     result.inputs.push_back(states(signature, k));
     result.exact.push_back(reference(result.inputs.back()));

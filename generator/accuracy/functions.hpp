@@ -33,16 +33,32 @@ struct Arithmetic {
   emit::Sincos sincos = emit::Sincos::kPair;
 };
 
+/// What errors of a function do not exceed. Proven over all ranges of the arguments, a part of the
+/// scale at their ends; or running, a part of the scale in the state of the largest scaled error
+/// and proven there alone.
+struct Bound {
+  double error = 0;      ///< infinite where a value may be none
+  std::string output;    ///< "A[7]"; empty: every output is exact
+  double sampled = 0;    ///< the largest error over the states, a part of the same scale
+  std::string assumed;   ///< see States::assumed; empty: the model states all limits it needs
+  std::string obstacle;  ///< "a divisor may be zero": why it is a running one; empty: proven
+};
+
 /// What comes of a function in some arithmetic.
 struct Measured {
   Errors errors;
-  program::Cost cost;  ///< of a call in this scalar
+  program::Cost cost;           ///< of a call in this scalar
+  std::vector<double> largest;  ///< error of every output over all states
+  Bound bound = {};             ///< see `bounded`
 };
 
-/// States and what a function should return in them.
+/// States and what a function should return in them, and the ranges that they are from.
 struct Truth {
   std::vector<Inputs> inputs;
   std::vector<engine::Exact> exact;
+  std::vector<Interval> ranges = {};  ///< of every element of the arguments
+  std::vector<double> scales = {};    ///< where every element is at the larger end of its range
+  std::function<std::string(const Dependence&)> assumed = {};  ///< see States::assumed
 };
 
 /// Of the states 0 to `count` - 1.
@@ -59,6 +75,11 @@ std::vector<T> executed(const program::Function& function, const Inputs& inputs,
 
 /// O(states x operations).
 Measured measured(const program::Function& function, const Arithmetic& how, const Truth& truth);
+
+/// What `measured` found cannot be larger than this, see OutputError and `bounds_over`.
+/// \param function  as for `measured`; \param truth  of `truth_of`
+Bound bounded(const program::Function& function, const Arithmetic& how, const Truth& truth,
+              const Measured& measured);
 
 /// One way to make a function.
 struct FunctionRow {
@@ -86,7 +107,10 @@ struct FunctionStudy {
 std::string functions_text(const FunctionStudy& study);
 std::string functions_json(const FunctionStudy& study);
 
-/// {"scaled": 1.2e-07, ..}: one measurement.
-std::string errors_json(const Errors& errors);
+/// "A[7]" for the output value number k.
+std::string output_name(const program::Signature& signature, std::size_t k);
+
+/// {"scaled": {..}, "ulp": {..}, "bound": {..}}
+std::string errors_json(const Measured& measured);
 
 }  // namespace treedyn::accuracy

@@ -57,6 +57,8 @@ States::States(const model::Tree& tree) : dof_(static_cast<std::size_t>(tree.dof
       return value == 0 ? Range{} : Range{-value, value};
     };
     const double usual = joint.type == model::JointType::kRevolute ? std::numbers::pi : 1;
+    joints_.push_back(joint.name);
+    turns_.push_back(joint.type == model::JointType::kRevolute);
     const bool stated = limits.lower && limits.upper;
     position_.push_back(
         stated ? Range{static_cast<double>(*limits.lower), static_cast<double>(*limits.upper)}
@@ -91,6 +93,53 @@ Inputs States::operator()(const program::Signature& signature, int number) const
     result.push_back(std::move(values));
   }
   return result;
+}
+
+std::vector<Interval> States::ranges(const program::Signature& signature) const {
+  std::vector<Interval> result;
+  for (const program::Array& array : signature.inputs) {
+    const std::vector<Range>* const ranges = ranges_of(array.name);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(array.size); ++i) {
+      const Range range = ranges == nullptr ? Range{} : (*ranges)[i];
+      result.push_back(outwards(range.low, range.high));
+    }
+  }
+  return result;
+}
+
+bool States::is_assumed(const std::string& argument, std::size_t i, bool as_it_is) const {
+  const std::vector<std::string>* const without = argument == "q"    ? &without_position_
+                                                  : argument == "qd" ? &without_speed_
+                                                  : ranges_of(argument) != nullptr
+                                                      ? &without_effort_
+                                                      : nullptr;
+  if (without == nullptr) {
+    return true;
+  }
+  const bool stated = std::find(without->begin(), without->end(), joints_[i]) == without->end();
+  return !stated && !(argument == "q" && turns_[i] && !as_it_is);
+}
+
+std::string States::assumed(const program::Signature& signature, const Dependence& on) const {
+  std::vector<std::string> words;
+  int first = 0;
+  for (const program::Array& array : signature.inputs) {
+    std::vector<std::string> joints;
+    for (int i = 0; i < array.size; ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      if (on.inputs.contains(first + i) &&
+          is_assumed(array.name, n, on.as_they_are.contains(first + i))) {
+        joints.push_back(n < dof_ ? joints_[n] : "");
+      }
+    }
+    first += array.size;
+    if (!joints.empty()) {
+      words.push_back(ranges_of(array.name) == nullptr
+                          ? array.name
+                          : fmt::format("{} of {}", array.name, names(joints, dof_)));
+    }
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string States::missing() const {

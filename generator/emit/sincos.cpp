@@ -255,6 +255,11 @@ std::string sincos_text(const Target& target, const std::string& functions) {
                    target)}});
 }
 
+StatedSines stated_sines(Scalar scalar) {
+  const Approximation& a = approximation(scalar);
+  return {static_cast<double>(Real(a.error)), static_cast<double>(Real(a.range))};
+}
+
 std::string sincos_range(const Target& target) {
   const Approximation& a = approximation(target.scalar);
   return fmt::format(R"({{"error": {}, "range": {}, "end": {}}})", a.error, a.range, a.end);

@@ -30,6 +30,13 @@ struct SineCosine {
 SineCosine<float> sine_cosine(float x);
 SineCosine<double> sine_cosine(double x);
 
+/// What headers state: the largest error of a sine or cosine of angles up to `range`, rad.
+struct StatedSines {
+  double error;
+  double range;
+};
+StatedSines stated_sines(Scalar scalar);
+
 /// Error, range and end in rad as JSON: {"error": 1.7e-16, "range": 1.3e7, "end": 1.32e7}.
 std::string sincos_range(const Target& target);
 

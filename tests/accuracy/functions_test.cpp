@@ -217,6 +217,47 @@ TEST(States, StayInsideTheLimits) {
   EXPECT_NE(states(signature, 0), states(signature, 1));
 }
 
+TEST(States, NameWhatABoundAssumes) {
+  const States states(limited());
+  const program::Signature B = simplify::signature("bias_force", 2, 0);
+  EXPECT_EQ(states.assumed(B, {{0, 2}, {0}}), "");
+  EXPECT_EQ(states.assumed(B, {{0, 1, 2, 3}, {1}}), "q of k, qd of k");
+  const program::Signature tau = simplify::signature("inverse_dynamics", 2, 0);
+  EXPECT_EQ(states.assumed(tau, {{4}, {4}}), "qdd");
+  const States free(read("two_link.yaml"));
+  EXPECT_EQ(free.assumed(B, {{0, 1}, {}}), "");  // angles, of which sines and cosines are taken
+  EXPECT_EQ(free.assumed(B, {{0, 1, 2, 3}, {1, 2}}), "q of elbow, qd of any joint");
+  const std::vector<Interval> ranges = states.ranges(B);
+  ASSERT_EQ(ranges.size(), 4U);
+  EXPECT_NEAR(ranges[0].low, 0.1, 1e-15);
+  EXPECT_TRUE(ranges[0].contains(0.3));
+  EXPECT_TRUE(ranges[2].contains(-2) && ranges[3].contains(1));
+}
+
+/// Over all ranges where that can be proven, else in one state. Sums of angles are rounded.
+TEST(Bounded, IsProvenOrSaysWhyNot) {
+  const model::Tree tree = read("puma560.yaml");
+  const auto bound_of = [&](const std::string& name) {
+    const Truth exact = truth(tree, name, 40);
+    const program::Function function = made(tree, name);
+    const Measured in_double = measured(function, {}, exact);
+    const Bound bound = bounded(function, {}, exact, in_double);
+    EXPECT_GE(bound.error, bound.sampled) << name;
+    EXPECT_LE(bound.error, 400 * bound.sampled) << name;
+    if (name != "bias_force") {  // the scale is the same in every state, or that of this one
+      EXPECT_NEAR(bound.sampled, in_double.errors.scaled.error, 1e-12 * bound.sampled) << name;
+    }
+    return bound;
+  };
+  const Bound A = bound_of("mass_matrix");
+  EXPECT_EQ(A.assumed, "q of joint2, joint3");
+  EXPECT_EQ(A.obstacle, "");
+  EXPECT_EQ(bound_of("bias_force").assumed, "qd of any joint");
+  const Bound qdd = bound_of("forward_dynamics");
+  EXPECT_EQ(qdd.assumed, "");
+  EXPECT_EQ(qdd.obstacle, "a divisor may be zero");
+}
+
 TEST(States, NameMissingLimits) {
   EXPECT_EQ(States(limited()).missing(),
             "the model states no limits of position for k (taken: -pi to pi rad, -1 to 1 m), of "

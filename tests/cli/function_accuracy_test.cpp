@@ -89,6 +89,36 @@ TEST_F(FunctionAccuracy, SaysWhichLimitsTheModelStates) {
   EXPECT_THAT(outcome.out, HasSubstr("without regrouping"));
 }
 
+TEST_F(FunctionAccuracy, HasProvenBoundsAndSaysWhereThereAreNone) {
+  const std::vector<std::string> options = {
+      "--functions", "mass_matrix,bias_force,forward_dynamics", "--accuracy-samples", "20"};
+  const Json result = study(options);
+  std::map<std::string, std::string> kinds;
+  for (const Json& row : result.at("rows")) {
+    for (const char* scalar : {"float", "double"}) {
+      const Json& bound = row.at(scalar).at("bound");
+      EXPECT_GE(bound.at("error").get<double>(), bound.at("sampled").get<double>()) << row;
+      EXPECT_LE(bound.at("error").get<double>(), 100 * bound.at("sampled").get<double>()) << row;
+      EXPECT_EQ(bound.at("kind") == "running", bound.at("obstacle") != "") << row;
+      if (row.at("option") == "as asked for") {
+        kinds[row.at("function")] = bound.at("kind").get<std::string>() + " " +
+                                    bound.at("assumed").get<std::string>() +
+                                    bound.at("obstacle").get<std::string>();
+      }
+    }
+  }
+  EXPECT_EQ(kinds.at("mass_matrix"), "proven ");
+  EXPECT_EQ(kinds.at("bias_force"), "proven qd of any joint");
+  EXPECT_EQ(kinds.at("forward_dynamics"), "running a divisor may be zero");
+  std::vector<std::string> arguments = {"info", "--accuracy", kModel, "--effort", "0", "-q"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = treedyn(arguments);
+  EXPECT_THAT(outcome.out, HasSubstr("bias_force: proven for the ranges taken of qd of any joint, "
+                                     "which have no limits"));
+  EXPECT_THAT(outcome.out, HasSubstr("forward_dynamics: running, because a divisor may be zero as "
+                                     "far as intervals tell"));
+}
+
 TEST_F(FunctionAccuracy, TakesEquationsOfUsers) {
   const Json result = study({"--equations", TREEDYN_SOURCE_DIR "/models/equations/power.yaml",
                              "--functions", "total_power", "--accuracy-samples", "10"});
@@ -119,6 +149,7 @@ TEST_F(FunctionAccuracy, GoesIntoTheManifest) {
       if (row.at("option") == "as asked for" && row.at("function") == function.at("name")) {
         EXPECT_EQ(function.at("errors").at("scaled"), row.at("float").at("scaled"));
         EXPECT_EQ(function.at("errors").at("ulp"), row.at("float").at("ulp"));
+        EXPECT_EQ(function.at("errors").at("bound"), row.at("float").at("bound"));
         ++compared;
       }
     }
