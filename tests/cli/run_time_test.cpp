@@ -323,7 +323,7 @@ TEST_F(RunTimeCli, RefusesWhatItDoesNotTake) {
   refused({"--runtime", "hand.mass"}, "runtime: there is no link 'hand'; expected one");
   refused({"--runtime", "mass"},
           "runtime: 'mass' cannot be known at run time only; expected gravity");
-  refused({"--runtime", "gravity,gravity"}, "'gravity 0' is defined twice");
+  refused({"--runtime", "gravity,gravity"}, "run-time parameter 'gravity' is defined twice");
   refused({"--runtime", "forearm.length"},
           "'length' cannot be known at run time only; expected "
           "mass, com, inertia");
