@@ -29,7 +29,9 @@ std::span<const RuleRow> rules() {
        "what is the same for all links leaves sums: D^T(y g) = (D^T y) g, D^T(x×g) = (D^T x)×g"},
       {Rule::kParameters, "R10",
        "m c = h, J_c - m Λ(c)² = I: c×(m x) = h×x, c×(Λ(α) h) = (I - J_c) α"},
-      {Rule::kPlaces, "F1", "a sliding joint may be anywhere on its axis: in the link, so l = 0"},
+      {Rule::kPlaces, "F1",
+       "of what no P_i of a sliding joint is in: it may be anywhere on its axis, in the link, l = "
+       "0"},
       {Rule::kStart, "F2", "what is added to all sums along paths is where they start"},
       {Rule::kFathers, "F3", "what is made of N x alone is the father's: S(N x) = Π S(D x)"},
       {Rule::kPseudoInertia, "F4",

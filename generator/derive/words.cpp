@@ -130,6 +130,71 @@ std::optional<std::vector<Word>> words(const Expression& e, std::size_t most) {
   }
 }
 
+namespace {
+
+bool is_wrapped(const Expression& e) {
+  return e.kind() == Kind::kTranspose || e.kind() == Kind::kSkew ||
+         e.kind() == Kind::kSkewTranspose;
+}
+
+/// A symbol, whatever Λ and transposes stand around it; "" for others.
+std::string symbol_in(const Expression& e) {
+  return is_wrapped(e)             ? symbol_in(e.operands().front())
+         : e.kind() == Kind::kLeaf ? e.node().name
+                                   : "";
+}
+
+/// True if the joints to which [begin, end) leads from a vector turn: D or D - E, then σ.
+template <class Iterator>
+bool turns(Iterator begin, Iterator end, bool transposed) {
+  begin = std::find_if(begin, end, [](const Expression& f) { return symbol_in(f) != "W"; });
+  const std::string reach = begin == end ? "" : block::print(*begin);
+  const bool up = reach == "D" || reach == "D - E" || reach == "(D^T - E)^T";
+  const bool down = reach == "D^T" || reach == "D^T - E" || reach == "(D - E)^T";
+  if (transposed ? !down : !up) {
+    return false;
+  }
+  const auto after = std::find_if_not(++begin, end, is_diagonal);
+  return std::any_of(begin, after, [](const Expression& f) { return symbol_in(f) == "σ"; });
+}
+
+bool refers_to_places(const std::vector<Expression>& word);
+
+bool any_refers(const Expression& e, const std::vector<Expression>& before,
+                const std::vector<Expression>& after) {
+  constexpr std::size_t kMost = 10000;
+  const auto all = words(e, kMost);
+  return !all || std::any_of(all->begin(), all->end(), [&](const Word& inner) {
+    std::vector<Expression> word = before;
+    word.insert(word.end(), inner.factors.begin(), inner.factors.end());
+    word.insert(word.end(), after.begin(), after.end());
+    return refers_to_places(word);
+  });
+}
+
+bool refers_to_places(const std::vector<Expression>& word) {
+  for (auto f = word.begin(); f != word.end(); ++f) {
+    const std::string symbol = symbol_in(*f);
+    if (f->kind() == Kind::kDiagonal && any_refers(f->operands().front(), {}, {})) {
+      return true;
+    }
+    if (is_wrapped(*f) && symbol.empty() && !is_symbol(f->operands().front())) {  // Λ(X)
+      return any_refers(f->operands().front(), {word.begin(), f}, {f + 1, word.end()});
+    }
+    const bool ends = f + 1 != word.end() && symbol_in(*(f + 1)).starts_with("1_");
+    if ((symbol == "s^d" || symbol == "l^d" || symbol == "t^d") && !ends &&
+        !turns(f + 1, word.end(), false) &&
+        !turns(std::make_reverse_iterator(f), word.rend(), true)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool refers_to_places(const Expression& e) { return any_refers(e, {}, {}); }
+
 std::string to_text(const Word& word) {
   Expression whole = word.factors.front();
   for (std::size_t k = 1; k < word.factors.size(); ++k) {

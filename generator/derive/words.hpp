@@ -20,4 +20,9 @@ std::optional<std::vector<Word>> words(const block::Expression& e, std::size_t m
 
 std::string to_text(const Word& word);
 
+/// False if the value is the same wherever P_i of a sliding joint i is on its axis: vectors from
+/// P_i (s^d, l^d, t^d) stand in the words of turning joints (σ) or end at points, where P_i is no
+/// more.
+bool refers_to_places(const block::Expression& e);
+
 }  // namespace treedyn::derive

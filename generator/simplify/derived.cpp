@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "derive/words.hpp"
 #include "equations/table.hpp"
 #include "simplify/lowering.hpp"
 
@@ -166,8 +167,8 @@ std::shared_ptr<const Derived> derived(const std::string& name) {
 
 std::shared_ptr<const Derived> derived_part(const std::string& name,
                                             const block::Expression& expression) {
-  Derived made =
-      *derived(equations::equation_of(name, expression), 1, 1, is_picked(expression.shape()));
+  Derived made = *derived(equations::equation_of(name, expression), 1, 1,
+                          derive::refers_to_places(expression));
   made.regroups = !needs_centres(made.derivation);
   return std::make_shared<const Derived>(std::move(made));
 }

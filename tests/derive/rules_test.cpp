@@ -6,6 +6,7 @@
 #include <ginac/ginac.h>
 #include <gtest/gtest.h>
 
+#include "block/print.hpp"
 #include "derive/derive.hpp"
 #include "derive/forms.hpp"
 #include "derive/print.hpp"
@@ -558,6 +559,20 @@ TEST_F(Identities, OfTheCommonColumn) {
     return lambda(a).add(lambda(b).mul(lambda(b)));
   };
   EXPECT_TRUE(equal(Omega(alpha, omega).mul(z), Omega(alpha_, omega_).mul(z)));
+}
+
+TEST(F1, ActsWhereNoPlaceOfASlidingJointIsReferredTo) {
+  for (const Expression& e :
+       {mass_matrix(), bias_force(), gravity_force(), inverse_dynamics(), applied_force(),
+        point_positions(), point_velocities(), point_bias_acceleration(), potential_energy(),
+        force_jacobian_transpose(points()), bias_force() + gravity_force()}) {
+    EXPECT_FALSE(refers_to_places(e)) << block::print(e);
+  }
+  for (const Expression& e :
+       {joint_to_link_vectors(), joint_to_com_vectors(), D * s_d * (D - E) * qd, l_d * D * qd,
+        sigma * D * s_d * (D - E) * qd, skew(l_d * D) * z_d * (E - sigma), D * l_d * qd}) {
+    EXPECT_TRUE(refers_to_places(e)) << block::print(e);
+  }
 }
 
 const Expression x = leaf("x", block::Structure::kFull, {kLinks, kOne});
