@@ -46,9 +46,9 @@ Bound running(const program::Function& function, const Arithmetic& how, const Tr
 Bound bounded(const program::Function& function, const Arithmetic& how, const Truth& truth,
               const Measured& measured) {
   const BoundsOver bounds = bounds_over(function, how, {truth.ranges, truth.scales, kCuts});
-  if (!bounds.obstacle.empty()) {
+  if (!std::isfinite(bounds.largest)) {
     Bound result = running(function, how, truth, measured);
-    result.obstacle = bounds.obstacle;
+    result.obstacle = bounds.obstacle.empty() ? "a scale is zero" : bounds.obstacle;
     return result;
   }
   Bound result{bounds.largest,
