@@ -10,6 +10,7 @@
 #include "program/random.hpp"
 #include "simplify/geometry.hpp"
 #include "simplify/limbs.hpp"
+#include "simplify/provenance.hpp"
 
 namespace treedyn::simplify {
 
@@ -351,6 +352,7 @@ void forget_numbers(Arrays&... arrays) {
 Seen with_stand_ins(const model::Tree& tree, const Options& options) {
   Seen seen = StandIns().run(tree, options);
   see_parameters(seen.tree);
+  note_provenance(seen);
   return seen;
 }
 
