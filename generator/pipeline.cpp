@@ -48,6 +48,7 @@ simplify::Options simplify_options(const Model& model, const Request& request) {
   options.forward_dynamics = request.forward_dynamics;
   options.without = request.without;
   options.share_limbs = request.share_limbs;
+  options.metres = request.metres;
   return options;
 }
 

@@ -104,6 +104,7 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   add_word("namespace", request.space.value_or(""));
   add_word("prefix", request.prefix.value_or(""));
   add_word("section", request.section);
+  add_word("units", request.metres ? "si" : "");
   if (request.share_limbs) {
     options.emplace_back("share_limbs", "true");
   }
@@ -160,6 +161,7 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   add(request.effort != kDefaults.effort, "--effort", std::to_string(request.effort));
   add(request.forward_dynamics != kDefaults.forward_dynamics, "--forward-dynamics",
       forward_dynamics_text(request.forward_dynamics));
+  add(request.metres, "--units", "si");
   add(!request.without.empty(), "--without", list_of(names_without(request)));
   add(request.accuracy_samples > 0, "--accuracy-samples", std::to_string(request.accuracy_samples));
   for (const auto& [option, value] : step_options(request.stepping)) {

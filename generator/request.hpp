@@ -46,6 +46,7 @@ struct Request {
   simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
   std::vector<simplify::Pass> without;  ///< passes that are switched off
   bool share_limbs = false;             ///< equal limbs share code
+  bool metres = false;                  ///< all values in SI units, inside functions as well
   bool self_test = false;               ///< known answers and a function that compares with them
   bool checked = false;                 ///< functions that can fail have siblings with a status
   int accuracy_samples = 0;             ///< states in which errors are measured; 0: none

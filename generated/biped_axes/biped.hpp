@@ -43,7 +43,7 @@ inline constexpr int kDof = 18;
 /// Number of points.
 inline constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x9b920314a9a9f850ULL;
+inline constexpr unsigned long long kDigest = 0xd486b522afeddd1dULL;
 
 /// Index of every joint.
 namespace joint {

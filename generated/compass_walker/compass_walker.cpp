@@ -14,7 +14,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0xf3a7a641478d9a7cULL, "header and source are of different runs");
+static_assert(kDigest == 0x9160b6ed058b105aULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -71,23 +71,56 @@ inline double sin(double x) noexcept { return sine_cosine(x).sine; }
 
 }  // namespace
 
+namespace {
+
+// The numbers that functions take from the model, under the first link whose inertia is in them;
+// above each its unit and the numbers of the model that it is made of, but for those that are
+// exactly 0 or 1. Other literals are numbers of the equations.
+
+// gravity
+constexpr double base_p1 = 9.81;
+
+// mass of hip, left_leg, right_leg
+constexpr double hip_p1 = 20.0;
+// gravity; mass of hip, left_leg, right_leg
+constexpr double hip_p2 = 196.2;
+// mass of hip; mass, com z of left_leg, right_leg
+constexpr double hip_p3 = 10.0;
+
+// mass, com z of left_leg, right_leg
+constexpr double left_leg_p1 = 2.5;
+// mass, com z of left_leg, right_leg
+constexpr double left_leg_p2 = 1.25;
+// gravity; mass, com z of left_leg, right_leg
+constexpr double left_leg_p3 = 24.525;
+// mass, com z of left_leg, right_leg
+constexpr double left_leg_p4 = 0.8;
+// mass, com z of left_leg, right_leg
+constexpr double left_leg_p5 = 2.0;
+// mass, com z of left_leg, right_leg
+constexpr double left_leg_p6 = 5.0;
+// gravity; mass, com z of left_leg, right_leg
+constexpr double left_leg_p7 = 19.62;
+
+}  // namespace
+
 void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   const auto [s_left_hip, c_left_hip] = sine_cosine(q[2]);
   // right_leg
   const auto [s_right_hip, c_right_hip] = sine_cosine(q[3]);
-  A[7] = 2.5 * s_right_hip;
+  A[7] = left_leg_p1 * s_right_hip;
   A[13] = A[7];
-  A[3] = -2.5 * c_right_hip;
+  A[3] = -left_leg_p1 * c_right_hip;
   A[12] = A[3];
   // left_leg
-  A[2] = -2.5 * c_left_hip;
+  A[2] = -left_leg_p1 * c_left_hip;
   A[8] = A[2];
-  A[6] = 2.5 * s_left_hip;
+  A[6] = left_leg_p1 * s_left_hip;
   A[9] = A[6];
-  A[0] = 20.0;
-  A[5] = 20.0;
-  A[10] = 1.25;
-  A[15] = 1.25;
+  A[0] = hip_p1;
+  A[5] = hip_p1;
+  A[10] = left_leg_p2;
+  A[15] = left_leg_p2;
   A[1] = 0.0;
   A[4] = 0.0;
   A[11] = 0.0;
@@ -100,8 +133,8 @@ void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_1 = qd[2] * qd[2];
   // hip
-  B[1] = 2.5 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1);
-  B[0] = 2.5 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1);
+  B[1] = left_leg_p1 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1);
+  B[0] = left_leg_p1 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1);
   B[2] = 0.0;
   B[3] = 0.0;
 }
@@ -109,75 +142,66 @@ void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
 void gravity_force(const Scalar q[4], Scalar G[4]) noexcept {
   const Scalar s_left_hip = sin(q[2]);
   const Scalar s_right_hip = sin(q[3]);
-  G[3] = 24.525 * s_right_hip;
+  G[3] = left_leg_p3 * s_right_hip;
   // left_leg
-  G[2] = 24.525 * s_left_hip;
-  G[1] = 196.2;
+  G[2] = left_leg_p3 * s_left_hip;
+  G[1] = hip_p2;
   G[0] = 0.0;
 }
 
 void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4],
                       Scalar tau[4]) noexcept {
-  const Scalar a_hip_z = 9.81 + qdd[1];
+  const Scalar a_hip_z = base_p1 + qdd[1];
   // left_leg
   const auto [s_left_hip, c_left_hip] = sine_cosine(q[2]);
-  const Scalar t_left_leg_1 = 2.5 * c_left_hip;
-  const Scalar t_left_leg_2 = 2.5 * s_left_hip;
-  tau[2] = 1.25 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
+  const Scalar t_left_leg_1 = left_leg_p1 * c_left_hip;
+  const Scalar t_left_leg_2 = left_leg_p1 * s_left_hip;
+  tau[2] = left_leg_p2 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
   const Scalar t_left_leg_3 = qd[2] * qd[2];
   // right_leg
   const auto [s_right_hip, c_right_hip] = sine_cosine(q[3]);
-  const Scalar t_right_leg_1 = 2.5 * c_right_hip;
-  const Scalar t_right_leg_2 = 2.5 * s_right_hip;
-  tau[3] = 1.25 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
+  const Scalar t_right_leg_1 = left_leg_p1 * c_right_hip;
+  const Scalar t_right_leg_2 = left_leg_p1 * s_right_hip;
+  tau[3] = left_leg_p2 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
   const Scalar t_right_leg_3 = qd[3] * qd[3];
   // hip
-  const Scalar t_hip_1 = 20.0 * a_hip_z + qdd[2] * t_left_leg_2;
-  const Scalar t_hip_2 = t_hip_1 + t_left_leg_1 * t_left_leg_3;
-  tau[1] = t_hip_2 + t_right_leg_1 * t_right_leg_3 + qdd[3] * t_right_leg_2;
-  const Scalar t_hip_3 = 20.0 * qdd[0] + t_left_leg_2 * t_left_leg_3;
-  const Scalar t_hip_4 = t_hip_3 - qdd[2] * t_left_leg_1 - qdd[3] * t_right_leg_1;
-  tau[0] = t_hip_4 + t_right_leg_2 * t_right_leg_3;
+  const Scalar t_hip_1 = hip_p1 * a_hip_z + qdd[2] * t_left_leg_2 + t_left_leg_1 * t_left_leg_3;
+  tau[1] = t_hip_1 + t_right_leg_1 * t_right_leg_3 + qdd[3] * t_right_leg_2;
+  const Scalar t_hip_2 = hip_p1 * qdd[0] + t_left_leg_2 * t_left_leg_3 - qdd[2] * t_left_leg_1;
+  tau[0] = t_hip_2 - qdd[3] * t_right_leg_1 + t_right_leg_2 * t_right_leg_3;
 }
 
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
                       Scalar qdd[4]) noexcept {
   const auto [s_left_hip, c_left_hip] = sine_cosine(q[2]);
   const auto [s_right_hip, c_right_hip] = sine_cosine(q[3]);
-  // left_leg
-  const Scalar t_left_leg_1 = c_right_hip * c_right_hip + c_left_hip * c_left_hip;
-  const Scalar t_left_leg_2 = 5.0 * t_left_leg_1;
-  const Scalar t_left_leg_3 = 10.0 + t_left_leg_2;
-  const Scalar inverse_pivot_hip = 1.0 / t_left_leg_3;
-  const Scalar t_left_leg_4 = c_right_hip * s_right_hip + c_left_hip * s_left_hip;
-  const Scalar t_left_leg_5 = 5.0 * t_left_leg_4;
-  const Scalar t_hip_1 = inverse_pivot_hip * t_left_leg_5;
-  const Scalar t_hip_2 = 20.0 - t_left_leg_2 - t_left_leg_5 * t_hip_1;
-  const Scalar inverse_pivot_slide = 1.0 / t_hip_2;
+  const Scalar t_left_leg_1 = left_leg_p6 * (c_right_hip * c_right_hip + c_left_hip * c_left_hip);
+  const Scalar t_left_leg_2 = hip_p3 + t_left_leg_1;
+  const Scalar inverse_pivot_hip = 1.0 / t_left_leg_2;
+  const Scalar t_left_leg_3 = left_leg_p6 * (c_right_hip * s_right_hip + c_left_hip * s_left_hip);
+  const Scalar t_hip_1 = inverse_pivot_hip * t_left_leg_3;
+  const Scalar inverse_pivot_slide = 1.0 / (hip_p1 - t_left_leg_1 - t_left_leg_3 * t_hip_1);
   const Scalar t_right_leg_1 = qd[3] * qd[3];
-  const Scalar t_left_leg_6 = qd[2] * qd[2];
+  const Scalar t_left_leg_4 = qd[2] * qd[2];
   // hip
-  const Scalar t_hip_3 = c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_6;
-  const Scalar t_hip_4 = 2.0 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
-  const Scalar u_hip = tau[1] - 2.5 * t_hip_3 - t_hip_4;
+  const Scalar t_hip_2 = left_leg_p1 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4);
+  const Scalar t_hip_3 = left_leg_p5 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
+  const Scalar u_hip = tau[1] - t_hip_2 - t_hip_3;
   // slide
-  const Scalar t_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_6;
-  const Scalar t_slide_2 = 2.0 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
-  const Scalar t_slide_3 = tau[0] - 2.5 * t_slide_1 - t_hip_1 * u_hip;
-  const Scalar u_slide = t_slide_3 + t_slide_2;
-  const Scalar t_slide_4 = inverse_pivot_slide * u_slide;
-  qdd[0] = t_slide_4;
-  const Scalar t_hip_5 = 9.81 * t_left_leg_3;
-  const Scalar t_hip_6 = inverse_pivot_hip * (u_hip - t_left_leg_5 * t_slide_4 - t_hip_5);
-  qdd[1] = t_hip_6;
+  const Scalar t_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4;
+  const Scalar t_slide_2 = left_leg_p5 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
+  const Scalar u_slide = tau[0] - left_leg_p1 * t_slide_1 - t_hip_1 * u_hip + t_slide_2;
+  const Scalar t_slide_3 = inverse_pivot_slide * u_slide;
+  qdd[0] = t_slide_3;
+  const Scalar t_hip_4 = u_hip - t_left_leg_3 * t_slide_3 - base_p1 * t_left_leg_2;
+  const Scalar t_hip_5 = inverse_pivot_hip * t_hip_4;
+  qdd[1] = t_hip_5;
   // left_leg
-  const Scalar t_left_leg_7 = 2.0 * t_slide_4;
-  const Scalar t_left_leg_8 = 19.62 + 2.0 * t_hip_6;
-  const Scalar t_left_leg_9 = 0.8 * tau[2] + c_left_hip * t_left_leg_7;
-  qdd[2] = t_left_leg_9 - s_left_hip * t_left_leg_8;
+  const Scalar t_left_leg_5 = left_leg_p5 * t_slide_3;
+  const Scalar t_left_leg_6 = left_leg_p7 + left_leg_p5 * t_hip_5;
+  qdd[2] = left_leg_p4 * tau[2] + c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
   // right_leg
-  const Scalar t_right_leg_2 = 0.8 * tau[3] + c_right_hip * t_left_leg_7;
-  qdd[3] = t_right_leg_2 - s_right_hip * t_left_leg_8;
+  qdd[3] = left_leg_p4 * tau[3] + c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;
 }
 
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {

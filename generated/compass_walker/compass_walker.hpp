@@ -27,7 +27,7 @@ inline constexpr int kDof = 4;
 /// Number of points.
 inline constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xf3a7a641478d9a7cULL;
+inline constexpr unsigned long long kDigest = 0x9160b6ed058b105aULL;
 
 /// Index of every joint.
 namespace joint {

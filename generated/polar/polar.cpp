@@ -14,7 +14,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xc09d068eece18e5aULL, "header and source are of different runs");
+static_assert(kDigest == 0x3826f08b81e76ed1ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -69,17 +69,49 @@ SineCosine<Number> sine_cosine(const Number& x) noexcept {
 
 }  // namespace
 
+namespace {
+
+// The numbers that functions take from the model, under the first link whose inertia is in them;
+// above each its unit and the numbers of the model that it is made of, but for those that are
+// exactly 0 or 1. Other literals are numbers of the equations.
+
+// m/s^2: gravity
+constexpr double base_g1 = 9.81;
+
+// kg m^2: inertia xx yy zz of shoulder_link; mass, com z, inertia xx yy zz of boom
+constexpr double shoulder_I1 = 2.528;
+
+// kg: mass of boom
+constexpr double boom_m1 = 4.25;
+// kg: mass of boom
+constexpr double boom_m2 = 8.5;
+// m: com z of boom
+constexpr double boom_l1 = 0.6447;
+// m: offset y of boom
+constexpr double boom_l2 = 0.154;
+// kg m: mass, com z of boom
+constexpr double boom_h1 = 5.47995;
+// kg m: mass, com z of boom
+constexpr double boom_h2 = 2.739975;
+// N: gravity; mass of boom
+constexpr double boom_w1 = 41.6925;
+// N m: gravity; mass, com z of boom
+constexpr double boom_G1 = 26.87915475;
+// kg^-1: mass of boom
+constexpr double boom_p1 = 0.23529411764705882;
+
+}  // namespace
+
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
-  const Scalar t_boom_1 = q[1] * (5.47995 - 4.25 * q[1]);
   // shoulder_link
-  A[0] = 2.528 - t_boom_1;
-  A[3] = 4.25;
+  A[0] = shoulder_I1 - q[1] * (boom_h1 - boom_m1 * q[1]);
+  A[3] = boom_m1;
   A[1] = 0.0;
   A[2] = 0.0;
 }
 
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
-  const Scalar t_boom_1 = qd[0] * (5.47995 - 8.5 * q[1]);
+  const Scalar t_boom_1 = qd[0] * (boom_h1 - boom_m2 * q[1]);
   B[1] = qd[0] * t_boom_1 * 0.5;
   // shoulder_link
   B[0] = -qd[1] * t_boom_1;
@@ -87,39 +119,33 @@ void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
-  G[1] = 41.6925 * c_shoulder;
+  G[1] = boom_w1 * c_shoulder;
   // shoulder_link
-  G[0] = s_shoulder * (26.87915475 - 41.6925 * q[1]);
+  G[0] = s_shoulder * (boom_G1 - boom_w1 * q[1]);
 }
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
                       Scalar tau[2]) noexcept {
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
   // boom
-  const Scalar t_boom_1 = 4.25 * q[1];
-  const Scalar t_boom_2 = 2.739975 - t_boom_1;
-  const Scalar t_boom_3 = 41.6925 * c_shoulder + 4.25 * qdd[1];
-  tau[1] = t_boom_3 + qd[0] * qd[0] * t_boom_2;
+  const Scalar t_boom_1 = boom_m1 * q[1];
+  const Scalar t_boom_2 = boom_h2 - t_boom_1;
+  tau[1] = boom_w1 * c_shoulder + boom_m1 * qdd[1] + qd[0] * qd[0] * t_boom_2;
   // shoulder_link
-  const Scalar t_shoulder_1 = q[1] * (5.47995 - t_boom_1);
-  const Scalar t_shoulder_2 = 9.81 * s_shoulder - qd[0] * qd[1] * 2.0;
-  tau[0] = qdd[0] * (2.528 - t_shoulder_1) + t_boom_2 * t_shoulder_2;
+  const Scalar t_shoulder_1 = t_boom_2 * (base_g1 * s_shoulder - qd[0] * qd[1] * 2.0);
+  tau[0] = qdd[0] * (shoulder_I1 - q[1] * (boom_h1 - t_boom_1)) + t_shoulder_1;
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
-  const Scalar t_boom_1 = q[1] * (5.47995 - 4.25 * q[1]);
-  const Scalar inverse_pivot_shoulder = 1.0 / (2.528 - t_boom_1);
-  const Scalar t_boom_2 = 0.6447 - q[1];
-  const Scalar t_boom_3 = qd[0] * t_boom_2;
-  // shoulder_link
-  const Scalar t_shoulder_1 = tau[0] - s_shoulder * t_boom_2 * 41.6925;
-  const Scalar t_shoulder_2 = t_shoulder_1 + qd[1] * t_boom_3 * 8.5;
-  qdd[0] = inverse_pivot_shoulder * t_shoulder_2;
+  const Scalar inverse_pivot_shoulder = 1.0 / (shoulder_I1 - q[1] * (boom_h1 - boom_m1 * q[1]));
+  const Scalar t_boom_1 = boom_l1 - q[1];
+  const Scalar t_boom_2 = qd[0] * t_boom_1;
+  const Scalar t_shoulder_1 = tau[0] - s_shoulder * t_boom_1 * boom_w1;
+  qdd[0] = inverse_pivot_shoulder * (t_shoulder_1 + qd[1] * t_boom_2 * boom_m2);
   // boom
-  const Scalar t_boom_4 = 9.81 * c_shoulder - 0.23529411764705882 * tau[1];
-  qdd[1] = -(t_boom_4 + qd[0] * t_boom_3);
+  qdd[1] = -(base_g1 * c_shoulder - boom_p1 * tau[1] + qd[0] * t_boom_2);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
@@ -127,7 +153,7 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
   p[0] = s_shoulder * q[1];
   p[2] = c_shoulder * q[1];
-  p[1] = 0.154;
+  p[1] = boom_l2;
 }
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {

@@ -24,7 +24,7 @@ inline constexpr int kDof = 2;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xc09d068eece18e5aULL;
+inline constexpr unsigned long long kDigest = 0x3826f08b81e76ed1ULL;
 
 /// Index of every joint.
 namespace joint {

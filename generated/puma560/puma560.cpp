@@ -14,7 +14,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0x47a8b5d43b3f4cc9ULL, "header and source are of different runs");
+static_assert(kDigest == 0x35d31ca47bc4aed8ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -69,99 +69,267 @@ SineCosine<Number> sine_cosine(const Number& x) noexcept {
 
 }  // namespace
 
+namespace {
+
+// The numbers that functions take from the model, under the first link whose inertia is in them;
+// above each its unit and the numbers of the model that it is made of, but for those that are
+// exactly 0 or 1. Other literals are numbers of the equations.
+
+// kg m^2: inertia zz of link1; mass, com x z, inertia xx yy zz, offset y of link2; mass, com z,
+//     inertia xx yy zz, offset x z of link3; mass, inertia zz, offset x of link4; mass, inertia xx
+//     yy zz of link5, link6
+constexpr double link1_I1 = 3.155122265;
+// kg m^2: inertia zz of link1; mass, com x z, inertia xx yy zz, offset y of link2; mass, com z,
+//     inertia xx yy zz, offset x z of link3
+constexpr double link1_I2 = 2.88549059;
+
+// ratio: offset y of link2; offset z of link3; offset x of link4
+constexpr double link2_k1 = 14.788177339901479;
+// ratio: offset y of link2; offset z of link3; offset x of link4
+constexpr double link2_k2 = 7.394088669950739;
+// ratio: offset y of link2, link4; offset z of link3
+constexpr double link2_k3 = 0.3465712306626645;
+// ratio: offset y of link2; offset x z of link3
+constexpr double link2_k4 = 0.3476146364057434;
+// ratio: offset y of link2; offset x z of link3
+constexpr double link2_k5 = 0.6952292728114868;
+// m: offset y of link2; offset z of link3
+constexpr double link2_l1 = 0.1501;
+// kg m^2: mass, com y z, offset y of link2
+constexpr double link2_I1 = 0.023751;
+// kg m^2: mass, com x z, offset y of link2; mass, com z, offset x z of link3; mass, offset x of
+//     link4; mass of link5, link6
+constexpr double link2_I2 = 0.690314699;
+// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, com y, inertia xx yy zz, offset x of
+//     link3; mass, com z, inertia xx yy zz, offset x y of link4; mass, inertia xx yy zz of link5;
+//     mass, com z, inertia xx yy zz of link6
+constexpr double link2_I3 = 2.061861411;
+// kg m^2: mass, com x y of link2
+constexpr double link2_I4 = 0.0141984;
+// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3; mass of link4, link5,
+//     link6
+constexpr double link2_I5 = 1.601861202;
+// kg m^2: mass, com x y of link2
+constexpr double link2_I6 = 0.0070992;
+// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3
+constexpr double link2_I7 = 1.368797152;
+// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3
+constexpr double link2_I8 = 1.515049952;
+// kg m^2: mass, com x z, offset y of link2; mass, com z, offset x z of link3
+constexpr double link2_I9 = 0.609298224;
+// N m: gravity; mass, com x of link2; mass, offset x of link3; mass of link4, link5, link6
+constexpr double link2_G1 = 37.2347379;
+// N m: gravity; mass, com y of link2
+constexpr double link2_G2 = 1.024164;
+// N m: gravity; mass, com x of link2; mass, offset x of link3; offset y of link4
+constexpr double link2_G3 = 31.9397904;
+
+// ratio: offset x of link3, link4
+constexpr double link3_k1 = 21.27093596059113;
+// ratio: offset x of link3; offset y of link4
+constexpr double link3_k2 = 0.9969983837450935;
+// ratio: offset x of link3; offset y of link4
+constexpr double link3_k3 = 1.0030106530801297;
+// ratio: offset x of link3, link4
+constexpr double link3_k4 = 0.04701250578971746;
+// m: offset x of link3
+constexpr double link3_l1 = 0.4318;
+// kg m: mass, com y of link3; mass, com z, offset y of link4; mass of link5, link6
+constexpr double link3_h1 = 0.861795;
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
+//     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link3_I1 = 0.298477184;
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
+//     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link3_I2 = 0.313747409;
+// kg m^2: mass, com y of link3; mass, com z, offset x y of link4; mass of link5, link6
+constexpr double link3_I3 = 0.0174944385;
+// kg m^2: mass, com y z of link3
+constexpr double link3_I4 = 0.004704;
+// kg m^2: mass, com y, offset x of link3; mass, com z, offset y of link4; mass of link5, link6
+constexpr double link3_I5 = 0.372123081;
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
+//     link4; mass of link5, link6
+constexpr double link3_I6 = 0.299575024;
+// kg m^2: mass, com y of link3; mass, com z, offset y of link4
+constexpr double link3_I7 = 0.138773902;
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
+constexpr double link3_I8 = 0.065620624;
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
+constexpr double link3_I9 = 0.078120624;
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
+constexpr double link3_I10 = 0.071870624;
+// kg m^2: inertia xx yy zz of link3
+constexpr double link3_I11 = 0.00625;
+// N m: gravity; mass, com y of link3; mass, com z, offset y of link4; mass of link5, link6
+constexpr double link3_G1 = 8.45420895;
+// s^-2: gravity; offset x of link3
+constexpr double link3_p1 = 22.71885132005558;
+
+// ratio: offset x y of link4
+constexpr double link4_k1 = 0.04687139228815516;
+// m: offset y of link4
+constexpr double link4_l1 = 0.4331;
+// m: offset x of link4
+constexpr double link4_l2 = 0.0203;
+// kg m: mass, offset x of link4; mass of link5, link6
+constexpr double link4_h1 = 0.025375;
+// kg m^2: mass, com z, offset x y of link4; mass of link5, link6
+constexpr double link4_I1 = 0.021347277;
+// kg m^2: inertia zz of link4; inertia xx yy zz of link5, link6
+constexpr double link4_I2 = 0.00164;
+// kg m^2: mass, offset x of link4; mass of link5, link6
+constexpr double link4_I3 = 0.0005151125;
+// kg m^2: inertia zz of link4
+constexpr double link4_I4 = 0.0013;
+// kg m^2: offset x of link3; mass, offset x of link4; mass of link5, link6
+constexpr double link4_I5 = 0.010956925;
+// kg m^2: mass, com z, offset x y of link4; mass of link5, link6
+constexpr double link4_I6 = 0.0106736385;
+// kg m^2: mass, offset y of link4; mass of link5, link6
+constexpr double link4_I7 = 0.2344695125;
+// kg m^2: mass, com z, offset x y of link4
+constexpr double link4_I8 = 0.000316274;
+// kg m^2: inertia zz of link4; inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link4_I9 = 0.00109784;
+// N m: gravity; mass, offset x of link4; mass of link5, link6
+constexpr double link4_G1 = 0.24892875;
+// s^-2: gravity; offset y of link4
+constexpr double link4_p1 = 22.650658046640498;
+
+// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link5_I1 = 0.00064216;
+// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link5_I2 = 0.0001;
+// kg m^2: inertia xx yy zz of link5
+constexpr double link5_I3 = 0.0003;
+// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link5_I4 = 0.00034216;
+// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link5_I5 = 0.00054216;
+// kg^-1 m^-2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link5_p1 = 1557.2443004858603;
+
+// ratio: offset x of link3; mass, com z, inertia xx yy zz of link6
+constexpr double link6_k1 = 31.0896;
+// ratio: offset x of link3; mass, com z, inertia xx yy zz of link6
+constexpr double link6_k2 = 62.1792;
+// kg m: mass, com z of link6
+constexpr double link6_h1 = 0.00288;
+// kg m^2: inertia xx yy zz of link6
+constexpr double link6_I1 = 4e-05;
+// kg m^2: mass, com z, inertia xx yy zz of link6
+constexpr double link6_I2 = 0.00040432;
+// kg m^2: offset x y of link4; mass, com z of link6
+constexpr double link6_I3 = 0.001247328;
+// kg m^2: offset x of link4; mass, com z of link6
+constexpr double link6_I4 = 5.8464e-05;
+// kg m^2: mass, com z, inertia xx yy zz of link6
+constexpr double link6_I5 = 0.00020216;
+// kg m^2: offset x y of link4; mass, com z of link6
+constexpr double link6_I6 = 0.002494656;
+// kg m^2: mass, com z, inertia xx yy zz of link6
+constexpr double link6_I7 = 0.00024216;
+// kg m^2: offset x of link3; mass, com z of link6
+constexpr double link6_I8 = 0.001243584;
+// N m: gravity; mass, com z of link6
+constexpr double link6_G1 = 0.0282528;
+// kg^-1 m^-2: inertia xx yy zz of link6
+constexpr double link6_p1 = 25000.0;
+
+}  // namespace
+
+// Lengths inside are in units of L, a distance between joint3 and joint4:
+//   L = 0.0203 m
+// Names: vectors h_ in kg m^2/L, s_ in L; all others are of values in SI units; numbered ones (t_)
+// by what they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   // link3
-  const Scalar t_link3_1 = q[1] + q[2];
-  const auto [s_link3, c_link3] = sine_cosine(t_link3_1);
+  const Scalar q_joint2_joint3 = q[1] + q[2];
+  const auto [s_joint2_joint3, c_joint2_joint3] = sine_cosine(q_joint2_joint3);
   const auto [s_joint2, c_joint2] = sine_cosine(q[1]);
-  const Scalar t_link3_2 = 21.27093596059113 * c_joint2;
+  const Scalar t_link3_1 = link3_k1 * c_joint2;
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
-  const Scalar h_link4_z = 5.8464e-05 * c_joint5;
-  const Scalar h_link4_x = 5.8464e-05 * s_joint5;
+  const Scalar h_link4_z = link6_I4 * c_joint5;
+  const Scalar h_link4_x = link6_I4 * s_joint5;
   // link5
   const Scalar t_link5_1 = s_joint5 * s_joint5;
-  const Scalar t_link5_2 = 0.00020216 * t_link5_1;
-  const Scalar t_link5_3 = 0.002494656 * c_joint5;
+  const Scalar t_link5_2 = link6_I5 * t_link5_1;
+  const Scalar t_link5_3 = link6_I6 * c_joint5;
   const Scalar t_link4_1 = c_joint4 * h_link4_x;
   const Scalar h_link3_z = s_joint4 * h_link4_x;
   // link4
-  const Scalar I_link4_zz = 0.00164 + t_link5_2;
+  const Scalar I_link4_zz = link4_I2 + t_link5_2;
   A[21] = I_link4_zz;
-  const Scalar t_link4_2 = s_joint4 * (0.0001 + t_link5_2);
-  const Scalar t_link4_3 = 0.001247328 + 0.00020216 * c_joint5;
-  const Scalar t_link4_4 = s_joint5 * t_link4_3;
-  const Scalar t_link4_5 = c_joint4 * t_link4_4;
-  const Scalar t_link4_6 = s_joint4 * t_link4_4;
-  A[15] = -t_link4_6;
+  const Scalar t_link4_2 = s_joint4 * (link5_I2 + t_link5_2);
+  const Scalar t_link4_3 = s_joint5 * (link6_I3 + link6_I5 * c_joint5);
+  const Scalar t_link4_4 = c_joint4 * t_link4_3;
+  const Scalar t_link4_5 = s_joint4 * t_link4_3;
+  A[15] = -t_link4_5;
   A[20] = A[15];
-  const Scalar t_link4_7 = 2.0 * t_link4_1;
+  const Scalar t_link4_6 = 2.0 * t_link4_1;
   // link3
-  const Scalar t_link3_3 = t_link4_7 + s_joint4 * t_link4_2;
-  const Scalar t_link3_4 = t_link5_3 - t_link3_3;
-  const Scalar I_link3_zz = 0.313747409 + t_link3_4;
+  const Scalar t_link3_2 = t_link4_6 + s_joint4 * t_link4_2;
+  const Scalar t_link3_3 = t_link5_3 - t_link3_2;
+  const Scalar I_link3_zz = link3_I2 + t_link3_3;
   A[14] = I_link3_zz;
-  const Scalar t_link4_8 = 0.0005151125 - t_link4_1;
-  const Scalar t_link4_9 = 0.0174944385 + h_link4_z;
-  const Scalar t_link3_5 = 21.27093596059113 * s_joint2;
-  const Scalar t_link3_6 = s_link3 * t_link4_8 + c_link3 * t_link4_9;
-  const Scalar t_link3_7 = t_link3_5 * t_link3_6;
-  const Scalar t_link3_8 = s_link3 * t_link3_2;
-  const Scalar t_link3_9 = c_link3 * t_link3_2;
-  const Scalar t_link3_10 = t_link4_9 * t_link3_8 - t_link4_8 * t_link3_9;
-  const Scalar t_link3_11 = 2.0 * t_link3_10;
-  const Scalar I_link3_yz = 0.004704 + t_link4_6;
+  const Scalar t_link4_7 = link4_I3 - t_link4_1;
+  const Scalar t_link4_8 = link3_I3 + h_link4_z;
+  const Scalar t_link3_4 = link3_k1 * s_joint2;
+  const Scalar t_link3_5 = s_joint2_joint3 * t_link4_7 + c_joint2_joint3 * t_link4_8;
+  const Scalar t_link3_6 = t_link3_4 * t_link3_5;
+  const Scalar t_link3_7 = s_joint2_joint3 * t_link3_1;
+  const Scalar t_link3_8 = c_joint2_joint3 * t_link3_1;
+  const Scalar t_link3_9 = t_link4_8 * t_link3_7 - t_link4_7 * t_link3_8;
+  const Scalar t_link3_10 = 2.0 * t_link3_9;
+  const Scalar I_link3_yz = link3_I4 + t_link4_5;
   const Scalar I_link3_xz = h_link3_z - c_joint4 * t_link4_2;
-  const Scalar t_link3_12 = c_link3 * I_link3_yz + 7.394088669950739 * t_link3_6;
-  const Scalar t_link3_13 = t_link3_12 + s_link3 * I_link3_xz;
-  A[2] = -t_link3_13;
+  const Scalar t_link3_11 = c_joint2_joint3 * I_link3_yz + link2_k2 * t_link3_5;
+  const Scalar t_link3_12 = t_link3_11 + s_joint2_joint3 * I_link3_xz;
+  A[2] = -t_link3_12;
   A[12] = A[2];
-  // link2
-  const Scalar t_link2_1 = t_link3_13 - 0.023751 * c_joint2;
-  A[1] = h_link3_z * t_link3_5 - (t_link2_1 - 0.690314699 * s_joint2);
+  A[1] = h_link3_z * t_link3_4 - (t_link3_12 - link2_I1 * c_joint2 - link2_I2 * s_joint2);
   A[6] = A[1];
-  A[7] = 2.061861411 + t_link3_4 + t_link3_11 - 2.0 * t_link3_7;
-  // link3
-  const Scalar t_link3_14 = 0.298477184 + t_link5_3 + t_link3_3;
-  const Scalar t_link3_15 = c_link3 * (0.021347277 + 2.0 * (h_link4_z - t_link4_5));
-  const Scalar t_link3_16 = s_link3 * (t_link3_14 - 0.00040432 * t_link5_1);
-  const Scalar t_link3_17 = 0.0141984 * c_joint2;
-  const Scalar t_link1_1 = t_link3_11 - (t_link4_7 - (3.155122265 + t_link5_2));
-  const Scalar t_link1_2 = t_link1_1 + 14.788177339901479 * h_link3_z;
-  const Scalar t_link3_18 = s_joint2 * (t_link3_17 + 1.601861202 * s_joint2);
-  A[0] = t_link1_2 + s_link3 * (t_link3_16 - t_link3_15) - t_link3_18;
-  const Scalar t_link5_4 = 4e-05 * c_joint5;
+  A[7] = link2_I3 + t_link3_3 + t_link3_10 - 2.0 * t_link3_6;
+  const Scalar t_link3_13 = link3_I1 + t_link5_3 + t_link3_2 - link6_I2 * t_link5_1;
+  const Scalar t_link3_14 = c_joint2_joint3 * (link4_I1 + 2.0 * (h_link4_z - t_link4_4));
+  const Scalar t_link1_1 = t_link3_10 - (t_link4_6 - (link1_I1 + t_link5_2));
+  const Scalar t_link3_15 = s_joint2_joint3 * (s_joint2_joint3 * t_link3_13 - t_link3_14);
+  const Scalar t_link3_16 = s_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
+  A[0] = t_link1_1 + link2_k1 * h_link3_z + t_link3_15 - t_link3_16;
+  const Scalar t_link5_4 = link6_I1 * c_joint5;
   A[23] = t_link5_4;
   A[33] = A[23];
-  const Scalar t_link5_5 = 4e-05 * s_joint5;
+  const Scalar t_link5_5 = link6_I1 * s_joint5;
   A[11] = s_joint4 * t_link5_5;
   A[17] = A[11];
   A[31] = A[11];
   A[32] = A[11];
-  A[5] = c_link3 * t_link5_4 - s_link3 * c_joint4 * t_link5_5;
+  A[5] = c_joint2_joint3 * t_link5_4 - s_joint2_joint3 * c_joint4 * t_link5_5;
   A[30] = A[5];
-  const Scalar t_link5_6 = 0.00064216 + 0.001247328 * c_joint5;
-  const Scalar t_link4_10 = h_link4_x - c_joint4 * t_link5_6;
-  A[16] = -t_link4_10;
+  const Scalar t_link5_6 = link5_I1 + link6_I3 * c_joint5;
+  const Scalar t_link4_9 = h_link4_x - c_joint4 * t_link5_6;
+  A[16] = -t_link4_9;
   A[26] = A[16];
-  const Scalar t_link4_11 = c_joint4 * h_link4_z;
-  const Scalar t_link3_19 = c_link3 - t_link3_2;
-  const Scalar t_link3_20 = c_link3 * t_link4_11 - s_link3 * h_link4_x;
-  const Scalar t_link3_21 = s_joint4 * (s_link3 * t_link5_6 - h_link4_z * t_link3_19);
-  A[4] = t_link3_21 - 7.394088669950739 * t_link3_20;
+  const Scalar t_link4_10 = c_joint4 * h_link4_z;
+  const Scalar t_link3_17 = c_joint2_joint3 - t_link3_1;
+  const Scalar t_link3_18 = c_joint2_joint3 * t_link4_10 - s_joint2_joint3 * h_link4_x;
+  const Scalar t_link3_19 = s_joint4 * (s_joint2_joint3 * t_link5_6 - h_link4_z * t_link3_17);
+  A[4] = t_link3_19 - link2_k2 * t_link3_18;
   A[24] = A[4];
-  const Scalar t_link3_22 = t_link4_10 - t_link3_8 * t_link4_11 - h_link4_x * t_link3_9;
-  A[10] = -(t_link3_22 + t_link3_5 * t_link3_20);
+  const Scalar t_link3_20 = t_link4_9 - t_link3_7 * t_link4_10 - h_link4_x * t_link3_8;
+  A[10] = -(t_link3_20 + t_link3_4 * t_link3_18);
   A[25] = A[10];
-  const Scalar t_link3_23 = c_link3 * (I_link4_zz + 7.394088669950739 * h_link3_z);
-  A[3] = s_link3 * t_link4_5 - t_link4_1 * t_link3_19 + t_link3_23;
+  const Scalar t_link3_21 = s_joint2_joint3 * t_link4_4 - t_link4_1 * t_link3_17;
+  A[3] = t_link3_21 + c_joint2_joint3 * (I_link4_zz + link2_k2 * h_link3_z);
   A[18] = A[3];
-  A[9] = -(t_link4_6 + h_link3_z * (t_link3_8 - c_link3 * t_link3_5));
+  A[9] = -(t_link4_5 + h_link3_z * (t_link3_7 - c_joint2_joint3 * t_link3_4));
   A[19] = A[9];
-  A[8] = I_link3_zz - t_link3_7 + t_link3_10;
+  A[8] = I_link3_zz - t_link3_6 + t_link3_9;
   A[13] = A[8];
-  A[28] = 0.00064216;
-  A[35] = 4e-05;
+  A[28] = link5_I1;
+  A[35] = link6_I1;
   A[22] = 0.0;
   A[27] = 0.0;
   A[29] = 0.0;
@@ -171,508 +339,472 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
 void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const auto [s_joint2, c_joint2] = sine_cosine(q[1]);
   // link4
-  const Scalar t_link4_1 = q[1] + q[2];
-  const auto [s_link4, c_link4] = sine_cosine(t_link4_1);
-  const Scalar s_link4_y = s_link4 + 21.334975369458128 * c_link4;
+  const Scalar q_joint2_joint3 = q[1] + q[2];
+  const auto [s_joint2_joint3, c_joint2_joint3] = sine_cosine(q_joint2_joint3);
+  const Scalar s_link4_y = link4_l1 * c_joint2_joint3 + link4_l2 * s_joint2_joint3;
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
   const Scalar t_link1_1 = qd[0] * qd[0];
-  // link2
   const Scalar t_link2_1 = qd[1] * qd[1];
+  const Scalar t_link3_1 = link3_l1 * s_joint2;
   const Scalar t_link2_2 = 2.0 * qd[0];
   const Scalar Omega_link2_zy = qd[1] * t_link2_2;
   // link3
-  const Scalar t_link3_1 = 21.27093596059113 * s_joint2;
-  const Scalar t_link3_2 = 21.27093596059113 * c_joint2;
+  const Scalar t_link3_2 = link3_l1 * c_joint2;
   const Scalar omega_link3_z = qd[1] + qd[2];
   const Scalar t_link3_3 = omega_link3_z * omega_link3_z;
-  // link4
-  const Scalar t_link4_2 = s_link4 * qd[0];
-  const Scalar t_link4_3 = c_joint4 * omega_link3_z;
-  const Scalar omega_link4_y = t_link4_3 + s_joint4 * t_link4_2;
-  const Scalar t_link4_4 = c_link4 * qd[0];
-  const Scalar t_link4_5 = s_joint4 * omega_link3_z;
-  const Scalar omega_link4_x = t_link4_5 - c_joint4 * t_link4_2;
-  const Scalar omega_link4_z = qd[3] + t_link4_4;
-  const Scalar t_link4_6 = omega_link3_z * t_link4_2;
-  // link5
-  const Scalar t_link5_1 = c_joint5 * omega_link4_z + s_joint5 * omega_link4_x;
-  const Scalar omega_link5_z = omega_link4_y + qd[4];
-  const Scalar t_link5_2 = s_joint5 * omega_link4_z - c_joint5 * omega_link4_x;
-  const Scalar t_link4_7 = t_link4_3 * t_link4_4 - omega_link4_y * qd[3];
-  const Scalar t_link5_3 = c_joint5 * t_link4_6 + s_joint5 * t_link4_7;
-  const Scalar alpha_link5_y = t_link5_3 + qd[4] * t_link5_2;
-  const Scalar t_link6_1 = 4e-05 * alpha_link5_y;
-  B[5] = -t_link6_1;
-  const Scalar t_link3_4 = Omega_link2_zy * t_link3_1 + 7.394088669950739 * t_link1_1;
-  const Scalar Omega_link3_zy = t_link2_2 * omega_link3_z;
-  // link4
-  const Scalar t_link4_8 = t_link3_4 - s_link4_y * Omega_link3_zy;
-  const Scalar t_link4_9 = t_link2_1 * t_link3_1 - s_link4_y * t_link3_3;
-  const Scalar s_link4_x = c_link4 - 21.334975369458128 * s_link4;
+  const Scalar t_link3_4 = link3_h1 * s_joint2_joint3 - link4_h1 * c_joint2_joint3;
   const Scalar t_link3_5 = t_link1_1 + t_link3_3;
-  const Scalar t_link4_10 = s_link4_x * t_link3_5 - t_link3_2 * (t_link1_1 + t_link2_1);
-  const Scalar t_link4_11 = s_link4 * t_link4_9 - c_link4 * t_link4_10;
-  const Scalar alpha_link4_y = t_link4_4 * t_link4_5 - qd[3] * omega_link4_x;
-  const Scalar a_link4_z = s_link4 * t_link4_10 + c_link4 * t_link4_9;
-  const Scalar t_link5_4 = c_joint5 * (s_joint4 * t_link4_8 + c_joint4 * t_link4_11);
+  // link4
+  const Scalar t_link4_1 = s_joint2_joint3 * qd[0];
+  const Scalar t_link4_2 = c_joint2_joint3 * qd[0];
+  const Scalar t_link4_3 = c_joint4 * omega_link3_z;
+  const Scalar t_link4_4 = s_joint4 * omega_link3_z;
+  const Scalar omega_link4_x = t_link4_4 - c_joint4 * t_link4_1;
+  const Scalar omega_link4_z = qd[3] + t_link4_2;
+  const Scalar t_link4_5 = omega_link3_z * t_link4_1;
+  const Scalar t_link5_1 = c_joint5 * omega_link4_z + s_joint5 * omega_link4_x;
+  const Scalar omega_link4_y = t_link4_3 + s_joint4 * t_link4_1;
+  const Scalar omega_link5_z = qd[4] + omega_link4_y;
+  const Scalar omega_link5_x = c_joint5 * omega_link4_x - s_joint5 * omega_link4_z;
+  const Scalar t_link4_6 = t_link4_2 * t_link4_3 - qd[3] * omega_link4_y;
+  const Scalar t_link5_2 = c_joint5 * t_link4_5 + s_joint5 * t_link4_6;
+  const Scalar alpha_link5_y = t_link5_2 - qd[4] * omega_link5_x;
+  const Scalar t_link6_1 = link6_I1 * alpha_link5_y;
+  B[5] = -t_link6_1;
+  const Scalar t_link4_7 = t_link2_1 * t_link3_1 - s_link4_y * t_link3_3;
+  const Scalar t_link4_8 = link4_l1 * s_joint2_joint3 - link4_l2 * c_joint2_joint3;
+  const Scalar t_link4_9 = t_link3_2 * (t_link1_1 + t_link2_1) + t_link3_5 * t_link4_8;
+  const Scalar t_link4_10 = s_joint2_joint3 * t_link4_7 + c_joint2_joint3 * t_link4_9;
+  const Scalar Omega_link3_zy = t_link2_2 * omega_link3_z;
+  const Scalar t_link3_6 = t_link3_1 * Omega_link2_zy + link2_l1 * t_link1_1;
+  const Scalar t_link4_11 = t_link3_6 - s_link4_y * Omega_link3_zy;
+  const Scalar a_link4_z = c_joint2_joint3 * t_link4_7 - s_joint2_joint3 * t_link4_9;
+  const Scalar t_link5_3 = c_joint5 * (c_joint4 * t_link4_10 + s_joint4 * t_link4_11);
+  const Scalar alpha_link4_y = t_link4_2 * t_link4_4 - qd[3] * omega_link4_x;
   const Scalar omega_link6_z = t_link5_1 + qd[5];
+  const Scalar t_link6_2 = link6_I1 * omega_link6_z;
+  const Scalar t_link5_4 = link6_h1 * (t_link5_3 + s_joint5 * a_link4_z);
+  const Scalar t_link6_3 = omega_link5_x * (t_link6_2 - link6_I7 * t_link5_1);
+  const Scalar t_link6_4 = t_link5_4 - link5_I1 * alpha_link4_y + t_link6_3;
+  B[4] = -t_link6_4;
+  const Scalar t_link5_5 = omega_link5_z * omega_link5_x * link5_I2;
+  const Scalar M_link5_y = t_link6_1 + link5_I3 * alpha_link5_y - t_link5_5;
+  const Scalar a_link4_y = s_joint4 * t_link4_10 - c_joint4 * t_link4_11;
   // link5
-  const Scalar t_link5_5 = 4e-05 * omega_link6_z;
-  const Scalar t_link5_6 = 5.8464e-05 * (s_joint5 * a_link4_z + t_link5_4);
-  const Scalar t_link5_7 = t_link5_2 * (t_link5_5 - 0.00024216 * t_link5_1);
-  const Scalar M_link5_z = 0.00064216 * alpha_link4_y - t_link5_6 + t_link5_7;
-  B[4] = M_link5_z;
-  const Scalar t_link5_8 = t_link6_1 + omega_link5_z * t_link5_2 * 0.0001;
-  const Scalar M_link5_y = t_link5_8 + 0.0003 * alpha_link5_y;
-  const Scalar a_link4_y = s_joint4 * t_link4_11 - c_joint4 * t_link4_8;
-  const Scalar t_link5_9 = t_link5_1 * omega_link5_z;
-  const Scalar t_link5_10 = s_joint5 * t_link4_6 - c_joint5 * t_link4_7;
-  const Scalar alpha_link5_x = t_link5_10 - t_link5_1 * qd[4];
-  const Scalar t_link5_11 = 0.00034216 * t_link5_9;
-  // link6
-  const Scalar t_link6_2 = t_link5_11 + 5.8464e-05 * a_link4_y;
-  const Scalar t_link6_3 = t_link6_2 - omega_link5_z * t_link5_5;
-  const Scalar t_link6_4 = t_link6_3 - 0.00054216 * alpha_link5_x;
-  const Scalar t_link5_12 = 0.0013 * t_link4_6 + c_joint5 * M_link5_y;
-  const Scalar t_link5_13 = t_link5_12 - s_joint5 * t_link6_4;
-  B[3] = -t_link5_13;
-  const Scalar Omega_link6_xz = alpha_link4_y - t_link5_1 * t_link5_2;
-  const Scalar Omega_link6_yz = t_link5_9 - alpha_link5_x;
-  // link5
-  const Scalar t_link5_14 = t_link5_2 * t_link5_2 + omega_link5_z * omega_link5_z;
-  const Scalar t_link5_15 = s_joint5 * Omega_link6_xz + c_joint5 * t_link5_14;
-  const Scalar t_link5_16 = 5.8464e-05 * t_link5_15;
+  const Scalar t_link5_6 = t_link5_1 * omega_link5_z;
+  const Scalar t_link5_7 = s_joint5 * t_link4_5 - t_link5_1 * qd[4];
+  const Scalar alpha_link5_x = t_link5_7 - c_joint5 * t_link4_6;
+  const Scalar t_link5_8 = omega_link5_z * t_link6_2 - link6_h1 * a_link4_y;
+  const Scalar M_link5_x = t_link5_8 - link5_I4 * t_link5_6 + link5_I5 * alpha_link5_x;
+  const Scalar t_link5_9 = link4_I4 * t_link4_5 + c_joint5 * M_link5_y + s_joint5 * M_link5_x;
+  B[3] = -t_link5_9;
+  const Scalar t_link5_10 = omega_link5_z * omega_link5_z + omega_link5_x * omega_link5_x;
+  const Scalar Omega_link6_xz = alpha_link4_y + t_link5_1 * omega_link5_x;
+  const Scalar t_link4_12 = s_joint5 * Omega_link6_xz + c_joint5 * t_link5_10;
+  const Scalar t_link4_13 = s_joint5 * t_link5_10 - c_joint5 * Omega_link6_xz;
+  const Scalar Omega_link6_yz = t_link5_6 - alpha_link5_x;
   // link4
-  const Scalar t_link4_12 = c_joint5 * Omega_link6_xz - s_joint5 * t_link5_14;
-  const Scalar t_link4_13 = c_joint4 * t_link4_12 - s_joint4 * Omega_link6_yz;
-  const Scalar t_link4_14 = 5.8464e-05 * t_link4_13;
-  const Scalar t_link4_15 = 0.0013 * omega_link4_z;
-  const Scalar M_link4_y = M_link5_z - omega_link4_x * t_link4_15;
-  const Scalar t_link4_16 = omega_link4_y * t_link4_15 - c_joint5 * t_link6_4;
-  const Scalar M_link4_x = t_link4_16 - s_joint5 * M_link5_y;
+  const Scalar t_link4_14 = c_joint4 * t_link4_13 + s_joint4 * Omega_link6_yz;
+  const Scalar t_link4_15 = s_joint2_joint3 * t_link4_14 - c_joint2_joint3 * t_link4_12;
+  const Scalar t_link4_16 = link6_h1 * t_link4_15;
+  const Scalar t_link4_17 = link4_I4 * omega_link4_z;
+  const Scalar t_link5_11 = c_joint5 * M_link5_x - s_joint5 * M_link5_y;
+  const Scalar M_link4_x = t_link5_11 + omega_link4_y * t_link4_17;
+  const Scalar t_link4_18 = s_joint2_joint3 * t_link4_12 + c_joint2_joint3 * t_link4_14;
+  const Scalar t_link4_19 = link6_h1 * t_link4_18;
+  const Scalar t_link5_12 = t_link6_4 + omega_link4_x * t_link4_17;
+  const Scalar t_link4_20 = c_joint2 * (link3_I5 * c_joint2_joint3 + link4_I5 * s_joint2_joint3);
+  const Scalar t_link3_7 = link4_I1 * s_joint2_joint3 + link3_I6 * c_joint2_joint3;
+  const Scalar t_link4_21 = link4_I6 - t_link4_20 - s_joint2_joint3 * t_link3_7;
+  const Scalar t_link4_22 = t_link4_8 * t_link4_16 - s_joint4 * M_link4_x;
+  const Scalar t_link4_23 = t_link4_22 + s_link4_y * t_link4_19 + c_joint4 * t_link5_12;
+  const Scalar t_link4_24 = t_link2_1 * (t_link4_20 + t_link3_1 * t_link3_4);
+  const Scalar t_link4_25 = t_link4_23 - t_link1_1 * t_link4_21 + t_link4_24;
+  B[2] = -t_link4_25;
+  const Scalar t_link2_3 = link2_I6 - c_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
   // link3
-  const Scalar t_link3_6 = 0.010956925 * s_link4 + 0.372123081 * c_link4;
-  const Scalar t_link3_7 = c_joint2 * t_link3_6;
-  const Scalar t_link3_8 = 0.021347277 * s_link4 + 0.299575024 * c_link4;
-  const Scalar t_link3_9 = 0.0106736385 - t_link3_7 - s_link4 * t_link3_8;
-  const Scalar t_link3_10 = 0.0005151125 * c_link4 - 0.0174944385 * s_link4;
-  // link4
-  const Scalar t_link4_17 = s_link4 * t_link5_16 - c_link4 * t_link4_14;
-  const Scalar t_link4_18 = c_link4 * t_link5_16 + s_link4 * t_link4_14;
-  const Scalar t_link4_19 = c_joint4 * M_link4_y + s_joint4 * M_link4_x;
-  // link3
-  const Scalar t_link3_11 = t_link2_1 * (t_link3_7 - t_link3_1 * t_link3_10);
-  const Scalar t_link3_12 = t_link4_19 + t_link1_1 * t_link3_9 - t_link3_11;
-  const Scalar M_link3_z = t_link3_12 - s_link4_y * t_link4_17 - s_link4_x * t_link4_18;
-  B[2] = M_link3_z;
+  const Scalar F_link3_x = t_link4_19 + t_link3_4 * t_link3_5;
+  const Scalar t_link3_8 = c_joint4 * Omega_link6_yz - s_joint4 * t_link4_13;
+  const Scalar t_link3_9 = (t_link3_2 + t_link4_8) * t_link3_8 * link6_h1;
+  const Scalar t_link2_4 = t_link2_1 * (link2_I1 * s_joint2 - link2_I2 * c_joint2);
+  const Scalar t_link3_10 = c_joint2_joint3 * t_link5_9 - t_link3_9 + t_link2_4;
+  const Scalar t_link3_11 = t_link3_10 - link2_l1 * F_link3_x - Omega_link2_zy * t_link2_3;
+  const Scalar t_link3_12 = link3_I4 * t_link3_3 - c_joint4 * M_link4_x - s_joint4 * t_link5_12;
+  const Scalar t_link3_13 = t_link3_11 + Omega_link3_zy * t_link4_21 + t_link3_4 * t_link3_6;
+  B[0] = s_joint2_joint3 * t_link3_12 - t_link3_13;
+  const Scalar t_link1_2 = t_link4_25 + t_link3_2 * t_link4_16 + t_link1_1 * t_link2_3;
   // link2
-  const Scalar t_link2_3 = s_joint4 * t_link4_12 + c_joint4 * Omega_link6_yz;
-  const Scalar t_link2_4 = 0.0141984 * c_joint2;
-  const Scalar t_link2_5 = c_joint2 * (t_link2_4 + 1.601861202 * s_joint2);
-  const Scalar t_link2_6 = 0.0070992 - t_link2_5;
-  const Scalar t_link2_7 = 0.023751 * s_joint2;
-  const Scalar t_link4_20 = s_joint4 * M_link4_y - c_joint4 * M_link4_x;
-  const Scalar F_link3_x = t_link4_17 - t_link3_5 * t_link3_10;
-  const Scalar t_link2_8 = t_link2_1 * (t_link2_7 - 0.690314699 * c_joint2);
-  const Scalar t_link2_9 = s_link4 * (t_link4_20 + 0.004704 * t_link3_3);
-  const Scalar t_link2_10 = Omega_link2_zy * t_link2_6 - t_link2_8 + t_link2_9;
-  const Scalar t_link2_11 = t_link2_3 * (t_link3_2 - s_link4_x) * 5.8464e-05;
-  const Scalar t_link2_12 = t_link2_10 + t_link3_4 * t_link3_10 - c_link4 * t_link5_13;
-  const Scalar t_link2_13 = t_link2_12 + t_link2_11 - Omega_link3_zy * t_link3_9;
-  B[0] = t_link2_13 + 7.394088669950739 * F_link3_x;
-  const Scalar t_link2_14 = M_link3_z + t_link3_2 * t_link4_18 + t_link3_3 * t_link3_7;
-  B[1] = t_link2_14 - t_link1_1 * t_link2_6 + t_link3_1 * F_link3_x;
+  B[1] = t_link3_1 * F_link3_x - (t_link1_2 - t_link3_3 * t_link4_20);
 }
 
 void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
   const auto [s_joint2, c_joint2] = sine_cosine(q[1]);
-  const Scalar t_link4_1 = q[1] + q[2];
-  const auto [s_link4, c_link4] = sine_cosine(t_link4_1);
+  const Scalar q_joint2_joint3 = q[1] + q[2];
+  const auto [s_joint2_joint3, c_joint2_joint3] = sine_cosine(q_joint2_joint3);
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
   // link5
-  const Scalar t_link5_1 = s_link4 * c_joint5 * 0.0282528;
-  const Scalar t_link5_2 = 0.0282528 * s_joint5;
-  const Scalar t_link5_3 = c_link4 * t_link5_2;
+  const Scalar t_link5_1 = s_joint2_joint3 * c_joint5 * link6_G1;
+  const Scalar t_link5_2 = link6_G1 * s_joint5;
+  const Scalar t_link5_3 = c_joint2_joint3 * t_link5_2;
   G[4] = -(t_link5_3 + c_joint4 * t_link5_1);
-  G[3] = s_link4 * s_joint4 * t_link5_2;
-  const Scalar t_link3_1 = t_link5_1 + 8.45420895 * s_link4;
-  const Scalar t_link3_2 = t_link3_1 - 0.24892875 * c_link4 + c_joint4 * t_link5_3;
+  G[3] = s_joint2_joint3 * s_joint4 * t_link5_2;
+  const Scalar t_link3_1 = t_link5_1 + link3_G1 * s_joint2_joint3 - link4_G1 * c_joint2_joint3;
+  const Scalar t_link3_2 = t_link3_1 + c_joint4 * t_link5_3;
   G[2] = -t_link3_2;
   // link2
-  G[1] = 1.024164 * s_joint2 - (t_link3_2 + 37.2347379 * c_joint2);
+  G[1] = link2_G2 * s_joint2 - (t_link3_2 + link2_G1 * c_joint2);
   G[0] = 0.0;
   G[5] = 0.0;
 }
 
+// Lengths inside are in units of L, a distance between joint4 and joint5:
+//   L = 0.4331 m
+// Names: vectors F_ in N m/L, a_ in L/s^2, s_ in L; all others are of values in SI units; numbered
+// ones (t_) by what they are made of. Arguments and results are in SI units.
 void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6],
                       Scalar tau[6]) noexcept {
   // link3
-  const Scalar t_link3_1 = q[1] + q[2];
-  const auto [s_link3, c_link3] = sine_cosine(t_link3_1);
+  const Scalar q_joint2_joint3 = q[1] + q[2];
+  const auto [s_joint2_joint3, c_joint2_joint3] = sine_cosine(q_joint2_joint3);
   const auto [s_joint2, c_joint2] = sine_cosine(q[1]);
-  const Scalar t_link3_2 = 0.9969983837450935 * c_joint2;
+  const Scalar t_link3_1 = link3_k2 * c_joint2;
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
   const Scalar t_link1_1 = qd[0] * qd[0];
   const Scalar t_link2_1 = qd[1] * qd[1];
-  const Scalar t_link3_3 = 0.9969983837450935 * s_joint2;
-  const Scalar omega_link3_x = c_link3 * qd[0];
-  const Scalar t_link3_4 = omega_link3_x * omega_link3_x;
+  const Scalar t_link3_2 = link3_k2 * s_joint2;
+  const Scalar omega_link3_x = c_joint2_joint3 * qd[0];
+  const Scalar t_link3_3 = omega_link3_x * omega_link3_x;
   const Scalar omega_link3_z = qd[1] + qd[2];
-  const Scalar t_link3_5 = omega_link3_z * omega_link3_z;
-  const Scalar Omega_link3_zx = s_link3 * qdd[0] + omega_link3_x * omega_link3_z * 2.0;
-  const Scalar t_link3_6 = s_link3 * qd[0];
-  const Scalar t_link3_7 = omega_link3_z * t_link3_6;
-  const Scalar t_link3_8 = c_link3 * qdd[0];
-  const Scalar t_link3_9 = t_link3_7 - t_link3_8;
-  const Scalar t_link3_10 = t_link3_7 + t_link3_9;
-  const Scalar t_link3_11 = omega_link3_x * t_link3_6;
+  const Scalar t_link3_4 = omega_link3_z * omega_link3_z;
+  const Scalar Omega_link3_zx = s_joint2_joint3 * qdd[0] + omega_link3_x * omega_link3_z * 2.0;
+  const Scalar t_link3_5 = s_joint2_joint3 * qd[0];
+  const Scalar t_link3_6 = omega_link3_z * t_link3_5;
+  const Scalar t_link3_7 = c_joint2_joint3 * qdd[0];
+  const Scalar t_link3_8 = t_link3_6 - t_link3_7;
+  const Scalar t_link3_9 = t_link3_6 + t_link3_8;
+  const Scalar t_link3_10 = omega_link3_x * t_link3_5;
   const Scalar alpha_link3_z = qdd[1] + qdd[2];
-  const Scalar t_link3_12 = t_link3_11 - alpha_link3_z;
+  const Scalar t_link3_11 = t_link3_10 - alpha_link3_z;
   const Scalar alpha_link2_x = qd[0] * qd[1];
   const Scalar Omega_link2_zy = 2.0 * alpha_link2_x;
-  const Scalar t_link3_13 = qdd[1] * t_link3_3 + 0.3465712306626645 * qdd[0];
-  const Scalar t_link3_14 = t_link3_13 + t_link3_2 * (t_link1_1 + t_link2_1);
-  const Scalar t_link3_15 = 22.650658046640498 + t_link2_1 * t_link3_3;
-  const Scalar t_link3_16 = t_link3_15 - t_link3_2 * qdd[1];
-  const Scalar t_link3_17 = s_link3 * t_link3_16 + c_link3 * t_link3_14;
-  const Scalar t_link3_18 = t_link3_4 + t_link3_5;
-  const Scalar t_link4_1 = t_link3_12 + t_link3_17 - 0.04687139228815516 * t_link3_18;
-  const Scalar t_link3_19 = t_link3_3 * Omega_link2_zy - t_link3_2 * qdd[0];
-  const Scalar t_link3_20 = t_link3_19 + 0.3465712306626645 * t_link1_1;
+  const Scalar t_link3_12 = t_link3_1 * (t_link1_1 + t_link2_1);
+  const Scalar t_link3_13 = qdd[1] * t_link3_2 + link2_k3 * qdd[0] + t_link3_12;
+  const Scalar t_link3_14 = link4_p1 + t_link2_1 * t_link3_2 - t_link3_1 * qdd[1];
+  const Scalar t_link3_15 = s_joint2_joint3 * t_link3_14 + c_joint2_joint3 * t_link3_13;
+  const Scalar t_link3_16 = t_link3_3 + t_link3_4;
+  const Scalar t_link4_1 = t_link3_11 + t_link3_15 - link4_k1 * t_link3_16;
+  const Scalar t_link3_17 = t_link3_2 * Omega_link2_zy - t_link3_1 * qdd[0];
+  const Scalar t_link3_18 = t_link3_17 + link2_k3 * t_link1_1;
   // link4
-  const Scalar t_link4_2 = Omega_link3_zx - t_link3_20 + 0.04687139228815516 * t_link3_10;
+  const Scalar t_link4_2 = Omega_link3_zx - t_link3_18 + link4_k1 * t_link3_9;
   const Scalar omega_link4_z = omega_link3_x + qd[3];
-  const Scalar t_link4_3 = c_joint4 * t_link3_6 - s_joint4 * omega_link3_z;
+  const Scalar t_link4_3 = c_joint4 * t_link3_5 - s_joint4 * omega_link3_z;
   const Scalar t_link4_4 = omega_link4_z * t_link4_3;
-  const Scalar t_link3_21 = t_link3_4 - t_link3_5;
-  const Scalar t_link3_22 = t_link1_1 - t_link3_21;
-  const Scalar t_link4_5 = t_link3_22 - 0.04687139228815516 * (t_link3_11 + alpha_link3_z);
-  const Scalar t_link4_6 = t_link4_5 + s_link3 * t_link3_14 - c_link3 * t_link3_16;
-  const Scalar omega_link4_y = s_joint4 * t_link3_6 + c_joint4 * omega_link3_z;
-  const Scalar t_link4_7 = omega_link4_z * omega_link4_y;
+  const Scalar t_link3_19 = t_link3_3 - t_link3_4;
+  const Scalar t_link3_20 = t_link1_1 - t_link3_19;
+  const Scalar t_link4_5 = t_link3_20 - link4_k1 * (t_link3_10 + alpha_link3_z);
+  const Scalar t_link4_6 = t_link4_5 + s_joint2_joint3 * t_link3_13;
+  const Scalar t_link4_7 = t_link4_6 - c_joint2_joint3 * t_link3_14;
+  const Scalar omega_link4_y = s_joint4 * t_link3_5 + c_joint4 * omega_link3_z;
+  const Scalar t_link4_8 = omega_link4_z * omega_link4_y;
   // link5
   const Scalar t_link5_1 = c_joint5 * omega_link4_z - s_joint5 * t_link4_3;
   const Scalar omega_link5_z = omega_link4_y + qd[4];
   const Scalar t_link5_2 = s_joint5 * omega_link4_z + c_joint5 * t_link4_3;
-  const Scalar t_link4_8 = t_link3_9 - qdd[3];
-  const Scalar alpha_link4_x = t_link4_7 - c_joint4 * Omega_link3_zx - s_joint4 * t_link3_12;
-  const Scalar t_link5_3 = c_joint5 * t_link4_8 + qd[4] * t_link5_2;
+  const Scalar t_link4_9 = t_link3_8 - qdd[3];
+  const Scalar alpha_link4_x = t_link4_8 - c_joint4 * Omega_link3_zx - s_joint4 * t_link3_11;
+  const Scalar t_link5_3 = c_joint5 * t_link4_9 + qd[4] * t_link5_2;
   const Scalar alpha_link5_y = t_link5_3 - s_joint5 * alpha_link4_x;
   // link6
   const Scalar alpha_link6_z = qdd[5] - alpha_link5_y;
-  const Scalar M_link6_z = 4e-05 * alpha_link6_z;
+  const Scalar M_link6_z = link6_I1 * alpha_link6_z;
   tau[5] = M_link6_z;
   const Scalar omega_link6_z = t_link5_1 + qd[5];
-  const Scalar t_link5_4 = 4e-05 * omega_link6_z;
-  const Scalar t_link4_9 = c_joint4 * t_link4_1 - s_joint4 * t_link4_2;
+  const Scalar t_link5_4 = link6_I1 * omega_link6_z;
+  const Scalar t_link4_10 = c_joint4 * t_link4_1 - s_joint4 * t_link4_2;
   // link5
   const Scalar t_link5_5 = t_link4_4 + qdd[4] + s_joint4 * Omega_link3_zx;
-  const Scalar alpha_link5_z = t_link5_5 - c_joint4 * t_link3_12;
-  const Scalar t_link5_6 = 0.001247328 * c_joint5;
-  const Scalar t_link5_7 = 0.001247328 * s_joint5;
-  const Scalar t_link5_8 = 0.00064216 * alpha_link5_z - t_link4_9 * t_link5_6;
-  const Scalar t_link5_9 = t_link5_2 * (t_link5_4 - 0.00024216 * t_link5_1);
-  const Scalar M_link5_z = t_link5_8 + t_link4_6 * t_link5_7 + t_link5_9;
+  const Scalar alpha_link5_z = t_link5_5 - c_joint4 * t_link3_11;
+  const Scalar t_link5_6 = link6_I3 * c_joint5;
+  const Scalar t_link5_7 = link6_I3 * s_joint5;
+  const Scalar t_link5_8 = link5_I1 * alpha_link5_z - t_link4_10 * t_link5_6;
+  const Scalar t_link5_9 = t_link5_2 * (t_link5_4 - link6_I7 * t_link5_1);
+  const Scalar M_link5_z = t_link5_8 + t_link4_7 * t_link5_7 + t_link5_9;
   tau[4] = M_link5_z;
-  const Scalar t_link5_10 = omega_link5_z * t_link5_2 * 0.0001;
-  const Scalar t_link6_1 = M_link6_z - 0.0003 * alpha_link5_y - t_link5_10;
+  const Scalar t_link5_10 = omega_link5_z * t_link5_2 * link5_I2;
+  const Scalar t_link6_1 = M_link6_z - link5_I3 * alpha_link5_y - t_link5_10;
   const Scalar a_link4_y = s_joint4 * t_link4_1 + c_joint4 * t_link4_2;
-  const Scalar t_link5_11 = s_joint5 * t_link4_8 - t_link5_1 * qd[4];
+  const Scalar t_link5_11 = s_joint5 * t_link4_9 - t_link5_1 * qd[4];
   const Scalar alpha_link5_x = t_link5_11 + c_joint5 * alpha_link4_x;
-  const Scalar t_link5_12 = 0.00054216 * alpha_link5_x;
-  const Scalar t_link6_2 = omega_link5_z * (t_link5_4 - 0.00034216 * t_link5_1);
-  const Scalar t_link6_3 = 0.001247328 * a_link4_y - t_link5_12 - t_link6_2;
-  const Scalar t_link4_10 = s_joint5 * t_link6_3 - 0.0013 * t_link4_8;
-  const Scalar M_link4_z = t_link4_10 + c_joint5 * t_link6_1;
+  const Scalar t_link6_2 = omega_link5_z * (t_link5_4 - link5_I4 * t_link5_1);
+  const Scalar t_link6_3 = link6_I3 * a_link4_y - link5_I5 * alpha_link5_x - t_link6_2;
+  const Scalar M_link4_z = s_joint5 * t_link6_3 - link4_I4 * t_link4_9 + c_joint5 * t_link6_1;
   tau[3] = M_link4_z;
   const Scalar Omega_link5_zy = alpha_link5_x - t_link5_1 * omega_link5_z;
-  const Scalar t_link5_13 = 0.001247328 * Omega_link5_zy;
-  const Scalar F_link4_y = 0.2344695125 * a_link4_y - t_link5_13;
-  const Scalar t_link5_14 = t_link5_2 * t_link5_2 + omega_link5_z * omega_link5_z;
-  const Scalar t_link5_15 = alpha_link5_z - t_link5_1 * t_link5_2;
-  const Scalar t_link5_16 = t_link5_7 * t_link5_14 - t_link5_6 * t_link5_15;
-  const Scalar t_link5_17 = t_link5_16 + 0.2344695125 * t_link4_9;
-  const Scalar t_link4_11 = c_joint4 * t_link5_17 + s_joint4 * F_link4_y;
-  const Scalar t_link5_18 = t_link5_6 * t_link5_14 + 0.2344695125 * t_link4_6;
-  const Scalar t_link5_19 = t_link5_18 + t_link5_7 * t_link5_15;
+  const Scalar F_link4_y = link4_I7 * a_link4_y - link6_I3 * Omega_link5_zy;
+  const Scalar t_link5_12 = t_link5_2 * t_link5_2 + omega_link5_z * omega_link5_z;
+  const Scalar t_link5_13 = alpha_link5_z - t_link5_1 * t_link5_2;
+  const Scalar t_link5_14 = t_link5_7 * t_link5_12 - t_link5_6 * t_link5_13;
+  const Scalar t_link5_15 = t_link5_14 + link4_I7 * t_link4_10;
+  const Scalar t_link4_11 = c_joint4 * t_link5_15 + s_joint4 * F_link4_y;
+  const Scalar t_link5_16 = t_link5_6 * t_link5_12 + link4_I7 * t_link4_7;
+  const Scalar t_link5_17 = t_link5_16 + t_link5_7 * t_link5_13;
   // link4
-  const Scalar t_link4_12 = 0.0013 * t_link4_7 - c_joint5 * t_link6_3;
-  const Scalar M_link4_x = t_link4_12 + s_joint5 * t_link6_1;
-  const Scalar M_link4_y = M_link5_z + 0.0013 * t_link4_4;
-  const Scalar t_link4_13 = t_link4_11 + 0.004704 * t_link3_8;
-  const Scalar t_link4_14 = t_link4_13 + 0.04687139228815516 * t_link5_19;
-  const Scalar t_link4_15 = t_link4_14 + 0.065620624 * t_link3_11;
-  const Scalar t_link4_16 = t_link4_15 - 0.078120624 * alpha_link3_z;
-  const Scalar t_link3_23 = 0.000316274 * (t_link3_18 - t_link3_22);
-  const Scalar t_link4_17 = t_link4_16 + 0.138773902 * t_link3_17 + t_link3_23;
-  const Scalar t_link4_18 = t_link4_17 - s_joint4 * M_link4_x - c_joint4 * M_link4_y;
-  tau[2] = -t_link4_18;
-  const Scalar t_link4_19 = t_link4_11 + 0.138773902 * t_link3_12;
-  const Scalar t_link4_20 = t_link5_19 + 0.138773902 * t_link3_22;
-  // link2
-  const Scalar t_link2_2 = 1.368797152 * s_joint2;
-  const Scalar t_link2_3 = t_link2_2 + 0.0141984 * c_joint2;
-  const Scalar t_link2_4 = 0.0070992 - c_joint2 * t_link2_3;
-  const Scalar t_link3_24 = c_link3 * t_link4_19 + s_link3 * t_link4_20;
-  const Scalar t_link2_5 = 0.609298224 * s_joint2;
-  const Scalar t_link2_6 = t_link2_5 + 0.023751 * c_joint2;
+  const Scalar M_link4_x = link4_I4 * t_link4_8 - c_joint5 * t_link6_3 + s_joint5 * t_link6_1;
+  const Scalar M_link4_y = M_link5_z + link4_I4 * t_link4_4;
+  const Scalar t_link4_12 = t_link4_11 + link3_I4 * t_link3_7 + link4_k1 * t_link5_17;
+  const Scalar t_link4_13 = t_link4_12 + link3_I8 * t_link3_10 - link3_I9 * alpha_link3_z;
+  const Scalar t_link3_21 = link4_I8 * (t_link3_16 - t_link3_20);
+  const Scalar t_link4_14 = t_link4_13 + link3_I7 * t_link3_15 + t_link3_21;
+  const Scalar t_link4_15 = t_link4_14 - s_joint4 * M_link4_x - c_joint4 * M_link4_y;
+  tau[2] = -t_link4_15;
+  const Scalar t_link4_16 = t_link4_11 + link3_I7 * t_link3_11;
+  const Scalar t_link4_17 = t_link5_17 + link3_I7 * t_link3_20;
+  const Scalar t_link2_2 = link2_I7 * s_joint2 + link2_I4 * c_joint2;
+  const Scalar t_link2_3 = link2_I6 - c_joint2 * t_link2_2;
+  const Scalar t_link3_22 = c_joint2_joint3 * t_link4_16 + s_joint2_joint3 * t_link4_17;
+  const Scalar t_link2_4 = link2_I9 * s_joint2 + link2_I1 * c_joint2;
   // link3
-  const Scalar t_link3_25 = t_link4_18 - 1.515049952 * qdd[1];
-  const Scalar t_link3_26 = t_link3_2 * (s_link3 * t_link4_19 - c_link3 * t_link4_20);
-  const Scalar t_link3_27 = t_link3_25 + 31.9397904 * c_joint2 + t_link3_26;
-  const Scalar t_link3_28 = 1.024164 + 0.9969983837450935 * t_link3_24;
-  const Scalar t_link3_29 = t_link3_27 + t_link1_1 * t_link2_4 - s_joint2 * t_link3_28;
+  const Scalar t_link3_23 = s_joint2_joint3 * t_link4_16 - c_joint2_joint3 * t_link4_17;
+  const Scalar t_link3_24 = t_link4_15 - link2_I8 * qdd[1] + link2_G3 * c_joint2;
+  const Scalar t_link3_25 = t_link3_24 + t_link3_1 * t_link3_23 + t_link1_1 * t_link2_3;
+  tau[1] = qdd[0] * t_link2_4 - (t_link3_25 - s_joint2 * (link2_G2 + link3_k2 * t_link3_22));
+  const Scalar t_link2_5 = link2_I9 * c_joint2 - link2_I1 * s_joint2;
+  const Scalar t_link4_18 = c_joint4 * F_link4_y - s_joint4 * t_link5_15;
+  const Scalar t_link3_26 = M_link4_z + link4_I8 * Omega_link3_zx + link3_I4 * t_link3_11;
+  const Scalar M_link3_x = t_link3_26 - link3_I11 * t_link3_9 - link4_k1 * t_link4_18;
+  const Scalar t_link4_19 = t_link4_18 - link3_I4 * t_link3_19 - link4_I8 * t_link3_9;
+  const Scalar t_link4_20 = t_link4_19 + link3_I10 * Omega_link3_zx + s_joint4 * M_link4_y;
+  const Scalar F_link3_z = t_link4_18 + link3_I7 * Omega_link3_zx;
   // link2
-  tau[1] = qdd[0] * t_link2_6 - t_link3_29;
-  const Scalar t_link2_7 = 0.609298224 * c_joint2;
-  const Scalar t_link2_8 = t_link2_7 - 0.023751 * s_joint2;
-  const Scalar t_link4_21 = c_joint4 * F_link4_y - s_joint4 * t_link5_17;
-  // link3
-  const Scalar t_link3_30 = M_link4_z + 0.000316274 * Omega_link3_zx;
-  const Scalar t_link3_31 = t_link3_30 + 0.004704 * t_link3_12;
-  const Scalar t_link3_32 = t_link3_31 - 0.00625 * t_link3_10;
-  const Scalar M_link3_x = t_link3_32 - 0.04687139228815516 * t_link4_21;
-  // link4
-  const Scalar t_link4_22 = t_link4_21 - 0.004704 * t_link3_21;
-  const Scalar t_link4_23 = t_link4_22 - 0.000316274 * t_link3_10;
-  const Scalar t_link4_24 = t_link4_23 + 0.071870624 * Omega_link3_zx;
-  const Scalar t_link4_25 = t_link4_24 + s_joint4 * M_link4_y - c_joint4 * M_link4_x;
-  const Scalar F_link3_z = t_link4_21 + 0.138773902 * Omega_link3_zx;
-  // link2
-  const Scalar t_link2_9 = qdd[1] * t_link2_6 + t_link2_1 * t_link2_8;
-  const Scalar t_link2_10 = t_link2_9 + 0.3465712306626645 * t_link3_24;
-  const Scalar t_link2_11 = t_link2_10 + Omega_link2_zy * t_link2_4 + c_link3 * M_link3_x;
-  const Scalar t_link2_12 = qdd[0] * (2.88549059 - s_joint2 * t_link2_3);
-  const Scalar t_link3_33 = s_link3 * (t_link4_25 - 0.138773902 * t_link3_20);
+  const Scalar t_link2_6 = qdd[1] * t_link2_4 + t_link2_1 * t_link2_5;
+  const Scalar t_link2_7 = t_link2_6 + link2_k3 * t_link3_22 + Omega_link2_zy * t_link2_3;
+  const Scalar t_link2_8 = qdd[0] * (link1_I2 - s_joint2 * t_link2_2);
+  const Scalar t_link4_21 = t_link4_20 - c_joint4 * M_link4_x - link3_I7 * t_link3_18;
+  const Scalar t_link2_9 = t_link2_7 + c_joint2_joint3 * M_link3_x + t_link2_8;
   // link1
-  tau[0] = t_link2_11 + t_link2_12 + t_link3_33 + t_link3_2 * F_link3_z;
+  tau[0] = t_link2_9 + s_joint2_joint3 * t_link4_21 + t_link3_1 * F_link3_z;
 }
 
+// Lengths inside are in units of L, a distance between joint2 and joint3:
+//   L = 0.4318 m
+// Names: vectors F_ in N m/L, a_ in L/s^2, h_ in kg m^2/L, s_ in L; all others are of values in SI
+// units; numbered ones (t_) by what they are made of. Arguments and results are in SI units.
 void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6],
                       Scalar qdd[6]) noexcept {
   const auto [s_joint2, c_joint2] = sine_cosine(q[1]);
   // link4
-  const Scalar t_link4_1 = q[1] + q[2];
-  const auto [s_link4, c_link4] = sine_cosine(t_link4_1);
-  const Scalar t_link4_2 = 1.0030106530801297 * s_link4 - 0.04701250578971746 * c_link4;
-  const Scalar s_link4_y = 0.04701250578971746 * s_link4 + 1.0030106530801297 * c_link4;
+  const Scalar q_joint2_joint3 = q[1] + q[2];
+  const auto [s_joint2_joint3, c_joint2_joint3] = sine_cosine(q_joint2_joint3);
+  const Scalar t_link4_1 = link3_k3 * s_joint2_joint3 - link3_k4 * c_joint2_joint3;
+  const Scalar s_link4_y = link3_k4 * s_joint2_joint3 + link3_k3 * c_joint2_joint3;
   const auto [s_joint4, c_joint4] = sine_cosine(q[3]);
   const auto [s_joint5, c_joint5] = sine_cosine(q[4]);
   const Scalar t_link1_1 = qd[0] * qd[0];
   // link2
   const Scalar t_link2_1 = qd[1] * qd[1];
-  const Scalar t_link2_2 = 0.0141984 * c_joint2;
-  const Scalar t_link2_3 = t_link2_2 + 1.601861202 * s_joint2;
-  const Scalar t_link2_4 = 0.0070992 - c_joint2 * t_link2_3;
-  const Scalar t_link2_5 = 2.0 * qd[0];
-  const Scalar Omega_link2_zy = qd[1] * t_link2_5;
+  const Scalar t_link2_2 = link2_I4 * c_joint2 + link2_I5 * s_joint2;
+  const Scalar t_link2_3 = link2_I6 - c_joint2 * t_link2_2;
+  const Scalar t_link2_4 = 2.0 * qd[0];
+  const Scalar Omega_link2_zy = qd[1] * t_link2_4;
   // link3
   const Scalar omega_link3_z = qd[1] + qd[2];
   const Scalar t_link3_1 = omega_link3_z * omega_link3_z;
-  const Scalar t_link3_2 = 0.010956925 * c_link4 - 0.372123081 * s_link4;
-  const Scalar t_link3_3 = 0.010956925 * s_link4 + 0.372123081 * c_link4;
+  const Scalar t_link3_2 = link4_I5 * c_joint2_joint3 - link3_I5 * s_joint2_joint3;
+  const Scalar t_link3_3 = link4_I5 * s_joint2_joint3 + link3_I5 * c_joint2_joint3;
   const Scalar t_link3_4 = t_link1_1 + t_link3_1;
-  const Scalar t_link4_3 = c_joint2 * (t_link1_1 + t_link2_1) + t_link4_2 * t_link3_4;
-  const Scalar a_link3_y = 22.71885132005558 + s_joint2 * t_link2_1;
+  const Scalar t_link4_2 = c_joint2 * (t_link1_1 + t_link2_1) + t_link4_1 * t_link3_4;
+  const Scalar a_link3_y = link3_p1 + s_joint2 * t_link2_1;
   // link4
-  const Scalar t_link4_4 = a_link3_y - s_link4_y * t_link3_1;
-  const Scalar t_link4_5 = c_link4 * t_link4_3 + s_link4 * t_link4_4;
-  const Scalar t_link4_6 = s_link4 * qd[0];
-  const Scalar t_link4_7 = c_joint4 * omega_link3_z;
-  const Scalar t_link4_8 = t_link4_7 + s_joint4 * t_link4_6;
-  const Scalar t_link4_9 = c_link4 * qd[0];
-  const Scalar t_link4_10 = s_joint4 * omega_link3_z;
-  const Scalar t_link4_11 = t_link4_10 - c_joint4 * t_link4_6;
-  const Scalar omega_link4_z = qd[3] + t_link4_9;
-  const Scalar t_link4_12 = omega_link3_z * t_link4_6;
+  const Scalar t_link4_3 = a_link3_y - s_link4_y * t_link3_1;
+  const Scalar t_link4_4 = c_joint2_joint3 * t_link4_2 + s_joint2_joint3 * t_link4_3;
+  const Scalar t_link4_5 = s_joint2_joint3 * qd[0];
+  const Scalar t_link4_6 = c_joint4 * omega_link3_z;
+  const Scalar t_link4_7 = t_link4_6 + s_joint4 * t_link4_5;
+  const Scalar t_link4_8 = c_joint2_joint3 * qd[0];
+  const Scalar t_link4_9 = s_joint4 * omega_link3_z;
+  const Scalar t_link4_10 = t_link4_9 - c_joint4 * t_link4_5;
+  const Scalar omega_link4_z = qd[3] + t_link4_8;
+  const Scalar t_link4_11 = omega_link3_z * t_link4_5;
   // link5
-  const Scalar t_link5_1 = c_joint5 * omega_link4_z + s_joint5 * t_link4_11;
-  const Scalar omega_link5_z = t_link4_8 + qd[4];
-  const Scalar t_link5_2 = s_joint5 * omega_link4_z - c_joint5 * t_link4_11;
-  const Scalar alpha_link5_z = t_link4_9 * t_link4_10 - qd[3] * t_link4_11;
+  const Scalar t_link5_1 = c_joint5 * omega_link4_z + s_joint5 * t_link4_10;
+  const Scalar omega_link5_z = t_link4_7 + qd[4];
+  const Scalar t_link5_2 = s_joint5 * omega_link4_z - c_joint5 * t_link4_10;
+  const Scalar alpha_link5_z = t_link4_8 * t_link4_9 - qd[3] * t_link4_10;
   const Scalar t_link5_3 = t_link5_1 * t_link5_2;
   const Scalar t_link5_4 = alpha_link5_z - t_link5_3;
-  const Scalar alpha_link4_x = t_link4_7 * t_link4_9 - t_link4_8 * qd[3];
-  const Scalar t_link5_5 = c_joint5 * t_link4_12 + qd[4] * t_link5_2;
+  const Scalar alpha_link4_x = t_link4_6 * t_link4_8 - t_link4_7 * qd[3];
+  const Scalar t_link5_5 = c_joint5 * t_link4_11 + qd[4] * t_link5_2;
   const Scalar alpha_link5_y = t_link5_5 + s_joint5 * alpha_link4_x;
-  const Scalar t_link6_1 = 4e-05 * alpha_link5_y;
+  const Scalar t_link6_1 = link6_I1 * alpha_link5_y;
   const Scalar omega_link6_z = t_link5_1 + qd[5];
-  const Scalar t_link5_6 = 4e-05 * omega_link6_z;
-  const Scalar t_link5_7 = t_link5_6 - 0.00034216 * t_link5_1;
-  const Scalar Omega_link3_zy = t_link2_5 * omega_link3_z;
-  const Scalar t_link3_5 = s_joint2 * Omega_link2_zy + 0.3476146364057434 * t_link1_1;
-  const Scalar t_link4_13 = t_link3_5 - s_link4_y * Omega_link3_zy;
-  const Scalar t_link5_8 = s_joint5 * t_link4_12 - c_joint5 * alpha_link4_x;
+  const Scalar t_link5_6 = link6_I1 * omega_link6_z;
+  const Scalar t_link5_7 = t_link5_6 - link5_I4 * t_link5_1;
+  const Scalar Omega_link3_zy = t_link2_4 * omega_link3_z;
+  const Scalar t_link3_5 = s_joint2 * Omega_link2_zy + link2_k4 * t_link1_1;
+  const Scalar t_link4_12 = t_link3_5 - s_link4_y * Omega_link3_zy;
+  const Scalar t_link5_8 = s_joint5 * t_link4_11 - c_joint5 * alpha_link4_x;
   const Scalar alpha_link5_x = t_link5_8 - t_link5_1 * qd[4];
-  const Scalar h_link4_z = 0.001243584 * c_joint5;
-  const Scalar t_link5_9 = 0.001243584 * s_joint5;
+  const Scalar h_link4_z = link6_I8 * c_joint5;
+  const Scalar t_link5_9 = link6_I8 * s_joint5;
   const Scalar t_link5_10 = t_link5_2 * t_link5_2 + omega_link5_z * omega_link5_z;
   const Scalar Omega_link5_zy = alpha_link5_x - t_link5_1 * omega_link5_z;
   // link4
-  const Scalar F_link4_y = 0.001243584 * Omega_link5_zy;
-  const Scalar t_link4_14 = c_link4 * t_link5_9;
-  const Scalar a_link4_x = c_joint4 * t_link4_5 + s_joint4 * t_link4_13;
-  const Scalar t_link4_15 = s_link4 * t_link5_9;
+  const Scalar F_link4_y = link6_I8 * Omega_link5_zy;
+  const Scalar t_link4_13 = c_joint2_joint3 * t_link5_9;
+  const Scalar a_link4_x = c_joint4 * t_link4_4 + s_joint4 * t_link4_12;
+  const Scalar t_link4_14 = s_joint2_joint3 * t_link5_9;
   const Scalar t_link1_2 = t_link6_1 + tau[5];
   // link5
-  const Scalar t_link5_11 = 0.00020216 * s_joint5;
+  const Scalar t_link5_11 = link6_I5 * s_joint5;
   const Scalar t_link5_12 = s_joint5 * t_link5_11;
-  const Scalar t_link5_13 = 4e-05 * c_joint5;
-  const Scalar t_link5_14 = 4e-05 * s_joint5;
-  const Scalar t_link4_16 = s_link4 * c_joint4;
-  const Scalar t_link4_17 = c_link4 * t_link5_13 - t_link5_14 * t_link4_16;
-  const Scalar h_link3_y = t_link3_3 + 31.0896 * t_link4_17;
-  const Scalar t_link4_18 = c_joint4 * t_link5_9;
-  const Scalar t_link4_19 = s_link4 * h_link4_z;
+  const Scalar t_link5_13 = link6_I1 * c_joint5;
+  const Scalar t_link5_14 = link6_I1 * s_joint5;
+  const Scalar t_link4_15 = s_joint2_joint3 * c_joint4;
+  const Scalar t_link4_16 = c_joint2_joint3 * t_link5_13 - t_link5_14 * t_link4_15;
+  const Scalar h_link3_y = t_link3_3 + link6_k1 * t_link4_16;
+  const Scalar t_link4_17 = c_joint4 * t_link5_9;
+  const Scalar t_link4_18 = s_joint2_joint3 * h_link4_z;
   const Scalar h_link3_z = s_joint4 * t_link5_9;
   // link4
-  const Scalar t_link4_20 = s_joint4 * (0.0001 + t_link5_12);
-  const Scalar t_link4_21 = s_joint4 * t_link4_20;
+  const Scalar t_link4_19 = s_joint4 * (link5_I2 + t_link5_12);
+  const Scalar t_link4_20 = s_joint4 * t_link4_19;
   const Scalar I_link4_xz = c_joint5 * t_link5_11;
-  const Scalar t_link4_22 = s_joint4 * I_link4_xz;
-  const Scalar t_link4_23 = t_link4_19 + c_link4 * t_link4_18;
-  const Scalar t_link4_24 = t_link4_2 * t_link4_23 * 2.0;
+  const Scalar t_link4_21 = s_joint4 * I_link4_xz;
+  const Scalar t_link4_22 = t_link4_18 + c_joint2_joint3 * t_link4_17;
+  const Scalar t_link4_23 = t_link4_1 * t_link4_22 * 2.0;
   // link3
   const Scalar t_link3_6 = s_joint2 * h_link3_y;
-  const Scalar h_link3_x = t_link3_2 - t_link4_23;
+  const Scalar h_link3_x = t_link3_2 - t_link4_22;
   const Scalar t_link3_7 = c_joint2 * h_link3_x;
   const Scalar t_link3_8 = 2.0 * t_link3_7;
   // link4
-  const Scalar t_link4_25 = s_joint4 * t_link5_14;
-  const Scalar t_link4_26 = c_link4 * c_joint4;
-  const Scalar t_link4_27 = t_link4_15 - h_link4_z * t_link4_26;
-  const Scalar t_link4_28 = t_link4_14 + c_joint4 * t_link4_19;
-  const Scalar t_link4_29 = 0.00064216 * c_joint4 - s_link4_y * t_link4_27;
-  const Scalar t_link4_30 = t_link4_29 + t_link4_2 * t_link4_28;
+  const Scalar t_link4_24 = s_joint4 * t_link5_14;
+  const Scalar t_link4_25 = c_joint2_joint3 * c_joint4;
+  const Scalar t_link4_26 = t_link4_14 - h_link4_z * t_link4_25;
+  const Scalar t_link4_27 = t_link4_13 + c_joint4 * t_link4_18;
+  const Scalar t_link4_28 = link5_I1 * c_joint4 - s_link4_y * t_link4_26;
+  const Scalar t_link4_29 = t_link4_28 + t_link4_1 * t_link4_27;
   // link3
-  const Scalar t_link3_9 = c_joint2 * t_link4_28 + s_joint2 * t_link4_27;
-  const Scalar t_link3_10 = t_link4_30 + t_link3_9;
-  const Scalar t_link3_11 = c_joint2 + t_link4_2;
-  const Scalar t_link3_12 = 0.00064216 * s_link4 + h_link4_z * t_link3_11;
-  const Scalar t_link3_13 = s_joint4 * t_link3_12 + 0.3476146364057434 * t_link4_27;
-  const Scalar I_link4_zz = 0.00164 + t_link5_12;
+  const Scalar t_link3_9 = c_joint2 * t_link4_27 + s_joint2 * t_link4_26;
+  const Scalar t_link3_10 = t_link4_29 + t_link3_9;
+  const Scalar t_link3_11 = c_joint2 + t_link4_1;
+  const Scalar t_link3_12 = s_joint4 * (link5_I1 * s_joint2_joint3 + h_link4_z * t_link3_11);
+  const Scalar t_link3_13 = t_link3_12 + link2_k4 * t_link4_26;
+  const Scalar I_link4_zz = link4_I2 + t_link5_12;
   // link6
-  const Scalar t_link6_2 = c_link4 * (I_link4_zz + 0.3476146364057434 * h_link3_z);
-  const Scalar t_link6_3 = c_joint5 * (t_link4_17 - t_link5_11 * t_link4_16);
-  const Scalar t_link6_4 = t_link4_18 * t_link3_11 + t_link6_2 - t_link6_3;
-  const Scalar t_link3_14 = h_link3_z * (c_joint2 * s_link4 - s_joint2 * c_link4);
-  const Scalar t_link6_5 = t_link4_22 + c_joint5 * t_link4_25;
-  const Scalar t_link6_6 = t_link6_5 + 1.0030106530801297 * h_link3_z;
-  const Scalar t_link6_7 = t_link3_14 + t_link6_6;
+  const Scalar t_link6_2 = c_joint2_joint3 * (I_link4_zz + link2_k4 * h_link3_z);
+  const Scalar t_link6_3 = c_joint5 * (t_link4_16 - t_link5_11 * t_link4_15);
+  const Scalar t_link6_4 = t_link4_17 * t_link3_11 + t_link6_2 - t_link6_3;
+  const Scalar t_link3_14 = h_link3_z * (c_joint2 * s_joint2_joint3 - s_joint2 * c_joint2_joint3);
+  const Scalar t_link6_5 = t_link4_21 + c_joint5 * t_link4_24 + link3_k3 * h_link3_z;
+  const Scalar t_link6_6 = t_link3_14 + t_link6_5;
   const Scalar inverse_pivot_link4 = 1.0 / (I_link4_zz - c_joint5 * t_link5_13);
-  const Scalar t_link5_15 = 1557.2443004858603 * t_link4_30;
-  const Scalar t_link4_31 = t_link6_6 * inverse_pivot_link4;
-  const Scalar t_link6_8 = t_link4_25 * t_link4_25 * 25000.0;
-  const Scalar t_link4_32 = s_link4_y * t_link4_17 * 62.1792;
-  const Scalar t_link6_9 = t_link4_21 - t_link4_24 + t_link6_8 - t_link4_32;
-  const Scalar t_link5_16 = 0.313747409 - t_link6_9 - t_link4_30 * t_link5_15;
+  const Scalar t_link5_15 = link5_p1 * t_link4_29;
+  const Scalar t_link4_30 = t_link6_5 * inverse_pivot_link4;
+  const Scalar t_link6_7 = t_link4_20 - t_link4_23 + t_link4_24 * t_link4_24 * link6_p1;
+  const Scalar t_link6_8 = t_link6_7 - s_link4_y * t_link4_16 * link6_k2;
+  const Scalar t_link5_16 = link3_I2 - t_link6_8 - t_link4_29 * t_link5_15;
   // link4
-  const Scalar t_link4_33 = t_link5_16 - t_link6_6 * t_link4_31;
-  const Scalar t_link4_34 = t_link4_33 - (t_link3_6 + t_link3_7) - t_link3_14 * t_link4_31;
-  const Scalar t_link4_35 = t_link4_34 - t_link3_9 * t_link5_15;
-  const Scalar t_link5_17 = 1557.2443004858603 * t_link3_13;
-  const Scalar t_link6_10 = 25000.0 * t_link4_17;
-  const Scalar t_link4_36 = t_link6_4 * inverse_pivot_link4;
-  const Scalar t_link3_15 = c_link4 * (0.004704 + t_link4_22);
-  const Scalar I_link3_yz = t_link4_16 * t_link4_20 - t_link3_15 - s_link4_y * h_link3_z;
-  const Scalar t_link4_37 = I_link3_yz - t_link4_25 * t_link6_10 - t_link3_13 * t_link5_15;
-  const Scalar t_link4_38 = t_link4_37 + t_link6_6 * t_link4_36;
-  const Scalar t_link4_39 = t_link4_38 - 0.3476146364057434 * h_link3_y;
-  const Scalar inverse_pivot_link3 = 1.0 / t_link4_33;
-  const Scalar t_link5_18 = 1557.2443004858603 * t_link3_10;
-  const Scalar t_link3_16 = t_link4_35 * inverse_pivot_link3;
-  const Scalar t_link4_40 = t_link6_7 * inverse_pivot_link4;
-  const Scalar t_link6_11 = t_link6_9 - (2.061861411 - t_link3_8);
-  const Scalar t_link5_19 = t_link6_11 + 2.0 * t_link3_6 + t_link3_10 * t_link5_18;
-  const Scalar t_link3_17 = t_link5_19 + t_link6_7 * t_link4_40 + t_link4_35 * t_link3_16;
-  const Scalar t_link2_6 = 1.0 / t_link3_17;
-  const Scalar t_link3_18 = 0.021347277 * c_link4 - 0.299575024 * s_link4;
-  const Scalar t_link4_41 = s_link4 * (0.00109784 - t_link4_21 + 2.0 * t_link5_12);
+  const Scalar t_link4_31 = t_link5_16 - t_link6_5 * t_link4_30;
+  const Scalar t_link4_32 = t_link4_31 - (t_link3_6 + t_link3_7) - t_link3_14 * t_link4_30;
+  const Scalar t_link4_33 = t_link4_32 - t_link3_9 * t_link5_15;
+  const Scalar t_link5_17 = link5_p1 * t_link3_13;
+  const Scalar t_link6_9 = link6_p1 * t_link4_16;
+  const Scalar t_link4_34 = t_link6_4 * inverse_pivot_link4;
+  const Scalar t_link3_15 = t_link4_15 * t_link4_19 - c_joint2_joint3 * (link3_I4 + t_link4_21);
+  const Scalar I_link3_yz = t_link3_15 - s_link4_y * h_link3_z;
+  const Scalar t_link4_35 = I_link3_yz - t_link4_24 * t_link6_9 - t_link3_13 * t_link5_15;
+  const Scalar t_link4_36 = t_link4_35 + t_link6_5 * t_link4_34 - link2_k4 * h_link3_y;
+  const Scalar inverse_pivot_link3 = 1.0 / t_link4_31;
+  const Scalar t_link5_18 = link5_p1 * t_link3_10;
+  const Scalar t_link3_16 = t_link4_33 * inverse_pivot_link3;
+  const Scalar t_link4_37 = t_link6_6 * inverse_pivot_link4;
+  const Scalar t_link6_10 = t_link6_8 - (link2_I3 - t_link3_8) + 2.0 * t_link3_6;
+  const Scalar t_link4_38 = t_link6_10 + t_link3_10 * t_link5_18 + t_link6_6 * t_link4_37;
+  const Scalar t_link2_5 = 1.0 / (t_link4_38 + t_link4_33 * t_link3_16);
+  const Scalar t_link3_17 = link4_I1 * c_joint2_joint3 - link3_I6 * s_joint2_joint3;
+  const Scalar t_link4_39 = s_joint2_joint3 * (link4_I9 - t_link4_20 + 2.0 * t_link5_12);
   // link3
-  const Scalar t_link3_19 = t_link4_39 * inverse_pivot_link3;
-  const Scalar t_link3_20 = t_link4_39 + 0.023751 * c_joint2;
-  const Scalar t_link3_21 = t_link3_20 - t_link3_9 * t_link5_17 + t_link3_14 * t_link4_36;
-  const Scalar t_link3_22 = s_joint2 * (0.690314699 + h_link3_z);
-  const Scalar t_link3_23 = t_link3_21 - t_link4_39 * t_link3_16 + t_link3_22;
+  const Scalar t_link3_18 = t_link4_36 * inverse_pivot_link3;
+  const Scalar t_link3_19 = t_link4_36 + link2_I1 * c_joint2 - t_link3_9 * t_link5_17;
+  const Scalar t_link3_20 = t_link3_19 + t_link3_14 * t_link4_34 - t_link4_36 * t_link3_16;
+  const Scalar t_link3_21 = t_link3_20 + s_joint2 * (link2_I2 + h_link3_z);
   // link2
-  const Scalar t_link2_7 = t_link2_6 * t_link3_23;
-  const Scalar t_link2_8 = t_link3_8 - (3.155122265 + t_link5_12 + t_link4_24);
-  const Scalar t_link2_9 = t_link2_8 - 0.6952292728114868 * h_link3_z;
-  const Scalar t_link2_10 = s_link4 * (t_link3_18 - I_link4_xz * t_link4_26 * 2.0 + t_link4_41);
-  const Scalar t_link2_11 = t_link2_9 + t_link3_13 * t_link5_17 + s_joint2 * t_link2_3;
-  const Scalar t_link2_12 = t_link2_11 + t_link2_10 - t_link3_23 * t_link2_7;
-  const Scalar t_link2_13 = t_link2_12 + t_link6_4 * t_link4_36 + t_link4_39 * t_link3_19;
-  const Scalar t_link1_3 = 1.0 / (t_link2_13 + t_link4_17 * t_link6_10);
-  const Scalar a_link4_y = c_joint4 * t_link4_13 - s_joint4 * t_link4_5;
+  const Scalar t_link2_6 = t_link2_5 * t_link3_21;
+  const Scalar t_link2_7 = t_link3_8 - (link1_I1 + t_link5_12 + t_link4_23);
+  const Scalar t_link2_8 = t_link2_7 - link2_k5 * h_link3_z + t_link3_13 * t_link5_17;
+  const Scalar t_link2_9 = t_link3_17 - I_link4_xz * t_link4_25 * 2.0 + t_link4_39;
+  const Scalar t_link2_10 = t_link2_8 + s_joint2 * t_link2_2 + s_joint2_joint3 * t_link2_9;
+  const Scalar t_link2_11 = t_link2_10 - t_link3_21 * t_link2_6 + t_link6_4 * t_link4_34;
+  const Scalar t_link2_12 = t_link2_11 + t_link4_36 * t_link3_18 + t_link4_16 * t_link6_9;
+  const Scalar t_link1_3 = 1.0 / t_link2_12;
+  const Scalar a_link4_y = c_joint4 * t_link4_12 - s_joint4 * t_link4_4;
   // link5
-  const Scalar t_link5_20 = 0.00054216 * alpha_link5_x;
-  const Scalar t_link5_21 = t_link5_20 + 0.001243584 * a_link4_y;
-  const Scalar M_link5_x = t_link5_21 + omega_link5_z * t_link5_7;
-  const Scalar t_link5_22 = t_link6_1 + 0.0003 * alpha_link5_y;
-  const Scalar M_link5_y = t_link5_22 + omega_link5_z * t_link5_2 * 0.0001;
-  const Scalar t_link5_23 = 0.0013 * t_link4_12 + s_joint5 * M_link5_x;
-  const Scalar t_link5_24 = t_link5_23 + c_joint5 * M_link5_y;
-  const Scalar t_link1_4 = tau[3] + t_link5_24 - c_joint5 * t_link1_2;
+  const Scalar t_link5_19 = link5_I5 * alpha_link5_x + link6_I8 * a_link4_y;
+  const Scalar M_link5_x = t_link5_19 + omega_link5_z * t_link5_7;
+  const Scalar t_link5_20 = t_link6_1 + link5_I3 * alpha_link5_y;
+  const Scalar M_link5_y = t_link5_20 + omega_link5_z * t_link5_2 * link5_I2;
+  const Scalar t_link5_21 = link4_I4 * t_link4_11 + s_joint5 * M_link5_x + c_joint5 * M_link5_y;
+  const Scalar t_link1_4 = tau[3] + t_link5_21 - c_joint5 * t_link1_2;
   const Scalar t_link1_5 = c_joint2 * t_link3_3;
-  const Scalar t_link5_25 = t_link5_4 * t_link5_9 + h_link4_z * t_link5_10;
-  const Scalar t_link5_26 = t_link5_4 * h_link4_z - t_link5_9 * t_link5_10;
-  const Scalar t_link4_42 = s_joint4 * F_link4_y + c_joint4 * t_link5_26;
-  const Scalar t_link1_6 = 0.0106736385 + t_link1_5 - c_link4 * t_link3_18;
+  const Scalar t_link5_22 = t_link5_4 * t_link5_9 + h_link4_z * t_link5_10;
+  const Scalar t_link5_23 = t_link5_4 * h_link4_z - t_link5_9 * t_link5_10;
+  const Scalar t_link4_40 = s_joint4 * F_link4_y + c_joint4 * t_link5_23;
+  const Scalar t_link1_6 = link4_I6 + t_link1_5 - c_joint2_joint3 * t_link3_17;
   // link6
-  const Scalar t_link6_12 = h_link4_z * a_link4_x - 0.00064216 * alpha_link5_z;
-  const Scalar t_link6_13 = t_link6_12 - t_link4_3 * t_link4_15;
-  const Scalar t_link6_14 = t_link6_13 + 0.00024216 * t_link5_3;
-  const Scalar t_link6_15 = t_link6_14 - t_link5_2 * t_link5_6 + t_link4_4 * t_link4_14;
-  const Scalar t_link1_7 = tau[4] + t_link6_15;
-  const Scalar t_link1_8 = 1557.2443004858603 * t_link1_7;
+  const Scalar t_link6_11 = h_link4_z * a_link4_x - link5_I1 * alpha_link5_z;
+  const Scalar t_link6_12 = t_link6_11 - t_link4_2 * t_link4_14 + link6_I7 * t_link5_3;
+  const Scalar t_link6_13 = t_link6_12 - t_link5_2 * t_link5_6 + t_link4_3 * t_link4_13;
+  const Scalar t_link1_7 = tau[4] + t_link6_13;
+  const Scalar t_link1_8 = link5_p1 * t_link1_7;
   // link4
-  const Scalar t_link4_43 = 0.0013 * omega_link4_z;
-  const Scalar M_link4_y = t_link6_15 + t_link4_11 * t_link4_43;
-  const Scalar t_link4_44 = c_link4 * t_link5_25 + s_link4 * t_link4_42;
-  const Scalar M_link4_x = s_joint5 * M_link5_y - c_joint5 * M_link5_x - t_link4_8 * t_link4_43;
-  const Scalar t_link4_45 = c_link4 * t_link4_42 - s_link4 * t_link5_25;
-  const Scalar t_link4_46 = t_link4_45 + t_link3_2 * t_link3_4;
+  const Scalar t_link4_41 = link4_I4 * omega_link4_z;
+  const Scalar M_link4_y = t_link6_13 + t_link4_10 * t_link4_41;
+  const Scalar t_link4_42 = c_joint2_joint3 * t_link5_22 + s_joint2_joint3 * t_link4_40;
+  const Scalar M_link4_x = s_joint5 * M_link5_y - c_joint5 * M_link5_x - t_link4_7 * t_link4_41;
+  const Scalar t_link4_43 = c_joint2_joint3 * t_link4_40 - s_joint2_joint3 * t_link5_22;
+  const Scalar t_link4_44 = t_link4_43 + t_link3_2 * t_link3_4;
   // link1
-  const Scalar t_link1_9 = 1.024164 - t_link4_46;
-  const Scalar t_link1_10 = 37.2347379 - t_link4_44 - t_link3_1 * t_link3_3;
+  const Scalar t_link1_9 = link2_G2 - t_link4_44;
+  const Scalar t_link1_10 = link2_G1 - t_link4_42 - t_link3_1 * t_link3_3;
   const Scalar t_link1_11 = s_joint4 * (M_link4_x - s_joint5 * t_link1_2);
-  const Scalar t_link1_12 = t_link2_1 * t_link1_5 + t_link1_11 - t_link4_2 * t_link4_44;
-  const Scalar t_link1_13 = t_link1_12 + t_link1_1 * t_link1_6 - s_link4_y * t_link4_45;
-  const Scalar t_link1_14 = t_link1_13 - t_link4_30 * t_link1_8 + c_joint4 * M_link4_y;
+  const Scalar t_link1_12 = t_link2_1 * t_link1_5 + t_link1_11 - t_link4_1 * t_link4_42;
+  const Scalar t_link1_13 = t_link1_12 + t_link1_1 * t_link1_6 - s_link4_y * t_link4_43;
+  const Scalar t_link1_14 = t_link1_13 - t_link4_29 * t_link1_8 + c_joint4 * M_link4_y;
   const Scalar t_link1_15 = t_link1_14 - t_link3_2 * a_link3_y;
-  const Scalar t_link1_16 = tau[2] + t_link1_15 + t_link4_31 * t_link1_4;
+  const Scalar t_link1_16 = tau[2] + t_link1_15 + t_link4_30 * t_link1_4;
   const Scalar t_link1_17 = inverse_pivot_link4 * t_link1_4;
-  const Scalar t_link4_47 = c_joint4 * F_link4_y - s_joint4 * t_link5_26;
+  const Scalar t_link4_45 = c_joint4 * F_link4_y - s_joint4 * t_link5_23;
   const Scalar t_link1_18 = tau[1] + t_link1_15 - s_joint2 * t_link1_9 + c_joint2 * t_link1_10;
-  const Scalar t_link1_19 = t_link1_18 - t_link3_9 * t_link1_8 + t_link1_1 * t_link2_4;
-  const Scalar t_link2_14 = 0.023751 * s_joint2;
-  const Scalar t_link1_20 = t_link1_19 - t_link3_16 * t_link1_16 + t_link4_40 * t_link1_4;
-  const Scalar t_link1_21 = t_link2_6 * t_link1_20;
-  const Scalar t_link1_22 = c_joint4 * M_link4_x + 0.004704 * t_link3_1;
-  const Scalar t_link1_23 = tau[0] - t_link3_2 * t_link3_5 - t_link5_17 * t_link1_7;
-  const Scalar t_link1_24 = t_link1_23 - t_link2_4 * Omega_link2_zy + t_link3_23 * t_link1_21;
-  const Scalar t_link1_25 = t_link1_24 + t_link3_11 * t_link4_47 - t_link6_4 * t_link1_17;
-  const Scalar t_link2_15 = t_link2_1 * (t_link2_14 - 0.690314699 * c_joint2);
-  const Scalar t_link1_26 = t_link1_25 + c_link4 * t_link5_24 - t_link1_2 * t_link6_10;
-  const Scalar t_link1_27 = t_link1_26 + t_link2_15 + 0.3476146364057434 * t_link4_46;
-  const Scalar t_link1_28 = s_link4 * (t_link1_22 - s_joint4 * M_link4_y);
-  const Scalar t_link1_29 = t_link1_27 - Omega_link3_zy * t_link1_6 - t_link1_28;
-  const Scalar t_link1_30 = t_link1_3 * (t_link1_29 - t_link3_19 * t_link1_16);
+  const Scalar t_link1_19 = t_link1_18 - t_link3_9 * t_link1_8 + t_link1_1 * t_link2_3;
+  const Scalar t_link1_20 = t_link1_19 - t_link3_16 * t_link1_16 + t_link4_37 * t_link1_4;
+  const Scalar t_link1_21 = t_link2_5 * t_link1_20;
+  const Scalar t_link1_22 = tau[0] - t_link3_2 * t_link3_5 - t_link5_17 * t_link1_7;
+  const Scalar t_link1_23 = t_link1_22 - t_link2_3 * Omega_link2_zy + t_link3_21 * t_link1_21;
+  const Scalar t_link1_24 = t_link1_23 + t_link3_11 * t_link4_45 - t_link6_4 * t_link1_17;
+  const Scalar t_link1_25 = t_link1_24 + c_joint2_joint3 * t_link5_21;
+  const Scalar t_link2_13 = t_link2_1 * (link2_I1 * s_joint2 - link2_I2 * c_joint2);
+  const Scalar t_link1_26 = t_link1_25 - t_link1_2 * t_link6_9 + t_link2_13;
+  const Scalar t_link1_27 = c_joint4 * M_link4_x + link3_I4 * t_link3_1 - s_joint4 * M_link4_y;
+  const Scalar t_link1_28 = t_link1_26 + link2_k4 * t_link4_44 - Omega_link3_zy * t_link1_6;
+  const Scalar t_link1_29 = t_link1_28 - s_joint2_joint3 * t_link1_27;
+  const Scalar t_link1_30 = t_link1_3 * (t_link1_29 - t_link3_18 * t_link1_16);
   qdd[0] = -t_link1_30;
-  const Scalar t_link1_31 = t_link1_21 + t_link2_7 * t_link1_30;
+  const Scalar t_link1_31 = t_link1_21 + t_link2_6 * t_link1_30;
   qdd[1] = -t_link1_31;
-  const Scalar t_link1_32 = inverse_pivot_link3 * t_link1_16 + t_link3_19 * t_link1_30;
+  const Scalar t_link1_32 = inverse_pivot_link3 * t_link1_16 + t_link3_18 * t_link1_30;
   const Scalar t_link1_33 = t_link1_32 + t_link3_16 * t_link1_31;
   qdd[2] = t_link1_33;
-  const Scalar t_link1_34 = t_link1_17 + t_link4_31 * t_link1_33 + t_link4_36 * t_link1_30;
-  const Scalar t_link1_35 = t_link1_34 - t_link4_40 * t_link1_31;
+  const Scalar t_link1_34 = t_link1_17 + t_link4_30 * t_link1_33 + t_link4_34 * t_link1_30;
+  const Scalar t_link1_35 = t_link1_34 - t_link4_37 * t_link1_31;
   qdd[3] = t_link1_35;
-  const Scalar t_link1_36 = t_link4_25 * (t_link1_31 - t_link1_33);
-  const Scalar t_link1_37 = t_link1_2 + t_link4_17 * t_link1_30 + t_link1_36;
-  qdd[5] = 25000.0 * t_link1_37 - c_joint5 * t_link1_35;
+  const Scalar t_link1_36 = t_link4_24 * (t_link1_31 - t_link1_33);
+  const Scalar t_link1_37 = link6_p1 * (t_link1_2 + t_link4_16 * t_link1_30 + t_link1_36);
+  qdd[5] = t_link1_37 - c_joint5 * t_link1_35;
   const Scalar t_link1_38 = t_link1_8 - t_link5_15 * t_link1_33 + t_link5_17 * t_link1_30;
   qdd[4] = t_link1_38 + t_link5_18 * t_link1_31;
 }

@@ -25,7 +25,7 @@ inline constexpr int kDof = 6;
 /// Number of points.
 inline constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x47a8b5d43b3f4cc9ULL;
+inline constexpr unsigned long long kDigest = 0x35d31ca47bc4aed8ULL;
 
 /// Index of every joint.
 namespace joint {
@@ -54,7 +54,7 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept;
 /// \param      q   6, rad|m
 /// \param      qd  6, rad/s|m/s
 /// \param[out] B   6, N m|N
-/// Equation (3). Cost: 124 mul, 79 add, 4 sin, 4 cos.
+/// Equation (3). Cost: 126 mul, 79 add, 4 sin, 4 cos.
 void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept;
 
 /// Gravity term G(q) of A qdd + B + G = tau.

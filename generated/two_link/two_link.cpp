@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x4601c89d9f10f867ULL, "header and source are of different runs");
+static_assert(kDigest == 0x30799a96c68a2ac3ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -72,20 +72,55 @@ inline double cos(double x) noexcept { return sine_cosine(x).cosine; }
 
 }  // namespace
 
+namespace {
+
+// The numbers that functions take from the model, under the first link whose inertia is in them;
+// above each its unit and the numbers of the model that it is made of, but for those that are
+// exactly 0 or 1. Other literals are numbers of the equations.
+
+// gravity
+constexpr double base_p1 = 9.81;
+
+// mass, com x, inertia yy zz of upper_arm, forearm
+constexpr double upper_arm_p1 = 95.0;
+// gravity; mass, com x of upper_arm; mass of forearm
+constexpr double upper_arm_p2 = 735.75;
+// mass, com x, inertia yy zz of upper_arm; mass of forearm
+constexpr double upper_arm_p3 = 72.5;
+// mass, com x of upper_arm; mass of forearm
+constexpr double upper_arm_p4 = 75.0;
+
+// mass, com x, inertia yy zz of forearm
+constexpr double forearm_p1 = 22.5;
+// mass, com x of forearm
+constexpr double forearm_p2 = 25.0;
+// mass, com x of forearm
+constexpr double forearm_p3 = 50.0;
+// gravity; mass, com x of forearm
+constexpr double forearm_p4 = 245.25;
+// mass, com x, inertia yy zz of forearm
+constexpr double forearm_p5 = 0.044444444444444446;
+// mass, com x, inertia yy zz of forearm
+constexpr double forearm_p6 = 1.1111111111111112;
+// mass, com x, inertia yy zz of forearm
+constexpr double forearm_p7 = 27.77777777777778;
+
+}  // namespace
+
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
   const Scalar c_elbow = cos(q[1]);
-  A[0] = 95.0 + 50.0 * c_elbow;
+  A[0] = upper_arm_p1 + forearm_p3 * c_elbow;
   // forearm
-  A[1] = 22.5 + 25.0 * c_elbow;
+  A[1] = forearm_p1 + forearm_p2 * c_elbow;
   A[2] = A[1];
-  A[3] = 22.5;
+  A[3] = forearm_p1;
 }
 
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
   // forearm
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar s_elbow = sin(q[1]);
-  const Scalar t_forearm_1 = 25.0 * s_elbow;
+  const Scalar t_forearm_1 = forearm_p2 * s_elbow;
   const Scalar M_forearm_z = qd[0] * qd[0] * t_forearm_1;
   B[1] = M_forearm_z;
   // upper_arm
@@ -95,12 +130,12 @@ void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   // forearm
   const Scalar c_shoulder = cos(q[0]);
-  const Scalar t_forearm_1 = q[0] + q[1];
-  const Scalar c_forearm = cos(t_forearm_1);
-  const Scalar t_forearm_2 = 245.25 * c_forearm;
-  G[1] = t_forearm_2;
+  const Scalar q_shoulder_elbow = q[0] + q[1];
+  const Scalar c_shoulder_elbow = cos(q_shoulder_elbow);
+  const Scalar t_forearm_1 = forearm_p4 * c_shoulder_elbow;
+  G[1] = t_forearm_1;
   // upper_arm
-  G[0] = t_forearm_2 + 735.75 * c_shoulder;
+  G[0] = t_forearm_1 + upper_arm_p2 * c_shoulder;
 }
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
@@ -110,17 +145,14 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const auto [s_elbow, c_elbow] = sine_cosine(q[1]);
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar alpha_forearm_z = qdd[0] + qdd[1];
-  const Scalar t_forearm_1 = s_elbow * (9.81 * s_shoulder - qd[0] * qd[0]);
-  const Scalar t_forearm_2 = c_elbow * (qdd[0] + 9.81 * c_shoulder);
-  const Scalar a_forearm_y = t_forearm_2 - t_forearm_1;
-  const Scalar t_forearm_3 = 22.5 * alpha_forearm_z;
-  const Scalar M_forearm_z = t_forearm_3 + 25.0 * a_forearm_y;
+  const Scalar t_forearm_1 = s_elbow * (base_p1 * s_shoulder - qd[0] * qd[0]);
+  const Scalar a_forearm_y = c_elbow * (qdd[0] + base_p1 * c_shoulder) - t_forearm_1;
+  const Scalar M_forearm_z = forearm_p1 * alpha_forearm_z + forearm_p2 * a_forearm_y;
   tau[1] = M_forearm_z;
-  const Scalar t_forearm_4 = s_elbow * omega_forearm_z * omega_forearm_z;
-  const Scalar t_upper_arm_1 = M_forearm_z + 735.75 * c_shoulder;
-  const Scalar t_forearm_5 = 25.0 * (c_elbow * alpha_forearm_z - t_forearm_4);
+  const Scalar t_forearm_2 = s_elbow * omega_forearm_z * omega_forearm_z;
   // upper_arm
-  tau[0] = t_upper_arm_1 + 72.5 * qdd[0] + t_forearm_5;
+  const Scalar t_upper_arm_1 = M_forearm_z + upper_arm_p2 * c_shoulder + upper_arm_p3 * qdd[0];
+  tau[0] = t_upper_arm_1 + forearm_p2 * (c_elbow * alpha_forearm_z - t_forearm_2);
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
@@ -129,43 +161,40 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   // forearm
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const auto [s_elbow, c_elbow] = sine_cosine(q[1]);
-  const Scalar t_forearm_1 = c_elbow * c_elbow * 27.77777777777778;
-  const Scalar inverse_pivot_upper_arm = 1.0 / (72.5 - t_forearm_1);
-  const Scalar t_upper_arm_1 = 9.81 * c_shoulder;
-  const Scalar t_forearm_2 = 25.0 * s_elbow;
-  const Scalar t_forearm_3 = 1.1111111111111112 * c_elbow;
-  const Scalar t_forearm_4 = t_forearm_2 * (qd[0] * qd[0] - 9.81 * s_shoulder);
-  // upper_arm
-  const Scalar t_upper_arm_2 = tau[1] - t_forearm_4;
-  const Scalar t_upper_arm_3 = (75.0 - t_forearm_1) * t_upper_arm_1;
-  const Scalar t_upper_arm_4 = tau[1] - tau[0] + t_upper_arm_3 + t_forearm_3 * t_upper_arm_2;
-  const Scalar t_upper_arm_5 = t_upper_arm_4 - omega_forearm_z * omega_forearm_z * t_forearm_2;
-  const Scalar t_upper_arm_6 = inverse_pivot_upper_arm * t_upper_arm_5;
-  qdd[0] = -t_upper_arm_6;
-  // forearm
-  const Scalar t_forearm_5 = t_upper_arm_6 + 0.044444444444444446 * t_upper_arm_2;
-  qdd[1] = t_forearm_5 - t_forearm_3 * (t_upper_arm_1 - t_upper_arm_6);
+  const Scalar t_forearm_1 = c_elbow * c_elbow * forearm_p7;
+  const Scalar inverse_pivot_upper_arm = 1.0 / (upper_arm_p3 - t_forearm_1);
+  const Scalar t_upper_arm_1 = base_p1 * c_shoulder;
+  const Scalar t_forearm_2 = forearm_p2 * s_elbow;
+  const Scalar t_forearm_3 = forearm_p6 * c_elbow;
+  const Scalar t_upper_arm_2 = tau[1] - t_forearm_2 * (qd[0] * qd[0] - base_p1 * s_shoulder);
+  const Scalar t_upper_arm_3 = tau[1] - tau[0] + (upper_arm_p4 - t_forearm_1) * t_upper_arm_1;
+  const Scalar t_forearm_4 = omega_forearm_z * omega_forearm_z * t_forearm_2;
+  const Scalar t_upper_arm_4 = t_upper_arm_3 + t_forearm_3 * t_upper_arm_2 - t_forearm_4;
+  const Scalar t_upper_arm_5 = inverse_pivot_upper_arm * t_upper_arm_4;
+  qdd[0] = -t_upper_arm_5;
+  const Scalar t_forearm_5 = t_forearm_3 * (t_upper_arm_1 - t_upper_arm_5);
+  qdd[1] = t_upper_arm_5 + forearm_p5 * t_upper_arm_2 - t_forearm_5;
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
   // forearm
-  const Scalar t_forearm_1 = q[0] + q[1];
-  const auto [s_forearm, c_forearm] = sine_cosine(t_forearm_1);
+  const Scalar q_shoulder_elbow = q[0] + q[1];
+  const auto [s_shoulder_elbow, c_shoulder_elbow] = sine_cosine(q_shoulder_elbow);
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
-  p[0] = c_forearm + c_shoulder;
-  p[2] = s_forearm + s_shoulder;
+  p[0] = c_shoulder_elbow + c_shoulder;
+  p[2] = s_shoulder_elbow + s_shoulder;
   p[1] = 0.0;
 }
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
   const auto [s_shoulder, c_shoulder] = sine_cosine(q[0]);
-  const Scalar t_upper_arm_1 = q[0] + q[1];
-  const auto [r_forearm_y, r_forearm_x] = sine_cosine(t_upper_arm_1);
-  C[5] = r_forearm_x;
-  C[3] = -r_forearm_y;
-  C[2] = c_shoulder + r_forearm_x;
+  const Scalar q_shoulder_elbow = q[0] + q[1];
+  const auto [s_shoulder_elbow, c_shoulder_elbow] = sine_cosine(q_shoulder_elbow);
+  C[5] = c_shoulder_elbow;
+  C[3] = -s_shoulder_elbow;
+  C[2] = c_shoulder + c_shoulder_elbow;
   // forearm
-  C[0] = -(s_shoulder + r_forearm_y);
+  C[0] = -(s_shoulder + s_shoulder_elbow);
   C[1] = 0.0;
   C[4] = 0.0;
 }

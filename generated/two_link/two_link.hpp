@@ -24,7 +24,7 @@ inline constexpr int kDof = 2;
 /// Number of points.
 inline constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x4601c89d9f10f867ULL;
+inline constexpr unsigned long long kDigest = 0x30799a96c68a2ac3ULL;
 
 /// Index of every joint.
 namespace joint {

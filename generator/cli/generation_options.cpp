@@ -380,6 +380,13 @@ void add_generation(CLI::App& command, Request& request) {
       ->type_name("LIST");
   command
       .add_option_function<std::string>(
+          "--units", [&request](const std::string& choice) { request.metres = choice == "si"; },
+          "unit of length inside functions: metres, or a length of the robot where that saves 2 % "
+          "of the operations; default auto")
+      ->check(one_of({"auto", "si"}))
+      ->type_name("auto|si");
+  command
+      .add_option_function<std::string>(
           "--forward-dynamics",
           [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
           "method of forward_dynamics; default cheapest")

@@ -1,10 +1,39 @@
 #include "common/real.hpp"
 
+#include <array>
 #include <boost/math/constants/constants.hpp>
 
+#include "common/provenance.hpp"
 #include "common/recipe.hpp"
 
 namespace treedyn {
+
+namespace {
+
+bool is_made_of_robot(const Real& result) { return result.digits() != result.seen(); }
+
+void note_source(RecipeKind kind, const Real& a, const Real& b, const Real& result) {
+  if (is_made_of_robot(result)) {
+    note_result(kind, a, b, result);
+  }
+}
+
+/// Of functions that have numbers without unit.
+Real ratio(const Real& x, const Real& result) {
+  if (is_made_of_robot(result)) {
+    note_ratio({&x, 1}, result);
+  }
+  return result;
+}
+
+Real ratio(const Real& y, const Real& x, const Real& result) {
+  if (is_made_of_robot(result)) {
+    note_ratio(std::array{y, x}, result);
+  }
+  return result;
+}
+
+}  // namespace
 
 Real::Real(const char* text) : value_(text) {}
 
@@ -40,21 +69,25 @@ Real Real::operator-() const {
 Real operator+(const Real& a, const Real& b) {
   Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x + y); });
   result.recipe_ = recipe_of(RecipeKind::kAdd, a, b);
+  note_source(RecipeKind::kAdd, a, b, result);
   return result;
 }
 Real operator-(const Real& a, const Real& b) {
   Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x - y); });
   result.recipe_ = recipe_of(RecipeKind::kSubtract, a, b);
+  note_source(RecipeKind::kSubtract, a, b, result);
   return result;
 }
 Real operator*(const Real& a, const Real& b) {
   Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x * y); });
   result.recipe_ = recipe_of(RecipeKind::kMultiply, a, b);
+  note_source(RecipeKind::kMultiply, a, b, result);
   return result;
 }
 Real operator/(const Real& a, const Real& b) {
   Real result = Real::map(a, b, [](const Digits& x, const Digits& y) { return Digits(x / y); });
   result.recipe_ = recipe_of(RecipeKind::kDivide, a, b);
+  note_source(RecipeKind::kDivide, a, b, result);
   return result;
 }
 
@@ -74,31 +107,35 @@ std::partial_ordering operator<=>(const Real& a, const Real& b) {
 Real abs(const Real& x) { return x.seen() < 0 ? -x : x; }
 
 Real sqrt(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(sqrt(a)); });
+  const Real result = Real::map(x, [](const Digits& a) { return Digits(sqrt(a)); });
+  if (is_made_of_robot(result)) {
+    note_root(x, result);
+  }
+  return result;
 }
 Real sin(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(sin(a)); });
+  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(sin(a)); }));
 }
 Real cos(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(cos(a)); });
+  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(cos(a)); }));
 }
 Real tan(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(tan(a)); });
+  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(tan(a)); }));
 }
 Real asin(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(asin(a)); });
+  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(asin(a)); }));
 }
 Real acos(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(acos(a)); });
+  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(acos(a)); }));
 }
 Real atan(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(atan(a)); });
+  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(atan(a)); }));
 }
 Real exp(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(exp(a)); });
+  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(exp(a)); }));
 }
 Real log(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(log(a)); });
+  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(log(a)); }));
 }
 Real floor(const Real& x) {
   return Real::map(x, [](const Digits& a) { return Digits(floor(a)); });
@@ -110,7 +147,8 @@ Real round(const Real& x) {
   return Real::map(x, [](const Digits& a) { return Digits(round(a)); });
 }
 Real atan2(const Real& y, const Real& x) {
-  return Real::map(y, x, [](const Digits& a, const Digits& b) { return Digits(atan2(a, b)); });
+  return ratio(
+      y, x, Real::map(y, x, [](const Digits& a, const Digits& b) { return Digits(atan2(a, b)); }));
 }
 Real pow(const Real& x, const Real& y) {
   return Real::map(x, y, [](const Digits& a, const Digits& b) { return Digits(pow(a, b)); });

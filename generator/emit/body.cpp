@@ -57,9 +57,10 @@ class Writer {
 
 /// A constant in every lane.
 std::string Writer::broadcast(Ref value) const {
-  return value == 0 ? "Scalar{}"
-                    : fmt::format("Scalar{{}} {} {}", value < 0 ? '-' : '+',
-                                  literal(graph_.value(std::abs(value)), target_.scalar));
+  return value == 0
+             ? "Scalar{}"
+             : fmt::format("Scalar{{}} {} {}", value < 0 ? '-' : '+',
+                           number_text(words_, graph_.value(std::abs(value)), target_.scalar));
 }
 
 std::string Writer::right_side(const Statement& statement) const {

@@ -7,6 +7,7 @@
 
 #include "emit/header.hpp"
 #include "emit/json.hpp"
+#include "emit/length_unit.hpp"
 #include "emit/run_time.hpp"
 #include "emit/sincos.hpp"
 
@@ -166,7 +167,7 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
     const program::Function& function = unit.functions[k];
     functions.push_back(function_json(function.signature, bodies[k],
                                       operations_json(program::cost(function)) +
-                                          rounding_json(function.rounding) +
+                                          rounding_json(function.rounding) + unit_json(function) +
                                           errors_json(unit, function.signature.name)));
   }
   for (std::size_t k = 0; k < unit.checked.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -168,9 +169,16 @@ LocalNames::LocalNames(const program::Function& function, const Vocabulary& word
     taken_.insert(array.name);
   }
   taken_.insert("w");  // the workspace
+  if (words.constants) {
+    const std::vector<std::string> constants = words.constants->names();
+    taken_.insert(constants.begin(), constants.end());
+  }
   for (const Ref value : operations) {
     const Kind kind = function.graph.node(value).kind;
     std::string name = kind == Kind::kSin || kind == Kind::kCos ? trigonometric(value) : "";
+    if (const std::string joints = angle(value); !joints.empty()) {
+      name = "q_" + joints;
+    }
     if (name.empty()) {
       name = hinted(value);
     }
@@ -187,11 +195,49 @@ std::string LocalNames::trigonometric(Ref value) const {
   if (angle.kind == Kind::kInput && static_cast<std::size_t>(angle.b) < words_.joints.size()) {
     return fmt::format("{}_{}", letter, words_.joints[static_cast<std::size_t>(angle.b)]);
   }
+  if (const std::string joints = this->angle(std::abs(node.a)); !joints.empty()) {
+    return fmt::format("{}_{}", letter, joints);
+  }
   const int body = function_.graph.hint(value).body;
   if (function_.graph.hint(value).symbol == nullptr && body >= 0) {
     return fmt::format("{}_{}", letter, words_.bodies[static_cast<std::size_t>(body)]);
   }
   return {};
+}
+
+namespace {
+
+/// The elements of input array `array` that are added up with these signs; false if `value` is
+/// anything else.
+bool add_terms(const program::Graph& graph, Ref value, int array, std::map<int, int>& signs) {
+  const program::Node& node = graph.node(value);
+  if (node.kind == Kind::kInput) {
+    return node.a == array && signs.emplace(node.b, value < 0 ? -1 : 1).second;
+  }
+  return node.kind == Kind::kAdd && add_terms(graph, value < 0 ? -node.a : node.a, array, signs) &&
+         add_terms(graph, value < 0 ? -node.b : node.b, array, signs);
+}
+
+}  // namespace
+
+std::string LocalNames::angle(Ref value) const {
+  const auto& inputs = function_.signature.inputs;
+  std::map<int, int> signs;
+  if (function_.graph.node(value).kind != Kind::kAdd || inputs.empty() ||
+      inputs.front().name != "q" || !add_terms(function_.graph, value, 0, signs)) {
+    return {};
+  }
+  std::string name;
+  std::string short_name;
+  for (const auto& [element, sign] : signs) {
+    const std::string minus = sign < 0       ? (name.empty() ? "minus_" : "_minus_")
+                              : name.empty() ? ""
+                                             : "_";
+    const auto k = static_cast<std::size_t>(element);
+    name += minus + (k < words_.joints.size() ? words_.joints[k] : fmt::format("q{}", element));
+    short_name += fmt::format("{}q{}", minus, element);
+  }
+  return name.size() + 2 <= kLongestLocal ? name : short_name;
 }
 
 std::string LocalNames::hinted(Ref value) const {

@@ -1,11 +1,13 @@
 // Names in generated code: of joints, bodies, and the locals of a function.
 #pragma once
 
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "emit/constants.hpp"
 #include "model/tree.hpp"
 #include "program/function.hpp"
 
@@ -38,6 +40,7 @@ struct Vocabulary {
   std::vector<std::string> bodies;         ///< by link, short
   std::vector<std::string> joints;         ///< by coordinate, short
   std::vector<std::string> body_comments;  ///< by link, the name as a comment shows it
+  std::shared_ptr<const ConstantNames> constants = nullptr;  ///< null: all numbers are literals
 };
 Vocabulary vocabulary(const model::Tree& tree);
 
@@ -46,7 +49,8 @@ Vocabulary vocabulary(const model::Tree& tree);
 std::string common_words(const std::vector<std::string>& names);
 
 /// The names of a function's values: `omega_forearm_x` where the graph has a hint, `s_elbow` for
-/// the sine of a joint angle, otherwise `t_forearm_1` counted in each body.
+/// the sine of a joint angle, `q_hip_knee` and `s_hip_knee` for that of a sum, otherwise
+/// `t_forearm_1` counted in each body.
 class LocalNames {
  public:
   /// \param operations all operations of the function in order
@@ -64,6 +68,8 @@ class LocalNames {
   static std::size_t index(program::Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
   [[nodiscard]] std::string hinted(program::Ref value) const;
   [[nodiscard]] std::string trigonometric(program::Ref value) const;
+  /// "joint2_joint3" of q[1] + q[2], "q1_q2" if that is too long; empty for what is no sum of q.
+  [[nodiscard]] std::string angle(program::Ref value) const;
   [[nodiscard]] std::string temporary_stem(program::Ref value) const;
   void claim(program::Ref value, const std::string& name);
 

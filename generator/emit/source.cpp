@@ -7,6 +7,7 @@
 
 #include "emit/header.hpp"
 #include "emit/layout.hpp"
+#include "emit/length_unit.hpp"
 #include "emit/limb_text.hpp"
 #include "emit/parts.hpp"
 #include "emit/self_test.hpp"
@@ -66,13 +67,14 @@ std::string includes(const Unit& unit) {
 
 }  // namespace
 
-std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
+std::string source_text(const Unit& unit, const std::vector<Body>& bodies,
+                        const Vocabulary& words) {
   std::string functions;
   for (std::size_t k = 0; k < unit.functions.size(); ++k) {
     const program::Signature& signature = unit.functions[k].signature;
-    functions += "\n";
+    functions += "\n" + unit_comment(unit.functions[k], *unit.tree);
     if (unit.functions[k].limb_code) {
-      functions += limb_text(unit.functions[k], vocabulary(*unit.tree), unit.target);
+      functions += limb_text(unit.functions[k], words, unit.target);
       continue;
     }
     functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k].parts.front())
@@ -88,17 +90,19 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies) {
   }
   const std::vector<Body> staged(
       bodies.begin() + static_cast<std::ptrdiff_t>(plain + unit.checked.size()), bodies.end());
-  const Vocabulary words = vocabulary(*unit.tree);
   functions += staged_text(unit.staged, staged, words, unit.target);
   for (const program::Stepper& stepper : unit.steppers) {
     functions += '\n' + stepper_text(stepper, words, unit.target);
   }
+  const std::string constants =
+      words.constants ? words.constants->table(words, unit.target.scalar) : "";
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"space", unit.space()},
                                            {"command", command_comment(unit.command)},
                                            {"digest", kNoDigest},
                                            {"includes", includes(unit)},
                                            {"using", mathematics(unit, functions)},
+                                           {"constants", constants},
                                            {"functions", functions}});
 }
 

@@ -10,6 +10,6 @@
 namespace treedyn::emit {
 
 /// \param bodies one per function of the unit, in order
-std::string source_text(const Unit& unit, const std::vector<Body>& bodies);
+std::string source_text(const Unit& unit, const std::vector<Body>& bodies, const Vocabulary& words);
 
 }  // namespace treedyn::emit

@@ -26,6 +26,7 @@ Statements::Statements(const program::Function& function, const Vocabulary& word
                        const Target& target, const std::function<int(int, int)>& level)
     : function_(function),
       graph_(function.graph),
+      words_(words),
       target_(target),
       operations_(program::operations_in_order(graph_, function.outputs, target.order())),
       names_(function, words, operations_),
@@ -123,7 +124,7 @@ void Statements::make_schedule() {
   };
   measure.atom = [this](Ref value) {
     if (graph_.node(value).kind == Kind::kConstant) {
-      return literal_width(graph_.value(value), target_.scalar);
+      return number_width(words_, graph_.value(value), target_.scalar);
     }
     return is_operation(value) ? names_.width(value) : static_cast<int>(atom(value).size());
   };
@@ -386,7 +387,7 @@ std::string Statements::input(const program::Node& node) const {
 std::string Statements::atom(Ref value) const {
   const program::Node& node = graph_.node(value);
   if (node.kind == Kind::kConstant) {
-    return literal(graph_.value(value), target_.scalar);
+    return number_text(words_, graph_.value(value), target_.scalar);
   }
   if (node.kind == Kind::kInput) {
     return input(node);

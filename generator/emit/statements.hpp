@@ -103,6 +103,7 @@ class Statements {
 
   const program::Function& function_;
   const program::Graph& graph_;
+  const Vocabulary& words_;
   Target target_;
   std::vector<program::Ref> operations_;
   LocalNames names_;

@@ -1,5 +1,7 @@
 #include "emit/unit.hpp"
 
+#include <memory>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "emit/sha256.hpp"
 #include "emit/source.hpp"
 #include "emit/staged.hpp"
+#include "program/limb_code.hpp"
 
 namespace treedyn::emit {
 
@@ -44,10 +47,48 @@ void sign(std::string& header, std::string& source) {
   }
 }
 
+/// With names for the numbers of the model.
+Vocabulary words_of(const Unit& unit) {
+  Vocabulary words = vocabulary(*unit.tree);
+  std::vector<const program::Function*> functions;
+  std::set<std::string> taken = {"self_test", "compare"};
+  const auto take = [&](const program::Signature& signature) {
+    taken.insert(signature.name);
+    for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
+      for (const program::Array& array : *arrays) {
+        taken.insert(array.name);
+      }
+    }
+  };
+  for (const program::Function& function : unit.functions) {
+    take(function.signature);
+    if (function.limb_code) {
+      functions.push_back(&function.limb_code->trunk);
+      for (const program::LimbPhase& phase : function.limb_code->phases) {
+        functions.push_back(&phase.function);
+      }
+    } else {
+      functions.push_back(&function);
+    }
+  }
+  for (const Checked& checked : unit.checked) {
+    take(checked.signature);
+    functions.push_back(&checked.function);
+  }
+  for (const program::Staged& staged : unit.staged) {
+    take(staged.signature);
+  }
+  for (const program::Stepper& stepper : unit.steppers) {
+    take(stepper.signature);
+  }
+  words.constants = std::make_shared<const ConstantNames>(functions, words, std::move(taken));
+  return words;
+}
+
 }  // namespace
 
 std::vector<File> emit_files(const Unit& unit) {
-  const Vocabulary words = vocabulary(*unit.tree);
+  const Vocabulary words = words_of(unit);
   std::vector<Body> bodies;
   bodies.reserve(unit.functions.size() + unit.checked.size() + unit.staged.size());
   for (const program::Function& function : unit.functions) {
@@ -62,7 +103,7 @@ std::vector<File> emit_files(const Unit& unit) {
   }
   const std::vector<std::string> names = file_names(unit.name, unit.language);
   std::string header = header_text(unit);
-  std::string source = source_text(unit, bodies);
+  std::string source = source_text(unit, bodies, words);
   if (unit.language == Language::kC99) {
     std::tie(header, source) = in_c99(unit, header, source);
   }

@@ -38,6 +38,12 @@ struct Rounding {
   std::vector<std::string> left_out;  ///< the passes that were not used therefore
 };
 
+/// The unit of length of the values between arguments and results, which are in SI units.
+struct LengthUnit {
+  Real metres = 1;
+  int link = -1;  ///< whose joint's distance from the father's it is; -1: the metre
+};
+
 struct LimbCode;  // limb_code.hpp
 
 /// \invariant `outputs` holds one value for each element of all output arrays, in order.
@@ -48,6 +54,7 @@ struct Function {
   /// The same function as code that equal limbs share; null: every limb has its own.
   std::shared_ptr<const LimbCode> limb_code = nullptr;
   Rounding rounding = {};
+  LengthUnit unit = {};
 };
 
 /// Operations that one call executes, INTERFACE.md 5: a negation or a copy costs nothing.

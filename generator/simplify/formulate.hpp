@@ -28,6 +28,7 @@ struct Options {
   int contact = 0;                                   ///< of functions of one ground contact: which
   std::vector<model::Event> events = {};             ///< of functions of events: which
   bool share_limbs = false;  ///< equal limbs share code, see program/limb_code.hpp
+  bool metres = false;       ///< no other unit of length
 
   [[nodiscard]] bool has(Pass pass) const {
     return std::find(without.begin(), without.end(), pass) == without.end();

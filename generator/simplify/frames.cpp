@@ -311,7 +311,7 @@ NormalTree Workbench::run(const std::vector<LimbLinks>& limbs) {
   }
   clean_constants(tree_);
   if (variant_.unit_length > 0) {
-    scale_lengths(unit_lengths(model_)[static_cast<std::size_t>(variant_.unit_length - 1)]);
+    scale_lengths(unit_of(model_, variant_).metres);
   }
   for (int i = n - 1; i >= 0; --i) {
     regroup(tree_, i, choice(i));
@@ -330,8 +330,8 @@ NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Va
   return Workbench(tree, gravity, variant).run(limbs);
 }
 
-std::vector<Real> unit_lengths(const model::Tree& tree) {
-  std::vector<Real> lengths;
+std::vector<program::LengthUnit> unit_lengths(const model::Tree& tree) {
+  std::vector<program::LengthUnit> lengths;
   for (const model::Link& link : tree.links) {
     if (link.joint.type == model::JointType::kPrismatic) {
       return {};
@@ -339,19 +339,26 @@ std::vector<Real> unit_lengths(const model::Tree& tree) {
   }
   Variant plain;
   plain.links.resize(tree.links.size());
-  for (const NormalLink& link : normal_form(tree, {}, plain).links) {
-    for (const Real& component : link.offset) {
+  const NormalTree normal = normal_form(tree, {}, plain);
+  for (std::size_t i = 0; i < normal.links.size(); ++i) {
+    for (const Real& component : normal.links[i].offset) {
       const Real length = abs(component);
-      const bool known = std::any_of(lengths.begin(), lengths.end(), [&](const Real& other) {
-        return abs(other - length) < Real("1e-9") * length;
+      const bool known = std::any_of(lengths.begin(), lengths.end(), [&](const auto& other) {
+        return abs(other.metres - length) < Real("1e-9") * length;
       });
       if (length > Real("1e-9") && !known) {
-        lengths.push_back(length);
+        lengths.push_back({length, static_cast<int>(i)});
       }
     }
   }
-  std::sort(lengths.begin(), lengths.end());
+  std::ranges::sort(lengths, {}, &program::LengthUnit::metres);
   return lengths;
+}
+
+program::LengthUnit unit_of(const model::Tree& tree, const Variant& variant) {
+  return variant.unit_length == 0
+             ? program::LengthUnit{}
+             : unit_lengths(tree)[static_cast<std::size_t>(variant.unit_length - 1)];
 }
 
 bool has_free_base(const model::Tree& tree) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/tree.hpp"
+#include "program/function.hpp"
 #include "simplify/geometry.hpp"
 #include "simplify/limbs.hpp"
 #include "simplify/variant.hpp"
@@ -37,9 +38,12 @@ struct NormalTree {
   Real unit = 1;            ///< metres per unit of length
 };
 
-/// Lengths of the robot that may serve as unit of length; empty if some joint is prismatic (its
-/// coordinate is given in metres).
-std::vector<Real> unit_lengths(const model::Tree& tree);
+/// Lengths of the robot that may serve as unit of length, ascending; empty if some joint is
+/// prismatic (its coordinate is given in metres).
+std::vector<program::LengthUnit> unit_lengths(const model::Tree& tree);
+
+/// The one that a variant chooses.
+program::LengthUnit unit_of(const model::Tree& tree, const Variant& variant);
 
 /// The frames of `limbs` are turned by half turns so that as many constants as possible are those
 /// of the first limb of the class; `sign` is the first limb's. \pre variant.links has one entry per

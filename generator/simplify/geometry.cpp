@@ -1,6 +1,9 @@
 #include "simplify/geometry.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "common/provenance.hpp"
 
 namespace treedyn::simplify {
 
@@ -108,7 +111,11 @@ Turn turn_to(const Real& x, const Real& y) {
       return b == 0 ? Digits(else_) : Digits(a / b);
     });
   };
-  return clean(Turn{part(x, 1), part(y, 0)});
+  const Turn turn = {part(x, 1), part(y, 0)};
+  const std::array of = {x, y};
+  note_ratio(of, turn.c);
+  note_ratio(of, turn.s);
+  return clean(turn);
 }
 
 Turn turn_by(const Real& angle) { return clean(Turn{cos(angle), sin(angle)}); }
@@ -133,9 +140,13 @@ EulerZxz angles_of(const Matrix3& r) {
   return {turn_to(-r[5], r[2]), turn_to(r[8], sine), turn_to(r[7], r[6])};
 }
 
-Turn seen_as(const Turn& a, const Turn& stand_in) {
-  return {Real::seen_as(a.c.digits(), stand_in.c.digits()),
-          Real::seen_as(a.s.digits(), stand_in.s.digits())};
+/// Of a rotation.
+Turn seen_as(const Turn& a, const Turn& stand_in, const Matrix3& rotation) {
+  const Turn turn = {Real::seen_as(a.c.digits(), stand_in.c.digits()),
+                     Real::seen_as(a.s.digits(), stand_in.s.digits())};
+  note_ratio(rotation, turn.c);
+  note_ratio(rotation, turn.s);
+  return turn;
 }
 
 }  // namespace
@@ -147,8 +158,8 @@ EulerZxz euler_zxz(const Matrix3& r) {
   std::ranges::transform(r, seen.begin(), [](const Real& x) { return Real(x.seen()); });
   const EulerZxz angles = angles_of(own);
   const EulerZxz stand_ins = angles_of(seen);
-  return {seen_as(angles.gamma, stand_ins.gamma), seen_as(angles.alpha, stand_ins.alpha),
-          seen_as(angles.epsilon, stand_ins.epsilon)};
+  return {seen_as(angles.gamma, stand_ins.gamma, r), seen_as(angles.alpha, stand_ins.alpha, r),
+          seen_as(angles.epsilon, stand_ins.epsilon, r)};
 }
 
 }  // namespace treedyn::simplify

@@ -84,6 +84,12 @@ void add_link_choices(const Freedom& freedom, const Options& options, const std:
       set_flag<&LinkVariant::tensor_moment>);
 }
 
+/// True if the unit of length may change the cost.
+bool chooses_unit(const Freedom& freedom, const Options& options) {
+  return freedom.regrouping && !freedom.fixed_length && options.has(Pass::kRegrouping) &&
+         options.has(Pass::kSearch);
+}
+
 void add_global_choices(const model::Tree& tree, const Freedom& freedom, const Options& options,
                         std::vector<Choice>& choices) {
   const auto add = [&](bool wanted, int settings,
@@ -92,9 +98,8 @@ void add_global_choices(const model::Tree& tree, const Freedom& freedom, const O
       choices.push_back({settings, {}, set});
     }
   };
-  const bool gauges = freedom.regrouping && options.has(Pass::kRegrouping);
-  const int lengths =
-      gauges && !freedom.fixed_length ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
+  const bool units = chooses_unit(freedom, options) && !options.metres;
+  const int lengths = units ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
   add(true, lengths, [](Variant& v, const std::vector<int>&, int k) { v.unit_length = k; });
   add(freedom.tensor_form && options.has(Pass::kPseudoInertia), 2,
       [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });
@@ -139,6 +144,8 @@ class Search {
   }
 
   program::Function run();
+  /// What `run` has chosen.
+  [[nodiscard]] const Variant& best() const { return best_; }
 
  private:
   using Cache = std::map<Variant, int>;
@@ -171,6 +178,7 @@ class Search {
   const Options& options_;
   const Seen seen_;
   std::vector<Choice> choices_;
+  Variant best_;
   int moves_ = 0;
   std::mt19937_64 generator_{20110602};
   Cache raw_;
@@ -343,6 +351,7 @@ program::Function Search::run() {
     anneal(best, cost, half / 4, kCycle / 4, optimised);
     descend(best, cost, 0, optimised);
   }
+  best_ = best;
   return finished(best);
 }
 
@@ -355,12 +364,16 @@ program::Function Search::finished(const Variant& variant) const {
     effort = algebra_effort(function);
   }
   if (!options_.share_limbs) {
-    return effort ? program::optimise(function, *effort) : std::move(function);
+    program::Function result = effort ? program::optimise(function, *effort) : std::move(function);
+    result.unit = unit_of(tree_, variant);
+    return result;
   }
   const std::size_t points = options_.points.size();
   function.signature = signature(recipe_.name, tree_.dof(), static_cast<int>(points));
   const auto code = program::limb_code(function, built.limbs, effort);
-  return code ? program::flat(code, function.signature) : program::Function{};
+  program::Function result = code ? program::flat(code, function.signature) : program::Function{};
+  result.unit = unit_of(tree_, variant);
+  return result;
 }
 
 }  // namespace
@@ -376,6 +389,31 @@ constexpr int kHopeless = 4;
 /// Percent that articulated bodies have to save in a scene: armatures and constraints rule them
 /// out, and what is not counted, moves and stores, must not make such an effect a gain.
 constexpr int kWorthwhile = 10;
+
+/// Percent of the operations that another unit of length has to save: its numbers say less to a
+/// reader.
+constexpr int kWorthAUnit = 2;
+
+/// The cheapest found from `start` on, in another unit of length than the metre only if it pays.
+program::Function found(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                        const Variant& start) {
+  Search search(tree, recipe, options, start);
+  program::Function function = search.run();
+  if (function.unit.link < 0 || function.outputs.empty()) {
+    return function;
+  }
+  Options metres = options;
+  metres.metres = true;
+  Variant plain_start = search.best();
+  plain_start.unit_length = 0;
+  program::Function plain = Search(tree, recipe, metres, plain_start).run();
+  if (plain.outputs.empty()) {
+    return function;
+  }
+  const int operations = program::cost(plain).total();
+  const int saved = operations - program::cost(function).total();
+  return 100 * saved < kWorthAUnit * operations ? plain : function;
+}
 
 /// True if float loses much with `taken` and not with `left`. Where one of them has no limbs to
 /// share, there is nothing to compare.
@@ -397,7 +435,7 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
   Variant articulated = factor;
   articulated.articulated = true;
   const auto search = [&](const Variant& start) {
-    return Search(tree, recipe, options, start).run();
+    return found(tree, recipe, options, start);
   };
   if (!recipe.freedom.articulated || options.forward_dynamics == ForwardDynamics::kFactor) {
     return search(factor);

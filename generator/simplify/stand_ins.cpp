@@ -10,6 +10,7 @@
 #include "program/random.hpp"
 #include "simplify/geometry.hpp"
 #include "simplify/limbs.hpp"
+#include "simplify/provenance.hpp"
 
 namespace treedyn::simplify {
 
@@ -353,6 +354,7 @@ void forget_numbers(Arrays&... arrays) {
 Seen with_stand_ins(const model::Tree& tree, const Options& options) {
   Seen seen = StandIns().run(tree, options);
   see_parameters(seen);
+  note_provenance(seen);
   return seen;
 }
 

@@ -1,0 +1,58 @@
+// Which numbers of a robot a number is made of.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/real.hpp"
+#include "common/recipe.hpp"
+
+namespace treedyn {
+
+/// What a number of a robot says of a link: kPlace and kTurn where its joint sits on the father,
+/// kPoint where points and fixed frames are.
+enum class ModelPart : std::uint8_t { kMass, kCom, kInertia, kPlace, kTurn, kPoint, kGravity };
+
+/// One number of a robot.
+struct Origin {
+  int link = -1;  ///< -1: of no link
+  ModelPart part = ModelPart::kMass;
+  int component = 0;  ///< x y z; xx xy xz yy yz zz
+  auto operator<=>(const Origin&) const = default;
+};
+
+/// kg^mass m^length s^time; not known of numbers of robots in which some mass or length is exactly
+/// 1, as that is a one of the equations.
+struct Dimension {
+  int mass = 0;
+  int length = 0;
+  int time = 0;
+  bool is_known = true;
+  auto operator<=>(const Dimension&) const = default;
+};
+
+/// All that a number is made of.
+struct Provenance {
+  std::vector<Origin> origins;  ///< ascending
+  Dimension dimension;
+  auto operator<=>(const Provenance&) const = default;
+};
+
+/// The source of a number that is seen as another one, or of its negative. Null: of the equations,
+/// or not known.
+const Provenance* provenance_of(const Real& number);
+
+/// The numbers of the robot that is worked on, the same one twice if several parts of it share a
+/// stand-in. What is known of another robot is forgotten.
+void begin_provenance(const std::vector<std::pair<Real, Provenance>>& numbers);
+
+/// What was made of two numbers.
+void note_result(RecipeKind kind, const Real& a, const Real& b, const Real& result);
+void note_root(const Real& of, const Real& result);
+/// A number without unit that was made of others.
+void note_ratio(std::span<const Real> of, const Real& result);
+
+}  // namespace treedyn

@@ -1,0 +1,57 @@
+// Numbers that functions take from a model: named constants at the beginning of the source.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/provenance.hpp"
+#include "emit/literal.hpp"
+#include "program/function.hpp"
+
+namespace treedyn::emit {
+
+struct Vocabulary;
+
+/// Names like `link3_I2`: the first link of those whose masses (else whose places) the number is
+/// made of, what it is by its unit (m, l, h, I; k: none; p: another one), a count in order of use.
+/// They follow from structure alone. Numbers of the equations have none, nor have those whose
+/// sources are not known (common/provenance.hpp).
+class ConstantNames {
+ public:
+  /// \param functions  in the order of the text
+  /// \param taken      names that are something else there
+  ConstantNames(const std::vector<const program::Function*>& functions, const Vocabulary& words,
+                std::set<std::string> taken);
+
+  /// Null: a literal.
+  [[nodiscard]] const std::string* find(const Real& constant) const;
+  [[nodiscard]] std::vector<std::string> names() const;
+  /// Their definitions, grouped by links, each under a comment that says what it is made of; empty
+  /// if there are none.
+  [[nodiscard]] std::string table(const Vocabulary& words, Scalar scalar) const;
+
+ private:
+  struct Entry {
+    Real value;
+    const Provenance* source;
+    int link;
+    char letter;
+    int number;
+    std::string name;
+  };
+  void add(const Real& value, const Vocabulary& words);
+
+  std::vector<Entry> entries_;
+  std::multimap<double, std::size_t> by_value_;
+  std::map<std::pair<int, char>, int> counts_;
+  std::set<std::string> taken_;
+};
+
+/// The name of a constant, or its literal.
+std::string number_text(const Vocabulary& words, const Real& constant, Scalar scalar);
+/// Columns to keep free for it.
+int number_width(const Vocabulary& words, const Real& constant, Scalar scalar);
+
+}  // namespace treedyn::emit

@@ -1,0 +1,106 @@
+// The table of constants costs nothing: with literals in the places of names compilers make the
+// same object file.
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/process.hpp"
+
+namespace treedyn {
+namespace {
+
+namespace fs = std::filesystem;
+using support::Outcome;
+
+struct Case {
+  const char* name;
+  const char* extension;
+  const char* language;  ///< of the compiler
+  std::vector<std::string> options;
+};
+
+/// The source without its table, literals in the places of its names.
+std::string with_literals(const std::string& source, int& names) {
+  static const std::regex definition(
+      "(?:constexpr|static const) (?:double|float) (\\w+) = ([^;]+);");
+  std::map<std::string, std::string> literals;
+  std::istringstream stream(source);
+  std::string result;
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, definition)) {
+      literals[match[1]] = match[2];
+      ++names;
+      line.clear();
+    }
+    static const std::regex word("[A-Za-z_]\\w*");
+    std::size_t end = 0;
+    std::string replaced;
+    for (auto it = std::sregex_iterator(line.begin(), line.end(), word);
+         it != std::sregex_iterator(); ++it) {
+      const auto at = static_cast<std::size_t>(it->position());
+      const auto literal = literals.find(it->str());
+      replaced += line.substr(end, at - end);
+      replaced += literal != literals.end() ? literal->second : it->str();
+      end = at + it->str().size();
+    }
+    result += replaced + line.substr(end) + '\n';
+  }
+  return result;
+}
+
+class Constants : public testing::TestWithParam<Case> {};
+
+TEST_P(Constants, CostNothing) {
+  const support::TemporaryFolder folder;
+  const fs::path other = folder.path() / "literals";
+  std::vector<std::string> generate = {TREEDYN_EXECUTABLE, "generate", "-q", "--effort",   "0",
+                                       "--name",           "m",        "-o", folder.path()};
+  generate.insert(generate.end(), GetParam().options.begin(), GetParam().options.end());
+  const Outcome generated = support::run(generate);
+  ASSERT_EQ(generated.status, 0) << generated.err;
+  fs::create_directory(other);
+  const std::string file = std::string("m.") + GetParam().extension;
+  const std::string source = support::read_file(folder.path() / file);
+  int names = 0;
+  const std::string literals = with_literals(source, names);
+  EXPECT_GT(names, 10);
+  fs::copy(folder.path() / (file == "m.c" ? "m.h" : "m.hpp"), other);
+  support::write_file(other / file, literals);
+  std::map<std::string, std::string> objects;
+  for (const fs::path& place : {folder.path(), other}) {
+    const Outcome compiled = support::run_words(
+        fmt::format("{0} {1} -c -O2 -Wall -Wextra -Wshadow -Werror {2}/{3} -o {2}/m.o", TREEDYN_CXX,
+                    GetParam().language, place.string(), file));
+    ASSERT_EQ(compiled.status, 0) << compiled.err;
+    objects[place] = support::read_file(place / "m.o");
+  }
+  EXPECT_TRUE(objects[folder.path()] == objects[other]);
+}
+
+const std::string kModels = TREEDYN_SOURCE_DIR "/models/";
+
+INSTANTIATE_TEST_SUITE_P(
+    Texts, Constants,
+    testing::Values(
+        Case{"double", "cpp", "-std=c++17", {kModels + "puma560.yaml"}},
+        Case{"float",
+             "cpp",
+             "-std=c++17",
+             {kModels + "biped.yaml", "--scalar", "float", "--layout", "packed"}},
+        Case{
+            "c99", "c", "-x c -std=c99 -pedantic", {kModels + "puma560.yaml", "--language", "c99"}},
+        Case{"lanes", "cpp", "-std=c++17", {kModels + "puma560.yaml", "--lanes", "2"}},
+        Case{"limbs", "cpp", "-std=c++17", {kModels + "quadruped.yaml", "--share-limbs"}},
+        Case{"parameters",
+             "cpp",
+             "-std=c++17",
+             {kModels + "puma560.yaml", "--runtime", "link3.mass"}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace treedyn
