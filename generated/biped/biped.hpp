@@ -33,34 +33,34 @@ namespace biped {
 /// The only floating-point type in use.
 using Scalar = double;
 /// Length of q, qd, qdd and tau.
-inline constexpr int kDof = 12;
+constexpr int kDof = 12;
 /// Number of points.
-inline constexpr int kPoints = 4;
+constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xdb73537c38b0ee56ULL;
+constexpr unsigned long long kDigest = 0x49322c147dce04cfULL;
 
 /// Index of every joint.
 namespace joint {
-inline constexpr int left_hip_yaw = 0;
-inline constexpr int left_hip_roll = 1;
-inline constexpr int left_hip_pitch = 2;
-inline constexpr int left_knee = 3;
-inline constexpr int left_ankle_pitch = 4;
-inline constexpr int left_ankle_roll = 5;
-inline constexpr int right_hip_yaw = 6;
-inline constexpr int right_hip_roll = 7;
-inline constexpr int right_hip_pitch = 8;
-inline constexpr int right_knee = 9;
-inline constexpr int right_ankle_pitch = 10;
-inline constexpr int right_ankle_roll = 11;
+constexpr int left_hip_yaw = 0;
+constexpr int left_hip_roll = 1;
+constexpr int left_hip_pitch = 2;
+constexpr int left_knee = 3;
+constexpr int left_ankle_pitch = 4;
+constexpr int left_ankle_roll = 5;
+constexpr int right_hip_yaw = 6;
+constexpr int right_hip_roll = 7;
+constexpr int right_hip_pitch = 8;
+constexpr int right_knee = 9;
+constexpr int right_ankle_pitch = 10;
+constexpr int right_ankle_roll = 11;
 }  // namespace joint
 
 /// Index of every point.
 namespace point {
-inline constexpr int left_heel = 0;
-inline constexpr int left_toe = 1;
-inline constexpr int right_heel = 2;
-inline constexpr int right_toe = 3;
+constexpr int left_heel = 0;
+constexpr int left_toe = 1;
+constexpr int right_heel = 2;
+constexpr int right_toe = 3;
 }  // namespace point
 
 // Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and

@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0xd486b522afeddd1dULL, "header and source are of different runs");
+static_assert(kDigest == 0xf4a9bb1038fccbf5ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -681,39 +681,69 @@ constexpr double left_foot_p2 = 14.402591264396625;
 }  // namespace
 
 void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
-  const auto [s_base_rz, c_base_rz] = sine_cosine(q[3]);
-  const auto [s_base_ry, c_base_ry] = sine_cosine(q[4]);
-  const auto [s_base_rx, c_base_rx] = sine_cosine(q[5]);
-  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[6]);
-  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[7]);
+  const auto p_s_base_rz = sine_cosine(q[3]);
+  const Scalar s_base_rz = p_s_base_rz.sine;
+  const Scalar c_base_rz = p_s_base_rz.cosine;
+  const auto p_s_base_ry = sine_cosine(q[4]);
+  const Scalar s_base_ry = p_s_base_ry.sine;
+  const Scalar c_base_ry = p_s_base_ry.cosine;
+  const auto p_s_base_rx = sine_cosine(q[5]);
+  const Scalar s_base_rx = p_s_base_rx.sine;
+  const Scalar c_base_rx = p_s_base_rx.cosine;
+  const auto p_s_left_hip_yaw = sine_cosine(q[6]);
+  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
+  const auto p_s_left_hip_roll = sine_cosine(q[7]);
+  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
   // left_shank
-  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[8]);
+  const auto p_s_left_hip_pitch = sine_cosine(q[8]);
+  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar t_left_shank_1 = left_shank_l1 * c_left_hip_pitch;
   const Scalar t_left_shank_2 = left_shank_l1 * s_left_hip_pitch;
   // left_ankle_cross
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto [s_q8_q9_q10, c_q8_q9_q10] = sine_cosine(q_q8_q9_q10);
-  const auto [s_q8_q9, c_q8_q9] = sine_cosine(q_q8_q9);
+  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
+  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
+  const Scalar s_q8_q9 = p_s_q8_q9.sine;
+  const Scalar c_q8_q9 = p_s_q8_q9.cosine;
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_l1 * s_q8_q9;
   const Scalar t_left_ankle_cross_2 = left_ankle_cross_l1 * c_q8_q9;
   const Scalar t_left_foot_1 = left_foot_k1 + q[11];
-  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
-  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[12]);
-  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[13]);
+  const auto p_s_left_foot = sine_cosine(t_left_foot_1);
+  const Scalar s_left_foot = p_s_left_foot.sine;
+  const Scalar c_left_foot = p_s_left_foot.cosine;
+  const auto p_s_right_hip_yaw = sine_cosine(q[12]);
+  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
+  const auto p_s_right_hip_roll = sine_cosine(q[13]);
+  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
   // right_shank
-  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[14]);
+  const auto p_s_right_hip_pitch = sine_cosine(q[14]);
+  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar t_right_shank_1 = left_shank_l1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = left_shank_l1 * s_right_hip_pitch;
   // right_ankle_cross
   const Scalar q_q14_q15 = q[14] + q[15];
   const Scalar q_q14_q15_q16 = q_q14_q15 + q[16];
-  const auto [s_q14_q15_q16, c_q14_q15_q16] = sine_cosine(q_q14_q15_q16);
-  const auto [s_q14_q15, c_q14_q15] = sine_cosine(q_q14_q15);
+  const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
+  const Scalar s_q14_q15_q16 = p_s_q14_q15_q16.sine;
+  const Scalar c_q14_q15_q16 = p_s_q14_q15_q16.cosine;
+  const auto p_s_q14_q15 = sine_cosine(q_q14_q15);
+  const Scalar s_q14_q15 = p_s_q14_q15.sine;
+  const Scalar c_q14_q15 = p_s_q14_q15.cosine;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * c_q14_q15;
   const Scalar t_righ_ankl_cros_2 = left_ankle_cross_l1 * s_q14_q15;
   const Scalar t_right_foot_1 = left_foot_k1 - q[17];
-  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
+  const auto p_s_right_foot = sine_cosine(t_right_foot_1);
+  const Scalar s_right_foot = p_s_right_foot.sine;
+  const Scalar c_right_foot = p_s_right_foot.cosine;
   // base_ry
   const Scalar Rx_base_ry_y = c_base_rz * c_base_ry;
   const Scalar Ry_base_ry_y = s_base_rz * c_base_ry;
@@ -1803,33 +1833,59 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
 }
 
 void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept {
-  const auto [s_base_rz, c_base_rz] = sine_cosine(q[3]);
-  const auto [s_base_ry, c_base_ry] = sine_cosine(q[4]);
-  const auto [s_base_rx, c_base_rx] = sine_cosine(q[5]);
-  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[6]);
-  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[7]);
+  const auto p_s_base_rz = sine_cosine(q[3]);
+  const Scalar s_base_rz = p_s_base_rz.sine;
+  const Scalar c_base_rz = p_s_base_rz.cosine;
+  const auto p_s_base_ry = sine_cosine(q[4]);
+  const Scalar s_base_ry = p_s_base_ry.sine;
+  const Scalar c_base_ry = p_s_base_ry.cosine;
+  const auto p_s_base_rx = sine_cosine(q[5]);
+  const Scalar s_base_rx = p_s_base_rx.sine;
+  const Scalar c_base_rx = p_s_base_rx.cosine;
+  const auto p_s_left_hip_yaw = sine_cosine(q[6]);
+  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
+  const auto p_s_left_hip_roll = sine_cosine(q[7]);
+  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
   const Scalar q_q9_q10 = q[9] + q[10];
   const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
-  const auto [s_q8_q9_q10, c_q8_q9_q10] = sine_cosine(q_q8_q9_q10);
+  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
+  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   // left_shank
-  const auto [s_q9_q10, c_q9_q10] = sine_cosine(q_q9_q10);
+  const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
+  const Scalar s_q9_q10 = p_s_q9_q10.sine;
+  const Scalar c_q9_q10 = p_s_q9_q10.cosine;
   const Scalar s_left_shank_x = left_shank_l1 * c_q9_q10;
   const Scalar t_left_shank_1 = left_shank_l1 * s_q9_q10;
   // left_ankle_cross
-  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[10]);
+  const auto p_s_left_ankle_pitch = sine_cosine(q[10]);
+  const Scalar s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
+  const Scalar c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const Scalar s_left_ankle_cross_x = left_ankle_cross_l1 * c_left_ankle_pitch;
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_l1 * s_left_ankle_pitch;
-  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[12]);
-  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[13]);
+  const auto p_s_right_hip_yaw = sine_cosine(q[12]);
+  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
+  const auto p_s_right_hip_roll = sine_cosine(q[13]);
+  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
   const Scalar q_q15_q16 = q[15] + q[16];
   const Scalar q_q14_q15_q16 = q[14] + q_q15_q16;
-  const auto [s_q14_q15_q16, c_q14_q15_q16] = sine_cosine(q_q14_q15_q16);
+  const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
+  const Scalar s_q14_q15_q16 = p_s_q14_q15_q16.sine;
+  const Scalar c_q14_q15_q16 = p_s_q14_q15_q16.cosine;
   // right_shank
-  const auto [s_q15_q16, c_q15_q16] = sine_cosine(q_q15_q16);
+  const auto p_s_q15_q16 = sine_cosine(q_q15_q16);
+  const Scalar s_q15_q16 = p_s_q15_q16.sine;
+  const Scalar c_q15_q16 = p_s_q15_q16.cosine;
   const Scalar s_right_shank_x = left_shank_l1 * c_q15_q16;
   const Scalar t_right_shank_1 = left_shank_l1 * s_q15_q16;
   // right_ankle_cross
-  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[16]);
+  const auto p_s_right_ankle_pitch = sine_cosine(q[16]);
+  const Scalar s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
+  const Scalar c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * s_right_ankle_pitch;
   const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_right_ankle_pitch;
   // base_ry
@@ -2022,7 +2078,9 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_foot_10 = Omega_left_foot_xz + omega_left_thigh_x * t_left_foot_4;
   const Scalar t_left_foot_11 = t_left_foot_3 * t_left_foot_3;
   const Scalar t_left_foot_12 = left_foot_k1 + q[11];
-  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_12);
+  const auto p_s_left_foot = sine_cosine(t_left_foot_12);
+  const Scalar s_left_foot = p_s_left_foot.sine;
+  const Scalar c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_13 = left_foot_h1 * c_left_foot;
   const Scalar t_left_foot_14 = left_foot_h1 * s_left_foot;
   const Scalar t_left_foot_15 = left_foot_I3 * c_left_foot + left_foot_I4 * s_left_foot;
@@ -2201,7 +2259,9 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar Omega_right_foot_zx = Omega_right_thigh_xy - t_right_thigh_3 * t_right_foot_2;
   const Scalar t_right_foot_8 = omega_right_foot_z * omega_right_foot_z;
   const Scalar t_right_foot_9 = left_foot_k1 - q[17];
-  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_9);
+  const auto p_s_right_foot = sine_cosine(t_right_foot_9);
+  const Scalar s_right_foot = p_s_right_foot.sine;
+  const Scalar c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_10 = left_foot_h1 * c_right_foot;
   const Scalar t_right_foot_11 = left_foot_h1 * s_right_foot;
   const Scalar t_right_foot_12 = left_foot_I3 * c_right_foot + left_foot_I4 * s_right_foot;
@@ -2780,25 +2840,51 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
 }
 
 void gravity_force(const Scalar q[18], Scalar G[18]) noexcept {
-  const auto [s_base_ry, c_base_ry] = sine_cosine(q[4]);
-  const auto [s_base_rx, c_base_rx] = sine_cosine(q[5]);
-  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[6]);
-  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[7]);
-  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[8]);
+  const auto p_s_base_ry = sine_cosine(q[4]);
+  const Scalar s_base_ry = p_s_base_ry.sine;
+  const Scalar c_base_ry = p_s_base_ry.cosine;
+  const auto p_s_base_rx = sine_cosine(q[5]);
+  const Scalar s_base_rx = p_s_base_rx.sine;
+  const Scalar c_base_rx = p_s_base_rx.cosine;
+  const auto p_s_left_hip_yaw = sine_cosine(q[6]);
+  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
+  const auto p_s_left_hip_roll = sine_cosine(q[7]);
+  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const auto p_s_left_hip_pitch = sine_cosine(q[8]);
+  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar q_q8_q9 = q[8] + q[9];
-  const auto [s_q8_q9, c_q8_q9] = sine_cosine(q_q8_q9);
+  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
+  const Scalar s_q8_q9 = p_s_q8_q9.sine;
+  const Scalar c_q8_q9 = p_s_q8_q9.cosine;
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto [s_q8_q9_q10, c_q8_q9_q10] = sine_cosine(q_q8_q9_q10);
-  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[12]);
-  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[13]);
-  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[14]);
+  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
+  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const auto p_s_right_hip_yaw = sine_cosine(q[12]);
+  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
+  const auto p_s_right_hip_roll = sine_cosine(q[13]);
+  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const auto p_s_right_hip_pitch = sine_cosine(q[14]);
+  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar q_q14_q15 = q[14] + q[15];
-  const auto [s_q14_q15, c_q14_q15] = sine_cosine(q_q14_q15);
+  const auto p_s_q14_q15 = sine_cosine(q_q14_q15);
+  const Scalar s_q14_q15 = p_s_q14_q15.sine;
+  const Scalar c_q14_q15 = p_s_q14_q15.cosine;
   // right_foot
   const Scalar q_q14_q15_q16 = q_q14_q15 + q[16];
-  const auto [s_q14_q15_q16, c_q14_q15_q16] = sine_cosine(q_q14_q15_q16);
+  const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
+  const Scalar s_q14_q15_q16 = p_s_q14_q15_q16.sine;
+  const Scalar c_q14_q15_q16 = p_s_q14_q15_q16.cosine;
   const Scalar t_right_foot_1 = left_foot_k1 - q[17];
-  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
+  const auto p_s_right_foot = sine_cosine(t_right_foot_1);
+  const Scalar s_right_foot = p_s_right_foot.sine;
+  const Scalar c_right_foot = p_s_right_foot.cosine;
   const Scalar h_right_foot_x = left_foot_h1 * c_right_foot;
   const Scalar t_right_foot_2 = left_foot_h1 * s_right_foot;
   const Scalar t_right_foot_3 = base_g1 * c_base_ry;
@@ -2844,7 +2930,9 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept {
   G[12] = t_right_foot_7 * t_right_hip_fork_1 + t_right_foot_12 * t_right_hip_fork_3;
   // left_foot
   const Scalar t_left_foot_1 = left_foot_k1 + q[11];
-  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
+  const auto p_s_left_foot = sine_cosine(t_left_foot_1);
+  const Scalar s_left_foot = p_s_left_foot.sine;
+  const Scalar c_left_foot = p_s_left_foot.cosine;
   const Scalar h_left_foot_x = left_foot_h1 * c_left_foot;
   const Scalar h_left_foot_y = left_foot_h1 * s_left_foot;
   const Scalar t_left_foot_2 = c_left_hip_yaw * t_right_foot_4;
@@ -2908,19 +2996,45 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept {
 
 void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[18],
                       Scalar tau[18]) noexcept {
-  const auto [s_base_rz, c_base_rz] = sine_cosine(q[3]);
-  const auto [s_base_ry, c_base_ry] = sine_cosine(q[4]);
-  const auto [s_base_rx, c_base_rx] = sine_cosine(q[5]);
-  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[6]);
-  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[7]);
-  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[8]);
-  const auto [s_left_knee, c_left_knee] = sine_cosine(q[9]);
-  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[10]);
-  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[12]);
-  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[13]);
-  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[14]);
-  const auto [s_right_knee, c_right_knee] = sine_cosine(q[15]);
-  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[16]);
+  const auto p_s_base_rz = sine_cosine(q[3]);
+  const Scalar s_base_rz = p_s_base_rz.sine;
+  const Scalar c_base_rz = p_s_base_rz.cosine;
+  const auto p_s_base_ry = sine_cosine(q[4]);
+  const Scalar s_base_ry = p_s_base_ry.sine;
+  const Scalar c_base_ry = p_s_base_ry.cosine;
+  const auto p_s_base_rx = sine_cosine(q[5]);
+  const Scalar s_base_rx = p_s_base_rx.sine;
+  const Scalar c_base_rx = p_s_base_rx.cosine;
+  const auto p_s_left_hip_yaw = sine_cosine(q[6]);
+  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
+  const auto p_s_left_hip_roll = sine_cosine(q[7]);
+  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const auto p_s_left_hip_pitch = sine_cosine(q[8]);
+  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
+  const auto p_s_left_knee = sine_cosine(q[9]);
+  const Scalar s_left_knee = p_s_left_knee.sine;
+  const Scalar c_left_knee = p_s_left_knee.cosine;
+  const auto p_s_left_ankle_pitch = sine_cosine(q[10]);
+  const Scalar s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
+  const Scalar c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
+  const auto p_s_right_hip_yaw = sine_cosine(q[12]);
+  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
+  const auto p_s_right_hip_roll = sine_cosine(q[13]);
+  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const auto p_s_right_hip_pitch = sine_cosine(q[14]);
+  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
+  const auto p_s_right_knee = sine_cosine(q[15]);
+  const Scalar s_right_knee = p_s_right_knee.sine;
+  const Scalar c_right_knee = p_s_right_knee.cosine;
+  const auto p_s_right_ankle_pitch = sine_cosine(q[16]);
+  const Scalar s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
+  const Scalar c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar a_base_pz_z = base_g1 + qdd[2];
   const Scalar a_base_rz_y = s_base_rz * qdd[0] - c_base_rz * qdd[1];
   const Scalar t_base_rz_1 = c_base_rz * qdd[0] + s_base_rz * qdd[1];
@@ -3133,7 +3247,9 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_foot_8 = Omega_left_foot_xz - omega_left_ankle_cross_x * t_left_foot_2;
   const Scalar t_left_foot_9 = omega_left_foot_z * omega_left_foot_z;
   const Scalar t_left_foot_10 = left_foot_k1 + q[11];
-  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_10);
+  const auto p_s_left_foot = sine_cosine(t_left_foot_10);
+  const Scalar s_left_foot = p_s_left_foot.sine;
+  const Scalar c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_11 = left_foot_I3 * c_left_foot + left_foot_I4 * s_left_foot;
   const Scalar t_left_foot_12 = s_left_foot * t_left_foot_11;
   const Scalar t_left_foot_13 = left_foot_I13 + t_left_foot_12;
@@ -3337,7 +3453,9 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_foot_9 = Omega_right_foot_xz - t_righ_ankl_cros_25 * omega_right_foot_z;
   const Scalar t_right_foot_10 = omega_right_foot_z * omega_right_foot_z;
   const Scalar t_right_foot_11 = left_foot_k1 - q[17];
-  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_11);
+  const auto p_s_right_foot = sine_cosine(t_right_foot_11);
+  const Scalar s_right_foot = p_s_right_foot.sine;
+  const Scalar c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_12 = left_foot_I3 * c_right_foot + left_foot_I4 * s_right_foot;
   const Scalar t_right_foot_13 = s_right_foot * t_right_foot_12;
   const Scalar t_right_foot_14 = left_foot_I12 - t_right_foot_13;
@@ -3952,52 +4070,78 @@ namespace {
 
 [[gnu::noinline]] void forward_dynamics_1(const Scalar q[18], const Scalar qd[18],
                                           const Scalar tau[18], Scalar w[278]) noexcept {
-  const auto [s_base_rz, c_base_rz] = sine_cosine(q[3]);
-  const auto [s_base_ry, c_base_ry] = sine_cosine(q[4]);
+  const auto p_s_base_rz = sine_cosine(q[3]);
+  const Scalar s_base_rz = p_s_base_rz.sine;
+  const Scalar c_base_rz = p_s_base_rz.cosine;
+  const auto p_s_base_ry = sine_cosine(q[4]);
+  const Scalar s_base_ry = p_s_base_ry.sine;
+  const Scalar c_base_ry = p_s_base_ry.cosine;
   w[0] = s_base_ry;
-  const auto [s_base_rx, c_base_rx] = sine_cosine(q[5]);
+  const auto p_s_base_rx = sine_cosine(q[5]);
+  const Scalar s_base_rx = p_s_base_rx.sine;
+  const Scalar c_base_rx = p_s_base_rx.cosine;
   w[1] = s_base_rx;
   w[2] = c_base_rx;
-  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[6]);
+  const auto p_s_left_hip_yaw = sine_cosine(q[6]);
+  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
   w[3] = s_left_hip_yaw;
   w[4] = c_left_hip_yaw;
-  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[7]);
+  const auto p_s_left_hip_roll = sine_cosine(q[7]);
+  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
   w[5] = s_left_hip_roll;
   w[6] = c_left_hip_roll;
   const Scalar q_q9_q10 = q[9] + q[10];
   const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
-  const auto [s_q8_q9_q10, c_q8_q9_q10] = sine_cosine(q_q8_q9_q10);
+  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
+  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   w[7] = s_q8_q9_q10;
   w[8] = c_q8_q9_q10;
   // left_shank
-  const auto [s_q9_q10, c_q9_q10] = sine_cosine(q_q9_q10);
+  const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
+  const Scalar s_q9_q10 = p_s_q9_q10.sine;
+  const Scalar c_q9_q10 = p_s_q9_q10.cosine;
   const Scalar s_left_shank_x = left_shank_l1 * c_q9_q10;
   w[9] = s_left_shank_x;
   const Scalar t_left_shank_1 = left_shank_l1 * s_q9_q10;
   w[10] = t_left_shank_1;
   // left_ankle_cross
-  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[10]);
+  const auto p_s_left_ankle_pitch = sine_cosine(q[10]);
+  const Scalar s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
+  const Scalar c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const Scalar s_left_ankle_cross_x = left_ankle_cross_l1 * c_left_ankle_pitch;
   w[11] = s_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_l1 * s_left_ankle_pitch;
   w[12] = t_left_ankle_cross_1;
   const Scalar t_left_foot_1 = left_foot_k1 + q[11];
-  const auto [s_left_foot, c_left_foot] = sine_cosine(t_left_foot_1);
+  const auto p_s_left_foot = sine_cosine(t_left_foot_1);
+  const Scalar s_left_foot = p_s_left_foot.sine;
+  const Scalar c_left_foot = p_s_left_foot.cosine;
   w[13] = s_left_foot;
   w[14] = c_left_foot;
-  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[12]);
+  const auto p_s_right_hip_yaw = sine_cosine(q[12]);
+  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
   w[15] = s_right_hip_yaw;
   w[16] = c_right_hip_yaw;
-  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[13]);
+  const auto p_s_right_hip_roll = sine_cosine(q[13]);
+  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
   w[17] = s_right_hip_roll;
   w[18] = c_right_hip_roll;
   const Scalar q_q15_q16 = q[15] + q[16];
   const Scalar q_q14_q15_q16 = q[14] + q_q15_q16;
-  const auto [s_q14_q15_q16, c_q14_q15_q16] = sine_cosine(q_q14_q15_q16);
+  const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
+  const Scalar s_q14_q15_q16 = p_s_q14_q15_q16.sine;
+  const Scalar c_q14_q15_q16 = p_s_q14_q15_q16.cosine;
   w[19] = s_q14_q15_q16;
   w[20] = c_q14_q15_q16;
   // right_shank
-  const auto [s_q15_q16, c_q15_q16] = sine_cosine(q_q15_q16);
+  const auto p_s_q15_q16 = sine_cosine(q_q15_q16);
+  const Scalar s_q15_q16 = p_s_q15_q16.sine;
+  const Scalar c_q15_q16 = p_s_q15_q16.cosine;
   w[21] = s_q15_q16;
   w[22] = c_q15_q16;
   const Scalar s_right_shank_x = left_shank_l1 * c_q15_q16;
@@ -4005,7 +4149,9 @@ namespace {
   const Scalar t_right_shank_1 = left_shank_l1 * s_q15_q16;
   w[24] = t_right_shank_1;
   // right_ankle_cross
-  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[16]);
+  const auto p_s_right_ankle_pitch = sine_cosine(q[16]);
+  const Scalar s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
+  const Scalar c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   w[25] = s_right_ankle_pitch;
   w[26] = c_right_ankle_pitch;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * s_right_ankle_pitch;
@@ -4013,7 +4159,9 @@ namespace {
   const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_right_ankle_pitch;
   w[28] = s_righ_ankl_cros_x;
   const Scalar t_right_foot_1 = left_foot_k1 - q[17];
-  const auto [s_right_foot, c_right_foot] = sine_cosine(t_right_foot_1);
+  const auto p_s_right_foot = sine_cosine(t_right_foot_1);
+  const Scalar s_right_foot = p_s_right_foot.sine;
+  const Scalar c_right_foot = p_s_right_foot.cosine;
   w[29] = s_right_foot;
   w[30] = c_right_foot;
   // base_rx
@@ -7632,27 +7780,57 @@ void forward_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar tau[
 }
 
 void point_positions(const Scalar q[18], Scalar p[12]) noexcept {
-  const auto [s_base_rz, c_base_rz] = sine_cosine(q[3]);
-  const auto [s_base_ry, c_base_ry] = sine_cosine(q[4]);
-  const auto [s_base_rx, c_base_rx] = sine_cosine(q[5]);
-  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[6]);
-  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[7]);
-  const auto [s_left_hip_pitch, c_left_hip_pitch] = sine_cosine(q[8]);
+  const auto p_s_base_rz = sine_cosine(q[3]);
+  const Scalar s_base_rz = p_s_base_rz.sine;
+  const Scalar c_base_rz = p_s_base_rz.cosine;
+  const auto p_s_base_ry = sine_cosine(q[4]);
+  const Scalar s_base_ry = p_s_base_ry.sine;
+  const Scalar c_base_ry = p_s_base_ry.cosine;
+  const auto p_s_base_rx = sine_cosine(q[5]);
+  const Scalar s_base_rx = p_s_base_rx.sine;
+  const Scalar c_base_rx = p_s_base_rx.cosine;
+  const auto p_s_left_hip_yaw = sine_cosine(q[6]);
+  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
+  const auto p_s_left_hip_roll = sine_cosine(q[7]);
+  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const auto p_s_left_hip_pitch = sine_cosine(q[8]);
+  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   // left_ankle_cross
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto [s_q8_q9_q10, c_q8_q9_q10] = sine_cosine(q_q8_q9_q10);
-  const auto [s_q8_q9, c_q8_q9] = sine_cosine(q_q8_q9);
-  const auto [s_left_ankle_roll, c_left_ankle_roll] = sine_cosine(q[11]);
-  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[12]);
-  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[13]);
-  const auto [s_right_hip_pitch, c_right_hip_pitch] = sine_cosine(q[14]);
+  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
+  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
+  const Scalar s_q8_q9 = p_s_q8_q9.sine;
+  const Scalar c_q8_q9 = p_s_q8_q9.cosine;
+  const auto p_s_left_ankle_roll = sine_cosine(q[11]);
+  const Scalar s_left_ankle_roll = p_s_left_ankle_roll.sine;
+  const Scalar c_left_ankle_roll = p_s_left_ankle_roll.cosine;
+  const auto p_s_right_hip_yaw = sine_cosine(q[12]);
+  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
+  const auto p_s_right_hip_roll = sine_cosine(q[13]);
+  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const auto p_s_right_hip_pitch = sine_cosine(q[14]);
+  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   // right_ankle_cross
   const Scalar q_q14_q15 = q[14] + q[15];
   const Scalar q_q14_q15_q16 = q_q14_q15 + q[16];
-  const auto [s_q14_q15_q16, c_q14_q15_q16] = sine_cosine(q_q14_q15_q16);
-  const auto [s_q14_q15, c_q14_q15] = sine_cosine(q_q14_q15);
-  const auto [s_right_ankle_roll, c_right_ankle_roll] = sine_cosine(q[17]);
+  const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
+  const Scalar s_q14_q15_q16 = p_s_q14_q15_q16.sine;
+  const Scalar c_q14_q15_q16 = p_s_q14_q15_q16.cosine;
+  const auto p_s_q14_q15 = sine_cosine(q_q14_q15);
+  const Scalar s_q14_q15 = p_s_q14_q15.sine;
+  const Scalar c_q14_q15 = p_s_q14_q15.cosine;
+  const auto p_s_right_ankle_roll = sine_cosine(q[17]);
+  const Scalar s_right_ankle_roll = p_s_right_ankle_roll.sine;
+  const Scalar c_right_ankle_roll = p_s_right_ankle_roll.cosine;
   const Scalar t_left_thigh_1 = left_hip_fork_l3 + left_foot_l1 * s_left_ankle_roll;
   const Scalar t_left_hip_fork_1 = c_left_hip_roll * t_left_thigh_1;
   const Scalar t_left_foot_1 = left_hip_fork_l1 + left_foot_l1 * c_left_ankle_roll;
@@ -7746,26 +7924,52 @@ void point_positions(const Scalar q[18], Scalar p[12]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
-  const auto [s_base_rz, c_base_rz] = sine_cosine(q[3]);
-  const auto [s_base_rx, c_base_rx] = sine_cosine(q[5]);
-  const auto [s_base_ry, c_base_ry] = sine_cosine(q[4]);
-  const auto [s_left_hip_yaw, c_left_hip_yaw] = sine_cosine(q[6]);
-  const auto [s_left_hip_roll, c_left_hip_roll] = sine_cosine(q[7]);
+  const auto p_s_base_rz = sine_cosine(q[3]);
+  const Scalar s_base_rz = p_s_base_rz.sine;
+  const Scalar c_base_rz = p_s_base_rz.cosine;
+  const auto p_s_base_rx = sine_cosine(q[5]);
+  const Scalar s_base_rx = p_s_base_rx.sine;
+  const Scalar c_base_rx = p_s_base_rx.cosine;
+  const auto p_s_base_ry = sine_cosine(q[4]);
+  const Scalar s_base_ry = p_s_base_ry.sine;
+  const Scalar c_base_ry = p_s_base_ry.cosine;
+  const auto p_s_left_hip_yaw = sine_cosine(q[6]);
+  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
+  const auto p_s_left_hip_roll = sine_cosine(q[7]);
+  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
   const Scalar q_q9_q10 = q[9] + q[10];
   const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
-  const auto [s_q8_q9_q10, c_q8_q9_q10] = sine_cosine(q_q8_q9_q10);
-  const auto [s_q9_q10, c_q9_q10] = sine_cosine(q_q9_q10);
+  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
+  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
+  const Scalar s_q9_q10 = p_s_q9_q10.sine;
+  const Scalar c_q9_q10 = p_s_q9_q10.cosine;
   const Scalar s_left_shank_y = left_shank_l1 * s_q9_q10;
-  const auto [s_left_ankle_pitch, c_left_ankle_pitch] = sine_cosine(q[10]);
+  const auto p_s_left_ankle_pitch = sine_cosine(q[10]);
+  const Scalar s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
+  const Scalar c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const Scalar s_left_ankle_cross_y = left_ankle_cross_l1 * s_left_ankle_pitch;
-  const auto [s_right_hip_yaw, c_right_hip_yaw] = sine_cosine(q[12]);
-  const auto [s_right_hip_roll, c_right_hip_roll] = sine_cosine(q[13]);
+  const auto p_s_right_hip_yaw = sine_cosine(q[12]);
+  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
+  const auto p_s_right_hip_roll = sine_cosine(q[13]);
+  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
   const Scalar q_q15_q16 = q[15] + q[16];
   const Scalar q_q14_q15_q16 = q[14] + q_q15_q16;
-  const auto [s_q14_q15_q16, c_q14_q15_q16] = sine_cosine(q_q14_q15_q16);
-  const auto [s_q15_q16, c_q15_q16] = sine_cosine(q_q15_q16);
+  const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
+  const Scalar s_q14_q15_q16 = p_s_q14_q15_q16.sine;
+  const Scalar c_q14_q15_q16 = p_s_q14_q15_q16.cosine;
+  const auto p_s_q15_q16 = sine_cosine(q_q15_q16);
+  const Scalar s_q15_q16 = p_s_q15_q16.sine;
+  const Scalar c_q15_q16 = p_s_q15_q16.cosine;
   const Scalar s_right_shank_y = left_shank_l1 * s_q15_q16;
-  const auto [s_right_ankle_pitch, c_right_ankle_pitch] = sine_cosine(q[16]);
+  const auto p_s_right_ankle_pitch = sine_cosine(q[16]);
+  const Scalar s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
+  const Scalar c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar s_righ_ankl_cros_y = left_ankle_cross_l1 * s_right_ankle_pitch;
   // base_rx
   const Scalar t_base_rx_1 = c_base_rz * c_base_rx;
@@ -7849,10 +8053,14 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar Rz_right_thigh_x = c_q14_q15_q16 * Rz_right_hip_fork_y + t_right_thigh_5;
   const Scalar t_right_thigh_6 = c_q14_q15_q16 * Rz_right_hip_block_x;
   const Scalar Rz_right_thigh_y = t_right_thigh_6 - s_q14_q15_q16 * Rz_right_hip_fork_y;
-  const auto [s_right_ankle_roll, c_right_ankle_roll] = sine_cosine(q[17]);
+  const auto p_s_right_ankle_roll = sine_cosine(q[17]);
+  const Scalar s_right_ankle_roll = p_s_right_ankle_roll.sine;
+  const Scalar c_right_ankle_roll = p_s_right_ankle_roll.cosine;
   const Scalar r_right_foot_x = left_foot_l1 * c_right_ankle_roll;
   const Scalar r_right_foot_y = left_foot_l1 * s_right_ankle_roll;
-  const auto [s_left_ankle_roll, c_left_ankle_roll] = sine_cosine(q[11]);
+  const auto p_s_left_ankle_roll = sine_cosine(q[11]);
+  const Scalar s_left_ankle_roll = p_s_left_ankle_roll.sine;
+  const Scalar c_left_ankle_roll = p_s_left_ankle_roll.cosine;
   // left_foot
   const Scalar r_left_foot_y = left_foot_l1 * s_left_ankle_roll;
   const Scalar r_left_foot_x = left_foot_l1 * c_left_ankle_roll;

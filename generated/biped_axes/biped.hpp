@@ -39,40 +39,40 @@ namespace biped {
 /// The only floating-point type in use.
 using Scalar = double;
 /// Length of q, qd, qdd and tau.
-inline constexpr int kDof = 18;
+constexpr int kDof = 18;
 /// Number of points.
-inline constexpr int kPoints = 4;
+constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0xd486b522afeddd1dULL;
+constexpr unsigned long long kDigest = 0xf4a9bb1038fccbf5ULL;
 
 /// Index of every joint.
 namespace joint {
-inline constexpr int base_px = 0;
-inline constexpr int base_py = 1;
-inline constexpr int base_pz = 2;
-inline constexpr int base_rz = 3;
-inline constexpr int base_ry = 4;
-inline constexpr int base_rx = 5;
-inline constexpr int left_hip_yaw = 6;
-inline constexpr int left_hip_roll = 7;
-inline constexpr int left_hip_pitch = 8;
-inline constexpr int left_knee = 9;
-inline constexpr int left_ankle_pitch = 10;
-inline constexpr int left_ankle_roll = 11;
-inline constexpr int right_hip_yaw = 12;
-inline constexpr int right_hip_roll = 13;
-inline constexpr int right_hip_pitch = 14;
-inline constexpr int right_knee = 15;
-inline constexpr int right_ankle_pitch = 16;
-inline constexpr int right_ankle_roll = 17;
+constexpr int base_px = 0;
+constexpr int base_py = 1;
+constexpr int base_pz = 2;
+constexpr int base_rz = 3;
+constexpr int base_ry = 4;
+constexpr int base_rx = 5;
+constexpr int left_hip_yaw = 6;
+constexpr int left_hip_roll = 7;
+constexpr int left_hip_pitch = 8;
+constexpr int left_knee = 9;
+constexpr int left_ankle_pitch = 10;
+constexpr int left_ankle_roll = 11;
+constexpr int right_hip_yaw = 12;
+constexpr int right_hip_roll = 13;
+constexpr int right_hip_pitch = 14;
+constexpr int right_knee = 15;
+constexpr int right_ankle_pitch = 16;
+constexpr int right_ankle_roll = 17;
 }  // namespace joint
 
 /// Index of every point.
 namespace point {
-inline constexpr int left_heel = 0;
-inline constexpr int left_toe = 1;
-inline constexpr int right_heel = 2;
-inline constexpr int right_toe = 3;
+constexpr int left_heel = 0;
+constexpr int left_toe = 1;
+constexpr int right_heel = 2;
+constexpr int right_toe = 3;
 }  // namespace point
 
 // Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and

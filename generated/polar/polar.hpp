@@ -20,21 +20,21 @@ namespace polar {
 /// The only floating-point type in use.
 using Scalar = double;
 /// Length of q, qd, qdd and tau.
-inline constexpr int kDof = 2;
+constexpr int kDof = 2;
 /// Number of points.
-inline constexpr int kPoints = 1;
+constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x3826f08b81e76ed1ULL;
+constexpr unsigned long long kDigest = 0xeb35e7c28aca8a1eULL;
 
 /// Index of every joint.
 namespace joint {
-inline constexpr int shoulder = 0;
-inline constexpr int slide = 1;
+constexpr int shoulder = 0;
+constexpr int slide = 1;
 }  // namespace joint
 
 /// Index of every point.
 namespace point {
-inline constexpr int hand = 0;
+constexpr int hand = 0;
 }  // namespace point
 
 // Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and

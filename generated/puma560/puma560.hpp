@@ -21,20 +21,20 @@ namespace puma560 {
 /// The only floating-point type in use.
 using Scalar = double;
 /// Length of q, qd, qdd and tau.
-inline constexpr int kDof = 6;
+constexpr int kDof = 6;
 /// Number of points.
-inline constexpr int kPoints = 0;
+constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-inline constexpr unsigned long long kDigest = 0x35d31ca47bc4aed8ULL;
+constexpr unsigned long long kDigest = 0xb44a440c079929edULL;
 
 /// Index of every joint.
 namespace joint {
-inline constexpr int joint1 = 0;
-inline constexpr int joint2 = 1;
-inline constexpr int joint3 = 2;
-inline constexpr int joint4 = 3;
-inline constexpr int joint5 = 4;
-inline constexpr int joint6 = 5;
+constexpr int joint1 = 0;
+constexpr int joint2 = 1;
+constexpr int joint3 = 2;
+constexpr int joint4 = 3;
+constexpr int joint5 = 4;
+constexpr int joint6 = 5;
 }  // namespace joint
 
 // Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and
