@@ -111,9 +111,9 @@ TEST_F(Cli, LetsModelsShareAFolder) {
 TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
   treedyn({"generate", kModel, "-o", out()});
   std::string source = read_file(file("two_link.cpp"));
-  const std::size_t at = source.find("A[3] = 22.5;");
+  const std::size_t at = source.find("forearm_p1 = 22.5;");
   ASSERT_NE(at, std::string::npos);
-  write_file(file("two_link.cpp"), source.replace(at, 12, "A[3] = 23.0;"));
+  write_file(file("two_link.cpp"), source.replace(at, 18, "forearm_p1 = 23.0;"));
   const Outcome outcome = treedyn({"check", kModel, "-o", out(), "--numeric"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr(file("two_link.cpp").string() + ": constants only, 1 line\n"));
