@@ -13,7 +13,6 @@ using block::Kind;
 using block::Structure;
 
 constexpr Unit kNumber{};
-constexpr Unit kRate{.s = -1};
 
 struct Row {
   Unit unit;
