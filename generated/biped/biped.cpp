@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x49322c147dce04cfULL, "header and source are of different runs");
+static_assert(kDigest == 0x3ae1d395fdde5e8bULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -490,54 +490,54 @@ constexpr double left_foot_G1 = 0.1386019141706801;
 // by what they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   // left_shank
   const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
+  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar t_left_shank_1 = left_hip_fork_k1 * s_left_hip_pitch;
   const Scalar t_left_shank_2 = left_hip_fork_k1 * c_left_hip_pitch;
   // left_ankle_cross
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
+  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
+  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
   const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar c_q2_q3 = p_s_q2_q3.cosine;
+  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
+  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
   const Scalar t_left_ankle_cross_1 = left_hip_fork_k2 * s_q2_q3;
   const Scalar t_left_ankle_cross_2 = left_hip_fork_k2 * c_q2_q3;
   const Scalar t_left_foot_1 = left_foot_k1 + q[5];
   const auto p_s_left_foot = sine_cosine(t_left_foot_1);
-  const Scalar s_left_foot = p_s_left_foot.sine;
-  const Scalar c_left_foot = p_s_left_foot.cosine;
+  const Scalar& s_left_foot = p_s_left_foot.sine;
+  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   // right_shank
   const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
+  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar t_right_shank_1 = left_hip_fork_k1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = left_hip_fork_k1 * s_right_hip_pitch;
   // right_ankle_cross
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar c_q8_q9 = p_s_q8_q9.cosine;
+  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
+  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
   const Scalar t_righ_ankl_cros_1 = left_hip_fork_k2 * s_q8_q9;
   const Scalar t_righ_ankl_cros_2 = left_hip_fork_k2 * c_q8_q9;
   // right_foot
   const Scalar t_right_foot_1 = left_foot_k1 - q[11];
   const auto p_s_right_foot = sine_cosine(t_right_foot_1);
-  const Scalar s_right_foot = p_s_right_foot.sine;
-  const Scalar c_right_foot = p_s_right_foot.cosine;
+  const Scalar& s_right_foot = p_s_right_foot.sine;
+  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_2 = left_foot_I1 * c_right_foot;
   const Scalar t_right_foot_3 = left_foot_I1 * s_right_foot;
   const Scalar t_right_foot_4 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
@@ -910,42 +910,42 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   // left_thigh
   const Scalar q_q2_q3_q4 = q[2] + q_q3_q4;
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
+  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
+  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   // left_shank
   const auto p_s_q3_q4 = sine_cosine(q_q3_q4);
-  const Scalar s_q3_q4 = p_s_q3_q4.sine;
-  const Scalar c_q3_q4 = p_s_q3_q4.cosine;
+  const Scalar& s_q3_q4 = p_s_q3_q4.sine;
+  const Scalar& c_q3_q4 = p_s_q3_q4.cosine;
   const Scalar t_left_shank_1 = left_shank_l1 * s_q3_q4;
   const Scalar s_left_shank_x = left_shank_l1 * c_q3_q4;
   // left_ankle_cross
   const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
+  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
+  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_l1 * s_left_ankle_pitch;
   const Scalar s_left_ankle_cross_x = left_ankle_cross_l1 * c_left_ankle_pitch;
   const Scalar q_q9_q10 = q[9] + q[10];
   // right_thigh
   const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   // right_shank
   const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
-  const Scalar s_q9_q10 = p_s_q9_q10.sine;
-  const Scalar c_q9_q10 = p_s_q9_q10.cosine;
+  const Scalar& s_q9_q10 = p_s_q9_q10.sine;
+  const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
   const Scalar t_right_shank_1 = left_shank_l1 * s_q9_q10;
   const Scalar s_right_shank_x = left_shank_l1 * c_q9_q10;
   // right_ankle_cross
   const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
+  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
+  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * s_right_ankle_pitch;
   const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_right_ankle_pitch;
   // left_thigh
@@ -1041,8 +1041,8 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar Omega_left_foot_zx = Omega_left_thigh_xy - t_left_shank_3 * omega_left_foot_z;
   const Scalar t_left_foot_11 = left_foot_k1 + q[5];
   const auto p_s_left_foot = sine_cosine(t_left_foot_11);
-  const Scalar s_left_foot = p_s_left_foot.sine;
-  const Scalar c_left_foot = p_s_left_foot.cosine;
+  const Scalar& s_left_foot = p_s_left_foot.sine;
+  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_12 = left_foot_h1 * c_left_foot;
   const Scalar t_left_foot_13 = left_foot_h1 * s_left_foot;
   const Scalar t_left_foot_14 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
@@ -1165,8 +1165,8 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar Omega_right_foot_zx = Omega_right_thigh_xy - t_right_shank_4 * omega_right_foot_z;
   const Scalar t_right_foot_11 = left_foot_k1 - q[11];
   const auto p_s_right_foot = sine_cosine(t_right_foot_11);
-  const Scalar s_right_foot = p_s_right_foot.sine;
-  const Scalar c_right_foot = p_s_right_foot.cosine;
+  const Scalar& s_right_foot = p_s_right_foot.sine;
+  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_12 = left_foot_h1 * c_right_foot;
   const Scalar t_right_foot_13 = left_foot_h1 * s_right_foot;
   const Scalar t_right_foot_14 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
@@ -1452,38 +1452,38 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
+  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar q_q2_q3 = q[2] + q[3];
   const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar c_q2_q3 = p_s_q2_q3.cosine;
+  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
+  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
+  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
+  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
+  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar q_q8_q9 = q[8] + q[9];
   const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar c_q8_q9 = p_s_q8_q9.cosine;
+  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
+  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
   // right_foot
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   const Scalar t_right_foot_1 = left_foot_k1 - q[11];
   const auto p_s_right_foot = sine_cosine(t_right_foot_1);
-  const Scalar s_right_foot = p_s_right_foot.sine;
-  const Scalar c_right_foot = p_s_right_foot.cosine;
+  const Scalar& s_right_foot = p_s_right_foot.sine;
+  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_2 = left_foot_G1 * s_right_foot;
   const Scalar t_right_foot_3 = left_foot_G1 * c_right_foot;
   const Scalar t_right_foot_4 = c_right_hip_roll * c_q8_q9_q10 * t_right_foot_2;
@@ -1513,8 +1513,8 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   // left_foot
   const Scalar t_left_foot_1 = left_foot_k1 + q[5];
   const auto p_s_left_foot = sine_cosine(t_left_foot_1);
-  const Scalar s_left_foot = p_s_left_foot.sine;
-  const Scalar c_left_foot = p_s_left_foot.cosine;
+  const Scalar& s_left_foot = p_s_left_foot.sine;
+  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_2 = left_foot_G1 * s_left_foot;
   const Scalar t_left_foot_3 = c_left_hip_roll * c_q2_q3_q4;
   const Scalar t_left_foot_4 = left_foot_G1 * c_left_foot;
@@ -1552,29 +1552,29 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
                       Scalar tau[12]) noexcept {
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
+  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const auto p_s_left_knee = sine_cosine(q[3]);
-  const Scalar s_left_knee = p_s_left_knee.sine;
-  const Scalar c_left_knee = p_s_left_knee.cosine;
+  const Scalar& s_left_knee = p_s_left_knee.sine;
+  const Scalar& c_left_knee = p_s_left_knee.cosine;
   const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
+  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
+  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
+  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const auto p_s_right_knee = sine_cosine(q[9]);
-  const Scalar s_right_knee = p_s_right_knee.sine;
-  const Scalar c_right_knee = p_s_right_knee.cosine;
+  const Scalar& s_right_knee = p_s_right_knee.sine;
+  const Scalar& c_right_knee = p_s_right_knee.cosine;
   const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
+  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
+  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar t_left_hip_block_1 = qd[0] * qd[0];
   // left_hip_fork
   const Scalar omega_left_hip_fork_x = c_left_hip_roll * qd[0];
@@ -1699,8 +1699,8 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_foot_8 = omega_left_foot_z * omega_left_foot_z;
   const Scalar t_left_foot_9 = left_foot_k1 + q[5];
   const auto p_s_left_foot = sine_cosine(t_left_foot_9);
-  const Scalar s_left_foot = p_s_left_foot.sine;
-  const Scalar c_left_foot = p_s_left_foot.cosine;
+  const Scalar& s_left_foot = p_s_left_foot.sine;
+  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_10 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
   const Scalar t_left_foot_11 = left_foot_I14 - c_left_foot * t_left_foot_10;
   const Scalar t_left_foot_12 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
@@ -1848,8 +1848,8 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_foot_9 = Omega_right_foot_xz - omega_righ_ankl_cros_x * t_right_foot_3;
   const Scalar t_right_foot_10 = left_foot_k1 - q[11];
   const auto p_s_right_foot = sine_cosine(t_right_foot_10);
-  const Scalar s_right_foot = p_s_right_foot.sine;
-  const Scalar c_right_foot = p_s_right_foot.cosine;
+  const Scalar& s_right_foot = p_s_right_foot.sine;
+  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_11 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
   const Scalar t_right_foot_12 = s_right_foot * t_right_foot_11;
   const Scalar t_right_foot_13 = left_foot_I14 - c_right_foot * t_right_foot_11;
@@ -2207,43 +2207,43 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept {
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   // left_shank
   const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
+  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar t_left_shank_1 = left_shank_l1 * c_left_hip_pitch;
   const Scalar t_left_shank_2 = left_shank_l1 * s_left_hip_pitch;
   // left_ankle_cross
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
+  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
+  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
   const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar c_q2_q3 = p_s_q2_q3.cosine;
+  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
+  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_l1 * c_q2_q3;
   const Scalar t_left_ankle_cross_2 = left_ankle_cross_l1 * s_q2_q3;
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   // right_shank
   const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
+  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar t_right_shank_1 = left_shank_l1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = left_shank_l1 * s_right_hip_pitch;
   // right_ankle_cross
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar c_q8_q9 = p_s_q8_q9.cosine;
+  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
+  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * c_q8_q9;
   const Scalar t_righ_ankl_cros_2 = left_ankle_cross_l1 * s_q8_q9;
   // left_hip_fork
@@ -2348,8 +2348,8 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_foot_5 = Omega_left_foot_xz - t_left_foot_4;
   const Scalar t_left_foot_6 = left_foot_k2 + q[5];
   const auto p_s_left_foot = sine_cosine(t_left_foot_6);
-  const Scalar s_left_foot = p_s_left_foot.sine;
-  const Scalar c_left_foot = p_s_left_foot.cosine;
+  const Scalar& s_left_foot = p_s_left_foot.sine;
+  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_7 = left_foot_h2 * c_left_foot - left_foot_h3 * s_left_foot;
   const Scalar h_left_foot_x = left_foot_h3 * c_left_foot + left_foot_h2 * s_left_foot;
   const Scalar t_left_foot_8 = left_foot_I15 * s_left_foot + left_foot_I16 * c_left_foot;
@@ -2466,8 +2466,8 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_foot_7 = Omega_right_foot_xz - t_right_foot_6;
   const Scalar t_right_foot_8 = left_foot_k2 - q[11];
   const auto p_s_right_foot = sine_cosine(t_right_foot_8);
-  const Scalar s_right_foot = p_s_right_foot.sine;
-  const Scalar c_right_foot = p_s_right_foot.cosine;
+  const Scalar& s_right_foot = p_s_right_foot.sine;
+  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_9 = left_foot_I16 * c_right_foot + left_foot_I15 * s_right_foot;
   const Scalar t_right_foot_10 = c_right_foot * t_right_foot_9;
   const Scalar E_right_foot_xy = left_foot_I20 - t_right_foot_10;
@@ -3390,45 +3390,45 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const auto p_s_left_hip_yaw = sine_cosine(q[0]);
-  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
-  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
+  const Scalar& s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar& c_left_hip_yaw = p_s_left_hip_yaw.cosine;
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   const Scalar q_q3_q4 = q[3] + q[4];
   const Scalar q_q2_q3_q4 = q[2] + q_q3_q4;
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
+  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
+  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
   const auto p_s_q3_q4 = sine_cosine(q_q3_q4);
-  const Scalar s_q3_q4 = p_s_q3_q4.sine;
-  const Scalar c_q3_q4 = p_s_q3_q4.cosine;
+  const Scalar& s_q3_q4 = p_s_q3_q4.sine;
+  const Scalar& c_q3_q4 = p_s_q3_q4.cosine;
   const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
+  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
+  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const auto p_s_left_ankle_roll = sine_cosine(q[5]);
-  const Scalar s_left_ankle_roll = p_s_left_ankle_roll.sine;
-  const Scalar c_left_ankle_roll = p_s_left_ankle_roll.cosine;
+  const Scalar& s_left_ankle_roll = p_s_left_ankle_roll.sine;
+  const Scalar& c_left_ankle_roll = p_s_left_ankle_roll.cosine;
   const auto p_s_right_hip_yaw = sine_cosine(q[6]);
-  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
-  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
+  const Scalar& s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar& c_right_hip_yaw = p_s_right_hip_yaw.cosine;
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   const Scalar q_q9_q10 = q[9] + q[10];
   const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
-  const Scalar s_q9_q10 = p_s_q9_q10.sine;
-  const Scalar c_q9_q10 = p_s_q9_q10.cosine;
+  const Scalar& s_q9_q10 = p_s_q9_q10.sine;
+  const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
   const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
+  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
+  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const auto p_s_right_ankle_roll = sine_cosine(q[11]);
-  const Scalar s_right_ankle_roll = p_s_right_ankle_roll.sine;
-  const Scalar c_right_ankle_roll = p_s_right_ankle_roll.cosine;
+  const Scalar& s_right_ankle_roll = p_s_right_ankle_roll.sine;
+  const Scalar& c_right_ankle_roll = p_s_right_ankle_roll.cosine;
   // left_shank
   const Scalar t_left_shank_1 = left_hip_fork_l1 + left_shank_l1 * c_q3_q4;
   const Scalar t_left_shank_2 = t_left_shank_1 + left_ankle_cross_l1 * c_left_ankle_pitch;
@@ -3490,58 +3490,58 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const auto p_s_left_hip_yaw = sine_cosine(q[0]);
-  const Scalar s_left_hip_yaw = p_s_left_hip_yaw.sine;
-  const Scalar c_left_hip_yaw = p_s_left_hip_yaw.cosine;
+  const Scalar& s_left_hip_yaw = p_s_left_hip_yaw.sine;
+  const Scalar& c_left_hip_yaw = p_s_left_hip_yaw.cosine;
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar c_left_hip_roll = p_s_left_hip_roll.cosine;
+  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
+  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   // left_shank
   const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar c_left_hip_pitch = p_s_left_hip_pitch.cosine;
+  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
+  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar t_left_shank_1 = left_shank_l1 * c_left_hip_pitch;
   const Scalar t_left_shank_2 = left_shank_l1 * s_left_hip_pitch;
   // left_ankle_cross
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
+  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
+  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
   const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar c_q2_q3 = p_s_q2_q3.cosine;
+  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
+  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_l1 * c_q2_q3;
   const Scalar t_left_ankle_cross_2 = left_ankle_cross_l1 * s_q2_q3;
   const auto p_s_right_hip_yaw = sine_cosine(q[6]);
-  const Scalar s_right_hip_yaw = p_s_right_hip_yaw.sine;
-  const Scalar c_right_hip_yaw = p_s_right_hip_yaw.cosine;
+  const Scalar& s_right_hip_yaw = p_s_right_hip_yaw.sine;
+  const Scalar& c_right_hip_yaw = p_s_right_hip_yaw.cosine;
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar c_right_hip_roll = p_s_right_hip_roll.cosine;
+  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
+  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   // right_shank
   const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar c_right_hip_pitch = p_s_right_hip_pitch.cosine;
+  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
+  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar t_right_shank_1 = left_shank_l1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = left_shank_l1 * s_right_hip_pitch;
   // right_ankle_cross
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
+  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
+  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar c_q8_q9 = p_s_q8_q9.cosine;
+  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
+  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * c_q8_q9;
   const Scalar t_righ_ankl_cros_2 = left_ankle_cross_l1 * s_q8_q9;
   const auto p_s_right_ankle_roll = sine_cosine(q[11]);
-  const Scalar s_right_ankle_roll = p_s_right_ankle_roll.sine;
-  const Scalar c_right_ankle_roll = p_s_right_ankle_roll.cosine;
+  const Scalar& s_right_ankle_roll = p_s_right_ankle_roll.sine;
+  const Scalar& c_right_ankle_roll = p_s_right_ankle_roll.cosine;
   const Scalar r_right_foot_x = left_foot_l2 * c_right_ankle_roll;
   const auto p_s_left_ankle_roll = sine_cosine(q[5]);
-  const Scalar s_left_ankle_roll = p_s_left_ankle_roll.sine;
-  const Scalar c_left_ankle_roll = p_s_left_ankle_roll.cosine;
+  const Scalar& s_left_ankle_roll = p_s_left_ankle_roll.sine;
+  const Scalar& c_left_ankle_roll = p_s_left_ankle_roll.cosine;
   const Scalar r_left_foot_x = left_foot_l2 * c_left_ankle_roll;
   const Scalar r_right_foot_y = left_foot_l2 * s_right_ankle_roll;
   const Scalar r_left_foot_y = left_foot_l2 * s_left_ankle_roll;

@@ -43,7 +43,7 @@ constexpr int kDof = 18;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xf4a9bb1038fccbf5ULL;
+constexpr unsigned long long kDigest = 0xed372af66f580d7cULL;
 
 /// Index of every joint.
 namespace joint {

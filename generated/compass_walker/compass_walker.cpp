@@ -14,7 +14,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0x541bc2ed7eb21f67ULL, "header and source are of different runs");
+static_assert(kDigest == 0xe54d28ccc33dad88ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -106,12 +106,12 @@ constexpr double left_leg_p7 = 19.62;
 
 void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar s_left_hip = p_s_left_hip.sine;
-  const Scalar c_left_hip = p_s_left_hip.cosine;
+  const Scalar& s_left_hip = p_s_left_hip.sine;
+  const Scalar& c_left_hip = p_s_left_hip.cosine;
   // right_leg
   const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar s_right_hip = p_s_right_hip.sine;
-  const Scalar c_right_hip = p_s_right_hip.cosine;
+  const Scalar& s_right_hip = p_s_right_hip.sine;
+  const Scalar& c_right_hip = p_s_right_hip.cosine;
   A[7] = left_leg_p1 * s_right_hip;
   A[13] = A[7];
   A[3] = -left_leg_p1 * c_right_hip;
@@ -133,11 +133,11 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
 
 void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
   const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar s_left_hip = p_s_left_hip.sine;
-  const Scalar c_left_hip = p_s_left_hip.cosine;
+  const Scalar& s_left_hip = p_s_left_hip.sine;
+  const Scalar& c_left_hip = p_s_left_hip.cosine;
   const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar s_right_hip = p_s_right_hip.sine;
-  const Scalar c_right_hip = p_s_right_hip.cosine;
+  const Scalar& s_right_hip = p_s_right_hip.sine;
+  const Scalar& c_right_hip = p_s_right_hip.cosine;
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_1 = qd[2] * qd[2];
   // hip
@@ -162,16 +162,16 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
   const Scalar a_hip_z = base_p1 + qdd[1];
   // left_leg
   const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar s_left_hip = p_s_left_hip.sine;
-  const Scalar c_left_hip = p_s_left_hip.cosine;
+  const Scalar& s_left_hip = p_s_left_hip.sine;
+  const Scalar& c_left_hip = p_s_left_hip.cosine;
   const Scalar t_left_leg_1 = left_leg_p1 * c_left_hip;
   const Scalar t_left_leg_2 = left_leg_p1 * s_left_hip;
   tau[2] = left_leg_p2 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
   const Scalar t_left_leg_3 = qd[2] * qd[2];
   // right_leg
   const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar s_right_hip = p_s_right_hip.sine;
-  const Scalar c_right_hip = p_s_right_hip.cosine;
+  const Scalar& s_right_hip = p_s_right_hip.sine;
+  const Scalar& c_right_hip = p_s_right_hip.cosine;
   const Scalar t_right_leg_1 = left_leg_p1 * c_right_hip;
   const Scalar t_right_leg_2 = left_leg_p1 * s_right_hip;
   tau[3] = left_leg_p2 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
@@ -186,11 +186,11 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
                       Scalar qdd[4]) noexcept {
   const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar s_left_hip = p_s_left_hip.sine;
-  const Scalar c_left_hip = p_s_left_hip.cosine;
+  const Scalar& s_left_hip = p_s_left_hip.sine;
+  const Scalar& c_left_hip = p_s_left_hip.cosine;
   const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar s_right_hip = p_s_right_hip.sine;
-  const Scalar c_right_hip = p_s_right_hip.cosine;
+  const Scalar& s_right_hip = p_s_right_hip.sine;
+  const Scalar& c_right_hip = p_s_right_hip.cosine;
   const Scalar t_left_leg_1 = left_leg_p6 * (c_right_hip * c_right_hip + c_left_hip * c_left_hip);
   const Scalar t_left_leg_2 = hip_p3 + t_left_leg_1;
   const Scalar inverse_pivot_hip = 1.0 / t_left_leg_2;
@@ -222,11 +222,11 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
 
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
   const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar s_left_hip = p_s_left_hip.sine;
-  const Scalar c_left_hip = p_s_left_hip.cosine;
+  const Scalar& s_left_hip = p_s_left_hip.sine;
+  const Scalar& c_left_hip = p_s_left_hip.cosine;
   const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar s_right_hip = p_s_right_hip.sine;
-  const Scalar c_right_hip = p_s_right_hip.cosine;
+  const Scalar& s_right_hip = p_s_right_hip.sine;
+  const Scalar& c_right_hip = p_s_right_hip.cosine;
   p[2] = q[1] - c_left_hip;
   p[0] = q[0] - s_left_hip;
   p[5] = q[1] - c_right_hip;
@@ -238,14 +238,14 @@ void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
 
 void force_jacobian_transpose(const Scalar q[4], Scalar C[24]) noexcept {
   const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar s_left_hip = p_s_left_hip.sine;
-  const Scalar c_left_hip = p_s_left_hip.cosine;
+  const Scalar& s_left_hip = p_s_left_hip.sine;
+  const Scalar& c_left_hip = p_s_left_hip.cosine;
   C[12] = -c_left_hip;
   C[14] = s_left_hip;
   // right_leg
   const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar s_right_hip = p_s_right_hip.sine;
-  const Scalar c_right_hip = p_s_right_hip.cosine;
+  const Scalar& s_right_hip = p_s_right_hip.sine;
+  const Scalar& c_right_hip = p_s_right_hip.cosine;
   C[21] = -c_right_hip;
   C[23] = s_right_hip;
   C[0] = 1.0;

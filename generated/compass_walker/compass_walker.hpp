@@ -27,7 +27,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x541bc2ed7eb21f67ULL;
+constexpr unsigned long long kDigest = 0xe54d28ccc33dad88ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0x9afe5bcf17e519bbULL, "header and source are of different runs");
+static_assert(kDigest == 0x6e3abbfcccc2bc61ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -384,25 +384,25 @@ constexpr double link7_p1 = 203.68042513969144;
 // they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar s_joint3 = p_s_joint3.sine;
-  const Scalar c_joint3 = p_s_joint3.cosine;
+  const Scalar& s_joint3 = p_s_joint3.sine;
+  const Scalar& c_joint3 = p_s_joint3.cosine;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar s_joint6 = p_s_joint6.sine;
-  const Scalar c_joint6 = p_s_joint6.cosine;
+  const Scalar& s_joint6 = p_s_joint6.sine;
+  const Scalar& c_joint6 = p_s_joint6.cosine;
   // link7
   const Scalar t_link7_1 = link7_k1 - q[6];
   const auto p_s_link7 = sine_cosine(t_link7_1);
-  const Scalar s_link7 = p_s_link7.sine;
-  const Scalar c_link7 = p_s_link7.cosine;
+  const Scalar& s_link7 = p_s_link7.sine;
+  const Scalar& c_link7 = p_s_link7.cosine;
   const Scalar t_link7_2 = link7_I6 * c_link7;
   const Scalar h_link6_x = link6_I3 + t_link7_2;
   const Scalar t_link7_3 = link7_I6 * s_link7;
@@ -573,20 +573,20 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
 // by what they are made of. Arguments and results are in SI units.
 void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar s_joint3 = p_s_joint3.sine;
-  const Scalar c_joint3 = p_s_joint3.cosine;
+  const Scalar& s_joint3 = p_s_joint3.sine;
+  const Scalar& c_joint3 = p_s_joint3.cosine;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar s_joint6 = p_s_joint6.sine;
-  const Scalar c_joint6 = p_s_joint6.cosine;
+  const Scalar& s_joint6 = p_s_joint6.sine;
+  const Scalar& c_joint6 = p_s_joint6.cosine;
   const Scalar t_link2_1 = link2_I7 - c_joint2 * (link2_I1 * c_joint2 - link2_I6 * s_joint2);
   const Scalar t_link2_2 = qd[0] * t_link2_1;
   // link3
@@ -686,8 +686,8 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link7_6 = t_link7_1 * t_link7_1;
   const Scalar t_link7_7 = link7_k1 - q[6];
   const auto p_s_link7 = sine_cosine(t_link7_7);
-  const Scalar s_link7 = p_s_link7.sine;
-  const Scalar c_link7 = p_s_link7.cosine;
+  const Scalar& s_link7 = p_s_link7.sine;
+  const Scalar& c_link7 = p_s_link7.cosine;
   const Scalar t_link7_8 = link7_I7 * c_link7 - link7_I8 * s_link7;
   const Scalar t_link7_9 = link7_I11 - c_link7 * t_link7_8;
   const Scalar t_link7_10 = s_link7 * t_link7_8;
@@ -811,25 +811,25 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
 
 void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar s_joint3 = p_s_joint3.sine;
-  const Scalar c_joint3 = p_s_joint3.cosine;
+  const Scalar& s_joint3 = p_s_joint3.sine;
+  const Scalar& c_joint3 = p_s_joint3.cosine;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   // link7
   const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar s_joint6 = p_s_joint6.sine;
-  const Scalar c_joint6 = p_s_joint6.cosine;
+  const Scalar& s_joint6 = p_s_joint6.sine;
+  const Scalar& c_joint6 = p_s_joint6.cosine;
   const Scalar t_link7_1 = link7_k1 - q[6];
   const auto p_s_link7 = sine_cosine(t_link7_1);
-  const Scalar s_link7 = p_s_link7.sine;
-  const Scalar c_link7 = p_s_link7.cosine;
+  const Scalar& s_link7 = p_s_link7.sine;
+  const Scalar& c_link7 = p_s_link7.cosine;
   const Scalar h_link7_x = link7_h1 * c_link7;
   const Scalar t_link7_2 = link7_h1 * s_link7;
   const Scalar t_link7_3 = base_g1 * s_joint2;
@@ -867,20 +867,20 @@ void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
 void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7],
                       Scalar tau[7]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar s_joint3 = p_s_joint3.sine;
-  const Scalar c_joint3 = p_s_joint3.cosine;
+  const Scalar& s_joint3 = p_s_joint3.sine;
+  const Scalar& c_joint3 = p_s_joint3.cosine;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar s_joint6 = p_s_joint6.sine;
-  const Scalar c_joint6 = p_s_joint6.cosine;
+  const Scalar& s_joint6 = p_s_joint6.sine;
+  const Scalar& c_joint6 = p_s_joint6.cosine;
   // link2
   const Scalar t_link2_1 = s_joint2 * qd[0];
   const Scalar t_link2_2 = t_link2_1 * t_link2_1;
@@ -992,8 +992,8 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link7_5 = omega_link7_z * omega_link7_z;
   const Scalar t_link7_6 = link7_k1 - q[6];
   const auto p_s_link7 = sine_cosine(t_link7_6);
-  const Scalar s_link7 = p_s_link7.sine;
-  const Scalar c_link7 = p_s_link7.cosine;
+  const Scalar& s_link7 = p_s_link7.sine;
+  const Scalar& c_link7 = p_s_link7.cosine;
   const Scalar t_link7_7 = link7_I7 * c_link7 - link7_I8 * s_link7;
   const Scalar t_link7_8 = s_link7 * t_link7_7;
   const Scalar t_link7_9 = link7_I3 * s_link7 + link7_I4 * c_link7;
@@ -1132,20 +1132,20 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
 void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7],
                       Scalar qdd[7]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar s_joint3 = p_s_joint3.sine;
-  const Scalar c_joint3 = p_s_joint3.cosine;
+  const Scalar& s_joint3 = p_s_joint3.sine;
+  const Scalar& c_joint3 = p_s_joint3.cosine;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar s_joint6 = p_s_joint6.sine;
-  const Scalar c_joint6 = p_s_joint6.cosine;
+  const Scalar& s_joint6 = p_s_joint6.sine;
+  const Scalar& c_joint6 = p_s_joint6.cosine;
   const Scalar t_link2_1 = link2_I1 * c_joint2 - link2_I6 * s_joint2;
   const Scalar t_link2_2 = qd[0] * (link2_I7 - c_joint2 * t_link2_1);
   // link3
@@ -1250,8 +1250,8 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link7_3 = omega_link7_z * omega_link7_z;
   const Scalar t_link7_4 = link7_k1 - q[6];
   const auto p_s_link7 = sine_cosine(t_link7_4);
-  const Scalar s_link7 = p_s_link7.sine;
-  const Scalar c_link7 = p_s_link7.cosine;
+  const Scalar& s_link7 = p_s_link7.sine;
+  const Scalar& c_link7 = p_s_link7.cosine;
   const Scalar t_link7_5 = link7_I7 * c_link7 - link7_I8 * s_link7;
   const Scalar t_link7_6 = c_link7 * t_link7_5;
   const Scalar t_link7_7 = link7_I11 - t_link7_6;
@@ -1626,23 +1626,23 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
 
 void point_positions(const Scalar q[7], Scalar p[3]) noexcept {
   const auto p_s_joint1 = sine_cosine(q[0]);
-  const Scalar s_joint1 = p_s_joint1.sine;
-  const Scalar c_joint1 = p_s_joint1.cosine;
+  const Scalar& s_joint1 = p_s_joint1.sine;
+  const Scalar& c_joint1 = p_s_joint1.cosine;
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar s_joint3 = p_s_joint3.sine;
-  const Scalar c_joint3 = p_s_joint3.cosine;
+  const Scalar& s_joint3 = p_s_joint3.sine;
+  const Scalar& c_joint3 = p_s_joint3.cosine;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar s_joint6 = p_s_joint6.sine;
-  const Scalar c_joint6 = p_s_joint6.cosine;
+  const Scalar& s_joint6 = p_s_joint6.sine;
+  const Scalar& c_joint6 = p_s_joint6.cosine;
   const Scalar t_link6_1 = link7_l1 * c_joint6 + link7_l2 * s_joint6;
   const Scalar t_link5_1 = s_joint5 * t_link6_1;
   const Scalar t_link5_2 = link4_l1 - c_joint5 * t_link6_1;
@@ -1660,23 +1660,23 @@ void point_positions(const Scalar q[7], Scalar p[3]) noexcept {
 
 void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
   const auto p_s_joint1 = sine_cosine(q[0]);
-  const Scalar s_joint1 = p_s_joint1.sine;
-  const Scalar c_joint1 = p_s_joint1.cosine;
+  const Scalar& s_joint1 = p_s_joint1.sine;
+  const Scalar& c_joint1 = p_s_joint1.cosine;
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar s_joint3 = p_s_joint3.sine;
-  const Scalar c_joint3 = p_s_joint3.cosine;
+  const Scalar& s_joint3 = p_s_joint3.sine;
+  const Scalar& c_joint3 = p_s_joint3.cosine;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar s_joint6 = p_s_joint6.sine;
-  const Scalar c_joint6 = p_s_joint6.cosine;
+  const Scalar& s_joint6 = p_s_joint6.sine;
+  const Scalar& c_joint6 = p_s_joint6.cosine;
   // link6
   const Scalar r_link6_x = link7_l1 * c_joint6 + link7_l2 * s_joint6;
   const Scalar t_link6_1 = c_joint5 * r_link6_x;

@@ -14,7 +14,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xeb35e7c28aca8a1eULL, "header and source are of different runs");
+static_assert(kDigest == 0x338e7dc102e1500aULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -119,8 +119,8 @@ void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   G[1] = boom_w1 * c_shoulder;
   // shoulder_link
   G[0] = s_shoulder * (boom_G1 - boom_w1 * q[1]);
@@ -129,8 +129,8 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
                       Scalar tau[2]) noexcept {
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   // boom
   const Scalar t_boom_1 = boom_m1 * q[1];
   const Scalar t_boom_2 = boom_h2 - t_boom_1;
@@ -143,8 +143,8 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   const Scalar inverse_pivot_shoulder = 1.0 / (shoulder_I1 - q[1] * (boom_h1 - boom_m1 * q[1]));
   const Scalar t_boom_1 = boom_l1 - q[1];
   const Scalar t_boom_2 = qd[0] * t_boom_1;
@@ -157,8 +157,8 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
   // shoulder_link
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   p[0] = s_shoulder * q[1];
   p[2] = c_shoulder * q[1];
   p[1] = boom_l2;
@@ -166,8 +166,8 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   C[5] = c_shoulder;
   C[3] = s_shoulder;
   // shoulder_link

@@ -14,7 +14,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0xb44a440c079929edULL, "header and source are of different runs");
+static_assert(kDigest == 0x36e922535c3c242eULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -247,18 +247,18 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   // link3
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar c_joint2_joint3 = p_s_joint2_joint3.cosine;
+  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
+  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const Scalar t_link3_1 = link3_k1 * c_joint2;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar h_link4_z = link6_I4 * c_joint5;
   const Scalar h_link4_x = link6_I4 * s_joint5;
   // link5
@@ -346,20 +346,20 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
 
 void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   // link4
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar c_joint2_joint3 = p_s_joint2_joint3.cosine;
+  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
+  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
   const Scalar s_link4_y = link4_l1 * c_joint2_joint3 + link4_l2 * s_joint2_joint3;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar t_link1_1 = qd[0] * qd[0];
   const Scalar t_link2_1 = qd[1] * qd[1];
   const Scalar t_link3_1 = link3_l1 * s_joint2;
@@ -456,18 +456,18 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
 
 void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar c_joint2_joint3 = p_s_joint2_joint3.cosine;
+  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
+  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   // link5
   const Scalar t_link5_1 = s_joint2_joint3 * c_joint5 * link6_G1;
   const Scalar t_link5_2 = link6_G1 * s_joint5;
@@ -492,18 +492,18 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   // link3
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar c_joint2_joint3 = p_s_joint2_joint3.cosine;
+  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
+  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   const Scalar t_link3_1 = link3_k2 * c_joint2;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar t_link1_1 = qd[0] * qd[0];
   const Scalar t_link2_1 = qd[1] * qd[1];
   const Scalar t_link3_2 = link3_k2 * s_joint2;
@@ -628,21 +628,21 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
 void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6],
                       Scalar qdd[6]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar s_joint2 = p_s_joint2.sine;
-  const Scalar c_joint2 = p_s_joint2.cosine;
+  const Scalar& s_joint2 = p_s_joint2.sine;
+  const Scalar& c_joint2 = p_s_joint2.cosine;
   // link4
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar c_joint2_joint3 = p_s_joint2_joint3.cosine;
+  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
+  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
   const Scalar t_link4_1 = link3_k3 * s_joint2_joint3 - link3_k4 * c_joint2_joint3;
   const Scalar s_link4_y = link3_k4 * s_joint2_joint3 + link3_k3 * c_joint2_joint3;
   const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar s_joint4 = p_s_joint4.sine;
-  const Scalar c_joint4 = p_s_joint4.cosine;
+  const Scalar& s_joint4 = p_s_joint4.sine;
+  const Scalar& c_joint4 = p_s_joint4.cosine;
   const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar s_joint5 = p_s_joint5.sine;
-  const Scalar c_joint5 = p_s_joint5.cosine;
+  const Scalar& s_joint5 = p_s_joint5.sine;
+  const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar t_link1_1 = qd[0] * qd[0];
   // link2
   const Scalar t_link2_1 = qd[1] * qd[1];

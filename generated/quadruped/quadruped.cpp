@@ -14,7 +14,7 @@
 
 namespace quadruped {
 
-static_assert(kDigest == 0xeaaa90ddc60b9006ULL, "header and source are of different runs");
+static_assert(kDigest == 0x5f4f9bafd690f6a8ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -167,22 +167,22 @@ constexpr double front_left_shank_p2 = 2057.0036861506055;
 
 void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar c_front_left_hip = p_s_front_left_hip.cosine;
+  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
+  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
   const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar c_front_right_hip = p_s_front_right_hip.cosine;
+  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
+  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
   const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar c_hind_left_hip = p_s_hind_left_hip.cosine;
+  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
+  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
   // hind_right_shank
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
+  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar c_q10_q11 = p_s_q10_q11.cosine;
+  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
+  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar t_hind_right_shank_1 = s_hind_right_hip * s_q10_q11;
   const Scalar t_hind_right_shank_2 = c_hind_right_hip * c_q10_q11;
   const Scalar t_hind_right_shank_3 = front_left_shank_I4 * t_hind_right_shank_2;
@@ -207,8 +207,8 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   // hind_left_shank
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar c_q7_q8 = p_s_q7_q8.cosine;
+  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
+  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_hind_left_shank_1 = s_hind_left_hip * s_q7_q8;
   const Scalar t_hind_left_shank_2 = c_hind_left_hip * c_q7_q8;
   const Scalar t_hind_left_shank_3 = front_left_shank_I4 * t_hind_left_shank_2;
@@ -230,8 +230,8 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   // front_right_shank
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar c_q4_q5 = p_s_q4_q5.cosine;
+  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
+  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = s_front_right_hip * s_q4_q5;
   const Scalar t_fron_righ_shan_2 = c_front_right_hip * c_q4_q5;
   const Scalar t_fron_righ_shan_3 = front_left_shank_I4 * t_fron_righ_shan_2;
@@ -253,8 +253,8 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   // front_left_shank
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar c_q1_q2 = p_s_q1_q2.cosine;
+  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
+  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar t_front_left_shank_1 = s_front_left_hip * s_q1_q2;
   const Scalar t_front_left_shank_2 = c_front_left_hip * c_q1_q2;
   const Scalar t_front_left_shank_3 = front_left_shank_I4 * t_front_left_shank_2;
@@ -404,23 +404,23 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
 
 void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept {
   const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar c_front_left_hip = p_s_front_left_hip.cosine;
+  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
+  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
   const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar c_front_right_hip = p_s_front_right_hip.cosine;
+  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
+  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
   const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar c_hind_left_hip = p_s_hind_left_hip.cosine;
+  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
+  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
+  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   // front_left_shank
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar c_q1_q2 = p_s_q1_q2.cosine;
+  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
+  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar t_front_left_shank_1 = omega_front_left_shank_z * omega_front_left_shank_z;
   const Scalar t_front_left_shank_2 = s_front_left_hip * c_q1_q2 * front_left_shank_I5;
   const Scalar t_front_left_shank_3 = c_front_left_hip * s_q1_q2 * front_left_shank_I5;
@@ -437,8 +437,8 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar c_q4_q5 = p_s_q4_q5.cosine;
+  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
+  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = omega_fron_righ_shan_z * omega_fron_righ_shan_z;
   const Scalar t_fron_righ_shan_2 = s_front_right_hip * c_q4_q5 * front_left_shank_I5;
   const Scalar t_fron_righ_shan_3 = c_front_right_hip * s_q4_q5 * front_left_shank_I5;
@@ -455,8 +455,8 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar c_q7_q8 = p_s_q7_q8.cosine;
+  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
+  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_hind_left_shank_1 = omega_hind_left_shank_z * omega_hind_left_shank_z;
   const Scalar t_hind_left_shank_2 = s_hind_left_hip * c_q7_q8 * front_left_shank_I5;
   const Scalar t_hind_left_shank_3 = c_hind_left_hip * s_q7_q8 * front_left_shank_I5;
@@ -473,8 +473,8 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar c_q10_q11 = p_s_q10_q11.cosine;
+  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
+  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar t_hind_right_shank_1 = omega_hind_right_shank_z * omega_hind_right_shank_z;
   const Scalar t_hind_right_shank_2 = s_hind_right_hip * c_q10_q11 * front_left_shank_I5;
   const Scalar t_hind_right_shank_3 = c_hind_right_hip * s_q10_q11 * front_left_shank_I5;
@@ -564,34 +564,34 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar c_front_left_abduction = p_s_front_left_abduction.cosine;
+  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
+  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
   const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar c_front_left_hip = p_s_front_left_hip.cosine;
+  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
+  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
   const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar c_front_right_abduction = p_s_front_right_abduction.cosine;
+  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
+  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
   const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar c_front_right_hip = p_s_front_right_hip.cosine;
+  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
+  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
   const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar c_hind_left_abduction = p_s_hind_left_abduction.cosine;
+  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
+  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
   const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar c_hind_left_hip = p_s_hind_left_hip.cosine;
+  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
+  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
   const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar c_hind_right_abduction = p_s_hind_right_abduction.cosine;
+  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
+  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
   // hind_right_shank
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
+  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar c_q10_q11 = p_s_q10_q11.cosine;
+  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
+  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar t_hind_right_shank_1 = c_hind_right_abduction * s_q10_q11 * front_left_shank_G1;
   G[11] = t_hind_right_shank_1;
   const Scalar t_hind_right_thigh_1 = c_hind_right_abduction * s_hind_right_hip;
@@ -604,8 +604,8 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   // hind_left_shank
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar c_q7_q8 = p_s_q7_q8.cosine;
+  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
+  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_hind_left_shank_1 = c_hind_left_abduction * s_q7_q8 * front_left_shank_G1;
   G[8] = t_hind_left_shank_1;
   G[7] = t_hind_left_shank_1 + c_hind_left_abduction * s_hind_left_hip * front_left_thigh_G1;
@@ -616,8 +616,8 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   // front_right_shank
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar c_q4_q5 = p_s_q4_q5.cosine;
+  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
+  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = c_front_right_abduction * s_q4_q5 * front_left_shank_G1;
   G[5] = t_fron_righ_shan_1;
   const Scalar t_fron_righ_thig_1 = c_front_right_abduction * s_front_right_hip;
@@ -630,8 +630,8 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   // front_left_shank
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar c_q1_q2 = p_s_q1_q2.cosine;
+  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
+  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar t_front_left_shank_1 = c_front_left_abduction * s_q1_q2 * front_left_shank_G1;
   G[2] = t_front_left_shank_1;
   const Scalar t_front_left_thigh_1 = c_front_left_abduction * s_front_left_hip;
@@ -650,36 +650,36 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
                       Scalar tau[12]) noexcept {
   const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar c_front_left_abduction = p_s_front_left_abduction.cosine;
+  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
+  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
   const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar c_front_left_hip = p_s_front_left_hip.cosine;
+  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
+  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
   const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar c_front_right_abduction = p_s_front_right_abduction.cosine;
+  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
+  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
   const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar c_front_right_hip = p_s_front_right_hip.cosine;
+  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
+  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
   const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar c_hind_left_abduction = p_s_hind_left_abduction.cosine;
+  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
+  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
   const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar c_hind_left_hip = p_s_hind_left_hip.cosine;
+  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
+  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
   const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar c_hind_right_abduction = p_s_hind_right_abduction.cosine;
+  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
+  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
+  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   // front_left_shank
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar alpha_front_left_shank_z = qdd[1] + qdd[2];
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar c_q1_q2 = p_s_q1_q2.cosine;
+  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
+  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar t_front_left_shank_1 = front_left_shank_I5 * s_q1_q2;
   const Scalar t_front_left_shank_2 = front_left_shank_I1 * s_q1_q2;
   const Scalar t_front_left_shank_3 = c_front_left_hip * t_front_left_shank_1;
@@ -709,8 +709,8 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar alpha_fron_righ_shan_z = qdd[4] + qdd[5];
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar c_q4_q5 = p_s_q4_q5.cosine;
+  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
+  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = front_left_shank_I1 * s_q4_q5;
   const Scalar t_fron_righ_shan_2 = c_q4_q5 * t_fron_righ_shan_1;
   const Scalar t_fron_righ_shan_3 = front_left_shank_I5 * s_q4_q5;
@@ -736,8 +736,8 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar alpha_hind_left_shank_z = qdd[7] + qdd[8];
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar c_q7_q8 = p_s_q7_q8.cosine;
+  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
+  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_hind_left_shank_1 = front_left_shank_I5 * c_q7_q8;
   const Scalar t_hind_left_shank_2 = c_hind_left_hip * t_hind_left_shank_1;
   const Scalar t_hind_left_shank_3 = front_left_shank_I5 * s_q7_q8;
@@ -765,8 +765,8 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar alpha_hind_right_shank_z = qdd[10] + qdd[11];
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar c_q10_q11 = p_s_q10_q11.cosine;
+  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
+  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar t_hind_right_shank_1 = front_left_shank_I1 * s_q10_q11;
   const Scalar t_hind_right_shank_2 = front_left_shank_I5 * c_q10_q11;
   const Scalar t_hind_right_shank_3 = c_hind_right_hip * t_hind_right_shank_2;
@@ -983,59 +983,59 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept {
   const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar c_front_left_abduction = p_s_front_left_abduction.cosine;
+  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
+  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
   const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar c_front_left_hip = p_s_front_left_hip.cosine;
+  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
+  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
   const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar c_front_right_abduction = p_s_front_right_abduction.cosine;
+  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
+  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
   const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar c_front_right_hip = p_s_front_right_hip.cosine;
+  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
+  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
   const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar c_hind_left_abduction = p_s_hind_left_abduction.cosine;
+  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
+  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
   const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar c_hind_left_hip = p_s_hind_left_hip.cosine;
+  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
+  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
   const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar c_hind_right_abduction = p_s_hind_right_abduction.cosine;
+  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
+  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
+  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   // front_left_shank
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar c_q1_q2 = p_s_q1_q2.cosine;
+  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
+  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar t_front_left_shank_1 = front_left_shank_I5 * c_q1_q2;
   const Scalar t_front_left_shank_2 = s_front_left_hip * t_front_left_shank_1;
   // front_right_shank
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar c_q4_q5 = p_s_q4_q5.cosine;
+  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
+  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = front_left_shank_I5 * s_front_right_hip;
   const Scalar t_fron_righ_shan_2 = c_q4_q5 * t_fron_righ_shan_1;
   // hind_left_shank
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar c_q7_q8 = p_s_q7_q8.cosine;
+  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
+  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_front_left_hip_1 = front_left_shank_I5 * s_hind_left_hip;
   const Scalar t_front_left_hip_2 = c_q7_q8 * t_front_left_hip_1;
   // hind_right_shank
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar c_q10_q11 = p_s_q10_q11.cosine;
+  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
+  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar t_hind_right_shank_1 = front_left_shank_I5 * c_q10_q11;
   const Scalar t_hind_right_shank_2 = s_hind_right_hip * t_hind_right_shank_1;
   const Scalar t_hind_right_shank_3 = front_left_shank_I5 * s_q10_q11;
@@ -1390,49 +1390,49 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar c_front_left_abduction = p_s_front_left_abduction.cosine;
+  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
+  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
   // front_left_shank
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar c_q1_q2 = p_s_q1_q2.cosine;
+  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
+  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar c_front_left_hip = p_s_front_left_hip.cosine;
+  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
+  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
   const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar c_front_right_abduction = p_s_front_right_abduction.cosine;
+  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
+  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
   // front_right_shank
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar c_q4_q5 = p_s_q4_q5.cosine;
+  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
+  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar c_front_right_hip = p_s_front_right_hip.cosine;
+  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
+  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
   const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar c_hind_left_abduction = p_s_hind_left_abduction.cosine;
+  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
+  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
   // hind_left_shank
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar c_q7_q8 = p_s_q7_q8.cosine;
+  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
+  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar c_hind_left_hip = p_s_hind_left_hip.cosine;
+  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
+  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
   const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar c_hind_right_abduction = p_s_hind_right_abduction.cosine;
+  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
+  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
   // hind_right_shank
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar c_q10_q11 = p_s_q10_q11.cosine;
+  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
+  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
+  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   const Scalar s_front_left_shank_x = front_left_shank_l1 * c_front_left_hip;
   const Scalar t_front_left_shank_1 = s_front_left_shank_x + front_left_shank_l2 * c_q1_q2;
   // front_left_hip
@@ -1476,50 +1476,50 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar c_front_left_abduction = p_s_front_left_abduction.cosine;
+  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
+  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
   const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar c_front_left_hip = p_s_front_left_hip.cosine;
+  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
+  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
   const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar c_front_right_abduction = p_s_front_right_abduction.cosine;
+  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
+  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
   const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar c_front_right_hip = p_s_front_right_hip.cosine;
+  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
+  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
   const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar c_hind_left_abduction = p_s_hind_left_abduction.cosine;
+  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
+  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
   const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar c_hind_left_hip = p_s_hind_left_hip.cosine;
+  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
+  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
   const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar c_hind_right_abduction = p_s_hind_right_abduction.cosine;
+  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
+  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
+  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar c_q10_q11 = p_s_q10_q11.cosine;
+  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
+  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar r_hind_right_shank_y = front_left_shank_l2 * s_q10_q11;
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar c_q1_q2 = p_s_q1_q2.cosine;
+  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
+  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar r_front_left_shank_x = front_left_shank_l2 * c_q1_q2;
   C[24] = r_front_left_shank_x;
   const Scalar r_front_left_shank_y = front_left_shank_l2 * s_q1_q2;
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar c_q7_q8 = p_s_q7_q8.cosine;
+  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
+  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar r_hind_left_shank_y = front_left_shank_l2 * s_q7_q8;
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar c_q4_q5 = p_s_q4_q5.cosine;
+  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
+  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar r_fron_righ_shan_y = front_left_shank_l2 * s_q4_q5;
   const Scalar r_hind_right_shank_x = front_left_shank_l2 * c_q10_q11;
   C[141] = r_hind_right_shank_x;

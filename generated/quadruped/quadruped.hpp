@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xeaaa90ddc60b9006ULL;
+constexpr unsigned long long kDigest = 0x5f4f9bafd690f6a8ULL;
 
 /// Index of every joint.
 namespace joint {

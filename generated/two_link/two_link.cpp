@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0xc684b17f81c3d6b3ULL, "header and source are of different runs");
+static_assert(kDigest == 0x6ccc2c53c8879196ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -141,12 +141,12 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
                       Scalar tau[2]) noexcept {
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   // forearm
   const auto p_s_elbow = sine_cosine(q[1]);
-  const Scalar s_elbow = p_s_elbow.sine;
-  const Scalar c_elbow = p_s_elbow.cosine;
+  const Scalar& s_elbow = p_s_elbow.sine;
+  const Scalar& c_elbow = p_s_elbow.cosine;
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar alpha_forearm_z = qdd[0] + qdd[1];
   const Scalar t_forearm_1 = s_elbow * (base_p1 * s_shoulder - qd[0] * qd[0]);
@@ -162,13 +162,13 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   // forearm
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const auto p_s_elbow = sine_cosine(q[1]);
-  const Scalar s_elbow = p_s_elbow.sine;
-  const Scalar c_elbow = p_s_elbow.cosine;
+  const Scalar& s_elbow = p_s_elbow.sine;
+  const Scalar& c_elbow = p_s_elbow.cosine;
   const Scalar t_forearm_1 = c_elbow * c_elbow * forearm_p7;
   const Scalar inverse_pivot_upper_arm = 1.0 / (upper_arm_p3 - t_forearm_1);
   const Scalar t_upper_arm_1 = base_p1 * c_shoulder;
@@ -188,11 +188,11 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
   // forearm
   const Scalar q_shoulder_elbow = q[0] + q[1];
   const auto p_s_shoulder_elbow = sine_cosine(q_shoulder_elbow);
-  const Scalar s_shoulder_elbow = p_s_shoulder_elbow.sine;
-  const Scalar c_shoulder_elbow = p_s_shoulder_elbow.cosine;
+  const Scalar& s_shoulder_elbow = p_s_shoulder_elbow.sine;
+  const Scalar& c_shoulder_elbow = p_s_shoulder_elbow.cosine;
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   p[0] = c_shoulder_elbow + c_shoulder;
   p[2] = s_shoulder_elbow + s_shoulder;
   p[1] = 0.0;
@@ -200,12 +200,12 @@ void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
   const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar s_shoulder = p_s_shoulder.sine;
-  const Scalar c_shoulder = p_s_shoulder.cosine;
+  const Scalar& s_shoulder = p_s_shoulder.sine;
+  const Scalar& c_shoulder = p_s_shoulder.cosine;
   const Scalar q_shoulder_elbow = q[0] + q[1];
   const auto p_s_shoulder_elbow = sine_cosine(q_shoulder_elbow);
-  const Scalar s_shoulder_elbow = p_s_shoulder_elbow.sine;
-  const Scalar c_shoulder_elbow = p_s_shoulder_elbow.cosine;
+  const Scalar& s_shoulder_elbow = p_s_shoulder_elbow.sine;
+  const Scalar& c_shoulder_elbow = p_s_shoulder_elbow.cosine;
   C[5] = c_shoulder_elbow;
   C[3] = -s_shoulder_elbow;
   C[2] = c_shoulder + c_shoulder_elbow;

@@ -24,7 +24,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xc684b17f81c3d6b3ULL;
+constexpr unsigned long long kDigest = 0x6ccc2c53c8879196ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -83,7 +83,8 @@ std::string Writer::right_side(const Statement& statement) const {
       graph_, statements_.schedule(), [&](Ref used) { return statements_.atom(used); }, value);
 }
 
-/// Both in one call: C++11 has no structured bindings.
+/// Both in one call. What C++17 binds, C++11 refers to; copies would take stack where numbers are
+/// in software.
 std::string Writer::pair(const Statement& statement) const {
   const std::string& sine = statements_.name(statement.value);
   const std::string both = "p_" + sine;
@@ -92,8 +93,8 @@ std::string Writer::pair(const Statement& statement) const {
   const std::string left = fmt::format("const auto {} =", both);
   const bool fits = kIndentation + left.size() + 1 + call.size() <= kColumns;
   return fmt::format(
-      "{0}{1}{2}\n{3:{4}}const Scalar {5} = {6}.sine;\n{3:{4}}const Scalar {7} = {6}.cosine;", left,
-      fits ? " " : "\n      ", call, "", kIndentation, sine, both,
+      "{0}{1}{2}\n{3:{4}}const Scalar& {5} = {6}.sine;\n{3:{4}}const Scalar& {7} = {6}.cosine;",
+      left, fits ? " " : "\n      ", call, "", kIndentation, sine, both,
       statements_.name(statement.partner));
 }
 

@@ -289,6 +289,8 @@ void Translator::statement(const Lines& lines, std::size_t& at, Lines& result) c
   const std::string blank(indentation, ' ');
   if (const auto both = behind(code, "const auto "); !both.empty()) {
     result.push_back(fmt::format("{}const SineCosine {}", blank, both));
+  } else if (const auto member = behind(code, "const Scalar& "); !member.empty()) {
+    result.push_back(fmt::format("{}const Scalar {}", blank, member));
   } else if (const auto integer = behind(code, "constexpr int "); !integer.empty()) {
     result.push_back(
         words(fmt::format("{}enum {{ {} }};", blank, integer.substr(0, integer.size() - 1))));

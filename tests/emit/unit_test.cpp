@@ -163,8 +163,8 @@ std::string source_of(const program::Function& function, Sincos sincos) {
 TEST(EmitFiles, StatesSineAndCosineOfAnAngleTogether) {
   const std::string source = source_of(special_function(), Sincos::kPair);
   EXPECT_THAT(source, HasSubstr("  const auto p_s_j0 = sine_cosine(q[0]);\n"
-                                "  const Scalar s_j0 = p_s_j0.sine;\n"
-                                "  const Scalar c_j0 = p_s_j0.cosine;\n"));
+                                "  const Scalar& s_j0 = p_s_j0.sine;\n"
+                                "  const Scalar& c_j0 = p_s_j0.cosine;\n"));
   EXPECT_THAT(source, Not(HasSubstr("using std::sin")));
   EXPECT_THAT(source_of(special_function(), Sincos::kLibm),
               HasSubstr("  const Scalar s_j0 = sin(q[0]);\n  const Scalar c_j0 = cos(q[0]);\n"));
@@ -177,7 +177,7 @@ TEST(EmitFiles, StatesAPairOfWhichOneIsOnlyAnOutput) {
   const program::Ref s = f.graph.sin(f.graph.input(0, 1));
   f.outputs = {s, f.graph.multiply(c, f.graph.input(0, 0))};
   EXPECT_THAT(source_of(f, Sincos::kPair),
-              HasSubstr("  const Scalar c_j1 = p_s_j1.cosine;\n  B[0] = s_j1;\n"));
+              HasSubstr("  const Scalar& c_j1 = p_s_j1.cosine;\n  B[0] = s_j1;\n"));
   expect_same_as_program(f, 2, Scalar::kDouble);
 }
 
