@@ -23,8 +23,9 @@ enum class Mimic { kReduce, kIndependent };
 struct ReadOptions {
   Base base = Base::kFixed;
   Mimic mimic = Mimic::kReduce;
-  Real snap = Real("1e-9");               ///< tolerance of snapping, rad; 0 switches it off
-  std::vector<std::string> runtime = {};  ///< LINK.mass, LINK.com, LINK.inertia, gravity: known at run time
+  Real snap = Real("1e-9");  ///< tolerance of snapping, rad; 0 switches it off
+  /// Known at run time: LINK.mass, LINK.com, LINK.inertia, gravity.
+  std::vector<std::string> runtime = {};
 };
 
 /// True for `*.urdf`, in letters of either case.

@@ -191,7 +191,8 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
       json_object(
           {{"file", json_string(unit.model_file)}, {"sha256", json_string(unit.model_sha256)}}),
       json_object(unit.options) + sincos_json(unit), unit.tree->dof(), joints_json(*unit.tree),
-      points_json(unit.points), parameters_json(*unit.tree, unit.gravity), json_lines(functions, 4));
+      points_json(unit.points), parameters_json(*unit.tree, unit.gravity),
+      json_lines(functions, 4));
 }
 
 }  // namespace treedyn::emit
