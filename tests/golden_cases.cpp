@@ -10,8 +10,8 @@
 
 #include "description/read.hpp"
 #include "engine/engine.hpp"
+#include "formulate/formulate.hpp"
 #include "program/interpret.hpp"
-#include "simplify/formulate.hpp"
 #include "support/cases.hpp"
 #include "support/compiled.hpp"
 #include "support/process.hpp"
@@ -111,13 +111,13 @@ model::Vector3 to_vector3(const Vector& values) {
 }
 
 Implementation interpreted(const model::Tree& tree, const Vector& gravity) {
-  simplify::Options options;
+  formulate::Options options;
   options.gravity = to_vector3(gravity);
   options.points = tree.points;
   options.effort = 100;  // other variants than the executable finds with its default
   std::map<std::string, program::Function> programs;
   for (const std::string& name : functions()) {
-    programs.emplace(name, simplify::formulate(tree, name, options));
+    programs.emplace(name, formulate::formulated(tree, name, options));
   }
   return {"interpreter", joint_names(tree),
           [programs](const std::string& function, const Inputs& inputs) {

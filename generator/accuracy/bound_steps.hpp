@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "accuracy/functions.hpp"
+#include "accuracy/function_errors.hpp"
 #include "accuracy/interval.hpp"
 
 namespace treedyn::accuracy {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "accuracy/bound_search.hpp"
-#include "accuracy/functions.hpp"
+#include "accuracy/function_errors.hpp"
 
 namespace treedyn::accuracy {
 

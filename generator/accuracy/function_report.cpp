@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "accuracy/functions.hpp"
+#include "accuracy/function_errors.hpp"
 #include "common/decimal.hpp"
 #include "emit/json.hpp"
 #include "emit/manifest.hpp"

@@ -15,8 +15,8 @@
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
+#include "formulate/scene_loops.hpp"
 #include "program/random.hpp"
-#include "simplify/scene_loops.hpp"
 #include "simulation/simulator.hpp"
 #include "system/files.hpp"
 
@@ -53,7 +53,7 @@ bool has_placed_loop(const Subject& subject) {
   Stepped how;
   how.integrator = "rk4";
   model::Scene scene = stepped_scene(subject, how);
-  simplify::settle_loops(scene);
+  formulate::settle_loops(scene);
   return std::any_of(scene.constraints.begin(), scene.constraints.end(),
                      [](const model::Constraint& c) { return c.loop && !c.loop->empty(); });
 }

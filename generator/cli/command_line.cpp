@@ -7,12 +7,15 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/dump.hpp"
 #include "cli/generation_options.hpp"
 #include "cli/pages.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "simplify/scene_functions.hpp"
-#include "simplify/scene_steps.hpp"
+#include "equations/scene_table.hpp"
+#include "formulate/scene_functions.hpp"
+#include "formulate/scene_steps.hpp"
+#include "model/scene_facts.hpp"
 #include "simulation/integrator.hpp"
 #include "version.hpp"
 
@@ -77,7 +80,7 @@ void add_accuracy(CLI::App& app, Settings& settings) {
       ->delimiter(',')
       ->check(one_of(names))
       ->type_name("LIST");
-  std::vector<std::string> methods = simplify::step_method_names();
+  std::vector<std::string> methods = model::step_method_names();
   command.add_option("--integrators", request.integrators, "default: the explicit ones")
       ->delimiter(',')
       ->check(one_of(methods))
@@ -304,8 +307,8 @@ void require_words_of_language(const Request& request) {
 
 /// Functions of a scene need one.
 void require_scene_of_functions(const Request& request) {
-  const auto of_scene =
-      std::find_if(request.functions.begin(), request.functions.end(), simplify::is_scene_function);
+  const auto of_scene = std::find_if(request.functions.begin(), request.functions.end(),
+                                     equations::is_scene_function);
   if (!request.scene && of_scene != request.functions.end()) {
     throw CLI::ParseError(
         fmt::format("--functions: {} is a function of a scene; expected --scene FILE", *of_scene),
@@ -318,7 +321,7 @@ void require_functions_of_passes(const Settings& settings) {
   const Request& request = settings.request;
   if (settings.passes && request.scene &&
       std::all_of(request.functions.begin(), request.functions.end(),
-                  simplify::is_scene_function)) {
+                  equations::is_scene_function)) {
     throw CLI::ParseError(
         "--passes: functions of a scene have no table of passes; expected --functions of its model",
         kUsage);

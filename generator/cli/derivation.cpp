@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include "block/print.hpp"
+#include "cli/dump.hpp"
 #include "common/decimal.hpp"
-#include "derive/print.hpp"
+#include "derive/derivation_text.hpp"
 #include "derive/words.hpp"
 #include "equations/table.hpp"
+#include "formulate/factored.hpp"
 #include "pipeline.hpp"
-#include "simplify/factored.hpp"
 
 namespace treedyn {
 namespace {
@@ -81,7 +82,7 @@ std::string lines_text(const derive::Derivation& derivation,
   return result;
 }
 
-std::string recursion_text(const simplify::Derived& function,
+std::string recursion_text(const formulate::Derived& function,
                            const std::vector<program::Cost>& costs) {
   std::string result =
       "\nrecursion: D and N from the root, D^T and N^T to it; operations in link frames before any "
@@ -97,20 +98,20 @@ std::string recursion_text(const simplify::Derived& function,
   return result;
 }
 
-using Derived = std::shared_ptr<const simplify::Derived>;
+using Derived = std::shared_ptr<const formulate::Derived>;
 
 std::string derived_text(const Model& model, const Request& request, const Derived& function) {
   return rules_text(function->derivation.values) +
-         recursion_text(*function, simplify::costs_of_values(model.tree, function,
-                                                             simplify_options(model, request)));
+         recursion_text(*function, formulate::costs_of_values(model.tree, function,
+                                                              formulate_options(model, request)));
 }
 
 std::string factored_text(const Model& model, const Request& request, const std::string& name) {
-  const simplify::FactoredFunction& function = simplify::factored(name);
+  const formulate::FactoredFunction& function = formulate::factored(name);
   std::string result =
       "\nnumbers of joints" + rules_text(function.derivation.values) + "\nrecursion, row by row\n" +
       lines_text(function.derivation,
-                 simplify::costs_of_numbers(model.tree, name, simplify_options(model, request)));
+                 formulate::costs_of_numbers(model.tree, name, formulate_options(model, request)));
   for (const auto& [leaf, of] : function.given) {
     const std::string text = block::print(of->equation.expression);
     result += "\n" + (text == leaf ? leaf : leaf + " = " + text) + "\n" +
@@ -132,11 +133,11 @@ std::string derivation_text(const Model& model, const Request& request, const st
                     shown(name)));
   }
   const bool is_own = own != model.equations.end();
-  const block::Expression& e = is_own ? (*own)->equation.expression : ours->expression;
+  const block::Expression& e = is_own ? (*own)->equation.expression : *ours->expression;
   std::string result = equation_text(name, e, is_own ? nullptr : ours) + words_text(e);
   const bool is_solved = !is_own && !ours->unknown.empty();
-  if (!is_solved || simplify::recipe_of(name).freedom.articulated) {
-    result += derived_text(model, request, is_own ? *own : simplify::derived(name));
+  if (!is_solved || formulate::recipe_of(name).freedom.articulated) {
+    result += derived_text(model, request, is_own ? *own : formulate::derived(name));
   }
   return is_solved ? result + factored_text(model, request, name) : result;
 }

@@ -1,6 +1,9 @@
+#include "cli/dump.hpp"
+
 #include <fmt/format.h>
 
 #include "equations/table.hpp"
+#include "expansion/equations_text.hpp"
 #include "pipeline.hpp"
 
 namespace treedyn {
@@ -77,6 +80,17 @@ std::string program_text(const program::Function& function) {
 
 }  // namespace
 
+std::string equations_text(const Model& model, const Request& request) {
+  expansion::DumpOptions options;
+  for (const std::string& name : model.functions) {
+    if (equations::find(name) != nullptr) {
+      options.functions.push_back(name);
+    }
+  }
+  return expansion::dump(model.tree, model.points, decided_request(model, request).gravity,
+                         options);
+}
+
 const std::vector<std::string>& stages() {
   static const std::vector<std::string> names = {"model", "equations", "derive", "program", "emit"};
   return names;
@@ -101,7 +115,7 @@ std::string dump(const Request& request, const std::string& stage) {
     }
     return text;
   }
-  Programs programs = formulate(model, request, [](const std::string&) {});
+  program::Programs programs = formulate_model(model, request, [](const std::string&) {});
   separate_parameters(model, request, programs);
   std::string result;
   if (stage == "program") {

@@ -9,9 +9,11 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/read.hpp"
+#include "equations/scene_table.hpp"
+#include "formulate/scene_functions.hpp"
+#include "formulate/scene_steps.hpp"
+#include "model/scene_facts.hpp"
 #include "pipeline.hpp"
-#include "simplify/scene_functions.hpp"
-#include "simplify/scene_steps.hpp"
 
 namespace treedyn {
 
@@ -85,8 +87,8 @@ void add_language(CLI::App& command, Request& request) {
 }
 
 void set_functions(Request& request, const std::string& list) {
-  std::vector<std::string> known = simplify::function_names();
-  for (const simplify::SceneFunctionInfo& info : simplify::scene_function_infos()) {
+  std::vector<std::string> known = formulate::function_names();
+  for (const equations::SceneFunctionInfo& info : equations::scene_function_infos()) {
     known.emplace_back(info.name);
   }
   for (const std::string& name : split(list)) {
@@ -111,7 +113,7 @@ void set_gravity(Request& request, const std::string& text) {
 }
 
 void set_forward_dynamics(Request& request, const std::string& choice) {
-  using simplify::ForwardDynamics;
+  using formulate::ForwardDynamics;
   request.forward_dynamics = choice == "factor"        ? ForwardDynamics::kFactor
                              : choice == "articulated" ? ForwardDynamics::kArticulated
                                                        : ForwardDynamics::kCheapest;
@@ -120,10 +122,10 @@ void set_forward_dynamics(Request& request, const std::string& choice) {
 /// Names of passes, comma-separated.
 void set_without(Request& request, const std::string& list) {
   for (const std::string& name : split(list)) {
-    const auto& known = simplify::passes();
+    const auto& known = formulate::passes();
     const auto found =
         std::find_if(known.begin(), known.end(),
-                     [&](const simplify::PassInfo& info) { return name == info.name; });
+                     [&](const formulate::PassInfo& info) { return name == info.name; });
     if (found == known.end()) {
       throw CLI::ValidationError(
           "--without", fmt::format("there is no pass {}; expected some of {}", shown(name),
@@ -214,7 +216,7 @@ void add_runtime(CLI::App& command, Request& request) {
 void add_stepping(CLI::App& command, StepChoice& stepping) {
   command
       .add_option("--integrator", stepping.integrator, "of the scene's step, instead of its own")
-      ->check(one_of(simplify::step_method_names()))
+      ->check(one_of(model::step_method_names()))
       ->type_name("NAME");
   command
       .add_option_function<std::string>(

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "request.hpp"
+#include "request/request.hpp"
 
 namespace treedyn {
 

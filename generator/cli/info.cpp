@@ -14,7 +14,8 @@
 #include "emit/layout.hpp"
 #include "emit/manifest.hpp"
 #include "emit/run_time.hpp"
-#include "simplify/scene_functions.hpp"
+#include "equations/scene_table.hpp"
+#include "formulate/scene_functions.hpp"
 
 namespace treedyn {
 
@@ -159,7 +160,7 @@ struct Priced {
   }
 };
 
-std::vector<Priced> priced(const Programs& programs) {
+std::vector<Priced> priced(const program::Programs& programs) {
   std::vector<Priced> result;
   if (programs.update) {
     const program::Function& update = *programs.update;
@@ -177,7 +178,7 @@ std::vector<Priced> priced(const Programs& programs) {
   return result;
 }
 
-std::string cost_table(const Programs& programs) {
+std::string cost_table(const program::Programs& programs) {
   Rows rows = {{"function", "equation", "values", "mul + add + div", "fused", "of these"}};
   for (const Priced& function : priced(programs)) {
     rows.push_back({function.signature.name, function.signature.equation,
@@ -205,7 +206,8 @@ std::string change_text(const program::Cost& with, const program::Cost& without)
   return result.empty() ? "0" : result;
 }
 
-std::string price_table(const Model& model, const Request& request, const Programs& programs) {
+std::string price_table(const Model& model, const Request& request,
+                        const program::Programs& programs) {
   if (!model.scene) {
     return {};
   }
@@ -224,7 +226,8 @@ std::string price_table(const Model& model, const Request& request, const Progra
   return result;
 }
 
-std::string parameter_table(const Model& model, const Request& request, const Programs& programs) {
+std::string parameter_table(const Model& model, const Request& request,
+                            const program::Programs& programs) {
   if (!programs.update) {
     return {};
   }
@@ -305,7 +308,7 @@ std::vector<std::string> snaps_json(const model::Tree& tree) {
 }
 
 std::vector<std::string> prices_json(const Model& model, const Request& request,
-                                     const Programs& programs) {
+                                     const program::Programs& programs) {
   std::vector<std::string> result;
   if (!model.scene) {
     return result;
@@ -320,7 +323,8 @@ std::vector<std::string> prices_json(const Model& model, const Request& request,
 }
 
 /// Nothing without run-time parameters.
-std::string parameters_json(const Model& model, const Request& request, const Programs& programs) {
+std::string parameters_json(const Model& model, const Request& request,
+                            const program::Programs& programs) {
   if (!programs.update) {
     return {};
   }
@@ -335,7 +339,7 @@ std::string parameters_json(const Model& model, const Request& request, const Pr
          fmt::format(",\n  \"parameter_prices\": {}", emit::json_lines(prices, 4));
 }
 
-std::vector<std::string> functions_json(const Programs& programs) {
+std::vector<std::string> functions_json(const program::Programs& programs) {
   std::vector<std::string> result;
   for (const Priced& function : priced(programs)) {
     result.push_back(
@@ -350,7 +354,8 @@ std::vector<std::string> functions_json(const Programs& programs) {
 
 }  // namespace
 
-std::string info_text(const Model& model, const Request& request, const Programs& programs) {
+std::string info_text(const Model& model, const Request& request,
+                      const program::Programs& programs) {
   const bool axes = decided_request(model, request).read.base == description::Base::kAxes;
   return fmt::format("{}: {} joints, {} moving links, {} kg, base {}\n\njoints\n",
                      shown(model.tree.name), model.tree.dof(), model.tree.size(),
@@ -360,7 +365,8 @@ std::string info_text(const Model& model, const Request& request, const Programs
          parameter_table(model, request, programs) + price_table(model, request, programs);
 }
 
-std::string info_json(const Model& model, const Request& request, const Programs& programs) {
+std::string info_json(const Model& model, const Request& request,
+                      const program::Programs& programs) {
   const bool axes = decided_request(model, request).read.base == description::Base::kAxes;
   return fmt::format(
       "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
@@ -376,11 +382,11 @@ std::string info_json(const Model& model, const Request& request, const Programs
 }
 
 std::string passes_text(const Model& model, const Request& request) {
-  const simplify::Options options = simplify_options(model, request);
+  const formulate::Options options = formulate_options(model, request);
   Rows rows = {{"pass"}};
   for (const std::string& function : model.functions) {
-    const std::vector<simplify::PassCost> costs =
-        simplify::pass_costs(model.tree, function, options);
+    const std::vector<formulate::PassCost> costs =
+        formulate::pass_costs(model.tree, function, options);
     rows.front().push_back(function);
     rows.resize(costs.size() + 1);
     for (std::size_t k = 0; k < costs.size(); ++k) {
@@ -404,11 +410,11 @@ std::string list_functions() {
                        const std::string& what) {
     result += fmt::format("{:30} {:10} {}\n", name, equation, what);
   };
-  for (const std::string& name : simplify::function_names()) {
-    const program::Signature signature = simplify::signature(name, 1, 1);
+  for (const std::string& name : formulate::function_names()) {
+    const program::Signature signature = formulate::signature(name, 1, 1);
     add(name, signature.equation, signature.brief);
   }
-  for (const simplify::SceneFunctionInfo& info : simplify::scene_function_infos()) {
+  for (const equations::SceneFunctionInfo& info : equations::scene_function_infos()) {
     add(info.name, info.equation, fmt::format("With --scene: {}", info.what));
   }
   return result;

@@ -18,13 +18,14 @@
 
 #include "cli/check.hpp"
 #include "cli/command_line.hpp"
+#include "cli/dump.hpp"
 #include "cli/info.hpp"
 #include "cli/numeric.hpp"
 #include "cli/simulate.hpp"
 #include "cli/vet.hpp"
-#include "function_accuracy.hpp"
-#include "in_scalar.hpp"
 #include "pipeline.hpp"
+#include "stages/function_accuracy.hpp"
+#include "stages/in_scalar.hpp"
 #include "system/files.hpp"
 
 namespace {
@@ -149,7 +150,7 @@ int run_info(const Settings& settings) {
     print(settings.json ? accuracy::functions_json(study) : accuracy::functions_text(study));
     return 0;
   }
-  Programs programs = formulate(model, settings.request, trace_of(settings));
+  program::Programs programs = formulate_model(model, settings.request, trace_of(settings));
   separate_parameters(model, settings.request, programs);
   programs = in_scalar(std::move(programs), model, settings.request.target.scalar);
   print(settings.json ? info_json(model, settings.request, programs)

@@ -9,7 +9,7 @@
 #include "model/scene.hpp"
 #include "simulation/pose.hpp"
 #include "simulation/system.hpp"
-#include "step_files.hpp"
+#include "stages/step_files.hpp"
 
 namespace treedyn {
 

@@ -78,7 +78,7 @@ std::string numeric_report(const Model& model, const std::vector<emit::File>& fi
   const auto points = static_cast<int>(model.points.size());
   std::vector<program::Signature> signatures;
   for (const std::string& name : model.functions) {
-    signatures.push_back(simplify::signature(name, model.tree.dof(), points));
+    signatures.push_back(formulate::signature(name, model.tree.dof(), points));
   }
   for (const auto& equation : model.equations) {
     signatures.push_back(signature_of(*equation, model.tree.dof(), points));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "in_scalar.hpp"
+#include "stages/in_scalar.hpp"
 
 namespace treedyn {
 
@@ -20,10 +20,10 @@ std::vector<std::string> declarations(const model::Tree& tree) {
 }
 
 /// The programs of the model in which that is a number like others.
-Programs without(Model model, const Request& request, const std::string& declared) {
+program::Programs without(Model model, const Request& request, const std::string& declared) {
   std::erase_if(model.tree.parameters,
                 [&](const model::Parameter& parameter) { return parameter.declared == declared; });
-  Programs programs = formulate(model, request, [](const std::string&) {});
+  program::Programs programs = formulate_model(model, request, [](const std::string&) {});
   separate_parameters(model, request, programs);
   return in_scalar(std::move(programs), model, request.target.scalar);
 }
@@ -31,10 +31,10 @@ Programs without(Model model, const Request& request, const std::string& declare
 }  // namespace
 
 std::vector<ParameterPrice> parameter_prices(const Model& model, const Request& request,
-                                             const Programs& programs) {
+                                             const program::Programs& programs) {
   std::vector<ParameterPrice> result;
   for (const std::string& declared : declarations(model.tree)) {
-    const Programs others = without(model, request, declared);
+    const program::Programs others = without(model, request, declared);
     const std::size_t before = result.size();
     for (std::size_t k = 0; k < programs.functions.size(); ++k) {
       const program::Cost with = program::cost(programs.functions[k]);

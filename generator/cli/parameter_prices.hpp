@@ -20,6 +20,6 @@ struct ParameterPrice {
 /// that changes none. Formulates the model once for each declaration.
 /// \param programs  of the model, separated
 std::vector<ParameterPrice> parameter_prices(const Model& model, const Request& request,
-                                             const Programs& programs);
+                                             const program::Programs& programs);
 
 }  // namespace treedyn

@@ -4,9 +4,9 @@
 #include <functional>
 #include <map>
 
-#include "in_scalar.hpp"
+#include "formulate/scene_sticking.hpp"
 #include "model/effects.hpp"
-#include "simplify/scene_sticking.hpp"
+#include "stages/in_scalar.hpp"
 
 namespace treedyn {
 
@@ -170,7 +170,7 @@ bool names(const Scene& s, std::string_view effect) {
   return found != named.end() && found->second;
 }
 
-std::map<std::string, program::Cost> costs(const Programs& programs) {
+std::map<std::string, program::Cost> costs(const program::Programs& programs) {
   std::map<std::string, program::Cost> result;
   for (const program::Function& function : programs.functions) {
     result[function.signature.name] = program::cost(function);
@@ -193,10 +193,10 @@ Scene without_effect(const Scene& scene, std::string_view effect) {
 }
 
 std::vector<Price> effect_prices(const Model& model, const Request& request,
-                                 const Programs& programs) {
+                                 const program::Programs& programs) {
   const std::map<std::string, program::Cost> with = costs(programs);
   Scene scene = *model.scene;
-  simplify::forget_sticking(scene);
+  formulate::forget_sticking(scene);
   std::vector<Price> result;
   for (const model::EffectRow& effect : model::kEffects) {
     if (!names(scene, effect.name)) {
@@ -204,9 +204,9 @@ std::vector<Price> effect_prices(const Model& model, const Request& request,
     }
     Model other = model;
     other.scene = without_effect(scene, effect.name);
-    simplify::settle_sticking(*other.scene);
+    formulate::settle_sticking(*other.scene);
     std::map<std::string, program::Cost> without = costs(in_scalar(
-        formulate(other, request, [](const std::string&) {}), other, request.target.scalar));
+        formulate_model(other, request, [](const std::string&) {}), other, request.target.scalar));
     const std::size_t before = result.size();
     for (const auto& [function, cost] : with) {
       if (!(without[function] == cost)) {
@@ -220,7 +220,7 @@ std::vector<Price> effect_prices(const Model& model, const Request& request,
   return result;
 }
 
-std::vector<ContactPrice> contact_prices(const Programs& programs) {
+std::vector<ContactPrice> contact_prices(const program::Programs& programs) {
   for (const program::Staged& staged : programs.staged) {
     std::vector<ContactPrice> result;
     for (const program::Staged& contact : staged.contacts) {

@@ -23,13 +23,13 @@ struct Price {
 /// change, and one, without a change, for an effect that changes none. Formulates the scene once
 /// for each effect.
 std::vector<Price> effect_prices(const Model& model, const Request& request,
-                                 const Programs& programs);
+                                 const program::Programs& programs);
 
 /// Operations that one closed contact adds to constrained_dynamics.
 struct ContactPrice {
   std::string contact;
   program::Cost cost;
 };
-std::vector<ContactPrice> contact_prices(const Programs& programs);
+std::vector<ContactPrice> contact_prices(const program::Programs& programs);
 
 }  // namespace treedyn

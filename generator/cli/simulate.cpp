@@ -10,12 +10,13 @@
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
-#include "limits.hpp"
+#include "formulate/scene_steps.hpp"
+#include "formulate/scene_sticking.hpp"
 #include "model/effects.hpp"
-#include "simplify/scene_steps.hpp"
-#include "simplify/scene_sticking.hpp"
+#include "model/scene_facts.hpp"
+#include "request/limits.hpp"
 #include "simulation/integrator.hpp"
-#include "step_files.hpp"
+#include "stages/step_files.hpp"
 #include "system/files.hpp"
 
 namespace treedyn {
@@ -69,7 +70,7 @@ void check(const SimulateRequest& request, const model::Scene& scene) {
     throw InputError({request.scene, 0, 0},
                      "the scene has no duration; expected one above zero, or --duration");
   }
-  const std::vector<std::string> fixed = simplify::step_method_names();
+  const std::vector<std::string> fixed = model::step_method_names();
   const Real most = request.most_steps.value_or(Real(simulation::Settings{}.most_steps));
   const bool is_fixed =
       std::find(fixed.begin(), fixed.end(), scene.stepping.integrator) != fixed.end();
@@ -106,7 +107,7 @@ std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request, mo
       request.scalar.value_or("double") == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
   const StepFiles files = StepWriter(request.scene).files(scene, scalar);
   warnings = files.warnings;
-  simplify::settle_sticking(scene);
+  formulate::settle_sticking(scene);
   return std::make_unique<GeneratedStep>(files.name, files.files, files.signature);
 }
 

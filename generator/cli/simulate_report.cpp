@@ -8,7 +8,7 @@
 #include "cli/simulate.hpp"
 #include "emit/json.hpp"
 #include "emit/template_file.hpp"
-#include "simulation/names.hpp"
+#include "simulation/column_names.hpp"
 #include "version.hpp"
 
 namespace treedyn {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "description/numbers.hpp"
-#include "description/rotation.hpp"
+#include "description/snapping.hpp"
 #include "model/tree.hpp"
 
 namespace treedyn::description {

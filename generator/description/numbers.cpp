@@ -15,7 +15,7 @@ bool is_xacro(const std::string& text) {
 }
 
 [[noreturn]] void rethrow(const RawTree& raw, const Text& text, const std::string& what,
-                          const symbolic::ConstantError& problem) {
+                          const expressions::ConstantError& problem) {
   Place where = text.where;
   where.column += static_cast<int>(problem.offset());
   throw InputError(location(raw, where), fmt::format("{}: {}", what, problem.what()));
@@ -27,7 +27,7 @@ NumberReader::NumberReader(const RawTree& raw) : raw_(raw) {
   for (const RawParameter& parameter : raw.parameters) {
     try {
       constants_.define(parameter.name.text, parameter.value.text);
-    } catch (const symbolic::ConstantError& problem) {
+    } catch (const expressions::ConstantError& problem) {
       rethrow(raw, parameter.value, fmt::format("parameter '{}'", shown(parameter.name.text)),
               problem);
     }
@@ -52,7 +52,7 @@ Real NumberReader::number(const Text& text, const std::string& what) const {
   }
   try {
     return constants_.evaluate(text.text);
-  } catch (const symbolic::ConstantError& problem) {
+  } catch (const expressions::ConstantError& problem) {
     rethrow(raw_, text, what, problem);
   }
 }

@@ -5,8 +5,8 @@
 
 #include "common/real.hpp"
 #include "description/raw_tree.hpp"
+#include "expressions/constant.hpp"
 #include "model/tree.hpp"
-#include "symbolic/constant.hpp"
 
 namespace treedyn::description {
 
@@ -35,7 +35,7 @@ class NumberReader {
   std::array<Real, size> list(const Numbers& numbers, const std::string& what) const;
 
   const RawTree& raw_;
-  symbolic::Constants constants_;
+  expressions::Constants constants_;
 };
 
 }  // namespace treedyn::description

@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "description/findings.hpp"
 #include "description/resolve.hpp"
 #include "description/urdf_reader.hpp"
-#include "description/vet.hpp"
 #include "description/yaml_reader.hpp"
 
 namespace treedyn::description {

@@ -10,13 +10,13 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/bodies.hpp"
+#include "description/identifiers.hpp"
 #include "description/mimic.hpp"
-#include "description/names.hpp"
+#include "description/named_points.hpp"
 #include "description/numbers.hpp"
-#include "description/parameters.hpp"
-#include "description/points.hpp"
-#include "description/rotation.hpp"
+#include "description/run_time_fields.hpp"
 #include "description/skeleton.hpp"
+#include "description/snapping.hpp"
 
 namespace treedyn::description {
 

@@ -7,8 +7,8 @@
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "description/algebra.hpp"
-#include "description/points.hpp"
+#include "description/named_points.hpp"
+#include "description/vectors.hpp"
 
 namespace treedyn::description {
 
@@ -80,7 +80,7 @@ void SceneContext::define_parameters(const Node& node) {
     refuse_variable(file_, item.key, what);
     try {
       constants_.define(item.key.text, item.text);
-    } catch (const symbolic::ConstantError& problem) {
+    } catch (const expressions::ConstantError& problem) {
       throw InputError(
           {file_, item.where.line, item.where.column + static_cast<int>(problem.offset())},
           fmt::format("{}: {}", what, problem.what()));
@@ -184,7 +184,7 @@ int SceneContext::point(const SceneFields& fields, std::string_view key) {
                           shown(name.text), did_you_mean(name.text, known)));
 }
 
-symbolic::VariableNames SceneContext::variables(Of kind) const {
+expressions::VariableNames SceneContext::variables(Of kind) const {
   const auto find = [this, kind](std::string_view name,
                                  std::optional<std::string_view> index) -> std::optional<Variable> {
     if (index) {
@@ -230,7 +230,7 @@ template <class Read>
 auto SceneContext::guarded(const SceneFields& fields, const Node& node, const Read& read) const {
   try {
     return read(fields.scalar(node).text);
-  } catch (const symbolic::ConstantError& problem) {
+  } catch (const expressions::ConstantError& problem) {
     Place where = node.where;
     where.column += static_cast<int>(problem.offset());
     fields.fail(where, fmt::format("{}: {}", described(node), problem.what()));
@@ -240,14 +240,14 @@ auto SceneContext::guarded(const SceneFields& fields, const Node& node, const Re
 model::Expression SceneContext::expression(const SceneFields& fields, const Node& node,
                                            Of kind) const {
   return guarded(fields, node, [&](const std::string& text) {
-    return symbolic::read_expression(constants_, text, variables(kind));
+    return expressions::read_expression(constants_, text, variables(kind));
   });
 }
 
 std::array<model::Expression, 3> SceneContext::motion(const SceneFields& fields,
                                                       const Node& node) const {
   return guarded(fields, node, [&](const std::string& text) {
-    return symbolic::read_motion(constants_, text, variables(Of::kTime));
+    return expressions::read_motion(constants_, text, variables(Of::kTime));
   });
 }
 

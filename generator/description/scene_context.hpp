@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "description/scene_fields.hpp"
+#include "expressions/read_expression.hpp"
 #include "model/scene.hpp"
-#include "symbolic/expression.hpp"
 
 namespace treedyn::description {
 
@@ -47,14 +47,14 @@ class SceneContext {
  private:
   template <class Read>
   auto guarded(const SceneFields& fields, const Node& node, const Read& read) const;
-  [[nodiscard]] symbolic::VariableNames variables(Of kind) const;
+  [[nodiscard]] expressions::VariableNames variables(Of kind) const;
   [[nodiscard]] std::optional<int> coordinate(std::string_view name) const;
   [[nodiscard]] std::optional<model::Point> of_model(const std::string& name) const;
   int add(const Fields& fields, const Place& where, model::Point point);
 
   const std::string& file_;
   model::Scene& scene_;
-  symbolic::Constants constants_;
+  expressions::Constants constants_;
 };
 
 }  // namespace treedyn::description

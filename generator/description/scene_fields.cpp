@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
-#include "description/names.hpp"
+#include "description/identifiers.hpp"
 
 namespace treedyn::description {
 
@@ -13,7 +13,7 @@ SceneFields::SceneFields(const std::string& file, const Node& node, std::string 
              {"title", "law", "note", "source", "tags", "catches"}) {}
 
 SceneFields::SceneFields(const std::string& file, const Node& node, std::string what,
-                         const Keys& keys, const symbolic::Constants& constants)
+                         const Keys& keys, const expressions::Constants& constants)
     : Fields(file, node, std::move(what), keys), constants_(&constants) {}
 
 const std::vector<Node>& SceneFields::triple(const Node& node) const {
@@ -35,7 +35,7 @@ Real SceneFields::number_of(const Node& node) const {
   }
   try {
     return constants_->evaluate(text.text);
-  } catch (const symbolic::ConstantError& problem) {
+  } catch (const expressions::ConstantError& problem) {
     Place where = node.where;
     where.column += static_cast<int>(problem.offset());
     fail(where, fmt::format("{}: {}", described(node), problem.what()));

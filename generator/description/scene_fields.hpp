@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "description/fields.hpp"
+#include "expressions/constant.hpp"
 #include "model/tree.hpp"
-#include "symbolic/constant.hpp"
 
 namespace treedyn::description {
 
@@ -20,7 +20,7 @@ class SceneFields : public Fields {
   SceneFields(const std::string& file, const Node& node, std::string what, const Keys& keys);
   /// \param constants  outlives the object
   SceneFields(const std::string& file, const Node& node, std::string what, const Keys& keys,
-              const symbolic::Constants& constants);
+              const expressions::Constants& constants);
 
   /// A name that can stand in files and comments. \param kind  what it names
   [[nodiscard]] Text name(std::string_view key, std::string_view kind) const;
@@ -50,7 +50,7 @@ class SceneFields : public Fields {
   [[nodiscard]] const std::vector<Node>& triple(const Node& node) const;
 
  private:
-  const symbolic::Constants* constants_ = nullptr;
+  const expressions::Constants* constants_ = nullptr;
 };
 
 }  // namespace treedyn::description

@@ -10,7 +10,7 @@
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "description/names.hpp"
+#include "description/identifiers.hpp"
 #include "description/read.hpp"
 #include "description/resolve.hpp"
 #include "description/scene_bodies.hpp"

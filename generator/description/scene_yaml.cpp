@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "description/phase_fields.hpp"
 #include "description/read.hpp"
 #include "description/scene_context.hpp"
 #include "description/scene_effects.hpp"
-#include "description/scene_phases.hpp"
 
 namespace treedyn::description {
 

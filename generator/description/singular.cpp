@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
-#include "description/algebra.hpp"
 #include "description/read.hpp"
 #include "description/scene_reader.hpp"
+#include "description/vectors.hpp"
 
 namespace treedyn::description {
 

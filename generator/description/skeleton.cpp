@@ -10,7 +10,7 @@
 
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
-#include "description/names.hpp"
+#include "description/identifiers.hpp"
 
 namespace treedyn::description {
 

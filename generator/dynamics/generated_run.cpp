@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "formulate/scene_steps.hpp"
 #include "program/interpret.hpp"
-#include "simplify/scene_steps.hpp"
-#include "simulation/names.hpp"
+#include "simulation/column_names.hpp"
 
 namespace treedyn {
 
@@ -26,7 +26,7 @@ class Run {
       : scene_(scene),
         step_(step),
         simulator_(simulator),
-        states_(simplify::phase_states(scene, true)),
+        states_(formulate::phase_states(scene, true)),
         start_(static_cast<double>(scene.t0)),
         h_(static_cast<double>(scene.stepping.step)),
         count_(std::lround(static_cast<double>(scene.duration) / h_)),
@@ -51,7 +51,7 @@ class Run {
   const model::Scene& scene_;
   GeneratedStep& step_;
   simulation::Simulator& simulator_;
-  std::vector<simplify::PhaseState> states_;
+  std::vector<formulate::PhaseState> states_;
   double start_;
   double h_;
   long count_;
@@ -62,7 +62,7 @@ class Run {
 void Run::begin() { begin_motion(scene_, simulator_.q(), simulator_.qd(), step_); }
 
 void Run::place(long k, const Values& q, const Values& qd, int state) {
-  const simplify::PhaseState& now = states_[static_cast<std::size_t>(state)];
+  const formulate::PhaseState& now = states_[static_cast<std::size_t>(state)];
   simulator_.place(time(k), vector_of(q), vector_of(qd), now.phase, now.active);
 }
 
@@ -171,7 +171,7 @@ void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
     step.at("phase")[0] = scene.start_phase;
   }
   if (step.has("anchor")) {
-    const program::Function anchors = simplify::anchor_function(scene);
+    const program::Function anchors = formulate::anchor_function(scene);
     const std::vector<double> at(q.begin(), q.end());
     const std::vector<std::vector<double>> inputs = {at, {static_cast<double>(scene.t0)}};
     const std::vector<std::span<const double>> spans(inputs.begin(), inputs.end());

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/engine.hpp"
+#include "formulate/functions.hpp"
 #include "program/combine.hpp"
-#include "simplify/functions.hpp"
 #include "simulation/tape_dynamics.hpp"
 
 namespace treedyn {
@@ -15,14 +15,14 @@ namespace {
 
 /// The formulation that comes first, without a search: quick to make for any tree.
 program::Function function_of(const model::Scene& scene, const std::string& name) {
-  simplify::Options options;
+  formulate::Options options;
   options.gravity = scene.gravity;
   options.points = scene.points;
   options.effort = 0;
-  program::Function function = simplify::build(scene.tree, simplify::recipe_of(name), options,
-                                               simplify::plain_variant(scene.tree));
+  program::Function function = formulate::build(scene.tree, formulate::recipe_of(name), options,
+                                                formulate::plain_variant(scene.tree));
   function.signature =
-      simplify::signature(name, scene.tree.dof(), static_cast<int>(scene.points.size()));
+      formulate::signature(name, scene.tree.dof(), static_cast<int>(scene.points.size()));
   return function;
 }
 

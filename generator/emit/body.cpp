@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
-#include "emit/expression.hpp"
 #include "emit/layout.hpp"
+#include "emit/operation_text.hpp"
 #include "emit/sincos.hpp"
 #include "emit/statements.hpp"
 

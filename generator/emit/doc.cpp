@@ -115,15 +115,15 @@ std::string doc(const program::Staged& staged) {
 
 namespace {
 
-std::string method_text(program::StepMethod method) {
+std::string method_text(StepMethod method) {
   switch (method) {
-    case program::StepMethod::kRk4:
+    case StepMethod::kRk4:
       return "Runge-Kutta of order 4";
-    case program::StepMethod::kDopri5:
+    case StepMethod::kDopri5:
       return "Dormand and Prince of order 5";
-    case program::StepMethod::kSdirk2:
+    case StepMethod::kSdirk2:
       return "two implicit stages, of order 2 and L-stable (Alexander 1977)";
-    case program::StepMethod::kSemiImplicitEuler:
+    case StepMethod::kSemiImplicitEuler:
       break;
   }
   return "semi-implicit Euler";
@@ -194,7 +194,7 @@ std::string events_doc(const program::Stepper& stepper) {
 
 /// The method, its step and what a step costs.
 std::string doc(const program::Stepper& stepper) {
-  const bool iterates = stepper.method == program::StepMethod::kSdirk2;
+  const bool iterates = stepper.method == StepMethod::kSdirk2;
   const std::string where =
       stepper.switches() ? fmt::format(" in phase {}", stepper.phases.front().identifier) : "";
   const std::string with =

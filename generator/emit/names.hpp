@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emit/constants.hpp"
+#include "emit/named_constants.hpp"
 #include "model/tree.hpp"
 #include "program/function.hpp"
 

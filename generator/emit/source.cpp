@@ -12,8 +12,8 @@
 #include "emit/parts.hpp"
 #include "emit/self_test.hpp"
 #include "emit/sincos.hpp"
-#include "emit/staged.hpp"
-#include "emit/stepper.hpp"
+#include "emit/staged_text.hpp"
+#include "emit/step_function.hpp"
 #include "emit/template_file.hpp"
 
 namespace treedyn::emit {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "emit/expression.hpp"
+#include "emit/operation_text.hpp"
 
 namespace treedyn::emit {
 

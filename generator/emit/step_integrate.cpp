@@ -12,7 +12,6 @@
 
 namespace treedyn::emit {
 
-using program::StepMethod;
 using program::Stepper;
 
 namespace {

@@ -195,7 +195,7 @@ Lines SearchWriter::between() const {
   const auto number = [&](const char* value) {
     return literal(Real(value), scalar_);
   };
-  const bool euler = stepper_.method == program::StepMethod::kSemiImplicitEuler;
+  const bool euler = stepper_.method == StepMethod::kSemiImplicitEuler;
   append(lines, {"const Scalar time = to.at - from.at;",
                  fmt::format("low.at = from.at + {} * time;", number("0.5"))});
   lines.push_back(fmt::format("const Scalar bend = {} * time;", number(euler ? "0.25" : "0.125")));

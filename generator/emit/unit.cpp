@@ -13,7 +13,7 @@
 #include "emit/manifest.hpp"
 #include "emit/sha256.hpp"
 #include "emit/source.hpp"
-#include "emit/staged.hpp"
+#include "emit/staged_text.hpp"
 #include "program/limb_code.hpp"
 
 namespace treedyn::emit {

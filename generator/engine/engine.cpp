@@ -1,6 +1,6 @@
 #include "engine/engine.hpp"
 
-#include "engine/definitions.hpp"
+#include "engine/members.hpp"
 
 namespace treedyn::engine {
 

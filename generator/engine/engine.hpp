@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/functions.hpp"
+#include "engine/signatures.hpp"
 #include "model/tree.hpp"
 
 namespace treedyn::engine {
@@ -19,9 +19,9 @@ namespace treedyn::engine {
 /// Scalar: float, double, long double, treedyn::Real, boost cpp_bin_float<100> (see engine.cpp).
 /// All functions take and return *independent* coordinates u: if mimic joints are reduced
 /// (model::Tree::drives), q = T u + q0, A_r = T^T A T, tau_r = T^T tau and so on; l_D and c_fD keep
-/// the links of the independent joints. Sizes and units: engine/functions.hpp and EQUATIONS.md; N =
-/// dof(), P = points(). Matrices are row-major. Nothing is allocated after construction, except by
-/// the std::vector form of `evaluate` and by software floats themselves.
+/// the links of the independent joints. Sizes and units: engine/signatures.hpp and EQUATIONS.md; N
+/// = dof(), P = points(). Matrices are row-major. Nothing is allocated after construction, except
+/// by the std::vector form of `evaluate` and by software floats themselves.
 template <class Scalar>
 class Engine {
  public:

@@ -1,8 +1,8 @@
 // Software floats, apart from engine.cpp because they take long to compile.
 #include "common/real.hpp"
-#include "engine/definitions.hpp"
 #include "engine/eigen_real.hpp"
 #include "engine/engine.hpp"
+#include "engine/members.hpp"
 
 namespace treedyn::engine {
 

@@ -11,7 +11,7 @@
 #include "block/plan.hpp"
 #include "engine/coordinates.hpp"
 #include "engine/engine.hpp"
-#include "engine/factor.hpp"
+#include "engine/inertia_factor.hpp"
 #include "engine/outputs.hpp"
 #include "engine/scales.hpp"
 #include "equations/kinematics.hpp"

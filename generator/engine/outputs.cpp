@@ -20,7 +20,7 @@ Reduction reduction_of(const Signature& signature) {
 
 Outputs::Outputs(const block::Index& index) : plan_(index), outputs_(signatures().size()) {
   for (const equations::Equation& equation : equations::table()) {
-    add(find_signature(equation.name)->function, equation.expression);
+    add(find_signature(equation.name)->function, *equation.expression);
   }
   add(Function::kForwardDynamics, equations::bias_force() + equations::gravity_force());
 }

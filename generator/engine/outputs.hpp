@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "block/plan.hpp"
-#include "engine/functions.hpp"
+#include "engine/signatures.hpp"
 
 namespace treedyn::engine {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "engine/factor.hpp"
-#include "engine/user.hpp"
+#include "engine/inertia_factor.hpp"
+#include "engine/user_function.hpp"
 
 namespace treedyn::engine {
 

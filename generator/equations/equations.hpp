@@ -2,8 +2,8 @@
 //
 // Every function returns a block expression (block/block.hpp) that reads like its equation; nothing
 // is computed here. `block::Plan` finds the zero blocks for a tree, `engine` puts numbers in,
-// `symbolic` puts symbols in. The errata (E1..) are those of EQUATIONS.md 4: what the printed paper
-// has wrong.
+// `expansion` puts symbols in. The errata (E1..) are those of EQUATIONS.md 4: what the printed
+// paper has wrong.
 //
 //   (2)  mass_matrix                      (6)   joint_to_link_vectors
 //   (3)  bias_force                       (7)   joint_to_com_vectors

@@ -12,7 +12,7 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "equations/kinematics.hpp"
-#include "equations/names.hpp"
+#include "equations/symbol_names.hpp"
 
 namespace treedyn::equations {
 namespace {

@@ -8,8 +8,8 @@
 #include "block/print.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
-#include "equations/names.hpp"
 #include "equations/reading.hpp"
+#include "equations/symbol_names.hpp"
 #include "equations/text.hpp"
 
 namespace treedyn::equations {

@@ -31,4 +31,29 @@ bool reaches(const Tree& tree, int link, int ancestor) {
   return i == ancestor;
 }
 
+bool has_free_base(const Tree& tree) {
+  if (tree.size() < 7) {
+    return false;
+  }
+  const auto link = [&](int i) -> const Link& {
+    return tree.links[static_cast<std::size_t>(i)];
+  };
+  for (int i = 0; i < 6; ++i) {
+    const Link& l = link(i);
+    const auto type = i < 3 ? JointType::kPrismatic : JointType::kRevolute;
+    const bool at_origin = l.joint.offset == Vector3{};
+    const bool massless = l.inertia.mass == 0 && l.inertia.about_com == Matrix3{};
+    if (l.father != i - 1 || l.joint.type != type || !(at_origin || i == 0) ||
+        (i < 5 && !massless)) {
+      return false;
+    }
+  }
+  for (int i = 6; i < tree.size(); ++i) {
+    if (link(i).father < 5) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace treedyn::model

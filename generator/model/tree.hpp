@@ -132,4 +132,8 @@ std::vector<int> depths(const Tree& tree);
 /// D.
 bool reaches(const Tree& tree, int link, int ancestor);
 
+/// True if joints 0..5 are three sliding and three turning joints through one point whose links
+/// 0..4 have no inertia and no other son: the base of a robot that is free to move.
+bool has_free_base(const Tree& tree);
+
 }  // namespace treedyn::model

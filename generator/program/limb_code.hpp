@@ -1,10 +1,10 @@
 // A function whose limbs share code.
 #pragma once
 
-#include <optional>
+#include <memory>
+#include <vector>
 
 #include "program/limbs.hpp"
-#include "program/optimise.hpp"
 
 namespace treedyn::program {
 
@@ -46,13 +46,6 @@ struct LimbCode {
   /// Stage of the trunk in which element `element` of its input `array` is there.
   [[nodiscard]] int level(int array, int element) const;
 };
-
-/// Takes the limbs out of `function`, whose leaves are those of `limbs`: what is the same in all
-/// limbs of a class, up to joints and constants, is a phase; what is not stays with the trunk. Null
-/// if nothing is the same. O(n log n) for n nodes, a few times, and the algebraic passes for trunk
-/// and phases if `effort` is given.
-std::shared_ptr<const LimbCode> limb_code(const Function& function, const Limbs& limbs,
-                                          const std::optional<Effort>& effort);
 
 /// The same values without shared code; its `limb_code` is `code`.
 Function flat(std::shared_ptr<const LimbCode> code, const Signature& signature);

@@ -4,11 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "common/step_method.hpp"
 #include "program/staged.hpp"
 
 namespace treedyn::program {
-
-enum class StepMethod { kSemiImplicitEuler, kRk4, kDopri5, kSdirk2 };
 
 /// Newton steps of each stage of kSdirk2 that the usual cost counts, and the bounds of its code:
 /// Jacobians of a stage and Newton steps with each.

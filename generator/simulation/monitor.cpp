@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "simulation/names.hpp"
+#include "simulation/column_names.hpp"
 
 namespace treedyn::simulation {
 

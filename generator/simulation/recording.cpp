@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "simulation/names.hpp"
+#include "simulation/column_names.hpp"
 
 namespace treedyn::simulation {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "simulation/names.hpp"
+#include "simulation/column_names.hpp"
 #include "simulation/sign_changes.hpp"
 #include "simulation/simulator.hpp"
 

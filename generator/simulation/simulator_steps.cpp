@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "simulation/names.hpp"
+#include "simulation/column_names.hpp"
 #include "simulation/simulator.hpp"
 #include "simulation/time_scale.hpp"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/engine.hpp"
-#include "engine/user.hpp"
+#include "engine/user_function.hpp"
 #include "model/parameters.hpp"
 #include "program/interpret.hpp"
 #include "program/rounding.hpp"
@@ -206,19 +206,17 @@ void prove_function(const program::Function& function, engine::Engine<Real>& eng
 }
 
 /// The user's equation of that name; nullptr: one of ours.
-const simplify::Derived* find(const simplify::DerivedFunctions& equations,
-                              const std::string& name) {
-  const auto found = std::find_if(equations.begin(), equations.end(), [&](const auto& function) {
-    return function->equation.name == name;
-  });
-  return found == equations.end() ? nullptr : found->get();
+const equations::UserEquation* find(const UserEquations& equations, const std::string& name) {
+  const auto found = std::find_if(equations.begin(), equations.end(),
+                                  [&](const auto* equation) { return equation->name == name; });
+  return found == equations.end() ? nullptr : *found;
 }
 
 /// What all functions are held against.
 struct Proof {
   const std::vector<model::Point>& points;
   model::Vector3 gravity;
-  const simplify::DerivedFunctions& equations;
+  const UserEquations& equations;
   States states = {};
 };
 
@@ -229,23 +227,16 @@ void prove_at_state(Proof& proof, const model::Tree& tree,
   engine::Engine<Real> engine(tree, proof.points, proof.gravity);
   const Real largest = largest_inertia(tree);
   for (const program::Function* const function : functions) {
-    if (const simplify::Derived* const of_user = find(proof.equations, function->signature.name)) {
+    if (const equations::UserEquation* const of_user =
+            find(proof.equations, function->signature.name)) {
       const std::vector<Values> inputs = proof.states.inputs(function->signature);
-      engine::UserFunction<Real> expected(of_user->equation, tree, proof.points, proof.gravity);
+      engine::UserFunction<Real> expected(*of_user, tree, proof.points, proof.gravity);
       compare(function->signature.name, interpreted(*function, inputs, derived), expected(inputs),
               largest);
     } else {
       prove_function(*function, engine, proof.states, largest, derived);
     }
   }
-}
-
-/// True for functions of ours that have a value where nothing has a mass.
-bool takes_zeros(const program::Function& function) {
-  constexpr std::array<const char*, 4> kDivide = {"forward_dynamics", "mass_matrix_factor",
-                                                  "mass_matrix_solve", "mass_matrix_inverse"};
-  const std::string& name = function.signature.name;
-  return std::find(kDivide.begin(), kDivide.end(), name) == kDivide.end();
 }
 
 /// At run time as `update` and the functions compute it, with other numbers than the nominal ones.
@@ -269,7 +260,8 @@ void prove_at_run_time(Proof& proof, const model::Tree& tree,
     std::vector<const program::Function*> proven = functions;
     if (draw == Draw::kZero) {
       std::erase_if(proven, [&](const program::Function* f) {
-        return !takes_zeros(*f) || find(proof.equations, f->signature.name) != nullptr;
+        return equations::divides_by_pivots(f->signature.name) ||
+               find(proof.equations, f->signature.name) != nullptr;
       });
     }
     prove_at_state(proof, changed, proven, interpreted(update, {values}, {}));
@@ -279,7 +271,7 @@ void prove_at_run_time(Proof& proof, const model::Tree& tree,
 }  // namespace
 
 void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
-                     const model::Vector3& gravity, const simplify::DerivedFunctions& equations,
+                     const model::Vector3& gravity, const UserEquations& equations,
                      const std::vector<program::Function>& functions,
                      const program::Function* update) {
   Proof proof{points, gravity, equations};

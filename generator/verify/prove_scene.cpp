@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "equations/scene_table.hpp"
+#include "model/scene_facts.hpp"
 #include "program/interpret.hpp"
 #include "program/random.hpp"
 #include "program/rank.hpp"
 #include "program/row_rank.hpp"
-#include "simplify/constrained_inverse.hpp"
-#include "simplify/scene_functions.hpp"
 #include "verify/scene_equations.hpp"
 #include "verify/solve.hpp"
 
@@ -338,7 +338,7 @@ void prove_inverse(const model::Scene& scene, const program::Staged& staged,
   require_small(staged.signature.name, "equation of motion", motion.left, motion.sizes);
   if (staged.solves.front().regular()) {
     Values left;
-    for (const int joint : simplify::passive_joints(scene)) {
+    for (const int joint : model::passive_joints(scene)) {
       left.push_back(tau[index(joint)]);
     }
     require_small(staged.signature.name, "passive joint", left, motion.sizes, least);
@@ -371,10 +371,10 @@ void prove_contacts(const model::Scene& scene, const program::Staged& staged,
 
 }  // namespace
 
-void prove_scene(const model::Scene& scene, const Programs& programs) {
+void prove_scene(const model::Scene& scene, const program::Programs& programs) {
   program::Random random(7);
   for (const program::Function& function : programs.functions) {
-    if (simplify::is_scene_function(function.signature.name)) {
+    if (equations::is_scene_function(function.signature.name)) {
       prove_plain(scene, function, random);
     }
   }

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "pipeline.hpp"
+#include "model/scene.hpp"
+#include "program/programs.hpp"
 
 namespace treedyn {
 
@@ -11,6 +12,6 @@ namespace treedyn {
 /// against (8), (10) and 6.1 as the engine evaluates them: A qdd + B + G - J^T lambda = tau, and
 /// J qdd + gamma = a_des where the rows have full rank (where not, up to the part that no motion
 /// can reach). \throws std::logic_error naming the function that differs: a mistake of ours.
-void prove_scene(const model::Scene& scene, const Programs& programs);
+void prove_scene(const model::Scene& scene, const program::Programs& programs);
 
 }  // namespace treedyn

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "simplify/scene_drift.hpp"
+#include "model/scene_facts.hpp"
 
 namespace treedyn {
 
@@ -20,7 +20,7 @@ SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, c
       anchor_(std::move(anchor)),
       t_(t),
       dof_(scene.tree.dof()) {
-  anchor_.resize(index(simplify::anchor_offset(scene, static_cast<int>(scene.constraints.size()))));
+  anchor_.resize(index(model::anchor_offset(scene, static_cast<int>(scene.constraints.size()))));
   engine::Engine<Real> engine(scene.tree, scene.points, scene.gravity);
   const Values a = engine.evaluate("mass_matrix", {q_});
   for (int i = 0; i < dof_; ++i) {
@@ -70,7 +70,7 @@ std::vector<SceneEquations::Row> SceneEquations::rows(const std::vector<int>& ac
     for (std::size_t k = 0; k < constraint.rows(); ++k) {
       result.push_back(row(constraint, k));
       result.back().wanted = wanted(constraint, k);
-      if (simplify::is_stabilised(scene_, c)) {
+      if (model::is_stabilised(scene_, c)) {
         result.back().wanted += correction(result.back(), c, k);
       }
     }
@@ -132,10 +132,10 @@ model::Vector3 SceneEquations::turn_from(const Real* anchor, int point) const {
 
 Real SceneEquations::position_error(int constraint, std::size_t k) const {
   const model::Constraint& c = scene_.constraints[index(constraint)];
-  const bool has_place = simplify::has_place(scene_, constraint);
+  const bool has_place = model::has_place(scene_, constraint);
   const Real* anchor =
-      has_place ? c.loop->data() : anchor_.data() + simplify::anchor_offset(scene_, constraint);
-  const bool has_anchor = has_place || simplify::anchor_size(scene_, constraint) > 0;
+      has_place ? c.loop->data() : anchor_.data() + model::anchor_offset(scene_, constraint);
+  const bool has_anchor = has_place || model::anchor_size(scene_, constraint) > 0;
   if (c.kind == model::ConstraintKind::kJoint) {
     const Real off = q_[index(c.joint)] - value(c.curve.position[0], 0);
     return has_anchor ? Real(off - anchor[0]) : off;
@@ -169,7 +169,7 @@ Real SceneEquations::correction(const Row& row, int constraint, std::size_t k) c
   for (std::size_t n = 0; n < 3 && c.kind == model::ConstraintKind::kPoint; ++n) {
     rate -= c.directions[k][n] * value(c.curve.velocity[n], c.point);
   }
-  const Real alpha = simplify::stabilisation_rate(scene_);
+  const Real alpha = model::stabilisation_rate(scene_);
   return -(2 * alpha * rate + alpha * alpha * position_error(constraint, k));
 }
 

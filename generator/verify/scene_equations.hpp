@@ -22,7 +22,7 @@ class SceneEquations {
   };
 
   /// \param t       s
-  /// \param anchor  of all constraints, simplify::anchor_offset; missing ones are zero
+  /// \param anchor  of all constraints, model::anchor_offset; missing ones are zero
   SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t, Values anchor = {});
 
   /// A with the armatures, row by row.

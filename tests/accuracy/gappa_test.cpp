@@ -8,7 +8,7 @@
 
 #include "accuracy/bound_search.hpp"
 #include "description/read.hpp"
-#include "simplify/formulate.hpp"
+#include "formulate/formulate.hpp"
 #include "support/process.hpp"
 
 namespace treedyn::accuracy {
@@ -122,10 +122,10 @@ class Gappa : public testing::TestWithParam<Proof> {
   static void expect_proof(emit::Scalar scalar) {
     const model::Tree tree =
         description::read_model(TREEDYN_SOURCE_DIR "/models/" + GetParam().model, {});
-    simplify::Options options;
+    formulate::Options options;
     options.gravity = {0, 0, Real("-9.81")};
     options.effort = 0;
-    const program::Function function = simplify::formulate(tree, GetParam().function, options);
+    const program::Function function = formulate::formulated(tree, GetParam().function, options);
     const Box box = States(tree).ranges(function.signature);
     const std::vector<double> scales(function.outputs.size(), 1);
     const BoundsOver bounds =

@@ -9,8 +9,8 @@
 #include "description/read.hpp"
 #include "emit/literal.hpp"
 #include "engine/engine.hpp"
+#include "formulate/formulate.hpp"
 #include "program/ones.hpp"
-#include "simplify/formulate.hpp"
 #include "support/uniform.hpp"
 
 namespace treedyn::accuracy {
@@ -68,11 +68,11 @@ model::Tree robot(const std::string& name) {
 }
 
 program::Function made(const model::Tree& tree, const std::string& name) {
-  simplify::Options options;
+  formulate::Options options;
   options.gravity = kGravity;
   options.points = tree.points;
   options.effort = 0;
-  return simplify::formulate(tree, name, options);
+  return formulate::formulated(tree, name, options);
 }
 
 /// Numbers of T, one of four at an end of its range, in the centre or at a right angle.

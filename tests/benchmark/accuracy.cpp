@@ -180,10 +180,10 @@ void expect_equations(engine::Engine<Real>& engine, const program::Function& fun
 }  // namespace
 
 std::vector<Formulation> formulations_by_pass() {
-  using simplify::Pass;
+  using formulate::Pass;
   std::vector<Formulation> result{{"all passes", {}}, {"without sums", {Pass::kSums}}};
   Formulation none{"no pass", {}};
-  for (const simplify::PassInfo& info : simplify::passes()) {
+  for (const formulate::PassInfo& info : formulate::passes()) {
     none.without.push_back(info.pass);
     if (info.pass != Pass::kSums) {
       result.push_back({fmt::format("without sums, {}", info.name), {Pass::kSums, info.pass}, 1});
@@ -195,8 +195,8 @@ std::vector<Formulation> formulations_by_pass() {
 }
 
 std::vector<Formulation> formulations_of_forward_dynamics() {
-  return {{"factor", {}, 0, simplify::ForwardDynamics::kFactor},
-          {"articulated", {}, 0, simplify::ForwardDynamics::kArticulated}};
+  return {{"factor", {}, 0, formulate::ForwardDynamics::kFactor},
+          {"articulated", {}, 0, formulate::ForwardDynamics::kArticulated}};
 }
 
 std::vector<Accuracy> accuracy(const Subject& subject, const std::string& name,
@@ -204,12 +204,12 @@ std::vector<Accuracy> accuracy(const Subject& subject, const std::string& name,
   std::vector<program::Function> functions;
   std::vector<Accuracy> rows;
   for (const Formulation& formulation : formulations) {
-    simplify::Options options;
+    formulate::Options options;
     options.gravity = kGravity;
     options.effort = subject.effort;
     options.forward_dynamics = formulation.forward_dynamics;
     options.without = formulation.without;
-    functions.push_back(simplify::formulate(subject.tree, name, options));
+    functions.push_back(formulate::formulated(subject.tree, name, options));
     rows.push_back(
         {subject.name, name, formulation, program::cost(functions.back()).total(), {}, {}});
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "formulate/formulate.hpp"
 #include "model/tree.hpp"
-#include "simplify/formulate.hpp"
 
 namespace treedyn::benchmark {
 
@@ -40,9 +40,9 @@ struct Subject {
 /// One way to formulate a function.
 struct Formulation {
   std::string name;  ///< "all passes", "without sums, search", "no pass"
-  std::vector<simplify::Pass> without;
+  std::vector<formulate::Pass> without;
   std::size_t with = 0;  ///< number of the formulation that has the pass that this one lacks
-  simplify::ForwardDynamics forward_dynamics = simplify::ForwardDynamics::kCheapest;
+  formulate::ForwardDynamics forward_dynamics = formulate::ForwardDynamics::kCheapest;
 };
 
 /// All passes; all but `sums`, which rounds where the others do not; all but that and one more;

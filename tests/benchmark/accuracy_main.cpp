@@ -97,7 +97,7 @@ std::string table_of_forward_dynamics(const std::vector<Subject>& subjects) {
 
 void run(const fs::path& models, const fs::path& urdf, std::size_t states, const fs::path& output) {
   using description::Base;
-  const int effort = simplify::Options{}.effort;
+  const int effort = formulate::Options{}.effort;
   const Subject puma{"puma560", read(models / "puma560.yaml", Base::kFixed), states, effort};
   std::vector<Subject> arms{puma};
   std::vector<Subject> solved{puma, chain(20, states / 4), chain(40, states / 4)};

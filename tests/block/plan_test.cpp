@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
 class PlanEquation : public testing::TestWithParam<std::string> {};
 
 TEST_P(PlanEquation, GivesWhatFullMatricesGive) {
-  expect_same(equations::find(GetParam())->expression, 25);
+  expect_same(equations::find(GetParam())->expression.value(), 25);
 }
 
 std::vector<std::string> equation_names() {

@@ -9,7 +9,7 @@
 #include "derive/user_robot.hpp"
 #include "equations/equations.hpp"
 #include "equations/table.hpp"
-#include "symbolic/expansion.hpp"
+#include "expansion/expansion.hpp"
 
 namespace treedyn {
 namespace {
@@ -55,13 +55,13 @@ class Errata : public testing::TestWithParam<TreeShape> {
   }
   /// Every entry of the difference to (3), expanded, is the zero polynomial.
   [[nodiscard]] bool is_bias_force(const block::Expression& e) const {
-    const symbolic::Entries entries = expansion_.expand(e - equations::bias_force());
+    const expansion::Entries entries = expansion_.expand(e - equations::bias_force());
     return std::all_of(entries.values.begin(), entries.values.end(),
-                       [](const symbolic::Expanded& entry) { return entry.is_zero(); });
+                       [](const expansion::Expanded& entry) { return entry.is_zero(); });
   }
 
   UserRobot robot_;
-  symbolic::Expansion expansion_;
+  expansion::Expansion expansion_;
 };
 
 TEST_P(Errata, CorrectedFormFollowsFromTheMassMatrix) {
@@ -97,7 +97,7 @@ TEST_P(Errata, PlantedErrorsArriveInTheDerivedCode) {
   for (const std::string& text :
        {bias(kE1), bias(kK, kE3), bias(one_T2), bias(no_T1), revolute(kK, kGyro)}) {
     const auto planted = robot_.read(text);
-    const Numbers derived = UserRobot::run(robot_.derived(planted, simplify::Way::kToRoot), at);
+    const Numbers derived = UserRobot::run(robot_.derived(planted, formulate::Way::kToRoot), at);
     EXPECT_LT(support::distance(derived, robot_.expected(planted, at)), Real("1e-40"));
     EXPECT_GT(support::distance(derived, B), Real("1e-6"));
   }
@@ -113,7 +113,7 @@ TEST_P(Errata, PlantedErrorsArriveInTheDerivedMassMatrix) {
   const std::string head = "sigma * T(z_d) * (";
   const auto derived = [&](const std::string& text) {
     const auto equation = robot_.read(text);
-    const Numbers result = UserRobot::run(robot_.derived(equation, simplify::Way::kToRoot), at);
+    const Numbers result = UserRobot::run(robot_.derived(equation, formulate::Way::kToRoot), at);
     EXPECT_LT(support::distance(result, robot_.expected(equation, at)), Real("1e-40")) << text;
     return result;
   };
@@ -142,7 +142,7 @@ TEST_P(Errata, PlantedErrorsArriveInTheDerivedKineticEnergy) {
            {"1/2 * T(qd) * (T(J_v) * m_d * LamT(c_fD) * z_d * sigma + " + turning + ") * qd", true},
            {"1/2 * T(qd) * sigma * A * qd", true}}) {
     const auto equation = robot_.read(text);
-    const Numbers derived = UserRobot::run(robot_.derived(equation, simplify::Way::kToRoot), at);
+    const Numbers derived = UserRobot::run(robot_.derived(equation, formulate::Way::kToRoot), at);
     EXPECT_LT(support::distance(derived, robot_.expected(equation, at)), Real("1e-40")) << text;
     EXPECT_EQ(support::distance(derived, T) > Real("1e-6"), planted) << text;
   }
@@ -172,7 +172,7 @@ TEST_P(Errata, PlantedErrorsArriveInTheDerivedBiasOfPoints) {
                                                  {twice + " - " + kT3, true},
                                                  {twice + " + LamT(" + kInner + ")", true}}) {
     const auto equation = robot_.read(of_points(text));
-    const Numbers derived = UserRobot::run(robot_.derived(equation, simplify::Way::kToRoot), at);
+    const Numbers derived = UserRobot::run(robot_.derived(equation, formulate::Way::kToRoot), at);
     EXPECT_LT(support::distance(derived, robot_.expected(equation, at)), Real("1e-40")) << text;
     EXPECT_EQ(support::distance(derived, gamma) > Real("1e-6"), planted) << text;
   }

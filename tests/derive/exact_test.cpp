@@ -9,15 +9,15 @@
 
 #include "equations/equations.hpp"
 #include "equations/table.hpp"
+#include "expansion/expansion.hpp"
+#include "formulate/functions.hpp"
 #include "program/interpret.hpp"
-#include "simplify/functions.hpp"
 #include "support/random_tree.hpp"
-#include "symbolic/expansion.hpp"
 
 namespace treedyn {
 namespace {
 
-using symbolic::Expanded;
+using expansion::Expanded;
 
 /// A fraction of elements of the ring, or a sum of joint angles.
 struct Exact {
@@ -61,13 +61,13 @@ struct Exact {
 };
 
 /// The ring of the expansion that a program is compared with; decimals need no other variables.
-const symbolic::Ring* ring = nullptr;
+const expansion::Ring* ring = nullptr;
 
 }  // namespace
 
 template <>
 Exact program::from_real<Exact>(const Real& value) {
-  static symbolic::Ring decimals;
+  static expansion::Ring decimals;
   return Exact(Expanded(*ring, decimals.constant(value)));
 }
 
@@ -129,12 +129,13 @@ class Programs : public testing::TestWithParam<Mechanism> {
     }
     options_.gravity = {Real(1), Real(2), Real("-9.81")};
     options_.effort = 0;
-    options_.without = {simplify::Pass::kNormals};  // whose frames have other angles than quarters
+    options_.without = {formulate::Pass::kNormals};  // whose frames have other angles than quarters
   }
 
-  [[nodiscard]] Exact input(const symbolic::Expansion& e, const simplify::Recipe& recipe, int array,
-                            int k) const {
-    const std::string name = recipe.inputs[static_cast<std::size_t>(array)].name;
+  [[nodiscard]] Exact input(const expansion::Expansion& e, const formulate::Recipe& recipe,
+                            int array, int k) const {
+    const std::string_view name =
+        equations::find_function(recipe.name)->inputs[static_cast<std::size_t>(array)].name;
     const auto i = static_cast<std::size_t>(k);
     if (name == "q") {
       const bool turns = tree_.links[i].joint.type == model::JointType::kRevolute;
@@ -151,7 +152,8 @@ class Programs : public testing::TestWithParam<Mechanism> {
   }
 
   /// cos or sin of a sum of angles, by addition theorems.
-  static Exact trigonometric(const symbolic::Expansion& e, program::Kind kind, const Exact& angle) {
+  static Exact trigonometric(const expansion::Expansion& e, program::Kind kind,
+                             const Exact& angle) {
     Expanded c(1);
     Expanded s(0);
     EXPECT_TRUE(angle.value.is_zero());
@@ -168,7 +170,7 @@ class Programs : public testing::TestWithParam<Mechanism> {
   }
 
   /// Entry by entry.
-  [[nodiscard]] bool is(const symbolic::Expansion& e, const simplify::Recipe& recipe,
+  [[nodiscard]] bool is(const expansion::Expansion& e, const formulate::Recipe& recipe,
                         const program::Function& function,
                         const block::Expression& expression) const {
     ring = &e.ring();
@@ -176,7 +178,7 @@ class Programs : public testing::TestWithParam<Mechanism> {
         function.graph, function.outputs,
         [&](int array, int k) { return input(e, recipe, array, k); },
         [&](program::Kind kind, const Exact& angle) { return trigonometric(e, kind, angle); });
-    const symbolic::Entries expected = e.expand(expression);
+    const expansion::Entries expected = e.expand(expression);
     bool equal = function.outputs.size() == expected.values.size();
     for (std::size_t n = 0; equal && n < expected.values.size(); ++n) {
       const program::Ref output = function.outputs[n];
@@ -188,43 +190,43 @@ class Programs : public testing::TestWithParam<Mechanism> {
 
   support::Dice dice_;
   model::Tree tree_;
-  simplify::Options options_;
+  formulate::Options options_;
 };
 
 TEST_P(Programs, AreTheirEquations) {
-  const symbolic::Expansion expansion(tree_, options_.points, options_.gravity);
+  const expansion::Expansion expansion(tree_, options_.points, options_.gravity);
   for (const equations::Equation& equation : equations::table()) {
-    const simplify::Recipe& recipe = simplify::recipe_of(std::string(equation.name));
-    const program::Function function = simplify::formulate(tree_, recipe.name, options_);
-    EXPECT_TRUE(is(expansion, recipe, function, equation.expression)) << equation.name;
+    const formulate::Recipe& recipe = formulate::recipe_of(std::string(equation.name));
+    const program::Function function = formulate::formulated(tree_, recipe.name, options_);
+    EXPECT_TRUE(is(expansion, recipe, function, *equation.expression)) << equation.name;
   }
 }
 
 TEST_P(Programs, AreTheirEquationsInEveryFrame) {
-  const symbolic::Expansion expansion(tree_, options_.points, options_.gravity);
+  const expansion::Expansion expansion(tree_, options_.points, options_.gravity);
   for (const equations::Equation& equation : equations::table()) {
-    const simplify::Recipe& recipe = simplify::recipe_of(std::string(equation.name));
-    for (const simplify::Way way :
-         {simplify::Way::kToRoot, simplify::Way::kInLinks, simplify::Way::kInBase}) {
-      simplify::Variant variant = simplify::plain_variant(tree_);
+    const formulate::Recipe& recipe = formulate::recipe_of(std::string(equation.name));
+    for (const formulate::Way way :
+         {formulate::Way::kToRoot, formulate::Way::kInLinks, formulate::Way::kInBase}) {
+      formulate::Variant variant = formulate::plain_variant(tree_);
       variant.way = way;
-      for (simplify::LinkVariant& link : variant.links) {
-        link.angle = simplify::FrameAngle::kKeep;
+      for (formulate::LinkVariant& link : variant.links) {
+        link.angle = formulate::FrameAngle::kKeep;
       }
-      const program::Function function = simplify::build(tree_, recipe, options_, variant);
-      EXPECT_TRUE(is(expansion, recipe, function, equation.expression))
+      const program::Function function = formulate::build(tree_, recipe, options_, variant);
+      EXPECT_TRUE(is(expansion, recipe, function, *equation.expression))
           << equation.name << " way " << static_cast<int>(way);
     }
   }
 }
 
 TEST_P(Programs, AreNoOtherEquations) {
-  const symbolic::Expansion expansion(tree_, options_.points, options_.gravity);
+  const expansion::Expansion expansion(tree_, options_.points, options_.gravity);
   equations::Attached wrong = equations::points();
   wrong.t_d = -wrong.t_d;
-  const simplify::Recipe& recipe = simplify::recipe_of("force_jacobian_transpose");
+  const formulate::Recipe& recipe = formulate::recipe_of("force_jacobian_transpose");
   const bool turns = GetParam().shape.types.find('R') != std::string::npos;
-  EXPECT_EQ(is(expansion, recipe, simplify::formulate(tree_, recipe.name, options_),
+  EXPECT_EQ(is(expansion, recipe, formulate::formulated(tree_, recipe.name, options_),
                equations::force_jacobian_transpose(wrong)),
             !turns);
 }
@@ -244,13 +246,14 @@ class Solved : public Programs {
   }
 
   /// The outputs for an argument that comes last.
-  [[nodiscard]] std::vector<Exact> outputs(const symbolic::Expansion& e, const std::string& name,
+  [[nodiscard]] std::vector<Exact> outputs(const expansion::Expansion& e, const std::string& name,
                                            const std::vector<Expanded>& last) const {
     ring = &e.ring();
-    const simplify::Recipe& recipe = simplify::recipe_of(name);
-    const program::Function function = simplify::formulate(tree_, recipe.name, options_);
+    const formulate::Recipe& recipe = formulate::recipe_of(name);
+    const program::Function function = formulate::formulated(tree_, recipe.name, options_);
     const auto is_last = [&](int array) {
-      return !last.empty() && array + 1 == static_cast<int>(recipe.inputs.size());
+      return !last.empty() &&
+             array + 1 == static_cast<int>(equations::find_function(name)->inputs.size());
     };
     const auto values = program::node_values<Exact>(
         function.graph, function.outputs,
@@ -267,8 +270,8 @@ class Solved : public Programs {
     }
     return result;
   }
-  void expect_inverse(simplify::ForwardDynamics method);
-  [[nodiscard]] std::vector<Expanded> accelerations(const symbolic::Expansion& e) const {
+  void expect_inverse(formulate::ForwardDynamics method);
+  [[nodiscard]] std::vector<Expanded> accelerations(const expansion::Expansion& e) const {
     std::vector<Expanded> qdd;
     for (std::size_t k = 0; k < tree_.links.size(); ++k) {
       qdd.push_back(e.acceleration(k));
@@ -291,9 +294,9 @@ Exact entry(const std::vector<A>& a, const std::vector<B>& b, std::size_t n, std
 bool equal(const Exact& a, const Exact& b) { return (a + -b).value.is_zero(); }
 
 /// q̈ of the program for τ of (1), fractions: numerator - q̈ * denominator is zero.
-void Solved::expect_inverse(simplify::ForwardDynamics method) {
+void Solved::expect_inverse(formulate::ForwardDynamics method) {
   options_.forward_dynamics = method;
-  const symbolic::Expansion e(tree_, options_.points, options_.gravity);
+  const expansion::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
   const std::vector<Exact> qdd =
       outputs(e, "forward_dynamics", e.expand(equations::inverse_dynamics()).values);
@@ -303,7 +306,7 @@ void Solved::expect_inverse(simplify::ForwardDynamics method) {
 }
 
 TEST_P(Solved, FactorsMultiplyToTheMassMatrix) {
-  const symbolic::Expansion e(tree_, options_.points, options_.gravity);
+  const expansion::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
   const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
   const std::vector<Exact> all = outputs(e, "mass_matrix_factor", {});
@@ -322,7 +325,7 @@ TEST_P(Solved, FactorsMultiplyToTheMassMatrix) {
 }
 
 TEST_P(Solved, SolutionsOfTheMassMatrixSolve) {
-  const symbolic::Expansion e(tree_, options_.points, options_.gravity);
+  const expansion::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
   const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
   const std::vector<Expanded> b = accelerations(e);
@@ -338,7 +341,7 @@ TEST_P(Solved, SolutionsOfTheMassMatrixSolve) {
 }
 
 TEST_P(Solved, InversesOfTheMassMatrixInvertIt) {
-  const symbolic::Expansion e(tree_, options_.points, options_.gravity);
+  const expansion::Expansion e(tree_, options_.points, options_.gravity);
   ring = &e.ring();
   const std::vector<Expanded> A = e.expand(equations::mass_matrix()).values;
   const std::vector<Exact> X = outputs(e, "mass_matrix_inverse", {});
@@ -349,11 +352,11 @@ TEST_P(Solved, InversesOfTheMassMatrixInvertIt) {
 }
 
 TEST_P(Solved, ArticulatedBodiesInvertInverseDynamics) {
-  expect_inverse(simplify::ForwardDynamics::kArticulated);
+  expect_inverse(formulate::ForwardDynamics::kArticulated);
 }
 
 TEST_P(Solved, FactorsOfTheMassMatrixInvertInverseDynamics) {
-  expect_inverse(simplify::ForwardDynamics::kFactor);
+  expect_inverse(formulate::ForwardDynamics::kFactor);
 }
 
 INSTANTIATE_TEST_SUITE_P(Mechanisms, Solved,

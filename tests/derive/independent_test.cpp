@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "derive/user_robot.hpp"
-#include "description/equations.hpp"
+#include "description/equation_list.hpp"
 #include "engine/engine.hpp"
 
 namespace treedyn {
@@ -78,7 +78,7 @@ class Shipped : public testing::Test {
     for (const auto& argument : equation.arguments) {
       inputs.push_back(at.at(argument.name));
     }
-    return UserRobot::run(robot_.derived(equation, simplify::Way::kToRoot), inputs);
+    return UserRobot::run(robot_.derived(equation, formulate::Way::kToRoot), inputs);
   }
   Numbers value(const std::string& name) { return value(name, at_); }
 

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "block/print.hpp"
+#include "derive/derivation_text.hpp"
 #include "derive/derive.hpp"
 #include "derive/forms.hpp"
-#include "derive/print.hpp"
 #include "derive/words.hpp"
 #include "equations/dot.hpp"
 #include "equations/equations.hpp"

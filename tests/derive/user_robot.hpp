@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/user.hpp"
+#include "engine/user_function.hpp"
 #include "equations/user.hpp"
+#include "formulate/derived.hpp"
 #include "program/interpret.hpp"
-#include "simplify/derived.hpp"
 #include "support/random_tree.hpp"
 
 namespace treedyn::support {
@@ -62,26 +62,28 @@ struct UserRobot {
                                  const std::vector<Numbers>& at) const {
     return engine::UserFunction<Real>(equation, tree, points, gravity)(at);
   }
-  [[nodiscard]] simplify::Options options() const {
-    simplify::Options result;
+  [[nodiscard]] formulate::Options options() const {
+    formulate::Options result;
     result.gravity = gravity;
     result.points = points;
     return result;
   }
   /// The program that the equation derives to, before any search.
   [[nodiscard]] program::Function derived(const equations::UserEquation& equation,
-                                          simplify::Way way) const {
-    const auto function = simplify::derived(equation, tree.size(), static_cast<int>(points.size()));
-    simplify::Variant variant = simplify::plain_variant(tree);
+                                          formulate::Way way) const {
+    const auto function =
+        formulate::derived(equation, tree.size(), static_cast<int>(points.size()));
+    formulate::Variant variant = formulate::plain_variant(tree);
     variant.way = way;
-    return simplify::build(tree, simplify::derived_recipe(function), options(), variant);
+    return formulate::build(tree, formulate::derived_recipe(function), options(), variant);
   }
   /// The program that solves an equation, zero for q̈, by R9.
   [[nodiscard]] program::Function solved(const equations::UserEquation& equation) const {
-    const auto system = simplify::derived(equation, tree.size(), 0, false);
-    const auto function = std::make_shared<const simplify::Derived>(simplify::solved(*system, "q̈"));
-    return simplify::build(tree, simplify::derived_recipe(function), options(),
-                           simplify::plain_variant(tree));
+    const auto system = formulate::derived(equation, tree.size(), 0, false);
+    const auto function =
+        std::make_shared<const formulate::Derived>(formulate::solved(*system, "q̈"));
+    return formulate::build(tree, formulate::derived_recipe(function), options(),
+                            formulate::plain_variant(tree));
   }
   static Numbers run(const program::Function& function, const std::vector<Numbers>& at) {
     const std::vector<std::span<const Real>> spans(at.begin(), at.end());

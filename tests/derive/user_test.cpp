@@ -26,8 +26,8 @@ TEST_P(Derived, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
     const auto equation = robot.read(GetParam());
     const auto at = robot.inputs(equation);
     const Numbers expected = robot.expected(equation, at);
-    for (const simplify::Way way :
-         {simplify::Way::kToRoot, simplify::Way::kInLinks, simplify::Way::kInBase}) {
+    for (const formulate::Way way :
+         {formulate::Way::kToRoot, formulate::Way::kInLinks, formulate::Way::kInBase}) {
       const program::Function function = robot.derived(equation, way);
       EXPECT_LT(support::distance(UserRobot::run(function, at), expected), kExact)
           << shape.types << " way " << static_cast<int>(way);
@@ -85,7 +85,7 @@ TEST(Derived, TakesColumnsOfTheUser) {
   EXPECT_EQ(equation.arguments[0].name, "q");
   EXPECT_EQ(equation.arguments[1].name, "gain");
   const auto at = robot.inputs(equation);
-  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, simplify::Way::kToRoot), at),
+  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, formulate::Way::kToRoot), at),
                               robot.expected(equation, at)),
             kExact);
 }
@@ -139,7 +139,7 @@ TEST(Refused, JointColumnsWhereJointsMimicOthers) {
   EXPECT_THROW(robot.read("T(qd) * tau"), InputError);
   auto equation = robot.read("T(ones) * m_d * J_v * qd");
   std::vector<Numbers> at = {robot.random(2), robot.random(2)};
-  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, simplify::Way::kToRoot), at),
+  EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, formulate::Way::kToRoot), at),
                               robot.expected(equation, at)),
             kExact);
 }

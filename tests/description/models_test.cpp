@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "description/algebra.hpp"
 #include "description/text_models.hpp"
+#include "description/vectors.hpp"
 
 namespace treedyn::description {
 namespace {

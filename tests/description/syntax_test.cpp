@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "description/names.hpp"
+#include "description/identifiers.hpp"
 #include "description/numbers.hpp"
 #include "description/xml_element.hpp"
 #include "description/yaml_node.hpp"

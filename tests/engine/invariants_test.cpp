@@ -4,7 +4,7 @@
 #include "common/real.hpp"
 #include "engine/eigen_real.hpp"
 #include "engine/engine.hpp"
-#include "engine/factor.hpp"
+#include "engine/inertia_factor.hpp"
 #include "support/random_tree.hpp"
 
 namespace treedyn {

@@ -69,7 +69,7 @@ TEST(GravityForce, IsForceAtCentresOfMass) {
 
 TEST(Shapes, AreThoseOfTheGeneratedFunctions) {
   const auto shape = [](const char* name) {
-    return block::to_string(find(name)->expression.shape());
+    return block::to_string(find(name)->expression->shape());
   };
   EXPECT_EQ(shape("mass_matrix"), "N×N");
   EXPECT_EQ(shape("bias_force"), "N×1");

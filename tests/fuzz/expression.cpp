@@ -5,13 +5,13 @@
 
 #include "common/decimal.hpp"
 #include "description/read.hpp"
-#include "symbolic/constant.hpp"
+#include "expressions/constant.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  treedyn::symbolic::Constants constants;
+  treedyn::expressions::Constants constants;
   try {  // lines "name=expression" define parameters, the last line is evaluated
     std::size_t start = 0;
     for (std::size_t end = text.find('\n'); end != std::string::npos;
@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const treedyn::Real value = constants.evaluate(text.substr(start));
     TREEDYN_EXPECT(abs(value) <= treedyn::Real(1.0000001e300));
-  } catch (const treedyn::symbolic::ConstantError& error) {
+  } catch (const treedyn::expressions::ConstantError& error) {
     TREEDYN_EXPECT(error.offset() <= text.size());
   }
   const treedyn::Decimal decimal = treedyn::read_decimal(text);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/error.hpp"
-#include "symbolic/expression.hpp"
+#include "expressions/read_expression.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -24,7 +24,7 @@ template <class Read>
 void expect_value_or_place(const std::string& text, const Read& read) {
   try {
     read();
-  } catch (const treedyn::symbolic::ConstantError& error) {
+  } catch (const treedyn::expressions::ConstantError& error) {
     TREEDYN_EXPECT(error.offset() <= text.size());
   }
 }
@@ -33,12 +33,13 @@ void expect_value_or_place(const std::string& text, const Read& read) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  const treedyn::symbolic::Constants constants;
+  const treedyn::expressions::Constants constants;
   expect_value_or_place(text, [&] {
-    static_cast<void>(treedyn::symbolic::read_expression(constants, text, {variable, ", t, q[a]"}));
+    static_cast<void>(
+        treedyn::expressions::read_expression(constants, text, {variable, ", t, q[a]"}));
   });
   expect_value_or_place(text, [&] {
-    const auto motion = treedyn::symbolic::read_motion(
+    const auto motion = treedyn::expressions::read_motion(
         constants, text,
         {[](std::string_view name, std::optional<std::string_view> index) {
            return index ? std::nullopt : variable(name, index);

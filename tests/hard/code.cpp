@@ -2,8 +2,9 @@
 
 #include <numeric>
 
+#include "formulate/scene_drift.hpp"
+#include "model/scene_facts.hpp"
 #include "pipeline.hpp"
-#include "simplify/scene_drift.hpp"
 #include "simulation/forces.hpp"
 #include "simulation/pose.hpp"
 #include "simulation/state.hpp"
@@ -30,7 +31,7 @@ Model model_of(const model::Scene& scene, const std::vector<std::string>& functi
 
 Code::Code(const model::Scene& scene, const std::string& scalar,
            const std::vector<std::string>& functions)
-    : states_(simplify::phase_states(scene, simplify::step_method(scene).has_value())) {
+    : states_(formulate::phase_states(scene, model::step_method(scene).has_value())) {
   Request request;
   request.scene = scene.name;
   request.functions = functions;
@@ -73,7 +74,7 @@ Numbers anchors_at(const model::Scene& scene, const Vector& q, double t) {
   pose.update(q, Vector::Zero(q.size()));
   for (std::size_t c = 0; c < scene.constraints.size(); ++c) {
     const model::Constraint& constraint = scene.constraints[c];
-    const int size = simplify::anchor_size(scene, static_cast<int>(c));
+    const int size = model::anchor_size(scene, static_cast<int>(c));
     const Eigen::Vector3d curve = simulation::VectorValue(constraint.curve.position).at(t);
     if (!constraint.pinned && size < 9) {
       result.insert(result.end(), index(size), 0);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "formulate/scene_steps.hpp"
 #include "hard/motion.hpp"
-#include "simplify/scene_steps.hpp"
 #include "support/compiled.hpp"
 
 namespace treedyn::hard {
@@ -31,10 +31,10 @@ class Code {
   /// Additions, multiplications and divisions of one call, as the manifest states them.
   [[nodiscard]] long operations(const std::string& function) const;
   /// The phases of `step`, in the order of its numbers.
-  [[nodiscard]] const std::vector<simplify::PhaseState>& states() const { return states_; }
+  [[nodiscard]] const std::vector<formulate::PhaseState>& states() const { return states_; }
 
  private:
-  std::vector<simplify::PhaseState> states_;
+  std::vector<formulate::PhaseState> states_;
   std::unique_ptr<support::CompiledModel> compiled_;
 };
 

@@ -246,8 +246,8 @@ void GeneratedMotion::record(const Fall& fall, const Moment& a, const Moment& b)
   result.qd_before = before.qd;
   result.qd_after = moved(b, fall.time - b.t).qd;
   if (fall.event != nullptr && fall.event->impact) {
-    const auto all = simplify::impacts_of(scene_);
-    const auto used = std::find_if(all.begin(), all.end(), [&](const simplify::ImpactName& name) {
+    const auto all = formulate::impacts_of(scene_);
+    const auto used = std::find_if(all.begin(), all.end(), [&](const formulate::ImpactName& name) {
       return name.constraints == fall.event->impact->constraints &&
              name.restitution == fall.event->impact->restitution;
     });

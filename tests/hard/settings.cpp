@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "dynamics/scene_dynamics.hpp"
+#include "formulate/scene_sticking.hpp"
 #include "hard/generated.hpp"
-#include "simplify/scene_sticking.hpp"
 
 namespace treedyn::hard {
 
@@ -62,7 +62,7 @@ model::Scene prepared(const model::Scene& scene, const std::string& integrator, 
   result.stepping.step = Real(step);
   result.stepping.drift = scene.duration == 0 ? model::Drift::kNone : model::Drift::kBaumgarte;
   result.stepping.stabilisation = Real(std::min(20.0, kCorrected / step));
-  simplify::settle_sticking(result);
+  formulate::settle_sticking(result);
   return result;
 }
 

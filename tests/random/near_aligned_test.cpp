@@ -8,9 +8,9 @@
 
 #include "description/read.hpp"
 #include "engine/engine.hpp"
+#include "formulate/functions.hpp"
 #include "program/interpret.hpp"
 #include "program/random.hpp"
-#include "simplify/functions.hpp"
 #include "support/measured.hpp"
 
 namespace treedyn {
@@ -141,16 +141,16 @@ std::vector<Scalar> evaluated(const program::Function& function,
 
 /// The formulation without any pass, whose error bounds are the measure.
 program::Function plain(const model::Tree& tree, const std::string& name,
-                        simplify::Options options) {
+                        formulate::Options options) {
   options.share_limbs = false;
-  simplify::Variant variant = simplify::plain_variant(tree);
-  for (const simplify::PassInfo& info : simplify::passes()) {
-    if (info.pass != simplify::Pass::kSums) {
-      simplify::switch_off({info.pass}, variant);
+  formulate::Variant variant = formulate::plain_variant(tree);
+  for (const formulate::PassInfo& info : formulate::passes()) {
+    if (info.pass != formulate::Pass::kSums) {
+      formulate::switch_off({info.pass}, variant);
     }
   }
-  program::Function function = simplify::build(tree, simplify::recipe_of(name), options, variant);
-  function.signature = simplify::signature(name, tree.dof(), 0);
+  program::Function function = formulate::build(tree, formulate::recipe_of(name), options, variant);
+  function.signature = formulate::signature(name, tree.dof(), 0);
   return function;
 }
 
@@ -175,10 +175,10 @@ void expect_accurate(const program::Function& function, const program::Function&
   }
 }
 
-void expect_accurate(const model::Tree& tree, const simplify::Options& options, Random& random) {
+void expect_accurate(const model::Tree& tree, const formulate::Options& options, Random& random) {
   engine::Engine<Real> engine(tree, {}, options.gravity);
   for (const char* name : kFunctions) {
-    const program::Function function = simplify::formulate(tree, name, options);
+    const program::Function function = formulate::formulated(tree, name, options);
     const program::Function before = plain(tree, name, options);
     EXPECT_LE(function.rounding.amplification, 4) << name;
     for (int state = 0; state < 2; ++state) {
@@ -198,18 +198,18 @@ void expect_accurate(const model::Tree& tree, const simplify::Options& options, 
   }
 }
 
-simplify::Options options_number(int k, int joints) {
-  simplify::Options options;
+formulate::Options options_number(int k, int joints) {
+  formulate::Options options;
   options.gravity = kGravity;
-  options.effort = k % 25 == 7 && joints < 4 ? simplify::Options{}.effort : k % 10 == 3 ? 20 : 0;
-  const auto& passes = simplify::passes();
+  options.effort = k % 25 == 7 && joints < 4 ? formulate::Options{}.effort : k % 10 == 3 ? 20 : 0;
+  const auto& passes = formulate::passes();
   const auto left_out = static_cast<std::size_t>(k) % (2 * passes.size());  // every other: none
   if (left_out < passes.size()) {
     options.without = {passes[left_out].pass};
   }
-  options.forward_dynamics = k % 4 == 1   ? simplify::ForwardDynamics::kArticulated
-                             : k % 4 == 2 ? simplify::ForwardDynamics::kFactor
-                                          : simplify::ForwardDynamics::kCheapest;
+  options.forward_dynamics = k % 4 == 1   ? formulate::ForwardDynamics::kArticulated
+                             : k % 4 == 2 ? formulate::ForwardDynamics::kFactor
+                                          : formulate::ForwardDynamics::kCheapest;
   return options;
 }
 
@@ -242,9 +242,9 @@ TEST(NearAlignedLimbs, KeepTheAccuracyOfTheEquations) {
     read.snap = k % 2 == 0 ? Real(0) : read.snap;
     read.base = is_free ? description::Base::kAxes : read.base;
     const model::Tree tree = description::parse_urdf(text, "near.urdf", read);
-    simplify::Options options = options_number(k, 4);
+    formulate::Options options = options_number(k, 4);
     options.share_limbs = true;
-    shared += simplify::formulate(tree, "inverse_dynamics", options).limb_code != nullptr ? 1 : 0;
+    shared += formulate::formulated(tree, "inverse_dynamics", options).limb_code != nullptr ? 1 : 0;
     Random random(static_cast<std::uint64_t>(k) + 1);
     expect_accurate(tree, options, random);
   }
@@ -260,12 +260,12 @@ TEST(PublishedRobots, ThatWereWrongKeepTheAccuracyOfTheEquations) {
       SCOPED_TRACE(fmt::format("{} --snap {}", entry.path().string(), snap));
       description::ReadOptions read;
       read.snap = Real(snap);
-      simplify::Options options;
+      formulate::Options options;
       options.gravity = kGravity;
       options.effort = 0;
       Random random(1);
       expect_accurate(description::read_model(entry.path().string(), read), options, random);
-      options.without = {simplify::Pass::kSearch};
+      options.without = {formulate::Pass::kSearch};
       expect_accurate(description::read_model(entry.path().string(), read), options, random);
     }
   }

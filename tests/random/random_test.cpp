@@ -8,12 +8,12 @@
 
 #include "description/read.hpp"
 #include "engine/engine.hpp"
+#include "formulate/formulate.hpp"
 #include "oracle/from_tree.hpp"
 #include "oracle/functions.hpp"
 #include "program/interpret.hpp"
 #include "random/random_description.hpp"
 #include "rapidcheck/gtest.h"  // needs gtest/gtest.h before it
-#include "simplify/formulate.hpp"
 #include "support/compiled.hpp"
 #include "support/process.hpp"
 #include "support/states.hpp"
@@ -112,20 +112,20 @@ RC_GTEST_PROP(RandomTree, ProgramAndEngineAndOracleAgree, ()) {
   RC_LOG() << description.dump(1) << '\n';
   const model::Tree tree = read(description);
   Trio trio(tree);
-  simplify::Options options;
+  formulate::Options options;
   options.gravity = kGravity;
   options.points = tree.points;
   options.effort = *rc::gen::element(0, 0, 20);
   const auto samples = support::samples(static_cast<std::size_t>(tree.dof()), tree.points.size(), 9,
                                         *rc::gen::arbitrary<std::uint64_t>());
-  for (const std::string& name : simplify::function_names()) {
+  for (const std::string& name : formulate::function_names()) {
     const bool solves = name == "forward_dynamics" || name.starts_with("mass_matrix_");
     if (solves && !std::all_of(samples.begin(), samples.end(), [&](const support::Sample& sample) {
           return solvable(trio.problem, sample);
         })) {
       continue;
     }
-    const program::Function function = simplify::formulate(tree, name, options);
+    const program::Function function = formulate::formulated(tree, name, options);
     for (const std::size_t k : {0U, 1U, 3U, 4U, 6U, 7U, 8U}) {
       expect_agreement(trio, function, samples[k]);
     }

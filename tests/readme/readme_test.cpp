@@ -12,9 +12,9 @@
 namespace treedyn {
 namespace {
 
-/// The code blocks that stand after a marker <!-- excerpt: FILE -->, by file.
-std::map<std::string, std::string> excerpts() {
-  const std::string marker = "<!-- excerpt: ";
+/// The code blocks that stand after a marker <!-- KIND: FILE -->, by file.
+std::map<std::string, std::string> excerpts(const std::string& kind) {
+  const std::string marker = "<!-- " + kind + ": ";
   std::istringstream readme(support::read_file(TREEDYN_SOURCE_DIR "/README.md") +
                             support::read_file(TREEDYN_SOURCE_DIR "/models/scenes/README.md"));
   std::map<std::string, std::string> result;
@@ -34,11 +34,29 @@ std::map<std::string, std::string> excerpts() {
 }
 
 TEST(Readme, ShowsTextOfTheCommittedOutput) {
-  const auto shown = excerpts();
+  const auto shown = excerpts("excerpt");
   EXPECT_EQ(shown.size(), 3U);
   for (const auto& [file, text] : shown) {
     const std::string committed = support::read_file(TREEDYN_SOURCE_DIR "/" + file);
     EXPECT_NE(committed.find(text), std::string::npos) << file << " has no longer\n" << text;
+  }
+}
+
+TEST(Readme, ShowsLinesThatCommandsPrint) {
+  const auto shown = excerpts("printed by");
+  std::filesystem::current_path(TREEDYN_SOURCE_DIR);
+  EXPECT_EQ(shown.size(), 1U);
+  for (const auto& [command, text] : shown) {
+    const auto printed = support::run_words(TREEDYN_EXECUTABLE " " + command);
+    EXPECT_EQ(printed.status, 0) << command;
+    std::istringstream lines(text);
+    std::size_t at = 0;
+    for (std::string line; std::getline(lines, line);) {
+      if (line != "  ..") {
+        at = printed.out.find(line + "\n", at);
+        ASSERT_NE(at, std::string::npos) << command << " has no longer, in this order: " << line;
+      }
+    }
   }
 }
 

@@ -31,7 +31,7 @@ Request request_for(const Robot& robot, const std::string& scalar) {
 }
 
 /// All functions; what the tool would refuse to write is not compared, so no proof runs here.
-Programs programs_of(const Robot& robot, const Request& request, Model& model) {
+program::Programs programs_of(const Robot& robot, const Request& request, Model& model) {
   model.source = {robot.name, ""};
   model.name = robot.name;
   model.scene = robot.scene;
@@ -39,7 +39,7 @@ Programs programs_of(const Robot& robot, const Request& request, Model& model) {
   model.points = robot.scene.points;
   model.functions.assign(kFunctions.begin(), kFunctions.end() - 1);
   model.scene_functions = {kFunctions.back()};
-  return formulate(model, request, [](const std::string&) {});
+  return formulate_model(model, request, [](const std::string&) {});
 }
 
 /// extern "C" void NAME_FUNCTION(inputs, first output).
@@ -61,7 +61,7 @@ std::string shim(const std::string& name, const program::Signature& signature) {
       name, signature.name, before, arguments, signature.outputs.front().size);
 }
 
-std::string shims(const std::string& name, const Programs& programs) {
+std::string shims(const std::string& name, const program::Programs& programs) {
   std::string result;
   for (const program::Function& function : programs.functions) {
     result += shim(name, function.signature);
@@ -81,7 +81,7 @@ Batch::Batch(const std::vector<Robot>& robots, const std::string& scalar) {
   for (const Robot& robot : robots) {
     const Request request = request_for(robot, scalar);
     Model model;
-    Programs programs = programs_of(robot, request, model);
+    program::Programs programs = programs_of(robot, request, model);
     calls += shims(robot.name, programs);
     for (const emit::File& file : emit_files(model, request, std::move(programs))) {
       support::write_file(folder.path() / file.name, file.text);

@@ -1,0 +1,254 @@
+#include "derive/derivation_text.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "derive/columns.hpp"
+#include "derive/forms.hpp"
+#include "equations/symbols.hpp"
+
+namespace treedyn::derive {
+namespace {
+
+namespace eq = equations;
+
+using Names = std::map<int, std::string>;
+
+/// What the field calls the values that occur everywhere.
+Names known_names(const Values& values) {
+  Values copy = values;
+  Columns columns(copy);
+  const block::Expression w = eq::z_d * eq::sigma * eq::qd;
+  const block::Expression alpha =
+      eq::D * eq::sigma * eq::qd_d * block::skew_transpose(eq::z_d) * (eq::D - eq::E) * w;
+  Names names;
+  const auto add = [&](const char* name, const block::Expression& e) {
+    names.emplace(columns.column(e), name);
+  };
+  add("w", w);
+  add("ω", eq::D * w);
+  add("v", eq::D * (eq::z_d * (eq::E - eq::sigma) * eq::qd +
+                    block::skew_transpose(eq::s_d) * (eq::D - eq::E) * w));
+  add("ω_f", (eq::D - eq::E) * w);
+  add("α", alpha);
+  add("α", eq::D * eq::z_d * eq::sigma * eq::qdd + alpha);
+  add("P", eq::D * eq::s_d * eq::ones);
+  add("m^c", transpose(eq::D) * eq::m_d * eq::ones);
+  add("q̇_s", (eq::E - eq::sigma) * eq::qd);
+  return names;
+}
+
+/// Of dynamics: Ω, the accelerations of joints, the forces and moments that they carry.
+void add_dynamic_names(const Values& values, const std::vector<int>& needed, Names& names) {
+  const std::vector<Turning> turnings = turnings_about_axes(values, needed);
+  if (turnings.size() != 1) {
+    return;
+  }
+  names.emplace(turnings.front().Omega, "Ω");
+  for (const int id : needed) {
+    const Value& v = values[id];
+    if (v.type == Type::kVector) {
+      const char* const name = v.op == Op::kPath       ? "a"
+                               : v.op == Op::kSubtree  ? "F"
+                               : v.op == Op::kBackward ? "M"
+                                                       : nullptr;
+      if (name != nullptr) {
+        names.emplace(id, name);
+      }
+    }
+  }
+}
+
+/// Of symmetric matrices: composites, and the force and moment of the column that is asked for.
+void add_composite_names(const Values& values, const std::vector<int>& needed, Names& names) {
+  for (const int id : needed) {
+    const Value& v = values[id];
+    if (v.op == Op::kComposite) {
+      names.emplace(id, "I^c");
+      names.emplace(v.operands[1], "h^c");
+    } else if (values.choices().composites && values.of_unit(id) && v.type == Type::kVector) {
+      const char* const name = v.op == Op::kSubtree ? "F" : v.op == Op::kBackward ? "M" : nullptr;
+      if (name != nullptr) {
+        names.emplace(id, name);
+      }
+    }
+  }
+}
+
+class Printer {
+ public:
+  explicit Printer(const Values& values) : values_(values), names_(known_names(values)) {}
+
+  std::vector<Line> run(const std::vector<int>& roots) {
+    std::vector<Line> result;
+    add_dynamic_names(values_, values_.needed(roots), names_);
+    add_composite_names(values_, values_.needed(roots), names_);
+    for (const auto& [travelling, definition] : values_.definitions()) {
+      names_[definition] = values_[travelling].name;
+    }
+    for (const int id : values_.needed(roots)) {
+      const Value& value = values_[id];
+      if (value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
+          value.op == Op::kUnit || value.op == Op::kIdentity || value.op == Op::kTravelling) {
+        names_[id] = symbol(value);
+        continue;
+      }
+      if (value.op == Op::kAtLink && values_[value.operands.front()].op == Op::kLeaf) {
+        names_[id] = name(value.operands.front());
+        continue;
+      }
+      if (!value.name.empty()) {
+        names_[id] = value.name;
+      }
+      const std::string text = expression(value);
+      if (names_.count(id) == 0) {
+        names_[id] = fmt::format("x{}", ++count_);
+      }
+      result.push_back({id, fmt::format("{} = {}", names_[id], text)});
+    }
+    return result;
+  }
+
+ private:
+  static std::string symbol(const Value& value) {
+    switch (value.op) {
+      case Op::kOnes:
+        return "1";
+      case Op::kIdentity:
+        return "E";
+      case Op::kZero:
+        return "0";
+      case Op::kUnit:
+        return "e_j";
+      default:
+        return value.name;
+    }
+  }
+
+  [[nodiscard]] const std::string& name(int id) const { return names_.at(id); }
+
+  [[nodiscard]] std::string sum(const Value& value) const {
+    std::string text;
+    for (std::size_t k = 0; k < value.operands.size(); ++k) {
+      const Ratio& f = value.factors[k];
+      const bool minus = f.numerator < 0;
+      const int size = minus ? -f.numerator : f.numerator;
+      const std::string number = f.denominator != 1 ? fmt::format("{}/{} ", size, f.denominator)
+                                 : size != 1        ? fmt::format("{} ", size)
+                                                    : "";
+      text += text.empty() ? (minus ? "-" : "") : minus ? " - " : " + ";
+      text += number + name(value.operands[k]);
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string expression(const Value& value) const {
+    const auto a = [&] {
+      return name(value.operands.front());
+    };
+    const auto b = [&] {
+      return name(value.operands.back());
+    };
+    switch (value.op) {
+      case Op::kLinear:
+        return sum(value);
+      case Op::kScale: {
+        std::string text;
+        for (const int operand : value.operands) {
+          text += (text.empty() ? "" : " ") + name(operand);
+        }
+        return text;
+      }
+      case Op::kDot:
+        return fmt::format("{}·{}", a(), b());
+      case Op::kCross:
+        return fmt::format("{} × {}", a(), b());
+      case Op::kSkew:
+        return fmt::format("Λ({})", a());
+      case Op::kSkewProduct:
+        return a() == b() ? fmt::format("Λ({})²", a()) : fmt::format("Λ({}) Λ({})", a(), b());
+      case Op::kApply:
+        return fmt::format("{} {}", a(), b());
+      case Op::kApplyTranspose:
+        return fmt::format("{}^T {}", a(), b());
+      case Op::kComposite:
+        return fmt::format(
+            "tr(E^c) - E^c, E^c = D^T E + N^T ({1} {2}^T + {2} {1}^T + {0} {2} {2}^T)", a(),
+            name(value.operands[1]), b());
+      case Op::kMoment:
+        return fmt::format("vee({} E)", a());
+      case Op::kSquare:
+        return fmt::format("-tr(Λ({})² E)", a());
+      case Op::kPath:
+        return value.operands.size() == 1 ? fmt::format("D {}", a())
+                                          : fmt::format("{} everywhere + D {}", b(), a());
+      case Op::kPathStrict:
+        return fmt::format("N {}", a());
+      case Op::kSubtree:
+        return fmt::format("D^T {}", a());
+      case Op::kSubtreeStrict:
+        return fmt::format("N^T {}", a());
+      case Op::kBackward:
+        return fmt::format("D^T {} + N^T {}", a(), b());
+      case Op::kFather:
+        return value.operands.size() == 1
+                   ? fmt::format("{} of the father", a())
+                   : fmt::format("{} of the father, {} above roots", a(), b());
+      case Op::kSons:
+        return fmt::format("sum of {} of the sons", a());
+      case Op::kGather:
+        return fmt::format("W {}", a());
+      case Op::kPick:
+        return fmt::format("W^T {}", a());
+      case Op::kSpread:
+        return fmt::format("{} everywhere", a());
+      case Op::kCollect:
+        return fmt::format("sum of all {}", a());
+      case Op::kComponent:
+        return fmt::format("{}_{}", a(), "xyz"[value.component]);
+      case Op::kFold:
+        return fmt::format("{} + sum of {} of the sons", a(), b());
+      case Op::kAtLink:
+        return a();
+      case Op::kReciprocal:
+        return fmt::format("1 / {}", a());
+      case Op::kLever:
+        return value.operands.size() == 2
+                   ? fmt::format("Λ({}) {}", a(), b())
+                   : fmt::format("Λ({}) {}^T - {} Λ({})", a(), name(value.operands[1]), b(), a());
+      case Op::kAcross:
+        return fmt::format("{} - {} {}^T, across {} and {}", a(), name(value.operands[1]),
+                           name(value.operands[2]), name(value.operands[3]), b());
+      case Op::kAlong:
+        return fmt::format("{}, along {} {}", a(), name(value.operands[1]), b());
+      case Op::kEliminated:
+      case Op::kFromLeaves:
+      case Op::kFromRoot: {
+        const bool up = value.op != Op::kFromRoot;
+        return fmt::format("{} - {}{} {}, from the {}", a(), b(), up ? "^T" : "", value.name,
+                           up ? "leaves" : "root");
+      }
+      case Op::kDiagonal:
+        return fmt::format("diagonal of {}", a());
+      case Op::kCongruence:
+        return fmt::format("{0} {1} {0}^T", a(), b());
+      case Op::kAssemble:
+        return fmt::format("({}, {}, {})", a(), name(value.operands[1]), b());
+      default:
+        return symbol(value);
+    }
+  }
+
+  const Values& values_;
+  Names names_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+std::vector<Line> lines(const Derivation& derivation) {
+  return Printer(derivation.values).run(derivation.roots);
+}
+
+}  // namespace treedyn::derive

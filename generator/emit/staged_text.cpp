@@ -1,0 +1,387 @@
+#include "emit/staged_text.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "emit/checked.hpp"
+#include "emit/layout.hpp"
+#include "emit/parts.hpp"
+#include "emit/template_file.hpp"
+
+namespace treedyn::emit {
+
+using program::RowSolve;
+using program::Staged;
+
+namespace {
+
+using Solves = std::vector<RowSolve>;
+
+/// Every solve once, in order of first use.
+Solves solves_of(const std::vector<Staged>& functions) {
+  Solves result;
+  for (const Staged& staged : functions) {
+    for (const RowSolve& solve : staged.solves) {
+      if (std::find(result.begin(), result.end(), solve) == result.end()) {
+        result.push_back(solve);
+      }
+    }
+  }
+  return result;
+}
+
+/// solve_rows_6; of several with six rows solve_rows_6, solve_rows_6_2, ...
+std::string name_of(const RowSolve& solve, const Solves& all, const std::string& stem) {
+  int same = 0;
+  for (const RowSolve& other : all) {
+    same += other.rows == solve.rows ? 1 : 0;
+    if (other == solve) {
+      break;
+    }
+  }
+  const std::string name = fmt::format("{}_{}", stem, solve.rows);
+  return same > 1 ? fmt::format("{}_{}", name, same) : name;
+}
+
+std::string parameter_list(const RowSolve& solve) {
+  return fmt::format("const Scalar K[{}], const Scalar b[{}], Scalar x[{}]",
+                     solve.rows * (solve.rows + 1) / 2, solve.rows, solve.rows);
+}
+
+/// Below this part of what it ordinarily is a pivot is lost to steps. Beside a singular position a
+/// row of length s, the root of the part, asks for eps/s more acceleration than it should, and a
+/// step that passes there for that times its own growth. Of 160 motions (40 lengths of steps of rk4
+/// on four mechanisms) 13 left their branch with 3e-5, one with 1e-4, none with 2e-4 to 5e-4.
+double lost(const RowSolve& solve, const Target& target) {
+  return solve.passes && target.scalar == Scalar::kFloat ? 5e-4 : 0;
+}
+
+/// Multiple of its own diagonal entry that a pivot has to exceed.
+double tolerance(const RowSolve& solve, const Target& target) {
+  return solve.tolerance > 0 ? solve.tolerance
+                             : std::max(pivot_rounding(solve.rows, target.scalar),
+                                        lost(solve, target) * solve.least);
+}
+
+/// A number with two digits.
+std::string short_literal(double value, const Target& target) {
+  return literal(Real(fmt::format("{:.1e}", value)), target.scalar);
+}
+
+/// Multiple of its row's size that a diagonal entry has to exceed; a row's length is its root.
+double vanishing(const RowSolve& solve, const Target& target) {
+  const double rounded = target.scalar == Scalar::kFloat ? 1e-9 : 1e-14;
+  return std::max(solve.tolerance > 0 ? solve.tolerance : lost(solve, target), rounded);
+}
+
+/// What the diagonal entry of a row has to exceed.
+std::string least_entry(const RowSolve& solve, std::size_t row, const Target& target) {
+  const double least = target.scalar == Scalar::kFloat ? 1e-36 : 1e-290;  // of normal numbers
+  return short_literal(std::max(vanishing(solve, target) * solve.sizes[row], least), target);
+}
+
+/// Pivot k is safe.
+std::string pivot_test(const RowSolve& solve, std::size_t k, const Target& target) {
+  const std::size_t diagonal = k * (k + 3) / 2;
+  const std::string least = fmt::format("K[{}] > {}", diagonal, least_entry(solve, k, target));
+  return k == 0 ? least
+                : fmt::format("{} && d[{}] > {} * K[{}]", least, k,
+                              short_literal(tolerance(solve, target), target), diagonal);
+}
+
+/// The unrolled elimination, which gives up at the first pivot that may be zero.
+std::string regular_text(const RowSolve& solve, const std::string& name, const Target& target) {
+  const program::Function function = program::regular_solve(solve);
+  const Body text = body(function, {}, target,
+                         [](int array, int element) { return array == 2 ? element + 1 : 0; });
+  std::vector<std::string> lines;
+  lines.push_back(fmt::format("Scalar d[{}];", solve.rows));
+  const Part& part = text.parts.front();
+  std::size_t stage = 0;
+  for (std::size_t at = 0; at < part.lines.size(); ++at) {
+    for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
+      lines.push_back(fmt::format("if (!({})) {{", pivot_test(solve, stage, target)));
+      lines.push_back("  return false;");
+      lines.push_back("}");
+    }
+    lines.push_back(part.lines[at]);
+  }
+  lines.push_back("return true;");
+  return fmt::format(
+             "\n/// K x = b; false if K (lower half, row by row) is not safely positive definite.\n"
+             "bool {}({}) noexcept {{",
+             name, parameter_list(solve)) +
+         block(lines);
+}
+
+/// The path for dependent rows; weights are the inverse sizes of the rows.
+std::vector<std::string> deficient_lines(const RowSolve& solve, const Target& target) {
+  std::vector<std::string> weights;
+  for (const double size : solve.sizes) {
+    weights.push_back(short_literal(size > 0 ? 1 / size : 1, target));
+  }
+  std::string list = wrapped(fmt::format("{}}};", fmt::join(weights, ", ")), "      ");
+  list.pop_back();
+  return {fmt::format("static constexpr {} weights[] = {{\n{}", type_name(target.scalar), list),
+          declaration(fmt::format("return solve_deficient_{}", solve.rows),
+                      {std::to_string(solve.rank), "weights",
+                       short_literal(tolerance(solve, target), target),
+                       short_literal(vanishing(solve, target), target), "K", "b", "x"},
+                      ";")};
+}
+
+std::string solve_text(const RowSolve& solve, const Solves& all, const Target& target) {
+  const std::string name = name_of(solve, all, "solve_rows");
+  const std::string head = fmt::format("\nint {}({}) noexcept {{", name, parameter_list(solve));
+  std::vector<std::string> lines = deficient_lines(solve, target);
+  if (!solve.regular()) {
+    return head + block(lines);
+  }
+  const std::string regular = name_of(solve, all, "solve_regular");
+  lines.insert(lines.begin(), {fmt::format("if ({}(K, b, x)) {{", regular), "  return 0;", "}"});
+  return regular_text(solve, regular, target) + head + block(lines);
+}
+
+/// The path for dependent rows of one number of rows.
+std::string deficient_text(int rows, const Target& target) {
+  const bool single = target.scalar == Scalar::kFloat;
+  const std::string type = type_name(target.scalar);
+  return fill(
+      template_text("solve_rows.cpp"),
+      {{"declaration",
+        declaration(fmt::format("[[gnu::noinline]] int solve_deficient_{}", rows),
+                    {"int expected", fmt::format("const {}* weights", type), type + " tolerance",
+                     type + " vanishing", "const Scalar* K", "const Scalar* b", "Scalar* x"},
+                    " noexcept {")},
+       {"rows", std::to_string(rows)},
+       {"given_up", single ? "0.01f" : "0.01"},
+       {"given_up_least", single ? "1e-3f" : "1e-6"}});
+}
+
+std::string solvers_text(const Solves& all, const Target& target) {
+  if (all.empty()) {
+    return {};
+  }
+  std::string result;
+  std::set<int> done;
+  for (const RowSolve& solve : all) {
+    result += done.insert(solve.rows).second ? deficient_text(solve.rows, target) : "";
+    result += solve_text(solve, all, target);
+  }
+  return "\nnamespace {\n" + result + "\n}  // namespace\n";
+}
+
+bool has(const std::vector<program::Array>& arrays, const std::string& name) {
+  return std::any_of(arrays.begin(), arrays.end(),
+                     [&](const program::Array& array) { return array.name == name; });
+}
+
+/// Declarations of the arrays that callers do not see.
+std::vector<std::string> local_arrays(const Staged& staged) {
+  const program::Signature& inner = staged.function.signature;
+  std::vector<std::string> lines;
+  for (const auto* arrays : {&inner.outputs, &inner.inputs}) {
+    for (const program::Array& array : *arrays) {
+      const bool twice = arrays == &inner.inputs && has(inner.outputs, array.name);
+      if (!twice && !has(staged.signature.inputs, array.name) &&
+          !has(staged.signature.outputs, array.name)) {
+        lines.push_back(fmt::format("Scalar {}[{}];", array.name, array.size));
+      }
+    }
+  }
+  if (!staged.contacts.empty()) {
+    lines.push_back("for (int i = 0; i < kDof; ++i) {");
+    const char* const first = has(staged.signature.inputs, "tau") ? "tau[i]" : "Scalar(0)";
+    lines.push_back(fmt::format("  {}[i] = {};", program::kForceArray, first));
+    lines.push_back("}");
+  }
+  return lines;
+}
+
+std::vector<std::string> press_lines(const Staged& staged) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < staged.contacts.size(); ++k) {
+    std::vector<std::string> passed;
+    const program::Signature& signature = staged.contacts[k].signature;
+    for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
+      for (const program::Array& array : *arrays) {
+        passed.push_back(array.name);
+      }
+    }
+    lines.push_back(fmt::format("if ({}[{}] > Scalar(0)) {{", program::kDepthArray, k));
+    lines.push_back(
+        fmt::format("  {}({});", staged.contacts[k].signature.name, fmt::join(passed, ", ")));
+    lines.push_back("}");
+  }
+  return lines;
+}
+
+/// Nothing presses: every output is zero.
+std::vector<std::string> return_lines(const Staged& staged) {
+  std::vector<std::string> lines = {
+      fmt::format("if (!({}[0] > Scalar(0))) {{", program::kDepthArray)};
+  for (const program::Array& array : staged.signature.outputs) {
+    for (int k = 0; k < array.size; ++k) {
+      lines.push_back(fmt::format("  {}[{}] = Scalar(0);", array.name, k));
+    }
+  }
+  lines.insert(lines.end(), {staged.signature.status ? "  return 0;" : "  return;", "}"});
+  return lines;
+}
+
+/// What the solver says, and whether all results are numbers.
+std::string return_line(const Staged& staged) {
+  std::vector<std::string> parts;
+  if (!staged.solves.empty() || !staged.pivots.empty()) {
+    parts.emplace_back("failed");
+  }
+  for (const program::Array& array : staged.signature.outputs) {
+    parts.push_back(fmt::format("check({}, {})", array.name, array.size));
+  }
+  return fmt::format("return {};", fmt::join(parts, " | "));
+}
+
+/// What stands before stage `level`.
+std::vector<std::string> between(const Staged& staged, std::size_t level, const Solves& all,
+                                 const Target& target) {
+  switch (staged.gates[level - 1]) {
+    case program::Gate::kPress:
+      return press_lines(staged);
+    case program::Gate::kReturn:
+      return return_lines(staged);
+    case program::Gate::kClamp:
+      return {fmt::format("{0}[0] = {1}[0] > Scalar(0) ? {1}[0] : Scalar(0);",
+                          program::kNormalArray, program::kLawArray)};
+    case program::Gate::kPower:
+      return {fmt::format("{}[0] = pow({}[{}], {});", program::kPowerArray, program::kDepthArray,
+                          staged.power.depth, literal(staged.power.exponent, target.scalar))};
+    case program::Gate::kSolve:
+      break;
+  }
+  return {fmt::format("{}int failed = {}({}, {}, {});", staged.pivots.empty() ? "const " : "",
+                      name_of(staged.solves.front(), all, "solve_rows"), program::kMatrixArray,
+                      program::kRightArray, program::kMultiplierArray)};
+}
+
+/// Of the public arrays those that some statement touches.
+std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& used) {
+  std::vector<bool> result;
+  const program::Signature& inner = staged.function.signature;
+  const auto is_used = [&](const std::string& name, const std::vector<program::Array>& arrays,
+                           std::size_t first) {
+    for (std::size_t k = 0; k < arrays.size(); ++k) {
+      if (arrays[k].name == name) {
+        return static_cast<bool>(used[first + k]);
+      }
+    }
+    return false;
+  };
+  for (const program::Array& array : staged.signature.inputs) {
+    const bool passed_on = !staged.contacts.empty() &&
+                           (array.name == "q" || array.name == "qd" || array.name == "tau");
+    const bool raised = array.name == program::kDepthArray && program::worst_powers(staged) > 0;
+    result.push_back(passed_on || raised || is_used(array.name, inner.inputs, 0));
+  }
+  for (const program::Array& array : staged.signature.outputs) {
+    result.push_back(is_used(array.name, inner.outputs, inner.inputs.size()));
+  }
+  return result;
+}
+
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+  lines.insert(lines.end(), more.begin(), more.end());
+}
+
+std::string function_text(const Staged& staged, const Body& text, const Solves& all,
+                          const Target& target) {
+  std::vector<std::string> lines = local_arrays(staged);
+  std::string parts;
+  std::vector<bool> used;
+  if (text.parts.size() == 1) {
+    std::size_t stage = 0;
+    const Part& part = text.parts.front();
+    for (std::size_t at = 0; at < part.lines.size(); ++at) {
+      for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
+        append(lines, between(staged, stage + 1, all, target));
+      }
+      lines.push_back(part.lines[at]);
+    }
+    used = part.uses;
+  } else {
+    const SplitText split = split_text(staged.function.signature, text);
+    parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
+    if (!split.declaration.empty()) {
+      lines.push_back(split.declaration);
+    }
+    int stage = 0;
+    for (std::size_t k = 0; k < text.parts.size(); ++k) {
+      for (; stage < text.parts[k].level; ++stage) {
+        append(lines, between(staged, static_cast<std::size_t>(stage) + 1, all, target));
+      }
+      lines.push_back(split.calls[k]);
+    }
+    used = split.used;
+  }
+  if (!staged.pivots.empty()) {
+    if (staged.solves.empty()) {
+      lines.emplace_back("int failed = 0;");
+    }
+    append(lines, pivot_tests(staged.pivots, staged.signature.inputs.front().size, target));
+  }
+  if (staged.signature.status) {
+    lines.push_back(return_line(staged));
+  }
+  return parts +
+         declaration(returned(staged.signature),
+                     parameters(staged.signature, used_arguments(staged, used)), " noexcept {") +
+         block(lines);
+}
+
+/// The functions that closed contacts call, each once, without namespace.
+std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary& words,
+                          const Target& target) {
+  std::string result;
+  std::vector<std::string> done;
+  for (const Staged& staged : functions) {
+    for (const Staged& contact : staged.contacts) {
+      const std::string& name = contact.signature.name;
+      if (std::find(done.begin(), done.end(), name) == done.end()) {
+        done.push_back(name);
+        result += '\n' + function_text(contact, staged_body(contact, words, target), {}, target);
+      }
+    }
+  }
+  return result.empty() ? result : "\nnamespace {\n" + result + "\n}  // namespace\n";
+}
+
+}  // namespace
+
+Body staged_body(const Staged& staged, const Vocabulary& words, const Target& target) {
+  return body(staged.function, words, target,
+              [&](int array, int) { return staged.levels[static_cast<std::size_t>(array)]; });
+}
+
+std::string local_functions(const std::vector<Staged>& functions, const Vocabulary& words,
+                            const Target& target) {
+  std::string result;
+  for (const Staged& staged : functions) {
+    result += '\n' + function_text(staged, staged_body(staged, words, target), {}, target);
+  }
+  return result;
+}
+
+std::string staged_text(const std::vector<Staged>& functions, const std::vector<Body>& bodies,
+                        const Vocabulary& words, const Target& target) {
+  const Solves all = solves_of(functions);
+  std::string result = solvers_text(all, target) + contacts_text(functions, words, target);
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    result += "\n";
+    result += function_text(functions[k], bodies[k], all, target);
+  }
+  return result;
+}
+
+}  // namespace treedyn::emit

@@ -1,0 +1,111 @@
+#include "emit/step_function.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "emit/layout.hpp"
+#include "emit/parts.hpp"
+#include "emit/staged_text.hpp"
+#include "emit/step_events.hpp"
+#include "emit/step_integrate.hpp"
+#include "emit/step_text.hpp"
+#include "emit/template_file.hpp"
+
+namespace treedyn::emit {
+
+using program::Stepper;
+using program::StepPhase;
+
+namespace {
+
+/// The dynamics of one phase: the call, and zeros for the reactions that it does not have.
+std::vector<std::string> dynamics_lines(const Stepper& stepper, const StepPhase& phase) {
+  std::vector<std::string> arguments = {"q", "qd", "tau"};
+  if (phase.takes_time) {
+    arguments.emplace_back("t");
+  }
+  if (phase.takes_anchor) {
+    arguments.emplace_back("anchor");
+  }
+  arguments.emplace_back("qdd");
+  if (phase.rows > 0) {
+    arguments.emplace_back("lambda");
+  }
+  std::vector<std::string> lines = {
+      call_text("const int failed = " + phase.dynamics, arguments, 4)};
+  for (int k = phase.rows; k < stepper.rows; ++k) {
+    lines.push_back(fmt::format("lambda[{}] = Scalar(0);", k));
+  }
+  return lines;
+}
+
+/// Calls the dynamics of the phase that acts, of no other.
+std::string dispatch(const Stepper& stepper) {
+  const int n = stepper.signature.inputs.front().size;
+  std::vector<std::string> parameters = {"int which", fmt::format("const Scalar q[{}]", n),
+                                         fmt::format("const Scalar qd[{}]", n),
+                                         fmt::format("const Scalar tau[{}]", n)};
+  for (const program::Array& array : stepper.signature.inputs) {
+    if (array.name == "t" || array.name == "anchor") {
+      parameters.push_back(fmt::format("const Scalar {}[{}]", array.name, array.size));
+    }
+  }
+  parameters.push_back(fmt::format("Scalar qdd[{}]", n));
+  if (stepper.rows > 0) {
+    parameters.push_back(fmt::format("Scalar lambda[{}]", stepper.rows));
+  }
+  std::vector<std::string> lines = {"switch (which) {"};
+  for (std::size_t k = 0; k < stepper.phases.size(); ++k) {
+    const StepPhase& phase = stepper.phases[k];
+    const bool last = k + 1 == stepper.phases.size();
+    lines.push_back(last ? "  default: {" : fmt::format("  case phase::{}: {{", phase.identifier));
+    for (const std::string& line : dynamics_lines(stepper, phase)) {
+      lines.push_back("    " + line);
+    }
+    append(lines, {"    return failed;", "  }"});
+  }
+  lines.emplace_back("}");
+  return "\n/// Accelerations and reactions in a phase.\n" +
+         declaration("int dynamics_in", parameters, " noexcept {") + block(lines);
+}
+
+/// What only `step` calls.
+std::string local_text(const Stepper& stepper, const Vocabulary& words, const Target& target) {
+  std::string result;
+  for (const StepPhase& phase : stepper.phases) {
+    result += local_functions(phase.guards, words, target);
+    result += local_functions(phase.approaches, words, target);
+  }
+  result += local_functions(stepper.anchors, words, target);
+  result += stepper.switches() ? dispatch(stepper) : "";
+  if (stepper.compensated) {
+    result += template_text("step_add.cpp");
+  }
+  if (stepper.method == StepMethod::kSdirk2) {
+    result += sdirk2_stages(stepper, target.scalar);
+  }
+  if (stepper.any_length()) {
+    result += "\n/// One step of length h of a phase.\n" +
+              integration(stepper, Form::kIntegrate, target.scalar);
+  }
+  if (!stepper.turning.empty()) {
+    result += parts_text(stepper, target.scalar);
+  }
+  if (stepper.ends()) {
+    result += event_functions(stepper, target.scalar);
+  }
+  return result.empty() ? result : "namespace {\n" + result + "\n}  // namespace\n\n";
+}
+
+}  // namespace
+
+std::string stepper_text(const Stepper& stepper, const Vocabulary& words, const Target& target) {
+  return local_text(stepper, words, target) +
+         (stepper.ends()         ? turns_text(stepper)
+          : stepper.any_length() ? step_of_parts(stepper, target.scalar)
+                                 : integration(stepper, Form::kStep, target.scalar));
+}
+
+}  // namespace treedyn::emit

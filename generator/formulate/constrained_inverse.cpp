@@ -1,0 +1,119 @@
+#include "formulate/constrained_inverse.hpp"
+
+#include <algorithm>
+
+#include "formulate/builders.hpp"
+#include "formulate/contacts.hpp"
+#include "formulate/derived.hpp"
+#include "formulate/scene_rows.hpp"
+#include "model/scene_facts.hpp"
+
+namespace treedyn::formulate {
+
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Expr input(Graph& graph, int array, int element) { return {graph, graph.input(array, element)}; }
+
+/// h = A qdd + B + G less the forces of the scene itself: what drives and reactions have to give.
+std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
+  const model::Scene& scene = *task.options.scene;
+  Graph& graph = task.kinematics.graph();
+  const InverseArrays arrays = inverse_arrays(scene);
+  std::vector<Expr> h = build_equation(task, "inverse_dynamics");
+  for (int i = 0; i < task.tree.dof(); ++i) {
+    h[index(i)] -= forces.joint(i);
+    if (arrays.force >= 0) {
+      h[index(i)] -= input(graph, arrays.force, i);
+    }
+  }
+  for (const model::Armature& armature : scene.armatures) {
+    const Expr qdd = input(graph, arrays.qdd, armature.joint);
+    h[index(armature.joint)] += constant(graph, armature.inertia) * qdd;
+  }
+  const SceneFrame frame(task, false, false);
+  for (const AppliedLoad& load : forces.loads()) {
+    const model::Point& point = scene.points[index(load.point)];
+    const MotionMap map = load.is_moment ? frame.turning(point) : frame.point(point);
+    for (const auto& [k, column] : map.columns) {
+      h[index(k)] -= dot(column, load.value);
+    }
+  }
+  return h;
+}
+
+/// J of the active constraints, row by row.
+std::vector<Row> active_rows(const Task& task) {
+  model::Scene scene = *task.options.scene;
+  std::vector<model::Constraint> active;
+  for (const int c : task.options.active) {
+    active.push_back(scene.constraints[index(c)]);
+  }
+  scene.constraints = active;
+  return base_rows(scene, SceneFrame(task, false, false), task.kinematics.graph());
+}
+
+Expr entry(const Row& row, int joint) {
+  const auto found = row.columns.find(joint);
+  return found == row.columns.end() ? Expr() : found->second;
+}
+
+}  // namespace
+
+InverseArrays inverse_arrays(const model::Scene& scene) {
+  InverseArrays arrays;
+  int next = arrays.scene.mu + 1;
+  if (!scene.contacts.empty()) {
+    arrays.force = next++;
+  }
+  if (uses_time(scene, {})) {
+    arrays.scene.t = next;
+  }
+  return arrays;
+}
+
+std::vector<Expr> build_constrained_inverse(const Task& task) {
+  Graph& graph = task.kinematics.graph();
+  const std::vector<int> passive = passive_joints(*task.options.scene);
+  const std::vector<Row> rows = active_rows(task);
+  const InverseArrays arrays = inverse_arrays(*task.options.scene);
+  const SceneForces forces(task, arrays.scene);
+  const std::vector<Expr> h = needed_forces(task, forces);
+  std::vector<Expr> result;
+  std::vector<Expr> mu;
+  for (std::size_t u = 0; u < passive.size(); ++u) {
+    for (std::size_t v = 0; v <= u; ++v) {
+      Expr sum;
+      for (const Row& row : rows) {
+        sum += entry(row, passive[u]) * entry(row, passive[v]);
+      }
+      result.push_back(sum);
+    }
+    mu.push_back(input(graph, arrays.scene.mu, static_cast<int>(u)));
+  }
+  for (const int u : passive) {
+    result.push_back(h[index(u)]);
+  }
+  std::vector<Expr> lambda;
+  for (const Row& row : rows) {
+    Expr sum;
+    for (std::size_t u = 0; u < passive.size(); ++u) {
+      sum += entry(row, passive[u]) * mu[u];
+    }
+    lambda.push_back(sum);
+  }
+  for (int i = 0; i < task.tree.dof(); ++i) {
+    Expr tau = h[index(i)];
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      tau -= entry(rows[r], i) * lambda[r];
+    }
+    result.push_back(tau);
+  }
+  result.insert(result.end(), lambda.begin(), lambda.end());
+  const std::vector<Expr> depths = contact_depths(*task.options.scene, task, forces);
+  result.insert(result.end(), depths.begin(), depths.end());
+  return result;
+}
+
+}  // namespace treedyn::formulate

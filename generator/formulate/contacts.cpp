@@ -1,0 +1,131 @@
+#include "formulate/contacts.hpp"
+
+#include "formulate/scene_frame.hpp"
+
+namespace treedyn::formulate {
+
+namespace {
+
+const model::GroundContact& contact_of(const Task& task) {
+  return task.options.scene->contacts[static_cast<std::size_t>(task.options.contact)];
+}
+
+Expr input(const Task& task, int array, int element) {
+  Graph& graph = task.kinematics.graph();
+  return {graph, graph.input(array, element)};
+}
+
+Expr depth_of(const Task& task, const model::Plane& plane, const Vec3& p) {
+  Graph& graph = task.kinematics.graph();
+  return constant(graph, plane.height) - dot(constant(graph, plane.normal), p);
+}
+
+/// d^n for multiples of 1/2.
+Expr power(Graph& graph, Expr d, const Real& n) {
+  const int halves = static_cast<int>(Real(2 * n));
+  Expr result = constant(graph, Real(1));
+  for (int k = 0; k < halves / 2; ++k) {
+    result = result * d;
+  }
+  return halves % 2 == 0 ? result : result * Expr(graph, graph.sqrt(d.ref()));
+}
+
+/// Velocity of the point, and the part of it along the normal.
+struct Slip {
+  Vec3 velocity;
+  Expr normal;
+};
+
+Slip slip_of(const Task& task, const SceneForces& forces) {
+  const model::GroundContact& c = contact_of(task);
+  const Vec3 v = forces.velocity(c.point);
+  return {v, dot(constant(task.kinematics.graph(), c.plane.normal), v)};
+}
+
+/// f = k d^n (1 - c vn), or the scene's own law.
+/// \param power_array  d^n where the contact needs_power
+Expr law(const Task& task, const SceneForces& forces, Expr depth, const Slip& slip,
+         int power_array) {
+  Graph& graph = task.kinematics.graph();
+  const model::GroundContact& c = contact_of(task);
+  if (c.law) {
+    return value_of(graph, *c.law, [&](const model::Variable& v) {
+      return v.quantity == model::Quantity::kDepth         ? depth
+             : v.quantity == model::Quantity::kNormalSpeed ? slip.normal
+                                                           : forces.meaning()(v);
+    });
+  }
+  const Expr raised =
+      needs_power(c) ? input(task, power_array, 0) : power(graph, depth, c.exponent);
+  const Expr elastic = constant(graph, c.stiffness) * raised;
+  if (c.dissipation == 0) {
+    return elastic;
+  }
+  const Expr damped = constant(graph, Real(1)) - constant(graph, c.dissipation) * slip.normal;
+  return elastic * damped;
+}
+
+/// f n - mu f vt / sqrt(vt^2 + vs^2).
+Vec3 force(const Task& task, Expr f, const Slip& slip) {
+  Graph& graph = task.kinematics.graph();
+  const model::GroundContact& c = contact_of(task);
+  const Vec3 n = constant(graph, c.plane.normal);
+  const Vec3 along = f * n;
+  if (c.friction == 0) {
+    return along;
+  }
+  const Vec3 normal_part = slip.normal * n;
+  const Vec3 vt = slip.velocity - normal_part;
+  const Expr squared = dot(vt, vt) + constant(graph, c.slip_speed * c.slip_speed);
+  const Expr speed(graph, graph.sqrt(squared.ref()));
+  const Expr factor = constant(graph, c.friction) * f / speed;
+  return along - factor * vt;
+}
+
+}  // namespace
+
+bool needs_power(const model::GroundContact& contact) {
+  const Real halves = 2 * contact.exponent;
+  return !contact.law && halves != floor(halves);
+}
+
+std::vector<Expr> contact_depths(const model::Scene& scene, const Task& task,
+                                 const SceneForces& forces) {
+  std::vector<Expr> depths;
+  for (const model::GroundContact& c : scene.contacts) {
+    depths.push_back(depth_of(task, c.plane, forces.position(c.point)));
+  }
+  return depths;
+}
+
+std::vector<Expr> build_contact_press(const Task& task) {
+  const SceneForces forces(task, {.tau = -1});
+  const model::GroundContact& c = contact_of(task);
+  const Slip slip = slip_of(task, forces);
+  const Expr depth = input(task, kDepthArray, task.options.contact);
+  std::vector<Expr> result = {law(task, forces, depth, slip, kForceArray + 1)};
+  const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
+  const SceneFrame frame(task, false, false);
+  const MotionMap map = frame.point(task.options.scene->points[static_cast<std::size_t>(c.point)]);
+  for (int i = 0; i < task.tree.dof(); ++i) {
+    Expr sum = input(task, kForceArray, i);
+    const auto column = map.columns.find(i);
+    if (column != map.columns.end()) {
+      sum += dot(column->second, f);
+    }
+    result.push_back(sum);
+  }
+  return result;
+}
+
+std::vector<Expr> build_contact_force(const Task& task) {
+  const SceneForces forces(task, {.tau = -1});
+  const model::GroundContact& c = contact_of(task);
+  const Slip slip = slip_of(task, forces);
+  const Expr depth = input(task, kDepthArray, 0);
+  const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
+  const Expr height = depth_of(task, c.plane, forces.position(c.point));
+  return {height, law(task, forces, depth, slip, kNormalArray + 1), f[0], f[1], f[2]};
+}
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,297 @@
+#include "formulate/derived.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "derive/words.hpp"
+#include "equations/table.hpp"
+#include "formulate/lowering.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+using block::Set;
+using Matrix = std::vector<std::vector<Expr>>;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+int count(const block::Side& side, int links, int points) {
+  return side.size * (side.set == Set::kLinks ? links : side.set == Set::kPoints ? points : 1);
+}
+
+/// Rows of joints (numbers of links) become rows of the independent coordinates: those of joints
+/// that move together add up. Of vectors of links those of independent joints remain.
+Matrix in_coordinates(const Task& task, const Matrix& rows, const block::Side& side, bool picked) {
+  const model::Tree& tree = task.tree;
+  Graph& graph = task.kinematics.graph();
+  if (side.set != Set::kLinks) {
+    return rows;
+  }
+  const std::size_t width = rows.front().size();
+  Matrix result(index(tree.dof() * side.size), std::vector<Expr>(width));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const int link = static_cast<int>(k) / side.size;
+    const model::Drive& drive = tree.drives[index(link)];
+    if (picked && tree.coordinates[index(drive.coordinate)] != link) {
+      continue;
+    }
+    std::vector<Expr>& sum = result[index(drive.coordinate * side.size) + k % index(side.size)];
+    for (std::size_t j = 0; j < width; ++j) {
+      sum[j] += picked ? rows[k][j] : constant(graph, drive.multiplier) * rows[k][j];
+    }
+  }
+  return result;
+}
+
+Matrix transposed(const Matrix& m) {
+  Matrix result(m.empty() ? 0 : m.front().size(), std::vector<Expr>(m.size()));
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    for (std::size_t j = 0; j < m[i].size(); ++j) {
+      result[j][i] = m[i][j];
+    }
+  }
+  return result;
+}
+
+/// The rows of what is derived.
+Matrix written(Lowering lowering) {
+  const derive::Derivation& derivation = lowering.derivation();
+  const auto& [rows, cols] = derivation.shape;
+  const block::Side& counted = derivation.by_rows ? rows : cols;
+  const block::Side& along = derivation.by_rows ? cols : rows;
+  const std::size_t stride = derivation.wide ? 3 : 1;
+  Matrix result;
+  for (int place = 0; place < lowering.count(counted.set); ++place) {
+    for (int k = 0; k < counted.size; k += static_cast<int>(stride)) {
+      if (derivation.by_units) {
+        lowering.ask_for(place, k);
+      }
+      const std::vector<Expr> entries = lowering.written(derivation.by_units ? 0 : k, along.set);
+      for (std::size_t n = 0; n < stride; ++n) {
+        std::vector<Expr>& column = result.emplace_back();
+        for (std::size_t e = n; e < entries.size(); e += stride) {
+          column.push_back(entries[e]);
+        }
+      }
+    }
+  }
+  return derivation.by_rows ? result : transposed(result);
+}
+
+/// Column j of a symmetric matrix, the rows from link j up to `from`.
+void add_column(const Kinematics& k, Lowering& lowering, int j, int from, SparseSymmetric& a) {
+  lowering.ask_for(j, 0);
+  for (int i = j; i >= from; i = k.link(i).father) {
+    if (const Expr entry = lowering.entry(i); !entry.is_zero()) {
+      a[{j, i}] = entry;
+    }
+  }
+}
+
+/// Row-major, of the degrees of freedom: T^T A T for reduced mimic joints (q = T u + q0).
+std::vector<Expr> dense(const Task& task, const SparseSymmetric& a) {
+  const auto n = index(task.tree.dof());
+  std::vector<Expr> result(n * n);
+  for (const auto& [place, entry] : a) {
+    const model::Drive& row = task.tree.drives[index(place.first)];
+    const model::Drive& column = task.tree.drives[index(place.second)];
+    const Expr scaled =
+        constant(task.kinematics.graph(), row.multiplier * column.multiplier) * entry;
+    const auto i = index(row.coordinate);
+    const auto j = index(column.coordinate);
+    result[i * n + j] += scaled;
+    if (place.first != place.second) {
+      result[j * n + i] += scaled;
+    }
+  }
+  return result;
+}
+
+/// Regrouped parameters have no centres of mass.
+bool needs_centres(const derive::Derivation& derivation) {
+  const std::vector<int> needed = derivation.values.needed(derivation.roots);
+  return std::any_of(needed.begin(), needed.end(), [&](int id) {
+    const std::string& name = derivation.values[id].name;
+    return name == "c^d" || name == "J_c^d";
+  });
+}
+
+/// Vectors of links against joints: (6) and (7).
+bool is_picked(const block::Shape& shape) {
+  return shape.rows.size == 3 && shape.rows.set == Set::kLinks;
+}
+
+}  // namespace
+
+std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
+                                       int points, bool keeps_joints) {
+  const block::Shape& shape = equation.expression.shape();
+  const bool by_rows = count(shape.rows, links, points) < count(shape.cols, links, points);
+  Derived result{equation, derive::derive(equation.expression, by_rows, keeps_joints), std::nullopt,
+                 keeps_joints};
+  if (shape.rows.set == Set::kPoints && shape.cols == block::Side{}) {
+    result.to_root = derive::derive_rows(equation.expression);
+  }
+  return std::make_shared<const Derived>(std::move(result));
+}
+
+Derived solved(const Derived& system, const std::string& unknown) {
+  std::optional<derive::Derivation> solution = derive::solved(system.derivation, unknown);
+  if (!solution) {
+    throw std::domain_error("R9 does not solve " + system.equation.name);
+  }
+  Derived result = system;
+  result.derivation = *std::move(solution);
+  return result;
+}
+
+/// Our equations hold for every tree, and so does what is derived from them.
+std::shared_ptr<const Derived> derived(const std::string& name) {
+  static std::map<std::string, std::shared_ptr<const Derived>> known;
+  std::shared_ptr<const Derived>& function = known[name];
+  if (!function) {
+    const equations::Equation& equation = *equations::find_solved(name);
+    const Derived made = *derived_part(name, *equation.expression);
+    function = std::make_shared<const Derived>(
+        equation.unknown.empty() ? made : solved(made, std::string(equation.unknown)));
+  }
+  return function;
+}
+
+std::shared_ptr<const Derived> derived_part(const std::string& name,
+                                            const block::Expression& expression) {
+  Derived made = *derived(equations::equation_of(name, expression), 1, 1,
+                          derive::refers_to_places(expression));
+  made.regroups = !needs_centres(made.derivation);
+  return std::make_shared<const Derived>(std::move(made));
+}
+
+std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way) {
+  const auto& [rows, cols] = function.derivation.shape;
+  const bool picked = is_picked(function.derivation.shape);
+  if (function.derivation.symmetric) {
+    Lowering lowering(task, function, way);
+    SparseSymmetric a;
+    for (int j = task.tree.size() - 1; j >= 0; --j) {
+      add_column(task.kinematics, lowering, j, 0, a);
+    }
+    return dense(task, a);
+  }
+  Matrix m = written(Lowering(task, function, way));
+  if (m.empty()) {
+    return {};
+  }
+  m = in_coordinates(task, m, rows, picked);
+  m = transposed(in_coordinates(task, transposed(m), cols, picked));
+  std::vector<Expr> result;
+  for (const std::vector<Expr>& row : m) {
+    result.insert(result.end(), row.begin(), row.end());
+  }
+  return result;
+}
+
+std::vector<Expr> build_equation(const Task& task, const std::string& name) {
+  return build_derived(task, *derived(name), task.kinematics.variant().way);
+}
+
+Trunk trunk_of_mass_matrix(const Task& task) {
+  using derive::Op;
+  using derive::Type;
+  const auto vector = [&](const Lowering& lowering, Op op, bool of_unit) {
+    const Block& x = lowering.first(op, Type::kVector, of_unit, kTrunkLink);
+    return lowering.frames().in(x.vector, kTrunkLink);
+  };
+  Lowering lowering(task, *derived("mass_matrix"), Way::kToRoot);
+  Trunk trunk;
+  trunk.mass = lowering.first(Op::kSubtree, Type::kScalar, false, kTrunkLink).number;
+  trunk.moment = vector(lowering, Op::kBackward, false);
+  trunk.inertia = lowering.first(Op::kComposite, Type::kTensor, false, kTrunkLink).tensor.value;
+  for (int j = task.tree.size() - 1; j > kTrunkLink; --j) {
+    add_column(task.kinematics, lowering, j, kTrunkLink + 1, trunk.limbs);
+    trunk.columns.push_back(
+        {j, vector(lowering, Op::kSubtree, true), vector(lowering, Op::kBackward, true)});
+  }
+  return trunk;
+}
+
+TrunkBias trunk_bias(const Task& task, const Vec3& omega) {
+  const Lowering lowering(task, *derived("bias_force"), Way::kToRoot, omega);
+  const auto at_trunk = [&](derive::Op op) {
+    return lowering.frames().in(lowering.first(op, derive::Type::kVector, false, kTrunkLink).vector,
+                                kTrunkLink);
+  };
+  TrunkBias bias{{}, {at_trunk(derive::Op::kSubtree), at_trunk(derive::Op::kBackward)}};
+  bias.tau.resize(index(task.tree.size()));
+  for (int i = kTrunkLink + 1; i < task.tree.size(); ++i) {
+    bias.tau[index(i)] = lowering.entry(i);
+  }
+  return bias;
+}
+
+std::vector<Expr> articulated_forward_dynamics(const Task& task, const Derived& system,
+                                               const JointForce& force) {
+  return Lowering(task, system, Way::kToRoot, {}, force).written(0, Set::kLinks);
+}
+
+std::vector<Expr> limb_accelerations(const Task& task, const Vec3& omega, const JointForce& force,
+                                     const TrunkSolution& solve) {
+  const auto of_trunk = [&](const Lowering& lowering) {
+    const derive::Elimination& at = *lowering.derivation().elimination;
+    const auto K = [&](std::size_t k) {
+      return lowering.tensor(at.inertia[k], kTrunkLink);
+    };
+    return solve(
+        {K(0),
+         K(1),
+         K(2),
+         {lowering.vector(at.bias[1], kTrunkLink), lowering.vector(at.bias[0], kTrunkLink)}});
+  };
+  return Lowering(task, *derived("forward_dynamics"), Way::kToRoot, omega, force, of_trunk)
+      .written(0, Set::kLinks);
+}
+
+std::vector<Motion> limb_motions(const Task& task, const Vec3& omega) {
+  const Lowering lowering(task, *derived("bias_force"), Way::kToRoot, omega);
+  std::vector<Motion> result(kTrunkLink);
+  for (int i = kTrunkLink; i < task.tree.size(); ++i) {
+    result.push_back(lowering.motion(i));
+  }
+  return result;
+}
+
+std::vector<Expr> values_at(const Task& task, const std::string& name,
+                            const std::vector<model::Point>& points, Way way) {
+  Options options;
+  options.gravity = task.options.gravity;
+  options.points = points;
+  return build_derived({task.tree, task.normal, options, task.kinematics}, *derived(name), way);
+}
+
+std::vector<program::Cost> costs_of_values(const model::Tree& tree,
+                                           const std::shared_ptr<const Derived>& function,
+                                           const Options& options) {
+  std::vector<program::Cost> result;
+  Recipe recipe = derived_recipe(function);
+  recipe.build = [&](const Task& task) {
+    result = Lowering(task, *function, Way::kInLinks).costs();
+    return std::vector<Expr>{};
+  };
+  build(tree, recipe, options, plain_variant(tree));
+  return result;
+}
+
+Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
+  std::vector<std::string_view> inputs;
+  for (const equations::UserArgument& argument : function->equation.arguments) {
+    inputs.push_back(argument.name);
+  }
+  return {places_of(inputs),
+          {.any_way = true, .fixed_frames = true, .fixed_length = true},
+          [function](const Task& task) {
+            return build_derived(task, *function, task.kinematics.variant().way);
+          },
+          function->equation.name};
+}
+
+}  // namespace treedyn::formulate

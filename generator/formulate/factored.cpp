@@ -1,0 +1,163 @@
+#include "formulate/factored.hpp"
+
+#include <stdexcept>
+
+#include "equations/symbols.hpp"
+#include "equations/table.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+/// An equation of the table, or what else stands in one that is solved.
+std::shared_ptr<const Derived> derived_leaf(const std::string& name, const block::Expression& e) {
+  for (const equations::Equation& equation : equations::table()) {
+    if (block::equal(*equation.expression, e)) {
+      return derived(std::string(equation.name));
+    }
+  }
+  return derived_part(name, e);
+}
+
+FactoredFunction make(const equations::Equation& equation) {
+  std::optional<derive::Factored> f =
+      derive::factored(*equation.expression, std::string(equation.unknown));
+  if (!f) {
+    throw std::domain_error("R12 does not solve " + std::string(equation.name));
+  }
+  FactoredFunction result{std::move(f->derivation), {}};
+  for (const auto& [leaf, e] : f->given) {
+    result.given.emplace_back(leaf, derived_leaf(leaf, e));
+  }
+  return result;
+}
+
+/// A column, or the lower half of a symmetric matrix.
+SparseRows rows_of(const Task& task, const Derived& function) {
+  const std::vector<Expr> x = build_derived(task, function, task.kinematics.variant().way);
+  if (!function.derivation.symmetric) {
+    return sparse(x);
+  }
+  const int n = task.tree.dof();
+  SparseSymmetric lower;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      lower[{i, j}] = x[index(i * n + j)];
+    }
+  }
+  return sparse(n, lower);
+}
+
+Numbers numbers(const Task& task, const std::string& name) {
+  const FactoredFunction& function = factored(name);
+  const auto leaf = [&](const std::string& symbol) {
+    for (const auto& [given, of] : function.given) {
+      if (given == symbol) {
+        return rows_of(task, *of);
+      }
+    }
+    std::vector<Expr> argument;
+    for (int k = 0; k < task.tree.dof(); ++k) {
+      argument.push_back(task.kinematics.argument(
+          static_cast<int>(equations::find_function(name)->inputs.size()) - 1, k));
+    }
+    return sparse(argument);
+  };
+  return {task.kinematics.graph(), task.tree.dof(), function.derivation, leaf};
+}
+
+/// Row-major.
+std::vector<Expr> dense(const SparseRows& rows, bool mirrored) {
+  std::vector<Expr> result(rows.size() * rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const auto& [j, x] : rows[i]) {
+      result[i * rows.size() + index(j)] = x;
+      if (mirrored) {
+        result[index(j) * rows.size() + i] = x;
+      }
+    }
+  }
+  return result;
+}
+
+const block::Expression kL =
+    block::leaf("L", block::Structure::kAlongPaths, {equations::kLinks, equations::kLinks});
+
+/// x of T x = r.
+derive::Derivation triangle(const block::Expression& T) {
+  const block::Shape column{equations::kLinks, equations::kOne};
+  const block::Expression x = block::leaf("x", block::Structure::kFull, column);
+  const block::Expression r = block::leaf("r", block::Structure::kFull, column);
+  return derive::factored(T * x - r, "x").value().derivation;
+}
+
+}  // namespace
+
+const FactoredFunction& factored(const std::string& name) {
+  static std::map<std::string, FactoredFunction> known;
+  const auto found = known.find(name);
+  return found != known.end()
+             ? found->second
+             : known.emplace(name, make(*equations::find_solved(name))).first->second;
+}
+
+std::vector<Expr> build_factored(const Task& task, const std::string& name) {
+  const Numbers solution = numbers(task, name);
+  const std::vector<equations::Argument>& outputs = equations::find_function(name)->outputs;
+  std::vector<Expr> result;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const bool symmetric = outputs.size() == 1;
+    const SparseRows& rows = solution.root(k);
+    const std::vector<Expr> x = outputs[k].cols.of == equations::Extent::Of::kOne
+                                    ? column_of(rows)
+                                    : dense(rows, symmetric);
+    result.insert(result.end(), x.begin(), x.end());
+  }
+  return result;
+}
+
+Factors::Factors(Graph& graph, int size, const SparseSymmetric& A)
+    : graph_(graph),
+      size_(size),
+      factors_(graph, size, factored("mass_matrix_factor").derivation,
+               [&](const std::string&) { return sparse(size, A); }) {}
+
+SparseRows Factors::solve(const derive::Derivation& triangle, const SparseRows& right) const {
+  const auto leaf = [&](const std::string& name) {
+    return name == "L" ? factors_.root() : right;
+  };
+  return Numbers(graph_, size_, triangle, leaf).root();
+}
+
+SparseRows Factors::to_root(const SparseRows& right) const {
+  static const derive::Derivation kTriangle = triangle(block::transpose(kL));
+  return solve(kTriangle, right);
+}
+
+std::vector<Expr> Factors::from_root(const std::vector<Expr>& right) const {
+  static const derive::Derivation kTriangle = triangle(kL);
+  return column_of(solve(kTriangle, sparse(right)));
+}
+
+std::vector<Expr> solve(Graph& graph, const SparseSymmetric& A, const std::vector<Expr>& b) {
+  const int size = static_cast<int>(b.size());
+  const auto leaf = [&](const std::string& name) {
+    return name == "A" ? sparse(size, A) : sparse(b);
+  };
+  return column_of(Numbers(graph, size, factored("mass_matrix_solve").derivation, leaf).root());
+}
+
+std::vector<program::Cost> costs_of_numbers(const model::Tree& tree, const std::string& name,
+                                            const Options& options) {
+  std::vector<program::Cost> result;
+  Recipe recipe = recipe_of(name);
+  recipe.build = [&](const Task& task) {
+    result = numbers(task, name).costs();
+    return std::vector<Expr>{};
+  };
+  build(tree, recipe, options, plain_variant(tree));
+  return result;
+}
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,82 @@
+#include "formulate/functions.hpp"
+
+#include <algorithm>
+
+#include "program/canonical.hpp"
+
+namespace treedyn::formulate {
+
+int weight(const program::Cost& cost) {
+  constexpr int kOperationsOfSineAndCosine = 8;
+  return cost.total() + kOperationsOfSineAndCosine * std::max(cost.sin, cost.cos);
+}
+
+void count_new(const Graph& graph, std::size_t first, program::Cost& cost) {
+  for (std::size_t n = first; n < graph.size(); ++n) {
+    const program::Kind kind = graph.node(static_cast<program::Ref>(n)).kind;
+    cost.add += kind == program::Kind::kAdd ? 1 : 0;
+    cost.mul += kind == program::Kind::kMultiply ? 1 : 0;
+    cost.div += kind == program::Kind::kDivide ? 1 : 0;
+  }
+}
+
+Variant plain_variant(const model::Tree& tree) {
+  Variant variant;
+  variant.links.resize(tree.links.size());
+  return variant;
+}
+
+namespace {
+
+/// The coordinates of limbs count with the signs of `limbs`.
+model::Tree with_signs(model::Tree tree, const NormalTree& normal) {
+  for (std::size_t i = 0; i < tree.drives.size(); ++i) {
+    tree.drives[i].multiplier *= normal.links[i].coordinate_sign;
+  }
+  return tree;
+}
+
+/// The recipe's expressions, nodes in canonical order.
+program::Function written(const model::Tree& tree, const NormalTree& normal, const Recipe& recipe,
+                          const Options& options, const Variant& variant, SharedLimbs* limbs) {
+  program::Function function;
+  const Kinematics kinematics(function.graph, tree, normal, variant, recipe.places, limbs);
+  for (const Expr& output : recipe.build({tree, normal, options, kinematics})) {
+    function.outputs.push_back(output.ref());
+  }
+  return program::canonical(function);
+}
+
+}  // namespace
+
+Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                       const Variant& variant) {
+  Variant used = variant;
+  if (recipe.freedom.trunk && variant.trunk && has_free_base(tree)) {
+    for (std::size_t i = 3; i < 6;
+         ++i) {  // the base axes stay in one point and the trunk keeps its mass
+      used.links[i].mass = MassGauge::kNothing;
+      used.links[i].slide = Slide::kNone;
+    }
+    used.links[4].cut =
+        LinkVariant::kWholeRun;  // forward dynamics needs the second axis as a frame axis
+  }
+  if (recipe.freedom.fixed_frames) {
+    for (LinkVariant& link : used.links) {
+      link.slide = Slide::kNone;
+    }
+  }
+  const std::vector<LimbLinks> links =
+      options.share_limbs ? find_limbs(tree) : std::vector<LimbLinks>{};
+  const NormalTree normal = normal_form(tree, options.gravity, used, links);
+  if (links.empty()) {
+    return {written(tree, normal, recipe, options, used, nullptr), {}};
+  }
+  SharedLimbs limbs = shared_limbs(tree, normal, links);
+  program::Function function =
+      written(with_signs(tree, normal), normal, recipe, options, used, &limbs);
+  function = program::fold_limb_constants(function, limbs.table);
+  return {std::move(function), std::move(limbs.table)};
+}
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,77 @@
+// How each function is formulated.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formulate/formulate.hpp"
+#include "formulate/link_kinematics.hpp"
+
+namespace treedyn::formulate {
+
+/// Everything a formulation may look at.
+struct Task {
+  const model::Tree& tree;
+  const NormalTree& normal;
+  const Options& options;
+  const Kinematics& kinematics;
+};
+
+/// Which choices of a Variant can change the cost of a function.
+struct Freedom {
+  bool regrouping = false;    ///< inertial parameters may move to the father
+  bool moment_form = false;   ///< velocities and link moments occur
+  bool tensor_form = false;   ///< composite bodies occur
+  bool trunk = false;         ///< a free base may be treated as one body
+  bool articulated = false;   ///< two methods exist
+  bool any_way = false;       ///< vectors occur that may stand in other frames
+  Way way = Way::kToRoot;     ///< where they stand without a search
+  bool fixed_frames = false;  ///< results refer to the model\'s own link origins: no slide
+  bool fixed_length = false;  ///< points occur: the metre stays the unit of length
+};
+
+using Builder = std::function<std::vector<Expr>(const Task& task)>;
+
+/// How a function is formulated.
+struct Recipe {
+  Inputs places;  ///< which of its inputs are q, qd, qdd, tau
+  Freedom freedom;
+  Builder build;
+  std::string name = {};  ///< of equations::functions(), or of a user; empty: one of a scene
+};
+
+/// Which of the inputs of these names are q, qd, qdd, tau.
+Inputs places_of(const std::vector<std::string_view>& inputs);
+
+/// Those of equations::functions().
+const std::vector<Recipe>& recipes();
+/// \pre `name` is in the table.
+const Recipe& recipe_of(const std::string& name);
+
+/// What formulations are compared by: operations, a sine with its cosine as 8 of them.
+int weight(const program::Cost& cost);
+
+/// Adds the operations of the nodes from number `first` on.
+void count_new(const Graph& graph, std::size_t first, program::Cost& cost);
+
+/// One formulation of a function and, with `options.share_limbs`, the leaves of its limbs.
+struct Built {
+  program::Function function;
+  program::Limbs limbs;
+};
+Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                       const Variant& variant);
+
+/// One formulation of a function, as it comes from the equations: no algebraic pass has run.
+/// \pre not `options.share_limbs`
+inline program::Function build(const model::Tree& tree, const Recipe& recipe,
+                               const Options& options, const Variant& variant) {
+  return build_with_limbs(tree, recipe, options, variant).function;
+}
+
+/// The variant before any search.
+Variant plain_variant(const model::Tree& tree);
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,165 @@
+#include "formulate/geometry.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "common/provenance.hpp"
+
+namespace treedyn::formulate {
+
+namespace {
+
+const Real kTiny("1e-40");
+
+bool is_tiny(const Real& x) {
+  return Real::both(x, x,
+                    [](const Digits& value, const Digits&) { return abs(value) < kTiny.digits(); });
+}
+
+Real clean(const Real& x) {
+  for (const int exact : {0, 1, -1}) {
+    if (is_tiny(x - exact)) {
+      return exact;
+    }
+  }
+  return x;
+}
+
+Turn clean(const Turn& turn) { return {clean(turn.c), clean(turn.s)}; }
+
+template <class Array, class Operation>
+Array map(const Array& a, const Array& b, Operation operation) {
+  Array result;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    result[i] = operation(a[i], b[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Vector3 operator+(const Vector3& a, const Vector3& b) {
+  return map(a, b, [](const Real& x, const Real& y) { return Real(x + y); });
+}
+Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return map(a, b, [](const Real& x, const Real& y) { return Real(x - y); });
+}
+Vector3 operator*(const Real& s, const Vector3& a) { return {s * a[0], s * a[1], s * a[2]}; }
+Real dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector3 multiply(const Matrix3& m, const Vector3& v) {
+  return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
+          m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
+}
+
+Vector3 multiply_transposed(const Matrix3& m, const Vector3& v) {
+  return multiply(transpose(m), v);
+}
+
+Matrix3 multiply(const Matrix3& a, const Matrix3& b) {
+  Matrix3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      result[3 * i + k] = a[3 * i] * b[k] + a[3 * i + 1] * b[3 + k] + a[3 * i + 2] * b[6 + k];
+    }
+  }
+  return result;
+}
+
+Matrix3 transpose(const Matrix3& a) {
+  return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]};
+}
+Matrix3 congruence(const Matrix3& rotation, const Matrix3& s) {
+  return multiply(multiply(rotation, s), transpose(rotation));
+}
+Matrix3 identity() { return {1, 0, 0, 0, 1, 0, 0, 0, 1}; }
+
+Matrix3 outer(const Vector3& a, const Vector3& b) {
+  Matrix3 result;
+  for (std::size_t i = 0; i < 9; ++i) {
+    result[i] = a[i / 3] * b[i % 3];
+  }
+  return result;
+}
+
+Matrix3 operator+(const Matrix3& a, const Matrix3& b) {
+  return map(a, b, [](const Real& x, const Real& y) { return Real(x + y); });
+}
+Matrix3 operator-(const Matrix3& a, const Matrix3& b) {
+  return map(a, b, [](const Real& x, const Real& y) { return Real(x - y); });
+}
+Matrix3 operator*(const Real& s, const Matrix3& a) {
+  return map(a, a, [&](const Real& x, const Real&) { return Real(s * x); });
+}
+
+Vector3 plain(const Vector3& v) { return {v[0].plain(), v[1].plain(), v[2].plain()}; }
+
+Matrix3 clean(Matrix3 rotation) {
+  for (Real& entry : rotation) {
+    entry = clean(entry);
+  }
+  return rotation;
+}
+
+Turn turn_to(const Real& x, const Real& y) {
+  const Real length = sqrt(x * x + y * y);
+  const auto part = [&](const Real& of, int else_) {
+    return Real::map(of, length, [else_](const Digits& a, const Digits& b) {
+      return b == 0 ? Digits(else_) : Digits(a / b);
+    });
+  };
+  const Turn turn = {part(x, 1), part(y, 0)};
+  const std::array of = {x, y};
+  note_ratio(of, turn.c);
+  note_ratio(of, turn.s);
+  return clean(turn);
+}
+
+Turn turn_by(const Real& angle) { return clean(Turn{cos(angle), sin(angle)}); }
+Turn with_right_angles(const Turn& turn) {
+  const Turn seen = clean(Turn{turn.c.seen(), turn.s.seen()});
+  return seen.is_quarter() ? seen : turn;
+}
+Turn operator*(const Turn& a, const Turn& b) {
+  return clean(Turn{a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s});
+}
+Real angle_of(const Turn& turn) { return atan2(turn.s, turn.c); }
+Matrix3 about_z(const Turn& turn) { return {turn.c, -turn.s, 0, turn.s, turn.c, 0, 0, 0, 1}; }
+
+namespace {
+
+/// Of numbers without stand-ins.
+EulerZxz angles_of(const Matrix3& r) {
+  const Real sine = sqrt(r[2] * r[2] + r[5] * r[5]);
+  if (sine < kTiny) {  // axes parallel: one turn says all
+    return {turn_to(r[0], r[3]), {r[8] > 0 ? 1 : -1, 0}, {}};
+  }
+  return {turn_to(-r[5], r[2]), turn_to(r[8], sine), turn_to(r[7], r[6])};
+}
+
+/// Of a rotation.
+Turn seen_as(const Turn& a, const Turn& stand_in, const Matrix3& rotation) {
+  const Turn turn = {Real::seen_as(a.c.digits(), stand_in.c.digits()),
+                     Real::seen_as(a.s.digits(), stand_in.s.digits())};
+  note_ratio(rotation, turn.c);
+  note_ratio(rotation, turn.s);
+  return turn;
+}
+
+}  // namespace
+
+EulerZxz euler_zxz(const Matrix3& r) {
+  Matrix3 own;
+  Matrix3 seen;
+  std::ranges::transform(r, own.begin(), [](const Real& x) { return x.plain(); });
+  std::ranges::transform(r, seen.begin(), [](const Real& x) { return Real(x.seen()); });
+  const EulerZxz angles = angles_of(own);
+  const EulerZxz stand_ins = angles_of(seen);
+  return {seen_as(angles.gamma, stand_ins.gamma, r), seen_as(angles.alpha, stand_ins.alpha, r),
+          seen_as(angles.epsilon, stand_ins.epsilon, r)};
+}
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,399 @@
+#include "formulate/lowering.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "common/error.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+using block::Set;
+using derive::Op;
+using derive::Type;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+bool is_to_sons(Op op) { return op == Op::kPath || op == Op::kPathStrict || op == Op::kFather; }
+bool is_to_fathers(Op op) {
+  return op == Op::kSubtree || op == Op::kSubtreeStrict || op == Op::kBackward || op == Op::kSons ||
+         op == Op::kComposite || op == Op::kFold;
+}
+bool is_whole(const derive::Value& v) {
+  return v.set != Set::kLinks || v.op == Op::kGather || v.op == Op::kSpread;
+}
+
+}  // namespace
+
+Lowering::Lowering(const Task& task, const Derived& function, Way way,
+                   const std::optional<Vec3>& turning, JointForce force, TrunkSolution trunk)
+    : task_(task),
+      function_(function),
+      derivation_(way == Way::kToRoot && function.to_root ? *function.to_root
+                                                          : function.derivation),
+      force_(std::move(force)),
+      solution_(std::move(trunk)),
+      trunk_(derivation_.symmetric && way != Way::kInBase && task.kinematics.variant().trunk &&
+             has_free_base(task.tree)),
+      turning_(turning),
+      frames_(task.kinematics, trunk_ ? Way::kInLinks : way),
+      needed_(derivation_.values.needed(derivation_.roots)),
+      turnings_(frames_.in_base() ? std::vector<derive::Turning>{}
+                                  : derive::turnings_about_axes(derivation_.values, needed_)),
+      stage_(index(derivation_.values.size()), -1),
+      of_unit_(index(derivation_.values.size()), false),
+      memo_(index(derivation_.values.size())),
+      known_(index(derivation_.values.size())),
+      costs_(index(derivation_.values.size())) {
+  arrange();
+  if (derivation_.elimination && !turning_) {  // numbers of no link come first
+    static_cast<void>(task_.kinematics.ground_acceleration());
+  }
+  run(false);
+}
+
+/// The first stage that can hold a value: its operands are in earlier ones or in the same; -1 for
+/// leaves.
+int Lowering::stage_of(int id) const {
+  const Value& v = value(id);
+  if (v.op == Op::kTravelling) {
+    return stage_[index(derivation_.values.definitions().at(id))];
+  }
+  if (v.operands.empty()) {
+    return -1;
+  }
+  int stage = 0;
+  for (const int operand : v.operands) {
+    stage = std::max(stage, stage_[index(operand)]);
+  }
+  const bool fixed = is_whole(v) || is_to_sons(v.op) || is_to_fathers(v.op);
+  const Walk walk = is_whole(v)           ? Walk::kWhole
+                    : is_to_fathers(v.op) ? Walk::kToFathers
+                                          : Walk::kToSons;
+  while (fixed ? walk_of(stage) != walk : walk_of(stage) == Walk::kWhole) {
+    ++stage;
+  }
+  return stage;
+}
+
+void Lowering::arrange() {
+  std::vector<bool> of_sum(memo_.size(), false);
+  for (const int id : needed_) {
+    const Value& v = value(id);
+    memo_[index(id)].resize(index(count(v.set)));
+    known_[index(id)].assign(index(count(v.set)), false);
+    of_unit_[index(id)] =
+        v.op == Op::kUnit || std::any_of(v.operands.begin(), v.operands.end(),
+                                         [this](int x) { return of_unit_[index(x)]; });
+  }
+  for (bool settled = false; !settled;) {
+    settled = true;
+    for (const int id : needed_) {
+      const int stage = stage_of(id);
+      settled = settled && stage == stage_[index(id)];
+      stage_[index(id)] = stage;
+      stages_.resize(std::max(stages_.size(), index(stage + 1)));
+    }
+  }
+  for (auto id = needed_.rbegin(); id != needed_.rend(); ++id) {
+    const Value& v = value(*id);
+    of_sum[index(*id)] =
+        of_sum[index(*id)] || is_to_sons(v.op) || is_to_fathers(v.op) ||
+        (v.op == Op::kAtLink && v.type == Type::kVector && stage_[index(*id)] == 1);
+    const bool here = !derivation_.elimination || v.op != Op::kFather;
+    for (const int operand : v.operands) {
+      if (of_sum[index(*id)] && here && stage_[index(operand)] == stage_[index(*id)]) {
+        of_sum[index(operand)] = true;
+      }
+    }
+  }
+  for (const int id : needed_) {
+    if (stage_[index(id)] >= 0) {
+      Stage& stage = stages_[index(stage_[index(id)])];
+      (of_sum[index(id)] ? stage.sums : stage.rest).push_back(id);
+    }
+  }
+}
+
+void Lowering::run(const std::vector<int>& ids, int e, bool of_unit) {
+  for (const int id : ids) {
+    if (of_unit_[index(id)] == of_unit) {
+      need(id, e);
+    }
+  }
+}
+
+/// False for links above the trunk, for the trunk where limbs are eliminated, and for rows that a
+/// symmetric matrix need not have in a column.
+bool Lowering::is_asked(int stage, int e, bool of_unit) const {
+  if (turning_ && (e < kTrunkLink || (e == kTrunkLink && is_elimination(stage)))) {
+    return false;
+  }
+  int i = place_;
+  while (of_unit && derivation_.symmetric && i > e) {
+    i = father(i);
+  }
+  return !of_unit || !derivation_.symmetric || i == e;
+}
+
+void Lowering::run(bool of_unit) {
+  const int n = task_.tree.size();
+  for (std::size_t s = 0; s < stages_.size(); ++s) {
+    const Stage& stage = stages_[s];
+    const Walk walk = walk_of(static_cast<int>(s));
+    for (const int id : walk == Walk::kWhole ? stage.rest : std::vector<int>{}) {
+      for (int e = 0; e < count(value(id).set); ++e) {
+        run({id}, e, of_unit);
+      }
+    }
+    for (int k = 0; walk != Walk::kWhole && k < n; ++k) {
+      const int e = walk == Walk::kToSons ? k : n - 1 - k;
+      if (!is_asked(static_cast<int>(s), e, of_unit)) {
+        continue;
+      }
+      graph().set_body(e);
+      run(stage.sums, e, of_unit);
+      hand_on(stage.sums, e);
+      name_sums(e);
+      if (!derivation_.elimination || !stage.rest.empty()) {
+        graph().set_body(e);
+      }
+      run(stage.rest, e, of_unit);
+    }
+    if (turning_ && walk == Walk::kToFathers && is_elimination(static_cast<int>(s))) {
+      solve_trunk();
+    }
+  }
+  for (const int root : derivation_.roots) {  // that are leaves
+    for (int e = 0; of_unit_[index(root)] == of_unit && e < count(value(root).set); ++e) {
+      if (is_asked(stage_[index(root)], e, of_unit)) {
+        need(root, e);
+      }
+    }
+  }
+}
+
+void Lowering::ask_for(int place, int component) {
+  place_ = place;
+  component_ = component;
+  for (const int id : needed_) {
+    if (of_unit_[index(id)]) {
+      std::fill(known_[index(id)].begin(), known_[index(id)].end(), false);
+      sums_.erase(id);
+    }
+  }
+  run(true);
+}
+
+void Lowering::need(int id, int e) {
+  if (known_[index(id)][index(e)]) {
+    return;
+  }
+  const Value& v = value(id);
+  for (const int operand : v.op == Op::kFold ? std::vector<int>{} : v.operands) {
+    const bool elsewhere = value(operand).set != v.set || v.op == Op::kFather || v.op == Op::kSons;
+    for (int k = 0; elsewhere && stage_[index(operand)] < 0 && k < count(value(operand).set); ++k) {
+      need(operand, k);
+    }
+    if (!elsewhere) {
+      need(operand, e);
+    }
+  }
+  const auto turning =
+      std::find_if(turnings_.begin(), turnings_.end(),
+                   [&](const derive::Turning& t) { return t.alpha == id || t.Omega == id; });
+  const std::size_t before = graph().size();
+  if (turning != turnings_.end()) {
+    need(turning->omega, e);
+    turn(*turning, e);
+  } else {
+    memo_[index(id)][index(e)] = made(id, v, e);
+    known_[index(id)][index(e)] = true;
+  }
+  count_new(graph(), std::max(before, counted_), costs_[index(id)]);
+  counted_ = graph().size();
+}
+
+/// A value as a sum.
+std::vector<std::pair<Expr, int>> Lowering::terms(int id) const {
+  const Value& v = value(id);
+  if (v.op != Op::kLinear) {
+    return {{number(1), id}};
+  }
+  std::vector<std::pair<Expr, int>> result;
+  for (std::size_t n = 0; n < v.operands.size(); ++n) {
+    result.emplace_back(number(Real(v.factors[n].numerator) / v.factors[n].denominator),
+                        v.operands[n]);
+  }
+  return result;
+}
+
+int Lowering::count(Set set) const {
+  return set == Set::kLinks    ? task_.tree.size()
+         : set == Set::kPoints ? static_cast<int>(task_.options.points.size())
+                               : 1;
+}
+
+Expr Lowering::number(const Real& x) const { return constant(graph(), x); }
+
+/// The frame in which vectors of an element are at home.
+int Lowering::home(Set set, int e) const {
+  if (frames_.in_base() || set == Set::kOne) {
+    return kBase;
+  }
+  if (trunk_ && set == Set::kLinks && e < kTrunkLink) {
+    return task_.kinematics.link(e).revolute ? kTrunkLink : kBase;
+  }
+  return set == Set::kLinks ? e : task_.options.points[index(e)].link;
+}
+
+Block Lowering::zero(const Value& v, int e) const { return {{}, {}, {home(v.set, e), {}}}; }
+
+/// sum + factor * x.
+void Lowering::add(const Value& v, Block& sum, const Block& x, Expr factor) const {
+  switch (v.type) {
+    case Type::kScalar:
+      sum.number += factor * x.number;
+      break;
+    case Type::kVector:
+      frames_.add(sum.vector, x.vector, factor);
+      break;
+    case Type::kTensor: {
+      const Mat3 term = frames_.moved(x.tensor, sum.tensor.frame).value;
+      for (std::size_t row = 0; row < 3; ++row) {
+        sum.tensor.value[row] = sum.tensor.value[row] + factor * term[row];
+      }
+    }
+  }
+}
+
+/// x with everything in one frame.
+Block Lowering::moved(const Value& v, const Block& x, int from, int to) const {
+  Block result{x.number, {}, {to, {}}};
+  if (v.type == Type::kVector) {
+    result.vector = {{to, frames_.moved(frames_.in(x.vector, from), from, to)}};
+  } else if (v.type == Type::kTensor) {
+    result.tensor = frames_.moved(x.tensor, to);
+  }
+  return result;
+}
+
+Block Lowering::made(int id, const Value& v, int e) {
+  switch (v.op) {
+    case Op::kZero:
+      return zero(v, e);
+    case Op::kOnes:
+      return {number(1), {}, {}};
+    case Op::kIdentity:
+      return {{}, {}, {home(v.set, e), constant(graph(), formulate::identity())}};
+    case Op::kUnit:
+      return unit(v, e);
+    case Op::kLeaf:
+      return leaf(v, e);
+    case Op::kLinear:
+      return linear(v, e);
+    case Op::kScale:
+      return scale(v, e);
+    case Op::kDot:
+    case Op::kCross:
+    case Op::kSkew:
+    case Op::kSkewProduct:
+      return product(v, e);
+    case Op::kComposite:
+      return composite(id, v, e);
+    case Op::kMoment:
+      return moment(v, e);
+    case Op::kSquare:
+      return square(v, e);
+    case Op::kApply:
+    case Op::kApplyTranspose:
+      return applied(v, e);
+    case Op::kPath:
+    case Op::kPathStrict:
+      return path(id, v, e);
+    case Op::kSubtree:
+    case Op::kSubtreeStrict:
+    case Op::kBackward:
+      return subtree(id, v, e);
+    case Op::kTravelling: {
+      const int definition = derivation_.values.definitions().at(id);
+      need(definition, e);
+      return of(definition, e);
+    }
+    case Op::kFold:
+      return folded(id, v, e);
+    case Op::kAtLink:
+      return once(v, e);
+    case Op::kReciprocal:
+      return {number(1) / of(v.operands.front(), e).number, {}, {}};
+    case Op::kLever:
+      return lever(v, e);
+    case Op::kAcross:
+      return across(v, e);
+    case Op::kAlong:
+      return along(v, e);
+    case Op::kFather:
+    case Op::kSons:
+      return shifted(v, e);
+    case Op::kGather:
+    case Op::kPick:
+      return at_points(v, e);
+    case Op::kSpread:
+      return of(v.operands.front(), 0);
+    case Op::kCollect:
+      return collect(v);
+    case Op::kComponent:
+    case Op::kAssemble:
+      return components(v, e);
+    case Op::kEliminated:  // of Numbers
+    case Op::kFromLeaves:
+    case Op::kFromRoot:
+    case Op::kDiagonal:
+    case Op::kCongruence:
+      break;
+  }
+  return zero(v, e);
+}
+
+const Block& Lowering::first(Op op, Type type, bool of_unit, int e) const {
+  const auto found = std::find_if(needed_.begin(), needed_.end(), [&](int id) {
+    return value(id).op == op && value(id).type == type && of_unit_[index(id)] == of_unit;
+  });
+  TREEDYN_EXPECT(found != needed_.end());
+  return of(*found, e);
+}
+
+Motion Lowering::motion(int i) const {
+  const derive::Turning& turning = turnings_.front();
+  const auto a = std::find_if(needed_.begin(), needed_.end(), [this](int id) {
+    return value(id).op == Op::kPath && symbol(id) == std::string("a");
+  });
+  TREEDYN_EXPECT(a != needed_.end());
+  return {frames_.in(of(turning.alpha, i).vector, i), frames_.in(of(*a, i).vector, i),
+          of(turning.Omega, i).tensor.value};
+}
+
+std::vector<Expr> Lowering::written(int k, Set set) const {
+  const int root = derivation_.roots[index(k)];
+  std::vector<Expr> result;
+  for (int e = 0; e < count(set); ++e) {
+    const Block& block = of(root, e);
+    switch (value(root).type) {
+      case Type::kScalar:
+        result.push_back(block.number);
+        break;
+      case Type::kVector: {
+        const Vec3 x = frames_.in(block.vector, kBase);
+        result.insert(result.end(), x.begin(), x.end());
+        break;
+      }
+      case Type::kTensor:
+        for (const Vec3& row : frames_.moved(block.tensor, kBase).value) {
+          result.insert(result.end(), row.begin(), row.end());
+        }
+    }
+  }
+  return result;
+}
+
+}  // namespace treedyn::formulate

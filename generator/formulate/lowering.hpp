@@ -1,0 +1,172 @@
+// Values of a derivation to expressions: link by link, each in the frame where it is cheap.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "derive/forms.hpp"
+#include "formulate/blocks.hpp"
+#include "formulate/derived.hpp"
+#include "program/function.hpp"
+
+namespace treedyn::formulate {
+
+class Lowering {
+ public:
+  /// Acceleration of the trunk, angular and linear, by what R9 has made of its limbs.
+  using TrunkSolution = std::function<std::array<Vec3, 2>(const Lowering&)>;
+
+  /// \param turning  of the trunk of a free base, in its frame: sums along the tree start there
+  /// with this angular velocity and no acceleration; links above it are left out
+  /// \param force  null: the argument `tau`
+  /// \param trunk  of eliminations that start there
+  Lowering(const Task& task, const Derived& function, Way way,
+           const std::optional<Vec3>& turning = {}, JointForce force = {},
+           TrunkSolution trunk = {});
+
+  [[nodiscard]] const derive::Derivation& derivation() const { return derivation_; }
+
+  /// The column that is asked for, of a symmetric matrix its rows on the way to the root, is
+  /// `place`, component `component`.
+  void ask_for(int place, int component);
+
+  /// Column `k` of what the function derives to, a block for every element of its rows: vectors in
+  /// the base frame, numbers as they are, one behind the other.
+  [[nodiscard]] std::vector<Expr> written(int k, block::Set set) const;
+  [[nodiscard]] int count(block::Set set) const;
+  /// Entry (i, place) of a symmetric matrix. \pre i is `place` or above
+  [[nodiscard]] Expr entry(int i) const { return of(derivation_.roots.front(), i).number; }
+
+  /// The first needed value with an operation, of the column that is asked for or of none.
+  [[nodiscard]] const Block& first(derive::Op op, derive::Type type, bool of_unit, int e) const;
+  /// \pre bodies turn
+  [[nodiscard]] Motion motion(int i) const;
+  [[nodiscard]] const FrameChanges& frames() const { return frames_; }
+  /// \pre of links
+  [[nodiscard]] Vec3 vector(int id, int i) const { return frames_.in(of(id, i).vector, i); }
+  [[nodiscard]] const Mat3& tensor(int id, int i) const { return of(id, i).tensor.value; }
+
+  /// Operations that the values took, by their number in the derivation.
+  [[nodiscard]] const std::vector<program::Cost>& costs() const { return costs_; }
+
+ private:
+  using Value = derive::Value;
+  /// Values that are computed together: one behind the other, or all of a link before the next.
+  enum class Walk { kWhole, kToSons, kToFathers };
+  struct Stage {
+    std::vector<int> sums;  ///< sums along the tree, and what they need
+    std::vector<int> rest;
+  };
+  struct Sum {
+    Block block;
+    bool begun = false;
+    bool has_own = false;  ///< the link's own block is in
+  };
+  /// What the entries of Ω share.
+  struct Squares {
+    Expr xx;     ///< omega_x^2, shared along a run of parallel axes
+    Expr yy;     ///< omega_y^2
+    Expr xx_zz;  ///< omega_x^2 - omega_z^2 = Omega_xx - Omega_zz
+  };
+
+  /// The entries of a symmetric tensor as lists of terms, so that constants add up first.
+  using TensorTerms = std::array<std::array<std::vector<Expr>, 3>, 3>;
+
+  [[nodiscard]] Walk walk_of(int stage) const { return static_cast<Walk>(stage % 3); }
+  [[nodiscard]] int stage_of(int id) const;
+  void arrange();
+  void run(bool of_unit);
+  void run(const std::vector<int>& ids, int e, bool of_unit);
+  [[nodiscard]] bool is_asked(int stage, int e, bool of_unit) const;
+  /// From the sums of R9 on.
+  [[nodiscard]] bool is_elimination(int stage) const;
+  /// Block e of a value, if it is not known yet, and those of its operands.
+  void need(int id, int e);
+  void name_sums(int e);
+
+  [[nodiscard]] const char* symbol(int id) const;
+  Block made(int id, const Value& v, int e);
+  Block unit(const Value& v, int e) const;
+  Block leaf(const Value& v, int e) const;
+  Block link_leaf(const Value& v, int e) const;
+  [[nodiscard]] Mat3 tensor_about_joint(int e) const;
+  [[nodiscard]] Mat3 pseudo_inertia(int e) const;
+  Block input(const Value& v, const equations::UserArgument& argument, int array, int e) const;
+  Block orientation(const equations::UserFrame& frame) const;
+  Block linear(const Value& v, int e) const;
+  Block scale(const Value& v, int e) const;
+  Block product(const Value& v, int e) const;
+  Block applied(const Value& v, int e) const;
+  Block moment(const Value& v, int e) const;
+  Block square(const Value& v, int e) const;
+  Block composite(int id, const Value& v, int e);
+  Block components(const Value& v, int e) const;
+  Block path(int id, const Value& v, int e);
+  void begin(int id, const Value& v, int e);
+  Block subtree(int id, const Value& v, int e);
+  Block shifted(const Value& v, int e) const;
+  Block folded(int id, const Value& v, int i);
+  void hand_on(const std::vector<int>& ids, int i);
+  void solve_trunk();
+  [[nodiscard]] bool is_absent(int id, int e) const;
+  Block once(const Value& v, int e) const;
+  Block along(const Value& v, int e) const;
+  Block across(const Value& v, int e) const;
+  Block lever(const Value& v, int e) const;
+  [[nodiscard]] Vec3 direction(int id, int e) const;
+  Block at_points(const Value& v, int e) const;
+  Block collect(const Value& v) const;
+  void turn(const derive::Turning& turning, int i);
+  Mat3 turned_by_column(int i, const Vec3& omega, const Vec3& third, const Squares& father,
+                        Vec3& alpha, Squares& squares) const;
+
+  [[nodiscard]] const Block& of(int id, int e) const {
+    return memo_[static_cast<std::size_t>(id)][static_cast<std::size_t>(e)];
+  }
+  [[nodiscard]] const Value& value(int id) const { return derivation_.values[id]; }
+  [[nodiscard]] Block zero(const Value& v, int e) const;
+  void add(const Value& v, Block& sum, const Block& x, Expr factor) const;
+  [[nodiscard]] Block moved(const Value& v, const Block& x, int from, int to) const;
+  [[nodiscard]] std::vector<std::pair<Expr, int>> terms(int id) const;
+  [[nodiscard]] int home(block::Set set, int e) const;
+  [[nodiscard]] int father(int i) const {
+    return turning_ && i == kTrunkLink ? kBase : task_.kinematics.link(i).father;
+  }
+  TensorTerms& composite_terms(int id, int i);
+  void hand_on(TensorTerms& father, Expr mass, const Vec3& h, const Vec3& s,
+               const Mat3& tensor) const;
+  [[nodiscard]] bool has_tensors() const { return task_.kinematics.variant().inertia_tensor; }
+  [[nodiscard]] int meeting(const Value& v, int e) const;
+  [[nodiscard]] Expr number(const Real& x) const;
+  [[nodiscard]] Expr element(int array, int k) const;
+  [[nodiscard]] Graph& graph() const { return task_.kinematics.graph(); }
+
+  const Task& task_;
+  const Derived& function_;
+  const derive::Derivation& derivation_;
+  JointForce force_;
+  TrunkSolution solution_;
+  bool trunk_;  ///< of a free base: its turning links are at home in the trunk's frame
+  std::optional<Vec3> turning_;
+  FrameChanges frames_;
+  std::vector<int> needed_;
+  std::vector<derive::Turning> turnings_;  ///< whose joints turn about frame axes
+  std::vector<int> stage_;
+  std::vector<Stage> stages_;
+  std::vector<bool> of_unit_;  ///< depends on the column that is asked for
+  std::vector<Blocks> memo_;
+  std::vector<std::vector<bool>> known_;
+  std::map<int, Blocks> totals_;                     ///< D x or D^T x, by value
+  std::map<int, std::vector<Sum>> sums_;             ///< what the sons hand on, by value
+  std::map<int, std::vector<TensorTerms>> tensors_;  ///< of composites, by value
+  std::map<int, std::vector<Squares>> squares_;      ///< of turnings, by Ω
+  std::vector<int> named_;                           ///< sums of the link that have no names yet
+  std::vector<program::Cost> costs_;
+  std::size_t counted_ = 0;  ///< nodes of the graph that are in them
+  int place_ = 0;
+  int component_ = 0;
+};
+
+}  // namespace treedyn::formulate

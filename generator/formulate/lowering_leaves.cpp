@@ -1,0 +1,168 @@
+// Symbols and inputs in frames.
+#include <algorithm>
+
+#include "common/error.hpp"
+#include "formulate/lowering.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+using block::Set;
+using derive::Op;
+using derive::Type;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+Block Lowering::unit(const Value& v, int e) const {
+  Block result = zero(v, e);
+  if (e == place_ && v.type == Type::kScalar) {
+    result.number = number(1);
+  } else if (e == place_) {
+    Vec3 x;
+    x[index(component_)] = number(1);
+    result.vector = {{kBase, x}};
+  }
+  return result;
+}
+
+Block Lowering::leaf(const Value& v, int e) const {
+  const equations::UserEquation& equation = function_.equation;
+  for (std::size_t k = 0; k < equation.arguments.size(); ++k) {
+    const std::string& name = equation.arguments[k].name;
+    const bool rates = name == "qd" && v.name == "q̇";
+    if ((name != "q" && equation.arguments[k].leaf == v.name) || rates) {
+      return input(v, equation.arguments[k], static_cast<int>(k), e);
+    }
+  }
+  if (const auto found = equation.frames.find(v.name); found != equation.frames.end()) {
+    return orientation(found->second);
+  }
+  if (const auto found = equation.constants.find(v.name); found != equation.constants.end()) {
+    return {number(found->second[index(e)]), {}, {}};
+  }
+  return link_leaf(v, e);
+}
+
+Expr Lowering::element(int array, int k) const { return {graph(), graph().input(array, k)}; }
+
+/// Joint values of a link are multiples of its coordinate's.
+Block Lowering::input(const Value& v, const equations::UserArgument& argument, int array,
+                      int e) const {
+  const Inputs& inputs = task_.kinematics.inputs();
+  const bool of_joints = argument.name == "qd" || argument.name == "qdd" || argument.name == "tau";
+  const int of_joint = argument.name == "qd"    ? inputs.qd
+                       : argument.name == "qdd" ? inputs.qdd
+                                                : inputs.tau;
+  if (argument.name == "tau" && force_) {
+    const Expr along = force_(e);
+    return {task_.kinematics.link(e).sign > 0 ? along : -along, {}, {}};
+  }
+  if (of_joints) {
+    return {task_.kinematics.of_joint(e, of_joint), {}, {}};
+  }
+  if (v.type == Type::kScalar) {
+    return {element(array, e), {}, {}};
+  }
+  Vec3 x;
+  for (int k = 0; k < 3; ++k) {
+    x[index(k)] = element(array, 3 * e + k);
+  }
+  return {{}, {{kBase, x}}, {}};
+}
+
+/// The axes of a link in the base frame are the columns of its rotation.
+Block Lowering::orientation(const equations::UserFrame& frame) const {
+  Mat3 R;
+  const Mat3 own = frame.link == kBase ? Mat3{} : task_.kinematics.orientation(frame.link);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3 column = {frame.rotation[k], frame.rotation[3 + k], frame.rotation[6 + k]};
+    const Vec3 axis = constant(graph(), column);
+    R[k] = frame.link == kBase ? axis : frames_.moved(own * axis, frame.link, kBase);
+  }
+  return {{}, {}, {kBase, transposed(R)}};
+}
+
+/// I = J_c - m Λ(c)², or what regrouping has made of it.
+Mat3 Lowering::tensor_about_joint(int e) const {
+  const Kinematics& k = task_.kinematics;
+  if (function_.regroups) {
+    return k.body_with_inertia_tensor(e).pseudo;
+  }
+  const model::Inertia& inertia = task_.tree.links[index(e)].inertia;
+  const Mat3 square = skew_squared(k.point(e, inertia.com));
+  Mat3 I = k.tensor_of(e, inertia.about_com);
+  for (std::size_t row = 0; row < 3; ++row) {
+    I[row] = I[row] - number(inertia.mass) * square[row];
+  }
+  return I;
+}
+
+/// E of I = tr(E) - E.
+Mat3 Lowering::pseudo_inertia(int e) const {
+  if (function_.regroups) {
+    return task_.kinematics.body(e).pseudo;
+  }
+  Mat3 E = tensor_about_joint(e);
+  const Expr trace = number(Real("0.5")) * (E[0][0] + E[1][1] + E[2][2]);
+  for (std::size_t row = 0; row < 3; ++row) {
+    E[row] = -E[row];
+    E[row][row] += trace;
+  }
+  return E;
+}
+
+/// The symbols of EQUATIONS.md 1: axes and centres in the link, s in the father. Where the places
+/// of joints are free, those of sliding joints slide: then s has the slide of its own joint.
+Block Lowering::link_leaf(const Value& v, int e) const {
+  const Kinematics& k = task_.kinematics;
+  const auto slide = [&](int i) {
+    const bool fixed = function_.keeps_joints && i != kBase && !k.link(i).revolute;
+    return fixed ? Vec3{Expr(), Expr(), k.displacement(i)} : Vec3{};
+  };
+  const auto vector = [](int frame, const Vec3& x) {
+    return Block{{}, {{frame, x}}, {}};
+  };
+  if (v.name == "t^d") {
+    const model::Point& point = task_.options.points[index(e)];
+    return vector(point.link, point.link == kBase
+                                  ? constant(graph(), point.at)
+                                  : k.point(point.link, point.at) + slide(point.link));
+  }
+  const model::Inertia& inertia = task_.tree.links[index(e)].inertia;
+  if (v.name == "m^d") {
+    return {function_.regroups ? k.body(e).mass : number(inertia.mass), {}, {}};
+  }
+  if (v.name == "h^d") {
+    return vector(
+        e, function_.regroups ? k.body(e).moment : number(inertia.mass) * k.point(e, inertia.com));
+  }
+  if (v.name == "σ" || v.name == "E-σ") {
+    return {number(k.link(e).revolute == (v.name == "σ") ? 1 : 0), {}, {}};
+  }
+  if (v.name == "z^d") {
+    return vector(e, {Expr(), Expr(), number(k.link(e).sign)});
+  }
+  if (v.name == "l^d") {
+    return vector(e, slide(e));
+  }
+  if (v.name == "c^d") {
+    return vector(e, k.point(e, inertia.com));
+  }
+  if (v.name == "s^d") {
+    const Vec3 own = function_.keeps_joints ? k.joint_offset(e) : k.offset(e);
+    return vector(father(e), own + slide(father(e)));
+  }
+  if (v.name == "J_c^d") {
+    return {{}, {}, {e, k.tensor_of(e, inertia.about_com)}};
+  }
+  if (v.name == "I^d") {
+    const bool pseudo = function_.regroups && (derivation_.elimination || !has_tensors());
+    return {{}, {}, {e, pseudo ? inertia_tensor(pseudo_inertia(e)) : tensor_about_joint(e)}};
+  }
+  TREEDYN_EXPECT(v.name == "g");
+  return vector(kBase, -k.ground_acceleration());
+}
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,194 @@
+#include "formulate/numbers.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "common/error.hpp"
+#include "formulate/functions.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+using derive::Op;
+
+constexpr const char* kNoPivot =
+    "the mass matrix is singular to 40 digits; expected masses, lengths and inertias of fewer "
+    "decades, or --functions without forward dynamics";
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+SparseRows sparse(int size, const SparseSymmetric& lower) {
+  SparseRows rows(index(size));
+  for (const auto& [place, entry] : lower) {
+    TREEDYN_EXPECT(place.first >= place.second);
+    if (!entry.is_zero()) {
+      rows[index(place.first)][place.second] = entry;
+    }
+  }
+  return rows;
+}
+
+SparseRows sparse(const std::vector<Expr>& column) {
+  SparseRows rows;
+  for (const Expr& x : column) {
+    rows.push_back({{0, x}});
+  }
+  return rows;
+}
+
+std::vector<Expr> column_of(const SparseRows& rows) {
+  std::vector<Expr> column;
+  for (const SparseRow& row : rows) {
+    column.push_back(row.empty() ? Expr() : row.begin()->second);
+  }
+  return column;
+}
+
+Numbers::Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf)
+    : graph_(graph),
+      size_(index(size)),
+      derivation_(derivation),
+      needed_(derivation.values.needed(derivation.roots)),
+      rows_(index(derivation.values.size())),
+      costs_(index(derivation.values.size())) {
+  for (const int id : needed_) {
+    if (rows_[index(id)].empty() && derivation.values[id].op != Op::kTravelling) {
+      run(id, leaf);
+    }
+  }
+}
+
+void Numbers::run(int id, const Leaf& leaf) {
+  const derive::Value& v = derivation_.values[id];
+  if (v.op == Op::kLeaf && v.name != "E") {
+    rows_[index(id)] = leaf(v.name);
+  } else if (v.op == Op::kEliminated) {
+    eliminate(id, defined(v.operands[1]));
+  } else if (v.op == Op::kFromLeaves) {
+    rows_[index(id)] = rows_[index(v.operands[0])];
+    for (std::size_t k = size_; k-- > 0;) {
+      hand_on(id, v.operands[1], k);
+    }
+  } else {
+    rows_[index(id)].resize(size_);
+    for (std::size_t k = 0; k < size_; ++k) {
+      make(id, k);
+    }
+  }
+}
+
+/// a and what L' is made of, row by row from the leaves.
+void Numbers::eliminate(int id, int until) {
+  rows_[index(id)] = rows_[index(derivation_.values[id].operands[0])];
+  for (std::size_t k = size_; k-- > 0;) {
+    graph_.set_body(static_cast<int>(k));
+    for (const int g : needed_) {
+      if (g > id && g <= until) {
+        rows_[index(g)].resize(size_);
+        make(g, k);
+      }
+    }
+    hand_on(id, until, k);
+  }
+}
+
+/// What row k takes from rows above it: x_i -= L'_ki x_k, the lower half of a.
+void Numbers::hand_on(int id, int below, std::size_t k) {
+  const std::size_t before = graph_.size();
+  SparseRows& x = rows_[index(id)];
+  const bool lower = derivation_.values[id].op == Op::kEliminated;
+  const SparseRow& l = of(below, k);
+  for (auto entry = l.rbegin(); entry != l.rend(); ++entry) {
+    const auto& [i, l_ki] = *entry;
+    for (const auto& [j, x_kj] : x[k]) {
+      if (!lower || j <= i) {
+        x[index(i)][j] -= l_ki * x_kj;
+      }
+    }
+  }
+  count_new(graph_, before, costs_[index(id)]);
+}
+
+void Numbers::make(int id, std::size_t k) {
+  const std::size_t before = graph_.size();
+  rows_[index(id)][k] = row(id, k);
+  std::erase_if(rows_[index(id)][k], [](const auto& entry) { return entry.second.is_zero(); });
+  count_new(graph_, before, costs_[index(id)]);
+}
+
+SparseRow Numbers::row(int id, std::size_t k) const {
+  const derive::Value& v = derivation_.values[id];
+  const int place = static_cast<int>(k);
+  const Expr one = constant(graph_, Real(1));
+  SparseRow x = v.operands.empty() ? SparseRow{{place, one}} : of(v.operands[0], k);
+  switch (v.op) {
+    case Op::kLinear:
+      return linear(v, k);
+    case Op::kDiagonal:
+      if (x[place].is_zero()) {
+        throw std::range_error(kNoPivot);
+      }
+      return {{place, x[place]}};
+    case Op::kReciprocal:
+      x[place] = one / x[place];
+      graph_.name(x[place].ref(), "inverse_pivot", place);
+      return x;
+    case Op::kScale: {
+      const Expr factor = x.at(place);
+      x = of(v.operands[1], k);
+      for (auto& [_, number] : x) {
+        number = factor * number;
+      }
+      return x;
+    }
+    case Op::kFromRoot: {
+      const SparseRow& l = of(v.operands[1], k);
+      for (auto entry = l.rbegin(); entry != l.rend(); ++entry) {
+        for (const auto& [j, x_ij] : of(id, index(entry->first))) {
+          x[j] -= entry->second * x_ij;
+        }
+      }
+      return x;
+    }
+    case Op::kCongruence:
+      return congruent(v, k);
+    default:
+      return x;
+  }
+}
+
+SparseRow Numbers::linear(const derive::Value& v, std::size_t k) const {
+  SparseRow sum;
+  for (std::size_t n = 0; n < v.operands.size(); ++n) {
+    const Expr factor = constant(graph_, Real(v.factors[n].numerator) / v.factors[n].denominator);
+    for (const auto& [j, x] : of(v.operands[n], k)) {
+      sum[j] += factor * x;
+    }
+  }
+  return sum;
+}
+
+/// Row i of Y d Y^T, the lower half.
+SparseRow Numbers::congruent(const derive::Value& v, std::size_t i) const {
+  SparseRow result;
+  const SparseRow& y_i = of(v.operands[0], i);
+  for (std::size_t j = 0; j <= i; ++j) {
+    for (const auto& [k, y_jk] : of(v.operands[0], j)) {
+      if (const auto y_ik = y_i.find(k); y_ik != y_i.end()) {
+        result[static_cast<int>(j)] += y_ik->second * (y_jk * of(v.operands[1], index(k)).at(k));
+      }
+    }
+  }
+  return result;
+}
+
+/// The value that a travelling one is.
+int Numbers::defined(int id) const {
+  const auto& definitions = derivation_.values.definitions();
+  const auto found = definitions.find(id);
+  return found == definitions.end() ? id : found->second;
+}
+
+}  // namespace treedyn::formulate

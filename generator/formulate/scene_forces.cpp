@@ -1,0 +1,208 @@
+#include "formulate/scene_forces.hpp"
+
+#include <algorithm>
+
+#include "formulate/derived.hpp"
+#include "formulate/scene_drift.hpp"
+#include "model/scene_facts.hpp"
+
+namespace treedyn::formulate {
+
+using model::Quantity;
+
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Vec3 triple(const std::vector<Expr>& values) { return {values[0], values[1], values[2]}; }
+
+Expr root(Graph& graph, Expr x) { return {graph, graph.sqrt(x.ref())}; }
+
+bool of_time(const model::Expression& e) { return e.uses(Quantity::kTime); }
+
+bool of_time(const model::VectorExpression& v) {
+  return std::any_of(v.begin(), v.end(), [](const model::Expression& e) { return of_time(e); });
+}
+
+}  // namespace
+
+SceneForces::SceneForces(const Task& task, const SceneArrays& arrays)
+    : task_(task), scene_(*task.options.scene), arrays_(arrays) {
+  meaning_ = [this](const model::Variable& v) {
+    switch (v.quantity) {
+      case Quantity::kPosition:
+        return input(arrays_.q, v.index);
+      case Quantity::kVelocity:
+        return input(arrays_.qd, v.index);
+      default:
+        TREEDYN_EXPECT(v.quantity == Quantity::kTime);
+        return input(arrays_.t, 0);
+    }
+  };
+  if (!scene_.velocity_products && arrays.qd >= 0) {
+    const Kinematics& k = task.kinematics;
+    moving_ = std::make_unique<Kinematics>(k.graph(), task.tree, task.normal, k.variant(),
+                                           Inputs{.q = arrays.q, .qd = arrays.qd});
+  }
+}
+
+Expr SceneForces::input(int array, int element) const {
+  TREEDYN_EXPECT(array >= 0);
+  Graph& graph = task_.kinematics.graph();
+  return {graph, graph.input(array, element)};
+}
+
+/// -k (q - rest) - d qd of all springs and dampers.
+Expr SceneForces::springs(int joint) const {
+  Graph& graph = task_.kinematics.graph();
+  Real k = 0;
+  Real rest = 0;
+  Real d = 0;
+  for (const model::JointSpring& s : scene_.joint_springs) {
+    const bool here = s.joint == joint;
+    k += here ? s.stiffness : Real(0);
+    rest += here ? Real(s.stiffness * s.rest) : Real(0);
+    d += here ? s.damping : Real(0);
+  }
+  for (const model::ViscousFriction& f : scene_.viscous_frictions) {
+    d += f.joint == joint ? f.coefficient : Real(0);
+  }
+  Expr sum = constant(graph, rest);
+  if (k != 0) {
+    sum -= constant(graph, k) * input(arrays_.q, joint);
+  }
+  if (d != 0) {
+    sum -= constant(graph, d) * input(arrays_.qd, joint);
+  }
+  return sum;
+}
+
+/// -f qd / sqrt(qd^2 + vs^2), f = force + (static_force - force) / (1 + (qd/stribeck_speed)^2).
+Expr SceneForces::friction(int joint) const {
+  Graph& graph = task_.kinematics.graph();
+  const auto regularised = [&](Expr force, const Real& slip_speed) {
+    const Expr qd = input(arrays_.qd, joint);
+    const Expr squared = qd * qd + constant(graph, slip_speed * slip_speed);
+    const Expr speed = root(graph, squared);
+    return force * qd / speed;
+  };
+  Expr sum;
+  for (const model::JointFriction& f : scene_.frictions) {
+    if (f.joint == joint && f.slip_speed > 0) {
+      sum -= regularised(constant(graph, f.force), f.slip_speed);
+    }
+  }
+  for (const model::StribeckFriction& f : scene_.stribeck_frictions) {
+    if (f.joint == joint) {
+      const Expr s = input(arrays_.qd, joint) * constant(graph, 1 / f.stribeck_speed);
+      const Expr fall = constant(graph, Real(1)) + s * s;
+      const Expr more = constant(graph, f.static_force - f.force) / fall;
+      sum -= regularised(constant(graph, f.force) + more, f.slip_speed);
+    }
+  }
+  return sum;
+}
+
+Expr SceneForces::joint(int joint) const {
+  Graph& graph = task_.kinematics.graph();
+  Expr sum = arrays_.tau >= 0 ? input(arrays_.tau, joint) : Expr();
+  if (!scene_.tau.empty()) {
+    sum += constant(graph, scene_.tau[index(joint)]);
+  }
+  for (const model::JointForce& own : task_.options.phase_forces) {
+    sum += own.joint == joint ? constant(graph, own.force) : Expr();
+  }
+  for (const model::Motor& motor : scene_.motors) {
+    if (motor.joint == joint) {
+      sum += value_of(graph, motor.torque, meaning_);
+    }
+  }
+  const Expr elastic = springs(joint);
+  const Expr dry = friction(joint);
+  sum += elastic;
+  sum += dry;
+  return sum;
+}
+
+Vec3 SceneForces::position(int point) const {
+  return triple(values_at(task_, "point_positions", {scene_.points[index(point)]}, Way::kToRoot));
+}
+
+Vec3 SceneForces::velocity(int point) const {
+  const Kinematics& k = moving_ ? *moving_ : task_.kinematics;
+  return triple(values_at({task_.tree, task_.normal, task_.options, k}, "point_velocities",
+                          {scene_.points[index(point)]}, Way::kToRoot));
+}
+
+/// -(k (l - rest) + c l') along the unit vector from the anchor, l l' = u . v with u = p - anchor.
+Vec3 SceneForces::spring_force(const model::PointSpring& s) const {
+  Graph& graph = task_.kinematics.graph();
+  const Vec3 u = position(s.point) - constant(graph, s.anchor);
+  Expr factor = constant(graph, s.stiffness);
+  if (s.rest_length != 0 || s.damping != 0) {
+    const Expr squared = dot(u, u);
+    if (s.rest_length != 0) {
+      const Expr length = root(graph, squared);
+      factor -= constant(graph, s.stiffness * s.rest_length) / length;
+    }
+    if (s.damping != 0) {
+      const Expr along = dot(u, velocity(s.point));
+      factor += constant(graph, s.damping) * along / squared;
+    }
+  }
+  return -(factor * u);
+}
+
+AppliedLoad SceneForces::load(const model::PointLoad& load, bool is_moment) const {
+  const Meaning meaning = [&](const model::Variable& v) {
+    switch (v.quantity) {
+      case Quantity::kPointPosition:
+        return position(load.point)[index(v.index)];
+      case Quantity::kPointVelocity:
+        return velocity(load.point)[index(v.index)];
+      default:
+        return meaning_(v);
+    }
+  };
+  AppliedLoad result{load.point, is_moment, {}};
+  for (std::size_t n = 0; n < 3; ++n) {
+    result.value[n] = value_of(task_.kinematics.graph(), load.value[n], meaning);
+  }
+  return result;
+}
+
+std::vector<AppliedLoad> SceneForces::loads() const {
+  std::vector<AppliedLoad> result;
+  for (const model::PointSpring& spring : scene_.point_springs) {
+    result.push_back({spring.point, false, spring_force(spring)});
+  }
+  for (const model::PointLoad& force : scene_.forces) {
+    result.push_back(load(force, false));
+  }
+  for (const model::PointLoad& torque : scene_.torques) {
+    result.push_back(load(torque, true));
+  }
+  return result;
+}
+
+bool uses_time(const model::Scene& scene, const std::vector<int>& active) {
+  const auto row_uses = [&](int c) {
+    const model::Constraint& constraint = scene.constraints[index(c)];
+    const bool stabilised = is_stabilised(scene, c);
+    return constraint.accelerations.empty()
+               ? of_time(constraint.curve.acceleration) ||
+                     (stabilised && of_time(constraint.curve.position))
+               : std::any_of(constraint.accelerations.begin(), constraint.accelerations.end(),
+                             [](const model::Expression& e) { return of_time(e); });
+  };
+  const auto load_uses = [](const model::PointLoad& load) {
+    return of_time(load.value);
+  };
+  return std::any_of(active.begin(), active.end(), row_uses) ||
+         std::any_of(scene.motors.begin(), scene.motors.end(),
+                     [](const model::Motor& motor) { return of_time(motor.torque); }) ||
+         std::any_of(scene.forces.begin(), scene.forces.end(), load_uses) ||
+         std::any_of(scene.torques.begin(), scene.torques.end(), load_uses);
+}
+
+}  // namespace treedyn::formulate

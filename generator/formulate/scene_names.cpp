@@ -1,0 +1,122 @@
+#include "formulate/scene_names.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "common/identifier.hpp"
+#include "formulate/scene_drift.hpp"
+#include "formulate/scene_phases.hpp"
+#include "model/scene_facts.hpp"
+
+namespace treedyn::formulate {
+
+namespace {
+
+/// x, y, z, or the components of a direction.
+std::string direction_text(const model::Vector3& d) {
+  for (std::size_t n = 0; n < 3; ++n) {
+    if (d[n] == 1 && d[(n + 1) % 3] == 0 && d[(n + 2) % 3] == 0) {
+      return std::string(1, "xyz"[n]);
+    }
+  }
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", d[0].convert_to<double>(),
+                     d[1].convert_to<double>(), d[2].convert_to<double>());
+}
+
+}  // namespace
+
+std::vector<ImpactName> impacts_of(const model::Scene& scene) {
+  std::vector<ImpactName> result;
+  const auto add = [&](const ImpactName& impact) {
+    const auto same = [&](const ImpactName& other) {
+      return other.same_as(impact);
+    };
+    if (!impact.constraints.empty() && std::none_of(result.begin(), result.end(), same)) {
+      result.push_back(impact);
+    }
+  };
+  for (const model::Phase& phase : scene.phases) {
+    for (const model::Event& event : phase.until) {
+      if (event.impact) {
+        const std::string name = fmt::format("impact_{}", to_identifier(phase.name));
+        add({event.impact->constraints, event.impact->restitution, name});
+        if (event.impact->rest_below > 0) {
+          add({event.impact->constraints, 0, name + "_at_rest"});
+        }
+      }
+    }
+  }
+  if (result.size() == 1) {
+    result.front().name = "impact";
+  }
+  const bool one = result.size() == 1;
+  for (const model::Phase& phase : scene.phases) {
+    for (const model::Event& event : phase.until) {
+      if (rests_unasked(scene, event)) {
+        add({event.impact->constraints, 0,
+             one ? "impact_at_rest" : fmt::format("impact_{}_at_rest", to_identifier(phase.name))});
+      }
+    }
+  }
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const auto same =
+        std::count_if(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(k),
+                      [&](const ImpactName& other) { return other.name == result[k].name; });
+    result[k].name += same > 0 ? fmt::format("_{}", same + 1) : "";
+  }
+  return result;
+}
+
+std::vector<std::string> row_names(const model::Scene& scene, const std::vector<int>& active) {
+  std::vector<std::string> names;
+  for (const int c : active) {
+    const model::Constraint& constraint = scene.constraints[static_cast<std::size_t>(c)];
+    const bool turning = constraint.kind == model::ConstraintKind::kOrientation;
+    if (constraint.kind == model::ConstraintKind::kJoint) {
+      names.push_back(fmt::format("{}: force of the joint", constraint.name));
+    }
+    for (const model::Vector3& d : constraint.directions) {
+      names.push_back(fmt::format("{}: {} {}", constraint.name,
+                                  turning ? "moment about" : "force along", direction_text(d)));
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> anchor_names(const model::Scene& scene) {
+  std::vector<std::string> names;
+  for (int c = 0; c < static_cast<int>(scene.constraints.size()); ++c) {
+    const int size = anchor_size(scene, c);
+    if (size == 0) {
+      continue;
+    }
+    const model::Constraint& constraint = scene.constraints[static_cast<std::size_t>(c)];
+    const auto point = static_cast<std::size_t>(constraint.point);
+    const int first = anchor_offset(scene, c);
+    const std::string place =
+        size == 1 ? fmt::format("anchor {}: position of the joint", first)
+                  : fmt::format("anchor {} to {}: {} of {}", first, first + size - 1,
+                                size == 3 ? "position" : "rotation", scene.points[point].name);
+    names.push_back(fmt::format("{} when {} began to act", place, constraint.name));
+  }
+  return names;
+}
+
+std::string contact_name(const model::Scene& scene, std::size_t contact, const std::string& stem) {
+  const auto point = static_cast<std::size_t>(scene.contacts[contact].point);
+  const auto same = std::count_if(
+      scene.contacts.begin(), scene.contacts.begin() + static_cast<std::ptrdiff_t>(contact),
+      [&](const model::GroundContact& c) { return c.point == scene.contacts[contact].point; });
+  const std::string name =
+      fmt::format("{}_{}", stem, to_identifier(scene.points[point].identifier));
+  return scene.contacts.size() == 1 ? stem : same > 0 ? fmt::format("{}_{}", name, same + 1) : name;
+}
+
+std::string phase_name(const model::Scene& scene, std::size_t phase, const std::string& function) {
+  return scene.phases.size() == 1
+             ? function
+             : fmt::format("{}_{}", function, to_identifier(scene.phases[phase].name));
+}
+
+}  // namespace treedyn::formulate

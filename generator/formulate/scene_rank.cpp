@@ -1,0 +1,117 @@
+#include "formulate/scene_rank.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "formulate/functions.hpp"
+#include "model/reach.hpp"
+#include "program/interpret.hpp"
+
+namespace treedyn::formulate {
+
+namespace {
+
+using Values = std::vector<double>;
+using model::ConstraintKind;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+/// One formulation, without a search.
+program::Function function_of(const model::Scene& scene, const char* name) {
+  Options options;
+  options.points = scene.points;
+  options.effort = 0;
+  program::Function function =
+      build(scene.tree, recipe_of(name), options, plain_variant(scene.tree));
+  function.signature = signature(name, scene.tree.dof(), static_cast<int>(scene.points.size()));
+  return function;
+}
+
+}  // namespace
+
+/// p (3 P), C and H (N x 3 P).
+struct ScenePositions::Place {
+  Values q, p, C, H;
+};
+
+ScenePositions::ScenePositions(const model::Scene& scene)
+    : scene_(scene), reach_(model::reach_of(scene.tree, scene.points)) {
+  std::transform(scene.q0.begin(), scene.q0.end(), std::back_inserter(q0_),
+                 [](const Real& x) { return x.convert_to<double>(); });
+  q0_.resize(index(scene.tree.dof()));
+  if (!scene.points.empty()) {
+    for (const char* name :
+         {"point_positions", "force_jacobian_transpose", "moment_jacobian_transpose"}) {
+      functions_.push_back(function_of(scene, name));
+    }
+  }
+}
+
+ScenePositions::Place ScenePositions::place(const Values& q) const {
+  Place result{q, {}, {}, {}};
+  const std::vector<std::span<const double>> inputs = {q};
+  const std::array<Values*, 3> arrays = {&result.p, &result.C, &result.H};
+  for (std::size_t k = 0; k < functions_.size(); ++k) {
+    *arrays[k] = program::interpret<double>(functions_[k], inputs);
+  }
+  return result;
+}
+
+double ScenePositions::curve(const model::Expression& of_time) const {
+  return of_time.evaluate<double>(
+      [](const Real& x) { return x.convert_to<double>(); },
+      [&](const model::Variable&) { return scene_.t0.convert_to<double>(); });
+}
+
+/// Position error and J of one row.
+void ScenePositions::add_row(const model::Constraint& c, std::size_t row, const Place& at,
+                             const Place& start, double& phi, double* J) const {
+  const bool held = c.accelerations.empty();
+  if (c.kind == ConstraintKind::kJoint) {
+    const double goal = c.pinned ? start.q[index(c.joint)] : curve(c.curve.position[0]);
+    phi = held ? at.q[index(c.joint)] - goal : 0;
+    J[c.joint] = 1;
+    return;
+  }
+  const std::size_t width = 3 * scene_.points.size();
+  for (std::size_t n = 0; n < 3; ++n) {
+    const double d = c.directions[row][n].convert_to<double>();
+    const std::size_t column = 3 * index(c.point) + n;
+    const std::size_t other = 3 * index(std::max(c.other, 0)) + n;
+    const bool joined = c.kind == ConstraintKind::kJoined;
+    const Values& map = c.kind == ConstraintKind::kOrientation ? at.H : at.C;
+    for (std::size_t i = 0; i < at.q.size(); ++i) {
+      J[i] += d * (map[i * width + column] - (joined ? map[i * width + other] : 0));
+    }
+    if (held && c.kind != ConstraintKind::kOrientation) {
+      const double goal = joined     ? at.p[other]
+                          : c.pinned ? start.p[column]
+                                     : curve(c.curve.position[n]);
+      phi += d * (at.p[column] - goal);
+    }
+  }
+}
+
+program::OrdinaryRows ScenePositions::ordinary(const std::vector<int>& constraints,
+                                               const std::vector<int>& columns) const {
+  const Place start = place(q0_);
+  program::ConstraintRows rows;
+  rows.columns = scene_.tree.dof();
+  for (const int c : constraints) {
+    rows.rows += static_cast<int>(scene_.constraints[index(c)].rows());
+  }
+  rows.evaluate = [&](const Values& q, Values& phi, Values& J) {
+    const Place at = place(q);
+    std::size_t k = 0;
+    for (const int c : constraints) {
+      const model::Constraint& constraint = scene_.constraints[index(c)];
+      for (std::size_t row = 0; row < constraint.rows(); ++row, ++k) {
+        add_row(constraint, row, at, start, phi[k], J.data() + k * q.size());
+      }
+    }
+  };
+  return program::ordinary_rows(rows, q0_, reach_, columns);
+}
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,62 @@
+// The constraint rows of a scene as linear equations of the accelerations, EQUATIONS.md 6.1, 6.2.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "formulate/scene_frame.hpp"
+#include "formulate/scene_values.hpp"
+
+namespace treedyn::formulate {
+
+/// sum of columns[k] x_k = right, with right = a_des - gamma.
+struct Row {
+  std::map<int, Expr> columns;
+  Expr right;
+};
+
+/// The rows of a set of constraints.
+///
+/// Where a point (or an orientation) is held in three orthonormal directions, the rows stand for
+/// the axes of the frame F instead: an orthogonal change of the reactions, which leaves ranks and
+/// minimum norms as they are. `reactions` turns them back.
+class SceneRows {
+ public:
+  /// What the right sides of the rows of a constraint gain, along its directions; empty: nothing.
+  using Correction = std::function<std::vector<Expr>(int constraint)>;
+
+  /// \param active      indices of constraints of `scene`, ascending
+  SceneRows(const model::Scene& scene, const std::vector<int>& active, const SceneFrame& frame,
+            Graph& graph, const Meaning& meaning, const Correction& correction = {});
+
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+  [[nodiscard]] int size() const { return static_cast<int>(rows_.size()); }
+  /// lambda in scene order for the multipliers mu of `rows`.
+  [[nodiscard]] std::vector<Expr> reactions(const std::vector<Expr>& mu) const;
+
+ private:
+  void add_constraint(const model::Constraint& constraint, const std::vector<Expr>& wanted);
+  void add_joint(const model::Constraint& constraint, const std::vector<Expr>& wanted);
+  void add_triad(const MotionMap& map, const std::vector<Expr>& wanted);
+  void add_directions(const MotionMap& map, const std::vector<Expr>& wanted);
+  [[nodiscard]] std::vector<Expr> wanted(const model::Constraint& constraint) const;
+
+  const model::Scene& scene_;
+  const SceneFrame& frame_;
+  Graph& graph_;
+  const Meaning& meaning_;
+  std::vector<Row> rows_;
+  std::vector<Vec3> direction_;          ///< in F, of the constraint that is being added
+  std::vector<std::vector<Expr>> turn_;  ///< lambda_k = turn_[k] . mu[first_[k]..]
+  std::vector<int> first_;
+};
+
+/// The rows of all constraints along their directions in the base frame; `right` is -gamma.
+/// \pre not frame.by_trunk()
+std::vector<Row> base_rows(const model::Scene& scene, const SceneFrame& frame, Graph& graph);
+
+/// True if the directions are an orthonormal basis.
+bool is_triad(const std::vector<model::Vector3>& directions);
+
+}  // namespace treedyn::formulate

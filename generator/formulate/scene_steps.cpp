@@ -1,0 +1,361 @@
+#include "formulate/scene_steps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "formulate/scene_drift.hpp"
+#include "formulate/scene_guards.hpp"
+#include "formulate/search.hpp"
+#include "model/scene_facts.hpp"
+
+namespace treedyn::formulate {
+
+using model::Event;
+using model::EventKind;
+using model::Scene;
+using program::Staged;
+using program::StepCause;
+using program::StepEvent;
+
+using program::StepOutcome;
+using program::StepPhase;
+
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+StepCause cause_of(const Event& event) {
+  switch (event.kind) {
+    case EventKind::kTime:
+      return StepCause::kTime;
+    case EventKind::kReaction:
+      return StepCause::kPull;
+    case EventKind::kHeight:
+      return rebounds(event) ? StepCause::kFall : StepCause::kCross;
+    case EventKind::kExpression:
+      break;
+  }
+  return StepCause::kCross;
+}
+
+bool includes(const std::vector<int>& all, const std::vector<int>& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+bool has(const std::vector<program::Array>& arrays, const std::string& name) {
+  return std::any_of(arrays.begin(), arrays.end(),
+                     [&](const program::Array& array) { return array.name == name; });
+}
+
+/// Makes the stepper of one scene.
+class StepMaker {
+ public:
+  StepMaker(const Scene& scene, Options options, const std::vector<PhaseState>& states,
+            const std::vector<Staged>& impacts)
+      : scene_(scene), options_(std::move(options)), states_(states), impacts_(impacts) {
+    options_.gravity = scene.gravity;
+    options_.points = scene.points;
+    options_.scene = &scene;
+  }
+
+  [[nodiscard]] program::Stepper make(const std::vector<Staged>& dynamics) const;
+  [[nodiscard]] Staged anchors() const;
+
+ private:
+  [[nodiscard]] StepPhase phase(std::size_t state, const Staged& dynamics) const;
+  void add_event(const Event& event, std::size_t state, StepPhase& phase,
+                 std::vector<Event>& guarded, std::vector<Event>& approached) const;
+  [[nodiscard]] StepOutcome outcome(const Event& event, std::size_t state, bool at_rest) const;
+  [[nodiscard]] Staged guards(const std::vector<Event>& events, std::size_t state, int rows) const;
+  [[nodiscard]] Staged approaches(const std::vector<Event>& events, std::size_t state) const;
+  [[nodiscard]] Staged local(const std::string& name, const Options& options, const Inputs& places,
+                             std::vector<Expr> (*build)(const Task&),
+                             std::vector<program::Array> inputs, program::Array output) const;
+  [[nodiscard]] program::Lasting lasting(const Real& time) const;
+  [[nodiscard]] int anchor_count() const {
+    return anchor_offset(scene_, static_cast<int>(scene_.constraints.size()));
+  }
+  [[nodiscard]] program::Array q() const { return {"q", scene_.tree.dof(), "rad|m"}; }
+  [[nodiscard]] program::Array qd() const { return {"qd", scene_.tree.dof(), "rad/s|m/s"}; }
+  static void count_steps(program::Stepper& stepper);
+  void sign(const Staged& dynamics, program::Stepper& stepper) const;
+
+  const Scene& scene_;
+  Options options_;
+  const std::vector<PhaseState>& states_;
+  const std::vector<Staged>& impacts_;
+};
+
+/// A function of straight-line code that only `step` calls.
+Staged StepMaker::local(const std::string& name, const Options& options, const Inputs& places,
+                        std::vector<Expr> (*build)(const Task&), std::vector<program::Array> inputs,
+                        program::Array output) const {
+  const Recipe recipe{places, {.fixed_length = true}, build};
+  Staged staged;
+  staged.function = cheapest(scene_.tree, recipe, options);
+  staged.signature = {name, "", "", std::move(inputs), {std::move(output)}};
+  staged.function.signature = staged.signature;
+  staged.levels.assign(staged.signature.inputs.size(), 0);
+  return staged;
+}
+
+Staged StepMaker::guards(const std::vector<Event>& events, std::size_t state, int rows) const {
+  Options options = options_;
+  options.events = events;
+  options.active = states_[state].active;
+  const GuardArrays arrays = guard_arrays(events);
+  std::vector<program::Array> inputs = {q(), qd()};
+  if (arrays.t >= 0) {
+    inputs.push_back({"t", 1, "s"});
+  }
+  if (arrays.lambda >= 0) {
+    inputs.push_back({"lambda", rows, "N|N m"});
+  }
+  return local("guards" + states_[state].ending, options, {.q = 0, .qd = 1}, build_guards, inputs,
+               {"guard", static_cast<int>(events.size()), "m|N|1"});
+}
+
+Staged StepMaker::approaches(const std::vector<Event>& events, std::size_t state) const {
+  Options options = options_;
+  options.events = events;
+  return local("approaches" + states_[state].ending, options, {.q = 0, .qd = 1}, build_approaches,
+               {q(), qd()}, {"approach", static_cast<int>(events.size()), "m/s"});
+}
+
+Staged StepMaker::anchors() const {
+  std::vector<program::Array> inputs = {q()};
+  if (anchors_use_time(scene_)) {
+    inputs.push_back({"t", 1, "s"});
+  }
+  return local("anchors", options_, {.q = 0}, build_anchors, inputs,
+               {"anchor", anchor_count(), "m|1|rad"});
+}
+
+/// Steps and a rest; without cuts whole steps, rounded up.
+program::Lasting StepMaker::lasting(const Real& time) const {
+  const Real& h = scene_.stepping.step;
+  const Real steps = floor(Real(time / h + Real("1e-30")));
+  const Real rest = time - steps * h;
+  const bool whole = !(rest > h * Real("1e-30"));
+  const int count = static_cast<int>(steps);
+  if (scene_.stepping.cuts == 0) {
+    return {count + (whole ? 0 : 1), 0};
+  }
+  return {count, whole ? Real(0) : rest};
+}
+
+StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_rest) const {
+  StepOutcome result;
+  const std::vector<int> active = active_behind(scene_, states_[state], event, at_rest);
+  result.then = find_state(states_, event.then, active);
+  if (event.impact && !event.impact->constraints.empty()) {
+    const ImpactName wanted{event.impact->constraints,
+                            at_rest ? Real(0) : event.impact->restitution, ""};
+    const std::vector<ImpactName> all = impacts_of(scene_);
+    const auto found = std::find_if(
+        all.begin(), all.end(), [&](const ImpactName& impact) { return impact.same_as(wanted); });
+    const Staged& impact = impacts_[static_cast<std::size_t>(found - all.begin())];
+    result.impact = impact.signature.name;
+    result.impulses = impact.signature.outputs.back().size;
+    result.impact_cost = program::worst_cost(impact);
+  }
+  result.stops = event.stops;
+  const std::vector<int>& before = states_[state].active;
+  for (int c = 0; c < static_cast<int>(scene_.constraints.size()); ++c) {
+    const model::Constraint& constraint = scene_.constraints[index(c)];
+    const bool moves = constraint.pinned || constraint.kind == model::ConstraintKind::kOrientation;
+    const bool pinned = std::find(event.pins.begin(), event.pins.end(), c) != event.pins.end();
+    if (anchor_size(scene_, c) > 0 &&
+        (pinned || (moves && includes(active, {c}) && !includes(before, {c})))) {
+      result.renewals.push_back({anchor_offset(scene_, c), anchor_size(scene_, c)});
+    }
+  }
+  return result;
+}
+
+const std::string& joint_name(const Scene& scene, int joint) {
+  return scene.tree.links[index(scene.tree.coordinates[index(joint)])].joint.name;
+}
+
+std::string brief_of(const Scene& scene, const Event& event) {
+  switch (event.kind) {
+    case EventKind::kHeight:
+      return fmt::format("touch_down of {}", scene.points[index(event.point)].name);
+    case EventKind::kReaction: {
+      const model::Constraint& row = scene.constraints[index(event.constraint)];
+      return fmt::format("{} {}", row.sticks ? "beyond" : "lift_off of", row.name);
+    }
+    case EventKind::kExpression:
+      return event.stops < 0 ? "the expression falls below zero"
+                             : fmt::format("{} stops", joint_name(scene, event.stops));
+    case EventKind::kTime:
+      break;
+  }
+  return "time";
+}
+
+void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phase,
+                          std::vector<Event>& guarded, std::vector<Event>& approached) const {
+  StepEvent result;
+  result.brief = brief_of(scene_, event);
+  result.not_before = lasting(event.not_before);
+  result.outcome = outcome(event, state, false);
+  if (event.kind != EventKind::kTime) {
+    result.guard = static_cast<int>(guarded.size());
+    guarded.push_back(event);
+  }
+  result.cause = cause_of(event);
+  if (result.cause == StepCause::kFall || may_rest(scene_, event)) {
+    result.approach = static_cast<int>(approached.size());
+    approached.push_back(event);
+  }
+  if (may_rest(scene_, event)) {
+    result.rest = outcome(event, state, true);
+    result.rest_below = event.impact->rest_below;
+  }
+  result.goes_on = event.goes_on;
+  result.holds = event.kind == EventKind::kReaction ? event.plane.height : Real(0);
+  phase.events.push_back(std::move(result));
+}
+
+StepPhase StepMaker::phase(std::size_t state, const Staged& dynamics) const {
+  StepPhase result;
+  const std::vector<program::Array>& inputs = dynamics.signature.inputs;
+  result.identifier = states_[state].identifier;
+  result.dynamics = dynamics.signature.name;
+  result.takes_time = has(inputs, "t");
+  result.takes_anchor = has(inputs, "anchor");
+  result.rows = dynamics.solves.empty() ? 0 : dynamics.solves.front().rows;
+  result.dynamics_cost = program::cost(dynamics);
+  result.dynamics_worst_cost = program::worst_cost(dynamics);
+  std::vector<Event> guarded;
+  std::vector<Event> approached;
+  for (const Event& event : events_of(scene_, states_[state])) {
+    if (is_watched(event, states_[state].active)) {
+      add_event(event, state, result, guarded, approached);
+    }
+  }
+  result.guards_speed = std::any_of(guarded.begin(), guarded.end(), [](const Event& event) {
+    return event.kind == EventKind::kExpression && event.value.uses(model::Quantity::kVelocity);
+  });
+  for (const int c : states_[state].active) {
+    const model::Constraint& row = scene_.constraints[index(c)];
+    if (row.sticks) {
+      result.stuck.push_back(row.joint);
+    }
+  }
+  if (!guarded.empty()) {
+    result.guards.push_back(guards(guarded, state, result.rows));
+  }
+  if (!approached.empty()) {
+    result.approaches.push_back(approaches(approached, state));
+  }
+  return result;
+}
+
+/// Arguments and results.
+void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
+  const int n = scene_.tree.dof();
+  program::Signature& s = stepper.signature;
+  s = {"step",
+       "(8),(12)",
+       stepper.ends()
+           ? "Joint positions and velocities one step later, behind the events within "
+             "the step; lambda is that of the beginning."
+           : "Joint positions and velocities one step later, within the phase; lambda is "
+             "that of the beginning.",
+       {dynamics.signature.inputs.begin(), dynamics.signature.inputs.begin() + 3},
+       {{"q_next", n, "rad|m"}, {"qd_next", n, "rad/s|m/s"}},
+       true};
+  const auto add = [](std::vector<program::Array>& arrays, bool needed, program::Array array) {
+    if (needed) {
+      arrays.push_back(std::move(array));
+    }
+  };
+  const bool renews = !stepper.anchors.empty();
+  const bool counts = stepper.counted > 0;
+  add(s.inputs, stepper.takes_time, {"t", 1, "s"});
+  add(s.inputs, stepper.takes_anchor, {"anchor", anchor_count(), "m|1|rad"});
+  add(s.inputs, stepper.switches(), {"phase", 1, "index", true});
+  add(s.inputs, counts, {"steps", 1, "done in this phase", true});
+  add(s.inputs, stepper.begun, {"begun", 1, "s in this phase before them"});
+  add(s.inputs, stepper.compensated,
+      {"rest", 2 * n, "what q and qd lost by rounding; zero at first"});
+  add(s.outputs, stepper.rows > 0, {"lambda", stepper.rows, "N|N m"});
+  add(s.outputs, renews, {"anchor_next", anchor_count(), "m|1|rad"});
+  add(s.outputs, stepper.switches(), {"phase_next", 1, "index", true});
+  add(s.outputs, counts, {"steps_next", 1, "done in the next phase", true});
+  add(s.outputs, stepper.begun, {"begun_next", 1, "s in the next phase before them"});
+  add(s.outputs, stepper.compensated,
+      {"rest_next", 2 * n, "what q_next and qd_next lost by rounding"});
+}
+
+/// How far steps of a phase must be counted, and whether phases begin within a step.
+void StepMaker::count_steps(program::Stepper& stepper) {
+  bool within = false;
+  for (const StepPhase& phase : stepper.phases) {
+    for (const StepEvent& event : phase.events) {
+      within = within || event.cause != StepCause::kTime || event.not_before.rest != 0;
+      if (!event.not_before.none()) {
+        stepper.counted = std::max(stepper.counted, event.not_before.steps);
+      }
+    }
+  }
+  const bool counts = std::any_of(stepper.phases.begin(), stepper.phases.end(),
+                                  [](const StepPhase& phase) { return !clocks(phase).empty(); });
+  stepper.begun = counts && within && stepper.cuts > 0;
+  stepper.counted += stepper.begun ? 1 : 0;
+}
+
+program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
+  program::Stepper result;
+  result.method = *step_method(scene_);
+  result.integrator = scene_.stepping.integrator;
+  result.step = scene_.stepping.step;
+  result.cuts = scene_.stepping.cuts;
+  result.parts = scene_.stepping.parts;
+  result.events = scene_.stepping.events;
+  result.compensated = scene_.stepping.compensated;
+  bool renews = false;
+  for (std::size_t state = 0; state < states_.size(); ++state) {
+    result.phases.push_back(phase(state, dynamics[state]));
+    const StepPhase& added = result.phases.back();
+    result.takes_time = result.takes_time || added.takes_time ||
+                        (!added.guards.empty() && program::takes_time(added.guards.front()));
+    result.takes_anchor = result.takes_anchor || added.takes_anchor;
+    result.rows = std::max(result.rows, added.rows);
+    for (const StepEvent& event : added.events) {
+      renews = renews || !event.outcome.renewals.empty() ||
+               (event.rest && !event.rest->renewals.empty());
+    }
+  }
+  count_steps(result);
+  if (renews) {
+    result.anchors.push_back(anchors());
+    result.takes_time = result.takes_time || program::takes_time(result.anchors.front());
+  }
+  result.sticking = scene_.sticking;
+  result.first = states_[index(scene_.start_phase)].identifier;
+  sign(dynamics.front(), result);
+  return result;
+}
+
+}  // namespace
+
+program::Stepper make_stepper(const Scene& scene, const Options& options,
+                              const std::vector<PhaseState>& states,
+                              const std::vector<Staged>& dynamics,
+                              const std::vector<Staged>& impacts) {
+  return StepMaker(scene, options, states, impacts).make(dynamics);
+}
+
+program::Function anchor_function(const Scene& scene) {
+  Options options;
+  options.effort = 0;
+  return StepMaker(scene, options, {}, {}).anchors().function;
+}
+
+}  // namespace treedyn::formulate

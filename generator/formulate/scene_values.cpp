@@ -1,0 +1,43 @@
+#include "formulate/scene_values.hpp"
+
+#include <utility>
+
+namespace treedyn::formulate {
+
+namespace {
+
+using program::Ref;
+
+/// An expression with the functions that it is short of.
+struct Term {
+  Graph* graph = nullptr;
+  Expr value;
+
+  Term operator-() const { return {graph, -value}; }
+  friend Term operator+(const Term& a, const Term& b) { return {a.graph, a.value + b.value}; }
+  friend Term operator-(const Term& a, const Term& b) { return {a.graph, a.value - b.value}; }
+  friend Term operator*(const Term& a, const Term& b) { return {a.graph, a.value * b.value}; }
+  friend Term operator/(const Term& a, const Term& b) { return {a.graph, a.value / b.value}; }
+  /// Roots are taken of values, not of negatives of values: -x = sqrt(x x) if it has a root.
+  friend Term sqrt(const Term& a) {
+    const Ref x = a.value.ref();
+    const Ref positive = x < 0 ? a.graph->sqrt(a.graph->multiply(x, x)) : x;
+    return {a.graph, {*a.graph, a.graph->sqrt(positive)}};
+  }
+  friend Term sin(const Term& a) { return {a.graph, {*a.graph, a.graph->sin(a.value.ref())}}; }
+  friend Term cos(const Term& a) { return {a.graph, {*a.graph, a.graph->cos(a.value.ref())}}; }
+};
+
+}  // namespace
+
+Expr value_of(Graph& graph, const model::Expression& expression, const Meaning& meaning) {
+  const auto number = [&](const Real& x) {
+    return Term{&graph, constant(graph, x)};
+  };
+  const auto variable = [&](const model::Variable& v) {
+    return Term{&graph, meaning(v)};
+  };
+  return expression.evaluate<Term>(number, variable).value;
+}
+
+}  // namespace treedyn::formulate

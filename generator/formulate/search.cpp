@@ -1,0 +1,478 @@
+#include "formulate/search.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "formulate/gate.hpp"
+#include "formulate/stand_ins.hpp"
+#include "optimise/limb_sharing.hpp"
+#include "program/rounding.hpp"
+
+namespace treedyn::formulate {
+
+namespace {
+
+/// Graphs above this size get proportionally fewer moves.
+constexpr std::size_t kReferenceSize = 1500;
+/// One evaluation with algebraic passes counts as this many moves.
+constexpr int kOptimisedMove = 8;
+/// Moves of the algebraic local search for each move of the search among formulations.
+constexpr int kAlgebraMoves = 5;
+/// Functions with more operations get proportionally fewer of them.
+constexpr int kReferenceOperations = 3000;
+/// Formulations that are compared after the algebraic passes.
+constexpr std::size_t kFinalists = 24;
+/// Random changes between two restarts from the best variant.
+constexpr int kCycle = 400;
+
+/// One free choice: setting number k of `settings`.
+struct Choice {
+  int settings = 0;
+  std::vector<int>
+      links;  ///< symmetric links that take the same setting; empty: a choice of the whole variant
+  void (*set)(Variant&, const std::vector<int>& links, int setting) = nullptr;
+};
+
+template <class Field, class Value>
+void set_links(Variant& variant, const std::vector<int>& links, Field field, Value value) {
+  for (const int i : links) {
+    variant.links[static_cast<std::size_t>(i)].*field = value;
+  }
+}
+
+template <auto field, class Enum>
+void set_enum(Variant& variant, const std::vector<int>& links, int setting) {
+  set_links(variant, links, field, static_cast<Enum>(setting));
+}
+
+template <auto field>
+void set_flag(Variant& variant, const std::vector<int>& links, int setting) {
+  set_links(variant, links, field, setting != 0);
+}
+
+void set_cut(Variant& variant, const std::vector<int>& links, int setting) {
+  const std::uint8_t cut =
+      setting == 3 ? LinkVariant::kWholeRun : static_cast<std::uint8_t>(setting);
+  set_links(variant, links, &LinkVariant::cut, cut);
+}
+
+void add_link_choices(const Freedom& freedom, const Options& options, const std::vector<int>& links,
+                      bool parallel, std::vector<Choice>& choices) {
+  const auto add = [&](bool wanted, int settings,
+                       void (*set)(Variant&, const std::vector<int>&, int)) {
+    if (wanted) {
+      choices.push_back({settings, links, set});
+    }
+  };
+  const bool runs = options.has(Pass::kParallel);
+  const bool frames = options.has(Pass::kNormals);
+  const bool gauges = freedom.regrouping && options.has(Pass::kRegrouping);
+  add(parallel && runs, 2, set_flag<&LinkVariant::merge_parallel>);
+  add(runs, 4, set_cut);
+  add(frames, 4, set_enum<&LinkVariant::angle, FrameAngle>);
+  add(frames && !freedom.fixed_frames, 4, set_enum<&LinkVariant::slide, Slide>);
+  add(gauges, 6, set_enum<&LinkVariant::mass, MassGauge>);
+  add(gauges, 4, set_enum<&LinkVariant::tensor, TensorGauge>);
+  add(freedom.moment_form && options.has(Pass::kColumn), 2,
+      set_flag<&LinkVariant::column_of_father>);
+  add(freedom.moment_form && options.has(Pass::kPseudoInertia), 2,
+      set_flag<&LinkVariant::tensor_moment>);
+}
+
+/// True if the unit of length may change the cost.
+bool chooses_unit(const Freedom& freedom, const Options& options) {
+  return freedom.regrouping && !freedom.fixed_length && options.has(Pass::kRegrouping) &&
+         options.has(Pass::kSearch);
+}
+
+void add_global_choices(const model::Tree& tree, const Freedom& freedom, const Options& options,
+                        std::vector<Choice>& choices) {
+  const auto add = [&](bool wanted, int settings,
+                       void (*set)(Variant&, const std::vector<int>&, int)) {
+    if (wanted && settings > 1) {
+      choices.push_back({settings, {}, set});
+    }
+  };
+  const bool units = chooses_unit(freedom, options) && !options.metres;
+  const int lengths = units ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
+  add(true, lengths, [](Variant& v, const std::vector<int>&, int k) { v.unit_length = k; });
+  add(freedom.tensor_form && options.has(Pass::kPseudoInertia), 2,
+      [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });
+  add(freedom.trunk && has_free_base(tree) && options.has(Pass::kTrunk), 2,
+      [](Variant& v, const std::vector<int>&, int k) { v.trunk = k != 0; });
+  add(freedom.any_way, 3,
+      [](Variant& v, const std::vector<int>&, int k) { v.way = static_cast<Way>(k); });
+}
+
+std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom,
+                               const Options& options) {
+  std::vector<Choice> choices;
+  if (!options.has(Pass::kSearch)) {
+    return choices;
+  }
+  const NormalTree normal = normal_form(tree, {}, plain_variant(tree));
+  for (const std::vector<int>& links : similar_links(tree)) {
+    const NormalLink& first = normal.links[static_cast<std::size_t>(links.front())];
+    if (first.revolute) {
+      const bool parallel = first.father != model::kGround && first.euler.alpha.is_identity() &&
+                            normal.links[static_cast<std::size_t>(first.father)].revolute;
+      add_link_choices(freedom, options, links, parallel, choices);
+    }
+  }
+  add_global_choices(tree, freedom, options, choices);
+  return choices;
+}
+
+class Search {
+ public:
+  Search(const model::Tree& tree, const Recipe& recipe, const Options& options,
+         const Variant& start)
+      : tree_(tree),
+        recipe_(recipe),
+        options_(options),
+        seen_(stand_ins_alone(tree, options)),
+        choices_(choices_of(tree, recipe.freedom, options)) {
+    const program::Function first = compared(start);
+    const std::size_t size = std::max(first.graph.size(), kReferenceSize);
+    moves_ = static_cast<int>(static_cast<std::size_t>(options.effort) * kReferenceSize / size);
+    note(start, weight(program::cost(first)));
+  }
+
+  program::Function run();
+  /// What `run` has chosen.
+  [[nodiscard]] const Variant& best() const { return best_; }
+
+ private:
+  using Cache = std::map<Variant, int>;
+
+  [[nodiscard]] std::vector<int> all_links() const {
+    std::vector<int> links(tree_.links.size());
+    std::iota(links.begin(), links.end(), 0);
+    return links;
+  }
+  [[nodiscard]] program::Function finished(const Variant& variant) const;
+  /// With stand-ins alone: for its cost.
+  [[nodiscard]] program::Function compared(const Variant& variant) const {
+    return build_with_limbs(seen_.tree, recipe_, seen_.options, variant).function;
+  }
+  [[nodiscard]] optimise::Effort algebra_effort(const program::Function& function) const;
+  void note(const Variant& variant, int cost);
+  void drop_what_does_not_pay(Variant& variant, int& cost);
+  int raw_cost(const Variant& variant);
+  int optimised_cost(const Variant& variant);
+  /// First-improvement descent over all choices in random order; stops when `limit` moves are left.
+  template <class Evaluate>
+  void descend(Variant& variant, int& cost, int limit, Evaluate evaluate);
+  template <class Evaluate>
+  void anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluate evaluate);
+  Variant perturbed(Variant variant);
+  std::uint64_t random(std::size_t bound) { return generator_() % bound; }
+
+  const model::Tree& tree_;
+  const Recipe& recipe_;
+  const Options& options_;
+  const Seen seen_;
+  std::vector<Choice> choices_;
+  Variant best_;
+  int moves_ = 0;
+  std::mt19937_64 generator_{20110602};
+  Cache raw_;
+  Cache optimised_;
+  std::vector<std::pair<int, Variant>>
+      finalists_;  ///< cheapest before the algebraic passes, ascending
+};
+
+void Search::note(const Variant& variant, int cost) {
+  raw_.emplace(variant, cost);
+  const std::pair<int, Variant> entry(cost, variant);
+  finalists_.insert(std::upper_bound(finalists_.begin(), finalists_.end(), entry), entry);
+  if (finalists_.size() > kFinalists) {
+    finalists_.pop_back();
+  }
+}
+
+int Search::raw_cost(const Variant& variant) {
+  const auto known = raw_.find(variant);
+  if (known != raw_.end()) {
+    return known->second;
+  }
+  --moves_;
+  const int cost = weight(program::cost(compared(variant)));
+  note(variant, cost);
+  return cost;
+}
+
+int Search::optimised_cost(const Variant& variant) {
+  const auto known = optimised_.find(variant);
+  if (known != optimised_.end()) {
+    return known->second;
+  }
+  moves_ -= kOptimisedMove;
+  const program::Function function = compared(variant);
+  const program::Cost raw = program::cost(function);
+  const int total = options_.has(Pass::kAlgebra)
+                        ? optimise::estimate_operations(function.graph, function.outputs)
+                        : raw.total();
+  const int cost = weight(raw) - raw.total() + total;
+  return optimised_.emplace(variant, cost).first->second;
+}
+
+template <class Evaluate>
+void Search::descend(Variant& variant, int& cost, int limit, Evaluate evaluate) {
+  std::vector<std::size_t> order(choices_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (bool improved = true; improved;) {
+    improved = false;
+    for (std::size_t i = order.size(); i > 1; --i) {
+      std::swap(order[i - 1], order[random(i)]);
+    }
+    for (const std::size_t n : order) {
+      for (int setting = 0; setting < choices_[n].settings; ++setting) {
+        if (moves_ <= limit) {
+          return;
+        }
+        Variant trial = variant;
+        choices_[n].set(trial, choices_[n].links, setting);
+        const int trial_cost = evaluate(trial);
+        if (trial_cost < cost) {
+          cost = trial_cost;
+          variant = trial;
+          improved = true;
+        }
+      }
+    }
+  }
+}
+
+Variant Search::perturbed(Variant variant) {
+  const std::uint64_t changes = 1 + random(3);
+  for (std::uint64_t k = 0; k < changes; ++k) {
+    const Choice& choice = choices_[random(choices_.size())];
+    choice.set(variant, choice.links,
+               static_cast<int>(random(static_cast<std::size_t>(choice.settings))));
+  }
+  return variant;
+}
+
+/// Threshold accepting: a random change is kept if it costs at most `tolerance` more, which shrinks
+/// to nothing over a cycle; the next cycle starts from the best variant found.
+template <class Evaluate>
+void Search::anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluate evaluate) {
+  const int most_attempts = 20 * std::max(moves_ - limit, 0);  // a bound where few variants exist
+  Variant current = best;
+  int current_cost = best_cost;
+  for (int attempt = 0; attempt < most_attempts && moves_ > limit; ++attempt) {
+    const int phase = attempt % cycle;
+    if (phase == 0) {
+      current = best;
+      current_cost = best_cost;
+    }
+    const int tolerance = best_cost / 25 * (cycle - phase) / cycle;
+    const Variant trial = perturbed(current);
+    const int cost = evaluate(trial);
+    if (cost <= current_cost + static_cast<int>(random(static_cast<std::size_t>(tolerance) + 1))) {
+      current = trial;
+      current_cost = cost;
+      if (cost < best_cost) {
+        best = trial;
+        best_cost = cost;
+      }
+    }
+  }
+}
+
+/// Tries to do without each pass that is on, for the whole tree: no pass may add operations. Sums
+/// of angles never do.
+void Search::drop_what_does_not_pay(Variant& variant, int& cost) {
+  const auto consider = [&](const Variant& trial) {
+    if (const int trial_cost = raw_cost(trial); trial_cost < cost) {
+      cost = trial_cost;
+      variant = trial;
+    }
+  };
+  for (const PassInfo& info : passes()) {
+    if (options_.has(info.pass) && info.pass != Pass::kSums) {
+      Variant trial = variant;
+      switch_off({info.pass}, trial);
+      consider(trial);
+      if (info.pass == Pass::kParallel) {
+        trial = variant;
+        set_links(trial, all_links(), &LinkVariant::cut, std::uint8_t{0});
+        consider(trial);
+      } else if (info.pass == Pass::kPseudoInertia) {
+        trial = variant;
+        set_links(trial, all_links(), &LinkVariant::tensor_moment, true);
+        consider(trial);
+      }
+    }
+  }
+}
+
+/// Moves of the algebraic local search, fewer for large functions; none without a search.
+optimise::Effort Search::algebra_effort(const program::Function& function) const {
+  optimise::Effort effort;
+  if (options_.has(Pass::kSearch)) {
+    const std::int64_t operations = std::max(program::cost(function).total(), kReferenceOperations);
+    effort.moves = static_cast<int>(std::int64_t{kAlgebraMoves} * options_.effort *
+                                    kReferenceOperations / operations);
+  }
+  return effort;
+}
+
+program::Function Search::run() {
+  const auto raw = [this](const Variant& variant) {
+    return raw_cost(variant);
+  };
+  const auto optimised = [this](const Variant& variant) {
+    return optimised_cost(variant);
+  };
+  Variant best = finalists_.front().second;
+  int cost = finalists_.front().first;
+  drop_what_does_not_pay(best, cost);
+  const int half = moves_ / 2;
+  if (!choices_.empty()) {
+    descend(best, cost, half, raw);
+    anneal(best, cost, half, kCycle, raw);
+  }
+  cost = optimised_cost(best);
+  for (const auto& [raw_cost, variant] : finalists_) {
+    if (const int c = half > 0 ? optimised_cost(variant) : cost; c < cost) {
+      cost = c;
+      best = variant;
+    }
+  }
+  if (!choices_.empty()) {
+    descend(best, cost, half / 2, optimised);
+    anneal(best, cost, half / 4, kCycle / 4, optimised);
+    descend(best, cost, 0, optimised);
+  }
+  best_ = best;
+  return finished(best);
+}
+
+/// The formulation after the algebraic passes; with `share_limbs` empty if nothing can be shared.
+program::Function Search::finished(const Variant& variant) const {
+  Built built = build_with_limbs(tree_, recipe_, options_, variant);
+  program::Function& function = built.function;
+  std::optional<optimise::Effort> effort;
+  if (options_.has(Pass::kAlgebra)) {
+    effort = algebra_effort(function);
+  }
+  if (!options_.share_limbs) {
+    program::Function result =
+        effort ? optimise::optimised(function, *effort) : std::move(function);
+    result.unit = unit_of(tree_, variant);
+    return result;
+  }
+  const std::size_t points = options_.points.size();
+  function.signature = signature(recipe_.name, tree_.dof(), static_cast<int>(points));
+  const auto code = optimise::limb_code(function, built.limbs, effort);
+  program::Function result = code ? program::flat(code, function.signature) : program::Function{};
+  result.unit = unit_of(tree_, variant);
+  return result;
+}
+
+}  // namespace
+
+namespace {
+
+/// What float may lose, as a part of the results, before the other method is asked, and how much
+/// better that one has to be.
+constexpr double kLost = 1e-3;
+constexpr double kBetter = 10;
+/// Without passes so many times dearer: no search makes up for that.
+constexpr int kHopeless = 4;
+/// Percent that articulated bodies have to save in a scene: armatures and constraints rule them
+/// out, and what is not counted, moves and stores, must not make such an effect a gain.
+constexpr int kWorthwhile = 10;
+
+/// Percent of the operations that another unit of length has to save: its numbers say less to a
+/// reader.
+constexpr int kWorthAUnit = 2;
+
+/// The cheapest found from `start` on, in another unit of length than the metre only if it pays.
+program::Function found(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                        const Variant& start) {
+  Search search(tree, recipe, options, start);
+  program::Function function = search.run();
+  if (function.unit.link < 0 || function.outputs.empty()) {
+    return function;
+  }
+  Options metres = options;
+  metres.metres = true;
+  Variant plain_start = search.best();
+  plain_start.unit_length = 0;
+  program::Function plain = Search(tree, recipe, metres, plain_start).run();
+  if (plain.outputs.empty()) {
+    return function;
+  }
+  const int operations = program::cost(plain).total();
+  const int saved = operations - program::cost(function).total();
+  return 100 * saved < kWorthAUnit * operations ? plain : function;
+}
+
+/// True if float loses much with `taken` and not with `left`. Where one of them has no limbs to
+/// share, there is nothing to compare.
+bool loses(const program::Function& taken, const program::Function& left) {
+  if (taken.outputs.size() != left.outputs.size()) {
+    return false;
+  }
+  const double error = program::float_error(taken);
+  return error > kLost && program::float_error(left) < error / kBetter;
+}
+
+/// The cheaper of the methods that `options` leave open, or the one that float can do with. Of long
+/// chains A is not searched: it has N^2 entries.
+program::Function best_method(const model::Tree& tree, const Recipe& recipe,
+                              const Options& options) {
+  Variant factor = plain_variant(tree);
+  switch_off(options.without, factor);
+  factor.way = recipe.freedom.way;
+  Variant articulated = factor;
+  articulated.articulated = true;
+  const auto search = [&](const Variant& start) {
+    return found(tree, recipe, options, start);
+  };
+  if (!recipe.freedom.articulated || options.forward_dynamics == ForwardDynamics::kFactor) {
+    return search(factor);
+  }
+  const auto plain_cost = [&](const Variant& start) {
+    return weight(program::cost(build(tree, recipe, options, start)));
+  };
+  if (options.forward_dynamics == ForwardDynamics::kArticulated ||
+      plain_cost(factor) > kHopeless * plain_cost(articulated)) {
+    return search(articulated);
+  }
+  program::Function function = search(factor);
+  program::Function other = search(articulated);
+  const int least = options.scene != nullptr ? kWorthwhile : 0;
+  if (100 * weight(program::cost(other)) < (100 - least) * weight(program::cost(function))) {
+    std::swap(function, other);
+  }
+  return loses(function, other) ? other : function;
+}
+
+program::Function searched(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+  if (options.share_limbs && !find_limbs(tree).empty()) {
+    program::Function shared = best_method(tree, recipe, options);
+    if (shared.limb_code) {
+      return shared;
+    }
+  }
+  Options plain = options;
+  plain.share_limbs = false;
+  return best_method(tree, recipe, plain);
+}
+
+}  // namespace
+
+program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+  return held_to_rounding(tree, recipe, options, searched);
+}
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,27 @@
+#include "formulate/spatial.hpp"
+
+namespace treedyn::formulate {
+
+Mat3 inertia_tensor(const Mat3& E) {
+  return {{{E[1][1] + E[2][2], -E[0][1], -E[0][2]},
+           {-E[0][1], E[0][0] + E[2][2], -E[1][2]},
+           {-E[0][2], -E[1][2], E[0][0] + E[1][1]}}};
+}
+
+Expr sum(const std::vector<Expr>& terms) {
+  Expr result;
+  Expr constants;
+  for (const Expr& term : terms) {
+    (term.is_fixed() ? constants : result) += term;
+  }
+  return result + constants;
+}
+
+void name(Graph& graph, const Vec3& v, const char* symbol, int body) {
+  constexpr std::array<const char*, 3> kComponent = {"x", "y", "z"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    graph.name(v[k].ref(), symbol, body, kComponent[k]);
+  }
+}
+
+}  // namespace treedyn::formulate

@@ -1,0 +1,32 @@
+// Numbers of a robot as the choice of a formulation sees them.
+#pragma once
+
+#include "formulate/formulate.hpp"
+#include "model/tree.hpp"
+
+namespace treedyn::formulate {
+
+/// A robot and options whose numbers are seen as stand-ins (common/real.hpp).
+struct Seen {
+  model::Tree tree;
+  Options options;
+};
+
+/// Every mass, length, angle, inertia and gravity is seen as a number that only its place in the
+/// tree decides (link, quantity, component): robots of one structure get one formulation. Zero, one
+/// and minus one and multiples of 15 degrees are seen as they are; numbers of one quantity that are
+/// equal or opposite stay so in one link and in links that are alike (`similar_links`), angles and
+/// distances of joints in the whole robot; rotations keep their zeros, ones and equal entries, all
+/// numbers their signs. Of lengths below a micrometre and angles below a milliradian the order of
+/// magnitude is seen; rotations that no three angles describe are seen as they are. Numbers that
+/// are known at run time only have recipes (`Tree::parameters`). O(N).
+Seen with_stand_ins(const model::Tree& tree, const Options& options);
+
+/// Only what is known at run time is seen as other numbers.
+Seen with_parameters(const model::Tree& tree, const Options& options);
+
+/// Of numbers that are seen as others only what is seen: enough to compare costs, at half the
+/// price. O(N)
+Seen stand_ins_alone(const model::Tree& tree, const Options& options);
+
+}  // namespace treedyn::formulate

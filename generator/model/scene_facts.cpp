@@ -1,0 +1,106 @@
+#include "model/scene_facts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace treedyn::model {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, StepMethod>, 4> kMethods = {
+    {{"semi-implicit-euler", StepMethod::kSemiImplicitEuler},
+     {"rk4", StepMethod::kRk4},
+     {"dopri5-fixed", StepMethod::kDopri5},
+     {"sdirk2", StepMethod::kSdirk2}}};
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+/// True if its curve, or its orientation, is that of the moment when it begins to act.
+bool begins_anywhere(const Scene& scene, int constraint) {
+  const Constraint& c = scene.constraints[index(constraint)];
+  const auto pins = [&](const Event& event) {
+    return std::find(event.pins.begin(), event.pins.end(), constraint) != event.pins.end();
+  };
+  return c.pinned || c.kind == ConstraintKind::kOrientation ||
+         std::any_of(scene.phases.begin(), scene.phases.end(), [&](const Phase& phase) {
+           return std::any_of(phase.until.begin(), phase.until.end(), pins);
+         });
+}
+
+}  // namespace
+
+std::optional<StepMethod> step_method(const Scene& scene) {
+  for (const auto& [name, method] : kMethods) {
+    if (scene.stepping.integrator == name) {
+      return method;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> step_method_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, method] : kMethods) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+bool is_stabilised(const Scene& scene, int constraint) {
+  const Constraint& c = scene.constraints[index(constraint)];
+  const bool loop = (c.kind == ConstraintKind::kJoined || c.loop) && step_method(scene) &&
+                    scene.stepping.drift == Drift::kProjection;
+  return c.accelerations.empty() && (loop || scene.stepping.drift == Drift::kBaumgarte);
+}
+
+bool has_place(const Scene& scene, int constraint) {
+  const std::optional<std::vector<Real>>& loop = scene.constraints[index(constraint)].loop;
+  return loop && !loop->empty() && scene.stepping.drift == Drift::kProjection;
+}
+
+Real stabilisation_rate(const Scene& scene) {
+  const Real resolved = 1 / (2 * scene.stepping.step);
+  return scene.stepping.drift == Drift::kBaumgarte
+             ? scene.stepping.stabilisation
+             : std::min(scene.stepping.stabilisation, resolved);
+}
+
+int anchor_size(const Scene& scene, int constraint) {
+  const Constraint& c = scene.constraints[index(constraint)];
+  if (!is_stabilised(scene, constraint) || c.kind == ConstraintKind::kJoined ||
+      !begins_anywhere(scene, constraint) || has_place(scene, constraint)) {
+    return 0;
+  }
+  return c.kind == ConstraintKind::kOrientation ? 9 : c.kind == ConstraintKind::kPoint ? 3 : 1;
+}
+
+int anchor_offset(const Scene& scene, int constraint) {
+  int offset = 0;
+  for (int c = 0; c < constraint; ++c) {
+    offset += anchor_size(scene, c);
+  }
+  return offset;
+}
+
+bool has_anchor(const Scene& scene, const std::vector<int>& constraints) {
+  return std::any_of(constraints.begin(), constraints.end(),
+                     [&](int c) { return anchor_size(scene, c) > 0; });
+}
+
+std::vector<int> passive_joints(const Scene& scene) {
+  std::vector<int> result;
+  for (int i = 0; i < scene.tree.dof(); ++i) {
+    const bool driven = std::any_of(scene.motors.begin(), scene.motors.end(),
+                                    [&](const Motor& motor) { return motor.joint == i; });
+    const bool in_base = i < 6 && has_free_base(scene.tree);
+    const bool chosen = scene.actuated && std::find(scene.actuated->begin(), scene.actuated->end(),
+                                                    i) != scene.actuated->end();
+    if (scene.actuated ? !chosen : scene.motors.empty() ? in_base : !driven) {
+      result.push_back(i);
+    }
+  }
+  return result;
+}
+
+}  // namespace treedyn::model

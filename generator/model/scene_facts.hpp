@@ -1,0 +1,40 @@
+// What follows from the words of a scene alone, for whoever formulates, proves or writes it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/step_method.hpp"
+#include "model/scene.hpp"
+
+namespace treedyn::model {
+
+/// The scene's integrator if there is code for a step of it.
+std::optional<StepMethod> step_method(const Scene& scene);
+/// Names of the integrators for which there is.
+std::vector<std::string> step_method_names();
+
+/// True if Baumgarte's correction, the one that is part of the equations, acts on a constraint:
+/// where the scene asks for it, and, unless it asks for none, on closed loops that a step goes
+/// round.
+bool is_stabilised(const Scene& scene, int constraint);
+/// True if it is drawn to where the initial state of the scene has it, Constraint::loop.
+bool has_place(const Scene& scene, int constraint);
+/// Its alpha, 1/s: that of the scene; of loops never more than half of what a step resolves.
+Real stabilisation_rate(const Scene& scene);
+
+/// Values that say where a constraint began to act: the position of its point (3, base frame, m;
+/// less that of a curve), the rotation of the point's link (9, row-major) or the position of its
+/// joint (1); 0 if its rows know, or need not know, where they are.
+int anchor_size(const Scene& scene, int constraint);
+/// Where they stand in the array of all constraints; of the number of constraints, its size.
+int anchor_offset(const Scene& scene, int constraint);
+/// True if one of the constraints has an anchor.
+bool has_anchor(const Scene& scene, const std::vector<int>& constraints);
+
+/// Joints without a drive: all that the scene does not call actuated; where it names drives, all
+/// joints but theirs; else the six joints of a free base.
+std::vector<int> passive_joints(const Scene& scene);
+
+}  // namespace treedyn::model

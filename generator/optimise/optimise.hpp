@@ -1,0 +1,28 @@
+// Fewer operations for the same values.
+#pragma once
+
+#include "optimise/words.hpp"
+
+namespace treedyn::optimise {
+
+/// How hard `optimised` tries.
+struct Effort {
+  int rounds = 3;  ///< repetitions of each order of the passes
+  int moves = 0;   ///< steps of the local search that follows; some 10,000 a second
+};
+
+/// An equivalent function with at most as many operations (add + mul + div, sin, cos, sqrt).
+///
+/// Sums and products are taken apart and put together again, see network.hpp: factored
+/// (`factor_sums`) and shared (`share_pairs`) in the order of the passes that pays most; then
+/// values that are had more cheaply from others (`resubstitute`); then a local search (`improve`).
+/// Values that survive keep their names; nodes are numbered near the original order. The result
+/// depends on the arguments alone. Without moves 300 operations take milliseconds, 3000 a second,
+/// more grow as O(n log n).
+Function optimised(const Function& function, const Effort& effort = {});
+
+/// The number of operations that one round of passes reaches: cheap enough for the inner loop of a
+/// search over formulations. Not less than what `optimised` reaches.
+int estimate_operations(const Graph& graph, std::span<const Ref> outputs);
+
+}  // namespace treedyn::optimise

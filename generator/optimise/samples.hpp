@@ -1,0 +1,102 @@
+// Values of the items of a network at two pseudo-random points.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "optimise/network.hpp"
+#include "optimise/rounding_guard.hpp"
+
+namespace treedyn::optimise {
+
+/// A value at two points.
+struct Sample {
+  Real first = 0;
+  Real second = 0;
+  Sample operator-() const { return {-first, -second}; }
+  friend Sample operator+(const Sample& a, const Sample& b) {
+    return {a.first + b.first, a.second + b.second};
+  }
+  friend Sample operator*(const Sample& a, const Sample& b) {
+    return {a.first * b.first, a.second * b.second};
+  }
+  friend Sample operator/(const Sample& a, const Sample& b) {
+    return {a.first / b.first, a.second / b.second};
+  }
+};
+
+inline bool identical(const Sample& a, const Sample& b) {
+  return identical(a.first, b.first) && identical(a.second, b.second);
+}
+
+/// Equal but for rounding in double.
+inline bool close(double a, double b) { return std::abs(a - b) <= 1e-13 * std::abs(b); }
+
+/// The samples of all items, and a table to find items by them.
+class SampleTable {
+ public:
+  /// \pre `network` is normalised; it outlives the table
+  explicit SampleTable(const Network& network);
+
+  /// Takes in item `k`, which was appended to the network; `find` does not find it.
+  void append(int k);
+  [[nodiscard]] Sample sample(Ref a) const {
+    const Sample& found = samples_[static_cast<std::size_t>(std::abs(a))];
+    return a < 0 ? -found : found;
+  }
+  /// The sample of an item, in double.
+  [[nodiscard]] const std::array<double, 2>& fast(int k) const {
+    return fast_[static_cast<std::size_t>(k)];
+  }
+  /// What rounding in double leaves in the item, as it is computed now.
+  [[nodiscard]] const ErrorBounds& errors(Ref a) const {
+    return errors_[static_cast<std::size_t>(std::abs(a))];
+  }
+  /// After operands have changed. \param order  all items in use, operands before their users
+  void update_errors(std::span<const int> order);
+  /// True if the value is zero but for rounding at 50 digits: somewhere in it sums cancel
+  /// completely.
+  [[nodiscard]] bool is_zero(Ref a) const { return zero_[static_cast<std::size_t>(std::abs(a))]; }
+  /// The number of items that `find` can find: 1 to this.
+  [[nodiscard]] int known() const { return static_cast<int>(table_.size()); }
+  /// The first item with the given values or their negatives that passes `accept(item)`, or 0.
+  template <class Accept>
+  Ref find(double first, double second, Accept accept) const;
+
+ private:
+  /// Magnitude at the first point, to search by.
+  struct Entry {
+    double magnitude = 0;
+    int item = 0;
+  };
+  [[nodiscard]] Sample evaluate(int k) const;
+  [[nodiscard]] double error_at(std::size_t point, int k) const;
+  [[nodiscard]] bool vanishes(int k) const;
+  [[nodiscard]] bool is_rounding(int k) const;
+
+  const Network& network_;
+  std::vector<Sample> samples_;
+  std::vector<std::array<double, 2>> fast_;
+  std::vector<ErrorBounds> errors_;
+  std::vector<bool> zero_;
+  std::vector<Entry> table_;
+};
+
+template <class Accept>
+Ref SampleTable::find(double first, double second, Accept accept) const {
+  const double magnitude = std::abs(first);
+  auto it = std::ranges::lower_bound(table_, magnitude * (1 - 1e-13), {}, &Entry::magnitude);
+  for (; it != table_.end() && it->magnitude <= magnitude * (1 + 1e-13); ++it) {
+    const auto& known = fast(it->item);
+    const bool negative = (known[0] < 0) != (first < 0);
+    if (close(second, negative ? -known[1] : known[1]) && accept(it->item)) {
+      return negative ? -it->item : it->item;
+    }
+  }
+  return 0;
+}
+
+}  // namespace treedyn::optimise

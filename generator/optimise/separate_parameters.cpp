@@ -1,0 +1,151 @@
+#include "optimise/separate_parameters.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <map>
+
+#include "common/recipe.hpp"
+#include "optimise/constants.hpp"
+#include "optimise/optimise.hpp"
+
+namespace treedyn::optimise {
+
+namespace {
+
+bool is_parameter(const Graph& graph, Ref k) {
+  return graph.node(k).kind == Kind::kConstant && graph.value(k).recipe() != 0;
+}
+
+/// The numbers of all functions that have recipes, each once.
+class DerivedNumbers {
+ public:
+  int index_of(const Real& value) {
+    const int index = table_.find_or_add(value);
+    count_ = std::max(count_, index + 1);
+    return index;
+  }
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] const Real& value(int index) const { return table_.value(index); }
+
+ private:
+  ConstantTable table_;
+  int count_ = 0;
+};
+
+/// The same function, its numbers with recipes elements of the argument behind the others.
+Function separated(const Function& from, DerivedNumbers& numbers) {
+  Function result = from;
+  result.graph = Graph();
+  result.outputs.clear();
+  const auto array = static_cast<int>(from.signature.inputs.size());
+  std::vector<Ref> copies(from.graph.size(), 0);
+  for (const Ref k : reachable(from.graph, from.outputs)) {
+    const Ref copy = is_parameter(from.graph, k)
+                         ? result.graph.input(array, numbers.index_of(from.graph.value(k)))
+                         : copy_node(from.graph, k, copies, result.graph);
+    copies[static_cast<std::size_t>(k)] = copy;
+    result.graph.set_hint(copy, from.graph.hint(k));
+    result.graph.set_hint(-copy, from.graph.hint(-k));
+  }
+  std::ranges::transform(from.outputs, std::back_inserter(result.outputs),
+                         [&](Ref output) { return copy_of(copies, output); });
+  return result;
+}
+
+/// Recipes as expressions of the parameters, which are array 0.
+class Writer {
+ public:
+  explicit Writer(Graph& graph) : graph_(graph) {}
+
+  Expr write(int recipe) {
+    note(recipe);
+    for (auto& [number, expression] : known_) {  // ascending: operands come first
+      if (!written_.contains(number)) {
+        expression = operation(treedyn::recipe(number));
+        written_[number] = true;
+      }
+    }
+    return of(recipe);
+  }
+
+ private:
+  [[nodiscard]] Expr of(int recipe) const {
+    const Expr& value = known_.at(std::abs(recipe));
+    return recipe < 0 ? -value : value;
+  }
+
+  /// All recipes that one needs.
+  void note(int recipe) {
+    std::vector<int> open{std::abs(recipe)};
+    while (!open.empty()) {
+      const int number = open.back();
+      open.pop_back();
+      const auto [place, is_new] = known_.try_emplace(number);
+      const Recipe& r = treedyn::recipe(number);
+      if (is_new && r.kind != RecipeKind::kNumber && r.kind != RecipeKind::kParameter) {
+        open.push_back(std::abs(r.a));
+        open.push_back(std::abs(r.b));
+      }
+    }
+  }
+
+  Expr operation(const Recipe& r) {
+    switch (r.kind) {
+      case RecipeKind::kNumber:
+        return {graph_, graph_.constant(r.value)};
+      case RecipeKind::kParameter:
+        return {graph_, graph_.input(0, r.a)};
+      case RecipeKind::kAdd:
+        return of(r.a) + of(r.b);
+      case RecipeKind::kSubtract:
+        return of(r.a) - of(r.b);
+      case RecipeKind::kMultiply:
+        return of(r.a) * of(r.b);
+      case RecipeKind::kDivide:
+        break;
+    }
+    return of(r.a) / of(r.b);
+  }
+
+  Graph& graph_;
+  std::map<int, Expr> known_;
+  std::map<int, bool> written_;
+};
+
+}  // namespace
+
+bool depends_on_parameters(const Function& function) {
+  const std::vector<Ref> nodes = reachable(function.graph, function.outputs);
+  return std::ranges::any_of(nodes, [&](Ref k) { return is_parameter(function.graph, k); });
+}
+
+Function separate_parameters(std::vector<Function>& functions, const Array& parameters,
+                             const Array& derived,
+                             const std::function<bool(const Signature&)>& takes) {
+  DerivedNumbers numbers;
+  std::vector<Function*> changed;
+  for (Function& function : functions) {
+    if (depends_on_parameters(function)) {
+      function = separated(function, numbers);
+      changed.push_back(&function);
+    } else if (takes(function.signature)) {
+      changed.push_back(&function);
+    }
+  }
+  Function update;
+  Writer writer(update.graph);
+  for (int k = 0; k < numbers.count(); ++k) {
+    update.outputs.push_back(writer.write(numbers.value(k).recipe()).ref());
+  }
+  Array sized = derived;
+  sized.size = numbers.count();
+  for (Function* const function : changed) {
+    function->signature.inputs.push_back(sized);
+  }
+  update.signature.inputs = {parameters};
+  update.signature.outputs = {sized};
+  return numbers.count() > 0 ? optimised(update) : update;
+}
+
+}  // namespace treedyn::optimise

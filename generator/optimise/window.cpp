@@ -1,0 +1,134 @@
+#include "optimise/window.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace treedyn::optimise {
+
+namespace {
+
+std::size_t at(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
+
+Ref with_sign(Ref value, Ref sign) { return sign < 0 ? -value : value; }
+
+bool is_operation(const Network& network, int k) {
+  const Kind kind = network.item(k).kind;
+  return kind == Kind::kAdd || kind == Kind::kMultiply || kind == Kind::kDivide;
+}
+
+/// Users of every item, those of item k in users[first[k] .. first[k + 1]).
+struct Users {
+  std::vector<int> first;
+  std::vector<int> users;
+};
+
+Users users_of(const Network& network) {
+  Users result;
+  result.first.assign(static_cast<std::size_t>(network.size()) + 1, 0);
+  for (int k = 1; k < network.size(); ++k) {
+    for (const Ref operand : network.operands(k)) {
+      ++result.first[at(operand) + 1];
+    }
+  }
+  for (std::size_t k = 1; k < result.first.size(); ++k) {
+    result.first[k] += result.first[k - 1];
+  }
+  result.users.resize(static_cast<std::size_t>(result.first.back()));
+  std::vector<int> next = result.first;
+  for (int k = 1; k < network.size(); ++k) {
+    for (const Ref operand : network.operands(k)) {
+      result.users[static_cast<std::size_t>(next[at(operand)]++)] = k;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<int> random_neighbourhood(const Network& network, Random& random, int size) {
+  const Users users = users_of(network);
+  std::vector<bool> seen(static_cast<std::size_t>(network.size()), false);
+  std::vector<int> found;
+  const auto visit = [&](int k) {
+    if (!seen[at(k)] && is_operation(network, k)) {
+      seen[at(k)] = true;
+      found.push_back(k);
+    }
+  };
+  while (found.empty()) {
+    visit(1 + random.below(network.size() - 1));
+  }
+  for (std::size_t i = 0; i < found.size() && static_cast<int>(found.size()) < size; ++i) {
+    std::swap(
+        found[i],
+        found[i + static_cast<std::size_t>(random.below(static_cast<int>(found.size() - i)))]);
+    for (const Ref operand : network.operands(found[i])) {
+      visit(std::abs(operand));
+    }
+    for (int u = users.first[at(found[i])]; u < users.first[at(found[i]) + 1]; ++u) {
+      visit(users.users[static_cast<std::size_t>(u)]);
+    }
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+Window cut_window(const Network& network, std::span<const int> items) {
+  Window window{Network(network.shared_constants()), {}};
+  std::vector<int> image(static_cast<std::size_t>(network.size()), 0);
+  std::vector<int> inner_uses(static_cast<std::size_t>(network.size()), 0);
+  std::vector<Ref> operands;
+  for (const int k : items) {
+    operands.clear();
+    for (const Ref operand : network.operands(k)) {
+      int& known = image[at(operand)];
+      if (known == 0) {
+        const Item& item = network.item(operand);
+        known = window.network.append_leaf(
+            item.kind == Kind::kConstant
+                ? item
+                : Item{Kind::kInput, -1, std::abs(operand), item.position});
+      }
+      operands.push_back(with_sign(known, operand));
+      ++inner_uses[at(operand)];
+    }
+    image[at(k)] = window.network.append(network.item(k).kind, operands, network.item(k).position);
+  }
+  const std::vector<int> all_uses = uses(network);
+  for (const int k : items) {
+    if (all_uses[at(k)] > inner_uses[at(k)]) {
+      window.results.push_back(k);
+      window.network.outputs().push_back(image[at(k)]);
+    }
+  }
+  window.network = normalise(window.network);
+  return window;
+}
+
+Network with_window(Network network, const Window& window) {
+  std::vector<Ref> image(static_cast<std::size_t>(window.network.size()), 0);
+  std::vector<Ref> operands;
+  for (int k = 1; k < window.network.size(); ++k) {
+    const Item& item = window.network.item(k);
+    if (item.kind == Kind::kInput) {
+      image[at(k)] = item.size;
+    } else if (item.kind == Kind::kConstant) {
+      image[at(k)] = network.append_leaf(item);
+    } else {
+      operands.clear();
+      for (const Ref operand : window.network.operands(k)) {
+        operands.push_back(with_sign(image[at(operand)], operand));
+      }
+      image[at(k)] = network.append(item.kind, operands, item.position);
+    }
+  }
+  for (std::size_t i = 0; i < window.results.size(); ++i) {
+    const Ref output = window.network.outputs()[i];
+    const Ref value = with_sign(image[at(output)], output);
+    network.set_kind(window.results[i], Kind::kAdd);  // a sum of one term is that term
+    network.set_operands(window.results[i], std::span(&value, 1));
+  }
+  return normalise(network);
+}
+
+}  // namespace treedyn::optimise

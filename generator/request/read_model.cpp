@@ -1,0 +1,354 @@
+#include "request/read_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "description/scene_reader.hpp"
+#include "emit/names.hpp"
+#include "emit/sha256.hpp"
+#include "equations/scene_table.hpp"
+#include "equations/table.hpp"
+#include "formulate/functions.hpp"
+#include "formulate/scene_functions.hpp"
+#include "formulate/scene_loops.hpp"
+#include "formulate/scene_phases.hpp"
+#include "formulate/scene_steps.hpp"
+#include "formulate/scene_sticking.hpp"
+#include "model/scene_facts.hpp"
+#include "request/limits.hpp"
+#include "simulation/integrator.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// Base name and digest of what was read.
+Source source_of(const std::string& path, const std::string& text) {
+  return {std::filesystem::path(path).filename().string(), emit::sha256(text)};
+}
+
+/// A model file, read once.
+struct Loaded {
+  Source source;
+  std::string text;
+  model::Tree tree;
+};
+
+Loaded load(const Request& request) {
+  const std::string text = description::read_model_text(request.model);
+  return {source_of(request.model, text), text,
+          description::parse_model(text, request.model, request.read)};
+}
+
+/// The functions asked for, in the order of INTERFACE.md 3. By default those that every robot has,
+/// and forward dynamics where it has a solution.
+std::vector<std::string> functions_of(const Request& request, const model::Tree& tree,
+                                      bool has_points) {
+  std::vector<std::string> wanted = request.functions;
+  if (wanted.empty()) {
+    wanted = {"mass_matrix", "bias_force", "gravity_force", "inverse_dynamics"};
+    if (description::joints_without_inertia(tree).empty()) {
+      wanted.emplace_back("forward_dynamics");
+    }
+    if (has_points) {
+      wanted.insert(wanted.end(), {"point_positions", "force_jacobian_transpose"});
+    }
+  }
+  std::vector<std::string> result;
+  for (const std::string& name : formulate::function_names()) {
+    if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) {
+      result.push_back(name);
+    }
+  }
+  return result;
+}
+
+bool is_empty(const program::Signature& signature) {
+  const auto empty = [](const program::Array& array) {
+    return array.size == 0;
+  };
+  return std::any_of(signature.inputs.begin(), signature.inputs.end(), empty) ||
+         std::any_of(signature.outputs.begin(), signature.outputs.end(), empty);
+}
+
+void check_functions(const Model& model, const Location& where) {
+  for (const std::string& name : model.functions) {
+    const auto points = static_cast<int>(model.points.size());
+    if (points == 0 && is_empty(formulate::signature(name, model.tree.dof(), points))) {
+      throw InputError(where, fmt::format("function '{}' needs points and the model has none; "
+                                          "expected --points",
+                                          name));
+    }
+    const std::vector<Warning> singular = description::joints_without_inertia(model.tree);
+    if (equations::divides_by_pivots(name) && !singular.empty()) {
+      throw InputError(singular.front().where,
+                       fmt::format("{}; function '{}' has no solution, expected inertia or "
+                                   "--functions without it",
+                                   singular.front().message, name));
+    }
+  }
+}
+
+}  // namespace
+
+Request decided_request(const Model& model, Request request) {
+  if (model.scene) {
+    request.gravity = model.scene->gravity;
+    request.read.base = description::base_of(model.tree);
+  }
+  return request;
+}
+
+namespace {
+
+/// Functions of a scene that solve for accelerations or velocities need an inertia matrix with an
+/// inverse.
+void check_inertia(const Model& model) {
+  const std::vector<std::string>& wanted = model.scene_functions;
+  const bool all = wanted.empty() && model.functions.empty();
+  const auto solves = [](const std::string& name) {
+    return name == "constrained_dynamics" || name == "impact" || name == "step";
+  };
+  if (all || std::any_of(wanted.begin(), wanted.end(), solves)) {
+    description::require_inertia(*model.scene);
+  }
+}
+
+/// Friction that sticks is told by phases, which only steps change.
+void check_scene(const model::Scene& scene, const Location& where) {
+  for (const model::JointFriction& friction : scene.frictions) {
+    if (friction.slip_speed > 0 || !scene.sticking.empty()) {
+      continue;
+    }
+    const std::string& joint =
+        scene.tree.links[static_cast<std::size_t>(friction.joint)].joint.name;
+    if (!model::step_method(scene)) {
+      throw InputError(where,
+                       fmt::format("coulomb friction of joint '{}' sticks, which takes a generated "
+                                   "step; expected a slip_speed, or an integrator out of {}",
+                                   shown(joint), fmt::join(model::step_method_names(), ", ")));
+    }
+    if (formulate::sticking_phases(scene) > formulate::kMostStickingPhases) {
+      throw InputError(where,
+                       fmt::format("coulomb friction of joint '{}' and others sticks in more "
+                                   "than {} phases of a generated step; expected a "
+                                   "slip_speed",
+                                   shown(joint), formulate::kMostStickingPhases));
+    }
+  }
+}
+
+/// A step that was asked for needs an integrator whose steps are of a fixed length.
+void check_step(const Model& model) {
+  const std::vector<std::string>& wanted = model.scene_functions;
+  const bool asked = std::find(wanted.begin(), wanted.end(), "step") != wanted.end();
+  if (asked && !model::step_method(*model.scene)) {
+    throw InputError(model.scene->stepping.where,
+                     fmt::format("function 'step': integrator '{}' is not for generated code; "
+                                 "expected {}",
+                                 shown(model.scene->stepping.integrator),
+                                 fmt::join(model::step_method_names(), ", ")));
+  }
+  if (asked && model.scene->stepping.compensated && model.scene->stepping.integrator == "sdirk2") {
+    throw InputError(model.scene->stepping.where,
+                     "function 'step': sdirk2 keeps no compensated state; expected rk4, "
+                     "dopri5-fixed or semi-implicit-euler");
+  }
+}
+
+/// Generated impacts bring rows to rest, or let them rebound: they do not know of speeds of curves.
+void check_impacts(const Model& model, const Location& where) {
+  const std::vector<std::string>& wanted = model.scene_functions;
+  const bool none =
+      !wanted.empty() && std::none_of(wanted.begin(), wanted.end(), [](const auto& name) {
+        return name == "impact" || name == "step";
+      });
+  for (const model::Phase& phase : model.scene->phases) {
+    for (const model::Event& event : phase.until) {
+      for (const int c : event.impact && !none ? event.impact->constraints : std::vector<int>{}) {
+        const model::Constraint& row = model.scene->constraints[static_cast<std::size_t>(c)];
+        const auto& speed = row.curve.velocity;
+        if (!std::all_of(speed.begin(), speed.end(), [](const auto& v) { return v.is_zero(); })) {
+          throw InputError(where,
+                           fmt::format("phase '{}': an impact strikes constraint '{}', which "
+                                       "is led along a curve; expected one at rest, or "
+                                       "--functions without impact and step",
+                                       shown(phase.name), shown(row.name)));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void require_step(const Model& model, const Location& where) {
+  check_scene(*model.scene, where);
+  check_step(model);
+  check_impacts(model, where);
+}
+
+namespace {
+
+/// A MODEL beside a scene has to be the scene's own, in every byte.
+void check_model(const Request& request, const model::Scene& scene, const std::string& text) {
+  if (request.model.empty()) {
+    return;
+  }
+  const bool same_base = request.read.base == description::Base::kFixed ||
+                         description::base_of(scene.tree) == request.read.base;
+  if (!same_base || scene.tree_file.empty() ||
+      description::read_model_text(request.model) != text) {
+    throw InputError({request.model, 0, 0},
+                     fmt::format("is not the model of scene '{}'; expected that one, or none",
+                                 shown(scene.name)));
+  }
+}
+
+void choose(const StepChoice& choice, model::Stepping& stepping) {
+  stepping.integrator = choice.integrator.value_or(stepping.integrator);
+  stepping.step = choice.step.value_or(stepping.step);
+  stepping.cuts = choice.cuts.value_or(stepping.cuts);
+  stepping.compensated = choice.compensated.value_or(stepping.compensated);
+}
+
+/// A scene brings its tree, gravity and points. Its digest is that of scene and model, one behind
+/// the other.
+Model read_scene_model(const Request& request) {
+  Model model;
+  const std::string text = description::read_text(*request.scene);
+  std::string model_text;
+  model.scene = description::parse_scene(text, *request.scene, [&](const std::string& path) {
+    return model_text = description::read_model_text(path);
+  });
+  choose(request.stepping, model.scene->stepping);
+  check_scene(*model.scene, {*request.scene, 0, 0});
+  simulation::require_integrator(model.scene->stepping);
+  check_model(request, *model.scene, model_text);
+  model.source = source_of(*request.scene, text + model_text);
+  model.tree = model.scene->tree;
+  model.points = model.scene->points;
+  const std::string& file = model.scene->tree_file;
+  model.equations = chosen(read_user_equations(request, file, model_text, model.tree, model.points),
+                           request.functions);
+  for (const std::string& name : request.functions) {
+    const bool of_user =
+        std::any_of(model.equations.begin(), model.equations.end(),
+                    [&](const auto& function) { return function->equation.name == name; });
+    if (!of_user) {
+      (equations::is_scene_function(name) ? model.scene_functions : model.functions)
+          .push_back(name);
+    }
+  }
+  require_size(model.tree, model.points, {*request.scene, 0, 0});
+  check_functions(model, {*request.scene, 0, 0});
+  check_inertia(model);
+  check_step(model);
+  check_impacts(model, {*request.scene, 0, 0});
+  formulate::settle_loops(*model.scene);
+  formulate::settle_sticking(*model.scene);
+  model.name = request.name.value_or(to_identifier(model.scene->name));
+  model.name += is_reserved(model.name) ? "_" : "";
+  return model;
+}
+
+}  // namespace
+
+namespace {
+
+/// What knows of numbers that are the same at run time only.
+void refuse_parameters(const Request& request) {
+  const std::array<std::pair<bool, const char*>, 5> others = {
+      {{request.target.lanes > 1, "--lanes"},
+       {request.share_limbs, "--share-limbs"},
+       {request.self_test, "--self-test"},
+       {request.checked, "--checked"},
+       {request.accuracy_samples > 0, "--accuracy-samples"}}};
+  for (const auto& [given, option] : others) {
+    if (given) {
+      throw InputError(
+          {request.model, 0, 0},
+          fmt::format("has run-time parameters, and {} is for models without; expected one of both",
+                      option));
+    }
+  }
+}
+
+}  // namespace
+
+Model read(const Request& request) {
+  if (request.scene && !request.read.runtime.empty()) {
+    throw UsageError("--runtime is for models; expected none beside --scene");
+  }
+  if (request.scene) {
+    return read_scene_model(request);
+  }
+  Model model;
+  Loaded loaded = load(request);
+  model.source = std::move(loaded.source);
+  model.tree = std::move(loaded.tree);
+  const Location where{request.model, 0, 0};
+  if (!model.tree.parameters.empty()) {
+    refuse_parameters(request);
+  }
+  if (model.tree.dof() == 0) {
+    throw InputError(where, "the model has no moving joint; expected at least one");
+  }
+  model.points =
+      request.points ? description::resolve_points(model.tree, *request.points) : model.tree.points;
+  require_size(model.tree, model.points, where);
+  model.equations =
+      chosen(read_user_equations(request, request.model, loaded.text, model.tree, model.points),
+             request.functions);
+  model.functions = functions_of(request, model.tree, !model.points.empty());
+  check_functions(model, where);
+  model.name = request.name.value_or(model.tree.identifier);
+  model.name += is_reserved(model.name) ? "_" : "";
+  return model;
+}
+
+std::vector<std::string> input_files(const Model& model, const Request& request) {
+  std::vector<std::string> files;
+  if (request.scene) {
+    files.push_back(*request.scene);
+  }
+  if (model.scene && !model.scene->tree_file.empty()) {
+    files.push_back(model.scene->tree_file);
+  }
+  if (!request.model.empty() && request.model != "-") {
+    files.push_back(request.model);
+  }
+  files.insert(files.end(), request.equations.begin(), request.equations.end());
+  return files;
+}
+
+std::vector<Warning> warnings_of(const Model& model, const Request& request) {
+  std::vector<Warning> warnings = model.tree.warnings;
+  if (request.share_limbs && formulate::find_limbs(model.tree).empty()) {
+    const Location where{request.model, 0, 0};
+    warnings.push_back(
+        {where, "no two limbs have the same structure; --share-limbs changes nothing"});
+  }
+  if (request.checked && std::ranges::none_of(model.functions, equations::divides_by_pivots)) {
+    const Location where{request.scene.value_or(request.model), 0, 0};
+    warnings.push_back(
+        {where,
+         "no function that is generated divides by the pivots of A; --checked changes "
+         "nothing"});
+  }
+  for (Warning singular : model.scene ? description::joints_without_inertia(*model.scene)
+                                      : description::joints_without_inertia(model.tree)) {
+    if (!model.scene && request.functions.empty()) {
+      singular.message += " and is left out";
+    }
+    warnings.push_back(std::move(singular));
+  }
+  return warnings;
+}
+
+}  // namespace treedyn

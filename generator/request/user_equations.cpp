@@ -1,0 +1,163 @@
+#include "request/user_equations.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "common/closest.hpp"
+#include "common/decimal.hpp"
+#include "common/identifier.hpp"
+#include "description/equation_list.hpp"
+#include "description/read.hpp"
+#include "emit/names.hpp"
+#include "equations/scene_table.hpp"
+#include "equations/table.hpp"
+#include "formulate/scene_functions.hpp"
+#include "system/files.hpp"
+
+namespace treedyn {
+namespace {
+
+constexpr std::size_t kLongestText = 400;  // of an equation in a comment
+
+/// Siblings are functions, too, whether they were asked for or not.
+bool is_sibling(const std::string& name) {
+  constexpr std::string_view kEnding = "_checked";
+  return name.ends_with(kEnding) &&
+         equations::divides_by_pivots(name.substr(0, name.size() - kEnding.size()));
+}
+
+bool is_function(const std::string& name) {
+  const std::vector<std::string>& names = formulate::function_names();
+  return equations::is_scene_function(name) ||
+         std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_name(const std::string& name, const Location& where, const char* what) {
+  const std::vector<std::string> ours = {"joint", "point", "Scalar", "kDof", "kPoints"};
+  if (is_function(name) || is_sibling(name) || is_reserved(name) ||
+      std::find(ours.begin(), ours.end(), name) != ours.end()) {
+    throw InputError(where, fmt::format("{} '{}' has a name that is taken; expected another one",
+                                        what, shown(name)));
+  }
+}
+
+std::string count_text(const block::Side& side, int links, int points) {
+  return std::to_string(side.size * (side.set == block::Set::kLinks    ? links
+                                     : side.set == block::Set::kPoints ? points
+                                                                       : 1));
+}
+
+/// Arrays over no points have no size.
+void check_points(const equations::UserEquation& equation, bool no_points) {
+  const auto counts = [](const block::Side& side) {
+    return side.set == block::Set::kPoints;
+  };
+  const block::Shape& shape = equation.expression.shape();
+  const bool arguments =
+      std::any_of(equation.arguments.begin(), equation.arguments.end(),
+                  [&](const equations::UserArgument& argument) { return counts(argument.side); });
+  if (no_points && (arguments || counts(shape.rows) || counts(shape.cols))) {
+    throw InputError(equation.where, fmt::format("equation '{}' needs points and the model has "
+                                                 "none; expected --points",
+                                                 equation.name));
+  }
+}
+
+/// "A qdd" for "A * qdd": a star is no matter for comments.
+std::string without_stars(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const char kept = c == '*' || c == '\n' ? ' ' : c;
+    if (kept != ' ' || !result.ends_with(' ')) {
+      result += kept;
+    }
+  }
+  return result;
+}
+
+bool is_tree_description(const std::string& file) {
+  return !file.empty() && !description::is_urdf(file);
+}
+
+}  // namespace
+
+UserFunctions read_user_equations(const Request& request, const std::string& tree_file,
+                                  const std::string& tree_text, const model::Tree& tree,
+                                  const std::vector<model::Point>& points) {
+  std::vector<model::EquationText> texts;
+  if (is_tree_description(tree_file)) {
+    texts = description::equations_of_tree(tree_text, tree_file);
+  }
+  for (const std::string& file : request.equations) {
+    const std::optional<std::string> text = read_file(file);
+    if (!text) {
+      throw InputError({file, 0, 0}, "cannot be read; expected a file of equations");
+    }
+    const auto more = description::equations_of_file(*text, file);
+    texts.insert(texts.end(), more.begin(), more.end());
+  }
+  for (const model::EquationText& text : texts) {
+    check_name(text.name, text.where, "equation");
+    for (const model::InputText& input : text.inputs) {
+      check_name(input.name, input.where, "input");
+    }
+  }
+  UserFunctions result;
+  for (const equations::UserEquation& equation : equations::read_equations(texts, tree, points)) {
+    check_points(equation, points.empty());
+    result.push_back(formulate::derived(equation, tree.size(), static_cast<int>(points.size())));
+  }
+  return result;
+}
+
+UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& wanted) {
+  for (const std::string& name : wanted) {
+    const bool known = is_function(name) || std::any_of(all.begin(), all.end(), [&](const auto& f) {
+                         return f->equation.name == name;
+                       });
+    if (!known) {
+      std::vector<std::string> names = formulate::function_names();
+      for (const auto& function : all) {
+        names.push_back(function->equation.name);
+      }
+      const std::vector<std::string_view> known_names(names.begin(), names.end());
+      throw UsageError(fmt::format("--functions: there is no function {}{}; expected some of {}",
+                                   shown(name), did_you_mean(name, known_names),
+                                   fmt::join(names, ",")));
+    }
+  }
+  UserFunctions result;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(result), [&](const auto& function) {
+    return wanted.empty() ||
+           std::find(wanted.begin(), wanted.end(), function->equation.name) != wanted.end();
+  });
+  return result;
+}
+
+program::Signature signature_of(const formulate::Derived& function, int dof, int points) {
+  const equations::UserEquation& equation = function.equation;
+  const block::Shape& shape = equation.expression.shape();
+  const auto array = [&](const std::string& name, int size, const std::string& unit) {
+    return program::Array{name, size, unit};
+  };
+  program::Signature signature;
+  signature.name = equation.name;
+  signature.equation = emit::for_comment(without_stars(equation.text), kLongestText);
+  const std::string what = equation.doc.empty() ? "An equation of the user."
+                                                : emit::for_comment(equation.doc, kLongestText);
+  signature.brief =
+      fmt::format("{}{} value: {} x {}{}.", what, what.ends_with('.') ? "" : ".",
+                  count_text(shape.rows, dof, points), count_text(shape.cols, dof, points),
+                  shape.cols == block::Side{} ? "" : ", row-major");
+  for (const equations::UserArgument& argument : equation.arguments) {
+    signature.inputs.push_back(
+        array(argument.name, std::stoi(count_text(argument.side, dof, points)), argument.unit));
+  }
+  const int rows = std::stoi(count_text(shape.rows, dof, points));
+  const int cols = std::stoi(count_text(shape.cols, dof, points));
+  signature.outputs = {array("value", rows * cols, equation.unit)};
+  return signature;
+}
+
+}  // namespace treedyn

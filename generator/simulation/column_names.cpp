@@ -1,0 +1,148 @@
+#include "simulation/column_names.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace treedyn::simulation {
+
+namespace {
+
+/// x, y, z for an axis, else a number from 1.
+std::string direction_name(const model::Constraint& constraint, std::size_t row) {
+  if (constraint.kind == model::ConstraintKind::kJoint) {
+    return "";
+  }
+  const model::Vector3& d = constraint.directions[row];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (d[k] == 1 && d[(k + 1) % 3] == 0 && d[(k + 2) % 3] == 0) {
+      return std::string(".") + "xyz"[k];
+    }
+  }
+  return fmt::format(".{}", row + 1);
+}
+
+}  // namespace
+
+std::string joint_name(const model::Tree& tree, int coordinate) {
+  const int link = tree.coordinates[static_cast<std::size_t>(coordinate)];
+  return tree.links[static_cast<std::size_t>(link)].joint.name;
+}
+
+std::vector<std::string> reaction_names(const model::Scene& scene) {
+  std::vector<std::string> result;
+  for (const model::Constraint& constraint : scene.constraints) {
+    for (std::size_t k = 0; k < constraint.rows(); ++k) {
+      result.push_back(constraint.name + direction_name(constraint, k));
+    }
+  }
+  return result;
+}
+
+namespace {
+
+bool turns(const model::Tree& tree, int coordinate) {
+  const int link = tree.coordinates[static_cast<std::size_t>(coordinate)];
+  return tree.links[static_cast<std::size_t>(link)].joint.type == model::JointType::kRevolute;
+}
+
+/// rad or m, per second.
+const char* speed_unit(const model::Tree& tree, int coordinate) {
+  return turns(tree, coordinate) ? "rad/s" : "m/s";
+}
+
+const std::string& point_name(const model::Scene& scene, int point) {
+  return scene.points[static_cast<std::size_t>(point)].name;
+}
+
+bool is_moment(const model::Scene& scene, const model::Constraint& constraint) {
+  return constraint.kind == model::ConstraintKind::kOrientation ||
+         (constraint.kind == model::ConstraintKind::kJoint && turns(scene.tree, constraint.joint));
+}
+
+void add_reactions(const model::Scene& scene, std::vector<Column>& result) {
+  const std::vector<std::string> names = reaction_names(scene);
+  std::size_t row = 0;
+  for (const model::Constraint& constraint : scene.constraints) {
+    for (std::size_t k = 0; k < constraint.rows(); ++k) {
+      result.push_back(
+          {fmt::format("R[{}]", names[row++]), is_moment(scene, constraint) ? "N m" : "N"});
+    }
+  }
+}
+
+/// In the order of Forces::append_forces.
+void add_forces(const model::Scene& scene, std::vector<Column>& result) {
+  for (const model::Motor& motor : scene.motors) {
+    result.push_back({fmt::format("drive[{}]", joint_name(scene.tree, motor.joint)),
+                      turns(scene.tree, motor.joint) ? "N m" : "N"});
+  }
+  for (const model::JointSpring& spring : scene.joint_springs) {
+    result.push_back({fmt::format("spring[{}]", joint_name(scene.tree, spring.joint)),
+                      turns(scene.tree, spring.joint) ? "N m" : "N"});
+  }
+  for (const model::PointSpring& spring : scene.point_springs) {
+    result.push_back({fmt::format("spring[{}]", point_name(scene, spring.point)), "N"});
+  }
+  for (const model::GroundContact& contact : scene.contacts) {
+    for (const char axis : {'x', 'y', 'z'}) {
+      result.push_back({fmt::format("F[{}.{}]", point_name(scene, contact.point), axis), "N"});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Column> columns_of(const model::Scene& scene) {
+  std::vector<Column> result;
+  for (const bool rate : {false, true}) {
+    for (int k = 0; k < scene.tree.dof(); ++k) {
+      result.push_back({fmt::format("{}[{}]", rate ? "qd" : "q", joint_name(scene.tree, k)),
+                        std::string(turns(scene.tree, k) ? "rad" : "m") + (rate ? "/s" : "")});
+    }
+  }
+  add_reactions(scene, result);
+  add_forces(scene, result);
+  for (const model::Point& point : scene.points) {
+    for (const char axis : {'x', 'y', 'z'}) {
+      if (point.link != model::kGround) {
+        result.push_back({fmt::format("p[{}.{}]", point.name, axis), "m"});
+      }
+    }
+  }
+  for (const char* const energy : {"kinetic_energy", "potential_energy", "energy"}) {
+    result.push_back({energy, "J"});
+  }
+  result.push_back({"drift", ""});
+  return result;
+}
+
+std::string event_name(const model::Scene& scene, int phase, std::size_t event) {
+  const model::Event& e = scene.phases[static_cast<std::size_t>(phase)].until[event];
+  switch (e.kind) {
+    case model::EventKind::kHeight:
+      return "touch_down of " + scene.points[static_cast<std::size_t>(e.point)].name;
+    case model::EventKind::kReaction:
+      return "lift_off of " + scene.constraints[static_cast<std::size_t>(e.constraint)].name;
+    case model::EventKind::kTime:
+      return "time";
+    case model::EventKind::kExpression:
+      break;
+  }
+  return fmt::format("expression {}", event + 1);
+}
+
+std::string not_finite(const model::Tree& tree, double time, const std::vector<double>& state) {
+  const std::size_t n = state.size() / 2;
+  std::size_t fastest = 0;
+  for (std::size_t k = 1; k < n; ++k) {
+    fastest = std::fabs(state[n + k]) > std::fabs(state[n + fastest]) ? k : fastest;
+  }
+  const auto joint = static_cast<int>(fastest);
+  return fmt::format(
+      "the motion is not finite at t = {:.6g} s; before, joint '{}' was at {:.6g} and moved at "
+      "{:.3g} {}",
+      time, joint_name(tree, joint), state[fastest], state[n + fastest], speed_unit(tree, joint));
+}
+
+}  // namespace treedyn::simulation

@@ -1,0 +1,44 @@
+#include "stages/checked_siblings.hpp"
+
+#include "equations/table.hpp"
+#include "model/reach.hpp"
+#include "program/random.hpp"
+
+namespace treedyn {
+
+namespace {
+
+constexpr int kStates = 8;
+/// Revolute joints turn by up to 3 rad, prismatic ones move by up to the size of the mechanism.
+constexpr double kTurn = 3;
+
+}  // namespace
+
+std::vector<std::vector<double>> ordinary_states(const Model& model) {
+  const std::vector<double> reach = model::reach_of(model.tree, model.points);
+  program::Random random(5);
+  std::vector<std::vector<double>> states(kStates);
+  for (std::vector<double>& q : states) {
+    for (int k = 0; k < model.tree.dof(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const auto link = static_cast<std::size_t>(model.tree.coordinates[i]);
+      const bool turns = model.tree.links[link].joint.type == model::JointType::kRevolute;
+      q.push_back((turns ? kTurn : reach[i]) * random.symmetric());
+    }
+  }
+  return states;
+}
+
+std::vector<emit::Checked> checked_siblings(const Model& model,
+                                            const std::vector<program::Function>& functions) {
+  const std::vector<std::vector<double>> states = ordinary_states(model);
+  std::vector<emit::Checked> result;
+  for (const program::Function& function : functions) {
+    if (equations::divides_by_pivots(function.signature.name)) {
+      result.push_back(emit::checked_sibling(function, program::pivots_of(function, states)));
+    }
+  }
+  return result;
+}
+
+}  // namespace treedyn

@@ -1,0 +1,64 @@
+#include "stages/in_scalar.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "program/ones.hpp"
+#include "program/rounding.hpp"
+#include "stages/lost_pivots.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// What float may lose of the largest result at some ordinary state before there is a warning.
+constexpr double kFloatLoses = 1e-2;
+
+}  // namespace
+
+program::Programs in_scalar(program::Programs programs, const Model& model, emit::Scalar scalar) {
+  const program::IsOne is_one = [scalar](const Real& value) {
+    return emit::rounds_to_one(value, scalar);
+  };
+  for (program::Function& function : programs.functions) {
+    function = program::without_ones(function, is_one);
+  }
+  for (program::Staged& staged : programs.staged) {
+    staged = program::without_ones(std::move(staged), is_one);
+  }
+  programs = with_tested_pivots(std::move(programs), model, scalar);
+  for (program::Stepper& stepper : programs.steppers) {
+    stepper = program::without_ones(std::move(stepper), programs.staged, is_one);
+  }
+  return programs;
+}
+
+std::vector<Warning> float_warnings(const program::Programs& programs, emit::Scalar scalar,
+                                    const Location& where) {
+  std::vector<Warning> result;
+  const auto check = [&](const std::string& name, const program::Function& function) {
+    const double error = program::float_error(function);
+    if (!(error <= kFloatLoses)) {
+      result.push_back(
+          {where, fmt::format("function '{}' {} in float at some ordinary state, and no status "
+                              "tells; expected double, or masses and lengths of more equal size",
+                              name,
+                              std::isfinite(error)
+                                  ? fmt::format("is off by {:.1g} of its largest result", error)
+                                  : "has no result")});
+    }
+  };
+  if (scalar == emit::Scalar::kFloat) {
+    for (const program::Function& function : programs.functions) {
+      check(function.signature.name, function);
+    }
+    for (const program::Staged& staged : programs.staged) {
+      check(staged.signature.name, staged.function);
+    }
+  }
+  return result;
+}
+
+}  // namespace treedyn

@@ -1,0 +1,204 @@
+#include "stages/lost_pivots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+#include "description/vectors.hpp"
+#include "engine/engine.hpp"
+#include "program/interpret.hpp"
+#include "stages/checked_siblings.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// Roundings of the largest inertia before a joint that its link's own has to exceed.
+constexpr double kSafe = 1e3;
+/// Part by which equal inertias differ by rounding.
+constexpr double kSame = 1e-9;
+
+/// What a link opposes to its own joint, kg m^2 or kg.
+Real own_inertia(const model::Link& link) {
+  using description::operator+;
+  using description::operator*;
+  const model::Inertia& inertia = link.inertia;
+  if (link.joint.type == model::JointType::kPrismatic) {
+    return inertia.mass;
+  }
+  const model::Matrix3 about_origin =
+      inertia.about_com + description::point_inertia(inertia.mass, inertia.com);
+  return description::dot(link.joint.axis, about_origin * link.joint.axis);
+}
+
+/// Inertias by coordinate at a state.
+struct Inertias {
+  std::vector<double> whole;   ///< the diagonal of A
+  std::vector<double> pivots;  ///< what is left of it behind the elimination from the last row
+};
+
+Inertias inertias(std::vector<double> A, std::size_t n) {
+  Inertias result;
+  for (std::size_t k = 0; k < n; ++k) {
+    result.whole.push_back(A[k * n + k]);
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t i = 0; i < k; ++i) {
+      for (std::size_t j = 0; j < k; ++j) {
+        A[i * n + j] -= A[k * n + i] * A[k * n + j] / A[k * n + k];
+      }
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    result.pivots.push_back(A[k * n + k]);
+  }
+  return result;
+}
+
+/// The pivots of a model whose joints are looked at.
+class Joints {
+ public:
+  Joints(const Model& model, emit::Scalar scalar);
+
+  [[nodiscard]] bool all_safe() const { return std::ranges::all_of(safe_, std::identity()); }
+  /// True if a pivot is a multiple of that of a safe joint. \param values  its, by state
+  [[nodiscard]] bool is_safe(const std::vector<double>& values) const;
+  [[nodiscard]] const std::vector<std::vector<double>>& states() const { return states_; }
+  /// Revolute joints that are not safe, or whose father's joint is not.
+  [[nodiscard]] std::vector<int> turning() const;
+
+ private:
+  [[nodiscard]] bool is_multiple(const std::vector<double>& values, std::size_t joint) const;
+
+  const model::Tree& tree_;
+  std::vector<std::vector<double>> states_;
+  std::vector<Inertias> inertias_;  ///< by state
+  std::vector<bool> safe_;          ///< by coordinate
+};
+
+Joints::Joints(const Model& model, emit::Scalar scalar)
+    : tree_(model.tree), states_(ordinary_states(model)) {
+  const model::Tree& tree = model.tree;
+  const auto n = static_cast<std::size_t>(tree.dof());
+  std::vector<double> rotors(n, 0);
+  for (const model::Armature& armature : model.scene->armatures) {
+    const int k = tree.drives[static_cast<std::size_t>(armature.joint)].coordinate;
+    rotors[static_cast<std::size_t>(k)] += static_cast<double>(armature.inertia);
+  }
+  engine::Engine<double> engine(tree);
+  for (const std::vector<double>& q : states_) {
+    std::vector<double> A = engine.evaluate("mass_matrix", {q});
+    for (std::size_t k = 0; k < n; ++k) {
+      A[k * (n + 1)] += rotors[k];
+    }
+    inertias_.push_back(inertias(std::move(A), n));
+  }
+  const double rounding = kSafe * emit::pivot_rounding(tree.dof(), scalar);
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool alone = tree.dof() == tree.size();  // no joint leads others
+    const model::Link& link = tree.links[static_cast<std::size_t>(tree.coordinates[k])];
+    const double own = static_cast<double>(own_inertia(link)) + rotors[k];
+    safe_.push_back(alone && std::ranges::all_of(inertias_, [&](const Inertias& at) {
+                      return own > rounding * at.whole[k];
+                    }));
+  }
+}
+
+bool Joints::is_multiple(const std::vector<double>& values, std::size_t joint) const {
+  const double factor = values.front() / inertias_.front().pivots[joint];
+  for (std::size_t state = 0; state < values.size(); ++state) {
+    const double expected = factor * inertias_[state].pivots[joint];
+    if (!(std::fabs(values[state] - expected) <= kSame * std::fabs(expected))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Joints::is_safe(const std::vector<double>& values) const {
+  for (std::size_t k = 0; k < safe_.size(); ++k) {
+    if (safe_[k] && is_multiple(values, k)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<int> Joints::turning() const {
+  std::vector<int> result;
+  const auto is_free = [&](int link) {
+    const int k = tree_.drives[static_cast<std::size_t>(link)].coordinate;
+    return !safe_[static_cast<std::size_t>(k)];
+  };
+  for (int k = 0; k < tree_.dof(); ++k) {
+    const int link = tree_.coordinates[static_cast<std::size_t>(k)];
+    const model::Link& moved = tree_.links[static_cast<std::size_t>(link)];
+    if (moved.joint.type == model::JointType::kRevolute &&
+        (is_free(link) || (moved.father != model::kGround && is_free(moved.father)))) {
+      result.push_back(k);
+    }
+  }
+  return result;
+}
+
+/// By pivot and state.
+std::vector<std::vector<double>> values_of(const std::vector<program::Pivot>& pivots,
+                                           const program::Function& function,
+                                           const std::vector<std::vector<double>>& states) {
+  program::Function divisors = function;
+  divisors.limb_code = nullptr;
+  divisors.outputs.clear();
+  std::ranges::transform(pivots, std::back_inserter(divisors.outputs), &program::Pivot::value);
+  std::vector<std::vector<double>> result(pivots.size());
+  for (const std::vector<double>& q : states) {
+    std::vector<std::vector<double>> inputs = {q};
+    for (std::size_t k = 1; k < function.signature.inputs.size(); ++k) {
+      inputs.emplace_back(static_cast<std::size_t>(function.signature.inputs[k].size), 0);
+    }
+    const std::vector<std::span<const double>> spans(inputs.begin(), inputs.end());
+    const std::vector<double> values = program::interpret<double>(divisors, spans);
+    for (std::size_t k = 0; k < pivots.size(); ++k) {
+      result[k].push_back(values[k]);
+    }
+  }
+  return result;
+}
+
+void test_pivots(program::Staged& staged, const Joints& joints) {
+  if (joints.all_safe()) {
+    return;
+  }
+  const std::vector<program::Pivot> pivots = program::pivots_of(staged.function, joints.states());
+  const auto values = values_of(pivots, staged.function, joints.states());
+  for (std::size_t k = 0; k < pivots.size(); ++k) {
+    if (!joints.is_safe(values[k])) {
+      staged.pivots.push_back(pivots[k]);
+    }
+  }
+  program::show_pivots(staged.function, staged.pivots);
+}
+
+}  // namespace
+
+program::Programs with_tested_pivots(program::Programs programs, const Model& model,
+                                     emit::Scalar scalar) {
+  if (programs.staged.empty()) {
+    return programs;
+  }
+  const Joints joints(model, scalar);
+  for (program::Staged& staged : programs.staged) {
+    test_pivots(staged, joints);
+  }
+  for (program::Stepper& stepper : programs.steppers) {
+    stepper.tests_pivots = std::ranges::any_of(
+        programs.staged, [](const program::Staged& staged) { return !staged.pivots.empty(); });
+    if (stepper.tests_pivots) {
+      stepper.turning = joints.turning();
+    }
+  }
+  return programs;
+}
+
+}  // namespace treedyn

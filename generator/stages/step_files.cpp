@@ -1,0 +1,65 @@
+#include "stages/step_files.hpp"
+
+#include <utility>
+
+#include "formulate/scene_drift.hpp"
+#include "formulate/scene_loops.hpp"
+#include "formulate/scene_phases.hpp"
+#include "formulate/scene_steps.hpp"
+#include "formulate/scene_sticking.hpp"
+#include "model/scene_facts.hpp"
+#include "stages/in_scalar.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// The same dynamics and impacts, stepped as the scene says.
+program::Stepper stepper_of(const Model& model, const Request& request,
+                            const program::Programs& programs) {
+  const std::vector<formulate::PhaseState> states = formulate::phase_states(*model.scene, true);
+  const auto impacts = programs.staged.begin() + static_cast<std::ptrdiff_t>(states.size());
+  formulate::Options options = formulate_options(model, request);
+  return formulate::make_stepper(*model.scene, options, states, {programs.staged.begin(), impacts},
+                                 {impacts, programs.staged.end()});
+}
+
+}  // namespace
+
+StepFiles StepWriter::files(model::Scene scene, emit::Scalar scalar) {
+  const Location where{file_, 0, 0};
+  Request request;
+  request.scene = file_;
+  request.functions = {"step"};
+  request.target.scalar = scalar;
+  if (scalar == emit::Scalar::kExtended) {  // for which the pair has no polynomials
+    request.target.sincos = emit::Sincos::kLibm;
+  }
+  Model model;
+  model.name = "generated";
+  model.tree = scene.tree;
+  model.points = scene.points;
+  model.scene = std::move(scene);
+  model.scene_functions = {"step"};
+  require_step(model, where);
+  formulate::settle_loops(*model.scene);
+  formulate::settle_sticking(*model.scene);
+  const Real rate = model::stabilisation_rate(*model.scene);
+  auto found = formulated_.find(rate);
+  if (found == formulated_.end()) {
+    found =
+        formulated_.emplace(rate, formulate_model(model, request, [](const std::string&) {})).first;
+  }
+  program::Programs programs = found->second;
+  programs.steppers = {stepper_of(model, request, programs)};
+  const program::Stepper stepper = in_scalar(programs, model, scalar).steppers.front();
+  StepFiles result{model.name,
+                   {},
+                   stepper.signature,
+                   program::step_cost(stepper),
+                   float_warnings(programs, scalar, where)};
+  result.files = emit_files(model, request, std::move(programs));
+  return result;
+}
+
+}  // namespace treedyn

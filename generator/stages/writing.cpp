@@ -1,0 +1,114 @@
+#include "stages/writing.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "common/decimal.hpp"
+#include "formulate/functions.hpp"
+#include "formulate/stand_ins.hpp"
+#include "stages/checked_siblings.hpp"
+#include "stages/formulation.hpp"
+#include "stages/function_accuracy.hpp"
+#include "stages/in_scalar.hpp"
+#include "version.hpp"
+
+namespace treedyn {
+
+namespace {
+
+/// The places of A that the plain formulation does not find zero: the same whatever the search and
+/// the passes make of it.
+program::Packing packing_of(const Model& model, const Request& request) {
+  formulate::Options options = formulate_options(model, request);
+  options.without.clear();
+  options.share_limbs = false;
+  const formulate::Seen seen = formulate::with_stand_ins(model.tree, options);
+  return program::lower_triangle(
+      formulate::build(seen.tree, formulate::recipe_of("mass_matrix"), seen.options,
+                       formulate::plain_variant(seen.tree)),
+      model.tree.dof());
+}
+
+}  // namespace
+
+namespace {
+
+/// The length of a step as a number of full precision in the scalar.
+void require_length(const Real& step, const Request& request) {
+  const bool single = request.target.scalar == emit::Scalar::kFloat;
+  const double least =
+      single ? double{std::numeric_limits<float>::min()} : std::numeric_limits<double>::min();
+  if (step < least) {
+    throw InputError(
+        {request.scene.value_or(request.model), 0, 0},
+        fmt::format("a step of {} s has no digits in {}; expected {} s or more",
+                    emit::decimal(step), emit::type_name(request.target.scalar), least));
+  }
+}
+
+}  // namespace
+
+std::vector<emit::File> emit_files(const Model& model, const Request& request,
+                                   program::Programs programs) {
+  programs = in_scalar(std::move(programs), model, request.target.scalar);
+  emit::Unit unit;
+  unit.name = model.name;
+  unit.language = request.language;
+  unit.given_space = request.space.value_or("");
+  unit.given_prefix = request.prefix.value_or("");
+  unit.section = request.section;
+  unit.tree = &model.tree;
+  unit.gravity = decided_request(model, request).gravity;
+  unit.points = model.points;
+  unit.functions = std::move(programs.functions);
+  if (programs.update) {
+    unit.functions.insert(unit.functions.begin(), std::move(*programs.update));
+  }
+  unit.staged = std::move(programs.staged);
+  unit.steppers = std::move(programs.steppers);
+  unit.target = request.target;
+  for (const program::Stepper& stepper : unit.steppers) {
+    require_length(stepper.step, request);
+  }
+  unit.self_test = request.self_test;
+  if (unit.self_test && unit.functions.empty()) {
+    throw InputError({request.scene.value_or(request.model), 0, 0},
+                     "--self-test tests functions of the model; expected some among --functions");
+  }
+  if (request.accuracy_samples > 0) {
+    unit.errors = measured_errors(model, request, unit.functions);
+  }
+  if (request.target.packed) {
+    unit.packing = packing_of(model, request);
+    for (program::Function& function : unit.functions) {
+      function = program::packed(std::move(function), "A", model.tree.dof(), unit.packing);
+    }
+  }
+  if (request.checked) {
+    unit.checked = checked_siblings(model, unit.functions);
+  }
+  for (const program::Function& function : unit.functions) {
+    const std::string& name = function.signature.name;
+    if (unit.self_test &&
+        (name == "self_test" || name == "compare" || name.starts_with("known_"))) {
+      throw InputError({request.scene.value_or(request.model), 0, 0},
+                       fmt::format("function '{}' has a name that --self-test needs; expected "
+                                   "another one",
+                                   name));
+    }
+  }
+  unit.command = generate_command(request, Paths::kBaseNames);
+  unit.tool = fmt::format("treedyn {}", kVersion);
+  unit.model_file = model.source.file;
+  unit.model_sha256 = model.source.sha256;
+  unit.options = manifest_options(decided_request(model, request));
+  try {
+    return emit::emit_files(unit);
+  } catch (const std::range_error& error) {
+    throw InputError({request.scene.value_or(request.model), 0, 0}, error.what());
+  }
+}
+
+}  // namespace treedyn

@@ -1,0 +1,46 @@
+#include "formulate/gate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "description/read.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+/// The plain formulation; with the pass `algebra` 1e12 q[0] is added to every output and taken away
+/// again.
+program::Function cancelling(const model::Tree& tree, const Recipe& recipe,
+                             const Options& options) {
+  program::Function function = build(tree, recipe, options, plain_variant(tree));
+  if (options.has(Pass::kAlgebra)) {
+    program::Graph& graph = function.graph;
+    const program::Ref large = graph.multiply(graph.constant(Real("1e12")), graph.input(0, 0));
+    for (program::Ref& output : function.outputs) {
+      output = graph.add(graph.add(output, large), -large);
+    }
+  }
+  return function;
+}
+
+TEST(Gate, LeavesOutThePassThatAmplifiesRounding) {
+  const model::Tree tree = description::read_model(TREEDYN_SOURCE_DIR "/models/two_link.yaml", {});
+  const Recipe& recipe = recipe_of("bias_force");
+  const program::Function function = held_to_rounding(tree, recipe, {}, cancelling);
+  EXPECT_THAT(function.rounding.left_out, testing::ElementsAre("algebra"));
+  EXPECT_LE(function.rounding.amplification, 4);
+  EXPECT_GT(function.rounding.refused, 1e9);
+}
+
+TEST(Gate, LeavesFormulationsThatKeepTheirRoundingAlone) {
+  const model::Tree tree = description::read_model(TREEDYN_SOURCE_DIR "/models/two_link.yaml", {});
+  Options options;
+  options.effort = 0;
+  const program::Function function = formulated(tree, "bias_force", options);
+  EXPECT_THAT(function.rounding.left_out, testing::IsEmpty());
+  EXPECT_GT(function.rounding.amplification, 0);
+  EXPECT_EQ(function.rounding.refused, 0);
+}
+
+}  // namespace
+}  // namespace treedyn::formulate

@@ -1,0 +1,133 @@
+// What R12 derives, carried out with numbers: matrices with the zeros of a tree and without.
+#include "formulate/numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include "equations/equations.hpp"
+#include "equations/symbols.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+const Real kTolerance("1e-30");  // of 40 digits, over a dozen products of numbers below 10
+
+struct Sample {
+  const char* name;
+  std::vector<int> father;  ///< empty: no zeros
+  int size;
+};
+void PrintTo(const Sample& sample, std::ostream* stream) { *stream << sample.name; }
+
+class Factored : public testing::TestWithParam<Sample> {
+ protected:
+  Factored() {
+    const Sample& sample = GetParam();
+    const auto number = [this](int k) {
+      return constant(graph_, Real((37 * k + 11) % 19 - 9) / 10);
+    };
+    for (int i = 0; i < sample.size; ++i) {
+      A_[{i, i}] = constant(graph_, Real(10 + i));
+      b_.push_back(number(i));
+      int j = above(i);
+      for (int k = 5 * i; j >= 0; j = above(j)) {
+        A_[{i, j}] = number(++k);
+      }
+    }
+  }
+
+  [[nodiscard]] static int above(int i) {
+    const std::vector<int>& father = GetParam().father;
+    return father.empty() ? i - 1 : father[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] Real A(int i, int j) const {
+    const auto found = A_.find({std::max(i, j), std::min(i, j)});
+    return found == A_.end() ? Real(0) : found->second.value();
+  }
+  /// The k-th unknown.
+  [[nodiscard]] SparseRows of(const equations::Expression& equation, const char* unknown,
+                              std::size_t k = 0) {
+    const derive::Derivation d = derive::factored(equation, unknown).value().derivation;
+    const auto leaf = [&](const std::string& name) {
+      return name == "A" ? sparse(GetParam().size, A_) : sparse(b_);
+    };
+    return Numbers(graph_, GetParam().size, d, leaf).root(k);
+  }
+  static Real at(const SparseRows& rows, int i, int j) {
+    const SparseRow& row = rows[static_cast<std::size_t>(i)];
+    const auto found = row.find(j);
+    return found == row.end() ? Real(0) : found->second.value();
+  }
+  /// (A x)_i.
+  [[nodiscard]] Real times(const SparseRows& x, int i, int column) const {
+    Real sum = 0;
+    for (int k = 0; k < GetParam().size; ++k) {
+      sum += A(i, k) * at(x, k, column);
+    }
+    return sum;
+  }
+
+  Graph graph_;
+  SparseSymmetric A_;
+  std::vector<Expr> b_;
+};
+
+TEST_P(Factored, MatricesAreTheirFactors) {
+  const SparseRows L = of(equations::mass_matrix_factor(), "L");
+  const SparseRows d = of(equations::mass_matrix_factor(), "L", 1);
+  for (int i = 0; i < GetParam().size; ++i) {
+    EXPECT_EQ(at(L, i, i), 1);
+    for (int j = 0; j < GetParam().size; ++j) {
+      Real sum = 0;
+      for (int k = 0; k < GetParam().size; ++k) {
+        sum += at(L, k, i) * at(d, k, k) * at(L, k, j);
+      }
+      EXPECT_LE(abs(sum - A(i, j)), kTolerance) << i << "," << j;
+      EXPECT_TRUE(at(L, i, j) == 0 || A_.contains({i, j})) << "fill-in";
+    }
+  }
+}
+
+TEST_P(Factored, SystemsAreSolved) {
+  const SparseRows x = of(equations::mass_matrix_solve(), "x");
+  for (int i = 0; i < GetParam().size; ++i) {
+    EXPECT_LE(abs(times(x, i, 0) - b_[static_cast<std::size_t>(i)].value()), kTolerance) << i;
+  }
+}
+
+TEST_P(Factored, InversesInvert) {
+  SparseRows X = of(equations::mass_matrix_inverse(), "X");
+  for (int i = 0; i < GetParam().size; ++i) {  // the lower half twice
+    for (int j = 0; j < i; ++j) {
+      X[static_cast<std::size_t>(j)][i] = constant(graph_, at(X, i, j));
+    }
+  }
+  for (int i = 0; i < GetParam().size; ++i) {
+    for (int j = 0; j < GetParam().size; ++j) {
+      EXPECT_LE(abs(times(X, i, j) - (i == j ? 1 : 0)), kTolerance) << i << "," << j;
+    }
+  }
+}
+
+TEST_P(Factored, ErrorsOfEquationsArrive) {
+  const block::Shape column{equations::kLinks, equations::kOne};
+  const equations::Expression x = block::leaf("x", block::Structure::kFull, column);
+  const equations::Expression b = block::leaf("b", block::Structure::kFull, column);
+  const SparseRows wrong = of(equations::mass_matrix() * x + 3 * b, "x");
+  for (int i = 0; i < GetParam().size; ++i) {
+    EXPECT_LE(abs(times(wrong, i, 0) + 3 * b_[static_cast<std::size_t>(i)].value()), kTolerance);
+  }
+}
+
+TEST_P(Factored, MatricesWithoutPivotAreRejected) {
+  A_[{GetParam().size - 1, GetParam().size - 1}] = Expr();
+  EXPECT_THROW(of(equations::mass_matrix_factor(), "L"), std::range_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Matrices, Factored,
+                         testing::Values(Sample{"Full", {}, 5},
+                                         Sample{"Tree", {-1, 0, 1, 1, 0, 4, 4}, 7},
+                                         Sample{"Forest", {-1, 0, -1, 2, 2}, 5}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace treedyn::formulate

@@ -1,0 +1,79 @@
+// Operation counts with the default options: at most the targets, none above the best prototype by
+// more than the margin that the targets state. Columns: mass_matrix, inverse_dynamics, bias_force,
+// forward_dynamics, gravity_force, pairs of sine and cosine of the dearest of these.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "description/read.hpp"
+#include "formulate/formulate.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+struct Target {
+  const char* name;
+  const char* file;  ///< below models/ or the folder of published robots
+  description::Base base;
+  int mass_matrix;
+  int inverse_dynamics;
+  int bias_force;
+  int forward_dynamics;
+  int gravity_force;
+  int pairs;
+};
+
+constexpr description::Base kFixed = description::Base::kFixed;
+constexpr description::Base kAxes = description::Base::kAxes;
+
+const Target kTargets[] = {
+    {"puma560", "puma560.yaml", kFixed, 126, 260, 210, 462, 30, 4},
+    {"ur5", "ur5_robot.urdf", kFixed, 78, 208, 150, 339, 8, 5},
+    {"hyq_fixed", "hyq_no_sensors.urdf", kFixed, 148, 480, 246, 556, 80, 12},
+    {"hyq_axes", "hyq_no_sensors.urdf", kAxes, 826, 1306, 1216, 2948, 168, 15},
+    {"bolt_axes", "bolt.urdf", kAxes, 425, 676, 624, 1498, 96, 9},
+};
+
+std::string path_of(const Target& target) {
+  const std::string model = std::string(TREEDYN_SOURCE_DIR "/models/") + target.file;
+  return std::filesystem::exists(model)
+             ? model
+             : std::string(TREEDYN_SHARED_DATA "/robots/urdf/") + target.file;
+}
+
+class Targets : public testing::TestWithParam<Target> {};
+
+TEST_P(Targets, AreMetByTheDefaultOptions) {
+  const Target& target = GetParam();
+  description::ReadOptions read;
+  read.base = target.base;
+  const model::Tree tree = description::read_model(path_of(target), read);
+  Options options;
+  options.gravity = {0, 0, Real("-9.81")};
+  const std::pair<const char*, int> limits[] = {{"mass_matrix", target.mass_matrix},
+                                                {"inverse_dynamics", target.inverse_dynamics},
+                                                {"bias_force", target.bias_force},
+                                                {"forward_dynamics", target.forward_dynamics},
+                                                {"gravity_force", target.gravity_force}};
+  for (const auto& [function, limit] : limits) {
+    const program::Cost cost = program::cost(formulated(tree, function, options));
+    EXPECT_LE(cost.total(), limit) << function;
+    EXPECT_LE(std::max(cost.sin, cost.cos), target.pairs) << function;
+  }
+}
+
+std::vector<Target> available_targets() {
+  std::vector<Target> available;
+  for (const Target& target : kTargets) {
+    if (std::filesystem::exists(path_of(target))) {
+      available.push_back(target);
+    }
+  }
+  return available;
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Targets, testing::ValuesIn(available_targets()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace treedyn::formulate
