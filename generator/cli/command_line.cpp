@@ -198,6 +198,8 @@ void add_commands(CLI::App& app, Settings& settings) {
   info->add_option("--derivation", settings.derivation,
                    "how the code of a function comes about: equation, rules, recursion, cost")
       ->type_name("FUNCTION");
+  info->add_flag("--base-parameters", settings.base_parameters,
+                 "what of masses, first moments and inertias motions and joint forces can tell");
 
   CLI::App* vet = app.add_subcommand("vet", "report what looks wrong in a model");
   add_model(*vet, settings.request);

@@ -27,6 +27,7 @@ struct Settings {
   std::string error_format = "text";
   std::string list_of;
   std::string derivation;
+  bool base_parameters = false;
   bool json = false;
   bool equations = false;
   bool passes = false;

@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/base_parameters.hpp"
 #include "cli/check.hpp"
 #include "cli/command_line.hpp"
 #include "cli/dump.hpp"
@@ -136,6 +137,10 @@ int run_info(const Settings& settings) {
   }
   if (!settings.derivation.empty()) {
     print(derivation_text(model, settings.request, settings.derivation));
+    return 0;
+  }
+  if (settings.base_parameters) {
+    print(base_parameters_text(model, settings.request));
     return 0;
   }
   if (settings.passes) {

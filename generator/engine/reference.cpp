@@ -1,5 +1,6 @@
 #include "engine/reference.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "engine/inertia_factor.hpp"
@@ -123,14 +124,56 @@ Exact Reference::terms(const Inputs& inputs) {
   return result;
 }
 
+/// Columns of robots that have nothing but a unit of one parameter; a first moment is that of a
+/// unit mass off the origin less that of the mass there.
+Exact Reference::regressor(const Inputs& inputs) {
+  const std::size_t columns = 10 * tree_.links.size();
+  Exact Y{std::vector<Real>(engine_.dof() * columns), std::vector<double>(engine_.dof() * columns)};
+  model::Tree unit = tree_;
+  for (model::Link& link : unit.links) {
+    link.inertia = {};
+  }
+  for (std::size_t column = 0; column < columns; ++column) {
+    model::Inertia& inertia = unit.links[column / 10].inertia;
+    const std::size_t k = column % 10;
+    const auto add = [&](const Real& sign) {
+      const Exact tau = Reference(unit, {}, gravity_).of_engine("inverse_dynamics", inputs);
+      for (std::size_t row = 0; row < tau.values.size(); ++row) {
+        Y.values[row * columns + column] += sign * tau.values[row];
+        Y.scales[row * columns + column] += tau.scales[row];
+      }
+    };
+    if (k >= 4) {
+      constexpr std::array<std::array<std::size_t, 2>, 6> kPlaces = {
+          {{0, 0}, {1, 3}, {2, 6}, {4, 4}, {5, 7}, {8, 8}}};
+      for (const std::size_t place : kPlaces[k - 4]) {
+        inertia.about_com[place] = 1;
+      }
+      add(1);
+    } else {
+      inertia.mass = 1;
+      add(k == 0 ? 1 : -1);
+      if (k > 0) {
+        inertia.com[k - 1] = 1;  // and no tensor about the origin
+        inertia.about_com = {-1, 0, 0, 0, -1, 0, 0, 0, -1};
+        inertia.about_com[4 * (k - 1)] = 0;
+        add(1);
+      }
+    }
+    inertia = {};
+  }
+  return Y;
+}
+
 Exact Reference::operator()(const std::string& function,
                             const std::vector<std::vector<double>>& inputs) {
   const Inputs exact = reals(inputs);
-  return function == "mass_matrix_factor"    ? factor(exact)
-         : function == "mass_matrix_solve"   ? solution(exact)
-         : function == "mass_matrix_inverse" ? inverse(exact)
-         : function == "dynamics_terms"      ? terms(exact)
-                                             : of_engine(function, exact);
+  return function == "mass_matrix_factor"           ? factor(exact)
+         : function == "mass_matrix_solve"          ? solution(exact)
+         : function == "mass_matrix_inverse"        ? inverse(exact)
+         : function == "dynamics_terms"             ? terms(exact)
+         : function == "inverse_dynamics_regressor" ? regressor(exact)
+                                                    : of_engine(function, exact);
 }
 
 Exact Reference::operator()(const equations::UserEquation& equation,

@@ -41,6 +41,7 @@ class Reference {
   Exact solution(const Inputs& inputs);
   Exact inverse(const Inputs& inputs);
   Exact terms(const Inputs& inputs);
+  Exact regressor(const Inputs& inputs);
 
   const model::Tree& tree_;
   std::vector<model::Point> points_;

@@ -18,6 +18,7 @@ constexpr Extent kN{1, Extent::Of::kDof};
 constexpr Extent k3N{3, Extent::Of::kDof};
 constexpr Extent k3P{3, Extent::Of::kPoints};
 constexpr Extent k9P{9, Extent::Of::kPoints};
+constexpr Extent k10N{10, Extent::Of::kDof};
 
 constexpr const char* kForce = "N m|N";
 constexpr const char* kAcceleration = "rad/s^2|m/s^2";
@@ -160,6 +161,12 @@ std::vector<Equation> forces_and_energies() {
        "A(q), B(q, qd) and G(q) in one call, with what they share computed once.",
        {kQ, kQd},
        {kA, kB, kG}},
+      {"inverse_dynamics_regressor",
+       "(1)",
+       "Y of tau = Y theta; N x 10 N, row-major. theta: of link after link m, m c_x, m c_y, m c_z "
+       "and xx, xy, xz, yy, yz, zz of the inertia tensor about the link's origin, link frame.",
+       {kQ, kQd, kQdd},
+       {{"Y", kN, k10N, "N m|N by unit of theta"}}},
   };
 }
 

@@ -287,7 +287,7 @@ Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
     inputs.push_back(argument.name);
   }
   return {places_of(inputs),
-          {.any_way = true, .fixed_frames = true, .fixed_length = true},
+          {.any_way = true, .fixed_frames = true, .fixed_length = true, .own_code = true},
           [function](const Task& task) {
             return build_derived(task, *function, task.kinematics.variant().way);
           },

@@ -64,9 +64,7 @@ program::Function formulated(const model::Tree& tree, const std::string& name,
 program::Function formulated(const model::Tree& tree,
                              const std::shared_ptr<const Derived>& function,
                              const Options& options) {
-  Options own = options;
-  own.share_limbs = false;
-  program::Function result = cheapest_seen(tree, derived_recipe(function), own);
+  program::Function result = cheapest_seen(tree, derived_recipe(function), options);
   result.signature.name = function->equation.name;
   return result;
 }

@@ -67,7 +67,7 @@ Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Opti
     }
   }
   const std::vector<LimbLinks> links =
-      options.share_limbs ? find_limbs(tree) : std::vector<LimbLinks>{};
+      options.share_limbs && !recipe.freedom.own_code ? find_limbs(tree) : std::vector<LimbLinks>{};
   const NormalTree normal = normal_form(tree, options.gravity, used, links);
   if (links.empty()) {
     return {written(tree, normal, recipe, options, used, nullptr), {}};

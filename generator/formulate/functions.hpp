@@ -30,6 +30,7 @@ struct Freedom {
   Way way = Way::kToRoot;     ///< where they stand without a search
   bool fixed_frames = false;  ///< results refer to the model\'s own link origins: no slide
   bool fixed_length = false;  ///< points occur: the metre stays the unit of length
+  bool own_code = false;      ///< limbs share none
 };
 
 using Builder = std::function<std::vector<Expr>(const Task& task)>;

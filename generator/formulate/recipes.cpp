@@ -6,6 +6,7 @@
 #include "equations/table.hpp"
 #include "formulate/builders.hpp"
 #include "formulate/factored.hpp"
+#include "formulate/regressor.hpp"
 
 namespace treedyn::formulate {
 
@@ -39,6 +40,8 @@ const std::map<std::string_view, Freedom>& freedoms() {
       {"potential_energy", {.regrouping = true}},
       {"dynamics_terms",
        {.regrouping = true, .moment_form = true, .tensor_form = true, .trunk = true}},
+      {"inverse_dynamics_regressor",
+       {.fixed_frames = true, .fixed_length = true, .own_code = true}},
       {"mass_matrix_factor", kFactors},
       {"mass_matrix_solve", kFactors},
       {"mass_matrix_inverse", kFactors},
@@ -53,6 +56,9 @@ Builder builder_of(const equations::Equation& function) {
   }
   if (function.name == "dynamics_terms") {
     return build_dynamics_terms;
+  }
+  if (function.name == "inverse_dynamics_regressor") {
+    return build_regressor;
   }
   if (function.name == "point_rotations") {
     return build_point_rotations;

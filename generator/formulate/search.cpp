@@ -458,7 +458,7 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
 }
 
 program::Function searched(const model::Tree& tree, const Recipe& recipe, const Options& options) {
-  if (options.share_limbs && !find_limbs(tree).empty()) {
+  if (options.share_limbs && !recipe.freedom.own_code && !find_limbs(tree).empty()) {
     program::Function shared = best_method(tree, recipe, options);
     if (shared.limb_code) {
       return shared;

@@ -84,6 +84,11 @@ void check_functions(const Model& model, const Location& where) {
                                           "expected --points",
                                           name));
     }
+    if (name == "inverse_dynamics_regressor" && model.tree.dof() != model.tree.size()) {
+      throw InputError(where, fmt::format("function '{}' needs a coordinate for every joint and {} "
+                                          "joints follow others; expected --mimic independent",
+                                          name, model.tree.size() - model.tree.dof()));
+    }
     const std::vector<Warning> singular = description::joints_without_inertia(model.tree);
     if (equations::divides_by_pivots(name) && !singular.empty()) {
       throw InputError(singular.front().where,

@@ -17,7 +17,8 @@ bool is_weighed(const program::Signature& signature) {
   static const std::set<std::string> kKinematic = {
       "point_positions",           "point_velocities",          "point_rotations",
       "force_jacobian_transpose",  "moment_jacobian_transpose", "point_bias_acceleration",
-      "angular_bias_acceleration", "joint_to_link_vectors",     "applied_force"};
+      "angular_bias_acceleration", "joint_to_link_vectors",     "applied_force",
+      "inverse_dynamics_regressor"};
   return !kKinematic.contains(signature.name);
 }
 

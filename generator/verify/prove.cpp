@@ -169,11 +169,67 @@ Values identity(std::size_t n) {
   return result;
 }
 
+/// What all functions are held against.
+struct Proof {
+  const std::vector<model::Point>& points;
+  model::Vector3 gravity;
+  const UserEquations& equations;
+  States states = {};
+};
+
+/// Y theta for the parameters theta of some links: first moments and tensors about their origins.
+Numbers times_parameters(const Numbers& Y, const std::vector<model::Link>& links) {
+  const std::size_t columns = 10 * links.size();
+  Numbers tau(Y.size() / columns);
+  for (std::size_t row = 0; row < tau.size(); ++row) {
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const auto& [m, c, J] = links[i].inertia;
+      const Real square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+      const auto about_origin = [&](std::size_t a, std::size_t b) {
+        return Real(J[3 * a + b] + m * ((a == b ? square : Real(0)) - c[a] * c[b]));
+      };
+      const std::array<Real, 10> theta = {m,
+                                          m * c[0],
+                                          m * c[1],
+                                          m * c[2],
+                                          about_origin(0, 0),
+                                          about_origin(0, 1),
+                                          about_origin(0, 2),
+                                          about_origin(1, 1),
+                                          about_origin(1, 2),
+                                          about_origin(2, 2)};
+      for (std::size_t k = 0; k < theta.size(); ++k) {
+        tau[row] = tau[row] + Y[row * columns + 10 * i + k] * Number(theta[k]);
+      }
+    }
+  }
+  return tau;
+}
+
+/// A column that is wrong differs for random parameters.
+void prove_regressor(const Numbers& Y, const std::vector<Values>& inputs, const model::Tree& tree,
+                     Proof& proof) {
+  model::Tree drawn = tree;
+  for (model::Link& link : drawn.links) {
+    link.inertia.mass = proof.states.next();
+    std::ranges::generate(link.inertia.com, [&] { return proof.states.next(); });
+    const Real xy = proof.states.next();
+    const Real xz = proof.states.next();
+    const Real yz = proof.states.next();
+    link.inertia.about_com = {proof.states.next(), xy, xz, xy, proof.states.next(), yz, xz, yz,
+                              proof.states.next()};
+  }
+  engine::Engine<Real> engine(drawn, {}, proof.gravity);
+  compare("inverse_dynamics_regressor", times_parameters(Y, drawn.links),
+          engine.evaluate("inverse_dynamics", inputs), largest_inertia(tree));
+}
+
 /// Functions that have no equation of their own are held against the equations they stand for.
-void prove_function(const program::Function& function, engine::Engine<Real>& engine, States& states,
-                    const Real& largest_inertia, const Numbers& derived) {
+void prove_function(const program::Function& function, engine::Engine<Real>& engine, Proof& proof,
+                    const model::Tree& tree, const Numbers& derived) {
+  const Real largest = largest_inertia(tree);
   const std::string& name = function.signature.name;
-  const std::vector<Values> inputs = states.inputs(function.signature);
+  const std::vector<Values> inputs = proof.states.inputs(function.signature);
   const Numbers ours = interpreted(function, inputs, derived);
   const auto n = static_cast<std::size_t>(engine.dof());
   const auto mass_matrix = [&] {
@@ -188,20 +244,22 @@ void prove_function(const program::Function& function, engine::Engine<Real>& eng
     return product(numbers, b, n);
   };
   if (name == "mass_matrix_factor") {
-    compare(name, multiplied_out(ours, n), mass_matrix(), largest_inertia);
+    compare(name, multiplied_out(ours, n), mass_matrix(), largest);
   } else if (name == "mass_matrix_solve") {
-    compare(name, times_inertia(ours), inputs[1], largest_inertia);
+    compare(name, times_inertia(ours), inputs[1], largest);
   } else if (name == "mass_matrix_inverse") {
-    compare(name, times_inertia(ours), identity(n), largest_inertia);
+    compare(name, times_inertia(ours), identity(n), largest);
+  } else if (name == "inverse_dynamics_regressor") {
+    prove_regressor(ours, inputs, tree, proof);
   } else if (name == "dynamics_terms") {
     Values expected = mass_matrix();
     for (const Values& term :
          {engine.evaluate("bias_force", inputs), engine.evaluate("gravity_force", {inputs[0]})}) {
       expected.insert(expected.end(), term.begin(), term.end());
     }
-    compare(name, ours, expected, largest_inertia);
+    compare(name, ours, expected, largest);
   } else {
-    compare(name, ours, engine.evaluate(name, inputs), largest_inertia);
+    compare(name, ours, engine.evaluate(name, inputs), largest);
   }
 }
 
@@ -211,14 +269,6 @@ const equations::UserEquation* find(const UserEquations& equations, const std::s
                                   [&](const auto* equation) { return equation->name == name; });
   return found == equations.end() ? nullptr : *found;
 }
-
-/// What all functions are held against.
-struct Proof {
-  const std::vector<model::Point>& points;
-  model::Vector3 gravity;
-  const UserEquations& equations;
-  States states = {};
-};
 
 /// Every function at a state.
 void prove_at_state(Proof& proof, const model::Tree& tree,
@@ -234,7 +284,7 @@ void prove_at_state(Proof& proof, const model::Tree& tree,
       compare(function->signature.name, interpreted(*function, inputs, derived), expected(inputs),
               largest);
     } else {
-      prove_function(*function, engine, proof.states, largest, derived);
+      prove_function(*function, engine, proof, tree, derived);
     }
   }
 }

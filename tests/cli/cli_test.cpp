@@ -165,6 +165,22 @@ TEST_F(Cli, TellsAboutAModel) {
   EXPECT_THAT(treedyn({"info", kModel, "--equations"}).out, HasSubstr("c_fD = l_D + c^d D"));
 }
 
+/// Khalil and Dombre, Modeling, Identification and Control of Robots (2002): in the plane a link
+/// has zz, m c_x and m c_y left, of the first one without gravity zz alone. The biped's number is
+/// that of prototype and rank in EQUATIONS.md 8.
+TEST_F(Cli, CountsBaseParameters) {
+  const std::string models = TREEDYN_SOURCE_DIR "/models/";
+  EXPECT_THAT(treedyn({"info", kModel, "--base-parameters", "--gravity", "0,0,0"}).out,
+              StartsWith("base parameters: 4 of 20;"));
+  EXPECT_THAT(treedyn({"info", kModel, "--base-parameters"}).out,
+              StartsWith("base parameters: 6 of 20;"));
+  EXPECT_THAT(treedyn({"info", models + "puma560.yaml", "-q", "--base-parameters"}).out,
+              StartsWith("base parameters: 36 of 60;"));
+  EXPECT_THAT(
+      treedyn({"info", models + "biped.yaml", "-q", "--base", "axes", "--base-parameters"}).out,
+      StartsWith("base parameters: 104 of 180;"));
+}
+
 TEST_F(Cli, PrintsWhatLeavesAStage) {
   EXPECT_THAT(treedyn({"generate", kModel, "--dump", "model"}).out,
               HasSubstr("link 1 forearm father 0"));

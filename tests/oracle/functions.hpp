@@ -70,6 +70,49 @@ class Evaluation {
     }
     return result;
   }
+  /// Columns of tau for robots that have nothing but one parameter; a first moment is that of a
+  /// unit mass at 1 m less that of the mass in the origin.
+  [[nodiscard]] List inverse_dynamics_regressor(const List& qdd) const {
+    constexpr std::array<std::array<std::size_t, 2>, 6> kPlaces = {
+        {{0, 0}, {1, 3}, {2, 6}, {4, 4}, {5, 7}, {8, 8}}};
+    List Y(n_ * 10 * n_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const auto tau_of = [&](const T& mass, const Vec<T>& com, const Mat<T>& inertia) {
+        Robot<T> robot = problem_.robot;
+        for (Body<T>& body : robot) {
+          body.mass = T(0);
+          body.com = {};
+          body.inertia = {};
+        }
+        robot[i].mass = mass;
+        robot[i].com = com;
+        robot[i].inertia = inertia;
+        return oracle::inverse_dynamics(robot, problem_.gravity, q_, qd_, qdd);
+      };
+      const auto put = [&](std::size_t k, const List& tau, const List& less) {
+        for (std::size_t row = 0; row < n_; ++row) {
+          Y[row * 10 * n_ + 10 * i + k] = tau[row] - less[row];
+        }
+      };
+      const List nothing(n_);
+      const List at_origin = tau_of(T(1), {}, {});
+      put(0, at_origin, nothing);
+      for (std::size_t k = 0; k < 3; ++k) {
+        Vec<T> com{};
+        com[k] = T(1);
+        Mat<T> inertia{T(-1), T(0), T(0), T(0), T(-1), T(0), T(0), T(0), T(-1)};
+        inertia[4 * k] = T(0);  // none about the origin
+        put(1 + k, tau_of(T(1), com, inertia), at_origin);
+      }
+      for (std::size_t k = 0; k < 6; ++k) {
+        Mat<T> inertia{};
+        inertia[kPlaces[k][0]] = T(1);
+        inertia[kPlaces[k][1]] = T(1);
+        put(4 + k, tau_of(T(0), {}, inertia), nothing);
+      }
+    }
+    return Y;
+  }
   [[nodiscard]] List mass_matrix_inverse() const {
     const List A = mass_matrix();
     List result;
@@ -326,6 +369,11 @@ std::vector<T> evaluate(const Problem<T>& problem, const std::string& function,
        {false,
         [](const auto& e, const auto&) {
           return e.potential_energy();
+        }}},
+      {"inverse_dynamics_regressor",
+       {true,
+        [](const auto& e, const auto& x) {
+          return e.inverse_dynamics_regressor(x[2]);
         }}},
       {"dynamics_terms",
        {true,

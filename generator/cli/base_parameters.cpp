@@ -1,0 +1,119 @@
+#include "cli/base_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "program/interpret.hpp"
+#include "program/random.hpp"
+#include "stages/formulation.hpp"
+
+namespace treedyn {
+
+namespace {
+
+using Row = std::vector<Real>;
+
+constexpr std::size_t kParameters = 10;
+
+/// Rows of Y at states at random, enough of them for any rank.
+std::vector<Row> rows_of(const program::Function& regressor, std::size_t columns) {
+  program::Random random(11);
+  std::vector<Row> rows;
+  while (rows.size() < columns + kParameters) {
+    std::vector<Row> state;
+    for (const program::Array& array : regressor.signature.inputs) {
+      state.emplace_back();
+      for (int k = 0; k < array.size; ++k) {
+        state.back().emplace_back(3 * random.symmetric());
+      }
+    }
+    const Row Y = program::interpret<Real>(regressor, {state.begin(), state.end()});
+    for (std::size_t first = 0; first < Y.size(); first += columns) {
+      rows.emplace_back(Y.begin() + static_cast<std::ptrdiff_t>(first),
+                        Y.begin() + static_cast<std::ptrdiff_t>(first + columns));
+    }
+  }
+  return rows;
+}
+
+/// Reduced row echelon form by the largest pivots: the columns of the pivots; row k of the result
+/// belongs to the k-th of them.
+std::vector<std::size_t> reduce(std::vector<Row>& rows, std::size_t columns) {
+  const Real zero("1e-30");
+  std::vector<std::size_t> pivots;
+  for (std::size_t column = 0; column < columns; ++column) {
+    const auto from = rows.begin() + static_cast<std::ptrdiff_t>(pivots.size());
+    const auto largest = std::max_element(from, rows.end(), [&](const Row& a, const Row& b) {
+      return abs(a[column]) < abs(b[column]);
+    });
+    if (largest == rows.end() || abs((*largest)[column]) < zero) {
+      continue;
+    }
+    std::iter_swap(from, largest);
+    Row& pivot = *from;
+    const Real scale = 1 / pivot[column];
+    std::for_each(pivot.begin(), pivot.end(), [&](Real& x) { x *= scale; });
+    for (Row& row : rows) {
+      if (&row == &pivot || row[column] == 0) {
+        continue;
+      }
+      const Real factor = row[column];
+      for (std::size_t k = column; k < columns; ++k) {
+        row[k] -= factor * pivot[k];
+      }
+      row[column] = 0;
+    }
+    pivots.push_back(column);
+  }
+  rows.resize(pivots.size());
+  return pivots;
+}
+
+std::string parameter_name(const model::Tree& tree, std::size_t column) {
+  static constexpr std::array<const char*, kParameters> kNames = {
+      "m", "m_c_x", "m_c_y", "m_c_z", "xx", "xy", "xz", "yy", "yz", "zz"};
+  return fmt::format("{}.{}", tree.links[column / kParameters].name, kNames[column % kParameters]);
+}
+
+}  // namespace
+
+std::string base_parameters_text(const Model& model, const Request& request) {
+  const model::Tree& tree = model.tree;
+  if (tree.dof() != tree.size()) {
+    throw InputError({request.model, 0, 0},
+                     fmt::format("base parameters need a coordinate for every joint and {} joints "
+                                 "follow others; expected --mimic independent",
+                                 tree.size() - tree.dof()));
+  }
+  formulate::Options options = formulate_options(model, request);
+  options.effort = 0;
+  const std::size_t columns = kParameters * tree.links.size();
+  std::vector<Row> rows =
+      rows_of(formulate::formulated(tree, "inverse_dynamics_regressor", options), columns);
+  const std::vector<std::size_t> pivots = reduce(rows, columns);
+  std::string result =
+      fmt::format("base parameters: {} of {}; columns of inverse_dynamics_regressor, from 0\n",
+                  pivots.size(), columns);
+  const Real zero("1e-20");
+  for (std::size_t k = 0; k < pivots.size(); ++k) {
+    result += fmt::format("{:5}  {}", pivots[k], parameter_name(tree, pivots[k]));
+    for (std::size_t column = pivots[k] + 1; column < columns; ++column) {
+      const Real& x = rows[k][column];
+      if (abs(x) > zero) {
+        const Real size = abs(x);
+        result += fmt::format(
+            " {} {}{}", x < 0 ? '-' : '+',
+            abs(size - 1) < zero ? "" : fmt::format("{:.9g} ", static_cast<double>(size)),
+            parameter_name(tree, column));
+      }
+    }
+    result += "\n";
+  }
+  return result;
+}
+
+}  // namespace treedyn
