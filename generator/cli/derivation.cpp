@@ -10,6 +10,7 @@
 #include "derive/words.hpp"
 #include "equations/table.hpp"
 #include "formulate/factored.hpp"
+#include "formulate/trunk.hpp"
 #include "pipeline.hpp"
 
 namespace treedyn {
@@ -64,9 +65,9 @@ std::string words_text(const block::Expression& e) {
   return result;
 }
 
-std::string rules_text(const derive::Values& values) {
+std::string rules_text(const std::set<derive::Rule>& acted) {
   std::string result = "\nrules that acted (N = D - E)\n";
-  for (const derive::Rule rule : values.acted()) {
+  for (const derive::Rule rule : acted) {
     result += fmt::format("  {:4} {}\n", derive::row_of(rule).name, derive::row_of(rule).text);
   }
   return result;
@@ -93,7 +94,7 @@ std::string recursion_text(const formulate::Derived& function,
     for (const derive::Line& line : derive::lines(*function.to_root)) {
       result += fmt::format("         {}\n", line.text);
     }
-    result += rules_text(function.to_root->values);
+    result += rules_text(function.to_root->values.acted());
   }
   return result;
 }
@@ -101,7 +102,7 @@ std::string recursion_text(const formulate::Derived& function,
 using Derived = std::shared_ptr<const formulate::Derived>;
 
 std::string derived_text(const Model& model, const Request& request, const Derived& function) {
-  return rules_text(function->derivation.values) +
+  return rules_text(function->derivation.values.acted()) +
          recursion_text(*function, formulate::costs_of_values(model.tree, function,
                                                               formulate_options(model, request)));
 }
@@ -109,13 +110,27 @@ std::string derived_text(const Model& model, const Request& request, const Deriv
 std::string factored_text(const Model& model, const Request& request, const std::string& name) {
   const formulate::FactoredFunction& function = formulate::factored(name);
   std::string result =
-      "\nnumbers of joints" + rules_text(function.derivation.values) + "\nrecursion, row by row\n" +
+      "\nnumbers of joints" + rules_text(function.derivation.values.acted()) +
+      "\nrecursion, row by row\n" +
       lines_text(function.derivation,
                  formulate::costs_of_numbers(model.tree, name, formulate_options(model, request)));
   for (const auto& [leaf, of] : function.given) {
     const std::string text = block::print(of->equation.expression);
     result += "\n" + (text == leaf ? leaf : leaf + " = " + text) + "\n" +
               derived_text(model, request, of);
+  }
+  return result;
+}
+
+/// What becomes of the unknowns before all else.
+std::string trunk_text(const Model& model, const Request& request) {
+  std::string result =
+      fmt::format("\ntrunk: {}, moved in every way by joints 1 to {}\n",
+                  model.tree.links[formulate::kTrunkLink].name, formulate::kTrunkLink + 1) +
+      rules_text({derive::Rule::kTrunk}) + "\nfor the trunk\n";
+  for (const auto& [text, cost] :
+       formulate::trunk_lines(model.tree, formulate_options(model, request))) {
+    result += fmt::format("  {:>5}  {}\n", cost.total(), text);
   }
   return result;
 }
@@ -136,6 +151,9 @@ std::string derivation_text(const Model& model, const Request& request, const st
   const block::Expression& e = is_own ? (*own)->equation.expression : *ours->expression;
   std::string result = equation_text(name, e, is_own ? nullptr : ours) + words_text(e);
   const bool is_solved = !is_own && !ours->unknown.empty();
+  const bool by_trunk = is_solved && formulate::recipe_of(name).freedom.articulated &&
+                        formulate::has_trunk(model.tree);
+  result += by_trunk ? trunk_text(model, request) : "";
   if (!is_solved || formulate::recipe_of(name).freedom.articulated) {
     result += derived_text(model, request, is_own ? *own : formulate::derived(name));
   }

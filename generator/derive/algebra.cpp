@@ -84,7 +84,10 @@ int Algebra::skew(int a) {
     return zero(value(a).set, Type::kTensor);
   }
   const auto [factor, x] = split(a);
-  const int result = values_.intern({Op::kSkew, value(x).set, Type::kTensor, {}, 0, {x}, {}});
+  const Value v = value(x);
+  const int result = v.op == Op::kPick  // points take the blocks of their links
+                         ? sum_along(v.op, v.set, skew(v.operands.front()))
+                         : values_.intern({Op::kSkew, v.set, Type::kTensor, {}, 0, {x}, {}});
   return factor == kOne ? result : linear({{factor, result}});
 }
 
@@ -265,10 +268,10 @@ int Algebra::of_weighed_paths(Set set, int x) {
   return linear(terms);
 }
 
-/// Sums of multiples of E and of skew blocks are such; -1 for other blocks.
+/// Sums of multiples of E and of skew blocks are such; -1 for other blocks and for points.
 int Algebra::of_kind(Op op, Set set, int x) {
   const Value v = value(x);
-  if (v.op == Op::kSkew) {
+  if (v.op == Op::kSkew && op != Op::kPick) {
     return skew(sum_along(op, set, v.operands.front()));
   }
   if (v.op == Op::kScale && value(v.operands.back()).op == Op::kIdentity) {

@@ -5,7 +5,7 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 27> kRows = {{
+  static constexpr std::array<RuleRow, 28> kRows = {{
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
@@ -48,6 +48,9 @@ std::span<const RuleRow> rules() {
        "L'^T a"},
       {Rule::kTriangles, "R12'",
        "L x = r: x = r - L' x from the root; L^T x = r: x = r - L'^T x from the leaves"},
+      {Rule::kTrunk, "R13",
+       "joints at the root that move a link in every way: y = B q̈ + γ along its axes takes their "
+       "place, B^T f = τ"},
   }};
   return kRows;
 }

@@ -35,6 +35,7 @@ enum class Rule {
   kYields,
   kFactors,
   kTriangles,
+  kTrunk,
 };
 
 struct RuleRow {

@@ -121,4 +121,21 @@ void FrameChanges::add(Parts& a, const Parts& b, Expr factor) const {
   }
 }
 
+std::vector<Expr> point_rotations(const Kinematics& k, const std::vector<model::Point>& points) {
+  const FrameChanges frames(k, Way::kInLinks);
+  std::vector<Expr> result;
+  for (const model::Point& point : points) {
+    const Mat3 own = constant(k.graph(), point.rotation);
+    const Mat3 r = point.link == kBase ? own : k.orientation(point.link) * own;
+    Mat3 columns;
+    for (std::size_t n = 0; n < 3; ++n) {
+      columns[n] = frames.moved(column(r, n), point.link, kBase);
+    }
+    for (const Vec3& row : transposed(columns)) {
+      result.insert(result.end(), row.begin(), row.end());
+    }
+  }
+  return result;
+}
+
 }  // namespace treedyn::formulate

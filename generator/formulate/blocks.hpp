@@ -62,4 +62,8 @@ class FrameChanges {
   std::vector<Mat3> rotation_;  ///< link frame -> base frame, unless kToRoot
 };
 
+/// Rotations of points, link frame -> base frame, row-major, 9 P.
+std::vector<Expr> point_rotations(const Kinematics& kinematics,
+                                  const std::vector<model::Point>& points);
+
 }  // namespace treedyn::formulate

@@ -212,7 +212,7 @@ std::vector<Expr> build_impact(const Task& task) {
 }
 
 std::vector<Expr> build_reaction_jacobian(const Task& task) {
-  const SceneFrame frame(task, false, false);
+  const SceneFrame frame(task, false);
   const auto n = index(task.tree.dof());
   const model::Scene& scene = *task.options.scene;
   const auto r = index(rows_of(scene, all_constraints(scene)));
@@ -228,7 +228,7 @@ std::vector<Expr> build_reaction_jacobian(const Task& task) {
 }
 
 std::vector<Expr> build_reaction_bias(const Task& task) {
-  const SceneFrame frame(task, false, task.options.scene->velocity_products);
+  const SceneFrame frame(task, task.options.scene->velocity_products);
   std::vector<Expr> result;
   for (const Row& row : base_rows(*task.options.scene, frame, task.kinematics.graph())) {
     result.push_back(-row.right);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "formulate/builders.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/scene_rows.hpp"
@@ -32,7 +31,7 @@ std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
     const Expr qdd = input(graph, arrays.qdd, armature.joint);
     h[index(armature.joint)] += constant(graph, armature.inertia) * qdd;
   }
-  const SceneFrame frame(task, false, false);
+  const SceneFrame frame(task, false);
   for (const AppliedLoad& load : forces.loads()) {
     const model::Point& point = scene.points[index(load.point)];
     const MotionMap map = load.is_moment ? frame.turning(point) : frame.point(point);
@@ -51,7 +50,7 @@ std::vector<Row> active_rows(const Task& task) {
     active.push_back(scene.constraints[index(c)]);
   }
   scene.constraints = active;
-  return base_rows(scene, SceneFrame(task, false, false), task.kinematics.graph());
+  return base_rows(scene, SceneFrame(task, false), task.kinematics.graph());
 }
 
 Expr entry(const Row& row, int joint) {

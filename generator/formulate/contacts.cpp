@@ -105,7 +105,7 @@ std::vector<Expr> build_contact_press(const Task& task) {
   const Expr depth = input(task, kDepthArray, task.options.contact);
   std::vector<Expr> result = {law(task, forces, depth, slip, kForceArray + 1)};
   const Vec3 f = force(task, input(task, kNormalArray, 0), slip);
-  const SceneFrame frame(task, false, false);
+  const SceneFrame frame(task, false);
   const MotionMap map = frame.point(task.options.scene->points[static_cast<std::size_t>(c.point)]);
   for (int i = 0; i < task.tree.dof(); ++i) {
     Expr sum = input(task, kForceArray, i);

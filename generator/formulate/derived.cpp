@@ -54,8 +54,8 @@ Matrix transposed(const Matrix& m) {
   return result;
 }
 
-/// The rows of what is derived.
-Matrix written(Lowering lowering) {
+/// The rows of what is derived, vectors in a frame.
+Matrix written(Lowering lowering, int frame) {
   const derive::Derivation& derivation = lowering.derivation();
   const auto& [rows, cols] = derivation.shape;
   const block::Side& counted = derivation.by_rows ? rows : cols;
@@ -67,7 +67,8 @@ Matrix written(Lowering lowering) {
       if (derivation.by_units) {
         lowering.ask_for(place, k);
       }
-      const std::vector<Expr> entries = lowering.written(derivation.by_units ? 0 : k, along.set);
+      const std::vector<Expr> entries =
+          lowering.written(derivation.by_units ? 0 : k, along.set, frame);
       for (std::size_t n = 0; n < stride; ++n) {
         std::vector<Expr>& column = result.emplace_back();
         for (std::size_t e = n; e < entries.size(); e += stride) {
@@ -79,10 +80,10 @@ Matrix written(Lowering lowering) {
   return derivation.by_rows ? result : transposed(result);
 }
 
-/// Column j of a symmetric matrix, the rows from link j up to `from`.
-void add_column(const Kinematics& k, Lowering& lowering, int j, int from, SparseSymmetric& a) {
+/// Column j of a symmetric matrix, the rows from link j up.
+void add_column(const Kinematics& k, Lowering& lowering, int j, SparseSymmetric& a) {
   lowering.ask_for(j, 0);
-  for (int i = j; i >= from; i = k.link(i).father) {
+  for (int i = j; i != kBase; i = k.link(i).father) {
     if (const Expr entry = lowering.entry(i); !entry.is_zero()) {
       a[{j, i}] = entry;
     }
@@ -167,18 +168,18 @@ std::shared_ptr<const Derived> derived_part(const std::string& name,
   return std::make_shared<const Derived>(std::move(made));
 }
 
-std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way) {
+std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way, int frame) {
   const auto& [rows, cols] = function.derivation.shape;
   const bool picked = is_picked(function.derivation.shape);
   if (function.derivation.symmetric) {
     Lowering lowering(task, function, way);
     SparseSymmetric a;
     for (int j = task.tree.size() - 1; j >= 0; --j) {
-      add_column(task.kinematics, lowering, j, 0, a);
+      add_column(task.kinematics, lowering, j, a);
     }
     return dense(task, a);
   }
-  Matrix m = written(Lowering(task, function, way));
+  Matrix m = written(Lowering(task, function, way), frame);
   if (m.empty()) {
     return {};
   }
@@ -195,77 +196,20 @@ std::vector<Expr> build_equation(const Task& task, const std::string& name) {
   return build_derived(task, *derived(name), task.kinematics.variant().way);
 }
 
-Trunk trunk_of_mass_matrix(const Task& task) {
-  using derive::Op;
-  using derive::Type;
-  const auto vector = [&](const Lowering& lowering, Op op, bool of_unit) {
-    const Block& x = lowering.first(op, Type::kVector, of_unit, kTrunkLink);
-    return lowering.frames().in(x.vector, kTrunkLink);
-  };
-  Lowering lowering(task, *derived("mass_matrix"), Way::kToRoot);
-  Trunk trunk;
-  trunk.mass = lowering.first(Op::kSubtree, Type::kScalar, false, kTrunkLink).number;
-  trunk.moment = vector(lowering, Op::kBackward, false);
-  trunk.inertia = lowering.first(Op::kComposite, Type::kTensor, false, kTrunkLink).tensor.value;
-  for (int j = task.tree.size() - 1; j > kTrunkLink; --j) {
-    add_column(task.kinematics, lowering, j, kTrunkLink + 1, trunk.limbs);
-    trunk.columns.push_back(
-        {j, vector(lowering, Op::kSubtree, true), vector(lowering, Op::kBackward, true)});
-  }
-  return trunk;
-}
-
-TrunkBias trunk_bias(const Task& task, const Vec3& omega) {
-  const Lowering lowering(task, *derived("bias_force"), Way::kToRoot, omega);
-  const auto at_trunk = [&](derive::Op op) {
-    return lowering.frames().in(lowering.first(op, derive::Type::kVector, false, kTrunkLink).vector,
-                                kTrunkLink);
-  };
-  TrunkBias bias{{}, {at_trunk(derive::Op::kSubtree), at_trunk(derive::Op::kBackward)}};
-  bias.tau.resize(index(task.tree.size()));
-  for (int i = kTrunkLink + 1; i < task.tree.size(); ++i) {
-    bias.tau[index(i)] = lowering.entry(i);
-  }
-  return bias;
-}
-
-std::vector<Expr> articulated_forward_dynamics(const Task& task, const Derived& system,
-                                               const JointForce& force) {
-  return Lowering(task, system, Way::kToRoot, {}, force).written(0, Set::kLinks);
-}
-
-std::vector<Expr> limb_accelerations(const Task& task, const Vec3& omega, const JointForce& force,
-                                     const TrunkSolution& solve) {
-  const auto of_trunk = [&](const Lowering& lowering) {
-    const derive::Elimination& at = *lowering.derivation().elimination;
-    const auto K = [&](std::size_t k) {
-      return lowering.tensor(at.inertia[k], kTrunkLink);
-    };
-    return solve(
-        {K(0),
-         K(1),
-         K(2),
-         {lowering.vector(at.bias[1], kTrunkLink), lowering.vector(at.bias[0], kTrunkLink)}});
-  };
-  return Lowering(task, *derived("forward_dynamics"), Way::kToRoot, omega, force, of_trunk)
-      .written(0, Set::kLinks);
-}
-
-std::vector<Motion> limb_motions(const Task& task, const Vec3& omega) {
-  const Lowering lowering(task, *derived("bias_force"), Way::kToRoot, omega);
-  std::vector<Motion> result(kTrunkLink);
-  for (int i = kTrunkLink; i < task.tree.size(); ++i) {
-    result.push_back(lowering.motion(i));
-  }
-  return result;
-}
-
 std::vector<Expr> values_at(const Task& task, const std::string& name,
-                            const std::vector<model::Point>& points, Way way) {
+                            const std::vector<model::Point>& points, Way way, int frame) {
   Options options;
   options.gravity = task.options.gravity;
   options.points = points;
-  return build_derived({task.tree, task.normal, options, task.kinematics}, *derived(name), way);
+  return build_derived({task.tree, task.normal, options, task.kinematics}, *derived(name), way,
+                       frame);
+}
+
+Vec3 angular_bias(const Task& task, const model::Point& point) {
+  Options options;
+  options.points = {point};
+  const Task at{task.tree, task.normal, options, task.kinematics};
+  return Lowering(at, *derived("point_bias_acceleration"), Way::kInLinks).alpha(point.link);
 }
 
 std::vector<program::Cost> costs_of_values(const model::Tree& tree,

@@ -140,14 +140,6 @@ std::vector<Expr> Factors::from_root(const std::vector<Expr>& right) const {
   return column_of(solve(kTriangle, sparse(right)));
 }
 
-std::vector<Expr> solve(Graph& graph, const SparseSymmetric& A, const std::vector<Expr>& b) {
-  const int size = static_cast<int>(b.size());
-  const auto leaf = [&](const std::string& name) {
-    return name == "A" ? sparse(size, A) : sparse(b);
-  };
-  return column_of(Numbers(graph, size, factored("mass_matrix_solve").derivation, leaf).root());
-}
-
 std::vector<program::Cost> costs_of_numbers(const model::Tree& tree, const std::string& name,
                                             const Options& options) {
   std::vector<program::Cost> result;

@@ -42,9 +42,6 @@ class Factors {
   Numbers factors_;
 };
 
-/// x of A x = b.
-std::vector<Expr> solve(Graph& graph, const SparseSymmetric& A, const std::vector<Expr>& b);
-
 /// Operations of every value of the derivation, before any search.
 std::vector<program::Cost> costs_of_numbers(const model::Tree& tree, const std::string& name,
                                             const Options& options);

@@ -361,4 +361,32 @@ program::LengthUnit unit_of(const model::Tree& tree, const Variant& variant) {
              : unit_lengths(tree)[static_cast<std::size_t>(variant.unit_length - 1)];
 }
 
+namespace {
+
+/// True if the axes of joints 0..5 are along those of the base's links, the sliding ones at right
+/// angles, the turning ones each at a right angle to the next.
+bool has_right_angles(const model::Tree& tree) {
+  const auto is_quarter = [](const Real& x) {
+    return identical(abs(x), 0) || identical(abs(x), 1);
+  };
+  Matrix3 R = identity();
+  std::array<Vector3, 6> axes;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const model::Joint& joint = tree.links[i].joint;
+    R = i == 0 ? R : multiply(R, joint.rotation);
+    axes[i] = multiply(R, joint.axis);
+    if (!std::ranges::all_of(axes[i], is_quarter) || !std::ranges::all_of(R, is_quarter)) {
+      return false;
+    }
+  }
+  const auto right = [&](std::size_t i, std::size_t k) {
+    return identical(dot(axes[i], axes[k]), 0);
+  };
+  return right(0, 1) && right(0, 2) && right(1, 2) && right(3, 4) && right(4, 5);
+}
+
+}  // namespace
+
+bool has_trunk(const model::Tree& tree) { return has_free_base(tree) && has_right_angles(tree); }
+
 }  // namespace treedyn::formulate

@@ -54,4 +54,8 @@ NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Va
 /// The link that carries the body of a free base.
 inline constexpr int kTrunkLink = 5;
 
+/// The condition of R13: a free base with joints at right angles, so that they move the trunk in
+/// every way and follow from its motion one after the other.
+bool has_trunk(const model::Tree& tree);
+
 }  // namespace treedyn::formulate

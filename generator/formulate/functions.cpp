@@ -52,7 +52,7 @@ program::Function written(const model::Tree& tree, const NormalTree& normal, con
 Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
                        const Variant& variant) {
   Variant used = variant;
-  if (recipe.freedom.trunk && variant.trunk && has_free_base(tree)) {
+  if (recipe.freedom.trunk && variant.trunk && has_trunk(tree)) {
     for (std::size_t i = 3; i < 6;
          ++i) {  // the base axes stay in one point and the trunk keeps its mass
       used.links[i].mass = MassGauge::kNothing;

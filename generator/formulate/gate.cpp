@@ -82,7 +82,7 @@ void Gate::note_plain(bool articulated) {
   variant.way = recipe_.freedom.way;
   variant.articulated = articulated;
   before_.push_back(build(tree_, recipe_, options, variant));
-  if (variant.trunk && recipe_.freedom.trunk && has_free_base(tree_)) {
+  if (variant.trunk && recipe_.freedom.trunk && has_trunk(tree_)) {
     variant.trunk = false;
     before_.push_back(build(tree_, recipe_, options, variant));
   }

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kX = 0;
 constexpr std::size_t kZ = 2;
+constexpr int kNoInput = -1;
 
 }  // namespace
 
@@ -26,23 +27,16 @@ Kinematics::Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& 
   }
 }
 
-Expr Kinematics::rate(int i, int array) const {
-  const Expr x = of_joint(i, array);
-  return link(i).sign > 0 ? x : -x;
-}
-
 Expr Kinematics::of_joint(int i, int array) const {
-  return array < 0 ? Expr()
-                   : constant(graph_, multiplier(i)) *
-                         coordinate(array, tree_.drives[index(i)].coordinate);
-}
-
-Expr Kinematics::force(int i) const {
-  const Expr tau = coordinate(inputs_.tau, tree_.drives[index(i)].coordinate);
-  return link(i).sign > 0 ? tau : -tau;
+  return array == kNoInput ? Expr()
+                           : constant(graph_, multiplier(i)) *
+                                 coordinate(array, tree_.drives[index(i)].coordinate);
 }
 
 Expr Kinematics::displacement(int i) const {
+  if (is_from_trunk_ && i <= kTrunkLink) {
+    return {};
+  }
   const model::Drive& drive = tree_.drives[index(i)];
   const Expr q = constant(graph_, multiplier(i)) * coordinate(inputs_.q, drive.coordinate) +
                  constant(graph_, drive.offset);
@@ -253,7 +247,29 @@ Mat3 Kinematics::to_father_general(int i, Mat3 h) const {
   return h;
 }
 
-Vec3 Kinematics::ground_acceleration() const { return -constant(graph_, normal_.gravity); }
+Vec3 Kinematics::ground_acceleration() const {
+  return is_from_trunk_ ? Vec3{} : -constant(graph_, normal_.gravity);
+}
+
+Kinematics Kinematics::with_forces(const std::vector<Expr>& forces) const {
+  constexpr int kGiven = -2;
+  Kinematics k = *this;
+  k.inputs_.tau = inputs_.tau < 0 ? kGiven : inputs_.tau;
+  k.forces_ = forces;
+  return k;
+}
+
+Kinematics Kinematics::from_trunk(const Vec3& omega) const {
+  Kinematics k = *this;
+  const Expr one = constant(graph_, Real(1));
+  for (std::size_t i = 0; i <= index(kTrunkLink); ++i) {  // x, y, z: z of link i is the next axis
+    k.rotations_[i] = {{kZ, Expr(), one}, {kX, Expr(), one}};
+    k.offset_[i] = k.joint_offset_[i] = {};
+  }
+  k.is_from_trunk_ = true;
+  k.ground_turning_ = omega;
+  return k;
+}
 
 Kinematics::Body Kinematics::body(int i) const {
   return rotated_body(i, [](const NormalLink& l) { return l.pseudo; });

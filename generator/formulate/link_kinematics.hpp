@@ -47,6 +47,14 @@ class Kinematics {
   Kinematics(Graph& graph, const model::Tree& tree, const NormalTree& normal,
              const Variant& variant, const Inputs& inputs, SharedLimbs* limbs = nullptr);
 
+  /// R13: the same tree as its trunk sees it. Joints 0..5 slide along and turn about the axes of
+  /// the trunk's frame, from where they are, in free fall, on a ground that turns like the trunk.
+  /// \param omega  of the trunk, in its frame
+  [[nodiscard]] Kinematics from_trunk(const Vec3& omega) const;
+  [[nodiscard]] bool is_from_trunk() const { return is_from_trunk_; }
+  /// The same with these forces of joints, by coordinate, for the argument.
+  [[nodiscard]] Kinematics with_forces(const std::vector<Expr>& forces) const;
+
   [[nodiscard]] int size() const { return static_cast<int>(normal_.links.size()); }
   [[nodiscard]] const NormalLink& link(int i) const { return normal_.links[index(i)]; }
   [[nodiscard]] const LinkVariant& choice(int i) const { return variant_.links[index(i)]; }
@@ -63,16 +71,19 @@ class Kinematics {
   /// The value of coordinate k as an element of a result, from that of the joint of its link.
   [[nodiscard]] Expr result(int k, Expr of_joint) const;
 
-  /// The joint's speed, acceleration, force along +z of the normal frame; zero where not an input.
-  [[nodiscard]] Expr speed(int i) const { return rate(i, inputs_.qd); }
-  [[nodiscard]] Expr acceleration(int i) const { return rate(i, inputs_.qdd); }
-  [[nodiscard]] Expr force(int i) const;
+  /// The joint's speed along +z of the normal frame; zero where not an input.
+  [[nodiscard]] Expr speed(int i) const {
+    const Expr x = of_joint(i, inputs_.qd);
+    return link(i).sign > 0 ? x : -x;
+  }
 
   /// The slide of a prismatic joint along +z of its normal frame.
   [[nodiscard]] Expr displacement(int i) const;
 
   /// -g in the base frame: the acceleration of a ground that replaces gravity.
   [[nodiscard]] Vec3 ground_acceleration() const;
+  /// Angular velocity of the ground, there.
+  [[nodiscard]] const Vec3& ground_turning() const { return ground_turning_; }
 
   /// s'_i (convention B of EQUATIONS.md 1.1) in the father's expression frame, with the slide.
   [[nodiscard]] const Vec3& offset(int i) const { return offset_[index(i)]; }
@@ -136,7 +147,6 @@ class Kinematics {
   [[nodiscard]] Angle first_angle(int i) const;
   [[nodiscard]] Angle last_angle(int i) const;
   [[nodiscard]] Expr coordinate(int array, int k) const;
-  [[nodiscard]] Expr rate(int i, int array) const;
   /// Appends the rotation about `axis` by `angle` of link i unless it is the identity.
   template <class AngleOf>
   void append(std::vector<PlaneRotation>& steps, std::size_t axis, int i, AngleOf angle) const;
@@ -164,6 +174,9 @@ class Kinematics {
   std::vector<Vec3> offset_;
   std::vector<Vec3> joint_offset_;
   std::vector<std::vector<PlaneRotation>> rotations_;
+  bool is_from_trunk_ = false;
+  Vec3 ground_turning_;
+  std::vector<Expr> forces_;
 };
 
 template <class Of>

@@ -25,17 +25,13 @@ bool is_whole(const derive::Value& v) {
 
 }  // namespace
 
-Lowering::Lowering(const Task& task, const Derived& function, Way way,
-                   const std::optional<Vec3>& turning, JointForce force, TrunkSolution trunk)
+Lowering::Lowering(const Task& task, const Derived& function, Way way)
     : task_(task),
       function_(function),
       derivation_(way == Way::kToRoot && function.to_root ? *function.to_root
                                                           : function.derivation),
-      force_(std::move(force)),
-      solution_(std::move(trunk)),
       trunk_(derivation_.symmetric && way != Way::kInBase && task.kinematics.variant().trunk &&
-             has_free_base(task.tree)),
-      turning_(turning),
+             !task.kinematics.is_from_trunk() && has_trunk(task.tree)),
       frames_(task.kinematics, trunk_ ? Way::kInLinks : way),
       needed_(derivation_.values.needed(derivation_.roots)),
       turnings_(frames_.in_base() ? std::vector<derive::Turning>{}
@@ -46,7 +42,7 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way,
       known_(index(derivation_.values.size())),
       costs_(index(derivation_.values.size())) {
   arrange();
-  if (derivation_.elimination && !turning_) {  // numbers of no link come first
+  if (derivation_.elimination) {  // numbers of no link come first
     static_cast<void>(task_.kinematics.ground_acceleration());
   }
   run(false);
@@ -123,12 +119,8 @@ void Lowering::run(const std::vector<int>& ids, int e, bool of_unit) {
   }
 }
 
-/// False for links above the trunk, for the trunk where limbs are eliminated, and for rows that a
-/// symmetric matrix need not have in a column.
-bool Lowering::is_asked(int stage, int e, bool of_unit) const {
-  if (turning_ && (e < kTrunkLink || (e == kTrunkLink && is_elimination(stage)))) {
-    return false;
-  }
+/// False for rows that a symmetric matrix need not have in a column.
+bool Lowering::is_asked(int e, bool of_unit) const {
   int i = place_;
   while (of_unit && derivation_.symmetric && i > e) {
     i = father(i);
@@ -148,7 +140,7 @@ void Lowering::run(bool of_unit) {
     }
     for (int k = 0; walk != Walk::kWhole && k < n; ++k) {
       const int e = walk == Walk::kToSons ? k : n - 1 - k;
-      if (!is_asked(static_cast<int>(s), e, of_unit)) {
+      if (!is_asked(e, of_unit)) {
         continue;
       }
       graph().set_body(e);
@@ -160,13 +152,10 @@ void Lowering::run(bool of_unit) {
       }
       run(stage.rest, e, of_unit);
     }
-    if (turning_ && walk == Walk::kToFathers && is_elimination(static_cast<int>(s))) {
-      solve_trunk();
-    }
   }
   for (const int root : derivation_.roots) {  // that are leaves
     for (int e = 0; of_unit_[index(root)] == of_unit && e < count(value(root).set); ++e) {
-      if (is_asked(stage_[index(root)], e, of_unit)) {
+      if (is_asked(e, of_unit)) {
         need(root, e);
       }
     }
@@ -355,25 +344,7 @@ Block Lowering::made(int id, const Value& v, int e) {
   return zero(v, e);
 }
 
-const Block& Lowering::first(Op op, Type type, bool of_unit, int e) const {
-  const auto found = std::find_if(needed_.begin(), needed_.end(), [&](int id) {
-    return value(id).op == op && value(id).type == type && of_unit_[index(id)] == of_unit;
-  });
-  TREEDYN_EXPECT(found != needed_.end());
-  return of(*found, e);
-}
-
-Motion Lowering::motion(int i) const {
-  const derive::Turning& turning = turnings_.front();
-  const auto a = std::find_if(needed_.begin(), needed_.end(), [this](int id) {
-    return value(id).op == Op::kPath && symbol(id) == std::string("a");
-  });
-  TREEDYN_EXPECT(a != needed_.end());
-  return {frames_.in(of(turning.alpha, i).vector, i), frames_.in(of(*a, i).vector, i),
-          of(turning.Omega, i).tensor.value};
-}
-
-std::vector<Expr> Lowering::written(int k, Set set) const {
+std::vector<Expr> Lowering::written(int k, Set set, int frame) const {
   const int root = derivation_.roots[index(k)];
   std::vector<Expr> result;
   for (int e = 0; e < count(set); ++e) {
@@ -383,12 +354,12 @@ std::vector<Expr> Lowering::written(int k, Set set) const {
         result.push_back(block.number);
         break;
       case Type::kVector: {
-        const Vec3 x = frames_.in(block.vector, kBase);
+        const Vec3 x = frames_.in(block.vector, frame);
         result.insert(result.end(), x.begin(), x.end());
         break;
       }
       case Type::kTensor:
-        for (const Vec3& row : frames_.moved(block.tensor, kBase).value) {
+        for (const Vec3& row : frames_.moved(block.tensor, frame).value) {
           result.insert(result.end(), row.begin(), row.end());
         }
     }

@@ -15,16 +15,7 @@ namespace treedyn::formulate {
 
 class Lowering {
  public:
-  /// Acceleration of the trunk, angular and linear, by what R9 has made of its limbs.
-  using TrunkSolution = std::function<std::array<Vec3, 2>(const Lowering&)>;
-
-  /// \param turning  of the trunk of a free base, in its frame: sums along the tree start there
-  /// with this angular velocity and no acceleration; links above it are left out
-  /// \param force  null: the argument `tau`
-  /// \param trunk  of eliminations that start there
-  Lowering(const Task& task, const Derived& function, Way way,
-           const std::optional<Vec3>& turning = {}, JointForce force = {},
-           TrunkSolution trunk = {});
+  Lowering(const Task& task, const Derived& function, Way way);
 
   [[nodiscard]] const derive::Derivation& derivation() const { return derivation_; }
 
@@ -33,20 +24,16 @@ class Lowering {
   void ask_for(int place, int component);
 
   /// Column `k` of what the function derives to, a block for every element of its rows: vectors in
-  /// the base frame, numbers as they are, one behind the other.
-  [[nodiscard]] std::vector<Expr> written(int k, block::Set set) const;
+  /// `frame`, numbers as they are, one behind the other.
+  [[nodiscard]] std::vector<Expr> written(int k, block::Set set, int frame = kBase) const;
   [[nodiscard]] int count(block::Set set) const;
   /// Entry (i, place) of a symmetric matrix. \pre i is `place` or above
   [[nodiscard]] Expr entry(int i) const { return of(derivation_.roots.front(), i).number; }
 
-  /// The first needed value with an operation, of the column that is asked for or of none.
-  [[nodiscard]] const Block& first(derive::Op op, derive::Type type, bool of_unit, int e) const;
-  /// \pre bodies turn
-  [[nodiscard]] Motion motion(int i) const;
-  [[nodiscard]] const FrameChanges& frames() const { return frames_; }
-  /// \pre of links
-  [[nodiscard]] Vec3 vector(int id, int i) const { return frames_.in(of(id, i).vector, i); }
-  [[nodiscard]] const Mat3& tensor(int id, int i) const { return of(id, i).tensor.value; }
+  /// α of a link, base frame. \pre bodies turn
+  [[nodiscard]] Vec3 alpha(int i) const {
+    return frames_.in(of(turnings_.front().alpha, i).vector, kBase);
+  }
 
   /// Operations that the values took, by their number in the derivation.
   [[nodiscard]] const std::vector<program::Cost>& costs() const { return costs_; }
@@ -79,9 +66,7 @@ class Lowering {
   void arrange();
   void run(bool of_unit);
   void run(const std::vector<int>& ids, int e, bool of_unit);
-  [[nodiscard]] bool is_asked(int stage, int e, bool of_unit) const;
-  /// From the sums of R9 on.
-  [[nodiscard]] bool is_elimination(int stage) const;
+  [[nodiscard]] bool is_asked(int e, bool of_unit) const;
   /// Block e of a value, if it is not known yet, and those of its operands.
   void need(int id, int e);
   void name_sums(int e);
@@ -109,7 +94,6 @@ class Lowering {
   Block shifted(const Value& v, int e) const;
   Block folded(int id, const Value& v, int i);
   void hand_on(const std::vector<int>& ids, int i);
-  void solve_trunk();
   [[nodiscard]] bool is_absent(int id, int e) const;
   Block once(const Value& v, int e) const;
   Block along(const Value& v, int e) const;
@@ -131,9 +115,7 @@ class Lowering {
   [[nodiscard]] Block moved(const Value& v, const Block& x, int from, int to) const;
   [[nodiscard]] std::vector<std::pair<Expr, int>> terms(int id) const;
   [[nodiscard]] int home(block::Set set, int e) const;
-  [[nodiscard]] int father(int i) const {
-    return turning_ && i == kTrunkLink ? kBase : task_.kinematics.link(i).father;
-  }
+  [[nodiscard]] int father(int i) const { return task_.kinematics.link(i).father; }
   TensorTerms& composite_terms(int id, int i);
   void hand_on(TensorTerms& father, Expr mass, const Vec3& h, const Vec3& s,
                const Mat3& tensor) const;
@@ -146,10 +128,7 @@ class Lowering {
   const Task& task_;
   const Derived& function_;
   const derive::Derivation& derivation_;
-  JointForce force_;
-  TrunkSolution solution_;
   bool trunk_;  ///< of a free base: its turning links are at home in the trunk's frame
-  std::optional<Vec3> turning_;
   FrameChanges frames_;
   std::vector<int> needed_;
   std::vector<derive::Turning> turnings_;  ///< whose joints turn about frame axes

@@ -23,25 +23,6 @@ Mat3 mirrored(Mat3 S) {
 
 }  // namespace
 
-bool Lowering::is_elimination(int stage) const {
-  return derivation_.elimination && stage >= stage_[index(derivation_.elimination->bias[0])];
-}
-
-/// The accelerations that its limbs start from, once they have handed on to it.
-void Lowering::solve_trunk() {
-  const derive::Elimination& at = *derivation_.elimination;
-  run({at.inertia.begin(), at.inertia.end()}, kTrunkLink, false);
-  run({at.bias.begin(), at.bias.end()}, kTrunkLink, false);
-  const std::array<Vec3, 2> given = solution_(*this);
-  for (std::size_t k = 0; k < 2; ++k) {
-    memo_[index(at.motion[k])][index(kTrunkLink)].vector = {{kTrunkLink, given[k]}};
-    known_[index(at.motion[k])][index(kTrunkLink)] = true;
-  }
-  for (const auto& [travelling, _] : derivation_.values.definitions()) {
-    need(travelling, kTrunkLink);
-  }
-}
-
 /// a + Π^T b.
 Block Lowering::folded(int id, const Value& v, int i) {
   begin(id, v, i);

@@ -55,10 +55,6 @@ Block Lowering::input(const Value& v, const equations::UserArgument& argument, i
   const int of_joint = argument.name == "qd"    ? inputs.qd
                        : argument.name == "qdd" ? inputs.qdd
                                                 : inputs.tau;
-  if (argument.name == "tau" && force_) {
-    const Expr along = force_(e);
-    return {task_.kinematics.link(e).sign > 0 ? along : -along, {}, {}};
-  }
   if (of_joints) {
     return {task_.kinematics.of_joint(e, of_joint), {}, {}};
   }

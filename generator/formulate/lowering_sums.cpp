@@ -23,15 +23,14 @@ Block Lowering::path(int id, const Value& v, int i) {
   const int f = father(i);
   const int at = home(Set::kLinks, i);
   const bool root = f == kBase;
-  Block x = of(v.operands.front(), i);
-  if (turning_ && i == kTrunkLink && symbol(id) == std::string("omega")) {
-    x.vector = {{i, *turning_}};
-  }
+  const Block& x = of(v.operands.front(), i);
   Block before = zero(v, i);
   if (!root) {
     before = totals[index(f)];
   } else if (v.operands.size() > 1) {
     before = of(v.operands.back(), i);
+  } else if (symbol(id) == std::string("omega")) {
+    before.vector = {{kBase, task_.kinematics.ground_turning()}};
   }
   Block& total = totals[index(i)];
   if (v.type == Type::kVector) {

@@ -59,7 +59,8 @@ void Lowering::turn(const derive::Turning& turning, int i) {
                frames_.in(of(value(turning.alpha).operands.front(), i).vector, i);
   const std::optional<CoordinateAxis> axis = coordinate_axis(k.axis_in_father(i));
   Mat3 Omega;
-  if (k.link(i).revolute && axis && !is_zero(father_omega) && k.choice(i).column_of_father) {
+  const bool turns = k.link(i).revolute && !k.speed(i).is_zero();
+  if (turns && axis && !is_zero(father_omega) && k.choice(i).column_of_father) {
     Vec3 along = column(of(turning.Omega, f).tensor.value, axis->index);
     for (Expr& component : along) {
       component = axis->signed_value(component);

@@ -4,9 +4,9 @@
 
 #include "common/error.hpp"
 #include "equations/table.hpp"
-#include "formulate/builders.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/regressor.hpp"
+#include "formulate/trunk.hpp"
 
 namespace treedyn::formulate {
 
@@ -47,6 +47,41 @@ const std::map<std::string_view, Freedom>& freedoms() {
       {"mass_matrix_inverse", kFactors},
   };
   return kFreedoms;
+}
+
+/// (1) solved for qdd.
+std::vector<Expr> build_forward_dynamics(const Task& task) {
+  const Kinematics& k = task.kinematics;
+  const bool one_joint_one_coordinate = task.tree.dof() == task.tree.size();
+  if (one_joint_one_coordinate && k.variant().trunk && !k.is_from_trunk() && has_trunk(task.tree)) {
+    std::vector<Expr> tau;
+    for (int i = 0; i < k.size(); ++i) {
+      tau.push_back(k.of_joint(i, k.inputs().tau));
+    }
+    const Trunk trunk(task);
+    const Kinematics seen = trunk.seen().kinematics.with_forces(trunk.forces(tau));
+    return trunk.joint_accelerations(
+        build_forward_dynamics({task.tree, task.normal, task.options, seen}));
+  }
+  return k.variant().articulated && one_joint_one_coordinate
+             ? build_derived(task, *derived("forward_dynamics"), Way::kToRoot)
+             : build_factored(task, "forward_dynamics");
+}
+
+std::vector<Expr> build_dynamics_terms(const Task& task) {
+  const Kinematics& k = task.kinematics;
+  const Kinematics at_rest(k.graph(), task.tree, task.normal, k.variant(), {.q = 0}, k.limbs());
+  const std::vector<Expr> bias = build_equation(task, "bias_force");
+  const std::vector<Expr> gravity =
+      build_equation({task.tree, task.normal, task.options, at_rest}, "inverse_dynamics");
+  std::vector<Expr> result = build_equation(task, "mass_matrix");
+  result.insert(result.end(), bias.begin(), bias.end());
+  result.insert(result.end(), gravity.begin(), gravity.end());
+  return result;
+}
+
+std::vector<Expr> build_point_rotations(const Task& task) {
+  return point_rotations(task.kinematics, task.options.points);
 }
 
 /// From the equation of the table, or its solution by factors; from several of them.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "formulate/point_rotations.hpp"
 #include "formulate/scene_frame.hpp"
 #include "formulate/scene_steps.hpp"
 #include "model/scene_facts.hpp"
@@ -115,7 +114,7 @@ class Drift {
     const Expr x = half_difference(2, 1);
     const Expr y = half_difference(0, 2);
     const Expr z = half_difference(1, 0);
-    const SceneFrame frame(task_, false, false);
+    const SceneFrame frame(task_, false);
     Vec3 omega;
     for (const auto& [k, column] : frame.turning(scene_.points[index(constraint_.point)]).columns) {
       const Expr speed = forces_.meaning()({model::Quantity::kVelocity, k});

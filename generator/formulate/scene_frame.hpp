@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formulate/derived.hpp"
-#include "formulate/functions.hpp"
+#include "formulate/trunk.hpp"
 #include "model/scene.hpp"
 
 namespace treedyn::formulate {
@@ -17,17 +17,14 @@ struct MotionMap {
   Vec3 gamma;
 };
 
-/// The coordinates x and the frame F in which points are described.
-///
-/// With the trunk of a free base as one body, x is that of a TrunkSystem and F the trunk's frame:
-/// the columns of the trunk are a unit matrix and a lever. Otherwise x = qdd and F the base frame.
+/// The coordinates x and the frame F in which points are described: those of a Trunk and its frame,
+/// or qdd and the base frame.
 class SceneFrame {
  public:
   /// \param velocity_products  false: gamma is zero
-  /// \pre by_trunk: every point is on the ground, the trunk or a limb, no joint is a mimic joint
-  SceneFrame(const Task& task, bool by_trunk, bool velocity_products);
+  /// \param trunk  null: none; no point is on a link above it
+  SceneFrame(const Task& task, bool velocity_products, const Trunk* trunk = nullptr);
 
-  [[nodiscard]] bool by_trunk() const { return by_trunk_; }
   /// Acceleration of a point, in F; in the trunk's frame that against free fall.
   [[nodiscard]] MotionMap point(const model::Point& point) const;
   /// Angular acceleration of the link of a point, in F.
@@ -39,17 +36,11 @@ class SceneFrame {
   [[nodiscard]] Vec3 free_fall() const;
 
  private:
-  void place_limbs();
-  [[nodiscard]] Vec3 to_frame(int link, const Vec3& v) const;
-  [[nodiscard]] MotionMap in_base(const model::Point& point, bool turning) const;
-  void add(int joint, const Vec3& column, MotionMap& map) const;
+  [[nodiscard]] MotionMap motion(const model::Point& point, bool turning) const;
 
   const Task& task_;
-  const Kinematics& k_;
-  bool by_trunk_;
   bool velocity_products_;
-  std::vector<Mat3> rotation_;   ///< link -> trunk
-  std::vector<Motion> motions_;  ///< of the links while the trunk does not accelerate
+  const Trunk* trunk_;
 };
 
 }  // namespace treedyn::formulate

@@ -53,7 +53,7 @@ class SceneRows {
 };
 
 /// The rows of all constraints along their directions in the base frame; `right` is -gamma.
-/// \pre not frame.by_trunk()
+/// \pre `frame` is that of no trunk
 std::vector<Row> base_rows(const model::Scene& scene, const SceneFrame& frame, Graph& graph);
 
 /// True if the directions are an orthonormal basis.

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
-#include "formulate/builders.hpp"
 #include "formulate/derived.hpp"
 #include "model/mass_unit.hpp"
 
 namespace treedyn::formulate {
 
 namespace {
-
-constexpr int kBaseJoints = 6;
 
 Expr divided(Graph& graph, const Expr& force, const Real& unit) {
   return unit == 1 ? force : force * constant(graph, 1 / unit);
@@ -30,6 +27,25 @@ void each_load(const model::Scene& scene, const SceneForces& forces, const Scene
   }
 }
 
+/// R13 acts: there is nothing but drive forces on the base's own joints and links.
+bool can_use_trunk(const Task& task) {
+  const model::Scene& scene = *task.options.scene;
+  const auto in_base = [](int link) {
+    return link != model::kGround && link < kTrunkLink;
+  };
+  const bool plain =
+      std::none_of(scene.points.begin(), scene.points.end(),
+                   [&](const model::Point& p) { return in_base(p.link); }) &&
+      std::none_of(scene.constraints.begin(), scene.constraints.end(),
+                   [](const model::Constraint& c) {
+                     return c.kind == model::ConstraintKind::kJoint && c.joint <= kTrunkLink;
+                   }) &&
+      std::none_of(scene.armatures.begin(), scene.armatures.end(),
+                   [](const model::Armature& a) { return a.joint <= kTrunkLink; });
+  return plain && task.kinematics.variant().trunk && has_trunk(task.tree) &&
+         task.tree.dof() == task.tree.size();
+}
+
 }  // namespace
 
 SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays, bool forces)
@@ -37,28 +53,11 @@ SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays, bool force
       scene_(*task.options.scene),
       unit_(model::mass_unit(scene_.tree)),
       forces_(task, arrays) {
-  add_equations(task.kinematics.variant().trunk && can_use_trunk(), forces);
+  add_equations(forces);
   add_armatures();
   if (forces) {
     add_loads();
   }
-}
-
-/// The trunk as one body: nothing may act on the base's own joints and links but drive forces.
-bool SceneSystem::can_use_trunk() const {
-  const auto in_base = [](int link) {
-    return link != model::kGround && link < kBaseJoints - 1;
-  };
-  const bool plain =
-      std::none_of(scene_.points.begin(), scene_.points.end(),
-                   [&](const model::Point& p) { return in_base(p.link); }) &&
-      std::none_of(scene_.constraints.begin(), scene_.constraints.end(),
-                   [](const model::Constraint& c) {
-                     return c.kind == model::ConstraintKind::kJoint && c.joint < kBaseJoints;
-                   }) &&
-      std::none_of(scene_.armatures.begin(), scene_.armatures.end(),
-                   [](const model::Armature& a) { return a.joint < kBaseJoints; });
-  return plain && has_free_base(task_.tree) && task_.tree.dof() == task_.tree.size();
 }
 
 void SceneSystem::add_armatures() {
@@ -84,62 +83,43 @@ std::vector<Expr> SceneSystem::reactions(std::vector<Expr> of_unit) const {
   return of_unit;
 }
 
-void SceneSystem::add_equations(bool by_trunk, bool forces) {
-  const Kinematics& k = task_.kinematics;
-  frame_.emplace(task_, by_trunk, forces && scene_.velocity_products);
-  if (by_trunk) {
-    trunk_ = trunk_system(task_, [&](int i) {
-      const Expr force = forces ? in_unit(forces_.joint(i)) : Expr();
-      return k.link(i).sign > 0 ? force : -force;
-    });
-    a_ = trunk_->a;
-    right_ = trunk_->right;
-    return;
+void SceneSystem::add_equations(bool forces) {
+  if (can_use_trunk(task_)) {
+    trunk_.emplace(task_, scene_.constraints.empty() ? Way::kToRoot : Way::kInBase);
   }
+  frame_.emplace(task_, forces && scene_.velocity_products, trunk_ ? &*trunk_ : nullptr);
+  const Task& task = trunk_ ? trunk_->seen() : task_;
   const int n = task_.tree.dof();
-  const std::vector<Expr> a = build_equation(task_, "mass_matrix");
-  const std::vector<Expr> bias = build_equation(task_, "inverse_dynamics");
+  const std::vector<Expr> a = build_equation(task, "mass_matrix");
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
       a_[{i, j}] = a[static_cast<std::size_t>(i * n + j)];
     }
-    right_.push_back(forces ? in_unit(forces_.joint(i)) - bias[static_cast<std::size_t>(i)]
-                            : Expr());
+  }
+  right_.resize(static_cast<std::size_t>(n));
+  if (!forces) {
+    return;
+  }
+  const std::vector<Expr> bias = build_equation(task, "inverse_dynamics");
+  for (int i = 0; i < n; ++i) {
+    right_[static_cast<std::size_t>(i)] = in_unit(forces_.joint(i));
+  }
+  right_ = trunk_ ? trunk_->forces(right_) : right_;
+  for (std::size_t i = 0; i < right_.size(); ++i) {
+    right_[i] -= bias[i];
   }
 }
 
 std::vector<Expr> SceneSystem::accelerations(const std::vector<Expr>& x) const {
-  const Kinematics& k = task_.kinematics;
-  return trunk_
-             ? joint_accelerations(k, trunk_->gimbal, trunk_->velocity, -k.ground_acceleration(), x)
-             : x;
+  return trunk_ ? trunk_->joint_accelerations(x) : x;
 }
 
 std::vector<Expr> SceneSystem::velocities(const std::vector<Expr>& qd) const {
-  if (!trunk_) {
-    return qd;
-  }
-  const Kinematics& k = task_.kinematics;
-  const auto along = [&](int i) {
-    const Expr speed = qd[static_cast<std::size_t>(i)];
-    return k.link(i).sign > 0 ? speed : -speed;
-  };
-  const BaseAxes& axes = trunk_->gimbal.axes;
-  Vec3 linear;
-  for (int i = 0; i < 3; ++i) {
-    linear = linear + along(i) * axes.sliding[static_cast<std::size_t>(i)];
-  }
-  const Vec3 first = along(3) * axes.first;
-  Vec3 omega = first + along(4) * axes.second;
-  omega[2] += along(5);
-  std::vector<Expr> x = qd;
-  std::copy(linear.begin(), linear.end(), x.begin());
-  std::copy(omega.begin(), omega.end(), x.begin() + 3);
-  return x;
+  return trunk_ ? trunk_->velocities(qd) : qd;
 }
 
 std::vector<Expr> SceneSystem::joint_velocities(const std::vector<Expr>& x) const {
-  return trunk_ ? joint_accelerations(task_.kinematics, trunk_->gimbal, {}, {}, x) : x;
+  return trunk_ ? trunk_->joint_velocities(x) : x;
 }
 
 bool can_be_articulated(const model::Scene& scene) {
@@ -148,19 +128,25 @@ bool can_be_articulated(const model::Scene& scene) {
 
 std::vector<Expr> articulated_accelerations(const Task& task, const SceneForces& forces) {
   const model::Scene& scene = *task.options.scene;
-  const Kinematics& k = task.kinematics;
   const Real unit = model::mass_unit(scene.tree);
-  const SceneFrame frame(task, false, scene.velocity_products);
+  std::optional<Trunk> trunk;
+  if (can_use_trunk(task)) {
+    trunk.emplace(task);
+  }
   std::vector<Expr> applied;
   for (int i = 0; i < scene.tree.dof(); ++i) {
     applied.push_back(forces.joint(i));
   }
-  each_load(scene, forces, frame, [&](std::size_t i, const Expr& force) { applied[i] += force; });
-  const JointForce along = [&](int i) {
-    const Expr force = divided(k.graph(), applied[static_cast<std::size_t>(i)], unit);
-    return k.link(i).sign > 0 ? force : -force;
-  };
-  return articulated_forward_dynamics(task, *derived("forward_dynamics"), along);
+  applied = trunk ? trunk->forces(applied) : applied;
+  each_load(scene, forces, SceneFrame(task, false, trunk ? &*trunk : nullptr),
+            [&](std::size_t i, const Expr& force) { applied[i] += force; });
+  for (Expr& force : applied) {
+    force = divided(task.kinematics.graph(), force, unit);
+  }
+  const Kinematics k = (trunk ? trunk->seen() : task).kinematics.with_forces(applied);
+  const std::vector<Expr> x = build_derived({task.tree, task.normal, task.options, k},
+                                            *derived("forward_dynamics"), Way::kToRoot);
+  return trunk ? trunk->joint_accelerations(x) : x;
 }
 
 }  // namespace treedyn::formulate

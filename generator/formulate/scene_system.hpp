@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "formulate/forward.hpp"
 #include "formulate/scene_forces.hpp"
 #include "formulate/scene_frame.hpp"
 
@@ -33,8 +32,7 @@ class SceneSystem {
   [[nodiscard]] std::vector<Expr> joint_velocities(const std::vector<Expr>& x) const;
 
  private:
-  [[nodiscard]] bool can_use_trunk() const;
-  void add_equations(bool by_trunk, bool forces);
+  void add_equations(bool forces);
   void add_armatures();
   void add_loads();
   [[nodiscard]] Expr in_unit(const Expr& force) const;
@@ -43,7 +41,7 @@ class SceneSystem {
   const model::Scene& scene_;
   Real unit_;
   SceneForces forces_;
-  std::optional<TrunkSystem> trunk_;
+  std::optional<Trunk> trunk_;
   std::optional<SceneFrame> frame_;
   SparseSymmetric a_;
   std::vector<Expr> right_;

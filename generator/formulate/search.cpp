@@ -103,7 +103,7 @@ void add_global_choices(const model::Tree& tree, const Freedom& freedom, const O
   add(true, lengths, [](Variant& v, const std::vector<int>&, int k) { v.unit_length = k; });
   add(freedom.tensor_form && options.has(Pass::kPseudoInertia), 2,
       [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });
-  add(freedom.trunk && has_free_base(tree) && options.has(Pass::kTrunk), 2,
+  add(freedom.trunk && has_trunk(tree) && options.has(Pass::kTrunk), 2,
       [](Variant& v, const std::vector<int>&, int k) { v.trunk = k != 0; });
   add(freedom.any_way, 3,
       [](Variant& v, const std::vector<int>&, int k) { v.way = static_cast<Way>(k); });

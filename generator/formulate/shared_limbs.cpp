@@ -71,6 +71,12 @@ Mat3 Kinematics::own_matrix(int i, Matrix3 (*matrix)(const NormalLink&)) const {
 
 /// The argument of a limb is a leaf: the sign of the coordinate belongs to the leaf.
 Expr Kinematics::coordinate(int array, int k) const {
+  if (array == inputs_.tau && !forces_.empty()) {
+    return forces_[index(k)];
+  }
+  if (array == inputs_.qd && is_from_trunk_ && k <= kTrunkLink) {
+    return {};
+  }
   const bool leaf = is_of_limb(tree_.coordinates[index(k)]);
   return {graph_, graph_.input(leaf ? program::kLimbInputs + array : array, k)};
 }

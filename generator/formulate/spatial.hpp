@@ -69,12 +69,6 @@ inline Mat3 constant(Graph& graph, const model::Matrix3& m) {
 /// I = tr(E) - E.
 Mat3 inertia_tensor(const Mat3& pseudo);
 
-/// Force and moment about the origin.
-struct Wrench {
-  Vec3 force;
-  Vec3 moment;
-};
-
 /// A sum whose constant terms are added last, as one number.
 Expr sum(const std::vector<Expr>& terms);
 

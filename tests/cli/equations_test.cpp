@@ -77,6 +77,11 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(solved.out, HasSubstr("\n  R9   A x = r: "));
   EXPECT_THAT(solved.out, HasSubstr("I^A = I^d + sum of "));
   EXPECT_THAT(solved.out, HasSubstr("q̈ = w - L' q̈, from the root"));
+  EXPECT_THAT(solved.out, testing::Not(HasSubstr("R13")));
+  const Outcome seen = treedyn({"info", TREEDYN_SOURCE_DIR "/models/biped.yaml", "--base", "axes",
+                                "--derivation", "forward_dynamics"});
+  EXPECT_THAT(seen.out, HasSubstr("\n  R13  joints at the root that move a link in every way"));
+  EXPECT_THAT(seen.out, HasSubstr("f = B^-T τ"));
   const Outcome factored = treedyn({"info", kModel, "--derivation", "mass_matrix_factor"});
   EXPECT_THAT(factored.out, HasSubstr("equation 7.4 for L, zero there"));
   EXPECT_THAT(factored.out, HasSubstr("\n  R12  A = A^T"));

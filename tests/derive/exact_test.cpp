@@ -10,7 +10,8 @@
 #include "equations/equations.hpp"
 #include "equations/table.hpp"
 #include "expansion/expansion.hpp"
-#include "formulate/functions.hpp"
+#include "formulate/derived.hpp"
+#include "formulate/trunk.hpp"
 #include "program/interpret.hpp"
 #include "support/random_tree.hpp"
 
@@ -358,6 +359,106 @@ TEST_P(Solved, ArticulatedBodiesInvertInverseDynamics) {
 TEST_P(Solved, FactorsOfTheMassMatrixInvertInverseDynamics) {
   expect_inverse(formulate::ForwardDynamics::kFactor);
 }
+
+/// Six joints at the root that move a link in every way, and a limb.
+class Trunks : public Programs {
+ protected:
+  Trunks() {
+    for (std::size_t i = 0; i <= formulate::kTrunkLink; ++i) {
+      model::Link& link = tree_.links[i];
+      link.joint.rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+      link.joint.axis = {};
+      link.joint.axis[i < 3 ? i : 5 - i] = i % 2 == 0 ? 1 : -1;
+      link.joint.offset = i == 0 ? link.joint.offset : model::Vector3{};
+      link.inertia = i < formulate::kTrunkLink ? model::Inertia{} : link.inertia;
+    }
+  }
+
+  /// What `builder` makes of q, q̇ and `last`.
+  std::vector<Exact> values(const expansion::Expansion& e, const formulate::Builder& builder,
+                            const std::vector<Exact>& last) {
+    formulate::Recipe recipe = formulate::recipe_of("inverse_dynamics");
+    recipe.freedom.trunk = true;
+    recipe.build = builder;
+    formulate::Variant variant = formulate::plain_variant(tree_);
+    for (formulate::LinkVariant& link : variant.links) {
+      link.angle = formulate::FrameAngle::kKeep;  // others turn by more than quarters
+    }
+    const program::Function f = formulate::build(tree_, recipe, options_, variant);
+    const auto values = program::node_values<Exact>(
+        f.graph, f.outputs,
+        [&](int array, int k) {
+          return array == 2 ? last[static_cast<std::size_t>(k)] : input(e, recipe, array, k);
+        },
+        [&](program::Kind kind, const Exact& angle) { return trigonometric(e, kind, angle); });
+    std::vector<Exact> result;
+    for (const program::Ref output : f.outputs) {
+      const Exact& x = values[static_cast<std::size_t>(std::abs(output))];
+      result.push_back(output < 0 ? -x : x);
+    }
+    return result;
+  }
+};
+
+std::vector<program::Expr> last_argument(const formulate::Task& task) {
+  std::vector<program::Expr> result;
+  for (int k = 0; k < task.tree.dof(); ++k) {
+    result.push_back(task.kinematics.argument(2, k));
+  }
+  return result;
+}
+
+/// R13: for any x, (1) for the joints' q̈ is B^T of (1) for the tree that the trunk sees.
+TEST_P(Trunks, SeeTheEquationsOfTheirJoints) {
+  ASSERT_TRUE(formulate::has_trunk(tree_));
+  const expansion::Expansion e(tree_, options_.points, options_.gravity);
+  ring = &e.ring();
+  std::vector<Exact> x;
+  for (std::size_t k = 0; k < tree_.links.size(); ++k) {
+    x.emplace_back(e.acceleration(k));
+  }
+  const auto joints = [](const formulate::Task& task) {
+    return formulate::Trunk(task).joint_accelerations(last_argument(task));
+  };
+  const auto force = [](const formulate::Task& task) {
+    return formulate::build_equation(task, "inverse_dynamics");
+  };
+  const std::vector<Exact> tau = values(e, force, values(e, joints, x));
+  const std::vector<Exact> f = values(
+      e,
+      [](const formulate::Task& task) {
+        return formulate::Trunk(task).forces(last_argument(task));
+      },
+      tau);
+  const std::vector<Exact> seen = values(
+      e,
+      [&](const formulate::Task& task) {
+        const formulate::Trunk trunk(task);
+        return force(trunk.seen());
+      },
+      x);
+  ASSERT_EQ(seen.size(), x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    EXPECT_TRUE(equal(f[i], seen[i])) << i;
+    EXPECT_FALSE(equal(f[i], x[i])) << i;
+  }
+}
+
+TEST_P(Trunks, HaveJointsAtRightAngles) {
+  model::Tree askew = tree_;
+  askew.links[1].joint.axis = {Real("0.6"), Real("0.8"), 0};
+  EXPECT_TRUE(formulate::has_free_base(askew));
+  EXPECT_FALSE(formulate::has_trunk(askew));
+  model::Tree parallel = tree_;
+  parallel.links[4].joint.axis = parallel.links[3].joint.axis;
+  EXPECT_FALSE(formulate::has_trunk(parallel));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mechanisms, Trunks,
+    testing::Values(Mechanism{"LimbR", chain("PPPRRRR")}, Mechanism{"LimbP", chain("PPPRRRP")},
+                    Mechanism{"LimbsRP", {{-1, 0, 1, 2, 3, 4, 5, 5}, "PPPRRRRP"}}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Mechanisms, Solved,
                          testing::Values(Mechanism{"RR", chain("RR")}, Mechanism{"RP", chain("RP")},

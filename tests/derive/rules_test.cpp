@@ -166,6 +166,10 @@ TEST(R7, KeepsTheKindOfBlocks) {
       derive(transpose(skew(joint_to_com_vectors())) * skew(joint_to_com_vectors()), false).wide);
 }
 
+TEST(R7, LetsPointsTakeTheBlocksOfTheirLinks) {
+  EXPECT_EQ(count(point_bias_acceleration(), Op::kPick), 2);  // a and Ω
+}
+
 TEST(R6, TakesColumnsOfSymmetricMatricesToTheRoot) {
   EXPECT_TRUE(derive(mass_matrix(), false, false).symmetric);
   EXPECT_TRUE(derive(transpose(D) * m_d * D, false).symmetric);
