@@ -71,8 +71,8 @@ class Chart {
     for (const Outcome& outcome : study.outcomes) {
       x_.include(abscissa_(outcome));
       if (!outcome.failed()) {
-        y_.include(outcome.error());
-        y_.include(outcome.least());
+        y_.include(outcome.error(study.error));
+        y_.include(outcome.least(study.error));
       }
     }
     x_.widen();
@@ -86,7 +86,7 @@ class Chart {
         "{1}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
         "fill=\"white\"/>\n<text x=\"{2}\" y=\"18\" "
         "font-size=\"13\">{3}</text>\n{4}{5}{6}{7}</svg>\n",
-        kWidth, kHeight, kLeft, escaped(title), grid(axis), floors(), front_line(front), series());
+        kWidth, kHeight, kLeft, escaped(title), grid(axis), front_line(front), series(), floors());
   }
 
  private:
@@ -117,10 +117,9 @@ class Chart {
     return text +
            fmt::format(
                "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n<text x=\"14\" y=\"{}\" "
-               "transform=\"rotate(-90 14 {})\" text-anchor=\"middle\">largest error of a joint, "
-               "rad or m</text>\n",
-               (kLeft + kWidth - kRight) / 2, kHeight - 12, escaped(axis), kHeight / 2,
-               kHeight / 2);
+               "transform=\"rotate(-90 14 {})\" text-anchor=\"middle\">largest {}</text>\n",
+               (kLeft + kWidth - kRight) / 2, kHeight - 12, escaped(axis), kHeight / 2, kHeight / 2,
+               row_of(study_.error).text);
   }
 
   [[nodiscard]] std::string floors() const {
@@ -132,8 +131,9 @@ class Chart {
         text += fmt::format(
             "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#555\" stroke-dasharray=\"2 3\"/><text "
             "x=\"{3}\" "
-            "y=\"{4:.1f}\" fill=\"#555\">floor of {5}: {6:.1e}</text>\n",
-            kLeft, y, kWidth - kRight, kLeft + 4, name, name_of(state), floor->error);
+            "y=\"{4:.1f}\" text-anchor=\"end\" fill=\"#555\" stroke=\"white\" "
+            "stroke-width=\"2\" paint-order=\"stroke\">floor of {5}: {6:.1e}</text>\n",
+            kLeft, y, kWidth - kRight, kWidth - kRight - 4, name, name_of(state), floor->error);
       }
     }
     return text;
@@ -144,7 +144,7 @@ class Chart {
     for (const std::size_t k : front) {
       const Outcome& outcome = study_.outcomes[k];
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", px(abscissa_(outcome)),
-                          py(outcome.error()));
+                          py(outcome.error(study_.error)));
     }
     return path.empty() ? path
                         : fmt::format(
@@ -153,23 +153,22 @@ class Chart {
                               path);
   }
 
-  /// A line for each scalar and integrator, a bar for the band at each step.
+  /// A line for each scalar and method, a bar for the band at each step.
   [[nodiscard]] std::string series() const {
-    std::vector<std::string> integrators;
+    std::vector<std::string> methods;
     for (const Outcome& outcome : study_.outcomes) {
-      const std::string& name = outcome.setting.integrator;
-      if (std::find(integrators.begin(), integrators.end(), name) == integrators.end()) {
-        integrators.push_back(name);
+      const std::string name = method_of(outcome.setting);
+      if (std::find(methods.begin(), methods.end(), name) == methods.end()) {
+        methods.push_back(name);
       }
     }
     std::string text;
     double line = kTop + 6;
-    for (std::size_t k = 0; k < integrators.size(); ++k) {
+    for (std::size_t k = 0; k < methods.size(); ++k) {
       for (const State state : kStates) {
-        const std::string one =
-            one_series(integrators[k], state, kColours[k % std::size(kColours)]);
+        const std::string one = one_series(methods[k], state, kColours[k % std::size(kColours)]);
         if (!one.empty()) {
-          text += one + legend(integrators[k], state, kColours[k % std::size(kColours)], line);
+          text += one + legend(methods[k], state, kColours[k % std::size(kColours)], line);
           line += 17;
         }
       }
@@ -191,7 +190,7 @@ class Chart {
     std::string path;
     std::string marks;
     for (const Outcome& outcome : study_.outcomes) {
-      if (outcome.setting.integrator != name || outcome.setting.state != state) {
+      if (method_of(outcome.setting) != name || outcome.setting.state != state) {
         continue;
       }
       const double x = px(abscissa_(outcome));
@@ -202,13 +201,14 @@ class Chart {
             x - 4, kTop - 12, colour, escaped(text_of(outcome.setting)));
         continue;
       }
-      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x, py(outcome.error()));
+      const double error = outcome.error(study_.error);
+      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x, py(error));
       marks += fmt::format(
           "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"{3}\" opacity=\"0.4\" "
           "stroke-width=\"3\"/><circle cx=\"{0:.1f}\" cy=\"{2:.1f}\" r=\"3\" "
           "fill=\"{3}\"><title>{4}: {5:.2e}</title></circle>\n",
-          x, py(std::max(outcome.least(), 1e-300)), py(outcome.error()), colour,
-          escaped(text_of(outcome.setting)), outcome.error());
+          x, py(std::max(outcome.least(study_.error), 1e-300)), py(error), colour,
+          escaped(text_of(outcome.setting)), error);
     }
     if (path.empty()) {
       return marks;

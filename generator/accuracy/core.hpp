@@ -15,6 +15,7 @@ struct Cycles {
   double div = 0;
   double sqrt = 0;
   double pair = 0;    ///< sine and cosine of one angle
+  double libm = 0;    ///< the same by the C library
   double memory = 0;  ///< loads, stores and moves, for each addition and multiplication
 };
 
@@ -24,6 +25,10 @@ struct Core {
   std::string_view brief;  ///< for the reader
   Cycles single;
   Cycles twice;  ///< double
+  /// Options of arm-none-eabi-g++; none: its code is not measured.
+  std::vector<std::string_view> options = {};
+
+  [[nodiscard]] bool has_flash() const { return !options.empty(); }
 };
 
 /// The processors that `--on` knows. Where the numbers come from stands beside them.
@@ -33,6 +38,7 @@ const std::vector<Core>& cores();
 const Core* find_core(std::string_view name);
 
 /// Cycles of one call. \param is_float  which of the two tables
-double cycles(const program::Cost& cost, const Core& core, bool is_float);
+/// \param libm  sines are those of the C library
+double cycles(const program::Cost& cost, const Core& core, bool is_float, bool libm = false);
 
 }  // namespace treedyn::accuracy

@@ -1,23 +1,36 @@
 #include "accuracy/report.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include <fmt/format.h>
 
 #include "accuracy/chart.hpp"
-#include "emit/json.hpp"
 #include "emit/template_file.hpp"
 
 namespace treedyn::accuracy {
 
 namespace {
 
-const char* scalar_of(State state) { return state == State::kDouble ? "double" : "float"; }
+/// The error that the study is about, and behind it the others.
+std::vector<Error> chosen_first(const Study& study) {
+  std::vector<Error> result = errors_of(study);
+  const auto chosen = std::find(result.begin(), result.end(), study.error);
+  if (chosen != result.end()) {
+    std::rotate(result.begin(), chosen, chosen + 1);
+  }
+  return result;
+}
 
-const char* kept_of(State state) { return state == State::kCompensated ? "compensated" : "plain"; }
-
-std::string error_text(const Outcome& outcome) {
-  return outcome.failed() ? "failed" : fmt::format("{:.2e}", outcome.error());
+/// Cores for which sizes are known.
+std::vector<std::string> measured_cores(const Study& study) {
+  std::vector<std::string> result;
+  for (const Core& core : cores()) {
+    const std::string name(core.name);
+    if (!study.outcomes.empty() && study.outcomes.front().sizes.contains(name)) {
+      result.push_back(name);
+    }
+  }
+  return result;
 }
 
 /// What a factor of ten in the error costs from one outcome of the front to the next ones; empty
@@ -27,7 +40,7 @@ std::string next_decade(const Study& study, const std::vector<std::size_t>& fron
   const Outcome& from = study.outcomes[front[at]];
   for (std::size_t k = at + 1; k < front.size(); ++k) {
     const Outcome& to = study.outcomes[front[k]];
-    if (to.error() <= from.error() / 10) {
+    if (to.error(study.error) <= from.error(study.error) / 10) {
       return fmt::format("x {:.1f}", to.cycles_per_second(core) / from.cycles_per_second(core));
     }
   }
@@ -35,33 +48,61 @@ std::string next_decade(const Study& study, const std::vector<std::size_t>& fron
 }
 
 std::string front_text(const Study& study, const Core& core) {
-  std::string text =
-      fmt::format("\ncheapest settings on {} ({}):\n{:>12} {:>12} {:>12}  {:<36} {}\n", core.name,
-                  core.brief, "error", "energy, J", "cycles/s", "setting", "next decade costs");
+  const std::vector<Error> errors = chosen_first(study);
+  const std::string name(core.name);
+  const std::vector<std::string> measured = measured_cores(study);
+  const bool sized = std::find(measured.begin(), measured.end(), name) != measured.end();
+  std::string text = fmt::format("\ncheapest settings on {} ({}):\n", core.name, core.brief);
+  for (const Error error : errors) {
+    text += fmt::format("{:>12} ", row_of(error).head);
+  }
   const std::vector<std::size_t> front = pareto(study, core);
+  std::size_t width = 7;
+  for (const std::size_t k : front) {
+    width = std::max(width, text_of(study.outcomes[k].setting).size());
+  }
+  text += fmt::format("{:>12}{}  {:<{}} {}\n", "cycles/s",
+                      sized ? fmt::format(" {:>7} {:>7}", "flash", "stack") : "", "setting", width,
+                      "next decade costs");
   for (std::size_t k = 0; k < front.size(); ++k) {
     const Outcome& outcome = study.outcomes[front[k]];
-    text += fmt::format("{:>12.2e} {:>12.1e} {:>12.4g}  {:<36} {}\n", outcome.error(),
-                        outcome.energy_error(), outcome.cycles_per_second(core),
-                        text_of(outcome.setting), next_decade(study, front, k, core));
+    for (const Error error : errors) {
+      text += error == study.error ? fmt::format("{:>12.2e} ", outcome.error(error))
+                                   : fmt::format("{:>12.1e} ", outcome.error(error));
+    }
+    text += fmt::format("{:>12.4g}", outcome.cycles_per_second(core));
+    if (sized) {
+      const Size& size = outcome.sizes.at(name);
+      text += fmt::format(" {:>7} {:>7}", size.flash, size.stack);
+    }
+    text += fmt::format("  {:<{}} {}\n", text_of(outcome.setting), width,
+                        next_decade(study, front, k, core));
   }
   return text;
 }
 
-std::vector<std::string> integrators_of(const Study& study) {
+std::vector<std::string> methods_of(const Study& study) {
   std::vector<std::string> names;
   for (const Outcome& outcome : study.outcomes) {
-    if (names.empty() || names.back() != outcome.setting.integrator) {
-      names.push_back(outcome.setting.integrator);
+    const std::string name = method_of(outcome.setting);
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      names.push_back(name);
     }
   }
   return names;
 }
 
-std::string reference_text(const Reference& reference) {
+std::string reference_text(const Study& study) {
+  const Reference& reference = study.reference;
   std::string text = fmt::format(
       "reference: {}, which differ by {:.1e}: errors above {:.1e} are known to a hundredth\n",
       reference.methods, reference.agreement, 100 * reference.uncertainty());
+  if (study.error != Error::kJoints) {
+    const auto own = reference.differences.find(study.error);
+    const double difference = own == reference.differences.end() ? 0 : own->second;
+    text += fmt::format("pictures and targets: largest {}; of it they differ by {:.1e}\n",
+                        row_of(study.error).text, difference);
+  }
   if (reference.check.empty()) {
     return text + "check: none, simulate does not get through\n";
   }
@@ -78,15 +119,14 @@ std::string facts_text(const Study& study) {
       "{}: {} s, {} initial states (the scene's own and others within {:.1g} of each {})\n",
       study.scene, study.duration, study.states, study.spread,
       study.speeds_only ? "speed: loops have their place" : "coordinate and speed");
-  text += reference_text(study.reference);
+  text += reference_text(study);
   for (const State state : kStates) {
     if (const std::optional<Floor> floor = floor_of(study, state)) {
       text += fmt::format("floor of {}: {:.2e} with {}\n", name_of(state), floor->error,
                           text_of(floor->setting));
     }
   }
-  std::string last;
-  for (const std::string& name : integrators_of(study)) {
+  for (const std::string& name : methods_of(study)) {
     for (const State state : kStates) {
       const std::optional<double> order = fitted_order(study, state, name);
       const std::string line =
@@ -95,15 +135,6 @@ std::string facts_text(const Study& study) {
     }
   }
   return text;
-}
-
-/// A JSON array; null: not finite.
-std::string numbers(const std::vector<double>& values) {
-  std::vector<std::string> result;
-  for (const double value : values) {
-    result.push_back(std::isfinite(value) ? fmt::format("{}", value) : "null");
-  }
-  return fmt::format("[{}]", fmt::join(result, ", "));
 }
 
 std::string html(const std::string& text) {
@@ -117,15 +148,37 @@ std::string html(const std::string& text) {
 std::string html_rows(const Study& study, const std::vector<const Core*>& on) {
   std::string text;
   for (const Outcome& outcome : study.outcomes) {
-    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
-                        name_of(outcome.setting.state), html(outcome.setting.integrator),
-                        outcome.setting.step, error_text(outcome),
-                        outcome.failed() ? "" : fmt::format("{:.1e}", outcome.energy_error()),
-                        outcome.step_cost.total());
+    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>", name_of(outcome.setting.state),
+                        html(method_of(outcome.setting)), outcome.setting.step);
+    const char* const instead = outcome.failed() ? "failed" : nullptr;
+    for (const Error error : chosen_first(study)) {
+      text += fmt::format("<td>{}</td>",
+                          instead ? instead : fmt::format("{:.2e}", outcome.error(error)));
+    }
+    text += fmt::format("<td>{}</td>", outcome.step_cost.total());
     for (const Core* core : on) {
       text += fmt::format("<td>{:.4g}</td>", outcome.cycles_per_second(*core));
     }
+    for (const std::string& core : measured_cores(study)) {
+      const Size& size = outcome.sizes.at(core);
+      text += fmt::format("<td>{}</td><td>{}</td>", size.flash, size.stack);
+    }
     text += "</tr>\n";
+  }
+  return text;
+}
+
+std::string html_heads(const Study& study, const std::vector<const Core*>& on) {
+  std::string text;
+  for (const Error error : chosen_first(study)) {
+    text += fmt::format("<th>{}</th>", row_of(error).head);
+  }
+  text += "<th>operations a step</th>";
+  for (const Core* core : on) {
+    text += fmt::format("<th>cycles/s {}</th>", core->name);
+  }
+  for (const std::string& core : measured_cores(study)) {
+    text += fmt::format("<th>flash {0}</th><th>stack {0}</th>", core);
   }
   return text;
 }
@@ -140,87 +193,62 @@ std::string report_text(const Study& study, const std::vector<const Core*>& on) 
   return text;
 }
 
-std::string report_csv(const Study& study) {
-  std::string text =
-      "scalar,state,integrator,step,error,least_error,energy_error,status,add,mul,div,sqrt,sin,cos";
-  for (const Core& core : cores()) {
-    text += fmt::format(",cycles_per_second_{}", core.name);
-  }
-  text += "\r\n";
-  for (const Outcome& outcome : study.outcomes) {
-    const program::Cost& cost = outcome.step_cost;
-    const bool failed = outcome.failed();
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", scalar_of(outcome.setting.state),
-                    kept_of(outcome.setting.state), outcome.setting.integrator,
-                    outcome.setting.step, failed ? "failed" : fmt::format("{}", outcome.error()),
-                    failed ? "failed" : fmt::format("{}", outcome.least()),
-                    failed ? "failed" : fmt::format("{}", outcome.energy_error()), outcome.status,
-                    cost.add, cost.mul, cost.div, cost.sqrt, cost.sin, cost.cos);
-    for (const Core& core : cores()) {
-      text += fmt::format(",{:.6g}", outcome.cycles_per_second(core));
-    }
-    text += "\r\n";
-  }
-  return text;
-}
-
-std::string report_json(const Study& study) {
-  std::vector<std::string> rows;
-  for (const Outcome& outcome : study.outcomes) {
-    std::vector<std::pair<std::string, std::string>> members = {
-        {"scalar", fmt::format("\"{}\"", scalar_of(outcome.setting.state))},
-        {"state", fmt::format("\"{}\"", kept_of(outcome.setting.state))},
-        {"integrator", emit::json_string(outcome.setting.integrator)},
-        {"step", fmt::format("{}", outcome.setting.step)},
-        {"errors", numbers(outcome.joint_errors)},
-        {"energy_errors", numbers(outcome.energy_errors)},
-        {"status", fmt::format("{}", outcome.status)},
-        {"operations", fmt::format("{}", outcome.step_cost.total())}};
-    for (const Core& core : cores()) {
-      members.emplace_back(fmt::format("cycles_per_second_{}", core.name),
-                           fmt::format("{:.6g}", outcome.cycles_per_second(core)));
-    }
-    rows.push_back(emit::json_object(members));
-  }
-  return fmt::format(
-      "{{\n  \"scene\": {},\n  \"duration\": {},\n  \"states\": {},\n  \"spread\": {},\n  "
-      "\"reference_agreement\": {:.3g},\n  \"check_difference\": {:.3g},\n  \"settings\": "
-      "{}\n}}\n",
-      emit::json_string(study.scene), study.duration, study.states, study.spread,
-      study.reference.agreement, study.reference.check_difference, emit::json_lines(rows, 4));
-}
-
 std::string report_page(const Study& study, const std::vector<const Core*>& on) {
   std::string charts = step_chart(study);
-  std::string heads;
   for (const Core* core : on) {
     charts += work_chart(study, *core);
-    heads += fmt::format("<th>cycles/s {}</th>", core->name);
   }
   return emit::fill(emit::template_text("accuracy.html"), {{"title", html(study.scene)},
                                                            {"facts", html(report_text(study, on))},
                                                            {"charts", charts},
-                                                           {"heads", heads},
+                                                           {"heads", html_heads(study, on)},
                                                            {"rows", html_rows(study, on)}});
 }
 
-std::string settings_text(const Setting& setting) {
-  return fmt::format("scalar = \"{}\"\nintegrator = \"{}\"\nstep = {}\nstate = \"{}\"\n",
-                     scalar_of(setting.state), setting.integrator, setting.step,
-                     kept_of(setting.state));
+namespace {
+
+/// Limits and what a setting takes: "2140 bytes of flash, 312 of stack".
+std::string limits_text(const Limits& limits) {
+  const std::string flash = limits.flash ? fmt::format(" {} bytes of flash", *limits.flash) : "";
+  const std::string stack = limits.stack ? fmt::format(" {} bytes of stack", *limits.stack) : "";
+  return flash.empty() && stack.empty()
+             ? ""
+             : fmt::format(" within{}{}{}", flash, flash.empty() || stack.empty() ? "" : " and",
+                           stack);
 }
+
+std::string size_text(const Outcome& outcome, const Core& core) {
+  const auto size = outcome.sizes.find(std::string(core.name));
+  return size == outcome.sizes.end() ? ""
+                                     : fmt::format(", {} bytes of flash, {} of stack",
+                                                   size->second.flash, size->second.stack);
+}
+
+/// What is reachable instead.
+std::string refusal_text(const Study& study, const Core& core, double target) {
+  const std::string limits = limits_text(study.limits);
+  const std::string head =
+      fmt::format("{:.3g}{} is out of reach: ", target,
+                  limits.empty() ? "" : fmt::format(" on {}{}", core.name, limits));
+  const std::optional<std::size_t> found = most_accurate(study, core);
+  if (!found) {
+    return head + "no setting keeps the limits and gets through\n";
+  }
+  const Outcome& best = study.outcomes[*found];
+  const double unknown = study.reference.uncertainty(study.error);
+  return head + fmt::format("the smallest error is {:.2e}, with {}{}{}\n", best.error(study.error),
+                            text_of(best.setting), size_text(best, core),
+                            best.error(study.error) > target
+                                ? ""
+                                : fmt::format("; the reference is uncertain by {:.2e}", unknown));
+}
+
+}  // namespace
 
 std::string choice_text(const Study& study, const Core& core, double target) {
   const std::optional<std::size_t> chosen = cheapest(study, core, target);
   if (!chosen) {
-    const Outcome& best = study.outcomes[most_accurate(study)];
-    const double unknown = study.reference.uncertainty();
-    return fmt::format("{:.3g} is out of reach: the smallest error is {:.2e}, with {}{}\n", target,
-                       best.error(), text_of(best.setting),
-                       best.error() > target
-                           ? ""
-                           : fmt::format("; the reference is uncertain by {:.2e}", unknown));
+    return refusal_text(study, core, target);
   }
   const Outcome& outcome = study.outcomes[*chosen];
   const double cycles = outcome.cycles_per_second(core);
@@ -228,11 +256,12 @@ std::string choice_text(const Study& study, const Core& core, double target) {
                                                          cycles / *study.rate, *study.rate)
                                            : "";
   return fmt::format(
-      "{:.3g} on {}: {}, error {:.2e} (over {} initial states {:.1e} to {:.1e}), {} operations a "
-      "step, {:.4g} "
-      "cycles for a second of motion{}\n",
-      target, core.name, text_of(outcome.setting), outcome.error(), study.states, outcome.least(),
-      outcome.error(), outcome.step_cost.total(), cycles, in_period);
+      "{:.3g} on {}{}: {}, error {:.2e} (over {} initial states {:.1e} to {:.1e}), {} operations a "
+      "step, {:.4g} cycles for a second of motion{}{}\n",
+      target, core.name, limits_text(study.limits), text_of(outcome.setting),
+      outcome.error(study.error), study.states, outcome.least(study.error),
+      outcome.error(study.error), outcome.step_cost.total(), cycles, in_period,
+      size_text(outcome, core));
 }
 
 }  // namespace treedyn::accuracy

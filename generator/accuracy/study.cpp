@@ -34,21 +34,39 @@ const char* name_of(State state) {
   return "float";
 }
 
+std::string text_of(const Variant& variant) {
+  const Variant usual;
+  std::string result;
+  const auto add = [&](const char* name, const std::string& value, const std::string& otherwise) {
+    result += value == otherwise ? "" : fmt::format(" {}={}", name, value);
+  };
+  add("sincos", variant.sincos, usual.sincos);
+  add("forward-dynamics", variant.forward_dynamics, usual.forward_dynamics);
+  add("stabilisation", variant.stabilisation, usual.stabilisation);
+  add("cuts", variant.cuts, usual.cuts);
+  add("without", variant.without, usual.without);
+  return result;
+}
+
 std::string text_of(const Setting& setting) {
-  return fmt::format("{} {} {}", name_of(setting.state), setting.integrator, setting.step);
+  return fmt::format("{} {} {}{}", name_of(setting.state), setting.integrator, setting.step,
+                     text_of(setting.variant));
+}
+
+std::string method_of(const Setting& setting) {
+  return setting.integrator + text_of(setting.variant);
 }
 
 bool Outcome::failed() const {
-  return joint_errors.empty() || !std::isfinite(largest(joint_errors));
+  return !has(Error::kJoints) || !std::isfinite(error(Error::kJoints));
 }
 
-double Outcome::error() const { return largest(joint_errors); }
+double Outcome::error(Error of) const { return largest(errors.at(of)); }
 
-double Outcome::least() const {
-  return *std::min_element(joint_errors.begin(), joint_errors.end());
+double Outcome::least(Error of) const {
+  const std::vector<double>& values = errors.at(of);
+  return *std::min_element(values.begin(), values.end());
 }
-
-double Outcome::energy_error() const { return largest(energy_errors); }
 
 bool Reference::refuted() const {
   // what initial states and places of constraints, given in ten digits, may make of a motion
@@ -56,77 +74,118 @@ bool Reference::refuted() const {
   return !check.empty() && !(check_difference <= 10 * (check_error + agreement + kDigits));
 }
 
-double Reference::uncertainty() const {
-  return refuted() ? std::max(agreement, check_difference) : agreement;
+double Reference::uncertainty(Error of) const {
+  if (of == Error::kJoints) {
+    return refuted() ? std::max(agreement, check_difference) : agreement;
+  }
+  const auto found = differences.find(of);
+  return refuted()                    ? std::numeric_limits<double>::infinity()
+         : found == differences.end() ? 0
+                                      : found->second;
+}
+
+std::vector<Error> errors_of(const Study& study) {
+  std::vector<Error> result;
+  for (const ErrorRow& row : kErrors) {
+    if (std::any_of(study.outcomes.begin(), study.outcomes.end(),
+                    [&](const Outcome& outcome) { return outcome.has(row.error); })) {
+      result.push_back(row.error);
+    }
+  }
+  return result;
 }
 
 double Outcome::cycles_per_second(const Core& core) const {
-  return cycles(step_cost, core, setting.state != State::kDouble) / setting.step;
+  return cycles(step_cost, core, setting.state != State::kDouble,
+                setting.variant.sincos == "libm") /
+         setting.step;
 }
 
-std::vector<std::size_t> pareto(const Study& study, const Core& core) {
+namespace {
+
+/// Numbers of the outcomes by rising cost, of those that cost the same by rising error.
+std::vector<std::size_t> by_cost(const Study& study, const Core& core) {
   std::vector<std::size_t> order(study.outcomes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto cost = [&](std::size_t k) {
-    return study.outcomes[k].cycles_per_second(core);
+  const auto key = [&](std::size_t k) {
+    const Outcome& outcome = study.outcomes[k];
+    return std::pair(outcome.cycles_per_second(core), outcome.failed()
+                                                          ? std::numeric_limits<double>::infinity()
+                                                          : outcome.error(study.error));
   };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(cost(a), study.outcomes[a].error()) <
-           std::pair(cost(b), study.outcomes[b].error());
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  return order;
+}
+
+bool outcome_reaches(const Study& study, const Outcome& outcome, double target) {
+  return !outcome.failed() &&
+         outcome.error(study.error) + study.reference.uncertainty(study.error) <= target;
+}
+
+}  // namespace
+
+std::vector<std::size_t> pareto(const Study& study, const Core& core) {
   std::vector<std::size_t> result;
   double best = std::numeric_limits<double>::infinity();
-  for (const std::size_t k : order) {
-    if (!study.outcomes[k].failed() && study.outcomes[k].error() < best) {
-      best = study.outcomes[k].error();
+  for (const std::size_t k : by_cost(study, core)) {
+    const Outcome& outcome = study.outcomes[k];
+    if (!outcome.failed() && outcome.error(study.error) < best) {
+      best = outcome.error(study.error);
       result.push_back(k);
     }
   }
   return result;
 }
 
-namespace {
-
-bool outcome_reaches(const Study& study, const Outcome& outcome, double target) {
-  return outcome.error() + study.reference.uncertainty() <= target;
-}
-
-}  // namespace
-
 bool reaches(const Study& study, double target) {
   return std::any_of(study.outcomes.begin(), study.outcomes.end(), [&](const Outcome& outcome) {
-    return !outcome.failed() && outcome_reaches(study, outcome, target);
+    return outcome_reaches(study, outcome, target);
   });
+}
+
+bool fits(const Study& study, const Core& core, const Outcome& outcome) {
+  if (!study.limits.flash && !study.limits.stack) {
+    return true;
+  }
+  const auto size = outcome.sizes.find(std::string(core.name));
+  return size != outcome.sizes.end() &&
+         size->second.flash <= study.limits.flash.value_or(size->second.flash) &&
+         size->second.stack <= study.limits.stack.value_or(size->second.stack);
 }
 
 std::optional<std::size_t> cheapest(const Study& study, const Core& core, double target) {
-  const std::vector<std::size_t> front = pareto(study, core);
-  const auto found = std::find_if(front.begin(), front.end(), [&](std::size_t k) {
-    return outcome_reaches(study, study.outcomes[k], target);
+  const std::vector<std::size_t> order = by_cost(study, core);
+  const auto found = std::find_if(order.begin(), order.end(), [&](std::size_t k) {
+    const Outcome& outcome = study.outcomes[k];
+    return outcome_reaches(study, outcome, target) && fits(study, core, outcome);
   });
-  return found == front.end() ? std::nullopt : std::optional(*found);
+  return found == order.end() ? std::nullopt : std::optional(*found);
 }
 
-std::size_t most_accurate(const Study& study) {
-  const auto found =
-      std::min_element(study.outcomes.begin(), study.outcomes.end(),
-                       [](const Outcome& a, const Outcome& b) { return a.error() < b.error(); });
-  return static_cast<std::size_t>(found - study.outcomes.begin());
-}
-
-std::optional<double> fitted_order(const Study& study, State state, const std::string& integrator) {
-  std::vector<std::pair<double, double>> points;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Outcome& outcome : study.outcomes) {
-    if (outcome.setting.state == state && !outcome.failed()) {
-      least = std::min(least, outcome.error());
+std::optional<std::size_t> most_accurate(const Study& study, const Core& core) {
+  std::optional<std::size_t> result;
+  for (std::size_t k = 0; k < study.outcomes.size(); ++k) {
+    const Outcome& outcome = study.outcomes[k];
+    if (!outcome.failed() && fits(study, core, outcome) &&
+        (!result || outcome.error(study.error) < study.outcomes[*result].error(study.error))) {
+      result = k;
     }
   }
+  return result;
+}
+
+std::optional<double> fitted_order(const Study& study, State state, const std::string& method) {
+  std::vector<std::pair<double, double>> points;
+  const std::optional<Floor> floor = floor_of(study, state);
   for (const Outcome& outcome : study.outcomes) {
-    const bool belongs = outcome.setting.state == state && !outcome.failed() &&
-                         outcome.setting.integrator == integrator;
-    if (belongs && outcome.error() >= 100 * least && outcome.error() <= 1e-3) {
-      points.emplace_back(std::log(outcome.setting.step), std::log(outcome.error()));
+    if (outcome.setting.state != state || outcome.failed() ||
+        method_of(outcome.setting) != method) {
+      continue;
+    }
+    const double error = outcome.error(study.error);
+    if (error > 0 && error >= 100 * floor->error && error <= 1e-3) {
+      points.emplace_back(std::log(outcome.setting.step), std::log(error));
     }
   }
   if (points.size() < 2) {
@@ -151,8 +210,8 @@ std::optional<Floor> floor_of(const Study& study, State state) {
   std::optional<Floor> result;
   for (const Outcome& outcome : study.outcomes) {
     if (outcome.setting.state == state && !outcome.failed() &&
-        (!result || outcome.error() < result->error)) {
-      result = Floor{outcome.error(), outcome.setting};
+        (!result || outcome.error(study.error) < result->error)) {
+      result = Floor{outcome.error(study.error), outcome.setting};
     }
   }
   return result;

@@ -2,11 +2,13 @@
 // target.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "accuracy/core.hpp"
+#include "accuracy/errors.hpp"
 
 namespace treedyn::accuracy {
 
@@ -17,41 +19,63 @@ inline constexpr State kStates[] = {State::kFloat, State::kCompensated, State::k
 /// "float", "float compensated", "double".
 const char* name_of(State state);
 
+/// What else may be chosen of the step: words of the options of the same names.
+struct Variant {
+  std::string sincos = "pair";
+  std::string forward_dynamics = "cheapest";
+  std::string stabilisation = "scene";  ///< as the scene says
+  std::string cuts = "scene";
+  std::string without = "nothing";  ///< the effect that is left out
+  bool operator==(const Variant&) const = default;
+};
+
+/// " sincos=libm cuts=0": what is not as usual.
+std::string text_of(const Variant& variant);
+
 /// How firmware would step the scene.
 struct Setting {
   State state = State::kFloat;
   std::string integrator;
   double step = 0;  ///< s
+  Variant variant = {};
   bool operator==(const Setting&) const = default;
 };
 
-/// "float compensated rk4 0.01".
+/// "float compensated rk4 0.01 cuts=0".
 std::string text_of(const Setting& setting);
+/// The integrator and the variant: steps of one method differ in their length alone.
+std::string method_of(const Setting& setting);
+
+/// What a step takes on a processor, bytes.
+struct Size {
+  long flash = 0;  ///< code and constants, what it calls of the compiler's libraries included
+  long stack = 0;  ///< the deepest way of calls
+};
 
 /// What came of a setting over the band of initial states.
 struct Outcome {
   Setting setting;
   program::Cost step_cost;  ///< operations of a step in the phase in which the scene begins
   program::Cost worst_cost;
-  /// Largest difference of a joint coordinate from the reference at the times of output, of each
-  /// initial state, rad or m; not finite where the motion ended.
-  std::vector<double> joint_errors;
-  /// The same of the energy that is stored in motion, gravity, springs and contacts, J.
-  std::vector<double> energy_errors;
-  int status = 0;  ///< bits that `step` returned
+  /// Of each initial state the largest along the motion; not finite where it ended, not there
+  /// where the scene has nothing of the kind.
+  std::map<Error, std::vector<double>> errors;
+  int status = 0;                     ///< bits that `step` returned
+  std::map<std::string, Size> sizes;  ///< by the names of cores, where they were asked for
 
-  [[nodiscard]] bool failed() const;
-  [[nodiscard]] double error() const;         ///< largest of joint_errors
-  [[nodiscard]] double least() const;         ///< smallest
-  [[nodiscard]] double energy_error() const;  ///< largest of energy_errors, J
+  [[nodiscard]] bool has(Error of) const { return errors.contains(of); }
+  [[nodiscard]] bool failed() const;                            ///< the motion ended
+  [[nodiscard]] double error(Error of = Error::kJoints) const;  ///< the largest of all states
+  [[nodiscard]] double least(Error of = Error::kJoints) const;  ///< the smallest
   /// Cycles for a second of motion.
   [[nodiscard]] double cycles_per_second(const Core& core) const;
 };
 
 /// What errors are measured against.
 struct Reference {
-  std::string methods;          ///< the two that were compared
-  double agreement = 0;         ///< largest difference of their joint coordinates, rad or m
+  std::string methods;                  ///< the two that were compared
+  double agreement = 0;                 ///< largest difference of their joint coordinates, rad or m
+  std::map<Error, double> differences;  ///< the same of all errors; of drift none is needed
   std::string check;            ///< what shares no text with them; empty: it did not get through
   double check_difference = 0;  ///< largest, from the first method
   double check_error = 0;       ///< of it, by its difference from itself at ten times its tolerance
@@ -59,20 +83,32 @@ struct Reference {
   /// True if the check contradicts: it is off by more than ten times what both are known to.
   [[nodiscard]] bool refuted() const;
   /// What an error is not known to.
-  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] double uncertainty(Error of = Error::kJoints) const;
+};
+
+/// What a setting may take of a processor, bytes.
+struct Limits {
+  std::optional<long> flash;
+  std::optional<long> stack;
 };
 
 /// All runs of one scene.
 struct Study {
   std::string scene;
-  double duration = 0;         ///< s
-  int states = 0;              ///< in the band, the scene's own first
-  double spread = 0;           ///< of the band, part of each coordinate and speed
-  bool speeds_only = false;    ///< loops have their place: coordinates stay
-  std::optional<double> rate;  ///< of a controller, Hz; a whole number of steps a period
+  double duration = 0;           ///< s
+  int states = 0;                ///< in the band, the scene's own first
+  double spread = 0;             ///< of the band, part of each coordinate and speed
+  bool speeds_only = false;      ///< loops have their place: coordinates stay
+  std::optional<double> rate;    ///< of a controller, Hz; a whole number of steps a period
+  Error error = Error::kJoints;  ///< of which targets, fronts, floors and pictures are
+  Limits limits;
+  std::vector<std::string> points;  ///< names of those that are compared
   Reference reference;
-  std::vector<Outcome> outcomes;  ///< by scalar, integrator, falling step
+  std::vector<Outcome> outcomes;  ///< by method, scalar, falling step
 };
+
+/// The errors that the scene has, in the order of kErrors.
+std::vector<Error> errors_of(const Study& study);
 
 /// Numbers of the outcomes than which none is both cheaper and more accurate, by rising cost.
 std::vector<std::size_t> pareto(const Study& study, const Core& core);
@@ -81,15 +117,19 @@ std::vector<std::size_t> pareto(const Study& study, const Core& core);
 /// to its error.
 bool reaches(const Study& study, double target);
 
-/// The outcome that reaches `target` for the fewest cycles; nothing if there is none.
+/// True if a step keeps the limits on a core.
+bool fits(const Study& study, const Core& core, const Outcome& outcome);
+
+/// The outcome that reaches `target` within the limits for the fewest cycles; nothing if there is
+/// none.
 std::optional<std::size_t> cheapest(const Study& study, const Core& core, double target);
 
-/// The outcome of the smallest error. \pre there is one that did not fail
-std::size_t most_accurate(const Study& study);
+/// The outcome of the smallest error within the limits; nothing if all failed or exceed them.
+std::optional<std::size_t> most_accurate(const Study& study, const Core& core);
 
-/// The order p of e = C h^p by least squares over the steps of one scalar and integrator whose
-/// error lies between 100 times the smallest and 1e-3; nothing with fewer than two.
-std::optional<double> fitted_order(const Study& study, State state, const std::string& integrator);
+/// The order p of e = C h^p by least squares over the steps of one scalar and method whose error
+/// lies between 100 times the smallest and 1e-3; nothing with fewer than two.
+std::optional<double> fitted_order(const Study& study, State state, const std::string& method);
 
 /// The smallest error of a scalar and the step at which it is reached; nothing where all failed.
 struct Floor {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -11,7 +10,8 @@
 
 #include "accuracy/chart.hpp"
 #include "accuracy/report.hpp"
-#include "cli/motions.hpp"
+#include "cli/comparison.hpp"
+#include "cli/step_sizes.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
@@ -25,28 +25,12 @@ namespace treedyn {
 namespace {
 
 using accuracy::Outcome;
-using accuracy::Setting;
 using accuracy::Study;
-using Values = GeneratedStep::Values;
 
 /// The scene's motion is compared at this many times.
 constexpr int kTimes = 50;
 /// Steps of a ladder: the longest and the shortest as parts of the time between two comparisons.
 constexpr double kLadder[] = {1, 2, 5, 10, 20, 50, 100, 200, 500};
-/// Steps of one run at most.
-constexpr double kMostSteps = 400'000;
-/// Operations of a reference at most: half a minute.
-constexpr double kReferenceWork = 2e10;
-/// Errors of a step of the check.
-constexpr double kCheckTolerances[] = {1e-13, 1e-10, 1e-7};
-
-double largest_distance(const std::vector<Motion>& a, const std::vector<Motion>& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    largest = std::max(largest, distance(a[k].q, b[k].q));
-  }
-  return largest;
-}
 
 /// True if generated steps draw a loop to where the scene begins.
 bool has_placed_loop(const Subject& subject) {
@@ -64,7 +48,6 @@ std::vector<Start> band(const AccuracyRequest& request, const Subject& subject) 
   const bool speeds_only = has_placed_loop(subject);
   std::vector<Start> result;
   program::Random random(1);
-  const std::unique_ptr<simulation::Dynamics> dynamics = program_dynamics(scene);
   for (int k = 0; k < request.states; ++k) {
     model::Scene other = scene;
     const auto move = [&](Real& x) {
@@ -76,7 +59,7 @@ std::vector<Start> band(const AccuracyRequest& request, const Subject& subject) 
       }
       std::for_each(other.qd0.begin(), other.qd0.end(), move);
     }
-    simulation::Simulator simulator(other, *dynamics, {});
+    simulation::Simulator simulator(other, *subject.dynamics, {});
     simulator.settle();
     result.push_back({simulator.q(), simulator.qd()});
     if (scene.constraints.empty()) {  // an initial state that float holds is no error of the step
@@ -85,46 +68,6 @@ std::vector<Start> band(const AccuracyRequest& request, const Subject& subject) 
     }
   }
   return result;
-}
-
-/// Steps between two comparisons with which the references stay below kReferenceWork.
-long reference_parts(const Subject& subject, const program::Cost& step) {
-  const double work = static_cast<double>(subject.starts.size()) * step.total();
-  const double steps = std::min(kMostSteps, kReferenceWork / work);
-  return std::max(1L, std::lround(steps / subject.times));
-}
-
-/// The generated steps of order five and four in the longest scalar of the host.
-std::vector<Motion> reference(const Subject& subject, StepWriter& writer, Study& study) {
-  Stepped how{"dopri5-fixed", 1, emit::Scalar::kExtended, false};
-  const auto files = [&] {
-    return writer.files(stepped_scene(subject, how), how.scalar);
-  };
-  how.parts = reference_parts(subject, files().cost);
-  const std::vector<Motion> exact = stepped_motions(subject, how, files());
-  how.integrator = "rk4";
-  const std::vector<Motion> second = stepped_motions(subject, how, files());
-  study.reference.agreement = largest_distance(exact, second);
-  study.reference.methods =
-      fmt::format("the generated dopri5-fixed and rk4 of {:.2g} s in long double, {} bits",
-                  static_cast<double>(subject.interval) / static_cast<double>(how.parts),
-                  std::numeric_limits<long double>::digits);
-  return exact;
-}
-
-/// `simulate`, as precisely as its steps get through.
-void check(const Subject& subject, const std::vector<Motion>& exact, Study& study) {
-  for (const double tolerance : kCheckTolerances) {
-    try {
-      const std::vector<Motion> motions = simulated_motions(subject, tolerance);
-      study.reference.check_difference = largest_distance(exact, motions);
-      study.reference.check_error =
-          largest_distance(motions, simulated_motions(subject, 10 * tolerance));
-      study.reference.check = fmt::format("simulate, fehlberg78 to {:.0e},", tolerance);
-      return;
-    } catch (const std::runtime_error&) {  // steps that hardly advance time
-    }
-  }
 }
 
 /// \throws UsageError if no whole number of steps makes `time`
@@ -161,6 +104,7 @@ Subject subject_of(const AccuracyRequest& request) {
   Subject subject;
   subject.scene = description::read_scene(request.scene);
   subject.file = request.scene;
+  subject.dynamics = program_dynamics(subject.scene);
   const auto duration = static_cast<double>(subject.scene.duration);
   if (!(duration > 0)) {
     throw InputError({request.scene, 0, 0}, "the scene has no duration; expected one above zero");
@@ -181,49 +125,60 @@ Subject subject_of(const AccuracyRequest& request) {
   return subject;
 }
 
-/// What the references say, and how far settings are off.
-class Comparison {
- public:
-  /// \pre `subject` outlives it
-  Comparison(const Subject& subject, std::vector<Motion> exact)
-      : subject_(subject), exact_(std::move(exact)), energies_(subject.scene) {
-    for (const Motion& motion : exact_) {
-      exact_energies_.push_back(energies_.of(motion));
+/// The points whose places are compared.
+std::vector<model::Point> points_of(const AccuracyRequest& request, const model::Scene& scene) {
+  if (request.points) {
+    return description::resolve_points(scene.tree, *request.points);
+  }
+  return scene.points.empty() ? scene.tree.points : scene.points;
+}
+
+/// \throws UsageError if the scene has no such error
+void require_error(const AccuracyRequest& request, const Study& study) {
+  if (study.reference.differences.contains(study.error)) {
+    return;
+  }
+  std::vector<std::string_view> there;
+  for (const accuracy::ErrorRow& row : accuracy::kErrors) {
+    if (study.reference.differences.contains(row.error)) {
+      there.push_back(row.name);
     }
   }
+  throw UsageError(fmt::format("--error: the scene has no {}; expected {}", request.error,
+                               fmt::join(there, ", ")));
+}
 
-  Outcome outcome(const Setting& setting, StepWriter& writer) {
-    Stepped how;
-    how.integrator = setting.integrator;
-    how.parts = std::lround(static_cast<double>(subject_.interval) / setting.step);
-    how.compensated = setting.state == accuracy::State::kCompensated;
-    how.scalar =
-        setting.state == accuracy::State::kDouble ? emit::Scalar::kDouble : emit::Scalar::kFloat;
-    const StepFiles files = writer.files(stepped_scene(subject_, how), how.scalar);
-    const std::vector<Motion> motions = stepped_motions(subject_, how, files);
-    Outcome result;
-    result.setting = setting;
-    result.step_cost = files.cost;
-    for (std::size_t k = 0; k < motions.size(); ++k) {
-      result.joint_errors.push_back(distance(motions[k].q, exact_[k].q));
-      result.energy_errors.push_back(distance(energies_.of(motions[k]), exact_energies_[k]));
-      result.status |= motions[k].status;
+/// The processors whose sizes are asked for. \throws InputError if they cannot be measured
+/// \throws UsageError for limits of one that has none
+std::vector<const accuracy::Core*> sized_cores(const AccuracyRequest& request) {
+  const bool limited = request.limits.flash || request.limits.stack;
+  std::vector<const accuracy::Core*> result;
+  for (const std::string& name : request.on) {
+    const accuracy::Core* const core = accuracy::find_core(name);
+    if (limited && !core->has_flash()) {
+      throw UsageError(
+          fmt::format("--flash, --stack: {} has no such limit; expected --on with "
+                      "m0plus, m4f, m33 or m7",
+                      name));
     }
-    return result;
+    if ((limited || request.sizes) && core->has_flash()) {
+      result.push_back(core);
+    }
   }
+  if (limited && !request.target) {
+    throw UsageError("--flash, --stack: limits of a choice; expected --target");
+  }
+  if (request.sizes && result.empty()) {
+    throw UsageError("--sizes: no processor with flash; expected --on with m0plus, m4f, m33 or m7");
+  }
+  if (!result.empty()) {
+    require_cross_compiler();
+  }
+  return result;
+}
 
- private:
-  const Subject& subject_;
-  std::vector<Motion> exact_;
-  Energies energies_;
-  std::vector<Values> exact_energies_;
-};
-
-}  // namespace
-
-accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTrace& trace) {
-  const Subject subject = subject_of(request);
-  const auto interval = static_cast<double>(subject.interval);
+/// What the options say of the scene.
+Study study_of(const AccuracyRequest& request, const Subject& subject) {
   Study study;
   study.scene = subject.scene.name;
   study.duration = subject.duration();
@@ -231,26 +186,51 @@ accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTra
   study.spread = request.spread;
   study.speeds_only = has_placed_loop(subject);
   study.rate = request.rate;
-  const std::vector<double> steps = ladder(request, interval, subject.times);
-  StepWriter writer(subject.file);
-  const std::vector<Motion> exact = reference(subject, writer, study);
-  trace(fmt::format("reference: agreement {:.1e}", study.reference.agreement));
-  check(subject, exact, study);
-  trace(fmt::format("check: {:.1e}", study.reference.check_difference));
-  Comparison comparison(subject, exact);
+  study.limits = request.limits;
+  for (const accuracy::ErrorRow& row : accuracy::kErrors) {
+    study.error = row.name == request.error ? row.error : study.error;
+  }
+  return study;
+}
+
+}  // namespace
+
+accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTrace& trace) {
+  const std::vector<const accuracy::Core*> sized = sized_cores(request);
+  const Subject subject = subject_of(request);
+  Study study = study_of(request, subject);
+  const std::vector<double> steps =
+      ladder(request, static_cast<double>(subject.interval), subject.times);
   std::vector<std::string> integrators = request.integrators;
   if (integrators.empty()) {
     integrators = {"semi-implicit-euler", "rk4", "dopri5-fixed"};
   }
+  const std::vector<model::Point> points = points_of(request, subject.scene);
+  for (const model::Point& point : points) {
+    study.points.push_back(point.name);
+  }
+  StepWriter writer(subject.file);
+  const std::vector<accuracy::Variant> variants =
+      variants_of(request.axes, subject, integrators.front(), writer);
+  Comparison comparison(subject, points);
+  const std::vector<Motion> exact = reference(subject, comparison, writer, study);
+  require_error(request, study);
+  trace(fmt::format("reference: agreement {:.1e}", study.reference.agreement));
+  check(subject, exact, study);
+  trace(fmt::format("check: {:.1e}", study.reference.check_difference));
   for (const std::string& integrator : integrators) {
-    for (const accuracy::State state : accuracy::kStates) {
-      if (state == accuracy::State::kCompensated && integrator == "sdirk2") {
-        continue;  // which is not made
-      }
-      for (const double step : steps) {
-        study.outcomes.push_back(comparison.outcome({state, integrator, step}, writer));
-        const Outcome& outcome = study.outcomes.back();
-        trace(fmt::format("{}: {:.2e}", accuracy::text_of(outcome.setting), outcome.error()));
+    for (const accuracy::Variant& variant : variants) {
+      for (const accuracy::State state : accuracy::kStates) {
+        if (state == accuracy::State::kCompensated && integrator == "sdirk2") {
+          continue;  // which is not made
+        }
+        for (const double step : steps) {
+          study.outcomes.push_back(
+              comparison.outcome({state, integrator, step, variant}, writer, sized));
+          const Outcome& outcome = study.outcomes.back();
+          trace(fmt::format("{}: {:.2e}", accuracy::text_of(outcome.setting),
+                            outcome.error(study.error)));
+        }
       }
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "accuracy/study.hpp"
+#include "cli/accuracy_axes.hpp"
 
 namespace treedyn {
 
@@ -18,9 +19,14 @@ struct AccuracyRequest {
   std::vector<std::string> integrators;           ///< empty: the explicit ones with fixed steps
   std::vector<double> steps;     ///< s, parts of the time between comparisons; empty: a ladder
   std::optional<double> rate;    ///< Hz: only steps of which a whole number makes its period
-  std::optional<double> target;  ///< error, rad or m
+  std::optional<double> target;  ///< of `error`
   int states = 8;                ///< in the band
   double spread = 0.01;          ///< of the band
+  AccuracyAxes axes;
+  std::string error = "joints";       ///< of accuracy::kErrors: of the target and the pictures
+  std::optional<std::string> points;  ///< --points; default: those of the scene
+  bool sizes = false;                 ///< what steps take of the processors
+  accuracy::Limits limits;
 };
 
 using AccuracyTrace = std::function<void(const std::string&)>;

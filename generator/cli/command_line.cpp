@@ -15,6 +15,8 @@
 #include "equations/scene_table.hpp"
 #include "formulate/scene_functions.hpp"
 #include "formulate/scene_steps.hpp"
+#include "model/effects.hpp"
+#include "model/scene.hpp"
 #include "model/scene_facts.hpp"
 #include "simulation/integrator.hpp"
 #include "version.hpp"
@@ -63,6 +65,30 @@ void add_positive(CLI::App& command, const std::string& name, const std::string&
       ->type_name(type);
 }
 
+/// What a study varies besides scalar, integrator and step, only if it is asked to.
+void add_axes(CLI::App& command, AccuracyAxes& axes) {
+  const auto add = [&](const char* name, const char* what, const std::vector<std::string>& words,
+                       std::vector<std::string>& values) {
+    command.add_option(name, values, what)->delimiter(',')->check(one_of(words))->type_name("LIST");
+  };
+  add("--sincos", "sines of each, pair or libm", {"pair", "libm"}, axes.sincos);
+  add("--forward-dynamics", "methods, factor or articulated", {"factor", "articulated"},
+      axes.forward_dynamics);
+  add("--stabilisation", "against drift: none, baumgarte or projection",
+      {"none", "baumgarte", "projection"}, axes.stabilisation);
+  std::vector<std::string> cuts;
+  for (int k = 0; k <= model::kMostCuts; ++k) {
+    cuts.push_back(std::to_string(k));
+  }
+  add("--cuts", "shorter steps that look for an event; 0: at the end", cuts, axes.cuts);
+  std::vector<std::string> effects;
+  for (const model::EffectRow& row : model::kEffects) {
+    effects.emplace_back(row.name);
+  }
+  add("--without", "effects that are left out, one at a time, beside the whole scene", effects,
+      axes.without);
+}
+
 void add_accuracy(CLI::App& app, Settings& settings) {
   AccuracyRequest& request = settings.accuracy;
   CLI::App& command =
@@ -96,11 +122,33 @@ void add_accuracy(CLI::App& app, Settings& settings) {
       ->type_name("HZ");
   command
       .add_option("--target", request.target,
-                  "largest error of a joint, rad or m: prints the cheapest setting that keeps it")
+                  "largest error, see --error: prints the cheapest setting that keeps it")
       ->check(CLI::PositiveNumber)
       ->type_name("E");
   command.add_option("--states", request.states, "initial states, the scene's own among them")
       ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  std::vector<std::string> errors;
+  for (const accuracy::ErrorRow& row : accuracy::kErrors) {
+    errors.emplace_back(row.name);
+  }
+  command
+      .add_option("--error", request.error,
+                  "which one targets, fronts and pictures are of; default joints")
+      ->check(one_of(errors))
+      ->type_name("NAME");
+  command
+      .add_option("--points", request.points,
+                  "whose places are compared, as in generate; default: those of the scene")
+      ->type_name("LIST");
+  add_axes(command, request.axes);
+  command.add_flag("--sizes", request.sizes,
+                   "flash and stack of every step on the processors, by arm-none-eabi-g++");
+  command.add_option("--flash", request.limits.flash, "bytes that the choice may take")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  command.add_option("--stack", request.limits.stack, "bytes that the choice may take")
+      ->check(CLI::PositiveNumber)
       ->type_name("N");
   add_talk(command, settings);
 }

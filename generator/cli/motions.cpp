@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
+#include "cli/scene_prices.hpp"
 #include "dynamics/generated_run.hpp"
-#include "dynamics/scene_dynamics.hpp"
+#include "formulate/scene_sticking.hpp"
 #include "simulation/monitor.hpp"
 #include "simulation/simulator.hpp"
 
@@ -17,26 +21,59 @@ namespace {
 using simulation::Vector;
 using Values = GeneratedStep::Values;
 
+/// Looks at the constraints between two comparisons, at most.
+constexpr long kLooks = 10;
+
+bool is_finite(const Values& values) {
+  return std::all_of(values.begin(), values.end(), [](long double x) { return std::isfinite(x); });
+}
+
 Motion stepped_motion(const Subject& subject, const model::Scene& scene, const Start& start,
-                      GeneratedStep& step) {
+                      GeneratedStep& step, Drifts* drifts) {
   Motion motion;
   const long every = std::lround(static_cast<double>(subject.interval / scene.stepping.step));
+  const long looks = std::max(1L, every / kLooks);
   const auto h = static_cast<long double>(scene.stepping.step);
+  const auto t0 = static_cast<long double>(scene.t0);
   begin_motion(scene, start.q, start.qd, step);
+  if (drifts != nullptr) {
+    drifts->begin(static_cast<double>(t0), start.q);
+  }
   for (long k = 0; k < every * subject.times; ++k) {
     if (step.has("t")) {
-      step.at("t")[0] = static_cast<long double>(scene.t0) + static_cast<long double>(k) * h;
+      step.at("t")[0] = t0 + static_cast<long double>(k) * h;
     }
     motion.status |= step.call();
+    if (!is_finite(step.at("q"))) {
+      break;
+    }
+    for (const SteppedEvent& event : step.events()) {
+      motion.events.push_back({event.number, static_cast<long double>(k) * h + event.at});
+    }
+    const auto now = static_cast<double>(t0 + static_cast<long double>(k + 1) * h);
+    if (drifts != nullptr && !step.events().empty()) {
+      const int state =
+          step.has("phase") ? static_cast<int>(step.at("phase")[0]) : scene.start_phase;
+      drifts->change(state, now, vector_of(step.at("q")));
+    }
+    if (drifts != nullptr && (k + 1) % looks == 0) {
+      drifts->look(now, vector_of(step.at("q")), vector_of(step.at("qd")));
+    }
     if ((k + 1) % every == 0) {
-      const Values& q = step.at("q");
-      if (!std::all_of(q.begin(), q.end(), [](long double x) { return std::isfinite(x); })) {
-        break;
-      }
-      motion.note(q, step.at("qd"));
+      motion.note(step.at("q"), step.at("qd"));
     }
   }
+  motion.off = drifts == nullptr ? OffRows{} : drifts->largest();
   return motion;
+}
+
+/// The times of every event, by its number.
+std::map<int, Values> times_of(const Motion& motion) {
+  std::map<int, Values> result;
+  for (const SteppedEvent& event : motion.events) {
+    result[event.number].push_back(event.at);
+  }
+  return result;
 }
 
 }  // namespace
@@ -52,28 +89,80 @@ double distance(const Values& a, const Values& b) {
   return static_cast<double>(largest);
 }
 
+double event_distance(const Motion& a, const Motion& b, double end) {
+  std::map<int, Values> before = times_of(a);
+  std::map<int, Values> behind = times_of(b);
+  long double largest = 0;
+  for (const auto& [number, unused] : before) {
+    behind[number];
+  }
+  for (const auto& [number, times] : behind) {
+    const Values& others = before[number];
+    for (std::size_t k = 0; k < std::max(times.size(), others.size()); ++k) {
+      const long double off = k >= times.size()    ? end - others[k]
+                              : k >= others.size() ? end - times[k]
+                                                   : std::abs(times[k] - others[k]);
+      largest = std::max(largest, off);
+    }
+  }
+  return static_cast<double>(largest);
+}
+
 model::Scene stepped_scene(const Subject& subject, const Stepped& how) {
-  model::Scene scene = subject.scene;
+  const accuracy::Variant& variant = how.variant;
+  const accuracy::Variant usual;
+  model::Scene scene = variant.without == usual.without
+                           ? subject.scene
+                           : without_effect(subject.scene, variant.without);
+  if (variant.stabilisation != usual.stabilisation) {
+    scene.stepping.drift = variant.stabilisation == "none"        ? model::Drift::kNone
+                           : variant.stabilisation == "baumgarte" ? model::Drift::kBaumgarte
+                                                                  : model::Drift::kProjection;
+  }
+  if (variant.cuts != usual.cuts) {
+    scene.stepping.cuts = std::stoi(variant.cuts);
+  }
   scene.stepping.integrator = how.integrator;
   scene.stepping.step = subject.interval / Real(how.parts);
   scene.stepping.compensated = how.compensated;
   return scene;
 }
 
+StepFiles stepped_files(const Subject& subject, const Stepped& how, StepWriter& writer,
+                        bool tells_events) {
+  using formulate::ForwardDynamics;
+  const std::string& method = how.variant.forward_dynamics;
+  StepForm form;
+  form.scalar = how.scalar;
+  form.sincos = how.variant.sincos == "libm" ? emit::Sincos::kLibm : emit::Sincos::kPair;
+  form.forward_dynamics = method == "factor"        ? ForwardDynamics::kFactor
+                          : method == "articulated" ? ForwardDynamics::kArticulated
+                                                    : ForwardDynamics::kCheapest;
+  form.tells_events = tells_events;
+  return writer.files(stepped_scene(subject, how), form, how.variant.without);
+}
+
 std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
                                     const StepFiles& files) {
-  const model::Scene scene = stepped_scene(subject, how);
+  model::Scene scene = stepped_scene(subject, how);
+  formulate::settle_sticking(scene);
   GeneratedStep step(files.name, files.files, files.signature);
+  std::optional<Drifts> drifts;
+  model::Scene whole = subject.scene;  // the phases of a scene without some force are the same
+  whole.stepping = scene.stepping;
+  formulate::settle_sticking(whole);
+  if (!subject.scene.constraints.empty()) {
+    drifts.emplace(whole, *subject.dynamics);
+  }
   std::vector<Motion> result;
   result.reserve(subject.starts.size());
   for (const Start& start : subject.starts) {
-    result.push_back(stepped_motion(subject, scene, start, step));
+    result.push_back(stepped_motion(subject, scene, start, step, drifts ? &*drifts : nullptr));
   }
   return result;
 }
 
 std::vector<Motion> simulated_motions(const Subject& subject, double tolerance) {
-  const std::unique_ptr<simulation::Dynamics> dynamics = program_dynamics(subject.scene);
   simulation::Settings how;
   how.tolerance = tolerance;
   std::vector<Motion> result;
@@ -81,7 +170,7 @@ std::vector<Motion> simulated_motions(const Subject& subject, double tolerance) 
     model::Scene scene = subject.scene;
     scene.q0.assign(start.q.begin(), start.q.end());
     scene.qd0.assign(start.qd.begin(), start.qd.end());
-    simulation::Simulator simulator(scene, *dynamics, how);
+    simulation::Simulator simulator(scene, *subject.dynamics, how);
     simulator.settle();
     Motion motion;
     for (int k = 1; k <= subject.times; ++k) {
@@ -94,11 +183,37 @@ std::vector<Motion> simulated_motions(const Subject& subject, double tolerance) 
   return result;
 }
 
-Energies::Energies(const model::Scene& scene)
-    : dynamics_(program_dynamics(scene)),
-      system_(scene, *dynamics_, 0),
-      pose_(scene.tree, scene.gravity),
-      joints_(static_cast<std::size_t>(scene.tree.dof())) {}
+Values places(const model::Scene& scene, const std::vector<model::Point>& points,
+              const Motion& motion) {
+  simulation::Pose pose(scene.tree, scene.gravity);
+  const auto joints = static_cast<std::size_t>(scene.tree.dof());
+  Values result;
+  for (std::size_t at = 0; at < motion.q.size(); at += joints) {
+    const Vector q = vector_of(Values(&motion.q[at], &motion.q[at] + joints));
+    pose.update(q, Vector::Zero(q.size()));
+    for (const model::Point& point : points) {
+      const Eigen::Vector3d p = pose.point(point.link, simulation::vector_of(point.at));
+      result.insert(result.end(), p.begin(), p.end());
+    }
+  }
+  return result;
+}
+
+double place_distance(const Values& a, const Values& b) {
+  if (a.size() != b.size()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  long double largest = 0;
+  for (std::size_t k = 0; k < a.size(); k += 3) {
+    largest = std::max(largest, std::hypot(a[k] - b[k], a[k + 1] - b[k + 1], a[k + 2] - b[k + 2]));
+  }
+  return static_cast<double>(largest);
+}
+
+Energies::Energies(const Subject& subject)
+    : system_(subject.scene, *subject.dynamics, 0),
+      pose_(subject.scene.tree, subject.scene.gravity),
+      joints_(static_cast<std::size_t>(subject.scene.tree.dof())) {}
 
 Values Energies::of(const Motion& motion) {
   Values result;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "accuracy/study.hpp"
+#include "cli/drifts.hpp"
 #include "dynamics/generated_step.hpp"
 #include "model/scene.hpp"
 #include "simulation/pose.hpp"
@@ -23,7 +25,9 @@ struct Start {
 struct Motion {
   GeneratedStep::Values q;
   GeneratedStep::Values qd;
-  int status = 0;  ///< bits that `step` returned
+  int status = 0;                    ///< bits that `step` returned
+  std::vector<SteppedEvent> events;  ///< in s from the beginning of the motion
+  OffRows off;                       ///< at up to ten times between two comparisons
 
   template <typename Numbers>
   void note(const Numbers& coordinates, const Numbers& speeds) {
@@ -35,12 +39,17 @@ struct Motion {
 /// The largest difference; not finite if one of two motions ends early.
 double distance(const GeneratedStep::Values& a, const GeneratedStep::Values& b);
 
+/// The largest difference of times at which the same events happen, each for the same time; one
+/// that only one of the motions has is off by what is left until `end`.
+double event_distance(const Motion& a, const Motion& b, double end);
+
 /// A scene, where it begins, and the times of comparison.
 struct Subject {
   model::Scene scene;
   std::string file;  ///< of the scene
   std::vector<Start> starts;
-  Real interval = 0;  ///< s between comparisons
+  std::shared_ptr<simulation::Dynamics> dynamics;  ///< of the scene
+  Real interval = 0;                               ///< s between comparisons
   int times = 0;
 
   [[nodiscard]] double duration() const { return static_cast<double>(interval) * times; }
@@ -52,10 +61,14 @@ struct Stepped {
   long parts = 1;
   emit::Scalar scalar = emit::Scalar::kDouble;
   bool compensated = false;
+  accuracy::Variant variant = {};
 };
 
 /// The scene with such steps.
 model::Scene stepped_scene(const Subject& subject, const Stepped& how);
+/// Their code, which tells events.
+StepFiles stepped_files(const Subject& subject, const Stepped& how, StepWriter& writer,
+                        bool tells_events = true);
 
 /// The generated step from every start. \param files  of that scene
 /// \throws InputError without a compiler
@@ -66,16 +79,22 @@ std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
 /// of time, constraints projected. \throws std::runtime_error where a motion ends early
 std::vector<Motion> simulated_motions(const Subject& subject, double tolerance);
 
-/// What is stored in motion, gravity, springs and contacts. \pre the scene outlives it
+/// Points at every time of a motion: x, y, z, one behind the other, base frame, m.
+GeneratedStep::Values places(const model::Scene& scene, const std::vector<model::Point>& points,
+                             const Motion& motion);
+
+/// The largest distance of points, m; not finite if one of two motions ends early.
+double place_distance(const GeneratedStep::Values& a, const GeneratedStep::Values& b);
+
+/// What is stored in motion, gravity, springs and contacts. \pre the subject outlives it
 class Energies {
  public:
-  explicit Energies(const model::Scene& scene);
+  explicit Energies(const Subject& subject);
 
   /// At every time of the motion, J.
   GeneratedStep::Values of(const Motion& motion);
 
  private:
-  std::unique_ptr<simulation::Dynamics> dynamics_;
   simulation::System system_;
   simulation::Pose pose_;
   std::size_t joints_;

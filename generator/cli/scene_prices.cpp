@@ -145,8 +145,23 @@ bool has_constraint(const Scene& scene, ConstraintKind kind) {
                      [&](const Constraint& constraint) { return constraint.kind == kind; });
 }
 
-/// Whether the scene names the effect.
-bool names(const Scene& s, std::string_view effect) {
+std::map<std::string, program::Cost> costs(const program::Programs& programs) {
+  std::map<std::string, program::Cost> result;
+  for (const program::Function& function : programs.functions) {
+    result[function.signature.name] = program::cost(function);
+  }
+  for (const program::Staged& staged : programs.staged) {
+    result[staged.signature.name] = program::cost(staged);
+  }
+  for (const program::Stepper& stepper : programs.steppers) {
+    result[stepper.signature.name] = program::step_cost(stepper);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool names_effect(const Scene& s, std::string_view effect) {
   const std::map<std::string_view, bool> named = {
       {"gravity", s.gravity != model::Vector3{}},
       {"velocity_products", s.velocity_products},
@@ -170,22 +185,6 @@ bool names(const Scene& s, std::string_view effect) {
   return found != named.end() && found->second;
 }
 
-std::map<std::string, program::Cost> costs(const program::Programs& programs) {
-  std::map<std::string, program::Cost> result;
-  for (const program::Function& function : programs.functions) {
-    result[function.signature.name] = program::cost(function);
-  }
-  for (const program::Staged& staged : programs.staged) {
-    result[staged.signature.name] = program::cost(staged);
-  }
-  for (const program::Stepper& stepper : programs.steppers) {
-    result[stepper.signature.name] = program::step_cost(stepper);
-  }
-  return result;
-}
-
-}  // namespace
-
 Scene without_effect(const Scene& scene, std::string_view effect) {
   Scene result = scene;
   removals().at(effect)(result);
@@ -199,7 +198,7 @@ std::vector<Price> effect_prices(const Model& model, const Request& request,
   formulate::forget_sticking(scene);
   std::vector<Price> result;
   for (const model::EffectRow& effect : model::kEffects) {
-    if (!names(scene, effect.name)) {
+    if (!names_effect(scene, effect.name)) {
       continue;
     }
     Model other = model;

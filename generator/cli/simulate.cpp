@@ -105,7 +105,7 @@ std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request, mo
   }
   const emit::Scalar scalar =
       request.scalar.value_or("double") == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
-  const StepFiles files = StepWriter(request.scene).files(scene, scalar);
+  const StepFiles files = StepWriter(request.scene).files(scene, {scalar});
   warnings = files.warnings;
   formulate::settle_sticking(scene);
   return std::make_unique<GeneratedStep>(files.name, files.files, files.signature);

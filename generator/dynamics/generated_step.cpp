@@ -50,12 +50,16 @@ std::string adapter(const std::string& name, const program::Signature& signature
 class GeneratedStep::Library {
  public:
   using Step = int (*)(const long double* const*, long double* const*);
+  using Events = int (*)(int, long double*);
 
   explicit Library(const std::string& path)
       : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)),
         step_(handle_ == nullptr ? nullptr
-                                 : reinterpret_cast<Step>(::dlsym(handle_, "treedyn_step"))) {
-    if (step_ == nullptr) {
+                                 : reinterpret_cast<Step>(::dlsym(handle_, "treedyn_step"))),
+        events_(handle_ == nullptr
+                    ? nullptr
+                    : reinterpret_cast<Events>(::dlsym(handle_, "treedyn_event_of_step"))) {
+    if (step_ == nullptr || events_ == nullptr) {
       throw InputError({}, "--as-generated: the compiled step cannot be loaded");
     }
   }
@@ -63,10 +67,12 @@ class GeneratedStep::Library {
   Library& operator=(const Library&) = delete;
   ~Library() { ::dlclose(handle_); }
   [[nodiscard]] Step step() const { return step_; }
+  [[nodiscard]] Events events() const { return events_; }
 
  private:
   void* handle_;
   Step step_;
+  Events events_;
 };
 
 GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::File>& files,
@@ -121,6 +127,11 @@ int GeneratedStep::call() {
     out.push_back(at(array.name).data());
   }
   const int status = library_->step()(in.data(), out.data());
+  events_.clear();
+  SteppedEvent event;
+  while ((event.number = library_->events()(static_cast<int>(events_.size()), &event.at)) >= 0) {
+    events_.push_back(event);
+  }
   for (const program::Array& array : signature_.inputs) {
     if (has(array.name + "_next")) {
       at(array.name) = at(array.name + "_next");

@@ -11,6 +11,12 @@
 
 namespace treedyn {
 
+/// What happened within a step that tells it, Stepper::tells_events.
+struct SteppedEvent {
+  int number = 0;      ///< among all events of all phases
+  long double at = 0;  ///< s from the beginning of the step
+};
+
 class GeneratedStep {
  public:
   /// Of every scalar type, unrounded.
@@ -29,12 +35,15 @@ class GeneratedStep {
   [[nodiscard]] bool has(const std::string& name) const;
   /// Calls it; what the step gives for the next one becomes the argument. \return the status
   int call();
+  /// Of the last call.
+  [[nodiscard]] const std::vector<SteppedEvent>& events() const { return events_; }
 
  private:
   class Library;
 
   program::Signature signature_;
   std::map<std::string, Values> values_;
+  std::vector<SteppedEvent> events_;
   std::unique_ptr<Library> library_;
 };
 

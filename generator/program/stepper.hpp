@@ -100,6 +100,7 @@ struct Stepper {
   int counted = 0;            ///< steps of a phase are counted up to here; 0: not at all
   bool begun = false;         ///< phases with counted steps begin within a step
   bool compensated = false;   ///< rest: what q and qd lost by rounding
+  bool tells_events = false;  ///< calls treedyn_event at each, which is not there: for studies
   std::string first;          ///< the phase in which the scene begins
   bool tests_pivots = false;  ///< the dynamics tell lost pivots of A
   /// Revolute joints that turn without bound beside a position without accelerations, as the outer

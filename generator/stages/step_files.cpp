@@ -26,15 +26,16 @@ program::Stepper stepper_of(const Model& model, const Request& request,
 
 }  // namespace
 
-StepFiles StepWriter::files(model::Scene scene, emit::Scalar scalar) {
+StepFiles StepWriter::files(model::Scene scene, const StepForm& form, const std::string& effects) {
   const Location where{file_, 0, 0};
   Request request;
   request.scene = file_;
   request.functions = {"step"};
-  request.target.scalar = scalar;
-  if (scalar == emit::Scalar::kExtended) {  // for which the pair has no polynomials
-    request.target.sincos = emit::Sincos::kLibm;
-  }
+  request.target.scalar = form.scalar;
+  request.forward_dynamics = form.forward_dynamics;
+  request.target.sincos = form.scalar == emit::Scalar::kExtended  // the pair has no polynomials
+                              ? emit::Sincos::kLibm
+                              : form.sincos;
   Model model;
   model.name = "generated";
   model.tree = scene.tree;
@@ -44,20 +45,22 @@ StepFiles StepWriter::files(model::Scene scene, emit::Scalar scalar) {
   require_step(model, where);
   formulate::settle_loops(*model.scene);
   formulate::settle_sticking(*model.scene);
-  const Real rate = model::stabilisation_rate(*model.scene);
-  auto found = formulated_.find(rate);
+  const Key key{model::stabilisation_rate(*model.scene), model.scene->stepping.drift,
+                form.forward_dynamics, effects};
+  auto found = formulated_.find(key);
   if (found == formulated_.end()) {
     found =
-        formulated_.emplace(rate, formulate_model(model, request, [](const std::string&) {})).first;
+        formulated_.emplace(key, formulate_model(model, request, [](const std::string&) {})).first;
   }
   program::Programs programs = found->second;
   programs.steppers = {stepper_of(model, request, programs)};
-  const program::Stepper stepper = in_scalar(programs, model, scalar).steppers.front();
+  programs.steppers.front().tells_events = form.tells_events;
+  const program::Stepper stepper = in_scalar(programs, model, form.scalar).steppers.front();
   StepFiles result{model.name,
                    {},
                    stepper.signature,
                    program::step_cost(stepper),
-                   float_warnings(programs, scalar, where)};
+                   float_warnings(programs, form.scalar, where)};
   result.files = emit_files(model, request, std::move(programs));
   return result;
 }

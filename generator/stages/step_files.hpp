@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "pipeline.hpp"
@@ -17,6 +18,14 @@ struct StepFiles {
   std::vector<Warning> warnings;
 };
 
+/// How a step is written.
+struct StepForm {
+  emit::Scalar scalar = emit::Scalar::kDouble;
+  emit::Sincos sincos = emit::Sincos::kPair;  ///< of kExtended always kLibm
+  formulate::ForwardDynamics forward_dynamics = formulate::ForwardDynamics::kCheapest;
+  bool tells_events = false;  ///< Stepper::tells_events
+};
+
 /// The files of a scene for several integrators, lengths of steps and scalars. What these share,
 /// the dynamics of the phases, is formulated once for each rate at which loops are stabilised.
 class StepWriter {
@@ -24,13 +33,16 @@ class StepWriter {
   /// \param file  of the scene, for messages
   explicit StepWriter(std::string file) : file_(std::move(file)) {}
 
-  /// \param scene  the same in every call but for its integrator, step and state
+  /// \param scene  the same in every call for an `effects` but for its stepping
   /// \throws InputError if the scene has no generated step
-  StepFiles files(model::Scene scene, emit::Scalar scalar);
+  StepFiles files(model::Scene scene, const StepForm& form, const std::string& effects = "");
 
  private:
+  /// What dynamics depend on.
+  using Key = std::tuple<Real, model::Drift, formulate::ForwardDynamics, std::string>;
+
   std::string file_;
-  std::map<Real, program::Programs> formulated_;
+  std::map<Key, program::Programs> formulated_;
 };
 
 }  // namespace treedyn

@@ -1,0 +1,142 @@
+#include "cli/accuracy_axes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "cli/scene_prices.hpp"
+#include "common/decimal.hpp"
+
+namespace treedyn {
+
+namespace {
+
+using accuracy::Variant;
+
+struct Axis {
+  const char* option;
+  std::string Variant::*choice;
+  const std::vector<std::string>* words;
+  std::vector<std::string> probes;  ///< differ where the scene has what is varied
+  const char* lacks;
+};
+
+/// The statements of a step: comments name the options, of which the digest is, too.
+std::string statements(const Subject& subject, const std::string& integrator,
+                       const Variant& variant, StepWriter& writer) {
+  const Stepped how{integrator, 1, emit::Scalar::kDouble, false, variant};
+  std::string result;
+  for (const emit::File& file : stepped_files(subject, how, writer, false).files) {
+    std::istringstream lines(file.text);
+    const bool is_code = !file.name.ends_with(".json");
+    for (std::string line; is_code && std::getline(lines, line);) {
+      const bool is_digest = line.find("kDigest") != std::string::npos;
+      result += is_digest ? "" : line.substr(0, line.find("//")) + "\n";
+    }
+  }
+  return result;
+}
+
+/// \throws UsageError if words give the same step
+void require_difference(const Axis& axis, const Subject& subject, const std::string& integrator,
+                        StepWriter& writer) {
+  const auto of = [&](const std::string& word) {
+    Variant variant;
+    variant.*axis.choice = word;
+    return statements(subject, integrator, variant, writer);
+  };
+  if (of(axis.probes[0]) == of(axis.probes[1])) {
+    throw UsageError(
+        fmt::format("{}: {} and {} give the same step, {}; expected a scene that has "
+                    "what is varied",
+                    axis.option, axis.probes[0], axis.probes[1], axis.lacks));
+  }
+  const std::vector<std::string>& words = *axis.words;
+  for (std::size_t a = 0; a < words.size(); ++a) {
+    for (std::size_t b = a + 1; b < words.size(); ++b) {
+      if (of(words[a]) == of(words[b])) {
+        throw UsageError(fmt::format("{}: {} and {} give the same step; expected one of them",
+                                     axis.option, words[a], words[b]));
+      }
+    }
+  }
+}
+
+/// \throws UsageError for an effect that the scene does not name, that changes no statement, or
+/// that decides which events and constraints there are: nothing could be compared
+void require_removable(const Subject& subject, const std::string& effect,
+                       const std::string& integrator, StepWriter& writer) {
+  const model::Scene& scene = subject.scene;
+  if (!names_effect(scene, effect)) {
+    throw UsageError(fmt::format("--without: the scene has no {}; expected an effect of the scene",
+                                 shown(effect)));
+  }
+  static constexpr std::array<std::string_view, 6> kDeciding = {
+      "locked_joint",      "point_constraint", "orientation_constraint",
+      "joined_constraint", "impact",           "stabilisation"};
+  const bool sticks = effect == "coulomb_friction" &&
+                      std::any_of(scene.frictions.begin(), scene.frictions.end(),
+                                  [](const auto& friction) { return friction.slip_speed == 0; });
+  if (sticks || std::find(kDeciding.begin(), kDeciding.end(), effect) != kDeciding.end()) {
+    throw UsageError(
+        fmt::format("--without: {} decides which rows and events the step has; "
+                    "expected an effect that adds a term",
+                    effect));
+  }
+  Variant variant;
+  variant.without = effect;
+  if (statements(subject, integrator, variant, writer) ==
+      statements(subject, integrator, {}, writer)) {
+    throw UsageError(
+        fmt::format("--without: the step is the same without {}; expected an effect "
+                    "that adds a term",
+                    effect));
+  }
+}
+
+}  // namespace
+
+std::vector<Variant> variants_of(const AccuracyAxes& axes, const Subject& subject,
+                                 const std::string& integrator, StepWriter& writer) {
+  const Axis all[] = {
+      {"--sincos", &Variant::sincos, &axes.sincos, {"pair", "libm"}, "which takes no sine"},
+      {"--forward-dynamics",
+       &Variant::forward_dynamics,
+       &axes.forward_dynamics,
+       {"factor", "articulated"},
+       "as with constraints and armatures"},
+      {"--stabilisation",
+       &Variant::stabilisation,
+       &axes.stabilisation,
+       {"none", "baumgarte"},
+       "which has no constraints"},
+      {"--cuts", &Variant::cuts, &axes.cuts, {"0", "3"}, "which looks for no event"}};
+  std::vector<Variant> result = {{}};
+  for (const Axis& axis : all) {
+    if (axis.words->empty()) {
+      continue;
+    }
+    require_difference(axis, subject, integrator, writer);
+    std::vector<Variant> varied;
+    for (const std::string& word : *axis.words) {
+      for (Variant variant : result) {
+        variant.*axis.choice = word;
+        varied.push_back(variant);
+      }
+    }
+    result = varied;
+  }
+  const std::vector<Variant> whole = result;
+  for (const std::string& effect : axes.without) {
+    require_removable(subject, effect, integrator, writer);
+    for (Variant variant : whole) {
+      variant.without = effect;
+      result.push_back(variant);
+    }
+  }
+  return result;
+}
+
+}  // namespace treedyn

@@ -1,0 +1,76 @@
+#include "cli/drifts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace treedyn {
+
+using simulation::Vector;
+
+bool is_angle(const model::Tree& tree, const model::Constraint& constraint) {
+  if (constraint.kind != model::ConstraintKind::kJoint) {
+    return constraint.kind == model::ConstraintKind::kOrientation;
+  }
+  const int link = tree.coordinates[static_cast<std::size_t>(constraint.joint)];
+  return tree.links[static_cast<std::size_t>(link)].joint.type == model::JointType::kRevolute;
+}
+
+Drifts::Drifts(const model::Scene& scene, simulation::Dynamics& dynamics)
+    : scene_(scene), system_(scene, dynamics, 0), states_(formulate::phase_states(scene, true)) {}
+
+void Drifts::begin(double t, const Vector& q) {
+  system_.constraints().activate({});
+  largest_ = {};
+  act(scene_.start_phase, t, q);
+}
+
+void Drifts::act(int state, double t, const Vector& q) {
+  simulation::Constraints& constraints = system_.constraints();
+  const std::vector<int> before = constraints.active();
+  const std::vector<int>& now = states_[static_cast<std::size_t>(state)].active;
+  constraints.activate(now);
+  const simulation::Terms& terms = system_.geometry(q);
+  for (const int c : now) {
+    if (!std::binary_search(before.begin(), before.end(), c)) {
+      constraints.begin(c, t, q, terms);
+    }
+  }
+  state_ = state;
+}
+
+void Drifts::change(int state, double t, const Vector& q) {
+  const int from = states_[static_cast<std::size_t>(state_)].phase;
+  const int to = states_[static_cast<std::size_t>(state)].phase;
+  for (const model::Event& event : scene_.phases[static_cast<std::size_t>(from)].until) {
+    if (event.then != to) {
+      continue;
+    }
+    const simulation::Terms& terms = system_.geometry(q);
+    for (const int c : event.pins) {
+      system_.constraints().pin(c, t, q, terms);
+    }
+  }
+  act(state, t, q);
+}
+
+void Drifts::look(double t, const Vector& q, const Vector& qd) {
+  const simulation::Constraints& constraints = system_.constraints();
+  const simulation::Terms& terms = system_.geometry(q);
+  constraints.errors(terms, t, q, phi_);
+  constraints.jacobian(terms, J_);
+  constraints.velocities(t, led_);
+  for (int k = 0; k < constraints.rows(); ++k) {
+    const model::Constraint& c =
+        scene_.constraints[static_cast<std::size_t>(constraints.constraint(k))];
+    if (!constraints.is_held(k) || c.sticks) {
+      continue;
+    }
+    const bool turns = is_angle(scene_.tree, c);
+    double& off = turns ? largest_.angle : largest_.length;
+    double& speed = turns ? largest_.rate : largest_.speed;
+    off = std::max(off, std::fabs(phi_[k]));
+    speed = std::max(speed, std::fabs(J_.row(k).dot(qd) - led_[k]));
+  }
+}
+
+}  // namespace treedyn

@@ -1,0 +1,49 @@
+// How far a motion is off the constraints of its scene.
+#pragma once
+
+#include <vector>
+
+#include "formulate/scene_phases.hpp"
+#include "model/scene.hpp"
+#include "simulation/system.hpp"
+
+namespace treedyn {
+
+/// Largest sizes of phi and of J qd less what is led, over the rows that act.
+struct OffRows {
+  double length = 0;  ///< m
+  double angle = 0;   ///< rad
+  double speed = 0;   ///< m/s
+  double rate = 0;    ///< rad/s
+};
+
+/// True if rows of the constraint are about angles.
+bool is_angle(const model::Tree& tree, const model::Constraint& constraint);
+
+/// Follows a motion that a generated step computes. Rows that state their acceleration have no
+/// place, and joints that dry friction holds do not count.
+class Drifts {
+ public:
+  /// \param scene  as its step has it: settle_sticking \pre both outlive this
+  Drifts(const model::Scene& scene, simulation::Dynamics& dynamics);
+
+  /// The motion begins.
+  void begin(double t, const simulation::Vector& q);
+  /// Events have led to a state of phase_states(scene, true): rows begin to act or are pinned.
+  void change(int state, double t, const simulation::Vector& q);
+  void look(double t, const simulation::Vector& q, const simulation::Vector& qd);
+  [[nodiscard]] const OffRows& largest() const { return largest_; }
+
+ private:
+  void act(int state, double t, const simulation::Vector& q);
+
+  const model::Scene& scene_;
+  simulation::System system_;
+  std::vector<formulate::PhaseState> states_;
+  int state_ = 0;
+  OffRows largest_;
+  simulation::Matrix J_;
+  simulation::Vector phi_, led_;
+};
+
+}  // namespace treedyn
