@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x9ae35870dd8bac78ULL, "header and source are of different runs");
+static_assert(kDigest == 0x258ed71e6c233c0fULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -487,13 +487,13 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
   const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
   const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank
+  // left_shank: way s to the joint of (2)
   const auto p_s_left_hip_pitch = sine_cosine(q[2]);
   const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
   const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar t_left_shank_1 = left_hip_fork_k1 * s_left_hip_pitch;
   const Scalar t_left_shank_2 = left_hip_fork_k1 * c_left_hip_pitch;
-  // left_ankle_cross
+  // left_ankle_cross: A, way s to the joint of (2)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
@@ -511,13 +511,13 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
   const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
   const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank
+  // right_shank: way s to the joint of (2)
   const auto p_s_right_hip_pitch = sine_cosine(q[8]);
   const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
   const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar t_right_shank_1 = left_hip_fork_k1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = left_hip_fork_k1 * s_right_hip_pitch;
-  // right_ankle_cross
+  // right_ankle_cross: A, way s to the joint of (2)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
@@ -528,7 +528,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
   const Scalar t_righ_ankl_cros_1 = left_hip_fork_k2 * s_q8_q9;
   const Scalar t_righ_ankl_cros_2 = left_hip_fork_k2 * c_q8_q9;
-  // right_foot
+  // right_foot: A, first moment h of (2)
   const Scalar t_right_foot_1 = left_foot_k1 - q[11];
   const auto p_s_right_foot = sine_cosine(t_right_foot_1);
   const Scalar& s_right_foot = p_s_right_foot.sine;
@@ -541,7 +541,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_right_foot_7 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
   A[131] = t_right_foot_7;
   A[142] = A[131];
-  // right_ankle_cross
+  // right_ankle_cross: first moment h, A, pseudo-inertia E of (2)
   const Scalar h_righ_ankl_cros_x = left_ankle_cross_I1 + t_right_foot_2;
   const Scalar t_righ_ankl_cros_3 = left_ankle_cross_I3 * s_q8_q9_q10;
   const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 + c_q8_q9_q10 * h_righ_ankl_cros_x;
@@ -560,7 +560,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_righ_ankl_cros_14 = t_right_foot_5 - left_foot_I8 * c_right_foot;
   const Scalar t_righ_ankl_cros_15 = left_ankle_cross_I6 - t_righ_ankl_cros_14;
   A[130] = t_righ_ankl_cros_15;
-  // right_shank
+  // right_shank: pseudo-inertia E, A of (2)
   const Scalar t_right_shank_3 = left_shank_I5 + left_foot_I11 * s_right_foot;
   const Scalar t_right_shank_4 = t_righ_ankl_cros_10 + left_shank_I6 * c_q8_q9;
   const Scalar E_right_shank_yz = t_right_shank_4 + s_q8_q9 * t_right_shank_3;
@@ -577,7 +577,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_righ_ankl_cros_19 = s_q8_q9_q10 * E_righ_ankl_cros_yz + t_righ_ankl_cros_18;
   const Scalar t_right_shank_8 = t_righ_ankl_cros_19 - left_shank_I6 * s_q8_q9;
   const Scalar E_right_shank_xz = t_right_shank_8 + c_q8_q9 * t_right_shank_3;
-  // right_thigh
+  // right_thigh: pseudo-inertia E, A of (2)
   const Scalar t_right_thigh_2 = E_right_shank_xz - left_thigh_I6 * s_right_hip_pitch;
   const Scalar E_right_thigh_xz = t_right_thigh_2 + c_right_hip_pitch * t_right_thigh_1;
   const Scalar t_right_thigh_3 = E_right_shank_yz + left_thigh_I6 * c_right_hip_pitch;
@@ -585,11 +585,11 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[92] = -E_right_thigh_yz;
   A[103] = A[92];
   const Scalar t_right_thigh_4 = t_right_shank_5 - 2.0f * t_right_shank_7;
-  // right_shank
+  // right_shank: first moment h, A of (2)
   const Scalar t_right_shank_9 = t_righ_ankl_cros_6 - left_shank_I2 * s_q8_q9;
   const Scalar h_right_shank_y = t_right_shank_9 - left_shank_I1 * c_q8_q9;
   const Scalar t_right_shank_10 = t_right_shank_2 * h_right_shank_y;
-  // right_thigh
+  // right_thigh: A of (2)
   const Scalar t_right_thigh_5 = t_righ_ankl_cros_13 + t_right_thigh_4;
   const Scalar t_right_thigh_6 = t_right_thigh_5 + 2.0f * t_right_shank_10;
   const Scalar t_right_thigh_7 = left_thigh_I7 - t_right_thigh_6;
@@ -604,7 +604,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_righ_ankl_cros_24 = t_righ_ankl_cros_23 + t_righ_ankl_cros_22;
   const Scalar t_right_hip_fork_1 = left_hip_fork_k1 * h_right_shank_y;
   const Scalar t_righ_ankl_cros_25 = left_shank_I3 * c_q8_q9 + left_shank_I4 * s_q8_q9;
-  // right_hip_fork
+  // right_hip_fork: pseudo-inertia E, A of (2)
   const Scalar t_right_hip_fork_2 = left_hip_fork_I2 + t_right_foot_6 + t_righ_ankl_cros_17;
   const Scalar t_right_hip_fork_3 = left_thigh_I1 - t_right_shank_12 + t_right_hip_fork_1;
   const Scalar t_right_hip_fork_4 = t_right_hip_fork_2 + c_q8_q9_q10 * t_righ_ankl_cros_24;
@@ -638,14 +638,14 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[78] = left_hip_block_I1 - t_right_thigh_6 + t_right_hip_fork_24 + 2.0f * h_right_thigh_y;
   const Scalar t_left_foot_2 = left_foot_I1 * c_left_foot;
   const Scalar h_left_ankle_cross_z = left_foot_I1 * s_left_foot;
-  // left_foot
+  // left_foot: A of (2)
   const Scalar t_left_foot_3 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
   const Scalar t_left_foot_4 = s_left_foot * t_left_foot_3;
   const Scalar t_left_foot_5 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
   A[53] = -t_left_foot_5;
   A[64] = A[53];
   const Scalar t_left_foot_6 = left_foot_I3 * c_left_foot - left_foot_I2 * s_left_foot;
-  // left_ankle_cross
+  // left_ankle_cross: first moment h, A, pseudo-inertia E of (2)
   const Scalar h_left_ankle_cross_x = left_ankle_cross_I1 + t_left_foot_2;
   const Scalar t_left_ankle_cross_3 = s_q2_q3_q4 * h_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_4 = left_ankle_cross_I3 * c_q2_q3_q4 - t_left_ankle_cross_3;
@@ -664,7 +664,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_ankle_cross_14 = t_left_foot_4 - left_foot_I8 * c_left_foot;
   const Scalar t_left_ankle_cross_15 = left_ankle_cross_I6 - t_left_ankle_cross_14;
   A[52] = t_left_ankle_cross_15;
-  // left_shank
+  // left_shank: pseudo-inertia E, A, first moment h of (2)
   const Scalar t_left_shank_3 = left_shank_I5 + left_foot_I11 * s_left_foot;
   const Scalar t_left_shank_4 = t_left_ankle_cross_11 + left_shank_I6 * c_q2_q3;
   const Scalar t_left_shank_5 = t_left_shank_4 + s_q2_q3 * t_left_shank_3;
@@ -686,7 +686,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_ankle_cross_19 = c_q2_q3_q4 * E_left_ankle_cross_xz + t_left_ankle_cross_18;
   const Scalar t_left_shank_13 = t_left_ankle_cross_19 - left_shank_I6 * s_q2_q3;
   const Scalar t_left_shank_14 = t_left_shank_13 + c_q2_q3 * t_left_shank_3;
-  // left_thigh
+  // left_thigh: pseudo-inertia E, A of (2)
   const Scalar t_left_thigh_2 = t_left_shank_14 - left_thigh_I6 * s_left_hip_pitch;
   const Scalar t_left_thigh_3 = t_left_thigh_2 + c_left_hip_pitch * t_left_thigh_1;
   const Scalar t_left_thigh_4 = t_left_shank_5 + left_thigh_I6 * c_left_hip_pitch;
@@ -705,7 +705,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_ankle_cross_23 = t_left_ankle_cross_21 + t_left_ankle_cross_22;
   const Scalar t_left_shank_15 = left_thigh_I4 * c_left_hip_pitch;
   const Scalar t_left_shank_16 = t_left_shank_15 + left_thigh_I3 * s_left_hip_pitch;
-  // left_hip_fork
+  // left_hip_fork: pseudo-inertia E, A of (2)
   const Scalar t_left_hip_fork_2 = left_hip_fork_I2 - t_left_foot_6 + t_left_ankle_cross_17;
   const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 + c_q2_q3_q4 * t_left_ankle_cross_23;
   const Scalar t_left_hip_fork_4 = left_thigh_I2 + left_hip_fork_k1 * t_left_ankle_cross_17;
@@ -732,7 +732,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_hip_fork_19 = t_left_hip_fork_18 + c_left_hip_roll * t_left_hip_fork_17;
   const Scalar t_left_hip_block_1 = left_hip_block_I1 - t_left_thigh_6 + 2.0f * h_left_thigh_y;
   A[0] = t_left_hip_block_1 + c_left_hip_roll * t_left_hip_fork_19;
-  // right_ankle_cross
+  // right_ankle_cross: A of (2)
   const Scalar t_righ_ankl_cros_28 = c_q8_q9_q10 * t_right_foot_3;
   const Scalar t_righ_ankl_cros_29 = s_q8_q9_q10 * t_right_foot_3;
   const Scalar t_righ_ankl_cros_30 = t_righ_ankl_cros_1 * t_righ_ankl_cros_28;
@@ -742,7 +742,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[119] = t_righ_ankl_cros_33;
   A[141] = A[119];
   const Scalar t_right_foot_8 = left_foot_I9 + t_right_foot_2 + left_foot_I6 * s_right_foot;
-  // right_shank
+  // right_shank: A of (2)
   const Scalar t_right_shank_13 = t_right_foot_2 * (t_right_shank_1 + t_righ_ankl_cros_2);
   A[95] = c_q8_q9_q10 * t_right_foot_8 + t_right_shank_13 - s_q8_q9_q10 * t_right_foot_6;
   A[139] = A[95];
@@ -770,14 +770,14 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_right_shank_18 = t_right_shank_6 - t_right_shank_7 + t_right_shank_10;
   A[105] = -t_right_shank_18;
   A[116] = A[105];
-  // right_hip_fork
+  // right_hip_fork: A of (2)
   const Scalar t_right_hip_fork_27 = s_right_hip_roll * (h_right_shank_y - t_right_shank_18);
   A[81] = t_right_hip_fork_27 - c_right_hip_roll * E_right_shank_xz;
   A[114] = A[81];
   const Scalar t_right_hip_fork_28 = s_right_hip_roll * (t_right_thigh_7 + h_right_thigh_y);
   A[80] = t_right_hip_fork_28 - c_right_hip_roll * E_right_thigh_xz;
   A[102] = A[80];
-  // left_ankle_cross
+  // left_ankle_cross: A of (2)
   const Scalar t_left_ankle_cross_25 = s_q2_q3_q4 * h_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_26 = c_q2_q3_q4 * h_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_27 = t_left_ankle_cross_2 * t_left_ankle_cross_25;
@@ -787,7 +787,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[41] = -t_left_ankle_cross_30;
   A[63] = A[41];
   const Scalar t_left_foot_7 = left_foot_I9 + t_left_foot_2 + left_foot_I6 * s_left_foot;
-  // left_shank
+  // left_shank: A of (2)
   const Scalar t_left_shank_17 = t_left_foot_2 * (t_left_shank_2 + t_left_ankle_cross_2);
   A[17] = c_q2_q3_q4 * t_left_foot_7 + s_q2_q3_q4 * t_left_foot_6 + t_left_shank_17;
   A[61] = A[17];
@@ -817,7 +817,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_shank_24 = t_left_shank_12 - (t_left_shank_8 + t_left_shank_9);
   A[27] = -t_left_shank_24;
   A[38] = A[27];
-  // left_hip_fork
+  // left_hip_fork: A of (2)
   const Scalar t_left_hip_fork_22 = s_left_hip_roll * (h_left_shank_y - t_left_shank_24);
   A[3] = c_left_hip_roll * t_left_shank_14 + t_left_hip_fork_22;
   A[36] = A[3];
@@ -902,7 +902,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
 
 void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept {
   const Scalar q_q3_q4 = q[3] + q[4];
-  // left_thigh
+  // left_thigh: angular velocity omega of (3)
   const Scalar q_q2_q3_q4 = q[2] + q_q3_q4;
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
   const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
@@ -910,20 +910,20 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
   const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
   const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank
+  // left_shank: way s to the joint of (3)
   const auto p_s_q3_q4 = sine_cosine(q_q3_q4);
   const Scalar& s_q3_q4 = p_s_q3_q4.sine;
   const Scalar& c_q3_q4 = p_s_q3_q4.cosine;
   const Scalar t_left_shank_1 = left_shank_l1 * s_q3_q4;
   const Scalar s_left_shank_x = left_shank_l1 * c_q3_q4;
-  // left_ankle_cross
+  // left_ankle_cross: way s to the joint of (3)
   const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
   const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
   const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_l1 * s_left_ankle_pitch;
   const Scalar s_left_ankle_cross_x = left_ankle_cross_l1 * c_left_ankle_pitch;
   const Scalar q_q9_q10 = q[9] + q[10];
-  // right_thigh
+  // right_thigh: angular velocity omega of (3)
   const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
   const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
@@ -931,19 +931,19 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
   const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
   const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank
+  // right_shank: way s to the joint of (3)
   const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
   const Scalar& s_q9_q10 = p_s_q9_q10.sine;
   const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
   const Scalar t_right_shank_1 = left_shank_l1 * s_q9_q10;
   const Scalar s_right_shank_x = left_shank_l1 * c_q9_q10;
-  // right_ankle_cross
+  // right_ankle_cross: way s to the joint of (3)
   const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
   const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
   const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * s_right_ankle_pitch;
   const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_right_ankle_pitch;
-  // left_thigh
+  // left_thigh: angular velocity omega, Omega, angular acceleration alpha of (3)
   const Scalar t_left_thigh_1 = s_q2_q3_q4 * qd[1];
   const Scalar t_left_thigh_2 = c_left_hip_roll * qd[0];
   const Scalar t_left_thigh_3 = t_left_thigh_1 + c_q2_q3_q4 * t_left_thigh_2;
@@ -979,7 +979,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_thigh_25 = left_thigh_I12 + c_q3_q4 * t_left_thigh_21;
   const Scalar t_left_thigh_26 = left_thigh_h1 * c_q3_q4 - left_thigh_h2 * s_q3_q4;
   const Scalar t_left_thigh_27 = left_thigh_h2 * c_q3_q4 + left_thigh_h1 * s_q3_q4;
-  // left_shank
+  // left_shank: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
   const Scalar t_left_shank_2 = 2.0f * t_left_thigh_6;
   const Scalar Omega_left_shank_zy = t_left_thigh_17 - omega_left_shank_z * t_left_shank_2;
@@ -1000,7 +1000,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_shank_16 = left_shank_I12 + t_left_shank_9;
   const Scalar t_left_shank_17 = left_shank_h1 * c_left_ankle_pitch;
   const Scalar t_left_shank_18 = t_left_shank_17 + left_shank_h2 * s_left_ankle_pitch;
-  // left_ankle_cross
+  // left_ankle_cross: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[4];
   const Scalar t_left_ankle_cross_2 = Omega_left_shank_zy - t_left_shank_2 * qd[4];
   const Scalar t_left_ankle_cross_3 = Omega_left_shank_zx - t_left_shank_3 * qd[4];
@@ -1017,7 +1017,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_ankle_cross_7 = a_left_shank_x - s_left_ankle_cross_x * t_left_shank_5;
   const Scalar t_left_ankle_cross_8 = t_left_ankle_cross_1 * Omega_left_thigh_xy;
   const Scalar a_left_ankle_cross_x = t_left_ankle_cross_7 - t_left_ankle_cross_8;
-  // left_foot
+  // left_foot: acceleration a, angular velocity omega, Omega of (3)
   const Scalar t_left_foot_3 = left_hip_fork_l1 * (t_left_thigh_7 + t_left_ankle_cross_4);
   const Scalar t_left_foot_4 = a_left_ankle_cross_x - left_hip_fork_l2 * t_left_foot_1;
   const Scalar a_left_foot_x = t_left_foot_4 - t_left_foot_3;
@@ -1061,7 +1061,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_foot_29 = t_left_foot_28 - Omega_left_foot_zy * t_left_foot_13;
   const Scalar t_right_hip_fork_1 = left_hip_fork_I6 * c_right_hip_roll;
   const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 - left_hip_fork_I3 * s_right_hip_roll;
-  // right_thigh
+  // right_thigh: angular velocity omega, Omega, angular acceleration alpha of (3)
   const Scalar t_right_thigh_1 = s_q8_q9_q10 * qd[7];
   const Scalar t_right_thigh_2 = c_right_hip_roll * qd[6];
   const Scalar t_right_thigh_3 = t_right_thigh_1 + c_q8_q9_q10 * t_right_thigh_2;
@@ -1101,7 +1101,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_thigh_28 = left_thigh_I12 + c_q9_q10 * t_right_thigh_24;
   const Scalar t_right_thigh_29 = left_thigh_h2 * s_q9_q10 - left_thigh_h1 * c_q9_q10;
   const Scalar t_right_thigh_30 = left_thigh_h2 * c_q9_q10 + left_thigh_h1 * s_q9_q10;
-  // right_shank
+  // right_shank: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[9];
   const Scalar t_right_shank_3 = t_right_thigh_9 * omega_right_shank_z * 2.0f;
   const Scalar Omega_right_shank_zy = t_right_thigh_12 - t_right_shank_3;
@@ -1125,7 +1125,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_shank_20 = t_right_shank_19 + left_shank_h1 * c_right_ankle_pitch;
   const Scalar t_right_shank_21 = left_shank_h2 * c_right_ankle_pitch;
   const Scalar t_right_shank_22 = t_right_shank_21 - left_shank_h1 * s_right_ankle_pitch;
-  // right_ankle_cross
+  // right_ankle_cross: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_righ_ankl_cros_z = omega_right_shank_z + qd[10];
   const Scalar t_righ_ankl_cros_2 = 2.0f * omega_righ_ankl_cros_z;
   const Scalar t_righ_ankl_cros_3 = t_right_thigh_9 * t_righ_ankl_cros_2;
@@ -1148,7 +1148,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar a_right_foot_x = t_right_foot_4 + left_hip_fork_l2 * t_right_foot_1;
   const Scalar t_right_shank_24 = a_right_thigh_y + s_right_shank_x * Omega_right_thigh_yx;
   const Scalar a_right_shank_y = t_right_shank_24 + t_right_shank_1 * t_right_thigh_20;
-  // right_foot
+  // right_foot: acceleration a, angular velocity omega, Omega of (3)
   const Scalar t_right_foot_5 = a_right_shank_y + left_hip_fork_l2 * t_right_thigh_12;
   const Scalar t_right_foot_6 = Omega_right_thigh_yx * (left_hip_fork_l1 + s_righ_ankl_cros_x);
   const Scalar t_right_foot_7 = t_right_foot_5 + t_righ_ankl_cros_1 * t_right_shank_9;
@@ -1206,7 +1206,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_foot_47 = t_right_foot_12 * (t_righ_ankl_cros_4 + t_right_foot_10);
   const Scalar t_right_foot_48 = left_ankle_cross_m1 * a_right_foot_x - t_right_foot_47;
   const Scalar F_right_foot_x = t_right_foot_48 + t_right_foot_1 * t_right_foot_13;
-  // right_ankle_cross
+  // right_ankle_cross: force F, moment M of (3)
   const Scalar F_righ_ankl_cros_x = F_right_foot_x - left_ankle_cross_h1 * Omega_right_thigh_xy;
   const Scalar F_righ_ankl_cros_y = t_right_foot_30 + left_ankle_cross_h1 * t_righ_ankl_cros_14;
   const Scalar t_righ_ankl_cros_15 = t_right_foot_41 + t_right_shank_2 * t_right_shank_12;
@@ -1226,7 +1226,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_righ_ankl_cros_26 = t_right_foot_46 - Omega_right_shank_zx * t_right_shank_20;
   const Scalar t_right_shank_28 = Omega_right_shank_zy * t_right_shank_22;
   const Scalar t_righ_ankl_cros_27 = t_righ_ankl_cros_26 - t_right_shank_28;
-  // right_thigh
+  // right_thigh: moment M of (3)
   const Scalar t_right_thigh_31 = left_ankle_cross_I2 + t_right_thigh_26 + t_right_shank_14;
   const Scalar t_right_thigh_32 = left_thigh_I10 - t_right_thigh_25;
   const Scalar t_right_thigh_33 = t_right_thigh_14 - t_right_thigh_16;
@@ -1271,7 +1271,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_thigh_66 = t_right_thigh_65 + Omega_right_thigh_yx * t_right_thigh_48;
   const Scalar t_right_thigh_67 = t_right_thigh_66 + t_right_thigh_18 * t_right_thigh_28;
   const Scalar M_right_thigh_x = t_right_thigh_67 - t_right_thigh_19 * t_right_thigh_27;
-  // right_shank
+  // right_shank: force F, moment M of (3)
   const Scalar t_right_shank_31 = F_righ_ankl_cros_y + Omega_right_thigh_yx * t_right_shank_20;
   const Scalar F_right_shank_y = t_right_shank_31 - t_right_shank_9 * t_right_shank_22;
   const Scalar t_right_shank_32 = F_righ_ankl_cros_x - t_right_shank_8 * t_right_shank_20;
@@ -1293,7 +1293,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 - left_hip_fork_I8 * s_right_hip_roll;
   const Scalar t_right_shank_42 = t_righ_ankl_cros_27 + t_right_thigh_18 * t_right_thigh_30;
   const Scalar t_right_shank_43 = t_right_shank_42 - t_right_thigh_19 * t_right_thigh_29;
-  // right_thigh
+  // right_thigh: moment M, force F of (3)
   const Scalar t_right_thigh_68 = left_hip_fork_l1 * t_right_shank_43;
   const Scalar t_right_thigh_69 = s_q8_q9_q10 * M_right_thigh_y - t_right_thigh_68;
   const Scalar t_right_thigh_70 = F_right_shank_x - Omega_right_thigh_xy * t_right_thigh_29;
@@ -1309,7 +1309,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_thigh_76 = c_q8_q9_q10 * M_right_thigh_y + s_q8_q9_q10 * M_right_thigh_x;
   B[7] = qd[6] * t_right_hip_fork_4 - t_right_thigh_76;
   const Scalar t_left_foot_30 = t_left_foot_17 * (t_left_thigh_4 - t_left_foot_10);
-  // left_ankle_cross
+  // left_ankle_cross: moment M, Omega of (3)
   const Scalar t_left_ankle_cross_10 = t_left_foot_1 * (left_ankle_cross_I2 + t_left_foot_18);
   const Scalar t_left_ankle_cross_11 = left_hip_fork_l1 * t_left_foot_29 + t_left_foot_30;
   const Scalar t_left_ankle_cross_12 = t_left_ankle_cross_11 - t_left_ankle_cross_10;
@@ -1329,17 +1329,17 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar M_left_ankle_cross_z = t_left_ankle_cross_24 + Omega_left_foot_zy * t_left_foot_20;
   B[4] = M_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_25 = t_left_thigh_4 + t_left_ankle_cross_4;
-  // left_foot
+  // left_foot: force F of (3)
   const Scalar t_left_foot_32 = t_left_foot_12 * (t_left_ankle_cross_4 + t_left_foot_10);
   const Scalar t_left_foot_33 = left_ankle_cross_m1 * a_left_foot_x - t_left_foot_32;
   const Scalar F_left_foot_x = t_left_foot_33 - t_left_foot_1 * t_left_foot_13;
   const Scalar F_left_ankle_cross_x = F_left_foot_x - left_ankle_cross_h1 * Omega_left_thigh_xy;
   const Scalar t_left_shank_23 = left_shank_I10 - t_left_shank_9;
-  // left_ankle_cross
+  // left_ankle_cross: force F of (3)
   const Scalar t_left_ankle_cross_26 = left_ankle_cross_h1 * t_left_ankle_cross_25;
   const Scalar F_left_ankle_cross_y = t_left_foot_29 + t_left_ankle_cross_26;
   const Scalar t_left_ankle_cross_27 = s_left_ankle_cross_x * F_left_ankle_cross_y;
-  // left_shank
+  // left_shank: moment M of (3)
   const Scalar t_left_shank_24 = M_left_ankle_cross_z + t_left_ankle_cross_27;
   const Scalar t_left_shank_25 = t_left_shank_24 + t_left_shank_18 * a_left_shank_y;
   const Scalar t_left_shank_26 = t_left_shank_25 + t_left_thigh_24 * t_left_shank_8;
@@ -1350,7 +1350,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_shank_31 = t_left_shank_30 - Omega_left_thigh_xy * t_left_shank_23;
   const Scalar M_left_shank_z = t_left_shank_31 + Omega_left_thigh_yx * t_left_shank_16;
   B[3] = M_left_shank_z;
-  // left_foot
+  // left_foot: Omega, force F of (3)
   const Scalar t_left_foot_34 = t_left_thigh_4 + t_left_foot_10;
   const Scalar t_left_foot_35 = left_ankle_cross_m1 * a_left_foot_y;
   const Scalar t_left_foot_36 = t_left_foot_35 - t_left_foot_13 * t_left_foot_34;
@@ -1359,7 +1359,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_shank_32 = F_left_ankle_cross_z - Omega_left_shank_zy * t_left_shank_15;
   const Scalar F_left_shank_z = t_left_shank_32 + Omega_left_shank_zx * t_left_shank_18;
   const Scalar t_left_thigh_29 = left_thigh_I10 - t_left_thigh_22;
-  // left_shank
+  // left_shank: moment M, force F of (3)
   const Scalar t_left_shank_33 = left_ankle_cross_I8 + left_ankle_cross_I14 * c_left_ankle_pitch;
   const Scalar t_left_shank_34 = t_left_shank_11 * (t_left_thigh_8 - t_left_shank_5);
   const Scalar t_left_shank_35 = Omega_left_shank_zy * t_left_shank_8;
@@ -1382,7 +1382,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar F_left_shank_y = t_left_shank_50 + Omega_left_thigh_yx * t_left_shank_18;
   const Scalar t_left_shank_51 = F_left_ankle_cross_x - t_left_shank_5 * t_left_shank_18;
   const Scalar F_left_shank_x = t_left_shank_51 - Omega_left_thigh_xy * t_left_shank_15;
-  // left_thigh
+  // left_thigh: moment M, force F of (3)
   const Scalar t_left_thigh_31 = left_thigh_I11 + t_left_thigh_22;
   const Scalar t_left_thigh_32 = M_left_shank_z + t_left_shank_1 * F_left_shank_x;
   const Scalar t_left_thigh_33 = t_left_thigh_32 - t_left_thigh_17 * t_left_thigh_20;
@@ -1428,20 +1428,20 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_thigh_61 = F_left_shank_y + Omega_left_thigh_yx * t_left_thigh_27;
   const Scalar F_left_thigh_y = t_left_thigh_61 - t_left_thigh_26 * t_left_thigh_28;
   const Scalar t_left_thigh_62 = c_q2_q3_q4 * F_left_thigh_x - s_q2_q3_q4 * F_left_thigh_y;
-  // left_hip_fork
+  // left_hip_fork: moment M of (3)
   const Scalar t_left_hip_fork_3 = left_hip_fork_I8 * s_left_hip_roll;
   const Scalar t_left_hip_fork_4 = left_hip_fork_I7 - s_left_hip_roll * t_left_hip_fork_2;
   const Scalar t_left_hip_fork_5 = qd[0] * t_left_hip_fork_4;
   const Scalar t_left_hip_fork_6 = t_left_hip_fork_3 + left_hip_fork_I9 * c_left_hip_roll;
   const Scalar t_left_thigh_63 = left_hip_fork_l1 * F_left_thigh_z - s_q2_q3_q4 * t_left_shank_49;
   const Scalar t_left_hip_fork_7 = qd[1] * t_left_hip_fork_6 - 2.0f * t_left_hip_fork_5;
-  // left_thigh
+  // left_thigh: moment M of (3)
   const Scalar t_left_thigh_64 = M_left_thigh_z + left_hip_fork_l1 * t_left_thigh_62;
   const Scalar t_left_thigh_65 = t_left_thigh_63 - c_q2_q3_q4 * M_left_thigh_x;
   const Scalar t_left_thigh_66 = qd[1] * t_left_hip_fork_7 - s_left_hip_roll * t_left_thigh_64;
   B[0] = c_left_hip_roll * t_left_thigh_65 - t_left_thigh_66;
   const Scalar t_left_thigh_67 = c_q2_q3_q4 * t_left_shank_49 - s_q2_q3_q4 * M_left_thigh_x;
-  // left_hip_fork
+  // left_hip_fork: moment M of (3)
   B[1] = t_left_thigh_67 - qd[0] * t_left_hip_fork_5;
 }
 
@@ -1470,7 +1470,7 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
   const Scalar& s_q8_q9 = p_s_q8_q9.sine;
   const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
-  // right_foot
+  // right_foot: G of 6.5
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
   const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
@@ -1483,7 +1483,7 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar t_right_foot_3 = left_foot_G1 * c_right_foot;
   const Scalar t_right_foot_4 = c_right_hip_roll * c_q8_q9_q10 * t_right_foot_2;
   G[11] = s_right_hip_roll * t_right_foot_3 - t_right_foot_4;
-  // right_ankle_cross
+  // right_ankle_cross: G of 6.5
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_G2 + t_right_foot_3;
   const Scalar t_righ_ankl_cros_2 = s_q8_q9_q10 * t_righ_ankl_cros_1;
   const Scalar t_righ_ankl_cros_3 = left_ankle_cross_G1 * c_q8_q9_q10 - t_righ_ankl_cros_2;
@@ -1492,11 +1492,11 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar t_right_shank_1 = left_shank_G1 * c_q8_q9 + left_shank_G2 * s_q8_q9;
   const Scalar t_right_shank_2 = t_righ_ankl_cros_4 - c_right_hip_roll * t_right_shank_1;
   G[9] = -t_right_shank_2;
-  // right_thigh
+  // right_thigh: G of 6.5
   const Scalar t_right_thigh_1 = left_thigh_G1 * c_right_hip_pitch;
   const Scalar t_right_thigh_2 = t_right_thigh_1 + left_thigh_G2 * s_right_hip_pitch;
   G[8] = c_right_hip_roll * t_right_thigh_2 - t_right_shank_2;
-  // right_hip_fork
+  // right_hip_fork: G of 6.5
   const Scalar t_right_hip_fork_1 = left_hip_fork_G2 + left_ankle_cross_G1 * s_q8_q9_q10;
   const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 - left_shank_G1 * s_q8_q9;
   const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 + left_shank_G2 * c_q8_q9;
@@ -1505,7 +1505,7 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 + c_q8_q9_q10 * t_righ_ankl_cros_1;
   const Scalar t_right_hip_fork_7 = c_right_hip_roll * (left_hip_fork_G1 + t_right_foot_2);
   G[7] = s_right_hip_roll * t_right_hip_fork_6 - t_right_hip_fork_7;
-  // left_foot
+  // left_foot: G of 6.5
   const Scalar t_left_foot_1 = left_foot_k1 + q[5];
   const auto p_s_left_foot = sine_cosine(t_left_foot_1);
   const Scalar& s_left_foot = p_s_left_foot.sine;
@@ -1514,7 +1514,7 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar t_left_foot_3 = c_left_hip_roll * c_q2_q3_q4;
   const Scalar t_left_foot_4 = left_foot_G1 * c_left_foot;
   G[5] = t_left_foot_2 * t_left_foot_3 + s_left_hip_roll * t_left_foot_4;
-  // left_ankle_cross
+  // left_ankle_cross: G of 6.5
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_G2 + t_left_foot_4;
   const Scalar t_left_ankle_cross_2 = c_left_hip_roll * s_q2_q3_q4 * t_left_ankle_cross_1;
   const Scalar t_left_ankle_cross_3 = left_ankle_cross_G1 * t_left_foot_3;
@@ -1523,11 +1523,11 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar t_left_shank_1 = left_shank_G1 * c_q2_q3 + left_shank_G2 * s_q2_q3;
   const Scalar t_left_shank_2 = t_left_ankle_cross_4 - c_left_hip_roll * t_left_shank_1;
   G[3] = -t_left_shank_2;
-  // left_thigh
+  // left_thigh: G of 6.5
   const Scalar t_left_thigh_1 = left_thigh_G2 * s_left_hip_pitch;
   const Scalar t_left_thigh_2 = t_left_thigh_1 + left_thigh_G1 * c_left_hip_pitch;
   G[2] = c_left_hip_roll * t_left_thigh_2 - t_left_shank_2;
-  // left_hip_fork
+  // left_hip_fork: G of 6.5
   const Scalar t_left_hip_fork_1 = left_hip_fork_G2 + left_ankle_cross_G1 * s_q2_q3_q4;
   const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 - left_shank_G1 * s_q2_q3;
   const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 + left_shank_G2 * c_q2_q3;
@@ -1571,7 +1571,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
   const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar t_left_hip_block_1 = qd[0] * qd[0];
-  // left_hip_fork
+  // left_hip_fork: angular velocity omega, angular acceleration alpha, Omega of (1)
   const Scalar omega_left_hip_fork_x = c_left_hip_roll * qd[0];
   const Scalar t_left_hip_fork_1 = omega_left_hip_fork_x * qd[1];
   const Scalar t_left_hip_fork_2 = s_left_hip_roll * qdd[0];
@@ -1585,7 +1585,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_hip_fork_9 = t_left_hip_fork_8 - qdd[1];
   const Scalar t_left_hip_fork_10 = t_left_hip_fork_8 + qdd[1];
   const Scalar t_left_hip_fork_11 = t_left_hip_fork_4 + t_left_hip_fork_5;
-  // left_thigh
+  // left_thigh: Omega, angular velocity omega, angular acceleration alpha of (1)
   const Scalar t_left_thigh_1 = s_left_hip_pitch * Omega_left_hip_fork_zy;
   const Scalar t_left_thigh_2 = c_left_hip_pitch * t_left_hip_fork_10 - t_left_thigh_1;
   const Scalar t_left_thigh_3 = c_left_hip_pitch * omega_left_hip_fork_x;
@@ -1610,7 +1610,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar a_left_thigh_x = t_left_thigh_16 + c_left_hip_pitch * t_left_thigh_13;
   const Scalar t_left_thigh_17 = c_left_hip_pitch * t_left_hip_block_1;
   const Scalar a_left_thigh_y = t_left_thigh_17 - s_left_hip_pitch * t_left_thigh_13;
-  // left_shank
+  // left_shank: acceleration a, Omega, angular velocity omega of (1)
   const Scalar t_left_shank_1 = a_left_thigh_y - left_hip_fork_k1 * t_left_thigh_12;
   const Scalar t_left_shank_2 = c_left_knee * Omega_left_thigh_yz;
   const Scalar Omega_left_shank_yz = s_left_knee * t_left_thigh_2 + t_left_shank_2;
@@ -1638,7 +1638,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_shank_14 = t_left_hip_fork_11 - t_left_shank_13;
   const Scalar t_left_ankle_cross_1 = a_left_shank_x - left_hip_fork_k2 * t_left_shank_14;
   const Scalar a_left_shank_y = c_left_knee * t_left_shank_1 - s_left_knee * t_left_shank_9;
-  // left_ankle_cross
+  // left_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_left_ankle_cross_2 = a_left_shank_y + left_hip_fork_k2 * Omega_left_shank_yx;
   const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[4];
   const Scalar t_left_ankle_cross_3 = s_left_ankle_pitch * omega_left_shank_x;
@@ -1666,26 +1666,26 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar alpha_left_ankle_cross_z = alpha_left_shank_z + qdd[4];
   const Scalar Omega_left_foot_xz = t_left_ankle_cross_22 + alpha_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_23 = t_left_ankle_cross_22 - alpha_left_ankle_cross_z;
-  // left_foot
+  // left_foot: angular velocity omega, Omega of (1)
   const Scalar omega_left_foot_z = t_left_ankle_cross_5 + qd[5];
   const Scalar t_left_foot_1 = 2.0f * omega_left_foot_z;
   const Scalar t_left_foot_2 = omega_left_ankle_cross_z * t_left_foot_1;
   const Scalar Omega_left_foot_zy = t_left_ankle_cross_11 + t_left_foot_2;
-  // left_ankle_cross
+  // left_ankle_cross: acceleration a of (1)
   const Scalar t_left_ankle_cross_24 = s_left_ankle_pitch * t_left_ankle_cross_1;
   const Scalar t_left_ankle_cross_25 = c_left_ankle_pitch * t_left_ankle_cross_2;
   const Scalar t_left_ankle_cross_26 = t_left_ankle_cross_24 - t_left_ankle_cross_25;
-  // left_foot
+  // left_foot: acceleration a of (1)
   const Scalar t_left_foot_3 = t_left_ankle_cross_23 + t_left_ankle_cross_26;
   const Scalar a_left_foot_z = t_left_foot_3 + left_hip_fork_k3 * t_left_ankle_cross_8;
   const Scalar t_left_foot_4 = t_left_ankle_cross_18 - a_left_ankle_cross_z;
   const Scalar t_left_foot_5 = t_left_foot_4 + left_hip_fork_k3 * t_left_hip_fork_11;
-  // left_ankle_cross
+  // left_ankle_cross: acceleration a, Omega of (1)
   const Scalar t_left_ankle_cross_27 = s_left_ankle_pitch * t_left_ankle_cross_2;
   const Scalar t_left_ankle_cross_28 = c_left_ankle_pitch * t_left_ankle_cross_1;
   const Scalar a_left_ankle_cross_x = t_left_ankle_cross_27 + t_left_ankle_cross_28;
   const Scalar t_left_ankle_cross_29 = t_left_hip_fork_11 - t_left_ankle_cross_21;
-  // left_foot
+  // left_foot: acceleration a, Omega, moment M of (1)
   const Scalar t_left_foot_6 = a_left_ankle_cross_x - t_left_ankle_cross_29;
   const Scalar a_left_foot_x = t_left_foot_6 + left_hip_fork_k3 * t_left_ankle_cross_14;
   const Scalar Omega_left_foot_xy = t_left_ankle_cross_14 - qdd[5];
@@ -1721,7 +1721,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_foot_31 = t_left_foot_29 + left_ankle_cross_I1 * a_left_foot_x;
   const Scalar F_left_foot_x = t_left_foot_31 - t_left_foot_30;
   const Scalar t_right_hip_block_1 = qd[6] * qd[6];
-  // right_hip_fork
+  // right_hip_fork: angular velocity omega, angular acceleration alpha, Omega of (1)
   const Scalar omega_right_hip_fork_x = c_right_hip_roll * qd[6];
   const Scalar t_right_hip_fork_1 = omega_right_hip_fork_x * qd[7];
   const Scalar t_right_hip_fork_2 = s_right_hip_roll * qdd[6];
@@ -1734,7 +1734,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_hip_fork_8 = omega_right_hip_fork_x * t_right_hip_fork_4;
   const Scalar t_right_hip_fork_9 = t_right_hip_fork_8 + qdd[7];
   const Scalar t_right_hip_fork_10 = t_right_hip_fork_6 + t_right_hip_fork_7;
-  // right_thigh
+  // right_thigh: Omega, angular velocity omega, angular acceleration alpha of (1)
   const Scalar t_right_thigh_1 = s_right_hip_pitch * Omega_right_hip_fork_zy;
   const Scalar Omega_right_thigh_xz = t_right_thigh_1 - c_right_hip_pitch * t_right_hip_fork_9;
   const Scalar t_right_thigh_2 = c_right_hip_pitch * omega_right_hip_fork_x;
@@ -1762,7 +1762,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar a_right_thigh_x = t_right_thigh_16 + c_right_hip_pitch * t_right_thigh_14;
   const Scalar t_right_thigh_17 = t_right_thigh_9 - t_right_thigh_10;
   const Scalar t_right_thigh_18 = t_right_hip_fork_10 - t_right_thigh_17;
-  // right_shank
+  // right_shank: acceleration a, Omega, angular velocity omega of (1)
   const Scalar t_right_shank_2 = a_right_thigh_x - left_hip_fork_k1 * t_right_thigh_18;
   const Scalar t_right_shank_3 = c_right_knee * t_right_shank_2;
   const Scalar a_right_shank_x = t_right_shank_3 + s_right_knee * t_right_shank_1;
@@ -1790,7 +1790,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_righ_ankl_cros_2 = a_right_shank_x - t_righ_ankl_cros_1;
   const Scalar t_right_shank_15 = c_right_knee * t_right_shank_1;
   const Scalar a_right_shank_y = t_right_shank_15 - s_right_knee * t_right_shank_2;
-  // right_ankle_cross
+  // right_ankle_cross: acceleration a, Omega, angular velocity omega of (1)
   const Scalar t_righ_ankl_cros_3 = a_right_shank_y + left_hip_fork_k2 * Omega_right_shank_yx;
   const Scalar t_righ_ankl_cros_4 = c_right_ankle_pitch * t_righ_ankl_cros_2;
   const Scalar t_righ_ankl_cros_5 = s_right_ankle_pitch * t_righ_ankl_cros_3;
@@ -1825,7 +1825,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_righ_ankl_cros_25 = s_right_ankle_pitch * t_righ_ankl_cros_2;
   const Scalar t_righ_ankl_cros_26 = c_right_ankle_pitch * t_righ_ankl_cros_3;
   const Scalar t_righ_ankl_cros_27 = t_righ_ankl_cros_25 - t_righ_ankl_cros_26;
-  // right_foot
+  // right_foot: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_right_foot_1 = t_righ_ankl_cros_24 + t_righ_ankl_cros_27;
   const Scalar a_right_foot_z = t_right_foot_1 - left_hip_fork_k3 * t_righ_ankl_cros_18;
   const Scalar t_right_foot_2 = a_righ_ankl_cros_z + Omega_righ_ankl_cros_zx;
@@ -1868,11 +1868,11 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_foot_29 = t_right_foot_17 * (t_righ_ankl_cros_21 + t_right_foot_8);
   const Scalar t_right_foot_30 = left_ankle_cross_I1 * a_right_foot_x - t_right_foot_29;
   const Scalar F_right_foot_x = t_right_foot_30 + t_right_foot_7 * t_right_foot_16;
-  // right_ankle_cross
+  // right_ankle_cross: Omega, moment M of (1)
   const Scalar t_righ_ankl_cros_28 = t_righ_ankl_cros_20 + t_righ_ankl_cros_21;
   const Scalar t_righ_ankl_cros_29 = t_right_hip_fork_10 - t_righ_ankl_cros_28;
   const Scalar t_righ_ankl_cros_30 = left_ankle_cross_I3 * a_righ_ankl_cros_z;
-  // right_foot
+  // right_foot: moment M of (1)
   const Scalar t_right_foot_31 = t_righ_ankl_cros_30 - Omega_right_foot_yx * t_right_foot_14;
   const Scalar t_right_foot_32 = t_right_foot_31 + left_ankle_cross_I10 * t_righ_ankl_cros_24;
   const Scalar t_right_foot_33 = t_right_foot_32 + a_right_foot_z * t_right_foot_16;
@@ -1884,7 +1884,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_foot_39 = t_right_foot_38 - t_right_foot_37;
   const Scalar t_right_foot_40 = t_right_foot_39 + t_right_foot_9 * t_right_foot_13;
   const Scalar t_right_foot_41 = t_right_foot_40 + left_ankle_cross_I8 * Omega_righ_ankl_cros_zx;
-  // right_ankle_cross
+  // right_ankle_cross: moment M of (1)
   const Scalar t_righ_ankl_cros_31 = left_ankle_cross_I12 * t_righ_ankl_cros_23;
   const Scalar t_righ_ankl_cros_32 = left_ankle_cross_I3 * a_righ_ankl_cros_x;
   const Scalar t_righ_ankl_cros_33 = t_right_foot_28 + t_righ_ankl_cros_31;
@@ -1905,11 +1905,11 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_righ_ankl_cros_47 = left_ankle_cross_I13 * alpha_righ_ankl_cros_z;
   const Scalar M_righ_ankl_cros_z = t_righ_ankl_cros_46 + t_righ_ankl_cros_47;
   tau[10] = M_righ_ankl_cros_z;
-  // right_foot
+  // right_foot: force F of (1)
   const Scalar t_right_foot_43 = t_right_foot_16 * (t_righ_ankl_cros_20 + t_right_foot_8);
   const Scalar t_right_foot_44 = Omega_right_foot_yx * t_right_foot_17 + t_right_foot_43;
   const Scalar F_right_foot_y = t_right_foot_44 + left_ankle_cross_I1 * a_right_foot_y;
-  // right_ankle_cross
+  // right_ankle_cross: force F of (1)
   const Scalar t_righ_ankl_cros_48 = F_right_foot_y + left_shank_I14 * a_righ_ankl_cros_z;
   const Scalar t_righ_ankl_cros_49 = left_ankle_cross_I3 * Omega_righ_ankl_cros_zy;
   const Scalar F_righ_ankl_cros_z = t_righ_ankl_cros_48 - t_righ_ankl_cros_49;
@@ -1924,7 +1924,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_righ_ankl_cros_56 = t_righ_ankl_cros_54 + t_righ_ankl_cros_55;
   const Scalar t_right_shank_17 = t_right_hip_fork_10 - t_right_shank_13;
   const Scalar t_righ_ankl_cros_57 = M_righ_ankl_cros_z + left_hip_fork_k2 * t_righ_ankl_cros_56;
-  // right_shank
+  // right_shank: moment M of (1)
   const Scalar t_right_shank_18 = t_righ_ankl_cros_57 + left_shank_I6 * Omega_right_shank_xz;
   const Scalar t_right_shank_19 = t_right_shank_18 - left_shank_I13 * Omega_right_shank_yx;
   const Scalar t_right_shank_20 = t_right_shank_19 - left_shank_I1 * a_right_shank_x;
@@ -1933,7 +1933,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_shank_23 = t_right_shank_21 + left_shank_I11 * t_right_shank_5;
   const Scalar M_right_shank_z = t_right_shank_23 - t_right_shank_22;
   tau[9] = M_right_shank_z;
-  // right_foot
+  // right_foot: moment M of (1)
   const Scalar t_right_foot_45 = left_hip_fork_k3 * F_right_foot_x;
   const Scalar t_right_foot_46 = M_right_foot_z + F_right_foot_y + t_right_foot_45;
   const Scalar t_right_foot_47 = t_right_foot_46 + left_ankle_cross_I11 * Omega_righ_ankl_cros_zx;
@@ -1942,7 +1942,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_foot_50 = t_right_foot_49 - left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
   const Scalar t_right_shank_24 = F_righ_ankl_cros_z + left_shank_I1 * Omega_right_shank_zy;
   const Scalar F_right_shank_z = t_right_shank_24 + left_thigh_I14 * a_right_shank_z;
-  // right_ankle_cross
+  // right_ankle_cross: moment M of (1)
   const Scalar t_righ_ankl_cros_58 = c_right_ankle_pitch * t_right_foot_41;
   const Scalar t_righ_ankl_cros_59 = t_righ_ankl_cros_58 - s_right_ankle_pitch * t_right_foot_50;
   const Scalar t_righ_ankl_cros_60 = t_righ_ankl_cros_59 - left_shank_I10 * Omega_right_shank_zy;
@@ -1957,7 +1957,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_righ_ankl_cros_69 = t_righ_ankl_cros_68 + left_shank_I6 * Omega_right_shank_xy;
   const Scalar t_righ_ankl_cros_70 = t_righ_ankl_cros_69 + left_hip_fork_k2 * F_righ_ankl_cros_z;
   const Scalar t_righ_ankl_cros_71 = t_righ_ankl_cros_70 + left_shank_I13 * t_right_shank_16;
-  // right_thigh
+  // right_thigh: moment M of (1)
   const Scalar t_right_thigh_19 = left_thigh_I12 * t_right_thigh_8;
   const Scalar t_right_thigh_20 = t_right_thigh_19 + left_thigh_I6 * t_right_thigh_13;
   const Scalar t_right_thigh_21 = t_right_thigh_20 - left_thigh_I13 * t_right_thigh_5;
@@ -1966,7 +1966,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_thigh_24 = t_right_thigh_23 - left_thigh_I8 * t_right_thigh_17;
   const Scalar M_right_thigh_y = t_right_thigh_24 - c_right_knee * t_righ_ankl_cros_71;
   const Scalar t_righ_ankl_cros_72 = c_right_ankle_pitch * F_righ_ankl_cros_x;
-  // right_shank
+  // right_shank: force F of (1)
   const Scalar t_right_shank_25 = t_righ_ankl_cros_72 + left_thigh_I14 * a_right_shank_x;
   const Scalar t_right_shank_26 = t_right_shank_25 + left_shank_I1 * Omega_right_shank_xy;
   const Scalar F_right_shank_x = t_right_shank_26 - s_right_ankle_pitch * F_righ_ankl_cros_y;
@@ -1975,7 +1975,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_shank_28 = s_right_knee * F_right_shank_x + c_right_knee * F_right_shank_y;
   const Scalar t_right_thigh_25 = t_right_thigh_9 + t_right_thigh_10;
   const Scalar t_right_shank_29 = M_right_shank_z + left_hip_fork_k1 * t_right_shank_28;
-  // right_thigh
+  // right_thigh: moment M of (1)
   const Scalar t_right_thigh_26 = t_right_shank_29 - left_thigh_I2 * a_right_thigh_x;
   const Scalar t_right_thigh_27 = t_right_thigh_26 - left_thigh_I8 * Omega_right_thigh_yz;
   const Scalar t_right_thigh_28 = t_right_thigh_27 + left_thigh_I11 * t_right_thigh_13;
@@ -1984,11 +1984,11 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_thigh_31 = t_right_thigh_29 + t_right_thigh_30;
   const Scalar M_right_thigh_z = t_right_thigh_31 + left_thigh_I13 * t_right_thigh_12;
   tau[8] = M_right_thigh_z;
-  // right_hip_fork
+  // right_hip_fork: moment M, Omega of (1)
   const Scalar t_right_hip_fork_11 = t_right_hip_fork_6 - t_right_hip_fork_7;
   const Scalar t_right_hip_fork_12 = t_right_hip_block_1 - t_right_hip_fork_10;
   const Scalar t_right_hip_fork_13 = t_right_hip_fork_8 - qdd[7];
-  // right_thigh
+  // right_thigh: moment M of (1)
   const Scalar t_right_thigh_32 = left_thigh_I11 * t_right_thigh_8;
   const Scalar t_right_thigh_33 = left_thigh_I2 * a_right_thigh_z - t_right_thigh_32;
   const Scalar t_right_thigh_34 = t_right_thigh_33 - left_thigh_I12 * t_right_thigh_5;
@@ -2006,7 +2006,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_thigh_44 = t_right_thigh_42 + left_hip_fork_I10 * t_right_hip_fork_13;
   const Scalar t_right_thigh_45 = t_right_thigh_44 - s_right_hip_roll * t_right_thigh_43;
   const Scalar t_right_thigh_46 = t_right_thigh_45 - left_hip_fork_I11 * t_right_hip_fork_9;
-  // right_hip_fork
+  // right_hip_fork: moment M, Omega of (1)
   tau[7] = -(t_right_thigh_46 + s_right_hip_pitch * M_right_thigh_x);
   const Scalar Omega_right_hip_fork_zx = t_right_hip_fork_1 + t_right_hip_fork_3;
   const Scalar t_right_hip_fork_15 = F_right_shank_z - left_hip_fork_I8 * t_right_hip_fork_13;
@@ -2021,7 +2021,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar M_right_hip_fork_x = t_right_hip_fork_22 + t_right_hip_fork_23;
   const Scalar F_right_thigh_y = t_right_shank_28 - left_thigh_I2 * t_right_thigh_25;
   const Scalar t_right_shank_30 = c_right_knee * F_right_shank_x - s_right_knee * F_right_shank_y;
-  // right_thigh
+  // right_thigh: force F, moment M of (1)
   const Scalar F_right_thigh_x = t_right_shank_30 - left_thigh_I2 * t_right_thigh_13;
   const Scalar t_right_thigh_47 = M_right_thigh_z + left_hip_fork_I9 * t_right_hip_fork_9;
   const Scalar t_right_thigh_48 = t_right_thigh_47 - s_right_hip_pitch * F_right_thigh_y;
@@ -2034,7 +2034,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   tau[6] = t_right_hip_block_2 + s_right_hip_roll * t_right_thigh_52;
   const Scalar t_left_ankle_cross_30 = t_left_ankle_cross_19 + t_left_ankle_cross_20;
   const Scalar t_left_foot_32 = t_left_ankle_cross_19 + t_left_foot_8;
-  // left_ankle_cross
+  // left_ankle_cross: moment M of (1)
   const Scalar t_left_ankle_cross_31 = t_left_hip_fork_11 - t_left_ankle_cross_30;
   const Scalar t_left_ankle_cross_32 = left_ankle_cross_I10 * t_left_ankle_cross_23;
   const Scalar t_left_ankle_cross_33 = left_ankle_cross_I8 * t_left_ankle_cross_18;
@@ -2052,11 +2052,11 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_ankle_cross_43 = left_ankle_cross_I2 * t_left_ankle_cross_31;
   const Scalar t_left_ankle_cross_44 = t_left_ankle_cross_42 + t_left_ankle_cross_43;
   const Scalar M_left_ankle_cross_x = t_left_ankle_cross_44 - Omega_left_foot_yx * t_left_foot_14;
-  // left_foot
+  // left_foot: force F of (1)
   const Scalar t_left_foot_35 = Omega_left_foot_yx * t_left_foot_15;
   const Scalar t_left_foot_36 = t_left_foot_17 * t_left_foot_32 - t_left_foot_35;
   const Scalar t_left_foot_37 = t_left_foot_36 + left_ankle_cross_I1 * t_left_foot_5;
-  // left_ankle_cross
+  // left_ankle_cross: moment M, force F of (1)
   const Scalar t_left_ankle_cross_45 = left_ankle_cross_I2 * Omega_left_foot_xz;
   const Scalar t_left_ankle_cross_46 = t_left_foot_25 + t_left_foot_37 + t_left_ankle_cross_45;
   const Scalar t_left_ankle_cross_47 = left_ankle_cross_I10 * t_left_ankle_cross_21;
@@ -2097,7 +2097,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_ankle_cross_74 = s_left_ankle_pitch * F_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_75 = c_left_ankle_pitch * F_left_ankle_cross_y;
   const Scalar t_left_ankle_cross_76 = t_left_ankle_cross_74 + t_left_ankle_cross_75;
-  // left_shank
+  // left_shank: moment M, force F of (1)
   const Scalar t_left_shank_16 = M_left_ankle_cross_z - left_shank_I6 * Omega_left_shank_xz;
   const Scalar t_left_shank_17 = t_left_shank_16 - left_shank_I15 * t_left_shank_12;
   const Scalar t_left_shank_18 = t_left_shank_17 + left_shank_I11 * Omega_left_shank_yz;
@@ -2119,11 +2119,11 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_shank_27 = t_left_shank_26 - left_shank_I13 * t_left_shank_8;
   const Scalar t_left_shank_28 = t_left_shank_27 + left_shank_I9 * t_left_shank_5;
   const Scalar M_left_shank_y = t_left_shank_28 + c_left_ankle_pitch * M_left_ankle_cross_y;
-  // left_ankle_cross
+  // left_ankle_cross: force F of (1)
   const Scalar t_left_ankle_cross_78 = t_left_foot_41 - left_thigh_I14 * a_left_shank_z;
   const Scalar t_left_ankle_cross_79 = t_left_ankle_cross_78 + left_shank_I1 * t_left_shank_5;
   const Scalar t_left_ankle_cross_80 = c_left_ankle_pitch * M_left_ankle_cross_x;
-  // left_shank
+  // left_shank: moment M of (1)
   const Scalar t_left_shank_29 = t_left_ankle_cross_80 - left_shank_I10 * t_left_shank_5;
   const Scalar t_left_shank_30 = left_shank_I6 * (t_left_hip_fork_11 - t_left_shank_15);
   const Scalar t_left_shank_31 = left_shank_I11 * Omega_left_shank_yx;
@@ -2138,7 +2138,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_shank_37 = t_left_shank_36 - left_hip_fork_k1 * t_left_ankle_cross_79;
   const Scalar t_left_shank_38 = t_left_shank_37 - left_thigh_I8 * t_left_thigh_14;
   const Scalar t_left_shank_39 = t_left_shank_38 - s_left_knee * M_left_shank_x;
-  // left_thigh
+  // left_thigh: Omega, moment M of (1)
   const Scalar t_left_thigh_21 = t_left_thigh_9 + t_left_thigh_10;
   const Scalar t_left_thigh_22 = t_left_hip_fork_11 - t_left_thigh_21;
   const Scalar t_left_thigh_23 = left_thigh_I2 * a_left_thigh_z - left_thigh_I6 * t_left_thigh_22;
@@ -2148,12 +2148,12 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_thigh_27 = t_left_thigh_26 - s_left_knee * M_left_shank_y;
   const Scalar M_left_thigh_x = t_left_thigh_27 + left_thigh_I8 * t_left_thigh_12;
   const Scalar t_left_ankle_cross_81 = c_left_ankle_pitch * F_left_ankle_cross_x;
-  // left_shank
+  // left_shank: force F of (1)
   const Scalar t_left_shank_40 = left_thigh_I14 * a_left_shank_x + t_left_ankle_cross_81;
   const Scalar t_left_shank_41 = t_left_shank_40 - s_left_ankle_pitch * F_left_ankle_cross_y;
   const Scalar F_left_shank_x = t_left_shank_41 + left_shank_I1 * Omega_left_shank_xy;
   const Scalar t_left_shank_42 = c_left_knee * F_left_shank_y + s_left_knee * F_left_shank_x;
-  // left_thigh
+  // left_thigh: moment M of (1)
   const Scalar t_left_thigh_28 = M_left_shank_z + left_thigh_I6 * t_left_thigh_2;
   const Scalar t_left_thigh_29 = left_thigh_I12 * (t_left_thigh_14 - t_left_thigh_22);
   const Scalar t_left_thigh_30 = t_left_thigh_28 + left_thigh_I16 * t_left_thigh_11;
@@ -2163,7 +2163,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_thigh_34 = t_left_thigh_33 - left_thigh_I15 * alpha_left_thigh_z;
   const Scalar M_left_thigh_z = t_left_thigh_34 - left_thigh_I2 * a_left_thigh_x;
   tau[2] = M_left_thigh_z;
-  // left_hip_fork
+  // left_hip_fork: moment M, Omega of (1)
   const Scalar t_left_hip_fork_12 = t_left_hip_fork_4 - t_left_hip_fork_5;
   const Scalar t_left_hip_fork_13 = t_left_hip_block_1 - t_left_hip_fork_11;
   const Scalar t_left_hip_fork_14 = left_hip_fork_G2 - left_hip_fork_I9 * qdd[0];
@@ -2182,7 +2182,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_thigh_35 = M_left_thigh_z + left_hip_fork_I8 * t_left_hip_fork_12;
   const Scalar t_left_thigh_36 = t_left_thigh_35 - s_left_hip_pitch * F_left_thigh_y;
   const Scalar t_left_shank_44 = t_left_shank_43 - c_left_knee * F_left_shank_x;
-  // left_thigh
+  // left_thigh: moment M of (1)
   const Scalar t_left_thigh_37 = t_left_thigh_36 - left_hip_fork_I9 * t_left_hip_fork_10;
   const Scalar t_left_thigh_38 = t_left_thigh_37 - c_left_hip_pitch * t_left_shank_44;
   const Scalar t_left_thigh_39 = t_left_thigh_38 + left_hip_fork_I7 * Omega_left_hip_fork_zy;
@@ -2195,7 +2195,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_thigh_46 = t_left_thigh_39 + left_hip_fork_I10 * Omega_left_hip_fork_zx;
   const Scalar t_left_hip_fork_23 = s_left_hip_roll * t_left_thigh_46;
   const Scalar t_left_thigh_47 = t_left_thigh_45 + s_left_hip_pitch * t_left_shank_39;
-  // left_hip_block
+  // left_hip_block: moment M of (1)
   tau[0] = left_hip_block_I2 * qdd[0] + t_left_hip_fork_23 - c_left_hip_roll * t_left_thigh_47;
 }
 
@@ -2204,13 +2204,13 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
   const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
   const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank
+  // left_shank: way s to the joint of (1)
   const auto p_s_left_hip_pitch = sine_cosine(q[2]);
   const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
   const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar t_left_shank_1 = left_shank_l1 * c_left_hip_pitch;
   const Scalar t_left_shank_2 = left_shank_l1 * s_left_hip_pitch;
-  // left_ankle_cross
+  // left_ankle_cross: angular velocity omega, way s to the joint of (1)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
@@ -2224,13 +2224,13 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
   const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
   const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank
+  // right_shank: way s to the joint of (1)
   const auto p_s_right_hip_pitch = sine_cosine(q[8]);
   const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
   const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar t_right_shank_1 = left_shank_l1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = left_shank_l1 * s_right_hip_pitch;
-  // right_ankle_cross
+  // right_ankle_cross: acceleration a, way s to the joint of (1)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
@@ -2241,14 +2241,14 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * c_q8_q9;
   const Scalar t_righ_ankl_cros_2 = left_ankle_cross_l1 * s_q8_q9;
-  // left_hip_fork
+  // left_hip_fork: angular velocity omega, Omega of (1)
   const Scalar omega_left_hip_fork_x = c_left_hip_roll * qd[0];
   const Scalar t_left_hip_fork_1 = omega_left_hip_fork_x * omega_left_hip_fork_x;
   const Scalar t_left_hip_fork_2 = s_left_hip_roll * qd[0];
   const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 * t_left_hip_fork_2;
   const Scalar t_left_hip_fork_4 = qd[1] * qd[1];
   const Scalar t_left_hip_fork_5 = t_left_hip_fork_1 + t_left_hip_fork_4;
-  // left_thigh
+  // left_thigh: angular acceleration alpha, Omega, acceleration a of (1)
   const Scalar alpha_left_thigh_z = omega_left_hip_fork_x * qd[1];
   const Scalar Omega_left_thigh_xz = omega_left_hip_fork_x * t_left_hip_fork_2;
   const Scalar a_left_thigh_z = base_g1 * s_left_hip_roll;
@@ -2279,7 +2279,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_thigh_18 = left_thigh_h1 * s_left_hip_pitch;
   const Scalar t_left_thigh_19 = t_left_thigh_18 - left_thigh_h3 * c_left_hip_pitch;
   const Scalar t_left_thigh_20 = left_thigh_I17 - t_left_thigh_11;
-  // left_shank
+  // left_shank: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_left_shank_4 = a_left_thigh_z - t_left_shank_2 * Omega_left_thigh_zy;
   const Scalar a_left_shank_z = t_left_shank_4 + t_left_shank_1 * t_left_thigh_5;
   const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
@@ -2299,7 +2299,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_shank_18 = t_left_thigh_6 + t_left_shank_1 * Omega_left_hip_fork_zx;
   const Scalar t_left_shank_19 = t_left_shank_2 * (t_left_hip_fork_1 + t_left_thigh_2);
   const Scalar t_left_shank_20 = t_left_shank_18 - t_left_shank_19;
-  // left_ankle_cross
+  // left_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_left_ankle_cross_3 = t_left_ankle_cross_1 * Omega_left_hip_fork_zx;
   const Scalar t_left_ankle_cross_4 = t_left_shank_20 + t_left_ankle_cross_3;
   const Scalar t_left_ankle_cross_5 = t_left_ankle_cross_2 * t_left_shank_17;
@@ -2334,7 +2334,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_ankle_cross_29 = alpha_left_thigh_z - t_left_ankle_cross_28;
   const Scalar Omega_left_foot_xz = alpha_left_thigh_z + t_left_ankle_cross_28;
   const Scalar t_left_ankle_cross_30 = t_left_ankle_cross_24 + t_left_ankle_cross_25;
-  // left_foot
+  // left_foot: angular velocity omega, Omega, first moment h of (1)
   const Scalar t_left_foot_1 = omega_left_ankle_cross_y - qd[5];
   const Scalar t_left_foot_2 = t_left_ankle_cross_15 * t_left_foot_1;
   const Scalar Omega_left_foot_zy = t_left_ankle_cross_17 - t_left_foot_2;
@@ -2359,7 +2359,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_foot_14 = t_left_foot_13 + t_left_foot_5 * h_left_foot_x;
   const Scalar omega_right_hip_fork_x = c_right_hip_roll * qd[6];
   const Scalar alpha_right_thigh_z = omega_right_hip_fork_x * qd[7];
-  // right_hip_fork
+  // right_hip_fork: angular velocity omega, Omega, acceleration a of (1)
   const Scalar t_right_hip_fork_1 = s_right_hip_roll * qd[6];
   const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 * t_right_hip_fork_1;
   const Scalar t_right_hip_fork_3 = omega_right_hip_fork_x * omega_right_hip_fork_x;
@@ -2369,7 +2369,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar a_right_hip_fork_x = base_g1 * c_right_hip_roll;
   const Scalar a_right_thigh_z = base_g1 * s_right_hip_roll;
   const Scalar t_right_shank_3 = t_right_hip_fork_3 - t_right_hip_fork_4;
-  // right_thigh
+  // right_thigh: angular velocity omega, Omega, acceleration a of (1)
   const Scalar omega_right_thigh_z = t_right_hip_fork_1 + qd[8];
   const Scalar t_right_thigh_1 = omega_right_thigh_z * omega_right_thigh_z;
   const Scalar t_right_thigh_2 = t_right_hip_fork_3 - t_right_thigh_1;
@@ -2397,7 +2397,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_thigh_19 = left_thigh_I17 - t_right_thigh_10;
   const Scalar t_right_thigh_20 = left_thigh_h1 * s_right_hip_pitch;
   const Scalar t_right_thigh_21 = t_right_thigh_20 - left_thigh_h3 * c_right_hip_pitch;
-  // right_shank
+  // right_shank: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_right_shank_4 = a_right_thigh_z - t_right_shank_2 * Omega_right_thigh_zy;
   const Scalar a_right_shank_z = t_right_shank_4 + t_right_shank_1 * t_right_thigh_5;
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[9];
@@ -2421,7 +2421,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_shank_19 = t_right_shank_1 * Omega_right_hip_fork_zx;
   const Scalar t_right_shank_20 = t_right_thigh_7 + t_right_shank_19;
   const Scalar t_right_shank_21 = t_right_shank_20 - t_right_shank_2 * t_right_thigh_22;
-  // right_ankle_cross
+  // right_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_1 * Omega_right_hip_fork_zx;
   const Scalar t_righ_ankl_cros_5 = t_right_shank_21 + t_righ_ankl_cros_4;
   const Scalar t_righ_ankl_cros_6 = t_righ_ankl_cros_2 * t_right_shank_9;
@@ -2451,7 +2451,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar Omega_righ_ankl_cros_yx = alpha_right_thigh_z - t_righ_ankl_cros_23;
   const Scalar Omega_right_foot_xz = alpha_right_thigh_z + t_righ_ankl_cros_23;
   const Scalar t_righ_ankl_cros_24 = t_righ_ankl_cros_16 + t_righ_ankl_cros_17;
-  // right_foot
+  // right_foot: angular velocity omega, Omega, pseudo-inertia E of (1)
   const Scalar t_right_foot_2 = omega_righ_ankl_cros_y - qd[11];
   const Scalar t_right_foot_3 = t_righ_ankl_cros_14 * t_right_foot_2;
   const Scalar Omega_right_foot_zy = Omega_righ_ankl_cros_zy - t_right_foot_3;
@@ -2481,7 +2481,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_foot_15 = t_right_foot_14 + left_hip_fork_l2 * t_righ_ankl_cros_21;
   const Scalar t_righ_ankl_cros_26 = left_ankle_cross_I8 + E_right_foot_xz;
   const Scalar t_right_foot_16 = Omega_right_foot_zy * E_right_foot_yy;
-  // right_ankle_cross
+  // right_ankle_cross: pseudo-inertia E of (1)
   const Scalar t_righ_ankl_cros_27 = t_right_hip_fork_5 - t_righ_ankl_cros_24;
   const Scalar t_righ_ankl_cros_28 = left_hip_fork_l2 * F_right_foot_z - t_right_foot_16;
   const Scalar t_righ_ankl_cros_29 = left_ankle_cross_I2 * t_righ_ankl_cros_27;
@@ -2501,11 +2501,11 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar E_righ_ankl_cros_yz = left_ankle_cross_I2 + t_right_foot_11;
   const Scalar t_righ_ankl_cros_40 = left_ankle_cross_h2 * Omega_righ_ankl_cros_yx;
   const Scalar t_righ_ankl_cros_41 = left_ankle_cross_h1 * t_righ_ankl_cros_24;
-  // right_foot
+  // right_foot: force F of (1)
   const Scalar t_right_foot_20 = F_right_foot_z - t_righ_ankl_cros_40 - t_righ_ankl_cros_41;
   const Scalar t_right_foot_21 = h_right_foot_x * (t_righ_ankl_cros_24 - t_right_foot_5);
   const Scalar t_right_foot_22 = t_right_foot_21 + t_right_foot_1 * h_right_foot_y;
-  // right_ankle_cross
+  // right_ankle_cross: force F of (1)
   const Scalar t_righ_ankl_cros_42 = left_ankle_cross_h1 * Omega_right_foot_xz;
   const Scalar t_righ_ankl_cros_43 = left_ankle_cross_h2 * t_righ_ankl_cros_19;
   const Scalar t_righ_ankl_cros_44 = t_right_foot_22 - t_righ_ankl_cros_42;
@@ -2525,7 +2525,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_thigh_24 = Omega_right_thigh_zy * t_right_thigh_18;
   const Scalar t_right_thigh_25 = t_righ_ankl_cros_50 + t_right_thigh_24;
   const Scalar t_right_shank_23 = t_right_thigh_25 + t_right_thigh_5 * t_right_thigh_21;
-  // right_foot
+  // right_foot: moment M, acceleration a of (1)
   const Scalar t_right_foot_27 = E_right_foot_xx + t_right_foot_19;
   const Scalar t_right_foot_28 = t_righ_ankl_cros_9 - left_hip_fork_l2 * t_right_foot_1;
   const Scalar t_right_foot_29 = Omega_right_foot_xz * t_right_foot_11;
@@ -2550,7 +2550,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_shank_24 = t_right_hip_fork_5 - t_right_shank_9;
   const Scalar t_right_thigh_27 = left_thigh_I11 + t_right_thigh_10;
   const Scalar t_right_hip_fork_9 = left_hip_fork_I8 * Omega_right_thigh_xz;
-  // right_thigh
+  // right_thigh: moment M of (1)
   const Scalar t_right_thigh_28 = t_right_hip_fork_9 - c_q8_q9_q10 * t_right_foot_18;
   const Scalar t_right_thigh_29 = t_right_thigh_28 + left_hip_fork_I13 * t_right_hip_fork_6;
   const Scalar t_right_thigh_30 = t_right_thigh_29 + left_hip_fork_I1 * t_right_hip_fork_8;
@@ -2570,7 +2570,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_thigh_43 = t_right_thigh_42 - t_right_thigh_5 * t_right_thigh_12;
   const Scalar t_right_thigh_44 = t_right_thigh_43 - Omega_right_thigh_zy * t_right_thigh_27;
   const Scalar t_right_thigh_45 = t_right_thigh_44 + a_right_shank_z * t_right_shank_16;
-  // left_ankle_cross
+  // left_ankle_cross: acceleration a, pseudo-inertia E, moment M of (1)
   const Scalar t_left_ankle_cross_31 = s_q2_q3_q4 * t_left_ankle_cross_8;
   const Scalar t_left_ankle_cross_32 = c_q2_q3_q4 * t_left_ankle_cross_6;
   const Scalar a_left_ankle_cross_y = t_left_ankle_cross_31 + t_left_ankle_cross_32;
@@ -2601,7 +2601,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_ankle_cross_49 = c_q2_q3_q4 * t_left_ankle_cross_8;
   const Scalar t_left_ankle_cross_50 = s_q2_q3_q4 * t_left_ankle_cross_6;
   const Scalar t_left_ankle_cross_51 = t_left_ankle_cross_49 - t_left_ankle_cross_50;
-  // left_foot
+  // left_foot: moment M, Omega, force F of (1)
   const Scalar t_left_foot_21 = left_hip_fork_l1 * t_left_ankle_cross_27;
   const Scalar t_left_foot_22 = t_left_ankle_cross_24 - t_left_foot_3;
   const Scalar t_left_foot_23 = t_left_foot_7 * (t_left_ankle_cross_24 + t_left_foot_3);
@@ -2630,7 +2630,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_ankle_cross_52 = left_ankle_cross_h2 * t_left_ankle_cross_29;
   const Scalar F_left_ankle_cross_y = t_left_foot_42 + t_left_ankle_cross_52;
   const Scalar t_left_foot_43 = F_left_foot_x - left_ankle_cross_h2 * t_left_ankle_cross_27;
-  // left_ankle_cross
+  // left_ankle_cross: force F of (1)
   const Scalar F_left_ankle_cross_x = t_left_foot_43 + left_ankle_cross_h1 * Omega_left_foot_xz;
   const Scalar t_left_ankle_cross_53 = left_ankle_cross_h1 * t_left_ankle_cross_17;
   const Scalar t_left_ankle_cross_54 = left_ankle_cross_h2 * t_left_ankle_cross_23;
@@ -2638,7 +2638,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar F_left_ankle_cross_z = t_left_ankle_cross_55 + t_left_ankle_cross_54;
   const Scalar t_left_shank_22 = F_left_ankle_cross_z + t_left_shank_6 * t_left_shank_14;
   const Scalar F_left_shank_z = t_left_shank_22 - t_left_shank_5 * t_left_shank_16;
-  // left_thigh
+  // left_thigh: moment M of (1)
   const Scalar t_left_thigh_21 = t_left_thigh_13 + t_left_shank_12;
   const Scalar t_left_thigh_22 = left_hip_fork_l1 * t_left_thigh_19;
   const Scalar t_left_thigh_23 = left_hip_fork_l1 - t_left_shank_2;
@@ -2671,7 +2671,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar h_righ_ankl_cros_x = left_ankle_cross_h2 + h_right_foot_x;
   const Scalar t_right_foot_44 = E_right_foot_xx + E_right_foot_yy;
   const Scalar t_right_foot_45 = left_hip_fork_l1 * h_right_foot_y;
-  // right_ankle_cross
+  // right_ankle_cross: first moment h, pseudo-inertia E of (1)
   const Scalar t_righ_ankl_cros_53 = t_right_foot_19 + t_right_foot_27;
   const Scalar t_righ_ankl_cros_54 = left_ankle_cross_h1 * s_q8_q9_q10;
   const Scalar t_righ_ankl_cros_55 = t_righ_ankl_cros_54 + c_q8_q9_q10 * h_righ_ankl_cros_x;
@@ -2688,7 +2688,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_righ_ankl_cros_64 = t_righ_ankl_cros_1 * t_righ_ankl_cros_55;
   const Scalar t_righ_ankl_cros_65 = t_righ_ankl_cros_2 * t_righ_ankl_cros_57;
   const Scalar t_righ_ankl_cros_66 = t_righ_ankl_cros_2 * h_right_foot_y;
-  // right_shank
+  // right_shank: first moment h of (1)
   const Scalar t_right_shank_26 = t_right_thigh_18 + t_righ_ankl_cros_58;
   const Scalar t_right_shank_27 = t_right_shank_2 * t_righ_ankl_cros_58;
   const Scalar t_right_shank_28 = t_right_shank_1 * h_right_shank_x;
@@ -2708,7 +2708,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_thigh_49 = t_right_shank_34 - (t_right_thigh_14 - t_right_shank_29);
   const Scalar t_right_hip_fork_10 = t_right_shank_12 - (left_hip_fork_I2 - t_right_thigh_11);
   const Scalar t_righ_ankl_cros_70 = t_righ_ankl_cros_1 * t_righ_ankl_cros_57;
-  // right_hip_fork
+  // right_hip_fork: pseudo-inertia E of (1)
   const Scalar t_right_hip_fork_11 = E_right_foot_xz + t_right_hip_fork_10;
   const Scalar t_right_hip_fork_12 = h_right_shank_x * (left_hip_fork_l1 - t_right_shank_2);
   const Scalar t_right_hip_fork_13 = t_right_hip_fork_11 - t_righ_ankl_cros_70;
@@ -2723,7 +2723,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_shank_36 = t_right_shank_2 * h_right_foot_y;
   const Scalar h_left_ankle_cross_x = left_ankle_cross_h2 + h_left_foot_x;
   const Scalar t_left_foot_44 = left_hip_fork_l1 * t_left_foot_7;
-  // left_ankle_cross
+  // left_ankle_cross: first moment h, pseudo-inertia E of (1)
   const Scalar t_left_ankle_cross_57 = s_q2_q3_q4 * h_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_58 = left_ankle_cross_h1 * c_q2_q3_q4 - t_left_ankle_cross_57;
   const Scalar t_left_ankle_cross_59 = t_left_shank_14 - t_left_ankle_cross_58;
@@ -2736,7 +2736,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_ankle_cross_66 = t_left_ankle_cross_1 * t_left_foot_7;
   const Scalar t_left_shank_25 = t_left_thigh_17 + t_left_ankle_cross_59;
   const Scalar t_left_ankle_cross_67 = E_left_foot_xx + left_hip_fork_l3 * h_left_foot_x;
-  // left_shank
+  // left_shank: first moment h of (1)
   const Scalar t_left_shank_26 = t_left_shank_2 * t_left_ankle_cross_59;
   const Scalar h_left_shank_x = t_left_shank_16 - t_left_ankle_cross_61;
   const Scalar t_left_shank_27 = t_left_shank_1 * h_left_shank_x;
@@ -2752,7 +2752,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_ankle_cross_72 = c_q2_q3_q4 * t_left_ankle_cross_33 * 2.0f;
   const Scalar t_left_ankle_cross_73 = s_q2_q3_q4 * t_left_ankle_cross_71;
   const Scalar t_left_ankle_cross_74 = t_left_ankle_cross_72 + t_left_ankle_cross_73;
-  // left_hip_fork
+  // left_hip_fork: pseudo-inertia E of (1)
   const Scalar t_left_hip_fork_9 = t_left_shank_10 - (left_hip_fork_I2 - t_left_thigh_9);
   const Scalar t_left_hip_fork_10 = E_left_foot_xz + t_left_hip_fork_9 + t_left_thigh_22;
   const Scalar t_left_hip_fork_11 = t_left_hip_fork_10 - c_q2_q3_q4 * t_left_ankle_cross_74;
@@ -2801,7 +2801,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_thigh_48 = t_left_shank_32 - c_q2_q3_q4 * t_left_foot_44;
   const Scalar t_left_hip_fork_15 = c_left_hip_roll * (t_left_thigh_47 - t_left_thigh_46);
   const Scalar t_left_hip_fork_16 = s_left_hip_roll * t_left_thigh_48 - t_left_hip_fork_15;
-  // right_foot
+  // right_foot: 1/pivot of (1)
   const Scalar inverse_pivot_right_foot = 1.0f / t_right_foot_44;
   const Scalar t_right_foot_48 = t_right_hip_fork_21 * inverse_pivot_right_foot;
   const Scalar t_right_foot_49 = t_right_shank_40 * inverse_pivot_right_foot;
@@ -2831,7 +2831,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_foot_57 = t_righ_ankl_cros_73 * t_right_foot_50;
   const Scalar t_right_foot_58 = t_righ_ankl_cros_78 - t_right_foot_57;
   const Scalar t_right_foot_59 = t_righ_ankl_cros_76 - t_right_foot_11 * t_right_foot_50;
-  // right_ankle_cross
+  // right_ankle_cross: 1/pivot of (1)
   const Scalar t_righ_ankl_cros_81 = 1.0f / t_right_foot_59;
   const Scalar t_righ_ankl_cros_82 = t_right_foot_55 * t_righ_ankl_cros_81;
   const Scalar t_righ_ankl_cros_83 = t_right_foot_58 * t_righ_ankl_cros_81;
@@ -2887,7 +2887,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_thigh_63 = t_right_thigh_62 - s_right_hip_roll * E_right_hip_fork_yz;
   const Scalar t_right_thigh_64 = t_right_thigh_63 + t_righ_ankl_cros_93 * t_right_shank_48;
   const Scalar t_right_shank_57 = t_righ_ankl_cros_93 * t_right_shank_47;
-  // right_hip_fork
+  // right_hip_fork: 1/pivot of (1)
   const Scalar t_right_hip_fork_28 = t_right_foot_12 - left_hip_fork_l4 * h_right_foot_y;
   const Scalar t_right_hip_fork_29 = t_right_shank_11 - t_right_shank_30;
   const Scalar t_right_hip_fork_30 = t_right_thigh_46 - t_right_hip_fork_29;
@@ -2953,7 +2953,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_foot_55 = t_left_ankle_cross_80 * t_left_foot_49;
   const Scalar t_left_foot_56 = t_left_ankle_cross_85 - t_left_foot_55;
   const Scalar t_left_foot_57 = t_left_ankle_cross_83 - E_left_foot_yz * t_left_foot_49;
-  // left_ankle_cross
+  // left_ankle_cross: 1/pivot of (1)
   const Scalar t_left_ankle_cross_89 = 1.0f / t_left_foot_57;
   const Scalar t_left_ankle_cross_90 = t_left_foot_52 * t_left_ankle_cross_89;
   const Scalar t_left_ankle_cross_91 = t_left_foot_54 * t_left_ankle_cross_89;
@@ -2984,7 +2984,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_foot_61 = E_left_shank_yz - t_left_ankle_cross_80 * t_left_foot_47;
   const Scalar t_left_ankle_cross_102 = t_left_foot_56 * t_left_ankle_cross_101;
   const Scalar t_left_ankle_cross_103 = t_left_foot_61 - t_left_ankle_cross_102;
-  // left_shank
+  // left_shank: 1/pivot of (1)
   const Scalar inverse_pivot_left_shank = 1.0f / (t_left_foot_60 - t_left_ankle_cross_100);
   const Scalar t_left_shank_43 = t_left_ankle_cross_95 * inverse_pivot_left_shank;
   const Scalar t_left_shank_44 = t_left_ankle_cross_98 * inverse_pivot_left_shank;
@@ -3010,7 +3010,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_shank_53 = t_left_shank_49 - t_left_shank_32 * t_left_foot_62;
   const Scalar inverse_pivot_left_thigh = 1.0f / t_left_shank_53;
   const Scalar t_left_thigh_55 = t_left_shank_47 * inverse_pivot_left_thigh;
-  // left_hip_fork
+  // left_hip_fork: pseudo-inertia E of (1)
   const Scalar t_left_hip_fork_22 = left_hip_fork_I1 - t_left_foot_44 + E_left_thigh_yz;
   const Scalar t_left_hip_fork_23 = s_left_hip_roll * t_left_hip_fork_22;
   const Scalar t_left_hip_fork_24 = c_left_hip_roll * E_left_hip_fork_xz + t_left_hip_fork_23;
@@ -3034,7 +3034,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_thigh_59 = t_left_thigh_58 + t_left_shank_34 * t_left_foot_47;
   const Scalar t_left_thigh_60 = t_left_thigh_59 + t_left_shank_52 * t_left_thigh_57;
   const Scalar t_left_thigh_61 = t_left_thigh_60 + t_left_foot_53 * t_left_ankle_cross_101;
-  // left_hip_fork
+  // left_hip_fork: 1/pivot of (1)
   const Scalar t_left_hip_fork_30 = 1.0f / t_left_thigh_61;
   const Scalar t_left_hip_fork_31 = left_hip_fork_I15 - t_left_hip_fork_25;
   const Scalar t_left_hip_fork_32 = t_left_thigh_56 * t_left_hip_fork_30;
@@ -3054,7 +3054,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_hip_fork_43 = t_left_hip_fork_42 - t_left_shank_47 * t_left_thigh_55;
   const Scalar t_left_hip_block_2 = 1.0f / t_left_hip_fork_43;
   const Scalar t_left_hip_block_3 = t_left_hip_block_1 * inverse_pivot_right_foot;
-  // right_ankle_cross
+  // right_ankle_cross: moment M of (1)
   const Scalar t_righ_ankl_cros_98 = left_ankle_cross_I15 * t_righ_ankl_cros_23;
   const Scalar t_righ_ankl_cros_99 = left_ankle_cross_I16 * alpha_right_thigh_z;
   const Scalar t_righ_ankl_cros_100 = t_righ_ankl_cros_98 + t_righ_ankl_cros_99;
@@ -3082,7 +3082,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_righ_ankl_cros_118 = t_righ_ankl_cros_117 + s_q8_q9_q10 * t_right_foot_23;
   const Scalar t_right_shank_61 = M_righ_ankl_cros_z + Omega_right_thigh_yz * t_right_shank_14;
   const Scalar t_righ_ankl_cros_119 = t_righ_ankl_cros_1 * t_righ_ankl_cros_118;
-  // right_shank
+  // right_shank: moment M of (1)
   const Scalar t_right_shank_62 = t_right_shank_61 - t_righ_ankl_cros_119;
   const Scalar t_right_shank_63 = t_right_shank_62 + t_right_shank_3 * t_right_shank_13;
   const Scalar t_right_shank_64 = t_right_shank_63 - Omega_right_thigh_xz * t_right_shank_15;
@@ -3091,7 +3091,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_shank_66 = t_right_shank_64 + t_right_shank_65 - t_righ_ankl_cros_120;
   const Scalar t_right_shank_67 = t_right_shank_66 - t_right_shank_17 * t_right_shank_21;
   const Scalar M_right_shank_z = t_right_shank_67 + t_right_shank_16 * a_right_shank_x;
-  // left_hip_block
+  // left_hip_block: qdd of (1)
   const Scalar t_left_hip_block_6 = t_left_hip_block_1 * t_right_foot_56;
   const Scalar t_left_hip_block_7 = tau[9] - M_right_shank_z + t_left_hip_block_6;
   const Scalar t_left_hip_block_8 = t_righ_ankl_cros_83 * t_left_hip_block_5;
@@ -3102,7 +3102,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_shank_69 = Omega_right_hip_fork_zx * t_right_shank_17;
   const Scalar t_righ_ankl_cros_122 = t_righ_ankl_cros_118 + t_right_shank_69;
   const Scalar F_right_shank_y = t_righ_ankl_cros_122 + t_right_shank_9 * t_right_shank_16;
-  // right_thigh
+  // right_thigh: moment M of (1)
   const Scalar t_right_thigh_69 = M_right_shank_z + a_right_hip_fork_x * t_right_thigh_18;
   const Scalar t_right_thigh_70 = t_right_thigh_69 + Omega_right_thigh_yz * t_right_thigh_14;
   const Scalar t_right_thigh_71 = t_right_thigh_70 - t_right_thigh_7 * t_right_thigh_21;
@@ -3112,7 +3112,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_thigh_75 = Omega_right_hip_fork_zx * t_right_thigh_19;
   const Scalar t_right_shank_70 = t_right_shank_2 * t_righ_ankl_cros_121;
   const Scalar M_right_thigh_z = t_right_thigh_74 + t_right_thigh_75 - t_right_shank_70;
-  // left_hip_block
+  // left_hip_block: qdd of (1)
   const Scalar t_left_hip_block_10 = t_right_shank_51 * t_left_hip_block_9;
   const Scalar t_left_hip_block_11 = tau[8] - M_right_thigh_z - t_left_hip_block_10;
   const Scalar t_left_hip_block_12 = t_righ_ankl_cros_82 * t_left_hip_block_5;
@@ -3155,7 +3155,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_hip_block_40 = t_left_hip_block_39 + t_righ_ankl_cros_123;
   const Scalar t_right_thigh_78 = t_right_thigh_5 * t_right_thigh_19;
   const Scalar t_right_shank_76 = t_righ_ankl_cros_121 + t_right_thigh_3 * t_right_thigh_21;
-  // right_thigh
+  // right_thigh: moment M of (1)
   const Scalar t_right_thigh_79 = M_right_thigh_z + left_hip_fork_I3 * t_right_hip_fork_6;
   const Scalar t_right_thigh_80 = t_right_thigh_79 + left_hip_fork_l1 * t_right_shank_76;
   const Scalar t_right_thigh_81 = t_right_thigh_80 + left_hip_fork_I8 * t_right_shank_3;
@@ -3163,7 +3163,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_hip_block_41 = t_left_hip_block_40 - t_right_thigh_78;
   const Scalar t_left_hip_block_42 = t_right_hip_fork_34 * t_left_hip_block_41;
   const Scalar t_right_thigh_83 = t_right_thigh_82 + left_hip_fork_I12 * alpha_right_thigh_z;
-  // left_hip_block
+  // left_hip_block: qdd of (1)
   const Scalar t_left_hip_block_43 = tau[6] - s_right_hip_roll * t_right_thigh_83;
   const Scalar t_left_hip_block_44 = t_right_thigh_59 * t_left_hip_block_15;
   const Scalar t_left_hip_block_45 = t_left_hip_block_43 - t_left_hip_block_44;
@@ -3217,7 +3217,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   qdd[11] = -(t_left_hip_block_86 + t_right_foot_56 * t_left_hip_block_69);
   const Scalar t_left_hip_block_87 = M_left_foot_z - tau[5];
   const Scalar t_left_hip_block_88 = inverse_pivot_right_foot * t_left_hip_block_87;
-  // left_ankle_cross
+  // left_ankle_cross: moment M of (1)
   const Scalar t_left_ankle_cross_107 = left_ankle_cross_I15 * t_left_ankle_cross_28;
   const Scalar t_left_ankle_cross_108 = left_ankle_cross_I16 * alpha_left_thigh_z;
   const Scalar t_left_ankle_cross_109 = t_left_ankle_cross_107 + t_left_ankle_cross_108;
@@ -3251,7 +3251,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_ankle_cross_131 = t_left_ankle_cross_129 - t_left_ankle_cross_130;
   const Scalar t_left_shank_60 = M_left_ankle_cross_z + Omega_left_thigh_yz * t_left_shank_12;
   const Scalar t_left_ankle_cross_132 = t_left_ankle_cross_1 * t_left_ankle_cross_128;
-  // left_shank
+  // left_shank: moment M of (1)
   const Scalar t_left_shank_61 = t_left_shank_60 + t_left_ankle_cross_132;
   const Scalar t_left_shank_62 = t_left_shank_61 + Omega_left_hip_fork_zx * t_left_shank_15;
   const Scalar t_left_shank_63 = t_left_shank_62 + Omega_left_thigh_xz * t_left_shank_13;
@@ -3260,7 +3260,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_shank_65 = t_left_shank_64 + t_left_ankle_cross_133;
   const Scalar t_left_shank_66 = t_left_shank_65 + t_left_shank_3 * t_left_shank_11;
   const Scalar M_left_shank_z = t_left_shank_66 - t_left_shank_16 * t_left_shank_20;
-  // left_hip_block
+  // left_hip_block: qdd of (1)
   const Scalar t_left_hip_block_91 = t_left_ankle_cross_89 * t_left_hip_block_90;
   const Scalar t_left_hip_block_92 = t_left_ankle_cross_80 * t_left_hip_block_88;
   const Scalar t_left_hip_block_93 = tau[3] - M_left_shank_z - t_left_hip_block_92;
@@ -3273,7 +3273,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_thigh_62 = t_left_hip_fork_1 - t_left_thigh_2;
   const Scalar t_left_shank_68 = Omega_left_hip_fork_zx * t_left_shank_16;
   const Scalar t_left_shank_69 = t_left_ankle_cross_128 - t_left_shank_68;
-  // left_thigh
+  // left_thigh: moment M of (1)
   const Scalar t_left_thigh_63 = M_left_shank_z - t_left_thigh_6 * t_left_thigh_19;
   const Scalar t_left_thigh_64 = t_left_thigh_63 + t_left_shank_3 * t_left_thigh_10;
   const Scalar t_left_thigh_65 = t_left_thigh_64 + t_left_shank_2 * F_left_shank_x;
@@ -3283,7 +3283,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_ankle_cross_134 = t_left_shank_69 - t_left_shank_14 * t_left_shank_17;
   const Scalar t_left_thigh_69 = t_left_thigh_68 + a_left_hip_fork_x * t_left_thigh_17;
   const Scalar M_left_thigh_z = t_left_thigh_69 + t_left_shank_1 * t_left_ankle_cross_134;
-  // left_hip_block
+  // left_hip_block: qdd of (1)
   const Scalar t_left_hip_block_97 = t_left_foot_62 * t_left_hip_block_87;
   const Scalar t_left_hip_block_98 = tau[2] - M_left_thigh_z - t_left_hip_block_97;
   const Scalar t_left_hip_block_99 = t_left_shank_44 * t_left_hip_block_95;
@@ -3324,14 +3324,14 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_hip_block_126 = t_left_ankle_cross_101 * t_left_hip_block_90;
   const Scalar t_left_hip_block_127 = t_left_hip_block_125 - t_left_thigh_72;
   const Scalar t_left_hip_block_128 = t_left_hip_block_127 + t_left_hip_block_126;
-  // left_thigh
+  // left_thigh: force F, moment M of (1)
   const Scalar F_left_thigh_x = F_left_shank_x - t_left_thigh_3 * t_left_thigh_19;
   const Scalar t_left_thigh_73 = M_left_thigh_z - left_hip_fork_I3 * t_left_hip_fork_6;
   const Scalar t_left_thigh_74 = t_left_thigh_73 - left_hip_fork_l1 * F_left_thigh_x;
   const Scalar t_left_thigh_75 = t_left_thigh_74 - left_hip_fork_I1 * Omega_left_thigh_xz;
   const Scalar t_left_thigh_76 = t_left_thigh_75 + left_hip_fork_I12 * alpha_left_thigh_z;
   const Scalar t_left_thigh_77 = t_left_thigh_76 + left_hip_fork_I8 * t_left_shank_3;
-  // left_hip_block
+  // left_hip_block: qdd of (1)
   const Scalar t_left_hip_block_129 = tau[0] - s_left_hip_roll * t_left_thigh_77;
   const Scalar t_left_hip_block_130 = t_left_hip_block_129 + c_left_hip_roll * t_left_thigh_43;
   const Scalar t_left_hip_block_131 = t_left_ankle_cross_90 * t_left_hip_block_90;
@@ -3439,7 +3439,7 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + s_left_hip_roll * t_left_thigh_3;
   const Scalar t_left_hip_fork_3 = left_hip_fork_l1 - s_q2_q3_q4 * t_left_shank_3;
   const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 - c_q2_q3_q4 * t_left_shank_5;
-  // left_hip_block
+  // left_hip_block: p of 1.2
   const Scalar t_left_hip_block_1 = left_hip_block_l1 + c_left_hip_yaw * t_left_hip_fork_2;
   p[1] = t_left_hip_block_1 + s_left_hip_yaw * t_left_hip_fork_4;
   p[0] = c_left_hip_yaw * t_left_hip_fork_4 - s_left_hip_yaw * t_left_hip_fork_2;
@@ -3467,7 +3467,7 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - c_q8_q9_q10 * t_right_shank_5;
   const Scalar t_right_thigh_3 = t_right_thigh_1 - s_q8_q9_q10 * t_right_shank_5;
   const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 - s_right_hip_roll * t_right_thigh_3;
-  // right_hip_block
+  // right_hip_block: p of 1.2
   const Scalar t_right_hip_block_1 = left_hip_block_l1 - s_right_hip_yaw * t_right_hip_fork_3;
   p[7] = -(t_right_hip_block_1 + c_right_hip_yaw * t_right_hip_fork_4);
   p[6] = c_right_hip_yaw * t_right_hip_fork_3 + s_right_hip_yaw * t_right_hip_fork_4;
@@ -3490,13 +3490,13 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const auto p_s_left_hip_roll = sine_cosine(q[1]);
   const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
   const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank
+  // left_shank: way s to the joint of (9)
   const auto p_s_left_hip_pitch = sine_cosine(q[2]);
   const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
   const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar t_left_shank_1 = left_shank_l1 * c_left_hip_pitch;
   const Scalar t_left_shank_2 = left_shank_l1 * s_left_hip_pitch;
-  // left_ankle_cross
+  // left_ankle_cross: r, way s to the joint of (9)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
   const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
@@ -3513,13 +3513,13 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const auto p_s_right_hip_roll = sine_cosine(q[7]);
   const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
   const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank
+  // right_shank: way s to the joint of (9)
   const auto p_s_right_hip_pitch = sine_cosine(q[8]);
   const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
   const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar t_right_shank_1 = left_shank_l1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = left_shank_l1 * s_right_hip_pitch;
-  // right_ankle_cross
+  // right_ankle_cross: r, way s to the joint of (9)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
@@ -3541,7 +3541,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar r_right_foot_y = left_foot_l2 * s_right_ankle_roll;
   const Scalar r_left_foot_y = left_foot_l2 * s_left_ankle_roll;
   const Scalar t_left_foot_1 = left_hip_fork_l1 + r_left_foot_x;
-  // left_ankle_cross
+  // left_ankle_cross: r of (9)
   const Scalar t_left_ankle_cross_3 = c_q2_q3_q4 * t_left_foot_1;
   const Scalar t_left_ankle_cross_4 = t_left_ankle_cross_3 - left_foot_l1 * s_q2_q3_q4;
   const Scalar t_left_ankle_cross_5 = t_left_ankle_cross_1 + t_left_ankle_cross_4;
@@ -3550,11 +3550,11 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar t_left_ankle_cross_8 = t_left_ankle_cross_2 + t_left_ankle_cross_7;
   const Scalar t_left_shank_3 = t_left_shank_2 + t_left_ankle_cross_8;
   const Scalar t_left_shank_4 = t_left_shank_1 + t_left_ankle_cross_5;
-  // left_hip_fork
+  // left_hip_fork: r of (9)
   const Scalar r_left_hip_fork_x = left_hip_fork_l2 + r_left_foot_y;
   const Scalar t_left_hip_fork_1 = s_left_hip_roll * r_left_hip_fork_x;
   const Scalar t_left_hip_fork_2 = c_left_hip_roll * r_left_hip_fork_x;
-  // left_hip_block
+  // left_hip_block: r, C of (9)
   const Scalar r_left_hip_block_y = t_left_hip_fork_2 + s_left_hip_roll * t_left_shank_4;
   C[14] = r_left_hip_block_y;
   const Scalar r_left_hip_block_x = left_hip_fork_l1 - t_left_shank_3;
@@ -3588,14 +3588,14 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[50] = c_left_hip_roll * t_left_ankle_cross_7;
   C[62] = c_left_hip_roll * t_left_hip_block_6 + s_left_hip_roll * r_left_foot_x;
   C[65] = C[62];
-  // left_ankle_cross
+  // left_ankle_cross: r of (9)
   const Scalar t_left_ankle_cross_9 = t_left_ankle_cross_6 - left_foot_l3 * c_q2_q3_q4;
   const Scalar t_left_ankle_cross_10 = t_left_ankle_cross_2 + t_left_ankle_cross_9;
   const Scalar t_left_ankle_cross_11 = t_left_ankle_cross_3 + left_foot_l3 * s_q2_q3_q4;
   const Scalar t_left_ankle_cross_12 = t_left_ankle_cross_1 + t_left_ankle_cross_11;
   const Scalar t_left_shank_5 = t_left_shank_1 + t_left_ankle_cross_12;
   const Scalar t_left_shank_6 = t_left_shank_2 + t_left_ankle_cross_10;
-  // left_hip_block
+  // left_hip_block: r, C of (9)
   const Scalar r_left_hip_block_y_2 = t_left_hip_fork_2 + s_left_hip_roll * t_left_shank_5;
   C[17] = r_left_hip_block_y_2;
   const Scalar r_left_hip_block_x_2 = left_hip_fork_l1 - t_left_shank_6;
@@ -3618,7 +3618,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[41] = c_left_hip_roll * t_left_ankle_cross_10;
   C[53] = c_left_hip_roll * t_left_ankle_cross_9;
   const Scalar t_right_foot_1 = left_hip_fork_l1 + r_right_foot_x;
-  // right_ankle_cross
+  // right_ankle_cross: r of (9)
   const Scalar t_righ_ankl_cros_3 = s_q8_q9_q10 * t_right_foot_1;
   const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 + left_foot_l1 * c_q8_q9_q10;
   const Scalar t_righ_ankl_cros_5 = t_righ_ankl_cros_2 + t_righ_ankl_cros_4;
@@ -3628,7 +3628,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar t_right_shank_3 = t_right_shank_2 + t_righ_ankl_cros_5;
   const Scalar t_right_shank_4 = t_right_shank_1 + t_righ_ankl_cros_8;
   const Scalar t_right_thigh_1 = left_hip_fork_l2 - r_right_foot_y;
-  // right_hip_fork
+  // right_hip_fork: r of (9)
   const Scalar t_right_hip_fork_1 = s_right_hip_roll * t_right_thigh_1;
   const Scalar t_right_hip_fork_2 = c_right_hip_roll * t_right_thigh_1;
   const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - s_right_hip_roll * t_right_shank_4;
@@ -3637,7 +3637,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[79] = c_right_hip_yaw * r_right_hip_block_x + s_right_hip_yaw * t_right_hip_fork_3;
   C[78] = c_right_hip_yaw * t_right_hip_fork_3 - s_right_hip_yaw * r_right_hip_block_x;
   const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 + c_right_hip_roll * t_right_shank_4;
-  // left_hip_block
+  // left_hip_block: C of (9)
   C[90] = -s_right_hip_yaw * t_right_hip_fork_4;
   C[91] = c_right_hip_yaw * t_right_hip_fork_4;
   const Scalar t_left_hip_block_15 = s_right_hip_yaw * s_right_hip_roll;
@@ -3661,7 +3661,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[128] = c_right_hip_roll * t_righ_ankl_cros_4;
   C[140] = c_right_hip_roll * t_left_hip_block_17 + s_right_hip_roll * r_right_foot_x;
   C[143] = C[140];
-  // right_ankle_cross
+  // right_ankle_cross: r of (9)
   const Scalar t_righ_ankl_cros_9 = t_righ_ankl_cros_6 + left_foot_l3 * s_q8_q9_q10;
   const Scalar t_righ_ankl_cros_10 = t_righ_ankl_cros_1 + t_righ_ankl_cros_9;
   const Scalar t_righ_ankl_cros_11 = t_righ_ankl_cros_3 - left_foot_l3 * c_q8_q9_q10;
@@ -3674,7 +3674,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[81] = c_right_hip_yaw * t_right_hip_fork_5 - s_right_hip_yaw * r_right_hip_block_x_2;
   C[82] = c_right_hip_yaw * r_right_hip_block_x_2 + s_right_hip_yaw * t_right_hip_fork_5;
   const Scalar t_right_hip_fork_6 = t_right_hip_fork_1 + c_right_hip_roll * t_right_shank_5;
-  // left_hip_block
+  // left_hip_block: C of (9)
   C[93] = -s_right_hip_yaw * t_right_hip_fork_6;
   C[94] = c_right_hip_yaw * t_right_hip_fork_6;
   C[106] = -(t_left_hip_block_16 * t_right_shank_6 + s_right_hip_yaw * t_right_shank_5);

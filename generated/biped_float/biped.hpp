@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x9ae35870dd8bac78ULL;
+constexpr unsigned long long kDigest = 0x258ed71e6c233c0fULL;
 
 /// Index of every joint.
 namespace joint {

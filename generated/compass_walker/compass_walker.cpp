@@ -14,7 +14,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0xe54d28ccc33dad88ULL, "header and source are of different runs");
+static_assert(kDigest == 0xe9a52107478edbc5ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -108,7 +108,7 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   const auto p_s_left_hip = sine_cosine(q[2]);
   const Scalar& s_left_hip = p_s_left_hip.sine;
   const Scalar& c_left_hip = p_s_left_hip.cosine;
-  // right_leg
+  // right_leg: A of (2)
   const auto p_s_right_hip = sine_cosine(q[3]);
   const Scalar& s_right_hip = p_s_right_hip.sine;
   const Scalar& c_right_hip = p_s_right_hip.cosine;
@@ -116,7 +116,7 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   A[13] = A[7];
   A[3] = -left_leg_p1 * c_right_hip;
   A[12] = A[3];
-  // left_leg
+  // left_leg: A of (2)
   A[2] = -left_leg_p1 * c_left_hip;
   A[8] = A[2];
   A[6] = left_leg_p1 * s_left_hip;
@@ -140,7 +140,7 @@ void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
   const Scalar& c_right_hip = p_s_right_hip.cosine;
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_1 = qd[2] * qd[2];
-  // hip
+  // hip: force F of (3)
   B[1] = left_leg_p1 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1);
   B[0] = left_leg_p1 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1);
   B[2] = 0.0;
@@ -151,7 +151,7 @@ void gravity_force(const Scalar q[4], Scalar G[4]) noexcept {
   const Scalar s_left_hip = sin(q[2]);
   const Scalar s_right_hip = sin(q[3]);
   G[3] = left_leg_p3 * s_right_hip;
-  // left_leg
+  // left_leg: G of 6.5
   G[2] = left_leg_p3 * s_left_hip;
   G[1] = hip_p2;
   G[0] = 0.0;
@@ -160,7 +160,7 @@ void gravity_force(const Scalar q[4], Scalar G[4]) noexcept {
 void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4],
                       Scalar tau[4]) noexcept {
   const Scalar a_hip_z = base_p1 + qdd[1];
-  // left_leg
+  // left_leg: moment M, Omega of (1)
   const auto p_s_left_hip = sine_cosine(q[2]);
   const Scalar& s_left_hip = p_s_left_hip.sine;
   const Scalar& c_left_hip = p_s_left_hip.cosine;
@@ -168,7 +168,7 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
   const Scalar t_left_leg_2 = left_leg_p1 * s_left_hip;
   tau[2] = left_leg_p2 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
   const Scalar t_left_leg_3 = qd[2] * qd[2];
-  // right_leg
+  // right_leg: moment M, Omega of (1)
   const auto p_s_right_hip = sine_cosine(q[3]);
   const Scalar& s_right_hip = p_s_right_hip.sine;
   const Scalar& c_right_hip = p_s_right_hip.cosine;
@@ -176,7 +176,7 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
   const Scalar t_right_leg_2 = left_leg_p1 * s_right_hip;
   tau[3] = left_leg_p2 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
   const Scalar t_right_leg_3 = qd[3] * qd[3];
-  // hip
+  // hip: force F of (1)
   const Scalar t_hip_1 = hip_p1 * a_hip_z + qdd[2] * t_left_leg_2 + t_left_leg_1 * t_left_leg_3;
   tau[1] = t_hip_1 + t_right_leg_1 * t_right_leg_3 + qdd[3] * t_right_leg_2;
   const Scalar t_hip_2 = hip_p1 * qdd[0] + t_left_leg_2 * t_left_leg_3 - qdd[2] * t_left_leg_1;
@@ -199,11 +199,11 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   const Scalar inverse_pivot_slide = 1.0 / (hip_p1 - t_left_leg_1 - t_left_leg_3 * t_hip_1);
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_4 = qd[2] * qd[2];
-  // hip
+  // hip: joint force u of (1)
   const Scalar t_hip_2 = left_leg_p1 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4);
   const Scalar t_hip_3 = left_leg_p5 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
   const Scalar u_hip = tau[1] - t_hip_2 - t_hip_3;
-  // slide
+  // slide: joint force u, qdd of (1)
   const Scalar t_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4;
   const Scalar t_slide_2 = left_leg_p5 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
   const Scalar u_slide = tau[0] - left_leg_p1 * t_slide_1 - t_hip_1 * u_hip + t_slide_2;
@@ -212,11 +212,11 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   const Scalar t_hip_4 = u_hip - t_left_leg_3 * t_slide_3 - base_p1 * t_left_leg_2;
   const Scalar t_hip_5 = inverse_pivot_hip * t_hip_4;
   qdd[1] = t_hip_5;
-  // left_leg
+  // left_leg: qdd of (1)
   const Scalar t_left_leg_5 = left_leg_p5 * t_slide_3;
   const Scalar t_left_leg_6 = left_leg_p7 + left_leg_p5 * t_hip_5;
   qdd[2] = left_leg_p4 * tau[2] + c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
-  // right_leg
+  // right_leg: qdd of (1)
   qdd[3] = left_leg_p4 * tau[3] + c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;
 }
 
@@ -230,7 +230,7 @@ void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
   p[2] = q[1] - c_left_hip;
   p[0] = q[0] - s_left_hip;
   p[5] = q[1] - c_right_hip;
-  // slide
+  // slide: p of 1.2
   p[3] = q[0] - s_right_hip;
   p[1] = 0.0;
   p[4] = 0.0;

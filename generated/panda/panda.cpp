@@ -14,7 +14,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0x6e3abbfcccc2bc61ULL, "header and source are of different runs");
+static_assert(kDigest == 0x269fb535900acd5fULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -398,7 +398,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const auto p_s_joint6 = sine_cosine(q[5]);
   const Scalar& s_joint6 = p_s_joint6.sine;
   const Scalar& c_joint6 = p_s_joint6.cosine;
-  // link7
+  // link7: A, first moment h of (2)
   const Scalar t_link7_1 = link7_k1 - q[6];
   const auto p_s_link7 = sine_cosine(t_link7_1);
   const Scalar& s_link7 = p_s_link7.sine;
@@ -415,7 +415,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar t_link6_1 = link6_I2 * s_joint6 + c_joint6 * h_link6_x;
   const Scalar t_link6_2 = link6_I2 * c_joint6 - s_joint6 * h_link6_x;
   const Scalar t_link7_8 = link7_I3 * s_link7 + link7_I4 * c_link7;
-  // link6
+  // link6: A, pseudo-inertia E, first moment h of (2)
   const Scalar t_link6_3 = t_link7_5 - t_link7_7;
   const Scalar t_link6_4 = c_joint6 * (link6_I1 + 2.0 * t_link7_8);
   const Scalar t_link6_5 = t_link6_4 - s_joint6 * (link6_I6 - t_link6_3);
@@ -433,7 +433,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar h_link5_y = link5_I4 + t_link7_3;
   const Scalar t_link5_1 = c_joint5 * t_link6_12 + s_joint5 * h_link5_y;
   const Scalar h_link4_z = s_joint5 * t_link6_12 - c_joint5 * h_link5_y;
-  // link5
+  // link5: pseudo-inertia E, A, first moment h of (2)
   const Scalar E_link5_yz = link5_I2 + t_link6_9 + t_link6_11;
   const Scalar t_link5_2 = link5_I5 + t_link7_8 - c_joint6 * t_link6_5;
   const Scalar E_link5_xz = t_link5_2 + link4_k1 * t_link6_1;
@@ -448,7 +448,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar t_link5_7 = c_joint5 * t_link6_8;
   const Scalar t_link5_8 = s_joint5 * (link5_I7 + t_link5_4 - 2.0 * t_link7_5);
   const Scalar t_link5_9 = link5_I1 * c_joint5 + t_link5_8 - 2.0 * t_link5_7;
-  // link4
+  // link4: pseudo-inertia E, A, first moment h of (2)
   const Scalar t_link4_1 = t_link5_4 + 2.0 * t_link5_1;
   const Scalar t_link4_2 = t_link7_5 + s_joint5 * t_link5_9;
   const Scalar t_link4_3 = t_link4_2 - (link4_I6 + t_link4_1);
@@ -470,7 +470,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar E_link3_yz = link3_I1 - t_link4_11 - link3_k1 * h_link4_z;
   const Scalar t_link4_13 = s_joint4 * h_link4_x - c_joint4 * t_link5_6;
   const Scalar t_link4_14 = c_joint4 * h_link4_x + s_joint4 * t_link5_6;
-  // link3
+  // link3: pseudo-inertia E, A of (2)
   const Scalar t_link3_1 = t_link4_13 - (link3_I3 - t_link4_5) + c_joint4 * t_link4_7;
   const Scalar t_link3_2 = t_link3_1 + link3_k1 * t_link4_14;
   const Scalar t_link3_3 = c_joint3 * E_link3_yz - s_joint3 * t_link3_2;
@@ -484,7 +484,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar t_link3_8 = t_link4_3 - t_link3_4;
   const Scalar t_link3_9 = s_joint3 * (t_link3_8 - (link3_I5 - t_link4_2));
   const Scalar t_link3_10 = t_link3_9 - c_joint3 * (link3_I2 - 2.0 * t_link3_7);
-  // link2
+  // link2: A of (2)
   const Scalar t_link2_1 = s_joint2 * (link2_I4 - t_link3_7 + c_joint3 * t_link3_10);
   A[1] = -(t_link2_1 + c_joint2 * (link2_I5 + t_link3_3));
   A[7] = A[1];
@@ -496,7 +496,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar t_link2_5 = s_joint2 * (c_joint2 * (link2_I1 + 2.0 * t_link3_11) + t_link2_4);
   A[0] = link1_I1 + t_link3_5 - t_link2_5;
   const Scalar t_link7_9 = link7_I2 + link7_I1 * c_link7;
-  // link6
+  // link6: A of (2)
   const Scalar t_link6_13 = s_joint6 * t_link7_8 + c_joint6 * t_link7_9;
   A[34] = -t_link6_13;
   A[46] = A[34];
@@ -511,7 +511,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar t_link5_12 = s_joint5 * t_link6_15 + c_joint5 * t_link6_16;
   const Scalar t_link5_13 = s_joint5 * t_link6_17 - c_joint5 * t_link7_2;
   const Scalar t_link5_14 = t_link6_13 + t_link5_13;
-  // link4
+  // link4: A of (2)
   const Scalar t_link4_15 = t_link5_13 + s_joint4 * t_link5_12 - c_joint4 * t_link5_14;
   A[20] = t_link4_15;
   A[44] = A[20];
@@ -526,14 +526,14 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   A[6] = c_joint2 * t_link4_15 - s_joint2 * (c_joint3 * t_link4_21 - s_joint3 * t_link4_19);
   A[42] = A[6];
   const Scalar t_link6_18 = t_link6_10 - link4_k1 * t_link6_2;
-  // link5
+  // link5: A of (2)
   const Scalar t_link5_15 = t_link6_1 - c_joint5 * t_link6_18 - s_joint5 * t_link6_8;
   A[26] = -t_link5_15;
   A[38] = A[26];
   const Scalar t_link5_16 = s_joint5 * t_link6_2;
   const Scalar t_link5_17 = t_link6_9 - t_link5_16;
   const Scalar t_link5_18 = t_link5_7 - s_joint5 * t_link6_18;
-  // link4
+  // link4: A of (2)
   const Scalar t_link4_22 = t_link5_16 + c_joint4 * t_link5_17 - s_joint4 * t_link5_18;
   A[19] = t_link4_22;
   A[37] = A[19];
@@ -559,7 +559,7 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar t_link4_31 = t_link4_12 + t_link4_14 + link3_k1 * t_link4_13;
   A[10] = c_joint3 * t_link4_31 + s_joint3 * t_link4_10;
   A[22] = A[10];
-  // link2
+  // link2: A of (2)
   A[3] = -(c_joint2 * t_link4_11 + s_joint2 * (c_joint3 * t_link4_10 - s_joint3 * t_link4_31));
   A[21] = A[3];
   A[2] = c_joint2 * t_link3_6 - s_joint2 * t_link3_11;
@@ -589,7 +589,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar& c_joint6 = p_s_joint6.cosine;
   const Scalar t_link2_1 = link2_I7 - c_joint2 * (link2_I1 * c_joint2 - link2_I6 * s_joint2);
   const Scalar t_link2_2 = qd[0] * t_link2_1;
-  // link3
+  // link3: angular velocity omega, Omega, angular acceleration alpha of (3)
   const Scalar t_link3_1 = s_joint2 * qd[0];
   const Scalar t_link3_2 = c_joint3 * qd[1];
   const Scalar omega_link3_y = t_link3_2 + s_joint3 * t_link3_1;
@@ -609,7 +609,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link3_12 = omega_link3_y * omega_link3_x;
   const Scalar t_link3_13 = qd[1] * t_link3_1;
   const Scalar Omega_link3_xy = t_link3_12 + t_link3_13;
-  // link4
+  // link4: angular velocity omega, Omega, acceleration a of (3)
   const Scalar t_link4_1 = c_joint4 * omega_link3_z - s_joint4 * omega_link3_x;
   const Scalar t_link4_2 = omega_link3_y - qd[3];
   const Scalar Omega_link4_yz = c_joint4 * Omega_link3_zy - s_joint4 * Omega_link3_xy;
@@ -629,7 +629,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link4_10 = t_link4_7 + t_link4_8;
   const Scalar t_link4_11 = t_link4_1 * t_link4_5;
   const Scalar Omega_link4_xy = alpha_link3_y + t_link4_11;
-  // link5
+  // link5: angular velocity omega, Omega of (3)
   const Scalar omega_link5_z = t_link4_1 + qd[4];
   const Scalar t_link5_1 = s_joint5 * Omega_link4_xy + c_joint5 * t_link4_3;
   const Scalar t_link5_2 = s_joint5 * t_link4_5 - c_joint5 * t_link4_2;
@@ -639,7 +639,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link5_4 = omega_link5_z * omega_link5_x;
   const Scalar alpha_link6_z = t_link5_3 + t_link5_4;
   const Scalar Omega_link5_zx = t_link5_4 + alpha_link6_z;
-  // link4
+  // link4: acceleration a, Omega of (3)
   const Scalar t_link4_12 = t_link3_11 + link3_k1 * (t_link3_7 + t_link3_8);
   const Scalar t_link4_13 = t_link4_7 - t_link4_8;
   const Scalar a_link4_x = c_joint4 * t_link4_4 + s_joint4 * t_link4_12;
@@ -647,7 +647,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar Omega_link4_xx = t_link4_13 - t_link3_14;
   const Scalar t_link5_5 = a_link4_x + Omega_link4_xx;
   const Scalar t_link4_14 = alpha_link3_y - t_link4_11;
-  // link5
+  // link5: acceleration a, Omega of (3)
   const Scalar a_link5_z = t_link4_14 - c_joint4 * t_link4_12 + s_joint4 * t_link4_4;
   const Scalar t_link5_6 = t_link5_2 * omega_link5_x;
   const Scalar t_link5_7 = alpha_link5_z + t_link5_6;
@@ -655,7 +655,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link5_9 = omega_link5_z * omega_link5_z;
   const Scalar t_link5_10 = t_link5_8 + t_link5_9;
   const Scalar Omega_link7_xy = c_joint6 * t_link5_7 - s_joint6 * Omega_link5_zy;
-  // link6
+  // link6: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_link6_x = c_joint6 * omega_link5_x + s_joint6 * omega_link5_z;
   const Scalar omega_link6_z = t_link5_2 + qd[5];
   const Scalar t_link6_1 = 2.0 * omega_link6_z;
@@ -672,7 +672,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link6_6 = omega_link6_x * omega_link6_x;
   const Scalar t_link6_7 = omega_link6_z * omega_link6_z;
   const Scalar t_link6_8 = t_link6_6 + t_link6_7;
-  // link7
+  // link7: angular velocity omega, Omega, acceleration a of (3)
   const Scalar t_link7_1 = omega_link6_y - qd[6];
   const Scalar t_link7_2 = 2.0 * t_link7_1;
   const Scalar Omega_link7_zy = Omega_link6_zy - omega_link6_z * t_link7_2;
@@ -708,7 +708,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   B[6] = -t_link7_21;
   const Scalar t_link7_22 = link6_I8 * t_link7_4 + Omega_link7_zy * t_link7_14;
   const Scalar t_link7_23 = t_link7_22 + t_link7_5 * t_link7_13;
-  // link6
+  // link6: moment M of (3)
   const Scalar t_link6_13 = link4_k3 * t_link7_23 - link6_I11 * t_link6_4;
   const Scalar t_link6_14 = link6_I10 * (t_link6_8 - t_link6_12);
   const Scalar t_link6_15 = t_link6_13 - link6_I9 * t_link6_3 + t_link6_14;
@@ -718,13 +718,13 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link6_19 = t_link6_18 + t_link7_5 * t_link7_11 - Omega_link7_zy * t_link7_9;
   const Scalar M_link6_z = t_link6_19 + t_link7_4 * t_link7_13;
   B[5] = M_link6_z;
-  // link7
+  // link7: Omega, force F of (3)
   const Scalar t_link7_24 = t_link6_6 + t_link7_6;
   const Scalar t_link7_25 = link6_I8 * t_link7_16 + t_link6_2 * t_link7_13;
   const Scalar t_link7_26 = t_link7_25 - t_link7_14 * t_link7_24;
   const Scalar t_link7_27 = t_link7_21 + link4_k3 * t_link7_26 + link6_I10 * Omega_link6_zy;
   const Scalar t_link7_28 = t_link7_27 + link6_I5 * Omega_link7_xz + link6_I13 * t_link6_2;
-  // link6
+  // link6: moment M, force F of (3)
   const Scalar M_link6_y = t_link7_28 + link6_I9 * t_link6_11;
   const Scalar t_link6_20 = link6_I2 * t_link6_5 + link6_I5 * (t_link5_10 - t_link6_8);
   const Scalar t_link6_21 = t_link6_20 + Omega_link7_zy * t_link7_15 - link6_I9 * Omega_link6_yx;
@@ -735,7 +735,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link6_25 = link6_I2 * Omega_link7_xz + link6_I8 * a_link7_x;
   const Scalar t_link6_26 = t_link6_25 - Omega_link7_xy * t_link7_14;
   const Scalar F_link6_x = t_link6_26 - t_link7_13 * (t_link6_7 + t_link7_6);
-  // link5
+  // link5: moment M, Omega of (3)
   const Scalar t_link5_13 = t_link5_8 - t_link5_9;
   const Scalar t_link5_14 = t_link4_10 - t_link5_10;
   const Scalar t_link5_15 = s_joint6 * M_link6_x + link5_I10 * t_link5_6;
@@ -755,11 +755,11 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link5_21 = t_link5_20 + link5_I8 * Omega_link5_yx + link5_I12 * Omega_link5_zy;
   const Scalar t_link5_22 = t_link5_21 + link5_I9 * Omega_link5_zx + link5_I4 * a_link5_z;
   const Scalar M_link5_x = t_link5_22 - link4_k1 * t_link7_29 - s_joint6 * M_link6_y;
-  // link6
+  // link6: moment M of (3)
   const Scalar t_link6_30 = M_link6_z + link5_I2 * t_link5_7 + link5_I9 * Omega_link5_zy;
   const Scalar t_link6_31 = t_link6_30 + link4_k1 * t_link6_27 - link5_I3 * a_link5_z;
   const Scalar t_link6_32 = t_link6_31 + link5_I8 * t_link5_13 + link5_I13 * Omega_link5_zx;
-  // link5
+  // link5: force F, moment M of (3)
   const Scalar t_link5_23 = link5_I4 * Omega_link5_zy + link4_I9 * a_link5_z;
   const Scalar t_link5_24 = t_link5_23 - link5_I3 * Omega_link5_zx + s_joint6 * F_link6_x;
   const Scalar F_link5_z = t_link5_24 + c_joint6 * F_link6_y;
@@ -780,7 +780,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link4_17 = t_link4_16 + link4_I13 * t_link4_3 - link4_I11 * t_link4_14;
   const Scalar t_link5_35 = t_link4_17 + s_joint5 * t_link6_32 + c_joint5 * M_link5_x;
   const Scalar t_link5_36 = t_link5_35 - link4_I8 * t_link4_9;
-  // link3
+  // link3: moment M of (3)
   const Scalar t_link3_15 = t_link5_31 + link3_I6 * Omega_link3_yz - link3_I7 * t_link3_13;
   const Scalar t_link3_16 = t_link3_15 + s_joint4 * t_link5_36 + c_joint4 * t_link5_34;
   const Scalar t_link3_17 = link3_I9 * (t_link3_7 - t_link3_8);
@@ -789,7 +789,7 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   B[2] = M_link3_z;
   const Scalar t_link2_3 = qd[1] * qd[1];
   const Scalar t_link2_4 = M_link3_z - link2_I8 * t_link2_3;
-  // link4
+  // link4: moment M of (3)
   const Scalar t_link4_18 = link3_k1 * t_link5_31 - c_joint4 * t_link5_36;
   const Scalar t_link4_19 = t_link4_18 + link3_I1 * (t_link3_8 - t_link3_9);
   const Scalar t_link4_20 = t_link4_19 + s_joint4 * t_link5_34 + link3_I6 * Omega_link3_yx;
@@ -799,11 +799,11 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link5_38 = t_link5_37 - c_joint5 * t_link6_29;
   const Scalar t_link3_20 = t_link3_19 + link3_I6 * (t_link3_7 - t_link3_9);
   const Scalar t_link5_39 = F_link5_z - link4_I8 * t_link4_10;
-  // link3
+  // link3: moment M of (3)
   const Scalar t_link3_21 = t_link3_20 - t_link5_38 * (s_joint4 - link3_k1 * c_joint4);
   const Scalar t_link3_22 = t_link3_21 - (c_joint4 + link3_k1 * s_joint4) * t_link5_39;
   const Scalar M_link3_y = t_link3_22 + link3_I1 * Omega_link3_xy + link3_I11 * t_link3_11;
-  // link2
+  // link2: moment M of (3)
   const Scalar t_link2_5 = link2_I5 * t_link2_3 + c_joint3 * t_link4_21 + s_joint3 * M_link3_y;
   B[0] = qd[1] * t_link2_2 * 2.0 + c_joint2 * t_link2_4 + s_joint2 * t_link2_5;
   B[1] = c_joint3 * M_link3_y - (qd[0] * t_link2_2 + s_joint3 * t_link4_21);
@@ -822,7 +822,7 @@ void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
   const auto p_s_joint5 = sine_cosine(q[4]);
   const Scalar& s_joint5 = p_s_joint5.sine;
   const Scalar& c_joint5 = p_s_joint5.cosine;
-  // link7
+  // link7: first moment h, G of 6.5
   const auto p_s_joint6 = sine_cosine(q[5]);
   const Scalar& s_joint6 = p_s_joint6.sine;
   const Scalar& c_joint6 = p_s_joint6.cosine;
@@ -842,7 +842,7 @@ void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
   const Scalar t_link7_10 = c_joint5 * t_link7_7 + s_joint5 * t_link7_6;
   const Scalar t_link7_11 = t_link7_2 * (c_joint6 * t_link7_8 + s_joint6 * t_link7_9);
   G[6] = t_link7_11 - h_link7_x * t_link7_10;
-  // link6
+  // link6: first moment h, G of 6.5
   const Scalar t_link6_1 = link6_h1 + h_link7_x;
   const Scalar h_link6_x = link6_h2 * s_joint6 + c_joint6 * t_link6_1;
   const Scalar t_link6_2 = link5_h1 - h_link6_x;
@@ -853,12 +853,12 @@ void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
   const Scalar t_link5_1 = link4_h2 - t_link7_12;
   G[4] = -(t_link7_8 * h_link5_y + t_link7_10 * t_link6_2);
   G[3] = t_link7_6 * t_link5_1 - t_link7_9 * h_link4_x;
-  // link3
+  // link3: first moment h, G of 6.5
   const Scalar h_link3_y = link3_h2 + c_joint5 * h_link5_y - s_joint5 * t_link6_2;
   const Scalar h_link3_x = link3_h1 - c_joint4 * h_link4_x - s_joint4 * t_link5_1;
   G[2] = t_link7_7 * h_link3_x + t_link7_4 * h_link3_y;
   const Scalar t_link3_1 = link2_h2 + c_joint4 * t_link5_1 - s_joint4 * h_link4_x;
-  // link2
+  // link2: G of 6.5
   const Scalar t_link2_1 = t_link7_5 * (link2_h1 + s_joint3 * h_link3_y - c_joint3 * h_link3_x);
   G[1] = t_link2_1 - t_link7_3 * t_link3_1;
   G[0] = 0.0;
@@ -881,7 +881,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const auto p_s_joint6 = sine_cosine(q[5]);
   const Scalar& s_joint6 = p_s_joint6.sine;
   const Scalar& c_joint6 = p_s_joint6.cosine;
-  // link2
+  // link2: angular velocity omega, Omega, angular acceleration alpha of (1)
   const Scalar t_link2_1 = s_joint2 * qd[0];
   const Scalar t_link2_2 = t_link2_1 * t_link2_1;
   const Scalar t_link2_3 = qd[1] * qd[1];
@@ -892,7 +892,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link2_7 = t_link2_1 * t_link2_4;
   const Scalar Omega_link2_xy = t_link2_7 - qdd[1];
   const Scalar t_link2_8 = t_link2_2 + t_link2_3;
-  // link3
+  // link3: angular velocity omega, Omega, angular acceleration alpha of (1)
   const Scalar omega_link3_z = t_link2_4 + qd[2];
   const Scalar Omega_link3_yz = c_joint3 * t_link2_5 + s_joint3 * Omega_link2_xy;
   const Scalar omega_link3_y = s_joint3 * t_link2_1 + c_joint3 * qd[1];
@@ -911,7 +911,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link2_9 = base_g1 * s_joint2;
   const Scalar a_link3_y = s_joint3 * t_link2_9;
   const Scalar t_link3_11 = c_joint3 * t_link2_9;
-  // link4
+  // link4: angular velocity omega, Omega, angular acceleration alpha of (1)
   const Scalar t_link4_1 = c_joint4 * omega_link3_z + s_joint4 * t_link3_2;
   const Scalar t_link4_2 = omega_link3_y - qd[3];
   const Scalar t_link4_3 = c_joint4 * t_link3_1 - s_joint4 * t_link3_10;
@@ -935,7 +935,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link4_16 = s_joint4 * t_link4_15 - c_joint4 * t_link4_14;
   const Scalar t_link3_14 = t_link3_5 + t_link3_6;
   const Scalar t_link4_17 = t_link4_11 - t_link4_12;
-  // link5
+  // link5: acceleration a, Omega, angular velocity omega of (1)
   const Scalar t_link5_1 = t_link4_16 + link4_l1 * (t_link3_14 - t_link4_17);
   const Scalar t_link5_2 = t_link4_10 + link4_l1 * t_link4_6;
   const Scalar t_link5_3 = s_joint5 * t_link5_1 - c_joint5 * t_link5_2;
@@ -962,7 +962,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link7_1 = 2.0 * t_link6_1;
   const Scalar t_link6_2 = s_joint6 * omega_link5_x - c_joint6 * omega_link5_z;
   const Scalar Omega_link7_yz = Omega_link6_yz - t_link7_1 * t_link6_2;
-  // link6
+  // link6: Omega, angular velocity omega, angular acceleration alpha of (1)
   const Scalar Omega_link6_xz = s_joint6 * t_link5_4 - c_joint6 * Omega_link5_xy;
   const Scalar omega_link6_x = c_joint6 * omega_link5_x + s_joint6 * omega_link5_z;
   const Scalar t_link6_3 = t_link7_1 * omega_link6_x;
@@ -974,19 +974,19 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link6_8 = t_link6_1 * t_link6_1;
   const Scalar t_link6_9 = t_link6_7 - t_link6_8;
   const Scalar a_link6_z = t_link5_3 - link5_l1 * Omega_link5_yz;
-  // link7
+  // link7: acceleration a, angular velocity omega, Omega of (1)
   const Scalar a_link7_y = a_link6_z - link7_l1 * t_link6_4;
   const Scalar omega_link7_z = t_link6_2 + qd[6];
   const Scalar t_link7_2 = Omega_link7_yz + t_link7_1 * omega_link7_z;
   const Scalar Omega_link7_xy = Omega_link6_xz - qdd[6];
   const Scalar t_link7_3 = t_link6_3 + Omega_link7_xy;
-  // link6
+  // link6: acceleration a, Omega of (1)
   const Scalar t_link6_10 = a_link5_z - link5_l1 * t_link4_13;
   const Scalar t_link6_11 = a_link5_x + link5_l1 * Omega_link5_xz;
   const Scalar a_link6_x = c_joint6 * t_link6_11 + s_joint6 * t_link6_10;
   const Scalar a_link7_x = a_link6_x - link7_l1 * (t_link5_10 - t_link6_9);
   const Scalar t_link6_12 = t_link6_5 + t_link6_6;
-  // link7
+  // link7: acceleration a, Omega, moment M of (1)
   const Scalar a_link7_z = link7_l1 * t_link6_12 + s_joint6 * t_link6_11 - c_joint6 * t_link6_10;
   const Scalar t_link7_4 = Omega_link7_xz - omega_link6_x * omega_link7_z * 2.0;
   const Scalar t_link7_5 = omega_link7_z * omega_link7_z;
@@ -1032,7 +1032,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar M_link6_y = t_link7_34 + link6_I9 * t_link6_9;
   const Scalar t_link5_11 = t_link5_8 - t_link5_9;
   const Scalar t_link5_12 = t_link4_13 - t_link5_10;
-  // link6
+  // link6: moment M, force F of (1)
   const Scalar t_link6_15 = s_joint6 * t_link7_31 - c_joint6 * M_link6_y - link5_h1 * t_link5_3;
   const Scalar t_link6_16 = t_link6_15 + link5_I8 * Omega_link5_yz + link5_I11 * t_link5_7;
   const Scalar t_link6_17 = t_link6_16 + link5_I2 * Omega_link5_xz + link5_h2 * a_link5_x;
@@ -1046,7 +1046,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link6_22 = s_joint6 * t_link7_35 + c_joint6 * F_link6_x;
   const Scalar t_link4_19 = t_link4_13 - t_link3_14;
   const Scalar t_link4_20 = t_link4_17 + t_link4_19;
-  // link5
+  // link5: force F, Omega of (1)
   const Scalar t_link5_13 = link4_m1 * a_link5_z - c_joint6 * t_link7_35;
   const Scalar t_link5_14 = t_link5_13 - link5_h1 * Omega_link5_zx + s_joint6 * F_link6_x;
   const Scalar F_link5_z = t_link5_14 - link5_h2 * t_link5_4;
@@ -1055,12 +1055,12 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link5_16 = t_link5_15 + link5_I13 * Omega_link5_zx + link5_I8 * t_link5_11;
   const Scalar t_link6_23 = t_link5_16 - link5_I9 * t_link5_4 - link5_I2 * Omega_link5_xy;
   const Scalar Omega_link5_yx = t_link5_6 - t_link5_7;
-  // link6
+  // link6: moment M of (1)
   const Scalar t_link6_24 = c_joint6 * t_link7_31 - link5_I9 * Omega_link5_zx;
   const Scalar t_link6_25 = t_link6_24 - link5_h2 * a_link5_z + s_joint6 * M_link6_y;
   const Scalar t_link6_26 = t_link6_25 - link5_l1 * F_link6_z + link5_I12 * t_link5_4;
   const Scalar t_link6_27 = t_link6_26 - link5_I8 * Omega_link5_yx + link5_I2 * t_link5_12;
-  // link5
+  // link5: moment M, force F of (1)
   const Scalar t_link5_17 = link4_I1 * t_link4_5 - link4_I10 * t_link4_20;
   const Scalar t_link5_18 = t_link5_17 + link4_I14 * t_link4_8 + link4_I11 * t_link4_3;
   const Scalar t_link5_19 = t_link5_18 + link4_l1 * F_link5_z + link4_h3 * t_link4_16;
@@ -1072,7 +1072,7 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link6_28 = F_link6_z + link4_m1 * t_link5_3 + link5_h2 * t_link5_10;
   const Scalar t_link6_29 = t_link6_28 + link5_h1 * Omega_link5_yx;
   const Scalar t_link5_23 = c_joint5 * t_link6_29 - s_joint5 * F_link5_x;
-  // link4
+  // link4: force F, moment M of (1)
   const Scalar F_link4_z = t_link5_23 - link4_h3 * Omega_link4_zy;
   const Scalar F_link4_x = link4_h3 * t_link4_9 - s_joint5 * t_link6_29 - c_joint5 * F_link5_x;
   const Scalar t_link4_21 = link4_h3 * t_link4_10 + link4_I11 * t_link4_18;
@@ -1083,21 +1083,21 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link4_24 = t_link6_19 - link4_l1 * t_link5_23 + link4_I1 * t_link4_9;
   const Scalar t_link4_25 = t_link4_24 + link4_I10 * Omega_link4_zy + link4_I11 * t_link4_17;
   const Scalar M_link4_y = t_link4_25 + link4_I12 * t_link4_6;
-  // link3
+  // link3: moment M of (1)
   const Scalar t_link3_16 = link3_h3 * a_link3_y + link3_h2 * t_link3_11 - link4_l1 * F_link4_z;
   const Scalar t_link3_17 = t_link3_16 - s_joint4 * M_link4_x + link3_I8 * t_link3_7;
   const Scalar t_link3_18 = t_link3_17 - link3_I1 * Omega_link3_xz - link3_I7 * t_link3_8;
   const Scalar t_link3_19 = t_link3_18 + link3_I6 * Omega_link3_yz + link3_I9 * t_link3_15;
   const Scalar M_link3_z = t_link3_19 - c_joint4 * M_link4_y;
   tau[2] = M_link3_z;
-  // link2
+  // link2: moment M of (1)
   const Scalar t_link2_10 = link2_G2 - link2_I5 * qdd[0];
   const Scalar t_link2_11 = link2_G1 + link2_I8 * qdd[0];
   const Scalar t_link2_12 = t_link2_2 - t_link2_3;
   const Scalar t_link2_13 = t_link2_8 - qd[0] * qd[0];
   const Scalar t_link2_14 = t_link2_12 + t_link2_13;
   const Scalar t_link5_24 = F_link5_z - link4_h3 * t_link4_13;
-  // link3
+  // link3: moment M of (1)
   const Scalar t_link3_20 = link3_G1 * c_joint2 - link3_I1 * (t_link2_8 - t_link3_14);
   const Scalar t_link3_21 = t_link3_20 + link3_l1 * F_link4_z - c_joint4 * M_link4_x;
   const Scalar t_link3_22 = t_link3_21 + s_joint4 * M_link4_y - link3_I10 * t_link3_1;
@@ -1109,18 +1109,18 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar t_link4_27 = link3_l1 * (c_joint4 * F_link4_x + s_joint4 * t_link5_24);
   const Scalar t_link3_25 = t_link3_24 + link3_I6 * t_link3_12 - t_link4_27;
   const Scalar M_link3_y = t_link3_25 - link3_I1 * t_link3_10;
-  // link2
+  // link2: moment M, Omega of (1)
   const Scalar t_link2_15 = c_joint2 * t_link2_10 - s_joint2 * t_link2_11;
   const Scalar t_link2_16 = t_link2_15 - link2_I7 * t_link2_14 + s_joint3 * M_link3_x;
   const Scalar t_link2_17 = t_link2_16 - link2_I10 * Omega_link2_xy + link2_I9 * Omega_link2_yx;
   tau[1] = t_link2_17 + c_joint3 * M_link3_y;
   const Scalar t_link2_18 = t_link2_6 + alpha_link2_y;
-  // link3
+  // link3: moment M of (1)
   const Scalar t_link3_26 = link2_I7 * t_link2_18 + link2_I5 * t_link2_13 + s_joint3 * M_link3_y;
   const Scalar t_link3_27 = t_link3_26 - link2_I8 * Omega_link2_yx - c_joint3 * M_link3_x;
   const Scalar t_link3_28 = M_link3_z - link2_I7 * t_link2_5 + link2_I8 * t_link2_12;
   const Scalar t_link3_29 = t_link3_28 - link2_I9 * t_link2_18 + link2_I5 * Omega_link2_xy;
-  // link1
+  // link1: moment M of (1)
   const Scalar t_link1_1 = link1_I2 * qdd[0] + s_joint2 * (t_link3_27 + link2_I10 * t_link2_5);
   tau[0] = t_link1_1 + c_joint2 * t_link3_29;
 }
@@ -1148,7 +1148,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar& c_joint6 = p_s_joint6.cosine;
   const Scalar t_link2_1 = link2_I1 * c_joint2 - link2_I6 * s_joint2;
   const Scalar t_link2_2 = qd[0] * (link2_I7 - c_joint2 * t_link2_1);
-  // link3
+  // link3: angular velocity omega, angular acceleration alpha, Omega of (1)
   const Scalar t_link3_1 = s_joint2 * qd[0];
   const Scalar omega_link3_y = s_joint3 * t_link3_1 + c_joint3 * qd[1];
   const Scalar t_link3_2 = c_joint2 * qd[0];
@@ -1175,7 +1175,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link3_18 = c_joint3 * t_link3_17;
   const Scalar a_link3_y = s_joint3 * t_link3_17;
   const Scalar t_link3_19 = t_link3_8 + t_link3_10;
-  // link4
+  // link4: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_link4_1 = t_link3_18 + t_link3_19 - link3_k1 * Omega_link3_xz;
   const Scalar t_link4_2 = omega_link3_y - qd[3];
   const Scalar Omega_link4_yz = c_joint4 * Omega_link3_zy + s_joint4 * t_link3_15;
@@ -1192,7 +1192,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link4_10 = t_link4_8 + t_link4_9;
   const Scalar t_link4_11 = t_link4_3 * t_link4_5;
   const Scalar Omega_link4_xy = alpha_link3_y + t_link4_11;
-  // link5
+  // link5: Omega, angular velocity omega, acceleration a of (1)
   const Scalar t_link5_1 = s_joint5 * Omega_link4_xy + c_joint5 * t_link4_4;
   const Scalar omega_link5_y = c_joint5 * t_link4_2 - s_joint5 * t_link4_5;
   const Scalar omega_link5_z = t_link4_3 + qd[4];
@@ -1219,7 +1219,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link5_11 = omega_link5_z * omega_link5_z;
   const Scalar Omega_link5_yx = alpha_link5_z + t_link5_8;
   const Scalar t_link5_12 = t_link5_10 + t_link5_11;
-  // link6
+  // link6: Omega, angular velocity omega, acceleration a of (1)
   const Scalar t_link6_1 = s_joint6 * Omega_link5_zy - c_joint6 * t_link5_9;
   const Scalar omega_link6_x = c_joint6 * omega_link5_x + s_joint6 * omega_link5_z;
   const Scalar t_link6_2 = omega_link5_y - qd[5];
@@ -1244,7 +1244,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link7_1 = a_link6_y + link4_k3 * Omega_link6_yx;
   const Scalar a_link6_x = s_joint6 * t_link6_7 - c_joint6 * t_link6_6;
   const Scalar t_link6_13 = t_link5_12 - t_link6_11;
-  // link7
+  // link7: acceleration a, Omega, inertia I of (1)
   const Scalar a_link7_x = a_link6_x - link4_k3 * t_link6_13;
   const Scalar t_link7_2 = Omega_link7_xz - omega_link6_x * omega_link7_z * 2.0;
   const Scalar t_link7_3 = omega_link7_z * omega_link7_z;
@@ -1288,7 +1288,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link7_28 = M_link7_z + link4_k3 * F_link7_y - link6_I10 * Omega_link6_zy;
   const Scalar t_link7_29 = t_link7_28 + link6_I13 * Omega_link6_zx - link6_I9 * t_link6_11;
   const Scalar t_link7_30 = t_link7_29 - link6_I5 * Omega_link7_xz;
-  // link6
+  // link6: force F, moment M of (1)
   const Scalar F_link6_z = F_link7_y - link6_I2 * Omega_link6_zy;
   const Scalar t_link6_14 = F_link6_z + link5_I3 * Omega_link5_yx + link4_I9 * t_link5_7;
   const Scalar t_link6_15 = t_link6_14 + link5_I4 * t_link5_12;
@@ -1323,7 +1323,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link6_37 = t_link6_36 - link5_I12 * t_link5_9 + t_link5_16;
   const Scalar t_link6_38 = t_link6_37 - link5_I3 * t_link5_7 - link5_I13 * Omega_link5_yx;
   const Scalar t_link6_39 = t_link6_38 + c_joint6 * t_link7_30;
-  // link5
+  // link5: moment M, force F of (1)
   const Scalar t_link5_17 = t_link5_15 - t_link6_39 + link4_I1 * Omega_link4_xy;
   const Scalar t_link5_18 = t_link5_17 + link4_I12 * Omega_link4_zx + link4_I10 * t_link4_4;
   const Scalar t_link5_19 = t_link5_18 - link4_I11 * t_link4_13;
@@ -1333,7 +1333,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link5_23 = t_link5_22 + link5_I4 * Omega_link5_zy - link5_I3 * Omega_link5_zx;
   const Scalar F_link5_z = t_link5_23 + s_joint6 * F_link6_x;
   const Scalar t_link5_24 = F_link5_z - link4_I8 * t_link4_10;
-  // link4
+  // link4: force F of (1)
   const Scalar F_link4_z = t_link5_15 + link4_I8 * t_link4_4;
   const Scalar t_link4_16 = link4_I1 * (t_link4_10 - t_link3_20) + link4_I8 * a_link4_z;
   const Scalar t_link4_17 = t_link4_16 - link4_I11 * t_link4_15 + link4_I10 * Omega_link4_zx;
@@ -1341,7 +1341,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link5_26 = t_link5_25 - c_joint5 * t_link6_32;
   const Scalar t_link1_1 = M_link7_z - tau[6];
   const Scalar t_link7_32 = link7_I9 * c_link7;
-  // link6
+  // link6: first moment h, inertia I of (1)
   const Scalar t_link6_40 = link6_I2 * s_joint6 + c_joint6 * h_link6_x;
   const Scalar t_link6_41 = link5_I3 - t_link6_40;
   const Scalar t_link6_42 = link6_I2 * c_joint6 - s_joint6 * h_link6_x;
@@ -1357,7 +1357,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar h_link4_z = s_joint5 * t_link6_41 - c_joint5 * h_link5_y;
   const Scalar t_link5_28 = link4_I3 - t_link6_42;
   const Scalar t_link6_49 = c_joint6 * I_link6_yz - s_joint6 * t_link6_43;
-  // link5
+  // link5: inertia I of (1)
   const Scalar t_link5_29 = link5_I2 + t_link6_49 + link7_I5 * s_link7;
   const Scalar t_link5_30 = t_link7_8 - t_link6_46;
   const Scalar t_link5_31 = s_joint5 * (t_link5_30 - (link5_I7 - t_link6_44));
@@ -1368,7 +1368,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link5_36 = c_joint5 * t_link5_29 + s_joint5 * t_link5_35;
   const Scalar t_link5_37 = s_joint5 * t_link5_29 - c_joint5 * t_link5_35;
   const Scalar t_link5_38 = 2.0 * t_link5_27;
-  // link4
+  // link4: inertia I of (1)
   const Scalar t_link4_18 = c_joint4 * t_link5_28 - s_joint4 * h_link4_x;
   const Scalar t_link4_19 = c_joint4 * h_link4_x + s_joint4 * t_link5_28;
   const Scalar t_link4_20 = link4_I2 + t_link6_47 + h_link4_z - c_joint5 * t_link5_32;
@@ -1384,7 +1384,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link4_28 = c_joint4 * I_link4_yz - s_joint4 * t_link4_20;
   const Scalar t_link4_29 = link3_k2 * t_link4_18;
   const Scalar t_link4_30 = 2.0 * t_link4_19;
-  // link3
+  // link3: inertia I of (1)
   const Scalar t_link3_21 = t_link4_21 - (link3_I3 + t_link4_18) + link3_k1 * t_link4_19;
   const Scalar I_link3_xz = t_link3_21 + c_joint4 * t_link4_25;
   const Scalar t_link3_22 = h_link4_z - t_link4_27;
@@ -1427,7 +1427,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link4_36 = link3_k1 * t_link5_45 - c_joint4 * t_link5_44;
   const Scalar t_link4_37 = t_link4_36 + s_joint4 * t_link5_46;
   const Scalar t_link5_47 = t_link6_40 - c_joint5 * t_link6_56 - s_joint5 * t_link6_47;
-  // link4
+  // link4: inertia I of (1)
   const Scalar t_link4_38 = s_joint4 - link3_k1 * c_joint4;
   const Scalar t_link4_39 = t_link5_47 - t_link6_40 * (c_joint4 + link3_k1 * s_joint4);
   const Scalar t_link4_40 = t_link4_39 - c_joint5 * t_link6_42 * t_link4_38;
@@ -1452,7 +1452,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link7_43 = link7_p1 * t_link5_39;
   const Scalar t_link7_44 = t_link5_47 - I_link7_yz * t_link7_43;
   const Scalar t_link7_45 = t_link6_49 + I_link7_yz * t_link7_36;
-  // link6
+  // link6: 1/pivot of (1)
   const Scalar inverse_pivot_link6 = 1.0 / (I_link6_zz - I_link7_yz * t_link7_37);
   const Scalar t_link6_57 = t_link7_41 * inverse_pivot_link6;
   const Scalar t_link6_58 = t_link7_42 * inverse_pivot_link6;
@@ -1471,7 +1471,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link6_66 = t_link5_36 + t_link7_45 * t_link6_65;
   const Scalar t_link6_67 = t_link6_66 - t_link6_54 * t_link7_43;
   const Scalar t_link7_48 = I_link5_zz - t_link6_54 * t_link7_36;
-  // link5
+  // link5: 1/pivot of (1)
   const Scalar inverse_pivot_link5 = 1.0 / (t_link7_48 - t_link7_45 * t_link6_60);
   const Scalar t_link5_49 = t_link6_63 * inverse_pivot_link5;
   const Scalar t_link5_50 = t_link6_64 * inverse_pivot_link5;
@@ -1489,7 +1489,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link7_50 = I_link4_zz - t_link5_39 * t_link7_43;
   const Scalar t_link6_71 = t_link7_50 - t_link7_44 * t_link6_65;
   const Scalar inverse_pivot_link4 = 1.0 / (t_link6_71 - t_link6_67 * t_link5_51);
-  // link3
+  // link3: inertia I of (1)
   const Scalar t_link3_36 = t_link4_30 - (t_link4_23 + t_link4_26);
   const Scalar I_link3_zz = link3_I15 - t_link3_36;
   const Scalar t_link3_37 = link3_I1 - t_link4_28 - link3_k1 * h_link4_z;
@@ -1509,7 +1509,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link4_54 = I_link3_zz - t_link7_42 * t_link6_58;
   const Scalar t_link4_55 = t_link4_54 - t_link5_56 * t_link4_47;
   const Scalar t_link4_56 = t_link4_55 - t_link4_31 * t_link7_35;
-  // link3
+  // link3: 1/pivot of (1)
   const Scalar inverse_pivot_link3 = 1.0 / (t_link4_56 - t_link6_64 * t_link5_50);
   const Scalar t_link3_40 = t_link4_53 * inverse_pivot_link3;
   const Scalar t_link3_41 = t_link4_51 * inverse_pivot_link3;
@@ -1538,22 +1538,22 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link2_10 = s_joint2 * (t_link2_1 - s_joint2 * (t_link3_36 + t_link3_43));
   const Scalar t_link2_11 = t_link2_9 - t_link5_52 * t_link4_64 - t_link2_10;
   const Scalar t_link2_12 = t_link2_11 - t_link3_30 * t_link7_39;
-  // link1
+  // link1: 1/pivot, qdd of (1)
   const Scalar inverse_pivot_link1 = 1.0 / (t_link2_12 - t_link6_62 * t_link5_58);
   const Scalar t_link1_2 = M_link6_z - tau[5] - t_link1_1 * t_link7_37;
   const Scalar t_link1_3 = t_link6_39 + tau[4] - t_link1_1 * t_link7_36;
   const Scalar t_link1_4 = t_link1_3 + t_link6_60 * t_link1_2;
-  // link5
+  // link5: moment M of (1)
   const Scalar t_link5_59 = F_link5_z + link4_I15 * t_link4_11 - link4_I8 * a_link4_x;
   const Scalar t_link5_60 = t_link5_59 - link4_I11 * Omega_link4_yz;
   const Scalar t_link5_61 = t_link5_60 - link4_I10 * (t_link4_10 - t_link4_14);
   const Scalar t_link5_62 = t_link5_61 + link4_I14 * alpha_link3_y + link4_I1 * t_link4_7;
   const Scalar t_link5_63 = t_link5_62 - s_joint5 * t_link6_32 - c_joint5 * t_link6_27;
-  // link1
+  // link1: qdd of (1)
   const Scalar t_link1_5 = tau[3] + t_link5_63 - t_link1_1 * t_link7_43;
   const Scalar t_link1_6 = t_link1_5 - t_link6_65 * t_link1_2;
   const Scalar t_link1_7 = t_link1_6 - t_link5_51 * t_link1_4;
-  // link3
+  // link3: moment M of (1)
   const Scalar t_link3_44 = t_link3_19 - t_link3_20;
   const Scalar t_link3_45 = t_link3_9 - t_link3_20;
   const Scalar t_link3_46 = t_link5_63 - link3_G2 * c_joint2 + link3_I11 * t_link3_12;
@@ -1561,23 +1561,23 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link3_48 = t_link3_47 - c_joint4 * (t_link5_24 - link3_k1 * t_link5_21);
   const Scalar t_link3_49 = t_link3_48 - s_joint4 * (t_link5_21 + link3_k1 * t_link5_24);
   const Scalar M_link3_y = t_link3_49 - link3_I9 * Omega_link3_zy - link3_I1 * t_link3_15;
-  // link4
+  // link4: moment M of (1)
   const Scalar t_link4_65 = F_link4_z - link3_I13 * a_link3_y - link3_I14 * t_link3_18;
   const Scalar t_link4_66 = t_link4_65 - link3_I10 * t_link3_15 + link3_I1 * Omega_link3_xz;
   const Scalar t_link4_67 = t_link4_66 - link3_I9 * t_link3_44 + link3_I11 * t_link3_16;
   const Scalar t_link4_68 = t_link4_67 - s_joint4 * t_link5_26 - link3_I6 * Omega_link3_yz;
   const Scalar t_link4_69 = t_link4_68 - c_joint4 * t_link5_19;
-  // link1
+  // link1: qdd of (1)
   const Scalar t_link1_8 = tau[2] + t_link4_69 + t_link6_58 * t_link1_2;
   const Scalar t_link1_9 = t_link1_8 + t_link4_47 * t_link1_7;
   const Scalar t_link1_10 = t_link1_9 + t_link5_50 * t_link1_4;
   const Scalar t_link1_11 = t_link1_10 + t_link1_1 * t_link7_35;
-  // link3
+  // link3: moment M of (1)
   const Scalar t_link3_50 = link3_G1 * c_joint2 + link3_k1 * F_link4_z;
   const Scalar t_link3_51 = t_link3_50 + link3_I10 * Omega_link3_zy + c_joint4 * t_link5_26;
   const Scalar t_link3_52 = t_link3_51 - link3_I1 * t_link3_45 + link3_I6 * t_link3_16;
   const Scalar M_link3_x = t_link3_52 - s_joint4 * t_link5_19 - link3_I9 * t_link3_12;
-  // link1
+  // link1: qdd of (1)
   const Scalar t_link1_12 = inverse_pivot_link5 * t_link1_4;
   const Scalar t_link1_13 = tau[1] + link2_G1 * s_joint2 - link2_G2 * c_joint2;
   const Scalar t_link1_14 = t_link1_13 + qd[0] * t_link2_2 - s_joint3 * M_link3_x;
@@ -1652,7 +1652,7 @@ void point_positions(const Scalar q[7], Scalar p[3]) noexcept {
   const Scalar t_link3_2 = s_joint3 * t_link5_1 - c_joint3 * t_link4_1;
   const Scalar t_link4_2 = link3_l1 - s_joint4 * t_link5_2 + c_joint4 * t_link6_2;
   const Scalar t_link2_1 = s_joint2 * t_link4_2 - c_joint2 * t_link3_2;
-  // link1
+  // link1: p of 1.2
   p[0] = c_joint1 * t_link2_1 - s_joint1 * t_link3_1;
   p[1] = c_joint1 * t_link3_1 + s_joint1 * t_link2_1;
   p[2] = link1_l1 + s_joint2 * t_link3_2 + c_joint2 * t_link4_2;
@@ -1677,14 +1677,14 @@ void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
   const auto p_s_joint6 = sine_cosine(q[5]);
   const Scalar& s_joint6 = p_s_joint6.sine;
   const Scalar& c_joint6 = p_s_joint6.cosine;
-  // link6
+  // link6: r of (9)
   const Scalar r_link6_x = link7_l1 * c_joint6 + link7_l2 * s_joint6;
   const Scalar t_link6_1 = c_joint5 * r_link6_x;
   const Scalar r_link6_y = link7_l1 * s_joint6 - link7_l2 * c_joint6;
   const Scalar r_link5_z = link5_l1 + r_link6_y;
   const Scalar r_link4_x = link4_l1 - t_link6_1;
   const Scalar t_link4_1 = s_joint4 * r_link5_z + c_joint4 * r_link4_x;
-  // link3
+  // link3: r of (9)
   const Scalar r_link3_y = s_joint5 * r_link6_x;
   const Scalar t_link3_1 = s_joint3 * r_link3_y;
   const Scalar r_link3_x = link4_l1 - t_link4_1;
@@ -1694,14 +1694,14 @@ void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
   const Scalar r_link2_x = c_joint2 * t_link3_2 - s_joint2 * r_link3_z;
   C[5] = r_link2_x;
   const Scalar t_link3_3 = c_joint3 * r_link3_y;
-  // link2
+  // link2: r of (9)
   const Scalar r_link2_z = t_link3_3 + s_joint3 * r_link3_x;
   const Scalar t_link2_1 = s_joint1 * r_link2_z;
   C[1] = -(t_link2_1 + c_joint1 * r_link2_x);
   const Scalar t_link2_2 = c_joint1 * r_link2_z;
   C[0] = s_joint1 * r_link2_x - t_link2_2;
   const Scalar r_link2_y = s_joint2 * t_link3_2 + c_joint2 * r_link3_z;
-  // link1
+  // link1: C of (9)
   C[3] = c_joint1 * r_link2_y;
   C[4] = s_joint1 * r_link2_y;
   C[7] = -(c_joint2 * t_link2_1 + c_joint1 * t_link3_2);

@@ -29,7 +29,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x6e3abbfcccc2bc61ULL;
+constexpr unsigned long long kDigest = 0x269fb535900acd5fULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0x338e7dc102e1500aULL, "header and source are of different runs");
+static_assert(kDigest == 0xc9cf0a68b619369bULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -103,7 +103,7 @@ constexpr double boom_p1 = 0.23529411764705882;
 }  // namespace
 
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
-  // shoulder_link
+  // shoulder_link: A of (2)
   A[0] = shoulder_I1 - q[1] * (boom_h1 - boom_m1 * q[1]);
   A[3] = boom_m1;
   A[1] = 0.0;
@@ -113,7 +113,7 @@ void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
   const Scalar t_boom_1 = qd[0] * (boom_h1 - boom_m2 * q[1]);
   B[1] = qd[0] * t_boom_1 * 0.5;
-  // shoulder_link
+  // shoulder_link: moment M of (3)
   B[0] = -qd[1] * t_boom_1;
 }
 
@@ -122,7 +122,7 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
   G[1] = boom_w1 * c_shoulder;
-  // shoulder_link
+  // shoulder_link: G of 6.5
   G[0] = s_shoulder * (boom_G1 - boom_w1 * q[1]);
 }
 
@@ -131,11 +131,11 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
-  // boom
+  // boom: force F of (1)
   const Scalar t_boom_1 = boom_m1 * q[1];
   const Scalar t_boom_2 = boom_h2 - t_boom_1;
   tau[1] = boom_w1 * c_shoulder + boom_m1 * qdd[1] + qd[0] * qd[0] * t_boom_2;
-  // shoulder_link
+  // shoulder_link: moment M of (1)
   const Scalar t_shoulder_1 = t_boom_2 * (base_g1 * s_shoulder - qd[0] * qd[1] * 2.0);
   tau[0] = qdd[0] * (shoulder_I1 - q[1] * (boom_h1 - t_boom_1)) + t_shoulder_1;
 }
@@ -150,12 +150,12 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar t_boom_2 = qd[0] * t_boom_1;
   const Scalar t_shoulder_1 = tau[0] - s_shoulder * t_boom_1 * boom_w1;
   qdd[0] = inverse_pivot_shoulder * (t_shoulder_1 + qd[1] * t_boom_2 * boom_m2);
-  // boom
+  // boom: qdd of (1)
   qdd[1] = -(base_g1 * c_shoulder - boom_p1 * tau[1] + qd[0] * t_boom_2);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
-  // shoulder_link
+  // shoulder_link: p of 1.2
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
@@ -170,7 +170,7 @@ void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
   const Scalar& c_shoulder = p_s_shoulder.cosine;
   C[5] = c_shoulder;
   C[3] = s_shoulder;
-  // shoulder_link
+  // shoulder_link: C of (9)
   C[2] = -s_shoulder * q[1];
   C[0] = c_shoulder * q[1];
   C[1] = 0.0;

@@ -24,7 +24,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x338e7dc102e1500aULL;
+constexpr unsigned long long kDigest = 0xc9cf0a68b619369bULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0x36e922535c3c242eULL, "header and source are of different runs");
+static_assert(kDigest == 0xfc4536be2d4e7448ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -244,7 +244,7 @@ constexpr double link6_p1 = 25000.0;
 // Names: vectors h_ in kg m^2/L, s_ in L; all others are of values in SI units; numbered ones (t_)
 // by what they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
-  // link3
+  // link3: A, way s to the joint of (2)
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
   const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
@@ -267,7 +267,7 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   const Scalar t_link5_3 = link6_I6 * c_joint5;
   const Scalar t_link4_1 = c_joint4 * h_link4_x;
   const Scalar h_link3_z = s_joint4 * h_link4_x;
-  // link4
+  // link4: inertia I, A of (2)
   const Scalar I_link4_zz = link4_I2 + t_link5_2;
   A[21] = I_link4_zz;
   const Scalar t_link4_2 = s_joint4 * (link5_I2 + t_link5_2);
@@ -277,7 +277,7 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   A[15] = -t_link4_5;
   A[20] = A[15];
   const Scalar t_link4_6 = 2.0 * t_link4_1;
-  // link3
+  // link3: inertia I, way s to the joint, A of (2)
   const Scalar t_link3_2 = t_link4_6 + s_joint4 * t_link4_2;
   const Scalar t_link3_3 = t_link5_3 - t_link3_2;
   const Scalar I_link3_zz = link3_I2 + t_link3_3;
@@ -348,7 +348,7 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const auto p_s_joint2 = sine_cosine(q[1]);
   const Scalar& s_joint2 = p_s_joint2.sine;
   const Scalar& c_joint2 = p_s_joint2.cosine;
-  // link4
+  // link4: way s to the joint of (3)
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
   const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
@@ -365,13 +365,13 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar t_link3_1 = link3_l1 * s_joint2;
   const Scalar t_link2_2 = 2.0 * qd[0];
   const Scalar Omega_link2_zy = qd[1] * t_link2_2;
-  // link3
+  // link3: way s to the joint, angular velocity omega, Omega of (3)
   const Scalar t_link3_2 = link3_l1 * c_joint2;
   const Scalar omega_link3_z = qd[1] + qd[2];
   const Scalar t_link3_3 = omega_link3_z * omega_link3_z;
   const Scalar t_link3_4 = link3_h1 * s_joint2_joint3 - link4_h1 * c_joint2_joint3;
   const Scalar t_link3_5 = t_link1_1 + t_link3_3;
-  // link4
+  // link4: angular velocity omega, angular acceleration alpha, acceleration a of (3)
   const Scalar t_link4_1 = s_joint2_joint3 * qd[0];
   const Scalar t_link4_2 = c_joint2_joint3 * qd[0];
   const Scalar t_link4_3 = c_joint4 * omega_link3_z;
@@ -407,7 +407,7 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar t_link5_5 = omega_link5_z * omega_link5_x * link5_I2;
   const Scalar M_link5_y = t_link6_1 + link5_I3 * alpha_link5_y - t_link5_5;
   const Scalar a_link4_y = s_joint4 * t_link4_10 - c_joint4 * t_link4_11;
-  // link5
+  // link5: moment M, angular acceleration alpha, Omega of (3)
   const Scalar t_link5_6 = t_link5_1 * omega_link5_z;
   const Scalar t_link5_7 = s_joint5 * t_link4_5 - t_link5_1 * qd[4];
   const Scalar alpha_link5_x = t_link5_7 - c_joint5 * t_link4_6;
@@ -420,7 +420,7 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar t_link4_12 = s_joint5 * Omega_link6_xz + c_joint5 * t_link5_10;
   const Scalar t_link4_13 = s_joint5 * t_link5_10 - c_joint5 * Omega_link6_xz;
   const Scalar Omega_link6_yz = t_link5_6 - alpha_link5_x;
-  // link4
+  // link4: moment M of (3)
   const Scalar t_link4_14 = c_joint4 * t_link4_13 + s_joint4 * Omega_link6_yz;
   const Scalar t_link4_15 = s_joint2_joint3 * t_link4_14 - c_joint2_joint3 * t_link4_12;
   const Scalar t_link4_16 = link6_h1 * t_link4_15;
@@ -439,7 +439,7 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar t_link4_25 = t_link4_23 - t_link1_1 * t_link4_21 + t_link4_24;
   B[2] = -t_link4_25;
   const Scalar t_link2_3 = link2_I6 - c_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
-  // link3
+  // link3: force F, moment M of (3)
   const Scalar F_link3_x = t_link4_19 + t_link3_4 * t_link3_5;
   const Scalar t_link3_8 = c_joint4 * Omega_link6_yz - s_joint4 * t_link4_13;
   const Scalar t_link3_9 = (t_link3_2 + t_link4_8) * t_link3_8 * link6_h1;
@@ -450,7 +450,7 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar t_link3_13 = t_link3_11 + Omega_link3_zy * t_link4_21 + t_link3_4 * t_link3_6;
   B[0] = s_joint2_joint3 * t_link3_12 - t_link3_13;
   const Scalar t_link1_2 = t_link4_25 + t_link3_2 * t_link4_16 + t_link1_1 * t_link2_3;
-  // link2
+  // link2: moment M of (3)
   B[1] = t_link3_1 * F_link3_x - (t_link1_2 - t_link3_3 * t_link4_20);
 }
 
@@ -468,7 +468,7 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
   const auto p_s_joint5 = sine_cosine(q[4]);
   const Scalar& s_joint5 = p_s_joint5.sine;
   const Scalar& c_joint5 = p_s_joint5.cosine;
-  // link5
+  // link5: G of 6.5
   const Scalar t_link5_1 = s_joint2_joint3 * c_joint5 * link6_G1;
   const Scalar t_link5_2 = link6_G1 * s_joint5;
   const Scalar t_link5_3 = c_joint2_joint3 * t_link5_2;
@@ -477,7 +477,7 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
   const Scalar t_link3_1 = t_link5_1 + link3_G1 * s_joint2_joint3 - link4_G1 * c_joint2_joint3;
   const Scalar t_link3_2 = t_link3_1 + c_joint4 * t_link5_3;
   G[2] = -t_link3_2;
-  // link2
+  // link2: G of 6.5
   G[1] = link2_G2 * s_joint2 - (t_link3_2 + link2_G1 * c_joint2);
   G[0] = 0.0;
   G[5] = 0.0;
@@ -489,7 +489,7 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
 // ones (t_) by what they are made of. Arguments and results are in SI units.
 void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6],
                       Scalar tau[6]) noexcept {
-  // link3
+  // link3: angular velocity omega, way s to the joint, Omega of (1)
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
   const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
@@ -530,7 +530,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar t_link4_1 = t_link3_11 + t_link3_15 - link4_k1 * t_link3_16;
   const Scalar t_link3_17 = t_link3_2 * Omega_link2_zy - t_link3_1 * qdd[0];
   const Scalar t_link3_18 = t_link3_17 + link2_k3 * t_link1_1;
-  // link4
+  // link4: acceleration a, angular velocity omega, moment M of (1)
   const Scalar t_link4_2 = Omega_link3_zx - t_link3_18 + link4_k1 * t_link3_9;
   const Scalar omega_link4_z = omega_link3_x + qd[3];
   const Scalar t_link4_3 = c_joint4 * t_link3_5 - s_joint4 * omega_link3_z;
@@ -542,7 +542,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar t_link4_7 = t_link4_6 - c_joint2_joint3 * t_link3_14;
   const Scalar omega_link4_y = s_joint4 * t_link3_5 + c_joint4 * omega_link3_z;
   const Scalar t_link4_8 = omega_link4_z * omega_link4_y;
-  // link5
+  // link5: angular velocity omega, angular acceleration alpha of (1)
   const Scalar t_link5_1 = c_joint5 * omega_link4_z - s_joint5 * t_link4_3;
   const Scalar omega_link5_z = omega_link4_y + qd[4];
   const Scalar t_link5_2 = s_joint5 * omega_link4_z + c_joint5 * t_link4_3;
@@ -550,14 +550,14 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar alpha_link4_x = t_link4_8 - c_joint4 * Omega_link3_zx - s_joint4 * t_link3_11;
   const Scalar t_link5_3 = c_joint5 * t_link4_9 + qd[4] * t_link5_2;
   const Scalar alpha_link5_y = t_link5_3 - s_joint5 * alpha_link4_x;
-  // link6
+  // link6: angular acceleration alpha, moment M, angular velocity omega of (1)
   const Scalar alpha_link6_z = qdd[5] - alpha_link5_y;
   const Scalar M_link6_z = link6_I1 * alpha_link6_z;
   tau[5] = M_link6_z;
   const Scalar omega_link6_z = t_link5_1 + qd[5];
   const Scalar t_link5_4 = link6_I1 * omega_link6_z;
   const Scalar t_link4_10 = c_joint4 * t_link4_1 - s_joint4 * t_link4_2;
-  // link5
+  // link5: angular acceleration alpha, moment M, Omega of (1)
   const Scalar t_link5_5 = t_link4_4 + qdd[4] + s_joint4 * Omega_link3_zx;
   const Scalar alpha_link5_z = t_link5_5 - c_joint4 * t_link3_11;
   const Scalar t_link5_6 = link6_I3 * c_joint5;
@@ -584,7 +584,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar t_link4_11 = c_joint4 * t_link5_15 + s_joint4 * F_link4_y;
   const Scalar t_link5_16 = t_link5_6 * t_link5_12 + link4_I7 * t_link4_7;
   const Scalar t_link5_17 = t_link5_16 + t_link5_7 * t_link5_13;
-  // link4
+  // link4: moment M, force F of (1)
   const Scalar M_link4_x = link4_I4 * t_link4_8 - c_joint5 * t_link6_3 + s_joint5 * t_link6_1;
   const Scalar M_link4_y = M_link5_z + link4_I4 * t_link4_4;
   const Scalar t_link4_12 = t_link4_11 + link3_I4 * t_link3_7 + link4_k1 * t_link5_17;
@@ -599,7 +599,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar t_link2_3 = link2_I6 - c_joint2 * t_link2_2;
   const Scalar t_link3_22 = c_joint2_joint3 * t_link4_16 + s_joint2_joint3 * t_link4_17;
   const Scalar t_link2_4 = link2_I9 * s_joint2 + link2_I1 * c_joint2;
-  // link3
+  // link3: moment M, force F of (1)
   const Scalar t_link3_23 = s_joint2_joint3 * t_link4_16 - c_joint2_joint3 * t_link4_17;
   const Scalar t_link3_24 = t_link4_15 - link2_I8 * qdd[1] + link2_G3 * c_joint2;
   const Scalar t_link3_25 = t_link3_24 + t_link3_1 * t_link3_23 + t_link1_1 * t_link2_3;
@@ -617,7 +617,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar t_link2_8 = qdd[0] * (link1_I2 - s_joint2 * t_link2_2);
   const Scalar t_link4_21 = t_link4_20 - c_joint4 * M_link4_x - link3_I7 * t_link3_18;
   const Scalar t_link2_9 = t_link2_7 + c_joint2_joint3 * M_link3_x + t_link2_8;
-  // link1
+  // link1: moment M of (1)
   tau[0] = t_link2_9 + s_joint2_joint3 * t_link4_21 + t_link3_1 * F_link3_z;
 }
 
@@ -630,7 +630,7 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const auto p_s_joint2 = sine_cosine(q[1]);
   const Scalar& s_joint2 = p_s_joint2.sine;
   const Scalar& c_joint2 = p_s_joint2.cosine;
-  // link4
+  // link4: way s to the joint of (1)
   const Scalar q_joint2_joint3 = q[1] + q[2];
   const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
   const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
@@ -644,13 +644,13 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar& s_joint5 = p_s_joint5.sine;
   const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar t_link1_1 = qd[0] * qd[0];
-  // link2
+  // link2: Omega of (1)
   const Scalar t_link2_1 = qd[1] * qd[1];
   const Scalar t_link2_2 = link2_I4 * c_joint2 + link2_I5 * s_joint2;
   const Scalar t_link2_3 = link2_I6 - c_joint2 * t_link2_2;
   const Scalar t_link2_4 = 2.0 * qd[0];
   const Scalar Omega_link2_zy = qd[1] * t_link2_4;
-  // link3
+  // link3: angular velocity omega, Omega, first moment h of (1)
   const Scalar omega_link3_z = qd[1] + qd[2];
   const Scalar t_link3_1 = omega_link3_z * omega_link3_z;
   const Scalar t_link3_2 = link4_I5 * c_joint2_joint3 - link3_I5 * s_joint2_joint3;
@@ -658,7 +658,7 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link3_4 = t_link1_1 + t_link3_1;
   const Scalar t_link4_2 = c_joint2 * (t_link1_1 + t_link2_1) + t_link4_1 * t_link3_4;
   const Scalar a_link3_y = link3_p1 + s_joint2 * t_link2_1;
-  // link4
+  // link4: acceleration a, angular velocity omega, angular acceleration alpha of (1)
   const Scalar t_link4_3 = a_link3_y - s_link4_y * t_link3_1;
   const Scalar t_link4_4 = c_joint2_joint3 * t_link4_2 + s_joint2_joint3 * t_link4_3;
   const Scalar t_link4_5 = s_joint2_joint3 * qd[0];
@@ -669,7 +669,7 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link4_10 = t_link4_9 - c_joint4 * t_link4_5;
   const Scalar omega_link4_z = qd[3] + t_link4_8;
   const Scalar t_link4_11 = omega_link3_z * t_link4_5;
-  // link5
+  // link5: angular velocity omega, angular acceleration alpha, Omega of (1)
   const Scalar t_link5_1 = c_joint5 * omega_link4_z + s_joint5 * t_link4_10;
   const Scalar omega_link5_z = t_link4_7 + qd[4];
   const Scalar t_link5_2 = s_joint5 * omega_link4_z - c_joint5 * t_link4_10;
@@ -692,7 +692,7 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link5_9 = link6_I8 * s_joint5;
   const Scalar t_link5_10 = t_link5_2 * t_link5_2 + omega_link5_z * omega_link5_z;
   const Scalar Omega_link5_zy = alpha_link5_x - t_link5_1 * omega_link5_z;
-  // link4
+  // link4: force F, acceleration a of (1)
   const Scalar F_link4_y = link6_I8 * Omega_link5_zy;
   const Scalar t_link4_13 = c_joint2_joint3 * t_link5_9;
   const Scalar a_link4_x = c_joint4 * t_link4_4 + s_joint4 * t_link4_12;
@@ -709,14 +709,14 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link4_17 = c_joint4 * t_link5_9;
   const Scalar t_link4_18 = s_joint2_joint3 * h_link4_z;
   const Scalar h_link3_z = s_joint4 * t_link5_9;
-  // link4
+  // link4: inertia I of (1)
   const Scalar t_link4_19 = s_joint4 * (link5_I2 + t_link5_12);
   const Scalar t_link4_20 = s_joint4 * t_link4_19;
   const Scalar I_link4_xz = c_joint5 * t_link5_11;
   const Scalar t_link4_21 = s_joint4 * I_link4_xz;
   const Scalar t_link4_22 = t_link4_18 + c_joint2_joint3 * t_link4_17;
   const Scalar t_link4_23 = t_link4_1 * t_link4_22 * 2.0;
-  // link3
+  // link3: first moment h of (1)
   const Scalar t_link3_6 = s_joint2 * h_link3_y;
   const Scalar h_link3_x = t_link3_2 - t_link4_22;
   const Scalar t_link3_7 = c_joint2 * h_link3_x;
@@ -783,7 +783,7 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link2_12 = t_link2_11 + t_link4_36 * t_link3_18 + t_link4_16 * t_link6_9;
   const Scalar t_link1_3 = 1.0 / t_link2_12;
   const Scalar a_link4_y = c_joint4 * t_link4_12 - s_joint4 * t_link4_4;
-  // link5
+  // link5: moment M, force F of (1)
   const Scalar t_link5_19 = link5_I5 * alpha_link5_x + link6_I8 * a_link4_y;
   const Scalar M_link5_x = t_link5_19 + omega_link5_z * t_link5_7;
   const Scalar t_link5_20 = t_link6_1 + link5_I3 * alpha_link5_y;
@@ -795,20 +795,20 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link5_23 = t_link5_4 * h_link4_z - t_link5_9 * t_link5_10;
   const Scalar t_link4_40 = s_joint4 * F_link4_y + c_joint4 * t_link5_23;
   const Scalar t_link1_6 = link4_I6 + t_link1_5 - c_joint2_joint3 * t_link3_17;
-  // link6
+  // link6: moment M of (1)
   const Scalar t_link6_11 = h_link4_z * a_link4_x - link5_I1 * alpha_link5_z;
   const Scalar t_link6_12 = t_link6_11 - t_link4_2 * t_link4_14 + link6_I7 * t_link5_3;
   const Scalar t_link6_13 = t_link6_12 - t_link5_2 * t_link5_6 + t_link4_3 * t_link4_13;
   const Scalar t_link1_7 = tau[4] + t_link6_13;
   const Scalar t_link1_8 = link5_p1 * t_link1_7;
-  // link4
+  // link4: moment M, force F of (1)
   const Scalar t_link4_41 = link4_I4 * omega_link4_z;
   const Scalar M_link4_y = t_link6_13 + t_link4_10 * t_link4_41;
   const Scalar t_link4_42 = c_joint2_joint3 * t_link5_22 + s_joint2_joint3 * t_link4_40;
   const Scalar M_link4_x = s_joint5 * M_link5_y - c_joint5 * M_link5_x - t_link4_7 * t_link4_41;
   const Scalar t_link4_43 = c_joint2_joint3 * t_link4_40 - s_joint2_joint3 * t_link5_22;
   const Scalar t_link4_44 = t_link4_43 + t_link3_2 * t_link3_4;
-  // link1
+  // link1: qdd of (1)
   const Scalar t_link1_9 = link2_G2 - t_link4_44;
   const Scalar t_link1_10 = link2_G1 - t_link4_42 - t_link3_1 * t_link3_3;
   const Scalar t_link1_11 = s_joint4 * (M_link4_x - s_joint5 * t_link1_2);

@@ -25,7 +25,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x36e922535c3c242eULL;
+constexpr unsigned long long kDigest = 0xfc4536be2d4e7448ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace quadruped {
 
-static_assert(kDigest == 0x5f4f9bafd690f6a8ULL, "header and source are of different runs");
+static_assert(kDigest == 0x65c8e2904583c59cULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -175,7 +175,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const auto p_s_hind_left_hip = sine_cosine(q[7]);
   const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
   const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
-  // hind_right_shank
+  // hind_right_shank: A of (2)
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
   const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
   const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
@@ -190,13 +190,13 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[119] = -t_hind_right_shank_4;
   A[141] = A[119];
   const Scalar t_hind_right_shank_5 = front_left_thigh_I3 * s_hind_right_hip;
-  // hind_right_thigh
+  // hind_right_thigh: inertia I of (2)
   const Scalar t_hind_right_thigh_1 = t_hind_right_shank_4 + t_hind_right_shank_5;
   A[118] = front_left_thigh_I4 * c_hind_right_hip - t_hind_right_thigh_1;
   A[129] = A[118];
   const Scalar t_hind_right_thigh_2 = front_left_thigh_I5 + t_hind_right_shank_3;
   A[130] = t_hind_right_thigh_2 + front_left_shank_I4 * t_hind_right_shank_1;
-  // hind_right_shank
+  // hind_right_shank: inertia I of (2)
   const Scalar t_hind_right_shank_6 = front_left_thigh_I1 * s_hind_right_hip;
   const Scalar t_hind_right_shank_7 = front_left_thigh_I2 * c_hind_right_hip;
   const Scalar I_hind_right_shank_yy = c_q10_q11 * c_q10_q11 * front_left_shank_I1;
@@ -204,7 +204,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_hind_right_shank_8 = t_hind_right_shank_6 + t_hind_right_shank_7;
   const Scalar t_hind_right_hip_2 = t_hind_right_hip_1 + I_hind_right_shank_yy;
   A[117] = t_hind_right_hip_2 - s_hind_right_hip * t_hind_right_shank_8;
-  // hind_left_shank
+  // hind_left_shank: A of (2)
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
   const Scalar& s_q7_q8 = p_s_q7_q8.sine;
@@ -216,7 +216,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[80] = t_hind_left_shank_4;
   A[102] = A[80];
   const Scalar t_hind_left_shank_5 = front_left_thigh_I3 * s_hind_left_hip;
-  // hind_left_thigh
+  // hind_left_thigh: inertia I of (2)
   A[79] = t_hind_left_shank_4 + t_hind_left_shank_5 - front_left_thigh_I4 * c_hind_left_hip;
   A[90] = A[79];
   const Scalar t_hind_left_thigh_1 = front_left_thigh_I5 + t_hind_left_shank_3;
@@ -227,7 +227,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_hind_left_shank_8 = t_hind_left_shank_6 + t_hind_left_shank_7;
   const Scalar t_hind_left_hip_2 = t_hind_left_hip_1 + c_q7_q8 * c_q7_q8 * front_left_shank_I1;
   A[78] = t_hind_left_hip_2 - s_hind_left_hip * t_hind_left_shank_8;
-  // front_right_shank
+  // front_right_shank: A of (2)
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
   const Scalar& s_q4_q5 = p_s_q4_q5.sine;
@@ -239,7 +239,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[41] = -t_fron_righ_shan_4;
   A[63] = A[41];
   const Scalar t_fron_righ_shan_5 = front_left_thigh_I4 * c_front_right_hip;
-  // front_right_thigh
+  // front_right_thigh: inertia I of (2)
   A[40] = -(t_fron_righ_shan_4 - t_fron_righ_shan_5 + front_left_thigh_I3 * s_front_right_hip);
   A[51] = A[40];
   const Scalar t_fron_righ_thig_1 = front_left_thigh_I5 + t_fron_righ_shan_3;
@@ -250,7 +250,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar I_fron_righ_shan_yy = c_q4_q5 * c_q4_q5 * front_left_shank_I1;
   const Scalar t_fron_righ_shan_8 = t_fron_righ_shan_6 + t_fron_righ_shan_7;
   A[39] = t_front_right_hip_1 + I_fron_righ_shan_yy - s_front_right_hip * t_fron_righ_shan_8;
-  // front_left_shank
+  // front_left_shank: A of (2)
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
   const Scalar& s_q1_q2 = p_s_q1_q2.sine;
@@ -262,7 +262,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[2] = t_front_left_shank_4;
   A[24] = A[2];
   const Scalar t_front_left_shank_5 = front_left_thigh_I4 * c_front_left_hip;
-  // front_left_thigh
+  // front_left_thigh: inertia I of (2)
   const Scalar t_front_left_thigh_1 = t_front_left_shank_4 - t_front_left_shank_5;
   A[1] = t_front_left_thigh_1 + front_left_thigh_I3 * s_front_left_hip;
   A[12] = A[1];
@@ -284,7 +284,7 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_fron_righ_shan_9 = t_fron_righ_shan_1 + t_fron_righ_shan_2;
   A[53] = front_left_shank_I2 + front_left_shank_I5 * t_fron_righ_shan_9;
   A[64] = A[53];
-  // front_left_shank
+  // front_left_shank: A of (2)
   const Scalar t_front_left_shank_9 = t_front_left_shank_1 + t_front_left_shank_2;
   A[14] = front_left_shank_I2 + front_left_shank_I5 * t_front_left_shank_9;
   A[25] = A[14];
@@ -415,7 +415,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
   const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
   const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
-  // front_left_shank
+  // front_left_shank: angular velocity omega, moment M, Omega of (3)
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
@@ -433,7 +433,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_front_left_shank_8 = t_front_left_shank_6 * t_front_left_hip_1;
   const Scalar t_front_left_shank_9 = t_front_left_shank_7 - t_front_left_shank_8;
   B[2] = -t_front_left_shank_9;
-  // front_right_shank
+  // front_right_shank: angular velocity omega, moment M, Omega of (3)
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
@@ -451,7 +451,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_fron_righ_shan_8 = t_fron_righ_shan_4 * t_fron_righ_thig_1;
   const Scalar t_fron_righ_shan_9 = t_fron_righ_shan_8 - t_fron_righ_shan_7;
   B[5] = -t_fron_righ_shan_9;
-  // hind_left_shank
+  // hind_left_shank: angular velocity omega, moment M, Omega of (3)
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
@@ -469,7 +469,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_hind_left_shank_8 = t_hind_left_shank_5 * t_hind_left_hip_1;
   const Scalar M_hind_left_shank_z = t_hind_left_shank_8 - t_hind_left_shank_7;
   B[8] = M_hind_left_shank_z;
-  // hind_right_shank
+  // hind_right_shank: angular velocity omega, moment M, Omega of (3)
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
@@ -487,7 +487,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_hind_right_shank_8 = t_hind_right_shank_6 * t_hind_right_hip_1;
   const Scalar t_hind_right_shank_9 = t_hind_right_shank_7 - t_hind_right_shank_8;
   B[11] = -t_hind_right_shank_9;
-  // hind_right_thigh
+  // hind_right_thigh: moment M of (3)
   const Scalar t_hind_right_thigh_2 = front_left_thigh_I3 * c_hind_right_hip;
   const Scalar t_hind_right_thigh_3 = front_left_thigh_I4 * s_hind_right_hip;
   const Scalar t_hind_right_thigh_4 = front_left_thigh_I1 * s_hind_right_hip;
@@ -505,7 +505,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_hind_right_shank_15 = t_hind_right_shank_1 * t_hind_right_shank_4;
   const Scalar t_hind_right_shank_16 = t_hind_right_shank_9 - t_hind_right_shank_15;
   B[10] = -(t_hind_right_shank_16 + t_hind_right_hip_1 * t_hind_right_shank_11);
-  // hind_left_thigh
+  // hind_left_thigh: moment M of (3)
   const Scalar t_hind_left_thigh_2 = front_left_thigh_I3 * c_hind_left_hip;
   const Scalar t_hind_left_thigh_3 = front_left_thigh_I4 * s_hind_left_hip;
   const Scalar t_hind_left_thigh_4 = front_left_thigh_I1 * s_hind_left_hip;
@@ -523,7 +523,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_hind_left_thigh_14 = t_hind_left_shank_1 * t_hind_left_shank_6;
   const Scalar t_hind_left_thigh_15 = M_hind_left_shank_z + t_hind_left_thigh_14;
   B[7] = t_hind_left_thigh_15 - t_hind_left_hip_1 * t_hind_left_thigh_9;
-  // front_right_thigh
+  // front_right_thigh: moment M of (3)
   const Scalar t_fron_righ_thig_2 = front_left_thigh_I1 * s_front_right_hip;
   const Scalar t_fron_righ_thig_3 = front_left_thigh_I2 * c_front_right_hip;
   const Scalar t_fron_righ_thig_4 = t_fron_righ_thig_2 + t_fron_righ_thig_3;
@@ -541,7 +541,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_fron_righ_shan_16 = t_front_right_hip_1 * t_fron_righ_shan_11;
   const Scalar t_fron_righ_shan_17 = t_fron_righ_shan_9 + t_fron_righ_shan_16;
   B[4] = t_fron_righ_shan_1 * t_fron_righ_shan_4 - t_fron_righ_shan_17;
-  // front_left_thigh
+  // front_left_thigh: moment M of (3)
   const Scalar t_front_left_thigh_2 = front_left_thigh_I2 * c_front_left_hip;
   const Scalar t_front_left_thigh_3 = front_left_thigh_I1 * s_front_left_hip;
   const Scalar t_front_left_thigh_4 = t_front_left_thigh_2 + t_front_left_thigh_3;
@@ -584,7 +584,7 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const auto p_s_hind_right_abduction = sine_cosine(q[9]);
   const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
   const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
-  // hind_right_shank
+  // hind_right_shank: G of 6.5
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
   const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
   const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
@@ -596,12 +596,12 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   G[11] = t_hind_right_shank_1;
   const Scalar t_hind_right_thigh_1 = c_hind_right_abduction * s_hind_right_hip;
   G[10] = t_hind_right_shank_1 + front_left_thigh_G1 * t_hind_right_thigh_1;
-  // hind_right_hip
+  // hind_right_hip: G of 6.5
   const Scalar t_hind_right_hip_1 = front_left_thigh_G1 * c_hind_right_hip;
   const Scalar t_hind_right_hip_2 = front_left_shank_G1 * c_q10_q11 + t_hind_right_hip_1;
   const Scalar t_hind_right_hip_3 = s_hind_right_abduction * t_hind_right_hip_2;
   G[9] = t_hind_right_hip_3 - front_left_hip_G1 * c_hind_right_abduction;
-  // hind_left_shank
+  // hind_left_shank: G of 6.5
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
   const Scalar& s_q7_q8 = p_s_q7_q8.sine;
@@ -609,11 +609,11 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar t_hind_left_shank_1 = c_hind_left_abduction * s_q7_q8 * front_left_shank_G1;
   G[8] = t_hind_left_shank_1;
   G[7] = t_hind_left_shank_1 + c_hind_left_abduction * s_hind_left_hip * front_left_thigh_G1;
-  // hind_left_hip
+  // hind_left_hip: G of 6.5
   const Scalar t_hind_left_hip_1 = front_left_thigh_G1 * c_hind_left_hip;
   const Scalar t_hind_left_hip_2 = front_left_shank_G1 * c_q7_q8 + t_hind_left_hip_1;
   G[6] = front_left_hip_G1 * c_hind_left_abduction + s_hind_left_abduction * t_hind_left_hip_2;
-  // front_right_shank
+  // front_right_shank: G of 6.5
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
   const Scalar& s_q4_q5 = p_s_q4_q5.sine;
@@ -622,12 +622,12 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   G[5] = t_fron_righ_shan_1;
   const Scalar t_fron_righ_thig_1 = c_front_right_abduction * s_front_right_hip;
   G[4] = t_fron_righ_shan_1 + front_left_thigh_G1 * t_fron_righ_thig_1;
-  // front_right_hip
+  // front_right_hip: G of 6.5
   const Scalar t_front_right_hip_1 = front_left_thigh_G1 * c_front_right_hip;
   const Scalar t_front_right_hip_2 = front_left_shank_G1 * c_q4_q5 + t_front_right_hip_1;
   const Scalar t_front_right_hip_3 = s_front_right_abduction * t_front_right_hip_2;
   G[3] = t_front_right_hip_3 - front_left_hip_G1 * c_front_right_abduction;
-  // front_left_shank
+  // front_left_shank: G of 6.5
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
   const Scalar& s_q1_q2 = p_s_q1_q2.sine;
@@ -636,7 +636,7 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   G[2] = t_front_left_shank_1;
   const Scalar t_front_left_thigh_1 = c_front_left_abduction * s_front_left_hip;
   G[1] = t_front_left_shank_1 + front_left_thigh_G1 * t_front_left_thigh_1;
-  // front_left_hip
+  // front_left_hip: G of 6.5
   const Scalar t_front_left_hip_1 = front_left_thigh_G1 * c_front_left_hip;
   const Scalar t_front_left_hip_2 = front_left_shank_G1 * c_q1_q2 + t_front_left_hip_1;
   const Scalar t_front_left_hip_3 = s_front_left_abduction * t_front_left_hip_2;
@@ -673,7 +673,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
   const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
   const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
-  // front_left_shank
+  // front_left_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar alpha_front_left_shank_z = qdd[1] + qdd[2];
   const Scalar q_q1_q2 = q[1] + q[2];
@@ -704,7 +704,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   tau[2] = M_front_left_shank_z;
   const Scalar t_front_right_hip_1 = qd[3] * qd[3];
   const Scalar t_fron_righ_thig_1 = qd[4] * qd[4];
-  // front_right_shank
+  // front_right_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar alpha_fron_righ_shan_z = qdd[4] + qdd[5];
   const Scalar q_q4_q5 = q[4] + q[5];
@@ -731,7 +731,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_fron_righ_shan_16 = t_fron_righ_shan_7 * t_fron_righ_shan_14;
   const Scalar M_fron_righ_shan_z = t_fron_righ_shan_15 - t_fron_righ_shan_16;
   tau[5] = M_fron_righ_shan_z;
-  // hind_left_shank
+  // hind_left_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar alpha_hind_left_shank_z = qdd[7] + qdd[8];
   const Scalar q_q7_q8 = q[7] + q[8];
@@ -760,7 +760,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_hind_left_shank_17 = t_hind_left_shank_3 * t_hind_left_shank_15;
   const Scalar M_hind_left_shank_z = t_hind_left_shank_16 + t_hind_left_shank_17;
   tau[8] = M_hind_left_shank_z;
-  // hind_right_shank
+  // hind_right_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar alpha_hind_right_shank_z = qdd[10] + qdd[11];
   const Scalar q_q10_q11 = q[10] + q[11];
@@ -790,7 +790,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar M_hind_right_shank_z = t_hind_right_shank_16 + t_hind_right_shank_17;
   tau[11] = M_hind_right_shank_z;
   const Scalar t_hind_right_shank_18 = omega_hind_right_shank_z * omega_hind_right_shank_z;
-  // hind_right_thigh
+  // hind_right_thigh: moment M of (1)
   const Scalar t_hind_right_thigh_2 = front_left_thigh_I3 * s_hind_right_hip;
   const Scalar t_hind_right_thigh_3 = front_left_thigh_I4 * c_hind_right_hip;
   const Scalar t_hind_right_thigh_4 = t_hind_right_thigh_2 - t_hind_right_thigh_3;
@@ -836,7 +836,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_hind_right_thigh_41 = s_hind_right_abduction * t_hind_right_thigh_39;
   tau[9] = -(t_hind_right_thigh_40 - t_hind_right_thigh_41 + qdd[10] * t_hind_right_thigh_4);
   const Scalar t_hind_left_shank_18 = omega_hind_left_shank_z * omega_hind_left_shank_z;
-  // hind_left_thigh
+  // hind_left_thigh: moment M of (1)
   const Scalar t_hind_left_thigh_2 = front_left_thigh_I1 * s_hind_left_hip;
   const Scalar t_hind_left_thigh_3 = front_left_thigh_I2 * c_hind_left_hip;
   const Scalar t_hind_left_thigh_4 = t_hind_left_thigh_2 + t_hind_left_thigh_3;
@@ -860,7 +860,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_hind_left_thigh_21 = t_hind_left_thigh_18 - t_hind_left_thigh_19;
   const Scalar t_hind_left_thigh_22 = s_hind_left_hip * t_hind_left_thigh_20;
   tau[7] = t_hind_left_thigh_21 + t_hind_left_thigh_22 + qdd[6] * t_hind_left_thigh_13;
-  // hind_left_hip
+  // hind_left_hip: moment M of (1)
   const Scalar t_hind_left_hip_3 = omega_hind_left_shank_z * t_hind_left_shank_6;
   const Scalar t_hind_left_hip_4 = front_left_thigh_G1 * c_hind_left_hip;
   const Scalar t_hind_left_hip_5 = front_left_hip_I2 + 2.0 * t_hind_left_shank_2;
@@ -880,7 +880,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_hind_left_thigh_25 = t_hind_left_thigh_23 + t_hind_left_thigh_24;
   const Scalar t_hind_left_hip_17 = t_hind_left_hip_16 + qdd[6] * t_hind_left_hip_15;
   tau[6] = t_hind_left_hip_17 + t_hind_left_thigh_1 * t_hind_left_thigh_25;
-  // front_right_thigh
+  // front_right_thigh: moment M of (1)
   const Scalar t_fron_righ_thig_3 = front_left_thigh_I4 * c_front_right_hip;
   const Scalar t_fron_righ_thig_4 = front_left_thigh_I3 * s_front_right_hip;
   const Scalar t_fron_righ_thig_5 = t_fron_righ_thig_3 - t_fron_righ_thig_4;
@@ -932,7 +932,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   tau[3] = t_fron_righ_thig_41 - (t_fron_righ_thig_39 - t_fron_righ_thig_40);
   const Scalar t_front_left_shank_18 = omega_front_left_shank_z * omega_front_left_shank_z;
   const Scalar t_front_left_shank_19 = alpha_front_left_shank_z * t_front_left_shank_1;
-  // front_left_thigh
+  // front_left_thigh: moment M of (1)
   const Scalar t_front_left_thigh_2 = t_front_left_shank_8 * t_front_left_shank_18;
   const Scalar t_front_left_thigh_3 = t_front_left_thigh_2 + t_front_left_shank_19;
   const Scalar t_front_left_thigh_4 = front_left_thigh_G1 * c_front_left_abduction;
@@ -957,7 +957,7 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_front_left_shank_23 = c_front_left_hip * t_front_left_shank_22;
   const Scalar t_front_left_thigh_20 = t_front_left_thigh_19 - t_front_left_shank_23;
   tau[1] = t_front_left_thigh_20 - t_front_left_hip_1 * t_front_left_thigh_14;
-  // front_left_hip
+  // front_left_hip: moment M of (1)
   const Scalar t_front_left_hip_3 = omega_front_left_shank_z * t_front_left_shank_4;
   const Scalar t_front_left_hip_4 = c_front_left_hip * c_q1_q2 * front_left_shank_I4;
   const Scalar t_front_left_hip_5 = front_left_hip_I2 + t_front_left_hip_4;
@@ -1006,7 +1006,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const auto p_s_hind_right_hip = sine_cosine(q[10]);
   const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
   const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
-  // front_left_shank
+  // front_left_shank: angular velocity omega, moment M of (1)
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar q_q1_q2 = q[1] + q[2];
   const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
@@ -1014,7 +1014,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar t_front_left_shank_1 = front_left_shank_I5 * c_q1_q2;
   const Scalar t_front_left_shank_2 = s_front_left_hip * t_front_left_shank_1;
-  // front_right_shank
+  // front_right_shank: angular velocity omega, moment M of (1)
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar q_q4_q5 = q[4] + q[5];
   const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
@@ -1022,7 +1022,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = front_left_shank_I5 * s_front_right_hip;
   const Scalar t_fron_righ_shan_2 = c_q4_q5 * t_fron_righ_shan_1;
-  // hind_left_shank
+  // hind_left_shank: angular velocity omega, inertia I of (1)
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar q_q7_q8 = q[7] + q[8];
   const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
@@ -1030,7 +1030,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_front_left_hip_1 = front_left_shank_I5 * s_hind_left_hip;
   const Scalar t_front_left_hip_2 = c_q7_q8 * t_front_left_hip_1;
-  // hind_right_shank
+  // hind_right_shank: angular velocity omega, moment M, inertia I of (1)
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar q_q10_q11 = q[10] + q[11];
   const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
@@ -1050,7 +1050,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_hind_right_shank_6 = t_hind_right_shank_4 + t_hind_right_shank_5;
   const Scalar t_hind_right_shank_7 = t_hind_right_shank_2 - t_hind_right_shank_4;
   const Scalar t_front_left_thigh_1 = qd[1] * qd[1];
-  // front_left_shank
+  // front_left_shank: inertia I, moment M of (1)
   const Scalar t_front_left_shank_5 = s_q1_q2 * c_q1_q2 * front_left_shank_I1;
   const Scalar t_front_left_shank_6 = t_front_left_shank_4 + t_front_left_shank_5;
   const Scalar t_front_left_shank_7 = t_front_left_shank_2 - t_front_left_shank_4;
@@ -1120,7 +1120,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_hind_left_thigh_4 = front_left_thigh_I5 + t_hind_left_shank_3;
   const Scalar I_hind_left_thigh_zz = t_hind_left_thigh_4 + 2.0 * t_hind_left_shank_1;
   const Scalar t_hind_left_shank_10 = t_hind_left_shank_5 * t_hind_left_shank_9;
-  // hind_left_thigh
+  // hind_left_thigh: 1/pivot of (1)
   const Scalar t_hind_left_thigh_5 = 1.0 / (I_hind_left_thigh_zz - t_hind_left_shank_10);
   const Scalar t_hind_left_thigh_6 = front_left_thigh_I1 * s_hind_left_hip;
   const Scalar t_hind_left_thigh_7 = front_left_thigh_I2 * c_hind_left_hip;
@@ -1184,7 +1184,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_front_left_thigh_15 = s_front_left_hip * t_front_left_thigh_8;
   const Scalar t_front_left_hip_7 = 1.0 / (t_front_left_thigh_14 - t_front_left_thigh_15);
   const Scalar t_hind_left_thigh_12 = qd[7] * qd[7];
-  // front_left_hip
+  // front_left_hip: qdd of (1)
   const Scalar t_front_left_hip_8 = front_left_thigh_G1 * s_hind_left_abduction;
   const Scalar t_front_left_hip_9 = front_left_thigh_I3 * t_hind_left_thigh_12;
   const Scalar t_front_left_hip_10 = t_front_left_hip_8 + t_front_left_hip_9;
@@ -1238,12 +1238,12 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_front_left_hip_49 = front_left_shank_G1 * s_front_right_abduction;
   const Scalar t_front_left_hip_50 = front_left_shank_I3 * t_fron_righ_shan_19;
   const Scalar t_front_left_hip_51 = t_front_left_hip_50 - t_front_left_hip_49;
-  // front_right_thigh
+  // front_right_thigh: Omega of (1)
   const Scalar t_fron_righ_thig_12 = qd[4] * qd[4];
   const Scalar t_fron_righ_thig_13 = front_left_thigh_I4 * s_front_right_hip;
   const Scalar t_fron_righ_thig_14 = front_left_thigh_I3 * c_front_right_hip;
   const Scalar t_fron_righ_thig_15 = t_fron_righ_thig_13 + t_fron_righ_thig_14;
-  // front_right_shank
+  // front_right_shank: inertia I, moment M of (1)
   const Scalar t_fron_righ_shan_20 = s_q4_q5 * c_q4_q5 * front_left_shank_I1;
   const Scalar t_fron_righ_shan_21 = qd[3] * (t_fron_righ_shan_4 + t_fron_righ_shan_20);
   const Scalar t_fron_righ_shan_22 = t_fron_righ_shan_2 - t_fron_righ_shan_4;
@@ -1258,7 +1258,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_front_left_hip_55 = omega_fron_righ_shan_z * t_fron_righ_shan_21;
   const Scalar t_fron_righ_thig_17 = c_front_right_abduction * s_front_right_hip;
   const Scalar t_fron_righ_thig_18 = front_left_thigh_G1 * t_fron_righ_thig_17;
-  // front_left_hip
+  // front_left_hip: qdd of (1)
   const Scalar t_front_left_hip_56 = tau[4] - M_fron_righ_shan_z - t_fron_righ_thig_18;
   const Scalar t_front_left_hip_57 = t_front_left_hip_56 + qd[3] * t_front_left_hip_54;
   const Scalar t_front_left_hip_58 = t_fron_righ_shan_10 * t_front_left_hip_52;
@@ -1290,7 +1290,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   qdd[5] = t_front_left_hip_78 + front_left_shank_p2 * t_front_left_hip_77;
   const Scalar t_hind_right_thigh_12 = qd[10] * qd[10];
   const Scalar t_hind_right_hip_2 = qd[9] * qd[9];
-  // hind_right_shank
+  // hind_right_shank: moment M, Omega of (1)
   const Scalar t_hind_right_shank_22 = c_hind_right_abduction * s_q10_q11 * front_left_shank_G1;
   const Scalar t_hind_right_shank_23 = t_hind_right_shank_7 * t_hind_right_thigh_12;
   const Scalar t_hind_right_shank_24 = t_hind_right_shank_22 - t_hind_right_shank_23;
@@ -1303,7 +1303,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_hind_right_shank_26 = omega_hind_right_shank_z * omega_hind_right_shank_z;
   const Scalar t_hind_right_thigh_14 = c_hind_right_abduction * s_hind_right_hip;
   const Scalar t_hind_right_thigh_15 = front_left_thigh_G1 * t_hind_right_thigh_14;
-  // front_left_hip
+  // front_left_hip: qdd of (1)
   const Scalar t_front_left_hip_82 = tau[10] - M_hind_right_shank_z - t_hind_right_thigh_15;
   const Scalar t_front_left_hip_83 = t_hind_right_hip_2 * t_front_left_hip_81;
   const Scalar t_front_left_hip_84 = t_hind_right_shank_7 * t_hind_right_shank_26;
@@ -1320,7 +1320,7 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_hind_right_thigh_18 = s_hind_right_abduction * c_hind_right_hip;
   const Scalar t_front_left_hip_92 = tau[9] + front_left_hip_G1 * c_hind_right_abduction;
   const Scalar t_hind_right_thigh_19 = front_left_thigh_G1 * t_hind_right_thigh_18;
-  // front_left_hip
+  // front_left_hip: qdd of (1)
   const Scalar t_front_left_hip_93 = t_front_left_hip_92 - t_hind_right_thigh_19;
   const Scalar t_front_left_hip_94 = t_hind_right_shank_15 * t_front_left_hip_79;
   const Scalar t_front_left_hip_95 = t_hind_right_thigh_9 * t_front_left_hip_88;
@@ -1435,7 +1435,7 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   const Scalar s_front_left_shank_x = front_left_shank_l1 * c_front_left_hip;
   const Scalar t_front_left_shank_1 = s_front_left_shank_x + front_left_shank_l2 * c_q1_q2;
-  // front_left_hip
+  // front_left_hip: p of 1.2
   const Scalar t_front_left_hip_1 = front_left_thigh_l1 * c_front_left_abduction;
   const Scalar t_front_left_hip_2 = s_front_left_abduction * t_front_left_shank_1;
   p[1] = front_left_hip_l2 + t_front_left_hip_1 + t_front_left_hip_2;
@@ -1445,7 +1445,7 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   p[0] = t_front_left_hip_4 + front_left_shank_l2 * s_q1_q2;
   const Scalar s_fron_righ_shan_x = front_left_shank_l1 * c_front_right_hip;
   const Scalar t_fron_righ_shan_1 = s_fron_righ_shan_x + front_left_shank_l2 * c_q4_q5;
-  // front_right_hip
+  // front_right_hip: p of 1.2
   const Scalar t_front_right_hip_1 = front_left_thigh_l1 * c_front_right_abduction;
   const Scalar t_front_right_hip_2 = s_front_right_abduction * t_fron_righ_shan_1;
   p[4] = t_front_right_hip_2 - (front_left_hip_l2 + t_front_right_hip_1);
@@ -1455,7 +1455,7 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   p[3] = t_front_right_hip_4 + front_left_shank_l2 * s_q4_q5;
   const Scalar s_hind_left_shank_x = front_left_shank_l1 * c_hind_left_hip;
   const Scalar t_hind_left_shank_1 = s_hind_left_shank_x + front_left_shank_l2 * c_q7_q8;
-  // hind_left_hip
+  // hind_left_hip: p of 1.2
   const Scalar t_hind_left_hip_1 = front_left_thigh_l1 * c_hind_left_abduction;
   p[7] = front_left_hip_l2 + t_hind_left_hip_1 + s_hind_left_abduction * t_hind_left_shank_1;
   const Scalar t_hind_left_hip_2 = c_hind_left_abduction * t_hind_left_shank_1;
@@ -1464,7 +1464,7 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   p[6] = front_left_shank_l2 * s_q7_q8 - t_hind_left_hip_3;
   const Scalar s_hind_right_shank_x = front_left_shank_l1 * c_hind_right_hip;
   const Scalar t_hind_right_shank_1 = s_hind_right_shank_x + front_left_shank_l2 * c_q10_q11;
-  // hind_right_hip
+  // hind_right_hip: p of 1.2
   const Scalar t_hind_right_hip_1 = front_left_thigh_l1 * c_hind_right_abduction;
   const Scalar t_hind_right_hip_2 = s_hind_right_abduction * t_hind_right_shank_1;
   p[10] = t_hind_right_hip_2 - (front_left_hip_l2 + t_hind_right_hip_1);
@@ -1527,20 +1527,20 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[102] = r_hind_left_shank_x;
   const Scalar r_fron_righ_shan_x = front_left_shank_l2 * c_q4_q5;
   C[63] = r_fron_righ_shan_x;
-  // front_left_thigh
+  // front_left_thigh: r of (9)
   const Scalar r_front_left_thigh_x = r_front_left_shank_x + front_left_shank_l1 * c_front_left_hip;
   C[12] = r_front_left_thigh_x;
   const Scalar r_front_left_thigh_y = r_front_left_shank_y + front_left_shank_l1 * s_front_left_hip;
   const Scalar t_front_left_thigh_1 = c_front_left_abduction * r_front_left_thigh_x;
   C[1] = t_front_left_thigh_1 - front_left_thigh_l1 * s_front_left_abduction;
   const Scalar t_front_left_thigh_2 = s_front_left_abduction * r_front_left_thigh_x;
-  // front_left_hip
+  // front_left_hip: r, C of (9)
   C[2] = front_left_thigh_l1 * c_front_left_abduction + t_front_left_thigh_2;
   C[13] = -s_front_left_abduction * r_front_left_thigh_y;
   C[14] = c_front_left_abduction * r_front_left_thigh_y;
   C[25] = -s_front_left_abduction * r_front_left_shank_y;
   C[26] = c_front_left_abduction * r_front_left_shank_y;
-  // front_right_thigh
+  // front_right_thigh: r of (9)
   const Scalar r_fron_righ_thig_y = r_fron_righ_shan_y + front_left_shank_l1 * s_front_right_hip;
   const Scalar r_fron_righ_thig_x = r_fron_righ_shan_x + front_left_shank_l1 * c_front_right_hip;
   C[51] = r_fron_righ_thig_x;
@@ -1548,12 +1548,12 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[41] = s_front_right_abduction * r_fron_righ_thig_x - t_fron_righ_thig_1;
   const Scalar t_fron_righ_thig_2 = front_left_thigh_l1 * s_front_right_abduction;
   C[40] = t_fron_righ_thig_2 + c_front_right_abduction * r_fron_righ_thig_x;
-  // front_left_hip
+  // front_left_hip: C of (9)
   C[53] = c_front_right_abduction * r_fron_righ_thig_y;
   C[52] = -s_front_right_abduction * r_fron_righ_thig_y;
   C[65] = c_front_right_abduction * r_fron_righ_shan_y;
   C[64] = -s_front_right_abduction * r_fron_righ_shan_y;
-  // hind_left_thigh
+  // hind_left_thigh: r of (9)
   const Scalar r_hind_left_thigh_y = r_hind_left_shank_y + front_left_shank_l1 * s_hind_left_hip;
   const Scalar r_hind_left_thigh_x = r_hind_left_shank_x + front_left_shank_l1 * c_hind_left_hip;
   C[90] = r_hind_left_thigh_x;
@@ -1561,12 +1561,12 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[79] = c_hind_left_abduction * r_hind_left_thigh_x - t_hind_left_thigh_1;
   const Scalar t_hind_left_thigh_2 = front_left_thigh_l1 * c_hind_left_abduction;
   C[80] = t_hind_left_thigh_2 + s_hind_left_abduction * r_hind_left_thigh_x;
-  // front_left_hip
+  // front_left_hip: C of (9)
   C[92] = c_hind_left_abduction * r_hind_left_thigh_y;
   C[91] = -s_hind_left_abduction * r_hind_left_thigh_y;
   C[103] = -s_hind_left_abduction * r_hind_left_shank_y;
   C[104] = c_hind_left_abduction * r_hind_left_shank_y;
-  // hind_right_thigh
+  // hind_right_thigh: r of (9)
   const Scalar r_hind_right_thigh_y = r_hind_right_shank_y + front_left_shank_l1 * s_hind_right_hip;
   const Scalar r_hind_right_thigh_x = r_hind_right_shank_x + front_left_shank_l1 * c_hind_right_hip;
   C[129] = r_hind_right_thigh_x;
@@ -1574,7 +1574,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[118] = front_left_thigh_l1 * s_hind_right_abduction + t_hind_right_thigh_1;
   const Scalar t_hind_right_thigh_2 = s_hind_right_abduction * r_hind_right_thigh_x;
   C[119] = t_hind_right_thigh_2 - front_left_thigh_l1 * c_hind_right_abduction;
-  // front_left_hip
+  // front_left_hip: C of (9)
   C[131] = c_hind_right_abduction * r_hind_right_thigh_y;
   C[130] = -s_hind_right_abduction * r_hind_right_thigh_y;
   C[143] = c_hind_right_abduction * r_hind_right_shank_y;

@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x5f4f9bafd690f6a8ULL;
+constexpr unsigned long long kDigest = 0x65c8e2904583c59cULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x6ccc2c53c8879196ULL, "header and source are of different runs");
+static_assert(kDigest == 0x8a52d11a8c1989cdULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -110,31 +110,31 @@ constexpr double forearm_p7 = 27.77777777777778;
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
   const Scalar c_elbow = cos(q[1]);
   A[0] = upper_arm_p1 + forearm_p3 * c_elbow;
-  // forearm
+  // forearm: A of (2)
   A[1] = forearm_p1 + forearm_p2 * c_elbow;
   A[2] = A[1];
   A[3] = forearm_p1;
 }
 
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
-  // forearm
+  // forearm: angular velocity omega, moment M of (3)
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar s_elbow = sin(q[1]);
   const Scalar t_forearm_1 = forearm_p2 * s_elbow;
   const Scalar M_forearm_z = qd[0] * qd[0] * t_forearm_1;
   B[1] = M_forearm_z;
-  // upper_arm
+  // upper_arm: moment M of (3)
   B[0] = M_forearm_z - omega_forearm_z * omega_forearm_z * t_forearm_1;
 }
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
-  // forearm
+  // forearm: G of 6.5
   const Scalar c_shoulder = cos(q[0]);
   const Scalar q_shoulder_elbow = q[0] + q[1];
   const Scalar c_shoulder_elbow = cos(q_shoulder_elbow);
   const Scalar t_forearm_1 = forearm_p4 * c_shoulder_elbow;
   G[1] = t_forearm_1;
-  // upper_arm
+  // upper_arm: G of 6.5
   G[0] = t_forearm_1 + upper_arm_p2 * c_shoulder;
 }
 
@@ -143,7 +143,7 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
-  // forearm
+  // forearm: angular velocity omega, angular acceleration alpha, acceleration a of (1)
   const auto p_s_elbow = sine_cosine(q[1]);
   const Scalar& s_elbow = p_s_elbow.sine;
   const Scalar& c_elbow = p_s_elbow.cosine;
@@ -154,7 +154,7 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const Scalar M_forearm_z = forearm_p1 * alpha_forearm_z + forearm_p2 * a_forearm_y;
   tau[1] = M_forearm_z;
   const Scalar t_forearm_2 = s_elbow * omega_forearm_z * omega_forearm_z;
-  // upper_arm
+  // upper_arm: moment M of (1)
   const Scalar t_upper_arm_1 = M_forearm_z + upper_arm_p2 * c_shoulder + upper_arm_p3 * qdd[0];
   tau[0] = t_upper_arm_1 + forearm_p2 * (c_elbow * alpha_forearm_z - t_forearm_2);
 }
@@ -164,7 +164,7 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
-  // forearm
+  // forearm: angular velocity omega, qdd of (1)
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const auto p_s_elbow = sine_cosine(q[1]);
   const Scalar& s_elbow = p_s_elbow.sine;
@@ -185,7 +185,7 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
-  // forearm
+  // forearm: p of 1.2
   const Scalar q_shoulder_elbow = q[0] + q[1];
   const auto p_s_shoulder_elbow = sine_cosine(q_shoulder_elbow);
   const Scalar& s_shoulder_elbow = p_s_shoulder_elbow.sine;
@@ -209,7 +209,7 @@ void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
   C[5] = c_shoulder_elbow;
   C[3] = -s_shoulder_elbow;
   C[2] = c_shoulder + c_shoulder_elbow;
-  // forearm
+  // forearm: r of (9)
   C[0] = -(s_shoulder + s_shoulder_elbow);
   C[1] = 0.0;
   C[4] = 0.0;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <ranges>
 #include <tuple>
 #include <unordered_map>
 
@@ -52,12 +53,17 @@ class Records {
     for (const auto& [number, source] : numbers) {
       own.emplace_back(magnitude(number), source);
     }
-    if (own == robot_) {
+    const std::size_t common = std::min(own.size(), robot_.size());
+    const bool same = std::equal(own.begin(), own.begin() + std::ptrdiff_t(common), robot_.begin());
+    if (same && own.size() <= robot_.size()) {
       return;
     }
-    *this = {};
+    if (!same) {
+      *this = {};
+    }
+    const auto is_new = numbers | std::views::drop(robot_.size());
     robot_ = own;
-    for (const auto& [number, source] : numbers) {
+    for (const auto& [number, source] : is_new) {
       const int known = find(number);
       if (number.digits() != number.seen()) {
         Provenance all = source;

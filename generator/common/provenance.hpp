@@ -12,15 +12,56 @@
 
 namespace treedyn {
 
-/// What a number of a robot says of a link: kPlace and kTurn where its joint sits on the father,
+/// What a number says of a link: kPlace and kTurn where its joint sits on the father,
 /// kPoint where points and fixed frames are.
-enum class ModelPart : std::uint8_t { kMass, kCom, kInertia, kPlace, kTurn, kPoint, kGravity };
+enum class ModelPart : std::uint8_t {
+  kMass,
+  kCom,
+  kInertia,
+  kPlace,
+  kTurn,
+  kPoint,
+  kGravity,
+  kScene
+};
+
+/// What a number of a scene is; those of expressions come first.
+enum class SceneNumber : std::uint8_t {
+  kDrive,
+  kLoad,
+  kCurve,
+  kLaw,
+  kEvent,
+  kDirection,
+  kStart,
+  kStiffness,
+  kDamping,
+  kRest,
+  kAnchor,
+  kGroundNormal,
+  kGroundHeight,
+  kGroundStiffness,
+  kDissipation,
+  kFriction,
+  kSlipSpeed,
+  kViscousFriction,
+  kDryFriction,
+  kStaticFriction,
+  kStribeckSpeed,
+  kArmature,
+  kJointForce,
+  kEventNormal,
+  kEventHeight,
+  kRestitution,
+  kStabilisation
+};
+inline constexpr SceneNumber kLastOfExpressions = SceneNumber::kEvent;
 
 /// One number of a robot.
 struct Origin {
   int link = -1;  ///< -1: of no link
   ModelPart part = ModelPart::kMass;
-  int component = 0;  ///< x y z; xx xy xz yy yz zz
+  int component = 0;  ///< x y z; xx xy xz yy yz zz; of a scene a SceneNumber
   auto operator<=>(const Origin&) const = default;
 };
 
@@ -45,8 +86,8 @@ struct Provenance {
 /// or not known.
 const Provenance* provenance_of(const Real& number);
 
-/// The numbers of the robot that is worked on, the same one twice if several parts of it share a
-/// stand-in. What is known of another robot is forgotten.
+/// The numbers of the robot that is worked on, and of its scene behind them, the same one twice if
+/// several parts share a stand-in. What is known of another robot is forgotten.
 void begin_provenance(const std::vector<std::pair<Real, Provenance>>& numbers);
 
 /// What was made of two numbers.

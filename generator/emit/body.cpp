@@ -10,6 +10,7 @@
 #include "emit/operation_text.hpp"
 #include "emit/sincos.hpp"
 #include "emit/statements.hpp"
+#include "emit/step_comments.hpp"
 
 namespace treedyn::emit {
 
@@ -17,9 +18,6 @@ using program::Kind;
 using program::Ref;
 
 namespace {
-
-/// Fewer statements for one body get no comment.
-constexpr int kShortestRun = 3;
 
 /// The text of the statements.
 class Writer {
@@ -41,8 +39,6 @@ class Writer {
   void state_angles(const Statement& statement, Part& part, Body& body) const;
   std::string broadcast(Ref value) const;
   std::string right_side(const Statement& statement) const;
-  int body_of(const Statement& statement) const;
-  void note_body(std::size_t at, Part& part, int& current) const;
   void note_arrays(const Statement& statement, Part& part) const;
   void load(const Statement& statement, Part& part, Body& body);
   void share(Ref value, Part& part, Body& body) const;
@@ -145,32 +141,6 @@ std::string Writer::text(const Statement& statement) const {
   return line;
 }
 
-/// The body that a statement computes something for, -1 if it stores a result that exists.
-int Writer::body_of(const Statement& statement) const {
-  const bool computes = statement.copy_of < 0 && statement.angles.empty() &&
-                        statements_.is_operation(statement.value) &&
-                        (statement.output < 0 || !statements_.is_local(statement.value));
-  return computes ? graph_.hint(statement.value).body : -1;
-}
-
-/// A comment line where at least three statements in a row begin to compute for another body.
-void Writer::note_body(std::size_t at, Part& part, int& current) const {
-  const int body = body_of(statements_.all()[at]);
-  if (body < 0 || body == current) {
-    return;
-  }
-  int run = 0;
-  for (; at < statements_.all().size() && run < kShortestRun; ++at) {
-    const int next = body_of(statements_.all()[at]);
-    if (next >= 0 && next != body) {
-      return;
-    }
-    run += next == body ? 1 : 0;
-  }
-  part.lines.push_back(fmt::format("// {}", words_.body_comments[static_cast<std::size_t>(body)]));
-  current = body;
-}
-
 void Writer::note_arrays(const Statement& statement, Part& part) const {
   const std::size_t inputs = function_.signature.inputs.size();
   if (statement.output >= 0) {
@@ -213,7 +183,7 @@ void Writer::share(Ref value, Part& part, Body& body) const {
 Body Writer::write() {
   Body result;
   result.workspace = statements_.slots();
-  int current = -1;
+  const std::map<std::size_t, std::string> comments = step_comments(function_, statements_, words_);
   for (std::size_t at = 0; at < statements_.all().size(); ++at) {
     const Statement& statement = statements_.all()[at];
     if (result.parts.size() <= statement.part) {
@@ -221,14 +191,14 @@ Body Writer::write() {
                               statements_.level_of(at),
                               std::vector<bool>(function_.signature.inputs.size() +
                                                 function_.signature.outputs.size())});
-      current = -1;
     }
     Part& part = result.parts.back();
     while (static_cast<int>(result.stages.size()) < statements_.level_of(at)) {
       result.stages.push_back(part.lines.size());
-      current = -1;
     }
-    note_body(at, part, current);
+    if (const auto comment = comments.find(at); comment != comments.end()) {
+      part.lines.push_back(comment->second);
+    }
     note_arrays(statement, part);
     load(statement, part, result);
     if (statement.angles.empty()) {

@@ -86,6 +86,23 @@ std::string components(const char* word, const std::vector<int>& which,
   return fmt::format("{} {}", word, fmt::join(chosen, " "));
 }
 
+/// Of SceneNumber.
+constexpr std::array<const char*, 27> kSceneWords = {"drive",          "load",
+                                                     "curve",          "law",
+                                                     "event",          "direction",
+                                                     "start",          "spring stiffness",
+                                                     "spring damping", "spring rest",
+                                                     "spring anchor",  "ground normal",
+                                                     "ground height",  "ground stiffness",
+                                                     "dissipation",    "friction coefficient",
+                                                     "slip speed",     "viscous friction",
+                                                     "dry friction",   "static friction",
+                                                     "stribeck speed", "armature",
+                                                     "joint force",    "event normal",
+                                                     "event height",   "restitution",
+                                                     "stabilisation"};
+static_assert(static_cast<std::size_t>(SceneNumber::kStabilisation) + 1 == kSceneWords.size());
+
 /// What of one link: "mass, com x y, inertia zz".
 std::string parts_text(const std::map<ModelPart, std::vector<int>>& parts) {
   constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
@@ -113,6 +130,11 @@ std::string parts_text(const std::map<ModelPart, std::vector<int>>& parts) {
         break;
       case ModelPart::kGravity:
         words.emplace_back("gravity");
+        break;
+      case ModelPart::kScene:
+        for (const int what : which) {
+          words.emplace_back(kSceneWords[static_cast<std::size_t>(what)]);
+        }
         break;
     }
   }
@@ -219,13 +241,20 @@ std::string ConstantNames::table(const Vocabulary& words, Scalar scalar) const {
   if (entries_.empty()) {
     return {};
   }
+  const bool has_scene = std::ranges::any_of(entries_, [](const Entry& entry) {
+    return std::ranges::any_of(entry.source->origins, [](const Origin& origin) {
+      return origin.part == ModelPart::kScene;
+    });
+  });
   std::string result =
       "\nnamespace {\n\n" +
-      wrapped(
-          "The numbers that functions take from the model, under the first link whose inertia "
-          "is in them; above each its unit and the numbers of the model that it is made of, but "
-          "for those that are exactly 0 or 1. Other literals are numbers of the equations.",
-          "// ");
+      wrapped(fmt::format(
+                  "The numbers that functions take from the {0}, under the first link whose "
+                  "inertia is in them; above each its unit and the numbers of the {0} that it is "
+                  "made of, but for those that are exactly 0 or 1. Other literals are numbers of "
+                  "the equations.",
+                  has_scene ? "model and the scene" : "model"),
+              "// ");
   int link = kNoLink - 1;
   for (const Entry& entry : entries_) {
     result += entry.link != link ? "\n" : "";

@@ -1,5 +1,6 @@
 #include "emit/unit.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <tuple>
@@ -75,11 +76,22 @@ Vocabulary words_of(const Unit& unit) {
     take(checked.signature);
     functions.push_back(&checked.function);
   }
-  for (const program::Staged& staged : unit.staged) {
+  const auto take_staged = [&](const program::Staged& staged) {
     take(staged.signature);
-  }
+    for (const program::Staged& contact : staged.contacts) {
+      take(contact.signature);
+      functions.push_back(&contact.function);
+    }
+    functions.push_back(&staged.function);
+  };
+  std::ranges::for_each(unit.staged, take_staged);
   for (const program::Stepper& stepper : unit.steppers) {
     take(stepper.signature);
+    for (const program::StepPhase& phase : stepper.phases) {
+      std::ranges::for_each(phase.guards, take_staged);
+      std::ranges::for_each(phase.approaches, take_staged);
+    }
+    std::ranges::for_each(stepper.anchors, take_staged);
   }
   words.constants = std::make_shared<const ConstantNames>(functions, words, std::move(taken));
   return words;

@@ -15,8 +15,9 @@ using Formulate = program::Function (*)(const model::Tree& tree, const Recipe& r
 program::Function held_to_rounding(const model::Tree& tree, const Recipe& recipe,
                                    const Options& options, Formulate formulate);
 
-/// True if `function` has the results of the formulation without passes, and `amplification` does
-/// not exceed 4: what was found for stand-ins (stand_ins.hpp) may be used for the robot itself.
+/// True if `function` has the results of the formulation without passes (of a scene: any), and
+/// `amplification` does not exceed 4: what was found for stand-ins (stand_ins.hpp) may be used for
+/// the robot itself.
 bool holds(const program::Function& function, const model::Tree& tree, const Recipe& recipe,
            const Options& options);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/provenance.hpp"
+#include "formulate/scene_numbers.hpp"
 
 namespace treedyn::formulate {
 
@@ -24,6 +25,11 @@ class Collection {
   void add(const Real& number, const Origin& origin, const Dimension& dimension) {
     numbers_.push_back({number, {{origin}, dimension}});
     has_one_ = has_one_ || (abs(number.plain()) == 1 && dimension != Dimension{});
+  }
+  /// Those that follow are of another description.
+  void begin_scene() {
+    know_dimensions();
+    has_one_ = false;
   }
   template <class Array>
   void add(const Array& numbers, int link, ModelPart part, const Dimension& dimension) {
@@ -50,14 +56,20 @@ class Collection {
   }
 
   [[nodiscard]] Numbers numbers() && {
-    for (auto& [number, source] : numbers_) {
-      source.dimension.is_known = !has_one_;
-    }
+    know_dimensions();
     return std::move(numbers_);
   }
 
  private:
+  void know_dimensions() {
+    for (; known_ < numbers_.size(); ++known_) {
+      Dimension& dimension = numbers_[known_].second.dimension;
+      dimension.is_known = dimension.is_known && !has_one_;
+    }
+  }
+
   Numbers numbers_;
+  std::size_t known_ = 0;  ///< of how many it is decided whether dimensions are known
   bool has_one_ = false;
 };
 
@@ -83,6 +95,16 @@ void note_provenance(const Seen& seen) {
     }
   }
   all.add(seen.options.gravity, -1, ModelPart::kGravity, kGravityUnit);
+  if (seen.scene) {
+    all.begin_scene();
+    model::Scene scene = *seen.scene;
+    each_number(scene, [&](std::span<Real> numbers, const SceneMeaning& meaning) {
+      for (const Real& number : numbers) {
+        all.add(number, {meaning.link, ModelPart::kScene, static_cast<int>(meaning.what)},
+                meaning.dimension);
+      }
+    });
+  }
   begin_provenance(std::move(all).numbers());
 }
 

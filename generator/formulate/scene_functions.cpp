@@ -14,6 +14,7 @@
 #include "formulate/scene_steps.hpp"
 #include "formulate/scene_system.hpp"
 #include "formulate/search.hpp"
+#include "formulate/stand_ins.hpp"
 #include "model/mass_unit.hpp"
 #include "model/scene_facts.hpp"
 #include "program/rank.hpp"
@@ -27,23 +28,30 @@ constexpr const char* kAcceleration = "rad/s^2|m/s^2";
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+Seen scene_with_stand_ins(const model::Scene& scene, Options options) {
+  options.gravity = scene.gravity;
+  options.points = scene.points;
+  options.scene = &scene;
+  return with_stand_ins(scene.tree, options);
+}
+
 /// One scene and how hard to look for cheap formulations.
 class SceneFormulator {
  public:
   SceneFormulator(const model::Scene& scene, const Options& options)
-      : scene_(scene),
-        tree_(model::in_mass_unit(scene.tree, model::mass_unit(scene.tree))),
-        options_(options),
+      : seen_(scene_with_stand_ins(scene, options)),
+        scene_(*seen_.scene),
+        tree_(model::in_mass_unit(scene_.tree, model::mass_unit(scene.tree))),
+        options_(seen_.options),
         dof_(scene.tree.dof()),
         positions_(scene) {
-    options_.gravity = scene.gravity;
-    options_.points = scene.points;
-    options_.scene = &scene;
     for (std::size_t c = 0; c < scene.constraints.size(); ++c) {
       all_.push_back(static_cast<int>(c));
     }
   }
 
+  /// Its numbers are seen as stand-ins.
+  [[nodiscard]] const model::Scene& scene() const { return scene_; }
   [[nodiscard]] int rows() const { return rows_of(scene_, all_); }
 
   [[nodiscard]] program::Function jacobian() const {
@@ -93,11 +101,12 @@ class SceneFormulator {
   [[nodiscard]] program::Function plain(const program::Signature& signature,
                                         std::vector<Expr> (*build)(const Task& task)) const {
     const Recipe recipe{places(), {.fixed_length = true}, build};
-    program::Function function = cheapest(scene_.tree, recipe, options_);
+    program::Function function = cheapest_by_structure(scene_.tree, recipe, options_);
     function.signature = signature;
     return function;
   }
 
+  const Seen seen_;
   const model::Scene& scene_;
   const model::Tree tree_;  ///< in its unit of mass
   Options options_;
@@ -108,7 +117,7 @@ class SceneFormulator {
 
 void SceneFormulator::add_forces(const PhaseState& state, program::Staged& staged) {
   for (const model::JointForce& own : state.forces) {
-    staged.forces.emplace_back(own.joint, own.force);
+    staged.forces.emplace_back(own.joint, own.force.plain());
   }
 }
 
@@ -155,7 +164,7 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   const SceneArrays arrays = constrained_arrays(scene_, options.active);
   const int r = rows_of(scene_, options.active);
   program::Staged staged;
-  staged.function = cheapest(tree_, recipe, options);
+  staged.function = cheapest_by_structure(tree_, recipe, options);
   const program::Array tau = {"tau", dof_, kForce};
   const program::Array qdd = {"qdd", dof_, kAcceleration};
   staged.signature = {"constrained_dynamics" + state.ending,
@@ -224,7 +233,7 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
   const int r = rows_of(scene_, options.active);
   const int p = static_cast<int>(passive_joints(scene_).size());
   program::Staged staged;
-  staged.function = cheapest(scene_.tree, recipe, options);
+  staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   const program::Array qdd = {"qdd", dof_, kAcceleration};
   const program::Array tau = {"tau", dof_, kForce};
   const program::Array lambda = {"lambda", r, "N|N m"};
@@ -275,7 +284,7 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
       build_impact};
   const int r = rows_of(scene_, impact.constraints);
   program::Staged staged;
-  staged.function = cheapest(tree_, recipe, options);
+  staged.function = cheapest_by_structure(tree_, recipe, options);
   const program::Array minus = {"qd_minus", dof_, "rad/s|m/s"};
   const program::Array plus = {"qd_plus", dof_, "rad/s|m/s"};
   const program::Array P = {"P", r, "N s|N m s"};
@@ -295,7 +304,7 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   staged.solves = {solve_of(staged.function, r, impact.constraints)};
   staged.rows = row_names(scene_, impact.constraints);
   staged.constraints = impact.constraints;
-  staged.restitution = impact.restitution;
+  staged.restitution = impact.restitution.plain();
   return staged;
 }
 
@@ -321,7 +330,7 @@ program::Staged SceneFormulator::contact_press(std::size_t contact) const {
   options.contact = static_cast<int>(contact);
   const Recipe recipe{{.q = 0, .qd = 1}, {.fixed_length = true}, build_contact_press};
   program::Staged staged;
-  staged.function = cheapest(scene_.tree, recipe, options);
+  staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   const int count = static_cast<int>(scene_.contacts.size());
   const program::Array depth = {program::kDepthArray, count, "m"};
   const program::Array force = {program::kForceArray, dof_, kForce};
@@ -344,7 +353,7 @@ program::Staged SceneFormulator::contact_force(std::size_t contact) const {
   options.contact = static_cast<int>(contact);
   const Recipe recipe{{.q = 0, .qd = 1}, {.fixed_length = true}, build_contact_force};
   program::Staged staged;
-  staged.function = cheapest(scene_.tree, recipe, options);
+  staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   const program::Array depth = {program::kDepthArray, 1, "m"};
   const program::Array f = {"f", 3, "N"};
   staged.signature = {contact_name(scene_, contact, "contact_force"),
@@ -369,9 +378,10 @@ bool wants(const std::vector<std::string>& wanted, const std::string& name) {
 
 }  // namespace
 
-SceneFunctions scene_functions(const model::Scene& scene, const Options& options,
+SceneFunctions scene_functions(const model::Scene& given, const Options& options,
                                const std::vector<std::string>& wanted) {
-  const SceneFormulator formulator(scene, options);
+  const SceneFormulator formulator(given, options);
+  const model::Scene& scene = formulator.scene();
   SceneFunctions result;
   if (formulator.rows() > 0 && wants(wanted, "reaction_jacobian_transpose")) {
     result.plain.push_back(formulator.jacobian());

@@ -119,8 +119,9 @@ bool rests_unasked(const Scene& scene, const Event& event) {
   const model::Constraint& row = scene.constraints[index(event.impact->constraints.front())];
   return step_method(scene) && row.kind == model::ConstraintKind::kPoint &&
          row.point == event.point &&
-         std::any_of(row.directions.begin(), row.directions.end(),
-                     [&](const model::Vector3& d) { return dot(d, event.plane.normal) != 0; });
+         std::any_of(row.directions.begin(), row.directions.end(), [&](const model::Vector3& d) {
+           return dot(d, event.plane.normal).plain() != 0;
+         });
 }
 
 bool may_rest(const Scene& scene, const Event& event) {

@@ -95,7 +95,7 @@ Staged StepMaker::local(const std::string& name, const Options& options, const I
                         program::Array output) const {
   const Recipe recipe{places, {.fixed_length = true}, build};
   Staged staged;
-  staged.function = cheapest(scene_.tree, recipe, options);
+  staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   staged.signature = {name, "", "", std::move(inputs), {std::move(output)}};
   staged.function.signature = staged.signature;
   staged.levels.assign(staged.signature.inputs.size(), 0);
@@ -217,7 +217,7 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
     result.rest_below = event.impact->rest_below;
   }
   result.goes_on = event.goes_on;
-  result.holds = event.kind == EventKind::kReaction ? event.plane.height : Real(0);
+  result.holds = event.kind == EventKind::kReaction ? event.plane.height.plain() : Real(0);
   phase.events.push_back(std::move(result));
 }
 

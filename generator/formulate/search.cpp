@@ -12,6 +12,7 @@
 #include "formulate/stand_ins.hpp"
 #include "optimise/limb_sharing.hpp"
 #include "program/rounding.hpp"
+#include "program/signs.hpp"
 
 namespace treedyn::formulate {
 
@@ -473,6 +474,14 @@ program::Function searched(const model::Tree& tree, const Recipe& recipe, const 
 
 program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options) {
   return held_to_rounding(tree, recipe, options, searched);
+}
+
+program::Function cheapest_by_structure(const model::Tree& tree, const Recipe& recipe,
+                                        const Options& options) {
+  program::Function function = cheapest(tree, recipe, options);
+  const Seen own = numbers_alone(tree, options);
+  return holds(function, own.tree, recipe, own.options) ? program::with_positive_constants(function)
+                                                        : cheapest(own.tree, recipe, own.options);
 }
 
 }  // namespace treedyn::formulate

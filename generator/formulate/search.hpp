@@ -9,4 +9,9 @@ namespace treedyn::formulate {
 /// same function on every run and machine. The result has passed the algebraic passes.
 program::Function cheapest(const model::Tree& tree, const Recipe& recipe, const Options& options);
 
+/// The same for a scene's numbers: by what they are seen as if the numbers allow it, that is not
+/// where what is zero by chance was divided by, or where it has cancelled nearly.
+program::Function cheapest_by_structure(const model::Tree& tree, const Recipe& recipe,
+                                        const Options& options);
+
 }  // namespace treedyn::formulate

@@ -1,8 +1,10 @@
 // Numbers of a robot as the choice of a formulation sees them.
 #pragma once
 
+#include <memory>
+
 #include "formulate/formulate.hpp"
-#include "model/tree.hpp"
+#include "model/scene.hpp"
 
 namespace treedyn::formulate {
 
@@ -10,6 +12,7 @@ namespace treedyn::formulate {
 struct Seen {
   model::Tree tree;
   Options options;
+  std::shared_ptr<const model::Scene> scene = nullptr;  ///< that of the options
 };
 
 /// Every mass, length, angle, inertia and gravity is seen as a number that only its place in the
@@ -19,7 +22,9 @@ struct Seen {
 /// distances of joints in the whole robot; rotations keep their zeros, ones and equal entries, all
 /// numbers their signs. Of lengths below a micrometre and angles below a milliradian the order of
 /// magnitude is seen; rotations that no three angles describe are seen as they are. Numbers that
-/// are known at run time only have recipes (`Tree::parameters`). O(N).
+/// are known at run time only have recipes (`Tree::parameters`). Numbers of a scene are seen in the
+/// same way; its exponents, step and times stay, and of numbers of one meaning (scene_numbers.hpp)
+/// equal ones stay equal in the whole scene. O(N).
 Seen with_stand_ins(const model::Tree& tree, const Options& options);
 
 /// Only what is known at run time is seen as other numbers.
@@ -28,5 +33,7 @@ Seen with_parameters(const model::Tree& tree, const Options& options);
 /// Of numbers that are seen as others only what is seen: enough to compare costs, at half the
 /// price. O(N)
 Seen stand_ins_alone(const model::Tree& tree, const Options& options);
+/// Of them the numbers themselves. O(N)
+Seen numbers_alone(const model::Tree& tree, const Options& options);
 
 }  // namespace treedyn::formulate

@@ -71,6 +71,17 @@ class Expression {
   /// The variables that occur, each once, in order of first use.
   [[nodiscard]] std::vector<Variable> variables() const;
   [[nodiscard]] std::size_t size() const { return program_.size(); }
+  /// Calls `change` for its numbers, in the order of its program.
+  /// \param change  Real& ->; zero and one have to stay
+  template <class Change>
+  void change_constants(Change change) {
+    for (Instruction& instruction : program_) {
+      if (instruction.operation == Operation::kConstant) {
+        change(instruction.constant);
+        instruction.rounded = static_cast<double>(instruction.constant);
+      }
+    }
+  }
 
   /// The value in a type with operators + - * / and, found by their arguments, sqrt, sin and cos:
   /// double, or the expressions of a program. Operations are done in the order of the program.

@@ -13,15 +13,15 @@ double resistance(const Link& link) {
   if (link.joint.type == JointType::kPrismatic) {
     return inertia.mass.convert_to<double>();
   }
-  Real most = 0;
+  double most = 0;
   for (std::size_t k = 0; k < 9; k += 4) {
-    most = std::max(most, inertia.about_com[k]);
+    most = std::max(most, inertia.about_com[k].convert_to<double>());
   }
-  Real arm = 0;
+  double arm = 0;
   for (const Real& c : inertia.com) {
-    arm += c * c;
+    arm += c.convert_to<double>() * c.convert_to<double>();
   }
-  return Real(most + inertia.mass * arm).convert_to<double>();
+  return most + inertia.mass.convert_to<double>() * arm;
 }
 
 }  // namespace

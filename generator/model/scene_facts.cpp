@@ -61,9 +61,9 @@ bool has_place(const Scene& scene, int constraint) {
 
 Real stabilisation_rate(const Scene& scene) {
   const Real resolved = 1 / (2 * scene.stepping.step);
-  return scene.stepping.drift == Drift::kBaumgarte
-             ? scene.stepping.stabilisation
-             : std::min(scene.stepping.stabilisation, resolved);
+  const Real& wanted = scene.stepping.stabilisation;
+  const bool held = scene.stepping.drift == Drift::kBaumgarte;
+  return held || wanted.plain() <= resolved ? wanted : resolved;
 }
 
 int anchor_size(const Scene& scene, int constraint) {

@@ -279,5 +279,203 @@ const Robot kRobots[] = {
 INSTANTIATE_TEST_SUITE_P(Models, Structure, testing::ValuesIn(kRobots),
                          [](const auto& test) { return std::string(test.param.name); });
 
+/// A number of a scene, or of the model under it.
+struct SceneChange {
+  std::string from;
+  std::string to;
+  bool in_model = false;
+};
+
+struct SceneCase {
+  const char* name;   ///< as the scene says
+  std::string model;  ///< below models/, or a text
+  std::vector<SceneChange> changes;
+};
+
+/// Every kind of effect that numbers enter.
+const char* const kEffectsModel = R"yaml(name: slider
+links:
+  - name: cart
+    father: ground
+    joint: {name: rail, type: prismatic, axis: [1, 0, 0]}
+    mass: 3.1
+  - name: arm
+    father: cart
+    joint: {name: swing, type: revolute, axis: [0, 1, 0], offset: [0.02, 0, 0.03]}
+    mass: 1.7
+    com: [0.21, 0.01, -0.13]
+    inertia: [0.011, 0, 0, 0.012, 0, 0.013]
+  - name: hand
+    father: arm
+    joint: {name: wrist, type: revolute, axis: [0, 1, 0], offset: [0.43, 0, -0.11]}
+    mass: 0.6
+    com: [0.17, 0, 0.02]
+    inertia: [0.001, 0, 0, 0.0022, 0, 0.0023]
+points:
+  - {name: tip, link: hand, at: [0.31, 0.04, -0.05]}
+)yaml";
+const char* const kEffects = R"yaml(scene: effects
+model: model.yaml
+effects:
+  gravity: [0, 0, -9.81]
+  joint_spring: [{joint: swing, stiffness: 35, damping: 0.7, rest: 0.3}]
+  point_spring: [{point: tip, anchor: [0.9, 0.1, 1.2], stiffness: 120,
+       damping: 2.5, rest_length: 0.4}]
+  viscous_friction: [{joint: rail, coefficient: 4.5}]
+  coulomb_friction: [{joint: wrist, force: 0.9, slip_speed: 0.02}]
+  stribeck_friction: [{joint: rail, force: 3.3, static_force: 4.1,
+       stribeck_speed: 0.15, slip_speed: 0.012}]
+  armature: [{joint: swing, inertia: 0.08}]
+  drive:
+    - {joint: swing, kp: 210, kd: 11, target: 0.25*sin(3.7*t)}
+    - {joint: rail, torque: "-17*q[rail] + 6.1*cos(3.7*t)"}
+  force: [{point: tip, value: [1.95*x, 0, 2.3 - 0.45*vz]}]
+  moment: [{point: tip, value: [0, 0.33*sin(3.7*t), 0]}]
+  ground_contact:
+    - {point: tip, stiffness: 5200, exponent: 1.5, dissipation: 0.35,
+       friction: 0.62, slip_speed: 0.011, height: -0.27, normal: [0.1, 0.2, 1]}
+  point_constraint: [{name: stop, point: hand, along: [z]}]
+  locked_joint: [{joint: wrist, name: led, at: 0.23*sin(1.9*t)}]
+  stabilisation: {method: baumgarte, rate: 23}
+phases:
+  - name: free
+    until:
+      - {expression: "q[rail] - 1.23", crossing: rising, then: held}
+      - {touch_down: {point: hand, height: -0.61},
+         impact: {constraints: [stop], restitution: 0.31, rest_below: 0.02}, then: free}
+    active: []
+  - name: held
+    active: [stop, led]
+    until:
+      - {lift_off: {constraint: stop}, then: free}
+initial: {q: {swing: 0.4}}
+duration: 1
+stepping: {integrator: rk4, step: 0.001}
+)yaml";
+
+class SceneStructure : public Cli, public testing::WithParamInterface<SceneCase> {
+ protected:
+  static std::string read(const std::string& name) {
+    return read_file(TREEDYN_SOURCE_DIR "/models/" + name);
+  }
+  static std::string scene() {
+    const std::string name = GetParam().name;
+    return name == "effects" ? kEffects : read("scenes/" + name + ".yaml");
+  }
+  static std::string model() {
+    return GetParam().model.empty() ? kEffectsModel : read(GetParam().model);
+  }
+
+  /// Line by line but for literals and what rounding was measured to do.
+  static void expect_same_form(const std::string& before, const std::string& after) {
+    const std::vector<std::string> a = lines_of(before);
+    const std::vector<std::string> b = lines_of(after);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t n = 0; n < a.size(); ++n) {
+      if (a[n].find("\"rounding\"") == std::string::npos) {
+        ASSERT_EQ(without_literals(a[n]), without_literals(b[n]));
+      }
+    }
+  }
+
+  std::vector<std::string> generated(std::string scene, const std::string& model) {
+    const std::size_t path = scene.find("model: ");
+    scene.replace(path, scene.find('\n', path) - path, "model: model.yaml");
+    write_file(scratch("model.yaml"), model);
+    write_file(scratch("scene.yaml"), scene);
+    const Outcome outcome =
+        treedyn({"generate", "-q", "--effort", "0", "--scene", scratch("scene.yaml"), "-o", out()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string stem = GetParam().name;
+    return {read_file(file(stem + ".hpp")), read_file(file(stem + ".cpp")),
+            read_file(file(stem + ".json"))};
+  }
+};
+
+/// The manifest has the counts, the source the names and their order.
+TEST_P(SceneStructure, DecidesTheTextOfItsFunctions) {
+  const std::vector<std::string> before = generated(scene(), model());
+  for (const SceneChange& change : GetParam().changes) {
+    SCOPED_TRACE(change.from + " -> " + change.to);
+    const Change plain = {change.from, change.to};
+    const std::vector<std::string> after =
+        generated(change.in_model ? scene() : with(scene(), plain),
+                  change.in_model ? with(model(), plain) : model());
+    EXPECT_NE(before[1], after[1]);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      expect_same_form(before[k], after[k]);
+    }
+  }
+}
+
+const SceneCase kScenes[] = {
+    {"drop",
+     "scenes/drop.model.yaml",
+     {{"1e8", "1.1e8"}, {"dissipation: 0.3", "dissipation: 0.35"}, {"-9.81", "-9.8"}}},
+    {"four_bar",
+     "scenes/four_bar.model.yaml",
+     {{"kd: 2", "kd: 2.5"},
+      {"6*t", "6.5*t"},
+      {"-9.81", "-9.8"},
+      {"crank: 0.2", "crank: 0.21", true},
+      {"rocker: 0.4", "rocker: 0.41", true},
+      {"mass: 0.4", "mass: 0.45", true}}},
+    {"arm_circle",
+     "two_link.yaml",
+     {{"1.2 +", "1.21 +"}, {"-0.4 +", "-0.41 +"}, {"-9.81", "-9.8"}}},
+    {"compass_walk", "compass_walker.yaml", {{"slope: pi/60", "slope: pi/61"}, {"9.81", "9.8"}}},
+    {"biped_double_support",
+     "biped.yaml",
+     {{"bend: 0.3", "bend: 0.31"},
+      {"kp: 2000", "kp: 2100"},
+      {"kd: 100", "kd: 110"},
+      {"rotor: 0.2", "rotor: 0.25"},
+      {"m_thigh: 0.123*M", "m_thigh: 0.124*M", true},
+      {"heel_x: -0.06", "heel_x: -0.061", true}}},
+    {"biped_stepping", "biped.yaml", {{"w: 2*pi/1.2", "w: 2*pi/1.3"}, {"kp: 20000", "kp: 21000"}}},
+    {"effects",
+     "",
+     {{"stiffness: 35", "stiffness: 36"},
+      {"damping: 0.7", "damping: 0.71"},
+      {"rest: 0.3}", "rest: 0.33}"},
+      {"anchor: [0.9", "anchor: [0.91"},
+      {"stiffness: 120", "stiffness: 121"},
+      {"damping: 2.5", "damping: 2.6"},
+      {"rest_length: 0.4", "rest_length: 0.43"},
+      {"coefficient: 4.5", "coefficient: 4.6"},
+      {"force: 0.9", "force: 0.91"},
+      {"slip_speed: 0.02}", "slip_speed: 0.021}"},
+      {"force: 3.3", "force: 3.4"},
+      {"static_force: 4.1", "static_force: 4.4"},
+      {"stribeck_speed: 0.15", "stribeck_speed: 0.16"},
+      {"slip_speed: 0.012", "slip_speed: 0.013"},
+      {"inertia: 0.08", "inertia: 0.09"},
+      {"kp: 210", "kp: 220"},
+      {"0.23*sin", "0.24*sin"},
+      {"1.9*t", "1.8*t"},
+      {"0.25*sin", "0.26*sin"},
+      {"3.7*t", "3.8*t"},
+      {"-17*q", "-18*q"},
+      {"1.95*x", "1.85*x"},
+      {"0.45*vz", "0.46*vz"},
+      {"0.33*sin", "0.34*sin"},
+      {"stiffness: 5200", "stiffness: 5300"},
+      {"dissipation: 0.35", "dissipation: 0.36"},
+      {"friction: 0.62", "friction: 0.63"},
+      {"slip_speed: 0.011", "slip_speed: 0.0115"},
+      {"height: -0.27", "height: -0.28"},
+      {"normal: [0.1", "normal: [0.12"},
+      {"rate: 23", "rate: 24"},
+      {"1.23", "1.24"},
+      {"height: -0.61", "height: -0.62"},
+      {"restitution: 0.31", "restitution: 0.32"},
+      {"rest_below: 0.02", "rest_below: 0.03"},
+      {"mass: 1.7", "mass: 1.8", true},
+      {"at: [0.31", "at: [0.32", true}}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Models, SceneStructure, testing::ValuesIn(kScenes),
+                         [](const auto& test) { return std::string(test.param.name); });
+
 }  // namespace
 }  // namespace treedyn
