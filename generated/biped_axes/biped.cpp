@@ -14,7 +14,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0xc59505ac038adb61ULL, "header and source are of different runs");
+static_assert(kDigest == 0xcdc3bcc54fae2fafULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -694,13 +694,13 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const auto p_s_left_hip_roll = sine_cosine(q[7]);
   const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
   const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank
+  // left_shank: way s to the joint of (2)
   const auto p_s_left_hip_pitch = sine_cosine(q[8]);
   const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
   const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar t_left_shank_1 = left_shank_l1 * c_left_hip_pitch;
   const Scalar t_left_shank_2 = left_shank_l1 * s_left_hip_pitch;
-  // left_ankle_cross
+  // left_ankle_cross: A, way s to the joint of (2)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
@@ -721,13 +721,13 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const auto p_s_right_hip_roll = sine_cosine(q[13]);
   const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
   const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank
+  // right_shank: way s to the joint of (2)
   const auto p_s_right_hip_pitch = sine_cosine(q[14]);
   const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
   const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar t_right_shank_1 = left_shank_l1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = left_shank_l1 * s_right_hip_pitch;
-  // right_ankle_cross
+  // right_ankle_cross: A, way s to the joint of (2)
   const Scalar q_q14_q15 = q[14] + q[15];
   const Scalar q_q14_q15_q16 = q_q14_q15 + q[16];
   const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
@@ -742,7 +742,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const auto p_s_right_foot = sine_cosine(t_right_foot_1);
   const Scalar& s_right_foot = p_s_right_foot.sine;
   const Scalar& c_right_foot = p_s_right_foot.cosine;
-  // base_ry
+  // base_ry: Rx, Ry of (2)
   const Scalar Rx_base_ry_y = c_base_rz * c_base_ry;
   const Scalar Ry_base_ry_y = s_base_rz * c_base_ry;
   const Scalar Rx_base_ry_x = c_base_rz * s_base_ry;
@@ -756,7 +756,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar Rz_left_hip_block_z = c_base_ry * c_base_rx;
   const Scalar t_right_foot_2 = left_foot_h1 * c_right_foot;
   const Scalar h_righ_ankl_cros_x = left_ankle_cross_h1 + t_right_foot_2;
-  // right_foot
+  // right_foot: first moment h, A of (2)
   const Scalar t_right_foot_3 = left_foot_h1 * s_right_foot;
   const Scalar t_right_foot_4 = left_foot_I3 * c_right_foot + left_foot_I4 * s_right_foot;
   const Scalar t_right_foot_5 = s_right_foot * t_right_foot_4;
@@ -765,7 +765,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[322] = A[305];
   const Scalar t_right_foot_7 = left_foot_I2 * c_right_foot - left_foot_I1 * s_right_foot;
   const Scalar t_right_foot_8 = left_foot_I6 * s_right_foot;
-  // right_ankle_cross
+  // right_ankle_cross: A, first moment h, pseudo-inertia E of (2)
   const Scalar t_righ_ankl_cros_3 = t_right_foot_5 - left_foot_I5 * c_right_foot;
   const Scalar t_righ_ankl_cros_4 = left_ankle_cross_h2 * c_q14_q15_q16;
   const Scalar t_righ_ankl_cros_5 = t_righ_ankl_cros_4 - s_q14_q15_q16 * h_righ_ankl_cros_x;
@@ -791,7 +791,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[304] = t_righ_ankl_cros_19;
   const Scalar t_right_thigh_1 = h_right_shank_y - left_thigh_h1 * s_right_hip_pitch;
   const Scalar h_right_thigh_y = t_right_thigh_1 - left_thigh_h2 * c_right_hip_pitch;
-  // right_shank
+  // right_shank: first moment h, pseudo-inertia E, A of (2)
   const Scalar t_right_shank_4 = t_righ_ankl_cros_9 - left_thigh_h2 * s_right_hip_pitch;
   const Scalar t_right_shank_5 = t_right_shank_4 + left_thigh_h1 * c_right_hip_pitch;
   const Scalar t_right_shank_6 = left_shank_I4 + left_foot_I9 * s_right_foot;
@@ -812,13 +812,13 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_righ_ankl_cros_24 = c_q14_q15_q16 * t_righ_ankl_cros_22;
   const Scalar t_righ_ankl_cros_25 = s_q14_q15_q16 * t_righ_ankl_cros_23;
   const Scalar t_righ_ankl_cros_26 = t_righ_ankl_cros_24 + t_righ_ankl_cros_25;
-  // right_shank
+  // right_shank: A of (2)
   const Scalar t_right_shank_11 = t_right_shank_1 * t_righ_ankl_cros_9;
   const Scalar t_right_shank_12 = left_shank_l1 * h_right_shank_y;
   const Scalar t_right_shank_13 = s_right_hip_pitch * t_right_shank_12;
   const Scalar t_right_thigh_2 = left_hip_fork_h1 + t_right_shank_5;
   const Scalar h_right_hip_fork_y = left_hip_fork_h2 + t_right_foot_3;
-  // right_thigh
+  // right_thigh: pseudo-inertia E, A of (2)
   const Scalar t_right_thigh_3 = left_thigh_I3 + left_foot_I10 * s_right_foot;
   const Scalar t_right_thigh_4 = E_right_shank_xz - left_thigh_I4 * s_right_hip_pitch;
   const Scalar E_right_thigh_xz = t_right_thigh_4 + c_right_hip_pitch * t_right_thigh_3;
@@ -833,7 +833,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_shank_14 = left_thigh_I1 * s_right_hip_pitch;
   const Scalar t_right_shank_15 = t_right_shank_14 + left_thigh_I2 * c_right_hip_pitch;
   const Scalar t_righ_ankl_cros_27 = left_shank_I1 * c_q14_q15 + left_shank_I2 * s_q14_q15;
-  // right_hip_fork
+  // right_hip_fork: first moment h, pseudo-inertia E, A of (2)
   const Scalar t_right_hip_fork_1 = c_right_hip_roll * h_right_hip_fork_y;
   const Scalar t_right_hip_fork_2 = s_right_hip_roll * t_right_thigh_2;
   const Scalar t_right_hip_fork_3 = t_right_hip_fork_1 - t_right_hip_fork_2;
@@ -877,7 +877,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[246] = A[229];
   const Scalar t_right_hip_fork_33 = t_right_hip_fork_12 - E_right_hip_fork_yy;
   A[247] = -t_right_hip_fork_33;
-  // right_hip_block
+  // right_hip_block: pseudo-inertia E of (2)
   const Scalar t_right_hip_block_1 = c_right_hip_yaw * t_right_hip_fork_8;
   const Scalar t_right_hip_block_2 = s_right_hip_yaw * t_right_hip_fork_4;
   const Scalar t_right_hip_block_3 = t_right_hip_block_1 + t_right_hip_block_2;
@@ -895,7 +895,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_fork_36 = s_right_hip_roll * t_right_hip_fork_29;
   const Scalar t_right_hip_fork_37 = c_right_hip_roll * t_right_hip_fork_20;
   const Scalar t_right_hip_fork_38 = t_right_hip_fork_36 + t_right_hip_fork_37;
-  // right_hip_block
+  // right_hip_block: A, pseudo-inertia E of (2)
   const Scalar t_right_hip_block_10 = c_right_hip_yaw * E_right_hip_block_yz;
   const Scalar t_right_hip_block_11 = s_right_hip_yaw * E_right_hip_block_xz;
   const Scalar t_right_hip_block_12 = t_right_hip_block_10 + t_right_hip_block_11;
@@ -910,7 +910,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[228] = t_right_hip_block_15;
   const Scalar t_left_foot_2 = left_foot_h1 * c_left_foot;
   const Scalar h_left_ankle_cross_z = left_foot_h1 * s_left_foot;
-  // left_foot
+  // left_foot: A of (2)
   const Scalar t_left_foot_3 = left_foot_I3 * c_left_foot + left_foot_I4 * s_left_foot;
   const Scalar t_left_foot_4 = s_left_foot * t_left_foot_3;
   const Scalar t_left_foot_5 = left_foot_I1 * c_left_foot + left_foot_I2 * s_left_foot;
@@ -918,7 +918,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[208] = A[191];
   const Scalar t_left_foot_6 = left_foot_I2 * c_left_foot - left_foot_I1 * s_left_foot;
   const Scalar t_left_foot_7 = left_foot_I6 * s_left_foot;
-  // left_ankle_cross
+  // left_ankle_cross: first moment h, A, pseudo-inertia E of (2)
   const Scalar h_left_ankle_cross_x = left_ankle_cross_h1 + t_left_foot_2;
   const Scalar t_left_ankle_cross_3 = s_q8_q9_q10 * h_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_4 = left_ankle_cross_h2 * c_q8_q9_q10;
@@ -959,7 +959,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_ankle_cross_29 = s_q8_q9_q10 * t_left_ankle_cross_13;
   const Scalar t_left_ankle_cross_30 = c_q8_q9_q10 * E_left_ankle_cross_xz;
   const Scalar t_left_ankle_cross_31 = t_left_ankle_cross_29 + t_left_ankle_cross_30;
-  // left_shank
+  // left_shank: pseudo-inertia E, A of (2)
   const Scalar t_left_shank_6 = c_q8_q9 * (left_shank_I4 + left_foot_I9 * s_left_foot);
   const Scalar t_left_shank_7 = t_left_ankle_cross_31 - left_shank_I3 * s_q8_q9;
   const Scalar t_left_shank_8 = t_left_shank_7 + t_left_shank_6;
@@ -974,7 +974,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_shank_13 = t_left_shank_1 * t_left_ankle_cross_10;
   const Scalar t_left_shank_14 = left_shank_l1 * h_left_shank_y;
   const Scalar t_left_shank_15 = s_left_hip_pitch * t_left_shank_14;
-  // left_thigh
+  // left_thigh: first moment h, pseudo-inertia E of (2)
   const Scalar t_left_thigh_2 = left_hip_fork_h1 + t_left_shank_5;
   const Scalar t_left_thigh_3 = left_hip_fork_h2 + h_left_ankle_cross_z;
   const Scalar t_left_thigh_4 = left_thigh_I3 + left_foot_I10 * s_left_foot;
@@ -989,7 +989,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_shank_16 = left_thigh_I2 * c_left_hip_pitch;
   const Scalar t_left_shank_17 = t_left_shank_16 + left_thigh_I1 * s_left_hip_pitch;
   const Scalar t_left_shank_18 = s_left_hip_pitch * t_left_shank_17;
-  // left_thigh
+  // left_thigh: A of (2)
   const Scalar t_left_thigh_8 = s_q8_q9 * t_left_ankle_cross_32 + t_left_shank_18;
   const Scalar t_left_thigh_9 = t_left_thigh_8 - s_q8_q9_q10 * t_left_ankle_cross_19;
   const Scalar t_left_thigh_10 = t_left_ankle_cross_26 - t_left_thigh_9;
@@ -1000,7 +1000,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_fork_1 = c_left_hip_roll * t_left_thigh_3;
   const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + s_left_hip_roll * t_left_thigh_2;
   const Scalar h_left_hip_block_x = left_hip_block_h1 + t_left_hip_fork_2;
-  // left_hip_fork
+  // left_hip_fork: first moment h, pseudo-inertia E, A of (2)
   const Scalar t_left_hip_fork_3 = c_left_hip_roll * t_left_thigh_2;
   const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 - s_left_hip_roll * t_left_thigh_3;
   const Scalar t_left_hip_fork_5 = left_hip_block_h2 + h_left_thigh_y;
@@ -1030,7 +1030,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_fork_23 = t_left_hip_fork_22 + c_left_hip_roll * t_left_hip_fork_6;
   const Scalar t_left_hip_fork_24 = E_left_hip_fork_xx + E_left_hip_fork_yy;
   A[133] = t_left_hip_fork_24;
-  // left_hip_block
+  // left_hip_block: first moment h, pseudo-inertia E, A of (2)
   const Scalar t_left_hip_block_1 = c_left_hip_yaw * t_left_hip_fork_5;
   const Scalar t_left_hip_block_2 = s_left_hip_yaw * h_left_hip_block_x - t_left_hip_block_1;
   const Scalar t_left_hip_block_3 = s_left_hip_yaw * t_left_hip_fork_5;
@@ -1065,7 +1065,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_block_16 = s_right_hip_yaw * E_right_hip_block_yz;
   const Scalar t_right_hip_block_17 = c_right_hip_yaw * E_right_hip_block_xz;
   const Scalar t_right_hip_block_18 = t_right_hip_block_16 - t_right_hip_block_17;
-  // base_rx
+  // base_rx: pseudo-inertia E of (2)
   const Scalar t_base_rx_6 = left_hip_block_l1 * (t_right_hip_fork_7 - t_left_hip_fork_4);
   const Scalar t_base_rx_7 = t_right_hip_block_18 - (base_rx_I6 - t_left_hip_block_20);
   const Scalar t_base_rx_8 = t_base_rx_7 - t_base_rx_6;
@@ -1075,7 +1075,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_block_21 = c_right_hip_yaw * t_right_hip_block_19;
   const Scalar t_right_hip_block_22 = s_right_hip_yaw * t_right_hip_block_20;
   const Scalar t_right_hip_block_23 = t_right_hip_block_21 - t_right_hip_block_22;
-  // base_rx
+  // base_rx: pseudo-inertia E, A of (2)
   const Scalar t_base_rx_9 = base_rx_I5 + t_right_hip_fork_38 + t_left_hip_fork_23;
   const Scalar t_base_rx_10 = t_base_rx_9 + c_left_hip_yaw * t_left_hip_block_16;
   const Scalar t_base_rx_11 = t_right_hip_block_3 + t_left_hip_block_2;
@@ -1098,7 +1098,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_base_rx_23 = t_base_rx_18 + t_base_rx_21;
   const Scalar t_right_foot_9 = left_foot_I6 * c_right_foot;
   const Scalar t_right_foot_10 = left_foot_I8 + t_right_foot_9 + left_foot_I7 * s_right_foot;
-  // right_ankle_cross
+  // right_ankle_cross: A of (2)
   const Scalar t_righ_ankl_cros_31 = c_q14_q15_q16 * t_right_foot_3;
   const Scalar t_righ_ankl_cros_32 = s_q14_q15_q16 * t_right_foot_3;
   const Scalar t_righ_ankl_cros_33 = t_righ_ankl_cros_2 * t_righ_ankl_cros_31;
@@ -1110,7 +1110,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_righ_ankl_cros_37 = c_q14_q15_q16 * t_right_foot_10;
   const Scalar t_right_shank_18 = t_right_shank_1 + t_righ_ankl_cros_1;
   const Scalar t_righ_ankl_cros_38 = t_righ_ankl_cros_37 + s_q14_q15_q16 * t_right_foot_7;
-  // right_shank
+  // right_shank: A of (2)
   const Scalar t_right_shank_19 = t_righ_ankl_cros_38 + t_right_foot_2 * t_right_shank_18;
   A[251] = t_right_shank_19;
   A[319] = A[251];
@@ -1125,7 +1125,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_thigh_12 = t_right_thigh_11 - t_right_foot_2 * t_right_thigh_10;
   const Scalar t_right_thigh_13 = t_right_thigh_12 + c_q14_q15_q16 * t_right_foot_7;
   const Scalar t_right_thigh_14 = t_right_shank_22 + left_hip_fork_l1 * t_righ_ankl_cros_31;
-  // right_hip_fork
+  // right_hip_fork: A of (2)
   const Scalar t_right_hip_fork_40 = left_hip_block_l2 * t_righ_ankl_cros_32;
   const Scalar t_right_hip_fork_41 = c_right_hip_roll * t_right_thigh_14;
   const Scalar t_right_hip_fork_42 = t_right_hip_fork_40 + t_right_hip_fork_41;
@@ -1142,7 +1142,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_fork_51 = t_right_shank_19 + t_right_hip_fork_50;
   const Scalar t_right_hip_fork_52 = c_right_hip_roll * t_righ_ankl_cros_31;
   const Scalar t_right_hip_fork_53 = t_right_hip_fork_52 - s_right_hip_roll * t_right_foot_2;
-  // right_hip_block
+  // right_hip_block: A of (2)
   const Scalar t_right_hip_block_25 = left_hip_block_l1 * t_right_hip_fork_53;
   const Scalar t_right_hip_block_26 = c_right_hip_yaw * t_right_hip_fork_51;
   const Scalar t_right_hip_block_27 = t_right_hip_block_25 + t_right_hip_block_26;
@@ -1163,7 +1163,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_block_40 = t_right_hip_block_38 - t_right_hip_block_39;
   A[89] = c_base_rx * t_right_hip_block_32 - s_base_rx * t_right_hip_block_37;
   A[310] = A[89];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_1 = Rz_left_hip_block_z * t_right_hip_block_37;
   const Scalar t_base_rz_2 = t_base_rz_1 - s_base_ry * t_right_hip_block_29;
   A[71] = t_base_rz_2 + t_base_rx_4 * t_right_hip_block_32;
@@ -1184,14 +1184,14 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_righ_ankl_cros_40 = t_righ_ankl_cros_19 + t_righ_ankl_cros_39;
   A[286] = t_righ_ankl_cros_40;
   A[303] = A[286];
-  // right_shank
+  // right_shank: A of (2)
   const Scalar t_right_shank_23 = t_right_shank_2 * t_righ_ankl_cros_5;
   const Scalar t_right_shank_24 = t_righ_ankl_cros_40 - t_right_shank_23;
   const Scalar t_right_shank_25 = t_right_shank_24 + t_right_shank_1 * t_righ_ankl_cros_7;
   A[268] = t_right_shank_25;
   A[302] = A[268];
   const Scalar t_right_thigh_15 = t_right_shank_25 + left_hip_fork_l1 * t_righ_ankl_cros_5;
-  // right_hip_fork
+  // right_hip_fork: A of (2)
   const Scalar t_right_hip_fork_54 = s_right_hip_roll * t_righ_ankl_cros_21;
   const Scalar t_right_hip_fork_55 = c_right_hip_roll * t_right_thigh_15;
   const Scalar t_right_hip_fork_56 = t_right_hip_fork_54 + t_right_hip_fork_55;
@@ -1206,7 +1206,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_fork_63 = left_hip_block_l2 * t_right_hip_fork_62;
   const Scalar t_right_hip_fork_64 = t_righ_ankl_cros_14 - t_right_hip_fork_63;
   const Scalar t_right_hip_fork_65 = c_right_hip_roll * t_righ_ankl_cros_5;
-  // right_hip_block
+  // right_hip_block: A of (2)
   const Scalar t_right_hip_block_41 = left_hip_block_l1 * t_right_hip_fork_65;
   const Scalar t_right_hip_block_42 = s_right_hip_yaw * t_right_hip_fork_58;
   const Scalar t_right_hip_block_43 = t_right_hip_block_41 - t_right_hip_block_42;
@@ -1227,7 +1227,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_block_56 = t_right_hip_block_54 - t_right_hip_block_55;
   A[88] = c_base_rx * t_right_hip_block_56 + s_base_rx * t_right_hip_block_50;
   A[292] = A[88];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_9 = Rz_left_hip_block_z * t_right_hip_block_50;
   const Scalar t_base_rz_10 = t_base_rz_9 + s_base_ry * t_right_hip_block_45;
   A[70] = t_base_rx_4 * t_right_hip_block_56 - t_base_rz_10;
@@ -1248,7 +1248,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[267] = -t_right_shank_26;
   A[284] = A[267];
   const Scalar t_right_thigh_16 = t_right_shank_26 - left_hip_fork_l1 * h_right_shank_y;
-  // right_hip_fork
+  // right_hip_fork: A of (2)
   const Scalar t_right_hip_fork_66 = left_hip_block_l2 * t_righ_ankl_cros_9;
   const Scalar t_right_hip_fork_67 = c_right_hip_roll * t_right_thigh_16;
   const Scalar t_right_hip_fork_68 = t_right_hip_fork_67 - t_right_hip_fork_66;
@@ -1260,7 +1260,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_fork_72 = s_right_hip_roll * h_right_shank_y;
   const Scalar t_right_hip_fork_73 = E_right_shank_yz - left_hip_block_l2 * t_right_hip_fork_72;
   const Scalar t_right_hip_fork_74 = c_right_hip_roll * h_right_shank_y;
-  // right_hip_block
+  // right_hip_block: A of (2)
   const Scalar t_right_hip_block_57 = left_hip_block_l1 * t_right_hip_fork_74;
   const Scalar t_right_hip_block_58 = s_right_hip_yaw * t_right_hip_fork_69;
   const Scalar t_right_hip_block_59 = t_right_hip_block_57 + t_right_hip_block_58;
@@ -1281,7 +1281,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_block_72 = t_right_hip_block_70 - t_right_hip_block_71;
   A[87] = s_base_rx * t_right_hip_block_69 - c_base_rx * t_right_hip_block_64;
   A[274] = A[87];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_17 = Rz_left_hip_block_z * t_right_hip_block_69;
   const Scalar t_base_rz_18 = s_base_ry * t_right_hip_block_61 + t_base_rz_17;
   A[69] = -(t_base_rz_18 + t_base_rx_4 * t_right_hip_block_64);
@@ -1299,7 +1299,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[33] = -(t_base_rz_24 + Ry_base_ry_y * t_right_hip_block_67);
   A[271] = A[33];
   const Scalar t_right_thigh_17 = t_right_thigh_8 - left_hip_fork_l1 * h_right_thigh_y;
-  // right_hip_fork
+  // right_hip_fork: A of (2)
   const Scalar t_right_hip_fork_75 = c_right_hip_roll * t_right_thigh_17;
   const Scalar t_right_hip_fork_76 = s_right_hip_roll * E_right_thigh_xz - t_right_hip_fork_75;
   const Scalar t_right_hip_fork_77 = left_hip_block_l2 * t_right_shank_5;
@@ -1311,7 +1311,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_fork_81 = s_right_hip_roll * h_right_thigh_y;
   const Scalar t_right_hip_fork_82 = E_right_thigh_yz - left_hip_block_l2 * t_right_hip_fork_81;
   const Scalar t_right_hip_fork_83 = c_right_hip_roll * h_right_thigh_y;
-  // right_hip_block
+  // right_hip_block: A of (2)
   const Scalar t_right_hip_block_73 = left_hip_block_l1 * t_right_hip_fork_83;
   const Scalar t_right_hip_block_74 = c_right_hip_yaw * t_right_hip_fork_82;
   const Scalar t_right_hip_block_75 = t_right_hip_block_73 - t_right_hip_block_74;
@@ -1332,7 +1332,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_block_88 = t_right_hip_block_86 - t_right_hip_block_87;
   A[86] = s_base_rx * t_right_hip_block_85 + c_base_rx * t_right_hip_block_80;
   A[256] = A[86];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_25 = Rz_left_hip_block_z * t_right_hip_block_85;
   const Scalar t_base_rz_26 = t_base_rz_25 + s_base_ry * t_right_hip_block_77;
   A[68] = t_base_rx_4 * t_right_hip_block_80 - t_base_rz_26;
@@ -1351,7 +1351,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[253] = A[32];
   const Scalar t_right_hip_fork_84 = left_hip_block_l2 * t_right_hip_fork_7;
   const Scalar t_right_hip_fork_85 = t_right_hip_fork_33 - t_right_hip_fork_84;
-  // right_hip_block
+  // right_hip_block: A of (2)
   const Scalar t_right_hip_block_89 = left_hip_block_l1 * t_right_hip_fork_3;
   const Scalar t_right_hip_block_90 = c_right_hip_yaw * t_right_hip_fork_85;
   const Scalar t_right_hip_block_91 = t_right_hip_block_89 - t_right_hip_block_90;
@@ -1367,7 +1367,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_right_hip_block_99 = t_right_hip_fork_32 + t_right_hip_block_98;
   A[85] = s_base_rx * t_right_hip_block_99 - c_base_rx * t_right_hip_block_96;
   A[238] = A[85];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_33 = Rz_left_hip_block_z * t_right_hip_block_99;
   const Scalar t_base_rz_34 = t_base_rz_33 + s_base_ry * t_right_hip_block_93;
   A[67] = -(t_base_rz_34 + t_base_rx_4 * t_right_hip_block_96);
@@ -1401,7 +1401,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[218] = A[48];
   const Scalar t_left_foot_8 = left_foot_I6 * c_left_foot;
   const Scalar t_left_foot_9 = left_foot_I8 + t_left_foot_8 + left_foot_I7 * s_left_foot;
-  // left_ankle_cross
+  // left_ankle_cross: A of (2)
   const Scalar t_left_ankle_cross_34 = c_q8_q9_q10 * h_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_35 = s_q8_q9_q10 * h_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_36 = t_left_foot_5 - c_q8_q9_q10 * t_left_ankle_cross_28;
@@ -1409,7 +1409,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_ankle_cross_38 = t_left_ankle_cross_36 + t_left_ankle_cross_37;
   A[173] = -t_left_ankle_cross_38;
   A[207] = A[173];
-  // left_shank
+  // left_shank: A of (2)
   const Scalar t_left_shank_20 = t_left_foot_2 * (t_left_shank_1 + t_left_ankle_cross_2);
   const Scalar t_left_shank_21 = c_q8_q9_q10 * t_left_foot_9 + t_left_shank_20;
   const Scalar t_left_shank_22 = t_left_shank_21 + s_q8_q9_q10 * t_left_foot_6;
@@ -1426,7 +1426,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_thigh_16 = t_left_thigh_14 - s_q8_q9_q10 * t_left_foot_9;
   const Scalar t_left_thigh_17 = t_left_thigh_16 - t_left_thigh_15;
   const Scalar t_left_thigh_18 = t_left_shank_25 + left_hip_fork_l1 * t_left_ankle_cross_34;
-  // left_hip_fork
+  // left_hip_fork: A of (2)
   const Scalar t_left_hip_fork_28 = left_hip_block_l2 * t_left_ankle_cross_35;
   const Scalar t_left_hip_fork_29 = t_left_hip_fork_28 + c_left_hip_roll * t_left_thigh_18;
   const Scalar t_left_hip_fork_30 = t_left_hip_fork_29 + s_left_hip_roll * t_left_thigh_17;
@@ -1439,7 +1439,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_fork_35 = t_left_shank_22 - left_hip_block_l2 * t_left_hip_fork_34;
   const Scalar t_left_hip_fork_36 = c_left_hip_roll * t_left_ankle_cross_34;
   const Scalar t_left_hip_fork_37 = t_left_hip_fork_36 + s_left_hip_roll * t_left_foot_2;
-  // left_hip_block
+  // left_hip_block: A of (2)
   const Scalar t_left_hip_block_23 = c_left_hip_yaw * t_left_hip_fork_35;
   const Scalar t_left_hip_block_24 = s_left_hip_yaw * t_left_hip_fork_30;
   const Scalar t_left_hip_block_25 = t_left_hip_block_23 + t_left_hip_block_24;
@@ -1460,7 +1460,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_block_38 = t_left_hip_block_36 - t_left_hip_block_37;
   A[83] = s_base_rx * t_left_hip_block_35 - c_base_rx * t_left_hip_block_30;
   A[202] = A[83];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_43 = Rz_left_hip_block_z * t_left_hip_block_35;
   const Scalar t_base_rz_44 = s_base_ry * t_left_hip_block_27 + t_base_rz_43;
   A[65] = -(t_base_rz_44 + t_base_rx_4 * t_left_hip_block_30);
@@ -1481,14 +1481,14 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_ankle_cross_40 = t_left_ankle_cross_27 + t_left_ankle_cross_39;
   A[172] = t_left_ankle_cross_40;
   A[189] = A[172];
-  // left_shank
+  // left_shank: A of (2)
   const Scalar t_left_shank_26 = t_left_shank_1 * t_left_ankle_cross_8;
   const Scalar t_left_shank_27 = t_left_ankle_cross_40 + t_left_shank_26;
   const Scalar t_left_shank_28 = t_left_shank_27 - t_left_shank_2 * t_left_ankle_cross_5;
   A[154] = t_left_shank_28;
   A[188] = A[154];
   const Scalar t_left_thigh_19 = t_left_shank_28 + left_hip_fork_l1 * t_left_ankle_cross_5;
-  // left_hip_fork
+  // left_hip_fork: A of (2)
   const Scalar t_left_hip_fork_38 = left_hip_block_l2 * t_left_ankle_cross_8;
   const Scalar t_left_hip_fork_39 = t_left_hip_fork_38 + c_left_hip_roll * t_left_thigh_19;
   const Scalar t_left_hip_fork_40 = s_left_hip_roll * t_left_ankle_cross_31;
@@ -1501,7 +1501,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_fork_45 = left_hip_block_l2 * t_left_hip_fork_44;
   const Scalar t_left_hip_fork_46 = t_left_ankle_cross_22 - t_left_hip_fork_45;
   const Scalar t_left_hip_fork_47 = c_left_hip_roll * t_left_ankle_cross_5;
-  // left_hip_block
+  // left_hip_block: A of (2)
   const Scalar t_left_hip_block_39 = left_hip_block_l1 * t_left_hip_fork_47;
   const Scalar t_left_hip_block_40 = s_left_hip_yaw * t_left_hip_fork_41;
   const Scalar t_left_hip_block_41 = t_left_hip_block_39 + t_left_hip_block_40;
@@ -1522,7 +1522,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_block_54 = t_left_hip_block_53 - t_left_hip_block_52;
   A[82] = c_base_rx * t_left_hip_block_46 - s_base_rx * t_left_hip_block_51;
   A[184] = A[82];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_51 = Rz_left_hip_block_z * t_left_hip_block_51;
   const Scalar t_base_rz_52 = s_base_ry * t_left_hip_block_43 + t_base_rz_51;
   A[64] = t_base_rz_52 + t_base_rx_4 * t_left_hip_block_46;
@@ -1543,7 +1543,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[153] = -t_left_shank_29;
   A[170] = A[153];
   const Scalar t_left_thigh_20 = t_left_shank_29 - left_hip_fork_l1 * h_left_shank_y;
-  // left_hip_fork
+  // left_hip_fork: A of (2)
   const Scalar t_left_hip_fork_48 = s_left_hip_roll * t_left_shank_8;
   const Scalar t_left_hip_fork_49 = t_left_hip_fork_48 + c_left_hip_roll * t_left_thigh_20;
   const Scalar t_left_hip_fork_50 = left_hip_block_l2 * t_left_ankle_cross_10;
@@ -1555,7 +1555,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_fork_54 = s_left_hip_roll * h_left_shank_y;
   const Scalar t_left_hip_fork_55 = E_left_shank_yz - left_hip_block_l2 * t_left_hip_fork_54;
   const Scalar t_left_hip_fork_56 = c_left_hip_roll * h_left_shank_y;
-  // left_hip_block
+  // left_hip_block: A of (2)
   const Scalar t_left_hip_block_55 = left_hip_block_l1 * t_left_hip_fork_56;
   const Scalar t_left_hip_block_56 = s_left_hip_yaw * t_left_hip_fork_51;
   const Scalar t_left_hip_block_57 = t_left_hip_block_55 - t_left_hip_block_56;
@@ -1576,7 +1576,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_block_70 = t_left_hip_block_68 + t_left_hip_block_69;
   A[81] = s_base_rx * t_left_hip_block_64 - c_base_rx * t_left_hip_block_70;
   A[166] = A[81];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_59 = Rz_left_hip_block_z * t_left_hip_block_64;
   const Scalar t_base_rz_60 = s_base_ry * t_left_hip_block_59 - t_base_rz_59;
   A[63] = t_base_rz_60 - t_base_rx_4 * t_left_hip_block_70;
@@ -1594,7 +1594,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[9] = -(t_base_rz_66 + Rx_left_hip_block_z * t_left_hip_fork_56);
   A[162] = A[9];
   const Scalar t_left_thigh_21 = t_left_thigh_13 - left_hip_fork_l1 * h_left_thigh_y;
-  // left_hip_fork
+  // left_hip_fork: A of (2)
   const Scalar t_left_hip_fork_57 = c_left_hip_roll * t_left_thigh_21;
   const Scalar t_left_hip_fork_58 = t_left_hip_fork_57 + s_left_hip_roll * t_left_thigh_6;
   const Scalar t_left_hip_fork_59 = t_left_hip_fork_58 - left_hip_block_l2 * t_left_shank_5;
@@ -1605,7 +1605,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_fork_62 = s_left_hip_roll * h_left_thigh_y;
   const Scalar t_left_hip_fork_63 = E_left_thigh_yz - left_hip_block_l2 * t_left_hip_fork_62;
   const Scalar t_left_hip_fork_64 = c_left_hip_roll * h_left_thigh_y;
-  // left_hip_block
+  // left_hip_block: A of (2)
   const Scalar t_left_hip_block_71 = left_hip_block_l1 * t_left_hip_fork_64;
   const Scalar t_left_hip_block_72 = s_left_hip_yaw * t_left_hip_fork_59;
   const Scalar t_left_hip_block_73 = t_left_hip_block_71 - t_left_hip_block_72;
@@ -1624,7 +1624,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_block_84 = t_left_hip_block_83 - s_left_hip_yaw * t_left_shank_5;
   A[80] = s_base_rx * t_left_hip_block_82 - c_base_rx * t_left_hip_block_78;
   A[148] = A[80];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_67 = Rz_left_hip_block_z * t_left_hip_block_82;
   const Scalar t_base_rz_68 = t_base_rz_67 - s_base_ry * t_left_hip_block_75;
   A[62] = -(t_base_rz_68 + t_base_rx_4 * t_left_hip_block_78);
@@ -1643,7 +1643,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   A[146] = A[44];
   const Scalar t_left_hip_fork_65 = left_hip_block_l2 * t_left_hip_fork_4;
   const Scalar t_left_hip_fork_66 = t_left_hip_fork_24 + t_left_hip_fork_65;
-  // left_hip_block
+  // left_hip_block: A of (2)
   const Scalar t_left_hip_block_85 = left_hip_block_l1 * t_left_hip_fork_2;
   const Scalar t_left_hip_block_86 = c_left_hip_yaw * t_left_hip_fork_66;
   const Scalar t_left_hip_block_87 = t_left_hip_block_86 + t_left_hip_block_85;
@@ -1659,7 +1659,7 @@ void mass_matrix(const Scalar q[18], Scalar A[324]) noexcept {
   const Scalar t_left_hip_block_95 = t_left_hip_fork_16 + t_left_hip_block_94;
   A[79] = c_base_rx * t_left_hip_block_92 - s_base_rx * t_left_hip_block_95;
   A[130] = A[79];
-  // base_rz
+  // base_rz: A of (2)
   const Scalar t_base_rz_75 = t_base_rx_4 * t_left_hip_block_92;
   const Scalar t_base_rz_76 = s_base_ry * t_left_hip_block_89 - t_base_rz_75;
   A[61] = Rz_left_hip_block_z * t_left_hip_block_95 - t_base_rz_76;
@@ -1851,13 +1851,13 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
   const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
   const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  // left_shank
+  // left_shank: way s to the joint of (3)
   const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
   const Scalar& s_q9_q10 = p_s_q9_q10.sine;
   const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
   const Scalar s_left_shank_x = left_shank_l1 * c_q9_q10;
   const Scalar t_left_shank_1 = left_shank_l1 * s_q9_q10;
-  // left_ankle_cross
+  // left_ankle_cross: way s to the joint of (3)
   const auto p_s_left_ankle_pitch = sine_cosine(q[10]);
   const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
   const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
@@ -1874,26 +1874,26 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
   const Scalar& s_q14_q15_q16 = p_s_q14_q15_q16.sine;
   const Scalar& c_q14_q15_q16 = p_s_q14_q15_q16.cosine;
-  // right_shank
+  // right_shank: way s to the joint of (3)
   const auto p_s_q15_q16 = sine_cosine(q_q15_q16);
   const Scalar& s_q15_q16 = p_s_q15_q16.sine;
   const Scalar& c_q15_q16 = p_s_q15_q16.cosine;
   const Scalar s_right_shank_x = left_shank_l1 * c_q15_q16;
   const Scalar t_right_shank_1 = left_shank_l1 * s_q15_q16;
-  // right_ankle_cross
+  // right_ankle_cross: way s to the joint of (3)
   const auto p_s_right_ankle_pitch = sine_cosine(q[16]);
   const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
   const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * s_right_ankle_pitch;
   const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_right_ankle_pitch;
-  // base_ry
+  // base_ry: angular velocity omega, angular acceleration alpha, Omega of (3)
   const Scalar omega_base_ry_y = s_base_ry * qd[3];
   const Scalar t_base_ry_1 = c_base_ry * qd[3];
   const Scalar alpha_base_ry_y = qd[4] * t_base_ry_1;
   const Scalar alpha_base_ry_x = omega_base_ry_y * qd[4];
   const Scalar t_base_ry_2 = omega_base_ry_y * t_base_ry_1;
   const Scalar Omega_base_ry_zy = 2.0 * alpha_base_ry_x;
-  // base_rx
+  // base_rx: angular velocity omega, Omega of (3)
   const Scalar t_base_rx_1 = c_base_rx * t_base_ry_1 - s_base_rx * qd[4];
   const Scalar t_base_rx_2 = omega_base_ry_y - qd[5];
   const Scalar t_base_rx_3 = s_base_rx * Omega_base_ry_zy - c_base_rx * t_base_ry_2;
@@ -1912,7 +1912,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_base_rx_10 = alpha_base_ry_y - t_base_rx_9;
   const Scalar t_base_rx_11 = t_base_rx_6 + t_base_rx_7;
   const Scalar Omega_base_rx_xy = alpha_base_ry_y + t_base_rx_9;
-  // left_hip_block
+  // left_hip_block: Omega, angular velocity omega, angular acceleration alpha of (3)
   const Scalar t_left_hip_block_1 = s_left_hip_yaw * Omega_base_rx_zy;
   const Scalar Omega_left_hip_block_xz = t_left_hip_block_1 + c_left_hip_yaw * Omega_base_rx_xy;
   const Scalar t_left_hip_block_2 = s_left_hip_yaw * t_base_rx_2;
@@ -1939,7 +1939,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_block_15 = left_hip_block_I13 * t_base_rx_10;
   const Scalar t_left_hip_block_16 = left_hip_block_I14 * t_base_rx_10;
   const Scalar t_left_hip_block_17 = t_left_hip_block_10 - t_left_hip_block_11;
-  // left_hip_fork
+  // left_hip_fork: Omega, angular velocity omega, acceleration a of (3)
   const Scalar t_left_hip_fork_1 = s_left_hip_roll * t_left_hip_block_7;
   const Scalar t_left_hip_fork_2 = c_left_hip_roll * t_left_hip_block_14;
   const Scalar t_left_hip_fork_3 = t_left_hip_fork_1 + t_left_hip_fork_2;
@@ -1974,7 +1974,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_fork_24 = omega_left_hip_fork_x * omega_left_hip_fork_x;
   const Scalar t_left_hip_fork_25 = t_left_hip_fork_7 * t_left_hip_fork_7;
   const Scalar t_left_hip_fork_26 = t_left_hip_fork_24 + t_left_hip_fork_25;
-  // left_thigh
+  // left_thigh: Omega, angular velocity omega, acceleration a of (3)
   const Scalar t_left_thigh_1 = s_q8_q9_q10 * Omega_left_hip_fork_xy;
   const Scalar t_left_thigh_2 = t_left_thigh_1 - c_q8_q9_q10 * Omega_left_hip_fork_zy;
   const Scalar t_left_thigh_3 = s_q8_q9_q10 * omega_left_hip_fork_x;
@@ -2010,7 +2010,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_thigh_22 = left_thigh_h2 * c_q9_q10 - left_thigh_h3 * s_q9_q10;
   const Scalar t_left_thigh_23 = left_thigh_I10 + t_left_thigh_19;
   const Scalar t_left_thigh_24 = left_thigh_h2 * s_q9_q10 + left_thigh_h3 * c_q9_q10;
-  // left_shank
+  // left_shank: angular velocity omega, Omega, force F of (3)
   const Scalar t_left_shank_2 = t_left_thigh_16 - t_left_thigh_17;
   const Scalar omega_left_shank_z = omega_left_thigh_z + qd[9];
   const Scalar Omega_left_shank_zy = Omega_left_thigh_zy + t_left_thigh_4 * qd[9];
@@ -2032,7 +2032,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_shank_18 = left_shank_h1 * s_left_ankle_pitch;
   const Scalar t_left_shank_19 = t_left_shank_18 + left_shank_h3 * c_left_ankle_pitch;
   const Scalar t_left_shank_20 = left_shank_I10 + t_left_shank_12;
-  // left_ankle_cross
+  // left_ankle_cross: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[10];
   const Scalar t_left_ankle_cross_2 = t_left_thigh_4 * omega_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_3 = t_left_thigh_2 + t_left_ankle_cross_2;
@@ -2046,7 +2046,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_ankle_cross_9 = t_left_ankle_cross_1 * Omega_left_shank_zy;
   const Scalar t_left_ankle_cross_10 = t_left_shank_22 + t_left_ankle_cross_8;
   const Scalar t_left_ankle_cross_11 = t_left_ankle_cross_10 + t_left_ankle_cross_9;
-  // left_foot
+  // left_foot: acceleration a, angular velocity omega, Omega of (3)
   const Scalar t_left_foot_1 = t_left_ankle_cross_11 + left_hip_fork_l3 * t_left_hip_fork_26;
   const Scalar t_left_foot_2 = t_left_foot_1 + left_hip_fork_l1 * t_left_ankle_cross_4;
   const Scalar t_left_foot_3 = omega_left_thigh_y - qd[11];
@@ -2065,12 +2065,12 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar a_left_thigh_x = c_q8_q9_q10 * t_left_thigh_9 + s_q8_q9_q10 * t_left_thigh_10;
   const Scalar t_left_shank_26 = a_left_thigh_x + t_left_shank_1 * Omega_left_foot_xz;
   const Scalar a_left_shank_x = t_left_shank_26 - s_left_shank_x * t_left_thigh_16;
-  // left_ankle_cross
+  // left_ankle_cross: acceleration a, Omega of (3)
   const Scalar t_left_ankle_cross_12 = a_left_shank_x - s_left_ankle_cross_x * t_left_shank_6;
   const Scalar t_left_ankle_cross_13 = t_left_ankle_cross_1 * Omega_left_foot_xz;
   const Scalar a_left_ankle_cross_x = t_left_ankle_cross_12 + t_left_ankle_cross_13;
   const Scalar t_left_ankle_cross_14 = t_left_hip_fork_26 - t_left_ankle_cross_6;
-  // left_foot
+  // left_foot: acceleration a, Omega, moment M of (3)
   const Scalar t_left_foot_9 = a_left_ankle_cross_x + left_hip_fork_l3 * Omega_left_foot_xy;
   const Scalar a_left_foot_x = t_left_foot_9 - left_hip_fork_l1 * t_left_ankle_cross_14;
   const Scalar t_left_foot_10 = Omega_left_foot_xz + omega_left_thigh_x * t_left_foot_4;
@@ -2103,7 +2103,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_foot_32 = t_left_foot_13 * (t_left_ankle_cross_5 + t_left_foot_11);
   const Scalar t_left_foot_33 = left_ankle_cross_m1 * a_left_foot_x + t_left_foot_31;
   const Scalar F_left_foot_x = t_left_foot_33 - t_left_foot_32;
-  // right_hip_block
+  // right_hip_block: Omega, angular velocity omega, angular acceleration alpha of (3)
   const Scalar t_right_hip_block_1 = c_right_hip_yaw * Omega_base_rx_zy;
   const Scalar t_right_hip_block_2 = s_right_hip_yaw * Omega_base_rx_xy;
   const Scalar Omega_right_hip_block_yz = t_right_hip_block_1 - t_right_hip_block_2;
@@ -2125,7 +2125,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_hip_block_13 = t_right_hip_block_4 * omega_right_hip_block_x;
   const Scalar t_right_hip_block_14 = alpha_left_hip_block_z + t_right_hip_block_13;
   const Scalar t_right_hip_block_15 = t_right_hip_block_11 + t_right_hip_block_12;
-  // right_hip_fork
+  // right_hip_fork: Omega, angular velocity omega, angular acceleration alpha of (3)
   const Scalar t_right_hip_fork_1 = c_right_hip_roll * t_right_hip_block_6;
   const Scalar t_right_hip_fork_2 = s_right_hip_roll * t_right_hip_block_14;
   const Scalar Omega_right_hip_fork_xz = t_right_hip_fork_1 - t_right_hip_fork_2;
@@ -2144,20 +2144,20 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_hip_fork_13 = t_right_hip_fork_11 + t_right_hip_fork_12;
   const Scalar t_right_hip_fork_14 = omega_right_hip_fork_z * t_right_hip_fork_10 * 2.0;
   const Scalar Omega_right_hip_fork_zy = t_right_hip_fork_13 - t_right_hip_fork_14;
-  // right_hip_block
+  // right_hip_block: acceleration a of (3)
   const Scalar t_right_hip_block_16 = s_right_hip_yaw * t_left_hip_block_8;
   const Scalar t_right_hip_block_17 = c_right_hip_yaw * t_left_hip_block_9;
   const Scalar t_right_hip_block_18 = t_right_hip_block_16 + t_right_hip_block_17;
-  // right_hip_fork
+  // right_hip_fork: acceleration a, Omega of (3)
   const Scalar t_right_hip_fork_15 = left_hip_block_l2 * Omega_right_hip_block_xz;
   const Scalar t_right_hip_fork_16 = t_right_hip_block_18 + t_right_hip_fork_15;
   const Scalar t_right_hip_fork_17 = a_right_hip_block_z + t_left_hip_fork_18;
   const Scalar t_right_hip_fork_18 = t_right_hip_fork_5 * t_right_hip_fork_10;
-  // right_hip_block
+  // right_hip_block: acceleration a of (3)
   const Scalar t_right_hip_block_19 = c_right_hip_yaw * t_left_hip_block_8;
   const Scalar t_right_hip_block_20 = s_right_hip_yaw * t_left_hip_block_9;
   const Scalar t_right_hip_block_21 = t_right_hip_block_19 - t_right_hip_block_20;
-  // right_hip_fork
+  // right_hip_fork: acceleration a, Omega of (3)
   const Scalar t_right_hip_fork_19 = left_hip_block_l2 * Omega_right_hip_block_yz;
   const Scalar a_right_hip_fork_z = t_right_hip_block_21 + t_right_hip_fork_19;
   const Scalar Omega_right_hip_fork_xy = alpha_right_hip_block_y + t_right_hip_fork_18;
@@ -2166,7 +2166,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_hip_fork_22 = t_right_hip_fork_20 + t_right_hip_fork_21;
   const Scalar t_right_thigh_1 = s_q14_q15_q16 * Omega_right_hip_fork_zy;
   const Scalar Omega_right_foot_xy = t_right_thigh_1 + c_q14_q15_q16 * Omega_right_hip_fork_xy;
-  // right_thigh
+  // right_thigh: angular velocity omega, Omega of (3)
   const Scalar t_right_thigh_2 = s_q14_q15_q16 * omega_right_hip_fork_z;
   const Scalar t_right_thigh_3 = t_right_thigh_2 - c_q14_q15_q16 * t_right_hip_fork_5;
   const Scalar omega_right_thigh_z = t_right_hip_fork_10 + qd[14];
@@ -2178,21 +2178,21 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_thigh_9 = s_q14_q15_q16 * t_right_hip_fork_5 + t_right_thigh_8;
   const Scalar t_right_thigh_10 = 2.0 * t_right_thigh_9;
   const Scalar Omega_right_thigh_zy = t_right_thigh_7 - omega_right_thigh_z * t_right_thigh_10;
-  // right_hip_fork
+  // right_hip_fork: acceleration a of (3)
   const Scalar t_right_hip_fork_23 = c_right_hip_roll * t_right_hip_fork_17;
   const Scalar t_right_hip_fork_24 = s_right_hip_roll * t_right_hip_fork_16;
   const Scalar a_right_hip_fork_x = t_right_hip_fork_23 + t_right_hip_fork_24;
-  // right_thigh
+  // right_thigh: acceleration a, Omega of (3)
   const Scalar t_right_thigh_11 = a_right_hip_fork_x + left_hip_fork_l1 * Omega_right_hip_fork_xz;
   const Scalar t_right_thigh_12 = a_right_hip_fork_z - left_hip_fork_l1 * t_right_hip_block_15;
   const Scalar t_right_thigh_13 = t_right_thigh_3 * t_right_thigh_9;
   const Scalar t_right_thigh_14 = alpha_right_hip_fork_y - t_right_thigh_13;
   const Scalar Omega_right_thigh_xy = alpha_right_hip_fork_y + t_right_thigh_13;
-  // right_hip_fork
+  // right_hip_fork: acceleration a of (3)
   const Scalar t_right_hip_fork_25 = s_right_hip_roll * t_right_hip_fork_17;
   const Scalar t_right_hip_fork_26 = c_right_hip_roll * t_right_hip_fork_16;
   const Scalar t_right_hip_fork_27 = t_right_hip_fork_25 - t_right_hip_fork_26;
-  // right_thigh
+  // right_thigh: Omega, moment M of (3)
   const Scalar t_right_thigh_15 = t_right_thigh_3 * t_right_thigh_3;
   const Scalar t_right_thigh_16 = omega_right_thigh_z * omega_right_thigh_z;
   const Scalar t_right_thigh_17 = t_right_hip_fork_22 - t_right_thigh_15;
@@ -2207,7 +2207,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_thigh_26 = left_thigh_h2 * s_q15_q16 + left_thigh_h3 * c_q15_q16;
   const Scalar t_right_thigh_27 = left_thigh_I7 + t_right_thigh_23;
   const Scalar t_right_thigh_28 = left_thigh_h3 * s_q15_q16 - left_thigh_h2 * c_q15_q16;
-  // right_shank
+  // right_shank: moment M, angular velocity omega, Omega of (3)
   const Scalar t_right_shank_2 = t_right_thigh_18 - t_right_thigh_19;
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[15];
   const Scalar Omega_right_shank_zy = Omega_right_thigh_zy - t_right_thigh_10 * qd[15];
@@ -2226,7 +2226,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_shank_15 = left_shank_h3 * c_right_ankle_pitch;
   const Scalar t_right_shank_16 = t_right_shank_15 + left_shank_h1 * s_right_ankle_pitch;
   const Scalar t_right_shank_17 = left_shank_I10 + t_right_shank_12;
-  // right_ankle_cross
+  // right_ankle_cross: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_righ_ankl_cros_z = omega_right_shank_z + qd[16];
   const Scalar Omega_righ_ankl_cros_zy = Omega_right_shank_zy - t_right_thigh_10 * qd[16];
   const Scalar t_righ_ankl_cros_2 = t_right_thigh_4 * omega_righ_ankl_cros_z;
@@ -2239,7 +2239,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_righ_ankl_cros_6 = a_right_shank_z - s_righ_ankl_cros_x * t_right_shank_3;
   const Scalar t_righ_ankl_cros_7 = t_righ_ankl_cros_1 * Omega_right_shank_zy;
   const Scalar a_righ_ankl_cros_z = t_righ_ankl_cros_6 - t_righ_ankl_cros_7;
-  // right_foot
+  // right_foot: acceleration a, angular velocity omega, Omega of (3)
   const Scalar t_right_foot_1 = a_righ_ankl_cros_z + left_hip_fork_l3 * t_right_hip_fork_22;
   const Scalar a_right_foot_y = t_right_foot_1 - left_hip_fork_l1 * t_righ_ankl_cros_3;
   const Scalar omega_right_foot_z = t_right_thigh_9 + qd[17];
@@ -2273,12 +2273,12 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_foot_18 = left_foot_I13 + t_right_foot_13;
   const Scalar t_right_shank_20 = t_right_thigh_31 + s_right_shank_x * t_right_thigh_18;
   const Scalar t_right_shank_21 = t_right_shank_20 + t_right_shank_1 * Omega_right_thigh_xy;
-  // right_ankle_cross
+  // right_ankle_cross: acceleration a of (3)
   const Scalar t_righ_ankl_cros_8 = t_righ_ankl_cros_1 * Omega_right_thigh_xy;
   const Scalar t_righ_ankl_cros_9 = t_right_shank_21 + t_righ_ankl_cros_8;
   const Scalar t_righ_ankl_cros_10 = s_righ_ankl_cros_x * t_right_shank_5;
   const Scalar t_righ_ankl_cros_11 = t_righ_ankl_cros_9 + t_righ_ankl_cros_10;
-  // right_foot
+  // right_foot: acceleration a, moment M, force F of (3)
   const Scalar t_right_foot_19 = left_hip_fork_l1 * (t_right_thigh_17 + t_righ_ankl_cros_4);
   const Scalar t_right_foot_20 = t_righ_ankl_cros_11 + t_right_foot_19;
   const Scalar t_right_foot_21 = t_right_foot_20 + left_hip_fork_l3 * Omega_right_foot_xy;
@@ -2300,7 +2300,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_foot_34 = t_right_foot_33 + Omega_right_foot_xy * t_right_foot_11;
   const Scalar t_righ_ankl_cros_13 = left_ankle_cross_I7 * Omega_right_thigh_xy;
   const Scalar t_right_foot_35 = t_right_foot_15 * t_right_foot_31;
-  // right_ankle_cross
+  // right_ankle_cross: moment M of (3)
   const Scalar t_righ_ankl_cros_14 = t_right_foot_35 - t_righ_ankl_cros_13;
   const Scalar t_righ_ankl_cros_15 = left_ankle_cross_I9 * t_right_thigh_14;
   const Scalar t_righ_ankl_cros_16 = t_righ_ankl_cros_14 - t_righ_ankl_cros_15;
@@ -2320,7 +2320,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_righ_ankl_cros_28 = t_righ_ankl_cros_27 + t_right_foot_37;
   const Scalar M_righ_ankl_cros_z = t_righ_ankl_cros_28 - Omega_right_foot_zx * t_right_foot_14;
   B[16] = M_righ_ankl_cros_z;
-  // right_foot
+  // right_foot: force F of (3)
   const Scalar t_right_foot_38 = t_righ_ankl_cros_3 * t_right_foot_10;
   const Scalar t_right_foot_39 = t_right_foot_11 * (t_right_thigh_15 + t_right_foot_8);
   const Scalar t_right_foot_40 = t_right_foot_38 - left_ankle_cross_m1 * a_right_foot_y;
@@ -2330,7 +2330,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_foot_43 = t_right_foot_34 + left_ankle_cross_h2 * Omega_right_thigh_xy;
   const Scalar t_right_shank_22 = left_shank_I8 - t_right_shank_12;
   const Scalar t_right_foot_44 = F_right_foot_z - left_ankle_cross_h2 * t_righ_ankl_cros_12;
-  // right_shank
+  // right_shank: moment M of (3)
   const Scalar t_right_shank_23 = left_shank_I9 * s_right_ankle_pitch;
   const Scalar t_right_shank_24 = t_right_shank_23 - left_shank_I3 * c_right_ankle_pitch;
   const Scalar t_right_shank_25 = M_righ_ankl_cros_z - t_righ_ankl_cros_1 * t_right_foot_43;
@@ -2346,7 +2346,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_shank_33 = Omega_right_shank_zy * t_right_shank_8;
   const Scalar t_right_shank_34 = t_right_shank_3 * t_right_shank_16;
   const Scalar t_righ_ankl_cros_30 = t_right_foot_42 - t_right_shank_33 + t_right_shank_34;
-  // right_thigh
+  // right_thigh: moment M of (3)
   const Scalar t_right_thigh_32 = left_ankle_cross_I10 * c_right_ankle_pitch;
   const Scalar t_right_thigh_33 = t_right_thigh_25 * (t_right_thigh_15 - t_right_thigh_16);
   const Scalar t_right_thigh_34 = t_right_foot_28 + left_hip_fork_l3 * t_right_foot_34;
@@ -2370,7 +2370,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_thigh_49 = t_right_thigh_48 + t_righ_ankl_cros_32;
   const Scalar M_right_thigh_y = t_right_thigh_49 + t_right_thigh_5 * t_right_thigh_24;
   const Scalar t_right_thigh_50 = t_right_thigh_16 - t_right_thigh_17;
-  // right_shank
+  // right_shank: moment M of (3)
   const Scalar t_right_shank_36 = left_ankle_cross_I6 + t_right_foot_15;
   const Scalar t_right_shank_37 = left_ankle_cross_I8 + t_right_thigh_25 + t_right_shank_14;
   const Scalar t_right_shank_38 = t_right_hip_fork_22 - t_right_shank_6;
@@ -2403,7 +2403,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_righ_ankl_cros_37 = t_right_foot_44 + t_right_thigh_14 * t_right_shank_16;
   const Scalar t_right_shank_60 = t_right_shank_6 * t_right_shank_8;
   const Scalar t_righ_ankl_cros_38 = t_righ_ankl_cros_37 + t_right_shank_60;
-  // right_thigh
+  // right_thigh: moment M of (3)
   const Scalar t_right_thigh_51 = M_right_shank_z + t_right_thigh_7 * t_right_thigh_25;
   const Scalar t_right_thigh_52 = t_right_thigh_51 - t_right_thigh_21 * t_right_shank_2;
   const Scalar t_right_thigh_53 = t_right_thigh_52 - t_right_thigh_28 * t_right_thigh_31;
@@ -2414,16 +2414,16 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_thigh_58 = t_right_thigh_57 - t_right_shank_1 * t_righ_ankl_cros_36;
   const Scalar M_right_thigh_z = t_right_thigh_58 - t_right_thigh_14 * t_right_thigh_24;
   B[14] = M_right_thigh_z;
-  // right_shank
+  // right_shank: force F of (3)
   const Scalar t_right_shank_61 = t_righ_ankl_cros_38 - t_right_thigh_19 * t_right_thigh_28;
   const Scalar t_right_shank_62 = t_right_shank_61 + t_right_thigh_14 * t_right_thigh_26;
   const Scalar t_right_shank_63 = t_righ_ankl_cros_36 + t_right_thigh_18 * t_right_thigh_26;
   const Scalar t_right_shank_64 = t_right_shank_63 + Omega_right_thigh_xy * t_right_thigh_28;
-  // right_hip_fork
+  // right_hip_fork: Omega of (3)
   const Scalar t_right_hip_fork_28 = alpha_right_hip_block_y - t_right_hip_fork_18;
   const Scalar t_right_hip_fork_29 = t_right_hip_fork_20 - t_right_hip_fork_21;
   const Scalar t_right_hip_fork_30 = t_right_hip_block_15 - t_right_hip_fork_29;
-  // right_thigh
+  // right_thigh: moment M of (3)
   const Scalar t_right_thigh_59 = s_q14_q15_q16 * t_right_shank_57;
   const Scalar t_right_thigh_60 = c_q14_q15_q16 * M_right_thigh_y - t_right_thigh_59;
   const Scalar t_right_thigh_61 = left_hip_fork_I11 * alpha_right_hip_block_y;
@@ -2438,7 +2438,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   B[13] = -t_right_thigh_67;
   const Scalar t_right_thigh_68 = c_q14_q15_q16 * t_right_shank_62;
   const Scalar t_right_thigh_69 = t_right_thigh_68 + s_q14_q15_q16 * t_right_shank_64;
-  // right_hip_fork
+  // right_hip_fork: force F, moment M of (3)
   const Scalar t_right_hip_fork_33 = left_hip_fork_h3 * Omega_right_hip_fork_zy;
   const Scalar t_right_hip_fork_34 = t_right_thigh_69 + t_right_hip_fork_33;
   const Scalar t_right_hip_fork_35 = left_hip_fork_h1 * t_right_hip_fork_7;
@@ -2461,7 +2461,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_hip_fork_44 = t_right_hip_fork_42 - t_right_hip_fork_43;
   const Scalar t_right_hip_fork_45 = left_hip_fork_I7 * t_right_hip_fork_7;
   const Scalar M_right_hip_fork_x = t_right_hip_fork_44 + t_right_hip_fork_45;
-  // right_thigh
+  // right_thigh: moment M of (3)
   const Scalar t_right_thigh_75 = M_right_thigh_z - left_hip_fork_l1 * t_right_thigh_71;
   const Scalar t_right_thigh_76 = t_right_thigh_75 - left_hip_fork_h1 * a_right_hip_fork_z;
   const Scalar t_right_thigh_77 = t_right_thigh_76 - left_hip_fork_I10 * t_right_hip_fork_7;
@@ -2475,7 +2475,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_right_hip_fork_47 = s_right_hip_roll * M_right_hip_fork_x;
   const Scalar t_right_hip_block_24 = t_right_hip_block_23 + t_right_hip_fork_47;
   const Scalar t_right_hip_fork_48 = c_right_hip_roll * t_right_thigh_80;
-  // right_hip_block
+  // right_hip_block: moment M, Omega of (3)
   const Scalar t_right_hip_block_25 = t_right_hip_block_24 - t_right_hip_fork_48;
   const Scalar t_right_hip_block_26 = left_hip_block_I8 * Omega_right_hip_block_zx;
   const Scalar t_right_hip_block_27 = t_right_hip_block_25 + t_right_hip_block_26;
@@ -2506,7 +2506,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar M_right_hip_block_z = t_right_hip_block_47 - t_right_hip_block_48;
   B[12] = M_right_hip_block_z;
   const Scalar t_right_hip_block_49 = t_base_rx_11 - t_right_hip_block_33;
-  // right_hip_fork
+  // right_hip_fork: force F of (3)
   const Scalar t_right_hip_fork_52 = left_hip_fork_h3 * t_right_hip_fork_22;
   const Scalar t_right_hip_fork_53 = t_right_shank_66 - t_right_hip_fork_52;
   const Scalar t_right_hip_fork_54 = left_hip_fork_h1 * t_right_hip_fork_28;
@@ -2519,7 +2519,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_foot_34 = left_hip_fork_l1 * F_left_foot_z + t_left_ankle_cross_15;
   const Scalar t_left_foot_35 = t_left_foot_19 * (t_left_thigh_13 - t_left_foot_11);
   const Scalar t_left_ankle_cross_16 = left_ankle_cross_h2 * a_left_ankle_cross_x;
-  // left_foot
+  // left_foot: moment M, force F of (3)
   const Scalar t_left_foot_36 = t_left_foot_34 - t_left_foot_35 - t_left_ankle_cross_16;
   const Scalar t_left_foot_37 = Omega_left_foot_xy * (left_ankle_cross_I1 + t_left_foot_17);
   const Scalar t_left_foot_38 = Omega_left_foot_zy * t_left_foot_18;
@@ -2538,7 +2538,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_shank_28 = Omega_left_foot_xy * t_left_shank_17;
   const Scalar t_left_ankle_cross_19 = t_left_ankle_cross_18 - t_left_shank_28;
   const Scalar t_left_shank_29 = Omega_left_foot_xz * t_left_shank_13;
-  // left_ankle_cross
+  // left_ankle_cross: moment M of (3)
   const Scalar t_left_ankle_cross_20 = t_left_ankle_cross_1 * F_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_21 = t_left_ankle_cross_19 - t_left_shank_29;
   const Scalar t_left_ankle_cross_22 = t_left_ankle_cross_21 - t_left_ankle_cross_20;
@@ -2551,7 +2551,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_shank_32 = t_left_shank_8 * a_left_shank_x;
   const Scalar t_left_ankle_cross_27 = t_left_ankle_cross_26 + t_left_shank_32;
   B[9] = -t_left_ankle_cross_27;
-  // left_foot
+  // left_foot: force F of (3)
   const Scalar t_left_foot_46 = t_left_foot_14 * (t_left_thigh_13 + t_left_foot_11);
   const Scalar t_left_foot_47 = left_ankle_cross_m1 * t_left_foot_2 + t_left_foot_46;
   const Scalar t_left_foot_48 = t_left_foot_47 + t_left_ankle_cross_4 * t_left_foot_13;
@@ -2562,7 +2562,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_thigh_27 = left_thigh_I9 * c_q9_q10 + left_thigh_I4 * s_q9_q10;
   const Scalar t_left_thigh_28 = t_left_foot_28 + left_hip_fork_l3 * F_left_foot_x;
   const Scalar t_left_ankle_cross_30 = left_ankle_cross_I9 * t_left_ankle_cross_4;
-  // left_thigh
+  // left_thigh: moment M of (3)
   const Scalar t_left_thigh_29 = left_ankle_cross_I6 + left_ankle_cross_I10 * c_left_ankle_pitch;
   const Scalar t_left_thigh_30 = t_left_thigh_28 + t_left_ankle_cross_30;
   const Scalar t_left_thigh_31 = t_left_thigh_30 + t_left_ankle_cross_3 * t_left_thigh_29;
@@ -2587,7 +2587,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_ankle_cross_33 = t_left_ankle_cross_32 + t_left_shank_35;
   const Scalar t_left_thigh_44 = left_thigh_I7 - t_left_thigh_19;
   const Scalar t_left_thigh_45 = Omega_left_thigh_yx * t_left_thigh_23;
-  // left_shank
+  // left_shank: moment M of (3)
   const Scalar t_left_shank_36 = t_left_ankle_cross_27 - t_left_thigh_45;
   const Scalar t_left_shank_37 = t_left_shank_36 - t_left_shank_1 * F_left_shank_x;
   const Scalar t_left_shank_38 = t_left_shank_37 - Omega_left_foot_xz * t_left_thigh_44;
@@ -2604,7 +2604,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_thigh_48 = t_left_thigh_47 + left_hip_fork_l3 * F_left_foot_z;
   const Scalar t_left_ankle_cross_35 = left_ankle_cross_I1 * t_left_ankle_cross_34;
   const Scalar t_left_foot_50 = t_left_foot_17 * (t_left_ankle_cross_5 - t_left_foot_11);
-  // left_thigh
+  // left_thigh: moment M, force F of (3)
   const Scalar t_left_thigh_49 = t_left_thigh_48 + t_left_ankle_cross_35 - t_left_foot_50;
   const Scalar t_left_thigh_50 = t_left_thigh_49 + a_left_foot_z * t_left_foot_14;
   const Scalar t_left_thigh_51 = t_left_thigh_50 + Omega_left_foot_zy * t_left_foot_20;
@@ -2635,7 +2635,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_shank_49 = t_left_shank_48 - Omega_left_thigh_zy * t_left_thigh_22;
   const Scalar t_left_hip_fork_30 = t_left_hip_block_12 - t_left_hip_fork_26;
   const Scalar t_left_thigh_68 = s_q8_q9_q10 * M_left_thigh_y - c_q8_q9_q10 * M_left_thigh_x;
-  // left_hip_fork
+  // left_hip_fork: moment M, Omega of (3)
   const Scalar t_left_hip_fork_31 = t_left_thigh_68 + left_hip_fork_h3 * t_left_hip_fork_21;
   const Scalar t_left_hip_fork_32 = t_left_hip_fork_31 - left_hip_fork_l1 * t_left_shank_49;
   const Scalar t_left_hip_fork_33 = left_hip_fork_I8 * t_left_hip_fork_23;
@@ -2648,7 +2648,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_fork_39 = t_left_hip_fork_24 - t_left_hip_fork_25;
   const Scalar t_left_hip_fork_40 = t_left_hip_block_12 - t_left_hip_fork_39;
   const Scalar t_left_hip_fork_41 = t_left_hip_fork_30 - t_left_hip_fork_39;
-  // left_thigh
+  // left_thigh: moment M, force F of (3)
   const Scalar t_left_thigh_69 = c_q8_q9_q10 * M_left_thigh_y + s_q8_q9_q10 * M_left_thigh_x;
   const Scalar t_left_thigh_70 = t_left_thigh_69 - left_hip_fork_I7 * t_left_hip_fork_41;
   const Scalar t_left_thigh_71 = t_left_thigh_70 + left_hip_fork_h3 * t_left_hip_fork_28;
@@ -2659,7 +2659,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_thigh_76 = t_left_thigh_75 - left_hip_fork_I8 * t_left_hip_fork_3;
   B[7] = -t_left_thigh_76;
   const Scalar t_left_thigh_77 = c_q8_q9_q10 * F_left_thigh_x + s_q8_q9_q10 * t_left_shank_47;
-  // left_hip_fork
+  // left_hip_fork: moment M, force F of (3)
   const Scalar t_left_hip_fork_42 = t_left_shank_44 - left_hip_fork_h1 * t_left_hip_fork_21;
   const Scalar t_left_hip_fork_43 = t_left_hip_fork_42 - left_hip_fork_l1 * t_left_thigh_77;
   const Scalar t_left_hip_fork_44 = left_hip_fork_I8 * t_left_hip_fork_39;
@@ -2677,7 +2677,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar F_left_hip_fork_z = t_left_hip_fork_52 - left_hip_fork_h3 * Omega_left_hip_fork_zy;
   const Scalar t_left_hip_fork_53 = t_left_shank_49 + left_hip_fork_h3 * t_left_hip_fork_26;
   const Scalar F_left_hip_fork_y = t_left_hip_fork_53 + left_hip_fork_h1 * t_left_hip_fork_23;
-  // left_hip_block
+  // left_hip_block: Omega, moment M of (3)
   const Scalar t_left_hip_block_20 = t_base_rx_11 - t_left_hip_block_17;
   const Scalar t_left_hip_block_21 = t_left_hip_block_12 - t_left_hip_block_20;
   const Scalar t_left_hip_block_22 = left_hip_block_I8 * t_left_hip_block_21;
@@ -2699,7 +2699,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_fork_54 = F_left_hip_fork_z - t_left_hip_block_35;
   const Scalar t_left_hip_block_36 = left_hip_block_h3 * t_left_hip_block_12;
   const Scalar t_left_hip_fork_55 = t_left_hip_fork_54 - t_left_hip_block_36;
-  // right_hip_fork
+  // right_hip_fork: force F of (3)
   const Scalar t_right_hip_fork_58 = s_right_hip_roll * F_right_hip_fork_x;
   const Scalar t_right_hip_fork_59 = c_right_hip_roll * F_right_hip_fork_y;
   const Scalar t_right_hip_fork_60 = t_right_hip_fork_58 + t_right_hip_fork_59;
@@ -2717,7 +2717,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_block_38 = left_hip_block_h1 * Omega_left_hip_block_zx;
   const Scalar t_left_hip_fork_59 = t_left_hip_fork_58 - t_left_hip_block_38;
   const Scalar t_base_rx_12 = t_right_hip_fork_65 - t_left_hip_fork_59;
-  // right_hip_block
+  // right_hip_block: moment M of (3)
   const Scalar t_right_hip_block_52 = left_hip_block_I10 * t_right_hip_block_33;
   const Scalar t_right_hip_block_53 = t_left_hip_block_15 + t_right_thigh_67;
   const Scalar t_right_hip_block_54 = t_right_hip_block_53 + t_right_hip_block_52;
@@ -2735,7 +2735,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_fork_61 = t_left_hip_fork_60 - s_left_hip_roll * t_left_thigh_79;
   const Scalar t_left_hip_block_39 = t_left_hip_block_15 + t_left_thigh_76;
   const Scalar t_left_hip_fork_62 = left_hip_block_l2 * t_left_hip_fork_61;
-  // left_hip_block
+  // left_hip_block: moment M of (3)
   const Scalar t_left_hip_block_40 = t_left_hip_block_39 + t_left_hip_fork_62;
   const Scalar t_left_hip_block_41 = left_hip_block_I9 * t_left_hip_block_14;
   const Scalar t_left_hip_block_42 = t_left_hip_block_40 - t_left_hip_block_41;
@@ -2756,7 +2756,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_block_51 = left_hip_block_I9 * (t_base_rx_11 - t_left_hip_block_12);
   const Scalar t_left_hip_fork_68 = t_left_hip_fork_67 - s_left_hip_roll * M_left_hip_fork_x;
   const Scalar M_left_hip_block_x = t_left_hip_fork_68 - t_left_hip_block_51;
-  // base_rx
+  // base_rx: moment M of (3)
   const Scalar t_base_rx_15 = base_rx_I1 * Omega_base_rx_xz + left_hip_block_l1 * t_base_rx_12;
   const Scalar t_base_rx_16 = t_base_rx_15 - c_right_hip_yaw * M_right_hip_block_y;
   const Scalar t_base_rx_17 = t_base_rx_16 - base_rx_I6 * t_base_rx_14;
@@ -2783,7 +2783,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_fork_69 = t_left_hip_fork_61 - t_left_hip_block_52;
   const Scalar t_left_hip_block_53 = left_hip_block_h1 * t_left_hip_block_20;
   const Scalar t_left_hip_fork_70 = t_left_hip_fork_69 + t_left_hip_block_53;
-  // left_hip_block
+  // left_hip_block: moment M of (3)
   const Scalar t_left_hip_block_54 = c_left_hip_yaw * t_left_hip_fork_55;
   const Scalar t_left_hip_block_55 = s_left_hip_yaw * t_left_hip_fork_70;
   const Scalar t_left_hip_block_56 = t_left_hip_block_54 + t_left_hip_block_55;
@@ -2795,7 +2795,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_block_62 = t_left_hip_block_61 + base_rx_I6 * Omega_base_rx_zy;
   const Scalar t_left_hip_block_63 = t_left_hip_block_62 + base_rx_I1 * Omega_base_rx_xy;
   const Scalar t_left_hip_block_64 = t_left_hip_block_63 + base_rx_I10 * Omega_base_rx_zx;
-  // base_rx
+  // base_rx: moment M of (3)
   const Scalar t_base_rx_23 = s_right_hip_yaw * M_right_hip_block_y + base_rx_I5 * t_base_rx_10;
   const Scalar t_base_rx_24 = t_base_rx_23 + c_right_hip_yaw * t_right_hip_fork_49;
   const Scalar t_base_rx_25 = t_base_rx_24 + s_left_hip_yaw * M_left_hip_block_y;
@@ -2809,13 +2809,13 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_left_hip_block_65 = s_left_hip_yaw * t_left_hip_fork_55;
   const Scalar t_left_hip_block_66 = t_right_hip_block_68 + t_left_hip_block_65;
   const Scalar t_right_hip_block_69 = c_right_hip_yaw * t_right_hip_fork_70;
-  // left_hip_block
+  // left_hip_block: force F of (3)
   const Scalar t_left_hip_block_67 = t_left_hip_block_66 - t_right_hip_block_69;
   const Scalar t_left_hip_block_68 = t_left_hip_block_67 + base_rx_h4 * Omega_base_rx_xy;
   const Scalar t_left_hip_block_69 = t_left_hip_block_68 + base_rx_h1 * Omega_base_rx_xx;
   const Scalar t_left_hip_block_70 = c_left_hip_yaw * t_left_hip_fork_70;
   const Scalar t_left_hip_block_71 = t_left_hip_block_69 - t_left_hip_block_70;
-  // base_rx
+  // base_rx: force F of (3)
   const Scalar t_base_rx_29 = t_right_hip_fork_65 + t_left_hip_fork_59;
   const Scalar t_base_rx_30 = t_base_rx_29 + base_rx_h1 * t_base_rx_10;
   const Scalar F_base_rx_y = t_base_rx_30 + base_rx_h4 * t_base_rx_11;
@@ -2832,7 +2832,7 @@ void bias_force(const Scalar q[18], const Scalar qd[18], Scalar B[18]) noexcept 
   const Scalar t_base_rx_34 = t_base_rx_33 - base_rx_h4 * Omega_base_rx_zy;
   B[2] = -(c_base_ry * F_base_ry_x + s_base_ry * t_base_rx_34);
   const Scalar F_base_rz_x = s_base_ry * F_base_ry_x - c_base_ry * t_base_rx_34;
-  // base_pz
+  // base_pz: force F of (3)
   B[1] = -(c_base_rz * F_base_rz_y + s_base_rz * F_base_rz_x);
   B[0] = s_base_rz * F_base_rz_y - c_base_rz * F_base_rz_x;
 }
@@ -2874,7 +2874,7 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept {
   const auto p_s_q14_q15 = sine_cosine(q_q14_q15);
   const Scalar& s_q14_q15 = p_s_q14_q15.sine;
   const Scalar& c_q14_q15 = p_s_q14_q15.cosine;
-  // right_foot
+  // right_foot: G, first moment h of 6.5
   const Scalar q_q14_q15_q16 = q_q14_q15 + q[16];
   const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
   const Scalar& s_q14_q15_q16 = p_s_q14_q15_q16.sine;
@@ -2910,23 +2910,23 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept {
   const Scalar h_right_shank_y = t_right_shank_1 - left_shank_h2 * s_q14_q15;
   const Scalar t_righ_ankl_cros_1 = t_right_foot_19 - left_shank_h1 * s_q14_q15;
   const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + left_shank_h2 * c_q14_q15;
-  // right_shank
+  // right_shank: G, first moment h of 6.5
   G[15] = -(t_right_foot_12 * t_righ_ankl_cros_2 + t_right_foot_10 * h_right_shank_y);
   const Scalar t_right_shank_2 = t_righ_ankl_cros_2 - left_thigh_h2 * s_right_hip_pitch;
   const Scalar t_right_shank_3 = t_right_shank_2 + left_thigh_h1 * c_right_hip_pitch;
   const Scalar t_right_thigh_1 = left_hip_fork_h1 + t_right_shank_3;
   const Scalar h_right_hip_fork_y = left_hip_fork_h2 + t_right_foot_2;
-  // right_thigh
+  // right_thigh: first moment h, G of 6.5
   const Scalar t_right_thigh_2 = h_right_shank_y - left_thigh_h1 * s_right_hip_pitch;
   const Scalar h_right_thigh_y = t_right_thigh_2 - left_thigh_h2 * c_right_hip_pitch;
   G[14] = -(t_right_foot_10 * h_right_thigh_y + t_right_foot_12 * t_right_shank_3);
-  // right_hip_fork
+  // right_hip_fork: first moment h, G of 6.5
   const Scalar t_right_hip_fork_1 = left_hip_block_h2 + h_right_thigh_y;
   G[13] = t_right_foot_14 * t_right_thigh_1 - t_right_foot_10 * h_right_hip_fork_y;
   const Scalar t_right_hip_fork_2 = left_hip_block_h1 - s_right_hip_roll * t_right_thigh_1;
   const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 + c_right_hip_roll * h_right_hip_fork_y;
   G[12] = t_right_foot_7 * t_right_hip_fork_1 + t_right_foot_12 * t_right_hip_fork_3;
-  // left_foot
+  // left_foot: first moment h, G of 6.5
   const Scalar t_left_foot_1 = left_foot_k1 + q[11];
   const auto p_s_left_foot = sine_cosine(t_left_foot_1);
   const Scalar& s_left_foot = p_s_left_foot.sine;
@@ -2952,11 +2952,11 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept {
   const Scalar h_left_shank_y = t_left_shank_1 - left_shank_h1 * c_q8_q9;
   const Scalar t_left_ankle_cross_1 = t_left_foot_12 - left_shank_h1 * s_q8_q9;
   const Scalar t_left_ankle_cross_2 = t_left_ankle_cross_1 + left_shank_h2 * c_q8_q9;
-  // left_shank
+  // left_shank: G, first moment h of 6.5
   G[9] = -(t_left_foot_5 * h_left_shank_y + t_left_foot_7 * t_left_ankle_cross_2);
   const Scalar t_left_shank_2 = t_left_ankle_cross_2 - left_thigh_h2 * s_left_hip_pitch;
   const Scalar t_left_shank_3 = t_left_shank_2 + left_thigh_h1 * c_left_hip_pitch;
-  // left_thigh
+  // left_thigh: first moment h, G of 6.5
   const Scalar t_left_thigh_1 = left_hip_fork_h1 + t_left_shank_3;
   const Scalar t_left_thigh_2 = left_hip_fork_h2 + h_left_foot_y;
   const Scalar t_left_thigh_3 = h_left_shank_y - left_thigh_h2 * c_left_hip_pitch;
@@ -2971,20 +2971,20 @@ void gravity_force(const Scalar q[18], Scalar G[18]) noexcept {
   const Scalar t_base_rx_1 = base_rx_h3 - c_right_hip_roll * t_right_thigh_1;
   const Scalar t_base_rx_2 = t_base_rx_1 + s_left_hip_roll * t_left_thigh_2;
   const Scalar t_base_rx_3 = t_base_rx_2 - s_right_hip_roll * h_right_hip_fork_y;
-  // left_hip_block
+  // left_hip_block: first moment h of 6.5
   const Scalar t_left_hip_block_2 = t_base_rx_3 - c_left_hip_roll * t_left_thigh_1;
   const Scalar t_left_hip_block_3 = base_rx_h1 + s_right_hip_yaw * t_right_hip_fork_1;
   const Scalar t_left_hip_block_4 = t_left_hip_block_3 + c_left_hip_yaw * h_left_hip_block_x;
   const Scalar t_left_hip_block_5 = t_left_hip_block_4 + s_left_hip_yaw * t_left_hip_fork_1;
   const Scalar t_left_hip_block_6 = t_left_hip_block_5 - c_right_hip_yaw * t_right_hip_fork_3;
-  // base_rx
+  // base_rx: G, first moment h of 6.5
   G[5] = t_right_foot_8 * t_left_hip_block_6 - t_right_foot_4 * t_left_hip_block_2;
   const Scalar t_base_rx_4 = base_rx_h2 + c_right_hip_yaw * t_right_hip_fork_1;
   const Scalar t_base_rx_5 = t_base_rx_4 + s_right_hip_yaw * t_right_hip_fork_3;
   const Scalar t_base_rx_6 = t_base_rx_5 - s_left_hip_yaw * h_left_hip_block_x;
   const Scalar t_base_rx_7 = t_base_rx_6 + c_left_hip_yaw * t_left_hip_fork_1;
   const Scalar t_base_rx_8 = c_base_rx * t_left_hip_block_2 + s_base_rx * t_left_hip_block_6;
-  // base_ry
+  // base_ry: G of 6.5
   G[4] = -(t_right_foot_3 * t_base_rx_7 + t_right_foot_5 * t_base_rx_8);
   G[2] = base_rx_w1;
   G[0] = 0.0;
@@ -3036,14 +3036,14 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar a_base_pz_z = base_g1 + qdd[2];
   const Scalar a_base_rz_y = s_base_rz * qdd[0] - c_base_rz * qdd[1];
   const Scalar t_base_rz_1 = c_base_rz * qdd[0] + s_base_rz * qdd[1];
-  // base_ry
+  // base_ry: acceleration a, angular velocity omega, Omega of (1)
   const Scalar a_base_ry_y = s_base_ry * a_base_pz_z - c_base_ry * t_base_rz_1;
   const Scalar omega_base_ry_y = s_base_ry * qd[3];
   const Scalar t_base_ry_1 = c_base_ry * qdd[3] - omega_base_ry_y * qd[4] * 2.0;
   const Scalar t_base_ry_2 = c_base_ry * a_base_pz_z + s_base_ry * t_base_rz_1;
   const Scalar t_base_ry_3 = c_base_ry * qd[3];
   const Scalar t_base_ry_4 = qdd[4] + omega_base_ry_y * t_base_ry_3;
-  // base_rx
+  // base_rx: angular velocity omega, Omega, angular acceleration alpha of (1)
   const Scalar t_base_rx_1 = c_base_rx * t_base_ry_3 - s_base_rx * qd[4];
   const Scalar t_base_rx_2 = omega_base_ry_y - qd[5];
   const Scalar Omega_base_rx_yz = s_base_rx * t_base_ry_1 + c_base_rx * t_base_ry_4;
@@ -3063,7 +3063,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar Omega_base_rx_xy = t_base_rx_12 - alpha_base_rx_z;
   const Scalar Omega_base_rx_yx = t_base_rx_12 + alpha_base_rx_z;
   const Scalar t_base_rx_13 = t_base_rx_8 + t_base_rx_9;
-  // left_hip_block
+  // left_hip_block: acceleration a, angular velocity omega, angular acceleration alpha of (1)
   const Scalar t_left_hip_block_1 = left_hip_block_l1 * Omega_base_rx_zx;
   const Scalar t_left_hip_block_2 = a_base_ry_y + left_hip_block_l2 * t_base_rx_3;
   const Scalar t_left_hip_block_3 = t_left_hip_block_1 + t_left_hip_block_2;
@@ -3100,7 +3100,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_hip_block_20 = omega_left_hip_block_x * omega_left_hip_block_x;
   const Scalar t_left_hip_block_21 = omega_left_hip_block_z * omega_left_hip_block_z;
   const Scalar t_left_hip_block_22 = t_left_hip_block_20 + t_left_hip_block_21;
-  // left_hip_fork
+  // left_hip_fork: Omega, angular velocity omega, angular acceleration alpha of (1)
   const Scalar t_left_hip_fork_1 = s_left_hip_roll * Omega_left_hip_block_zy;
   const Scalar t_left_hip_fork_2 = c_left_hip_roll * Omega_left_hip_block_xy;
   const Scalar Omega_left_hip_fork_yz = t_left_hip_fork_1 + t_left_hip_fork_2;
@@ -3127,7 +3127,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_hip_fork_19 = t_left_hip_fork_3 * t_left_hip_fork_3;
   const Scalar t_left_hip_fork_20 = t_left_hip_fork_18 + t_left_hip_fork_19;
   const Scalar t_left_hip_fork_21 = t_left_hip_fork_18 - t_left_hip_fork_19;
-  // left_thigh
+  // left_thigh: Omega, angular velocity omega, acceleration a of (1)
   const Scalar t_left_thigh_1 = s_left_hip_pitch * Omega_left_hip_fork_xy;
   const Scalar t_left_thigh_2 = t_left_thigh_1 + c_left_hip_pitch * t_left_hip_fork_8;
   const Scalar t_left_thigh_3 = s_left_hip_pitch * t_left_hip_fork_14;
@@ -3154,7 +3154,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_hip_fork_23 = c_left_hip_roll * a_left_hip_block_x;
   const Scalar t_left_hip_fork_24 = t_left_hip_fork_23 + s_left_hip_roll * a_left_hip_block_z;
   const Scalar a_left_thigh_z = t_left_hip_fork_24 - left_hip_fork_l1 * Omega_left_hip_fork_yz;
-  // left_shank
+  // left_shank: acceleration a, Omega, angular velocity omega of (1)
   const Scalar a_left_shank_z = a_left_thigh_z - left_shank_l1 * t_left_thigh_8;
   const Scalar t_left_shank_1 = s_left_knee * Omega_left_thigh_xz;
   const Scalar t_left_shank_2 = t_left_shank_1 + c_left_knee * t_left_thigh_2;
@@ -3171,11 +3171,11 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_thigh_16 = s_left_hip_pitch * t_left_thigh_9;
   const Scalar t_left_shank_9 = left_shank_l1 * Omega_left_thigh_yx + t_left_thigh_16;
   const Scalar t_left_shank_10 = t_left_shank_9 + c_left_hip_pitch * t_left_thigh_10;
-  // left_thigh
+  // left_thigh: acceleration a, Omega of (1)
   const Scalar t_left_thigh_17 = s_left_hip_pitch * t_left_thigh_10;
   const Scalar a_left_thigh_x = t_left_thigh_17 - c_left_hip_pitch * t_left_thigh_9;
   const Scalar t_left_thigh_18 = t_left_hip_fork_20 - t_left_thigh_15;
-  // left_shank
+  // left_shank: acceleration a, angular acceleration alpha, Omega of (1)
   const Scalar t_left_shank_11 = a_left_thigh_x - left_shank_l1 * t_left_thigh_18;
   const Scalar a_left_shank_x = c_left_knee * t_left_shank_11 + s_left_knee * t_left_shank_10;
   const Scalar alpha_left_shank_z = alpha_left_thigh_z + qdd[9];
@@ -3184,7 +3184,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar Omega_left_shank_yx = alpha_left_shank_z - t_left_shank_12;
   const Scalar t_left_shank_14 = omega_left_shank_x * omega_left_shank_x;
   const Scalar t_left_shank_15 = omega_left_shank_z * omega_left_shank_z;
-  // left_ankle_cross
+  // left_ankle_cross: Omega, angular velocity omega, acceleration a of (1)
   const Scalar t_left_ankle_cross_1 = s_left_ankle_pitch * Omega_left_shank_xz;
   const Scalar t_left_ankle_cross_2 = c_left_ankle_pitch * t_left_shank_2;
   const Scalar t_left_ankle_cross_3 = t_left_ankle_cross_1 + t_left_ankle_cross_2;
@@ -3219,7 +3219,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_ankle_cross_23 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_24 = t_left_ankle_cross_22 - t_left_ankle_cross_23;
   const Scalar t_left_ankle_cross_25 = t_left_ankle_cross_22 + t_left_ankle_cross_23;
-  // left_foot
+  // left_foot: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_left_foot_1 = a_left_ankle_cross_z - left_hip_fork_l1 * t_left_ankle_cross_16;
   const Scalar a_left_foot_y = t_left_foot_1 - left_hip_fork_l3 * t_left_hip_fork_20;
   const Scalar omega_left_foot_z = t_left_ankle_cross_6 + qd[11];
@@ -3228,7 +3228,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar Omega_left_foot_zy = t_left_ankle_cross_9 + t_left_foot_3;
   const Scalar Omega_left_foot_xy = t_left_ankle_cross_12 - qdd[11];
   const Scalar t_left_foot_4 = t_left_ankle_cross_16 - qdd[11];
-  // left_ankle_cross
+  // left_ankle_cross: Omega, acceleration a of (1)
   const Scalar t_left_ankle_cross_26 = t_left_hip_fork_20 - t_left_ankle_cross_24;
   const Scalar t_left_ankle_cross_27 = c_left_ankle_pitch * t_left_ankle_cross_17;
   const Scalar t_left_ankle_cross_28 = s_left_ankle_pitch * t_left_ankle_cross_19;
@@ -3238,7 +3238,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_ankle_cross_29 = c_left_ankle_pitch * t_left_ankle_cross_19;
   const Scalar t_left_ankle_cross_30 = s_left_ankle_pitch * t_left_ankle_cross_17;
   const Scalar t_left_ankle_cross_31 = t_left_ankle_cross_29 + t_left_ankle_cross_30;
-  // left_foot
+  // left_foot: acceleration a, Omega, moment M of (1)
   const Scalar t_left_foot_6 = left_hip_fork_l1 * t_left_ankle_cross_21;
   const Scalar t_left_foot_7 = t_left_ankle_cross_31 + t_left_foot_6;
   const Scalar a_left_foot_z = t_left_foot_7 + left_hip_fork_l3 * t_left_ankle_cross_3;
@@ -3272,7 +3272,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_foot_30 = Omega_left_foot_zy * t_left_foot_17;
   const Scalar t_left_foot_31 = left_ankle_cross_m1 * a_left_foot_z + t_left_foot_30;
   const Scalar F_left_foot_z = t_left_foot_31 - t_left_foot_8 * t_left_foot_19;
-  // right_hip_block
+  // right_hip_block: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_right_hip_block_1 = t_left_hip_block_4 + t_left_hip_block_5;
   const Scalar t_right_hip_block_2 = t_left_hip_block_1 - t_left_hip_block_2;
   const Scalar t_right_hip_block_3 = c_right_hip_yaw * t_right_hip_block_1;
@@ -3303,7 +3303,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_hip_block_17 = omega_right_hip_block_x * omega_right_hip_block_x;
   const Scalar t_right_hip_block_18 = omega_right_hip_block_z * omega_right_hip_block_z;
   const Scalar t_right_hip_block_19 = t_right_hip_block_17 + t_right_hip_block_18;
-  // right_hip_fork
+  // right_hip_fork: Omega, angular velocity omega, angular acceleration alpha of (1)
   const Scalar t_right_hip_fork_1 = s_right_hip_roll * Omega_right_hip_block_zy;
   const Scalar t_right_hip_fork_2 = c_right_hip_roll * Omega_right_hip_block_xy;
   const Scalar Omega_right_hip_fork_yz = t_right_hip_fork_1 + t_right_hip_fork_2;
@@ -3328,7 +3328,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_hip_fork_16 = t_right_hip_fork_13 * t_right_hip_fork_13;
   const Scalar t_right_hip_fork_17 = t_right_hip_fork_6 * t_right_hip_fork_6;
   const Scalar t_right_hip_fork_18 = t_right_hip_fork_16 + t_right_hip_fork_17;
-  // right_thigh
+  // right_thigh: Omega, angular velocity omega of (1)
   const Scalar t_right_thigh_1 = s_right_hip_pitch * Omega_right_hip_fork_xy;
   const Scalar t_right_thigh_2 = t_right_thigh_1 + c_right_hip_pitch * t_right_hip_fork_8;
   const Scalar t_right_thigh_3 = s_right_hip_pitch * t_right_hip_fork_13;
@@ -3342,11 +3342,11 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_thigh_8 = c_right_hip_pitch * t_right_hip_fork_13;
   const Scalar omega_right_thigh_x = t_right_thigh_8 + s_right_hip_pitch * t_right_hip_fork_6;
   const Scalar t_right_thigh_9 = Omega_right_thigh_xz - t_right_thigh_5 * omega_right_thigh_x;
-  // right_hip_fork
+  // right_hip_fork: acceleration a of (1)
   const Scalar t_right_hip_fork_19 = c_right_hip_roll * t_right_hip_block_16;
   const Scalar t_right_hip_fork_20 = s_right_hip_roll * a_right_hip_block_x;
   const Scalar t_right_hip_fork_21 = t_right_hip_fork_19 + t_right_hip_fork_20;
-  // right_thigh
+  // right_thigh: acceleration a, Omega, angular acceleration alpha of (1)
   const Scalar t_right_thigh_10 = a_right_hip_fork_z - left_hip_fork_l1 * t_right_hip_block_19;
   const Scalar t_right_thigh_11 = t_right_thigh_4 * omega_right_thigh_x;
   const Scalar t_right_thigh_12 = alpha_right_hip_fork_y - qdd[14];
@@ -3355,7 +3355,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_thigh_15 = omega_right_thigh_x * omega_right_thigh_x;
   const Scalar t_right_thigh_16 = omega_right_thigh_z * omega_right_thigh_z;
   const Scalar t_right_thigh_17 = t_right_thigh_15 - t_right_thigh_16;
-  // right_shank
+  // right_shank: Omega, angular velocity omega, acceleration a of (1)
   const Scalar t_right_shank_1 = s_right_knee * Omega_right_thigh_xz;
   const Scalar t_right_shank_2 = t_right_shank_1 + c_right_knee * t_right_thigh_2;
   const Scalar t_right_shank_3 = s_right_knee * omega_right_thigh_x;
@@ -3372,7 +3372,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_shank_9 = c_right_knee * omega_right_thigh_x;
   const Scalar omega_right_shank_x = t_right_shank_9 - s_right_knee * t_right_thigh_4;
   const Scalar Omega_right_shank_zx = t_right_shank_8 + t_right_shank_5 * omega_right_shank_x;
-  // right_thigh
+  // right_thigh: acceleration a of (1)
   const Scalar t_right_thigh_19 = left_hip_fork_l1 * Omega_right_hip_fork_xz;
   const Scalar t_right_thigh_20 = t_right_hip_fork_21 - t_right_thigh_19;
   const Scalar t_right_thigh_21 = s_right_hip_pitch * t_right_thigh_20;
@@ -3380,7 +3380,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_shank_11 = t_right_shank_10 + c_right_hip_pitch * t_right_thigh_10;
   const Scalar t_right_thigh_22 = c_right_hip_pitch * t_right_thigh_20;
   const Scalar a_right_thigh_x = t_right_thigh_22 - s_right_hip_pitch * t_right_thigh_10;
-  // right_shank
+  // right_shank: acceleration a, Omega, angular acceleration alpha of (1)
   const Scalar t_right_shank_12 = left_shank_l1 * (t_right_hip_fork_18 - t_right_thigh_17);
   const Scalar t_right_shank_13 = a_right_thigh_x - t_right_shank_12;
   const Scalar t_right_shank_14 = s_right_knee * t_right_shank_11;
@@ -3395,7 +3395,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_shank_23 = s_right_knee * t_right_shank_13;
   const Scalar t_right_shank_24 = t_right_shank_23 + c_right_knee * t_right_shank_11;
   const Scalar t_right_shank_25 = t_right_hip_fork_18 - t_right_shank_22;
-  // right_ankle_cross
+  // right_ankle_cross: acceleration a, Omega, angular velocity omega of (1)
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_l1 * t_right_shank_25;
   const Scalar t_righ_ankl_cros_2 = t_right_shank_15 + t_righ_ankl_cros_1;
   const Scalar t_righ_ankl_cros_3 = left_ankle_cross_l1 * t_right_shank_18;
@@ -3435,7 +3435,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_righ_ankl_cros_31 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
   const Scalar t_righ_ankl_cros_32 = t_righ_ankl_cros_30 - t_righ_ankl_cros_31;
   const Scalar t_righ_ankl_cros_33 = t_righ_ankl_cros_30 + t_righ_ankl_cros_31;
-  // right_foot
+  // right_foot: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_right_foot_1 = t_righ_ankl_cros_16 - left_hip_fork_l3 * t_right_hip_fork_18;
   const Scalar t_right_foot_2 = t_right_foot_1 - left_hip_fork_l1 * Omega_righ_ankl_cros_zx;
   const Scalar omega_right_foot_z = t_righ_ankl_cros_12 + qd[17];
@@ -3483,7 +3483,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_foot_37 = t_right_foot_18 * (t_righ_ankl_cros_33 - t_right_foot_32);
   const Scalar t_right_foot_38 = t_right_foot_36 - t_right_foot_6 * t_right_foot_19;
   const Scalar t_right_foot_39 = t_right_foot_38 + t_right_foot_37;
-  // right_ankle_cross
+  // right_ankle_cross: moment M, force F of (1)
   const Scalar t_righ_ankl_cros_35 = t_right_foot_27 + left_hip_fork_l3 * t_right_foot_39;
   const Scalar t_righ_ankl_cros_36 = left_ankle_cross_I8 * t_righ_ankl_cros_32;
   const Scalar t_righ_ankl_cros_37 = t_righ_ankl_cros_35 - t_righ_ankl_cros_36;
@@ -3542,7 +3542,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_righ_ankl_cros_77 = left_ankle_cross_h2 * t_righ_ankl_cros_33;
   const Scalar F_righ_ankl_cros_y = t_righ_ankl_cros_76 + t_righ_ankl_cros_77;
   const Scalar t_righ_ankl_cros_78 = left_ankle_cross_h2 * Omega_righ_ankl_cros_zy;
-  // right_foot
+  // right_foot: force F of (1)
   const Scalar t_right_foot_49 = t_right_foot_35 + t_righ_ankl_cros_78;
   const Scalar t_right_foot_50 = t_right_foot_49 + left_shank_m1 * t_righ_ankl_cros_16;
   const Scalar t_right_foot_51 = t_right_foot_39 + left_shank_m1 * t_righ_ankl_cros_19;
@@ -3552,7 +3552,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_righ_ankl_cros_79 = c_right_ankle_pitch * F_righ_ankl_cros_y;
   const Scalar t_righ_ankl_cros_80 = s_right_ankle_pitch * t_right_foot_52;
   const Scalar t_righ_ankl_cros_81 = t_righ_ankl_cros_79 - t_righ_ankl_cros_80;
-  // right_shank
+  // right_shank: moment M, force F of (1)
   const Scalar t_right_shank_27 = M_righ_ankl_cros_z - left_shank_I3 * t_right_shank_8;
   const Scalar t_right_shank_28 = t_right_shank_27 + left_shank_h1 * t_right_shank_15;
   const Scalar t_right_shank_29 = t_right_shank_28 + left_shank_I12 * t_right_shank_16;
@@ -3567,14 +3567,14 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar F_right_shank_y = t_right_shank_34 - left_thigh_m1 * t_right_shank_24;
   const Scalar t_right_shank_35 = left_thigh_m1 * t_right_shank_15;
   const Scalar t_right_shank_36 = t_right_shank_35 + left_shank_h1 * t_right_shank_19;
-  // right_ankle_cross
+  // right_ankle_cross: force F of (1)
   const Scalar t_righ_ankl_cros_83 = t_right_shank_36 + c_right_ankle_pitch * t_right_foot_52;
   const Scalar t_righ_ankl_cros_84 = s_right_ankle_pitch * F_righ_ankl_cros_y;
   const Scalar t_righ_ankl_cros_85 = t_righ_ankl_cros_83 + t_righ_ankl_cros_84;
   const Scalar t_righ_ankl_cros_86 = t_right_foot_50 - left_shank_h1 * Omega_right_shank_zy;
   const Scalar t_righ_ankl_cros_87 = t_righ_ankl_cros_86 + left_thigh_m1 * t_right_shank_6;
   const Scalar t_righ_ankl_cros_88 = c_right_ankle_pitch * M_righ_ankl_cros_x;
-  // right_shank
+  // right_shank: moment M of (1)
   const Scalar t_right_shank_37 = t_righ_ankl_cros_88 - left_shank_I9 * t_right_shank_18;
   const Scalar t_right_shank_38 = t_right_shank_37 - left_shank_h1 * t_right_shank_6;
   const Scalar t_right_shank_39 = left_shank_I3 * (t_right_hip_fork_18 - t_right_shank_26);
@@ -3587,7 +3587,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_shank_42 = s_right_knee * t_righ_ankl_cros_85;
   const Scalar t_right_shank_43 = c_right_knee * F_right_shank_y - t_right_shank_42;
   const Scalar t_right_shank_44 = M_right_shank_z + left_shank_l1 * t_right_shank_43;
-  // right_thigh
+  // right_thigh: moment M, force F of (1)
   const Scalar t_right_thigh_25 = t_right_shank_44 - left_thigh_h2 * a_right_thigh_x;
   const Scalar t_right_thigh_26 = t_right_thigh_25 + left_thigh_I9 * t_right_thigh_2;
   const Scalar t_right_thigh_27 = t_right_thigh_26 + left_thigh_I7 * t_right_thigh_13;
@@ -3602,7 +3602,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar F_right_thigh_y = t_right_shank_43 - left_thigh_h2 * t_right_thigh_23;
   const Scalar t_right_shank_47 = t_righ_ankl_cros_87 - left_thigh_h2 * Omega_right_thigh_zy;
   const Scalar t_righ_ankl_cros_90 = s_right_ankle_pitch * M_righ_ankl_cros_x;
-  // right_shank
+  // right_shank: moment M of (1)
   const Scalar t_right_shank_48 = t_righ_ankl_cros_90 + left_ankle_cross_l1 * t_right_foot_50;
   const Scalar t_right_shank_49 = t_right_shank_48 - left_shank_I7 * Omega_right_shank_zy;
   const Scalar t_right_shank_50 = t_right_shank_49 + left_shank_I3 * t_right_shank_19;
@@ -3617,13 +3617,13 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_thigh_36 = t_right_thigh_35 + left_thigh_I8 * t_right_thigh_9;
   const Scalar t_right_shank_53 = t_right_thigh_36 - c_right_knee * M_right_shank_x;
   const Scalar t_right_shank_54 = t_right_shank_53 + s_right_knee * M_right_shank_y;
-  // right_hip_fork
+  // right_hip_fork: Omega of (1)
   const Scalar Omega_right_hip_fork_zx = t_right_hip_fork_14 - alpha_right_hip_fork_y;
   const Scalar t_right_hip_fork_23 = t_right_hip_fork_16 - t_right_hip_fork_17;
   const Scalar t_right_hip_fork_24 = t_right_hip_block_19 - t_right_hip_fork_23;
   const Scalar t_right_hip_fork_25 = t_right_hip_block_19 - t_right_hip_fork_18;
   const Scalar t_right_shank_55 = left_shank_l1 * t_righ_ankl_cros_87;
-  // right_thigh
+  // right_thigh: moment M of (1)
   const Scalar t_right_thigh_37 = t_right_shank_55 + left_thigh_I4 * t_right_thigh_13;
   const Scalar t_right_thigh_38 = t_right_thigh_37 - left_thigh_I11 * t_right_thigh_9;
   const Scalar t_right_thigh_39 = t_right_thigh_38 + s_right_knee * M_right_shank_x;
@@ -3658,12 +3658,12 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_hip_fork_33 = t_right_hip_fork_31 + t_right_hip_fork_32;
   const Scalar t_right_hip_fork_34 = left_hip_fork_I9 * t_right_hip_fork_25;
   const Scalar t_right_hip_fork_35 = t_right_hip_fork_33 + t_right_hip_fork_34;
-  // right_thigh
+  // right_thigh: moment M of (1)
   const Scalar t_right_thigh_58 = t_right_hip_fork_35 - c_right_hip_pitch * t_right_shank_54;
   const Scalar t_right_thigh_59 = t_right_thigh_58 + left_hip_fork_l1 * t_right_shank_47;
   const Scalar t_right_thigh_60 = t_right_thigh_59 - left_hip_fork_h3 * a_right_hip_fork_z;
   const Scalar t_right_thigh_61 = t_right_thigh_60 - s_right_hip_pitch * M_right_thigh_y;
-  // right_hip_block
+  // right_hip_block: moment M of (1)
   const Scalar t_right_hip_block_20 = t_right_hip_block_17 - t_right_hip_block_18;
   const Scalar t_right_hip_block_21 = t_base_rx_13 - t_right_hip_block_19;
   const Scalar t_right_hip_block_22 = left_hip_block_I18 * Omega_right_hip_block_xz;
@@ -3676,7 +3676,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_hip_block_26 = left_hip_block_I16 * Omega_right_hip_block_xy;
   const Scalar t_right_hip_fork_39 = t_right_hip_fork_38 + t_right_hip_block_26;
   const Scalar t_right_hip_block_27 = left_hip_block_I7 * Omega_right_hip_block_yx;
-  // right_hip_fork
+  // right_hip_fork: moment M of (1)
   const Scalar t_right_hip_fork_40 = t_right_hip_fork_39 - t_right_hip_block_27;
   const Scalar t_right_hip_fork_41 = s_right_hip_roll * t_right_thigh_57;
   const Scalar t_right_hip_fork_42 = t_right_hip_fork_40 - t_right_hip_fork_41;
@@ -3697,7 +3697,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_hip_fork_50 = t_right_hip_fork_48 + t_right_hip_fork_49;
   const Scalar t_right_hip_block_34 = left_hip_block_I8 * Omega_right_hip_block_zx;
   const Scalar t_right_hip_fork_51 = t_right_hip_fork_50 - t_right_hip_block_34;
-  // right_hip_block
+  // right_hip_block: moment M of (1)
   const Scalar M_right_hip_block_x = t_right_hip_fork_51 + s_right_hip_roll * t_right_thigh_61;
   const Scalar t_right_hip_block_35 = left_hip_block_I8 * Omega_right_hip_block_zy;
   const Scalar t_right_hip_block_36 = left_hip_block_I18 * Omega_right_hip_block_xy;
@@ -3709,7 +3709,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_hip_block_42 = t_right_hip_block_40 - t_right_hip_block_41;
   const Scalar t_right_hip_block_43 = left_hip_block_h1 * t_right_hip_block_16;
   const Scalar M_right_hip_block_y = t_right_hip_block_42 - t_right_hip_block_43;
-  // right_hip_fork
+  // right_hip_fork: force F of (1)
   const Scalar t_right_hip_fork_52 = left_hip_fork_h1 * Omega_right_hip_fork_yx;
   const Scalar t_right_hip_fork_53 = t_right_shank_47 - t_right_hip_fork_52;
   const Scalar t_right_hip_fork_54 = left_hip_fork_h3 * t_right_hip_fork_18;
@@ -3728,7 +3728,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_hip_fork_62 = t_right_hip_fork_61 + t_right_hip_block_46;
   const Scalar t_left_ankle_cross_32 = left_ankle_cross_h2 * a_left_ankle_cross_z;
   const Scalar t_left_foot_32 = t_left_foot_4 * t_left_foot_15;
-  // left_ankle_cross
+  // left_ankle_cross: moment M of (1)
   const Scalar t_left_ankle_cross_33 = t_left_hip_fork_20 - t_left_ankle_cross_25;
   const Scalar t_left_ankle_cross_34 = left_ankle_cross_I1 * t_left_ankle_cross_33;
   const Scalar t_left_ankle_cross_35 = t_left_foot_32 - t_left_ankle_cross_32;
@@ -3747,13 +3747,13 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_foot_35 = t_left_foot_16 * (t_left_ankle_cross_23 - t_left_foot_9);
   const Scalar t_left_ankle_cross_46 = t_left_ankle_cross_44 + t_left_ankle_cross_45;
   const Scalar M_left_ankle_cross_x = t_left_ankle_cross_46 - t_left_foot_35;
-  // left_foot
+  // left_foot: force F of (1)
   const Scalar t_left_foot_36 = t_left_foot_19 * (t_left_ankle_cross_23 + t_left_foot_9);
   const Scalar t_left_foot_37 = left_ankle_cross_m1 * a_left_foot_x - t_left_foot_36;
   const Scalar F_left_foot_x = t_left_foot_37 + Omega_left_foot_xy * t_left_foot_17;
   const Scalar t_left_foot_38 = t_left_foot_26 - left_hip_fork_l1 * F_left_foot_y;
   const Scalar t_left_foot_39 = t_left_foot_38 + left_hip_fork_l3 * F_left_foot_x;
-  // left_ankle_cross
+  // left_ankle_cross: moment M, force F of (1)
   const Scalar t_left_ankle_cross_47 = left_ankle_cross_I1 * Omega_left_foot_xz;
   const Scalar t_left_ankle_cross_48 = left_ankle_cross_I8 * t_left_ankle_cross_24;
   const Scalar t_left_ankle_cross_49 = t_left_foot_39 + t_left_ankle_cross_47;
@@ -3791,7 +3791,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_shank_20 = t_left_shank_14 + t_left_shank_15;
   const Scalar t_left_shank_21 = t_left_hip_fork_20 - t_left_shank_20;
   const Scalar t_left_ankle_cross_73 = c_left_ankle_pitch * M_left_ankle_cross_x;
-  // left_shank
+  // left_shank: moment M of (1)
   const Scalar t_left_shank_22 = t_left_ankle_cross_73 - left_shank_I3 * t_left_shank_21;
   const Scalar t_left_shank_23 = t_left_shank_22 - left_shank_I9 * Omega_left_shank_yx;
   const Scalar t_left_shank_24 = t_left_shank_23 + left_shank_h1 * a_left_shank_z;
@@ -3800,14 +3800,14 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar M_left_shank_x = t_left_shank_26 - s_left_ankle_pitch * M_left_ankle_cross_y;
   const Scalar t_left_foot_44 = F_left_foot_z - left_ankle_cross_h2 * t_left_ankle_cross_25;
   const Scalar t_left_foot_45 = t_left_foot_44 + left_shank_m1 * t_left_ankle_cross_31;
-  // left_ankle_cross
+  // left_ankle_cross: force F of (1)
   const Scalar t_left_ankle_cross_74 = F_left_foot_x + left_shank_m1 * a_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_75 = left_ankle_cross_h2 * Omega_left_foot_xz;
   const Scalar F_left_ankle_cross_x = t_left_ankle_cross_74 + t_left_ankle_cross_75;
   const Scalar t_left_ankle_cross_76 = s_left_ankle_pitch * F_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_77 = c_left_ankle_pitch * t_left_foot_45;
   const Scalar t_left_ankle_cross_78 = t_left_ankle_cross_77 - t_left_ankle_cross_76;
-  // left_shank
+  // left_shank: moment M, force F of (1)
   const Scalar t_left_shank_27 = M_left_ankle_cross_z + left_shank_I12 * t_left_shank_12;
   const Scalar t_left_shank_28 = t_left_shank_27 - left_shank_I3 * Omega_left_shank_xz;
   const Scalar t_left_shank_29 = left_shank_I7 * (t_left_shank_16 - t_left_shank_21);
@@ -3843,7 +3843,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar F_left_shank_x = t_left_shank_48 + left_thigh_m1 * a_left_shank_x;
   const Scalar t_left_shank_49 = c_left_knee * t_left_ankle_cross_81;
   const Scalar t_left_shank_50 = t_left_shank_49 - s_left_knee * F_left_shank_x;
-  // left_thigh
+  // left_thigh: Omega, moment M, force F of (1)
   const Scalar t_left_thigh_21 = t_left_thigh_13 + t_left_thigh_14;
   const Scalar t_left_thigh_22 = left_thigh_I8 * (t_left_thigh_18 - t_left_thigh_21);
   const Scalar t_left_thigh_23 = left_thigh_I4 * Omega_left_thigh_xz;
@@ -3863,7 +3863,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_thigh_34 = t_left_thigh_33 - left_thigh_I8 * t_left_thigh_8;
   const Scalar t_left_thigh_35 = t_left_thigh_34 - s_left_knee * M_left_shank_y;
   const Scalar M_left_thigh_x = t_left_thigh_35 + c_left_knee * M_left_shank_x;
-  // left_hip_fork
+  // left_hip_fork: moment M, Omega of (1)
   const Scalar t_left_hip_fork_25 = left_hip_fork_I8 * Omega_left_hip_fork_yx;
   const Scalar t_left_hip_fork_26 = t_left_hip_fork_25 + left_hip_fork_h3 * a_left_hip_block_y;
   const Scalar t_left_hip_fork_27 = t_left_hip_fork_26 - c_left_hip_pitch * M_left_thigh_x;
@@ -3877,7 +3877,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar M_left_hip_fork_x = t_left_hip_fork_34 + left_hip_fork_I9 * t_left_hip_fork_33;
   const Scalar t_left_hip_fork_35 = t_left_hip_block_22 - t_left_hip_fork_21;
   const Scalar t_left_hip_fork_36 = t_left_hip_fork_20 - t_left_hip_fork_35;
-  // left_thigh
+  // left_thigh: moment M of (1)
   const Scalar t_left_thigh_36 = left_hip_fork_I12 * t_left_hip_fork_17;
   const Scalar t_left_thigh_37 = t_left_thigh_36 + left_hip_fork_I7 * t_left_hip_fork_36;
   const Scalar t_left_thigh_38 = t_left_thigh_37 + s_left_hip_pitch * M_left_thigh_x;
@@ -3888,11 +3888,11 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_thigh_43 = t_left_thigh_42 - left_hip_fork_h1 * t_left_hip_fork_24;
   const Scalar t_left_thigh_44 = t_left_thigh_43 + left_hip_fork_I9 * t_left_hip_fork_11;
   tau[7] = -t_left_thigh_44;
-  // left_shank
+  // left_shank: force F of (1)
   const Scalar t_left_shank_51 = t_left_shank_50 + left_thigh_h2 * t_left_thigh_21;
   const Scalar t_left_shank_52 = s_left_knee * t_left_ankle_cross_81;
   const Scalar t_left_shank_53 = c_left_knee * F_left_shank_x + t_left_shank_52;
-  // left_thigh
+  // left_thigh: force F, moment M of (1)
   const Scalar F_left_thigh_x = t_left_shank_53 - left_thigh_h2 * t_left_thigh_12;
   const Scalar t_left_thigh_45 = s_left_hip_pitch * t_left_shank_51;
   const Scalar t_left_thigh_46 = t_left_thigh_45 + c_left_hip_pitch * F_left_thigh_x;
@@ -3906,7 +3906,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_thigh_54 = t_left_thigh_53 - left_hip_fork_h1 * t_left_hip_fork_35;
   const Scalar t_left_thigh_55 = F_left_thigh_z + left_hip_fork_h1 * Omega_left_hip_fork_yx;
   const Scalar t_left_thigh_56 = t_left_thigh_55 - left_hip_fork_h3 * t_left_hip_fork_20;
-  // left_hip_block
+  // left_hip_block: Omega of (1)
   const Scalar t_left_hip_block_23 = t_left_hip_block_20 - t_left_hip_block_21;
   const Scalar t_left_hip_block_24 = t_base_rx_13 - t_left_hip_block_23;
   const Scalar t_left_hip_block_25 = left_hip_block_I16 * Omega_left_hip_block_xy;
@@ -3916,7 +3916,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_hip_block_28 = left_hip_block_I8 * t_left_hip_block_27;
   const Scalar t_left_hip_fork_38 = t_left_hip_fork_37 + t_left_hip_block_28;
   const Scalar t_left_hip_block_29 = left_hip_block_I7 * Omega_left_hip_block_yx;
-  // left_hip_fork
+  // left_hip_fork: moment M of (1)
   const Scalar t_left_hip_fork_39 = t_left_hip_fork_38 - t_left_hip_block_29;
   const Scalar t_left_hip_fork_40 = t_left_hip_fork_39 - left_hip_block_h1 * a_left_hip_block_y;
   const Scalar t_left_hip_fork_41 = t_left_hip_fork_40 - s_left_hip_roll * t_left_thigh_52;
@@ -3927,7 +3927,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   tau[6] = -t_left_hip_fork_44;
   const Scalar t_left_hip_fork_45 = c_left_hip_roll * t_left_thigh_56;
   const Scalar t_left_hip_fork_46 = t_left_hip_fork_45 + s_left_hip_roll * t_left_thigh_54;
-  // left_hip_block
+  // left_hip_block: force F of (1)
   const Scalar t_left_hip_block_31 = left_hip_block_h1 * t_left_hip_block_24;
   const Scalar t_left_hip_block_32 = t_left_hip_fork_46 - t_left_hip_block_31;
   const Scalar t_left_hip_block_33 = left_hip_block_h4 * Omega_left_hip_block_xy;
@@ -3945,7 +3945,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_thigh_62 = s_right_hip_pitch * t_right_shank_46;
   const Scalar t_right_thigh_63 = t_right_thigh_62 - c_right_hip_pitch * F_right_thigh_y;
   const Scalar t_right_hip_block_47 = left_hip_block_h4 * t_right_hip_block_19;
-  // right_hip_fork
+  // right_hip_fork: force F of (1)
   const Scalar t_right_hip_fork_63 = t_right_thigh_63 - t_right_hip_block_47;
   const Scalar t_right_hip_fork_64 = left_hip_fork_h3 * t_right_hip_fork_8;
   const Scalar t_right_hip_fork_65 = t_right_hip_fork_63 - t_right_hip_fork_64;
@@ -3960,7 +3960,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_hip_block_36 = s_left_hip_yaw * F_left_hip_block_x;
   const Scalar t_left_hip_block_37 = t_left_hip_block_36 + c_left_hip_yaw * F_left_hip_block_y;
   const Scalar t_base_rx_16 = t_right_hip_block_51 - t_left_hip_block_37;
-  // left_hip_block
+  // left_hip_block: moment M of (1)
   const Scalar t_left_hip_block_38 = left_hip_block_I16 * Omega_left_hip_block_zy;
   const Scalar t_left_hip_block_39 = left_hip_block_I8 * Omega_left_hip_block_zx;
   const Scalar t_left_hip_block_40 = t_base_rx_13 - t_left_hip_block_22;
@@ -3983,7 +3983,7 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_left_hip_block_56 = t_left_hip_block_54 + t_left_hip_block_55;
   const Scalar t_left_hip_block_57 = left_hip_block_I18 * Omega_left_hip_block_xy;
   const Scalar M_left_hip_block_y = t_left_hip_block_56 + t_left_hip_block_57;
-  // base_rx
+  // base_rx: moment M of (1)
   const Scalar t_base_rx_17 = base_rx_I6 * Omega_base_rx_zx - c_left_hip_yaw * M_left_hip_block_x;
   const Scalar t_base_rx_18 = t_base_rx_17 + left_hip_block_l2 * t_base_rx_16;
   const Scalar t_base_rx_19 = t_base_rx_18 - base_rx_I5 * Omega_base_rx_yx;
@@ -3997,12 +3997,12 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_right_hip_fork_69 = c_right_hip_roll * F_right_hip_fork_x;
   const Scalar t_right_hip_fork_70 = s_right_hip_roll * F_right_hip_fork_y;
   const Scalar t_right_hip_fork_71 = t_right_hip_fork_69 - t_right_hip_fork_70;
-  // right_hip_block
+  // right_hip_block: force F of (1)
   const Scalar t_right_hip_block_52 = left_hip_block_h1 * Omega_right_hip_block_zx;
   const Scalar t_right_hip_block_53 = t_right_hip_fork_71 - t_right_hip_block_52;
   const Scalar t_right_hip_block_54 = left_hip_block_h4 * Omega_right_hip_block_zy;
   const Scalar F_right_hip_block_z = t_right_hip_block_53 - t_right_hip_block_54;
-  // left_hip_block
+  // left_hip_block: force F of (1)
   const Scalar t_left_hip_block_58 = left_hip_block_h1 * Omega_left_hip_block_zx;
   const Scalar t_left_hip_block_59 = s_left_hip_roll * t_left_thigh_56 + t_left_hip_block_58;
   const Scalar t_left_hip_block_60 = left_hip_block_h4 * Omega_left_hip_block_zy;
@@ -4025,16 +4025,16 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_base_ry_18 = t_base_ry_17 - base_rx_h6 * t_base_rx_14;
   const Scalar t_base_ry_19 = t_base_ry_18 - base_rx_I1 * t_base_rx_6;
   const Scalar t_base_ry_20 = t_base_ry_19 - c_right_hip_yaw * M_right_hip_block_y;
-  // base_rx
+  // base_rx: moment M, force F of (1)
   const Scalar M_base_rx_z = t_base_ry_20 - s_right_hip_yaw * M_right_hip_block_x;
   tau[5] = M_base_rx_z;
   const Scalar t_base_rx_25 = t_base_ry_8 + base_rx_h1 * t_base_rx_11;
   const Scalar F_base_rx_x = t_base_rx_25 - base_rx_h6 * Omega_base_rx_xy;
-  // left_hip_block
+  // left_hip_block: force F of (1)
   const Scalar t_left_hip_block_62 = F_right_hip_block_z + F_left_hip_block_z;
   const Scalar t_left_hip_block_63 = t_left_hip_block_62 + base_rx_h1 * Omega_base_rx_yx;
   const Scalar t_left_hip_block_64 = t_left_hip_block_63 - base_rx_h6 * t_base_rx_13;
-  // base_rx
+  // base_rx: moment M of (1)
   const Scalar t_base_rx_26 = t_right_hip_block_51 + t_left_hip_block_37;
   const Scalar t_base_rx_27 = t_right_hip_fork_45 + t_left_hip_fork_44;
   const Scalar t_base_rx_28 = t_base_rx_27 - left_hip_block_l1 * t_base_rx_26;
@@ -4044,21 +4044,21 @@ void inverse_dynamics(const Scalar q[18], const Scalar qd[18], const Scalar qdd[
   const Scalar t_base_rx_32 = t_base_rx_31 - base_rx_h1 * a_base_ry_y;
   const Scalar M_base_rx_y = t_base_rx_32 + base_rx_I6 * t_base_rx_3;
   const Scalar t_base_rz_2 = c_base_rx * M_base_rx_x - base_rx_I8 * t_base_ry_4;
-  // base_ry
+  // base_ry: moment M, force F of (1)
   tau[4] = -(t_base_rz_2 - s_base_rx * M_base_rx_y + base_rx_h2 * t_base_ry_2);
   const Scalar t_base_ry_21 = base_rx_h2 * t_base_ry_1 - c_base_rx * F_base_rx_x;
   const Scalar F_base_ry_z = t_base_ry_21 - s_base_rx * t_left_hip_block_64;
   const Scalar t_base_ry_22 = base_rx_h2 * a_base_rz_y + c_base_rx * M_base_rx_y;
   const Scalar M_base_ry_x = t_base_ry_22 - base_rx_I8 * t_base_ry_1 + s_base_rx * M_base_rx_x;
   tau[3] = -(s_base_ry * M_base_rx_z + c_base_ry * M_base_ry_x);
-  // base_rx
+  // base_rx: force F of (1)
   const Scalar t_base_rx_33 = t_base_rx_16 - base_rx_h1 * Omega_base_rx_zx;
   const Scalar F_base_rx_z = t_base_rx_33 + base_rx_h6 * t_base_rx_3;
   const Scalar t_base_rx_34 = F_base_rx_z - base_rx_h2 * t_base_ry_5;
   const Scalar t_base_rx_35 = s_base_rx * F_base_rx_x - c_base_rx * t_left_hip_block_64;
   const Scalar F_base_ry_x = t_base_rx_35 + base_rx_h2 * t_base_ry_4;
   const Scalar t_base_ry_23 = c_base_ry * t_base_rx_34 - s_base_ry * F_base_ry_x;
-  // base_pz
+  // base_pz: force F of (1)
   tau[1] = base_rx_m2 * qdd[1] + c_base_rz * F_base_ry_z + s_base_rz * t_base_ry_23;
   tau[0] = base_rx_m2 * qdd[0] + c_base_rz * t_base_ry_23 - s_base_rz * F_base_ry_z;
   tau[2] = base_rx_m2 * a_base_pz_z - c_base_ry * F_base_ry_x - s_base_ry * t_base_rx_34;
@@ -4100,7 +4100,7 @@ namespace {
   const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   w[10] = s_q8_q9_q10;
   w[11] = c_q8_q9_q10;
-  // left_shank
+  // left_shank: way s to the joint of (1)
   const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
   const Scalar& s_q9_q10 = p_s_q9_q10.sine;
   const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
@@ -4108,7 +4108,7 @@ namespace {
   w[12] = s_left_shank_x;
   const Scalar t_left_shank_1 = left_shank_l1 * s_q9_q10;
   w[13] = t_left_shank_1;
-  // left_ankle_cross
+  // left_ankle_cross: way s to the joint of (1)
   const auto p_s_left_ankle_pitch = sine_cosine(q[10]);
   const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
   const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
@@ -4139,7 +4139,7 @@ namespace {
   const Scalar& c_q14_q15_q16 = p_s_q14_q15_q16.cosine;
   w[22] = s_q14_q15_q16;
   w[23] = c_q14_q15_q16;
-  // right_shank
+  // right_shank: way s to the joint of (1)
   const auto p_s_q15_q16 = sine_cosine(q_q15_q16);
   const Scalar& s_q15_q16 = p_s_q15_q16.sine;
   const Scalar& c_q15_q16 = p_s_q15_q16.cosine;
@@ -4149,7 +4149,7 @@ namespace {
   w[26] = s_right_shank_x;
   const Scalar t_right_shank_1 = left_shank_l1 * s_q15_q16;
   w[27] = t_right_shank_1;
-  // right_ankle_cross
+  // right_ankle_cross: way s to the joint of (1)
   const auto p_s_right_ankle_pitch = sine_cosine(q[16]);
   const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
   const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
@@ -4165,7 +4165,7 @@ namespace {
   const Scalar& c_right_foot = p_s_right_foot.cosine;
   w[32] = s_right_foot;
   w[33] = c_right_foot;
-  // base_rx
+  // base_rx: angular velocity omega, 1/cosine of (1)
   const Scalar t_base_rx_1 = c_base_ry * qd[3];
   w[34] = t_base_rx_1;
   const Scalar t_base_rx_2 = s_base_rx * qd[4];
@@ -4206,7 +4206,7 @@ namespace {
   w[50] = t_base_px_8;
   const Scalar t_base_px_9 = omega_base_rx_y * t_base_rx_4;
   w[51] = t_base_px_9;
-  // left_hip_block
+  // left_hip_block: zeta, angular velocity omega, qdd of (1)
   const Scalar t_left_hip_block_1 = left_hip_block_l1 * t_base_px_6;
   const Scalar t_left_hip_block_2 = left_hip_block_l2 * t_base_px_9;
   const Scalar t_left_hip_block_3 = t_left_hip_block_1 - t_left_hip_block_2;
@@ -4234,7 +4234,7 @@ namespace {
   const Scalar t_left_hip_block_17 = qd[6] * omega_left_hip_block_x;
   w[56] = t_left_hip_block_17;
   const Scalar t_left_hip_block_18 = omega_base_rx_y - qd[6];
-  // left_hip_fork
+  // left_hip_fork: angular velocity omega, joint force u of (1)
   const Scalar t_left_hip_fork_1 = s_left_hip_roll * omega_left_hip_block_x;
   const Scalar t_left_hip_fork_2 = c_left_hip_roll * t_left_hip_block_18;
   const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 + t_left_hip_fork_1;
@@ -4245,7 +4245,7 @@ namespace {
   const Scalar t_left_hip_fork_8 = t_left_hip_fork_3 * t_left_hip_fork_3;
   const Scalar t_left_hip_fork_9 = t_left_hip_fork_7 + t_left_hip_fork_8;
   w[57] = t_left_hip_fork_9;
-  // left_hip_block
+  // left_hip_block: joint force u of (1)
   const Scalar t_left_hip_block_19 = t_left_hip_block_14 * omega_left_hip_block_x;
   w[58] = t_left_hip_block_19;
   const Scalar t_left_hip_block_20 = t_left_hip_block_14 * t_left_hip_block_18;
@@ -4256,7 +4256,7 @@ namespace {
   w[60] = t_left_hip_block_23;
   const Scalar t_left_hip_block_24 = omega_left_hip_block_x * t_left_hip_block_18;
   w[61] = t_left_hip_block_24;
-  // left_hip_fork
+  // left_hip_fork: qdd, angular velocity omega, joint force u of (1)
   const Scalar t_left_hip_fork_10 = t_left_hip_fork_3 * qd[7];
   w[62] = t_left_hip_fork_10;
   const Scalar t_left_hip_fork_11 = t_left_hip_fork_6 * qd[7];
@@ -4273,7 +4273,7 @@ namespace {
   w[67] = t_left_hip_fork_16;
   const Scalar t_left_hip_fork_17 = t_left_hip_fork_3 * omega_left_hip_fork_z;
   w[68] = t_left_hip_fork_17;
-  // left_thigh
+  // left_thigh: zeta, angular velocity omega, qdd of (1)
   const Scalar t_left_thigh_1 = left_hip_fork_l1 * t_left_hip_fork_9;
   const Scalar t_left_thigh_2 = left_hip_fork_l1 * t_left_hip_fork_17;
   const Scalar t_left_thigh_3 = c_q8_q9_q10 * t_left_thigh_1;
@@ -4322,7 +4322,7 @@ namespace {
   w[84] = t_left_thigh_26;
   const Scalar t_left_thigh_27 = left_thigh_h2 * s_q9_q10;
   w[85] = t_left_thigh_27;
-  // left_shank
+  // left_shank: zeta, qdd, joint force u of (1)
   const Scalar t_left_shank_2 = t_left_shank_1 * t_left_thigh_22;
   const Scalar zeta_left_shank_y = s_left_shank_x * t_left_thigh_16 + t_left_shank_2;
   w[86] = zeta_left_shank_y;
@@ -4368,7 +4368,7 @@ namespace {
   w[102] = t_left_shank_24;
   const Scalar t_left_shank_25 = left_shank_h1 * c_left_ankle_pitch;
   w[103] = t_left_shank_25;
-  // left_ankle_cross
+  // left_ankle_cross: zeta, joint force u, angular velocity omega of (1)
   const Scalar t_left_ankle_cross_2 = t_left_ankle_cross_1 * t_left_thigh_16;
   const Scalar t_left_ankle_cross_3 = s_left_ankle_cross_x * t_left_shank_9;
   const Scalar t_left_ankle_cross_4 = t_left_ankle_cross_2 + t_left_ankle_cross_3;
@@ -4395,7 +4395,7 @@ namespace {
   w[111] = t_left_ankle_cross_15;
   const Scalar t_left_ankle_cross_16 = t_left_shank_16 + t_left_ankle_cross_11;
   w[112] = t_left_ankle_cross_16;
-  // left_foot
+  // left_foot: zeta, angular velocity omega, qdd of (1)
   const Scalar t_left_foot_2 = left_hip_fork_l1 * t_left_ankle_cross_16;
   const Scalar t_left_foot_3 = left_hip_fork_l1 * t_left_ankle_cross_15;
   const Scalar t_left_foot_4 = t_left_foot_3 + left_hip_fork_l3 * t_left_ankle_cross_16;
@@ -4422,7 +4422,7 @@ namespace {
   w[120] = t_left_foot_14;
   const Scalar t_left_foot_15 = t_left_foot_7 * omega_left_foot_z;
   w[121] = t_left_foot_15;
-  // right_hip_block
+  // right_hip_block: zeta, angular velocity omega, qdd of (1)
   const Scalar t_right_hip_block_1 = t_left_hip_block_1 + t_left_hip_block_2;
   const Scalar t_right_hip_block_2 = t_left_hip_block_4 - t_left_hip_block_5;
   const Scalar t_right_hip_block_3 = c_right_hip_yaw * t_right_hip_block_2;
@@ -4444,7 +4444,7 @@ namespace {
 
 [[gnu::noinline]] void forward_dynamics_2(const Scalar qd[18], const Scalar tau[18],
                                           Scalar w[292]) noexcept {
-  // right_hip_block
+  // right_hip_block: angular velocity omega, qdd, joint force u of (1)
   const Scalar c_right_hip_yaw = w[19];
   const Scalar t_base_rx_5 = w[40];
   const Scalar t_right_hip_block_9 = c_right_hip_yaw * t_base_rx_5;
@@ -4462,7 +4462,7 @@ namespace {
   w[130] = t_right_hip_block_12;
   const Scalar t_right_hip_block_13 = omega_right_hip_block_x * t_right_hip_block_11;
   w[131] = t_right_hip_block_13;
-  // right_hip_fork
+  // right_hip_fork: angular velocity omega, joint force u, qdd of (1)
   const Scalar c_right_hip_roll = w[21];
   const Scalar t_right_hip_fork_1 = c_right_hip_roll * omega_right_hip_block_x;
   const Scalar s_right_hip_roll = w[20];
@@ -4495,7 +4495,7 @@ namespace {
   w[141] = t_right_hip_fork_15;
   const Scalar t_right_hip_fork_16 = t_right_hip_fork_6 * t_right_hip_fork_11;
   w[142] = t_right_hip_fork_16;
-  // right_thigh
+  // right_thigh: zeta, angular velocity omega, qdd of (1)
   const Scalar t_right_thigh_2 = left_hip_fork_l1 * t_right_hip_block_14;
   const Scalar t_right_thigh_3 = left_hip_fork_l1 * t_right_hip_fork_16;
   const Scalar s_q14_q15_q16 = w[22];
@@ -4548,7 +4548,7 @@ namespace {
   w[158] = t_right_thigh_26;
   const Scalar t_right_thigh_27 = left_thigh_h2 * s_q15_q16;
   w[159] = t_right_thigh_27;
-  // right_shank
+  // right_shank: zeta, joint force u, angular velocity omega of (1)
   const Scalar t_right_shank_1 = w[27];
   const Scalar t_right_shank_2 = t_right_shank_1 * t_right_thigh_13;
   const Scalar s_right_shank_x = w[26];
@@ -4594,7 +4594,7 @@ namespace {
   w[174] = t_right_shank_23;
   const Scalar t_right_shank_24 = left_shank_h1 * s_right_ankle_pitch;
   w[175] = t_right_shank_24;
-  // right_ankle_cross
+  // right_ankle_cross: zeta, joint force u, angular velocity omega of (1)
   const Scalar t_righ_ankl_cros_1 = w[30];
   const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 * t_right_shank_18;
   const Scalar s_righ_ankl_cros_x = w[31];
@@ -4623,7 +4623,7 @@ namespace {
   w[183] = t_righ_ankl_cros_15;
   const Scalar t_righ_ankl_cros_16 = t_right_shank_15 + t_righ_ankl_cros_11;
   w[184] = t_righ_ankl_cros_16;
-  // right_foot
+  // right_foot: zeta, angular velocity omega, qdd of (1)
   const Scalar t_right_foot_2 = left_hip_fork_l1 * t_righ_ankl_cros_16;
   const Scalar t_right_foot_3 = left_hip_fork_l1 * t_righ_ankl_cros_15;
   const Scalar t_right_foot_4 = left_hip_fork_l3 * t_right_thigh_1 + t_right_foot_2;
@@ -4719,7 +4719,7 @@ namespace {
   w[204] = t_right_foot_68;
   const Scalar t_right_foot_69 = left_ankle_cross_h1 + left_foot_h1 * c_right_foot;
   w[205] = t_right_foot_69;
-  // right_ankle_cross
+  // right_ankle_cross: joint force u, 1/pivot of (1)
   const Scalar t_righ_ankl_cros_17 = t_righ_ankl_cros_13 - t_righ_ankl_cros_15;
   w[206] = t_righ_ankl_cros_17;
   const Scalar t_righ_ankl_cros_18 = tau[16] - c_right_foot * t_right_foot_37;
@@ -4770,7 +4770,7 @@ namespace {
 }
 
 [[gnu::noinline]] void forward_dynamics_3(const Scalar tau[18], Scalar w[292]) noexcept {
-  // right_ankle_cross
+  // right_ankle_cross: qdd of (1)
   const Scalar t_right_foot_56 = w[197];
   const Scalar t_righ_ankl_cros_45 = w[222];
   const Scalar t_righ_ankl_cros_46 = t_right_foot_56 + t_righ_ankl_cros_45;
@@ -4899,7 +4899,7 @@ namespace {
   const Scalar t_righ_ankl_cros_116 = left_ankle_cross_h2 * t_righ_ankl_cros_13;
   const Scalar t_righ_ankl_cros_117 = t_righ_ankl_cros_115 + t_righ_ankl_cros_116;
   const Scalar t_righ_ankl_cros_118 = t_righ_ankl_cros_1 * t_righ_ankl_cros_62;
-  // right_shank
+  // right_shank: joint force u, 1/pivot, qdd of (1)
   const Scalar t_right_shank_26 = t_right_thigh_16 * (t_right_shank_19 + t_right_shank_25);
   const Scalar t_right_shank_27 = tau[15] - tau[16] + t_righ_ankl_cros_118 + t_right_shank_26;
   const Scalar t_right_shank_20 = w[172];
@@ -5049,7 +5049,7 @@ namespace {
   w[230] = t_right_shank_109;
   const Scalar t_right_shank_110 = t_right_shank_92 - t_right_shank_97;
   w[231] = t_right_shank_110;
-  // right_thigh
+  // right_thigh: joint force u, 1/pivot of (1)
   const Scalar t_right_thigh_19 = w[152];
   const Scalar t_right_thigh_29 = tau[14] - tau[15] + t_right_thigh_19 * t_right_thigh_20;
   const Scalar t_right_thigh_30 = t_right_thigh_29 - s_right_shank_x * t_right_shank_54;
@@ -5308,7 +5308,7 @@ namespace {
   const Scalar t_right_thigh_185 = t_right_thigh_42 - t_right_thigh_157;
   w[149] = t_right_thigh_185;
   const Scalar t_right_thigh_186 = left_hip_fork_h1 - t_right_thigh_179;
-  // right_hip_fork
+  // right_hip_fork: joint force u, 1/pivot, qdd of (1)
   const Scalar t_right_hip_fork_14 = w[140];
   const Scalar t_right_hip_fork_17 = tau[13] + left_hip_fork_I8 * t_right_hip_fork_14;
   const Scalar t_right_hip_fork_16 = w[142];
@@ -5472,7 +5472,7 @@ namespace {
   w[165] = t_right_hip_fork_122;
   const Scalar t_right_hip_fork_123 = t_right_thigh_186 * t_right_hip_fork_83;
   const Scalar t_right_hip_fork_124 = t_right_thigh_164 + t_right_hip_fork_123;
-  // right_hip_block
+  // right_hip_block: joint force u, 1/pivot, qdd of (1)
   const Scalar omega_right_hip_block_y = w[127];
   const Scalar t_right_hip_block_16 = omega_right_hip_block_y * omega_right_hip_block_y;
   const Scalar t_right_hip_block_11 = w[129];
@@ -5736,7 +5736,7 @@ namespace {
   w[140] = t_right_hip_block_176;
   const Scalar t_right_hip_block_177 = t_right_hip_block_31 - t_right_hip_block_152;
   w[141] = t_right_hip_block_177;
-  // left_foot
+  // left_foot: joint force u, zeta of (1)
   const Scalar t_left_foot_14 = w[120];
   const Scalar t_left_foot_7 = w[114];
   const Scalar t_left_foot_16 = t_left_foot_14 - t_left_foot_7 * t_left_foot_7;
@@ -5815,7 +5815,7 @@ namespace {
   const Scalar t_left_foot_65 = left_ankle_cross_h3 - t_left_foot_55;
   const Scalar t_left_foot_66 = left_ankle_cross_h1 + left_foot_h1 * c_left_foot;
   w[218] = t_left_foot_66;
-  // left_ankle_cross
+  // left_ankle_cross: joint force u, 1/pivot, qdd of (1)
   const Scalar t_left_ankle_cross_15 = w[111];
   const Scalar t_left_ankle_cross_17 = t_left_ankle_cross_13 - t_left_ankle_cross_15;
   w[219] = t_left_ankle_cross_17;
@@ -5874,7 +5874,7 @@ namespace {
   const Scalar t_left_foot_70 = t_left_foot_69 - left_foot_p2 * u_left_foot;
   const Scalar t_left_foot_71 = c_left_foot * t_left_foot_21 - s_left_foot * t_left_foot_70;
   w[245] = t_left_foot_71;
-  // left_ankle_cross
+  // left_ankle_cross: qdd of (1)
   const Scalar t_left_ankle_cross_50 = t_left_foot_71 + left_ankle_cross_h2 * t_left_thigh_16;
   const Scalar t_left_ankle_cross_10 = w[107];
   const Scalar t_left_ankle_cross_51 = t_left_ankle_cross_10 * t_left_ankle_cross_47;
@@ -6018,7 +6018,7 @@ namespace {
   const Scalar t_left_ankle_cross_1 = w[15];
   const Scalar t_left_ankle_cross_64 = w[246];
   const Scalar t_left_ankle_cross_140 = t_left_ankle_cross_1 * t_left_ankle_cross_64;
-  // left_shank
+  // left_shank: joint force u, 1/pivot, qdd of (1)
   const Scalar t_left_thigh_16 = w[76];
   const Scalar t_left_shank_15 = w[95];
   const Scalar t_left_shank_20 = w[99];
@@ -6174,7 +6174,7 @@ namespace {
   const Scalar t_left_shank_108 = t_left_thigh_26 - t_left_shank_97;
   w[268] = t_left_shank_108;
   const Scalar t_left_shank_109 = t_left_shank_91 - t_left_shank_102;
-  // left_thigh
+  // left_thigh: joint force u, 1/pivot, qdd of (1)
   const Scalar t_left_thigh_28 = tau[8] - tau[9] - s_left_shank_x * t_left_shank_53;
   const Scalar t_left_thigh_29 = t_left_thigh_16 * (t_left_thigh_18 + t_left_thigh_23);
   const Scalar t_left_thigh_30 = t_left_thigh_28 + t_left_shank_1 * t_left_shank_70;
@@ -6470,7 +6470,7 @@ namespace {
   w[77] = t_left_thigh_176;
   const Scalar t_left_thigh_177 = left_hip_fork_h1 - t_left_thigh_170;
   w[78] = t_left_thigh_177;
-  // left_hip_fork
+  // left_hip_fork: joint force u, 1/pivot, qdd of (1)
   const Scalar t_left_hip_fork_15 = w[66];
   const Scalar t_left_hip_fork_18 = tau[7] - left_hip_fork_I8 * t_left_hip_fork_15;
   const Scalar t_left_hip_fork_17 = w[68];
@@ -6609,7 +6609,7 @@ namespace {
   const Scalar t_left_hip_fork_121 = t_left_hip_fork_120 + c_left_hip_roll * t_left_hip_fork_93;
   const Scalar t_left_hip_fork_122 = t_left_thigh_185 + t_left_thigh_176 * t_left_hip_fork_69;
   const Scalar t_left_hip_fork_123 = t_left_thigh_184 - t_left_thigh_177 * t_left_hip_fork_89;
-  // left_hip_block
+  // left_hip_block: joint force u, 1/pivot, qdd of (1)
   const Scalar t_left_hip_block_20 = w[59];
   const Scalar t_left_hip_block_25 = tau[6] - left_hip_block_I17 * t_left_hip_block_20;
   const Scalar t_left_hip_block_24 = w[61];
@@ -7040,7 +7040,7 @@ namespace {
   const Scalar t_right_hip_block_90 = w[184];
   const Scalar t_right_hip_block_207 = c_right_hip_yaw * t_right_hip_block_90;
   const Scalar t_right_hip_block_208 = t_right_hip_block_206 - t_right_hip_block_207;
-  // base_rx
+  // base_rx: joint force u, 1/pivot, qdd of (1)
   const Scalar c_left_hip_yaw = w[7];
   const Scalar t_left_hip_block_64 = w[99];
   const Scalar t_base_rx_11 = t_right_hip_block_208 + c_left_hip_yaw * t_left_hip_block_64;
@@ -7108,7 +7108,7 @@ namespace {
   const Scalar t_right_hip_block_212 = c_right_hip_yaw * t_right_hip_block_65;
   const Scalar t_right_hip_block_213 = s_right_hip_yaw * t_right_hip_block_90;
   const Scalar t_right_hip_block_214 = t_right_hip_block_212 + t_right_hip_block_213;
-  // base_ry
+  // base_ry: joint force u, 1/pivot of (1)
   const Scalar c_base_rx = w[5];
   const Scalar t_base_rx_10 = w[45];
   const Scalar s_base_rx = w[4];
@@ -7155,7 +7155,7 @@ namespace {
   const Scalar t_base_ry_18 = t_base_ry_17 + t_left_hip_block_223 * t_base_rx_23;
   const Scalar t_base_rz_1 = t_left_hip_block_268 - t_right_hip_block_214;
   const Scalar t_base_rx_34 = s_base_rx * t_base_rx_10 + c_base_rx * tau[4];
-  // base_rz
+  // base_rz: joint force u, 1/pivot of (1)
   const Scalar t_base_rz_2 = t_base_rx_34 + base_rx_I5 * t_base_px_9;
   const Scalar t_base_rz_3 = t_base_rz_2 + base_rx_I15 * t_base_px_7;
   const Scalar t_base_rz_4 = t_base_rz_3 - s_right_hip_yaw * t_right_hip_block_146;
@@ -7181,7 +7181,7 @@ namespace {
   const Scalar t_left_hip_block_279 = base_rx_m4 - t_left_hip_block_264;
   const Scalar t_base_ry_19 = t_left_hip_block_279 - t_base_rx_30 * t_base_ry_9;
   const Scalar t_base_ry_20 = t_base_ry_19 - t_left_hip_block_237 * t_base_rx_22;
-  // base_pz
+  // base_pz: joint force u, 1/pivot of (1)
   const Scalar s_base_ry = w[2];
   const Scalar t_base_pz_1 = t_base_rz_1 - s_base_ry * tau[2] - base_rx_h7 * t_base_px_8;
   const Scalar t_base_pz_2 = t_base_pz_1 - u_base_rx * t_base_rx_22;
@@ -7207,7 +7207,7 @@ namespace {
   const Scalar t_base_pz_12 = t_left_hip_block_281 - t_base_rz_22 * t_base_pz_6;
   const Scalar t_base_pz_13 = t_base_pz_12 - t_left_hip_block_238 * t_base_rx_23;
   const Scalar t_base_pz_14 = t_base_pz_13 - t_base_rx_29 * t_base_ry_10;
-  // base_py
+  // base_py: 1/pivot, joint force u of (1)
   const Scalar inverse_pivot_base_py = 1.0 / (t_base_pz_14 + t_base_ry_18 * t_base_rz_15);
   const Scalar t_base_py_1 = t_right_hip_block_205 - t_left_hip_block_255;
   const Scalar t_base_py_2 = t_base_py_1 + base_rx_h2 * t_base_px_8;
@@ -7233,7 +7233,7 @@ namespace {
   const Scalar t_base_rx_35 = t_left_hip_block_284 - u_base_rx * t_base_rx_25;
   const Scalar t_base_ry_21 = t_base_rx_35 - u_base_ry * t_base_ry_8;
   const Scalar t_base_rz_23 = t_base_ry_21 - t_base_rz_12 * t_base_rz_14;
-  // base_px
+  // base_px: joint force u of (1)
   const Scalar t_base_px_10 = t_base_rz_23 - u_base_py * t_base_py_9;
   const Scalar t_base_px_11 = t_base_px_10 + c_base_rx * t_base_rx_8;
   const Scalar u_base_px = t_base_px_11 - s_base_rx * t_base_rx_7 - u_base_pz * t_base_pz_7;
@@ -7259,7 +7259,7 @@ namespace {
   const Scalar t_base_ry_25 = inverse_pivot_base_ry * t_base_ry_24;
   const Scalar t_base_ry_26 = t_base_ry_10 * t_base_py_15 + t_base_ry_25;
   w[65] = t_base_ry_26;
-  // base_rx
+  // base_rx: qdd of (1)
   const Scalar t_base_rx_36 = u_base_rx - t_left_hip_block_233 * t_base_px_12;
   const Scalar t_base_rx_37 = t_base_rx_36 - t_left_hip_block_232 * t_base_ry_26;
   const Scalar t_base_rx_38 = t_base_rx_37 + t_left_hip_block_237 * t_base_pz_17;
@@ -7267,7 +7267,7 @@ namespace {
   const Scalar t_base_rx_40 = inverse_pivot_base_rx * t_base_rx_39;
   const Scalar t_base_rx_41 = t_base_rx_23 * t_base_py_15 - t_base_rx_40;
   w[66] = t_base_rx_41;
-  // left_hip_block
+  // left_hip_block: qdd of (1)
   const Scalar t_left_hip_block_285 = t_base_px_12 + left_hip_block_l2 * t_base_rx_41;
   const Scalar t_left_hip_block_286 = left_hip_block_l1 * t_base_ry_26;
   const Scalar t_left_hip_block_287 = t_base_pz_17 - left_hip_block_l2 * t_base_rz_26;
@@ -7309,7 +7309,7 @@ namespace {
   const Scalar t_left_hip_block_316 = t_left_hip_block_314 - t_left_hip_block_315;
   qdd[6] = -t_left_hip_block_316;
   const Scalar t_left_hip_block_317 = t_base_ry_26 + t_left_hip_block_316;
-  // left_hip_fork
+  // left_hip_fork: qdd of (1)
   const Scalar t_left_hip_fork_154 = s_left_hip_roll * t_left_hip_block_317;
   const Scalar t_left_hip_fork_10 = w[62];
   const Scalar t_left_hip_fork_155 = t_left_hip_fork_10 + t_left_hip_fork_154;
@@ -7348,7 +7348,7 @@ namespace {
   const Scalar t_left_hip_fork_179 = t_left_hip_fork_177 - t_left_hip_fork_178;
   qdd[7] = t_left_hip_fork_179;
   const Scalar t_left_hip_fork_180 = t_left_hip_block_303 + t_left_hip_fork_179;
-  // left_thigh
+  // left_thigh: qdd of (1)
   const Scalar t_left_thigh_7 = w[71];
   const Scalar c_q8_q9_q10 = w[11];
   const Scalar t_left_thigh_187 = t_left_thigh_7 - c_q8_q9_q10 * t_left_hip_fork_180;
@@ -7384,7 +7384,7 @@ namespace {
   const Scalar t_left_thigh_204 = t_left_thigh_38 * t_left_thigh_197 + t_left_thigh_203;
   qdd[8] = t_left_thigh_204;
   const Scalar t_left_thigh_205 = t_left_hip_fork_157 - t_left_thigh_204;
-  // left_shank
+  // left_shank: qdd of (1)
   const Scalar t_left_shank_7 = w[90];
   const Scalar t_left_shank_126 = t_left_shank_7 + t_left_thigh_188;
   const Scalar t_left_shank_6 = w[89];
@@ -7418,7 +7418,7 @@ namespace {
   const Scalar t_left_shank_141 = t_left_shank_140 - t_left_shank_43 * t_left_shank_126;
   qdd[9] = -t_left_shank_141;
   const Scalar t_left_shank_142 = t_left_thigh_205 + t_left_shank_141;
-  // left_ankle_cross
+  // left_ankle_cross: qdd of (1)
   const Scalar t_left_ankle_cross_10 = w[107];
   const Scalar t_left_ankle_cross_174 = t_left_ankle_cross_10 + t_left_shank_127;
   const Scalar t_left_ankle_cross_11 = w[108];
@@ -7462,7 +7462,7 @@ namespace {
   const Scalar t_left_ankle_cross_199 = t_left_shank_142 + t_left_ankle_cross_198;
   const Scalar t_left_ankle_cross_4 = w[104];
   const Scalar t_left_ankle_cross_200 = t_left_ankle_cross_4 + t_left_ankle_cross_177;
-  // left_foot
+  // left_foot: qdd of (1)
   const Scalar t_left_foot_81 = left_hip_fork_l3 * t_left_ankle_cross_175;
   const Scalar t_left_foot_82 = left_hip_fork_l1 * t_left_ankle_cross_175;
   const Scalar s_left_foot = w[16];
@@ -7481,7 +7481,7 @@ namespace {
   const Scalar t_left_foot_91 = t_left_foot_89 + left_foot_k2 * t_left_foot_88;
   const Scalar u_left_foot = w[142];
   qdd[11] = t_left_foot_91 + left_foot_k3 * t_left_foot_90 + left_foot_p1 * u_left_foot;
-  // right_hip_block
+  // right_hip_block: qdd of (1)
   const Scalar t_right_hip_block_215 = t_left_hip_block_286 + t_left_hip_block_287;
   const Scalar t_right_hip_block_216 = c_right_hip_yaw * t_left_hip_block_285;
   const Scalar t_right_hip_block_217 = zeta_right_hip_block_x - t_right_hip_block_216;
@@ -7521,7 +7521,7 @@ namespace {
   const Scalar t_right_hip_block_242 = t_right_hip_block_240 - t_right_hip_block_241;
   qdd[12] = -t_right_hip_block_242;
   const Scalar t_right_hip_block_243 = t_base_ry_26 + t_right_hip_block_242;
-  // right_hip_fork
+  // right_hip_fork: qdd of (1)
   const Scalar t_right_hip_fork_160 = c_right_hip_roll * t_right_hip_block_243;
   const Scalar t_right_hip_fork_10 = w[136];
   const Scalar t_right_hip_fork_161 = t_right_hip_fork_10 + t_right_hip_fork_160;
@@ -7538,7 +7538,7 @@ namespace {
 
 [[gnu::noinline]] void forward_dynamics_9(const Scalar qd[18], Scalar qdd[18],
                                           Scalar w[292]) noexcept {
-  // right_hip_fork
+  // right_hip_fork: qdd of (1)
   const Scalar c_right_hip_roll = w[21];
   const Scalar t_right_hip_block_225 = w[127];
   const Scalar t_right_hip_fork_168 = c_right_hip_roll * t_right_hip_block_225;
@@ -7576,7 +7576,7 @@ namespace {
   const Scalar t_right_hip_fork_186 = t_right_hip_fork_184 + t_right_hip_fork_185;
   qdd[13] = t_right_hip_fork_186;
   const Scalar t_right_hip_fork_187 = t_right_hip_block_227 + t_right_hip_fork_186;
-  // right_thigh
+  // right_thigh: qdd of (1)
   const Scalar t_right_thigh_7 = w[145];
   const Scalar s_q14_q15_q16 = w[22];
   const Scalar t_right_thigh_211 = t_right_thigh_7 - s_q14_q15_q16 * t_right_hip_fork_187;
@@ -7613,7 +7613,7 @@ namespace {
   const Scalar t_right_thigh_229 = t_right_thigh_35 * t_right_thigh_228;
   qdd[14] = -t_right_thigh_229;
   const Scalar t_right_thigh_230 = t_right_hip_fork_167 + t_right_thigh_229;
-  // right_shank
+  // right_shank: qdd of (1)
   const Scalar t_right_shank_4 = w[161];
   const Scalar t_right_shank_125 = t_right_shank_4 - t_right_thigh_222;
   const Scalar t_right_shank_1 = w[27];
@@ -7647,7 +7647,7 @@ namespace {
   const Scalar t_right_shank_140 = t_right_shank_139 - t_right_shank_32 * t_right_shank_138;
   qdd[15] = t_right_shank_140;
   const Scalar t_right_shank_141 = t_right_thigh_230 - t_right_shank_140;
-  // right_ankle_cross
+  // right_ankle_cross: qdd of (1)
   const Scalar t_righ_ankl_cros_10 = w[179];
   const Scalar t_righ_ankl_cros_158 = t_righ_ankl_cros_10 + t_right_shank_129;
   const Scalar t_righ_ankl_cros_11 = w[180];
@@ -7688,7 +7688,7 @@ namespace {
   const Scalar t_righ_ankl_cros_181 = t_righ_ankl_cros_28 * t_righ_ankl_cros_180;
   qdd[16] = t_righ_ankl_cros_181;
   const Scalar t_righ_ankl_cros_182 = t_right_shank_141 - t_righ_ankl_cros_181;
-  // right_foot
+  // right_foot: qdd of (1)
   const Scalar t_right_foot_8 = w[186];
   const Scalar c_right_foot = w[33];
   const Scalar t_right_foot_80 = t_right_foot_8 + c_right_foot * t_righ_ankl_cros_182;
@@ -7707,7 +7707,7 @@ namespace {
   const Scalar t_right_foot_89 = t_right_foot_84 + c_right_foot * t_righ_ankl_cros_158;
   const Scalar t_right_foot_90 = t_right_foot_88 + left_foot_p2 * t_right_foot_87;
   qdd[17] = left_foot_k3 * t_right_foot_89 - t_right_foot_90;
-  // base_rx
+  // base_rx: qdd of (1)
   const Scalar c_base_rx = w[5];
   const Scalar t_base_py_15 = w[58];
   const Scalar s_base_rx = w[4];
@@ -7779,7 +7779,7 @@ void point_positions(const Scalar q[18], Scalar p[12]) noexcept {
   const auto p_s_left_hip_pitch = sine_cosine(q[8]);
   const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
   const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  // left_ankle_cross
+  // left_ankle_cross: way s to the joint of 1.2
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
   const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
@@ -7800,7 +7800,7 @@ void point_positions(const Scalar q[18], Scalar p[12]) noexcept {
   const auto p_s_right_hip_pitch = sine_cosine(q[14]);
   const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
   const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  // right_ankle_cross
+  // right_ankle_cross: way s to the joint of 1.2
   const Scalar q_q14_q15 = q[14] + q[15];
   const Scalar q_q14_q15_q16 = q_q14_q15 + q[16];
   const auto p_s_q14_q15_q16 = sine_cosine(q_q14_q15_q16);
@@ -7860,7 +7860,7 @@ void point_positions(const Scalar q[18], Scalar p[12]) noexcept {
   const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - left_ankle_cross_l1 * s_q14_q15;
   const Scalar t_right_hip_fork_4 = t_right_hip_fork_3 - s_q14_q15_q16 * t_right_foot_1;
   const Scalar t_right_hip_fork_5 = t_right_hip_fork_4 - left_foot_l2 * c_q14_q15_q16;
-  // right_shank
+  // right_shank: way s to the joint of 1.2
   const Scalar t_right_shank_1 = left_shank_l1 * c_right_hip_pitch;
   const Scalar t_right_shank_2 = t_right_shank_1 + left_ankle_cross_l1 * c_q14_q15;
   const Scalar t_right_shank_3 = t_right_shank_2 + c_q14_q15_q16 * t_right_foot_1;
@@ -7900,7 +7900,7 @@ void point_positions(const Scalar q[18], Scalar p[12]) noexcept {
   const Scalar t_base_rx_11 = c_base_rx * t_right_hip_block_15;
   const Scalar t_base_rx_12 = t_base_rx_11 - s_base_rx * t_right_hip_block_12;
   p[10] = q[1] - s_base_rz * t_base_ry_3 - c_base_rz * t_base_rx_12;
-  // base_px
+  // base_px: p of 1.2
   p[9] = q[0] - c_base_rz * t_base_ry_3 + s_base_rz * t_base_rx_12;
 }
 
@@ -7952,7 +7952,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
   const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar s_righ_ankl_cros_y = left_ankle_cross_l1 * s_right_ankle_pitch;
-  // base_rx
+  // base_rx: Rx, Ry, Rz of (9)
   const Scalar t_base_rx_1 = c_base_rz * c_base_rx;
   const Scalar t_base_rx_2 = s_base_rz * s_base_rx;
   const Scalar Rx_base_rx_y = t_base_rx_2 + s_base_ry * t_base_rx_1;
@@ -7965,7 +7965,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar Ry_base_rx_z = s_base_rz * c_base_ry;
   const Scalar Rz_base_rx_x = c_base_ry * s_base_rx;
   const Scalar Rz_base_rx_y = c_base_rx * c_base_ry;
-  // left_hip_block
+  // left_hip_block: Rx, Ry, Rz of (9)
   const Scalar t_left_hip_block_1 = c_left_hip_yaw * t_base_rx_5;
   const Scalar t_left_hip_block_2 = s_left_hip_yaw * Rx_base_rx_z + t_left_hip_block_1;
   const Scalar Rx_left_hip_block_x = c_left_hip_yaw * Rx_base_rx_z - s_left_hip_yaw * t_base_rx_5;
@@ -7973,7 +7973,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar Ry_left_hip_block_x = c_left_hip_yaw * Ry_base_rx_z + s_left_hip_yaw * Ry_base_rx_x;
   const Scalar Rz_left_hip_block_x = s_left_hip_yaw * Rz_base_rx_x - s_base_ry * c_left_hip_yaw;
   const Scalar Rz_left_hip_block_y = c_left_hip_yaw * Rz_base_rx_x + s_base_ry * s_left_hip_yaw;
-  // left_hip_fork
+  // left_hip_fork: Rx, Ry, Rz of (9)
   const Scalar t_left_hip_fork_1 = s_left_hip_roll * t_left_hip_block_2;
   const Scalar Rx_left_hip_fork_y = t_left_hip_fork_1 + c_left_hip_roll * Rx_base_rx_y;
   const Scalar t_left_hip_fork_2 = c_left_hip_roll * t_left_hip_block_2;
@@ -7986,7 +7986,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar Rz_left_hip_fork_y = c_left_hip_roll * Rz_base_rx_y - t_left_hip_fork_7;
   const Scalar t_left_hip_fork_8 = c_left_hip_roll * Rz_left_hip_block_y;
   const Scalar Rz_left_hip_fork_x = s_left_hip_roll * Rz_base_rx_y + t_left_hip_fork_8;
-  // left_thigh
+  // left_thigh: Rx, Ry, Rz of (9)
   const Scalar t_left_thigh_1 = s_q8_q9_q10 * Rx_left_hip_block_x;
   const Scalar Rx_left_thigh_x = t_left_thigh_1 + c_q8_q9_q10 * Rx_left_hip_fork_y;
   const Scalar t_left_thigh_2 = c_q8_q9_q10 * Rx_left_hip_block_x;
@@ -7997,7 +7997,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar t_left_thigh_6 = s_q8_q9_q10 * Ry_left_hip_fork_y - t_left_thigh_5;
   const Scalar t_left_thigh_7 = s_q8_q9_q10 * Rz_left_hip_block_x;
   const Scalar Rz_left_thigh_x = t_left_thigh_7 + c_q8_q9_q10 * Rz_left_hip_fork_y;
-  // right_hip_block
+  // right_hip_block: Rx, Ry, Rz of (9)
   const Scalar t_right_hip_block_1 = s_right_hip_yaw * t_base_rx_5;
   const Scalar Rx_right_hip_block_x = c_right_hip_yaw * Rx_base_rx_z - t_right_hip_block_1;
   const Scalar t_right_hip_block_2 = c_right_hip_yaw * t_base_rx_5;
@@ -8008,7 +8008,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar Ry_right_hip_block_x = t_right_hip_block_6 + s_right_hip_yaw * Ry_base_rx_x;
   const Scalar Rz_right_hip_block_y = c_right_hip_yaw * Rz_base_rx_x + s_base_ry * s_right_hip_yaw;
   const Scalar Rz_right_hip_block_x = s_right_hip_yaw * Rz_base_rx_x - s_base_ry * c_right_hip_yaw;
-  // right_hip_fork
+  // right_hip_fork: Rx, Ry, Rz of (9)
   const Scalar t_right_hip_fork_1 = c_right_hip_roll * t_right_hip_block_3;
   const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 - s_right_hip_roll * Rx_base_rx_y;
   const Scalar t_right_hip_fork_3 = s_right_hip_roll * t_right_hip_block_3;
@@ -8019,7 +8019,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar t_right_hip_fork_7 = t_right_hip_fork_6 + s_right_hip_roll * t_base_rx_6;
   const Scalar t_right_hip_fork_8 = c_right_hip_roll * Rz_right_hip_block_y;
   const Scalar Rz_right_hip_fork_x = s_right_hip_roll * Rz_base_rx_y + t_right_hip_fork_8;
-  // right_thigh
+  // right_thigh: Rx, Ry, Rz of (9)
   const Scalar t_right_thigh_1 = s_q14_q15_q16 * Rx_right_hip_block_x;
   const Scalar Rx_right_thigh_x = t_right_thigh_1 + c_q14_q15_q16 * Rx_right_hip_fork_y;
   const Scalar t_right_thigh_2 = c_q14_q15_q16 * Rx_right_hip_block_x;
@@ -8042,20 +8042,20 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const auto p_s_left_ankle_roll = sine_cosine(q[11]);
   const Scalar& s_left_ankle_roll = p_s_left_ankle_roll.sine;
   const Scalar& c_left_ankle_roll = p_s_left_ankle_roll.cosine;
-  // left_foot
+  // left_foot: r of (9)
   const Scalar r_left_foot_y = left_foot_l1 * s_left_ankle_roll;
   const Scalar r_left_foot_x = left_foot_l1 * c_left_ankle_roll;
   const Scalar t_left_foot_1 = left_hip_fork_l1 + r_left_foot_x;
   const Scalar t_left_ankle_cross_1 = t_left_foot_1 + left_ankle_cross_l1 * c_left_ankle_pitch;
   const Scalar t_left_ankle_cross_2 = left_foot_l2 - s_left_ankle_cross_y;
   const Scalar t_left_shank_1 = t_left_ankle_cross_1 + left_shank_l1 * c_q9_q10;
-  // left_thigh
+  // left_thigh: r of (9)
   const Scalar r_left_thigh_y = s_left_shank_y - t_left_ankle_cross_2;
   const Scalar t_left_thigh_8 = c_q8_q9_q10 * t_left_shank_1;
   const Scalar t_left_thigh_9 = t_left_thigh_8 + s_q8_q9_q10 * r_left_thigh_y;
   const Scalar r_left_hip_fork_x = left_hip_fork_l3 + r_left_foot_y;
   const Scalar t_left_hip_fork_9 = c_left_hip_roll * r_left_hip_fork_x;
-  // left_hip_block
+  // left_hip_block: r of (9)
   const Scalar r_left_hip_block_y = t_left_hip_fork_9 + s_left_hip_roll * t_left_thigh_9;
   const Scalar t_left_hip_block_4 = left_hip_fork_l1 - s_q8_q9_q10 * t_left_shank_1;
   const Scalar r_left_hip_block_x = t_left_hip_block_4 + c_q8_q9_q10 * r_left_thigh_y;
@@ -8072,7 +8072,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar r_base_ry_z = c_base_rx * r_base_rx_x + s_base_rx * t_left_hip_block_7;
   C[36] = -(s_base_rz * r_base_rz_x + c_base_rz * r_base_ry_z);
   C[37] = c_base_rz * r_base_rz_x - s_base_rz * r_base_ry_z;
-  // base_px
+  // base_px: C of (9)
   C[49] = -s_base_rz * t_base_rx_9;
   C[48] = -c_base_rz * t_base_rx_9;
   C[60] = Rx_base_rx_y * r_base_rx_x - t_base_rx_5 * t_left_hip_block_7;
@@ -8160,14 +8160,14 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar t_righ_ankl_cros_1 = t_right_foot_1 + left_ankle_cross_l1 * c_right_ankle_pitch;
   const Scalar t_righ_ankl_cros_2 = left_foot_l2 - s_righ_ankl_cros_y;
   const Scalar t_right_shank_1 = t_righ_ankl_cros_1 + left_shank_l1 * c_q15_q16;
-  // right_thigh
+  // right_thigh: r of (9)
   const Scalar r_right_thigh_y = s_right_shank_y - t_righ_ankl_cros_2;
   const Scalar t_right_thigh_7 = c_q14_q15_q16 * t_right_shank_1;
   const Scalar t_right_thigh_8 = t_right_thigh_7 + s_q14_q15_q16 * r_right_thigh_y;
   const Scalar t_right_thigh_9 = left_hip_fork_l3 - r_right_foot_y;
   const Scalar t_right_hip_fork_10 = c_right_hip_roll * t_right_thigh_9;
   const Scalar t_right_hip_fork_11 = t_right_hip_fork_10 - s_right_hip_roll * t_right_thigh_8;
-  // right_hip_block
+  // right_hip_block: r of (9)
   const Scalar t_right_hip_block_7 = left_hip_fork_l1 - s_q14_q15_q16 * t_right_shank_1;
   const Scalar r_right_hip_block_x = t_right_hip_block_7 + c_q14_q15_q16 * r_right_thigh_y;
   const Scalar t_right_hip_block_8 = left_hip_block_l1 + c_right_hip_yaw * t_right_hip_fork_11;
@@ -8177,7 +8177,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar r_base_rx_z_3 = c_right_hip_yaw * r_right_hip_block_x + t_right_hip_block_11;
   const Scalar t_right_hip_block_12 = left_hip_block_l2 + s_right_hip_roll * t_right_thigh_9;
   const Scalar t_right_hip_block_13 = t_right_hip_block_12 + c_right_hip_roll * t_right_thigh_8;
-  // base_rx
+  // base_rx: r of (9)
   const Scalar t_base_rx_13 = s_base_rx * t_right_hip_block_10;
   const Scalar t_base_rx_14 = t_base_rx_13 + c_base_rx * t_right_hip_block_13;
   const Scalar t_base_rx_15 = s_base_ry * r_base_rx_z_3 + c_base_ry * t_base_rx_14;
@@ -8187,7 +8187,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar r_base_ry_z_3 = t_base_rx_16 - c_base_rx * t_right_hip_block_10;
   C[43] = c_base_rz * r_base_rz_x_3 - s_base_rz * r_base_ry_z_3;
   C[42] = -(c_base_rz * r_base_ry_z_3 + s_base_rz * r_base_rz_x_3);
-  // base_px
+  // base_px: C of (9)
   C[54] = -c_base_rz * t_base_rx_15;
   C[55] = -s_base_rz * t_base_rx_15;
   C[68] = c_base_ry * r_base_ry_z_3;
@@ -8237,7 +8237,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   const Scalar r_right_thigh_y_2 = s_right_shank_y + r_right_shank_y;
   const Scalar t_right_thigh_10 = t_right_thigh_7 + s_q14_q15_q16 * r_right_thigh_y_2;
   const Scalar t_right_hip_fork_12 = t_right_hip_fork_10 - s_right_hip_roll * t_right_thigh_10;
-  // right_hip_block
+  // right_hip_block: r of (9)
   const Scalar r_right_hip_block_x_2 = t_right_hip_block_7 + c_q14_q15_q16 * r_right_thigh_y_2;
   const Scalar t_right_hip_block_14 = left_hip_block_l1 - s_right_hip_yaw * r_right_hip_block_x_2;
   const Scalar t_right_hip_block_15 = c_right_hip_yaw * t_right_hip_fork_12;
@@ -8254,7 +8254,7 @@ void force_jacobian_transpose(const Scalar q[18], Scalar C[216]) noexcept {
   C[45] = s_base_rz * r_base_ry_x - c_base_rz * r_base_ry_z_4;
   C[46] = -(s_base_rz * r_base_ry_z_4 + c_base_rz * r_base_ry_x);
   const Scalar t_base_rx_20 = s_base_ry * r_base_rx_z_4 + c_base_ry * t_base_rx_18;
-  // base_px
+  // base_px: C of (9)
   C[57] = -c_base_rz * t_base_rx_20;
   C[58] = -s_base_rz * t_base_rx_20;
   C[71] = c_base_ry * r_base_ry_z_4;

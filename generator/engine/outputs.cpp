@@ -7,13 +7,13 @@ namespace treedyn::engine {
 namespace {
 
 Reduction reduction_of(const Signature& signature) {
-  if (signature.output.rows.of != Extent::Of::kDof) {
+  if (signature.output.rows.of != Extent::Of::kPerDof) {
     return Reduction::kNone;
   }
   if (signature.output.rows.factor == 3) {
     return Reduction::kSelection;
   }
-  return signature.output.cols.of == Extent::Of::kDof ? Reduction::kRowsCols : Reduction::kRows;
+  return signature.output.cols.of == Extent::Of::kPerDof ? Reduction::kRowsCols : Reduction::kRows;
 }
 
 }  // namespace

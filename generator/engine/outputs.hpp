@@ -20,7 +20,7 @@ struct Output {
   int step = -1;  ///< of the plan
   block::Shape shape;
   std::vector<int> steps;  ///< to run
-  Extent rows, cols;       ///< kDof counts links here
+  Extent rows, cols;       ///< kPerDof counts links here
   Reduction reduction = Reduction::kNone;
 };
 

@@ -8,17 +8,17 @@
 namespace treedyn::equations {
 
 int Extent::count(int dof, int points) const {
-  return factor * (of == Of::kDof ? dof : of == Of::kPoints ? points : 1);
+  return factor * (of == Of::kPerDof ? dof : of == Of::kPerPoint ? points : 1);
 }
 
 namespace {
 
-constexpr Extent kOne{1, Extent::Of::kOne};
-constexpr Extent kN{1, Extent::Of::kDof};
-constexpr Extent k3N{3, Extent::Of::kDof};
-constexpr Extent k3P{3, Extent::Of::kPoints};
-constexpr Extent k9P{9, Extent::Of::kPoints};
-constexpr Extent k10N{10, Extent::Of::kDof};
+constexpr Extent kOne{1, Extent::Of::kFixed};
+constexpr Extent kN{1, Extent::Of::kPerDof};
+constexpr Extent k3N{3, Extent::Of::kPerDof};
+constexpr Extent k3P{3, Extent::Of::kPerPoint};
+constexpr Extent k9P{9, Extent::Of::kPerPoint};
+constexpr Extent k10N{10, Extent::Of::kPerDof};
 
 constexpr const char* kForce = "N m|N";
 constexpr const char* kAcceleration = "rad/s^2|m/s^2";

@@ -13,9 +13,9 @@ namespace treedyn::equations {
 
 /// A count: factor, factor N (degrees of freedom) or factor P (points).
 struct Extent {
-  enum class Of { kOne, kDof, kPoints };
+  enum class Of { kFixed, kPerDof, kPerPoint };
   int factor = 1;
-  Of of = Of::kOne;
+  Of of = Of::kFixed;
   [[nodiscard]] int count(int dof, int points) const;
 };
 

@@ -109,7 +109,7 @@ std::vector<Expr> build_factored(const Task& task, const std::string& name) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const bool symmetric = outputs.size() == 1;
     const SparseRows& rows = solution.root(k);
-    const std::vector<Expr> x = outputs[k].cols.of == equations::Extent::Of::kOne
+    const std::vector<Expr> x = outputs[k].cols.of == equations::Extent::Of::kFixed
                                     ? column_of(rows)
                                     : dense(rows, symmetric);
     result.insert(result.end(), x.begin(), x.end());
