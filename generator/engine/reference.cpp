@@ -128,7 +128,8 @@ Exact Reference::terms(const Inputs& inputs) {
 /// unit mass off the origin less that of the mass there.
 Exact Reference::regressor(const Inputs& inputs) {
   const std::size_t columns = 10 * tree_.links.size();
-  Exact Y{std::vector<Real>(engine_.dof() * columns), std::vector<double>(engine_.dof() * columns)};
+  const std::size_t size = static_cast<std::size_t>(engine_.dof()) * columns;
+  Exact Y{std::vector<Real>(size), std::vector<double>(size)};
   model::Tree unit = tree_;
   for (model::Link& link : unit.links) {
     link.inertia = {};

@@ -447,7 +447,7 @@ TEST_P(Trunks, SeeTheEquationsOfTheirJoints) {
 TEST_P(Trunks, HaveJointsAtRightAngles) {
   model::Tree askew = tree_;
   askew.links[1].joint.axis = {Real("0.6"), Real("0.8"), 0};
-  EXPECT_TRUE(formulate::has_free_base(askew));
+  EXPECT_TRUE(model::has_free_base(askew));
   EXPECT_FALSE(formulate::has_trunk(askew));
   model::Tree parallel = tree_;
   parallel.links[4].joint.axis = parallel.links[3].joint.axis;
