@@ -5,7 +5,6 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <ranges>
 #include <tuple>
 #include <unordered_map>
 
@@ -61,9 +60,10 @@ class Records {
     if (!same) {
       *this = {};
     }
-    const auto is_new = numbers | std::views::drop(robot_.size());
+    const std::size_t first_new = robot_.size();
     robot_ = own;
-    for (const auto& [number, source] : is_new) {
+    for (std::size_t k = first_new; k < numbers.size(); ++k) {
+      const auto& [number, source] = numbers[k];
       const int known = find(number);
       if (number.digits() != number.seen()) {
         Provenance all = source;

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <boost/math/constants/constants.hpp>
+#include <functional>
+#include <unordered_map>
+#include <utility>
 
 #include "common/provenance.hpp"
 #include "common/recipe.hpp"
@@ -16,6 +19,35 @@ void note_source(RecipeKind kind, const Real& a, const Real& b, const Real& resu
   if (is_made_of_robot(result)) {
     note_result(kind, a, b, result);
   }
+}
+
+struct HashOfTwo {
+  std::size_t operator()(const std::pair<Digits, Digits>& of) const {
+    const std::hash<Digits> hash;
+    return hash(of.first) * 31 + hash(of.second);
+  }
+};
+
+/// function(x, y), which costs as much as hundreds of products: a search among formulations asks for
+/// the same ones again and again. Each function has its own table in each thread.
+template <class Function>
+Digits remembered(const Digits& x, const Digits& y, Function function) {
+  constexpr std::size_t kMost = 100000;
+  thread_local std::unordered_map<std::pair<Digits, Digits>, Digits, HashOfTwo> known;
+  if (x.is_zero() || y.is_zero() || !isfinite(x) || !isfinite(y)) {
+    return function(x, y);  // +0 and -0 are equal, and not the same
+  }
+  if (known.size() > kMost) {
+    known.clear();
+  }
+  const auto found = known.find({x, y});
+  return found != known.end() ? found->second
+                              : known.emplace(std::pair(x, y), function(x, y)).first->second;
+}
+
+template <class Function>
+Digits remembered(const Digits& x, Function function) {
+  return remembered(x, Digits(1), [&](const Digits& a, const Digits&) { return function(a); });
 }
 
 /// Of functions that have numbers without unit.
@@ -38,7 +70,10 @@ Real ratio(const Real& y, const Real& x, const Real& result) {
 Real::Real(const char* text) : value_(text) {}
 
 Real Real::from(long double value) { return Digits(value); }
-Real Real::from(long long value) { return Digits(value); }
+Real Real::from(long long value) {
+  static const std::array<Digits, 3> small = {Digits(-1), Digits(0), Digits(1)};
+  return value >= -1 && value <= 1 ? small[static_cast<std::size_t>(value + 1)] : Digits(value);
+}
 Real Real::from(unsigned long long value) { return Digits(value); }
 
 Real Real::seen_as(const Digits& value, const Digits& stand_in) {
@@ -107,17 +142,23 @@ std::partial_ordering operator<=>(const Real& a, const Real& b) {
 Real abs(const Real& x) { return x.seen() < 0 ? -x : x; }
 
 Real sqrt(const Real& x) {
-  const Real result = Real::map(x, [](const Digits& a) { return Digits(sqrt(a)); });
+  const Real result = Real::map(x, [](const Digits& a) {
+    return remembered(a, [](const Digits& of) { return Digits(sqrt(of)); });
+  });
   if (is_made_of_robot(result)) {
     note_root(x, result);
   }
   return result;
 }
 Real sin(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(sin(a)); }));
+  return ratio(x, Real::map(x, [](const Digits& a) {
+    return remembered(a, [](const Digits& of) { return Digits(sin(of)); });
+  }));
 }
 Real cos(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(cos(a)); }));
+  return ratio(x, Real::map(x, [](const Digits& a) {
+    return remembered(a, [](const Digits& of) { return Digits(cos(of)); });
+  }));
 }
 Real tan(const Real& x) {
   return ratio(x, Real::map(x, [](const Digits& a) { return Digits(tan(a)); }));
@@ -147,8 +188,9 @@ Real round(const Real& x) {
   return Real::map(x, [](const Digits& a) { return Digits(round(a)); });
 }
 Real atan2(const Real& y, const Real& x) {
-  return ratio(
-      y, x, Real::map(y, x, [](const Digits& a, const Digits& b) { return Digits(atan2(a, b)); }));
+  return ratio(y, x, Real::map(y, x, [](const Digits& a, const Digits& b) {
+    return remembered(a, b, [](const Digits& p, const Digits& q) { return Digits(atan2(p, q)); });
+  }));
 }
 Real pow(const Real& x, const Real& y) {
   return Real::map(x, y, [](const Digits& a, const Digits& b) { return Digits(pow(a, b)); });

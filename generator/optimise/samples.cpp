@@ -3,10 +3,11 @@
 namespace treedyn::optimise {
 
 SampleTable::SampleTable(const Network& network)
-    : network_(network), samples_(1), fast_{{0, 0}}, errors_(1), zero_{true} {
+    : network_(network), samples_(1), fast_{{0, 0}}, errors_(1), zero_{true}, present_(kBits) {
   for (int k = 1; k < network.size(); ++k) {
     append(k);
     table_.push_back({std::abs(fast_.back()[0]), k});
+    present_[bit_of(table_.back().magnitude)] = true;
   }
   std::ranges::sort(table_, [](const Entry& a, const Entry& b) {
     return a.magnitude != b.magnitude ? a.magnitude < b.magnitude : a.item < b.item;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <vector>
 
@@ -72,6 +74,12 @@ class SampleTable {
     double magnitude = 0;
     int item = 0;
   };
+  /// Magnitudes that share their 22 leading bits, hashed: most searches end here.
+  static constexpr std::size_t kBits = std::size_t{1} << 18U;
+  static std::size_t bit_of(double magnitude) {
+    return static_cast<std::size_t>((std::bit_cast<std::uint64_t>(magnitude) >> 30U) *
+                                    0x9E3779B97F4A7C15ULL >> 46U);
+  }
   [[nodiscard]] Sample evaluate(int k) const;
   [[nodiscard]] double error_at(std::size_t point, int k) const;
   [[nodiscard]] bool vanishes(int k) const;
@@ -83,13 +91,18 @@ class SampleTable {
   std::vector<ErrorBounds> errors_;
   std::vector<bool> zero_;
   std::vector<Entry> table_;
+  std::vector<bool> present_;  ///< by `bit_of`: some magnitude in the table has this hash
 };
 
 template <class Accept>
 Ref SampleTable::find(double first, double second, Accept accept) const {
-  const double magnitude = std::abs(first);
-  auto it = std::ranges::lower_bound(table_, magnitude * (1 - 1e-13), {}, &Entry::magnitude);
-  for (; it != table_.end() && it->magnitude <= magnitude * (1 + 1e-13); ++it) {
+  const double least = std::abs(first) * (1 - 1e-13);
+  const double most = std::abs(first) * (1 + 1e-13);
+  if (!present_[bit_of(least)] && !present_[bit_of(most)]) {
+    return 0;
+  }
+  auto it = std::ranges::lower_bound(table_, least, {}, &Entry::magnitude);
+  for (; it != table_.end() && it->magnitude <= most; ++it) {
     const auto& known = fast(it->item);
     const bool negative = (known[0] < 0) != (first < 0);
     if (close(second, negative ? -known[1] : known[1]) && accept(it->item)) {

@@ -26,7 +26,8 @@ Ref Graph::make(Kind kind, Ref a, Ref b) {
     fixed_.push_back(kind == Kind::kConstant ||
                      (input ? a >= kFixedArrays : is_fixed(a) && is_fixed(b)));
     nodes_.push_back({kind, a, b});
-    hints_.resize(hints_.size() + 2, {nullptr, body_, nullptr});
+    hints_.push_back({nullptr, body_, nullptr});
+    hints_.push_back({nullptr, body_, nullptr});
     sections_.push_back(section_);
   }
   return place->second;

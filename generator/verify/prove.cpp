@@ -183,7 +183,9 @@ Numbers times_parameters(const Numbers& Y, const std::vector<model::Link>& links
   Numbers tau(Y.size() / columns);
   for (std::size_t row = 0; row < tau.size(); ++row) {
     for (std::size_t i = 0; i < links.size(); ++i) {
-      const auto& [m, c, J] = links[i].inertia;
+      const Real m = links[i].inertia.mass;
+      const model::Vector3& c = links[i].inertia.com;
+      const model::Matrix3& J = links[i].inertia.about_com;
       const Real square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
       const auto about_origin = [&](std::size_t a, std::size_t b) {
         return Real(J[3 * a + b] + m * ((a == b ? square : Real(0)) - c[a] * c[b]));
