@@ -28,8 +28,8 @@ struct HashOfTwo {
   }
 };
 
-/// function(x, y), which costs as much as hundreds of products: a search among formulations asks for
-/// the same ones again and again. Each function has its own table in each thread.
+/// function(x, y), which costs as much as hundreds of products: a search among formulations asks
+/// for the same ones again and again. Each function has its own table in each thread.
 template <class Function>
 Digits remembered(const Digits& x, const Digits& y, Function function) {
   constexpr std::size_t kMost = 100000;
@@ -152,13 +152,13 @@ Real sqrt(const Real& x) {
 }
 Real sin(const Real& x) {
   return ratio(x, Real::map(x, [](const Digits& a) {
-    return remembered(a, [](const Digits& of) { return Digits(sin(of)); });
-  }));
+                 return remembered(a, [](const Digits& of) { return Digits(sin(of)); });
+               }));
 }
 Real cos(const Real& x) {
   return ratio(x, Real::map(x, [](const Digits& a) {
-    return remembered(a, [](const Digits& of) { return Digits(cos(of)); });
-  }));
+                 return remembered(a, [](const Digits& of) { return Digits(cos(of)); });
+               }));
 }
 Real tan(const Real& x) {
   return ratio(x, Real::map(x, [](const Digits& a) { return Digits(tan(a)); }));
@@ -189,8 +189,9 @@ Real round(const Real& x) {
 }
 Real atan2(const Real& y, const Real& x) {
   return ratio(y, x, Real::map(y, x, [](const Digits& a, const Digits& b) {
-    return remembered(a, b, [](const Digits& p, const Digits& q) { return Digits(atan2(p, q)); });
-  }));
+                 return remembered(
+                     a, b, [](const Digits& p, const Digits& q) { return Digits(atan2(p, q)); });
+               }));
 }
 Real pow(const Real& x, const Real& y) {
   return Real::map(x, y, [](const Digits& a, const Digits& b) { return Digits(pow(a, b)); });

@@ -36,7 +36,7 @@ model::Tree with_signs(model::Tree tree, const NormalTree& normal) {
   return tree;
 }
 
-/// The recipe's expressions, nodes in canonical order.
+/// The recipe's expressions.
 program::Function written(const model::Tree& tree, const NormalTree& normal, const Recipe& recipe,
                           const Options& options, const Variant& variant, SharedLimbs* limbs) {
   program::Function function;
@@ -44,15 +44,12 @@ program::Function written(const model::Tree& tree, const NormalTree& normal, con
   for (const Expr& output : recipe.build({tree, normal, options, kinematics})) {
     function.outputs.push_back(output.ref());
   }
-  return program::canonical(function);
+  return function;
 }
 
-}  // namespace
-
-Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                       const Variant& variant) {
-  Variant used = variant;
-  if (recipe.freedom.trunk && variant.trunk && has_trunk(tree)) {
+/// The variant of which the recipe can make use.
+Variant usable(const model::Tree& tree, const Recipe& recipe, Variant used) {
+  if (recipe.freedom.trunk && used.trunk && has_trunk(tree)) {
     for (std::size_t i = 3; i < 6;
          ++i) {  // the base axes stay in one point and the trunk keeps its mass
       used.links[i].mass = MassGauge::kNothing;
@@ -66,17 +63,39 @@ Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Opti
       link.slide = Slide::kNone;
     }
   }
+  return used;
+}
+
+/// One formulation, its nodes in canonical order if that is asked for.
+Built formulation(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                  const Variant& variant, bool in_order) {
+  const Variant used = usable(tree, recipe, variant);
+  const auto ordered = [in_order](program::Function function) {
+    return in_order ? program::canonical(function) : function;
+  };
   const std::vector<LimbLinks> links =
       options.share_limbs && !recipe.freedom.own_code ? find_limbs(tree) : std::vector<LimbLinks>{};
   const NormalTree normal = normal_form(tree, options.gravity, used, links);
   if (links.empty()) {
-    return {written(tree, normal, recipe, options, used, nullptr), {}};
+    return {ordered(written(tree, normal, recipe, options, used, nullptr)), {}};
   }
   SharedLimbs limbs = shared_limbs(tree, normal, links);
   program::Function function =
-      written(with_signs(tree, normal), normal, recipe, options, used, &limbs);
+      ordered(written(with_signs(tree, normal), normal, recipe, options, used, &limbs));
   function = program::fold_limb_constants(function, limbs.table);
   return {std::move(function), std::move(limbs.table)};
+}
+
+}  // namespace
+
+Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                       const Variant& variant) {
+  return formulation(tree, recipe, options, variant, true);
+}
+
+program::Cost cost_of(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                      const Variant& variant) {
+  return program::cost(formulation(tree, recipe, options, variant, false).function);
 }
 
 }  // namespace treedyn::formulate

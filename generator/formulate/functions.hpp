@@ -65,6 +65,10 @@ struct Built {
 Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
                        const Variant& variant);
 
+/// The operations of `build_with_limbs`.
+program::Cost cost_of(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                      const Variant& variant);
+
 /// One formulation of a function, as it comes from the equations: no algebraic pass has run.
 /// \pre not `options.share_limbs`
 inline program::Function build(const model::Tree& tree, const Recipe& recipe,

@@ -203,7 +203,7 @@ int Search::raw_cost(const Variant& variant) {
     return known->second;
   }
   --moves_;
-  const int cost = weight(program::cost(compared(variant)));
+  const int cost = weight(cost_of(seen_.tree, recipe_, seen_.options, variant));
   note(variant, cost);
   return cost;
 }

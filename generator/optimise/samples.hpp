@@ -77,8 +77,8 @@ class SampleTable {
   /// Magnitudes that share their 22 leading bits, hashed: most searches end here.
   static constexpr std::size_t kBits = std::size_t{1} << 18U;
   static std::size_t bit_of(double magnitude) {
-    return static_cast<std::size_t>((std::bit_cast<std::uint64_t>(magnitude) >> 30U) *
-                                    0x9E3779B97F4A7C15ULL >> 46U);
+    return static_cast<std::size_t>(
+        (std::bit_cast<std::uint64_t>(magnitude) >> 30U) * 0x9E3779B97F4A7C15ULL >> 46U);
   }
   [[nodiscard]] Sample evaluate(int k) const;
   [[nodiscard]] double error_at(std::size_t point, int k) const;

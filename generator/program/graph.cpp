@@ -1,6 +1,7 @@
 #include "program/graph.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "common/error.hpp"
@@ -9,28 +10,54 @@ namespace treedyn::program {
 
 namespace {
 
-std::uint64_t pack(Ref a, Ref b) {
-  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U) |
-         static_cast<std::uint64_t>(static_cast<std::uint32_t>(b));
+std::uint64_t hash(const Node& node) {
+  std::uint64_t x = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(node.a)) << 32U) |
+                    static_cast<std::uint64_t>(static_cast<std::uint32_t>(node.b));
+  x = x * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(node.kind);
+  x ^= x >> 29U;
+  x *= 0xBF58476D1CE4E5B9ULL;
+  return x ^ (x >> 32U);
 }
 
 }  // namespace
 
-Graph::Graph() : nodes_(1), hints_(2), sections_(1), fixed_(1, true) {}
+Graph::Graph() : nodes_(1), hints_(2), sections_(1), fixed_(1, true), table_(1024) {}
+
+std::size_t Graph::slot(const Node& node) const {
+  const std::size_t mask = table_.size() - 1;
+  std::size_t place = static_cast<std::size_t>(hash(node)) & mask;
+  while (table_[place] != 0 && this->node(table_[place]) != node) {
+    place = (place + 1) & mask;
+  }
+  return place;
+}
+
+void Graph::grow_table() {
+  table_.assign(2 * table_.size(), 0);
+  for (std::size_t k = 1; k < nodes_.size(); ++k) {
+    table_[slot(nodes_[k])] = static_cast<Ref>(k);
+  }
+}
 
 Ref Graph::make(Kind kind, Ref a, Ref b) {
-  const auto [place, is_new] =
-      table_.try_emplace(Key{pack(a, b), kind}, static_cast<Ref>(nodes_.size()));
-  if (is_new) {
-    const bool input = kind == Kind::kInput;
-    fixed_.push_back(kind == Kind::kConstant ||
-                     (input ? a >= kFixedArrays : is_fixed(a) && is_fixed(b)));
-    nodes_.push_back({kind, a, b});
-    hints_.push_back({nullptr, body_, nullptr});
-    hints_.push_back({nullptr, body_, nullptr});
-    sections_.push_back(section_);
+  const Node node{kind, a, b};
+  const std::size_t place = slot(node);
+  if (table_[place] != 0) {
+    return table_[place];
   }
-  return place->second;
+  const auto made = static_cast<Ref>(nodes_.size());
+  table_[place] = made;
+  const bool input = kind == Kind::kInput;
+  fixed_.push_back(kind == Kind::kConstant ||
+                   (input ? a >= kFixedArrays : is_fixed(a) && is_fixed(b)));
+  nodes_.push_back(node);
+  hints_.push_back({nullptr, body_, nullptr});
+  hints_.push_back({nullptr, body_, nullptr});
+  sections_.push_back(section_);
+  if (2 * nodes_.size() > table_.size()) {
+    grow_table();
+  }
+  return made;
 }
 
 Ref Graph::constant(const Real& value) {
@@ -55,6 +82,11 @@ Ref Graph::constant(const Real& value) {
 Ref Graph::input(int array, int element) { return make(Kind::kInput, array, element); }
 
 bool Graph::is_constant(Ref a) const { return a == 0 || node(a).kind == Kind::kConstant; }
+
+bool Graph::is_one(Ref a) const {
+  static const Real one = 1;
+  return node(a).kind == Kind::kConstant && constants_[static_cast<std::size_t>(node(a).a)] == one;
+}
 
 Real Graph::value(Ref a) const {
   TREEDYN_EXPECT(is_constant(a));
@@ -109,7 +141,7 @@ Ref Graph::multiply(Ref a, Ref b) {
     std::swap(a, b);
   }
   Ref product = 0;
-  if (is_constant(a) && value(a) == 1) {
+  if (is_one(a)) {
     product = b;
   } else if (is_constant(a) && is_constant(b)) {
     product = constant(value(a) * value(b));

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "common/real.hpp"
@@ -28,6 +27,7 @@ struct Node {
   Kind kind = Kind::kConstant;
   Ref a = 0;
   Ref b = 0;
+  bool operator==(const Node&) const = default;
 };
 
 /// How a reader of the generated code would call a value: symbol, body, component ("omega", 3,
@@ -82,26 +82,19 @@ class Graph {
   static std::size_t hint_index(Ref a) { return 2 * index(a) + static_cast<std::size_t>(a < 0); }
   Ref make(Kind kind, Ref a, Ref b);
   Ref add_constant(Ref sum, Ref constant);
+  [[nodiscard]] bool is_one(Ref a) const;
 
-  struct Key {
-    std::uint64_t operands;
-    Kind kind;
-    bool operator==(const Key&) const = default;
-  };
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const {
-      std::uint64_t x = key.operands * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(key.kind);
-      x ^= x >> 29U;
-      return static_cast<std::size_t>(x * 0xBF58476D1CE4E5B9ULL);
-    }
-  };
+  /// The place of a node in the table, its own or an empty one.
+  [[nodiscard]] std::size_t slot(const Node& node) const;
+  void grow_table();
 
   std::vector<Node> nodes_;
   std::vector<Hint> hints_;  ///< two for each node: of its value, of the negative
   std::vector<int> sections_;
   std::vector<bool> fixed_;
   std::vector<Real> constants_;
-  std::unordered_map<Key, Ref, KeyHash> table_;  // looked up, never iterated
+  std::vector<Ref>
+      table_;  ///< nodes by their hash, 0 where there is none; a power of two, half full
   std::multimap<double, Ref> constant_table_;
   int body_ = -1;
   int section_ = 0;
