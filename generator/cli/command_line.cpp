@@ -320,6 +320,11 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
         "expected a MODEL and 1 lane",
         kUsage);
   }
+  if (request.target.limb_lanes &&
+      (request.target.sincos == emit::Sincos::kLibm || request.target.vectors)) {
+    throw CLI::ParseError("--limb-lanes: vectors have the pair alone; expected --sincos pair",
+                          kUsage);
+  }
   if (request.checked && (request.share_limbs || request.target.lanes > 1)) {
     throw CLI::ParseError(
         "--checked: a status is that of one state and of code that is not shared; expected no "

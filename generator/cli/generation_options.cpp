@@ -139,6 +139,13 @@ void add_sharing(CLI::App& command, Request& request) {
   command.add_flag(
       "--share-limbs", request.share_limbs,
       "one function for limbs of equal structure: half the code, a few more operations");
+  command.add_flag_callback(
+      "--limb-lanes",
+      [&request] {
+        request.share_limbs = true;
+        request.target.limb_lanes = true;
+      },
+      "such limbs in the lanes of vectors (GNU vector extension), the trunk in numbers");
 }
 
 void add_checked(CLI::App& command, Request& request) {

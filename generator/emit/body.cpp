@@ -54,8 +54,8 @@ class Writer {
 /// A constant in every lane.
 std::string Writer::broadcast(Ref value) const {
   return value == 0
-             ? "Scalar{}"
-             : fmt::format("Scalar{{}} {} {}", value < 0 ? '-' : '+',
+             ? target_.number + "{}"
+             : fmt::format("{}{{}} {} {}", target_.number, value < 0 ? '-' : '+',
                            number_text(words_, graph_.value(std::abs(value)), target_.scalar));
 }
 
@@ -89,9 +89,9 @@ std::string Writer::pair(const Statement& statement) const {
   const std::string left = fmt::format("const auto {} =", both);
   const bool fits = kIndentation + left.size() + 1 + call.size() <= kColumns;
   return fmt::format(
-      "{0}{1}{2}\n{3:{4}}const Scalar& {5} = {6}.sine;\n{3:{4}}const Scalar& {7} = {6}.cosine;",
-      left, fits ? " " : "\n      ", call, "", kIndentation, sine, both,
-      statements_.name(statement.partner));
+      "{0}{1}{2}\n{3:{4}}const {8}& {5} = {6}.sine;\n{3:{4}}const {8}& {7} = {6}.cosine;", left,
+      fits ? " " : "\n      ", call, "", kIndentation, sine, both,
+      statements_.name(statement.partner), target_.number);
 }
 
 /// The arrays hold whole vectors; a call for each of the longest.
@@ -133,9 +133,9 @@ std::string Writer::text(const Statement& statement) const {
   if (statement.partner != 0) {
     return pair(statement);
   }
-  const std::string left = statement.output < 0
-                               ? fmt::format("const Scalar {}", statements_.name(statement.value))
-                               : statements_.element(statement.output);
+  const std::string left = statement.output < 0 ? fmt::format("const {} {}", target_.number,
+                                                              statements_.name(statement.value))
+                                                : statements_.element(statement.output);
   std::string line = fmt::format("{} = {};", left, right_side(statement));
   TREEDYN_EXPECT(line.size() + kIndentation <= kColumns);
   return line;
@@ -163,8 +163,8 @@ void Writer::load(const Statement& statement, Part& part, Body& body) {
     if (statements_.is_elsewhere(value, statement.part) && loaded != statement.part) {
       loaded = statement.part;
       part.uses_workspace = true;
-      part.lines.push_back(fmt::format("const Scalar {} = w[{}];", statements_.name(value),
-                                       statements_.slot(value)));
+      part.lines.push_back(fmt::format("const {} {} = w[{}];", target_.number,
+                                       statements_.name(value), statements_.slot(value)));
       ++body.statements;
     }
   });
@@ -183,6 +183,7 @@ void Writer::share(Ref value, Part& part, Body& body) const {
 Body Writer::write() {
   Body result;
   result.workspace = statements_.slots();
+  result.number = target_.number;
   const std::map<std::size_t, std::string> comments = step_comments(function_, statements_, words_);
   for (std::size_t at = 0; at < statements_.all().size(); ++at) {
     const Statement& statement = statements_.all()[at];

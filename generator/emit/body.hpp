@@ -22,7 +22,8 @@ struct Part {
 /// The body of a function. One part: a plain function; several: functions that share a workspace.
 struct Body {
   std::vector<Part> parts;
-  int workspace = 0;  ///< elements for values that one part computes and another needs
+  int workspace = 0;   ///< elements for values that one part computes and another needs
+  std::string number;  ///< the type of values
   std::vector<std::size_t> stages;   ///< of a single part: where stages 1, 2, .. begin
   std::size_t angle_statements = 0;  ///< those of several angles together
   int statements = 0;

@@ -56,7 +56,8 @@ std::vector<std::string> parameters(const program::Signature& signature,
                                    array.name, used ? "" : "*/"));
       return;
     }
-    result.push_back(fmt::format("{}{} {}{}{}[{}]", qualifier, array.integer ? "int" : "Scalar",
+    const std::string number = array.number.empty() ? "Scalar" : array.number;
+    result.push_back(fmt::format("{}{} {}{}{}[{}]", qualifier, array.integer ? "int" : number,
                                  used ? "" : "/*", array.name, used ? "" : "*/", array.size));
   };
   for (const program::Array& array : signature.inputs) {

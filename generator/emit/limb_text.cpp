@@ -1,11 +1,15 @@
 #include "emit/limb_text.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "common/error.hpp"
 #include "emit/layout.hpp"
 #include "emit/parts.hpp"
+#include "emit/sincos.hpp"
 
 namespace treedyn::emit {
 
@@ -17,9 +21,89 @@ namespace {
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
+/// Limbs are lanes of vectors: as the target wants, but for roots, which vectors do not have.
+bool in_lanes(const program::Function& function, const Target& target) {
+  return target.limb_lanes &&
+         std::ranges::all_of(function.limb_code->phases, [](const LimbPhase& phase) {
+           return program::cost(phase.function).sqrt == 0;
+         });
+}
+
+/// The size of a vector of one value of every limb: a power of two. Behind the last limb it is
+/// repeated.
+int lanes(const LimbClass& limb_class) {
+  return static_cast<int>(std::bit_ceil(at(limb_class.size())));
+}
+
+std::string vector_type(int lanes) { return fmt::format("Limbs{}", lanes); }
+
+/// One for each lane.
+template <class Text>
+std::string in_braces(const LimbClass& limb_class, Text text) {
+  std::vector<std::string> cells;
+  for (int lane = 0; lane < lanes(limb_class); ++lane) {
+    cells.push_back(text(std::min(lane, limb_class.size() - 1)));
+  }
+  return fmt::format("{{{}}}", fmt::join(cells, ", "));
+}
+
+std::string vector_array(int c) { return fmt::format("limbs_{}", c + 1); }
+
 /// limb_left_hip: the values of a limb, by its first link.
 std::string limb_array(const LimbClass& limb_class, int limb, const Vocabulary& words) {
   return "limb_" + words.bodies[at(limb_class.links[at(limb)].front())];
+}
+
+/// The trunk's code that reads the limbs' values from lanes, and does not write them.
+program::Function trunk_of_lanes(const LimbCode& code) {
+  program::Function trunk = code.trunk;
+  auto place = at(code.arguments());
+  for (std::size_t c = 0; c < code.limbs.size(); ++c) {
+    for (int limb = 0; limb < code.limbs[c].size(); ++limb, ++place) {
+      program::Array& array = trunk.signature.inputs[place];
+      array.name = vector_array(static_cast<int>(c));
+      array.number = vector_type(lanes(code.limbs[c]));
+      array.lane = limb;
+      trunk.outputs.resize(trunk.outputs.size() - at(trunk.signature.outputs.back().size));
+      trunk.signature.outputs.pop_back();
+    }
+  }
+  return trunk;
+}
+
+/// What the limbs get of the arguments: one vector for each of their joint values, and which
+/// arguments that takes.
+std::vector<std::string> gathered(const LimbCode& code, std::vector<bool>& uses) {
+  std::vector<std::string> lines;
+  const program::Function& trunk = code.trunk;
+  std::size_t number = 0;
+  for (const LimbClass& limb_class : code.limbs) {
+    number += at(limb_class.size());
+  }
+  std::size_t array = trunk.signature.outputs.size() - number;
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < array; ++k) {
+    first += at(trunk.signature.outputs[k].size);
+  }
+  for (std::size_t c = 0; c < code.limbs.size(); ++c) {
+    const LimbClass& limb_class = code.limbs[c];
+    const auto count = at(trunk.signature.outputs[array].size);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto of_limb = [&](int limb) {
+        const program::Ref value = trunk.outputs[first + at(limb) * count + k];
+        const program::Node& node = trunk.graph.node(value);
+        TREEDYN_EXPECT(node.kind == program::Kind::kInput);
+        uses[at(node.a)] = true;
+        return fmt::format("{}{}", value < 0 ? "-" : "",
+                           element_text(trunk.signature.inputs[at(node.a)], node.b));
+      };
+      lines.push_back(fmt::format("{}[{}] = {}{};", vector_array(static_cast<int>(c)), k,
+                                  vector_type(lanes(limb_class)), in_braces(limb_class, of_limb)));
+    }
+    first += at(limb_class.size()) * count;
+    array += at(limb_class.size());
+  }
+  return lines;
 }
 
 /// The trunk's code with an array of its own name for every limb, which is input and output.
@@ -93,6 +177,25 @@ std::string table_name(const program::Function& function, int c) {
   return fmt::format("k{}Limb{}", camel_case(function.signature.name), c + 1);
 }
 
+/// One row a number, its value in every limb.
+std::string table_of_lanes(const program::Function& function, int c, const Target& target) {
+  const LimbClass& limb_class = function.limb_code->limbs[at(c)];
+  if (limb_class.columns.empty()) {
+    return {};
+  }
+  std::string result = fmt::format("\nconst {} {}[{}] = {{\n", vector_type(lanes(limb_class)),
+                                   table_name(function, c), limb_class.columns.size());
+  for (std::size_t k = 0; k < limb_class.columns.size(); ++k) {
+    result += fmt::format(
+        "    {},  // {}\n",
+        in_braces(
+            limb_class,
+            [&](int limb) { return literal(limb_class.columns[k][at(limb)], target.scalar); }),
+        k);
+  }
+  return result + "};\n";
+}
+
 /// One row a limb, under its first link; every number with its place, which keeps clang-format from
 /// setting them in columns.
 std::string table(const program::Function& function, int c, const Vocabulary& words,
@@ -100,6 +203,9 @@ std::string table(const program::Function& function, int c, const Vocabulary& wo
   const LimbClass& limb_class = function.limb_code->limbs[at(c)];
   if (limb_class.columns.empty()) {
     return {};
+  }
+  if (in_lanes(function, target)) {
+    return table_of_lanes(function, c, target);
   }
   std::string result = fmt::format("\nconst Scalar {}[{}][{}] = {{\n", table_name(function, c),
                                    limb_class.size(), limb_class.columns.size());
@@ -132,7 +238,16 @@ PhaseText phase_text(const program::Function& function, const LimbPhase& phase,
   result.name = phase_name(function, phase);
   program::Function named = phase.function;
   named.signature.name = result.name;
-  const Body text = body(named, limb_words(*function.limb_code, phase.limb_class, words), target);
+  Target numbers = target;
+  if (in_lanes(function, target)) {
+    numbers.lanes = lanes(function.limb_code->limbs[at(phase.limb_class)]);
+    numbers.number = vector_type(numbers.lanes);
+    for (program::Array* const array : {&named.signature.inputs[1], &named.signature.inputs[2],
+                                        &named.signature.outputs.front()}) {
+      array->number = numbers.number;
+    }
+  }
+  const Body text = body(named, limb_words(*function.limb_code, phase.limb_class, words), numbers);
   const std::vector<bool> all(4, true);
   std::vector<std::string> declared = parameters(named.signature, all);
   result.uses.assign(2, false);
@@ -163,24 +278,27 @@ PhaseText phase_text(const program::Function& function, const LimbPhase& phase,
   return result;
 }
 
-/// The calls of the phases of a stage, limb after limb.
+/// The calls of the phases of a stage, limb after limb, or of all limbs of a class together.
 std::vector<std::string> calls(const program::Function& function,
                                const std::vector<PhaseText>& phases, int stage,
-                               const Vocabulary& words) {
+                               const Vocabulary& words, bool together) {
   const LimbCode& code = *function.limb_code;
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < phases.size(); ++k) {
     const LimbPhase& phase = code.phases[k];
     const LimbClass& limb_class = code.limbs[at(phase.limb_class)];
-    for (int limb = 0; phase.stage == stage && limb < limb_class.size(); ++limb) {
+    const int count = together ? 1 : limb_class.size();
+    for (int limb = 0; phase.stage == stage && limb < count; ++limb) {
       std::vector<std::string> arguments;
       if (phases[k].uses[0]) {
         arguments.emplace_back(program::kTrunkValues);
       }
       if (phases[k].uses[1]) {
-        arguments.push_back(fmt::format("{}[{}]", table_name(function, phase.limb_class), limb));
+        const std::string name = table_name(function, phase.limb_class);
+        arguments.push_back(together ? name : fmt::format("{}[{}]", name, limb));
       }
-      arguments.push_back(limb_array(limb_class, limb, words));
+      arguments.push_back(together ? vector_array(phase.limb_class)
+                                   : limb_array(limb_class, limb, words));
       lines.push_back(declaration("  " + phases[k].name, arguments, ";").substr(2));
     }
   }
@@ -188,7 +306,8 @@ std::vector<std::string> calls(const program::Function& function,
 }
 
 /// Declarations of the arrays that callers do not see.
-std::vector<std::string> local_arrays(const program::Function& function, const Vocabulary& words) {
+std::vector<std::string> local_arrays(const program::Function& function, const Vocabulary& words,
+                                      bool together) {
   const LimbCode& code = *function.limb_code;
   std::vector<std::string> lines;
   const program::Array& trunk = code.trunk.signature.outputs[function.signature.outputs.size()];
@@ -196,6 +315,11 @@ std::vector<std::string> local_arrays(const program::Function& function, const V
     lines.push_back(fmt::format("Scalar {}[{}];", trunk.name, trunk.size));
   }
   for (std::size_t c = 0; c < code.limbs.size(); ++c) {
+    if (together && !code.values[c].empty()) {
+      lines.push_back(fmt::format("{} {}[{}];", vector_type(lanes(code.limbs[c])),
+                                  vector_array(static_cast<int>(c)), code.values[c].size()));
+      continue;
+    }
     for (int limb = 0; limb < code.limbs[c].size() && !code.values[c].empty(); ++limb) {
       lines.push_back(fmt::format("Scalar {}[{}];", limb_array(code.limbs[c], limb, words),
                                   code.values[c].size()));
@@ -211,18 +335,24 @@ void append(std::vector<std::string>& lines, const std::vector<std::string>& mor
 /// The public function: trunk, limbs, trunk, ...
 std::string trunk_text(const program::Function& function, const std::vector<PhaseText>& phases,
                        const Vocabulary& words, const Target& target) {
-  const program::Function trunk = named_trunk(*function.limb_code, words);
+  const bool together = in_lanes(function, target);
+  const program::Function trunk =
+      together ? trunk_of_lanes(*function.limb_code) : named_trunk(*function.limb_code, words);
   const Body text = body(trunk, words, target, [&](int array, int element) {
     return function.limb_code->level(array, element);
   });
   const int last_stage = function.limb_code->phases.back().stage;
-  std::vector<std::string> lines = local_arrays(function, words);
+  std::vector<std::string> lines = local_arrays(function, words, together);
+  std::vector<bool> passed(at(function.limb_code->arguments()), false);
+  if (together) {
+    append(lines, gathered(*function.limb_code, passed));
+  }
   std::vector<bool> uses = text.parts.front().uses;
   std::string parts;
   int stage = 0;
   const auto call_before = [&](int level) {
     for (; stage < level; ++stage) {
-      append(lines, calls(function, phases, stage, words));
+      append(lines, calls(function, phases, stage, words, together));
     }
   };
   if (text.parts.size() == 1) {
@@ -250,6 +380,9 @@ std::string trunk_text(const program::Function& function, const std::vector<Phas
   std::vector<bool> used(uses.begin(),
                          uses.begin() + static_cast<std::ptrdiff_t>(outer.inputs.size()));
   const auto first_output = static_cast<std::ptrdiff_t>(trunk.signature.inputs.size());
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    used[k] = used[k] || passed[k];
+  }
   used.insert(used.end(), uses.begin() + first_output,
               uses.begin() + first_output + static_cast<std::ptrdiff_t>(outer.outputs.size()));
   return parts + declaration(returned(outer), parameters(outer, used), " noexcept {") +
@@ -266,6 +399,38 @@ Body limb_body(const program::Function& function, const Vocabulary& words, const
   }
   result.structural_zeros = static_cast<int>(std::ranges::count(function.outputs, program::Ref{0}));
   return result;
+}
+
+bool has_angles_of_limbs_alone(const program::Function& function, const Target& target) {
+  if (!function.limb_code || !in_lanes(function, target)) {
+    return false;
+  }
+  const program::Cost cost = program::cost(function.limb_code->trunk);
+  return cost.sin + cost.cos == 0;
+}
+
+std::string limb_vectors(const std::vector<program::Function>& functions, const Target& target) {
+  std::map<int, bool> has_angles;
+  for (const program::Function& function : functions) {
+    if (!function.limb_code || !in_lanes(function, target)) {
+      continue;
+    }
+    for (const LimbPhase& phase : function.limb_code->phases) {
+      const program::Cost cost = program::cost(phase.function);
+      has_angles[lanes(function.limb_code->limbs[at(phase.limb_class)])] |= cost.sin + cost.cos > 0;
+    }
+  }
+  std::string result;
+  for (const auto& [count, angles] : has_angles) {
+    Target numbers = target;
+    numbers.lanes = count;
+    numbers.number = vector_type(count);
+    result += fmt::format(
+        "\n/// One value of {0} limbs that are equal but for their numbers.\n"
+        "using {1} [[gnu::vector_size({0} * sizeof(Scalar))]] = Scalar;\n{2}",
+        count, numbers.number, angles ? '\n' + sincos_of_limbs(numbers) : "");
+  }
+  return result.empty() ? result : "\nnamespace {\n" + result + "\n}  // namespace\n";
 }
 
 std::string limb_text(const program::Function& function, const Vocabulary& words,

@@ -13,8 +13,15 @@ namespace treedyn::emit {
 /// \pre function.limb_code
 Body limb_body(const program::Function& function, const Vocabulary& words, const Target& target);
 
-/// The constants of the limbs, a function for each phase, and the function that calls them for
-/// every limb.
+/// True if every angle of the function is one of limbs together.
+bool has_angles_of_limbs_alone(const program::Function& function, const Target& target);
+
+/// The types of what the limbs have together, and their sines and cosines; empty if no limbs are
+/// lanes of vectors.
+std::string limb_vectors(const std::vector<program::Function>& functions, const Target& target);
+
+/// The constants of the limbs, a function for each phase, and the function that calls them, for
+/// every limb or with the limbs as the lanes of vectors.
 /// \pre function.limb_code
 std::string limb_text(const program::Function& function, const Vocabulary& words,
                       const Target& target);

@@ -18,7 +18,9 @@ enum class Sincos { kPair, kLibm };
 /// What the generated functions compute with.
 struct Target {
   Scalar scalar = Scalar::kDouble;
-  int lanes = 1;  ///< states at once; more than one: Scalar is a vector type
+  int lanes = 1;                  ///< states at once; more than one: Scalar is a vector type
+  std::string number = "Scalar";  ///< the type of values
+  bool limb_lanes = false;        ///< limbs that share code are the lanes of vectors
   Sincos sincos = Sincos::kPair;
   bool vectors = false;  ///< the pair of all angles of a function together, in vectors
   bool packed = false;   ///< A: what is not structurally zero, lower triangle

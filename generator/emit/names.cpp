@@ -119,7 +119,8 @@ std::string short_body(const std::string& identifier) {
 
 std::string element_text(const program::Array& array, int element) {
   if (array.type.empty()) {
-    return fmt::format("{}[{}]", array.name, element);
+    return array.lane < 0 ? fmt::format("{}[{}]", array.name, element)
+                          : fmt::format("{}[{}][{}]", array.name, element, array.lane);
   }
   return array.fields.empty()
              ? fmt::format("{}.value[{}]", array.name, element)

@@ -45,7 +45,7 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
   }
   SplitText text;
   text.used.assign(all.size(), false);
-  const std::string workspace = fmt::format("Scalar w[{}]", body.workspace);
+  const std::string workspace = fmt::format("{} w[{}]", body.number, body.workspace);
   if (body.workspace > 0) {
     text.declaration = workspace + ";";
   }

@@ -58,7 +58,7 @@ const Approximation& approximation(Scalar scalar) {
 std::string type(const Target& target) {
   return target.takes_vectors() ? "Angles"
          : target.lanes == 1    ? type_name(target.scalar)
-                                : "Scalar";
+                                : target.number;
 }
 
 /// A template of what only vectors of angles need.
@@ -145,6 +145,36 @@ std::string singles(const Target& target, const std::string& functions) {
   return text;
 }
 
+/// The function that gives both, of an argument that is passed as `argument`.
+std::string pair_text(const Target& target, const std::string& argument) {
+  const Approximation& a = approximation(target.scalar);
+  const auto number = [&](const Real& value) {
+    return literal(value, target.scalar);
+  };
+  return fill(template_text("sine_cosine.cpp"),
+              {{"error", a.error},
+               {"range", a.range},
+               {"end", a.end},
+               {"type", type(target)},
+               {"argument", argument},
+               {"half", number(Real("0.5"))},
+               {"one", number(1)},
+               {"four", number(4)},
+               {"third", number(Real(1) / 3)},
+               {"two_over_pi", number(2 / pi())},
+               {"rounding", number(rounding(a))},
+               {"rounding_to_fours", number(4 * rounding(a))},
+               {"scale", number(scale(a))},
+               {"unscale", number(1 / scale(a))},
+               {"reduction", reduction(a, target)},
+               {"sine", horner("s", a.sine, target)},
+               {"cosine", horner("c", a.cosine, target)},
+               {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
+               {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)},
+               {"inlining",
+                target.takes_vectors() ? "[[gnu::always_inline]] inline" : "[[gnu::noinline]]"}});
+}
+
 /// The constants of the source as numbers.
 template <class T>
 struct Numbers {
@@ -222,37 +252,18 @@ bool has_sincos(const Unit& unit) {
   return !unit.target.takes_libm() && cost.sin + cost.cos > 0;
 }
 
-std::string sincos_text(const Target& target, const std::string& functions) {
-  const Approximation& a = approximation(target.scalar);
-  const auto number = [&](const Real& value) {
-    return literal(value, target.scalar);
-  };
-  return fill(
-      template_text("sincos.cpp"),
-      {{"type", type(target)},
-       {"error", a.error},
-       {"range", a.range},
-       {"end", a.end},
-       {"half", number(Real("0.5"))},
-       {"one", number(1)},
-       {"four", number(4)},
-       {"third", number(Real(1) / 3)},
-       {"two_over_pi", number(2 / pi())},
-       {"rounding", number(rounding(a))},
-       {"rounding_to_fours", number(4 * rounding(a))},
-       {"scale", number(scale(a))},
-       {"unscale", number(1 / scale(a))},
-       {"reduction", reduction(a, target)},
-       {"sine", horner("s", a.sine, target)},
-       {"cosine", horner("c", a.cosine, target)},
-       {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
-       {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)},
-       {"inlining", target.takes_vectors() ? "[[gnu::always_inline]] inline" : "[[gnu::noinline]]"},
-       {"angles", of_vectors("angles.cpp", {}, target)},
-       {"singles", singles(target, functions)},
-       {"sines_cosines",
-        of_vectors("sines_cosines.cpp", {{"most", std::to_string(most_angles(target.scalar))}},
-                   target)}});
+std::string sincos_text(const Target& target, const std::string& functions, bool has_numbers) {
+  return fill(template_text("sincos.cpp"),
+              {{"pair", has_numbers ? pair_text(target, type(target)) : ""},
+               {"angles", of_vectors("angles.cpp", {}, target)},
+               {"singles", singles(target, functions)},
+               {"sines_cosines",
+                of_vectors("sines_cosines.cpp",
+                           {{"most", std::to_string(most_angles(target.scalar))}}, target)}});
+}
+
+std::string sincos_of_limbs(const Target& target) {
+  return pair_text(target, fmt::format("const {}&", type(target)));
 }
 
 StatedSines stated_sines(Scalar scalar) {
@@ -268,7 +279,8 @@ std::string sincos_range(const Target& target) {
 std::string sincos_comment(const Target& target) {
   const Approximation& a = approximation(target.scalar);
   return fmt::format(
-      "Sines and cosines, the same bits everywhere, have errors below {} for angles below {} rad; "
+      "Sines and cosines, the same bits everywhere, have errors below {} for angles below {} "
+      "rad; "
       "they are not a number beyond {} rad.",
       a.error, a.range, a.end);
 }

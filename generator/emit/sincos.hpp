@@ -19,7 +19,10 @@ bool has_sincos(const Unit& unit);
 
 /// Definitions of `sine_cosine` for Scalar, the same text for every model, and of `sin` and `cos`
 /// as far as `functions`, the text of those behind it, call them.
-std::string sincos_text(const Target& target, const std::string& functions);
+/// \param has_numbers  false: there are angles of limbs together only
+std::string sincos_text(const Target& target, const std::string& functions, bool has_numbers);
+/// The same for `target.number`, a vector that is passed by reference.
+std::string sincos_of_limbs(const Target& target);
 
 /// What the source's `sine_cosine` returns for float and double, bit by bit.
 template <class T>

@@ -52,7 +52,13 @@ std::string mathematics(const Unit& unit, const std::string& functions) {
   result += library && total.sin > 0 ? "using std::sin;\n" : "";
   result += total.sqrt > 0 ? "using std::sqrt;\n" : "";
   result = result.empty() ? result : '\n' + result;
-  return has_sincos(unit) ? result + sincos_text(unit.target, functions) : result;
+  const bool numbers = std::ranges::any_of(unit.functions, [&](const program::Function& function) {
+    const program::Cost cost = program::cost(function);
+    return cost.sin + cost.cos > 0 && !has_angles_of_limbs_alone(function, unit.target);
+  });
+  const bool others = !unit.checked.empty() || !unit.staged.empty() || !unit.steppers.empty();
+  result += has_sincos(unit) ? sincos_text(unit.target, functions, numbers || others) : "";
+  return result + limb_vectors(unit.functions, unit.target);
 }
 
 /// <cmath>, for what is used of it: the functions above, and what scene functions take; <cstring>.

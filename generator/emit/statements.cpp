@@ -111,7 +111,7 @@ void Statements::name_angles() {
 int Statements::available(Ref value) const {
   const int left =
       is_local(value)
-          ? static_cast<int>(std::string_view("const Scalar ").size()) + names_.width(value)
+          ? static_cast<int>(("const " + target_.number + " ").size()) + names_.width(value)
           : static_cast<int>(element(outputs_of_[index(value)].front()).size()) + 3;
   return static_cast<int>(kColumns) - kIndentation - left -
          static_cast<int>(std::string_view(" = ;").size());

@@ -18,6 +18,8 @@ struct Array {
   bool integer = false;                  ///< int instead of Scalar
   std::string type = {};                 ///< a struct of the header; empty: an array
   std::vector<std::string> fields = {};  ///< of the struct; empty: one array `value`
+  std::string number = {};               ///< type of an element; empty: Scalar
+  int lane = -1;                         ///< elements are vectors, of which this lane; -1: numbers
 };
 
 /// What the header, the manifest and `treedyn list` say of a function.

@@ -106,7 +106,7 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   add_word("section", request.section);
   add_word("units", request.metres ? "si" : "");
   if (request.share_limbs) {
-    options.emplace_back("share_limbs", "true");
+    options.emplace_back(request.target.limb_lanes ? "limb_lanes" : "share_limbs", "true");
   }
   if (request.self_test) {
     options.emplace_back("self_test", "true");
@@ -168,7 +168,7 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
     add(true, option, value);
   }
   if (request.share_limbs) {
-    result.emplace_back("--share-limbs");
+    result.emplace_back(request.target.limb_lanes ? "--limb-lanes" : "--share-limbs");
   }
   if (request.self_test) {
     result.emplace_back("--self-test");

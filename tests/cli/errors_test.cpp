@@ -164,6 +164,8 @@ TEST_F(Cli, RefusesVectorsOfAnglesWhereTheyHaveNoPlace) {
 }
 
 TEST_F(Cli, RefusesToShareLimbsAmongLanesAndInScenes) {
+  expect_usage_error(treedyn({"generate", kModel, "--limb-lanes", "--sincos", "libm", "-o", out()}),
+                     "--limb-lanes");
   expect_usage_error(treedyn({"generate", kModel, "--share-limbs", "--lanes", "4", "-o", out()}),
                      "--share-limbs");
   expect_usage_error(

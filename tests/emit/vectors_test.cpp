@@ -1,4 +1,5 @@
-// `--sincos vector`: clean C++, and the bits of the pair of sine and cosine.
+// Vectors of angles (`--sincos vector`) and of limbs (`--limb-lanes`): clean C++, and the bits of
+// numbers one by one.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ const std::string kOptions =
     "-std=c++17 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow "
     "-Wdouble-promotion -Wfloat-conversion -Wcast-qual -Wundef -Wunused -ffp-contract=off -O1";
 
-const support::Program kPair = {"#include \"pair.hpp\"", "pair::", "one_"};
+const support::Program kSingle = {"#include \"single.hpp\"", "single::", "one_"};
 const support::Program kVector = {"#include \"vector.hpp\"", "vector::", "all_"};
 
 /// Of one vectors of two doubles on x86-64, of the other of four where the processor has them.
@@ -35,29 +36,54 @@ const std::string kModels = TREEDYN_SOURCE_DIR "/models/";
 struct Case {
   const char* name;
   std::string options;
+  std::string single = "--sincos pair";
+  std::string vector = "--sincos vector";
+  std::string model = {};  ///< text of `model.yaml`, which stands before the options
 };
+
+/// A trunk and three arms around it: of four lanes one is empty.
+std::string three_arms() {
+  std::string text =
+      "name: star\nlinks:\n  - {name: trunk, father: ground, joint: {name: turn, type: revolute, "
+      "axis: [0, 0, 1]},\n     mass: 3, com: [0.1, 0, 0.2], inertia: [1, 0, 0, 1, 0, 1]}\n";
+  for (int arm = 1; arm <= 3; ++arm) {
+    text += fmt::format(
+        "  - {{name: upper_{0}, father: trunk, joint: {{name: a_{0}, type: revolute, axis: [1, 0, "
+        "0], offset: [{0}, 0.{0}, 0]}},\n     mass: 2.{0}, com: [0, 0.1, -0.3], inertia: [0.1, "
+        "0.01, 0, 0.2, 0, 0.1]}}\n  - {{name: lower_{0}, father: upper_{0}, joint: {{name: b_{0}, "
+        "type: revolute, axis: [0, 1, 0], offset: [0, 0, -1]}},\n     mass: 1, com: [0.2, 0.1, "
+        "-0.3], inertia: [0.1, 0, 0, 0.2, 0.02, 0.1]}}\n",
+        arm);
+  }
+  return text;
+}
 
 class Vectors : public testing::TestWithParam<Case> {};
 
-TEST_P(Vectors, HaveTheBitsOfThePair) {
+TEST_P(Vectors, HaveTheBitsOfNumbersOneByOne) {
   const support::TemporaryFolder folder;
   const std::string at = folder.path().string() + '/';
-  for (const std::string kind : {"pair", "vector"}) {
+  if (!GetParam().model.empty()) {
+    support::write_file(at + "model.yaml", GetParam().model);
+  }
+  const std::string model = GetParam().model.empty() ? "" : at + "model.yaml";
+  for (const auto& [kind, options] :
+       {std::pair("single", GetParam().single), std::pair("vector", GetParam().vector)}) {
     const Outcome outcome = support::run_words(
-        fmt::format("{0} generate {1} -q --effort 0 --sincos {2} --name {2} -o {3}",
-                    TREEDYN_EXECUTABLE, GetParam().options, kind, at));
+        fmt::format("{} generate {} {} -q --effort 0 {} --name {} -o {}", TREEDYN_EXECUTABLE, model,
+                    GetParam().options, options, kind, at));
     ASSERT_EQ(outcome.status, 0) << outcome.err;
   }
   const support::Manifest manifest = support::read_manifest(at + "vector.json");
-  support::write_file(at + "driver.cpp", support::comparing_driver(manifest, kPair, kVector));
+  support::write_file(at + "driver.cpp", support::comparing_driver(manifest, kSingle, kVector));
   for (const std::string& compiler : compilers()) {
-    for (const char* const kind : {"pair", "vector"}) {
+    for (const char* const kind : {"single", "vector"}) {
       const Outcome outcome = support::run_words(
           fmt::format("{0} {1} -c {2}{3}.cpp -o {2}{3}.o", compiler, kOptions, at, kind));
       ASSERT_EQ(outcome.status, 0) << compiler << outcome.err;
     }
     const Outcome linked = support::run_words(fmt::format(
-        "{0} -std=c++17 {1}driver.cpp {1}pair.o {1}vector.o -o {1}driver", compiler, at));
+        "{0} -std=c++17 {1}driver.cpp {1}single.o {1}vector.o -o {1}driver", compiler, at));
     ASSERT_EQ(linked.status, 0) << linked.err;
     EXPECT_EQ(support::run({at + "driver"}).out,
               fmt::format("0 of {}", 100 * manifest.functions.size()))
@@ -75,6 +101,16 @@ INSTANTIATE_TEST_SUITE_P(
                                      "scenes/biped_double_support.yaml --functions "
                                      "constrained_dynamics"},
                     Case{"contacts", "--scene " + kModels + "scenes/drop.yaml --scalar float"}),
+    [](const testing::TestParamInfo<Case>& param) { return std::string(param.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Limbs, Vectors,
+    testing::Values(
+        Case{"quadruped", kModels + "quadruped.yaml", "--share-limbs", "--limb-lanes"},
+        Case{"floating", kModels + "quadruped.yaml --base axes --scalar float --layout packed",
+             "--share-limbs", "--limb-lanes"},
+        Case{"humanoid", kModels + "biped.yaml --base axes", "--share-limbs", "--limb-lanes"},
+        Case{"three", "", "--share-limbs", "--limb-lanes", three_arms()}),
     [](const testing::TestParamInfo<Case>& param) { return std::string(param.param.name); });
 
 }  // namespace
