@@ -1,5 +1,7 @@
 #include "optimise/samples.hpp"
 
+#include "common/provenance.hpp"
+
 namespace treedyn::optimise {
 
 SampleTable::SampleTable(const Network& network)
@@ -53,6 +55,7 @@ void SampleTable::update_errors(std::span<const int> order) {
 }
 
 void SampleTable::append(int k) {
+  const NoProvenance values_at_states;
   samples_.push_back(evaluate(k));
   fast_.push_back({static_cast<double>(samples_.back().first.seen()),
                    static_cast<double>(samples_.back().second.seen())});

@@ -27,9 +27,8 @@ template <class Scalar, class Input, class Elementary>
 std::vector<Scalar> node_values(const Graph& graph, std::span<const Ref> outputs, Input input,
                                 Elementary elementary, Numbers numbers = Numbers::kPlain) {
   std::vector<Scalar> value(graph.size(), Scalar(0));
-  const auto at = [&](Ref a) -> Scalar {
-    return a < 0 ? Scalar(-value[static_cast<std::size_t>(-a)])
-                 : value[static_cast<std::size_t>(a)];
+  const auto at = [&](Ref a) -> const Scalar& {
+    return value[static_cast<std::size_t>(a)];
   };
   for (const Ref k : reachable(graph, outputs)) {
     const Node& node = graph.node(k);
@@ -43,7 +42,8 @@ std::vector<Scalar> node_values(const Graph& graph, std::span<const Ref> outputs
         result = input(node.a, node.b);
         break;
       case Kind::kAdd:
-        result = at(node.a) + at(node.b);
+        result = node.b < 0 ? Scalar(at(node.a) + Scalar(-at(-node.b)))
+                            : Scalar(at(node.a) + at(node.b));
         break;
       case Kind::kMultiply:
         result = at(node.a) * at(node.b);

@@ -16,19 +16,19 @@ constexpr double kLargestInput = 3;
 
 /// The values of all nodes at a pseudo-random state, with 50 digits, in double.
 std::vector<double> values_at(const Function& function, int state) {
-  const std::vector<Real> exact = node_values<Real>(
+  const std::vector<Digits> exact = node_values<Digits>(
       function.graph, function.outputs,
       [state](int array, int element) {
-        return Real(kLargestInput * sample_input(array, element, state));
+        return Digits(kLargestInput * sample_input(array, element, state));
       },
-      [](Kind kind, const Real& a) {
-        return kind == Kind::kSin   ? Real(sin(a))
-               : kind == Kind::kCos ? Real(cos(a))
-                                    : Real(sqrt(abs(a)));
+      [](Kind kind, const Digits& a) {
+        return kind == Kind::kSin   ? sin(Real(a)).digits()
+               : kind == Kind::kCos ? cos(Real(a)).digits()
+                                    : sqrt(abs(Real(a))).digits();
       });
   std::vector<double> values;
   std::ranges::transform(exact, std::back_inserter(values),
-                         [](const Real& x) { return static_cast<double>(x); });
+                         [](const Digits& x) { return static_cast<double>(x); });
   return values;
 }
 
@@ -146,14 +146,14 @@ std::vector<Scalar> results_at(const Function& function, int state) {
 bool same_results(const Function& function, const Function& other) {
   constexpr int kCompared = 2;
   for (int state = 1; state <= kCompared; ++state) {
-    const std::vector<Real> ours = results_at<Real>(function, state);
-    const std::vector<Real> theirs = results_at<Real>(other, state);
-    Real largest = 0;
-    for (const Real& value : theirs) {
-      largest = larger(largest, value);
+    const std::vector<Digits> ours = results_at<Digits>(function, state);
+    const std::vector<Digits> theirs = results_at<Digits>(other, state);
+    Digits largest = 0;
+    for (const Digits& value : theirs) {
+      largest = std::max(largest, Digits(abs(value)));
     }
-    const Real tolerance = largest * Real("1e-30");
-    if (!std::ranges::equal(ours, theirs, [&](const Real& a, const Real& b) {
+    const Digits tolerance = largest * Digits("1e-30");
+    if (!std::ranges::equal(ours, theirs, [&](const Digits& a, const Digits& b) {
           return abs(a - b) <= tolerance;  // no NaN is
         })) {
       return false;
@@ -165,7 +165,7 @@ bool same_results(const Function& function, const Function& other) {
 double float_error(const Function& function) {
   double worst = 0;
   for (int state = 1; state <= kStates; ++state) {
-    const std::vector<Real> exact = results_at<Real>(function, state);
+    const std::vector<Digits> exact = results_at<Digits>(function, state);
     const std::vector<float> results = results_at<float>(function, state);
     double error = 0;
     double size = 0;

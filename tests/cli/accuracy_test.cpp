@@ -202,7 +202,7 @@ TEST_F(Accuracy, OrdersAreThoseOfTheMethods) {
 
 /// A wrong equation in the code of both references does not pass for the truth.
 TEST_F(Accuracy, WrongCodeIsRefuted) {
-  plant("s/ - 9\\.81/ - 9.82/");
+  plant("s/ = 9\\.81/ = 9.82/");
   const Outcome outcome = treedyn({"accuracy", kPendulum, "--states", "1", "--integrators", "rk4",
                                    "--steps", "0.02", "--target", "1e-3", "--on", "m4f"});
   EXPECT_THAT(outcome.out, HasSubstr(": one of them is wrong\n"));
@@ -223,7 +223,7 @@ TEST_F(Accuracy, AConstantOffByOneUlpOfFloatShows) {
   };
   EXPECT_LT(error(study(options)), 1e-8);
   const float next = std::nextafter(static_cast<float>(kGravity), 10.0F);
-  plant(fmt::format("s/ - 9\\.81 / - {:.17g} /", next));
+  plant(fmt::format("s/ = 9\\.81;/ = {:.17g};/", next));
   const std::vector<double> truth = exact();
   double expected = 0;
   for (std::size_t k = 0; k < truth.size(); ++k) {
