@@ -204,7 +204,8 @@ TEST(Loop, OnAFreeBodyTakesAMillionSteps) {
 }
 
 /// Its pitch passes the singular place again and again, how near is a matter of rounding: of three
-/// motions that begin 1e-13 apart the energy is off by 2e-6, 6e-5 and 5e-4. The second counts.
+/// motions that begin 1e-13 apart the energy is off by 2e-6, 6e-5 and 5e-4 (5e-7 to 2e-4 of eight
+/// with another order of the same operations). The second counts.
 TEST(Loop, TumblesForAMillionSteps) {
   std::vector<double> energies;
   for (const double off : {0.0, 1e-13, 3e-13}) {
@@ -218,7 +219,7 @@ TEST(Loop, TumblesForAMillionSteps) {
   }
   std::ranges::sort(energies);
   EXPECT_LT(energies[1], 1e-4);
-  EXPECT_LT(energies[2], 1e-2);
+  EXPECT_LT(energies[2], 1e-3);
 }
 
 /// Six steps before the pitch passes its singular place at 0.0016 rad, where roll and yaw turn by
