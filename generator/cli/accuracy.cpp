@@ -12,6 +12,7 @@
 #include "accuracy/report.hpp"
 #include "cli/comparison.hpp"
 #include "cli/step_sizes.hpp"
+#include "cli/study_parts.hpp"
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
@@ -19,6 +20,7 @@
 #include "program/random.hpp"
 #include "simulation/simulator.hpp"
 #include "system/files.hpp"
+#include "version.hpp"
 
 namespace treedyn {
 
@@ -193,9 +195,84 @@ Study study_of(const AccuracyRequest& request, const Subject& subject) {
   return study;
 }
 
+/// By method, scalar, falling step.
+std::vector<accuracy::Setting> settings_of(const std::vector<std::string>& integrators,
+                                           const std::vector<accuracy::Variant>& variants,
+                                           const std::vector<double>& steps) {
+  std::vector<accuracy::Setting> result;
+  for (const std::string& integrator : integrators) {
+    for (const accuracy::Variant& variant : variants) {
+      for (const accuracy::State state : accuracy::kStates) {
+        if (state == accuracy::State::kCompensated && integrator == "sdirk2") {
+          continue;  // which is not made
+        }
+        for (const double step : steps) {
+          result.push_back({state, integrator, step, variant});
+        }
+      }
+    }
+  }
+  return result;
+}
+
+/// All that the numbers of a study follow from.
+std::string identity(const Study& study, const Subject& subject,
+                     const std::vector<accuracy::Setting>& settings,
+                     const std::vector<const accuracy::Core*>& sized) {
+  std::string text =
+      fmt::format("treedyn {}\n{} states within {} {}\npoints {}\n", kVersion, study.states,
+                  study.spread, study.speeds_only, fmt::join(study.points, " "));
+  for (const std::string& file : {subject.file, subject.scene.tree_file}) {
+    text += file.empty() ? "" : read_file(file).value_or("") + '\n';
+  }
+  for (const accuracy::Setting& setting : settings) {
+    text += accuracy::text_of(setting) + '\n';
+  }
+  for (const accuracy::Core* const core : sized) {
+    text += fmt::format("sizes on {}\n", core->name);
+  }
+  return text;
+}
+
+/// The reference and its check, of the parts if they are there.
+void find_reference(const AccuracyRequest& request, const Subject& subject, const StudyParts& parts,
+                    const AccuracyTrace& trace, Comparison& comparison, StepWriter& writer,
+                    Study& study) {
+  if (std::optional<KnownReference> known = parts.reference()) {
+    study.reference = known->reference;
+    comparison.set_reference(std::move(known->exact));
+    require_error(request, study);
+    return;
+  }
+  if (request.joined) {
+    throw InputError({request.parts, 0, 0},
+                     "the reference is not there; expected the folder of a plan");
+  }
+  const std::vector<Motion> exact = reference(subject, comparison, writer, study);
+  require_error(request, study);
+  trace(fmt::format("reference: agreement {:.1e}", study.reference.agreement));
+  check(subject, exact, study);
+  trace(fmt::format("check: {:.1e}", study.reference.check_difference));
+  parts.keep({study.reference, exact});
+}
+
+/// Writes the commands of the settings that have no part yet.
+void plan(const AccuracyRequest& request, const StudyParts& parts,
+          const std::vector<accuracy::Setting>& settings) {
+  std::vector<std::size_t> left;
+  for (std::size_t k = 0; k < settings.size(); ++k) {
+    if (!parts.outcome(k + 1, settings[k])) {
+      left.push_back(k + 1);
+    }
+  }
+  write_plan(request.plan, request.command, left);
+}
+
 }  // namespace
 
-accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTrace& trace) {
+std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
+                                              const AccuracyTrace& trace,
+                                              const AccuracyProgress& progress) {
   const std::vector<const accuracy::Core*> sized = sized_cores(request);
   const Subject subject = subject_of(request);
   Study study = study_of(request, subject);
@@ -212,29 +289,38 @@ accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTra
   StepWriter writer(subject.file);
   const std::vector<accuracy::Variant> variants =
       variants_of(request.axes, subject, integrators.front(), writer);
-  Comparison comparison(subject, points);
-  const std::vector<Motion> exact = reference(subject, comparison, writer, study);
-  require_error(request, study);
-  trace(fmt::format("reference: agreement {:.1e}", study.reference.agreement));
-  check(subject, exact, study);
-  trace(fmt::format("check: {:.1e}", study.reference.check_difference));
-  for (const std::string& integrator : integrators) {
-    for (const accuracy::Variant& variant : variants) {
-      for (const accuracy::State state : accuracy::kStates) {
-        if (state == accuracy::State::kCompensated && integrator == "sdirk2") {
-          continue;  // which is not made
-        }
-        for (const double step : steps) {
-          study.outcomes.push_back(
-              comparison.outcome({state, integrator, step, variant}, writer, sized));
-          const Outcome& outcome = study.outcomes.back();
-          trace(fmt::format("{}: {:.2e}", accuracy::text_of(outcome.setting),
-                            outcome.error(study.error)));
-        }
-      }
-    }
+  const std::vector<accuracy::Setting> settings = settings_of(integrators, variants, steps);
+  if (request.part && (*request.part < 1 || *request.part > settings.size())) {
+    throw UsageError(fmt::format("--part {}: the study has {} settings; expected 1 to {}",
+                                 *request.part, settings.size(), settings.size()));
   }
-  return study;
+  const StudyParts parts(request.parts, identity(study, subject, settings, sized));
+  Comparison comparison(subject, points);
+  find_reference(request, subject, parts, trace, comparison, writer, study);
+  if (!request.plan.empty()) {
+    plan(request, parts, settings);
+    return std::nullopt;
+  }
+  for (std::size_t number = 1; number <= settings.size(); ++number) {
+    if (request.part && number != *request.part) {
+      continue;
+    }
+    const accuracy::Setting& setting = settings[number - 1];
+    std::optional<Outcome> outcome = parts.outcome(number, setting);
+    if (!outcome && request.joined) {
+      throw InputError({request.parts, 0, 0},
+                       fmt::format("setting {}, {}, is not there; expected all of {}", number,
+                                   accuracy::text_of(setting), settings.size()));
+    }
+    if (!outcome) {
+      outcome = comparison.outcome(setting, writer, sized);
+      parts.keep(number, *outcome);
+      trace(fmt::format("{}: {:.2e}", accuracy::text_of(setting), outcome->error(study.error)));
+    }
+    study.outcomes.push_back(std::move(*outcome));
+    progress(static_cast<double>(number) / static_cast<double>(settings.size()));
+  }
+  return request.part ? std::nullopt : std::optional(std::move(study));
 }
 
 std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study& study) {

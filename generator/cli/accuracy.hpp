@@ -27,12 +27,22 @@ struct AccuracyRequest {
   std::optional<std::string> points;  ///< --points; default: those of the scene
   bool sizes = false;                 ///< what steps take of the processors
   accuracy::Limits limits;
+  std::string parts;                 ///< folder of what is measured; empty: none
+  bool joined = false;               ///< everything is there already
+  std::string plan;                  ///< file of the commands of all settings that are not
+  std::optional<std::size_t> part;   ///< the number of the only setting that is measured
+  std::vector<std::string> command;  ///< words that measure the study, without those of a plan
 };
 
 using AccuracyTrace = std::function<void(const std::string&)>;
+/// After each setting, with the part of all of them.
+using AccuracyProgress = std::function<void(double)>;
 
-/// Runs every setting over the band. \throws InputError for mistakes in the scene or no compiler
-accuracy::Study study_accuracy(const AccuracyRequest& request, const AccuracyTrace& trace);
+/// Runs every setting over the band, or what `request` wants of it; nothing if that is not all.
+/// \throws InputError for mistakes in the scene or no compiler, or for parts that are missing
+std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
+                                              const AccuracyTrace& trace,
+                                              const AccuracyProgress& progress);
 
 /// Writes NAME_accuracy.csv, .json, .html and .svg, all or none; the text for standard output.
 std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study& study);

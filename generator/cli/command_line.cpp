@@ -150,6 +150,31 @@ void add_accuracy(CLI::App& app, Settings& settings) {
   command.add_option("--stack", request.limits.stack, "bytes that the choice may take")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
+  CLI::Option* parts =
+      command
+          .add_option("--parts", request.parts,
+                      "folder of the results of single settings: they are kept there and taken "
+                      "from there, so a study that was broken off goes on")
+          ->type_name("DIR");
+  command
+      .add_option("--plan", request.plan,
+                  "write the commands of all settings that are not in --parts, a line each")
+      ->type_name("FILE")
+      ->needs(parts);
+  command.add_option("--part", request.part, "measure this setting alone, into --parts")
+      ->type_name("N")
+      ->needs(parts)
+      ->excludes("--plan");
+  command
+      .add_option_function<std::string>(
+          "--gather",
+          [&request](const std::string& folder) {
+            request.parts = folder;
+            request.joined = true;
+          },
+          "measure nothing: all settings are in the folder that --parts had")
+      ->type_name("DIR")
+      ->excludes("--plan", "--part", "--parts");
   add_talk(command, settings);
 }
 
@@ -419,6 +444,20 @@ void require_options(const CLI::App& app, Settings& settings) {
   }
 }
 
+/// The command without `--plan FILE`.
+std::vector<std::string> without_plan(const std::string& program,
+                                      const std::vector<std::string>& words) {
+  std::vector<std::string> result{program};
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] == "--plan") {
+      ++k;
+    } else if (words[k].rfind("--plan=", 0) != 0) {
+      result.push_back(words[k]);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 CommandLine read_command_line(int argc, const char* const* argv) {
@@ -430,6 +469,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   try {
     require_known_command(app, argc > 1 ? argv[1] : "");
     std::vector<std::string> words = with_settings({argv + std::min(argc, 1), argv + argc});
+    result.settings.accuracy.command = without_plan(argc > 0 ? argv[0] : "treedyn", words);
     std::reverse(words.begin(), words.end());
     app.parse(std::move(words));
     require_options(app, result.settings);

@@ -186,13 +186,16 @@ class Progress {
     const steady_clock::time_point now = steady_clock::now();
     if (on_terminal_ && now - shown_ > std::chrono::milliseconds(200) &&
         now - start_ > std::chrono::seconds(1)) {
-      print_error(fmt::format("\r{:3.0f} %", 100 * part));
+      const double spent = std::chrono::duration<double>(now - start_).count();
+      const double left = part > 0 ? spent * (1 - part) / part : 0;
+      print_error(fmt::format("\r{:3.0f} %, {:.0f} s left   ", 100 * part, left));
       shown_ = now;
     }
     return !interrupted;
   }
   void end() const {
-    print_error(shown_ == std::chrono::steady_clock::time_point{} ? "" : "\r     \r");
+    print_error(shown_ == std::chrono::steady_clock::time_point{} ? ""
+                                                                  : "\r                    \r");
   }
 
  private:
@@ -234,7 +237,14 @@ int run_simulate(const Settings& settings) {
 }
 
 int run_accuracy(const Settings& settings) {
-  const accuracy::Study study = study_accuracy(settings.accuracy, trace_of(settings));
+  Progress progress;
+  const std::optional<accuracy::Study> found =
+      study_accuracy(settings.accuracy, trace_of(settings), std::ref(progress));
+  progress.end();
+  if (!found) {
+    return 0;
+  }
+  const accuracy::Study& study = *found;
   print(write_accuracy(settings.accuracy, study));
   const std::optional<double>& target = settings.accuracy.target;
   const std::vector<std::string>& on = settings.accuracy.on;

@@ -280,6 +280,51 @@ TEST_F(Accuracy, AnEventThatWaitsForTheEndOfItsStepShows) {
   }
 }
 
+/// In one piece; by GNU parallel on two slots; and broken off, here by two parts that vanish.
+TEST_F(Accuracy, IsMadeInPartsToTheSameBytes) {
+  const auto study_into = [&](const std::string& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"accuracy",  kPendulum, "--states", "2",  "--steps",
+                                          "0.02,0.01", "--on",    "m4f",      "-v", "--integrators",
+                                          "rk4",       "-o",      folder};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return treedyn(arguments);
+  };
+  const std::string parts = scratch("parts");
+  const std::string plan = scratch("plan.txt");
+  const Outcome whole = study_into(scratch("whole"), {});
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  const Outcome planned = study_into(scratch("joined"), {"--parts", parts, "--plan", plan});
+  ASSERT_EQ(planned.status, 0) << planned.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch("joined")));
+
+  const Outcome early = study_into(scratch("joined"), {"--gather", parts});
+  EXPECT_EQ(early.status, 1);
+  EXPECT_THAT(early.err, HasSubstr("setting 1, float rk4 0.02, is not there; expected all of 6"));
+  const Outcome measured = support::run({"sh", "-c", "parallel -j 2 < '" + plan + "'"});
+  ASSERT_EQ(measured.status, 0) << measured.err;
+  const auto expect_same = [&](const Outcome& joined) {
+    ASSERT_EQ(joined.status, 0) << joined.err;
+    EXPECT_EQ(joined.out, whole.out);
+    for (const char* const end : {"csv", "json", "html", "svg"}) {
+      const std::string name = std::string("/pendulum_accuracy.") + end;
+      EXPECT_EQ(read_file(scratch("joined") + name), read_file(scratch("whole") + name)) << end;
+    }
+  };
+  expect_same(study_into(scratch("joined"), {"--gather", parts}));
+
+  std::filesystem::remove(parts + "/setting_2.part");
+  std::filesystem::remove(parts + "/setting_5.part");
+  const Outcome resumed = study_into(scratch("joined"), {"--parts", parts});
+  expect_same(resumed);
+  EXPECT_THAT(resumed.err, HasSubstr("float rk4 0.01: "));
+  EXPECT_THAT(resumed.err, Not(HasSubstr("float rk4 0.02: ")));
+  EXPECT_THAT(resumed.err, Not(HasSubstr("reference")));
+
+  const Outcome other = treedyn({"accuracy", kPendulum, "--states", "3", "--gather", parts});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("reference.part:1: is of another study"));
+}
+
 TEST_F(Accuracy, SaysWhichTargetsAreOutOfReach) {
   const std::vector<std::string> arguments = {"accuracy",      kPendulum,    "--states", "2",
                                               "--steps",       "0.02,0.005", "--on",     "m4f",

@@ -19,6 +19,7 @@ using support::Outcome;
 using support::read_file;
 using support::write_file;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 inline const std::string kModel = TREEDYN_SOURCE_DIR "/models/two_link.yaml";

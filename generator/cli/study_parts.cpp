@@ -1,0 +1,287 @@
+#include "cli/study_parts.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "emit/sha256.hpp"
+#include "system/files.hpp"
+
+namespace treedyn {
+
+namespace {
+
+using accuracy::Outcome;
+using accuracy::Reference;
+
+/// Words, one behind the other.
+class Writer {
+ public:
+  void operator()(const std::string& text) { out_ << std::quoted(text) << '\n'; }
+  void operator()(long number) { out_ << number << '\n'; }
+  void operator()(int number) { (*this)(static_cast<long>(number)); }
+  void operator()(long double number) {
+    char text[64];
+    std::snprintf(text, sizeof(text), "%La", number);
+    out_ << text << '\n';
+  }
+  void operator()(double number) { (*this)(static_cast<long double>(number)); }
+  /// The number of elements.
+  template <class Container>
+  void size(const Container& all) {
+    (*this)(static_cast<long>(all.size()));
+  }
+  [[nodiscard]] std::string text() const { return out_.str(); }
+
+ private:
+  std::ostringstream out_;
+};
+
+/// The same words, read back. \throws std::runtime_error where one is missing
+class Reader {
+ public:
+  explicit Reader(const std::string& text) : in_(text) {}
+
+  void operator()(std::string& text) { in_ >> std::quoted(text); }
+  void operator()(long& number) { number = std::strtol(word().c_str(), nullptr, 10); }
+  void operator()(int& number) {
+    long read = 0;
+    (*this)(read);
+    number = static_cast<int>(read);
+  }
+  void operator()(long double& number) { number = std::strtold(word().c_str(), nullptr); }
+  void operator()(double& number) {
+    long double read = 0;
+    (*this)(read);
+    number = static_cast<double>(read);
+  }
+  long size() {
+    long number = 0;
+    (*this)(number);
+    return number;
+  }
+
+ private:
+  std::string word() {
+    std::string result;
+    if (!(in_ >> result)) {
+      throw std::runtime_error("ends early");
+    }
+    return result;
+  }
+
+  std::istringstream in_;
+};
+
+template <class Value>
+void exchange(Writer& words, const std::vector<Value>& all) {
+  words.size(all);
+  for (const Value& value : all) {
+    exchange(words, value);
+  }
+}
+template <class Value>
+void exchange(Reader& words, std::vector<Value>& all) {
+  all.resize(static_cast<std::size_t>(words.size()));
+  for (Value& value : all) {
+    exchange(words, value);
+  }
+}
+
+void exchange(Writer& words, double value) { words(value); }
+void exchange(Reader& words, double& value) { words(value); }
+void exchange(Writer& words, long double value) { words(value); }
+void exchange(Reader& words, long double& value) { words(value); }
+
+template <class Value>
+void exchange(Writer& words, const std::map<accuracy::Error, Value>& all) {
+  words.size(all);
+  for (const auto& [error, value] : all) {
+    words(static_cast<int>(error));
+    exchange(words, value);
+  }
+}
+template <class Value>
+void exchange(Reader& words, std::map<accuracy::Error, Value>& all) {
+  for (long left = words.size(); left > 0; --left) {
+    int error = 0;
+    words(error);
+    exchange(words, all[static_cast<accuracy::Error>(error)]);
+  }
+}
+
+/// In one order for both directions; `Event`, `Known`, `Result` are const where they are written.
+template <class Words, class Event>
+void event(Words& words, Event& event) {
+  words(event.number);
+  words(event.at);
+}
+void exchange(Writer& words, const SteppedEvent& one) { event(words, one); }
+void exchange(Reader& words, SteppedEvent& one) { event(words, one); }
+
+template <class Words, class One>
+void motion(Words& words, One& one) {
+  exchange(words, one.q);
+  exchange(words, one.qd);
+  words(one.status);
+  exchange(words, one.events);
+  words(one.off.length);
+  words(one.off.angle);
+  words(one.off.speed);
+  words(one.off.rate);
+}
+void exchange(Writer& words, const Motion& one) { motion(words, one); }
+void exchange(Reader& words, Motion& one) { motion(words, one); }
+
+template <class Words, class Known>
+void known(Words& words, Known& all) {
+  words(all.reference.methods);
+  words(all.reference.agreement);
+  exchange(words, all.reference.differences);
+  words(all.reference.check);
+  words(all.reference.check_difference);
+  words(all.reference.check_error);
+  exchange(words, all.exact);
+}
+
+template <class Words, class Cost>
+void cost(Words& words, Cost& all) {
+  words(all.add);
+  words(all.mul);
+  words(all.div);
+  words(all.sqrt);
+  words(all.sin);
+  words(all.cos);
+}
+
+void sizes(Writer& words, const std::map<std::string, accuracy::Size>& all) {
+  words.size(all);
+  for (const auto& [core, size] : all) {
+    words(core);
+    words(size.flash);
+    words(size.stack);
+  }
+}
+void sizes(Reader& words, std::map<std::string, accuracy::Size>& all) {
+  for (long left = words.size(); left > 0; --left) {
+    std::string core;
+    words(core);
+    words(all[core].flash);
+    words(all[core].stack);
+  }
+}
+
+template <class Words, class Result>
+void result(Words& words, Result& all) {
+  cost(words, all.step_cost);
+  cost(words, all.worst_cost);
+  exchange(words, all.errors);
+  words(all.status);
+  sizes(words, all.sizes);
+}
+
+std::string name_of(std::size_t number) { return fmt::format("setting_{}", number); }
+
+/// As one word of a shell.
+std::string quoted(const std::string& word) {
+  std::string text;
+  for (const char c : word) {
+    text += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return '\'' + text + '\'';
+}
+
+}  // namespace
+
+StudyParts::StudyParts(std::string folder, const std::string& study)
+    : folder_(std::move(folder)),
+      head_(fmt::format("treedyn: a part of study {}\n", emit::sha256(study))) {}
+
+std::string StudyParts::path(const std::string& part) const {
+  return (std::filesystem::path(folder_) / (part + ".part")).string();
+}
+
+std::optional<std::string> StudyParts::read(const std::string& part) const {
+  const std::optional<std::string> text = folder_.empty() ? std::nullopt : read_file(path(part));
+  if (!text) {
+    return std::nullopt;
+  }
+  if (text->rfind(head_, 0) != 0) {
+    throw InputError({path(part), 1, 0},
+                     "is of another study, of other options, scene, model or version; expected "
+                     "another folder");
+  }
+  return text->substr(head_.size());
+}
+
+void StudyParts::write(const std::string& part, const std::string& text) const {
+  if (!folder_.empty()) {
+    write_files({{path(part), head_ + text}});
+  }
+}
+
+std::optional<KnownReference> StudyParts::reference() const {
+  const std::optional<std::string> text = read("reference");
+  if (!text) {
+    return std::nullopt;
+  }
+  KnownReference all;
+  Reader words(*text);
+  try {
+    known(words, all);
+  } catch (const std::runtime_error& problem) {
+    throw InputError({path("reference"), 0, 0}, problem.what());
+  }
+  return all;
+}
+
+void StudyParts::keep(const KnownReference& reference) const {
+  Writer words;
+  known(words, reference);
+  write("reference", words.text());
+}
+
+std::optional<Outcome> StudyParts::outcome(std::size_t number,
+                                           const accuracy::Setting& setting) const {
+  const std::optional<std::string> text = read(name_of(number));
+  if (!text) {
+    return std::nullopt;
+  }
+  Outcome all;
+  all.setting = setting;
+  Reader words(*text);
+  try {
+    result(words, all);
+  } catch (const std::runtime_error& problem) {
+    throw InputError({path(name_of(number)), 0, 0}, problem.what());
+  }
+  return all;
+}
+
+void StudyParts::keep(std::size_t number, const Outcome& outcome) const {
+  Writer words;
+  result(words, outcome);
+  write(name_of(number), words.text());
+}
+
+void write_plan(const std::string& path, const std::vector<std::string>& arguments,
+                const std::vector<std::size_t>& numbers) {
+  std::string command;
+  for (const std::string& word : arguments) {
+    command += quoted(word) + ' ';
+  }
+  std::string text;
+  for (const std::size_t number : numbers) {
+    text += fmt::format("{}--part {}\n", command, number);
+  }
+  write_files({{path, text}});
+}
+
+}  // namespace treedyn

@@ -1,0 +1,49 @@
+// A study of accuracy in parts: a folder with its references and what came of every setting, so
+// that many processes make it, and one that was broken off goes on.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "accuracy/study.hpp"
+#include "cli/motions.hpp"
+
+namespace treedyn {
+
+/// What all settings are measured against.
+struct KnownReference {
+  accuracy::Reference reference;
+  std::vector<Motion> exact;
+};
+
+/// The parts in a folder. Each is a file that is there as a whole or not at all, with numbers in
+/// hexadecimal: what is read is what was written, bit by bit.
+class StudyParts {
+ public:
+  /// \param folder  empty: nothing is kept
+  /// \param study   everything that the numbers of a part follow from, as text
+  StudyParts(std::string folder, const std::string& study);
+
+  /// Nothing: the part is not there. \throws InputError for a part of another study
+  [[nodiscard]] std::optional<KnownReference> reference() const;
+  [[nodiscard]] std::optional<accuracy::Outcome> outcome(std::size_t number,
+                                                         const accuracy::Setting& setting) const;
+  void keep(const KnownReference& reference) const;
+  void keep(std::size_t number, const accuracy::Outcome& outcome) const;
+
+ private:
+  [[nodiscard]] std::string path(const std::string& part) const;
+  [[nodiscard]] std::optional<std::string> read(const std::string& part) const;
+  void write(const std::string& part, const std::string& text) const;
+
+  std::string folder_;
+  std::string head_;  ///< the first line of its parts
+};
+
+/// A file of commands, a line each, that measure these settings: `arguments` with `--part N`. The
+/// words are quoted for a shell.
+void write_plan(const std::string& path, const std::vector<std::string>& arguments,
+                const std::vector<std::size_t>& numbers);
+
+}  // namespace treedyn
