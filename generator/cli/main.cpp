@@ -64,6 +64,56 @@ std::vector<std::string> paths(const Settings& settings, const std::string& name
   return result;
 }
 
+std::atomic<bool> interrupted = false;
+
+/// A line on a terminal after the first second, and whether to go on.
+class Progress {
+ public:
+  bool operator()(double part) {
+    using std::chrono::steady_clock;
+    const steady_clock::time_point now = steady_clock::now();
+    if (on_terminal_ && now - shown_ > std::chrono::milliseconds(200) &&
+        now - start_ > std::chrono::seconds(1)) {
+      const double spent = std::chrono::duration<double>(now - start_).count();
+      const double left = part > 0 ? spent * (1 - part) / part : 0;
+      print_error(fmt::format("\r{:3.0f} %, {:.0f} s left   ", 100 * part, left));
+      shown_ = now;
+    }
+    return !interrupted;
+  }
+  void end() const {
+    print_error(shown_ == std::chrono::steady_clock::time_point{} ? ""
+                                                                  : "\r                    \r");
+  }
+
+ private:
+  bool on_terminal_ = ::isatty(STDERR_FILENO) == 1;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point shown_;
+};
+
+/// Lines for a reader who wants them, else a part of the way on a terminal.
+class FunctionsDone {
+ public:
+  FunctionsDone(const Settings& settings, const Model& model)
+      : settings_(settings),
+        all_(model.functions.size() + model.equations.size() + (model.scene ? 1 : 0)) {}
+  void operator()(const std::string& line) {
+    trace_of(settings_)(line);
+    done_ = std::min(done_ + 1, all_);
+    if (!settings_.verbose && !settings_.quiet) {
+      progress_(static_cast<double>(done_) / static_cast<double>(all_));
+    }
+  }
+  void end() const { progress_.end(); }
+
+ private:
+  const Settings& settings_;
+  std::size_t all_;
+  std::size_t done_ = 0;
+  Progress progress_;
+};
+
 int run_generate(const Settings& settings) {
   if (!settings.dump.empty()) {
     print(dump(settings.request, settings.dump));
@@ -71,8 +121,10 @@ int run_generate(const Settings& settings) {
   }
   const Model model = read(settings.request);
   print_warnings(settings, warnings_of(model, settings.request));
+  FunctionsDone done(settings, model);
   const std::vector<emit::File> files =
-      generate(model, settings.request, trace_of(settings), warn_of(settings));
+      generate(model, settings.request, std::ref(done), warn_of(settings));
+  done.end();
   std::vector<OutputFile> outputs;
   const std::vector<std::string> places = paths(settings, model.name);
   for (std::size_t k = 0; k < files.size(); ++k) {
@@ -175,34 +227,6 @@ int run_list(const Settings& settings) {
                                         : list_integrators());
   return 0;
 }
-
-std::atomic<bool> interrupted = false;
-
-/// A line on a terminal after the first second, and whether to go on.
-class Progress {
- public:
-  bool operator()(double part) {
-    using std::chrono::steady_clock;
-    const steady_clock::time_point now = steady_clock::now();
-    if (on_terminal_ && now - shown_ > std::chrono::milliseconds(200) &&
-        now - start_ > std::chrono::seconds(1)) {
-      const double spent = std::chrono::duration<double>(now - start_).count();
-      const double left = part > 0 ? spent * (1 - part) / part : 0;
-      print_error(fmt::format("\r{:3.0f} %, {:.0f} s left   ", 100 * part, left));
-      shown_ = now;
-    }
-    return !interrupted;
-  }
-  void end() const {
-    print_error(shown_ == std::chrono::steady_clock::time_point{} ? ""
-                                                                  : "\r                    \r");
-  }
-
- private:
-  bool on_terminal_ = ::isatty(STDERR_FILENO) == 1;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point shown_;
-};
 
 int run_simulate(const Settings& settings) {
   std::signal(SIGINT, [](int) { interrupted = true; });  // what was computed is written
