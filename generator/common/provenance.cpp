@@ -150,8 +150,6 @@ Records& records() {
   return all;
 }
 
-thread_local int silent = 0;
-
 }  // namespace
 
 const Provenance* provenance_of(const Real& number) {
@@ -163,21 +161,12 @@ void begin_provenance(const std::vector<std::pair<Real, Provenance>>& numbers) {
   records().begin(numbers);
 }
 
-NoProvenance::NoProvenance() { ++silent; }
-NoProvenance::~NoProvenance() { --silent; }
-
 void note_result(RecipeKind kind, const Real& a, const Real& b, const Real& result) {
-  if (silent > 0) {
-    return;
-  }
   Records& all = records();
   all.note(result, all.combine(kind, all.find(a), all.find(b)));
 }
 
 void note_root(const Real& of, const Real& result) {
-  if (silent > 0) {
-    return;
-  }
   Records& all = records();
   if (const int source = all.find(of); source != Records::kNone) {
     all.note(result, all.root(source));
@@ -185,9 +174,6 @@ void note_root(const Real& of, const Real& result) {
 }
 
 void note_ratio(std::span<const Real> of, const Real& result) {
-  if (silent > 0) {
-    return;
-  }
   Records& all = records();
   int made = Records::kNone;
   for (const Real& number : of) {

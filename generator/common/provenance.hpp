@@ -90,16 +90,6 @@ const Provenance* provenance_of(const Real& number);
 /// several parts share a stand-in. What is known of another robot is forgotten.
 void begin_provenance(const std::vector<std::pair<Real, Provenance>>& numbers);
 
-/// While one lives, its thread notes nothing of what is made: of values at states, which no text
-/// has.
-class NoProvenance {
- public:
-  NoProvenance();
-  ~NoProvenance();
-  NoProvenance(const NoProvenance&) = delete;
-  NoProvenance& operator=(const NoProvenance&) = delete;
-};
-
 /// What was made of two numbers.
 void note_result(RecipeKind kind, const Real& a, const Real& b, const Real& result);
 void note_root(const Real& of, const Real& result);

@@ -1,7 +1,5 @@
 #include "optimise/samples.hpp"
 
-#include "common/provenance.hpp"
-
 namespace treedyn::optimise {
 
 SampleTable::SampleTable(const Network& network)
@@ -55,7 +53,6 @@ void SampleTable::update_errors(std::span<const int> order) {
 }
 
 void SampleTable::append(int k) {
-  const NoProvenance values_at_states;
   samples_.push_back(evaluate(k));
   fast_.push_back({static_cast<double>(samples_.back().first.seen()),
                    static_cast<double>(samples_.back().second.seen())});
