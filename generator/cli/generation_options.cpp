@@ -8,6 +8,7 @@
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/parallel.hpp"
 #include "description/read.hpp"
 #include "equations/scene_table.hpp"
 #include "formulate/scene_functions.hpp"
@@ -382,6 +383,11 @@ void add_generation(CLI::App& command, Request& request) {
       ->check(CLI::Range(0, 1000000000))
       ->type_name("N")
       ->capture_default_str();
+  command
+      .add_option_function<int>("-j,--jobs", set_threads,
+                                "threads, which decide no byte; default: cores of the machine")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
   command
       .add_option_function<std::string>(
           "--without", [&request](const std::string& list) { set_without(request, list); },

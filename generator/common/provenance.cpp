@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -31,8 +32,10 @@ struct Hash {
   std::size_t operator()(const Digits& x) const { return std::hash<Digits>()(x); }
 };
 
+}  // namespace
+
 /// What is known of numbers, by the magnitudes that they are seen as; each source once.
-class Records {
+class Sources {
  public:
   static constexpr int kNone = -1;
 
@@ -44,7 +47,7 @@ class Records {
     return found == by_number_.end() ? kNone : found->second;
   }
   [[nodiscard]] const Provenance& at(int index) const {
-    return *sources_[static_cast<std::size_t>(index)];
+    return sources_[static_cast<std::size_t>(index)];
   }
 
   void begin(const std::vector<std::pair<Real, Provenance>>& numbers) {
@@ -78,9 +81,21 @@ class Records {
     if (source == kNone || number.digits() == number.seen()) {
       return;
     }
-    const auto [place, is_new] = by_number_.try_emplace(magnitude(number), source);
-    if (!is_new && is_less(source, place->second)) {
-      place->second = source;
+    keep(magnitude(number), source);
+  }
+
+  /// The same choice for what a task has noted of the same numbers.
+  void learn(const Sources& other) {
+    if (robot_ != other.robot_) {
+      *this = other;
+      return;
+    }
+    std::vector<int> here;
+    for (const Provenance& source : other.sources_) {
+      here.push_back(index_of(source));
+    }
+    for (const auto& [number, index] : other.by_number_) {
+      keep(number, here[static_cast<std::size_t>(index)]);
     }
   }
 
@@ -112,6 +127,12 @@ class Records {
   static Digits magnitude(const Real& number) {
     return number.seen() < 0 ? Digits(-number.seen()) : number.seen();
   }
+  void keep(const Digits& magnitude, int source) {
+    const auto [place, is_new] = by_number_.try_emplace(magnitude, source);
+    if (!is_new && is_less(source, place->second)) {
+      place->second = source;
+    }
+  }
   [[nodiscard]] bool is_less(int a, int b) const {
     const std::size_t x = at(a).origins.size();
     const std::size_t y = at(b).origins.size();
@@ -120,7 +141,7 @@ class Records {
   int index_of(const Provenance& source) {
     const auto [place, is_new] = known_.try_emplace(source, static_cast<int>(sources_.size()));
     if (is_new) {
-      sources_.push_back(&place->first);
+      sources_.push_back(source);
     }
     return place->second;
   }
@@ -140,46 +161,59 @@ class Records {
 
   std::vector<std::pair<Digits, Provenance>> robot_;
   std::map<Provenance, int> known_;
-  std::vector<const Provenance*> sources_;
+  std::deque<Provenance> sources_;  // which stay where they are
   std::map<std::tuple<RecipeKind, int, int>, int> combinations_;
   std::unordered_map<Digits, int, Hash> by_number_;
 };
 
-Records& records() {
-  static thread_local Records all;
+namespace {
+
+std::shared_ptr<Sources>& of_this_thread() {
+  static thread_local auto all = std::make_shared<Sources>();
   return all;
 }
 
+Sources& sources() { return *of_this_thread(); }
+
 }  // namespace
 
+std::shared_ptr<Sources> copy_of_sources() { return std::make_shared<Sources>(sources()); }
+
+std::shared_ptr<Sources> exchange_sources(std::shared_ptr<Sources> of_thread) {
+  of_this_thread().swap(of_thread);
+  return of_thread;
+}
+
+void learn_sources(const Sources& of_task) { sources().learn(of_task); }
+
 const Provenance* provenance_of(const Real& number) {
-  const int found = records().find(number);
-  return found == Records::kNone ? nullptr : &records().at(found);
+  const int found = sources().find(number);
+  return found == Sources::kNone ? nullptr : &sources().at(found);
 }
 
 void begin_provenance(const std::vector<std::pair<Real, Provenance>>& numbers) {
-  records().begin(numbers);
+  sources().begin(numbers);
 }
 
 void note_result(RecipeKind kind, const Real& a, const Real& b, const Real& result) {
-  Records& all = records();
+  Sources& all = sources();
   all.note(result, all.combine(kind, all.find(a), all.find(b)));
 }
 
 void note_root(const Real& of, const Real& result) {
-  Records& all = records();
-  if (const int source = all.find(of); source != Records::kNone) {
+  Sources& all = sources();
+  if (const int source = all.find(of); source != Sources::kNone) {
     all.note(result, all.root(source));
   }
 }
 
 void note_ratio(std::span<const Real> of, const Real& result) {
-  Records& all = records();
-  int made = Records::kNone;
+  Sources& all = sources();
+  int made = Sources::kNone;
   for (const Real& number : of) {
     made = all.combine(RecipeKind::kMultiply, made, all.find(number));
   }
-  if (made != Records::kNone) {
+  if (made != Sources::kNone) {
     all.note(result, all.without_unit(made));
   }
 }

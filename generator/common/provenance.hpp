@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -85,6 +86,16 @@ struct Provenance {
 /// The source of a number that is seen as another one, or of its negative. Null: of the equations,
 /// or not known.
 const Provenance* provenance_of(const Real& number);
+
+/// All that a thread knows of numbers. What a task found out in another thread is learned when it
+/// is done (common/parallel.hpp).
+class Sources;
+std::shared_ptr<Sources> copy_of_sources();
+/// \return those that the thread had
+std::shared_ptr<Sources> exchange_sources(std::shared_ptr<Sources> of_thread);
+/// Learns those of a task; of two of one number the one with less in it counts. Of another robot,
+/// or of more of its numbers, those of the task replace what was known. O(n)
+void learn_sources(const Sources& of_task);
 
 /// The numbers of the robot that is worked on, and of its scene behind them, the same one twice if
 /// several parts share a stand-in. What is known of another robot is forgotten.

@@ -4,17 +4,22 @@
 #include <cstdlib>
 #include <deque>
 #include <map>
+#include <mutex>
 #include <tuple>
 
 namespace treedyn {
 
 namespace {
 
-/// All recipes of a thread, each operation on the same operands once.
+/// All recipes, each operation on the same operands once; for all threads.
 class Recipes {
  public:
-  int number(const Digits& value) { return add({RecipeKind::kNumber, 0, 0, value}); }
+  int number(const Digits& value) {
+    const std::scoped_lock lock(mutex_);
+    return add({RecipeKind::kNumber, 0, 0, value});
+  }
   int operation(RecipeKind kind, int a, int b) {
+    const std::scoped_lock lock(mutex_);
     const auto [place, is_new] = known_.try_emplace({kind, a, b}, 0);
     if (is_new) {
       place->second = add({kind, a, b, 0});
@@ -22,6 +27,7 @@ class Recipes {
     return place->second;
   }
   [[nodiscard]] const Recipe& at(int number) const {
+    const std::scoped_lock lock(mutex_);
     return recipes_[static_cast<std::size_t>(number)];
   }
 
@@ -31,12 +37,13 @@ class Recipes {
     return static_cast<int>(recipes_.size()) - 1;
   }
 
+  mutable std::mutex mutex_;
   std::deque<Recipe> recipes_ = std::deque<Recipe>(1);  // number 0 is none
   std::map<std::tuple<RecipeKind, int, int>, int> known_;
 };
 
 Recipes& recipes() {
-  static thread_local Recipes all;
+  static Recipes all;
   return all;
 }
 

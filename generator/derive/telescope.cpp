@@ -1,6 +1,7 @@
 #include "derive/telescope.hpp"
 
 #include <algorithm>
+#include <mutex>
 
 #include <ginac/ginac.h>
 
@@ -63,6 +64,8 @@ std::optional<int> telescopes(const Values& values,
   if (!chain) {
     return std::nullopt;
   }
+  static std::mutex ginac;  // which counts references without atomics
+  const std::scoped_lock lock(ginac);
   const Vector w = symbols("w");
   const Vector father = symbols("f");
   Vector own;

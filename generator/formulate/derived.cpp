@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "derive/words.hpp"
@@ -149,7 +150,9 @@ Derived solved(const Derived& system, const std::string& unknown) {
 
 /// Our equations hold for every tree, and so does what is derived from them.
 std::shared_ptr<const Derived> derived(const std::string& name) {
+  static std::mutex mutex;
   static std::map<std::string, std::shared_ptr<const Derived>> known;
+  const std::scoped_lock lock(mutex);
   std::shared_ptr<const Derived>& function = known[name];
   if (!function) {
     const equations::Equation& equation = *equations::find_solved(name);

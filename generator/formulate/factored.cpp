@@ -1,5 +1,7 @@
 #include "formulate/factored.hpp"
 
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "equations/symbols.hpp"
@@ -95,7 +97,9 @@ derive::Derivation triangle(const block::Expression& T) {
 }  // namespace
 
 const FactoredFunction& factored(const std::string& name) {
+  static std::mutex mutex;
   static std::map<std::string, FactoredFunction> known;
+  const std::scoped_lock lock(mutex);
   const auto found = known.find(name);
   return found != known.end()
              ? found->second

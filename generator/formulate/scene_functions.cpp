@@ -1,9 +1,12 @@
 #include "formulate/scene_functions.hpp"
 
 #include <algorithm>
+#include <deque>
+#include <functional>
 
 #include <fmt/format.h>
 
+#include "common/parallel.hpp"
 #include "formulate/constrained.hpp"
 #include "formulate/constrained_inverse.hpp"
 #include "formulate/contacts.hpp"
@@ -383,41 +386,58 @@ SceneFunctions scene_functions(const model::Scene& given, const Options& options
   const SceneFormulator formulator(given, options);
   const model::Scene& scene = formulator.scene();
   SceneFunctions result;
+  std::deque<program::Function> plain;  // whose elements stay where they are
+  std::deque<program::Staged> staged;
+  std::vector<std::function<void()>> tasks;
+  const auto add = [&](auto& functions, auto make) {
+    tasks.emplace_back([&function = functions.emplace_back(), make] { function = make(); });
+    return functions.size() - 1;
+  };
   if (formulator.rows() > 0 && wants(wanted, "reaction_jacobian_transpose")) {
-    result.plain.push_back(formulator.jacobian());
+    add(plain, [&] { return formulator.jacobian(); });
   }
   if (formulator.rows() > 0 && wants(wanted, "reaction_bias_acceleration")) {
-    result.plain.push_back(formulator.bias());
+    add(plain, [&] { return formulator.bias(); });
   }
   const bool steps = step_method(scene) && wants(wanted, "step");
   const std::vector<PhaseState> states = phase_states(scene, steps);
-  std::vector<program::Staged> dynamics;
+  std::vector<std::size_t> dynamics;
   for (const PhaseState& state : states) {
     if (steps || wants(wanted, "constrained_dynamics")) {
-      dynamics.push_back(formulator.constrained_dynamics(state));
-      result.staged.push_back(dynamics.back());
+      dynamics.push_back(add(staged, [&] { return formulator.constrained_dynamics(state); }));
     }
     const bool declared = state.active == scene.phases[index(state.phase)].active;
     if (declared && has_inverse_dynamics(scene, state) &&
         wants(wanted, "constrained_inverse_dynamics")) {
-      result.staged.push_back(formulator.inverse_dynamics(state));
+      add(staged, [&] { return formulator.inverse_dynamics(state); });
     }
   }
-  std::vector<program::Staged> impacts;
-  for (const ImpactName& impact : impacts_of(scene)) {
+  std::vector<std::size_t> impacts;
+  const std::vector<ImpactName> names = impacts_of(scene);
+  for (const ImpactName& impact : names) {
     if (steps || wants(wanted, "impact")) {
-      impacts.push_back(formulator.impact(impact));
-      result.staged.push_back(impacts.back());
+      impacts.push_back(add(staged, [&] { return formulator.impact(impact); }));
     }
-  }
-  if (steps) {
-    result.steppers.push_back(make_stepper(scene, options, states, dynamics, impacts));
   }
   for (std::size_t k = 0; k < scene.contacts.size() && wants(wanted, "contact_force"); ++k) {
-    result.staged.push_back(formulator.contact_force(k));
+    add(staged, [&, k] { return formulator.contact_force(k); });
   }
-  for (program::Staged& staged : result.staged) {
-    staged.signature.status = true;
+  run_all(tasks);
+  if (steps) {
+    const auto those = [&](const std::vector<std::size_t>& places) {
+      std::vector<program::Staged> picked;
+      for (const std::size_t place : places) {
+        picked.push_back(staged[place]);
+      }
+      return picked;
+    };
+    result.steppers.push_back(
+        make_stepper(scene, options, states, those(dynamics), those(impacts)));
+  }
+  result.plain.assign(plain.begin(), plain.end());
+  result.staged.assign(staged.begin(), staged.end());
+  for (program::Staged& function : result.staged) {
+    function.signature.status = true;
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 
+#include "common/parallel.hpp"
 #include "formulate/gate.hpp"
 #include "formulate/stand_ins.hpp"
 #include "optimise/limb_sharing.hpp"
@@ -449,8 +450,13 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
       plain_cost(factor) > kHopeless * plain_cost(articulated)) {
     return search(articulated);
   }
-  program::Function function = search(factor);
-  program::Function other = search(articulated);
+  std::vector<program::Function> both =
+      results_of<program::Function>({[&] { return search(factor); },
+                                     [&] {
+                                       return search(articulated);
+                                     }});
+  program::Function& function = both.front();
+  program::Function& other = both.back();
   const int least = options.scene != nullptr ? kWorthwhile : 0;
   if (100 * weight(program::cost(other)) < (100 - least) * weight(program::cost(function))) {
     std::swap(function, other);

@@ -1,10 +1,15 @@
 #include "stages/formulation.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
+#include <mutex>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "common/parallel.hpp"
 #include "emit/layout.hpp"
 #include "formulate/functions.hpp"
 #include "formulate/scene_functions.hpp"
@@ -40,22 +45,47 @@ void report(const Trace& trace, const std::string& name, const program::Cost& co
   trace(fmt::format("{}: {} ({:.1f} s)", name, emit::cost_text(cost), time.count()));
 }
 
+using Task = std::function<program::Function()>;
+
+/// Forward dynamics takes longest: it begins first.
+std::vector<program::Function> in_parallel(std::vector<std::pair<std::string, Task>> named,
+                                           const Trace& trace) {
+  std::vector<std::size_t> order(named.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_partition(
+      order, [&](std::size_t k) { return named[k].first == "forward_dynamics"; });
+  std::mutex writing;
+  std::vector<program::Function> functions(named.size());
+  std::vector<std::function<void()>> tasks;
+  for (const std::size_t k : order) {
+    tasks.emplace_back([&, k] {
+      const auto start = std::chrono::steady_clock::now();
+      functions[k] = named[k].second();
+      const std::scoped_lock lock(writing);
+      report(trace, named[k].first, program::cost(functions[k]), start);
+    });
+  }
+  run_all(tasks);
+  return functions;
+}
+
 program::Programs formulated(const Model& model, const Request& request, const Trace& trace) {
   program::Programs programs;
   const formulate::Options options = formulate_options(model, request);
+  std::vector<std::pair<std::string, Task>> tasks;
   for (const std::string& name : model.functions) {
-    const auto start = std::chrono::steady_clock::now();
-    programs.functions.push_back(formulate::formulated(model.tree, name, options));
-    report(trace, name, program::cost(programs.functions.back()), start);
+    tasks.emplace_back(name, [&] { return formulate::formulated(model.tree, name, options); });
   }
   for (const auto& equation : model.equations) {
-    const auto start = std::chrono::steady_clock::now();
-    program::Function function = formulate::formulated(model.tree, equation, options);
-    function.signature =
+    const program::Signature signature =
         signature_of(*equation, model.tree.dof(), static_cast<int>(model.points.size()));
-    report(trace, function.signature.name, program::cost(function), start);
-    programs.functions.push_back(std::move(function));
+    tasks.emplace_back(signature.name, [&, signature] {
+      program::Function function = formulate::formulated(model.tree, equation, options);
+      function.signature = signature;
+      return function;
+    });
   }
+  programs.functions = in_parallel(std::move(tasks), trace);
   if (model.scene && (request.functions.empty() || !model.scene_functions.empty())) {
     const auto start = std::chrono::steady_clock::now();
     formulate::SceneFunctions scene =

@@ -1,5 +1,5 @@
-// The same bytes on every run: 20 fresh processes with randomised addresses, two locales, two
-// working directories.
+// The same bytes on every run: 20 fresh processes with randomised addresses, one to seven threads,
+// two locales, two working directories.
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -62,6 +62,19 @@ TEST(Determinism, TwentyRunsWriteTheSameBytesForAScene) {  // with drives that G
   EXPECT_GT(first.size(), 10000U);
   for (int run = 1; run < 20; ++run) {
     ASSERT_EQ(generated("", scene), first);
+  }
+}
+
+TEST(Determinism, ThreadsDecideNoByte) {
+  const std::string models = kModels;
+  for (const std::string& what :
+       {models + "/puma560.yaml --effort 50",
+        models + "/quadruped.yaml --effort 20 --base axes --runtime base_rx.mass,gravity",
+        "--scene " + models + "/scenes/biped_stepping.yaml --effort 0"}) {
+    const std::string one = generated("", what + " --jobs 1");
+    EXPECT_GT(one.size(), 10000U);
+    EXPECT_EQ(generated("", what + " --jobs 2"), one) << what;
+    EXPECT_EQ(generated("", what + " -j 7"), one) << what;
   }
 }
 
