@@ -80,13 +80,15 @@ class Chart {
   }
 
   [[nodiscard]] std::string text(const std::string& title, const std::string& axis,
-                                 const std::vector<std::size_t>& front) const {
+                                 const std::vector<std::size_t>& front,
+                                 const std::vector<StepLimit>& limits = {}) const {
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
         "{1}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
         "fill=\"white\"/>\n<text x=\"{2}\" y=\"18\" "
-        "font-size=\"13\">{3}</text>\n{4}{5}{6}{7}</svg>\n",
-        kWidth, kHeight, kLeft, escaped(title), grid(axis), front_line(front), series(), floors());
+        "font-size=\"13\">{3}</text>\n{4}{5}{6}{7}{8}</svg>\n",
+        kWidth, kHeight, kLeft, escaped(title), grid(axis), front_line(front), series(), floors(),
+        limit_lines(limits));
   }
 
  private:
@@ -126,15 +128,44 @@ class Chart {
     std::string text;
     for (const State state : kStates) {
       if (const std::optional<Floor> floor = floor_of(study_, state)) {
-        const double y = py(floor->error);
-        const double name = y + (state == State::kCompensated ? 11 : -3);  // near that of float
-        text += fmt::format(
-            "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#555\" stroke-dasharray=\"2 3\"/><text "
-            "x=\"{3}\" "
-            "y=\"{4:.1f}\" text-anchor=\"end\" fill=\"#555\" stroke=\"white\" "
-            "stroke-width=\"2\" paint-order=\"stroke\">floor of {5}: {6:.1e}</text>\n",
-            kLeft, y, kWidth - kRight, kWidth - kRight - 4, name, name_of(state), floor->error);
+        const double below = state == State::kCompensated ? 11 : -3;  // near that of float
+        text += level(fmt::format("floor of {}", name_of(state)), floor->error, below);
       }
+    }
+    if (const std::optional<Floor> floor = event_floor(study_)) {
+      text += level("floor of events at the end of a step", floor->error, -3);
+    }
+    return text;
+  }
+
+  /// A horizontal line with its name, `below` the line.
+  [[nodiscard]] std::string level(const std::string& name, double error, double below) const {
+    const double y = py(error);
+    return fmt::format(
+        "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#555\" stroke-dasharray=\"2 3\"/><text x=\"{3}\" "
+        "y=\"{4:.1f}\" text-anchor=\"end\" fill=\"#555\" stroke=\"white\" "
+        "stroke-width=\"2\" paint-order=\"stroke\">{5}: {6:.1e}</text>\n",
+        kLeft, y, kWidth - kRight, kWidth - kRight - 4, y + below, name, error);
+  }
+
+  /// Vertical lines at the steps beyond which methods are unstable, where they are in the picture.
+  [[nodiscard]] std::string limit_lines(const std::vector<StepLimit>& limits) const {
+    std::string text;
+    double y = kTop + 12;
+    for (const StepLimit& limit : limits) {
+      const double decades = std::log10(limit.step);
+      if (decades < x_.low || decades > x_.high) {
+        continue;
+      }
+      const double x = px(limit.step);
+      const bool left = x_.place(limit.step) > 0.5;
+      text += fmt::format(
+          "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#a33\" stroke-dasharray=\"6 3\"/><text "
+          "x=\"{3:.1f}\" y=\"{4}\" text-anchor=\"{5}\" fill=\"#a33\" stroke=\"white\" "
+          "stroke-width=\"2\" paint-order=\"stroke\">{6} is stable up to {7:.2g} s</text>\n",
+          x, kTop, kHeight - kBottom, left ? x - 4 : x + 4, y, left ? "end" : "start",
+          limit.integrator, limit.step);
+      y += 13;
     }
     return text;
   }
@@ -227,7 +258,8 @@ class Chart {
 
 std::string step_chart(const Study& study) {
   const Chart chart(study, [](const Outcome& outcome) { return outcome.setting.step; });
-  return chart.text(fmt::format("{}: is float enough, which step?", study.scene), "step, s", {});
+  return chart.text(fmt::format("{}: is float enough, which step?", study.scene), "step, s", {},
+                    study.stability);
 }
 
 std::string work_chart(const Study& study, const Core& core) {

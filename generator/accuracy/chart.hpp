@@ -9,7 +9,8 @@
 namespace treedyn::accuracy {
 
 /// Error over the step: is float enough, which step? Horizontal lines are the floors of the
-/// scalars, marks at the upper edge motions that failed.
+/// scalars and of events that steps take at their end, vertical ones stability limits, marks at the
+/// upper edge motions that failed.
 std::string step_chart(const Study& study);
 
 /// Error over cycles for a second of motion on a core, with the Pareto front: which setting?

@@ -6,39 +6,52 @@ namespace treedyn::accuracy {
 
 namespace {
 
-/// Cortex-M4F and M33: ARM's technical reference manuals (VADD, VMUL 1, VDIV, VSQRT 14, VLDR, VSTR
-/// 2 cycles). `memory` is half a load or store for each operation: 1.5 instructions an operation
-/// are executed in generated functions of the biped (results/firmware.md of the benchmark). Their
-/// double, and all of M0+, is software: sums, products and quotients are instructions of libgcc's
-/// routines, counted under QEMU for one pair of operands, each a cycle and a fifth (taken branches,
-/// loads); square roots and sines there are estimates from those. M7 and host are estimates: a core
-/// with two pipes and a double FPU, and one that issues two operations a cycle. None is calibrated
-/// by a test. Sines of the C library: instructions of newlib's sin and cos under QEMU, of angles
-/// below 1.5 rad, a cycle and a fifth each; of the host estimates.
+/// Software floating point: a cycle and a fifth for an instruction (taken branches, loads).
+Precision in_software(const Prices& instructions) {
+  constexpr double kCycles = 1.2;
+  const Prices& of = instructions;
+  return {{kCycles * of.add, kCycles * of.mul, kCycles * of.div, kCycles * of.sqrt,
+           kCycles * of.pair, kCycles * of.libm},
+          instructions};
+}
+
+/// Instructions are counted, by QEMU and callgrind, and held by tests/firmware; those of square
+/// roots, of quotients in software and of the C library (newlib's sin and cos of angles below 1.5
+/// rad) were counted once. Beside its arithmetic an operation takes half an instruction, of which
+/// three fifths are loads and stores.
+///
+/// Cycles of the Cortex-M4F and M33 follow from ARM's technical reference manuals: one for an
+/// instruction (VADD, VMUL), two for loads and stores, 14 for VDIV and VSQRT. M7 and host are
+/// estimates: a core with two pipes, and one that issues three instructions a cycle.
 const std::vector<Core> kCores = {{"m0plus",
                                    "Cortex-M0+, software floating point",
-                                   {106, 140, 460, 700, 5200, 5400, 4},
-                                   {184, 350, 779, 1500, 14000, 11700, 8},
+                                   in_software({56, 135, 383, 583, 3810, 4500}),
+                                   in_software({135, 305, 650, 1250, 10350, 9750}),
                                    {"-mcpu=cortex-m0plus", "-mfloat-abi=soft"}},
                                   {"m4f",
                                    "Cortex-M4F",
-                                   {1, 1, 14, 14, 62, 220, 1},
-                                   {96, 60, 690, 800, 2300, 3600, 4},
+                                   {{1.85, 1.85, 14, 14, 88, 220}, {1.53, 1.53, 1, 1, 71, 180}},
+                                   in_software({72, 53, 575, 667, 2640, 3000}),
                                    {"-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"}},
                                   {"m33",
                                    "Cortex-M33 with FPU",
-                                   {1, 1, 14, 14, 60, 220, 1},
-                                   {96, 60, 690, 800, 2300, 3600, 4},
+                                   {{1.85, 1.85, 14, 14, 92, 220}, {1.53, 1.53, 1, 1, 74, 180}},
+                                   in_software({72, 53, 575, 667, 2640, 3000}),
                                    {"-mcpu=cortex-m33", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"}},
                                   {"m7",
                                    "Cortex-M7 with double FPU",
-                                   {0.8, 0.8, 16, 14, 45, 110, 0.4},
-                                   {1, 1.3, 30, 28, 62, 210, 0.6},
+                                   {{1.2, 1.2, 16, 14, 58, 110}, {1.53, 1.53, 1, 1, 73, 180}},
+                                   {{1.7, 1.9, 30, 28, 84, 210}, {1.48, 1.48, 1, 1, 73, 180}},
                                    {"-mcpu=cortex-m7", "-mfloat-abi=hard", "-mfpu=fpv5-d16"}},
                                   {"host",
                                    "desktop core, scalar",
-                                   {0.5, 0.5, 5, 6, 16, 30, 0.15},
-                                   {0.5, 0.5, 8, 9, 22, 50, 0.15}}};
+                                   {{0.65, 0.65, 5, 6, 16, 30}, {1.93, 1.93, 2, 2, 82, 140}},
+                                   {{0.65, 0.65, 8, 9, 22, 50}, {1.88, 1.88, 2, 2, 84, 140}}}};
+
+double price(const program::Cost& cost, const Prices& of, bool libm) {
+  return cost.add * of.add + cost.mul * of.mul + cost.div * of.div + cost.sqrt * of.sqrt +
+         std::max(cost.sin, cost.cos) * (libm ? of.libm : of.pair);
+}
 
 }  // namespace
 
@@ -51,9 +64,11 @@ const Core* find_core(std::string_view name) {
 }
 
 double cycles(const program::Cost& cost, const Core& core, bool is_float, bool libm) {
-  const Cycles& of = is_float ? core.single : core.twice;
-  return cost.add * (of.add + of.memory) + cost.mul * (of.mul + of.memory) + cost.div * of.div +
-         cost.sqrt * of.sqrt + std::max(cost.sin, cost.cos) * (libm ? of.libm : of.pair);
+  return price(cost, (is_float ? core.single : core.twice).cycles, libm);
+}
+
+double instructions(const program::Cost& cost, const Core& core, bool is_float) {
+  return price(cost, (is_float ? core.single : core.twice).instructions, false);
 }
 
 }  // namespace treedyn::accuracy

@@ -1,4 +1,4 @@
-// What an operation costs on a processor: tables of cycles, no measurement.
+// What an operation costs on a processor: tables of cycles and instructions, no measurement.
 #pragma once
 
 #include <string_view>
@@ -8,23 +8,28 @@
 
 namespace treedyn::accuracy {
 
-/// Cycles of one operation in one floating-point type.
-struct Cycles {
+/// What operations of one floating-point type take, loads, stores and moves included.
+struct Prices {
   double add = 0;
   double mul = 0;
   double div = 0;
   double sqrt = 0;
-  double pair = 0;    ///< sine and cosine of one angle
-  double libm = 0;    ///< the same by the C library
-  double memory = 0;  ///< loads, stores and moves, for each addition and multiplication
+  double pair = 0;  ///< sine and cosine of one angle
+  double libm = 0;  ///< the same by the C library
+};
+
+/// A floating-point type on a processor.
+struct Precision {
+  Prices cycles;
+  Prices instructions;
 };
 
 /// A processor. Additions and multiplications are issued in order, without contraction.
 struct Core {
   std::string_view name;   ///< of `--on`
   std::string_view brief;  ///< for the reader
-  Cycles single;
-  Cycles twice;  ///< double
+  Precision single;
+  Precision twice;  ///< double
   /// Options of arm-none-eabi-g++; none: its code is not measured.
   std::vector<std::string_view> options = {};
 
@@ -37,8 +42,14 @@ const std::vector<Core>& cores();
 /// Null if there is none of this name.
 const Core* find_core(std::string_view name);
 
-/// Cycles of one call. \param is_float  which of the two tables
+/// Instructions are within this part of what is counted, each function of the tests alone.
+inline constexpr double kInstructionsOff = 0.15;
+
+/// Cycles of one call. \param is_float  which of the two types
 /// \param libm  sines are those of the C library
 double cycles(const program::Cost& cost, const Core& core, bool is_float, bool libm = false);
+
+/// Instructions of one call of code that g++ has compiled with -O2 -ffp-contract=off.
+double instructions(const program::Cost& cost, const Core& core, bool is_float);
 
 }  // namespace treedyn::accuracy

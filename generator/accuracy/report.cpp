@@ -126,6 +126,14 @@ std::string facts_text(const Study& study) {
                           text_of(floor->setting));
     }
   }
+  if (const std::optional<Floor> floor = event_floor(study)) {
+    text += fmt::format("floor of events at the end of a step: {:.2e} with {}\n", floor->error,
+                        text_of(floor->setting));
+  }
+  for (const StepLimit& limit : study.stability) {
+    text += fmt::format("stability limit of {} where the scene begins: {:.3g} s\n",
+                        limit.integrator, limit.step);
+  }
   for (const std::string& name : methods_of(study)) {
     for (const State state : kStates) {
       const std::optional<double> order = fitted_order(study, state, name);

@@ -140,6 +140,10 @@ std::string report_json(const Study& study) {
   for (const auto& [error, difference] : study.reference.differences) {
     differences.emplace_back(row_of(error).name, fmt::format("{:.3g}", difference));
   }
+  Members limits;
+  for (const StepLimit& limit : study.stability) {
+    limits.emplace_back(limit.integrator, fmt::format("{:.3g}", limit.step));
+  }
   std::vector<std::string> points;
   for (const std::string& point : study.points) {
     points.push_back(emit::json_string(point));
@@ -147,10 +151,13 @@ std::string report_json(const Study& study) {
   return fmt::format(
       "{{\n  \"scene\": {},\n  \"duration\": {},\n  \"states\": {},\n  \"spread\": {},\n  "
       "\"error\": \"{}\",\n  \"points\": [{}],\n  \"reference_agreement\": {:.3g},\n  "
-      "\"reference_differences\": {},\n  \"check_difference\": {:.3g},\n  \"settings\": {}\n}}\n",
+      "\"reference_differences\": {},\n  \"check_difference\": {:.3g},\n  \"stability_limits\": "
+      "{},\n  "
+      "\"settings\": {}\n}}\n",
       emit::json_string(study.scene), study.duration, study.states, study.spread,
       row_of(study.error).name, fmt::join(points, ", "), study.reference.agreement,
-      emit::json_object(differences), study.reference.check_difference, emit::json_lines(rows, 4));
+      emit::json_object(differences), study.reference.check_difference, emit::json_object(limits),
+      emit::json_lines(rows, 4));
 }
 
 std::string settings_text(const Setting& setting) {

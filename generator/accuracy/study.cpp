@@ -206,15 +206,29 @@ std::optional<double> fitted_order(const Study& study, State state, const std::s
   return xy / xx;
 }
 
-std::optional<Floor> floor_of(const Study& study, State state) {
+namespace {
+
+/// Of the outcomes whose setting is picked.
+template <class Picks>
+std::optional<Floor> smallest(const Study& study, Picks picks) {
   std::optional<Floor> result;
   for (const Outcome& outcome : study.outcomes) {
-    if (outcome.setting.state == state && !outcome.failed() &&
+    if (picks(outcome.setting) && !outcome.failed() &&
         (!result || outcome.error(study.error) < result->error)) {
       result = Floor{outcome.error(study.error), outcome.setting};
     }
   }
   return result;
+}
+
+}  // namespace
+
+std::optional<Floor> floor_of(const Study& study, State state) {
+  return smallest(study, [&](const Setting& setting) { return setting.state == state; });
+}
+
+std::optional<Floor> event_floor(const Study& study) {
+  return smallest(study, [](const Setting& setting) { return setting.variant.cuts == "0"; });
 }
 
 }  // namespace treedyn::accuracy

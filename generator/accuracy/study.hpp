@@ -92,6 +92,12 @@ struct Limits {
   std::optional<long> stack;
 };
 
+/// The longest step of a method that amplifies nothing in the state in which the scene begins, s.
+struct StepLimit {
+  std::string integrator;
+  double step = 0;
+};
+
 /// All runs of one scene.
 struct Study {
   std::string scene;
@@ -104,6 +110,7 @@ struct Study {
   Limits limits;
   std::vector<std::string> points;  ///< names of those that are compared
   Reference reference;
+  std::vector<StepLimit> stability;  ///< of the methods that have one, contacts closed
   std::vector<Outcome> outcomes;  ///< by method, scalar, falling step
 };
 
@@ -137,5 +144,8 @@ struct Floor {
   Setting setting;
 };
 std::optional<Floor> floor_of(const Study& study, State state);
+
+/// The smallest error of steps that take an event where they end (cuts=0); nothing where none does.
+std::optional<Floor> event_floor(const Study& study);
 
 }  // namespace treedyn::accuracy

@@ -179,6 +179,20 @@ std::vector<const accuracy::Core*> sized_cores(const AccuracyRequest& request) {
   return result;
 }
 
+/// Of the methods that are studied, where the scene begins.
+std::vector<accuracy::StepLimit> stability_of(const Subject& subject,
+                                              const std::vector<std::string>& integrators) {
+  simulation::Simulator simulator(subject.scene, *subject.dynamics, {});
+  simulator.settle();
+  std::vector<accuracy::StepLimit> result;
+  for (const simulation::StabilityLimit& limit : simulator.stability(*subject.dynamics).limits) {
+    if (limit.step && std::ranges::count(integrators, limit.integrator) > 0) {
+      result.push_back({limit.integrator, *limit.step});
+    }
+  }
+  return result;
+}
+
 /// What the options say of the scene.
 Study study_of(const AccuracyRequest& request, const Subject& subject) {
   Study study;
@@ -282,6 +296,7 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
   if (integrators.empty()) {
     integrators = {"semi-implicit-euler", "rk4", "dopri5-fixed"};
   }
+  study.stability = stability_of(subject, integrators);
   const std::vector<model::Point> points = points_of(request, subject.scene);
   for (const model::Point& point : points) {
     study.points.push_back(point.name);

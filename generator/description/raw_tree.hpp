@@ -86,8 +86,9 @@ struct RawParameter {
 
 /// What is known at run time only: "mass", "com" or "inertia" of a link, or "gravity".
 struct RawRuntime {
-  Text link;  ///< empty: of none
+  Text owner;  ///< a link or a point; empty: none
   Text quantity;
+  bool of_point = false;
 };
 
 enum class Format { kYaml, kUrdf };

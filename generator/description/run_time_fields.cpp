@@ -1,6 +1,7 @@
 #include "description/run_time_fields.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -12,15 +13,23 @@ namespace treedyn::description {
 
 namespace {
 
-model::ParameterKind quantity_of(const std::string& name, const Location& where,
-                                 const std::string& what) {
-  const auto& names = model::quantity_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
+using Kind = model::ParameterKind;
+
+std::string expected(const std::vector<const char*>& names) {
+  return fmt::format("{}; of one component com.x or inertia.xx", fmt::join(names, ", "));
+}
+
+model::Declared quantity_of(const std::string& name, bool of_point, const Location& where,
+                            const std::string& what) {
+  const std::optional<model::Declared> found = model::find_quantity(name);
+  if (!found || found->quantity == Kind::kGravity ||
+      (found->quantity == Kind::kPoint) != of_point) {
     throw InputError(where, fmt::format("{}: '{}' cannot be known at run time only; expected {}",
-                                        what, shown(name), fmt::join(names, ", ")));
+                                        what, shown(name),
+                                        of_point ? "at; of one component at.x"
+                                                 : expected({"mass", "com", "inertia", "offset"})));
   }
-  return static_cast<model::ParameterKind>(found - names.begin());
+  return *found;
 }
 
 /// The moving link of that name. What is fixed to a link has no numbers of its own.
@@ -49,30 +58,41 @@ class Declarations {
  public:
   explicit Declarations(model::Tree& tree) : tree_(tree) {}
 
-  void add(const std::string& link, const std::string& quantity, const Location& where) {
+  void add_of_link(const std::string& link, const std::string& quantity, const Location& where) {
     const int i = moving_link(tree_, link, where);
     const std::string what = fmt::format("link '{}': runtime", shown(link));
-    add(i, quantity_of(quantity, where, what), where);
+    add(i, quantity_of(quantity, false, where, what), where);
   }
-  /// What is no number of a link.
+  void add_of_point(const std::string& point, const std::string& quantity, const Location& where) {
+    const auto found = std::ranges::find(tree_.points, point, &model::Point::name);
+    if (found == tree_.points.end()) {
+      throw InputError(where,
+                       fmt::format("runtime: there is no point '{}'; expected one of the model's "
+                                   "own points",
+                                   shown(point)));
+    }
+    const std::string what = fmt::format("point '{}': runtime", shown(point));
+    add(static_cast<int>(found - tree_.points.begin()), quantity_of(quantity, true, where, what),
+        where);
+  }
+  /// What is no number of a link or point.
   void add(const std::string& name, const Location& where) {
-    if (name != "gravity") {
+    const std::optional<model::Declared> found = model::find_quantity(name);
+    if (!found || found->quantity != Kind::kGravity) {
       throw InputError(
           where, fmt::format("runtime: '{}' cannot be known at run time only; expected gravity, or "
-                             "LINK.mass, LINK.com, LINK.inertia on the command line",
+                             "LINK.mass, LINK.com, LINK.inertia, LINK.offset, POINT.at on the "
+                             "command line",
                              shown(name)));
     }
-    add(model::kGround, model::ParameterKind::kGravity, where);
+    add(model::kGround, *found, where);
   }
   void check() const { check_identifiers(named_, "run-time parameter"); }
 
  private:
-  void add(int link, model::ParameterKind quantity, const Location& where) {
-    for (model::Parameter& parameter : model::parameters_of(tree_, link, quantity)) {
-      const std::string name = parameter.component == 0
-                                   ? parameter.declared
-                                   : fmt::format("{} {}", parameter.declared, parameter.component);
-      named_.push_back({name, parameter.identifier, where});
+  void add(int link, const model::Declared& declared, const Location& where) {
+    for (model::Parameter& parameter : model::parameters_of(tree_, link, declared)) {
+      named_.push_back({parameter.declared, parameter.identifier, where});
       tree_.parameters.push_back(std::move(parameter));
     }
   }
@@ -83,24 +103,48 @@ class Declarations {
 
 }  // namespace
 
+namespace {
+
+/// Where a declaration of the command line is split: in front of the quantity, and the component
+/// behind it. Nothing without a quantity.
+std::size_t split(const std::string& text) {
+  const std::size_t last = text.rfind('.');
+  const std::size_t before =
+      last == std::string::npos || last == 0 ? std::string::npos : text.rfind('.', last - 1);
+  if (before != std::string::npos && model::find_quantity(text.substr(before + 1))) {
+    return before;
+  }
+  return last;
+}
+
+}  // namespace
+
 void resolve_parameters(const RawTree& raw, const std::vector<std::string>& list,
                         model::Tree& tree) {
   Declarations declarations(tree);
   for (const RawRuntime& runtime : raw.runtime) {
     const Location where = location(raw, runtime.quantity.where);
-    if (runtime.link.text.empty()) {
+    if (runtime.of_point) {
+      declarations.add_of_point(runtime.owner.text, runtime.quantity.text, where);
+    } else if (runtime.owner.text.empty()) {
       declarations.add(runtime.quantity.text, where);
     } else {
-      declarations.add(runtime.link.text, runtime.quantity.text, where);
+      declarations.add_of_link(runtime.owner.text, runtime.quantity.text, where);
     }
   }
   for (const std::string& text : list) {
     const Location where{raw.file, 0, 0};
-    const std::size_t dot = text.rfind('.');
-    if (dot == std::string::npos) {
+    const std::size_t dot = split(text);
+    if (dot == std::string::npos || text.starts_with("gravity.")) {
       declarations.add(text, where);
+      continue;
+    }
+    const std::string quantity = text.substr(dot + 1);
+    const auto found = model::find_quantity(quantity);
+    if (found && found->quantity == Kind::kPoint) {
+      declarations.add_of_point(text.substr(0, dot), quantity, where);
     } else {
-      declarations.add(text.substr(0, dot), text.substr(dot + 1), where);
+      declarations.add_of_link(text.substr(0, dot), quantity, where);
     }
   }
   declarations.check();

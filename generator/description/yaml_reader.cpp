@@ -71,8 +71,14 @@ void read_link(const Node& node, std::size_t index, RawTree& raw) {
 }
 
 void read_point(const Node& node, std::size_t index, RawTree& raw) {
-  const Fields fields(raw.file, node, called("point", node, index), {"name", "link", "at"});
+  const Fields fields(raw.file, node, called("point", node, index),
+                      {"name", "link", "at", "runtime"});
   raw.points.push_back({fields.text("name"), fields.text("link"), fields.numbers("at")});
+  if (const Node* const runtime = fields.find("runtime")) {
+    for (const Node& item : fields.sequence(*runtime)) {
+      raw.runtime.push_back({raw.points.back().name, fields.scalar(item), true});
+    }
+  }
 }
 
 void read_parameters(const Node& node, RawTree& raw) {

@@ -103,12 +103,9 @@ std::string parameters_json(const model::Tree& tree, const model::Vector3& gravi
   std::size_t k = 0;
   const std::vector<std::string> names = field_names(tree);
   for (const model::Parameter& parameter : tree.parameters) {
-    const std::string link = parameter.link == model::kGround
-                                 ? ""
-                                 : tree.links[static_cast<std::size_t>(parameter.link)].name;
     rows.push_back(json_object({{"field", json_string(names[k++])},
                                 {"declared", json_string(parameter.declared)},
-                                {"link", json_string(link)},
+                                {"link", json_string(model::link_name(tree, parameter))},
                                 {"unit", json_string(model::unit(parameter))},
                                 {"nominal", decimal(model::nominal(tree, gravity, parameter))}}));
   }

@@ -199,7 +199,11 @@ std::optional<Real> Workbench::slide_distance(int i) {
 Turn Workbench::turn_to_son(int i) {
   const NormalLink& son = link(link(i).sons.front());
   const EulerZxz euler = euler_zxz(son.rotation);
-  return euler.alpha.s == 0 ? turn_to(son.offset[0], son.offset[1]) : euler.gamma;
+  if (euler.alpha.s != 0) {
+    return euler.gamma;
+  }
+  const std::array<Real, 2> across = {son.offset[0], son.offset[1]};
+  return is_fixed(across) ? turn_to(across[0], across[1]) : Turn{};
 }
 
 Turn Workbench::frame_turn(int i) {
@@ -346,7 +350,7 @@ std::vector<program::LengthUnit> unit_lengths(const model::Tree& tree) {
       const bool known = std::any_of(lengths.begin(), lengths.end(), [&](const auto& other) {
         return abs(other.metres - length) < Real("1e-9") * length;
       });
-      if (length > Real("1e-9") && !known) {
+      if (length > Real("1e-9") && length.recipe() == 0 && !known) {
         lengths.push_back({length, static_cast<int>(i)});
       }
     }

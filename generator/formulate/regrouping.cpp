@@ -27,11 +27,13 @@ void move_to_father(NormalTree& tree, NormalLink& l, Real mass, Real moment, Rea
 }
 
 /// True if a mass may be chosen by its moment along `axis`: over a lever that is the rounding of a
-/// zero (1e-12 m beside 1 m) it would be huge, and cancel later.
+/// zero (1e-12 m beside 1 m) it would be huge, and cancel later; one that is known at run time only
+/// may be zero.
 bool is_lever(const Vector3& seen, std::size_t axis) {
   const Vector3 offset = plain(seen);
   const Real length = abs(offset[0]) + abs(offset[1]) + abs(offset[2]);
-  return seen[axis] != 0 && abs(offset[axis]) > Real("1e-6") + length * Real("1e-4");
+  return seen[axis] != 0 && seen[axis].recipe() == 0 &&
+         abs(offset[axis]) > Real("1e-6") + length * Real("1e-4");
 }
 
 /// The mass that passes to the father.

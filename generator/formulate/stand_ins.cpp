@@ -94,9 +94,10 @@ Seen see(const model::Tree& tree, const Options& options) {
 }
 
 /// Numbers that are known at run time only are like no other number, zeros and ones as well.
-void see_parameters(Seen& seen) {
-  constexpr std::array<StandIn, 4> kParts = {StandIn::kMass, StandIn::kCom, StandIn::kInertia,
-                                             StandIn::kGravity};
+/// \param tree, points  as they are given
+void see_parameters(const model::Tree& tree, const std::vector<model::Point>& points, Seen& seen) {
+  constexpr std::array<StandIn, 6> kParts = {StandIn::kMass,   StandIn::kCom,    StandIn::kInertia,
+                                             StandIn::kOffset, StandIn::kOffset, StandIn::kGravity};
   int index = 0;
   for (const model::Parameter& parameter : seen.tree.parameters) {
     const StandIn quantity = kParts[static_cast<std::size_t>(parameter.quantity)];
@@ -105,6 +106,9 @@ void see_parameters(Seen& seen) {
     model::set(seen.tree, seen.options.gravity, parameter,
                Real::of_parameter(index, nominal.digits(), stand_in));
     ++index;
+  }
+  for (const auto& [k, own] : model::points_with_parameters(tree, points)) {
+    seen.options.points[k].at = seen.tree.points[own].at;
   }
 }
 
@@ -163,14 +167,14 @@ Seen changed(const model::Tree& tree, const Options& options, Change change) {
 
 Seen with_stand_ins(const model::Tree& tree, const Options& options) {
   Seen seen = see(tree, options);
-  see_parameters(seen);
+  see_parameters(tree, options.points, seen);
   note_provenance(seen);
   return seen;
 }
 
 Seen with_parameters(const model::Tree& tree, const Options& options) {
   Seen seen{tree, options};
-  see_parameters(seen);
+  see_parameters(tree, options.points, seen);
   return seen;
 }
 

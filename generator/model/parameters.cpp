@@ -1,5 +1,8 @@
 #include "model/parameters.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "common/identifier.hpp"
 
 namespace treedyn::model {
@@ -12,90 +15,159 @@ constexpr std::array<const char*, 6> kEntries = {"xx", "xy", "xz", "yy", "yz", "
 constexpr std::array<std::size_t, 6> kPlaces = {0, 1, 2, 4, 5, 8};
 constexpr std::array<std::size_t, 6> kMirrored = {0, 3, 6, 4, 7, 8};
 
+/// A row for each ParameterKind, in their order.
+struct Kind {
+  const char* name;
+  int count;
+  const char* unit;
+  const char* meaning;
+};
+constexpr std::array<Kind, 6> kKinds = {{
+    {"mass", 1, "kg", "mass"},
+    {"com", 3, "m", "centre of mass"},
+    {"inertia", 6, "kg m^2", "inertia about the centre of mass"},
+    {"offset", 3, "m", "joint offset"},
+    {"at", 3, "m", "place"},
+    {"gravity", 3, "m/s^2", "gravity"},
+}};
+
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-/// "", "_x", "_xx"
-std::string ending(ParameterKind quantity, int component) {
-  switch (quantity) {
-    case ParameterKind::kCom:
-    case ParameterKind::kGravity:
-      return std::string("_") + kAxes[index(component)];
-    case ParameterKind::kInertia:
-      return std::string("_") + kEntries[index(component)];
-    case ParameterKind::kMass:
-      break;
+const Kind& kind(ParameterKind quantity) { return kKinds[static_cast<std::size_t>(quantity)]; }
+
+/// "", "x", "xx"
+std::string component_name(ParameterKind quantity, int component) {
+  const int count = kind(quantity).count;
+  return count == 1 ? "" : count == 3 ? kAxes[index(component)] : kEntries[index(component)];
+}
+
+/// Both with something in between, or the one that there is.
+std::string joined(std::string first, char between, const std::string& second) {
+  if (!first.empty() && !second.empty()) {
+    first += between;
   }
-  return {};
+  return first += second;
 }
 
-}  // namespace
-
-const std::array<const char*, 3>& quantity_names() {
-  static const std::array<const char*, 3> names = {"mass", "com", "inertia"};
-  return names;
+/// What it belongs to, as the file writes it.
+std::string owner(const Tree& tree, const Parameter& parameter) {
+  return parameter.quantity == ParameterKind::kGravity ? ""
+         : parameter.quantity == ParameterKind::kPoint ? tree.points[index(parameter.link)].name
+                                                       : tree.links[index(parameter.link)].name;
 }
 
-std::vector<Parameter> parameters_of(const Tree& tree, int link, ParameterKind quantity) {
-  constexpr std::array<int, 4> kCounts = {1, 3, 6, 3};
-  const auto kind = static_cast<std::size_t>(quantity);
-  const bool of_link = quantity != ParameterKind::kGravity;
-  const std::string name = of_link ? tree.links[index(link)].name : "";
-  const std::string declared = of_link ? name + "." + quantity_names()[kind] : "gravity";
-  const std::string stem = of_link ? name + "_" + quantity_names()[kind] : declared;
-  std::vector<Parameter> result;
-  for (int k = 0; k < kCounts[kind]; ++k) {
-    result.push_back({link, quantity, k, declared, to_identifier(stem + ending(quantity, k))});
-  }
-  return result;
-}
-
-const char* unit(const Parameter& parameter) {
-  constexpr std::array<const char*, 4> kUnits = {"kg", "m", "kg m^2", "m/s^2"};
-  return kUnits[static_cast<std::size_t>(parameter.quantity)];
-}
-
-std::string meaning(const Tree& tree, const Parameter& parameter) {
-  const std::string of =
-      parameter.link == kGround ? "" : " of link " + tree.links[index(parameter.link)].name;
-  switch (parameter.quantity) {
-    case ParameterKind::kCom:
-      return std::string("centre of mass ") + kAxes[index(parameter.component)] + of;
-    case ParameterKind::kInertia:
-      return std::string("inertia about the centre of mass ") +
-             kEntries[index(parameter.component)] + of;
-    case ParameterKind::kGravity:
-      return std::string("gravity ") + kAxes[index(parameter.component)] + ", base frame";
-    case ParameterKind::kMass:
-      break;
-  }
-  return "mass" + of;
-}
-
-Real nominal(const Tree& tree, const Vector3& gravity, const Parameter& parameter) {
+/// Where it stands.
+template <class SomeTree, class SomeGravity>
+auto& place(SomeTree& tree, SomeGravity& gravity, const Parameter& parameter) {
   const std::size_t k = index(parameter.component);
   if (parameter.quantity == ParameterKind::kGravity) {
     return gravity[k];
   }
-  const Inertia& inertia = tree.links[index(parameter.link)].inertia;
-  return parameter.quantity == ParameterKind::kCom       ? inertia.com[k]
-         : parameter.quantity == ParameterKind::kInertia ? inertia.about_com[kPlaces[k]]
-                                                         : inertia.mass;
+  if (parameter.quantity == ParameterKind::kPoint) {
+    return tree.points[index(parameter.link)].at[k];
+  }
+  auto& link = tree.links[index(parameter.link)];
+  return parameter.quantity == ParameterKind::kOffset    ? link.joint.offset[k]
+         : parameter.quantity == ParameterKind::kCom     ? link.inertia.com[k]
+         : parameter.quantity == ParameterKind::kInertia ? link.inertia.about_com[kPlaces[k]]
+                                                         : link.inertia.mass;
+}
+
+}  // namespace
+
+std::optional<Declared> find_quantity(std::string_view name) {
+  const std::size_t dot = name.find('.');
+  const auto* const row = std::ranges::find(kKinds, name.substr(0, dot), &Kind::name);
+  if (row == kKinds.end()) {
+    return std::nullopt;
+  }
+  const auto quantity = static_cast<ParameterKind>(row - kKinds.begin());
+  if (dot == std::string_view::npos) {
+    return Declared{quantity, std::nullopt};
+  }
+  for (int k = 0; k < row->count; ++k) {
+    if (row->count > 1 && name.substr(dot + 1) == component_name(quantity, k)) {
+      return Declared{quantity, k};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Parameter> parameters_of(const Tree& tree, int link, const Declared& declared) {
+  const Kind& of = kind(declared.quantity);
+  std::vector<Parameter> result;
+  for (int k = 0; k < of.count; ++k) {
+    if (k != declared.component.value_or(k)) {
+      continue;
+    }
+    Parameter parameter{link, declared.quantity, k, {}, {}};
+    const std::string component = component_name(declared.quantity, k);
+    const std::string name = owner(tree, parameter);
+    parameter.declared =
+        joined(joined(name, '.', of.name), '.', declared.component ? component : "");
+    parameter.identifier = to_identifier(joined(joined(name, '_', of.name), '_', component));
+    result.push_back(std::move(parameter));
+  }
+  return result;
+}
+
+const char* unit(const Parameter& parameter) { return kind(parameter.quantity).unit; }
+
+std::string meaning(const Tree& tree, const Parameter& parameter) {
+  const std::string component = component_name(parameter.quantity, parameter.component);
+  const std::string what = joined(kind(parameter.quantity).meaning, ' ', component);
+  switch (parameter.quantity) {
+    case ParameterKind::kGravity:
+      return what + ", base frame";
+    case ParameterKind::kPoint:
+      return what + " of point " + owner(tree, parameter) + ", frame of link " +
+             link_name(tree, parameter);
+    default:
+      return what + " of link " + owner(tree, parameter);
+  }
+}
+
+std::string link_name(const Tree& tree, const Parameter& parameter) {
+  if (parameter.quantity != ParameterKind::kPoint) {
+    return owner(tree, parameter);
+  }
+  const int link = tree.points[index(parameter.link)].link;
+  return link == kGround ? "" : tree.links[index(link)].name;
+}
+
+Real nominal(const Tree& tree, const Vector3& gravity, const Parameter& parameter) {
+  return place(tree, gravity, parameter);
 }
 
 void set(Tree& tree, Vector3& gravity, const Parameter& parameter, const Real& value) {
-  const std::size_t k = index(parameter.component);
-  if (parameter.quantity == ParameterKind::kGravity) {
-    gravity[k] = value;
-    return;
+  place(tree, gravity, parameter) = value;
+  if (parameter.quantity == ParameterKind::kInertia) {
+    tree.links[index(parameter.link)].inertia.about_com[kMirrored[index(parameter.component)]] =
+        value;
   }
-  Inertia& inertia = tree.links[index(parameter.link)].inertia;
-  if (parameter.quantity == ParameterKind::kMass) {
-    inertia.mass = value;
-  } else if (parameter.quantity == ParameterKind::kCom) {
-    inertia.com[k] = value;
-  } else {
-    inertia.about_com[kPlaces[k]] = inertia.about_com[kMirrored[k]] = value;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> points_with_parameters(
+    const Tree& tree, const std::vector<Point>& points) {
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (const Parameter& parameter : tree.parameters) {
+      const std::size_t own = index(parameter.link);
+      if (parameter.quantity == ParameterKind::kPoint && tree.points[own].name == points[k].name &&
+          tree.points[own].link == points[k].link && tree.points[own].at == points[k].at) {
+        result.emplace_back(k, own);
+        break;
+      }
+    }
   }
+  return result;
+}
+
+bool has_lengths(const Tree& tree) {
+  return std::ranges::any_of(tree.parameters, [](const Parameter& parameter) {
+    return parameter.quantity == ParameterKind::kOffset ||
+           parameter.quantity == ParameterKind::kPoint;
+  });
 }
 
 }  // namespace treedyn::model

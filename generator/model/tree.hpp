@@ -93,15 +93,16 @@ struct Snap {
   Real change = 0;   ///< |exact - written|, rad or 1
 };
 
-enum class ParameterKind { kMass, kCom, kInertia, kGravity };
+/// kOffset: of a joint, from the origin of the father; kPoint: of a point on its link.
+enum class ParameterKind { kMass, kCom, kInertia, kOffset, kPoint, kGravity };
 
-/// A number of a link, or a component of gravity, that is known at run time only; the tree (or what
-/// gives gravity) has its nominal value.
+/// A number of a link or of a point, or a component of gravity, that is known at run time only; the
+/// tree (or what gives gravity) has its nominal value.
 struct Parameter {
-  int link = kGround;  ///< kGround for gravity
+  int link = kGround;  ///< kGround for gravity; of kPoint the number of the point in Tree::points
   ParameterKind quantity = ParameterKind::kMass;
   int component = 0;       ///< x y z of a vector, xx xy xz yy yz zz of a tensor about the c.o.m.
-  std::string declared;    ///< "forearm.com", "gravity": as a user declares it
+  std::string declared;    ///< "forearm.com", "forearm.com.x", "gravity": as a user declares it
   std::string identifier;  ///< forearm_com_x, a C++ identifier, unique among the parameters
 };
 

@@ -5,14 +5,15 @@
 #include <fmt/format.h>
 
 #include "emit/run_time.hpp"
+#include "model/parameters.hpp"
 #include "optimise/separate_parameters.hpp"
 
 namespace treedyn {
 
 namespace {
 
-/// Functions that no mass enters. The others take what is known at run time, whether a model needs
-/// it or not: a signature is no matter of numbers.
+/// Functions that no mass enters. The others, and with lengths among the parameters all, take what
+/// is known at run time, whether a model needs it or not: a signature is no matter of numbers.
 bool is_weighed(const program::Signature& signature) {
   static const std::set<std::string> kKinematic = {
       "point_positions",           "point_velocities",          "point_rotations",
@@ -52,7 +53,10 @@ void separate_parameters(const Model& model, const Request& request, program::Pr
     refuse_names(function.signature, {request.model, 0, 0});
   }
   program::Function update = optimise::separate_parameters(
-      programs.functions, emit::parameters_array(model.tree), derived, is_weighed);
+      programs.functions, emit::parameters_array(model.tree), derived,
+      [lengths = model::has_lengths(model.tree)](const program::Signature& signature) {
+        return lengths || is_weighed(signature);
+      });
   update.signature.name = emit::kUpdate;
   update.signature.brief =
       "What the functions need of the run-time parameters: to be called before them and when a "

@@ -171,7 +171,7 @@ Values identity(std::size_t n) {
 
 /// What all functions are held against.
 struct Proof {
-  const std::vector<model::Point>& points;
+  std::vector<model::Point> points;
   model::Vector3 gravity;
   const UserEquations& equations;
   States states = {};
@@ -297,6 +297,7 @@ void prove_at_run_time(Proof& proof, const model::Tree& tree,
                        const program::Function& update) {
   enum class Draw { kNominal, kFirst, kSecond, kZero };
   const model::Vector3 gravity = proof.gravity;
+  const auto places = model::points_with_parameters(tree, proof.points);
   for (const Draw draw : {Draw::kNominal, Draw::kFirst, Draw::kSecond, Draw::kZero}) {
     model::Tree changed = tree;
     Values values;
@@ -308,6 +309,9 @@ void prove_at_run_time(Proof& proof, const model::Tree& tree,
                        : positive             ? abs(random)
                                               : random);
       model::set(changed, proof.gravity, parameter, values.back());
+    }
+    for (const auto& [k, own] : places) {
+      proof.points[k].at = changed.points[own].at;
     }
     std::vector<const program::Function*> proven = functions;
     if (draw == Draw::kZero) {

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "accuracy/chart.hpp"
+
 namespace treedyn::accuracy {
 namespace {
 
@@ -49,6 +51,27 @@ TEST(Study, FindsTheFloorOfAScalarAndItsStep) {
   ASSERT_TRUE(floor);
   EXPECT_EQ(floor->setting.step, 0.02);  // 1.6e-7 + 5e-7; beside it 1e-8 + 1e-6 and 6e-6 + 2e-7
   EXPECT_FALSE(floor_of(Study{}, State::kFloat));
+}
+
+TEST(Study, FindsTheFloorOfStepsThatTakeEventsAtTheirEnd) {
+  Study study = study_of_order_four();
+  EXPECT_FALSE(event_floor(study));
+  for (const double h : {0.1, 0.01, 0.001}) {
+    study.outcomes.push_back(outcome(State::kDouble, "rk4", h, h / 2, 40));
+    study.outcomes.back().setting.variant.cuts = "0";
+  }
+  ASSERT_TRUE(event_floor(study));
+  EXPECT_EQ(event_floor(study)->error, 0.0005);
+  EXPECT_DOUBLE_EQ(floor_of(study, State::kDouble)->error, std::pow(0.0005, 4) + 1e-12);
+}
+
+/// The steps of the study lie between 0.1 s and 0.5 ms.
+TEST(Study, DrawsStabilityLimitsThatAreInThePicture) {
+  Study study = study_of_order_four();
+  study.stability = {{"rk4", 0.025}, {"sdirk2", 3}};
+  const std::string picture = step_chart(study);
+  EXPECT_THAT(picture, testing::HasSubstr("rk4 is stable up to 0.025 s"));
+  EXPECT_THAT(picture, testing::Not(testing::HasSubstr("sdirk2")));
 }
 
 TEST(Study, HasAParetoFrontThatFallsInErrorAsItRisesInCost) {
@@ -115,8 +138,8 @@ TEST(Study, NeverChoosesWhatFailed) {
 
 TEST(Study, CountsCyclesOfASecond) {
   const Outcome one = outcome(State::kFloat, "rk4", 0.01, 1, 10);
-  const Cycles& of = core("m4f").single;
-  EXPECT_DOUBLE_EQ(one.cycles_per_second(core("m4f")), 10 * (of.add + of.memory) / 0.01);
+  const Prices& of = core("m4f").single.cycles;
+  EXPECT_DOUBLE_EQ(one.cycles_per_second(core("m4f")), 10 * of.add / 0.01);
 }
 
 }  // namespace

@@ -139,6 +139,17 @@ TEST_F(Accuracy, RowsAreThoseOfTheCompiledStep) {
   }
 }
 
+/// At 120 degrees a small motion grows or decays by exp(sqrt(g/2) t): rk4 is stable along the real
+/// axis down to -2.7853, the method of order five to -3.3066.
+TEST_F(Accuracy, StatesTheStabilityLimitWhereTheSceneBegins) {
+  const Json limits =
+      study({"--integrators", "rk4,dopri5-fixed", "--steps", "0.1"}).at("stability_limits");
+  const double rate = std::sqrt(9.81 / 2);
+  EXPECT_EQ(limits.size(), 2U);
+  EXPECT_NEAR(limits.at("rk4").get<double>(), 2.7853 / rate, 5e-3);
+  EXPECT_NEAR(limits.at("dopri5-fixed").get<double>(), 3.3066 / rate, 5e-3);
+}
+
 std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> result;
   std::istringstream in(line.substr(0, line.find('\r')));  // a checkout may have none

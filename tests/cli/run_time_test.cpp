@@ -290,14 +290,70 @@ const Robot kTiltedBiped = {"TiltedBiped",
                             2.3e-16,
                             {"--gravity", "1.5,-2.25,-9.81"}};
 
+/// Lengths: joint 3 of the PUMA turns about an axis parallel to that of joint 2.
+const std::vector<Change> kLengthsOfPuma = {
+    {"offset: [0.4318, 0, -0.0934]", "offset: [0.5, 0.02, -0.1]", "link3_offset_x", "0.5"},
+    {"[0.5, 0.02", "[0.5, 0.02", "link3_offset_y", "0.02"},
+    {"0.02, -0.1]", "0.02, -0.1]", "link3_offset_z", "-0.1"},
+    {"offset: [-0.0203, -0.4331, 0]", "offset: [-0.0203, -0.4, 0]", "link4_offset_y", "-0.4"},
+    {"com: [0, -0.070, 0.014]", "com: [0, 0.05, 0.014]", "link3_com_y", "0.05"}};
+const std::string kRuntimeLengthsOfPuma = "link3.offset,link4.offset.y,link3.com.y";
+const Robot kLongerPuma = {"LongerPuma",
+                           "puma560.yaml",
+                           kRuntimeLengthsOfPuma,
+                           kLengthsOfPuma,
+                           {"--effort", "20", "--functions", kFunctions},
+                           2.3e-16};
+const Robot kLongerPlainPuma = {"LongerPumaPlain",
+                                "puma560.yaml",
+                                kRuntimeLengthsOfPuma,
+                                kLengthsOfPuma,
+                                {"--effort", "0", "--functions", kFunctions},
+                                2.3e-16};
+/// A tool, and a forearm that another one has taken the place of.
+const Robot kOtherTool = {
+    "OtherTool",
+    "two_link.yaml",
+    "tip.at,forearm.offset.x,forearm.mass",
+    {{"at: [a2, 0, 0]", "at: [0.7, 0.1, -0.2]", "tip_at_x", "0.7"},
+     {"[0.7, 0.1", "[0.7, 0.1", "tip_at_y", "0.1"},
+     {"0.1, -0.2]", "0.1, -0.2]", "tip_at_z", "-0.2"},
+     {"offset: [a1, 0, 0]", "offset: [0.9, 0, 0]", "forearm_offset_x", "0.9"}},
+    {"--effort", "20"},
+    2.3e-16};
+const Robot kLongerPolar = {
+    "LongerPolar",
+    "polar.yaml",
+    "boom.offset",
+    {{"offset: [0, d2, 0]", "offset: [0.05, 0.3, -0.1]", "boom_offset_x", "0.05"},
+     {"[0.05, 0.3", "[0.05, 0.3", "boom_offset_y", "0.3"},
+     {"0.3, -0.1]", "0.3, -0.1]", "boom_offset_z", "-0.1"}},
+    {"--effort", "0", "--layout", "packed"},
+    2.3e-16};
+const Robot kWiderBiped = {
+    "WiderBiped",
+    "biped.yaml",
+    "left_hip_block.offset.y,left_toe.at.x",
+    {{"name: left_hip_yaw, type: revolute, axis: [0, 0, 1], offset: [0, hip_y, -pelvis]",
+      "name: left_hip_yaw, type: revolute, axis: [0, 0, 1], offset: [0, 0.2, -pelvis]",
+      "left_hip_block_offset_y", "0.2"},
+     {"left_toe, link: left_foot, at: [toe_x", "left_toe, link: left_foot, at: [0.3",
+      "left_toe_at_x", "0.3"}},
+    {"--effort", "0", "--base", "axes", "--functions",
+     "mass_matrix,inverse_dynamics,forward_dynamics,point_positions,force_jacobian_transpose"},
+    2.3e-16};
+
 std::string name_of(const testing::TestParamInfo<Robot>& of) { return of.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RunTime,
                          testing::Values(kPuma, kPlainPuma, kPumaInFloat, kFreeBiped, kPolar,
-                                         kTilted, kTiltedPolar, kTiltedBiped),
+                                         kTilted, kTiltedPolar, kTiltedBiped, kLongerPuma,
+                                         kLongerPlainPuma, kOtherTool, kLongerPolar, kWiderBiped),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Robots, RunTimeInC,
-                         testing::Values(kPlainPuma, kPumaInFloat, kPolar, kTiltedPolar), name_of);
+                         testing::Values(kPlainPuma, kPumaInFloat, kPolar, kTiltedPolar,
+                                         kOtherTool),
+                         name_of);
 
 const std::string kScene = TREEDYN_SOURCE_DIR "/models/scenes/drop.yaml";
 
@@ -323,10 +379,14 @@ TEST_F(RunTimeCli, RefusesWhatItDoesNotTake) {
   refused({"--runtime", "hand.mass"}, "runtime: there is no link 'hand'; expected one");
   refused({"--runtime", "mass"},
           "runtime: 'mass' cannot be known at run time only; expected gravity");
+  refused({"--runtime", "nose.at"},
+          "runtime: there is no point 'nose'; expected one of the model's");
+  refused({"--runtime", "forearm.com.w"}, "there is no link 'forearm.com'; expected one");
+  refused({"--runtime", "forearm.at"}, "there is no point 'forearm'");
   refused({"--runtime", "gravity,gravity"}, "run-time parameter 'gravity' is defined twice");
   refused({"--runtime", "forearm.length"},
           "'length' cannot be known at run time only; expected "
-          "mass, com, inertia");
+          "mass, com, inertia, offset; of one component com.x or inertia.xx");
   refused({"--runtime", "forearm.mass,forearm.mass"}, "'forearm.mass' is defined twice");
   for (const std::string option :
        {"--lanes=2", "--share-limbs", "--self-test", "--checked", "--accuracy-samples=3"}) {

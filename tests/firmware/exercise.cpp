@@ -11,7 +11,8 @@ void draw(const Call& call, uint32_t* state) {
       if (array.is_integer != 0) {
         static_cast<int*>(array.values)[i] = 0;
       } else {
-        static_cast<float*>(array.values)[i] = static_cast<float>(number) * (1.5F / 32768.0F);
+        static_cast<Scalar*>(array.values)[i] =
+            static_cast<Scalar>(number) * (static_cast<Scalar>(1.5) / 32768);
       }
     }
   }
@@ -19,11 +20,26 @@ void draw(const Call& call, uint32_t* state) {
 
 namespace {
 
-uint32_t word(const Array& array, int i) {
-  uint32_t bits = 0;
-  memcpy(&bits, static_cast<const char*>(array.values) + 4 * i, 4);
-  const bool is_nan = array.is_integer == 0 && (bits & 0x7fffffffU) > 0x7f800000U;
-  return is_nan ? 0x7fc00000U : bits;
+uint32_t mixed(uint32_t hash, uint32_t bits) {
+  hash = (hash ^ bits) * 16777619U;
+  return hash ^ hash >> 15U;
+}
+
+/// The bits of an element; every NaN counts as the same one.
+uint32_t mixed(uint32_t hash, const Array& array, int i) {
+  if (array.is_integer != 0) {
+    return mixed(hash, static_cast<uint32_t>(static_cast<const int*>(array.values)[i]));
+  }
+  const Scalar value = static_cast<const Scalar*>(array.values)[i];
+  if (value != value) {
+    return mixed(hash, 0x7fc00000U);
+  }
+  uint32_t words[sizeof(Scalar) / 4];
+  memcpy(words, &value, sizeof(value));
+  for (const uint32_t bits : words) {
+    hash = mixed(hash, bits);
+  }
+  return hash;
 }
 
 }  // namespace
@@ -32,8 +48,7 @@ uint32_t joined(uint32_t hash, const Call& call, int status) {
   hash = (hash ^ static_cast<uint32_t>(status)) * 16777619U;
   for (int k = 0; k < call.outputs_size; ++k) {
     for (int i = 0; i < call.outputs[k].size; ++i) {
-      hash = (hash ^ word(call.outputs[k], i)) * 16777619U;
-      hash ^= hash >> 15U;
+      hash = mixed(hash, call.outputs[k], i);
     }
   }
   return hash;

@@ -3,6 +3,12 @@
 
 #include <stdint.h>
 
+#ifdef EXERCISE_DOUBLE
+using Scalar = double;
+#else
+using Scalar = float;
+#endif
+
 /// One array of a call.
 struct Array {
   void* values;

@@ -1,5 +1,6 @@
-// Generated float code on Cortex-M0+, M4F, M7 and M33, under qemu: the bits of the host, and
-// budgets of instructions, stack and flash.
+// Generated code on Cortex-M0+, M4F, M7 and M33, under qemu: the bits of the host, budgets of
+// instructions, stack and flash, and how far the table of instructions of `treedyn accuracy` is
+// off.
 //
 //   firmware TREEDYN MODELS SOURCES BUDGETS [--update]
 //
@@ -7,8 +8,10 @@
 // is exceeded by more than 0.5 %, or if a figure of code that is kept in .data, or of double,
 // appears. --update writes it anew.
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <string>
@@ -16,6 +19,7 @@
 
 #include <fmt/format.h>
 
+#include "calibration.hpp"
 #include "support/manifest.hpp"
 #include "support/process.hpp"
 
@@ -43,7 +47,7 @@ const std::vector<Core> kCores = {
      "0",
      "0x20000000"},
     {"m7",
-     {"-mcpu=cortex-m7", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"},
+     {"-mcpu=cortex-m7", "-mfloat-abi=hard", "-mfpu=fpv5-d16"},
      "mps2-an500",
      "0",
      "0x20000000"},
@@ -57,6 +61,7 @@ const std::vector<Core> kCores = {
 struct Robot {
   const char* name;
   Words arguments;  ///< of generate
+  bool is_float = true;
 };
 
 std::vector<Robot> robots() {
@@ -66,7 +71,9 @@ std::vector<Robot> robots() {
       {"biped", {"biped.yaml", "--functions", functions, "--layout", "packed"}},
       {"quadruped", {"quadruped.yaml", "--functions", functions}},
       {"puma560", {"puma560.yaml", "--functions", functions}},
+      {"puma560_double", {"puma560.yaml", "--functions", functions}, false},
       {"panda", {"panda.yaml", "--functions", functions}},
+      {"panda_double", {"panda.yaml", "--functions", functions}, false},
       {"drop", {"--scene", "scenes/drop.yaml"}},
       {"biped_feet",
        {"--scene", "scenes/biped_double_support.yaml", "--functions", "constrained_dynamics"}},
@@ -82,6 +89,14 @@ support::Outcome checked(const Words& command) {
   return outcome;
 }
 
+bool is_there(const std::string& program) {
+  try {
+    return support::run({program, "--version"}).status == 0;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 Words joined(Words first, const Words& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
@@ -94,7 +109,7 @@ std::string arrays(const std::string& table, const Words& names, const std::vect
   std::string rows;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const std::string name = table + "_" + names[k];
-    text += fmt::format("{} {}[{}];\n", integer[k] ? "int" : "float", name, sizes[k]);
+    text += fmt::format("{} {}[{}];\n", integer[k] ? "int" : "Scalar", name, sizes[k]);
     rows += fmt::format("{{{}, {}, {}}}, ", name, sizes[k], integer[k] ? 1 : 0);
   }
   return text + fmt::format("const Array {}[] = {{{}{{nullptr, 0, 0}}}};\n", table, rows);
@@ -153,19 +168,36 @@ Lines lines_of(const std::string& text) {
   return result;
 }
 
-Lines on_the_host(const Places& places, const fs::path& work) {
-  checked({"g++", "-std=c++17", "-O2", "-ffp-contract=off", "-I", places.sources, "-I", work,
-           work / "generated.cpp", work / "calls.cpp", places.sources / "exercise.cpp",
-           places.sources / "host.cpp", "-o", work / "host"});
+Words scalar_option(const Robot& robot) {
+  return robot.is_float ? Words{} : Words{"-DEXERCISE_DOUBLE"};
+}
+
+Lines on_the_host(const Robot& robot, const Places& places, const fs::path& work) {
+  checked(joined({"g++", "-std=c++17", "-O2", "-ffp-contract=off", "-I", places.sources, "-I", work,
+                  work / "generated.cpp", work / "calls.cpp", places.sources / "exercise.cpp",
+                  places.sources / "host.cpp", "-o", work / "host"},
+                 scalar_option(robot)));
   return lines_of(checked({work / "host"}).out);
 }
 
-/// Bytes of code and constants; nothing may be in .data or .bss, and no function for double may be
-/// missing.
-long flash_of(const std::string& object) {
+/// Instructions of a call on the host, counted by callgrind in ten.
+long on_the_host(const fs::path& work, const std::string& function) {
+  const support::Outcome outcome =
+      checked({"valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
+               fmt::format("--toggle-collect=*call_{}()", function), work / "host"});
+  const std::size_t place = outcome.err.find("Collected : ");
+  if (place == std::string::npos) {
+    throw std::runtime_error("valgrind has not counted: " + outcome.err);
+  }
+  return std::atol(outcome.err.c_str() + place + std::strlen("Collected : ")) / 10;
+}
+
+/// Bytes of code and constants; nothing may be in .data or .bss, and nothing may miss a function
+/// for double.
+long flash_of(const std::string& object, bool is_float) {
   for (const auto& [symbol, unused] :
        lines_of(checked({"arm-none-eabi-nm", "-u", "--format=just-symbols", object}).out)) {
-    if (symbol.rfind("__aeabi_d", 0) == 0 || symbol == "__aeabi_f2d") {
+    if (is_float && (symbol.rfind("__aeabi_d", 0) == 0 || symbol == "__aeabi_f2d")) {
       throw std::runtime_error(fmt::format("{} calls {}", object, symbol));
     }
   }
@@ -188,13 +220,15 @@ const Words kCompile = {"arm-none-eabi-gcc", "-std=c++17",         "-mthumb",
                         "-ffp-contract=off", "-ffunction-sections"};
 
 /// Name, hash, instructions and stack of every function on a core.
-Lines on_a_core(const Places& places, const fs::path& work, const Core& core,
+Lines on_a_core(const Robot& robot, const Places& places, const fs::path& work, const Core& core,
                 const std::string& optimisation, long* flash) {
-  const Words options = joined(kCompile, joined(core.options, {"-I", places.sources, "-I", work,
-                                                               "-I", places.sources / "include"}));
+  const Words options =
+      joined(joined(kCompile, joined(core.options, {"-I", places.sources, "-I", work, "-I",
+                                                    places.sources / "include"})),
+             scalar_option(robot));
   const std::string object = work / "generated.o";
   checked(joined(options, {optimisation, "-c", work / "generated.cpp", "-o", object}));
-  *flash = flash_of(object);
+  *flash = flash_of(object, robot.is_float);
   checked(
       joined(options,
              {"-O1", work / "calls.cpp", places.sources / "exercise.cpp",
@@ -284,34 +318,58 @@ int compare(const std::string& place, const Lines& host, const Lines& core, long
   return failures;
 }
 
-int measure(const Robot& robot, const Places& places, Budgets& budgets) {
+/// What the table of `treedyn accuracy` is compared with: functions without rows to solve.
+void add_counted(const Robot& robot, const std::string& core, const support::Manifest& manifest,
+                 const std::function<long(const std::string&)>& instructions, Counts& counts) {
+  for (const support::FunctionInfo& function : manifest.functions) {
+    if (!function.status) {
+      const auto& o = function.operations;
+      program::Cost cost;
+      cost.add = static_cast<int>(o[0]);
+      cost.mul = static_cast<int>(o[1]);
+      cost.div = static_cast<int>(o[2]);
+      cost.sqrt = static_cast<int>(o[3]);
+      cost.sin = static_cast<int>(o[4]);
+      cost.cos = static_cast<int>(o[5]);
+      counts.push_back({core, robot.is_float, fmt::format("{} {}", robot.name, function.name), cost,
+                        instructions(function.name)});
+    }
+  }
+}
+
+int measure(const Robot& robot, const Places& places, Budgets& budgets, Counts& counts) {
   const support::TemporaryFolder folder;
   const fs::path& work = folder.path();
   fs::current_path(places.models);
-  checked(
-      joined(joined({places.treedyn, "generate"}, robot.arguments),
-             {"--scalar", "float", "--name", "generated", "--effort", "200", "-q", "-o", work}));
-  support::write_file(work / "calls.cpp",
-                      calls_text(support::read_manifest(work / "generated.json")));
-  const Lines host = on_the_host(places, work);
+  checked(joined(joined({places.treedyn, "generate"}, robot.arguments),
+                 {"--scalar", robot.is_float ? "float" : "double", "--name", "generated",
+                  "--effort", "200", "-q", "-o", work}));
+  const support::Manifest manifest = support::read_manifest(work / "generated.json");
+  support::write_file(work / "calls.cpp", calls_text(manifest));
+  const Lines host = on_the_host(robot, places, work);
+  if (is_there("valgrind")) {
+    add_counted(
+        robot, "host", manifest, [&](const std::string& name) { return on_the_host(work, name); },
+        counts);
+  }
   int failures = host.empty() ? 1 : 0;
   for (const Core& core : kCores) {
     for (const char* optimisation : {"-Os", "-O2"}) {
       long flash = 0;
-      const Lines lines = on_a_core(places, work, core, optimisation, &flash);
-      failures += compare(fmt::format("{},{},{}", robot.name, core.name, optimisation + 1), host,
-                          lines, flash, budgets);
+      const Lines lines = on_a_core(robot, places, work, core, optimisation, &flash);
+      const std::string place = fmt::format("{},{},{}", robot.name, core.name, optimisation + 1);
+      failures += compare(place, host, lines, flash, budgets);
+      if (optimisation == std::string("-O2")) {
+        add_counted(
+            robot, core.name, manifest,
+            [&](const std::string& name) {
+              return budgets[fmt::format("{},{}", place, name)].instructions;
+            },
+            counts);
+      }
     }
   }
   return failures;
-}
-
-bool is_there(const std::string& program) {
-  try {
-    return support::run({program, "--version"}).status == 0;
-  } catch (const std::exception&) {
-    return false;
-  }
 }
 
 int run(const Places& places, const std::string& path, bool update) {
@@ -323,9 +381,11 @@ int run(const Places& places, const std::string& path, bool update) {
   }
   Budgets budgets;
   int failures = 0;
+  Counts counts;
   for (const Robot& robot : robots()) {
-    failures += measure(robot, places, budgets);
+    failures += measure(robot, places, budgets, counts);
   }
+  failures += off_the_table(counts);
   if (update) {
     support::write_file(path, budgets_text(budgets));
   } else {
