@@ -148,24 +148,23 @@ class Chart {
         kLeft, y, kWidth - kRight, kWidth - kRight - 4, y + below, name, error);
   }
 
-  /// Vertical lines at the steps beyond which methods are unstable, where they are in the picture.
+  /// Vertical lines at the steps beyond which methods are unstable, where they are in the picture,
+  /// with names along them.
   [[nodiscard]] std::string limit_lines(const std::vector<StepLimit>& limits) const {
+    constexpr double kFoot = 60;  // above the names of the floors of double
     std::string text;
-    double y = kTop + 12;
     for (const StepLimit& limit : limits) {
       const double decades = std::log10(limit.step);
       if (decades < x_.low || decades > x_.high) {
         continue;
       }
       const double x = px(limit.step);
-      const bool left = x_.place(limit.step) > 0.5;
       text += fmt::format(
           "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#a33\" stroke-dasharray=\"6 3\"/><text "
-          "x=\"{3:.1f}\" y=\"{4}\" text-anchor=\"{5}\" fill=\"#a33\" stroke=\"white\" "
-          "stroke-width=\"2\" paint-order=\"stroke\">{6} is stable up to {7:.2g} s</text>\n",
-          x, kTop, kHeight - kBottom, left ? x - 4 : x + 4, y, left ? "end" : "start",
-          limit.integrator, limit.step);
-      y += 13;
+          "transform=\"translate({3:.1f} {4}) rotate(-90)\" fill=\"#a33\" stroke=\"white\" "
+          "stroke-width=\"2\" paint-order=\"stroke\">{5} is stable up to {6:.2g} s</text>\n",
+          x, kTop, kHeight - kBottom, x - 3, kHeight - kBottom - kFoot, limit.integrator,
+          limit.step);
     }
     return text;
   }

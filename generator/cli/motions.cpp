@@ -92,6 +92,7 @@ double distance(const Values& a, const Values& b) {
 double event_distance(const Motion& a, const Motion& b, double end) {
   std::map<int, Values> before = times_of(a);
   std::map<int, Values> behind = times_of(b);
+  const auto last = static_cast<long double>(end);
   long double largest = 0;
   for (const auto& [number, unused] : before) {
     behind[number];
@@ -99,8 +100,8 @@ double event_distance(const Motion& a, const Motion& b, double end) {
   for (const auto& [number, times] : behind) {
     const Values& others = before[number];
     for (std::size_t k = 0; k < std::max(times.size(), others.size()); ++k) {
-      const long double off = k >= times.size()    ? end - others[k]
-                              : k >= others.size() ? end - times[k]
+      const long double off = k >= times.size()    ? last - others[k]
+                              : k >= others.size() ? last - times[k]
                                                    : std::abs(times[k] - others[k]);
       largest = std::max(largest, off);
     }

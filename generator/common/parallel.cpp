@@ -56,13 +56,26 @@ void run(const std::function<void()>& task, Outcome& outcome) {
   exchange_sources(own);
 }
 
+/// Calls `work` here and in as many threads more as there are and `most` allows.
+void share(const std::function<void()>& work, std::size_t most) {
+  std::vector<std::jthread> others;
+  while (others.size() < most) {
+    Taken thread;
+    if (!thread) {
+      break;
+    }
+    others.emplace_back([&work, taken = std::move(thread)] { work(); });
+  }
+  work();
+}
+
 }  // namespace
 
 void set_threads(int count) { free_threads() = count - 1; }
 
 void run_all(const std::vector<std::function<void()>>& tasks) {
   std::vector<Outcome> outcomes;
-  for (std::size_t k = 0; k < tasks.size(); ++k) {
+  while (outcomes.size() < tasks.size()) {
     outcomes.push_back({copy_of_sources(), nullptr});
   }
   std::atomic<std::size_t> next{0};
@@ -71,17 +84,7 @@ void run_all(const std::vector<std::function<void()>>& tasks) {
       run(tasks[k], outcomes[k]);
     }
   };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < tasks.size(); ++k) {
-      Taken thread;
-      if (!thread) {
-        break;
-      }
-      others.emplace_back([&work, taken = std::move(thread)] { work(); });
-    }
-    work();
-  }
+  share(work, tasks.empty() ? 0 : tasks.size() - 1);
   for (const Outcome& outcome : outcomes) {
     if (outcome.error) {
       std::rethrow_exception(outcome.error);

@@ -52,8 +52,9 @@ void append(std::vector<std::string>& lines, const std::vector<std::string>& mor
 }  // namespace
 
 double pivot_rounding(int size, Scalar scalar) {
-  const double epsilon = scalar == Scalar::kFloat ? double{std::numeric_limits<float>::epsilon()}
-                                                  : std::numeric_limits<double>::epsilon();
+  const double epsilon = scalar == Scalar::kFloat
+                             ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                             : std::numeric_limits<double>::epsilon();
   return 4 * std::max(size, 2) * epsilon;
 }
 

@@ -8,6 +8,7 @@
 #include "emit/layout.hpp"
 #include "emit/literal.hpp"
 #include "emit/names.hpp"
+#include "emit/run_time.hpp"
 
 namespace treedyn::emit {
 
@@ -19,8 +20,8 @@ std::string array_doc(const program::Array& array, bool output, std::size_t name
   const std::string unit = array.unit.empty() ? "" : fmt::format(", {}", array.unit);
   if (!array.type.empty()) {
     return wrapped(
-        array.fields.empty() ? std::string("made by update_parameters")
-                             : fmt::format("{} numbers, SI units", array.size),
+        array.type == kDerivedParameters ? std::string("made by update_parameters")
+                                         : fmt::format("{} numbers, SI units", array.size),
         fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name, name_width));
   }
   return wrapped(

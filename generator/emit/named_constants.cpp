@@ -178,6 +178,14 @@ std::string source_text(const Provenance& source, const Vocabulary& words) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+/// "forearm_p", in front of a count.
+std::string stem_of(const Provenance& source, const Vocabulary& words) {
+  const int link = owner(source);
+  return fmt::format(
+      "{}_{}", link == kNoLink ? std::string("base") : words.bodies[static_cast<std::size_t>(link)],
+      letter_of(source.dimension));
+}
+
 }  // namespace
 
 ConstantNames::ConstantNames(const std::vector<const program::Function*>& functions,
@@ -201,6 +209,20 @@ ConstantNames::ConstantNames(const std::vector<const program::Function*>& functi
   }
 }
 
+std::vector<DescribedNumber> described(const std::vector<Real>& numbers, const Vocabulary& words) {
+  std::vector<DescribedNumber> result;
+  std::map<std::string, int> counts;
+  for (const Real& number : numbers) {
+    const Provenance* const source = provenance_of(number);
+    const std::string stem = source == nullptr ? "n" : stem_of(*source, words);
+    result.push_back({fmt::format("{}{}", stem, ++counts[stem]),
+                      source == nullptr
+                          ? std::string()
+                          : unit_text(source->dimension) + source_text(*source, words)});
+  }
+  return result;
+}
+
 void ConstantNames::add(const Real& value, const Vocabulary& words) {
   const Provenance* const source = provenance_of(value);
   if (source == nullptr || value.recipe() != 0 || find(value) != nullptr) {
@@ -208,13 +230,12 @@ void ConstantNames::add(const Real& value, const Vocabulary& words) {
   }
   const int link = owner(*source);
   const char letter = letter_of(source->dimension);
-  const std::string body =
-      link == kNoLink ? std::string("base") : words.bodies[static_cast<std::size_t>(link)];
+  const std::string stem = stem_of(*source, words);
   std::string name;
   int number = 0;
   do {
     number = ++counts_[{link, letter}];
-    name = fmt::format("{}_{}{}", body, letter, number);
+    name = fmt::format("{}{}", stem, number);
   } while (is_reserved(name) || !taken_.insert(name).second);
   by_value_.emplace(static_cast<double>(value.seen()), entries_.size());
   entries_.push_back({value, source, link, letter, number, name});

@@ -49,6 +49,16 @@ class ConstantNames {
   std::set<std::string> taken_;
 };
 
+/// A number and what it is made of: "forearm_p1", "kg m^2: mass, com of forearm".
+struct DescribedNumber {
+  std::string name;
+  std::string source;
+};
+
+/// What code computes of run-time parameters, named as constants are; `n1`, `n2`, .. where sources
+/// are not known.
+std::vector<DescribedNumber> described(const std::vector<Real>& numbers, const Vocabulary& words);
+
 /// The name of a constant, or its literal.
 std::string number_text(const Vocabulary& words, const Real& constant, Scalar scalar);
 /// Columns to keep free for it.

@@ -1,11 +1,13 @@
 #include "emit/run_time.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "emit/json.hpp"
 #include "emit/layout.hpp"
+#include "emit/named_constants.hpp"
 #include "emit/names.hpp"
 #include "model/parameters.hpp"
 
@@ -17,14 +19,21 @@ constexpr std::size_t kLongestMeaning = 90;
 /// With `p.` in front two of them fit into a statement.
 constexpr std::size_t kLongestField = 25;
 
-/// Elements of `derived`.
-int derived_size(const Unit& unit) {
-  for (const program::Function& function : unit.functions) {
-    if (function.signature.name == kUpdate) {
-      return function.signature.outputs.front().size;
-    }
+/// The fields of `derived`, those of one unit and source under one comment.
+std::string derived_fields(const Unit& unit) {
+  if (unit.derived.empty()) {
+    return "  Scalar value[1];  // none is needed\n";
   }
-  return 0;
+  std::string result;
+  std::string before;
+  for (const DescribedNumber& number : described(unit.derived, vocabulary(*unit.tree))) {
+    if (number.source != before && !number.source.empty()) {
+      result += wrapped(number.source, "  /// ", 4);
+    }
+    before = number.source;
+    result += fmt::format("  Scalar {};\n", number.name);
+  }
+  return result;
 }
 
 std::string fields(const Unit& unit) {
@@ -80,6 +89,13 @@ program::Array derived_array() {
   return result;
 }
 
+std::vector<std::string> derived_names(const std::vector<Real>& numbers, const model::Tree& tree) {
+  std::vector<std::string> names;
+  std::ranges::transform(described(numbers, vocabulary(tree)), std::back_inserter(names),
+                         &DescribedNumber::name);
+  return names;
+}
+
 std::string parameter_types(const Unit& unit) {
   if (unit.tree->parameters.empty()) {
     return {};
@@ -90,9 +106,9 @@ std::string parameter_types(const Unit& unit) {
       "/// The numbers of the model.\n"
       "constexpr {0} {2} = {{\n{3}}};\n"
       "/// What functions need of them: made by {4}, outside the loop that calls these.\n"
-      "struct {5} {{\n  Scalar value[{6}];\n}};\n",
+      "struct {5} {{\n{6}}};\n",
       kParameters, fields(unit), kNominal, nominal_values(unit), kUpdate, kDerivedParameters,
-      std::max(derived_size(unit), 1));
+      derived_fields(unit));
 }
 
 std::string parameters_json(const model::Tree& tree, const model::Vector3& gravity) {

@@ -20,6 +20,8 @@ std::vector<std::string> field_names(const model::Tree& tree);
 /// The argument of `update_parameters`, and that of the other functions, its size left open.
 program::Array parameters_array(const model::Tree& tree);
 program::Array derived_array();
+/// The fields of the latter.
+std::vector<std::string> derived_names(const std::vector<Real>& numbers, const model::Tree& tree);
 
 /// Both structs and the nominal values; nothing without parameters.
 std::string parameter_types(const Unit& unit);

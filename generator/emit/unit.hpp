@@ -24,7 +24,8 @@ struct Unit {
   std::string given_prefix;  ///< C99: before every name that others see; empty: the file stem
   std::string section;       ///< a macro of the user in front of every function; empty: none
   const model::Tree* tree = nullptr;
-  model::Vector3 gravity{};  ///< nominal, for run-time parameters
+  model::Vector3 gravity{};   ///< nominal, for run-time parameters
+  std::vector<Real> derived;  ///< what functions take of them
   std::vector<model::Point> points;
   std::vector<program::Function> functions;
   std::vector<Checked> checked;            ///< behind `functions`: siblings of some

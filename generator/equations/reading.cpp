@@ -263,10 +263,9 @@ Expression Reading::of(const std::string& function, const std::string& argument)
 /// The arrays that the function takes: the symbols that occur, then the user's own.
 void Reading::finish(const Expression& e) {
   made.expression = e;
-  made.unit = to_string(units_.of(e));
-  if (made.unit == "N m" && e.shape() == block::Shape{kOne, kOne}) {
-    made.unit = "J";
-  }
+  const std::string unit = to_string(units_.of(e));
+  const bool is_energy = unit == "N m" && e.shape() == block::Shape{kOne, kOne};
+  made.unit = is_energy ? std::string("J") : unit;
   std::set<std::string> leaves;
   collect_leaves(e, leaves);
   std::vector<UserArgument> arguments;

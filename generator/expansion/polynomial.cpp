@@ -73,7 +73,7 @@ std::string magnitude_text(const numeric& value) {
   if (q < 1000 && p < 1000 && !only_twos_and_fives(q)) {
     return fmt::format("{}/{}", p.str(), q.str());
   }
-  return fmt::format("{}", static_cast<double>(Digits(p) / Digits(q)));
+  return fmt::format("{}", static_cast<double>(Digits(p.str()) / Digits(q.str())));
 }
 
 std::string monomial_text(const Ring& ring, const Monomial& monomial) {

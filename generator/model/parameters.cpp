@@ -151,13 +151,16 @@ std::vector<std::pair<std::size_t, std::size_t>> points_with_parameters(
     const Tree& tree, const std::vector<Point>& points) {
   std::vector<std::pair<std::size_t, std::size_t>> result;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    for (const Parameter& parameter : tree.parameters) {
-      const std::size_t own = index(parameter.link);
-      if (parameter.quantity == ParameterKind::kPoint && tree.points[own].name == points[k].name &&
-          tree.points[own].link == points[k].link && tree.points[own].at == points[k].at) {
-        result.emplace_back(k, own);
-        break;
+    const auto is_of = [&](const Parameter& parameter) {
+      if (parameter.quantity != ParameterKind::kPoint) {
+        return false;
       }
+      const Point& own = tree.points[index(parameter.link)];
+      return own.name == points[k].name && own.link == points[k].link && own.at == points[k].at;
+    };
+    const auto found = std::ranges::find_if(tree.parameters, is_of);
+    if (found != tree.parameters.end()) {
+      result.emplace_back(k, index(found->link));
     }
   }
   return result;

@@ -120,9 +120,9 @@ bool depends_on_parameters(const Function& function) {
   return std::ranges::any_of(nodes, [&](Ref k) { return is_parameter(function.graph, k); });
 }
 
-Function separate_parameters(std::vector<Function>& functions, const Array& parameters,
-                             const Array& derived,
-                             const std::function<bool(const Signature&)>& takes) {
+Separated separate_parameters(std::vector<Function>& functions, const Array& parameters,
+                              const Array& derived,
+                              const std::function<bool(const Signature&)>& takes) {
   DerivedNumbers numbers;
   std::vector<Function*> changed;
   for (Function& function : functions) {
@@ -134,9 +134,11 @@ Function separate_parameters(std::vector<Function>& functions, const Array& para
     }
   }
   Function update;
+  std::vector<Real> elements;
   Writer writer(update.graph);
   for (int k = 0; k < numbers.count(); ++k) {
-    update.outputs.push_back(writer.write(numbers.value(k).recipe()).ref());
+    elements.push_back(numbers.value(k));
+    update.outputs.push_back(writer.write(elements.back().recipe()).ref());
   }
   Array sized = derived;
   sized.size = numbers.count();
@@ -145,7 +147,7 @@ Function separate_parameters(std::vector<Function>& functions, const Array& para
   }
   update.signature.inputs = {parameters};
   update.signature.outputs = {sized};
-  return numbers.count() > 0 ? optimised(update) : update;
+  return {numbers.count() > 0 ? optimised(update) : update, elements};
 }
 
 }  // namespace treedyn::optimise

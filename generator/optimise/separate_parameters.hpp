@@ -17,10 +17,14 @@ bool depends_on_parameters(const Function& function);
 /// Functions without such numbers that `takes` does not name stay as they are. No operation more or
 /// less. O(n)
 /// \param takes  functions that have the argument whether they need it or not
-/// \return the function that computes `derived` from `parameters`; its name and texts are left to
-/// the caller
-Function separate_parameters(std::vector<Function>& functions, const Array& parameters,
-                             const Array& derived,
-                             const std::function<bool(const Signature&)>& takes);
+/// \return the function that computes `derived` from `parameters`, its name and texts left to the
+/// caller, and the elements of `derived`
+struct Separated {
+  Function update;
+  std::vector<Real> numbers;
+};
+Separated separate_parameters(std::vector<Function>& functions, const Array& parameters,
+                              const Array& derived,
+                              const std::function<bool(const Signature&)>& takes);
 
 }  // namespace treedyn::optimise

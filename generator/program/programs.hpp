@@ -15,6 +15,7 @@ struct Programs {
   std::vector<Stepper> steppers;  ///< of the scene's integrator
   /// What depends on numbers that are known at run time only, of `functions` that take it.
   std::optional<Function> update = {};
+  std::vector<Real> derived = {};  ///< the elements of its output
 };
 
 }  // namespace treedyn::program

@@ -52,8 +52,8 @@ std::vector<program::Function> in_parallel(std::vector<std::pair<std::string, Ta
                                            const Trace& trace) {
   std::vector<std::size_t> order(named.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_partition(
-      order, [&](std::size_t k) { return named[k].first == "forward_dynamics"; });
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t k) { return named[k].first == "forward_dynamics"; });
   std::mutex writing;
   std::vector<program::Function> functions(named.size());
   std::vector<std::function<void()>> tasks;

@@ -52,16 +52,27 @@ void separate_parameters(const Model& model, const Request& request, program::Pr
   for (const program::Function& function : programs.functions) {
     refuse_names(function.signature, {request.model, 0, 0});
   }
-  program::Function update = optimise::separate_parameters(
+  optimise::Separated separated = optimise::separate_parameters(
       programs.functions, emit::parameters_array(model.tree), derived,
       [lengths = model::has_lengths(model.tree)](const program::Signature& signature) {
         return lengths || is_weighed(signature);
       });
+  program::Function& update = separated.update;
   update.signature.name = emit::kUpdate;
   update.signature.brief =
       "What the functions need of the run-time parameters: to be called before them and when a "
       "parameter has changed.";
-  programs.update = std::move(update);
+  const std::vector<std::string> names = emit::derived_names(separated.numbers, model.tree);
+  update.signature.outputs.front().fields = names;
+  for (program::Function& function : programs.functions) {
+    for (program::Array& array : function.signature.inputs) {
+      if (array.type == emit::kDerivedParameters) {
+        array.fields = names;
+      }
+    }
+  }
+  programs.update = std::move(separated.update);
+  programs.derived = std::move(separated.numbers);
 }
 
 }  // namespace treedyn

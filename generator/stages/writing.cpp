@@ -38,8 +38,8 @@ namespace {
 /// The length of a step as a number of full precision in the scalar.
 void require_length(const Real& step, const Request& request) {
   const bool single = request.target.scalar == emit::Scalar::kFloat;
-  const double least =
-      single ? double{std::numeric_limits<float>::min()} : std::numeric_limits<double>::min();
+  const double least = single ? static_cast<double>(std::numeric_limits<float>::min())
+                              : std::numeric_limits<double>::min();
   if (step < least) {
     throw InputError(
         {request.scene.value_or(request.model), 0, 0},
@@ -66,6 +66,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
   if (programs.update) {
     unit.functions.insert(unit.functions.begin(), std::move(*programs.update));
   }
+  unit.derived = std::move(programs.derived);
   unit.staged = std::move(programs.staged);
   unit.steppers = std::move(programs.steppers);
   unit.target = request.target;

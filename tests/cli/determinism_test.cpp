@@ -79,10 +79,11 @@ TEST(Determinism, ThreadsDecideNoByte) {
 }
 
 TEST(Determinism, LocaleAndWorkingDirectoryDoNotMatter) {
-  const std::string first = generated("LC_ALL=C", kModels + "/puma560.yaml");
-  EXPECT_EQ(generated("LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8", kModels + "/puma560.yaml"), first);
-  EXPECT_EQ(generated("cd " + kModels + " &&", "puma560.yaml"), first);
-  EXPECT_EQ(generated("cd / &&", "." + kModels + "/puma560.yaml"), first);
+  const std::string model = "puma560.yaml --effort 100";
+  const std::string first = generated("LC_ALL=C", kModels + "/" + model);
+  EXPECT_EQ(generated("LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8", kModels + "/" + model), first);
+  EXPECT_EQ(generated("cd " + kModels + " &&", model), first);
+  EXPECT_EQ(generated("cd / &&", "." + kModels + "/" + model), first);
 }
 
 }  // namespace

@@ -422,6 +422,19 @@ TEST_F(RunTimeCli, SaysWhatEachCosts) {
   EXPECT_THAT(outcome.out, HasSubstr("  update_parameters "));
 }
 
+/// Of what functions take every field says what it is made of, and code reads it by its name.
+TEST_F(RunTimeCli, NamesWhatFunctionsTake) {
+  const Outcome outcome = treedyn({"generate", "-q", kModel, "--effort", "0", "--name", "m",
+                                   "--runtime", "forearm.mass,forearm.offset.x", "-o", out()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string header = read_file(file("m.hpp"));
+  EXPECT_THAT(header, HasSubstr("  /// offset x of forearm\n  Scalar forearm_p"));
+  EXPECT_THAT(header, HasSubstr("  /// mass, com x of forearm\n  Scalar forearm_p"));
+  const std::string source = read_file(file("m.cpp"));
+  EXPECT_THAT(source, HasSubstr("derived.forearm_p"));
+  EXPECT_THAT(source, testing::Not(HasSubstr("derived.value")));
+}
+
 /// Names are hostile: long, equal when shortened, with bytes that no identifier has.
 TEST_F(RunTimeCli, TakesNamesOfAnyKind) {
   const std::string one = "a*/ link " + std::string(200, 'x');
