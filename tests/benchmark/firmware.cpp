@@ -1,14 +1,19 @@
 // benchmark_cortex TREEDYN MODELS SOURCES -o DIR: generated code on a Cortex-M4F, of the biped and
 // the quadruped of the folder MODELS; both also with late sines and with shared code of the limbs.
 //
-// Float, arm-none-eabi-g++ -O2: instructions in the code, instructions
-// that one call executes (counted by qemu-system-arm), bytes of flash and of stack. SOURCES is the
-// folder firmware/. Writes firmware.md.
+// Float, arm-none-eabi-g++ -O2, with contraction and without: instructions that one call executes
+// (counted by qemu-system-arm) and their cycles by a table, bytes of flash and of stack. SOURCES is
+// the folder firmware/. Writes firmware.md.
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -35,20 +40,56 @@ const std::vector<std::string> kCompile{kTool + "g++",
                                         "-fno-math-errno",
                                         "-ffunction-sections"};
 
-/// Without gcc's scheduling before register allocation, which keeps more values alive than the 32
-/// registers hold.
-constexpr const char* kUnscheduled = "-fno-schedule-insns";
+constexpr const char* kPlain = "-ffp-contract=off";
 
 struct Function {
   const char* name;
   const char* arguments;
-  const char* limit;  ///< instructions a call, tests/benchmark/README.md, of the biped on axes
+  const char* target;  ///< instructions, cycles and kB of flash, tests/benchmark/README.md
 };
 constexpr Function kFunctions[] = {
-    {"mass_matrix", "(q, out)", "1500"},         {"bias_force", "(q, qd, out)", ""},
-    {"gravity_force", "(q, out)", ""},           {"inverse_dynamics", "(q, qd, x, out)", "2200"},
+    {"mass_matrix", "(q, out)", "2200 / 3300 / 7.3"},
+    {"bias_force", "(q, qd, out)", ""},
+    {"gravity_force", "(q, out)", ""},
+    {"inverse_dynamics", "(q, qd, x, out)", "2420 / 3750 / 7.9"},
     {"forward_dynamics", "(q, qd, x, out)", ""},
 };
+
+/// Cycles of an instruction on a Cortex-M4F, after ARM's technical reference manual: loads, stores
+/// and moves between the register files of one word 2 or 1, of more words one each and 1, fused
+/// products 3, quotients and roots 14, jumps 3; the rest 1.
+long cycles_of(const std::string& instruction, const std::string& operands) {
+  const auto is = [&](const char* begin) {
+    return instruction.rfind(begin, 0) == 0;
+  };
+  if (is("vdiv") || is("vsqrt")) {
+    return 14;
+  }
+  if (is("vfma") || is("vfms") || is("vfnma") || is("vfnms") || is("vmla") || is("vmls")) {
+    return 3;
+  }
+  if (is("push") || is("pop") || is("vpush") || is("vpop") || is("vldm") || is("vstm") ||
+      is("ldm") || is("stm")) {
+    long words = 1 + std::count(operands.begin(), operands.end(), ',');
+    if (const std::size_t dash = operands.find('-'); dash != std::string::npos) {
+      const auto number = [&](std::size_t at) {
+        return std::atol(operands.c_str() + operands.find_first_of("0123456789", at));
+      };
+      words = number(dash) - number(operands.find('{')) + 1;
+    }
+    return words + 1;
+  }
+  if (is("ldrd") || is("strd")) {
+    return 3;
+  }
+  if (is("vldr") || is("vstr") || is("ldr") || is("str")) {
+    return 2;
+  }
+  if (instruction == "b" || instruction == "b.n" || instruction == "b.w" || is("bl") || is("bx")) {
+    return 3;
+  }
+  return 1;
+}
 
 support::Outcome checked(const std::vector<std::string>& command) {
   support::Outcome outcome = support::run(command);
@@ -64,8 +105,33 @@ std::vector<std::string> compile(const std::vector<std::string>& more) {
   return command;
 }
 
-/// Instructions that an image with `calls` calls executes: one line of the emulator's log each.
-long executed(const Function& function, int calls, const fs::path& sources, const fs::path& work) {
+/// What a program executes.
+struct Executed {
+  long instructions = 0;
+  long cycles = 0;  ///< by `cycles_of`
+};
+
+/// Cycles by address of the instructions of an image.
+std::map<long, long> cycles_by_address(const fs::path& image) {
+  std::map<long, long> result;
+  std::istringstream lines(checked({kTool + "objdump", "-d", "--no-show-raw-insn", image}).out);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string address;
+    std::string instruction;
+    std::string operands;
+    words >> address >> instruction;
+    std::getline(words, operands);
+    if (address.size() > 1 && address.back() == ':') {
+      result[std::strtol(address.c_str(), nullptr, 16)] = cycles_of(instruction, operands);
+    }
+  }
+  return result;
+}
+
+/// Of an image with `calls` calls: one line of the emulator's log for each instruction.
+Executed executed(const Function& function, int calls, const fs::path& sources,
+                  const fs::path& work) {
   const std::string image = work / "image.elf";
   const std::string log = work / "log";
   checked(compile({fmt::format("-DCALLS={}", calls), fmt::format("-DFUNCTION={}", function.name),
@@ -75,20 +141,26 @@ long executed(const Function& function, int calls, const fs::path& sources, cons
   checked({"qemu-system-arm", "-M", "mps2-an386", "-display", "none", "-monitor", "none", "-serial",
            "none", "-semihosting-config", "enable=on,target=native", "-singlestep", "-d",
            "exec,nochain", "-D", log, "-kernel", image});
+  const std::map<long, long> cycles = cycles_by_address(image);
   std::istringstream lines(support::read_file(log));
-  long count = 0;
+  Executed result;
   for (std::string line; std::getline(lines, line);) {
-    count += line.rfind("Trace", 0) == 0 ? 1 : 0;
+    if (line.rfind("Trace", 0) != 0) {
+      continue;
+    }
+    ++result.instructions;
+    const std::size_t slash = line.find('/', line.find('['));
+    const auto found = cycles.find(std::strtol(line.c_str() + slash + 1, nullptr, 16));
+    result.cycles += found == cycles.end() ? 1 : found->second;
   }
-  return count;
+  return result;
 }
 
 /// What a function costs on the microcontroller.
 struct Figures {
   long operations = 0;
-  long instructions = 0;
-  long executed = 0;
-  long unscheduled = 0;  ///< executed, compiled with kUnscheduled
+  Executed contracted;
+  Executed plain;  ///< compiled with kPlain
   long flash = 0;
   long stack = 0;
 };
@@ -116,18 +188,15 @@ Figures measured(const Function& function, const Places& places, const std::stri
     checked(compile(flags));
   };
   const auto of_a_call = [&] {
-    const long once = executed(function, 1, places.sources, work);
-    return executed(function, 2, places.sources, work) - once;
+    const Executed once = executed(function, 1, places.sources, work);
+    const Executed twice = executed(function, 2, places.sources, work);
+    return Executed{twice.instructions - once.instructions, twice.cycles - once.cycles};
   };
   const auto cost = support::read_manifest(work / "generated.json").functions.front().operations;
-  build({kUnscheduled});
-  const long unscheduled = of_a_call();
+  build({kPlain});
+  const Executed plain = of_a_call();
   build({});
-  return {cost[0] + cost[1] + cost[2],
-          instructions(kTool + "objdump", object),
-          of_a_call(),
-          unscheduled,
-          flash_bytes(kTool + "size", object),
+  return {cost[0] + cost[1] + cost[2], of_a_call(), plain, flash_bytes(kTool + "size", object),
           stack_bytes(work / "generated.su")};
 }
 
@@ -144,15 +213,15 @@ AllFigures all_figures(const Places& places, const std::string& model,
 
 std::string table(const AllFigures& figures) {
   std::string text = fmt::format(
-      "| function | operations | instructions in the code | executed by a call | with {} | target "
-      "| "
-      "flash, bytes | stack, bytes |\n|---|---|---|---|---|---|---|---|\n",
-      kUnscheduled);
+      "| function | operations | instructions of a call | cycles | the same with {} | flash, bytes "
+      "| stack, bytes | target |\n|---|---|---|---|---|---|---|---|\n",
+      kPlain);
   for (std::size_t k = 0; k < figures.size(); ++k) {
     const Figures& f = figures[k];
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", kFunctions[k].name,
-                        f.operations, f.instructions, f.executed, f.unscheduled,
-                        kFunctions[k].limit, f.flash, f.stack);
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} / {} | {} | {} | {} |\n", kFunctions[k].name,
+                    f.operations, f.contracted.instructions, f.contracted.cycles,
+                    f.plain.instructions, f.plain.cycles, f.flash, f.stack, kFunctions[k].target);
   }
   return text;
 }
@@ -163,12 +232,12 @@ std::string pair(long a, long b) {
   return fmt::format("{} / {} ({:+.0f} %)", a, b, change);
 }
 
-/// Time, flash and stack without / with the option.
+/// Cycles, flash and stack without / with the option.
 std::string comparison(const Places& places, const std::string& option, const AllFigures& biped,
                        const AllFigures& quadruped) {
   std::string text = fmt::format(
       "\nThe same without / with `{}`.\n\n"
-      "| robot | function | operations | flash, bytes | executed by a call | stack, bytes |\n"
+      "| robot | function | operations | flash, bytes | cycles | stack, bytes |\n"
       "|---|---|---|---|---|---|\n",
       option);
   for (const auto& [model, own] :
@@ -181,19 +250,22 @@ std::string comparison(const Places& places, const std::string& option, const Al
       const Figures& b = with[k];
       text += fmt::format("| {} | {} | {} | {} | {} | {} / {} |\n", model, kFunctions[k].name,
                           pair(a.operations, b.operations), pair(a.flash, b.flash),
-                          pair(a.executed, b.executed), a.stack, b.stack);
+                          pair(a.contracted.cycles, b.contracted.cycles), a.stack, b.stack);
     }
   }
   return text;
 }
 
 void run(const Places& places, const fs::path& output) {
+  const AllFigures packed = all_figures(places, "biped", {"--layout", "packed"});
   const AllFigures biped = all_figures(places, "biped", {});
   const AllFigures quadruped = all_figures(places, "quadruped", {});
   std::string text =
-      "biped.yaml `--base axes --scalar float` on a Cortex-M4F, arm-none-eabi-g++ "
-      "-O2; executed instructions counted by qemu.\n\n" +
-      table(biped);
+      "biped.yaml `--base axes --scalar float --layout packed` on a Cortex-M4F, arm-none-eabi-g++ "
+      "-O2; executed instructions counted by qemu, cycles of each by a table after ARM's manual "
+      "(loads and stores 2, fused products 3, jumps 3). Targets: instructions, cycles, kB of "
+      "flash.\n\n" +
+      table(packed);
   for (const char* option : {"--trig late", "--layout packed --trig late", "--share-limbs"}) {
     text += comparison(places, option, biped, quadruped);
   }
