@@ -52,6 +52,7 @@ class Sources {
 
   void begin(const std::vector<std::pair<Real, Provenance>>& numbers) {
     std::vector<std::pair<Digits, Provenance>> own;
+    own.reserve(numbers.size());
     for (const auto& [number, source] : numbers) {
       own.emplace_back(magnitude(number), source);
     }

@@ -1,5 +1,5 @@
 // The table of constants costs nothing: with literals in the places of names compilers make the
-// same object file.
+// same object file. No number of a model is left out of it.
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -101,6 +101,25 @@ INSTANTIATE_TEST_SUITE_P(
              "-std=c++17",
              {kModels + "puma560.yaml", "--runtime", "link3.mass"}}),
     [](const auto& test) { return std::string(test.param.name); });
+
+/// Numbers that passes make of others, ratios and roots among them, keep their sources: what stands
+/// as a literal in a function is a number of the equations, short ones all of them.
+TEST(ConstantsOfModels, AreNoLiteralsInFunctions) {
+  static const std::regex long_literal("[0-9]\\.[0-9]{6,}");
+  for (const char* const model :
+       {"puma560.yaml", "panda.yaml", "quadruped.yaml", "compass_walker.yaml"}) {
+    const support::TemporaryFolder folder;
+    const Outcome generated = support::run({TREEDYN_EXECUTABLE, "generate", "-q", "--effort", "100",
+                                            "--name", "m", "-o", folder.path(), kModels + model});
+    ASSERT_EQ(generated.status, 0) << generated.err;
+    const std::string source = support::read_file(folder.path() / "m.cpp");
+    const std::size_t functions = source.find("\nvoid ");
+    ASSERT_NE(functions, std::string::npos);
+    std::smatch literal;
+    const std::string text = source.substr(functions);
+    EXPECT_FALSE(std::regex_search(text, literal, long_literal)) << model << ' ' << literal.str();
+  }
+}
 
 }  // namespace
 }  // namespace treedyn
