@@ -111,7 +111,7 @@ struct Study {
   std::vector<std::string> points;  ///< names of those that are compared
   Reference reference;
   std::vector<StepLimit> stability;  ///< of the methods that have one, contacts closed
-  std::vector<Outcome> outcomes;  ///< by method, scalar, falling step
+  std::vector<Outcome> outcomes;     ///< by method, scalar, falling step
 };
 
 /// The errors that the scene has, in the order of kErrors.

@@ -63,6 +63,7 @@ struct Origin {
   int link = -1;  ///< -1: of no link
   ModelPart part = ModelPart::kMass;
   int component = 0;  ///< x y z; xx xy xz yy yz zz; of a scene a SceneNumber
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a pointer in <=>
   auto operator<=>(const Origin&) const = default;
 };
 
@@ -73,6 +74,7 @@ struct Dimension {
   int length = 0;
   int time = 0;
   bool is_known = true;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a pointer in <=>
   auto operator<=>(const Dimension&) const = default;
 };
 
@@ -80,6 +82,7 @@ struct Dimension {
 struct Provenance {
   std::vector<Origin> origins;  ///< ascending
   Dimension dimension;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a pointer in <=>
   auto operator<=>(const Provenance&) const = default;
 };
 

@@ -38,6 +38,7 @@ struct LinkVariant {
   bool tensor_moment = false;  ///< link moment by the inertia tensor instead of the pseudo-inertia
 
   static constexpr std::uint8_t kWholeRun = 255;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a pointer in <=>
   auto operator<=>(const LinkVariant&) const = default;
 };
 
@@ -50,6 +51,7 @@ struct Variant {
   bool trunk = true;            ///< a free base is treated as one body with six velocities
   Way way = Way::kToRoot;
   bool articulated = false;  ///< forward dynamics by articulated bodies instead of factoring A
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a pointer in <=>
   auto operator<=>(const Variant&) const = default;
 };
 

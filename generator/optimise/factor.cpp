@@ -16,6 +16,7 @@ struct Occurrence {
   Ref factor = 0;
   int term = 0;
   bool saves = false;  ///< the product exists for this sum alone, so a multiplication vanishes
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a pointer in <=>
   auto operator<=>(const Occurrence&) const = default;
 };
 

@@ -24,7 +24,7 @@ struct Change {
 };
 
 struct Robot {
-  const char* name;
+  std::string name;
   const char* model;
   std::string runtime;
   std::vector<Change> changes;
@@ -32,6 +32,9 @@ struct Robot {
   double epsilon;
   std::vector<std::string> others = {};  ///< options of the changed model alone
 };
+
+/// In the names of tests.
+void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.name; }
 
 std::string with(std::string text, const Change& change) {
   const std::size_t at = text.find(change.from);
@@ -230,19 +233,22 @@ const std::string kRuntimeOfPuma = "link3.mass,link3.com,link6.mass,link6.inerti
 const Robot kPuma = {
     "Puma", "puma560.yaml", kRuntimeOfPuma, kOfPuma, {"--effort", "20", "--functions", kFunctions},
     2.3e-16};
-const Robot kPlainPuma = {"PumaPlain",
-                          "puma560.yaml",
-                          kRuntimeOfPuma,
-                          kOfPuma,
-                          {"--effort", "0", "--functions", kFunctions, "--layout", "packed"},
-                          2.3e-16};
-const Robot kPumaInFloat = {"PumaInFloat",
-                            "puma560.yaml",
-                            kRuntimeOfPuma,
-                            kOfPuma,
-                            {"--effort", "0", "--scalar", "float", "--functions",
-                             "mass_matrix,inverse_dynamics,gravity_force"},
-                            1.2e-7};
+/// The same robot and changes with other options.
+Robot with_options(Robot robot, std::string name, std::vector<std::string> options,
+                   double epsilon) {
+  robot.name = std::move(name);
+  robot.options = std::move(options);
+  robot.epsilon = epsilon;
+  return robot;
+}
+
+const Robot kPlainPuma =
+    with_options(kPuma, "PumaPlain",
+                 {"--effort", "0", "--functions", kFunctions, "--layout", "packed"}, 2.3e-16);
+const Robot kPumaInFloat = with_options(kPuma, "PumaInFloat",
+                                        {"--effort", "0", "--scalar", "float", "--functions",
+                                         "mass_matrix,inverse_dynamics,gravity_force"},
+                                        1.2e-7);
 const Robot kFreeBiped = {"FreeBiped",
                           "biped.yaml",
                           "left_foot.com,left_foot.inertia",
@@ -304,12 +310,8 @@ const Robot kLongerPuma = {"LongerPuma",
                            kLengthsOfPuma,
                            {"--effort", "20", "--functions", kFunctions},
                            2.3e-16};
-const Robot kLongerPlainPuma = {"LongerPumaPlain",
-                                "puma560.yaml",
-                                kRuntimeLengthsOfPuma,
-                                kLengthsOfPuma,
-                                {"--effort", "0", "--functions", kFunctions},
-                                2.3e-16};
+const Robot kLongerPlainPuma = with_options(kLongerPuma, "LongerPumaPlain",
+                                            {"--effort", "0", "--functions", kFunctions}, 2.3e-16);
 /// A tool, and a forearm that another one has taken the place of.
 const Robot kOtherTool = {
     "OtherTool",

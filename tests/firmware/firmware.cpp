@@ -5,8 +5,8 @@
 //   firmware TREEDYN MODELS SOURCES BUDGETS [--update]
 //
 // SOURCES is the folder of this file. BUDGETS has a line for every function; it fails if a figure
-// is exceeded by more than 0.5 %, or if a figure of code that is kept in .data, or of double,
-// appears. --update writes it anew.
+// is exceeded by more than 0.5 %, or if code keeps something in .data, or code in float calls a
+// function for double. --update writes it anew.
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -347,7 +347,9 @@ int measure(const Robot& robot, const Places& places, Budgets& budgets, Counts& 
   const support::Manifest manifest = support::read_manifest(work / "generated.json");
   support::write_file(work / "calls.cpp", calls_text(manifest));
   const Lines host = on_the_host(robot, places, work);
-  if (is_there("valgrind")) {
+  if (!is_there("valgrind")) {
+    fmt::print("valgrind is not installed: nothing was counted on the host\n");
+  } else {
     add_counted(
         robot, "host", manifest, [&](const std::string& name) { return on_the_host(work, name); },
         counts);
