@@ -127,7 +127,7 @@ class Chart {
   [[nodiscard]] std::string floors() const {
     std::string text;
     for (const State state : kStates) {
-      if (const std::optional<Floor> floor = floor_of(study_, state)) {
+      if (const std::optional<Floor> floor = floor_of(study_, state); floor && floor->is_reached) {
         const double below = state == State::kCompensated ? 11 : -3;  // near that of float
         text += level(fmt::format("floor of {}", name_of(state)), floor->error, below);
       }

@@ -47,6 +47,12 @@ std::string next_decade(const Study& study, const std::vector<std::size_t>& fron
   return "-";
 }
 
+/// The least wall time for a second of motion; 0: not measured.
+double fastest_time(const Study& study) {
+  const auto fastest = std::ranges::min_element(study.outcomes, {}, &Outcome::time);
+  return fastest == study.outcomes.end() ? 0 : fastest->time;
+}
+
 std::string front_text(const Study& study, const Core& core) {
   const std::vector<Error> errors = chosen_first(study);
   const std::string name(core.name);
@@ -61,8 +67,10 @@ std::string front_text(const Study& study, const Core& core) {
   for (const std::size_t k : front) {
     width = std::max(width, text_of(study.outcomes[k].setting).size());
   }
-  text += fmt::format("{:>12}{}  {:<{}} {}\n", "cycles/s",
-                      sized ? fmt::format(" {:>7} {:>7}", "flash", "stack") : "", "setting", width,
+  const double fastest = fastest_time(study);
+  text += fmt::format("{:>12}{}{}  {:<{}} {}\n", "cycles/s",
+                      sized ? fmt::format(" {:>7} {:>7}", "flash", "stack") : "",
+                      fastest > 0 ? fmt::format(" {:>8}", "time") : "", "setting", width,
                       "next decade costs");
   for (std::size_t k = 0; k < front.size(); ++k) {
     const Outcome& outcome = study.outcomes[front[k]];
@@ -75,6 +83,7 @@ std::string front_text(const Study& study, const Core& core) {
       const Size& size = outcome.sizes.at(name);
       text += fmt::format(" {:>7} {:>7}", size.flash, size.stack);
     }
+    text += fastest > 0 ? fmt::format(" x {:<6.3g}", outcome.time / fastest) : "";
     text += fmt::format("  {:<{}} {}\n", text_of(outcome.setting), width,
                         next_decade(study, front, k, core));
   }
@@ -114,16 +123,35 @@ std::string reference_text(const Study& study) {
   return text + "\n";
 }
 
+/// The initial states.
+std::string band_text(const Study& study) {
+  if (study.states == 1) {
+    return "the scene's own initial state";
+  }
+  return fmt::format(
+      "{} initial states: the scene's own and others whose {} differ by up to {:.3g} of their "
+      "size, "
+      "that of those below 0.1 taken as 0.1",
+      study.states,
+      study.speeds_only ? "speeds (loops have their place)" : "coordinates and speeds",
+      study.spread);
+}
+
 std::string facts_text(const Study& study) {
-  std::string text = fmt::format(
-      "{}: {} s, {} initial states (the scene's own and others within {:.1g} of each {})\n",
-      study.scene, study.duration, study.states, study.spread,
-      study.speeds_only ? "speed: loops have their place" : "coordinate and speed");
+  std::string text = fmt::format("{}: {} s, {}\n", study.scene, study.duration, band_text(study));
   text += reference_text(study);
+  for (const Sensitive& state : sensitive_states(study)) {
+    text += fmt::format(
+        "initial state {} is sensitive: in {} of {} settings it is off by over a hundred times the "
+        "median of all, most with {}: {:.1e} to {:.1e}\n",
+        state.state, state.settings, study.outcomes.size(), text_of(state.worst), state.error,
+        state.median);
+  }
   for (const State state : kStates) {
     if (const std::optional<Floor> floor = floor_of(study, state)) {
-      text += fmt::format("floor of {}: {:.2e} with {}\n", name_of(state), floor->error,
-                          text_of(floor->setting));
+      text += fmt::format("{} of {}: {:.2e} with {}\n",
+                          floor->is_reached ? "floor" : "smallest error, of the shortest step,",
+                          name_of(state), floor->error, text_of(floor->setting));
     }
   }
   if (const std::optional<Floor> floor = event_floor(study)) {
@@ -131,7 +159,7 @@ std::string facts_text(const Study& study) {
                         text_of(floor->setting));
   }
   for (const StepLimit& limit : study.stability) {
-    text += fmt::format("stability limit of {} where the scene begins: {:.3g} s\n",
+    text += fmt::format("stability limit of {}, the least along the motion: {:.3g} s\n",
                         limit.integrator, limit.step);
   }
   for (const std::string& name : methods_of(study)) {
@@ -163,7 +191,7 @@ std::string html_rows(const Study& study, const std::vector<const Core*>& on) {
       text += fmt::format("<td>{}</td>",
                           instead ? instead : fmt::format("{:.2e}", outcome.error(error)));
     }
-    text += fmt::format("<td>{}</td>", outcome.step_cost.total());
+    text += fmt::format("<td>{}</td>", outcome.step_cost().total());
     for (const Core* core : on) {
       text += fmt::format("<td>{:.4g}</td>", outcome.cycles_per_second(*core));
     }
@@ -248,7 +276,21 @@ std::string refusal_text(const Study& study, const Core& core, double target) {
                             text_of(best.setting), size_text(best, core),
                             best.error(study.error) > target
                                 ? ""
-                                : fmt::format("; the reference is uncertain by {:.2e}", unknown));
+                                : fmt::format("; 19 of 20 other initial states are expected below "
+                                              "{:.2e}, and the reference is uncertain by {:.2e}",
+                                              best.expected(study.error), unknown));
+}
+
+/// How much more than float at its best it costs, where float does not do.
+std::string factor_text(const Study& study, const Core& core, const Outcome& chosen) {
+  const std::optional<Floor> best = floor_of(study, State::kFloat);
+  if (chosen.setting.state != State::kDouble || !best) {
+    return "";
+  }
+  const auto of_float = std::ranges::find(study.outcomes, best->setting, &Outcome::setting);
+  return fmt::format(", {:.3g} times those of {}, whose {:.1e} is the best of float",
+                     chosen.cycles_per_second(core) / of_float->cycles_per_second(core),
+                     text_of(best->setting), best->error);
 }
 
 }  // namespace
@@ -263,13 +305,24 @@ std::string choice_text(const Study& study, const Core& core, double target) {
   const std::string in_period = study.rate ? fmt::format(", {:.4g} in each period of {} Hz",
                                                          cycles / *study.rate, *study.rate)
                                            : "";
+  const std::string in_dearest =
+      study.rate && outcome.phases.size() > 1
+          ? fmt::format(", {:.4g} in the dearest phase",
+                        outcome.most_cycles(core) / outcome.setting.step / *study.rate)
+          : "";
+  const std::string others = study.states == 1
+                                 ? ""
+                                 : fmt::format(
+                                       " (over {} initial states {:.1e} to {:.1e}; 19 of 20 others "
+                                       "are expected below {:.1e})",
+                                       study.states, outcome.least(study.error),
+                                       outcome.error(study.error), outcome.expected(study.error));
   return fmt::format(
-      "{:.3g} on {}{}: {}, error {:.2e} (over {} initial states {:.1e} to {:.1e}), {} operations a "
-      "step, {:.4g} cycles for a second of motion{}{}\n",
+      "{:.3g} on {}{}: {}, error {:.2e}{}, {} operations a step, {:.4g} cycles for a second of "
+      "motion{}{}{}\n",
       target, core.name, limits_text(study.limits), text_of(outcome.setting),
-      outcome.error(study.error), study.states, outcome.least(study.error),
-      outcome.error(study.error), outcome.step_cost.total(), cycles, in_period,
-      size_text(outcome, core));
+      outcome.error(study.error), others, outcome.step_cost().total(), cycles,
+      in_period + in_dearest, factor_text(study, core, outcome), size_text(outcome, core));
 }
 
 }  // namespace treedyn::accuracy

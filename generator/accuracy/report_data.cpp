@@ -97,7 +97,7 @@ Members outcome_members(const Outcome& outcome) {
     members.emplace_back(fmt::format("{}s", row_of(error).column), numbers(values));
   }
   members.emplace_back("status", fmt::format("{}", outcome.status));
-  members.emplace_back("operations", fmt::format("{}", outcome.step_cost.total()));
+  members.emplace_back("operations", fmt::format("{}", outcome.step_cost().total()));
   for (const Core& core : cores()) {
     members.emplace_back(fmt::format("cycles_per_second_{}", core.name),
                          fmt::format("{:.6g}", outcome.cycles_per_second(core)));
@@ -114,7 +114,7 @@ Members outcome_members(const Outcome& outcome) {
 std::string report_csv(const Study& study) {
   std::string text = csv_head() + "\r\n";
   for (const Outcome& outcome : study.outcomes) {
-    const program::Cost& cost = outcome.step_cost;
+    const program::Cost cost = outcome.step_cost();
     const Setting& setting = outcome.setting;
     const Variant& variant = setting.variant;
     text +=

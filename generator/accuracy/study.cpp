@@ -1,6 +1,7 @@
 #include "accuracy/study.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -95,10 +96,66 @@ std::vector<Error> errors_of(const Study& study) {
   return result;
 }
 
+double Outcome::expected(Error of) const {
+  // Student's t, 95 % on one side, by degrees of freedom
+  static constexpr std::array<double, 20> kStudent = {
+      6.314, 2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860, 1.833, 1.812,
+      1.796, 1.782, 1.771, 1.761, 1.753, 1.746, 1.740, 1.734, 1.729, 1.725};
+  const std::vector<double>& values = errors.at(of);
+  const double most = largest(values);
+  const auto n = static_cast<double>(values.size());
+  if (values.size() < 2 || !std::isfinite(most) || least(of) <= 0) {
+    return most;
+  }
+  double mean = 0;
+  double squares = 0;
+  for (const double value : values) {
+    mean += std::log(value) / n;
+  }
+  for (const double value : values) {
+    squares += (std::log(value) - mean) * (std::log(value) - mean);
+  }
+  const double t = kStudent[std::min(values.size() - 2, kStudent.size() - 1)];
+  return std::max(most, std::exp(mean + t * std::sqrt(squares / (n - 1) * (1 + 1 / n))));
+}
+
+program::Cost Outcome::step_cost() const {
+  constexpr int program::Cost::*kCounts[] = {&program::Cost::add, &program::Cost::mul,
+                                             &program::Cost::div, &program::Cost::sqrt,
+                                             &program::Cost::sin, &program::Cost::cos};
+  program::Cost result;
+  for (int program::Cost::*const count : kCounts) {
+    double sum = 0;
+    double steps = 0;
+    for (const PhaseSteps& phase : phases) {
+      sum += static_cast<double>(phase.steps) * phase.cost.*count;
+      steps += static_cast<double>(phase.steps);
+    }
+    result.*count = static_cast<int>(std::lround(sum / std::max(steps, 1.0)));
+  }
+  return result;
+}
+
+double Outcome::cycles_of(const program::Cost& cost, const Core& core) const {
+  return cycles(cost, core, setting.state != State::kDouble, setting.variant.sincos == "libm");
+}
+
+double Outcome::most_cycles(const Core& core) const {
+  double result = 0;
+  for (const PhaseSteps& phase : phases) {
+    result = std::max(result, phase.steps > 0 ? cycles_of(phase.cost, core) : 0);
+  }
+  return result;
+}
+
 double Outcome::cycles_per_second(const Core& core) const {
-  return cycles(step_cost, core, setting.state != State::kDouble,
-                setting.variant.sincos == "libm") /
-         setting.step;
+  double sum = 0;
+  double steps = 0;
+  for (const PhaseSteps& phase : phases) {
+    sum += static_cast<double>(phase.steps) * cycles_of(phase.cost, core);
+    steps += static_cast<double>(phase.steps);
+  }
+  return sum / std::max(steps, 1.0) / setting.step;
 }
 
 namespace {
@@ -120,7 +177,7 @@ std::vector<std::size_t> by_cost(const Study& study, const Core& core) {
 
 bool outcome_reaches(const Study& study, const Outcome& outcome, double target) {
   return !outcome.failed() &&
-         outcome.error(study.error) + study.reference.uncertainty(study.error) <= target;
+         outcome.expected(study.error) + study.reference.uncertainty(study.error) <= target;
 }
 
 }  // namespace
@@ -134,6 +191,35 @@ std::vector<std::size_t> pareto(const Study& study, const Core& core) {
       best = outcome.error(study.error);
       result.push_back(k);
     }
+  }
+  return result;
+}
+
+std::vector<Sensitive> sensitive_states(const Study& study) {
+  constexpr double kMany = 100;
+  std::map<int, Sensitive> found;
+  for (const Outcome& outcome : study.outcomes) {
+    if (outcome.failed() || study.states < 3) {
+      continue;
+    }
+    const std::vector<double>& values = outcome.errors.at(study.error);
+    std::vector<double> sorted = values;
+    std::ranges::sort(sorted);
+    const double median = sorted[sorted.size() / 2];
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (!(values[k] > kMany * median)) {
+        continue;
+      }
+      Sensitive& state = found[static_cast<int>(k) + 1];
+      ++state.settings;
+      if (state.settings == 1 || values[k] / median > state.error / state.median) {
+        state = {static_cast<int>(k) + 1, state.settings, outcome.setting, values[k], median};
+      }
+    }
+  }
+  std::vector<Sensitive> result;
+  for (const auto& [number, state] : found) {
+    result.push_back(state);
   }
   return result;
 }
@@ -208,6 +294,27 @@ std::optional<double> fitted_order(const Study& study, State state, const std::s
 
 namespace {
 
+/// True if a step shorter than that of the floor has been tried, or the last shortening gained less
+/// than a method of order one does.
+bool gains_nothing(const Study& study, const Floor& floor) {
+  double longer = std::numeric_limits<double>::infinity();  // the next step above
+  double its_error = 0;
+  for (const Outcome& outcome : study.outcomes) {
+    const Setting& setting = outcome.setting;
+    if (setting.state != floor.setting.state || method_of(setting) != method_of(floor.setting)) {
+      continue;
+    }
+    if (setting.step < floor.setting.step) {
+      return true;
+    }
+    if (setting.step > floor.setting.step && setting.step < longer && !outcome.failed()) {
+      longer = setting.step;
+      its_error = outcome.error(study.error);
+    }
+  }
+  return floor.error * longer > its_error * floor.setting.step && std::isfinite(longer);
+}
+
 /// Of the outcomes whose setting is picked.
 template <class Picks>
 std::optional<Floor> smallest(const Study& study, Picks picks) {
@@ -217,6 +324,9 @@ std::optional<Floor> smallest(const Study& study, Picks picks) {
         (!result || outcome.error(study.error) < result->error)) {
       result = Floor{outcome.error(study.error), outcome.setting};
     }
+  }
+  if (result) {
+    result->is_reached = gains_nothing(study, *result);
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -31,6 +32,9 @@ using accuracy::Study;
 
 /// The scene's motion is compared at this many times.
 constexpr int kTimes = 50;
+/// Times at which stability limits are looked for, and the motion that leads there.
+constexpr int kLimits = 20;
+constexpr double kLimitTolerance = 1e-6;
 /// Steps of a ladder: the longest and the shortest as parts of the time between two comparisons.
 constexpr double kLadder[] = {1, 2, 5, 10, 20, 50, 100, 200, 500};
 
@@ -179,15 +183,32 @@ std::vector<const accuracy::Core*> sized_cores(const AccuracyRequest& request) {
   return result;
 }
 
-/// Of the methods that are studied, where the scene begins.
+/// Of the methods that are studied the least at some times of the motion.
 std::vector<accuracy::StepLimit> stability_of(const Subject& subject,
                                               const std::vector<std::string>& integrators) {
-  simulation::Simulator simulator(subject.scene, *subject.dynamics, {});
+  simulation::Settings how;
+  how.tolerance = kLimitTolerance;
+  simulation::Simulator simulator(subject.scene, *subject.dynamics, how);
   simulator.settle();
+  std::map<std::string, double> least;
+  const auto t0 = static_cast<double>(subject.scene.t0);
+  for (int k = 0; k < kLimits; ++k) {
+    try {
+      simulator.advance_to(t0 + subject.duration() * k / kLimits, [] { return true; });
+    } catch (const std::runtime_error&) {  // the motion ends: as far as it goes
+      break;
+    }
+    for (const simulation::StabilityLimit& limit : simulator.stability(*subject.dynamics).limits) {
+      if (limit.step) {
+        const auto [known, is_new] = least.try_emplace(limit.integrator, *limit.step);
+        known->second = std::min(known->second, *limit.step);
+      }
+    }
+  }
   std::vector<accuracy::StepLimit> result;
-  for (const simulation::StabilityLimit& limit : simulator.stability(*subject.dynamics).limits) {
-    if (limit.step && std::ranges::count(integrators, limit.integrator) > 0) {
-      result.push_back({limit.integrator, *limit.step});
+  for (const std::string& integrator : integrators) {
+    if (const auto found = least.find(integrator); found != least.end()) {
+      result.push_back({integrator, found->second});
     }
   }
   return result;
@@ -234,7 +255,7 @@ std::string identity(const Study& study, const Subject& subject,
                      const std::vector<accuracy::Setting>& settings,
                      const std::vector<const accuracy::Core*>& sized) {
   std::string text =
-      fmt::format("treedyn {}\n{} states within {} {}\npoints {}\n", kVersion, study.states,
+      fmt::format("treedyn {}, phases\n{} states within {} {}\npoints {}\n", kVersion, study.states,
                   study.spread, study.speeds_only, fmt::join(study.points, " "));
   for (const std::string& file : {subject.file, subject.scene.tree_file}) {
     text += file.empty() ? "" : read_file(file).value_or("") + '\n';
@@ -309,7 +330,8 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
     throw UsageError(fmt::format("--part {}: the study has {} settings; expected 1 to {}",
                                  *request.part, settings.size(), settings.size()));
   }
-  const StudyParts parts(request.parts, identity(study, subject, settings, sized));
+  const StudyParts parts(
+      request.parts, identity(study, subject, settings, sized) + (request.time ? "timed\n" : ""));
   Comparison comparison(subject, points);
   find_reference(request, subject, parts, trace, comparison, writer, study);
   if (!request.plan.empty()) {
@@ -328,7 +350,7 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
                                    accuracy::text_of(setting), settings.size()));
     }
     if (!outcome) {
-      outcome = comparison.outcome(setting, writer, sized);
+      outcome = comparison.outcome(setting, writer, sized, request.time);
       parts.keep(number, *outcome);
       trace(fmt::format("{}: {:.2e}", accuracy::text_of(setting), outcome->error(study.error)));
     }

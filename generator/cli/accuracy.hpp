@@ -26,6 +26,7 @@ struct AccuracyRequest {
   std::string error = "joints";       ///< of accuracy::kErrors: of the target and the pictures
   std::optional<std::string> points;  ///< --points; default: those of the scene
   bool sizes = false;                 ///< what steps take of the processors
+  bool time = false;                  ///< and of this machine
   accuracy::Limits limits;
   std::string parts;                 ///< folder of what is measured; empty: none
   bool joined = false;               ///< everything is there already

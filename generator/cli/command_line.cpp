@@ -128,6 +128,13 @@ void add_accuracy(CLI::App& app, Settings& settings) {
   command.add_option("--states", request.states, "initial states, the scene's own among them")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
+  command
+      .add_option(
+          "--spread", request.spread,
+          "by which part of their size coordinates and speeds of the others differ at most; "
+          "default 0.01")
+      ->check(CLI::Range(1e-9, 1.0))
+      ->type_name("PART");
   std::vector<std::string> errors;
   for (const accuracy::ErrorRow& row : accuracy::kErrors) {
     errors.emplace_back(row.name);
@@ -144,6 +151,9 @@ void add_accuracy(CLI::App& app, Settings& settings) {
   add_axes(command, request.axes);
   command.add_flag("--sizes", request.sizes,
                    "flash and stack of every step on the processors, by arm-none-eabi-g++");
+  command.add_flag("--time", request.time,
+                   "wall time of every step on this machine, as multiples of the fastest; changes "
+                   "from run to run");
   command.add_option("--flash", request.limits.flash, "bytes that the choice may take")
       ->check(CLI::PositiveNumber)
       ->type_name("N");

@@ -92,7 +92,7 @@ std::map<Error, std::vector<double>> Comparison::errors(const std::vector<Motion
 }
 
 Outcome Comparison::outcome(const Setting& setting, StepWriter& writer,
-                            const std::vector<const accuracy::Core*>& sized) {
+                            const std::vector<const accuracy::Core*>& sized, bool timed) {
   Stepped how;
   how.integrator = setting.integrator;
   how.parts = std::lround(static_cast<double>(subject_.interval) / setting.step);
@@ -104,7 +104,14 @@ Outcome Comparison::outcome(const Setting& setting, StepWriter& writer,
   const std::vector<Motion> motions = stepped_motions(subject_, how, files);
   Outcome result;
   result.setting = setting;
-  result.step_cost = files.cost;
+  for (const program::Cost& cost : files.costs) {
+    result.phases.push_back({cost, 0});
+  }
+  for (const Motion& motion : motions) {
+    for (std::size_t k = 0; k < motion.steps.size(); ++k) {
+      result.phases[k].steps += motion.steps[k];
+    }
+  }
   result.errors = errors(motions);
   for (const Motion& motion : motions) {
     result.status |= motion.status;
@@ -112,6 +119,10 @@ Outcome Comparison::outcome(const Setting& setting, StepWriter& writer,
   for (const accuracy::Core* core : sized) {
     result.sizes[std::string(core->name)] =
         step_size(stepped_files(subject_, how, writer, false), *core);
+  }
+  if (timed) {
+    result.time =
+        step_seconds(subject_, how, stepped_files(subject_, how, writer, false)) / setting.step;
   }
   return result;
 }
@@ -122,7 +133,7 @@ std::vector<Motion> reference(const Subject& subject, Comparison& comparison, St
   const auto files = [&] {
     return stepped_files(subject, how, writer);
   };
-  how.parts = reference_parts(subject, files().cost);
+  how.parts = reference_parts(subject, files().costs.front());
   std::vector<Motion> exact = stepped_motions(subject, how, files());
   comparison.set_reference(exact);
   how.integrator = "rk4";

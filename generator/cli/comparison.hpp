@@ -22,9 +22,9 @@ class Comparison {
   void set_reference(std::vector<Motion> exact);
   /// All errors of motions from the starts.
   std::map<accuracy::Error, std::vector<double>> errors(const std::vector<Motion>& motions);
-  /// \param sized  cores of which the outcome has the sizes
+  /// \param sized  cores of which the outcome has the sizes \param timed  it has the wall time
   accuracy::Outcome outcome(const accuracy::Setting& setting, StepWriter& writer,
-                            const std::vector<const accuracy::Core*>& sized);
+                            const std::vector<const accuracy::Core*>& sized, bool timed);
 
  private:
   const Subject& subject_;

@@ -39,11 +39,18 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
   if (drifts != nullptr) {
     drifts->begin(static_cast<double>(t0), start.q);
   }
+  const auto phase = [&] {
+    return step.has("phase") ? static_cast<std::size_t>(step.at("phase")[0]) : std::size_t{0};
+  };
+  const long of_event = scene.stepping.cuts > 0 ? scene.stepping.cuts + 1 : 0;
   for (long k = 0; k < every * subject.times; ++k) {
+    motion.steps.resize(std::max(motion.steps.size(), phase() + 1));
+    long& steps = motion.steps[phase()];
     if (step.has("t")) {
       step.at("t")[0] = t0 + static_cast<long double>(k) * h;
     }
     motion.status |= step.call();
+    steps += 1 + of_event * static_cast<long>(step.events().size());
     if (!is_finite(step.at("q"))) {
       break;
     }
@@ -161,6 +168,14 @@ std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
     result.push_back(stepped_motion(subject, scene, start, step, drifts ? &*drifts : nullptr));
   }
   return result;
+}
+
+double step_seconds(const Subject& subject, const Stepped& how, const StepFiles& files) {
+  model::Scene scene = stepped_scene(subject, how);
+  formulate::settle_sticking(scene);
+  GeneratedStep step(files.name, files.files, files.signature);
+  begin_motion(scene, subject.starts.front().q, subject.starts.front().qd, step);
+  return step.seconds();
 }
 
 std::vector<Motion> simulated_motions(const Subject& subject, double tolerance) {

@@ -28,6 +28,7 @@ struct Motion {
   int status = 0;                    ///< bits that `step` returned
   std::vector<SteppedEvent> events;  ///< in s from the beginning of the motion
   OffRows off;                       ///< at up to ten times between two comparisons
+  std::vector<long> steps = {};      ///< by the number of the phase: accuracy::PhaseSteps
 
   template <typename Numbers>
   void note(const Numbers& coordinates, const Numbers& speeds) {
@@ -74,6 +75,9 @@ StepFiles stepped_files(const Subject& subject, const Stepped& how, StepWriter& 
 /// \throws InputError without a compiler
 std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
                                     const StepFiles& files);
+
+/// Wall time of one step where the motion begins, s. \param files  of that scene
+double step_seconds(const Subject& subject, const Stepped& how, const StepFiles& files);
 
 /// The interpreted equations by Fehlberg's method of order eight, events located to the resolution
 /// of time, constraints projected. \throws std::runtime_error where a motion ends early

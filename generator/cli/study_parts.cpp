@@ -161,6 +161,14 @@ void cost(Words& words, Cost& all) {
   words(all.cos);
 }
 
+template <class Words, class Phase>
+void phase(Words& words, Phase& one) {
+  cost(words, one.cost);
+  words(one.steps);
+}
+void exchange(Writer& words, const accuracy::PhaseSteps& one) { phase(words, one); }
+void exchange(Reader& words, accuracy::PhaseSteps& one) { phase(words, one); }
+
 void sizes(Writer& words, const std::map<std::string, accuracy::Size>& all) {
   words.size(all);
   for (const auto& [core, size] : all) {
@@ -180,10 +188,10 @@ void sizes(Reader& words, std::map<std::string, accuracy::Size>& all) {
 
 template <class Words, class Result>
 void result(Words& words, Result& all) {
-  cost(words, all.step_cost);
-  cost(words, all.worst_cost);
+  exchange(words, all.phases);
   exchange(words, all.errors);
   words(all.status);
+  words(all.time);
   sizes(words, all.sizes);
 }
 

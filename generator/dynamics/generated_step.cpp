@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <utility>
 
 #include <fmt/format.h>
@@ -51,6 +52,7 @@ class GeneratedStep::Library {
  public:
   using Step = int (*)(const long double* const*, long double* const*);
   using Events = int (*)(int, long double*);
+  using Repeat = void (*)(const long double* const*, long);
 
   explicit Library(const std::string& path)
       : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)),
@@ -58,8 +60,10 @@ class GeneratedStep::Library {
                                  : reinterpret_cast<Step>(::dlsym(handle_, "treedyn_step"))),
         events_(handle_ == nullptr
                     ? nullptr
-                    : reinterpret_cast<Events>(::dlsym(handle_, "treedyn_event_of_step"))) {
-    if (step_ == nullptr || events_ == nullptr) {
+                    : reinterpret_cast<Events>(::dlsym(handle_, "treedyn_event_of_step"))),
+        repeat_(handle_ == nullptr ? nullptr
+                                   : reinterpret_cast<Repeat>(::dlsym(handle_, "treedyn_repeat"))) {
+    if (step_ == nullptr || events_ == nullptr || repeat_ == nullptr) {
       throw InputError({}, "--as-generated: the compiled step cannot be loaded");
     }
   }
@@ -68,11 +72,13 @@ class GeneratedStep::Library {
   ~Library() { ::dlclose(handle_); }
   [[nodiscard]] Step step() const { return step_; }
   [[nodiscard]] Events events() const { return events_; }
+  [[nodiscard]] Repeat repeat() const { return repeat_; }
 
  private:
   void* handle_;
   Step step_;
   Events events_;
+  Repeat repeat_;
 };
 
 GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::File>& files,
@@ -117,12 +123,37 @@ GeneratedStep::Values& GeneratedStep::at(const std::string& name) {
   return found->second;
 }
 
-int GeneratedStep::call() {
-  std::vector<const long double*> in;
-  std::vector<long double*> out;
+std::vector<const long double*> GeneratedStep::inputs() {
+  std::vector<const long double*> result;
   for (const program::Array& array : signature_.inputs) {
-    in.push_back(at(array.name).data());
+    result.push_back(at(array.name).data());
   }
+  return result;
+}
+
+double GeneratedStep::seconds() {
+  constexpr double kBatch = 2e-3;  // s
+  constexpr int kBatches = 10;
+  const std::vector<const long double*> in = inputs();
+  const auto time = [&](long count) {
+    const auto start = std::chrono::steady_clock::now();
+    library_->repeat()(in.data(), count);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  long count = 1;
+  while (time(count) < kBatch) {
+    count *= 2;
+  }
+  double least = time(count);
+  for (int k = 1; k < kBatches; ++k) {
+    least = std::min(least, time(count));
+  }
+  return least / static_cast<double>(count);
+}
+
+int GeneratedStep::call() {
+  const std::vector<const long double*> in = inputs();
+  std::vector<long double*> out;
   for (const program::Array& array : signature_.outputs) {
     out.push_back(at(array.name).data());
   }

@@ -35,11 +35,15 @@ class GeneratedStep {
   [[nodiscard]] bool has(const std::string& name) const;
   /// Calls it; what the step gives for the next one becomes the argument. \return the status
   int call();
+  /// Wall time of one call with the arguments as they are, s: the shortest of some batches.
+  [[nodiscard]] double seconds();
   /// Of the last call.
   [[nodiscard]] const std::vector<SteppedEvent>& events() const { return events_; }
 
  private:
   class Library;
+
+  [[nodiscard]] std::vector<const long double*> inputs();
 
   program::Signature signature_;
   std::map<std::string, Values> values_;

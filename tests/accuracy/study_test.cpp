@@ -16,8 +16,9 @@ namespace {
 Outcome outcome(State state, const char* integrator, double step, double error, int additions) {
   Outcome result;
   result.setting = {state, integrator, step, {}};
-  result.step_cost.add = additions;
-  result.errors[Error::kJoints] = {error / 2, error};
+  result.phases = {{{}, 1}};
+  result.phases.front().cost.add = additions;
+  result.errors[Error::kJoints] = {error, error};
   return result;
 }
 
@@ -122,6 +123,54 @@ TEST(Study, ChoosesNothingThatTheCheckContradicts) {
   EXPECT_TRUE(study.reference.refuted());
   EXPECT_FALSE(reaches(study, 1e-5));
   EXPECT_TRUE(reaches(study, 1e-2));
+}
+
+/// Of 1, 2 and 4 e-6 the logarithms have mean log 2e-6 and deviation log 2; Student's t is 2.920.
+TEST(Study, ExpectsMoreOfOtherStatesThanTheLargestErrorOfThose) {
+  Outcome one = outcome(State::kFloat, "rk4", 0.01, 1e-6, 1);
+  EXPECT_DOUBLE_EQ(one.expected(), 1e-6);  // all the same
+  one.errors[Error::kJoints] = {2e-6, 1e-6, 4e-6};
+  EXPECT_NEAR(one.expected(), 2e-6 * std::exp(2.920 * std::log(2) * std::sqrt(4.0 / 3)), 1e-18);
+  one.errors[Error::kJoints] = {3e-6};
+  EXPECT_EQ(one.expected(), 3e-6);
+}
+
+TEST(Study, NamesSensitiveStates) {
+  Study study;
+  study.states = 4;
+  study.outcomes = {outcome(State::kFloat, "rk4", 0.1, 1, 1),
+                    outcome(State::kFloat, "rk4", 0.05, 1, 1)};
+  study.outcomes[0].errors[Error::kJoints] = {1e-5, 1e-5, 2e-3, 1e-5};
+  study.outcomes[1].errors[Error::kJoints] = {1e-5, 2e-5, 9e-4, 3e-5};
+  const std::vector<Sensitive> found = sensitive_states(study);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].state, 3);
+  EXPECT_EQ(found[0].settings, 1U);
+  EXPECT_EQ(found[0].worst.step, 0.1);
+}
+
+/// The shortest of the steps is no floor unless it gains less than order one.
+TEST(Study, TellsAFloorFromTheEndOfTheSteps) {
+  EXPECT_TRUE(floor_of(study_of_order_four(), State::kFloat)->is_reached);
+  EXPECT_TRUE(floor_of(study_of_order_four(), State::kDouble)->is_reached);
+  Study study;
+  study.outcomes = {outcome(State::kDouble, "rk4", 0.1, 1e-4, 1),
+                    outcome(State::kDouble, "rk4", 0.05, 1e-5, 1)};
+  EXPECT_FALSE(floor_of(study, State::kDouble)->is_reached);
+  study.outcomes.push_back(outcome(State::kDouble, "rk4", 0.025, 9e-6, 1));
+  EXPECT_TRUE(floor_of(study, State::kDouble)->is_reached);
+}
+
+/// 30 steps of 10 additions and 10 of 50, of 0.1 s each.
+TEST(Study, CountsStepsInTheirPhase) {
+  Outcome one = outcome(State::kFloat, "rk4", 0.1, 1, 10);
+  one.phases.front().steps = 30;
+  one.phases.push_back({{}, 10});
+  one.phases.back().cost.add = 50;
+  EXPECT_EQ(one.step_cost().add, 20);
+  const double of_addition = core("m4f").single.cycles.add;
+  EXPECT_DOUBLE_EQ(one.cycles_per_second(core("m4f")), 20 * of_addition / 0.1);
+  EXPECT_DOUBLE_EQ(one.most_cycles(core("m4f")), 50 * of_addition);
 }
 
 TEST(Study, NeverChoosesWhatFailed) {
