@@ -142,23 +142,32 @@ std::partial_ordering operator<=>(const Real& a, const Real& b) {
 Real abs(const Real& x) { return x.seen() < 0 ? -x : x; }
 
 Real sqrt(const Real& x) {
-  const Real result = Real::map(x, [](const Digits& a) {
+  const auto root = [](const Digits& a) {
     return remembered(a, [](const Digits& of) { return Digits(sqrt(of)); });
-  });
+  };
+  Real result = Real::map(x, root);
+  if (x.recipe_ != 0 && x.seen() < 0) {  // which may be negative where the number is not
+    result.seen_ = root(-x.seen());
+  }
+  result.recipe_ = recipe_of(RecipeKind::kSqrt, x);
   if (is_made_of_robot(result)) {
     note_root(x, result);
   }
   return result;
 }
 Real sin(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) {
-                 return remembered(a, [](const Digits& of) { return Digits(sin(of)); });
-               }));
+  Real result = Real::map(x, [](const Digits& a) {
+    return remembered(a, [](const Digits& of) { return Digits(sin(of)); });
+  });
+  result.recipe_ = recipe_of(RecipeKind::kSin, x);
+  return ratio(x, result);
 }
 Real cos(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) {
-                 return remembered(a, [](const Digits& of) { return Digits(cos(of)); });
-               }));
+  Real result = Real::map(x, [](const Digits& a) {
+    return remembered(a, [](const Digits& of) { return Digits(cos(of)); });
+  });
+  result.recipe_ = recipe_of(RecipeKind::kCos, x);
+  return ratio(x, result);
 }
 Real tan(const Real& x) {
   return ratio(x, Real::map(x, [](const Digits& a) { return Digits(tan(a)); }));

@@ -44,8 +44,8 @@ namespace treedyn {
 /// number, at its price.
 ///
 /// A number that is known at run time only has its nominal value, and a recipe (recipe.hpp): how it
-/// is made of run-time parameters. Sums, differences, products and quotients of such numbers have
-/// recipes too.
+/// is made of run-time parameters. Sums, differences, products, quotients, roots, sines and cosines
+/// of such numbers have recipes too.
 class Real {
  public:
   Real() = default;
@@ -107,6 +107,9 @@ class Real {
   friend Real operator-(const Real& a, const Real& b);
   friend Real operator*(const Real& a, const Real& b);
   friend Real operator/(const Real& a, const Real& b);
+  friend Real sqrt(const Real& x);
+  friend Real sin(const Real& x);
+  friend Real cos(const Real& x);
   /// True if `predicate` holds of the numbers and of their stand-ins.
   template <class Predicate>
   static bool both(const Real& a, const Real& b, Predicate predicate) {

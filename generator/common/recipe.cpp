@@ -69,4 +69,44 @@ int recipe_of(RecipeKind kind, const Real& a, const Real& b) {
   return recipes().operation(kind, first, operand(b));
 }
 
+int recipe_of(RecipeKind kind, const Real& a) {
+  return a.recipe() == 0 || std::abs(a.recipe()) == kUnknownRecipe
+             ? std::abs(a.recipe())
+             : recipes().operation(kind, a.recipe(), 0);
+}
+
+Real evaluated(int number, std::span<const Real> parameters) {
+  if (number < 0) {
+    return -evaluated(-number, parameters);
+  }
+  const Recipe& of = recipe(number);
+  const auto a = [&] {
+    return evaluated(of.a, parameters);
+  };
+  const auto b = [&] {
+    return evaluated(of.b, parameters);
+  };
+  switch (of.kind) {
+    case RecipeKind::kNumber:
+      return of.value;
+    case RecipeKind::kParameter:
+      return parameters[static_cast<std::size_t>(of.a)];
+    case RecipeKind::kAdd:
+      return a() + b();
+    case RecipeKind::kSubtract:
+      return a() - b();
+    case RecipeKind::kMultiply:
+      return a() * b();
+    case RecipeKind::kDivide:
+      return a() / b();
+    case RecipeKind::kSqrt:
+      return sqrt(a());
+    case RecipeKind::kSin:
+      return sin(a());
+    case RecipeKind::kCos:
+      break;
+  }
+  return cos(a());
+}
+
 }  // namespace treedyn

@@ -2,12 +2,28 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "common/real.hpp"
 
 namespace treedyn {
 
-enum class RecipeKind : std::uint8_t { kNumber, kParameter, kAdd, kSubtract, kMultiply, kDivide };
+enum class RecipeKind : std::uint8_t {
+  kNumber,
+  kParameter,
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kDivide,
+  kSqrt,
+  kSin,
+  kCos
+};
+
+/// Operands of recipes among a and b.
+constexpr int operands(RecipeKind kind) {
+  return kind <= RecipeKind::kParameter ? 0 : kind <= RecipeKind::kDivide ? 2 : 1;
+}
 
 /// One operation on the results of earlier recipes. kNumber: `value`. kParameter: a = its index.
 /// A negative operand is the negative of the result.
@@ -30,5 +46,10 @@ inline int negative_recipe(int number) { return -number; }
 /// The recipe of an operation; 0 if neither number has one, unknown if one is. Recipes live as long
 /// as the program: there are as many as operations on such numbers.
 int recipe_of(RecipeKind kind, const Real& a, const Real& b);
+/// The same of a function of one number.
+int recipe_of(RecipeKind kind, const Real& a);
+
+/// The number that a recipe makes of parameters.
+Real evaluated(int number, std::span<const Real> parameters);
 
 }  // namespace treedyn

@@ -109,7 +109,7 @@ class PhaseReader {
       event.not_before = fields.positive("time");
     } else if (kind == "expression") {
       event.kind = EventKind::kExpression;
-      event.value = context_.expression(fields, cause, SceneContext::Of::kState);
+      event.value = context_.expression(fields.at_run_time(), cause, SceneContext::Of::kState);
       const std::string crossing = fields.text_or("crossing", "falling");
       if (crossing != "falling" && crossing != "rising") {
         fields.fail(
@@ -119,7 +119,8 @@ class PhaseReader {
       event.value = crossing == "rising" ? -event.value : event.value;
     } else if (kind == "touch_down") {
       const SceneFields at =
-          context_.fields(cause, what + ": touch_down", {"point", "normal", "height"});
+          context_.fields(cause, what + ": touch_down", {"point", "normal", "height"})
+              .at_run_time();
       event.point = context_.point(at);
       event.plane = {normal(at), at.number_or("height", 0)};
     } else {

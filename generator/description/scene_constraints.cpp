@@ -125,7 +125,7 @@ void SceneEffects::read_directions(const SceneFields& fields, model::Constraint&
       fields.fail(item.where, fmt::format("direction '{}' is unknown; expected x, y, z or a vector",
                                           shown(item.text)));
     }
-    constraint.directions.push_back(letter ? axes[axis] : fields.direction_of(item));
+    constraint.directions.push_back(letter ? axes[axis] : fields.fixed().direction_of(item));
   }
 }
 

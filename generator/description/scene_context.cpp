@@ -66,25 +66,51 @@ void refuse_variable(const std::string& file, const Text& name, const std::strin
 
 }  // namespace
 
-void SceneContext::define_parameters(const Node& node) {
-  if (node.kind != NodeKind::kMapping) {
-    throw InputError({file_, node.where.line, node.where.column},
+void SceneContext::define(const Node& item, const std::string& what, bool run_time) {
+  const auto number = [&](const Real& nominal) {
+    std::vector<model::Parameter>& all = scene_.tree.parameters;
+    all.push_back({model::kGround, model::ParameterKind::kScene, 0, item.key.text,
+                   to_identifier(item.key.text), nominal});
+    return at_run_time_(static_cast<int>(all.size()) - 1, nominal);
+  };
+  try {
+    if (run_time && at_run_time_) {
+      constants_.define_at_run_time(item.key.text, item.text, number);
+    } else {
+      constants_.define(item.key.text, item.text);
+    }
+  } catch (const expressions::ConstantError& problem) {
+    throw InputError(
+        {file_, item.where.line, item.where.column + static_cast<int>(problem.offset())},
+        fmt::format("{}: {}", what, problem.what()));
+  }
+}
+
+void SceneContext::define_parameters(const Node* node, const std::vector<Text>& run_time) {
+  if (node != nullptr && node->kind != NodeKind::kMapping) {
+    throw InputError({file_, node->where.line, node->where.column},
                      "parameters: is no mapping; expected name: value");
   }
-  for (const Node& item : node.items) {
+  std::vector<Text> missing = run_time;
+  std::vector<std::string_view> names;
+  for (const Node& item : node == nullptr ? std::vector<Node>{} : node->items) {
     const std::string what = fmt::format("parameter '{}'", shown(item.key.text));
     if (item.kind != NodeKind::kScalar || item.empty) {
       throw InputError({file_, item.where.line, item.where.column},
                        what + " has no value; expected a number or an expression");
     }
     refuse_variable(file_, item.key, what);
-    try {
-      constants_.define(item.key.text, item.text);
-    } catch (const expressions::ConstantError& problem) {
-      throw InputError(
-          {file_, item.where.line, item.where.column + static_cast<int>(problem.offset())},
-          fmt::format("{}: {}", what, problem.what()));
-    }
+    const std::size_t at_run_time =
+        std::erase_if(missing, [&](const Text& text) { return text.text == item.key.text; });
+    define(item, what, at_run_time > 0);
+    names.push_back(item.key.text);
+  }
+  if (!missing.empty()) {
+    const Text& name = missing.front();
+    throw InputError({file_, name.where.line, name.where.column},
+                     fmt::format("runtime: there is no parameter '{}'{}; expected one of "
+                                 "'parameters'",
+                                 shown(name.text), did_you_mean(name.text, names)));
   }
 }
 
@@ -184,7 +210,7 @@ int SceneContext::point(const SceneFields& fields, std::string_view key) {
                           shown(name.text), did_you_mean(name.text, known)));
 }
 
-expressions::VariableNames SceneContext::variables(Of kind) const {
+expressions::VariableNames SceneContext::variables(Of kind, const SceneFields& fields) const {
   const auto find = [this, kind](std::string_view name,
                                  std::optional<std::string_view> index) -> std::optional<Variable> {
     if (index) {
@@ -213,17 +239,18 @@ expressions::VariableNames SceneContext::variables(Of kind) const {
       known.push_back(fmt::format("qd[{}]", joint));
     }
   }
+  const bool run_time = fields.is_at_run_time();
   switch (kind) {
     case Of::kTime:
-      return {find, ", t", known};
+      return {find, ", t", known, run_time};
     case Of::kPoint:
-      return {find, ", t, q[joint], qd[joint], x, y, z, vx, vy, vz", known};
+      return {find, ", t, q[joint], qd[joint], x, y, z, vx, vy, vz", known, run_time};
     case Of::kDepth:
-      return {find, ", d (depth), v (speed along the normal)"};
+      return {find, ", d (depth), v (speed along the normal)", {}, run_time};
     case Of::kState:
       break;
   }
-  return {find, ", t, q[joint], qd[joint]", known};
+  return {find, ", t, q[joint], qd[joint]", known, run_time};
 }
 
 template <class Read>
@@ -240,14 +267,14 @@ auto SceneContext::guarded(const SceneFields& fields, const Node& node, const Re
 model::Expression SceneContext::expression(const SceneFields& fields, const Node& node,
                                            Of kind) const {
   return guarded(fields, node, [&](const std::string& text) {
-    return expressions::read_expression(constants_, text, variables(kind));
+    return expressions::read_expression(constants_, text, variables(kind, fields));
   });
 }
 
 std::array<model::Expression, 3> SceneContext::motion(const SceneFields& fields,
                                                       const Node& node) const {
   return guarded(fields, node, [&](const std::string& text) {
-    return expressions::read_motion(constants_, text, variables(Of::kTime));
+    return expressions::read_motion(constants_, text, variables(Of::kTime, fields));
   });
 }
 

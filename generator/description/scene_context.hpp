@@ -3,9 +3,11 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "description/scene_fields.hpp"
+#include "description/scene_reader.hpp"
 #include "expressions/read_expression.hpp"
 #include "model/scene.hpp"
 
@@ -15,7 +17,10 @@ namespace treedyn::description {
 class SceneContext {
  public:
   /// \param scene  its tree is complete; it outlives the object
-  SceneContext(const std::string& file, model::Scene& scene) : file_(file), scene_(scene) {}
+  /// \param at_run_time  makes numbers of parameters that are known at run time only; empty: they
+  /// are numbers like others
+  SceneContext(const std::string& file, model::Scene& scene, AtRunTime at_run_time)
+      : file_(file), scene_(scene), at_run_time_(std::move(at_run_time)) {}
 
   [[nodiscard]] SceneFields fields(const Node& node, const std::string& what,
                                    const Keys& keys) const {
@@ -24,7 +29,8 @@ class SceneContext {
   [[nodiscard]] const std::string& file() const { return file_; }
   model::Scene& scene() { return scene_; }
 
-  void define_parameters(const Node& node);
+  /// \param run_time  names of those that are known at run time only
+  void define_parameters(const Node* node, const std::vector<Text>& run_time);
   /// The points of the scene, in file order.
   void define_points(const SceneFields& root);
 
@@ -47,13 +53,15 @@ class SceneContext {
  private:
   template <class Read>
   auto guarded(const SceneFields& fields, const Node& node, const Read& read) const;
-  [[nodiscard]] expressions::VariableNames variables(Of kind) const;
+  void define(const Node& item, const std::string& what, bool run_time);
+  [[nodiscard]] expressions::VariableNames variables(Of kind, const SceneFields& fields) const;
   [[nodiscard]] std::optional<int> coordinate(std::string_view name) const;
   [[nodiscard]] std::optional<model::Point> of_model(const std::string& name) const;
   int add(const Fields& fields, const Place& where, model::Point point);
 
   const std::string& file_;
   model::Scene& scene_;
+  AtRunTime at_run_time_;
   expressions::Constants constants_;
 };
 

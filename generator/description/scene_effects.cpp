@@ -26,6 +26,12 @@ Use use_of(const Fields& fields, const Text& text) {
   return found->second;
 }
 
+/// 0 without; at run time above zero, since zero is another law.
+Real positive_at_run_time(const SceneFields& fields, std::string_view key) {
+  const Real value = fields.amount_or(key, 0);
+  return value.recipe() == 0 ? value : fields.positive(key);
+}
+
 std::vector<std::string_view> effect_names() {
   std::vector<std::string_view> result;
   for (const model::EffectRow& row : model::kEffects) {
@@ -133,7 +139,7 @@ void SceneEffects::read_gravity(const SceneFields& effects) {
   if (node == nullptr) {
     return;
   }
-  const model::Vector3 value = effects.vector_of(*node);
+  const model::Vector3 value = effects.at_run_time().vector_of(*node);
   if (acts("gravity")) {
     scene().gravity = value;
     ++acting_["gravity"];
@@ -179,7 +185,8 @@ void SceneEffects::read_entries(const Row& row, const SceneFields& effects, cons
   keys.push_back("use");
   const std::vector<Node>& items = effects.sequence(node);
   for (std::size_t k = 0; k < items.size(); ++k) {
-    const SceneFields fields = context_.fields(items[k], called(row.effect, items[k], k), keys);
+    const SceneFields fields =
+        context_.fields(items[k], called(row.effect, items[k], k), keys).at_run_time();
     const bool used = entry_acts(row.effect, fields);
     const model::Scene before = scene();
     entry_is_off_ = !used;
@@ -196,16 +203,18 @@ void SceneEffects::viscous_friction(const SceneFields& fields) {
   scene().viscous_frictions.push_back({context_.joint(fields), fields.amount("coefficient")});
 }
 
+/// Without slip_speed phases tell how it acts, which does not change at run time.
 void SceneEffects::coulomb_friction(const SceneFields& fields) {
-  scene().frictions.push_back(
-      {context_.joint(fields), fields.amount("force"), fields.amount_or("slip_speed", 0)});
+  const Real slip_speed = positive_at_run_time(fields, "slip_speed");
+  const SceneFields of_force = slip_speed == 0 ? fields.fixed() : fields;
+  scene().frictions.push_back({context_.joint(fields), of_force.amount("force"), slip_speed});
 }
 
 void SceneEffects::stribeck_friction(const SceneFields& fields) {
   const model::StribeckFriction friction{
       context_.joint(fields), fields.amount("force"), fields.amount("static_force"),
       fields.positive("stribeck_speed"), fields.positive("slip_speed")};
-  if (friction.static_force < friction.force) {
+  if (friction.static_force.plain() < friction.force.plain()) {
     fields.fail(fields.get("static_force").where,
                 "'static_force' is below 'force'; expected at least as much");
   }
@@ -289,7 +298,7 @@ void SceneEffects::ground_contact(const SceneFields& fields) {
     contact.law = context_.expression(fields, *law, Of::kDepth);
   } else {
     contact.stiffness = fields.positive("stiffness");
-    contact.exponent = fields.number_or("exponent", 1);
+    contact.exponent = fields.fixed().number_or("exponent", 1);
     contact.dissipation = fields.amount_or("dissipation", 0);
     if (contact.exponent < 1) {
       fields.fail(fields.get("exponent").where, "'exponent' is below 1; expected 1 or more");
@@ -299,7 +308,7 @@ void SceneEffects::ground_contact(const SceneFields& fields) {
     }
   }
   contact.friction = fields.amount_or("friction", 0);
-  contact.slip_speed = fields.amount_or("slip_speed", 0);
+  contact.slip_speed = positive_at_run_time(fields, "slip_speed");
   if (contact.friction > 0 && contact.slip_speed == 0) {
     fields.fail(fields.get("friction").key.where,
                 "friction without 'slip_speed'; expected a slip speed above 0");

@@ -34,7 +34,8 @@ Real SceneFields::number_of(const Node& node) const {
     fail(node.where, fmt::format("{}: {}", described(node), describe(decimal.error, text.text)));
   }
   try {
-    return constants_->evaluate(text.text);
+    const Real value = constants_->evaluate(text.text, numbers_ != Numbers::kFixed);
+    return numbers_ == Numbers::kNominal ? value.plain() : value;
   } catch (const expressions::ConstantError& problem) {
     Place where = node.where;
     where.column += static_cast<int>(problem.offset());
@@ -67,7 +68,7 @@ Real SceneFields::number_or(std::string_view key, const Real& fallback) const {
 
 Real SceneFields::amount(std::string_view key) const {
   Real value = number(key);
-  if (value < 0) {
+  if (value.plain() < 0) {
     fail(get(key).where, fmt::format("'{}' is negative; expected 0 or more", key));
   }
   return value;
@@ -79,7 +80,7 @@ Real SceneFields::amount_or(std::string_view key, const Real& fallback) const {
 
 Real SceneFields::positive(std::string_view key) const {
   Real value = number(key);
-  if (value <= 0) {
+  if (value.plain() <= 0) {
     fail(get(key).where, fmt::format("'{}' is not above zero; expected a positive number", key));
   }
   return value;

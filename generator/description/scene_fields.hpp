@@ -22,6 +22,12 @@ class SceneFields : public Fields {
   SceneFields(const std::string& file, const Node& node, std::string what, const Keys& keys,
               const expressions::Constants& constants);
 
+  /// The same whose numbers may be known at run time only, may not, or are nominal ones of those.
+  [[nodiscard]] SceneFields at_run_time() const { return with(Numbers::kRunTime); }
+  [[nodiscard]] SceneFields fixed() const { return with(Numbers::kFixed); }
+  [[nodiscard]] SceneFields nominal() const { return with(Numbers::kNominal); }
+  [[nodiscard]] bool is_at_run_time() const { return numbers_ == Numbers::kRunTime; }
+
   /// A name that can stand in files and comments. \param kind  what it names
   [[nodiscard]] Text name(std::string_view key, std::string_view kind) const;
   [[nodiscard]] std::string text_or(std::string_view key, const std::string& fallback) const;
@@ -50,7 +56,15 @@ class SceneFields : public Fields {
   [[nodiscard]] const std::vector<Node>& triple(const Node& node) const;
 
  private:
+  enum class Numbers { kFixed, kRunTime, kNominal };
+  [[nodiscard]] SceneFields with(Numbers numbers) const {
+    SceneFields result = *this;
+    result.numbers_ = numbers;
+    return result;
+  }
+
   const expressions::Constants* constants_ = nullptr;
+  Numbers numbers_ = Numbers::kFixed;
 };
 
 }  // namespace treedyn::description

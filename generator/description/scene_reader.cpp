@@ -360,9 +360,10 @@ class SceneReader {
 }  // namespace
 
 model::Scene parse_scene(const std::string& text, const std::string& file,
-                         const TextReader& model_text) {
+                         const TextReader& model_text, const AtRunTime& at_run_time) {
   const Node root = parse_yaml_node(text, file);
-  return is_case(root) ? SceneReader(file, root).run() : read_scene_yaml(root, file, model_text);
+  return is_case(root) ? SceneReader(file, root).run()
+                       : read_scene_yaml(root, file, model_text, at_run_time);
 }
 
 model::Scene read_scene(const std::string& path) {

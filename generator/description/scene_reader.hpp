@@ -18,10 +18,17 @@ model::Scene read_scene(const std::string& path);
 /// Path to text; \throws InputError.
 using TextReader = std::function<std::string(const std::string& path)>;
 
+/// The number of run-time parameter `index` of a tree that has this nominal value.
+using AtRunTime = std::function<Real(int index, const Real& nominal)>;
+
 /// The same from text that was read already; `file` is the name in messages, beside which the
-/// scene's model stands. \param model_text  called once for this model, if it is a file
+/// scene's model stands.
+/// \param model_text  called once for this model, if it is a file
+/// \param at_run_time  empty: numbers are fixed, whatever the scene and its model declare, and
+/// `tree.parameters` is empty
 model::Scene parse_scene(const std::string& text, const std::string& file,
-                         const TextReader& model_text = read_model_text);
+                         const TextReader& model_text = read_model_text,
+                         const AtRunTime& at_run_time = {});
 
 /// As `joints_without_inertia` of a tree, with the armatures of the scene.
 std::vector<Warning> joints_without_inertia(const model::Scene& scene);

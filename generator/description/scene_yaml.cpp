@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "description/identifiers.hpp"
 #include "description/phase_fields.hpp"
 #include "description/read.hpp"
 #include "description/scene_context.hpp"
@@ -16,9 +17,9 @@ namespace treedyn::description {
 namespace {
 
 Keys root_keys() {
-  return {"scene",    "model",    "base",     "parameters",    "points",
-          "effects",  "use",      "phases",   "start_phase",   "initial",
-          "duration", "stepping", "actuated", "rank_tolerance"};
+  return {"scene",   "model",    "base",     "parameters", "runtime",
+          "points",  "effects",  "use",      "phases",     "start_phase",
+          "initial", "duration", "stepping", "actuated",   "rank_tolerance"};
 }
 
 Base base_of(const Fields& root) {
@@ -61,7 +62,7 @@ void read_initial(const SceneContext& context, const SceneFields& root, model::S
   scene.q0.assign(dof, Real(0));
   scene.qd0.assign(dof, Real(0));
   if (const Node* const node = root.find("initial")) {
-    const SceneFields initial = context.fields(*node, "initial", {"q", "qd", "t"});
+    const SceneFields initial = context.fields(*node, "initial", {"q", "qd", "t"}).nominal();
     scene.q0 = by_joint(context, initial, "q", initial.find("q"), dof);
     scene.qd0 = by_joint(context, initial, "qd", initial.find("qd"), dof);
     scene.t0 = initial.number_or("t", 0);
@@ -121,35 +122,73 @@ void read_actuated(const SceneContext& context, const SceneFields& root, model::
   }
 }
 
+/// What the model declares as known at run time only, where it is a matter of the scene too.
+void read_model_parameters(const SceneFields& root, bool at_run_time, model::Tree& tree) {
+  for (const model::Parameter& parameter : tree.parameters) {
+    if (parameter.quantity > model::ParameterKind::kInertia) {
+      root.fail(root.get("model").where,
+                fmt::format("the model declares '{}' as known at run time only, which scenes do "
+                            "not take; expected masses, centres of mass and inertias",
+                            shown(parameter.declared)));
+    }
+  }
+  if (!at_run_time) {
+    tree.parameters.clear();
+  }
+}
+
+/// The names of parameters that are known at run time only, each once.
+std::vector<Text> read_runtime(const SceneFields& root) {
+  std::vector<Text> result;
+  for (const Node& item : root.list("runtime")) {
+    const Text name = root.scalar(item);
+    if (std::ranges::find(result, name.text, &Text::text) != result.end()) {
+      root.fail(name.where, fmt::format("runtime: parameter '{}' stands there twice; expected "
+                                        "every one once",
+                                        shown(name.text)));
+    }
+    result.push_back(name);
+  }
+  return result;
+}
+
+/// Their fields have different names.
+void check_names(const std::vector<Text>& run_time, const std::string& file,
+                 const model::Tree& tree) {
+  std::vector<Named> names;
+  for (const model::Parameter& parameter : tree.parameters) {
+    const auto found = std::ranges::find(run_time, parameter.declared, &Text::text);
+    names.push_back({parameter.declared, parameter.identifier,
+                     found == run_time.end()
+                         ? Location{file, 0, 0}
+                         : Location{file, found->where.line, found->where.column}});
+  }
+  check_identifiers(names, "run-time parameter");
+}
+
 }  // namespace
 
 model::Scene read_scene_yaml(const Node& node, const std::string& file,
-                             const TextReader& model_text) {
+                             const TextReader& model_text, const AtRunTime& at_run_time) {
   model::Scene scene;
-  SceneContext context(file, scene);
+  SceneContext context(file, scene, at_run_time);
   // parameters come first: every other number may use them
   const SceneFields root = context.fields(node, "scene", root_keys());
   scene.name = root.name("scene", "scene").text;
   scene.tree_file = model_path(root, file);
   scene.tree = parse_model(model_text(scene.tree_file), scene.tree_file, {.base = base_of(root)});
-  if (!scene.tree.parameters.empty()) {
-    throw InputError(
-        {scene.tree_file, 0, 0},
-        fmt::format("declares '{}' as known at run time, which scenes do not take; expected a "
-                    "model without 'runtime'",
-                    shown(scene.tree.parameters.front().declared)));
-  }
+  read_model_parameters(root, static_cast<bool>(at_run_time), scene.tree);
   if (scene.tree.dof() == 0) {
     root.fail(root.get("model").where, "the model has no moving joint; expected at least one");
   }
-  if (const Node* const parameters = root.find("parameters")) {
-    context.define_parameters(*parameters);
-  }
+  const std::vector<Text> run_time = read_runtime(root);
+  context.define_parameters(root.find("parameters"), run_time);
+  check_names(run_time, file, scene.tree);
   context.define_points(root);
   const SceneEffects effects(context, root);
   read_phases(context, effects, root);
   read_initial(context, root, scene);
-  scene.duration = root.positive("duration");
+  scene.duration = root.nominal().positive("duration");
   read_stepping(context, root, scene);
   read_actuated(context, root, scene);
   if (root.find("rank_tolerance") != nullptr) {

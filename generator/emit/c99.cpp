@@ -259,7 +259,8 @@ std::set<std::string> Translator::function(const std::string& line, bool is_loca
     const std::size_t reference = argument.find("& ");
     if (reference != std::string::npos) {
       references.insert(argument.substr(reference + 2));
-      by_reference_[word].insert(&argument - parts.arguments.data());
+      by_reference_[functions_.contains(word) ? prefixed(word) : word].insert(
+          &argument - parts.arguments.data());
       argument.replace(reference, 1, "*");
     }
     for (const std::string& type : {std::string("Scalar "), fmt::format("{}* ", kParameters),

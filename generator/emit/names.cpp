@@ -193,6 +193,15 @@ std::string LocalNames::trigonometric(Ref value) const {
   const program::Node& node = function_.graph.node(value);
   const program::Node& angle = function_.graph.node(node.a);
   const char* letter = node.kind == Kind::kSin ? "s" : "c";
+  if (angle.kind == Kind::kInput) {
+    const program::Array& array = function_.signature.inputs[static_cast<std::size_t>(angle.a)];
+    if (!array.fields.empty() || array.size == 1) {
+      const auto k = static_cast<std::size_t>(angle.b);
+      const std::string& name = array.fields.empty() ? array.name : array.fields[k];
+      return array.name == "q" ? fmt::format("{}_{}", letter, words_.joints.front())
+                               : fmt::format("{}_{}", letter, name);
+    }
+  }
   if (angle.kind == Kind::kInput && static_cast<std::size_t>(angle.b) < words_.joints.size()) {
     return fmt::format("{}_{}", letter, words_.joints[static_cast<std::size_t>(angle.b)]);
   }

@@ -41,8 +41,9 @@ std::string fields(const Unit& unit) {
   std::size_t k = 0;
   const std::vector<std::string> names = field_names(*unit.tree);
   for (const model::Parameter& parameter : unit.tree->parameters) {
+    const std::string unit_text = model::unit(parameter);
     result += wrapped(for_comment(model::meaning(*unit.tree, parameter), kLongestMeaning) +
-                          fmt::format(", {}", model::unit(parameter)),
+                          (unit_text.empty() ? "" : ", " + unit_text),
                       "  /// ");
     result += fmt::format("  Scalar {};\n", names[k++]);
   }
@@ -103,7 +104,7 @@ std::string parameter_types(const Unit& unit) {
   return fmt::format(
       "\n/// Numbers that are known at run time only, in SI units and the frames of the links.\n"
       "struct {0} {{\n{1}}};\n"
-      "/// The numbers of the model.\n"
+      "/// Nominal: of the model and its scene.\n"
       "constexpr {0} {2} = {{\n{3}}};\n"
       "/// What functions need of them: made by {4}, outside the loop that calls these.\n"
       "struct {5} {{\n{6}}};\n",

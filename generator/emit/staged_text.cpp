@@ -280,8 +280,8 @@ std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& 
     return false;
   };
   for (const program::Array& array : staged.signature.inputs) {
-    const bool passed_on = !staged.contacts.empty() &&
-                           (array.name == "q" || array.name == "qd" || array.name == "tau");
+    const bool passed_on = !staged.contacts.empty() && (array.name == "q" || array.name == "qd" ||
+                                                        array.name == "tau" || !array.type.empty());
     const bool raised = array.name == program::kDepthArray && program::worst_powers(staged) > 0;
     result.push_back(passed_on || raised || is_used(array.name, inner.inputs, 0));
   }

@@ -29,7 +29,10 @@ class EffectWriter {
   [[nodiscard]] Lines next_phase(const StepOutcome& outcome) const;
   [[nodiscard]] Lines renewal_lines(const std::vector<Renewal>& renewals) const;
   [[nodiscard]] Lines rest_lines(const StepPhase& phase, const StepEvent& event) const;
-  [[nodiscard]] static Lines plane_lines(const StepPhase& phase, const StepEvent& event);
+  [[nodiscard]] Lines plane_lines(const StepPhase& phase, const StepEvent& event) const;
+  [[nodiscard]] std::string derived() const {
+    return stepper_.takes_derived ? std::string(", ") + kDerivedOfMotion : "";
+  }
   [[nodiscard]] bool needs_time(const StepPhase& phase, const StepEvent& event) const;
 
   const Stepper& stepper_;
@@ -59,7 +62,7 @@ Lines EffectWriter::renewal_lines(const std::vector<Renewal>& renewals) const {
 }
 
 /// Back to where the point met the plane: the part of its way since then that the rows oppose.
-Lines EffectWriter::plane_lines(const StepPhase& phase, const StepEvent& event) {
+Lines EffectWriter::plane_lines(const StepPhase& phase, const StepEvent& event) const {
   Lines lines = {
       call(phase.guards.front(), {"now.q", "now.qd", "t", "now.lambda"}, "now.guard"),
       call(phase.approaches.front(), {"now.q", "now.qd", "", ""}, "approach"),
@@ -69,7 +72,7 @@ Lines EffectWriter::plane_lines(const StepPhase& phase, const StepEvent& event) 
       "  for (int i = 0; i < kDof; ++i) {",
       "    way[i] = late * now.qd[i];",
       "  }",
-      fmt::format("  {}(now.q, way, qd_plus, P);", event.rest->impact),
+      fmt::format("  {}(now.q, way{}, qd_plus, P);", event.rest->impact, derived()),
       "  for (int i = 0; i < kDof; ++i) {",
       "    now.q[i] = now.q[i] + (qd_plus[i] - way[i]);",
       "  }",
@@ -105,7 +108,8 @@ Lines EffectWriter::rest_lines(const StepPhase& phase, const StepEvent& event) c
   if (event.cause == StepCause::kFall) {
     append(lines, plane_lines(phase, event), "  ");
   }
-  lines.push_back(fmt::format("  failed |= {}(now.q, now.qd, qd_plus, P);", event.rest->impact));
+  lines.push_back(
+      fmt::format("  failed |= {}(now.q, now.qd{}, qd_plus, P);", event.rest->impact, derived()));
   append(lines, next_phase(*event.rest), "  ");
   append(lines, renewal_lines(event.rest->renewals), "  ");
   lines.emplace_back("}");
@@ -159,7 +163,8 @@ Lines EffectWriter::event_lines(const StepPhase& phase, const StepEvent& event) 
   }
   lines.push_back(fmt::format("Scalar qd_plus[{}];", dof_));
   lines.push_back(fmt::format("Scalar P[{}];", event.outcome.impulses));
-  lines.push_back(fmt::format("failed |= {}(now.q, now.qd, qd_plus, P);", event.outcome.impact));
+  lines.push_back(
+      fmt::format("failed |= {}(now.q, now.qd{}, qd_plus, P);", event.outcome.impact, derived()));
   if (event.rest) {
     append(lines, rest_lines(phase, event));
   }

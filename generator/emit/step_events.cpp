@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "emit/layout.hpp"
+#include "emit/run_time.hpp"
 #include "emit/step_effects.hpp"
 #include "emit/step_search.hpp"
 #include "emit/step_text.hpp"
@@ -56,6 +57,9 @@ Lines EventWriter::motion() const {
   }
   if (!stepper_.anchors.empty() || stepper_.takes_anchor) {
     lines.push_back(fmt::format("{}Scalar* anchor;", stepper_.anchors.empty() ? "const " : ""));
+  }
+  if (stepper_.takes_derived) {
+    lines.push_back(fmt::format("const {}* derived;", kDerivedParameters));
   }
   if (stepper_.switches()) {
     lines.emplace_back("int which;  // phase");
@@ -109,6 +113,9 @@ Lines EventWriter::advance() const {
   }
   if (stepper_.takes_anchor) {
     arguments.emplace_back("motion.anchor");
+  }
+  if (stepper_.takes_derived) {
+    arguments.emplace_back(kDerivedOfMotion);
   }
   arguments.insert(arguments.end(), {"to.q", "to.qd"});
   if (stepper_.rows > 0) {
@@ -274,6 +281,9 @@ Lines EventWriter::begin_lines() const {
     values.emplace_back("anchor_next");
   } else if (stepper_.takes_anchor) {
     values.emplace_back("anchor");
+  }
+  if (stepper_.takes_derived) {
+    values.emplace_back("&derived");
   }
   if (stepper_.switches()) {
     values.emplace_back("phase[0]");

@@ -29,6 +29,9 @@ std::vector<std::string> dynamics_lines(const Stepper& stepper, const StepPhase&
   if (phase.takes_anchor) {
     arguments.emplace_back("anchor");
   }
+  if (stepper.takes_derived) {
+    arguments.emplace_back("derived");
+  }
   arguments.emplace_back("qdd");
   if (phase.rows > 0) {
     arguments.emplace_back("lambda");
@@ -51,6 +54,9 @@ std::string dispatch(const Stepper& stepper) {
     if (array.name == "t" || array.name == "anchor") {
       parameters.push_back(fmt::format("const Scalar {}[{}]", array.name, array.size));
     }
+  }
+  if (stepper.takes_derived) {
+    parameters.push_back(derived_parameter());
   }
   parameters.push_back(fmt::format("Scalar qdd[{}]", n));
   if (stepper.rows > 0) {

@@ -118,7 +118,16 @@ std::vector<std::string> context(const Stepper& stepper, const std::string& whic
   if (stepper.takes_anchor) {
     result.push_back(fmt::format("{}anchor", type));
   }
+  if (stepper.takes_derived) {
+    result.push_back(parameters ? derived_parameter() : "derived");
+  }
   return result;
+}
+
+/// Where the dynamics are called: what stands behind the time.
+std::string behind_time(const Stepper& stepper) {
+  return std::string(stepper.takes_anchor ? ", anchor" : "") +
+         (stepper.takes_derived ? ", derived" : "");
 }
 
 std::string stage_declaration(const Stepper& stepper, const std::string& head,
@@ -128,8 +137,8 @@ std::string stage_declaration(const Stepper& stepper, const std::string& head,
   return declaration(head, parameters, " noexcept {");
 }
 
-/// integrate(h, which, q, qd, tau, t, anchor, q_next, qd_next, lambda, later, halfway): parameters,
-/// or arguments at a state (x, v).
+/// integrate(h, which, q, qd, tau, t, anchor, derived, q_next, qd_next, lambda, later, halfway):
+/// parameters, or arguments at a state (x, v).
 std::vector<std::string> integrate_list(const Stepper& stepper, bool parameters) {
   std::vector<std::string> result = {parameters ? "Scalar h" : "part"};
   const std::vector<std::string> beside =
@@ -216,7 +225,7 @@ std::string sdirk2_stages(const Stepper& stepper, Scalar scalar) {
                {"dynamics", dynamics_name(stepper)},
                {"phase", stepper.switches() ? "which, " : ""},
                {"t", stepper.takes_time ? ", t" : ""},
-               {"anchor", stepper.takes_anchor ? ", anchor" : ""},
+               {"anchor", behind_time(stepper)},
                {"lambda", reacts ? ", lambda" : ""},
                {"later", reacts ? ", later" : ""},
                {"later_lambda", reacts ? fmt::format("  Scalar later[{}];", stepper.rows) : ""},
@@ -313,7 +322,7 @@ std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
                            : own               ? "phase[0], "
                                                : "which, "},
                  {"t", stepper.takes_time ? ", t" : ""},
-                 {"anchor", stepper.takes_anchor ? ", anchor" : ""},
+                 {"anchor", behind_time(stepper)},
                  {"lambda", reacts ? ", lambda" : ""},
                  {"end", integration_end(stepper, form)},
                  {"q_plus", plus("q")},

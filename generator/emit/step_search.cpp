@@ -278,17 +278,17 @@ Lines SearchWriter::found_lines() const {
 
 std::string SearchWriter::text() const {
   const bool cuts = stepper_.cuts > 0;
-  return fill(
-      template_text("step_search.cpp"),
-      {{"motion_for_look", stepper_.switches() || looks_at_time() ? kMotion : kUnusedMotion},
-       {"look", joined(look(), "  ")},
-       {"approach", approach()},
-       {"first_event", first_event()},
-       {"cut", cut() + dips()},
-       {"becomes", cuts ? "It has\n/// just happened at `to`, unless the turn is the last."
-                        : "`to` is\n/// the end of the step."},
-       {"last", cuts ? ", bool last" : ""},
-       {"found", joined(found_lines(), "  ")}});
+  const bool needs_motion = stepper_.switches() || looks_at_time() || stepper_.takes_derived;
+  return fill(template_text("step_search.cpp"),
+              {{"motion_for_look", needs_motion ? kMotion : kUnusedMotion},
+               {"look", joined(look(), "  ")},
+               {"approach", approach()},
+               {"first_event", first_event()},
+               {"cut", cut() + dips()},
+               {"becomes", cuts ? "It has\n/// just happened at `to`, unless the turn is the last."
+                                : "`to` is\n/// the end of the step."},
+               {"last", cuts ? ", bool last" : ""},
+               {"found", joined(found_lines(), "  ")}});
 }
 
 }  // namespace

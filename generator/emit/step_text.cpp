@@ -6,6 +6,7 @@
 
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
+#include "emit/run_time.hpp"
 
 namespace treedyn::emit {
 
@@ -35,6 +36,10 @@ std::string joined(const Lines& lines, const std::string& indentation) {
   return result;
 }
 
+std::string derived_parameter() {
+  return fmt::format("const {}& {}", kDerivedParameters, derived_array().name);
+}
+
 std::string call(const program::Staged& staged, const StateText& state, const std::string& result) {
   Lines arguments = {state.q};
   for (const auto& [name, text] :
@@ -42,6 +47,9 @@ std::string call(const program::Staged& staged, const StateText& state, const st
     if (has_input(staged, name)) {
       arguments.push_back(*text);
     }
+  }
+  if (has_input(staged, derived_array().name)) {
+    arguments.emplace_back(kDerivedOfMotion);
   }
   arguments.push_back(result);
   return fmt::format("{}({});", staged.signature.name, fmt::join(arguments, ", "));

@@ -11,12 +11,19 @@ namespace treedyn::emit {
 
 using Lines = std::vector<std::string>;
 
+/// What run-time parameters have become, where a `motion` is at hand.
+inline constexpr const char* kDerivedOfMotion = "*motion.derived";
+
 void append(Lines& lines, const Lines& more, const std::string& indentation = "");
 
 /// The lines one below the other, each behind `indentation`, without the last line break.
 std::string joined(const Lines& lines, const std::string& indentation);
 
-/// A call of a local function: of the arguments those that it takes.
+/// A function's parameter that run-time parameters have become.
+std::string derived_parameter();
+
+/// A call of a local function: of the arguments those that it takes; what run-time parameters have
+/// become is that of a `motion`.
 struct StateText {
   std::string q, qd, t, lambda;
 };

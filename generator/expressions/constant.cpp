@@ -8,6 +8,7 @@
 #include "common/identifier.hpp"
 #include "expressions/constant_table.hpp"
 #include "expressions/exact.hpp"
+#include "expressions/read_expression.hpp"
 
 namespace treedyn::expressions {
 
@@ -16,7 +17,7 @@ Constants::~Constants() = default;
 Constants::Constants(Constants&&) noexcept = default;
 Constants& Constants::operator=(Constants&&) noexcept = default;
 
-void Constants::define(const std::string& name, std::string_view text) {
+void Constants::check_name(const std::string& name) const {
   const bool identifier = !name.empty() && is_letter(name.front()) &&
                           std::all_of(name.begin(), name.end(), is_word_byte);
   if (!identifier) {
@@ -27,11 +28,27 @@ void Constants::define(const std::string& name, std::string_view text) {
   if (name == "pi" || find_function(name) != nullptr || table_->names.count(name) > 0) {
     throw ConstantError(0, fmt::format("parameter name '{}' is taken; expected a new name", name));
   }
+}
+
+void Constants::define(const std::string& name, std::string_view text) {
+  check_name(name);
   table_->names.emplace(name, parse(text, table_->names));
 }
 
-Real Constants::evaluate(std::string_view text) const {
+void Constants::define_at_run_time(const std::string& name, std::string_view text,
+                                   const std::function<Real(const Real&)>& number) {
+  check_name(name);
+  const Table::AtRunTime& added = table_->at_run_time.emplace_back(
+      Table::AtRunTime{name, GiNaC::realsymbol(), number(evaluate(text))});
+  table_->names.emplace(name, Exact{added.symbol, 1});
+}
+
+Real Constants::evaluate(std::string_view text, bool run_time) const {
   const Exact exact = parse(text, table_->names);
+  if (!is_constant(exact.value)) {
+    return read_expression(*this, text, {[](auto, auto) { return std::nullopt; }, "", {}, run_time})
+        .value();
+  }
   const Precision precision;
   const Real value = to_real(exact.value);
   if (value != 0 && (abs(value) > Real("1e300") || abs(value) < Real("1e-300"))) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -45,15 +46,21 @@ class Constants {
   /// \throws ConstantError for a mistake in the expression or a name that is taken or not an
   /// identifier.
   void define(const std::string& name, std::string_view text);
+  /// The same for a value that is known at run time only: `number` makes it of that of `text`.
+  void define_at_run_time(const std::string& name, std::string_view text,
+                          const std::function<Real(const Real&)>& number);
 
   /// The value with 50 digits; a value below 1e-80 is what exact zeros leave and becomes 0.
+  /// \param run_time  it may use names whose values are known at run time only
   /// \throws ConstantError
-  [[nodiscard]] Real evaluate(std::string_view text) const;
+  [[nodiscard]] Real evaluate(std::string_view text, bool run_time = false) const;
 
   struct Table;
   [[nodiscard]] const Table& table() const { return *table_; }
 
  private:
+  void check_name(const std::string& name) const;
+
   std::unique_ptr<Table> table_;
 };
 

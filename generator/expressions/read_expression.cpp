@@ -38,7 +38,8 @@ void sort(std::vector<Part>& parts) {
 /// Symbols of one expression and what they stand for.
 class Symbols final : public Variables {
  public:
-  explicit Symbols(const VariableNames& names) : names_(names) {}
+  Symbols(const Constants& constants, const VariableNames& names)
+      : at_run_time_(constants.table().at_run_time), names_(names) {}
 
   [[nodiscard]] std::optional<GiNaC::ex> find(
       std::string_view name, std::optional<std::string_view> index) const override {
@@ -57,6 +58,20 @@ class Symbols final : public Variables {
   [[nodiscard]] std::string expected() const override { return names_.expected; }
   [[nodiscard]] std::vector<std::string> known() const override { return names_.known; }
 
+  /// A parameter that is known at run time only; nullptr: a variable.
+  [[nodiscard]] const Constants::Table::AtRunTime* parameter(const GiNaC::ex& symbol) const {
+    const auto found = std::ranges::find_if(
+        at_run_time_, [&](const auto& parameter) { return symbol.is_equal(parameter.symbol); });
+    if (found == at_run_time_.end()) {
+      return nullptr;
+    }
+    if (!names_.run_time) {
+      throw ConstantError(0, fmt::format("'{}' is known at run time only, which this is not; "
+                                         "expected numbers that the scene fixes",
+                                         found->name));
+    }
+    return &*found;
+  }
   [[nodiscard]] model::Variable variable(const GiNaC::ex& symbol) const {
     const auto found = std::find_if(known_.begin(), known_.end(),
                                     [&](const auto& row) { return symbol.is_equal(row.second); });
@@ -70,6 +85,7 @@ class Symbols final : public Variables {
   }
 
  private:
+  const std::vector<Constants::Table::AtRunTime>& at_run_time_;
   const VariableNames& names_;
   mutable std::vector<std::pair<model::Variable, GiNaC::realsymbol>> known_;
 };
@@ -96,6 +112,9 @@ class Converter {
       return product(value);
     }
     if (GiNaC::is_a<GiNaC::symbol>(value)) {
+      if (const auto* const parameter = symbols_.parameter(value)) {
+        return {false, Expression(parameter->number), "p" + parameter->name};
+      }
       const model::Variable variable = symbols_.variable(value);
       return {false, Expression(variable),
               fmt::format("v{:02}_{:06}", static_cast<int>(variable.quantity), variable.index)};
@@ -279,14 +298,14 @@ auto guarded(std::string_view text, const Read& read) {
 
 Expression read_expression(const Constants& constants, std::string_view text,
                            const VariableNames& variables) {
-  const Symbols symbols(variables);
+  const Symbols symbols(constants, variables);
   const Exact exact = parse(text, constants.table().names, &symbols);
   return guarded(text, [&] { return Converter(symbols).convert(exact.value); });
 }
 
 std::array<Expression, 3> read_motion(const Constants& constants, std::string_view text,
                                       const VariableNames& variables) {
-  const Symbols symbols(variables);
+  const Symbols symbols(constants, variables);
   const Exact exact = parse(text, constants.table().names, &symbols);
   if (exact.size > kMaxMotionSize) {
     throw ConstantError(0, fmt::format("motion of {} operations is too large; expected at most {}",

@@ -20,6 +20,7 @@ struct VariableNames {
       find;
   std::string expected;                 ///< ", t, q[joint], qd[joint]": for messages
   std::vector<std::string> known = {};  ///< "t", "q[elbow]", ..: for what a typo may have meant
+  bool run_time = false;                ///< parameters too that are known at run time only
 };
 
 /// Reads an expression in the grammar of `Constants`, whose parameters it may use; a name of

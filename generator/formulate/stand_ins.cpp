@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/recipe.hpp"
 #include "formulate/find_limbs.hpp"
 #include "formulate/origins.hpp"
 #include "formulate/scene_numbers.hpp"
@@ -48,6 +49,10 @@ std::vector<int> groups_of(const model::Tree& tree) {
   return groups;
 }
 
+bool is_fixed(std::span<const Real> numbers) {
+  return std::ranges::all_of(numbers, [](const Real& number) { return number.recipe() == 0; });
+}
+
 /// Of a scene all its numbers, behind those of the robot.
 std::shared_ptr<const model::Scene> seen_scene(const model::Scene& scene, const Seen& seen,
                                                StandInNumbers& all) {
@@ -58,9 +63,31 @@ std::shared_ptr<const model::Scene> seen_scene(const model::Scene& scene, const 
   all.begin(kScenePlaces, 0);
   each_number(*result, [&](std::span<Real> numbers, const SceneMeaning& meaning) {
     all.begin(all.place(), group_of(meaning.what));
-    see(numbers, meaning.form, all);
+    if (is_fixed(numbers)) {
+      see(numbers, meaning.form, all);
+    }
   });
   return result;
+}
+
+/// Numbers that are known at run time only are like no other number, zeros and ones as well.
+/// \param tree, points  as they are given
+void see_parameters(const model::Tree& tree, const std::vector<model::Point>& points, Seen& seen) {
+  constexpr std::array<StandIn, 7> kParts = {StandIn::kMass,   StandIn::kCom,    StandIn::kInertia,
+                                             StandIn::kOffset, StandIn::kOffset, StandIn::kGravity,
+                                             StandIn::kScene};
+  int index = 0;
+  for (const model::Parameter& parameter : seen.tree.parameters) {
+    const StandIn quantity = kParts[static_cast<std::size_t>(parameter.quantity)];
+    const Digits stand_in = generic(quantity, kParameterPlaces + index);
+    const Real nominal = model::nominal(seen.tree, seen.options.gravity, parameter);
+    model::set(seen.tree, seen.options.gravity, parameter,
+               Real::of_parameter(index, nominal.digits(), stand_in));
+    ++index;
+  }
+  for (const auto& [k, own] : model::points_with_parameters(tree, points)) {
+    seen.options.points[k].at = seen.tree.points[own].at;
+  }
 }
 
 Seen see(const model::Tree& tree, const Options& options) {
@@ -85,31 +112,15 @@ Seen see(const model::Tree& tree, const Options& options) {
     }
   }
   all.begin(kRow * rows, 0);
-  seen.options.gravity = all.vector(StandIn::kGravity, options.gravity);
+  if (is_fixed(options.gravity)) {
+    seen.options.gravity = all.vector(StandIn::kGravity, options.gravity);
+  }
+  see_parameters(tree, options.points, seen);
   if (options.scene != nullptr) {
     seen.scene = seen_scene(*options.scene, seen, all);
     seen.options.scene = seen.scene.get();
   }
   return seen;
-}
-
-/// Numbers that are known at run time only are like no other number, zeros and ones as well.
-/// \param tree, points  as they are given
-void see_parameters(const model::Tree& tree, const std::vector<model::Point>& points, Seen& seen) {
-  constexpr std::array<StandIn, 6> kParts = {StandIn::kMass,   StandIn::kCom,    StandIn::kInertia,
-                                             StandIn::kOffset, StandIn::kOffset, StandIn::kGravity};
-  int index = 0;
-  for (const model::Parameter& parameter : seen.tree.parameters) {
-    const StandIn quantity = kParts[static_cast<std::size_t>(parameter.quantity)];
-    const Digits stand_in = generic(quantity, kParameterPlaces + index);
-    const Real nominal = model::nominal(seen.tree, seen.options.gravity, parameter);
-    model::set(seen.tree, seen.options.gravity, parameter,
-               Real::of_parameter(index, nominal.digits(), stand_in));
-    ++index;
-  }
-  for (const auto& [k, own] : model::points_with_parameters(tree, points)) {
-    seen.options.points[k].at = seen.tree.points[own].at;
-  }
 }
 
 template <class Change, class... Arrays>
@@ -167,7 +178,6 @@ Seen changed(const model::Tree& tree, const Options& options, Change change) {
 
 Seen with_stand_ins(const model::Tree& tree, const Options& options) {
   Seen seen = see(tree, options);
-  see_parameters(tree, options.points, seen);
   note_provenance(seen);
   return seen;
 }
@@ -186,7 +196,30 @@ Seen stand_ins_alone(const model::Tree& tree, const Options& options) {
 }
 
 Seen numbers_alone(const model::Tree& tree, const Options& options) {
-  return changed(tree, options, [](Real& number) { number = number.plain(); });
+  return changed(tree, options,
+                 [](Real& number) { number = number.recipe() == 0 ? number.plain() : number; });
+}
+
+Real run_time_number(int index, const Real& nominal) {
+  return Real::of_parameter(index, nominal.digits(),
+                            generic(StandIn::kScene, kParameterPlaces + index));
+}
+
+model::Scene with_values(const model::Scene& scene, const std::vector<Real>& parameters) {
+  Options options;
+  options.scene = &scene;
+  options.gravity = scene.gravity;
+  options.points = scene.points;
+  const auto fixed = [&](Real& number) {
+    number = number.recipe() == 0 ? number.plain() : evaluated(number.recipe(), parameters);
+  };
+  model::Scene result = *changed(scene.tree, options, fixed).scene;
+  std::size_t k = 0;
+  for (const model::Parameter& parameter : scene.tree.parameters) {
+    model::set(result.tree, result.gravity, parameter, parameters[k++].plain());
+  }
+  result.tree.parameters.clear();
+  return result;
 }
 
 }  // namespace treedyn::formulate

@@ -33,7 +33,12 @@ Seen with_parameters(const model::Tree& tree, const Options& options);
 /// Of numbers that are seen as others only what is seen: enough to compare costs, at half the
 /// price. O(N)
 Seen stand_ins_alone(const model::Tree& tree, const Options& options);
-/// Of them the numbers themselves. O(N)
+/// Of them the numbers themselves; what is known at run time only stays so. O(N)
 Seen numbers_alone(const model::Tree& tree, const Options& options);
+
+/// Run-time parameter `index` of a scene's tree, which looks like no other number.
+Real run_time_number(int index, const Real& nominal);
+/// The scene whose parameters have these values; all its numbers are fixed. O(numbers)
+model::Scene with_values(const model::Scene& scene, const std::vector<Real>& parameters);
 
 }  // namespace treedyn::formulate

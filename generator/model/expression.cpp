@@ -75,7 +75,7 @@ Expression power(const Expression& a, int exponent) {
 
 Expression sqrt(const Expression& a) {
   if (a.is_constant()) {
-    TREEDYN_EXPECT(a.value() >= 0);
+    TREEDYN_EXPECT(a.value().plain() >= 0);
     return Real(sqrt(a.value()));
   }
   return a.applied(Expression::Operation::kSqrt);

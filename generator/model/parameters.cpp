@@ -22,14 +22,17 @@ struct Kind {
   const char* unit;
   const char* meaning;
 };
-constexpr std::array<Kind, 6> kKinds = {{
+constexpr std::array<Kind, 7> kKinds = {{
     {"mass", 1, "kg", "mass"},
     {"com", 3, "m", "centre of mass"},
     {"inertia", 6, "kg m^2", "inertia about the centre of mass"},
     {"offset", 3, "m", "joint offset"},
     {"at", 3, "m", "place"},
     {"gravity", 3, "m/s^2", "gravity"},
+    {"", 1, "", "parameter"},
 }};
+/// Those that a model declares.
+constexpr std::size_t kOfModels = kKinds.size() - 1;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -51,7 +54,7 @@ std::string joined(std::string first, char between, const std::string& second) {
 
 /// What it belongs to, as the file writes it.
 std::string owner(const Tree& tree, const Parameter& parameter) {
-  return parameter.quantity == ParameterKind::kGravity ? ""
+  return parameter.quantity >= ParameterKind::kGravity ? ""
          : parameter.quantity == ParameterKind::kPoint ? tree.points[index(parameter.link)].name
                                                        : tree.links[index(parameter.link)].name;
 }
@@ -77,8 +80,9 @@ auto& place(SomeTree& tree, SomeGravity& gravity, const Parameter& parameter) {
 
 std::optional<Declared> find_quantity(std::string_view name) {
   const std::size_t dot = name.find('.');
-  const auto* const row = std::ranges::find(kKinds, name.substr(0, dot), &Kind::name);
-  if (row == kKinds.end()) {
+  const auto* const end = kKinds.begin() + kOfModels;
+  const auto* const row = std::ranges::find(kKinds.begin(), end, name.substr(0, dot), &Kind::name);
+  if (row == end) {
     return std::nullopt;
   }
   const auto quantity = static_cast<ParameterKind>(row - kKinds.begin());
@@ -100,7 +104,7 @@ std::vector<Parameter> parameters_of(const Tree& tree, int link, const Declared&
     if (k != declared.component.value_or(k)) {
       continue;
     }
-    Parameter parameter{link, declared.quantity, k, {}, {}};
+    Parameter parameter{link, declared.quantity, k, {}, {}, 0};
     const std::string component = component_name(declared.quantity, k);
     const std::string name = owner(tree, parameter);
     parameter.declared =
@@ -122,6 +126,8 @@ std::string meaning(const Tree& tree, const Parameter& parameter) {
     case ParameterKind::kPoint:
       return what + " of point " + owner(tree, parameter) + ", frame of link " +
              link_name(tree, parameter);
+    case ParameterKind::kScene:
+      return what + " " + parameter.declared + " of the scene";
     default:
       return what + " of link " + owner(tree, parameter);
   }
@@ -136,10 +142,14 @@ std::string link_name(const Tree& tree, const Parameter& parameter) {
 }
 
 Real nominal(const Tree& tree, const Vector3& gravity, const Parameter& parameter) {
-  return place(tree, gravity, parameter);
+  return parameter.quantity == ParameterKind::kScene ? parameter.of_scene
+                                                     : place(tree, gravity, parameter);
 }
 
 void set(Tree& tree, Vector3& gravity, const Parameter& parameter, const Real& value) {
+  if (parameter.quantity == ParameterKind::kScene) {
+    return;
+  }
   place(tree, gravity, parameter) = value;
   if (parameter.quantity == ParameterKind::kInertia) {
     tree.links[index(parameter.link)].inertia.about_com[kMirrored[index(parameter.component)]] =
@@ -164,6 +174,12 @@ std::vector<std::pair<std::size_t, std::size_t>> points_with_parameters(
     }
   }
   return result;
+}
+
+bool of_scene_alone(const Tree& tree) {
+  return std::ranges::all_of(tree.parameters, [](const Parameter& parameter) {
+    return parameter.quantity == ParameterKind::kScene;
+  });
 }
 
 bool has_lengths(const Tree& tree) {

@@ -25,7 +25,7 @@ std::optional<Declared> find_quantity(std::string_view name);
 /// \param link  as in Parameter
 std::vector<Parameter> parameters_of(const Tree& tree, int link, const Declared& declared);
 
-/// "kg", "m", "kg m^2", "m/s^2"
+/// "kg", "m", "kg m^2", "m/s^2"; "" of a scene, whose parameters have any
 const char* unit(const Parameter& parameter);
 /// "mass of link forearm": what it is, with the name of the link as the file writes it.
 std::string meaning(const Tree& tree, const Parameter& parameter);
@@ -34,13 +34,15 @@ std::string link_name(const Tree& tree, const Parameter& parameter);
 
 /// The number that the tree or gravity (m/s^2, base frame) has.
 Real nominal(const Tree& tree, const Vector3& gravity, const Parameter& parameter);
-/// Sets it, in a tensor both entries.
+/// Sets it, in a tensor both entries. A parameter of a scene stands in no tree: nothing happens.
 void set(Tree& tree, Vector3& gravity, const Parameter& parameter, const Real& value);
 
 /// Those of `points` that are points of the tree with parameters: their numbers here and there.
 std::vector<std::pair<std::size_t, std::size_t>> points_with_parameters(
     const Tree& tree, const std::vector<Point>& points);
 
+/// True if no parameter is the model's own.
+bool of_scene_alone(const Tree& tree);
 /// True if a parameter is a length: then it enters positions, and functions without mass.
 bool has_lengths(const Tree& tree);
 

@@ -93,17 +93,19 @@ struct Snap {
   Real change = 0;   ///< |exact - written|, rad or 1
 };
 
-/// kOffset: of a joint, from the origin of the father; kPoint: of a point on its link.
-enum class ParameterKind { kMass, kCom, kInertia, kOffset, kPoint, kGravity };
+/// kOffset: of a joint, from the origin of the father; kPoint: of a point on its link; kScene: of a
+/// scene, which numbers of it are made of.
+enum class ParameterKind { kMass, kCom, kInertia, kOffset, kPoint, kGravity, kScene };
 
-/// A number of a link or of a point, or a component of gravity, that is known at run time only; the
-/// tree (or what gives gravity) has its nominal value.
+/// A number of a link or of a point, a component of gravity, or a parameter of a scene, that is
+/// known at run time only; the tree (or what gives gravity) has its nominal value.
 struct Parameter {
-  int link = kGround;  ///< kGround for gravity; of kPoint the number of the point in Tree::points
+  int link = kGround;  ///< of kPoint the number of the point in Tree::points; kGround: of none
   ParameterKind quantity = ParameterKind::kMass;
   int component = 0;       ///< x y z of a vector, xx xy xz yy yz zz of a tensor about the c.o.m.
   std::string declared;    ///< "forearm.com", "forearm.com.x", "gravity": as a user declares it
   std::string identifier;  ///< forearm_com_x, a C++ identifier, unique among the parameters
+  Real of_scene = 0;       ///< kScene: the nominal value
 };
 
 struct Tree {

@@ -83,8 +83,10 @@ class Writer {
       open.pop_back();
       const auto [place, is_new] = known_.try_emplace(number);
       const Recipe& r = treedyn::recipe(number);
-      if (is_new && r.kind != RecipeKind::kNumber && r.kind != RecipeKind::kParameter) {
+      if (is_new && operands(r.kind) > 0) {
         open.push_back(std::abs(r.a));
+      }
+      if (is_new && operands(r.kind) > 1) {
         open.push_back(std::abs(r.b));
       }
     }
@@ -103,9 +105,21 @@ class Writer {
       case RecipeKind::kMultiply:
         return of(r.a) * of(r.b);
       case RecipeKind::kDivide:
+        return of(r.a) / of(r.b);
+      case RecipeKind::kSqrt:
+        return root(of(r.a));
+      case RecipeKind::kSin:
+        return {graph_, graph_.sin(of(r.a).ref())};
+      case RecipeKind::kCos:
         break;
     }
-    return of(r.a) / of(r.b);
+    return {graph_, graph_.cos(of(r.a).ref())};
+  }
+
+  /// Roots are taken of values, not of negatives of values: -x = sqrt(x x) if it has a root.
+  Expr root(Expr x) {
+    const Expr positive = x.ref() < 0 ? Expr(graph_, graph_.sqrt((x * x).ref())) : x;
+    return {graph_, graph_.sqrt(positive.ref())};
   }
 
   Graph& graph_;
@@ -120,17 +134,17 @@ bool depends_on_parameters(const Function& function) {
   return std::ranges::any_of(nodes, [&](Ref k) { return is_parameter(function.graph, k); });
 }
 
-Separated separate_parameters(std::vector<Function>& functions, const Array& parameters,
+Separated separate_parameters(const std::vector<Function*>& functions, const Array& parameters,
                               const Array& derived,
-                              const std::function<bool(const Signature&)>& takes) {
+                              const std::function<bool(const Function&)>& takes) {
   DerivedNumbers numbers;
   std::vector<Function*> changed;
-  for (Function& function : functions) {
-    if (depends_on_parameters(function)) {
-      function = separated(function, numbers);
-      changed.push_back(&function);
-    } else if (takes(function.signature)) {
-      changed.push_back(&function);
+  for (Function* const function : functions) {
+    if (depends_on_parameters(*function)) {
+      *function = separated(*function, numbers);
+      changed.push_back(function);
+    } else if (takes(*function)) {
+      changed.push_back(function);
     }
   }
   Function update;

@@ -23,8 +23,8 @@ struct Separated {
   Function update;
   std::vector<Real> numbers;
 };
-Separated separate_parameters(std::vector<Function>& functions, const Array& parameters,
+Separated separate_parameters(const std::vector<Function*>& functions, const Array& parameters,
                               const Array& derived,
-                              const std::function<bool(const Signature&)>& takes);
+                              const std::function<bool(const Function&)>& takes);
 
 }  // namespace treedyn::optimise

@@ -96,13 +96,14 @@ struct Stepper {
   std::vector<Staged> anchors;  ///< one or none: q[, t] -> anchor, as they are now
   bool takes_time = false;
   bool takes_anchor = false;
-  int rows = 0;               ///< of lambda: the most of any phase
-  int counted = 0;            ///< steps of a phase are counted up to here; 0: not at all
-  bool begun = false;         ///< phases with counted steps begin within a step
-  bool compensated = false;   ///< rest: what q and qd lost by rounding
-  bool tells_events = false;  ///< calls treedyn_event at each, which is not there: for studies
-  std::string first;          ///< the phase in which the scene begins
-  bool tests_pivots = false;  ///< the dynamics tell lost pivots of A
+  bool takes_derived = false;  ///< what run-time parameters become, last of its inputs
+  int rows = 0;                ///< of lambda: the most of any phase
+  int counted = 0;             ///< steps of a phase are counted up to here; 0: not at all
+  bool begun = false;          ///< phases with counted steps begin within a step
+  bool compensated = false;    ///< rest: what q and qd lost by rounding
+  bool tells_events = false;   ///< calls treedyn_event at each, which is not there: for studies
+  std::string first;           ///< the phase in which the scene begins
+  bool tests_pivots = false;   ///< the dynamics tell lost pivots of A
   /// Revolute joints that turn without bound beside a position without accelerations, as the outer
   /// angles of a free body do: steps are done in parts in which they turn little.
   std::vector<int> turning;

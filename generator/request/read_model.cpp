@@ -19,6 +19,7 @@
 #include "formulate/scene_phases.hpp"
 #include "formulate/scene_steps.hpp"
 #include "formulate/scene_sticking.hpp"
+#include "formulate/stand_ins.hpp"
 #include "model/scene_facts.hpp"
 #include "request/limits.hpp"
 #include "simulation/integrator.hpp"
@@ -222,15 +223,40 @@ void choose(const StepChoice& choice, model::Stepping& stepping) {
   stepping.compensated = choice.compensated.value_or(stepping.compensated);
 }
 
+/// What knows of numbers that are the same at run time only.
+void refuse_parameters(const Request& request, const std::string& file) {
+  const std::array<std::pair<bool, const char*>, 5> others = {
+      {{request.target.lanes > 1, "--lanes"},
+       {request.share_limbs, "--share-limbs"},
+       {request.self_test, "--self-test"},
+       {request.checked, "--checked"},
+       {request.accuracy_samples > 0, "--accuracy-samples"}}};
+  for (const auto& [given, option] : others) {
+    if (given) {
+      throw InputError(
+          {file, 0, 0},
+          fmt::format("has run-time parameters, and {} is for models without; expected one of both",
+                      option));
+    }
+  }
+}
+
 /// A scene brings its tree, gravity and points. Its digest is that of scene and model, one behind
 /// the other.
 Model read_scene_model(const Request& request) {
   Model model;
   const std::string text = description::read_text(*request.scene);
   std::string model_text;
-  model.scene = description::parse_scene(text, *request.scene, [&](const std::string& path) {
+  const auto model_text_of = [&](const std::string& path) {
     return model_text = description::read_model_text(path);
-  });
+  };
+  // its mistakes are those of its numbers, whatever is known at run time only
+  model.scene = description::parse_scene(text, *request.scene, model_text_of);
+  model.scene =
+      description::parse_scene(text, *request.scene, model_text_of, formulate::run_time_number);
+  if (!model.scene->tree.parameters.empty()) {
+    refuse_parameters(request, *request.scene);
+  }
   choose(request.stepping, model.scene->stepping);
   check_scene(*model.scene, {*request.scene, 0, 0});
   simulation::require_integrator(model.scene->stepping);
@@ -264,28 +290,6 @@ Model read_scene_model(const Request& request) {
 
 }  // namespace
 
-namespace {
-
-/// What knows of numbers that are the same at run time only.
-void refuse_parameters(const Request& request) {
-  const std::array<std::pair<bool, const char*>, 5> others = {
-      {{request.target.lanes > 1, "--lanes"},
-       {request.share_limbs, "--share-limbs"},
-       {request.self_test, "--self-test"},
-       {request.checked, "--checked"},
-       {request.accuracy_samples > 0, "--accuracy-samples"}}};
-  for (const auto& [given, option] : others) {
-    if (given) {
-      throw InputError(
-          {request.model, 0, 0},
-          fmt::format("has run-time parameters, and {} is for models without; expected one of both",
-                      option));
-    }
-  }
-}
-
-}  // namespace
-
 Model read(const Request& request) {
   if (request.scene && !request.read.runtime.empty()) {
     throw UsageError("--runtime is for models; expected none beside --scene");
@@ -299,7 +303,7 @@ Model read(const Request& request) {
   model.tree = std::move(loaded.tree);
   const Location where{request.model, 0, 0};
   if (!model.tree.parameters.empty()) {
-    refuse_parameters(request);
+    refuse_parameters(request, request.model);
   }
   if (model.tree.dof() == 0) {
     throw InputError(where, "the model has no moving joint; expected at least one");

@@ -143,10 +143,11 @@ std::vector<int> Joints::turning() const {
   return result;
 }
 
-/// By pivot and state.
+/// By pivot and state. \param derived  nominal values
 std::vector<std::vector<double>> values_of(const std::vector<program::Pivot>& pivots,
                                            const program::Function& function,
-                                           const std::vector<std::vector<double>>& states) {
+                                           const std::vector<std::vector<double>>& states,
+                                           const std::vector<double>& derived) {
   program::Function divisors = function;
   divisors.limb_code = nullptr;
   divisors.outputs.clear();
@@ -155,7 +156,9 @@ std::vector<std::vector<double>> values_of(const std::vector<program::Pivot>& pi
   for (const std::vector<double>& q : states) {
     std::vector<std::vector<double>> inputs = {q};
     for (std::size_t k = 1; k < function.signature.inputs.size(); ++k) {
-      inputs.emplace_back(static_cast<std::size_t>(function.signature.inputs[k].size), 0);
+      const program::Array& array = function.signature.inputs[k];
+      inputs.push_back(
+          array.type.empty() ? std::vector<double>(static_cast<std::size_t>(array.size)) : derived);
     }
     const std::vector<std::span<const double>> spans(inputs.begin(), inputs.end());
     const std::vector<double> values = program::interpret<double>(divisors, spans);
@@ -166,12 +169,13 @@ std::vector<std::vector<double>> values_of(const std::vector<program::Pivot>& pi
   return result;
 }
 
-void test_pivots(program::Staged& staged, const Joints& joints) {
+void test_pivots(program::Staged& staged, const Joints& joints,
+                 const std::vector<double>& derived) {
   if (joints.all_safe()) {
     return;
   }
   const std::vector<program::Pivot> pivots = program::pivots_of(staged.function, joints.states());
-  const auto values = values_of(pivots, staged.function, joints.states());
+  const auto values = values_of(pivots, staged.function, joints.states(), derived);
   for (std::size_t k = 0; k < pivots.size(); ++k) {
     if (!joints.is_safe(values[k])) {
       staged.pivots.push_back(pivots[k]);
@@ -188,8 +192,12 @@ program::Programs with_tested_pivots(program::Programs programs, const Model& mo
     return programs;
   }
   const Joints joints(model, scalar);
+  std::vector<double> derived;
+  for (const Real& number : programs.derived) {
+    derived.push_back(number.convert_to<double>());
+  }
   for (program::Staged& staged : programs.staged) {
-    test_pivots(staged, joints);
+    test_pivots(staged, joints, derived);
   }
   for (program::Stepper& stepper : programs.steppers) {
     stepper.tests_pivots = std::ranges::any_of(

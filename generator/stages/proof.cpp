@@ -5,12 +5,46 @@
 #include <stdexcept>
 
 #include "equations/scene_table.hpp"
-#include "formulate/scene_functions.hpp"
+#include "formulate/stand_ins.hpp"
+#include "model/parameters.hpp"
+#include "program/interpret.hpp"
+#include "program/random.hpp"
 #include "request/limits.hpp"
 #include "verify/prove.hpp"
 #include "verify/prove_scene.hpp"
 
 namespace treedyn {
+
+namespace {
+
+/// With nominal values of run-time parameters, and with others.
+void prove_scene_of(const Model& model, const program::Programs& programs) {
+  if (!programs.update) {
+    prove_scene(*model.scene, programs);
+    return;
+  }
+  constexpr double kMore[] = {0.5, 0.05, 0.005};  // of the nominal values, where that is a number
+  const auto proven = [&](double most) {
+    program::Random random(11);
+    std::vector<Real> values;
+    for (const model::Parameter& parameter : model.tree.parameters) {
+      const Real nominal = model::nominal(model.tree, model.scene->gravity, parameter).plain();
+      const Real size = nominal == 0 ? Real(1) : nominal;
+      values.push_back(nominal + size * most * (1 + random.symmetric()) / 2);
+    }
+    const std::vector<std::span<const Real>> inputs = {values};
+    const std::vector<Real> derived = program::interpret<Real>(*programs.update, inputs);
+    const bool is_there = std::ranges::all_of(derived, [](const Real& x) { return isfinite(x); });
+    if (is_there) {
+      prove_scene(formulate::with_values(*model.scene, values), programs, derived);
+    }
+    return is_there;
+  };
+  proven(0);
+  std::ranges::any_of(kMore, proven);
+}
+
+}  // namespace
 
 void prove(const Model& model, const Request& request, const program::Programs& programs) {
   std::vector<program::Function> of_model;
@@ -30,7 +64,7 @@ void prove(const Model& model, const Request& request, const program::Programs& 
     refuse_decades(model.tree, error.what());
   }
   if (model.scene) {
-    prove_scene(*model.scene, programs);
+    prove_scene_of(model, programs);
   }
 }
 

@@ -40,15 +40,25 @@ Real largest(const Values& values) {
   return result;
 }
 
+/// What arguments are filled with.
+struct Source {
+  program::Random random;
+  const Values& derived;  ///< of run-time parameters
+};
+
 /// Arrays by name, filled with pseudo-random numbers.
 class State {
  public:
-  State(const program::Signature& signature, program::Random& random) {
+  State(const program::Signature& signature, Source& source) {
     for (const program::Array& array : signature.inputs) {
       names_.push_back(array.name);
       values_.emplace_back();
+      if (!array.type.empty()) {
+        values_.back() = source.derived;
+        continue;
+      }
       std::generate_n(std::back_inserter(values_.back()), array.size,
-                      [&] { return Real(2 * random.symmetric()); });
+                      [&] { return Real(2 * source.random.symmetric()); });
     }
   }
   Values& at(const std::string& name) {
@@ -95,9 +105,8 @@ Matrix symmetric(const Values& lower, std::size_t n) {
   return result;
 }
 
-void prove_plain(const model::Scene& scene, const program::Function& function,
-                 program::Random& random) {
-  State state(function.signature, random);
+void prove_plain(const model::Scene& scene, const program::Function& function, Source& source) {
+  State state(function.signature, source);
   const Values ours = state.evaluate(function);
   const Values at_rest(state.at("q").size());
   const bool bias = state.has("qd");
@@ -232,9 +241,8 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
   return error;
 }
 
-void prove_impact(const model::Scene& scene, const program::Staged& staged,
-                  program::Random& random) {
-  State state(staged.function.signature, random);
+void prove_impact(const model::Scene& scene, const program::Staged& staged, Source& source) {
+  State state(staged.function.signature, source);
   const auto [values, least] = solved_values(staged, state);
   const std::size_t r = index(staged.solves.front().rows);
   const Values P(values.end() - static_cast<std::ptrdiff_t>(r), values.end());
@@ -272,9 +280,8 @@ Values forces_of(const program::Staged& staged, const SceneEquations& equations)
   return force;
 }
 
-void prove_constrained(const model::Scene& scene, const program::Staged& staged,
-                       program::Random& random) {
-  State state(staged.function.signature, random);
+void prove_constrained(const model::Scene& scene, const program::Staged& staged, Source& source) {
+  State state(staged.function.signature, source);
   const std::string& name = staged.signature.name;
   const auto n = index(scene.tree.dof());
   const auto [values, least] = solved_values(staged, state);
@@ -312,9 +319,8 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
 
 /// A qdd + B + G = tau + J^T lambda and the scene's forces; regular rows leave the passive joints
 /// without a drive.
-void prove_inverse(const model::Scene& scene, const program::Staged& staged,
-                   program::Random& random) {
-  State state(staged.function.signature, random);
+void prove_inverse(const model::Scene& scene, const program::Staged& staged, Source& source) {
+  State state(staged.function.signature, source);
   const auto [values, least] = solved_values(staged, state);
   const SceneEquations equations(scene, state.at("q"), state.at("qd"),
                                  state.has("t") ? state.at("t")[0] : Real(0));
@@ -346,11 +352,10 @@ void prove_inverse(const model::Scene& scene, const program::Staged& staged,
 }
 
 /// Joint forces of every contact at a depth, by the law's own words, against C f.
-void prove_contacts(const model::Scene& scene, const program::Staged& staged,
-                    program::Random& random) {
+void prove_contacts(const model::Scene& scene, const program::Staged& staged, Source& source) {
   for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
     const program::Staged& press = staged.contacts[c];
-    State state(press.function.signature, random);
+    State state(press.function.signature, source);
     Real& depth = state.at(program::kDepthArray)[c];
     depth = abs(depth);
     if (state.has(program::kPowerArray)) {
@@ -371,21 +376,22 @@ void prove_contacts(const model::Scene& scene, const program::Staged& staged,
 
 }  // namespace
 
-void prove_scene(const model::Scene& scene, const program::Programs& programs) {
-  program::Random random(7);
+void prove_scene(const model::Scene& scene, const program::Programs& programs,
+                 const std::vector<Real>& derived) {
+  Source source{program::Random(7), derived};
   for (const program::Function& function : programs.functions) {
     if (equations::is_scene_function(function.signature.name)) {
-      prove_plain(scene, function, random);
+      prove_plain(scene, function, source);
     }
   }
   for (const program::Staged& staged : programs.staged) {
     if (staged.signature.name.starts_with("constrained_dynamics")) {
-      prove_constrained(scene, staged, random);
-      prove_contacts(scene, staged, random);
+      prove_constrained(scene, staged, source);
+      prove_contacts(scene, staged, source);
     } else if (staged.signature.name.starts_with("constrained_inverse")) {
-      prove_inverse(scene, staged, random);
+      prove_inverse(scene, staged, source);
     } else if (staged.signature.name.starts_with("impact")) {
-      prove_impact(scene, staged, random);
+      prove_impact(scene, staged, source);
     }
   }
 }

@@ -11,7 +11,10 @@ namespace treedyn {
 /// Evaluates the functions of a scene with 50 digits at a fixed pseudo-random state and holds them
 /// against (8), (10) and 6.1 as the engine evaluates them: A qdd + B + G - J^T lambda = tau, and
 /// J qdd + gamma = a_des where the rows have full rank (where not, up to the part that no motion
-/// can reach). \throws std::logic_error naming the function that differs: a mistake of ours.
-void prove_scene(const model::Scene& scene, const program::Programs& programs);
+/// can reach).
+/// \param derived  what functions take of run-time parameters that have the scene's values
+/// \throws std::logic_error naming the function that differs: a mistake of ours.
+void prove_scene(const model::Scene& scene, const program::Programs& programs,
+                 const std::vector<Real>& derived = {});
 
 }  // namespace treedyn

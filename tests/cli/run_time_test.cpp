@@ -17,9 +17,9 @@ const std::string kWarnings =
 
 /// A number of the model and what it is at run time.
 struct Change {
-  std::string from;   ///< in the model
-  std::string to;     ///< in the model that other code is generated from
-  std::string field;  ///< of Parameters
+  std::string from;   ///< in the model or scene
+  std::string to;     ///< in that which other code is generated from
+  std::string field;  ///< of Parameters; "": none
   std::string value;
 };
 
@@ -31,17 +31,26 @@ struct Robot {
   std::vector<std::string> options;
   double epsilon;
   std::vector<std::string> others = {};  ///< options of the changed model alone
+  std::string scene = {};                ///< of tests/data/run_time
+  std::vector<Change> declared = {};     ///< in the model whose numbers are known at run time only
 };
 
 /// In the names of tests.
 void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.name; }
 
-std::string with(std::string text, const Change& change) {
-  const std::size_t at = text.find(change.from);
-  EXPECT_NE(at, std::string::npos) << change.from;
-  EXPECT_EQ(text.find(change.from, at + 1), std::string::npos) << change.from;
-  return text.replace(at, change.from.size(), change.to);
-}
+/// The texts of a model and its scene.
+struct Texts {
+  std::string model;
+  std::string scene;
+
+  void apply(const Change& change) {
+    std::string& text = scene.find(change.from) != std::string::npos ? scene : model;
+    const std::size_t at = text.find(change.from);
+    EXPECT_NE(at, std::string::npos) << change.from;
+    EXPECT_EQ(text.find(change.from, at + 1), std::string::npos) << change.from;
+    text.replace(at, change.from.size(), change.to);
+  }
+};
 
 /// Calls of the functions of both with the same random arguments, the results compared: the
 /// largest difference, as a part of the largest result.
@@ -115,20 +124,81 @@ int main() {{
                      header, set, calls);
 }
 
+/// `count` steps from rest at 1, what a step gives is the argument of the next; at the end `q` is
+/// printed, and how often the phase has changed.
+std::string motion(const FunctionInfo& step, const std::string& space, const std::string& derived,
+                   int count) {
+  std::string text = fmt::format("  {{\n    using {}::Scalar;\n", space);
+  std::string arguments;
+  std::string next;
+  for (std::size_t k = 0; k < step.inputs.size(); ++k) {
+    const std::string& name = step.arguments[k];
+    if (name == "derived") {
+      arguments += ", " + derived;
+      continue;
+    }
+    text += fmt::format("    {} {}[{}] = {{{}}};\n", step.integer_inputs[k] ? "int" : "Scalar",
+                        name, step.inputs[k], name == "q" ? "1" : "");
+    arguments += (k == 0 ? "" : ", ") + name;
+  }
+  for (std::size_t k = 0; k < step.outputs.size(); ++k) {
+    const std::string& name = step.results[k];
+    text += fmt::format("    {} {}[{}] = {{}};\n", step.integer_outputs[k] ? "int" : "Scalar", name,
+                        step.outputs[k]);
+    arguments += ", " + name;
+    if (name.ends_with("_next")) {
+      next += fmt::format("      for (int i = 0; i < {}; ++i) {}[i] = {}[i];\n", step.outputs[k],
+                          name.substr(0, name.size() - 5), name);
+    }
+  }
+  return text + fmt::format(
+                    "    int changes = 0;\n    for (int n = 0; n < {}; ++n) {{\n"
+                    "      {}::step({});\n      changes += phase[0] != phase_next[0];\n{}"
+                    "    }}\n    std::printf(\"%.17g %d \", q[0], changes);\n  }}\n",
+                    count, space, arguments, next);
+}
+
 class RunTime : public Cli, public testing::WithParamInterface<Robot> {
  protected:
   void SetUp() override {
-    std::string text = read_file(fmt::format("{}/models/{}", TREEDYN_SOURCE_DIR, GetParam().model));
-    write_file(scratch("nominal.yaml"), text);
-    for (const Change& change : GetParam().changes) {
-      text = with(text, change);
+    const Robot& robot = GetParam();
+    Texts texts{read_file(fmt::format("{}/models/{}", TREEDYN_SOURCE_DIR, robot.model)), ""};
+    if (!robot.scene.empty()) {
+      texts.scene =
+          read_file(fmt::format("{}/tests/data/run_time/{}", TREEDYN_SOURCE_DIR, robot.scene));
     }
-    write_file(scratch("changed.yaml"), text);
-    generate("nominal.yaml", {"--name", "r", "--runtime", GetParam().runtime});
+    Texts nominal = texts;
+    for (const Change& change : robot.declared) {
+      nominal.apply(change);
+    }
+    for (const Change& change : robot.changes) {
+      texts.apply(change);
+    }
+    write("nominal", nominal);
+    write("changed", texts);
+    std::vector<std::string> options = {"--name", "r"};
+    if (!robot.runtime.empty()) {
+      options.insert(options.end(), {"--runtime", robot.runtime});
+    }
+    generate("nominal", options);
   }
 
-  void generate(const std::string& model, std::vector<std::string> more) {
-    more.insert(more.begin(), {"generate", "-q", scratch(model), "-o", out()});
+  void write(const std::string& name, Texts texts) const {
+    write_file(scratch(name + ".yaml"), texts.model);
+    if (!texts.scene.empty()) {
+      texts.apply({fmt::format("model: {}", GetParam().model), fmt::format("model: {}.yaml", name),
+                   "", ""});
+      write_file(scratch(name + ".scene.yaml"), texts.scene);
+    }
+  }
+
+  void generate(const std::string& name, std::vector<std::string> more) {
+    if (GetParam().scene.empty()) {
+      more.insert(more.begin(), scratch(name + ".yaml"));
+    } else {
+      more.insert(more.begin(), {"--scene", scratch(name + ".scene.yaml")});
+    }
+    more.insert(more.begin(), {"generate", "-q", "-o", out()});
     more.insert(more.end(), GetParam().options.begin(), GetParam().options.end());
     const Outcome outcome = treedyn(more);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -156,26 +226,29 @@ class RunTime : public Cli, public testing::WithParamInterface<Robot> {
   static std::string changed_fields(const std::string& object) {
     std::string set;
     for (const Change& change : GetParam().changes) {
-      set +=
-          fmt::format("  {}.{} = static_cast<Scalar>({});\n", object, change.field, change.value);
+      set += change.field.empty() ? ""
+                                  : fmt::format("  {}.{} = static_cast<Scalar>({});\n", object,
+                                                change.field, change.value);
     }
     return set;
   }
 
-  /// Rounding: as many unit roundoffs of the largest result as both functions have operations.
+  /// Rounding: as many unit roundoffs of the largest result as both functions have operations; of a
+  /// scene times the 1000 by which A^-1 and slips beside zero pass errors on.
   static double tolerance(const Manifest& manifest) {
     long most = 0;
     for (const FunctionInfo& function : manifest.functions) {
       most = std::max(most, function.operations[0] + function.operations[1]);
     }
-    return 2 * static_cast<double>(most) * GetParam().epsilon;
+    return 2 * static_cast<double>(most) * GetParam().epsilon *
+           (GetParam().scene.empty() ? 1 : 1000);
   }
 };
 
 TEST_P(RunTime, GivesWhatCodeOfTheChangedModelGives) {
   std::vector<std::string> others = GetParam().others;
   others.insert(others.end(), {"--name", "m"});
-  generate("changed.yaml", others);
+  generate("changed", others);
   const Manifest manifest = support::read_manifest(file("r.json"));
   const std::string update = "  r::update_parameters(p, ours);\n";
   const double off =
@@ -185,11 +258,47 @@ TEST_P(RunTime, GivesWhatCodeOfTheChangedModelGives) {
   EXPECT_GE(control, 1e-3) << "the changes change nothing";
 }
 
+using RunTimeSteps = RunTime;
+
+/// Events come where the parameters put them.
+TEST_P(RunTimeSteps, MoveAsCodeOfTheChangedSceneDoes) {
+  generate("changed", {"--name", "m"});
+  const FunctionInfo step = support::read_manifest(file("r.json")).function("step");
+  const FunctionInfo other = support::read_manifest(file("m.json")).function("step");
+  constexpr int kSteps = 3000;
+  const auto moved = [&](const std::string& set) {
+    write_file(file("driver.cpp"),
+               "#include <cstdio>\n#include \"r.hpp\"\n#include \"m.hpp\"\nint main() {\n"
+               "  using r::Scalar;\n  r::Parameters p = r::kNominalParameters;\n"
+               "  r::DerivedParameters d;\n" +
+                   set + "  r::update_parameters(p, d);\n" + motion(step, "r", "d", kSteps) +
+                   motion(other, "m", "", kSteps) + "}\n");
+    const std::string at = out() + "/";
+    run_compiler(fmt::format("-std=c++17 {0} -O2 {1}driver.cpp {1}r.cpp {1}m.cpp -o {1}driver",
+                             kWarnings, at));
+    double height = 0;
+    double expected = 0;
+    int changes = 0;
+    int expected_changes = 0;
+    std::istringstream(support::run({at + "driver"}).out) >> height >> changes >> expected >>
+        expected_changes;
+    EXPECT_GT(expected_changes, 2);
+    return std::tuple(height - expected, changes - expected_changes);
+  };
+  const auto [off, changes] = moved(changed_fields("p"));
+  EXPECT_LE(std::fabs(off), 1e-9);  // thousands of steps, some with some roundings of a bounce
+  EXPECT_EQ(changes, 0);
+  EXPECT_GE(std::fabs(std::get<0>(moved(""))), 1e-3) << "the changes change nothing";
+}
+
 using RunTimeInC = RunTime;
 
 TEST_P(RunTimeInC, HasTheSameBits) {
-  generate("nominal.yaml",
-           {"--name", "r", "--language", "c99", "--prefix", "p", "--runtime", GetParam().runtime});
+  std::vector<std::string> options = {"--name", "r", "--language", "c99", "--prefix", "p"};
+  if (!GetParam().runtime.empty()) {
+    options.insert(options.end(), {"--runtime", GetParam().runtime});
+  }
+  generate("nominal", options);
   const Manifest manifest = support::read_manifest(file("r.json"));
   const std::string set = changed_fields("p") +
                           "  r::update_parameters(p, ours);\n"
@@ -345,16 +454,92 @@ const Robot kWiderBiped = {
      "mass_matrix,inverse_dynamics,forward_dynamics,point_positions,force_jacobian_transpose"},
     2.3e-16};
 
+Change of_parameter(const std::string& name, const std::string& from, const std::string& to) {
+  return {name + ": " + from, name + ": " + to, name, to};
+}
+
+const Change kNothingAtRunTime = {
+    "runtime: [g, slope, kp, kd, target, amplitude, omega, viscous, dry, creep, rotor, k, damping, "
+    "rest, anchor_x, push, height,\n  ground, loss, mu, slip]\n",
+    "", "", ""};
+const Robot kEveryNumber = {"EveryNumber",
+                            "two_link.yaml",
+                            "",
+                            {kNothingAtRunTime,
+                             of_parameter("g", "9.81", "3.7"),
+                             of_parameter("slope", "0.05", "-0.4"),
+                             of_parameter("kp", "120", "200"),
+                             of_parameter("kd", "8", "2.5"),
+                             of_parameter("target", "0.4", "-0.7"),
+                             of_parameter("amplitude", "0.3", "0.9"),
+                             of_parameter("omega", "2", "5"),
+                             of_parameter("viscous", "1.5", "0.5"),
+                             of_parameter("dry", "2.5", "4"),
+                             of_parameter("creep", "0.1", "0.3"),
+                             of_parameter("rotor", "0.75", "0.25"),
+                             of_parameter("k", "90", "35"),
+                             of_parameter("damping", "4", "7.5"),
+                             of_parameter("rest", "0.2", "-0.1"),
+                             of_parameter("anchor_x", "0.5", "-0.8"),
+                             of_parameter("push", "6", "13"),
+                             of_parameter("height", "-0.25", "0.3"),
+                             of_parameter("ground", "5000", "900"),
+                             of_parameter("loss", "0.5", "0.2"),
+                             of_parameter("mu", "0.6", "0.9"),
+                             of_parameter("slip", "0.05", "0.2")},
+                            {"--effort", "20"},
+                            2.3e-16,
+                            {},
+                            "every_number.yaml"};
+const Robot kEveryPlainNumber =
+    with_options(kEveryNumber, "EveryPlainNumber", {"--effort", "0"}, 2.3e-16);
+const Robot kEveryNumberInFloat =
+    with_options(kEveryNumber, "EveryNumberInFloat", {"--scalar", "float"}, 1.2e-7);
+const Robot kLed = {
+    "Led",
+    "polar.yaml",
+    "",
+    {{"runtime: [radius, omega, offset, rate]\n", "", "", ""},
+     of_parameter("radius", "0.25", "0.6"),
+     of_parameter("omega", "2", "3"),
+     of_parameter("offset", "1.2", "0.5"),
+     of_parameter("rate", "0.5", "4"),
+     {"mass: m3", "mass: 5.5", "boom_mass", "5.5"},
+     {"com: [0, 0, -c3]", "com: [0.01, 0.02, -0.4]", "boom_com_x", "0.01"},
+     {"[0.01, 0.02", "[0.01, 0.02", "boom_com_y", "0.02"},
+     {"0.02, -0.4]", "0.02, -0.4]", "boom_com_z", "-0.4"}},
+    {"--effort", "20"},
+    2.3e-16,
+    {},
+    "led.yaml",
+    {{"    com: [0, 0, -c3]\n", "    com: [0, 0, -c3]\n    runtime: [mass, com]\n", "", ""}}};
+
+const Robot kBounce = {"Bounce",
+                       "scenes/drop.model.yaml",
+                       "",
+                       {{"runtime: [floor, g, pull, low]\n", "", "", ""},
+                        of_parameter("floor", "0.1", "0.25"),
+                        of_parameter("g", "9.81", "3.7"),
+                        of_parameter("pull", "1", "0.5"),
+                        of_parameter("low", "-1.2", "-1.1")},
+                       {},
+                       2.3e-16,
+                       {},
+                       "bounce.yaml"};
+
 std::string name_of(const testing::TestParamInfo<Robot>& of) { return of.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RunTime,
                          testing::Values(kPuma, kPlainPuma, kPumaInFloat, kFreeBiped, kPolar,
                                          kTilted, kTiltedPolar, kTiltedBiped, kLongerPuma,
-                                         kLongerPlainPuma, kOtherTool, kLongerPolar, kWiderBiped),
+                                         kLongerPlainPuma, kOtherTool, kLongerPolar, kWiderBiped,
+                                         kEveryNumber, kEveryPlainNumber, kEveryNumberInFloat,
+                                         kLed),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(Robots, RunTimeSteps, testing::Values(kBounce), name_of);
 INSTANTIATE_TEST_SUITE_P(Robots, RunTimeInC,
-                         testing::Values(kPlainPuma, kPumaInFloat, kPolar, kTiltedPolar,
-                                         kOtherTool),
+                         testing::Values(kPlainPuma, kPumaInFloat, kPolar, kTiltedPolar, kOtherTool,
+                                         kEveryNumber, kLed),
                          name_of);
 
 const std::string kScene = TREEDYN_SOURCE_DIR "/models/scenes/drop.yaml";
@@ -407,12 +592,58 @@ TEST_F(RunTimeCli, RefusesOptionsThatReportNumbers) {
                      "--runtime is for models");
 }
 
-TEST_F(RunTimeCli, ScenesRefuseModelsThatDeclareSuchNumbers) {
-  write_file(scratch("model.yaml"), declared("mass: 2\n    runtime: [mass]"));
-  write_file(scratch("scene.yaml"), "scene: s\nmodel: model.yaml\n");
-  const Outcome outcome = treedyn({"generate", "--scene", scratch("scene.yaml"), "-o", out()});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("model.yaml: declares 'a.mass' as known at run time"));
+TEST_F(RunTimeCli, ScenesRefuseWhatTheyDoNotTake) {
+  const auto refused = [&](const std::string& scene, const std::string& what) {
+    write_file(scratch("scene.yaml"), "scene: s\nmodel: model.yaml\nduration: 1\n" + scene);
+    const Outcome outcome = treedyn({"generate", "--scene", scratch("scene.yaml"), "-o", out()});
+    EXPECT_EQ(outcome.status, 1) << scene;
+    EXPECT_THAT(outcome.err, HasSubstr(what));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(fs::exists(out()));
+  };
+  write_file(scratch("model.yaml"), declared("mass: 2\n    runtime: [offset]"));
+  refused("", "scene.yaml:2:8: scene: the model declares 'a.offset' as known at run time only");
+  write_file(scratch("model.yaml"), declared("mass: 2\n    inertia: [1, 0, 0, 1, 0, 1]"));
+  const std::string k = "parameters: {k: 2}\nruntime: [k]\n";
+  refused("runtime: [k]\n", "runtime: there is no parameter 'k'");
+  refused("parameters: {k: 2}\nruntime: [k, k]\n", "parameter 'k' stands there twice");
+  refused(k, "no function that is generated depends on parameter 'k'");
+  const std::string fixed = "'k' is known at run time only, which this is not";
+  refused(k + "stepping: {step: k/1000}\n", fixed);
+  refused(k + "points: [{name: p, link: a, at: [k, 0, 0]}]\n", fixed);
+  refused(k + "effects: {coulomb_friction: [{joint: j, force: k}]}\n", fixed);
+  refused(k + "effects: {ground_contact: [{point: a, stiffness: 1, exponent: k}]}\n", fixed);
+  refused(k + "effects: {point_constraint: [{point: a, along: [[k, 0, 0]]}]}\n", fixed);
+  refused(
+      "parameters: {k: 0}\nruntime: [k]\neffects: {coulomb_friction: [{joint: j, force: 1, "
+      "slip_speed: k}]}\n",
+      "'slip_speed' is not above zero");
+  refused(k + "effects: {joint_spring: [{joint: j, stiffness: asin(k/4)}]}\n", "asin");
+}
+
+/// Initial states and durations are nominal; what `simulate` runs is, too.
+TEST_F(RunTimeCli, ScenesSimulateWithNominalNumbers) {
+  write_file(scratch("model.yaml"), declared("mass: 2\n    inertia: [1, 0, 0, 1, 0, 1]"));
+  const auto simulated = [&](const std::string& runtime) {
+    write_file(scratch("scene.yaml"),
+               "scene: s\nmodel: model.yaml\nduration: k\nparameters: {k: 2}\n" + runtime +
+                   "effects: {joint_spring: [{joint: j, stiffness: k}]}\ninitial: {q: {j: k/4}}\n");
+    const Outcome outcome = treedyn({"simulate", scratch("scene.yaml")});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_EQ(simulated("runtime: [k]\n"), simulated(""));
+}
+
+TEST_F(RunTimeCli, SaysWhatParametersOfScenesCost) {
+  write_file(scratch("model.yaml"), declared("mass: 2\n    inertia: [1, 0, 0, 1, 0, 1]"));
+  write_file(scratch("scene.yaml"),
+             "scene: s\nmodel: model.yaml\nduration: 1\nparameters: {k: 2, c: 1}\nruntime: [k, "
+             "c]\neffects: {joint_spring: [{joint: j, stiffness: k, damping: c + 1}]}\n");
+  const Outcome outcome = treedyn({"info", "--scene", scratch("scene.yaml")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("price of every run-time parameter"));
+  EXPECT_THAT(outcome.out, HasSubstr("  c         update_parameters "));
 }
 
 TEST_F(RunTimeCli, SaysWhatEachCosts) {
