@@ -8,6 +8,7 @@
 #include "cli/simulate.hpp"
 #include "emit/json.hpp"
 #include "emit/template_file.hpp"
+#include "model/scene_facts.hpp"
 #include "simulation/column_names.hpp"
 #include "version.hpp"
 
@@ -107,10 +108,22 @@ std::string numbers_of(const model::Vector3& x) {
                      static_cast<double>(x[2]));
 }
 
-std::string drift_name(model::Drift drift) {
-  return drift == model::Drift::kNone        ? "none"
-         : drift == model::Drift::kBaumgarte ? "baumgarte"
-                                             : "projection";
+/// What keeps the constraints; a generated step projects nothing, but draws loops together.
+std::string stabilisation_of(const SimulateResult& result) {
+  const model::Scene& scene = result.scene;
+  if (scene.constraints.empty() || scene.stepping.drift == model::Drift::kNone) {
+    return "none";
+  }
+  if (scene.stepping.drift == model::Drift::kBaumgarte) {
+    return "baumgarte";
+  }
+  if (!result.generated) {
+    return "projection";
+  }
+  const auto loops = std::ranges::count_if(scene.constraints, [&](const model::Constraint& c) {
+    return model::is_stabilised(scene, static_cast<int>(&c - scene.constraints.data()));
+  });
+  return loops == 0 ? "none" : fmt::format("baumgarte of {} closed loops", loops);
 }
 
 /// What ran, name and value.
@@ -124,11 +137,15 @@ std::string run_json(const SimulateResult& result) {
     lines.push_back(fmt::format("[{}, {}]", emit::json_string(name), emit::json_string(value)));
   };
   add("model", scene.tree.name);
+  if (result.generated) {
+    add("motion",
+        fmt::format("of the generated step in {}, --as-generated", result.generated->scalar));
+  }
   add("integrator", how.integrator);
   add(adaptive ? "tolerance" : "step",
       adaptive ? fmt::format("{:.3g}", static_cast<double>(how.tolerance))
                : fmt::format("{:.6g} s", static_cast<double>(how.step)));
-  add("stabilisation", drift_name(how.drift));
+  add("stabilisation", stabilisation_of(result));
   add("gravity", numbers_of(scene.gravity) + " m/s^2");
   add("effects", effects_of(scene));
   add("steps", fmt::format("{} ({} rejected), {} evaluations", recording.cost.steps,

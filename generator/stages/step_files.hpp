@@ -13,8 +13,8 @@ namespace treedyn {
 struct StepFiles {
   std::string name;
   std::vector<emit::File> files;
-  program::Signature signature;  ///< of `step`
-  program::Cost cost;            ///< of one step in the first phase
+  program::Stepper stepper;  ///< in the scalar
+  program::Cost cost;        ///< of one step in the first phase
   std::vector<Warning> warnings;
 };
 
