@@ -26,6 +26,15 @@ Real number(const std::string& option, const std::string& text) {
   return decimal.value;
 }
 
+Real positive(const std::string& option, const std::string& text) {
+  const Real value = number(option, text);
+  if (value <= 0) {
+    throw CLI::ValidationError(
+        option, fmt::format("{} is not above 0; expected a number above 0", shown(text)));
+  }
+  return value;
+}
+
 CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::IsMember(words).description("");
 }
@@ -229,13 +238,7 @@ void add_stepping(CLI::App& command, StepChoice& stepping) {
   command
       .add_option_function<std::string>(
           "--step",
-          [&stepping](const std::string& text) {
-            stepping.step = number("--step", text);
-            if (!(*stepping.step > 0)) {
-              throw CLI::ValidationError("--step",
-                                         fmt::format("{} is not above zero", shown(text)));
-            }
-          },
+          [&stepping](const std::string& text) { stepping.step = positive("--step", text); },
           "length of the scene's step in s, instead of its own")
       ->type_name("S");
   command

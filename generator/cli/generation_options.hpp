@@ -14,6 +14,9 @@ namespace treedyn {
 /// The number that an option's text says. \throws CLI::ValidationError naming the option.
 Real number(const std::string& option, const std::string& text);
 
+/// The same above 0.
+Real positive(const std::string& option, const std::string& text);
+
 /// A check whose words the option's type name already shows.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
