@@ -325,19 +325,24 @@ void add_commands(CLI::App& app, Settings& settings) {
       ->type_name("man|bash");
 }
 
-/// CLI11 takes an unknown command for a positional argument and says less.
-void require_known_command(const CLI::App& app, const std::string& word) {
+/// The command of that name; null for an option. CLI11 takes an unknown command for a positional
+/// argument and says less.
+const CLI::App* find_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) {
+      return command;
+    }
     names.push_back(command->get_name());
   }
-  if (!word.empty() && word.front() != '-' &&
-      std::find(names.begin(), names.end(), word) == names.end()) {
+  if (!word.empty() && word.front() != '-') {
     throw CLI::ParseError(fmt::format("there is no command {}; expected one of {}", shown(word),
                                       fmt::join(names, ", ")),
                           kUsage);
   }
+  return nullptr;
 }
+
 /// What a scene says itself; its base may stand beside a MODEL, which has to be the scene's.
 void refuse_options_of_scene(const CLI::App& command, const Request& request) {
   std::vector<std::string> options = {"--points", "--gravity", "--snap", "--mimic"};
@@ -496,8 +501,11 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   add_commands(app, result.settings);
   try {
-    require_known_command(app, argc > 1 ? argv[1] : "");
-    std::vector<std::string> words = with_settings({argv + std::min(argc, 1), argv + argc});
+    const CLI::App* const command = find_command(app, argc > 1 ? argv[1] : "");
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (command != nullptr && command->get_option_no_throw("--settings") != nullptr) {
+      words = with_settings(words, *command);
+    }
     result.settings.accuracy.command = without_plan(argc > 0 ? argv[0] : "treedyn", words);
     std::reverse(words.begin(), words.end());
     app.parse(std::move(words));

@@ -30,8 +30,10 @@ void add_generation(CLI::App& command, Request& request);
 /// vectors that C++ has. \throws CLI::ValidationError where other options ask for something else
 void require_room_for_vectors(const Request& request);
 
-/// The words of a command line, with `--settings FILE` replaced by the options that stand in FILE.
-/// \throws InputError for a file that cannot be read, CLI::ParseError for lines that are no options
-std::vector<std::string> with_settings(const std::vector<std::string>& words);
+/// The words of a command line, with `--settings FILE` replaced by the options that stand in FILE
+/// and are not among the words. \param command  whose options they are
+/// \throws InputError for a file that cannot be read, and for lines that are none of them
+std::vector<std::string> with_settings(const std::vector<std::string>& words,
+                                       const CLI::App& command);
 
 }  // namespace treedyn
