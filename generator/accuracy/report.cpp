@@ -100,8 +100,8 @@ std::string reference_text(const Study& study) {
   if (study.error != Error::kJoints) {
     const auto own = reference.differences.find(study.error);
     const double difference = own == reference.differences.end() ? 0 : own->second;
-    text += fmt::format("pictures and targets: largest {}; of it they differ by {:.1e}\n",
-                        row_of(study.error).text, difference);
+    text += fmt::format("pictures and targets: largest {}", row_of(study.error).text);
+    text += difference > 0 ? fmt::format("; of it they differ by {:.1e}\n", difference) : "\n";
   }
   if (reference.check.empty()) {
     return text + "check: none, simulate does not get through\n";
@@ -115,10 +115,13 @@ std::string reference_text(const Study& study) {
 }
 
 std::string facts_text(const Study& study) {
-  std::string text = fmt::format(
-      "{}: {} s, {} initial states (the scene's own and others within {:.1g} of each {})\n",
-      study.scene, study.duration, study.states, study.spread,
-      study.speeds_only ? "speed: loops have their place" : "coordinate and speed");
+  std::string text = fmt::format("{}: {:.6g} s, ", study.scene, study.duration);
+  text += study.states == 1
+              ? "the scene's own initial state\n"
+              : fmt::format(
+                    "{} initial states (the scene's own and others within {:.1g} of each {})\n",
+                    study.states, study.spread,
+                    study.speeds_only ? "speed: loops have their place" : "coordinate and speed");
   text += reference_text(study);
   for (const State state : kStates) {
     if (const std::optional<Floor> floor = floor_of(study, state)) {
@@ -260,15 +263,18 @@ std::string choice_text(const Study& study, const Core& core, double target) {
   }
   const Outcome& outcome = study.outcomes[*chosen];
   const double cycles = outcome.cycles_per_second(core);
+  const std::string over_states =
+      study.states == 1 ? ""
+                        : fmt::format(" (over {} initial states {:.1e} to {:.1e})", study.states,
+                                      outcome.least(study.error), outcome.error(study.error));
   const std::string in_period = study.rate ? fmt::format(", {:.4g} in each period of {} Hz",
                                                          cycles / *study.rate, *study.rate)
                                            : "";
   return fmt::format(
-      "{:.3g} on {}{}: {}, error {:.2e} (over {} initial states {:.1e} to {:.1e}), {} operations a "
-      "step, {:.4g} cycles for a second of motion{}{}\n",
+      "{:.3g} on {}{}: {}, error {:.2e}{}, {} operations a step, {:.4g} cycles for a second of "
+      "motion{}{}\n",
       target, core.name, limits_text(study.limits), text_of(outcome.setting),
-      outcome.error(study.error), study.states, outcome.least(study.error),
-      outcome.error(study.error), outcome.step_cost.total(), cycles, in_period,
+      outcome.error(study.error), over_states, outcome.step_cost.total(), cycles, in_period,
       size_text(outcome, core));
 }
 

@@ -348,7 +348,8 @@ std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study
   }
   std::string text = accuracy::report_text(study, on);
   for (const accuracy::Core* core : request.target ? on : std::vector<const accuracy::Core*>{}) {
-    text += accuracy::choice_text(study, *core, *request.target);
+    const std::string choice = accuracy::choice_text(study, *core, *request.target);
+    text += text.find(choice) == std::string::npos ? choice : "";  // one refusal for all
   }
   if (!request.output.empty()) {
     const std::string stem =

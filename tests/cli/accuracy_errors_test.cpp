@@ -153,6 +153,8 @@ TEST_F(AccuracyErrors, DriftIsThatOfTheMethod) {
     EXPECT_FALSE(one.contains("drift_angles"));
     EXPECT_FALSE(one.contains("event_errors"));
   }
+  EXPECT_THAT(read_file(file("rod_accuracy.html")), HasSubstr("targets: largest drift of a "
+                                                              "constraint, m\n"));
   EXPECT_THAT(read_file(file("rod_accuracy.svg")), HasSubstr("largest drift of a constraint, m<"));
 }
 

@@ -354,6 +354,20 @@ TEST_F(Accuracy, SaysWhichTargetsAreOutOfReach) {
   EXPECT_THAT(refused.out, HasSubstr("with double rk4 0.005"));
 }
 
+/// The refusal is that of the study: processors do not change it.
+TEST_F(Accuracy, SaysOfEachProcessorOnce) {
+  write_file(scratch("s.yaml"), "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                                "/models/scenes/pendulum.model.yaml\neffects:\n"
+                                "  gravity: [0, 0, -9.81]\nduration: 3.55\n");
+  const Outcome refused =
+      treedyn({"accuracy", scratch("s.yaml"), "--states", "1", "--integrators", "rk4", "--steps",
+               "0.05", "--on", "m4f,m7,m4f", "--target", "1e-20"});
+  const std::string& text = refused.out;
+  EXPECT_THAT(text, StartsWith("s: 3.55 s, the scene's own initial state\n"));
+  EXPECT_EQ(text.find("out of reach"), text.rfind("out of reach"));
+  EXPECT_EQ(text.find("cheapest settings on m4f"), text.rfind("cheapest settings on m4f"));
+}
+
 /// Rounding of the state to float, some 1e-7 a step, adds up over 10 000 steps; kept, it does not.
 TEST_F(Accuracy, ACompensatedStateLowersTheFloorOfFloat) {
   const Json result = study({"--integrators", "rk4", "--steps", "0.001"});
