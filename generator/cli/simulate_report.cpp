@@ -150,8 +150,8 @@ std::string run_json(const SimulateResult& result) {
   add("effects", effects_of(scene));
   add("steps", fmt::format("{} ({} rejected), {} evaluations", recording.cost.steps,
                            recording.cost.rejected, recording.cost.evaluations));
-  add("energy without power", fmt::format("{:.2g} J at the end, at most {:.2g} of what was "
-                                          "exchanged",
+  add("energy without power", fmt::format("{:.2g} J at the end, at most {:.2g} of what had been "
+                                          "exchanged, or of a fall by the robot's size",
                                           recording.energy_error, recording.energy_part));
   add("largest residual, drift",
       fmt::format("{:.2g}, {:.2g}", recording.residual, recording.drift));

@@ -185,7 +185,8 @@ std::vector<std::string> facts_of(const SimulateResult& result) {
       fmt::format("{} evaluations of the dynamics{}", recording.cost.evaluations,
                   operations_text(result)),
       fmt::format("energy that no force explains: {:.3g} J at the end, at most {:.3g} of what the "
-                  "motion has exchanged; largest residual {:.3g}, drift {:.3g}",
+                  "motion had exchanged, or of a fall by the robot's size; largest residual "
+                  "{:.3g}, drift {:.3g}",
                   recording.energy_error, recording.energy_part, recording.residual,
                   recording.drift)};
   for (const simulation::StabilityLimit& limit : result.stability.limits) {

@@ -208,6 +208,17 @@ TEST_F(Simulate, EndsWhereEnergyComesOutOfNothing) {
   EXPECT_GT(table(read_file(file("drop.csv"))).size(), 50U);  // up to there
 }
 
+/// 20 J are more than the 10 J of the fall: what they are judged by is named.
+TEST_F(Simulate, SaysWhatEnergyIsJudgedBy) {
+  const Outcome outcome = treedyn({scene("drop"), "--integrator", "rk4", "--step", "0.001",
+                                   "--duration", "0.5", "--report", "-o", out()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr(" J in all, beside 917 J of its forces' power in a hundred "
+                                     "steps"));
+  EXPECT_THAT(read_file(file("drop.html")),
+              HasSubstr(" of what had been exchanged, or of a fall by the robot's size"));
+}
+
 TEST_F(Simulate, SaysWhatARunCostsAndHowWellItKeptItsPromises) {
   const Outcome outcome = treedyn({scene("four_bar"), "--json", "-v", "-o", out()});
   EXPECT_EQ(outcome.status, 0);
