@@ -33,25 +33,36 @@ std::string short_numbers(const List& values) {
   return list_of(result);
 }
 
-std::string short_row(const simulation::Row& row) {
+/// \param contacts  instead of those of the row, from this column on
+std::string short_row(const simulation::Row& row, const std::vector<double>& contacts,
+                      std::ptrdiff_t column) {
+  std::vector<double> values = row.values;
+  std::copy(contacts.begin(), contacts.end(), values.begin() + column);
   std::vector<double> nodes;
   for (const Eigen::Vector3d& node : row.nodes) {
     nodes.insert(nodes.end(), {node[0], node[1], node[2]});
   }
-  return fmt::format("[{:.9g},{},{},{}]", row.t, row.phase, short_numbers(row.values),
+  return fmt::format("[{:.9g},{},{},{}]", row.t, row.phase, short_numbers(values),
                      short_numbers(nodes));
 }
 
-/// At most kStates rows; those beside a change of phase and the last stay.
+/// At most kStates rows; those beside a change of phase and the last stay. Contact forces are the
+/// largest since the row before.
 std::string rows_json(const simulation::Recording& recording) {
   const std::vector<simulation::Row>& rows = recording.rows;
   const std::size_t every = (rows.size() + kStates - 1) / kStates;
+  const auto column = std::ranges::find_if(
+      recording.columns, [](const std::string& name) { return name.starts_with("F["); });
+  std::vector<double> contacts;
   std::string result;
   for (std::size_t k = 0; k < rows.size(); ++k) {
+    simulation::keep_longer(contacts, rows[k].contacts);
     const bool edge = k + 1 == rows.size() || rows[k].phase != rows[k + 1].phase ||
                       (k > 0 && rows[k].phase != rows[k - 1].phase);
     if (edge || k % every == 0) {
-      result += (result.empty() ? "" : ",\n") + short_row(rows[k]);
+      result += (result.empty() ? "" : ",\n") +
+                short_row(rows[k], contacts, column - recording.columns.begin());
+      contacts.clear();
     }
   }
   return result;
@@ -238,9 +249,7 @@ class ForceList {
 };
 
 std::string bounds_json(const SimulateResult& result) {
-  return fmt::format(
-      "[{{\"name\": \"warning\", \"value\": {}}}]",
-      simulation::Bounds{}.drift_warning * (result.recording.size > 0 ? result.recording.size : 1));
+  return fmt::format("[{{\"name\": \"warning\", \"value\": {}}}]", result.recording.drift_warning);
 }
 
 std::vector<std::string> quoted(const std::vector<std::string>& texts) {

@@ -36,7 +36,8 @@ class Run {
   }
 
   /// Calls `show` with the reactions of every row of the table.
-  bool go(const simulation::ShowState& show, const simulation::Progress& progress);
+  bool go(const simulation::ShowState& show, const simulation::LookAtState& look,
+          const simulation::Progress& progress);
   /// What it found and took, without rows and events.
   [[nodiscard]] GeneratedRun counted() const;
 
@@ -141,7 +142,8 @@ GeneratedRun Run::counted() const {
   return result;
 }
 
-bool Run::go(const simulation::ShowState& show, const simulation::Progress& progress) {
+bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& look,
+             const simulation::Progress& progress) {
   long shown = 0;  // rows of the table
   bool changed = false;
   for (long k = 0; k <= count_; ++k) {
@@ -155,6 +157,7 @@ bool Run::go(const simulation::ShowState& show, const simulation::Progress& prog
     const bool due =
         (static_cast<double>(k) + 1e-6) * h_ >= static_cast<double>(shown) * output_step_;
     place(k, q, qd, before);
+    look();
     if (due || changed || k == count_) {
       show(reactions(before));
       shown += due ? 1 : 0;
@@ -223,7 +226,10 @@ GeneratedRun run_generated(const model::Scene& scene, GeneratedStep& step,
                            const simulation::Progress& progress) {
   Run run(scene, step, simulator, output_step);
   simulation::Recording recording = simulation::record_states(
-      scene, simulator, [&](const simulation::ShowState& show) { return run.go(show, progress); });
+      scene, simulator,
+      [&](const simulation::ShowState& show, const simulation::LookAtState& look) {
+        return run.go(show, look, progress);
+      });
   GeneratedRun result = run.counted();
   recording.cost = result.recording.cost;
   result.recording = std::move(recording);

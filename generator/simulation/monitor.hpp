@@ -98,7 +98,8 @@ class Monitor {
   [[nodiscard]] double unexplained() const { return unexplained_; }  ///< J, now
   [[nodiscard]] double largest_residual() const { return largest_residual_; }
   [[nodiscard]] double largest_drift() const { return largest_drift_; }
-  [[nodiscard]] double size() const { return size_; }  ///< m
+  /// Of lengths, m.
+  [[nodiscard]] double drift_warning() const { return bounds_.drift_warning * size_; }
 
  private:
   struct Row {

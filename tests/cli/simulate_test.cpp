@@ -401,10 +401,69 @@ TEST_F(Simulate, MakesAPageThatPlaysInABrowserWithoutNetwork) {
                                  "m/s^2", "point_constraint", "treedyn "}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));
   }
+  EXPECT_EQ(count(outcome.out, ">left</text>") + count(outcome.out, ">right</text>"),
+            2U);  // phases
+  EXPECT_THAT(outcome.out, HasSubstr(">warning above "));
   EXPECT_GE(count(outcome.out, "<path"), 17U);
   const std::size_t title = outcome.out.find("played to ");
   ASSERT_NE(title, std::string::npos);
   EXPECT_GT(std::atoi(outcome.out.c_str() + title + 10), 20);
+}
+
+/// What a page shows.
+json data_of(const std::string& page) {
+  const std::string begin = "id=\"data\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  return json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+/// The ball touches the ground for 5 ms at a time; rows of the table are 8 ms apart.
+TEST_F(Simulate, ShowsContactsThatAreShorterThanRows) {
+  ASSERT_EQ(treedyn({scene("drop"), "--integrator", "rk4", "--step", "0.0002", "--duration", "2.5",
+                     "--report", "-o", out(), "-q"})
+                .status,
+            0);
+  const json data = data_of(read_file(file("drop.html")));
+  const std::vector<std::string> columns = data["columns"];
+  const auto force = static_cast<std::size_t>(
+      std::find(columns.begin(), columns.end(), "F[ball.z]") - columns.begin());
+  const auto speed = static_cast<std::size_t>(
+      std::find(columns.begin(), columns.end(), "qd[height]") - columns.begin());
+  ASSERT_LT(force, columns.size());
+  int bounces = 0;
+  double before = 0;
+  double pushed = 0;
+  for (const json& row : data["rows"]) {
+    const double now = row[2][speed];
+    pushed = std::max(pushed, row[2][force].get<double>());
+    if (before < 0 && now > 0) {
+      ++bounces;
+      EXPECT_GT(pushed, 9.81) << row[0];  // 1 kg that turns round
+    }
+    pushed = now > 0 ? 0 : pushed;
+    before = now;
+  }
+  EXPECT_GT(bounces, 1);
+}
+
+/// Nine series, of which a plot holds eight.
+TEST_F(Simulate, KeepsComponentsOfAPointTogether) {
+  write_file(scratch("m.yaml"),
+             "name: m\nlinks:\n  - name: a\n    father: ground\n    joint: {name: j, type: "
+             "revolute, axis: [0, 1, 0]}\n    mass: 1\n    com: [0, 0, -1]\npoints:\n"
+             "  - {name: b, link: a}\n  - {name: c, link: a, at: [0, 0, -1]}\n"
+             "  - {name: d, link: a, at: [1, 0, -1]}\n");
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: m.yaml\nduration: 0.1\neffects:\n  force:\n"
+             "    - {point: b, value: [0, 0, 0]}\n    - {point: c, value: [0, 0, 0]}\n"
+             "    - {point: d, value: [0, 0, 1]}\n");
+  const Outcome made = treedyn({scratch("s.yaml").string(), "-o", out(), "--report"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Outcome outcome = browse(file("s.html"), scratch("profile"));
+  const std::size_t second = outcome.out.find("Points (2 of 2)");
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_LT(outcome.out.rfind("p[c.z]</label>"), second);
+  EXPECT_GT(outcome.out.find("p[d.x]</label>"), second);
 }
 
 TEST_F(Simulate, IsListedWithItsEffectsAndIntegrators) {
