@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "accuracy/places.hpp"
+
 namespace treedyn::accuracy {
 
 namespace {
@@ -63,6 +65,10 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+/// The size of a name, about.
+double width_of(const std::string& name) { return 5.8 * static_cast<double>(name.size()); }
+constexpr double kLine = 11;
+
 using Abscissa = std::function<double(const Outcome&)>;
 
 class Chart {
@@ -82,13 +88,15 @@ class Chart {
   [[nodiscard]] std::string text(const std::string& title, const std::string& axis,
                                  const std::vector<std::size_t>& front,
                                  const std::vector<StepLimit>& limits = {}) const {
+    Places places = marks();
+    const std::string levels = floors(places);  // first: names of limits have more room
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
         "{1}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
         "fill=\"white\"/>\n<text x=\"{2}\" y=\"18\" "
         "font-size=\"13\">{3}</text>\n{4}{5}{6}{7}{8}</svg>\n",
-        kWidth, kHeight, kLeft, escaped(title), grid(axis), front_line(front), series(), floors(),
-        limit_lines(limits));
+        kWidth, kHeight, kLeft, escaped(title), grid(axis), front_line(front), series(), levels,
+        limit_lines(limits, places));
   }
 
  private:
@@ -124,47 +132,95 @@ class Chart {
                row_of(study_.error).text);
   }
 
-  [[nodiscard]] std::string floors() const {
-    std::string text;
-    for (const State state : kStates) {
-      if (const std::optional<Floor> floor = floor_of(study_, state); floor && floor->is_reached) {
-        const double below = state == State::kCompensated ? 11 : -3;  // near that of float
-        text += level(fmt::format("floor of {}", name_of(state)), floor->error, below);
+  /// What names had better not cover.
+  [[nodiscard]] Places marks() const {
+    constexpr double kHalf = 4;
+    Places result;
+    for (const Outcome& outcome : study_.outcomes) {
+      if (!outcome.failed()) {
+        const double x = px(abscissa_(outcome));
+        const double y = py(outcome.error(study_.error));
+        result.take({x - kHalf, y - kHalf, x + kHalf, y + kHalf});
       }
     }
-    if (const std::optional<Floor> floor = event_floor(study_)) {
-      text += level("floor of events at the end of a step", floor->error, -3);
+    return result;
+  }
+
+  /// Horizontal lines, each with its name right above or below it.
+  [[nodiscard]] std::string floors(Places& places) const {
+    std::vector<std::pair<double, std::string>> levels;
+    const auto add = [&](const std::string& name, const std::optional<Floor>& floor) {
+      if (floor) {
+        levels.emplace_back(py(floor->error), fmt::format("{}: {:.1e}", name, floor->error));
+      }
+    };
+    for (const State state : kStates) {
+      const std::optional<Floor> floor = floor_of(study_, state);
+      add(fmt::format("floor of {}", name_of(state)),
+          floor && floor->is_reached ? floor : std::nullopt);
+    }
+    add("floor of events at the end of a step", event_floor(study_));
+    std::ranges::sort(levels);
+    std::string text;
+    for (const auto& [y, name] : levels) {
+      places.take({kLeft, y - 1, kWidth - kRight, y + 1});
+      text +=
+          fmt::format("<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#555\" stroke-dasharray=\"2 3\"/>\n",
+                      kLeft, y, kWidth - kRight);
+    }
+    for (const auto& [y, name] : levels) {
+      text += level_name(name, y, places);
     }
     return text;
   }
 
-  /// A horizontal line with its name, `below` the line.
-  [[nodiscard]] std::string level(const std::string& name, double error, double below) const {
-    const double y = py(error);
+  [[nodiscard]] static std::string level_name(const std::string& name, double y, Places& places) {
+    std::vector<Box> boxes;
+    double right = kWidth - kRight - 4;
+    do {
+      for (const double top : {y - 1.5 - kLine, y + 1.5}) {
+        boxes.push_back({right - width_of(name), top, right, top + kLine});
+      }
+      right -= kLine;
+    } while (right > kLeft + width_of(name));
+    const Box& box = boxes[places.take_best(boxes)];
     return fmt::format(
-        "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#555\" stroke-dasharray=\"2 3\"/><text x=\"{3}\" "
-        "y=\"{4:.1f}\" text-anchor=\"end\" fill=\"#555\" stroke=\"white\" "
-        "stroke-width=\"2\" paint-order=\"stroke\">{5}: {6:.1e}</text>\n",
-        kLeft, y, kWidth - kRight, kWidth - kRight - 4, y + below, name, error);
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\" fill=\"#555\" stroke=\"white\" "
+        "stroke-width=\"2\" paint-order=\"stroke\">{}</text>\n",
+        box.right, box.bottom - 1.5, name);
   }
 
   /// Vertical lines at the steps beyond which methods are unstable, where they are in the picture,
   /// with names along them.
-  [[nodiscard]] std::string limit_lines(const std::vector<StepLimit>& limits) const {
-    constexpr double kFoot = 60;  // above the names of the floors of double
-    std::string text;
+  [[nodiscard]] std::string limit_lines(const std::vector<StepLimit>& limits,
+                                        Places& places) const {
+    std::vector<StepLimit> shown;
     for (const StepLimit& limit : limits) {
       const double decades = std::log10(limit.step);
-      if (decades < x_.low || decades > x_.high) {
-        continue;
+      if (decades >= x_.low && decades <= x_.high) {
+        shown.push_back(limit);
+        places.take({px(limit.step) - 1, kTop, px(limit.step) + 1, kHeight - kBottom});
       }
+    }
+    std::string text;
+    for (const StepLimit& limit : shown) {
       const double x = px(limit.step);
+      const std::string name =
+          fmt::format("{} is stable up to {:.2g} s", limit.integrator, limit.step);
+      std::vector<Box> boxes;
+      for (const double left : {x - 2 - kLine, x + 2}) {
+        double foot = kHeight - kBottom - 4;
+        do {
+          boxes.push_back({left, foot - width_of(name), left + kLine, foot});
+          foot -= 4;
+        } while (foot - width_of(name) > kTop);
+      }
+      const Box& box = boxes[places.take_best(boxes)];
       text += fmt::format(
           "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#a33\" stroke-dasharray=\"6 3\"/><text "
-          "transform=\"translate({3:.1f} {4}) rotate(-90)\" fill=\"#a33\" stroke=\"white\" "
-          "stroke-width=\"2\" paint-order=\"stroke\">{5} is stable up to {6:.2g} s</text>\n",
-          x, kTop, kHeight - kBottom, x - 3, kHeight - kBottom - kFoot, limit.integrator,
-          limit.step);
+          "transform=\"translate({3:.1f} {4:.1f}) rotate(-90)\" fill=\"#a33\" stroke=\"white\" "
+          "stroke-width=\"2\" paint-order=\"stroke\">{5}</text>\n",
+          x, kTop, kHeight - kBottom, box.right - 2, box.bottom, name);
     }
     return text;
   }
@@ -193,10 +249,12 @@ class Chart {
       }
     }
     std::string text;
+    Places crosses;
     double line = kTop + 6;
     for (std::size_t k = 0; k < methods.size(); ++k) {
       for (const State state : kStates) {
-        const std::string one = one_series(methods[k], state, kColours[k % std::size(kColours)]);
+        const std::string one =
+            one_series(methods[k], state, kColours[k % std::size(kColours)], crosses);
         if (!one.empty()) {
           text += one + legend(methods[k], state, kColours[k % std::size(kColours)], line);
           line += 17;
@@ -215,8 +273,24 @@ class Chart {
         escaped(name));
   }
 
-  [[nodiscard]] std::string one_series(const std::string& name, State state,
-                                       const char* colour) const {
+  /// A cross for a motion that failed, beside those that are there.
+  [[nodiscard]] static std::string cross(double x, const std::string& what, const char* colour,
+                                         Places& crosses) {
+    constexpr double kApart = 5;
+    std::vector<Box> boxes;
+    for (int k = 0; k < 24; ++k) {
+      const double at = x + kApart * (k % 2 == 0 ? -k / 2 : (k + 1) / 2);
+      boxes.push_back({at - kApart / 2, 0, at + kApart / 2, 1});
+    }
+    const Box& box = boxes[crosses.take_best(boxes)];
+    return fmt::format(
+        "<path d=\"M{:.1f} {}l8 8m0 -8l-8 8\" stroke=\"{}\" stroke-width=\"2\"><title>{}: "
+        "failed</title></path>\n",
+        (box.left + box.right) / 2 - 4, kTop - 12, colour, escaped(what));
+  }
+
+  [[nodiscard]] std::string one_series(const std::string& name, State state, const char* colour,
+                                       Places& crosses) const {
     std::string path;
     std::string marks;
     for (const Outcome& outcome : study_.outcomes) {
@@ -225,10 +299,7 @@ class Chart {
       }
       const double x = px(abscissa_(outcome));
       if (outcome.failed()) {
-        marks += fmt::format(
-            "<path d=\"M{:.1f} {}l8 8m0 -8l-8 8\" stroke=\"{}\" stroke-width=\"2\"><title>{}: "
-            "failed</title></path>\n",
-            x - 4, kTop - 12, colour, escaped(text_of(outcome.setting)));
+        marks += cross(x, text_of(outcome.setting), colour, crosses);
         continue;
       }
       const double error = outcome.error(study_.error);

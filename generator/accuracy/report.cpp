@@ -109,8 +109,8 @@ std::string reference_text(const Study& study) {
   if (study.error != Error::kJoints) {
     const auto own = reference.differences.find(study.error);
     const double difference = own == reference.differences.end() ? 0 : own->second;
-    text += fmt::format("pictures and targets: largest {}; of it they differ by {:.1e}\n",
-                        row_of(study.error).text, difference);
+    text += fmt::format("pictures and targets: largest {}", row_of(study.error).text);
+    text += difference > 0 ? fmt::format("; of it they differ by {:.1e}\n", difference) : "\n";
   }
   if (reference.check.empty()) {
     return text + "check: none, simulate does not get through\n";
@@ -138,7 +138,8 @@ std::string band_text(const Study& study) {
 }
 
 std::string facts_text(const Study& study) {
-  std::string text = fmt::format("{}: {} s, {}\n", study.scene, study.duration, band_text(study));
+  std::string text =
+      fmt::format("{}: {:.6g} s, {}\n", study.scene, study.duration, band_text(study));
   text += reference_text(study);
   for (const Sensitive& state : sensitive_states(study)) {
     text += fmt::format(

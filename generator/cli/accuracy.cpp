@@ -98,6 +98,10 @@ std::vector<double> ladder(const AccuracyRequest& request, double interval, int 
                                  *request.rate, times * interval, kMostSteps));
   }
   for (const double step : result) {
+    if (times * interval > kMostSteps * step * (1 + 1e-9)) {
+      throw UsageError(fmt::format("--steps {}: {} s need more than {} steps; expected longer ones",
+                                   step, times * interval, kMostSteps));
+    }
     if (request.rate) {
       require_part(step, longest, fmt::format("the period of {} Hz", *request.rate));
     }
@@ -163,9 +167,8 @@ std::vector<const accuracy::Core*> sized_cores(const AccuracyRequest& request) {
     const accuracy::Core* const core = accuracy::find_core(name);
     if (limited && !core->has_flash()) {
       throw UsageError(
-          fmt::format("--flash, --stack: {} has no such limit; expected --on with "
-                      "m0plus, m4f, m33 or m7",
-                      name));
+          "--flash, --stack: limits of processors with flash; expected --on with m0plus, m4f, m33 "
+          "or m7");
     }
     if ((limited || request.sizes) && core->has_flash()) {
       result.push_back(core);
@@ -367,7 +370,8 @@ std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study
   }
   std::string text = accuracy::report_text(study, on);
   for (const accuracy::Core* core : request.target ? on : std::vector<const accuracy::Core*>{}) {
-    text += accuracy::choice_text(study, *core, *request.target);
+    const std::string choice = accuracy::choice_text(study, *core, *request.target);
+    text += text.find(choice) == std::string::npos ? choice : "";  // one refusal for all
   }
   if (!request.output.empty()) {
     const std::string stem =

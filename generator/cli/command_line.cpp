@@ -49,20 +49,47 @@ void require_output(const Settings& settings) {
   }
 }
 
-/// An option whose value is a number above zero.
+/// An option whose value is a number above 0.
+template <class Value>
 void add_positive(CLI::App& command, const std::string& name, const std::string& what,
-                  const char* type, std::optional<Real>& value) {
+                  const char* type, std::optional<Value>& value) {
   command
       .add_option_function<std::string>(
           name,
           [name, &value](const std::string& text) {
-            value = number(name, text);
-            if (*value <= 0) {
-              throw CLI::ValidationError(name, "expected a number above zero");
-            }
+            value = static_cast<Value>(positive(name, text));
           },
           what)
       ->type_name(type);
+}
+
+/// An option whose value is a number of bytes, 4096 or 4k.
+void add_bytes(CLI::App& command, const std::string& name, std::optional<long>& value) {
+  const auto set = [name, &value](const std::string& text) {
+    const bool kilo = text.ends_with('k') || text.ends_with('K');
+    const Decimal decimal = read_decimal(text.substr(0, text.size() - (kilo ? 1 : 0)));
+    const Real bytes = decimal.value * (kilo ? 1024 : 1);
+    if (!decimal || bytes < 1 || bytes > 1e12 || bytes != floor(bytes)) {
+      throw CLI::ValidationError(
+          name, fmt::format("'{}' is no number of bytes above 0; expected one like 65536 or 64k",
+                            shown(text)));
+    }
+    value = static_cast<long>(bytes);
+  };
+  command.add_option_function<std::string>(name, set, "bytes that the choice may take, or 64k")
+      ->type_name("N");
+}
+
+/// In the order in which they come first.
+template <class Value>
+void keep_once(std::vector<Value>& values) {
+  std::vector<Value> once;
+  for (const Value& value : values) {
+    if (std::find(once.begin(), once.end(), value) == once.end()) {
+      once.push_back(value);
+    }
+  }
+  values = once;
 }
 
 /// What a study varies besides scalar, integrator and step, only if it is asked to.
@@ -111,20 +138,23 @@ void add_accuracy(CLI::App& app, Settings& settings) {
       ->delimiter(',')
       ->check(one_of(methods))
       ->type_name("LIST");
-  command.add_option("--steps", request.steps, "s; default: a ladder of 1, 2, 5")
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--steps",
+          [&request](const std::vector<std::string>& steps) {
+            for (const std::string& step : steps) {
+              request.steps.push_back(static_cast<double>(positive("--steps", step)));
+            }
+          },
+          "s; default: a ladder of 1, 2, 5")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
       ->type_name("LIST");
-  command
-      .add_option("--rate", request.rate,
-                  "of a controller, Hz: only steps of which a whole number makes its period")
-      ->check(CLI::PositiveNumber)
-      ->type_name("HZ");
-  command
-      .add_option("--target", request.target,
-                  "largest error, see --error: prints the cheapest setting that keeps it")
-      ->check(CLI::PositiveNumber)
-      ->type_name("E");
+  add_positive(command, "--rate",
+               "of a controller, Hz: only steps of which a whole number makes its period", "HZ",
+               request.rate);
+  add_positive(command, "--target",
+               "largest error, see --error: prints the cheapest setting that keeps it", "E",
+               request.target);
   command.add_option("--states", request.states, "initial states, the scene's own among them")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
@@ -154,12 +184,8 @@ void add_accuracy(CLI::App& app, Settings& settings) {
   command.add_flag("--time", request.time,
                    "wall time of every step on this machine, as multiples of the fastest; changes "
                    "from run to run");
-  command.add_option("--flash", request.limits.flash, "bytes that the choice may take")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
-  command.add_option("--stack", request.limits.stack, "bytes that the choice may take")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
+  add_bytes(command, "--flash", request.limits.flash);
+  add_bytes(command, "--stack", request.limits.stack);
   CLI::Option* parts =
       command
           .add_option("--parts", request.parts,
@@ -309,19 +335,24 @@ void add_commands(CLI::App& app, Settings& settings) {
       ->type_name("man|bash");
 }
 
-/// CLI11 takes an unknown command for a positional argument and says less.
-void require_known_command(const CLI::App& app, const std::string& word) {
+/// The command of that name; null for an option. CLI11 takes an unknown command for a positional
+/// argument and says less.
+const CLI::App* find_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) {
+      return command;
+    }
     names.push_back(command->get_name());
   }
-  if (!word.empty() && word.front() != '-' &&
-      std::find(names.begin(), names.end(), word) == names.end()) {
+  if (!word.empty() && word.front() != '-') {
     throw CLI::ParseError(fmt::format("there is no command {}; expected one of {}", shown(word),
                                       fmt::join(names, ", ")),
                           kUsage);
   }
+  return nullptr;
 }
+
 /// What a scene says itself; its base may stand beside a MODEL, which has to be the scene's.
 void refuse_options_of_scene(const CLI::App& command, const Request& request) {
   std::vector<std::string> options = {"--points", "--gravity", "--snap", "--mimic"};
@@ -433,6 +464,9 @@ void split_equations(const CLI::App& app, Settings& settings) {
 
 void require_options(const CLI::App& app, Settings& settings) {
   split_equations(app, settings);
+  keep_once(settings.accuracy.on);
+  keep_once(settings.accuracy.integrators);
+  keep_once(settings.accuracy.steps);
   const auto generation = {"generate", "check", "outputs", "info"};
   if (std::any_of(generation.begin(), generation.end(),
                   [&](const char* name) { return app.got_subcommand(name); })) {
@@ -477,8 +511,11 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   add_commands(app, result.settings);
   try {
-    require_known_command(app, argc > 1 ? argv[1] : "");
-    std::vector<std::string> words = with_settings({argv + std::min(argc, 1), argv + argc});
+    const CLI::App* const command = find_command(app, argc > 1 ? argv[1] : "");
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (command != nullptr && command->get_option_no_throw("--settings") != nullptr) {
+      words = with_settings(words, *command);
+    }
     result.settings.accuracy.command = without_plan(argc > 0 ? argv[0] : "treedyn", words);
     std::reverse(words.begin(), words.end());
     app.parse(std::move(words));

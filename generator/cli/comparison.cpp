@@ -104,8 +104,8 @@ Outcome Comparison::outcome(const Setting& setting, StepWriter& writer,
   const std::vector<Motion> motions = stepped_motions(subject_, how, files);
   Outcome result;
   result.setting = setting;
-  for (const program::Cost& cost : files.costs) {
-    result.phases.push_back({cost, 0});
+  for (const program::StepPhase& phase : files.stepper.phases) {
+    result.phases.push_back({program::step_cost(files.stepper, phase), 0});
   }
   for (const Motion& motion : motions) {
     for (std::size_t k = 0; k < motion.steps.size(); ++k) {
@@ -133,7 +133,7 @@ std::vector<Motion> reference(const Subject& subject, Comparison& comparison, St
   const auto files = [&] {
     return stepped_files(subject, how, writer);
   };
-  how.parts = reference_parts(subject, files().costs.front());
+  how.parts = reference_parts(subject, program::step_cost(files().stepper));
   std::vector<Motion> exact = stepped_motions(subject, how, files());
   comparison.set_reference(exact);
   how.integrator = "rk4";

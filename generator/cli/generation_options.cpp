@@ -26,6 +26,15 @@ Real number(const std::string& option, const std::string& text) {
   return decimal.value;
 }
 
+Real positive(const std::string& option, const std::string& text) {
+  const Real value = number(option, text);
+  if (value <= 0) {
+    throw CLI::ValidationError(
+        option, fmt::format("{} is not above 0; expected a number above 0", shown(text)));
+  }
+  return value;
+}
+
 CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::IsMember(words).description("");
 }
@@ -229,13 +238,7 @@ void add_stepping(CLI::App& command, StepChoice& stepping) {
   command
       .add_option_function<std::string>(
           "--step",
-          [&stepping](const std::string& text) {
-            stepping.step = number("--step", text);
-            if (!(*stepping.step > 0)) {
-              throw CLI::ValidationError("--step",
-                                         fmt::format("{} is not above zero", shown(text)));
-            }
-          },
+          [&stepping](const std::string& text) { stepping.step = positive("--step", text); },
           "length of the scene's step in s, instead of its own")
       ->type_name("S");
   command
@@ -268,24 +271,65 @@ void require_room_for_vectors(const Request& request) {
   }
 }
 
-std::vector<std::string> with_settings(const std::vector<std::string>& words) {
+namespace {
+
+/// True if the word of a command line is this option, with its value or without.
+bool is_word_of(const CLI::Option& option, const std::string& word) {
+  const bool is_long = word.starts_with("--");
+  return word.size() > 1 && word.front() == '-' &&
+         option.check_name(is_long ? word.substr(0, word.find('=')) : word.substr(0, 2));
+}
+
+bool is_given(const CLI::Option& option, const std::vector<std::string>& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return is_word_of(option, word); });
+}
+
+/// The options of a settings file that are not given on the command line.
+std::vector<std::string> settings_words(const std::string& file, const CLI::App& command,
+                                        const std::vector<std::string>& given) {
+  std::vector<std::string> result;
+  std::istringstream text(description::read_text(file));
+  int at = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++at;
+    const auto refuse = [&](const std::string& what) {
+      throw InputError({file, at, 0}, "settings: " + what);
+    };
+    std::istringstream one(line);
+    for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(one)) {
+      if (line.find('=') == std::string::npos || !item.parents.empty() || item.inputs.empty()) {
+        refuse(fmt::format("'{}' is not usable; expected a line like scalar = \"float\"",
+                           shown(line)));
+      }
+      const CLI::Option* const option = command.get_option_no_throw("--" + item.name);
+      if (option == nullptr || item.name == "settings") {
+        refuse(fmt::format("--{} is no option of {} that may stand here", shown(item.name),
+                           command.get_name()));
+      }
+      if (is_given(*option, result)) {
+        refuse(fmt::format("--{} stands here twice; expected it once", item.name));
+      }
+      if (!is_given(*option, given)) {
+        result.push_back(fmt::format("--{}={}", item.name, fmt::join(item.inputs, ",")));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> with_settings(const std::vector<std::string>& words,
+                                       const CLI::App& command) {
   std::vector<std::string> result;
   for (std::size_t k = 0; k < words.size(); ++k) {
     if (words[k] != "--settings" || k + 1 == words.size()) {
       result.push_back(words[k]);
       continue;
     }
-    const std::string& file = words[++k];
-    std::istringstream text(description::read_text(file));
-    for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(text)) {
-      if (!item.parents.empty() || item.name.empty() || item.name.size() > 64) {
-        throw InputError({file, 0, 0}, fmt::format("settings: {} is not usable; expected lines "
-                                                   "like scalar = \"float\"",
-                                                   shown(item.fullname())));
-      }
-      result.push_back("--" + item.name);
-      result.insert(result.end(), item.inputs.begin(), item.inputs.end());
-    }
+    const std::vector<std::string> more = settings_words(words[++k], command, words);
+    result.insert(result.end(), more.begin(), more.end());
   }
   return result;
 }

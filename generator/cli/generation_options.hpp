@@ -14,6 +14,9 @@ namespace treedyn {
 /// The number that an option's text says. \throws CLI::ValidationError naming the option.
 Real number(const std::string& option, const std::string& text);
 
+/// The same above 0.
+Real positive(const std::string& option, const std::string& text);
+
 /// A check whose words the option's type name already shows.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
@@ -27,8 +30,10 @@ void add_generation(CLI::App& command, Request& request);
 /// vectors that C++ has. \throws CLI::ValidationError where other options ask for something else
 void require_room_for_vectors(const Request& request);
 
-/// The words of a command line, with `--settings FILE` replaced by the options that stand in FILE.
-/// \throws InputError for a file that cannot be read, CLI::ParseError for lines that are no options
-std::vector<std::string> with_settings(const std::vector<std::string>& words);
+/// The words of a command line, with `--settings FILE` replaced by the options that stand in FILE
+/// and are not among the words. \param command  whose options they are
+/// \throws InputError for a file that cannot be read, and for lines that are none of them
+std::vector<std::string> with_settings(const std::vector<std::string>& words,
+                                       const CLI::App& command);
 
 }  // namespace treedyn

@@ -154,7 +154,7 @@ std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
                                     const StepFiles& files) {
   model::Scene scene = stepped_scene(subject, how);
   formulate::settle_sticking(scene);
-  GeneratedStep step(files.name, files.files, files.signature);
+  GeneratedStep step(files.name, files.files, files.stepper);
   std::optional<Drifts> drifts;
   model::Scene whole = subject.scene;  // the phases of a scene without some force are the same
   whole.stepping = scene.stepping;
@@ -173,7 +173,7 @@ std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
 double step_seconds(const Subject& subject, const Stepped& how, const StepFiles& files) {
   model::Scene scene = stepped_scene(subject, how);
   formulate::settle_sticking(scene);
-  GeneratedStep step(files.name, files.files, files.signature);
+  GeneratedStep step(files.name, files.files, files.stepper);
   begin_motion(scene, subject.starts.front().q, subject.starts.front().qd, step);
   return step.seconds();
 }

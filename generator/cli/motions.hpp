@@ -53,7 +53,7 @@ struct Subject {
   Real interval = 0;                               ///< s between comparisons
   int times = 0;
 
-  [[nodiscard]] double duration() const { return static_cast<double>(interval) * times; }
+  [[nodiscard]] double duration() const { return static_cast<double>(interval * times); }
 };
 
 /// The step of another integrator or length. \param parts  steps between two comparisons

@@ -10,6 +10,7 @@
 #include "common/identifier.hpp"
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
+#include "formulate/scene_loops.hpp"
 #include "formulate/scene_steps.hpp"
 #include "formulate/scene_sticking.hpp"
 #include "model/effects.hpp"
@@ -97,27 +98,45 @@ std::unique_ptr<simulation::Dynamics> dynamics_of(const SimulateRequest& request
   return request.compiled ? compiled_dynamics(scene) : program_dynamics(scene);
 }
 
-/// Nothing unless the generated step is the motion. \post the scene's phases are those of the step
-std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request, model::Scene& scene,
-                                              std::vector<Warning>& warnings) {
+/// Nothing unless the generated step is the motion. \post the scene's phases and loops are those of
+/// the step
+std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request,
+                                              SimulateResult& result) {
   if (!request.as_generated) {
     return nullptr;
   }
-  const emit::Scalar scalar =
-      request.scalar.value_or("double") == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
-  const StepFiles files = StepWriter(request.scene).files(scene, {scalar});
-  warnings = files.warnings;
-  formulate::settle_sticking(scene);
-  return std::make_unique<GeneratedStep>(files.name, files.files, files.signature);
+  StepForm form;
+  form.tells_events = true;
+  result.generated = {request.scalar.value_or("double"), 0};
+  form.scalar = result.generated->scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
+  const StepFiles files = StepWriter(request.scene).files(result.scene, form);
+  result.warnings = files.warnings;
+  formulate::settle_loops(result.scene);
+  formulate::settle_sticking(result.scene);
+  return std::make_unique<GeneratedStep>(files.name, files.files, files.stepper);
+}
+
+/// \param step  whose motion it is; null: the simulator's
+void run(GeneratedStep* step, simulation::Simulator& simulator,
+         const simulation::Progress& progress, SimulateResult& result) {
+  const double row = output_step(result.scene);
+  if (step == nullptr) {
+    result.recording = simulation::record(result.scene, simulator, row, progress);
+    return;
+  }
+  GeneratedRun run = run_generated(result.scene, *step, simulator, row, progress);
+  result.recording = std::move(run.recording);
+  result.statuses = std::move(run.statuses);
+  result.generated->operations = run.operations;
 }
 
 }  // namespace
 
 SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress) {
-  SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, 0, {}, {}};
+  SimulateResult result{description::read_scene(request.scene), {}, 0, {}, {}, {}, {}, {}, {}};
   apply(request, result.scene);
   check(request, result.scene);
-  std::unique_ptr<GeneratedStep> step = generated_step(request, result.scene, result.warnings);
+  const std::unique_ptr<GeneratedStep> step = generated_step(request, result);
   const std::unique_ptr<simulation::Dynamics> dynamics = dynamics_of(request, result.scene);
   result.operations = dynamics->operations();
   try {
@@ -126,15 +145,7 @@ SimulateResult simulate(const SimulateRequest& request, const simulation::Progre
     result.moved = simulator.settle();
     result.stability = simulator.stability(*dynamics);
     const auto start = std::chrono::steady_clock::now();
-    if (step != nullptr) {
-      GeneratedRun run =
-          run_generated(result.scene, *step, simulator, output_step(result.scene), progress);
-      result.recording = std::move(run.recording);
-      result.statuses = std::move(run.statuses);
-    } else {
-      result.recording =
-          simulation::record(result.scene, simulator, output_step(result.scene), progress);
-    }
+    run(step.get(), simulator, progress, result);
     if (request.timed) {
       result.seconds =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

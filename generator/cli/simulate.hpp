@@ -32,6 +32,12 @@ struct SimulateRequest {
   std::optional<Real> energy_limit;  ///< instead of Bounds::energy_end
 };
 
+/// What the motion of a generated step is of.
+struct OfStep {
+  std::string scalar;
+  long operations = 0;  ///< GeneratedRun::operations
+};
+
 /// Files of one simulation.
 struct SimulateResult {
   model::Scene scene;
@@ -39,7 +45,8 @@ struct SimulateResult {
   double moved = 0;                    ///< how far the initial state was from the constraints
   simulation::Stability stability;     ///< of the initial state
   std::optional<double> seconds;       ///< that the run took, if it was asked for
-  long operations = 0;                 ///< of one evaluation of the terms, sin and cos among them
+  std::optional<long> operations;      ///< of one evaluation of the terms, if they are counted
+  std::optional<OfStep> generated;     ///< nothing: the motion is the simulator's
   std::vector<StatusRecord> statuses;  ///< of a generated step
   std::vector<Warning> warnings;       ///< of how it was made
 };

@@ -8,6 +8,7 @@
 #include "cli/simulate.hpp"
 #include "emit/json.hpp"
 #include "emit/template_file.hpp"
+#include "model/scene_facts.hpp"
 #include "simulation/column_names.hpp"
 #include "version.hpp"
 
@@ -32,25 +33,36 @@ std::string short_numbers(const List& values) {
   return list_of(result);
 }
 
-std::string short_row(const simulation::Row& row) {
+/// \param contacts  instead of those of the row, from this column on
+std::string short_row(const simulation::Row& row, const std::vector<double>& contacts,
+                      std::ptrdiff_t column) {
+  std::vector<double> values = row.values;
+  std::copy(contacts.begin(), contacts.end(), values.begin() + column);
   std::vector<double> nodes;
   for (const Eigen::Vector3d& node : row.nodes) {
     nodes.insert(nodes.end(), {node[0], node[1], node[2]});
   }
-  return fmt::format("[{:.9g},{},{},{}]", row.t, row.phase, short_numbers(row.values),
+  return fmt::format("[{:.9g},{},{},{}]", row.t, row.phase, short_numbers(values),
                      short_numbers(nodes));
 }
 
-/// At most kStates rows; those beside a change of phase and the last stay.
+/// At most kStates rows; those beside a change of phase and the last stay. Contact forces are the
+/// largest since the row before.
 std::string rows_json(const simulation::Recording& recording) {
   const std::vector<simulation::Row>& rows = recording.rows;
   const std::size_t every = (rows.size() + kStates - 1) / kStates;
+  const auto column = std::ranges::find_if(
+      recording.columns, [](const std::string& name) { return name.starts_with("F["); });
+  std::vector<double> contacts;
   std::string result;
   for (std::size_t k = 0; k < rows.size(); ++k) {
+    simulation::keep_longer(contacts, rows[k].contacts);
     const bool edge = k + 1 == rows.size() || rows[k].phase != rows[k + 1].phase ||
                       (k > 0 && rows[k].phase != rows[k - 1].phase);
     if (edge || k % every == 0) {
-      result += (result.empty() ? "" : ",\n") + short_row(rows[k]);
+      result += (result.empty() ? "" : ",\n") +
+                short_row(rows[k], contacts, column - recording.columns.begin());
+      contacts.clear();
     }
   }
   return result;
@@ -107,10 +119,22 @@ std::string numbers_of(const model::Vector3& x) {
                      static_cast<double>(x[2]));
 }
 
-std::string drift_name(model::Drift drift) {
-  return drift == model::Drift::kNone        ? "none"
-         : drift == model::Drift::kBaumgarte ? "baumgarte"
-                                             : "projection";
+/// What keeps the constraints; a generated step projects nothing, but draws loops together.
+std::string stabilisation_of(const SimulateResult& result) {
+  const model::Scene& scene = result.scene;
+  if (scene.constraints.empty() || scene.stepping.drift == model::Drift::kNone) {
+    return "none";
+  }
+  if (scene.stepping.drift == model::Drift::kBaumgarte) {
+    return "baumgarte";
+  }
+  if (!result.generated) {
+    return "projection";
+  }
+  const auto loops = std::ranges::count_if(scene.constraints, [&](const model::Constraint& c) {
+    return model::is_stabilised(scene, static_cast<int>(&c - scene.constraints.data()));
+  });
+  return loops == 0 ? "none" : fmt::format("baumgarte of {} closed loops", loops);
 }
 
 /// What ran, name and value.
@@ -124,17 +148,21 @@ std::string run_json(const SimulateResult& result) {
     lines.push_back(fmt::format("[{}, {}]", emit::json_string(name), emit::json_string(value)));
   };
   add("model", scene.tree.name);
+  if (result.generated) {
+    add("motion",
+        fmt::format("of the generated step in {}, --as-generated", result.generated->scalar));
+  }
   add("integrator", how.integrator);
   add(adaptive ? "tolerance" : "step",
       adaptive ? fmt::format("{:.3g}", static_cast<double>(how.tolerance))
                : fmt::format("{:.6g} s", static_cast<double>(how.step)));
-  add("stabilisation", drift_name(how.drift));
+  add("stabilisation", stabilisation_of(result));
   add("gravity", numbers_of(scene.gravity) + " m/s^2");
   add("effects", effects_of(scene));
   add("steps", fmt::format("{} ({} rejected), {} evaluations", recording.cost.steps,
                            recording.cost.rejected, recording.cost.evaluations));
-  add("energy without power", fmt::format("{:.2g} J at the end, at most {:.2g} of what was "
-                                          "exchanged",
+  add("energy without power", fmt::format("{:.2g} J at the end, at most {:.2g} of what had been "
+                                          "exchanged, or of a fall by the robot's size",
                                           recording.energy_error, recording.energy_part));
   add("largest residual, drift",
       fmt::format("{:.2g}, {:.2g}", recording.residual, recording.drift));
@@ -221,9 +249,7 @@ class ForceList {
 };
 
 std::string bounds_json(const SimulateResult& result) {
-  return fmt::format(
-      "[{{\"name\": \"warning\", \"value\": {}}}]",
-      simulation::Bounds{}.drift_warning * (result.recording.size > 0 ? result.recording.size : 1));
+  return fmt::format("[{{\"name\": \"warning\", \"value\": {}}}]", result.recording.drift_warning);
 }
 
 std::vector<std::string> quoted(const std::vector<std::string>& texts) {

@@ -104,9 +104,12 @@ std::string cost_json(const SimulateResult& result) {
   const simulation::Cost& cost = result.recording.cost;
   std::vector<std::pair<std::string, std::string>> members = {
       {"evaluations", std::to_string(cost.evaluations)},
-      {"rejected_steps", std::to_string(cost.rejected)},
-      {"operations_of_an_evaluation", std::to_string(result.operations)},
-      {"operations", std::to_string(result.operations * cost.evaluations)}};
+      {"rejected_steps", std::to_string(cost.rejected)}};
+  if (result.generated) {
+    members.emplace_back("operations", std::to_string(result.generated->operations));
+  } else if (result.operations) {
+    members.emplace_back("operations_of_terms", std::to_string(*result.operations));
+  }
   if (result.seconds) {
     members.emplace_back("seconds_for_a_second", json_number(seconds_for_a_second(result)));
   }
@@ -139,6 +142,24 @@ std::string row_json(const SimulateResult& result, const simulation::Row& row) {
   return text + "]";
 }
 
+/// Forces and reactions are not counted, as they are no straight-line code.
+std::string operations_text(const SimulateResult& result) {
+  const auto evaluations = static_cast<double>(result.recording.cost.evaluations);
+  if (result.generated) {
+    return fmt::format(", {:.3g} operations in all, without those of events",
+                       static_cast<double>(result.generated->operations));
+  }
+  if (!result.operations) {
+    return "";
+  }
+  return *result.operations == 0
+             ? "; what they take of the tree (A, B + G, points) is constant"
+             : fmt::format(
+                   "; what they take of the tree (A, B + G, points): {} operations each, "
+                   "{:.3g} in all",
+                   *result.operations, static_cast<double>(*result.operations) * evaluations);
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const SimulateResult& result) {
@@ -161,11 +182,11 @@ std::vector<std::string> facts_of(const SimulateResult& result) {
   std::vector<std::string> lines = {
       fmt::format("{} steps, {} states, {} events; {} steps rejected", recording.cost.steps,
                   recording.rows.size(), recording.events.size(), recording.cost.rejected),
-      fmt::format("{} evaluations of {} operations each: {:.3g} in all", recording.cost.evaluations,
-                  result.operations,
-                  static_cast<double>(result.operations * recording.cost.evaluations)),
+      fmt::format("{} evaluations of the dynamics{}", recording.cost.evaluations,
+                  operations_text(result)),
       fmt::format("energy that no force explains: {:.3g} J at the end, at most {:.3g} of what the "
-                  "motion has exchanged; largest residual {:.3g}, drift {:.3g}",
+                  "motion had exchanged, or of a fall by the robot's size; largest residual "
+                  "{:.3g}, drift {:.3g}",
                   recording.energy_error, recording.energy_part, recording.residual,
                   recording.drift)};
   for (const simulation::StabilityLimit& limit : result.stability.limits) {
@@ -214,15 +235,18 @@ std::string json_text(const SimulateResult& result) {
                                           {"steps", std::to_string(status.count)}}));
   }
   return fmt::format(
-      "{{\n  \"scene\": {},\n  \"model\": {},\n  \"integrator\": {},\n  \"steps\": {},\n"
+      "{{\n  \"scene\": {},\n  \"model\": {},\n  \"integrator\": {}, \"as_generated\": {},\n  "
+      "\"steps\": {},\n"
       "  \"stopped\": {},\n  \"warnings\": {},\n  \"statuses\": {},\n  \"cost\": {},\n  \"kept\": "
       "{},\n"
       "  \"stable_steps\": {},\n  \"columns\": {},\n  \"events\": {},\n  \"rows\": {}\n}}\n",
       emit::json_string(result.scene.name), emit::json_string(result.scene.tree.name),
-      emit::json_string(result.scene.stepping.integrator), result.recording.cost.steps,
-      emit::json_string(result.recording.stopped), warnings_json(result),
-      emit::json_lines(statuses, 4), cost_json(result), kept_json(result), stable_json(result),
-      json_strings(columns), emit::json_lines(events, 4), emit::json_lines(rows, 4));
+      emit::json_string(result.scene.stepping.integrator),
+      result.generated ? emit::json_string(result.generated->scalar) : "null",
+      result.recording.cost.steps, emit::json_string(result.recording.stopped),
+      warnings_json(result), emit::json_lines(statuses, 4), cost_json(result), kept_json(result),
+      stable_json(result), json_strings(columns), emit::json_lines(events, 4),
+      emit::json_lines(rows, 4));
 }
 
 }  // namespace treedyn

@@ -30,19 +30,23 @@ class Run {
         start_(static_cast<double>(scene.t0)),
         h_(static_cast<double>(scene.stepping.step)),
         count_(std::lround(static_cast<double>(scene.duration) / h_)),
-        output_step_(output_step) {
+        output_step_(output_step),
+        steps_(step.stepper().phases.size()) {
     begin();
   }
 
   /// Calls `show` with the reactions of every row of the table.
-  bool go(const simulation::ShowState& show, const simulation::Progress& progress);
-  [[nodiscard]] const std::vector<StatusRecord>& statuses() const { return statuses_; }
+  bool go(const simulation::ShowState& show, const simulation::LookAtState& look,
+          const simulation::Progress& progress);
+  /// What it found and took, without rows and events.
+  [[nodiscard]] GeneratedRun counted() const;
 
  private:
   void begin();
   void place(long k, const Values& q, const Values& qd, int state);
   [[nodiscard]] std::vector<double> reactions(int state) const;
   void note_status(int status, double time);
+  void note_change(double time, int before, const Values& qd_before);
   [[nodiscard]] int state() const {
     return step_.has("phase") ? static_cast<int>(step_.at("phase")[0]) : scene_.start_phase;
   }
@@ -57,6 +61,7 @@ class Run {
   long count_;
   double output_step_;
   std::vector<StatusRecord> statuses_;
+  std::vector<long> steps_;  ///< in each phase of the step
 };
 
 void Run::begin() { begin_motion(scene_, simulator_.q(), simulator_.qd(), step_); }
@@ -97,7 +102,48 @@ void Run::note_status(int status, double time) {
   }
 }
 
-bool Run::go(const simulation::ShowState& show, const simulation::Progress& progress) {
+/// By the name of what ended the phase, and of the state at rest that no phase of the scene is.
+void Run::note_change(double time, int before, const Values& qd_before) {
+  std::vector<std::string> names;
+  for (const program::StepPhase& phase : step_.stepper().phases) {
+    for (const program::StepEvent& event : phase.events) {
+      names.push_back(event.brief);
+    }
+  }
+  std::string name;
+  for (const SteppedEvent& event : step_.events()) {
+    name += (name.empty() ? "" : ", ") + names[static_cast<std::size_t>(event.number)];
+  }
+  name = name.empty() ? "change of phase" : name;
+  const formulate::PhaseState& now = states_[static_cast<std::size_t>(state())];
+  if (static_cast<std::size_t>(state()) >= scene_.phases.size()) {
+    name += fmt::format(" ({})", now.identifier);
+  }
+  simulator_.note({time,
+                   states_[static_cast<std::size_t>(before)].phase,
+                   name,
+                   now.phase,
+                   vector_of(step_.at("q")),
+                   vector_of(qd_before),
+                   vector_of(step_.at("qd")),
+                   {}});
+}
+
+GeneratedRun Run::counted() const {
+  const program::Stepper& stepper = step_.stepper();
+  GeneratedRun result;
+  result.statuses = statuses_;
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    result.recording.cost.steps += steps_[k];
+    result.operations += steps_[k] * program::step_cost(stepper, stepper.phases[k]).total();
+  }
+  result.recording.cost.evaluations =
+      result.recording.cost.steps * program::step_evaluations(stepper);
+  return result;
+}
+
+bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& look,
+             const simulation::Progress& progress) {
   long shown = 0;  // rows of the table
   bool changed = false;
   for (long k = 0; k <= count_; ++k) {
@@ -111,6 +157,7 @@ bool Run::go(const simulation::ShowState& show, const simulation::Progress& prog
     const bool due =
         (static_cast<double>(k) + 1e-6) * h_ >= static_cast<double>(shown) * output_step_;
     place(k, q, qd, before);
+    look();
     if (due || changed || k == count_) {
       show(reactions(before));
       shown += due ? 1 : 0;
@@ -119,6 +166,7 @@ bool Run::go(const simulation::ShowState& show, const simulation::Progress& prog
       break;
     }
     note_status(status, time(k));
+    ++steps_[step_.has("phase") ? static_cast<std::size_t>(before) : 0];
     const Vector next = vector_of(step_.at("q"));
     if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
       std::vector<double> last(q.begin(), q.end());
@@ -130,14 +178,7 @@ bool Run::go(const simulation::ShowState& show, const simulation::Progress& prog
     after << next, vector_of(step_.at("qd"));
     simulator_.follow(h_, after, changed);
     if (changed) {
-      simulator_.note({time(k + 1),
-                       states_[static_cast<std::size_t>(before)].phase,
-                       "to " + states_[static_cast<std::size_t>(state())].identifier,
-                       states_[static_cast<std::size_t>(state())].phase,
-                       next,
-                       vector_of(qd),
-                       vector_of(step_.at("qd")),
-                       {}});
+      note_change(time(k + 1), before, qd);
     }
     if (!progress(static_cast<double>(k + 1) / static_cast<double>(count_))) {
       return false;
@@ -184,10 +225,14 @@ GeneratedRun run_generated(const model::Scene& scene, GeneratedStep& step,
                            simulation::Simulator& simulator, double output_step,
                            const simulation::Progress& progress) {
   Run run(scene, step, simulator, output_step);
-  GeneratedRun result;
-  result.recording = simulation::record_states(
-      scene, simulator, [&](const simulation::ShowState& show) { return run.go(show, progress); });
-  result.statuses = run.statuses();
+  simulation::Recording recording = simulation::record_states(
+      scene, simulator,
+      [&](const simulation::ShowState& show, const simulation::LookAtState& look) {
+        return run.go(show, look, progress);
+      });
+  GeneratedRun result = run.counted();
+  recording.cost = result.recording.cost;
+  result.recording = std::move(recording);
   return result;
 }
 

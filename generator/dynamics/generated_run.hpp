@@ -19,6 +19,7 @@ struct StatusRecord {
 struct GeneratedRun {
   simulation::Recording recording;  ///< events: changes of phase, at the end of their step
   std::vector<StatusRecord> statuses;
+  long operations = 0;  ///< of all steps, as if no event were in any
 };
 
 /// Rounded to double.
@@ -30,7 +31,8 @@ void begin_motion(const model::Scene& scene, const simulation::Vector& q,
 
 /// Steps from t0 on, at t0 + k h, until the scene's duration is over. Reactions are those that the
 /// step gives; energies and drift are computed of its states in double.
-/// \param simulator  in the initial state \param output_step  s between rows, in whole steps
+/// \param step  tells its events \param simulator  in the initial state
+/// \param output_step  s between rows, in whole steps
 GeneratedRun run_generated(const model::Scene& scene, GeneratedStep& step,
                            simulation::Simulator& simulator, double output_step,
                            const simulation::Progress& progress);

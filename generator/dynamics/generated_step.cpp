@@ -82,8 +82,8 @@ class GeneratedStep::Library {
 };
 
 GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::File>& files,
-                             program::Signature signature)
-    : signature_(std::move(signature)) {
+                             program::Stepper stepper)
+    : stepper_(std::move(stepper)) {
   const TemporaryFolder folder;
   const auto path = [&](const std::string& file) {
     return (folder.path() / file).string();
@@ -93,7 +93,7 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
     throw InputError({},
                      "--as-generated: no C++ compiler found; expected $CXX, c++, g++ or clang++");
   }
-  std::vector<OutputFile> sources = {{path("adapter.cpp"), adapter(name, signature_)}};
+  std::vector<OutputFile> sources = {{path("adapter.cpp"), adapter(name, stepper_.signature)}};
   for (const emit::File& file : files) {
     sources.push_back({path(file.name), file.text});
   }
@@ -106,7 +106,7 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
                      "compiler");
   }
   library_ = std::make_unique<Library>(path("step.so"));
-  for (const auto* arrays : {&signature_.inputs, &signature_.outputs}) {
+  for (const auto* arrays : {&stepper_.signature.inputs, &stepper_.signature.outputs}) {
     for (const program::Array& array : *arrays) {
       values_[array.name].resize(static_cast<std::size_t>(array.size));
     }
@@ -125,7 +125,7 @@ GeneratedStep::Values& GeneratedStep::at(const std::string& name) {
 
 std::vector<const long double*> GeneratedStep::inputs() {
   std::vector<const long double*> result;
-  for (const program::Array& array : signature_.inputs) {
+  for (const program::Array& array : stepper_.signature.inputs) {
     result.push_back(at(array.name).data());
   }
   return result;
@@ -154,7 +154,7 @@ double GeneratedStep::seconds() {
 int GeneratedStep::call() {
   const std::vector<const long double*> in = inputs();
   std::vector<long double*> out;
-  for (const program::Array& array : signature_.outputs) {
+  for (const program::Array& array : stepper_.signature.outputs) {
     out.push_back(at(array.name).data());
   }
   const int status = library_->step()(in.data(), out.data());
@@ -163,7 +163,7 @@ int GeneratedStep::call() {
   while ((event.number = library_->events()(static_cast<int>(events_.size()), &event.at)) >= 0) {
     events_.push_back(event);
   }
-  for (const program::Array& array : signature_.inputs) {
+  for (const program::Array& array : stepper_.signature.inputs) {
     if (has(array.name + "_next")) {
       at(array.name) = at(array.name + "_next");
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "emit/unit.hpp"
-#include "program/function.hpp"
+#include "program/stepper.hpp"
 
 namespace treedyn {
 
@@ -23,9 +23,9 @@ class GeneratedStep {
   using Values = std::vector<long double>;
 
   /// Compiles the files NAME.hpp and NAME.cpp, without contraction.
-  /// \param signature  of `step` \throws InputError without a compiler
+  /// \param stepper  what they are of \throws InputError without a compiler
   GeneratedStep(const std::string& name, const std::vector<emit::File>& files,
-                program::Signature signature);
+                program::Stepper stepper);
   GeneratedStep(const GeneratedStep&) = delete;
   GeneratedStep& operator=(const GeneratedStep&) = delete;
   ~GeneratedStep();
@@ -35,6 +35,7 @@ class GeneratedStep {
   [[nodiscard]] bool has(const std::string& name) const;
   /// Calls it; what the step gives for the next one becomes the argument. \return the status
   int call();
+  [[nodiscard]] const program::Stepper& stepper() const { return stepper_; }
   /// Wall time of one call with the arguments as they are, s: the shortest of some batches.
   [[nodiscard]] double seconds();
   /// Of the last call.
@@ -45,7 +46,7 @@ class GeneratedStep {
 
   [[nodiscard]] std::vector<const long double*> inputs();
 
-  program::Signature signature_;
+  program::Stepper stepper_;
   std::map<std::string, Values> values_;
   std::vector<SteppedEvent> events_;
   std::unique_ptr<Library> library_;

@@ -270,6 +270,11 @@ Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
 
 Cost step_cost(const Stepper& stepper) { return step_cost(stepper, stepper.phases.front()); }
 
+int step_evaluations(const Stepper& stepper) {
+  return integration_cost(stepper, {.add = 1}, false).add -
+         integration_cost(stepper, {}, false).add;
+}
+
 Cost worst_step_cost(const Stepper& stepper) {
   Cost part;
   Cost event;

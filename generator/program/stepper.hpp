@@ -138,6 +138,8 @@ std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase);
 Cost step_cost(const Stepper& stepper, const StepPhase& phase);
 /// The same in the first phase.
 Cost step_cost(const Stepper& stepper);
+/// Calls of the dynamics that the same counts.
+int step_evaluations(const Stepper& stepper);
 /// A bound of the operations of any step.
 Cost worst_step_cost(const Stepper& stepper);
 

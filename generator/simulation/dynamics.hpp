@@ -1,6 +1,7 @@
 // What a simulation needs to know of a scene's tree in one state.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,8 +61,8 @@ class Dynamics {
   virtual void evaluate(const Vector& q, const Vector& qd, Terms& terms) = 0;
   /// Only p, C, R, H.
   virtual void evaluate_geometry(const Vector& q, Terms& terms) = 0;
-  /// Of one `evaluate`, sines and cosines among them; 0 if they are not counted.
-  [[nodiscard]] virtual long operations() const { return 0; }
+  /// Of one `evaluate`, sines and cosines among them, if they are counted.
+  [[nodiscard]] virtual std::optional<long> operations() const { return std::nullopt; }
 };
 
 }  // namespace treedyn::simulation

@@ -270,7 +270,12 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
   worked_ += std::fabs(work.done);
   exchanged_ = std::max({exchanged_, worked_, pose_.kinetic_energy() - excess,
                          std::fabs(pose_.potential_energy() - potential_) - excess});
-  const double scale = std::max({exchanged_, weight_, kPowerSteps * h * work.power});
+  using Scale = std::pair<double, const char*>;
+  const auto [scale, name] =
+      std::max({Scale{exchanged_, "that the motion has exchanged"},
+                Scale{weight_, "of a fall by the robot's size"},
+                Scale{kPowerSteps * h * work.power, "of its forces' power in a hundred steps"}},
+               [](const Scale& a, const Scale& b) { return a.first < b.first; });
   const double part = unexplained_ / scale;
   worst_energy_ = std::max(worst_energy_, std::fabs(unexplained_) / std::max(exchanged_, weight_));
   if (!scene_.velocity_products || ++energy_steps_ <= kFirstSteps ||
@@ -279,13 +284,13 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
   }
   note({"energy", "energy", t, unexplained_, bounds_.energy_warning * scale, 0, 0, "J",
         fmt::format("energy grows without power: by {:.3g} J in the step of {:.3g} s that ends at "
-                    "t = {:.6g} s, {:.3g} J in all of {:.3g} J that the motion has exchanged",
-                    energy_ - before - work.done, h, t, unexplained_, scale)});
+                    "t = {:.6g} s, {:.3g} J in all, beside {:.3g} J {}",
+                    energy_ - before - work.done, h, t, unexplained_, scale, name)});
   if (part > bounds_.energy_end) {
-    throw std::runtime_error(
-        fmt::format("energy grows without power: {:.3g} J more than forces explain, of {:.3g} J "
-                    "that the motion has exchanged",
-                    unexplained_, scale));
+    throw std::runtime_error(fmt::format(
+        "energy grows without power: {:.3g} J more than forces explain, beside {:.3g} J "
+        "{}",
+        unexplained_, scale, name));
   }
 }
 

@@ -19,7 +19,8 @@ struct Bounds {
   double residual_warning = 1e-6;
   double residual_end = 1e-1;
   /// Energy beyond that of the beginning and the work of all forces, as a part of the energy that
-  /// the motion has exchanged, or of the fall of the robot by its size if that is more.
+  /// the motion has exchanged, of the fall of the robot by its size or of the power of a hundred
+  /// such steps, whatever is more.
   double energy_warning = 1e-2;
   double energy_end = 1;
   /// Turn of the velocity, rad, by rows near a singular position while errors of position and
@@ -91,12 +92,14 @@ class Monitor {
   void note(Notice notice);
 
   [[nodiscard]] const std::vector<Notice>& notices() const { return notices_; }
-  /// Largest energy that no force explains, as a part of what was exchanged.
+  /// Largest energy that no force explains, as a part of what was exchanged until then, or of a
+  /// fall by the size of the robot.
   [[nodiscard]] double energy_error() const { return worst_energy_; }
   [[nodiscard]] double unexplained() const { return unexplained_; }  ///< J, now
   [[nodiscard]] double largest_residual() const { return largest_residual_; }
   [[nodiscard]] double largest_drift() const { return largest_drift_; }
-  [[nodiscard]] double size() const { return size_; }  ///< m
+  /// Of lengths, m.
+  [[nodiscard]] double drift_warning() const { return bounds_.drift_warning * size_; }
 
  private:
   struct Row {

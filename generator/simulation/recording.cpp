@@ -75,7 +75,7 @@ class Recorder {
       return;  // a row of the table right before an event
     }
     recorded_events_ = simulator_.events().size();
-    Row row{simulator_.time(), phase, {}, {}};
+    Row row{simulator_.time(), phase, {}, {}, {}};
     const Vector q = simulator_.q();
     const Vector qd = simulator_.qd();
     pose_.update(q, qd);
@@ -89,7 +89,23 @@ class Recorder {
     row.values.insert(row.values.end(), {kinetic, potential, kinetic + potential,
                                          system.violation(simulator_.time(), q)});
     add_nodes(row.nodes);
+    look();
+    std::swap(row.contacts, contacts_);
     recording_.rows.push_back(std::move(row));
+  }
+
+  /// Contacts may be shorter than the time between rows.
+  void look() {
+    if (scene_.contacts.empty()) {
+      return;
+    }
+    System& system = simulator_.system();
+    const Vector q = simulator_.q();
+    std::vector<double> forces;
+    system.forces().append_forces(system.geometry(q), {simulator_.time(), q, simulator_.qd()},
+                                  forces);
+    const auto count = static_cast<std::ptrdiff_t>(3 * scene_.contacts.size());
+    keep_longer(contacts_, {forces.end() - count, forces.end()});
   }
 
   Recording finish() {
@@ -99,7 +115,7 @@ class Recorder {
     recording_.energy_error = simulator_.monitor().unexplained();
     recording_.energy_part = simulator_.monitor().energy_error();
     recording_.residual = simulator_.monitor().largest_residual();
-    recording_.size = simulator_.monitor().size();
+    recording_.drift_warning = simulator_.monitor().drift_warning();
     recording_.drift = simulator_.monitor().largest_drift();
     return std::move(recording_);
   }
@@ -154,10 +170,21 @@ class Recorder {
   Simulator& simulator_;
   Pose pose_;
   Recording recording_;
+  std::vector<double> contacts_;  ///< Row::contacts of the next row
   std::size_t recorded_events_ = 0;
 };
 
 }  // namespace
+
+void keep_longer(std::vector<double>& vectors, const std::vector<double>& others) {
+  vectors.resize(others.size());
+  for (std::size_t k = 0; k < others.size(); k += 3) {
+    if (std::hypot(others[k], others[k + 1], others[k + 2]) >
+        std::hypot(vectors[k], vectors[k + 1], vectors[k + 2])) {
+      std::copy_n(&others[k], 3, &vectors[k]);
+    }
+  }
+}
 
 Recording record(const model::Scene& scene, Simulator& simulator, double output_step,
                  const Progress& progress) {
@@ -170,6 +197,7 @@ Recording record(const model::Scene& scene, Simulator& simulator, double output_
   try {
     recorder.add_row(simulator.phase());
     const bool arrived = simulator.advance_to(end, [&] {
+      recorder.look();
       if (simulator.events().size() != events) {
         events = simulator.events().size();
         recorder.add_row(simulator.phase());
@@ -187,7 +215,7 @@ Recording record(const model::Scene& scene, Simulator& simulator, double output_
 }
 
 Recording record_states(const model::Scene& scene, Simulator& simulator,
-                        const std::function<bool(const ShowState&)>& drive) {
+                        const std::function<bool(const ShowState&, const LookAtState&)>& drive) {
   Recorder recorder(scene, simulator);
   const auto show = [&](const std::vector<double>& reactions) {
     recorder.add_row(simulator.phase());
@@ -195,7 +223,7 @@ Recording record_states(const model::Scene& scene, Simulator& simulator,
     std::copy(reactions.begin(), reactions.end(), values.begin() + 2 * scene.tree.dof());
   };
   try {
-    recorder.recording().stopped = drive(show) ? "" : "interrupted";
+    recorder.recording().stopped = drive(show, [&] { recorder.look(); }) ? "" : "interrupted";
   } catch (const std::runtime_error& problem) {
     recorder.recording().stopped = problem.what();
   }

@@ -15,7 +15,11 @@ struct Row {
   int phase = 0;
   std::vector<double> values;
   std::vector<Eigen::Vector3d> nodes;  ///< of the figure, base frame, m
+  std::vector<double> contacts;  ///< x, y, z of each: the largest since the row before, base frame
 };
+
+/// Of every three components those of the longer vector. \pre `vectors` is empty or of that size
+void keep_longer(std::vector<double>& vectors, const std::vector<double>& others);
 
 /// Lines between nodes that show the robot: origins of links, points and centres of mass.
 struct Figure {
@@ -34,7 +38,7 @@ struct Recording {
   double energy_error = 0;      ///< at the end, that no force explains, J
   double energy_part = 0;       ///< the largest, as a part of what was exchanged
   double residual = 0;          ///< largest of the row equations
-  double size = 1;              ///< of the robot, m
+  double drift_warning = 0;     ///< beyond which there is one, m
   double drift = 0;             ///< largest position error of a row that acts, m or rad
   std::string stopped;          ///< why the motion ends early; empty: it does not
 };
@@ -47,11 +51,13 @@ using Progress = std::function<bool(double part)>;
 Recording record(const model::Scene& scene, Simulator& simulator, double output_step,
                  const Progress& progress);
 
-/// Notes the state in which the simulator is, with these reactions of all constraints.
+/// Notes the state in which the simulator is, with these reactions of all constraints: a row.
 using ShowState = std::function<void(const std::vector<double>& reactions)>;
+/// Looks at it, in every step.
+using LookAtState = std::function<void()>;
 /// The recording of a motion that somebody else computes and shows: `drive` returns false if it is
 /// stopped. Errors of the motion end it.
 Recording record_states(const model::Scene& scene, Simulator& simulator,
-                        const std::function<bool(const ShowState&)>& drive);
+                        const std::function<bool(const ShowState&, const LookAtState&)>& drive);
 
 }  // namespace treedyn::simulation

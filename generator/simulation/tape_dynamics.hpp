@@ -15,7 +15,7 @@ class TapeDynamics final : public Dynamics {
 
   void evaluate(const Vector& q, const Vector& qd, Terms& terms) override;
   void evaluate_geometry(const Vector& q, Terms& terms) override;
-  [[nodiscard]] long operations() const override {
+  [[nodiscard]] std::optional<long> operations() const override {
     return static_cast<long>(terms_.instructions());
   }
 

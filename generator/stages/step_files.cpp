@@ -55,12 +55,10 @@ StepFiles StepWriter::files(model::Scene scene, const StepForm& form, const std:
   program::Programs programs = found->second;
   programs.steppers = {stepper_of(model, request, programs)};
   programs.steppers.front().tells_events = form.tells_events;
-  const program::Stepper stepper = in_scalar(programs, model, form.scalar).steppers.front();
-  StepFiles result{
-      model.name, {}, stepper.signature, {}, float_warnings(programs, form.scalar, where)};
-  for (const program::StepPhase& phase : stepper.phases) {
-    result.costs.push_back(program::step_cost(stepper, phase));
-  }
+  StepFiles result{model.name,
+                   {},
+                   in_scalar(programs, model, form.scalar).steppers.front(),
+                   float_warnings(programs, form.scalar, where)};
   result.files = emit_files(model, request, std::move(programs));
   return result;
 }

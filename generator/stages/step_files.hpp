@@ -13,8 +13,7 @@ namespace treedyn {
 struct StepFiles {
   std::string name;
   std::vector<emit::File> files;
-  program::Signature signature;      ///< of `step`
-  std::vector<program::Cost> costs;  ///< of one step, by the number of the phase
+  program::Stepper stepper;  ///< in the scalar
   std::vector<Warning> warnings;
 };
 

@@ -1,7 +1,9 @@
 // What is read off a study, from studies whose answers are known.
 #include "accuracy/study.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -73,6 +75,68 @@ TEST(Study, DrawsStabilityLimitsThatAreInThePicture) {
   const std::string picture = step_chart(study);
   EXPECT_THAT(picture, testing::HasSubstr("rk4 is stable up to 0.025 s"));
   EXPECT_THAT(picture, testing::Not(testing::HasSubstr("sdirk2")));
+}
+
+double number_behind(const std::string& text, const std::string& what, std::size_t from = 0) {
+  const std::size_t at = text.find(what, from);
+  EXPECT_NE(at, std::string::npos) << what;
+  return std::strtod(text.c_str() + at + what.size(), nullptr);
+}
+
+/// Where the name in the picture begins: its element.
+std::size_t text_with(const std::string& picture, const std::string& name) {
+  return picture.rfind("<text", picture.find(name));
+}
+
+/// Two floors closer than a name is high: the name of each is next to its own line.
+TEST(Study, NamesOfNearFloorsStandAtTheirLines) {
+  for (const bool plain_is_lower : {true, false}) {
+    Study study;
+    study.outcomes = {outcome(State::kDouble, "rk4", 0.1, 1e-9, 1),
+                      outcome(State::kDouble, "rk4", 0.001, 1e-15, 1),
+                      outcome(State::kFloat, "rk4", 0.1, plain_is_lower ? 6e-7 : 8e-7, 1),
+                      outcome(State::kCompensated, "rk4", 0.1, plain_is_lower ? 8e-7 : 6e-7, 1)};
+    const std::string picture = step_chart(study);
+    std::vector<double> lines;
+    const std::string level = "<path d=\"M70 ";
+    for (std::size_t at = picture.find(level); at != std::string::npos;
+         at = picture.find(level, at + 1)) {
+      if (picture.find("stroke-dasharray=\"2 3\"", at) < picture.find('>', at)) {
+        lines.push_back(number_behind(picture, level, at));
+      }
+    }
+    ASSERT_EQ(lines.size(), 3U);
+    std::sort(lines.begin(), lines.end());
+    ASSERT_LT(lines[1] - lines[0], 11);
+    const std::string plain = "floor of float: ";
+    const std::string kept = "floor of float compensated: ";
+    const double upper =
+        number_behind(picture, " y=\"", text_with(picture, plain_is_lower ? kept : plain));
+    const double lower =
+        number_behind(picture, " y=\"", text_with(picture, plain_is_lower ? plain : kept));
+    EXPECT_LT(upper, lines[0]);
+    EXPECT_GT(upper, lines[0] - 5);
+    EXPECT_GT(lower, lines[1] + 8);
+    EXPECT_LT(lower, lines[1] + 14);
+  }
+}
+
+TEST(Study, ShowsEachOfSeveralFailuresOfAStep) {
+  Study study;
+  for (const State state : kStates) {
+    study.outcomes.push_back(outcome(state, "rk4", 0.1, std::nan(""), 1));
+    study.outcomes.push_back(outcome(state, "rk4", 0.01, 1e-5, 1));
+  }
+  const std::string picture = step_chart(study);
+  std::vector<double> places;
+  for (std::size_t at = picture.find("l8 8m0"); at != std::string::npos;
+       at = picture.find("l8 8m0", at + 1)) {
+    places.push_back(number_behind(picture, "M", picture.rfind("d=\"", at)));
+  }
+  ASSERT_EQ(places.size(), 3U);
+  std::sort(places.begin(), places.end());
+  EXPECT_GE(places[1] - places[0], 4);
+  EXPECT_GE(places[2] - places[1], 4);
 }
 
 TEST(Study, HasAParetoFrontThatFallsInErrorAsItRisesInCost) {

@@ -153,6 +153,8 @@ TEST_F(AccuracyErrors, DriftIsThatOfTheMethod) {
     EXPECT_FALSE(one.contains("drift_angles"));
     EXPECT_FALSE(one.contains("event_errors"));
   }
+  EXPECT_THAT(read_file(file("rod_accuracy.html")), HasSubstr("targets: largest drift of a "
+                                                              "constraint, m\n"));
   EXPECT_THAT(read_file(file("rod_accuracy.svg")), HasSubstr("largest drift of a constraint, m<"));
 }
 
@@ -292,9 +294,9 @@ TEST_F(AccuracyErrors, LimitsDecideTheChoice) {
     EXPECT_THAT(refused.err, HasSubstr("no arm-none-eabi-g++ on PATH"));
     GTEST_SKIP();
   }
-  const Outcome free = with({"2e-7", "--flash", "10000", "--stack", "2000"});
+  const Outcome free = with({"2e-7", "--flash", "10k", "--stack", "2000"});
   EXPECT_EQ(free.status, 0) << free.out;
-  EXPECT_THAT(free.out, HasSubstr("2e-07 on m4f within 10000 bytes of flash and 2000 bytes of "
+  EXPECT_THAT(free.out, HasSubstr("2e-07 on m4f within 10240 bytes of flash and 2000 bytes of "
                                   "stack: double dopri5-fixed 0.02"));
   EXPECT_THAT(free.out, HasSubstr(" bytes of flash, "));
   const Outcome little = with({"2e-7", "--flash", "2000"});
@@ -314,7 +316,7 @@ TEST_F(AccuracyErrors, RefusesWhatCannotBeJudged) {
     return treedyn(all);
   };
   expect_usage_error(with(kPendulum, {"--target", "1", "--flash", "1000"}),
-                     "host has no such limit; expected --on with m0plus, m4f, m33 or m7");
+                     "limits of processors with flash; expected --on with m0plus, m4f, m33 or m7");
   expect_usage_error(with(kPendulum, {"--on", "m4f", "--stack", "1000"}), "expected --target");
   expect_usage_error(with(kPendulum, {"--on", "host", "--sizes"}), "no processor with flash");
   expect_usage_error(with(kPendulum, {"--error", "jerk"}), "jerk not in {joints,energy,drift,");
@@ -332,6 +334,21 @@ TEST_F(AccuracyErrors, RefusesWhatCannotBeJudged) {
                      "the step is the same without velocity_products");
   expect_usage_error(with(ball(), {"--without", "point_constraint"}), "decides which rows");
   EXPECT_EQ(with(kPendulum, {"--points", "nose=rood"}).status, 1);
+  for (const std::string option : {"--target", "--steps", "--rate"}) {
+    for (const std::string value : {"0", "-1"}) {
+      expect_usage_error(with(kPendulum, {option, value}),
+                         option + ": " + value + " is not above 0; expected a number above 0");
+    }
+    for (const std::string value : {"abc", "nan", "inf"}) {
+      expect_usage_error(with(kPendulum, {option, value}), "'" + value + "' is not a number");
+    }
+  }
+  for (const std::string value : {"0", "64kb", "1.5", "nan", "-2k"}) {
+    expect_usage_error(with(kPendulum, {"--target", "1", "--flash", value}),
+                       "--flash: '" + value + "' is no number of bytes above 0");
+  }
+  expect_usage_error(treedyn({"accuracy", kPendulum, "--steps", "1e-9"}),
+                     "--steps 1e-09: 10 s need more than 400000 steps; expected longer ones");
   const Outcome no_compiler =
       support::run({"env", "PATH=/nowhere", TREEDYN_EXECUTABLE, "accuracy", kPendulum, "--on",
                     "m4f", "--target", "1", "--flash", "1000"});

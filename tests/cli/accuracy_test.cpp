@@ -418,6 +418,20 @@ TEST_F(Accuracy, SaysWhichTargetsAreOutOfReach) {
   EXPECT_THAT(refused.out, HasSubstr("with double rk4 0.005"));
 }
 
+/// The refusal is that of the study: processors do not change it.
+TEST_F(Accuracy, SaysOfEachProcessorOnce) {
+  write_file(scratch("s.yaml"), "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                                "/models/scenes/pendulum.model.yaml\neffects:\n"
+                                "  gravity: [0, 0, -9.81]\nduration: 3.55\n");
+  const Outcome refused =
+      treedyn({"accuracy", scratch("s.yaml"), "--states", "1", "--integrators", "rk4", "--steps",
+               "0.05", "--on", "m4f,m7,m4f", "--target", "1e-20"});
+  const std::string& text = refused.out;
+  EXPECT_THAT(text, StartsWith("s: 3.55 s, the scene's own initial state\n"));
+  EXPECT_EQ(text.find("out of reach"), text.rfind("out of reach"));
+  EXPECT_EQ(text.find("cheapest settings on m4f"), text.rfind("cheapest settings on m4f"));
+}
+
 /// Rounding of the state to float, some 1e-7 a step, adds up over 10 000 steps; kept, it does not.
 TEST_F(Accuracy, ACompensatedStateLowersTheFloorOfFloat) {
   const Json result = study({"--integrators", "rk4", "--steps", "0.001"});
@@ -439,9 +453,22 @@ TEST_F(Accuracy, WritesSettingsThatGenerateTakes) {
                                 "--settings", settings, "-o", scratch("made")});
   EXPECT_EQ(made.status, 0) << made.err;
   EXPECT_THAT(read_file(scratch("made") + "/pendulum.cpp"), HasSubstr("constexpr float h = 0.02f"));
-  write_file(settings, "stepp = 0.02\n");
-  expect_usage_error(
-      treedyn({"generate", "--scene", kPendulum, "--settings", settings, "-o", out()}), "--stepp");
+  const std::vector<std::string> generate = {
+      "generate", "--scene", kPendulum, "--functions", "step", "-o", out(), "--settings", settings};
+  std::vector<std::string> longer = generate;
+  longer.insert(longer.end(), {"--step", "0.05"});
+  EXPECT_EQ(treedyn(longer).status, 0);
+  EXPECT_THAT(read_file(file("pendulum.cpp")), HasSubstr("constexpr float h = 0.05f"));
+  for (const auto& [line, what] :
+       {std::pair("stepp = 0.02", "--stepp is no option of generate that may stand here"),
+        std::pair("foo", "'foo' is not usable; expected a line like scalar = \"float\""),
+        std::pair("[x]", "'[x]' is not usable"),
+        std::pair("step = 0.03", "--step stands here twice; expected it once")}) {
+    write_file(settings, "step = 0.02  # s\n" + std::string(line) + "\n");
+    const Outcome refused = treedyn(generate);
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.err, HasSubstr(settings + ":2: settings: " + what));
+  }
 }
 
 /// At 100 Hz a setting of 20 ms is none, though it would be the cheapest.

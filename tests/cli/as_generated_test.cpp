@@ -1,5 +1,6 @@
 // `treedyn simulate --as-generated`: the motion that generated code computes.
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -52,6 +53,46 @@ TEST(AsGenerated, WalksLikeTheSimulator) {
   for (std::size_t k = 8; k < 12; ++k) {  // reactions: 20 kg and accelerations of the errors
     EXPECT_NEAR(x[k], y[k], 1e-3) << a.at("columns").at(k);
   }
+}
+
+/// Every step has a row here: its operations are those that the manifest tells of its phase.
+TEST(AsGenerated, CountsItsOwnSteps) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  const std::string walk = kScenes + "compass_walk.yaml";
+  const Outcome outcome =
+      simulated(walk, {"--as-generated", "--scalar", "float", "--integrator", "rk4", "--step",
+                       "0.01", "--duration", "1.8", "-v", "--report", "-o", out});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("180 steps, "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("720 evaluations of the dynamics, "), std::string::npos);
+  const Outcome made =
+      run({TREEDYN_EXECUTABLE, "generate", "--scene", walk, "--functions", "step", "--integrator",
+           "rk4", "--step", "0.01", "--scalar", "float", "-o", out + "/made"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Json manifest = Json::parse(read_file(out + "/made/compass_walk.json"));
+  std::map<std::string, long> operations;
+  for (const Json& phase : manifest.at("functions").back().at("phases")) {
+    const Json& cost = phase.at("operations");
+    operations[phase.at("name")] =
+        cost.at("add").get<long>() + cost.at("mul").get<long>() + cost.at("div").get<long>();
+  }
+  const Json result = Json::parse(read_file(out + "/compass_walk.json"));
+  ASSERT_EQ(result.at("rows").size(), 181U);
+  long expected = 0;
+  for (std::size_t k = 0; k < 180; ++k) {
+    expected += operations.at(result.at("rows").at(k).at(1));
+  }
+  EXPECT_EQ(result.at("steps"), 180);
+  EXPECT_EQ(result.at("as_generated"), "float");
+  EXPECT_EQ(result.at("cost").at("evaluations"), 720);
+  EXPECT_EQ(result.at("cost").at("operations"), expected);
+  EXPECT_EQ(result.at("events").at(0).at("event"), "touch_down of right_foot");
+  const std::string page = read_file(out + "/compass_walk.html");
+  EXPECT_NE(page.find("generated step in float, --as-generated"), std::string::npos);
+  EXPECT_NE(page.find("180 (0 rejected), 720 evaluations"), std::string::npos);
+  EXPECT_EQ(page.find("\"projection\""), std::string::npos);
+  EXPECT_NE(page.find("touch_down of right_foot"), std::string::npos);
 }
 
 TEST(AsGenerated, ShowsWhatFloatDoes) {
