@@ -110,7 +110,11 @@ std::string reference_text(const Study& study) {
     const auto own = reference.differences.find(study.error);
     const double difference = own == reference.differences.end() ? 0 : own->second;
     text += fmt::format("pictures and targets: largest {}", row_of(study.error).text);
-    text += difference > 0 ? fmt::format("; of it they differ by {:.1e}\n", difference) : "\n";
+    text += difference > 0
+                ? fmt::format(
+                      "; of it they differ by {:.1e}: above {:.1e} it is known to a hundredth\n",
+                      difference, 100 * study.reference.uncertainty(study.error))
+                : "\n";
   }
   if (reference.check.empty()) {
     return text + "check: none, simulate does not get through\n";

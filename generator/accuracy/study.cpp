@@ -262,6 +262,7 @@ std::optional<std::size_t> most_accurate(const Study& study, const Core& core) {
 }
 
 std::optional<double> fitted_order(const Study& study, State state, const std::string& method) {
+  constexpr double kSameOrder = 0.5;
   std::vector<std::pair<double, double>> points;
   const std::optional<Floor> floor = floor_of(study, state);
   for (const Outcome& outcome : study.outcomes) {
@@ -274,7 +275,7 @@ std::optional<double> fitted_order(const Study& study, State state, const std::s
       points.emplace_back(std::log(outcome.setting.step), std::log(error));
     }
   }
-  if (points.size() < 2) {
+  if (points.size() < 3) {
     return std::nullopt;
   }
   double x = 0;
@@ -289,7 +290,15 @@ std::optional<double> fitted_order(const Study& study, State state, const std::s
     xy += (h - x) * (e - y);
     xx += (h - x) * (h - x);
   }
-  return xy / xx;
+  const double order = xy / xx;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const double between =
+        (points[k].second - points[k - 1].second) / (points[k].first - points[k - 1].first);
+    if (!(std::abs(between - order) <= kSameOrder)) {
+      return std::nullopt;  // terms of several orders
+    }
+  }
+  return order;
 }
 
 namespace {

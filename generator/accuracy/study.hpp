@@ -163,7 +163,8 @@ std::optional<std::size_t> cheapest(const Study& study, const Core& core, double
 std::optional<std::size_t> most_accurate(const Study& study, const Core& core);
 
 /// The order p of e = C h^p by least squares over the steps of one scalar and method whose error
-/// lies between 100 times the smallest and 1e-3; nothing with fewer than two.
+/// lies between 100 times the smallest and 1e-3; nothing with fewer than three, or where the order
+/// from one step to the next is another by more than a half.
 std::optional<double> fitted_order(const Study& study, State state, const std::string& method);
 
 /// The smallest error of a scalar and the step at which it is reached; nothing where all failed.

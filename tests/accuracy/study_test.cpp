@@ -49,6 +49,16 @@ TEST(Study, FitsTheOrderAboveTheFloor) {
   EXPECT_FALSE(fitted_order(study_of_order_four(), State::kDouble, "euler"));
 }
 
+/// h^5 - 0.011 h^4 changes its sign at 11 ms: no order says how the error falls.
+TEST(Study, FitsNoOrderThroughTermsThatCancel) {
+  Study study;
+  for (const double h : {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.0001}) {
+    const double error = std::fabs(std::pow(h, 5) - 0.011 * std::pow(h, 4)) + 1e-16;
+    study.outcomes.push_back(outcome(State::kDouble, "rk4", h, error, 50));
+  }
+  EXPECT_FALSE(fitted_order(study, State::kDouble, "rk4"));
+}
+
 TEST(Study, FindsTheFloorOfAScalarAndItsStep) {
   const std::optional<Floor> floor = floor_of(study_of_order_four(), State::kFloat);
   ASSERT_TRUE(floor);
