@@ -52,7 +52,8 @@ void prove(const Model& model, const Request& request, const program::Programs& 
                [](const program::Function& function) {
                  return !equations::is_scene_function(function.signature.name);
                });
-  const model::Vector3 gravity = decided_request(model, request).gravity;
+  model::Vector3 gravity = decided_request(model, request).gravity;
+  std::ranges::for_each(gravity, [](Real& x) { x = x.plain(); });
   UserEquations equations;
   for (const auto& function : model.equations) {
     equations.push_back(&function->equation);

@@ -304,10 +304,12 @@ void prove_at_run_time(Proof& proof, const model::Tree& tree,
     for (const model::Parameter& parameter : tree.parameters) {
       const bool positive = parameter.quantity == model::ParameterKind::kMass;
       const Real random = proof.states.next();
-      values.push_back(draw == Draw::kNominal ? model::nominal(tree, gravity, parameter)
-                       : draw == Draw::kZero  ? Real(0)
-                       : positive             ? abs(random)
-                                              : random);
+      // gravity of a scene stands beside the tree: it is nominal
+      const bool of_scene = parameter.quantity == model::ParameterKind::kScene;
+      values.push_back(draw == Draw::kNominal || of_scene ? model::nominal(tree, gravity, parameter)
+                       : draw == Draw::kZero              ? Real(0)
+                       : positive                         ? abs(random)
+                                                          : random);
       model::set(changed, proof.gravity, parameter, values.back());
     }
     for (const auto& [k, own] : places) {

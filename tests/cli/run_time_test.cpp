@@ -621,6 +621,22 @@ TEST_F(RunTimeCli, ScenesRefuseWhatTheyDoNotTake) {
   refused(k + "effects: {joint_spring: [{joint: j, stiffness: asin(k/4)}]}\n", "asin");
 }
 
+/// Functions of the model have the gravity of its scene.
+TEST_F(RunTimeCli, FunctionsOfTheModelKnowTheGravityOfItsScene) {
+  write_file(scratch("model.yaml"), declared("mass: 2\n    com: [1, 0, 0]"));
+  write_file(scratch("scene.yaml"),
+             "scene: s\nmodel: model.yaml\nduration: 1\nparameters: {g: 9}\nruntime: [g]\n"
+             "effects: {gravity: [0, 0, -g]}\n");
+  const Outcome outcome =
+      treedyn({"generate", "-q", "--scene", scratch("scene.yaml"), "--functions",
+               "gravity_force,mass_matrix,constrained_dynamics", "-o", out()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string header = read_file(file("s.hpp"));
+  EXPECT_THAT(header, HasSubstr("void gravity_force(const Scalar q[1], const DerivedParameters& "
+                                "derived, Scalar G[1])"));
+  EXPECT_THAT(header, HasSubstr("void mass_matrix(const Scalar q[1], Scalar A[1])"));
+}
+
 /// Initial states and durations are nominal; what `simulate` runs is, too.
 TEST_F(RunTimeCli, ScenesSimulateWithNominalNumbers) {
   write_file(scratch("model.yaml"), declared("mass: 2\n    inertia: [1, 0, 0, 1, 0, 1]"));
