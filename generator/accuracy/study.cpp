@@ -1,7 +1,7 @@
 #include "accuracy/study.hpp"
 
 #include <algorithm>
-#include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -97,10 +97,6 @@ std::vector<Error> errors_of(const Study& study) {
 }
 
 double Outcome::expected(Error of) const {
-  // Student's t, 95 % on one side, by degrees of freedom
-  static constexpr std::array<double, 20> kStudent = {
-      6.314, 2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860, 1.833, 1.812,
-      1.796, 1.782, 1.771, 1.761, 1.753, 1.746, 1.740, 1.734, 1.729, 1.725};
   const std::vector<double>& values = errors.at(of);
   const double most = largest(values);
   const auto n = static_cast<double>(values.size());
@@ -115,8 +111,19 @@ double Outcome::expected(Error of) const {
   for (const double value : values) {
     squares += (std::log(value) - mean) * (std::log(value) - mean);
   }
-  const double t = kStudent[std::min(values.size() - 2, kStudent.size() - 1)];
+  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.95);
   return std::max(most, std::exp(mean + t * std::sqrt(squares / (n - 1) * (1 + 1 / n))));
+}
+
+template <class Of>
+double Outcome::mean(Of of) const {
+  double sum = 0;
+  double steps = 0;
+  for (const PhaseSteps& phase : phases) {
+    sum += static_cast<double>(phase.steps) * of(phase.cost);
+    steps += static_cast<double>(phase.steps);
+  }
+  return sum / std::max(steps, 1.0);
 }
 
 program::Cost Outcome::step_cost() const {
@@ -125,13 +132,8 @@ program::Cost Outcome::step_cost() const {
                                              &program::Cost::sin, &program::Cost::cos};
   program::Cost result;
   for (int program::Cost::*const count : kCounts) {
-    double sum = 0;
-    double steps = 0;
-    for (const PhaseSteps& phase : phases) {
-      sum += static_cast<double>(phase.steps) * phase.cost.*count;
-      steps += static_cast<double>(phase.steps);
-    }
-    result.*count = static_cast<int>(std::lround(sum / std::max(steps, 1.0)));
+    const double of_step = mean([count](const program::Cost& cost) { return cost.*count; });
+    result.*count = static_cast<int>(std::lround(of_step));
   }
   return result;
 }
@@ -149,13 +151,7 @@ double Outcome::most_cycles(const Core& core) const {
 }
 
 double Outcome::cycles_per_second(const Core& core) const {
-  double sum = 0;
-  double steps = 0;
-  for (const PhaseSteps& phase : phases) {
-    sum += static_cast<double>(phase.steps) * cycles_of(phase.cost, core);
-    steps += static_cast<double>(phase.steps);
-  }
-  return sum / std::max(steps, 1.0) / setting.step;
+  return mean([&](const program::Cost& cost) { return cycles_of(cost, core); }) / setting.step;
 }
 
 namespace {

@@ -85,6 +85,9 @@ struct Outcome {
   [[nodiscard]] double cycles_per_second(const Core& core) const;
 
  private:
+  /// Over all steps.
+  template <class Of>
+  [[nodiscard]] double mean(Of of) const;
   [[nodiscard]] double cycles_of(const program::Cost& cost, const Core& core) const;
 };
 

@@ -10,25 +10,16 @@
 #include "cli/dump.hpp"
 #include "cli/generation_options.hpp"
 #include "cli/pages.hpp"
+#include "cli/scene_commands.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "equations/scene_table.hpp"
 #include "formulate/scene_functions.hpp"
-#include "formulate/scene_steps.hpp"
-#include "model/effects.hpp"
-#include "model/scene.hpp"
-#include "model/scene_facts.hpp"
-#include "simulation/integrator.hpp"
 #include "version.hpp"
 
 namespace treedyn {
 
 namespace {
-
-void add_talk(CLI::App& command, Settings& settings) {
-  command.add_flag("-q,--quiet", settings.quiet, "no warnings");
-  command.add_flag("-v,--verbose", settings.verbose, "also what was done, with times");
-}
 
 CLI::App* add_output_command(CLI::App& app, const char* name, const char* what,
                              Settings& settings) {
@@ -47,233 +38,6 @@ void require_output(const Settings& settings) {
   if (settings.numeric && settings.request.target.lanes > 1) {
     throw CLI::ValidationError("--numeric", "compares functions of one state; expected --lanes 1");
   }
-}
-
-/// An option whose value is a number above 0.
-template <class Value>
-void add_positive(CLI::App& command, const std::string& name, const std::string& what,
-                  const char* type, std::optional<Value>& value) {
-  command
-      .add_option_function<std::string>(
-          name,
-          [name, &value](const std::string& text) {
-            value = static_cast<Value>(positive(name, text));
-          },
-          what)
-      ->type_name(type);
-}
-
-/// An option whose value is a number of bytes, 4096 or 4k.
-void add_bytes(CLI::App& command, const std::string& name, std::optional<long>& value) {
-  const auto set = [name, &value](const std::string& text) {
-    const bool kilo = text.ends_with('k') || text.ends_with('K');
-    const Decimal decimal = read_decimal(text.substr(0, text.size() - (kilo ? 1 : 0)));
-    const Real bytes = decimal.value * (kilo ? 1024 : 1);
-    if (!decimal || bytes < 1 || bytes > 1e12 || bytes != floor(bytes)) {
-      throw CLI::ValidationError(
-          name, fmt::format("'{}' is no number of bytes above 0; expected one like 65536 or 64k",
-                            shown(text)));
-    }
-    value = static_cast<long>(bytes);
-  };
-  command.add_option_function<std::string>(name, set, "bytes that the choice may take, or 64k")
-      ->type_name("N");
-}
-
-/// In the order in which they come first.
-template <class Value>
-void keep_once(std::vector<Value>& values) {
-  std::vector<Value> once;
-  for (const Value& value : values) {
-    if (std::find(once.begin(), once.end(), value) == once.end()) {
-      once.push_back(value);
-    }
-  }
-  values = once;
-}
-
-/// What a study varies besides scalar, integrator and step, only if it is asked to.
-void add_axes(CLI::App& command, AccuracyAxes& axes) {
-  const auto add = [&](const char* name, const char* what, const std::vector<std::string>& words,
-                       std::vector<std::string>& values) {
-    command.add_option(name, values, what)->delimiter(',')->check(one_of(words))->type_name("LIST");
-  };
-  add("--sincos", "sines of each, pair or libm", {"pair", "libm"}, axes.sincos);
-  add("--forward-dynamics", "methods, factor or articulated", {"factor", "articulated"},
-      axes.forward_dynamics);
-  add("--stabilisation", "against drift: none, baumgarte or projection",
-      {"none", "baumgarte", "projection"}, axes.stabilisation);
-  std::vector<std::string> cuts;
-  for (int k = 0; k <= model::kMostCuts; ++k) {
-    cuts.push_back(std::to_string(k));
-  }
-  add("--cuts", "shorter steps that look for an event; 0: at the end", cuts, axes.cuts);
-  std::vector<std::string> effects;
-  for (const model::EffectRow& row : model::kEffects) {
-    effects.emplace_back(row.name);
-  }
-  add("--without", "effects that are left out, one at a time, beside the whole scene", effects,
-      axes.without);
-}
-
-void add_accuracy(CLI::App& app, Settings& settings) {
-  AccuracyRequest& request = settings.accuracy;
-  CLI::App& command =
-      *app.add_subcommand("accuracy", "what the accuracy of a scene's generated step costs");
-  command.add_option("SCENE", request.scene, "scene (*.yaml)")->required();
-  command
-      .add_option("-o,--output", request.output,
-                  "folder of NAME_accuracy.html, .svg, .csv and .json")
-      ->type_name("DIR");
-  std::vector<std::string> names;
-  for (const accuracy::Core& core : accuracy::cores()) {
-    names.emplace_back(core.name);
-  }
-  command.add_option("--on", request.on, "processors, whose tables of cycles count")
-      ->delimiter(',')
-      ->check(one_of(names))
-      ->type_name("LIST");
-  std::vector<std::string> methods = model::step_method_names();
-  command.add_option("--integrators", request.integrators, "default: the explicit ones")
-      ->delimiter(',')
-      ->check(one_of(methods))
-      ->type_name("LIST");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--steps",
-          [&request](const std::vector<std::string>& steps) {
-            for (const std::string& step : steps) {
-              request.steps.push_back(static_cast<double>(positive("--steps", step)));
-            }
-          },
-          "s; default: a ladder of 1, 2, 5")
-      ->delimiter(',')
-      ->type_name("LIST");
-  add_positive(command, "--rate",
-               "of a controller, Hz: only steps of which a whole number makes its period", "HZ",
-               request.rate);
-  add_positive(command, "--target",
-               "largest error, see --error: prints the cheapest setting that keeps it", "E",
-               request.target);
-  command.add_option("--states", request.states, "initial states, the scene's own among them")
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N");
-  command
-      .add_option(
-          "--spread", request.spread,
-          "by which part of their size coordinates and speeds of the others differ at most; "
-          "default 0.01")
-      ->check(CLI::Range(1e-9, 1.0))
-      ->type_name("PART");
-  std::vector<std::string> errors;
-  for (const accuracy::ErrorRow& row : accuracy::kErrors) {
-    errors.emplace_back(row.name);
-  }
-  command
-      .add_option("--error", request.error,
-                  "which one targets, fronts and pictures are of; default joints")
-      ->check(one_of(errors))
-      ->type_name("NAME");
-  command
-      .add_option("--points", request.points,
-                  "whose places are compared, as in generate; default: those of the scene")
-      ->type_name("LIST");
-  add_axes(command, request.axes);
-  command.add_flag("--sizes", request.sizes,
-                   "flash and stack of every step on the processors, by arm-none-eabi-g++");
-  command.add_flag("--time", request.time,
-                   "wall time of every step on this machine, as multiples of the fastest; changes "
-                   "from run to run");
-  add_bytes(command, "--flash", request.limits.flash);
-  add_bytes(command, "--stack", request.limits.stack);
-  CLI::Option* parts =
-      command
-          .add_option("--parts", request.parts,
-                      "folder of the results of single settings: they are kept there and taken "
-                      "from there, so a study that was broken off goes on")
-          ->type_name("DIR");
-  command
-      .add_option("--plan", request.plan,
-                  "write the commands of all settings that are not in --parts, a line each")
-      ->type_name("FILE")
-      ->needs(parts);
-  command.add_option("--part", request.part, "measure this setting alone, into --parts")
-      ->type_name("N")
-      ->needs(parts)
-      ->excludes("--plan");
-  command
-      .add_option_function<std::string>(
-          "--gather",
-          [&request](const std::string& folder) {
-            request.parts = folder;
-            request.joined = true;
-          },
-          "measure nothing: all settings are in the folder that --parts had")
-      ->type_name("DIR")
-      ->excludes("--plan", "--part", "--parts");
-  add_talk(command, settings);
-}
-
-void add_simulate(CLI::App& app, Settings& settings) {
-  SimulateRequest& request = settings.simulation;
-  CLI::App& command = *app.add_subcommand("simulate", "run a scene in time");
-  command.add_option("SCENE", request.scene, "scene (*.yaml), or a case of hard_cases (*.json)")
-      ->required();
-  command
-      .add_option("-o,--output", request.output,
-                  "folder of NAME.csv; without it the table goes to standard output")
-      ->type_name("DIR");
-  command.add_flag("--json", request.json, "NAME.json too; without -o instead of the table");
-  command.add_flag("--report", request.report, "NAME.html too: plots and a moving figure");
-  CLI::Option* engine =
-      command.add_flag("--engine", request.engine, "the generic engine, for comparison");
-  command.add_flag("--compiled", request.compiled, "generated functions, by the C++ compiler")
-      ->excludes(engine);
-  CLI::Option* generated =
-      command
-          .add_flag("--as-generated", request.as_generated,
-                    "the generated step, by the C++ compiler: what firmware does")
-          ->excludes(engine);
-  command
-      .add_option("--scalar", request.scalar,
-                  "floating-point type of the generated step; default double")
-      ->needs(generated)
-      ->check(one_of({"double", "float"}))
-      ->type_name("double|float");
-  std::vector<std::string> integrators;
-  for (const simulation::IntegratorRow& row : simulation::integrators()) {
-    integrators.emplace_back(row.name);
-  }
-  command.add_option("--integrator", request.integrator, "treedyn list integrators names them")
-      ->check(one_of(integrators))
-      ->type_name("NAME");
-  add_positive(command, "--step", "s; the longest one of an adaptive integrator", "H",
-               request.step);
-  add_positive(command, "--tolerance", "error of a step of an adaptive integrator", "T",
-               request.tolerance);
-  add_positive(command, "--duration", "s", "T", request.duration);
-  add_positive(command, "--max-steps", "end where more steps would be needed; default 1e7", "N",
-               request.most_steps);
-  add_positive(command, "--drift-limit",
-               "end where a constraint is further off: rad, or parts of the robot's size; default "
-               "0.01",
-               "D", request.drift_limit);
-  add_positive(command, "--energy-limit",
-               "end where more energy appears without power: parts of what the motion has "
-               "exchanged; default 1",
-               "E", request.energy_limit);
-  command
-      .add_option_function<std::string>(
-          "--drift",
-          [&request](const std::string& drift) {
-            request.drift = drift == "none"        ? model::Drift::kNone
-                            : drift == "baumgarte" ? model::Drift::kBaumgarte
-                                                   : model::Drift::kProjection;
-          },
-          "what is done about the drift of constraints")
-      ->check(one_of({"none", "baumgarte", "projection"}))
-      ->type_name("none|baumgarte|projection");
-  add_talk(command, settings);
 }
 
 void add_commands(CLI::App& app, Settings& settings) {
@@ -464,9 +228,7 @@ void split_equations(const CLI::App& app, Settings& settings) {
 
 void require_options(const CLI::App& app, Settings& settings) {
   split_equations(app, settings);
-  keep_once(settings.accuracy.on);
-  keep_once(settings.accuracy.integrators);
-  keep_once(settings.accuracy.steps);
+  tidy_study(settings.accuracy);
   const auto generation = {"generate", "check", "outputs", "info"};
   if (std::any_of(generation.begin(), generation.end(),
                   [&](const char* name) { return app.got_subcommand(name); })) {

@@ -1,5 +1,5 @@
-// Options of commands that read a model and generate code. CLI11 is known here and in
-// command_line.cpp only.
+// Options of commands that read a model and generate code. CLI11 is known here, in
+// scene_commands and in command_line.cpp only.
 #pragma once
 
 #include <string>

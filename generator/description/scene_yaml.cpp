@@ -177,6 +177,7 @@ model::Scene read_scene_yaml(const Node& node, const std::string& file,
   scene.name = root.name("scene", "scene").text;
   scene.tree_file = model_path(root, file);
   scene.tree = parse_model(model_text(scene.tree_file), scene.tree_file, {.base = base_of(root)});
+  scene.declares_parameters = !scene.tree.parameters.empty() || !root.list("runtime").empty();
   read_model_parameters(root, static_cast<bool>(at_run_time), scene.tree);
   if (scene.tree.dof() == 0) {
     root.fail(root.get("model").where, "the model has no moving joint; expected at least one");

@@ -195,15 +195,13 @@ std::string LocalNames::trigonometric(Ref value) const {
   const char* letter = node.kind == Kind::kSin ? "s" : "c";
   if (angle.kind == Kind::kInput) {
     const program::Array& array = function_.signature.inputs[static_cast<std::size_t>(angle.a)];
-    if (!array.fields.empty() || array.size == 1) {
-      const auto k = static_cast<std::size_t>(angle.b);
-      const std::string& name = array.fields.empty() ? array.name : array.fields[k];
-      return array.name == "q" ? fmt::format("{}_{}", letter, words_.joints.front())
-                               : fmt::format("{}_{}", letter, name);
+    const std::vector<std::string> time = {array.name};
+    const std::vector<std::string>& elements = !array.fields.empty() ? array.fields
+                                               : array.name == "t"   ? time
+                                                                     : words_.joints;
+    if (static_cast<std::size_t>(angle.b) < elements.size()) {
+      return fmt::format("{}_{}", letter, elements[static_cast<std::size_t>(angle.b)]);
     }
-  }
-  if (angle.kind == Kind::kInput && static_cast<std::size_t>(angle.b) < words_.joints.size()) {
-    return fmt::format("{}_{}", letter, words_.joints[static_cast<std::size_t>(angle.b)]);
   }
   if (const std::string joints = this->angle(std::abs(node.a)); !joints.empty()) {
     return fmt::format("{}_{}", letter, joints);

@@ -205,9 +205,10 @@ struct Stepping {
 struct Scene {
   std::string name;
   Tree tree;
-  std::string tree_file;          ///< path that `tree` was read from; empty: the scene's own file
-  Vector3 gravity{};              ///< zero: off
-  bool velocity_products = true;  ///< false: B(q, qd) and gamma are dropped, quasi-static
+  std::string tree_file;  ///< path that `tree` was read from; empty: the scene's own file
+  bool declares_parameters = false;  ///< that are known at run time only, or its model does
+  Vector3 gravity{};                 ///< zero: off
+  bool velocity_products = true;     ///< false: B(q, qd) and gamma are dropped, quasi-static
   std::vector<Real> q0;
   std::vector<Real> qd0;
   std::vector<Real> tau;  ///< constant joint forces; empty: none

@@ -250,12 +250,12 @@ Model read_scene_model(const Request& request) {
   const auto model_text_of = [&](const std::string& path) {
     return model_text = description::read_model_text(path);
   };
-  // its mistakes are those of its numbers, whatever is known at run time only
+  // mistakes are those of its numbers, whatever is known at run time only
   model.scene = description::parse_scene(text, *request.scene, model_text_of);
-  model.scene =
-      description::parse_scene(text, *request.scene, model_text_of, formulate::run_time_number);
-  if (!model.scene->tree.parameters.empty()) {
+  if (model.scene->declares_parameters) {
     refuse_parameters(request, *request.scene);
+    model.scene =
+        description::parse_scene(text, *request.scene, model_text_of, formulate::run_time_number);
   }
   choose(request.stepping, model.scene->stepping);
   check_scene(*model.scene, {*request.scene, 0, 0});

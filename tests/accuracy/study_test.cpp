@@ -202,12 +202,14 @@ TEST(Study, ChoosesNothingThatTheCheckContradicts) {
   EXPECT_TRUE(reaches(study, 1e-2));
 }
 
-/// Of 1, 2 and 4 e-6 the logarithms have mean log 2e-6 and deviation log 2; Student's t is 2.920.
+/// Of 1, 2 and 4 e-6 the logarithms have mean log 2e-6 and deviation log 2; Student's t of two
+/// degrees of freedom is (2 p - 1) / sqrt(2 p (1 - p)).
 TEST(Study, ExpectsMoreOfOtherStatesThanTheLargestErrorOfThose) {
   Outcome one = outcome(State::kFloat, "rk4", 0.01, 1e-6, 1);
   EXPECT_DOUBLE_EQ(one.expected(), 1e-6);  // all the same
   one.errors[Error::kJoints] = {2e-6, 1e-6, 4e-6};
-  EXPECT_NEAR(one.expected(), 2e-6 * std::exp(2.920 * std::log(2) * std::sqrt(4.0 / 3)), 1e-18);
+  const double t = 0.9 / std::sqrt(2 * 0.95 * 0.05);
+  EXPECT_NEAR(one.expected(), 2e-6 * std::exp(t * std::log(2) * std::sqrt(4.0 / 3)), 1e-18);
   one.errors[Error::kJoints] = {3e-6};
   EXPECT_EQ(one.expected(), 3e-6);
 }
