@@ -31,7 +31,7 @@ class EffectWriter {
   [[nodiscard]] Lines rest_lines(const StepPhase& phase, const StepEvent& event) const;
   [[nodiscard]] Lines plane_lines(const StepPhase& phase, const StepEvent& event) const;
   [[nodiscard]] std::string derived() const {
-    return stepper_.takes_derived ? std::string(", ") + kDerivedOfMotion : "";
+    return stepper_.takes_derived ? fmt::format(", {}", kDerivedOfMotion) : std::string();
   }
   [[nodiscard]] bool needs_time(const StepPhase& phase, const StepEvent& event) const;
 
