@@ -294,6 +294,17 @@ void find_reference(const AccuracyRequest& request, const Subject& subject, cons
   parts.keep({study.reference, exact});
 }
 
+/// What the names of the study's files begin with.
+std::string stem_of(const AccuracyRequest& request, const accuracy::Study& study) {
+  return (std::filesystem::path(request.output) / (to_identifier(study.scene) + "_accuracy"))
+      .string();
+}
+
+/// The folder beside the files that keeps parts until the files are there; empty: no files.
+std::string own_parts(const AccuracyRequest& request, const accuracy::Study& study) {
+  return request.output.empty() ? "" : stem_of(request, study) + ".parts";
+}
+
 /// Writes the commands of the settings that have no part yet.
 void plan(const AccuracyRequest& request, const StudyParts& parts,
           const std::vector<accuracy::Setting>& settings) {
@@ -333,8 +344,11 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
     throw UsageError(fmt::format("--part {}: the study has {} settings; expected 1 to {}",
                                  *request.part, settings.size(), settings.size()));
   }
+  const std::string own = request.parts.empty() ? own_parts(request, study) : "";
   const StudyParts parts(
-      request.parts, identity(study, subject, settings, sized) + (request.time ? "timed\n" : ""));
+      own.empty() ? request.parts : own,
+      identity(study, subject, settings, sized) + (request.time ? "timed\n" : ""),
+      own.empty() ? StudyParts::Others::kRefused : StudyParts::Others::kReplaced);
   Comparison comparison(subject, points);
   find_reference(request, subject, parts, trace, comparison, writer, study);
   if (!request.plan.empty()) {
@@ -374,9 +388,7 @@ std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study
     text += text.find(choice) == std::string::npos ? choice : "";  // one refusal for all
   }
   if (!request.output.empty()) {
-    const std::string stem =
-        (std::filesystem::path(request.output) / (to_identifier(study.scene) + "_accuracy"))
-            .string();
+    const std::string stem = stem_of(request, study);
     std::vector<OutputFile> files = {{stem + ".csv", accuracy::report_csv(study)},
                                      {stem + ".json", accuracy::report_json(study)},
                                      {stem + ".html", accuracy::report_page(study, on)},
@@ -388,6 +400,7 @@ std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study
       }
     }
     write_files(files);
+    remove_parts(own_parts(request, study));
   }
   return text;
 }

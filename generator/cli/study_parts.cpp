@@ -195,6 +195,8 @@ void result(Words& words, Result& all) {
   sizes(words, all.sizes);
 }
 
+constexpr const char* kEnding = ".part";
+
 std::string name_of(std::size_t number) { return fmt::format("setting_{}", number); }
 
 /// As one word of a shell.
@@ -208,20 +210,22 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-StudyParts::StudyParts(std::string folder, const std::string& study)
+StudyParts::StudyParts(std::string folder, const std::string& study, Others others)
     : folder_(std::move(folder)),
-      head_(fmt::format("treedyn: a part of study {}\n", emit::sha256(study))) {}
+      head_(fmt::format("treedyn: a part of study {}\n", emit::sha256(study))),
+      others_(others) {}
 
 std::string StudyParts::path(const std::string& part) const {
-  return (std::filesystem::path(folder_) / (part + ".part")).string();
+  return (std::filesystem::path(folder_) / (part + kEnding)).string();
 }
 
 std::optional<std::string> StudyParts::read(const std::string& part) const {
   const std::optional<std::string> text = folder_.empty() ? std::nullopt : read_file(path(part));
-  if (!text) {
+  const bool is_ours = text && text->starts_with(head_);
+  if (!text || (!is_ours && others_ == Others::kReplaced)) {
     return std::nullopt;
   }
-  if (text->rfind(head_, 0) != 0) {
+  if (!is_ours) {
     throw InputError({path(part), 1, 0},
                      "is of another study, of other options, scene, model or version; expected "
                      "another folder");
@@ -277,6 +281,16 @@ void StudyParts::keep(std::size_t number, const Outcome& outcome) const {
   Writer words;
   result(words, outcome);
   write(name_of(number), words.text());
+}
+
+void remove_parts(const std::string& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == kEnding) {
+      std::filesystem::remove(entry.path(), ignored);
+    }
+  }
+  std::filesystem::remove(folder, ignored);
 }
 
 void write_plan(const std::string& path, const std::vector<std::string>& arguments,

@@ -21,11 +21,14 @@ struct KnownReference {
 /// hexadecimal: what is read is what was written, bit by bit.
 class StudyParts {
  public:
+  /// What a part of another study does here.
+  enum class Others { kRefused, kReplaced };
+
   /// \param folder  empty: nothing is kept
   /// \param study   everything that the numbers of a part follow from, as text
-  StudyParts(std::string folder, const std::string& study);
+  StudyParts(std::string folder, const std::string& study, Others others);
 
-  /// Nothing: the part is not there. \throws InputError for a part of another study
+  /// Nothing: the part is not there. \throws InputError for a part of a study that is refused
   [[nodiscard]] std::optional<KnownReference> reference() const;
   [[nodiscard]] std::optional<accuracy::Outcome> outcome(std::size_t number,
                                                          const accuracy::Setting& setting) const;
@@ -39,7 +42,11 @@ class StudyParts {
 
   std::string folder_;
   std::string head_;  ///< the first line of its parts
+  Others others_;
 };
+
+/// The parts in a folder are not needed any more, nor is the folder if nothing else is in it.
+void remove_parts(const std::string& folder);
 
 /// A file of commands, a line each, that measure these settings: `arguments` with `--part N`. The
 /// words are quoted for a shell.

@@ -400,6 +400,31 @@ TEST_F(Accuracy, IsMadeInPartsToTheSameBytes) {
   EXPECT_THAT(other.err, HasSubstr("reference.part:1: is of another study"));
 }
 
+/// Ctrl-C when the first settings are measured, and the same command again.
+TEST_F(Accuracy, GoesOnWhereCtrlCHasBrokenItOff) {
+  const std::string into = scratch("out");
+  const std::vector<std::string> study = {"accuracy",  kPendulum, "--states", "2",  "--steps",
+                                          "0.02,0.01", "--on",    "m4f",      "-v", "--integrators",
+                                          "rk4",       "-o",      into};
+  const Outcome broken =
+      support::run({"bash", "-c",
+                    "trap '' INT; (trap - INT; exec \"$0\" \"$@\") & until [ -f \"" + into +
+                        "/pendulum_accuracy.parts/setting_1.part\" ]; do sleep 0.01; done; kill "
+                        "-INT $!; wait $!",
+                    TREEDYN_EXECUTABLE, study[0], study[1], study[2], study[3], study[4], study[5],
+                    study[6], study[7], study[8], study[9], study[10], study[11], study[12]});
+  EXPECT_NE(broken.status, 0);
+  EXPECT_FALSE(std::filesystem::exists(into + "/pendulum_accuracy.csv"));
+
+  const Outcome resumed = treedyn(study);
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_THAT(resumed.err, Not(HasSubstr("float rk4 0.02: ")));
+  EXPECT_FALSE(std::filesystem::exists(into + "/pendulum_accuracy.parts"));
+  const std::string csv = read_file(into + "/pendulum_accuracy.csv");
+  ASSERT_EQ(treedyn(study).status, 0);
+  EXPECT_EQ(read_file(into + "/pendulum_accuracy.csv"), csv);
+}
+
 TEST_F(Accuracy, SaysWhichTargetsAreOutOfReach) {
   const std::vector<std::string> arguments = {"accuracy",      kPendulum,    "--states", "4",
                                               "--steps",       "0.02,0.005", "--on",     "m4f",
