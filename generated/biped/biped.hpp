@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xb5e842cd159eeab7ULL;
+constexpr unsigned long long kDigest = 0xd2f93089ff6dd6dcULL;
 
 /// Index of every joint.
 namespace joint {

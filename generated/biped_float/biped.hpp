@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x258ed71e6c233c0fULL;
+constexpr unsigned long long kDigest = 0xb5c06e53ffce78c7ULL;
 
 /// Index of every joint.
 namespace joint {

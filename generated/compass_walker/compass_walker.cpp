@@ -14,7 +14,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0xe9a52107478edbc5ULL, "header and source are of different runs");
+static_assert(kDigest == 0x8b5e97520dfd1b5bULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -138,11 +138,13 @@ void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
   const auto p_s_right_hip = sine_cosine(q[3]);
   const Scalar& s_right_hip = p_s_right_hip.sine;
   const Scalar& c_right_hip = p_s_right_hip.cosine;
-  const Scalar t_right_leg_1 = qd[3] * qd[3];
-  const Scalar t_left_leg_1 = qd[2] * qd[2];
+  const Scalar neg_Omega_right_leg_xx = qd[3] * qd[3];
+  const Scalar neg_Omega_left_leg_xx = qd[2] * qd[2];
   // hip: force F of (3)
-  B[1] = left_leg_p1 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1);
-  B[0] = left_leg_p1 * (s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1);
+  const Scalar F_hip_z_1 = c_right_hip * neg_Omega_right_leg_xx;
+  B[1] = left_leg_p1 * (F_hip_z_1 + c_left_hip * neg_Omega_left_leg_xx);
+  const Scalar F_hip_x_1 = s_right_hip * neg_Omega_right_leg_xx;
+  B[0] = left_leg_p1 * (F_hip_x_1 + s_left_hip * neg_Omega_left_leg_xx);
   B[2] = 0.0;
   B[3] = 0.0;
 }
@@ -167,7 +169,7 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
   const Scalar t_left_leg_1 = left_leg_p1 * c_left_hip;
   const Scalar t_left_leg_2 = left_leg_p1 * s_left_hip;
   tau[2] = left_leg_p2 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
-  const Scalar t_left_leg_3 = qd[2] * qd[2];
+  const Scalar neg_Omega_left_leg_xx = qd[2] * qd[2];
   // right_leg: moment M, Omega of (1)
   const auto p_s_right_hip = sine_cosine(q[3]);
   const Scalar& s_right_hip = p_s_right_hip.sine;
@@ -175,12 +177,14 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
   const Scalar t_right_leg_1 = left_leg_p1 * c_right_hip;
   const Scalar t_right_leg_2 = left_leg_p1 * s_right_hip;
   tau[3] = left_leg_p2 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
-  const Scalar t_right_leg_3 = qd[3] * qd[3];
+  const Scalar neg_Omega_right_leg_xx = qd[3] * qd[3];
   // hip: force F of (1)
-  const Scalar t_hip_1 = hip_p1 * a_hip_z + qdd[2] * t_left_leg_2 + t_left_leg_1 * t_left_leg_3;
-  tau[1] = t_hip_1 + t_right_leg_1 * t_right_leg_3 + qdd[3] * t_right_leg_2;
-  const Scalar t_hip_2 = hip_p1 * qdd[0] + t_left_leg_2 * t_left_leg_3 - qdd[2] * t_left_leg_1;
-  tau[0] = t_hip_2 - qdd[3] * t_right_leg_1 + t_right_leg_2 * t_right_leg_3;
+  const Scalar F_hip_z_1 = hip_p1 * a_hip_z + qdd[2] * t_left_leg_2;
+  const Scalar F_hip_z_2 = F_hip_z_1 + t_left_leg_1 * neg_Omega_left_leg_xx;
+  tau[1] = F_hip_z_2 + t_right_leg_1 * neg_Omega_right_leg_xx + qdd[3] * t_right_leg_2;
+  const Scalar F_hip_x_1 = hip_p1 * qdd[0] + t_left_leg_2 * neg_Omega_left_leg_xx;
+  const Scalar F_hip_x_2 = F_hip_x_1 - qdd[2] * t_left_leg_1 - qdd[3] * t_right_leg_1;
+  tau[0] = F_hip_x_2 + t_right_leg_2 * neg_Omega_right_leg_xx;
 }
 
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
@@ -200,21 +204,21 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_4 = qd[2] * qd[2];
   // hip: joint force u of (1)
-  const Scalar t_hip_2 = left_leg_p1 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4);
-  const Scalar t_hip_3 = left_leg_p5 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
-  const Scalar u_hip = tau[1] - t_hip_2 - t_hip_3;
+  const Scalar u_hip_1 = left_leg_p1 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4);
+  const Scalar u_hip_2 = left_leg_p5 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
+  const Scalar u_hip = tau[1] - u_hip_1 - u_hip_2;
   // slide: joint force u, qdd of (1)
-  const Scalar t_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4;
-  const Scalar t_slide_2 = left_leg_p5 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
-  const Scalar u_slide = tau[0] - left_leg_p1 * t_slide_1 - t_hip_1 * u_hip + t_slide_2;
-  const Scalar t_slide_3 = inverse_pivot_slide * u_slide;
-  qdd[0] = t_slide_3;
-  const Scalar t_hip_4 = u_hip - t_left_leg_3 * t_slide_3 - base_p1 * t_left_leg_2;
-  const Scalar t_hip_5 = inverse_pivot_hip * t_hip_4;
-  qdd[1] = t_hip_5;
+  const Scalar u_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4;
+  const Scalar u_slide_2 = left_leg_p5 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
+  const Scalar u_slide = tau[0] - left_leg_p1 * u_slide_1 - t_hip_1 * u_hip + u_slide_2;
+  const Scalar qdd_0 = inverse_pivot_slide * u_slide;
+  qdd[0] = qdd_0;
+  const Scalar qdd_1_1 = u_hip - t_left_leg_3 * qdd_0 - base_p1 * t_left_leg_2;
+  const Scalar qdd_1 = inverse_pivot_hip * qdd_1_1;
+  qdd[1] = qdd_1;
   // left_leg: qdd of (1)
-  const Scalar t_left_leg_5 = left_leg_p5 * t_slide_3;
-  const Scalar t_left_leg_6 = left_leg_p7 + left_leg_p5 * t_hip_5;
+  const Scalar t_left_leg_5 = left_leg_p5 * qdd_0;
+  const Scalar t_left_leg_6 = left_leg_p7 + left_leg_p5 * qdd_1;
   qdd[2] = left_leg_p4 * tau[2] + c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
   // right_leg: qdd of (1)
   qdd[3] = left_leg_p4 * tau[3] + c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;

@@ -14,7 +14,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xc9cf0a68b619369bULL, "header and source are of different runs");
+static_assert(kDigest == 0x0ea41131b5e31636ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -136,8 +136,8 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const Scalar t_boom_2 = boom_h2 - t_boom_1;
   tau[1] = boom_w1 * c_shoulder + boom_m1 * qdd[1] + qd[0] * qd[0] * t_boom_2;
   // shoulder_link: moment M of (1)
-  const Scalar t_shoulder_1 = t_boom_2 * (base_g1 * s_shoulder - qd[0] * qd[1] * 2.0);
-  tau[0] = qdd[0] * (shoulder_I1 - q[1] * (boom_h1 - t_boom_1)) + t_shoulder_1;
+  const Scalar M_shoulder_z_1 = t_boom_2 * (base_g1 * s_shoulder - qd[0] * qd[1] * 2.0);
+  tau[0] = qdd[0] * (shoulder_I1 - q[1] * (boom_h1 - t_boom_1)) + M_shoulder_z_1;
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
@@ -148,8 +148,8 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar inverse_pivot_shoulder = 1.0 / (shoulder_I1 - q[1] * (boom_h1 - boom_m1 * q[1]));
   const Scalar t_boom_1 = boom_l1 - q[1];
   const Scalar t_boom_2 = qd[0] * t_boom_1;
-  const Scalar t_shoulder_1 = tau[0] - s_shoulder * t_boom_1 * boom_w1;
-  qdd[0] = inverse_pivot_shoulder * (t_shoulder_1 + qd[1] * t_boom_2 * boom_m2);
+  const Scalar qdd_0_1 = tau[0] - s_shoulder * t_boom_1 * boom_w1 + qd[1] * t_boom_2 * boom_m2;
+  qdd[0] = inverse_pivot_shoulder * qdd_0_1;
   // boom: qdd of (1)
   qdd[1] = -(base_g1 * c_shoulder - boom_p1 * tau[1] + qd[0] * t_boom_2);
 }

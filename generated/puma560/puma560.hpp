@@ -25,7 +25,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xfc4536be2d4e7448ULL;
+constexpr unsigned long long kDigest = 0xeb70982c30613458ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -14,7 +14,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x8a52d11a8c1989cdULL, "header and source are of different runs");
+static_assert(kDigest == 0x6238398664f77ed0ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -132,10 +132,10 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   const Scalar c_shoulder = cos(q[0]);
   const Scalar q_shoulder_elbow = q[0] + q[1];
   const Scalar c_shoulder_elbow = cos(q_shoulder_elbow);
-  const Scalar t_forearm_1 = forearm_p4 * c_shoulder_elbow;
-  G[1] = t_forearm_1;
+  const Scalar G_1 = forearm_p4 * c_shoulder_elbow;
+  G[1] = G_1;
   // upper_arm: G of 6.5
-  G[0] = t_forearm_1 + upper_arm_p2 * c_shoulder;
+  G[0] = G_1 + upper_arm_p2 * c_shoulder;
 }
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
@@ -149,14 +149,14 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const Scalar& c_elbow = p_s_elbow.cosine;
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar alpha_forearm_z = qdd[0] + qdd[1];
-  const Scalar t_forearm_1 = s_elbow * (base_p1 * s_shoulder - qd[0] * qd[0]);
-  const Scalar a_forearm_y = c_elbow * (qdd[0] + base_p1 * c_shoulder) - t_forearm_1;
+  const Scalar a_forearm_y_1 = s_elbow * (base_p1 * s_shoulder - qd[0] * qd[0]);
+  const Scalar a_forearm_y = c_elbow * (qdd[0] + base_p1 * c_shoulder) - a_forearm_y_1;
   const Scalar M_forearm_z = forearm_p1 * alpha_forearm_z + forearm_p2 * a_forearm_y;
   tau[1] = M_forearm_z;
-  const Scalar t_forearm_2 = s_elbow * omega_forearm_z * omega_forearm_z;
+  const Scalar M_upper_arm_z_1 = s_elbow * omega_forearm_z * omega_forearm_z;
   // upper_arm: moment M of (1)
-  const Scalar t_upper_arm_1 = M_forearm_z + upper_arm_p2 * c_shoulder + upper_arm_p3 * qdd[0];
-  tau[0] = t_upper_arm_1 + forearm_p2 * (c_elbow * alpha_forearm_z - t_forearm_2);
+  const Scalar M_upper_arm_z_2 = M_forearm_z + upper_arm_p2 * c_shoulder + upper_arm_p3 * qdd[0];
+  tau[0] = M_upper_arm_z_2 + forearm_p2 * (c_elbow * alpha_forearm_z - M_upper_arm_z_1);
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
@@ -175,13 +175,12 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar t_forearm_2 = forearm_p2 * s_elbow;
   const Scalar t_forearm_3 = forearm_p6 * c_elbow;
   const Scalar t_upper_arm_2 = tau[1] - t_forearm_2 * (qd[0] * qd[0] - base_p1 * s_shoulder);
-  const Scalar t_upper_arm_3 = tau[1] - tau[0] + (upper_arm_p4 - t_forearm_1) * t_upper_arm_1;
-  const Scalar t_forearm_4 = omega_forearm_z * omega_forearm_z * t_forearm_2;
-  const Scalar t_upper_arm_4 = t_upper_arm_3 + t_forearm_3 * t_upper_arm_2 - t_forearm_4;
-  const Scalar t_upper_arm_5 = inverse_pivot_upper_arm * t_upper_arm_4;
-  qdd[0] = -t_upper_arm_5;
-  const Scalar t_forearm_5 = t_forearm_3 * (t_upper_arm_1 - t_upper_arm_5);
-  qdd[1] = t_upper_arm_5 + forearm_p5 * t_upper_arm_2 - t_forearm_5;
+  const Scalar neg_qdd_0_1 = tau[1] - tau[0] + (upper_arm_p4 - t_forearm_1) * t_upper_arm_1;
+  const Scalar neg_qdd_0_2 = omega_forearm_z * omega_forearm_z * t_forearm_2;
+  const Scalar neg_qdd_0_3 = neg_qdd_0_1 + t_forearm_3 * t_upper_arm_2 - neg_qdd_0_2;
+  const Scalar neg_qdd_0 = inverse_pivot_upper_arm * neg_qdd_0_3;
+  qdd[0] = -neg_qdd_0;
+  qdd[1] = neg_qdd_0 + forearm_p5 * t_upper_arm_2 - t_forearm_3 * (t_upper_arm_1 - neg_qdd_0);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {

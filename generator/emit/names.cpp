@@ -162,7 +162,7 @@ LocalNames::LocalNames(const program::Function& function, const Vocabulary& word
     : function_(function),
       words_(words),
       names_(function.graph.size()),
-      last_number_(words.bodies.size() + 1, 0) {
+      stems_(function.graph.size()) {
   for (const program::Array& array : function.signature.inputs) {
     taken_.insert(array.name);
   }
@@ -186,6 +186,67 @@ LocalNames::LocalNames(const program::Function& function, const Vocabulary& word
     if (!name.empty()) {
       claim(value, name);
     }
+  }
+  name_angles(operations);
+  name_outputs();
+  find_stems(operations);
+}
+
+/// The angle of s_shank, which is no sum of q alone: angle_shank.
+void LocalNames::name_angles(const std::vector<Ref>& operations) {
+  for (const Ref value : operations) {
+    const program::Node& node = function_.graph.node(value);
+    const std::string& name = names_[index(value)];
+    if ((node.kind == Kind::kSin || node.kind == Kind::kCos) && !name.empty() &&
+        function_.graph.node(node.a).kind > Kind::kInput && names_[index(node.a)].empty()) {
+      claim(std::abs(node.a), "angle" + name.substr(1));
+    }
+  }
+}
+
+std::string LocalNames::element_stem(std::size_t output) const {
+  std::size_t element = output;
+  for (const program::Array& array : function_.signature.outputs) {
+    const auto size = static_cast<std::size_t>(array.size);
+    if (element < size) {
+      return fmt::format("{}_{}", identifier_part(array.name), element);
+    }
+    element -= size;
+  }
+  return {};
+}
+
+/// An output that other values are made of, too.
+void LocalNames::name_outputs() {
+  for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
+    const Ref value = function_.outputs[output];
+    if (value != 0 && names_[index(value)].empty()) {
+      claim(value, (value < 0 ? "neg_" : "") + element_stem(output));
+    }
+  }
+}
+
+/// The one named value or output that a value is needed for.
+void LocalNames::find_stems(const std::vector<Ref>& operations) {
+  const std::string several = "*";
+  const std::size_t digits = fmt::formatted_size("{}", function_.graph.size());
+  const auto need = [&](Ref value, const std::string& user) {
+    std::string& stem = stems_[index(value)];
+    stem = stem.empty() || stem == user ? user : several;
+  };
+  for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
+    need(function_.outputs[output], element_stem(output));
+  }
+  std::for_each(operations.rbegin(), operations.rend(), [&](Ref value) {
+    const std::string& own = names_[index(value)];
+    program::for_each_operand(function_.graph.node(value), [&](Ref operand) {
+      need(operand, own.empty() ? stems_[index(value)] : own);
+    });
+  });
+  for (const Ref value : operations) {
+    std::string& stem = stems_[index(value)];
+    stem = stem == several || stem.size() + 1 + digits > kLongestLocal ? body_stem(value) : stem;
+    stem += "_";
   }
 }
 
@@ -248,12 +309,14 @@ std::string LocalNames::angle(Ref value) const {
   return name.size() + 2 <= kLongestLocal ? name : short_name;
 }
 
+/// "omega_forearm_x"; with "neg_" before it where the graph knows the opposite of the value.
 std::string LocalNames::hinted(Ref value) const {
-  const program::Hint& hint = function_.graph.hint(value);
+  const bool is_opposite = function_.graph.hint(value).symbol == nullptr;
+  const program::Hint& hint = function_.graph.hint(is_opposite ? -value : value);
   if (hint.symbol == nullptr) {
     return {};
   }
-  std::string name = hint.symbol;
+  std::string name = (is_opposite ? "neg_" : "") + std::string(hint.symbol);
   if (hint.body >= 0) {
     name += "_" + words_.bodies[static_cast<std::size_t>(hint.body)];
   }
@@ -276,10 +339,10 @@ void LocalNames::claim(Ref value, const std::string& name) {
   }
 }
 
-std::string LocalNames::temporary_stem(Ref value) const {
+std::string LocalNames::body_stem(Ref value) const {
   const int body = function_.graph.hint(value).body;
-  return body < 0 ? std::string("t_")
-                  : fmt::format("t_{}_", words_.bodies[static_cast<std::size_t>(body)]);
+  return body < 0 ? std::string("t")
+                  : fmt::format("t_{}", words_.bodies[static_cast<std::size_t>(body)]);
 }
 
 void LocalNames::assign(Ref value) {
@@ -287,10 +350,10 @@ void LocalNames::assign(Ref value) {
   if (!name.empty()) {
     return;
   }
-  const int body = function_.graph.hint(value).body;
-  int& number = body < 0 ? last_number_.back() : last_number_[static_cast<std::size_t>(body)];
+  const std::string& stem = stems_[index(value)];
+  int& number = last_number_[stem];
   do {
-    name = fmt::format("{}{}", temporary_stem(value), ++number);
+    name = fmt::format("{}{}", stem, ++number);
   } while (is_reserved(name) || !taken_.insert(name).second);
 }
 
@@ -300,7 +363,7 @@ int LocalNames::width(Ref value) const {
     return static_cast<int>(name.size());
   }
   const auto most_digits = static_cast<int>(fmt::formatted_size("{}", function_.graph.size()));
-  return static_cast<int>(temporary_stem(value).size()) + most_digits;
+  return static_cast<int>(stems_[index(value)].size()) + most_digits;
 }
 
 }  // namespace treedyn::emit

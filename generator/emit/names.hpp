@@ -1,6 +1,7 @@
 // Names in generated code: of joints, bodies, and the locals of a function.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -48,9 +49,11 @@ Vocabulary vocabulary(const model::Tree& tree);
 /// right_thigh); empty if there are none.
 std::string common_words(const std::vector<std::string>& names);
 
-/// The names of a function's values: `omega_forearm_x` where the graph has a hint, `s_elbow` for
-/// the sine of a joint angle, `q_hip_knee` and `s_hip_knee` for that of a sum, otherwise
-/// `t_forearm_1` counted in each body.
+/// The names of a function's values: `omega_forearm_x` where the graph has a hint
+/// (`neg_omega_forearm_x` where it has one of the opposite), `s_elbow` for
+/// the sine of a joint angle, `q_hip_knee` and `s_hip_knee` for that of a sum; what is computed for
+/// one of these or for one output only is called after it, `omega_forearm_x_1` and `tau_3_1`;
+/// otherwise `t_forearm_1`. Numbers count in each body or name.
 class LocalNames {
  public:
   /// \param operations all operations of the function in order
@@ -70,13 +73,18 @@ class LocalNames {
   [[nodiscard]] std::string trigonometric(program::Ref value) const;
   /// "joint2_joint3" of q[1] + q[2], "q1_q2" if that is too long; empty for what is no sum of q.
   [[nodiscard]] std::string angle(program::Ref value) const;
-  [[nodiscard]] std::string temporary_stem(program::Ref value) const;
+  [[nodiscard]] std::string body_stem(program::Ref value) const;
+  [[nodiscard]] std::string element_stem(std::size_t output) const;
+  void name_angles(const std::vector<program::Ref>& operations);
+  void name_outputs();
+  void find_stems(const std::vector<program::Ref>& operations);
   void claim(program::Ref value, const std::string& name);
 
   const program::Function& function_;
   const Vocabulary& words_;
   std::vector<std::string> names_;
-  std::vector<int> last_number_;  // by body; the last entry is for no body
+  std::vector<std::string> stems_;          // by node: of a name with a number
+  std::map<std::string, int> last_number_;  // by stem
   std::set<std::string> taken_;
 };
 

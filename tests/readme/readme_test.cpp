@@ -2,9 +2,11 @@
 // files.
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/process.hpp"
@@ -57,6 +59,27 @@ TEST(Readme, ShowsLinesThatCommandsPrint) {
         ASSERT_NE(at, std::string::npos) << command << " has no longer, in this order: " << line;
       }
     }
+  }
+}
+
+/// Locals of a generated source whose name says what they are, as a part of all.
+double named_locals(const std::string& name) {
+  const std::string text =
+      support::read_file(fmt::format(TREEDYN_SOURCE_DIR "/generated/{0}/{0}.cpp", name));
+  const std::regex local(R"(\n  const Scalar&? (\w+) = )");
+  const std::sregex_iterator end;
+  int all = 0;
+  int named = 0;
+  for (std::sregex_iterator at(text.begin(), text.end(), local); at != end; ++at) {
+    ++all;
+    named += at->str(1).starts_with("t_") ? 0 : 1;
+  }
+  return static_cast<double>(named) / all;
+}
+
+TEST(Generated, CallsMostLocalsByNamesOfTheField) {
+  for (const char* model : {"puma560", "panda", "quadruped", "biped"}) {
+    EXPECT_GT(named_locals(model), 0.5) << model;
   }
 }
 
