@@ -209,7 +209,8 @@ std::string LocalNames::element_stem(std::size_t output) const {
   for (const program::Array& array : function_.signature.outputs) {
     const auto size = static_cast<std::size_t>(array.size);
     if (element < size) {
-      return fmt::format("{}_{}", identifier_part(array.name), element);
+      return array.fields.empty() ? fmt::format("{}_{}", identifier_part(array.name), element)
+                                  : array.fields[element];
     }
     element -= size;
   }
