@@ -35,6 +35,7 @@ const std::vector<std::string> kCompile{
     "-fno-math-errno",   "-ffp-contract=off", "-ffunction-sections"};
 
 constexpr const char* kContracted = "-ffp-contract=fast";
+constexpr const char* kUnscheduled = "-fno-schedule-insns";
 
 struct Function {
   const char* name;
@@ -154,7 +155,9 @@ Executed executed(const Function& function, int calls, const fs::path& sources,
 struct Figures {
   long operations = 0;
   Executed plain;
-  Executed contracted;  ///< compiled with kContracted
+  Executed contracted;   ///< compiled with kContracted
+  Executed unscheduled;  ///< with kUnscheduled
+  long unscheduled_flash = 0;
   long flash = 0;
   long stack = 0;
 };
@@ -189,8 +192,16 @@ Figures measured(const Function& function, const Places& places, const std::stri
   const auto cost = support::read_manifest(work / "generated.json").functions.front().operations;
   build({kContracted});
   const Executed contracted = of_a_call();
+  build({kUnscheduled});
+  const Executed unscheduled = of_a_call();
+  const long unscheduled_flash = flash_bytes(kTool + "size", object);
   build({});
-  return {cost[0] + cost[1] + cost[2], of_a_call(), contracted, flash_bytes(kTool + "size", object),
+  return {cost[0] + cost[1] + cost[2],
+          of_a_call(),
+          contracted,
+          unscheduled,
+          unscheduled_flash,
+          flash_bytes(kTool + "size", object),
           stack_bytes(work / "generated.su")};
 }
 
@@ -208,14 +219,16 @@ AllFigures all_figures(const Places& places, const std::string& model,
 std::string table(const AllFigures& figures) {
   std::string text = fmt::format(
       "| function | operations | instructions of a call | cycles | the same with {} | flash, bytes "
-      "| stack, bytes | target |\n|---|---|---|---|---|---|---|---|\n",
-      kContracted);
+      "| stack, bytes | instructions, cycles, flash with {} | target |\n"
+      "|---|---|---|---|---|---|---|---|---|\n",
+      kContracted, kUnscheduled);
   for (std::size_t k = 0; k < figures.size(); ++k) {
     const Figures& f = figures[k];
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} / {} | {} | {} | {} |\n", kFunctions[k].name,
-                    f.operations, f.plain.instructions, f.plain.cycles, f.contracted.instructions,
-                    f.contracted.cycles, f.flash, f.stack, kFunctions[k].target);
+    text += fmt::format("| {} | {} | {} | {} | {} / {} | {} | {} | {} / {} / {} | {} |\n",
+                        kFunctions[k].name, f.operations, f.plain.instructions, f.plain.cycles,
+                        f.contracted.instructions, f.contracted.cycles, f.flash, f.stack,
+                        f.unscheduled.instructions, f.unscheduled.cycles, f.unscheduled_flash,
+                        kFunctions[k].target);
   }
   return text;
 }
