@@ -406,13 +406,16 @@ TEST_F(Accuracy, GoesOnWhereCtrlCHasBrokenItOff) {
   const std::vector<std::string> study = {"accuracy",  kPendulum, "--states", "2",  "--steps",
                                           "0.02,0.01", "--on",    "m4f",      "-v", "--integrators",
                                           "rk4",       "-o",      into};
-  const Outcome broken =
-      support::run({"bash", "-c",
-                    "trap '' INT; (trap - INT; exec \"$0\" \"$@\") & until [ -f \"" + into +
-                        "/pendulum_accuracy.parts/setting_1.part\" ]; do sleep 0.01; done; kill "
-                        "-INT $!; wait $!",
-                    TREEDYN_EXECUTABLE, study[0], study[1], study[2], study[3], study[4], study[5],
-                    study[6], study[7], study[8], study[9], study[10], study[11], study[12]});
+  std::vector<std::string> interrupted = {
+      "bash",
+      "-c",
+      "trap '' INT; (trap - INT; exec \"${@:2}\") & "
+      "until [ -f \"$1\" ] || ! kill -0 $!; do sleep 0.01; done; kill -INT $!; wait $!",
+      "bash",
+      into + "/pendulum_accuracy.parts/setting_1.part",
+      TREEDYN_EXECUTABLE};
+  interrupted.insert(interrupted.end(), study.begin(), study.end());
+  const Outcome broken = support::run(interrupted);
   EXPECT_NE(broken.status, 0);
   EXPECT_FALSE(std::filesystem::exists(into + "/pendulum_accuracy.csv"));
 
