@@ -16,6 +16,10 @@ struct Prices {
   double sqrt = 0;
   double pair = 0;  ///< sine and cosine of one angle
   double libm = 0;  ///< the same by the C library
+  /// Of code that is compiled with contraction: a multiplication and the addition that takes it in,
+  /// and a pair.
+  double fused = 0;
+  double fused_pair = 0;
 };
 
 /// A floating-point type on a processor.
@@ -24,7 +28,7 @@ struct Precision {
   Prices instructions;
 };
 
-/// A processor. Additions and multiplications are issued in order, without contraction.
+/// A processor.
 struct Core {
   std::string_view name;   ///< of `--on`
   std::string_view brief;  ///< for the reader
@@ -45,11 +49,17 @@ const Core* find_core(std::string_view name);
 /// Instructions are within this part of what is counted, each function of the tests alone.
 inline constexpr double kInstructionsOff = 0.15;
 
-/// Cycles of one call. \param is_float  which of the two types
-/// \param libm  sines are those of the C library
-double cycles(const program::Cost& cost, const Core& core, bool is_float, bool libm = false);
+/// Code and how it was compiled.
+struct Build {
+  bool is_float = true;     ///< which of the two types
+  bool libm = false;        ///< sines are those of the C library
+  bool contracted = false;  ///< -ffp-contract=fast, not off
+};
 
-/// Instructions of one call of code that g++ has compiled with -O2 -ffp-contract=off.
-double instructions(const program::Cost& cost, const Core& core, bool is_float);
+/// Cycles of one call.
+double cycles(const program::Cost& cost, const Core& core, const Build& build);
+
+/// Instructions of one call of code that g++ has compiled with -O2.
+double instructions(const program::Cost& cost, const Core& core, const Build& build);
 
 }  // namespace treedyn::accuracy

@@ -1,6 +1,7 @@
 #include "accuracy/report.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -53,6 +54,26 @@ double fastest_time(const Study& study) {
   return fastest == study.outcomes.end() ? 0 : fastest->time;
 }
 
+/// What contraction to fused multiply-adds makes of the cycles of a front; nothing where it makes
+/// nothing.
+std::string contraction_text(const Study& study, const std::vector<std::size_t>& front,
+                             const Core& core) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const std::size_t k : front) {
+    const Outcome& outcome = study.outcomes[k];
+    const double factor = outcome.cycles_per_second(core, true) / outcome.cycles_per_second(core);
+    least = std::min(least, factor);
+    most = std::max(most, factor);
+  }
+  return !(most > 0) || (least == 1 && most == 1) ? ""
+                                                  : fmt::format(
+                                                        "with contraction (-ffp-contract=fast; "
+                                                        "rounds otherwise): {:.2f} to {:.2f} times "
+                                                        "these cycles\n",
+                                                        least, most);
+}
+
 std::string front_text(const Study& study, const Core& core) {
   const std::vector<Error> errors = chosen_first(study);
   const std::string name(core.name);
@@ -87,7 +108,7 @@ std::string front_text(const Study& study, const Core& core) {
     text += fmt::format("  {:<{}} {}\n", text_of(outcome.setting), width,
                         next_decade(study, front, k, core));
   }
-  return text;
+  return text + contraction_text(study, front, core);
 }
 
 std::vector<std::string> methods_of(const Study& study) {
@@ -141,6 +162,17 @@ std::string band_text(const Study& study) {
       study.spread);
 }
 
+/// Of any step, the first not counted.
+long most_parts(const Study& study) {
+  long most = 0;
+  for (const Outcome& outcome : study.outcomes) {
+    for (const PhaseSteps& phase : outcome.phases) {
+      most = std::max(most, phase.count.most_parts);
+    }
+  }
+  return most;
+}
+
 std::string facts_text(const Study& study) {
   std::string text =
       fmt::format("{}: {:.6g} s, {}\n", study.scene, study.duration, band_text(study));
@@ -162,6 +194,11 @@ std::string facts_text(const Study& study) {
   if (const std::optional<Floor> floor = event_floor(study)) {
     text += fmt::format("floor of events at the end of a step: {:.2e} with {}\n", floor->error,
                         text_of(floor->setting));
+  }
+  if (const long parts = most_parts(study); parts > 0) {
+    text += fmt::format(
+        "steps are done in up to {} parts, stepping: {{parts: N}} bounds them: all cost\n",
+        parts + 1);
   }
   for (const StepLimit& limit : study.stability) {
     text += fmt::format("stability limit of {}, the least along the motion: {:.3g} s\n",

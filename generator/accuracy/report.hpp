@@ -22,7 +22,7 @@ std::string report_json(const Study& study);
 std::string report_page(const Study& study, const std::vector<const Core*>& on);
 
 /// The setting as lines for `generate --settings`.
-std::string settings_text(const Setting& setting);
+std::string settings_text(const Study& study, const Setting& setting);
 
 /// The cheapest setting for a target on a core with its evidence, or what is reachable.
 std::string choice_text(const Study& study, const Core& core, double target);

@@ -68,6 +68,10 @@ std::string csv_head() {
   for (const Core& core : cores()) {
     text += core.has_flash() ? fmt::format(",flash_{0},stack_{0}", core.name) : "";
   }
+  text += ",fused";
+  for (const Core& core : cores()) {
+    text += fmt::format(",contracted_{}", core.name);
+  }
   return text;
 }
 
@@ -101,6 +105,8 @@ Members outcome_members(const Outcome& outcome) {
   for (const Core& core : cores()) {
     members.emplace_back(fmt::format("cycles_per_second_{}", core.name),
                          fmt::format("{:.6g}", outcome.cycles_per_second(core)));
+    members.emplace_back(fmt::format("contracted_{}", core.name),
+                         fmt::format("{:.6g}", outcome.cycles_per_second(core, true)));
   }
   for (const auto& [core, size] : outcome.sizes) {
     members.emplace_back("flash_" + core, fmt::format("{}", size.flash));
@@ -126,7 +132,11 @@ std::string report_csv(const Study& study) {
     for (const Core& core : cores()) {
       text += fmt::format(",{:.6g}", outcome.cycles_per_second(core));
     }
-    text += csv_sizes(outcome) + "\r\n";
+    text += csv_sizes(outcome) + fmt::format(",{}", cost.fused);
+    for (const Core& core : cores()) {
+      text += fmt::format(",{:.6g}", outcome.cycles_per_second(core, true));
+    }
+    text += "\r\n";
   }
   return text;
 }
@@ -160,21 +170,19 @@ std::string report_json(const Study& study) {
       emit::json_lines(rows, 4));
 }
 
-std::string settings_text(const Setting& setting) {
+std::string settings_text(const Study& study, const Setting& setting) {
   const Variant& variant = setting.variant;
   const Variant usual;
   std::string text = fmt::format(
-      "scalar = \"{}\"\nintegrator = \"{}\"\nstep = {}\nstate = \"{}\"\n", scalar_of(setting.state),
-      setting.integrator, setting.step, kept_of(setting.state));
-  if (variant.sincos != usual.sincos) {
-    text += fmt::format("sincos = \"{}\"\n", variant.sincos);
-  }
+      "scalar = \"{}\"\nintegrator = \"{}\"\nstep = {}\nstate = \"{}\"\nsincos = \"{}\"\n",
+      scalar_of(setting.state), setting.integrator, setting.step, kept_of(setting.state),
+      variant.sincos);
   if (variant.forward_dynamics != usual.forward_dynamics) {
     text += fmt::format("forward-dynamics = \"{}\"\n", variant.forward_dynamics);
   }
-  if (variant.cuts != usual.cuts) {
-    text += fmt::format("cuts = {}\n", variant.cuts);
-  }
+  text += fmt::format("cuts = {}\n",
+                      variant.cuts == usual.cuts ? std::to_string(study.cuts) : variant.cuts);
+  text += "layout = \"dense\"  # of A where it is asked for; step stores none\n";
   if (variant.stabilisation != usual.stabilisation) {
     text += fmt::format("# and in the scene, effects: {{stabilisation: {{method: {}}}}}\n",
                         variant.stabilisation);

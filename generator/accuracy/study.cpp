@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -115,21 +116,30 @@ double Outcome::expected(Error of) const {
   return std::max(most, std::exp(mean + t * std::sqrt(squares / (n - 1) * (1 + 1 / n))));
 }
 
+StepCount& StepCount::operator+=(const StepCount& other) {
+  steps += other.steps;
+  parts += other.parts;
+  most_parts = std::max(most_parts, other.most_parts);
+  return *this;
+}
+
 template <class Of>
 double Outcome::mean(Of of) const {
   double sum = 0;
   double steps = 0;
   for (const PhaseSteps& phase : phases) {
-    sum += static_cast<double>(phase.steps) * of(phase.cost);
-    steps += static_cast<double>(phase.steps);
+    const StepCount& count = phase.count;
+    sum += static_cast<double>(count.steps) * of(phase.cost);
+    sum += static_cast<double>(count.parts) * (count.parts > 0 ? of(phase.part_cost) : 0);
+    steps += static_cast<double>(count.steps);
   }
   return sum / std::max(steps, 1.0);
 }
 
 program::Cost Outcome::step_cost() const {
-  constexpr int program::Cost::*kCounts[] = {&program::Cost::add, &program::Cost::mul,
-                                             &program::Cost::div, &program::Cost::sqrt,
-                                             &program::Cost::sin, &program::Cost::cos};
+  constexpr int program::Cost::*kCounts[] = {
+      &program::Cost::add, &program::Cost::mul, &program::Cost::div,  &program::Cost::sqrt,
+      &program::Cost::sin, &program::Cost::cos, &program::Cost::fused};
   program::Cost result;
   for (int program::Cost::*const count : kCounts) {
     const double of_step = mean([count](const program::Cost& cost) { return cost.*count; });
@@ -138,20 +148,26 @@ program::Cost Outcome::step_cost() const {
   return result;
 }
 
-double Outcome::cycles_of(const program::Cost& cost, const Core& core) const {
-  return cycles(cost, core, setting.state != State::kDouble, setting.variant.sincos == "libm");
+double Outcome::cycles_of(const program::Cost& cost, const Core& core, bool contracted) const {
+  return cycles(cost, core,
+                {.is_float = setting.state != State::kDouble,
+                 .libm = setting.variant.sincos == "libm",
+                 .contracted = contracted});
 }
 
 double Outcome::most_cycles(const Core& core) const {
   double result = 0;
   for (const PhaseSteps& phase : phases) {
-    result = std::max(result, phase.steps > 0 ? cycles_of(phase.cost, core) : 0);
+    const auto parts = static_cast<double>(phase.count.most_parts);
+    const double dearest = cycles_of(phase.cost, core) + parts * cycles_of(phase.part_cost, core);
+    result = std::max(result, phase.count.steps > 0 ? dearest : 0);
   }
   return result;
 }
 
-double Outcome::cycles_per_second(const Core& core) const {
-  return mean([&](const program::Cost& cost) { return cycles_of(cost, core); }) / setting.step;
+double Outcome::cycles_per_second(const Core& core, bool contracted) const {
+  return mean([&](const program::Cost& cost) { return cycles_of(cost, core, contracted); }) /
+         setting.step;
 }
 
 namespace {
@@ -257,9 +273,45 @@ std::optional<std::size_t> most_accurate(const Study& study, const Core& core) {
   return result;
 }
 
+namespace {
+
+using LogPoints = std::span<const std::pair<double, double>>;
+
+/// By least squares.
+double slope_of(LogPoints points) {
+  const auto n = static_cast<double>(points.size());
+  double x = 0;
+  double y = 0;
+  for (const auto& [h, e] : points) {
+    x += h / n;
+    y += e / n;
+  }
+  double xy = 0;
+  double xx = 0;
+  for (const auto& [h, e] : points) {
+    xy += (h - x) * (e - y);
+    xx += (h - x) * (h - x);
+  }
+  return xy / xx;
+}
+
+/// True if from each point to the next it rises as all do.
+bool is_straight(LogPoints points) {
+  constexpr double kSameOrder = 0.25;
+  const double slope = slope_of(points);
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    if (!(std::abs(slope_of(points.subspan(k - 1, 2)) - slope) <= kSameOrder)) {
+      return false;  // terms of several orders
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 std::optional<double> fitted_order(const Study& study, State state, const std::string& method) {
-  constexpr double kSameOrder = 0.5;
-  std::vector<std::pair<double, double>> points;
+  constexpr std::size_t kLeast = 3;
+  std::vector<std::pair<double, double>> points;  // by rising step
   const std::optional<Floor> floor = floor_of(study, state);
   for (const Outcome& outcome : study.outcomes) {
     if (outcome.setting.state != state || outcome.failed() ||
@@ -271,28 +323,14 @@ std::optional<double> fitted_order(const Study& study, State state, const std::s
       points.emplace_back(std::log(outcome.setting.step), std::log(error));
     }
   }
-  if (points.size() < 3) {
-    return std::nullopt;
-  }
-  double x = 0;
-  double y = 0;
-  for (const auto& [h, e] : points) {
-    x += h / static_cast<double>(points.size());
-    y += e / static_cast<double>(points.size());
-  }
-  double xy = 0;
-  double xx = 0;
-  for (const auto& [h, e] : points) {
-    xy += (h - x) * (e - y);
-    xx += (h - x) * (h - x);
-  }
-  const double order = xy / xx;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    const double between =
-        (points[k].second - points[k - 1].second) / (points[k].first - points[k - 1].first);
-    if (!(std::abs(between - order) <= kSameOrder)) {
-      return std::nullopt;  // terms of several orders
+  std::ranges::sort(points);
+  std::optional<double> order;
+  for (std::size_t n = kLeast; n <= points.size(); ++n) {
+    const LogPoints shortest = LogPoints(points).first(n);
+    if (!is_straight(shortest)) {
+      break;
     }
+    order = slope_of(shortest);
   }
   return order;
 }

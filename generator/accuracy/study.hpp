@@ -52,10 +52,21 @@ struct Size {
   long stack = 0;  ///< the deepest way of calls
 };
 
-/// Steps in one phase, and the operations of one.
+/// How often a step was called in one phase.
+struct StepCount {
+  long steps = 0;
+  /// In which the integrations were done, the first of each not counted, and the most of one step.
+  long parts = 0;
+  long most_parts = 0;
+
+  StepCount& operator+=(const StepCount& other);
+};
+
+/// Steps in one phase, the operations of one, and those of each further part of its integration.
 struct PhaseSteps {
   program::Cost cost;
-  long steps = 0;
+  program::Cost part_cost = {};
+  StepCount count = {};
 };
 
 /// What came of a setting over the band of initial states.
@@ -81,14 +92,16 @@ struct Outcome {
   [[nodiscard]] program::Cost step_cost() const;
   /// Cycles of a step in the dearest phase.
   [[nodiscard]] double most_cycles(const Core& core) const;
-  /// Cycles for a second of motion.
-  [[nodiscard]] double cycles_per_second(const Core& core) const;
+  /// Cycles for a second of motion. \param contracted  of code compiled with contraction, whose
+  /// bits and errors are others
+  [[nodiscard]] double cycles_per_second(const Core& core, bool contracted = false) const;
 
  private:
   /// Over all steps.
   template <class Of>
   [[nodiscard]] double mean(Of of) const;
-  [[nodiscard]] double cycles_of(const program::Cost& cost, const Core& core) const;
+  [[nodiscard]] double cycles_of(const program::Cost& cost, const Core& core,
+                                 bool contracted = false) const;
 };
 
 /// What errors are measured against.
@@ -124,6 +137,7 @@ struct Study {
   double duration = 0;           ///< s
   int states = 0;                ///< in the band, the scene's own first
   double spread = 0;             ///< of the band, part of each coordinate and speed
+  int cuts = 0;                  ///< of the scene: shorter steps that look for an event
   bool speeds_only = false;      ///< loops have their place: coordinates stay
   std::optional<double> rate;    ///< of a controller, Hz; a whole number of steps a period
   Error error = Error::kJoints;  ///< of which targets, fronts, floors and pictures are
@@ -165,9 +179,9 @@ std::optional<std::size_t> cheapest(const Study& study, const Core& core, double
 /// The outcome of the smallest error within the limits; nothing if all failed or exceed them.
 std::optional<std::size_t> most_accurate(const Study& study, const Core& core);
 
-/// The order p of e = C h^p by least squares over the steps of one scalar and method whose error
-/// lies between 100 times the smallest and 1e-3; nothing with fewer than three, or where the order
-/// from one step to the next is another by more than a half.
+/// The order p of e = C h^p by least squares over steps of one scalar and method whose error lies
+/// between 100 times the smallest and 1e-3: of these the shortest, as many as the order from one to
+/// the next is the same within a quarter. Nothing with fewer than three.
 std::optional<double> fitted_order(const Study& study, State state, const std::string& method);
 
 /// The smallest error of a scalar and the step at which it is reached; nothing where all failed.

@@ -224,6 +224,7 @@ Study study_of(const AccuracyRequest& request, const Subject& subject) {
   study.duration = subject.duration();
   study.states = request.states;
   study.spread = request.spread;
+  study.cuts = subject.scene.stepping.cuts;
   study.speeds_only = has_placed_loop(subject);
   study.rate = request.rate;
   study.limits = request.limits;
@@ -258,7 +259,7 @@ std::string identity(const Study& study, const Subject& subject,
                      const std::vector<accuracy::Setting>& settings,
                      const std::vector<const accuracy::Core*>& sized) {
   std::string text =
-      fmt::format("treedyn {}, phases\n{} states within {} {}\npoints {}\n", kVersion, study.states,
+      fmt::format("treedyn {}, parts\n{} states within {} {}\npoints {}\n", kVersion, study.states,
                   study.spread, study.speeds_only, fmt::join(study.points, " "));
   for (const std::string& file : {subject.file, subject.scene.tree_file}) {
     text += file.empty() ? "" : read_file(file).value_or("") + '\n';
@@ -396,7 +397,7 @@ std::string write_accuracy(const AccuracyRequest& request, const accuracy::Study
     for (const accuracy::Core* core : request.target ? on : std::vector<const accuracy::Core*>{}) {
       if (const auto chosen = accuracy::cheapest(study, *core, *request.target)) {
         files.push_back({fmt::format("{}_{}.toml", stem, core->name),
-                         accuracy::settings_text(study.outcomes[*chosen].setting)});
+                         accuracy::settings_text(study, study.outcomes[*chosen].setting)});
       }
     }
     write_files(files);

@@ -105,11 +105,12 @@ Outcome Comparison::outcome(const Setting& setting, StepWriter& writer,
   Outcome result;
   result.setting = setting;
   for (const program::StepPhase& phase : files.stepper.phases) {
-    result.phases.push_back({program::step_cost(files.stepper, phase), 0});
+    result.phases.push_back({program::step_cost(files.stepper, phase),
+                             program::further_part_cost(files.stepper, phase)});
   }
   for (const Motion& motion : motions) {
     for (std::size_t k = 0; k < motion.steps.size(); ++k) {
-      result.phases[k].steps += motion.steps[k];
+      result.phases[k].count += motion.steps[k];
     }
   }
   result.errors = errors(motions);

@@ -149,7 +149,6 @@ std::string snap_table(const model::Tree& tree) {
 struct Priced {
   program::Signature signature;
   program::Cost cost;
-  std::optional<int> fused = {};  ///< multiply-adds; of straight-line functions
 
   [[nodiscard]] int values() const {
     int sum = 0;
@@ -164,10 +163,10 @@ std::vector<Priced> priced(const program::Programs& programs) {
   std::vector<Priced> result;
   if (programs.update) {
     const program::Function& update = *programs.update;
-    result.push_back({update.signature, program::cost(update), program::fused(update)});
+    result.push_back({update.signature, program::cost(update)});
   }
   for (const program::Function& function : programs.functions) {
-    result.push_back({function.signature, program::cost(function), program::fused(function)});
+    result.push_back({function.signature, program::cost(function)});
   }
   for (const program::Staged& staged : programs.staged) {
     result.push_back({staged.signature, program::cost(staged)});
@@ -183,8 +182,7 @@ std::string cost_table(const program::Programs& programs) {
   for (const Priced& function : priced(programs)) {
     rows.push_back({function.signature.name, function.signature.equation,
                     std::to_string(function.values()), std::to_string(function.cost.total()),
-                    function.fused ? std::to_string(*function.fused) : "",
-                    emit::cost_text(function.cost)});
+                    std::to_string(function.cost.fused), emit::cost_text(function.cost)});
   }
   return "\nfunctions, operations in one call\n" + table(rows);
 }
@@ -342,12 +340,11 @@ std::string parameters_json(const Model& model, const Request& request,
 std::vector<std::string> functions_json(const program::Programs& programs) {
   std::vector<std::string> result;
   for (const Priced& function : priced(programs)) {
-    result.push_back(
-        json_object({{"name", json_string(function.signature.name)},
-                     {"equation", json_string(function.signature.equation)},
-                     {"values", std::to_string(function.values())},
-                     {"operations", emit::operations_json(function.cost)},
-                     {"fused", function.fused ? std::to_string(*function.fused) : "null"}}));
+    result.push_back(json_object({{"name", json_string(function.signature.name)},
+                                  {"equation", json_string(function.signature.equation)},
+                                  {"values", std::to_string(function.values())},
+                                  {"operations", emit::operations_json(function.cost)},
+                                  {"fused", std::to_string(function.cost.fused)}}));
   }
   return result;
 }

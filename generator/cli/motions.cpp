@@ -45,12 +45,13 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
   const long of_event = scene.stepping.cuts > 0 ? scene.stepping.cuts + 1 : 0;
   for (long k = 0; k < every * subject.times; ++k) {
     motion.steps.resize(std::max(motion.steps.size(), phase() + 1));
-    long& steps = motion.steps[phase()];
+    accuracy::StepCount& steps = motion.steps[phase()];
     if (step.has("t")) {
       step.at("t")[0] = t0 + static_cast<long double>(k) * h;
     }
     motion.status |= step.call();
-    steps += 1 + of_event * static_cast<long>(step.events().size());
+    steps += {1 + of_event * static_cast<long>(step.events().size()), step.further_parts(),
+              step.further_parts()};
     if (!is_finite(step.at("q"))) {
       break;
     }
@@ -137,7 +138,7 @@ model::Scene stepped_scene(const Subject& subject, const Stepped& how) {
 }
 
 StepFiles stepped_files(const Subject& subject, const Stepped& how, StepWriter& writer,
-                        bool tells_events) {
+                        bool tells) {
   using formulate::ForwardDynamics;
   const std::string& method = how.variant.forward_dynamics;
   StepForm form;
@@ -146,7 +147,7 @@ StepFiles stepped_files(const Subject& subject, const Stepped& how, StepWriter& 
   form.forward_dynamics = method == "factor"        ? ForwardDynamics::kFactor
                           : method == "articulated" ? ForwardDynamics::kArticulated
                                                     : ForwardDynamics::kCheapest;
-  form.tells_events = tells_events;
+  form.tells = tells;
   return writer.files(stepped_scene(subject, how), form, how.variant.without);
 }
 

@@ -25,10 +25,10 @@ struct Start {
 struct Motion {
   GeneratedStep::Values q;
   GeneratedStep::Values qd;
-  int status = 0;                    ///< bits that `step` returned
-  std::vector<SteppedEvent> events;  ///< in s from the beginning of the motion
-  OffRows off;                       ///< at up to ten times between two comparisons
-  std::vector<long> steps = {};      ///< by the number of the phase: accuracy::PhaseSteps
+  int status = 0;                               ///< bits that `step` returned
+  std::vector<SteppedEvent> events;             ///< in s from the beginning of the motion
+  OffRows off;                                  ///< at up to ten times between two comparisons
+  std::vector<accuracy::StepCount> steps = {};  ///< by the number of the phase
 
   template <typename Numbers>
   void note(const Numbers& coordinates, const Numbers& speeds) {
@@ -69,7 +69,7 @@ struct Stepped {
 model::Scene stepped_scene(const Subject& subject, const Stepped& how);
 /// Their code, which tells events.
 StepFiles stepped_files(const Subject& subject, const Stepped& how, StepWriter& writer,
-                        bool tells_events = true);
+                        bool tells = true);
 
 /// The generated step from every start. \param files  of that scene
 /// \throws InputError without a compiler

@@ -106,7 +106,7 @@ std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request,
     return nullptr;
   }
   StepForm form;
-  form.tells_events = true;
+  form.tells = true;
   result.generated = {request.scalar.value_or("double"), 0};
   form.scalar = result.generated->scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
   const StepFiles files = StepWriter(request.scene).files(result.scene, form);

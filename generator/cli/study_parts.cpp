@@ -159,12 +159,16 @@ void cost(Words& words, Cost& all) {
   words(all.sqrt);
   words(all.sin);
   words(all.cos);
+  words(all.fused);
 }
 
 template <class Words, class Phase>
 void phase(Words& words, Phase& one) {
   cost(words, one.cost);
-  words(one.steps);
+  cost(words, one.part_cost);
+  words(one.count.steps);
+  words(one.count.parts);
+  words(one.count.most_parts);
 }
 void exchange(Writer& words, const accuracy::PhaseSteps& one) { phase(words, one); }
 void exchange(Reader& words, accuracy::PhaseSteps& one) { phase(words, one); }

@@ -31,7 +31,8 @@ class Run {
         h_(static_cast<double>(scene.stepping.step)),
         count_(std::lround(static_cast<double>(scene.duration) / h_)),
         output_step_(output_step),
-        steps_(step.stepper().phases.size()) {
+        steps_(step.stepper().phases.size()),
+        parts_(step.stepper().phases.size()) {
     begin();
   }
 
@@ -62,6 +63,7 @@ class Run {
   double output_step_;
   std::vector<StatusRecord> statuses_;
   std::vector<long> steps_;  ///< in each phase of the step
+  std::vector<long> parts_;  ///< the same: further parts of its integrations
 };
 
 void Run::begin() { begin_motion(scene_, simulator_.q(), simulator_.qd(), step_); }
@@ -133,12 +135,15 @@ GeneratedRun Run::counted() const {
   const program::Stepper& stepper = step_.stepper();
   GeneratedRun result;
   result.statuses = statuses_;
+  long integrations = 0;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     result.recording.cost.steps += steps_[k];
-    result.operations += steps_[k] * program::step_cost(stepper, stepper.phases[k]).total();
+    const program::StepPhase& phase = stepper.phases[k];
+    result.operations += steps_[k] * program::step_cost(stepper, phase).total() +
+                         parts_[k] * program::further_part_cost(stepper, phase).total();
+    integrations += steps_[k] + parts_[k];
   }
-  result.recording.cost.evaluations =
-      result.recording.cost.steps * program::step_evaluations(stepper);
+  result.recording.cost.evaluations = integrations * program::step_evaluations(stepper);
   return result;
 }
 
@@ -166,7 +171,9 @@ bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& l
       break;
     }
     note_status(status, time(k));
-    ++steps_[step_.has("phase") ? static_cast<std::size_t>(before) : 0];
+    const std::size_t phase = step_.has("phase") ? static_cast<std::size_t>(before) : 0;
+    ++steps_[phase];
+    parts_[phase] += step_.further_parts();
     const Vector next = vector_of(step_.at("q"));
     if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
       std::vector<double> last(q.begin(), q.end());

@@ -52,18 +52,16 @@ class GeneratedStep::Library {
  public:
   using Step = int (*)(const long double* const*, long double* const*);
   using Events = int (*)(int, long double*);
+  using Parts = long (*)();
   using Repeat = void (*)(const long double* const*, long);
 
   explicit Library(const std::string& path)
       : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)),
-        step_(handle_ == nullptr ? nullptr
-                                 : reinterpret_cast<Step>(::dlsym(handle_, "treedyn_step"))),
-        events_(handle_ == nullptr
-                    ? nullptr
-                    : reinterpret_cast<Events>(::dlsym(handle_, "treedyn_event_of_step"))),
-        repeat_(handle_ == nullptr ? nullptr
-                                   : reinterpret_cast<Repeat>(::dlsym(handle_, "treedyn_repeat"))) {
-    if (step_ == nullptr || events_ == nullptr || repeat_ == nullptr) {
+        step_(find<Step>("treedyn_step")),
+        events_(find<Events>("treedyn_event_of_step")),
+        parts_(find<Parts>("treedyn_further_parts")),
+        repeat_(find<Repeat>("treedyn_repeat")) {
+    if (step_ == nullptr || events_ == nullptr || parts_ == nullptr || repeat_ == nullptr) {
       throw InputError({}, "--as-generated: the compiled step cannot be loaded");
     }
   }
@@ -72,12 +70,19 @@ class GeneratedStep::Library {
   ~Library() { ::dlclose(handle_); }
   [[nodiscard]] Step step() const { return step_; }
   [[nodiscard]] Events events() const { return events_; }
+  [[nodiscard]] Parts parts() const { return parts_; }
   [[nodiscard]] Repeat repeat() const { return repeat_; }
 
  private:
+  template <class Function>
+  [[nodiscard]] Function find(const char* name) const {
+    return handle_ == nullptr ? nullptr : reinterpret_cast<Function>(::dlsym(handle_, name));
+  }
+
   void* handle_;
   Step step_;
   Events events_;
+  Parts parts_;
   Repeat repeat_;
 };
 
@@ -158,6 +163,7 @@ int GeneratedStep::call() {
     out.push_back(at(array.name).data());
   }
   const int status = library_->step()(in.data(), out.data());
+  further_parts_ = library_->parts()();
   events_.clear();
   SteppedEvent event;
   while ((event.number = library_->events()(static_cast<int>(events_.size()), &event.at)) >= 0) {

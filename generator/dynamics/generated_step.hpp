@@ -11,7 +11,7 @@
 
 namespace treedyn {
 
-/// What happened within a step that tells it, Stepper::tells_events.
+/// What happened within a step that tells it, Stepper::tells.
 struct SteppedEvent {
   int number = 0;      ///< among all events of all phases
   long double at = 0;  ///< s from the beginning of the step
@@ -40,6 +40,8 @@ class GeneratedStep {
   [[nodiscard]] double seconds();
   /// Of the last call.
   [[nodiscard]] const std::vector<SteppedEvent>& events() const { return events_; }
+  /// Of the last call: parts of its integrations, the first of each not counted.
+  [[nodiscard]] long further_parts() const { return further_parts_; }
 
  private:
   class Library;
@@ -49,6 +51,7 @@ class GeneratedStep {
   program::Stepper stepper_;
   std::map<std::string, Values> values_;
   std::vector<SteppedEvent> events_;
+  long further_parts_ = 0;
   std::unique_ptr<Library> library_;
 };
 

@@ -342,7 +342,7 @@ std::string EventWriter::turns() const {
     restart = lines;
   }
   std::string before;
-  if (stepper_.tells_events) {
+  if (stepper_.tells) {
     before = "extern \"C\" void treedyn_event(int event, double at);\n\n";
     restart.insert(restart.begin(), "treedyn_event(event, static_cast<double>(from.at));");
   }

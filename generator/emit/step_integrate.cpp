@@ -368,6 +368,8 @@ std::string parts_text(const Stepper& stepper, Scalar scalar) {
   return fill(
       template_text("step_parts.cpp"),
       {{"parts", std::to_string(stepper.parts)},
+       {"told_of", stepper.tells ? "extern \"C\" void treedyn_part(int number);\n\n" : ""},
+       {"told", stepper.tells ? "    treedyn_part(k);\n" : ""},
        {"declaration", declaration("int integrate", integrate_list(stepper, true), " noexcept {")},
        {"joints", fmt::format("{}", fmt::join(stepper.turning, ", "))},
        {"count", std::to_string(stepper.turning.size())},

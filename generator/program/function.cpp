@@ -7,9 +7,35 @@
 
 namespace treedyn::program {
 
+namespace {
+
+/// Sums of `nodes` that take in a product of no other use.
+int fused(const Graph& graph, const std::vector<Ref>& nodes, std::span<const Ref> outputs) {
+  std::vector<int> uses(graph.size(), 0);
+  const auto use = [&uses](Ref a) {
+    ++uses[static_cast<std::size_t>(std::abs(a))];
+  };
+  std::for_each(outputs.begin(), outputs.end(), use);
+  for (const Ref k : nodes) {
+    for_each_operand(graph.node(k), use);
+  }
+  const auto takes_in = [&](Ref a) {
+    return graph.node(a).kind == Kind::kMultiply &&
+           uses[static_cast<std::size_t>(std::abs(a))] == 1;
+  };
+  return static_cast<int>(std::count_if(nodes.begin(), nodes.end(), [&](Ref k) {
+    const Node& node = graph.node(k);
+    return node.kind == Kind::kAdd && (takes_in(node.a) || takes_in(node.b));
+  }));
+}
+
+}  // namespace
+
 Cost cost(const Graph& graph, std::span<const Ref> outputs) {
+  const std::vector<Ref> nodes = reachable(graph, outputs);
   Cost result;
-  for (const Ref k : reachable(graph, outputs)) {
+  result.fused = fused(graph, nodes, outputs);
+  for (const Ref k : nodes) {
     switch (graph.node(k).kind) {
       case Kind::kConstant:
       case Kind::kInput:
@@ -42,37 +68,13 @@ Cost cost(const Function& function) {
 }
 
 Cost operator+(const Cost& a, const Cost& b) {
-  return {a.add + b.add,   a.mul + b.mul, a.div + b.div,
-          a.sqrt + b.sqrt, a.sin + b.sin, a.cos + b.cos};
+  return {a.add + b.add, a.mul + b.mul, a.div + b.div,    a.sqrt + b.sqrt,
+          a.sin + b.sin, a.cos + b.cos, a.fused + b.fused};
 }
 
 Cost operator*(int times, const Cost& c) {
-  return {times * c.add,  times * c.mul, times * c.div,
-          times * c.sqrt, times * c.sin, times * c.cos};
-}
-
-int fused(const Function& function) {
-  if (function.limb_code) {
-    return fused(*function.limb_code);
-  }
-  const Graph& graph = function.graph;
-  const std::vector<Ref> nodes = reachable(graph, function.outputs);
-  std::vector<int> uses(graph.size(), 0);
-  const auto use = [&uses](Ref a) {
-    ++uses[static_cast<std::size_t>(std::abs(a))];
-  };
-  std::for_each(function.outputs.begin(), function.outputs.end(), use);
-  for (const Ref k : nodes) {
-    for_each_operand(graph.node(k), use);
-  }
-  const auto takes_in = [&](Ref a) {
-    return graph.node(a).kind == Kind::kMultiply &&
-           uses[static_cast<std::size_t>(std::abs(a))] == 1;
-  };
-  return static_cast<int>(std::count_if(nodes.begin(), nodes.end(), [&](Ref k) {
-    const Node& node = graph.node(k);
-    return node.kind == Kind::kAdd && (takes_in(node.a) || takes_in(node.b));
-  }));
+  return {times * c.add, times * c.mul, times * c.div,  times * c.sqrt,
+          times * c.sin, times * c.cos, times * c.fused};
 }
 
 }  // namespace treedyn::program

@@ -67,6 +67,10 @@ struct Cost {
   int sqrt = 0;
   int sin = 0;
   int cos = 0;
+  /// Of the multiplications: those that a machine with fused multiply-add executes together with
+  /// the addition that takes them in. Such a product stands in the expression of its sum
+  /// (`schedule`), where compilers contract the two.
+  int fused = 0;
 
   /// add + mul + div, the number that tests/benchmark/README.md compares.
   [[nodiscard]] int total() const { return add + mul + div; }
@@ -79,10 +83,5 @@ Cost cost(const Graph& graph, std::span<const Ref> outputs);
 Cost cost(const Function& function);
 Cost operator+(const Cost& a, const Cost& b);
 Cost operator*(int times, const Cost& cost);
-
-/// Multiplications and additions that a machine with fused multiply-add executes as one operation:
-/// sums that take in a product of no other use. Such a product stands in the expression of its sum
-/// (`schedule`), where compilers contract the two. O(size of the graph).
-int fused(const Function& function);
 
 }  // namespace treedyn::program

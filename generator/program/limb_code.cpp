@@ -36,12 +36,4 @@ Cost cost(const LimbCode& code) {
   return result;
 }
 
-int fused(const LimbCode& code) {
-  int result = fused(code.trunk);
-  for (const LimbPhase& phase : code.phases) {
-    result += code.limbs[at(phase.limb_class)].size() * fused(phase.function);
-  }
-  return result;
-}
-
 }  // namespace treedyn::program

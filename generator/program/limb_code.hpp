@@ -52,7 +52,5 @@ Function flat(std::shared_ptr<const LimbCode> code, const Signature& signature);
 
 /// Operations of one call: those of a phase count once a limb.
 Cost cost(const LimbCode& code);
-/// Of these, the additions that a fused multiply-add can take in.
-int fused(const LimbCode& code);
 
 }  // namespace treedyn::program

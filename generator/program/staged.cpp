@@ -48,7 +48,7 @@ Triangle factor(Graph& graph, const RowSolve& solve) {
 }
 
 /// Multiplications and additions of a sum of `products` that is added to something.
-Cost products(int count) { return {.add = count, .mul = count}; }
+Cost products(int count) { return {.add = count, .mul = count, .fused = count}; }
 
 }  // namespace
 

@@ -19,13 +19,15 @@ Cost factor_cost(int n, const Cost& dynamics) {
   Cost sum = (n + 1) * dynamics + Cost{.add = 2 * n, .mul = 2 * n};
   sum = sum + n * Cost{.add = 3 + n, .mul = 2 + n, .div = 1};
   for (int below = n - 1; below >= 0; --below) {
-    sum = sum + Cost{.add = below * below, .mul = below * below + below, .div = 1};
+    sum =
+        sum +
+        Cost{.add = below * below, .mul = below * below + below, .div = 1, .fused = below * below};
   }
   return sum;
 }
 
 Cost newton_cost(int n, const Cost& dynamics) {
-  const Cost solve{.add = n * (n - 1), .mul = n * n};
+  const Cost solve{.add = n * (n - 1), .mul = n * n, .fused = n * (n - 1)};
   return dynamics + solve + Cost{.add = 6 * n, .mul = 5 * n + 2};
 }
 
@@ -43,7 +45,9 @@ Cost sdirk2_cost(const Stepper& stepper, const Cost& dynamics, int newton_steps,
 /// One part of the integration, given the operations of one call of the dynamics.
 Cost part_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
   const int n = stepper.signature.inputs.front().size;
-  const Cost kept{.add = stepper.compensated ? 6 * n : 0};
+  // of the last sums the product is added by a function of its own
+  const Cost kept{.add = stepper.compensated ? 6 * n : 0,
+                  .fused = stepper.compensated ? -2 * n : 0};
   const bool timed = stepper.takes_time;
   const bool any_length = stepper.any_length();
   const int halfway = tells_reactions(stepper) ? stepper.rows : 0;
@@ -52,18 +56,21 @@ Cost part_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
       break;
     case StepMethod::kRk4:
       return kept + 4 * dynamics +
-             Cost{.add = 14 * n + (timed ? 2 : 0), .mul = 10 * n + (any_length ? 2 : 0)};
+             Cost{.add = 14 * n + (timed ? 2 : 0),
+                  .mul = 10 * n + (any_length ? 2 : 0),
+                  .fused = 10 * n};
     case StepMethod::kDopri5:
       return kept + 6 * dynamics +
              Cost{.add = 40 * n + (timed ? 5 : 0) + 3 * halfway,
-                  .mul = 40 * n + (any_length ? 20 + (timed ? 5 : 0) : 0) + 4 * halfway};
+                  .mul = 40 * n + (any_length ? 20 + (timed ? 5 : 0) : 0) + 4 * halfway,
+                  .fused = 40 * n};
     case StepMethod::kSdirk2:
       return worst ? kMostTries * (sdirk2_cost(stepper, dynamics, kMostJacobians * kMostNewtonSteps,
                                                1 + 2 * kMostJacobians) +
                                    Cost{.add = 1, .mul = 1 + 2 * kMostJacobians})
                    : sdirk2_cost(stepper, dynamics, kUsualNewtonSteps, 1);
   }
-  return kept + dynamics + Cost{.add = 2 * n, .mul = 2 * n};
+  return kept + dynamics + Cost{.add = 2 * n, .mul = 2 * n, .fused = 2 * n};
 }
 
 /// The integration alone.
@@ -147,8 +154,9 @@ Cost outcome_cost(const Stepper& stepper, const StepPhase& phase, const StepEven
 }
 
 Cost most(const Cost& a, const Cost& b) {
-  return {std::max(a.add, b.add),   std::max(a.mul, b.mul), std::max(a.div, b.div),
-          std::max(a.sqrt, b.sqrt), std::max(a.sin, b.sin), std::max(a.cos, b.cos)};
+  return {std::max(a.add, b.add),    std::max(a.mul, b.mul), std::max(a.div, b.div),
+          std::max(a.sqrt, b.sqrt),  std::max(a.sin, b.sin), std::max(a.cos, b.cos),
+          std::max(a.fused, b.fused)};
 }
 
 /// The look at guards halfway.
@@ -269,6 +277,10 @@ Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
 }
 
 Cost step_cost(const Stepper& stepper) { return step_cost(stepper, stepper.phases.front()); }
+
+Cost further_part_cost(const Stepper& stepper, const StepPhase& phase) {
+  return integration_cost(stepper, phase.dynamics_cost, false);
+}
 
 int step_evaluations(const Stepper& stepper) {
   return integration_cost(stepper, {.add = 1}, false).add -

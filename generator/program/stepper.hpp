@@ -101,7 +101,7 @@ struct Stepper {
   int counted = 0;             ///< steps of a phase are counted up to here; 0: not at all
   bool begun = false;          ///< phases with counted steps begin within a step
   bool compensated = false;    ///< rest: what q and qd lost by rounding
-  bool tells_events = false;   ///< calls treedyn_event at each, which is not there: for studies
+  bool tells = false;          ///< calls treedyn_event and treedyn_part, not there: for studies
   std::string first;           ///< the phase in which the scene begins
   bool tests_pivots = false;   ///< the dynamics tell lost pivots of A
   /// Revolute joints that turn without bound beside a position without accelerations, as the outer
@@ -138,7 +138,9 @@ std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase);
 Cost step_cost(const Stepper& stepper, const StepPhase& phase);
 /// The same in the first phase.
 Cost step_cost(const Stepper& stepper);
-/// Calls of the dynamics that the same counts.
+/// What one more part adds, of an integration that is done in parts.
+Cost further_part_cost(const Stepper& stepper, const StepPhase& phase);
+/// Calls of the dynamics that the same counts, and one more part.
 int step_evaluations(const Stepper& stepper);
 /// A bound of the operations of any step.
 Cost worst_step_cost(const Stepper& stepper);

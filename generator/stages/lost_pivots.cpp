@@ -66,7 +66,7 @@ class Joints {
   /// True if a pivot is a multiple of that of a safe joint. \param values  its, by state
   [[nodiscard]] bool is_safe(const std::vector<double>& values) const;
   [[nodiscard]] const std::vector<std::vector<double>>& states() const { return states_; }
-  /// Revolute joints that are not safe, or whose father's joint is not.
+  /// Revolute joints whose pivot may get lost, or their father's.
   [[nodiscard]] std::vector<int> turning() const;
 
  private:
@@ -129,8 +129,13 @@ bool Joints::is_safe(const std::vector<double>& values) const {
 std::vector<int> Joints::turning() const {
   std::vector<int> result;
   const auto is_free = [&](int link) {
-    const int k = tree_.drives[static_cast<std::size_t>(link)].coordinate;
-    return !safe_[static_cast<std::size_t>(k)];
+    const auto k =
+        static_cast<std::size_t>(tree_.drives[static_cast<std::size_t>(link)].coordinate);
+    std::vector<double> pivots;
+    for (const Inertias& at : inertias_) {
+      pivots.push_back(at.pivots[k]);
+    }
+    return !safe_[k] && !is_safe(pivots);
   };
   for (int k = 0; k < tree_.dof(); ++k) {
     const int link = tree_.coordinates[static_cast<std::size_t>(k)];

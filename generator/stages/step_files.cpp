@@ -54,7 +54,7 @@ StepFiles StepWriter::files(model::Scene scene, const StepForm& form, const std:
   }
   program::Programs programs = found->second;
   programs.steppers = {stepper_of(model, request, programs)};
-  programs.steppers.front().tells_events = form.tells_events;
+  programs.steppers.front().tells = form.tells;
   StepFiles result{model.name,
                    {},
                    in_scalar(programs, model, form.scalar).steppers.front(),

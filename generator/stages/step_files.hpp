@@ -22,7 +22,7 @@ struct StepForm {
   emit::Scalar scalar = emit::Scalar::kDouble;
   emit::Sincos sincos = emit::Sincos::kPair;  ///< of kExtended always kLibm
   formulate::ForwardDynamics forward_dynamics = formulate::ForwardDynamics::kCheapest;
-  bool tells_events = false;  ///< Stepper::tells_events
+  bool tells = false;  ///< Stepper::tells
 };
 
 /// The files of a scene for several integrators, lengths of steps and scalars. What these share,

@@ -18,7 +18,7 @@ namespace {
 Outcome outcome(State state, const char* integrator, double step, double error, int additions) {
   Outcome result;
   result.setting = {state, integrator, step, {}};
-  result.phases = {{{}, 1}};
+  result.phases = {{{}, {}, {1}}};
   result.phases.front().cost.add = additions;
   result.errors[Error::kJoints] = {error, error};
   return result;
@@ -243,8 +243,8 @@ TEST(Study, TellsAFloorFromTheEndOfTheSteps) {
 /// 30 steps of 10 additions and 10 of 50, of 0.1 s each.
 TEST(Study, CountsStepsInTheirPhase) {
   Outcome one = outcome(State::kFloat, "rk4", 0.1, 1, 10);
-  one.phases.front().steps = 30;
-  one.phases.push_back({{}, 10});
+  one.phases.front().count.steps = 30;
+  one.phases.push_back({{}, {}, {10}});
   one.phases.back().cost.add = 50;
   EXPECT_EQ(one.step_cost().add, 20);
   const double of_addition = core("m4f").single.cycles.add;

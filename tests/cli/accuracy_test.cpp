@@ -230,6 +230,92 @@ TEST_F(Accuracy, OrdersAreThoseOfTheMethods) {
   EXPECT_NEAR(order("dopri5-fixed", 0.02, 0.01), 5, 0.3);
 }
 
+/// The order that a study prints of double.
+double printed_order(const std::string& text, const std::string& integrator) {
+  const std::string line = "order of double " + integrator + ": ";
+  const std::size_t at = text.find(line);
+  EXPECT_NE(at, std::string::npos) << text;
+  return at == std::string::npos ? 0 : std::stod(text.substr(at + line.size()));
+}
+
+class Orders : public Accuracy {
+ protected:
+  /// Of two initial states, by each method.
+  void expect_orders(const std::string& scene, const std::string& steps) {
+    const Outcome outcome =
+        treedyn({"accuracy", scene, "--states", "2", "--integrators", "rk4,dopri5-fixed", "--steps",
+                 steps, "--on", "m4f", "-o", out()});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NEAR(printed_order(outcome.out, "rk4"), 4, 0.3);
+    EXPECT_NEAR(printed_order(outcome.out, "dopri5-fixed"), 5, 0.3);
+  }
+
+  /// A hard case over two seconds: over its own time dissipation of h^5 outweighs the rest of rk4.
+  void expect_orders_of_case(const std::string& name) {
+    Json hard_case =
+        Json::parse(read_file(TREEDYN_SOURCE_DIR "/tests/data/hard_cases/" + name + ".json"));
+    hard_case["scene"]["duration"] = 2;
+    write_file(scratch(name + ".json"), hard_case.dump());
+    expect_orders(scratch(name + ".json"), "0.02,0.01,0.005,0.0025,0.001,0.0005");
+  }
+};
+
+TEST_F(Orders, OfAPendulumNearItsTop) { expect_orders_of_case("s01_pendulum_period"); }
+
+TEST_F(Orders, OfADoublePendulum) { expect_orders_of_case("s02_double_pendulum_10s"); }
+
+/// The top of s05 in two gimbals without mass. \param Jyy  of its moments of inertia 0.01, Jyy,
+/// 0.01
+std::string top(const std::string& folder, const std::string& Jyy, int parts) {
+  const std::string name = "top" + std::to_string(parts);
+  write_file(folder + "/top.model.yaml",
+             "name: top\nlinks:\n"
+             "  - {name: g1, father: ground, joint: {name: j1, type: revolute, axis: [0, 1, 0]}}\n"
+             "  - {name: g2, father: g1, joint: {name: j2, type: revolute, axis: [1, 0, 0]}}\n"
+             "  - name: body\n    father: g2\n"
+             "    joint: {name: j3, type: revolute, axis: [0, 0, 1]}\n"
+             "    mass: 0.5\n    com: [0, 0, 0.2]\n    inertia: [0.01, 0, 0, " +
+                 Jyy + ", 0, 0.01]\n");
+  const std::string scene = folder + "/" + name + ".yaml";
+  write_file(scene, "scene: " + name +
+                        "\nmodel: top.model.yaml\neffects: {gravity: [0, 0, -9.81]}\ninitial: "
+                        "{q: {j1: 0.7}, qd: {j2: -1.12895528035624, j3: 60}}\nstepping: {parts: " +
+                        std::to_string(parts) + "}\nduration: 3.5\n");
+  return scene;
+}
+
+/// Its spin passes no singular position and does not count.
+TEST_F(Orders, OfARegularPrecession) {
+  const Outcome made = treedyn({"generate", "--scene", top(scratch(""), "0.01", 64), "--functions",
+                                "step", "--integrator", "rk4", "-o", scratch("made")});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(read_file(scratch("made") + "/top64.cpp"), HasSubstr("joints[] = {0, 1};"));
+  expect_orders(top(scratch(""), "0.01", 1), "0.05,0.025,0.01,0.005,0.0025");
+}
+
+/// A step of 50 ms in which a joint turns by 60 rad/s is 60 parts of 0.05 rad.
+TEST_F(Accuracy, PartsOfAStepCost) {
+  std::map<int, double> operations;
+  for (const int parts : {1, 64}) {
+    const std::string scene = top(scratch(""), "0.0101", parts);
+    const Outcome outcome = treedyn({"accuracy", scene, "--states", "1", "--integrators", "rk4",
+                                     "--steps", "0.05", "-o", out()});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("steps are done in up to 6") != std::string::npos, parts == 64);
+    const std::string stem = "top" + std::to_string(parts);
+    const Json study = Json::parse(read_file(file(stem + "_accuracy.json")));
+    operations[parts] = study.at("settings").at(2).at("operations");
+    EXPECT_EQ(study.at("settings").at(2).at("scalar"), "double");
+    const Outcome run = treedyn({"simulate", scene, "--as-generated", "--integrator", "rk4",
+                                 "--step", "0.05", "-v", "-o", file("run.csv")});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.out + run.err,
+                HasSubstr(parts == 1 ? "280 evaluations" : " evaluations of the dynamics"));
+    EXPECT_EQ(run.err.find("280 evaluations") != std::string::npos, parts == 1) << run.err;
+  }
+  EXPECT_NEAR(operations[64] / operations[1], 60, 2);
+}
+
 /// Of settings that are chosen by eight initial states at least 19 of 20 motions from others keep
 /// the target.
 TEST_F(Accuracy, WhatIsChosenHoldsForStatesThatTheSearchHasNotSeen) {
@@ -476,7 +562,9 @@ TEST_F(Accuracy, WritesSettingsThatGenerateTakes) {
   study({"--integrators", "rk4", "--steps", "0.02", "--on", "m4f", "--target", "1e-5"});
   const std::string settings = file("pendulum_accuracy_m4f.toml");
   EXPECT_EQ(read_file(settings),
-            "scalar = \"float\"\nintegrator = \"rk4\"\nstep = 0.02\nstate = \"compensated\"\n");
+            "scalar = \"float\"\nintegrator = \"rk4\"\nstep = 0.02\nstate = \"compensated\"\n"
+            "sincos = \"pair\"\ncuts = 3\n"
+            "layout = \"dense\"  # of A where it is asked for; step stores none\n");
   const Outcome made = treedyn({"generate", "--scene", kPendulum, "--functions", "step",
                                 "--settings", settings, "-o", scratch("made")});
   EXPECT_EQ(made.status, 0) << made.err;

@@ -15,6 +15,7 @@ struct Count {
   std::string function;  ///< for the reader
   program::Cost cost;
   long instructions = 0;
+  bool contracted = false;
 };
 using Counts = std::vector<Count>;
 

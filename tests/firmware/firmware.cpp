@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -35,12 +36,15 @@ struct Core {
   const char* board;
   const char* code;  ///< addresses of memory
   const char* data;
+
+  bool fuses_float = true;  ///< has fused multiply-adds
+  bool fuses_double = false;
 };
 
 /// qemu has no board with a Cortex-M0+ and enough memory: its code runs on a Cortex-M3, which has
 /// all its instructions.
 const std::vector<Core> kCores = {
-    {"m0plus", {"-mcpu=cortex-m0plus"}, "mps2-an385", "0", "0x20000000"},
+    {"m0plus", {"-mcpu=cortex-m0plus"}, "mps2-an385", "0", "0x20000000", false},
     {"m4f",
      {"-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"},
      "mps2-an386",
@@ -50,7 +54,9 @@ const std::vector<Core> kCores = {
      {"-mcpu=cortex-m7", "-mfloat-abi=hard", "-mfpu=fpv5-d16"},
      "mps2-an500",
      "0",
-     "0x20000000"},
+     "0x20000000",
+     true,
+     true},
     {"m33",
      {"-mcpu=cortex-m33", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"},
      "mps2-an505",
@@ -58,25 +64,35 @@ const std::vector<Core> kCores = {
      "0x38000000"},
 };
 
+/// Not contracted, or compiled with contraction for the table of `treedyn accuracy` alone.
+constexpr const char* kExact = "-ffp-contract=off";
+constexpr const char* kContracted = "-ffp-contract=fast";
+
+/// Of generate and info.
+constexpr const char* kEffort = "200";
+
 struct Robot {
   const char* name;
-  Words arguments;  ///< of generate
+  Words arguments;             ///< of generate
+  std::string functions = "";  ///< all that a scene has where empty
   bool is_float = true;
+
+  /// Of no scene.
+  [[nodiscard]] bool is_model() const { return arguments.front() != "--scene"; }
 };
 
 std::vector<Robot> robots() {
   const std::string functions =
       "mass_matrix,bias_force,gravity_force,inverse_dynamics,forward_dynamics";
   return {
-      {"biped", {"biped.yaml", "--functions", functions, "--layout", "packed"}},
-      {"quadruped", {"quadruped.yaml", "--functions", functions}},
-      {"puma560", {"puma560.yaml", "--functions", functions}},
-      {"puma560_double", {"puma560.yaml", "--functions", functions}, false},
-      {"panda", {"panda.yaml", "--functions", functions}},
-      {"panda_double", {"panda.yaml", "--functions", functions}, false},
+      {"biped", {"biped.yaml", "--layout", "packed"}, functions},
+      {"quadruped", {"quadruped.yaml"}, functions},
+      {"puma560", {"puma560.yaml"}, functions},
+      {"puma560_double", {"puma560.yaml"}, functions, false},
+      {"panda", {"panda.yaml"}, functions},
+      {"panda_double", {"panda.yaml"}, functions, false},
       {"drop", {"--scene", "scenes/drop.yaml"}},
-      {"biped_feet",
-       {"--scene", "scenes/biped_double_support.yaml", "--functions", "constrained_dynamics"}},
+      {"biped_feet", {"--scene", "scenes/biped_double_support.yaml"}, "constrained_dynamics"},
   };
 }
 
@@ -173,7 +189,7 @@ Words scalar_option(const Robot& robot) {
 }
 
 Lines on_the_host(const Robot& robot, const Places& places, const fs::path& work) {
-  checked(joined({"g++", "-std=c++17", "-O2", "-ffp-contract=off", "-I", places.sources, "-I", work,
+  checked(joined({"g++", "-std=c++17", "-O2", kExact, "-I", places.sources, "-I", work,
                   work / "generated.cpp", work / "calls.cpp", places.sources / "exercise.cpp",
                   places.sources / "host.cpp", "-o", work / "host"},
                  scalar_option(robot)));
@@ -215,16 +231,16 @@ long flash_of(const std::string& object, bool is_float) {
 }
 
 /// The driver for C: that for C++ would link libstdc++, which is not needed.
-const Words kCompile = {"arm-none-eabi-gcc", "-std=c++17",         "-mthumb",
-                        "-fno-exceptions",   "-fno-rtti",          "-fno-math-errno",
-                        "-ffp-contract=off", "-ffunction-sections"};
+const Words kCompile = {"arm-none-eabi-gcc",  "-std=c++17", "-mthumb",
+                        "-fno-exceptions",    "-fno-rtti",  "-fno-math-errno",
+                        "-ffunction-sections"};
 
 /// Name, hash, instructions and stack of every function on a core.
 Lines on_a_core(const Robot& robot, const Places& places, const fs::path& work, const Core& core,
-                const std::string& optimisation, long* flash) {
+                const std::string& optimisation, const std::string& contraction, long* flash) {
   const Words options =
-      joined(joined(kCompile, joined(core.options, {"-I", places.sources, "-I", work, "-I",
-                                                    places.sources / "include"})),
+      joined(joined(kCompile, joined(core.options, {contraction, "-I", places.sources, "-I", work,
+                                                    "-I", places.sources / "include"})),
              scalar_option(robot));
   const std::string object = work / "generated.o";
   checked(joined(options, {optimisation, "-c", work / "generated.cpp", "-o", object}));
@@ -318,9 +334,25 @@ int compare(const std::string& place, const Lines& host, const Lines& core, long
   return failures;
 }
 
+using Fused = std::map<std::string, int>;
+
+/// Multiply-adds by the names of a model's functions, counted in the same text.
+Fused fused_of(const Robot& robot, const Places& places) {
+  Fused result;
+  const support::Outcome outcome = checked(joined(joined({places.treedyn, "info"}, robot.arguments),
+                                                  {"--effort", kEffort, "-q", "--json"}));
+  const nlohmann::json info = nlohmann::json::parse(outcome.out);
+  for (const nlohmann::json& function : info.at("functions")) {
+    result[function.at("name")] = function.at("fused");
+  }
+  return result;
+}
+
 /// What the table of `treedyn accuracy` is compared with: functions without rows to solve.
+/// \param fused  where they are compiled with contraction
 void add_counted(const Robot& robot, const std::string& core, const support::Manifest& manifest,
-                 const std::function<long(const std::string&)>& instructions, Counts& counts) {
+                 const Fused* fused, const std::function<long(const std::string&)>& instructions,
+                 Counts& counts) {
   for (const support::FunctionInfo& function : manifest.functions) {
     if (!function.status) {
       const auto& o = function.operations;
@@ -331,8 +363,9 @@ void add_counted(const Robot& robot, const std::string& core, const support::Man
       cost.sqrt = static_cast<int>(o[3]);
       cost.sin = static_cast<int>(o[4]);
       cost.cos = static_cast<int>(o[5]);
+      cost.fused = fused == nullptr ? 0 : fused->at(function.name);
       counts.push_back({core, robot.is_float, fmt::format("{} {}", robot.name, function.name), cost,
-                        instructions(function.name)});
+                        instructions(function.name), fused != nullptr});
     }
   }
 }
@@ -341,9 +374,10 @@ int measure(const Robot& robot, const Places& places, Budgets& budgets, Counts& 
   const support::TemporaryFolder folder;
   const fs::path& work = folder.path();
   fs::current_path(places.models);
-  checked(joined(joined({places.treedyn, "generate"}, robot.arguments),
+  const Words functions = robot.functions.empty() ? Words{} : Words{"--functions", robot.functions};
+  checked(joined(joined({places.treedyn, "generate"}, joined(robot.arguments, functions)),
                  {"--scalar", robot.is_float ? "float" : "double", "--name", "generated",
-                  "--effort", "200", "-q", "-o", work}));
+                  "--effort", kEffort, "-q", "-o", work}));
   const support::Manifest manifest = support::read_manifest(work / "generated.json");
   support::write_file(work / "calls.cpp", calls_text(manifest));
   const Lines host = on_the_host(robot, places, work);
@@ -351,24 +385,40 @@ int measure(const Robot& robot, const Places& places, Budgets& budgets, Counts& 
     fmt::print("valgrind is not installed: nothing was counted on the host\n");
   } else {
     add_counted(
-        robot, "host", manifest, [&](const std::string& name) { return on_the_host(work, name); },
-        counts);
+        robot, "host", manifest, nullptr,
+        [&](const std::string& name) { return on_the_host(work, name); }, counts);
   }
   int failures = host.empty() ? 1 : 0;
+  const Fused fused = robot.is_model() ? fused_of(robot, places) : Fused{};
   for (const Core& core : kCores) {
     for (const char* optimisation : {"-Os", "-O2"}) {
       long flash = 0;
-      const Lines lines = on_a_core(robot, places, work, core, optimisation, &flash);
+      const Lines lines = on_a_core(robot, places, work, core, optimisation, kExact, &flash);
       const std::string place = fmt::format("{},{},{}", robot.name, core.name, optimisation + 1);
       failures += compare(place, host, lines, flash, budgets);
       if (optimisation == std::string("-O2")) {
         add_counted(
-            robot, core.name, manifest,
+            robot, core.name, manifest, nullptr,
             [&](const std::string& name) {
               return budgets[fmt::format("{},{}", place, name)].instructions;
             },
             counts);
       }
+    }
+    if (!fused.empty() && (robot.is_float ? core.fuses_float : core.fuses_double)) {
+      long flash = 0;
+      const Lines lines = on_a_core(robot, places, work, core, "-O2", kContracted, &flash);
+      add_counted(
+          robot, core.name, manifest, &fused,
+          [&](const std::string& name) {
+            const auto line = lines.find(name);
+            if (line == lines.end()) {
+              throw std::runtime_error(
+                  fmt::format("{}, {}, contracted: {} did not end", robot.name, core.name, name));
+            }
+            return std::atol(line->second[1].c_str());
+          },
+          counts);
     }
   }
   return failures;

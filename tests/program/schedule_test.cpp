@@ -83,7 +83,7 @@ TEST(Fused, CountsSumsWithAProductOfNoOtherUse) {
   const Ref two_products = g.add(g.multiply(x, y), g.multiply(y, y));  // the second one is fused
   const Ref of_shared = g.add(shared, y);
   function.outputs = {two_products, of_shared, -shared, g.add(x, y)};
-  EXPECT_EQ(fused(function), 1);
+  EXPECT_EQ(cost(function).fused, 1);
 }
 
 TEST(Schedule, InlinesAProductIntoItsSum) {
