@@ -167,7 +167,7 @@ long most_parts(const Study& study) {
   long most = 0;
   for (const Outcome& outcome : study.outcomes) {
     for (const PhaseSteps& phase : outcome.phases) {
-      most = std::max(most, phase.count.most_parts);
+      most = std::max(most, phase.count.most[static_cast<std::size_t>(program::Repeated::kPart)]);
     }
   }
   return most;

@@ -118,8 +118,10 @@ double Outcome::expected(Error of) const {
 
 StepCount& StepCount::operator+=(const StepCount& other) {
   steps += other.steps;
-  parts += other.parts;
-  most_parts = std::max(most_parts, other.most_parts);
+  for (std::size_t what = 0; what < repeated.size(); ++what) {
+    repeated[what] += other.repeated[what];
+    most[what] = std::max(most[what], other.most[what]);
+  }
   return *this;
 }
 
@@ -130,7 +132,9 @@ double Outcome::mean(Of of) const {
   for (const PhaseSteps& phase : phases) {
     const StepCount& count = phase.count;
     sum += static_cast<double>(count.steps) * of(phase.cost);
-    sum += static_cast<double>(count.parts) * (count.parts > 0 ? of(phase.part_cost) : 0);
+    for (std::size_t what = 0; what < count.repeated.size(); ++what) {
+      sum += static_cast<double>(count.repeated[what]) * of(phase.repeated_costs[what]);
+    }
     steps += static_cast<double>(count.steps);
   }
   return sum / std::max(steps, 1.0);
@@ -158,8 +162,11 @@ double Outcome::cycles_of(const program::Cost& cost, const Core& core, bool cont
 double Outcome::most_cycles(const Core& core) const {
   double result = 0;
   for (const PhaseSteps& phase : phases) {
-    const auto parts = static_cast<double>(phase.count.most_parts);
-    const double dearest = cycles_of(phase.cost, core) + parts * cycles_of(phase.part_cost, core);
+    double dearest = cycles_of(phase.cost, core);
+    for (std::size_t what = 0; what < phase.count.most.size(); ++what) {
+      dearest +=
+          static_cast<double>(phase.count.most[what]) * cycles_of(phase.repeated_costs[what], core);
+    }
     result = std::max(result, phase.count.steps > 0 ? dearest : 0);
   }
   return result;

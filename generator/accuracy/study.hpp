@@ -2,12 +2,14 @@
 // target.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "accuracy/core.hpp"
+#include "program/stepper.hpp"
 #include "accuracy/errors.hpp"
 
 namespace treedyn::accuracy {
@@ -52,20 +54,19 @@ struct Size {
   long stack = 0;  ///< the deepest way of calls
 };
 
-/// How often a step was called in one phase.
+/// How often a step was called in one phase, and how often it repeated something.
 struct StepCount {
   long steps = 0;
-  /// In which the integrations were done, the first of each not counted, and the most of one step.
-  long parts = 0;
-  long most_parts = 0;
+  program::Repetitions repeated = {};  ///< in all
+  program::Repetitions most = {};      ///< in one step
 
   StepCount& operator+=(const StepCount& other);
 };
 
-/// Steps in one phase, the operations of one, and those of each further part of its integration.
+/// Steps in one phase, the operations of one that repeats nothing, and of each repetition.
 struct PhaseSteps {
   program::Cost cost;
-  program::Cost part_cost = {};
+  std::array<program::Cost, program::kRepeated> repeated_costs = {};
   StepCount count = {};
 };
 
@@ -90,7 +91,7 @@ struct Outcome {
   [[nodiscard]] double expected(Error of = Error::kJoints) const;
   /// Operations of a step, the mean over the motions.
   [[nodiscard]] program::Cost step_cost() const;
-  /// Cycles of a step in the dearest phase.
+  /// Cycles of a step in the dearest phase, if it repeats everything as often as any has.
   [[nodiscard]] double most_cycles(const Core& core) const;
   /// Cycles for a second of motion. \param contracted  of code compiled with contraction, whose
   /// bits and errors are others

@@ -105,8 +105,8 @@ Outcome Comparison::outcome(const Setting& setting, StepWriter& writer,
   Outcome result;
   result.setting = setting;
   for (const program::StepPhase& phase : files.stepper.phases) {
-    result.phases.push_back({program::step_cost(files.stepper, phase),
-                             program::further_part_cost(files.stepper, phase)});
+    result.phases.push_back({program::least_step_cost(files.stepper, phase),
+                             program::repeated_costs(files.stepper, phase)});
   }
   for (const Motion& motion : motions) {
     for (std::size_t k = 0; k < motion.steps.size(); ++k) {

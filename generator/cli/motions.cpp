@@ -50,8 +50,8 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
       step.at("t")[0] = t0 + static_cast<long double>(k) * h;
     }
     motion.status |= step.call();
-    steps += {1 + of_event * static_cast<long>(step.events().size()), step.further_parts(),
-              step.further_parts()};
+    steps +=
+        {1 + of_event * static_cast<long>(step.events().size()), step.repeated(), step.repeated()};
     if (!is_finite(step.at("q"))) {
       break;
     }

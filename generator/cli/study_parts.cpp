@@ -165,10 +165,12 @@ void cost(Words& words, Cost& all) {
 template <class Words, class Phase>
 void phase(Words& words, Phase& one) {
   cost(words, one.cost);
-  cost(words, one.part_cost);
   words(one.count.steps);
-  words(one.count.parts);
-  words(one.count.most_parts);
+  for (std::size_t what = 0; what < program::kRepeated; ++what) {
+    cost(words, one.repeated_costs[what]);
+    words(one.count.repeated[what]);
+    words(one.count.most[what]);
+  }
 }
 void exchange(Writer& words, const accuracy::PhaseSteps& one) { phase(words, one); }
 void exchange(Reader& words, accuracy::PhaseSteps& one) { phase(words, one); }

@@ -32,7 +32,7 @@ class Run {
         count_(std::lround(static_cast<double>(scene.duration) / h_)),
         output_step_(output_step),
         steps_(step.stepper().phases.size()),
-        parts_(step.stepper().phases.size()) {
+        repeated_(step.stepper().phases.size()) {
     begin();
   }
 
@@ -62,8 +62,8 @@ class Run {
   long count_;
   double output_step_;
   std::vector<StatusRecord> statuses_;
-  std::vector<long> steps_;  ///< in each phase of the step
-  std::vector<long> parts_;  ///< the same: further parts of its integrations
+  std::vector<long> steps_;                     ///< in each phase of the step
+  std::vector<program::Repetitions> repeated_;  ///< the same
 };
 
 void Run::begin() { begin_motion(scene_, simulator_.q(), simulator_.qd(), step_); }
@@ -135,15 +135,17 @@ GeneratedRun Run::counted() const {
   const program::Stepper& stepper = step_.stepper();
   GeneratedRun result;
   result.statuses = statuses_;
-  long integrations = 0;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
-    result.recording.cost.steps += steps_[k];
     const program::StepPhase& phase = stepper.phases[k];
-    result.operations += steps_[k] * program::step_cost(stepper, phase).total() +
-                         parts_[k] * program::further_part_cost(stepper, phase).total();
-    integrations += steps_[k] + parts_[k];
+    result.recording.cost.steps += steps_[k];
+    result.recording.cost.evaluations +=
+        program::step_evaluations(stepper, steps_[k], repeated_[k]);
+    result.operations += steps_[k] * program::least_step_cost(stepper, phase).total();
+    const auto costs = program::repeated_costs(stepper, phase);
+    for (std::size_t what = 0; what < program::kRepeated; ++what) {
+      result.operations += repeated_[k][what] * costs[what].total();
+    }
   }
-  result.recording.cost.evaluations = integrations * program::step_evaluations(stepper);
   return result;
 }
 
@@ -173,7 +175,9 @@ bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& l
     note_status(status, time(k));
     const std::size_t phase = step_.has("phase") ? static_cast<std::size_t>(before) : 0;
     ++steps_[phase];
-    parts_[phase] += step_.further_parts();
+    for (std::size_t what = 0; what < program::kRepeated; ++what) {
+      repeated_[phase][what] += step_.repeated()[what];
+    }
     const Vector next = vector_of(step_.at("q"));
     if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
       std::vector<double> last(q.begin(), q.end());

@@ -52,16 +52,16 @@ class GeneratedStep::Library {
  public:
   using Step = int (*)(const long double* const*, long double* const*);
   using Events = int (*)(int, long double*);
-  using Parts = long (*)();
+  using RepeatedSoOften = long (*)(int);
   using Repeat = void (*)(const long double* const*, long);
 
   explicit Library(const std::string& path)
       : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)),
         step_(find<Step>("treedyn_step")),
         events_(find<Events>("treedyn_event_of_step")),
-        parts_(find<Parts>("treedyn_further_parts")),
+        repeated_(find<RepeatedSoOften>("treedyn_repeated")),
         repeat_(find<Repeat>("treedyn_repeat")) {
-    if (step_ == nullptr || events_ == nullptr || parts_ == nullptr || repeat_ == nullptr) {
+    if (step_ == nullptr || events_ == nullptr || repeated_ == nullptr || repeat_ == nullptr) {
       throw InputError({}, "--as-generated: the compiled step cannot be loaded");
     }
   }
@@ -70,7 +70,7 @@ class GeneratedStep::Library {
   ~Library() { ::dlclose(handle_); }
   [[nodiscard]] Step step() const { return step_; }
   [[nodiscard]] Events events() const { return events_; }
-  [[nodiscard]] Parts parts() const { return parts_; }
+  [[nodiscard]] RepeatedSoOften repeated() const { return repeated_; }
   [[nodiscard]] Repeat repeat() const { return repeat_; }
 
  private:
@@ -82,7 +82,7 @@ class GeneratedStep::Library {
   void* handle_;
   Step step_;
   Events events_;
-  Parts parts_;
+  RepeatedSoOften repeated_;
   Repeat repeat_;
 };
 
@@ -163,7 +163,9 @@ int GeneratedStep::call() {
     out.push_back(at(array.name).data());
   }
   const int status = library_->step()(in.data(), out.data());
-  further_parts_ = library_->parts()();
+  for (std::size_t what = 0; what < repeated_.size(); ++what) {
+    repeated_[what] = library_->repeated()(static_cast<int>(what));
+  }
   events_.clear();
   SteppedEvent event;
   while ((event.number = library_->events()(static_cast<int>(events_.size()), &event.at)) >= 0) {

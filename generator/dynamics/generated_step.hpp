@@ -40,8 +40,8 @@ class GeneratedStep {
   [[nodiscard]] double seconds();
   /// Of the last call.
   [[nodiscard]] const std::vector<SteppedEvent>& events() const { return events_; }
-  /// Of the last call: parts of its integrations, the first of each not counted.
-  [[nodiscard]] long further_parts() const { return further_parts_; }
+  /// How often the last call did what program::Repeated says.
+  [[nodiscard]] const program::Repetitions& repeated() const { return repeated_; }
 
  private:
   class Library;
@@ -51,7 +51,7 @@ class GeneratedStep {
   program::Stepper stepper_;
   std::map<std::string, Values> values_;
   std::vector<SteppedEvent> events_;
-  long further_parts_ = 0;
+  program::Repetitions repeated_ = {};
   std::unique_ptr<Library> library_;
 };
 

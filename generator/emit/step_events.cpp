@@ -341,18 +341,16 @@ std::string EventWriter::turns() const {
     lines.emplace_back("}");
     restart = lines;
   }
-  std::string before;
   if (stepper_.tells) {
-    before = "extern \"C\" void treedyn_event(int event, double at);\n\n";
     restart.insert(restart.begin(), "treedyn_event(event, static_cast<double>(from.at));");
   }
-  return fill(template_text("step_turns.cpp"),
-              {{"declaration", before + declaration(returned(signature), parameters(signature, all),
-                                                    " noexcept {")},
-               {"begin", joined(begin_lines(), "  ")},
-               {"turn", joined(turn_lines(), "    ")},
-               {"restart", joined(restart, "      ")},
-               {"end", joined(end_lines(), "  ")}});
+  return fill(
+      template_text("step_turns.cpp"),
+      {{"declaration", declaration(returned(signature), parameters(signature, all), " noexcept {")},
+       {"begin", joined(begin_lines(), "  ")},
+       {"turn", joined(turn_lines(), "    ")},
+       {"restart", joined(restart, "      ")},
+       {"end", joined(end_lines(), "  ")}});
 }
 
 }  // namespace

@@ -191,6 +191,18 @@ Lines halfway_lines(const Stepper& stepper, Scalar scalar) {
 
 }  // namespace
 
+namespace {
+
+/// The line that tells it, between two texts; empty where nothing is told.
+std::string told(const Stepper& stepper, program::Repeated what, const std::string& before,
+                 const std::string& behind) {
+  return stepper.tells
+             ? fmt::format("{}treedyn_again({});{}", before, static_cast<int>(what), behind)
+             : "";
+}
+
+}  // namespace
+
 std::string sdirk2_stages(const Stepper& stepper, Scalar scalar) {
   const bool single = scalar == Scalar::kFloat;
   const bool reacts = stepper.rows > 0;
@@ -212,6 +224,8 @@ std::string sdirk2_stages(const Stepper& stepper, Scalar scalar) {
                {"change", single ? "1e-12f" : "1e-26"},
                {"enough", single ? "1e-10f" : "1e-22"},
                {"difference", single ? "3e-4f" : "1.5e-8"},
+               {"newton_again", told(stepper, program::Repeated::kNewtonStep, "      ", "\n")},
+               {"factor_again", told(stepper, program::Repeated::kJacobian, "  ", "\n")},
                {"gamma", literal(1 - sqrt(Real("0.5")), scalar)},
                {"nearer", literal(Real("0.9"), scalar)},
                {"one_half", literal(Real("0.5"), scalar)},
@@ -260,14 +274,16 @@ void add_sdirk2_slots(const Stepper& stepper, Form form, Scalar scalar, Slots& s
                               stepper.rows),
                   "  halfway[i] = later[i];", "}"};
   }
-  slots = {{"declaration", slots.at("declaration")},
-           {"end", slots.at("end")},
-           {"later_lambda", slots.at("later_lambda") + unused},
-           {"first_part", joined(first_part, "    ")},
-           {"lengths", lengths(stepper, form, scalar, {}, true)},
-           {"times", stepper.takes_time ? "    const Scalar t_now[1] = {t[0] + done};" : ""},
-           {"one_half", literal(Real("0.5"), scalar)},
-           {"try", fmt::format("try_step({})", fmt::join(arguments, ", "))}};
+  slots = {
+      {"declaration", slots.at("declaration")},
+      {"end", slots.at("end")},
+      {"later_lambda", slots.at("later_lambda") + unused},
+      {"first_part", joined(first_part, "    ")},
+      {"lengths", lengths(stepper, form, scalar, {}, true)},
+      {"times", stepper.takes_time ? "    const Scalar t_now[1] = {t[0] + done};" : ""},
+      {"one_half", literal(Real("0.5"), scalar)},
+      {"again", told(stepper, program::Repeated::kPart, "    if (n > 1) {\n      ", "\n    }\n")},
+      {"try", fmt::format("try_step({})", fmt::join(arguments, ", "))}};
 }
 
 std::string step_declaration(const Stepper& stepper) {
@@ -368,8 +384,7 @@ std::string parts_text(const Stepper& stepper, Scalar scalar) {
   return fill(
       template_text("step_parts.cpp"),
       {{"parts", std::to_string(stepper.parts)},
-       {"told_of", stepper.tells ? "extern \"C\" void treedyn_part(int number);\n\n" : ""},
-       {"told", stepper.tells ? "    treedyn_part(k);\n" : ""},
+       {"again", told(stepper, program::Repeated::kPart, "    if (k > 1) {\n      ", "\n    }\n")},
        {"declaration", declaration("int integrate", integrate_list(stepper, true), " noexcept {")},
        {"joints", fmt::format("{}", fmt::join(stepper.turning, ", "))},
        {"count", std::to_string(stepper.turning.size())},

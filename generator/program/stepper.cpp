@@ -42,8 +42,11 @@ Cost sdirk2_cost(const Stepper& stepper, const Cost& dynamics, int newton_steps,
          2 * newton_steps * newton_cost(n, dynamics) + own;
 }
 
+/// Which of the steps.
+enum class Which { kLeast, kUsual, kWorst };
+
 /// One part of the integration, given the operations of one call of the dynamics.
-Cost part_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
+Cost part_cost(const Stepper& stepper, const Cost& dynamics, Which which) {
   const int n = stepper.signature.inputs.front().size;
   // of the last sums the product is added by a function of its own
   const Cost kept{.add = stepper.compensated ? 6 * n : 0,
@@ -65,17 +68,25 @@ Cost part_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
                   .mul = 40 * n + (any_length ? 20 + (timed ? 5 : 0) : 0) + 4 * halfway,
                   .fused = 40 * n};
     case StepMethod::kSdirk2:
-      return worst ? kMostTries * (sdirk2_cost(stepper, dynamics, kMostJacobians * kMostNewtonSteps,
-                                               1 + 2 * kMostJacobians) +
-                                   Cost{.add = 1, .mul = 1 + 2 * kMostJacobians})
-                   : sdirk2_cost(stepper, dynamics, kUsualNewtonSteps, 1);
+      switch (which) {
+        case Which::kLeast:
+          return sdirk2_cost(stepper, dynamics, 0, 0);
+        case Which::kUsual:
+          return sdirk2_cost(stepper, dynamics, kUsualNewtonSteps, 1);
+        case Which::kWorst:
+          break;
+      }
+      return kMostTries * (sdirk2_cost(stepper, dynamics, kMostJacobians * kMostNewtonSteps,
+                                       1 + 2 * kMostJacobians) +
+                           Cost{.add = 1, .mul = 1 + 2 * kMostJacobians});
   }
   return kept + dynamics + Cost{.add = 2 * n, .mul = 2 * n, .fused = 2 * n};
 }
 
 /// The integration alone.
-Cost integration_cost(const Stepper& stepper, const Cost& dynamics, bool worst) {
-  const Cost part = part_cost(stepper, dynamics, worst);
+Cost integration_cost(const Stepper& stepper, const Cost& dynamics, Which which) {
+  const bool worst = which == Which::kWorst;
+  const Cost part = part_cost(stepper, dynamics, which);
   const auto turning = static_cast<int>(stepper.turning.size());
   if (turning == 0) {
     return part;
@@ -113,9 +124,9 @@ Cost guard_cost(const StepPhase& phase) {
 }
 
 /// A part of a step up to an event or to its end.
-Cost advance_cost(const Stepper& stepper, const StepPhase& phase, bool worst) {
-  const Cost& dynamics = worst ? phase.dynamics_worst_cost : phase.dynamics_cost;
-  return integration_cost(stepper, dynamics, worst) + Cost{.add = stepper.takes_time ? 2 : 1};
+Cost advance_cost(const Stepper& stepper, const StepPhase& phase, Which which) {
+  const Cost& dynamics = which == Which::kWorst ? phase.dynamics_worst_cost : phase.dynamics_cost;
+  return integration_cost(stepper, dynamics, which) + Cost{.add = stepper.takes_time ? 2 : 1};
 }
 
 /// The choice among the events of a phase between two moments.
@@ -133,7 +144,7 @@ Cost choice_cost(const Stepper& stepper, const StepPhase& phase) {
 Cost cut_cost(const Stepper& stepper, const StepPhase& phase) {
   const int values = stepper.most_guards() + stepper.most_approaches();
   const Cost weigh{.add = values, .mul = values, .div = values};
-  const Cost one = advance_cost(stepper, phase, true) + guard_cost(phase) +
+  const Cost one = advance_cost(stepper, phase, Which::kWorst) + guard_cost(phase) +
                    of_all(phase.approaches) + weigh + 2 * choice_cost(stepper, phase) +
                    Cost{.add = 5, .mul = 3};
   return (stepper.cuts + 1) * one + choice_cost(stepper, phase);
@@ -146,7 +157,7 @@ Cost outcome_cost(const Stepper& stepper, const StepPhase& phase, const StepEven
   Cost sum = event.outcome.impact_cost + renewal;
   if (event.rest) {
     const StepPhase& next = stepper.phases[static_cast<std::size_t>(event.outcome.then)];
-    sum = sum + 3 * of_all(phase.approaches) + advance_cost(stepper, next, true) +
+    sum = sum + 3 * of_all(phase.approaches) + advance_cost(stepper, next, Which::kWorst) +
           guard_cost(phase) + 2 * event.rest->impact_cost + renewal +
           Cost{.add = 2 * n + 2, .mul = n, .div = 1};
   }
@@ -177,15 +188,16 @@ Cost found_cost(const Stepper& stepper, const StepPhase& phase) {
   const auto guards = static_cast<int>(dipping(stepper, phase).size());
   return guards == 0 ? Cost{}
                      : guards * Cost{.add = 9, .mul = 9, .div = 6} + Cost{.add = 1, .mul = 1} +
-                           advance_cost(stepper, phase, true) + guard_cost(phase) +
+                           advance_cost(stepper, phase, Which::kWorst) + guard_cost(phase) +
                            2 * of_all(phase.approaches) + choice_cost(stepper, phase);
 }
 
 /// A part of a step without an event in it, and what an event adds.
 Cost worst_part_cost(const Stepper& stepper, const StepPhase& phase) {
   return clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
-         advance_cost(stepper, phase, true) + 2 * (guard_cost(phase) + of_all(phase.approaches)) +
-         choice_cost(stepper, phase) + dip_cost(stepper, phase) + found_cost(stepper, phase);
+         advance_cost(stepper, phase, Which::kWorst) +
+         2 * (guard_cost(phase) + of_all(phase.approaches)) + choice_cost(stepper, phase) +
+         dip_cost(stepper, phase) + found_cost(stepper, phase);
 }
 
 Cost worst_event_cost(const Stepper& stepper, const StepPhase& phase) {
@@ -267,24 +279,52 @@ std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase) {
   return guards;
 }
 
-Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
+namespace {
+
+Cost cost_while_nothing_happens(const Stepper& stepper, const StepPhase& phase, Which which) {
   if (!stepper.ends()) {
-    return integration_cost(stepper, phase.dynamics_cost, false);
+    return integration_cost(stepper, phase.dynamics_cost, which);
   }
   // times are looked at before the step and behind it
   return 2 * clock_cost(stepper, phase, true) + clock_cost(stepper, phase, false) +
-         advance_cost(stepper, phase, false) + 2 * guard_cost(phase) + dip_cost(stepper, phase);
+         advance_cost(stepper, phase, which) + 2 * guard_cost(phase) + dip_cost(stepper, phase);
+}
+
+}  // namespace
+
+Cost step_cost(const Stepper& stepper, const StepPhase& phase) {
+  return cost_while_nothing_happens(stepper, phase, Which::kUsual);
 }
 
 Cost step_cost(const Stepper& stepper) { return step_cost(stepper, stepper.phases.front()); }
 
-Cost further_part_cost(const Stepper& stepper, const StepPhase& phase) {
-  return integration_cost(stepper, phase.dynamics_cost, false);
+Cost least_step_cost(const Stepper& stepper, const StepPhase& phase) {
+  return cost_while_nothing_happens(stepper, phase, Which::kLeast);
 }
 
-int step_evaluations(const Stepper& stepper) {
-  return integration_cost(stepper, {.add = 1}, false).add -
-         integration_cost(stepper, {}, false).add;
+std::array<Cost, kRepeated> repeated_costs(const Stepper& stepper, const StepPhase& phase) {
+  const int n = stepper.signature.inputs.front().size;
+  const Cost part = integration_cost(stepper, phase.dynamics_cost, Which::kLeast);
+  return stepper.method == StepMethod::kSdirk2
+             ? std::array{part, newton_cost(n, phase.dynamics_cost),
+                          factor_cost(n, phase.dynamics_cost)}
+             : std::array{part, Cost{}, Cost{}};
+}
+
+long step_evaluations(const Stepper& stepper, long steps, const Repetitions& repeated) {
+  StepPhase none;
+  StepPhase one;
+  one.dynamics_cost.add = 1;  // so additions count calls
+  const auto calls = [&](const Cost& with, const Cost& without) {
+    return static_cast<long>(with.add - without.add);
+  };
+  long result = steps * calls(least_step_cost(stepper, one), least_step_cost(stepper, none));
+  const auto with = repeated_costs(stepper, one);
+  const auto without = repeated_costs(stepper, none);
+  for (std::size_t what = 0; what < kRepeated; ++what) {
+    result += repeated[what] * calls(with[what], without[what]);
+  }
+  return result;
 }
 
 Cost worst_step_cost(const Stepper& stepper) {
@@ -292,7 +332,7 @@ Cost worst_step_cost(const Stepper& stepper) {
   Cost event;
   for (const StepPhase& phase : stepper.phases) {
     if (!stepper.ends()) {
-      part = most(part, integration_cost(stepper, phase.dynamics_worst_cost, true));
+      part = most(part, integration_cost(stepper, phase.dynamics_worst_cost, Which::kWorst));
       continue;
     }
     part = most(part, worst_part_cost(stepper, phase));

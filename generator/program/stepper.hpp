@@ -1,6 +1,7 @@
 // One integration step of a scene's own fixed-step integrator, and what may end a phase behind it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,15 @@ inline constexpr int kMostJacobians = 6;
 inline constexpr int kMostNewtonSteps = 8;
 /// Parts of a step that kSdirk2 tries.
 inline constexpr int kMostTries = 8;
+
+/// What a step repeats as often as the motion makes it.
+enum class Repeated {
+  kPart,        ///< of an integration, beyond the first
+  kNewtonStep,  ///< of kSdirk2, all
+  kJacobian,    ///< the same
+};
+inline constexpr std::size_t kRepeated = 3;
+using Repetitions = std::array<long, kRepeated>;
 
 /// Elements of `anchor` that are made anew.
 struct Renewal {
@@ -101,7 +111,7 @@ struct Stepper {
   int counted = 0;             ///< steps of a phase are counted up to here; 0: not at all
   bool begun = false;          ///< phases with counted steps begin within a step
   bool compensated = false;    ///< rest: what q and qd lost by rounding
-  bool tells = false;          ///< calls treedyn_event and treedyn_part, not there: for studies
+  bool tells = false;          ///< calls treedyn_event, treedyn_again, not there: for studies
   std::string first;           ///< the phase in which the scene begins
   bool tests_pivots = false;   ///< the dynamics tell lost pivots of A
   /// Revolute joints that turn without bound beside a position without accelerations, as the outer
@@ -138,10 +148,11 @@ std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase);
 Cost step_cost(const Stepper& stepper, const StepPhase& phase);
 /// The same in the first phase.
 Cost step_cost(const Stepper& stepper);
-/// What one more part adds, of an integration that is done in parts.
-Cost further_part_cost(const Stepper& stepper, const StepPhase& phase);
-/// Calls of the dynamics that the same counts, and one more part.
-int step_evaluations(const Stepper& stepper);
+/// The same of a step that repeats nothing, and what each repetition adds.
+Cost least_step_cost(const Stepper& stepper, const StepPhase& phase);
+std::array<Cost, kRepeated> repeated_costs(const Stepper& stepper, const StepPhase& phase);
+/// Calls of the dynamics in steps that repeat so much, without those that look for events.
+long step_evaluations(const Stepper& stepper, long steps, const Repetitions& repeated);
 /// A bound of the operations of any step.
 Cost worst_step_cost(const Stepper& stepper);
 
