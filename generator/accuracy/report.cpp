@@ -167,7 +167,9 @@ long most_parts(const Study& study) {
   long most = 0;
   for (const Outcome& outcome : study.outcomes) {
     for (const PhaseSteps& phase : outcome.phases) {
-      most = std::max(most, phase.count.most[static_cast<std::size_t>(program::Repeated::kPart)]);
+      if (phase.kinds() > 0) {
+        most = std::max(most, phase.count.most[static_cast<std::size_t>(program::Repeated::kPart)]);
+      }
     }
   }
   return most;

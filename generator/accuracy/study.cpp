@@ -118,11 +118,17 @@ double Outcome::expected(Error of) const {
 
 StepCount& StepCount::operator+=(const StepCount& other) {
   steps += other.steps;
-  for (std::size_t what = 0; what < repeated.size(); ++what) {
+  repeated.resize(std::max(repeated.size(), other.repeated.size()));
+  most.resize(repeated.size());
+  for (std::size_t what = 0; what < other.repeated.size(); ++what) {
     repeated[what] += other.repeated[what];
     most[what] = std::max(most[what], other.most[what]);
   }
   return *this;
+}
+
+std::size_t PhaseSteps::kinds() const {
+  return std::min(repeated_costs.size(), count.repeated.size());  // none where no step was counted
 }
 
 template <class Of>
@@ -132,7 +138,7 @@ double Outcome::mean(Of of) const {
   for (const PhaseSteps& phase : phases) {
     const StepCount& count = phase.count;
     sum += static_cast<double>(count.steps) * of(phase.cost);
-    for (std::size_t what = 0; what < count.repeated.size(); ++what) {
+    for (std::size_t what = 0; what < phase.kinds(); ++what) {
       sum += static_cast<double>(count.repeated[what]) * of(phase.repeated_costs[what]);
     }
     steps += static_cast<double>(count.steps);
@@ -163,7 +169,7 @@ double Outcome::most_cycles(const Core& core) const {
   double result = 0;
   for (const PhaseSteps& phase : phases) {
     double dearest = cycles_of(phase.cost, core);
-    for (std::size_t what = 0; what < phase.count.most.size(); ++what) {
+    for (std::size_t what = 0; what < phase.kinds(); ++what) {
       dearest +=
           static_cast<double>(phase.count.most[what]) * cycles_of(phase.repeated_costs[what], core);
     }

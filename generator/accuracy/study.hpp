@@ -2,15 +2,14 @@
 // target.
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "accuracy/core.hpp"
-#include "program/stepper.hpp"
 #include "accuracy/errors.hpp"
+#include "program/stepper.hpp"
 
 namespace treedyn::accuracy {
 
@@ -63,11 +62,15 @@ struct StepCount {
   StepCount& operator+=(const StepCount& other);
 };
 
-/// Steps in one phase, the operations of one that repeats nothing, and of each repetition.
+/// Steps in one phase, the operations of one that repeats nothing, and of each repetition by its
+/// number.
 struct PhaseSteps {
   program::Cost cost;
-  std::array<program::Cost, program::kRepeated> repeated_costs = {};
+  std::vector<program::Cost> repeated_costs = {};
   StepCount count = {};
+
+  /// Of repetitions.
+  [[nodiscard]] std::size_t kinds() const;
 };
 
 /// What came of a setting over the band of initial states.

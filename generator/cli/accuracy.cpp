@@ -259,7 +259,7 @@ std::string identity(const Study& study, const Subject& subject,
                      const std::vector<accuracy::Setting>& settings,
                      const std::vector<const accuracy::Core*>& sized) {
   std::string text =
-      fmt::format("treedyn {}, repeated\n{} states within {} {}\npoints {}\n", kVersion,
+      fmt::format("treedyn {}, repetitions\n{} states within {} {}\npoints {}\n", kVersion,
                   study.states, study.spread, study.speeds_only, fmt::join(study.points, " "));
   for (const std::string& file : {subject.file, subject.scene.tree_file}) {
     text += file.empty() ? "" : read_file(file).value_or("") + '\n';

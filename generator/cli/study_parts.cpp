@@ -95,6 +95,8 @@ void exchange(Reader& words, std::vector<Value>& all) {
   }
 }
 
+void exchange(Writer& words, long value) { words(value); }
+void exchange(Reader& words, long& value) { words(value); }
 void exchange(Writer& words, double value) { words(value); }
 void exchange(Reader& words, double& value) { words(value); }
 void exchange(Writer& words, long double value) { words(value); }
@@ -161,16 +163,16 @@ void cost(Words& words, Cost& all) {
   words(all.cos);
   words(all.fused);
 }
+void exchange(Writer& words, const program::Cost& one) { cost(words, one); }
+void exchange(Reader& words, program::Cost& one) { cost(words, one); }
 
 template <class Words, class Phase>
 void phase(Words& words, Phase& one) {
-  cost(words, one.cost);
+  exchange(words, one.cost);
+  exchange(words, one.repeated_costs);
   words(one.count.steps);
-  for (std::size_t what = 0; what < program::kRepeated; ++what) {
-    cost(words, one.repeated_costs[what]);
-    words(one.count.repeated[what]);
-    words(one.count.most[what]);
-  }
+  exchange(words, one.count.repeated);
+  exchange(words, one.count.most);
 }
 void exchange(Writer& words, const accuracy::PhaseSteps& one) { phase(words, one); }
 void exchange(Reader& words, accuracy::PhaseSteps& one) { phase(words, one); }

@@ -137,12 +137,15 @@ GeneratedRun Run::counted() const {
   result.statuses = statuses_;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     const program::StepPhase& phase = stepper.phases[k];
+    if (steps_[k] == 0) {
+      continue;
+    }
     result.recording.cost.steps += steps_[k];
     result.recording.cost.evaluations +=
         program::step_evaluations(stepper, steps_[k], repeated_[k]);
     result.operations += steps_[k] * program::least_step_cost(stepper, phase).total();
     const auto costs = program::repeated_costs(stepper, phase);
-    for (std::size_t what = 0; what < program::kRepeated; ++what) {
+    for (std::size_t what = 0; what < costs.size(); ++what) {
       result.operations += repeated_[k][what] * costs[what].total();
     }
   }
@@ -175,7 +178,8 @@ bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& l
     note_status(status, time(k));
     const std::size_t phase = step_.has("phase") ? static_cast<std::size_t>(before) : 0;
     ++steps_[phase];
-    for (std::size_t what = 0; what < program::kRepeated; ++what) {
+    repeated_[phase].resize(step_.repeated().size());
+    for (std::size_t what = 0; what < step_.repeated().size(); ++what) {
       repeated_[phase][what] += step_.repeated()[what];
     }
     const Vector next = vector_of(step_.at("q"));

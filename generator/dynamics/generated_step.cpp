@@ -19,7 +19,9 @@ namespace treedyn {
 namespace {
 
 /// The call between C arrays of long double and the arrays of the step.
-std::string adapter(const std::string& name, const program::Signature& signature) {
+/// \param repeated  numbers of treedyn_again
+std::string adapter(const std::string& name, const program::Signature& signature,
+                    std::size_t repeated) {
   std::string before;
   std::string after;
   std::vector<std::string> arguments;
@@ -40,6 +42,7 @@ std::string adapter(const std::string& name, const program::Signature& signature
   }
   return emit::fill(emit::template_text("generated_step.cpp"),
                     {{"name", name},
+                     {"repeated", std::to_string(repeated)},
                      {"before", before},
                      {"arguments", fmt::format("{}", fmt::join(arguments, ", "))},
                      {"after", after}});
@@ -89,6 +92,9 @@ class GeneratedStep::Library {
 GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::File>& files,
                              program::Stepper stepper)
     : stepper_(std::move(stepper)) {
+  for (const program::StepPhase& phase : stepper_.phases) {
+    repeated_.resize(std::max(repeated_.size(), program::repeated_costs(stepper_, phase).size()));
+  }
   const TemporaryFolder folder;
   const auto path = [&](const std::string& file) {
     return (folder.path() / file).string();
@@ -98,7 +104,8 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
     throw InputError({},
                      "--as-generated: no C++ compiler found; expected $CXX, c++, g++ or clang++");
   }
-  std::vector<OutputFile> sources = {{path("adapter.cpp"), adapter(name, stepper_.signature)}};
+  std::vector<OutputFile> sources = {
+      {path("adapter.cpp"), adapter(name, stepper_.signature, repeated_.size())}};
   for (const emit::File& file : files) {
     sources.push_back({path(file.name), file.text});
   }

@@ -10,6 +10,7 @@
 #include "emit/layout.hpp"
 #include "emit/parts.hpp"
 #include "emit/template_file.hpp"
+#include "program/stepper.hpp"
 
 namespace treedyn::emit {
 
@@ -212,6 +213,10 @@ std::vector<std::string> press_lines(const Staged& staged) {
       }
     }
     lines.push_back(fmt::format("if ({}[{}] > Scalar(0)) {{", program::kDepthArray, k));
+    if (staged.tells) {
+      lines.push_back(fmt::format("  treedyn_again({});",
+                                  static_cast<std::size_t>(program::Repeated::kPress) + k));
+    }
     lines.push_back(
         fmt::format("  {}({});", staged.contacts[k].signature.name, fmt::join(passed, ", ")));
     lines.push_back("}");
@@ -376,7 +381,10 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
 std::string staged_text(const std::vector<Staged>& functions, const std::vector<Body>& bodies,
                         const Vocabulary& words, const Target& target) {
   const Solves all = solves_of(functions);
-  std::string result = solvers_text(all, target) + contacts_text(functions, words, target);
+  const bool tells = std::any_of(functions.begin(), functions.end(),
+                                 [](const Staged& staged) { return staged.tells; });
+  std::string result = (tells ? "extern \"C\" void treedyn_again(int what);\n" : "") +
+                       solvers_text(all, target) + contacts_text(functions, words, target);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result += "\n";
     result += function_text(functions[k], bodies[k], all, target);

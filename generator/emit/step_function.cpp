@@ -108,10 +108,8 @@ std::string local_text(const Stepper& stepper, const Vocabulary& words, const Ta
 }  // namespace
 
 std::string stepper_text(const Stepper& stepper, const Vocabulary& words, const Target& target) {
-  const std::string told = stepper.tells
-                               ? "extern \"C\" void treedyn_event(int event, double at);\n"
-                                 "extern \"C\" void treedyn_again(int what);\n\n"
-                               : "";
+  const std::string told =
+      stepper.tells ? "extern \"C\" void treedyn_event(int event, double at);\n\n" : "";
   return told + local_text(stepper, words, target) +
          (stepper.ends()         ? turns_text(stepper)
           : stepper.any_length() ? step_of_parts(stepper, target.scalar)

@@ -229,8 +229,7 @@ StepPhase StepMaker::phase(std::size_t state, const Staged& dynamics) const {
   result.takes_time = has(inputs, "t");
   result.takes_anchor = has(inputs, "anchor");
   result.rows = dynamics.solves.empty() ? 0 : dynamics.solves.front().rows;
-  result.dynamics_cost = program::cost(dynamics);
-  result.dynamics_worst_cost = program::worst_cost(dynamics);
+  program::set_costs(result, dynamics);
   std::vector<Event> guarded;
   std::vector<Event> approached;
   for (const Event& event : events_of(scene_, states_[state])) {

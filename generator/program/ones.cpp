@@ -93,8 +93,7 @@ Stepper without_ones(Stepper stepper, const std::vector<Staged>& functions, cons
     clean(phase.guards);
     clean(phase.approaches);
     if (const Staged* const dynamics = find(functions, phase.dynamics)) {
-      phase.dynamics_cost = cost(*dynamics);
-      phase.dynamics_worst_cost = worst_cost(*dynamics);
+      set_costs(phase, *dynamics);
     }
     for (StepEvent& event : phase.events) {
       count(event.outcome);

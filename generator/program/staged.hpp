@@ -50,6 +50,7 @@ struct Staged {
   std::vector<Gate> gates;       ///< gate k stands between the stages k and k + 1
   std::vector<RowSolve> solves;  ///< of kSolve; at most one
   std::vector<Staged> contacts;  ///< of kPress
+  bool tells = false;            ///< calls treedyn_again where one presses, for studies
   Power power;                   ///< of kPower
   std::vector<Pivot> pivots;     ///< of A, that are tested; their arrays end the outputs
   std::vector<int> constraints;  ///< of the scene: those that act

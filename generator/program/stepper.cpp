@@ -242,6 +242,15 @@ int Stepper::most_approaches() const {
       phases, [](const StepPhase& p) -> const auto& { return p.approaches; });
 }
 
+void set_costs(StepPhase& phase, const Staged& dynamics) {
+  phase.dynamics_cost = cost(dynamics);
+  phase.dynamics_worst_cost = worst_cost(dynamics);
+  phase.contact_costs.clear();
+  for (const Staged& contact : dynamics.contacts) {
+    phase.contact_costs.push_back(cost(contact));
+  }
+}
+
 std::vector<Lasting> clocks(const StepPhase& phase) {
   std::vector<Lasting> result;
   for (const StepEvent& event : phase.events) {
@@ -302,13 +311,16 @@ Cost least_step_cost(const Stepper& stepper, const StepPhase& phase) {
   return cost_while_nothing_happens(stepper, phase, Which::kLeast);
 }
 
-std::array<Cost, kRepeated> repeated_costs(const Stepper& stepper, const StepPhase& phase) {
+std::vector<Cost> repeated_costs(const Stepper& stepper, const StepPhase& phase) {
   const int n = stepper.signature.inputs.front().size;
-  const Cost part = integration_cost(stepper, phase.dynamics_cost, Which::kLeast);
-  return stepper.method == StepMethod::kSdirk2
-             ? std::array{part, newton_cost(n, phase.dynamics_cost),
-                          factor_cost(n, phase.dynamics_cost)}
-             : std::array{part, Cost{}, Cost{}};
+  std::vector<Cost> result = {
+      integration_cost(stepper, phase.dynamics_cost, Which::kLeast), {}, {}};
+  if (stepper.method == StepMethod::kSdirk2) {
+    result[1] = newton_cost(n, phase.dynamics_cost);
+    result[2] = factor_cost(n, phase.dynamics_cost);
+  }
+  result.insert(result.end(), phase.contact_costs.begin(), phase.contact_costs.end());
+  return result;
 }
 
 long step_evaluations(const Stepper& stepper, long steps, const Repetitions& repeated) {
@@ -321,7 +333,7 @@ long step_evaluations(const Stepper& stepper, long steps, const Repetitions& rep
   long result = steps * calls(least_step_cost(stepper, one), least_step_cost(stepper, none));
   const auto with = repeated_costs(stepper, one);
   const auto without = repeated_costs(stepper, none);
-  for (std::size_t what = 0; what < kRepeated; ++what) {
+  for (std::size_t what = 0; what < with.size(); ++what) {
     result += repeated[what] * calls(with[what], without[what]);
   }
   return result;

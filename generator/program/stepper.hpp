@@ -1,9 +1,9 @@
 // One integration step of a scene's own fixed-step integrator, and what may end a phase behind it.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/step_method.hpp"
 #include "program/staged.hpp"
@@ -18,14 +18,15 @@ inline constexpr int kMostNewtonSteps = 8;
 /// Parts of a step that kSdirk2 tries.
 inline constexpr int kMostTries = 8;
 
-/// What a step repeats as often as the motion makes it.
+/// What a step repeats as often as the motion makes it. Its number is an argument of treedyn_again.
 enum class Repeated {
   kPart,        ///< of an integration, beyond the first
   kNewtonStep,  ///< of kSdirk2, all
   kJacobian,    ///< the same
+  kPress,       ///< of the first contact; those of the others follow
 };
-inline constexpr std::size_t kRepeated = 3;
-using Repetitions = std::array<long, kRepeated>;
+/// By its number.
+using Repetitions = std::vector<long>;
 
 /// Elements of `anchor` that are made anew.
 struct Renewal {
@@ -83,10 +84,11 @@ struct StepPhase {
   bool guards_speed = false;  ///< an event waits for velocities
   std::vector<int> stuck;     ///< joints that stay where they are
   int rows = 0;
-  Cost dynamics_cost;              ///< of one call
-  Cost dynamics_worst_cost;        ///< of the dearest call
-  std::vector<Staged> guards;      ///< one or none: q, qd[, t][, lambda] -> guard
-  std::vector<Staged> approaches;  ///< one or none: q, qd -> approach, m/s
+  Cost dynamics_cost;               ///< of one call
+  Cost dynamics_worst_cost;         ///< of the dearest call
+  std::vector<Cost> contact_costs;  ///< of each that presses in the dynamics
+  std::vector<Staged> guards;       ///< one or none: q, qd[, t][, lambda] -> guard
+  std::vector<Staged> approaches;   ///< one or none: q, qd -> approach, m/s
   std::vector<StepEvent> events;
 };
 
@@ -134,6 +136,8 @@ struct Stepper {
   [[nodiscard]] int most_approaches() const;
 };
 
+/// What a call of the dynamics takes.
+void set_costs(StepPhase& phase, const Staged& dynamics);
 /// What a phase's events wait for, each once.
 std::vector<Lasting> clocks(const StepPhase& phase);
 /// True if `staged` takes the time.
@@ -150,7 +154,7 @@ Cost step_cost(const Stepper& stepper, const StepPhase& phase);
 Cost step_cost(const Stepper& stepper);
 /// The same of a step that repeats nothing, and what each repetition adds.
 Cost least_step_cost(const Stepper& stepper, const StepPhase& phase);
-std::array<Cost, kRepeated> repeated_costs(const Stepper& stepper, const StepPhase& phase);
+std::vector<Cost> repeated_costs(const Stepper& stepper, const StepPhase& phase);
 /// Calls of the dynamics in steps that repeat so much, without those that look for events.
 long step_evaluations(const Stepper& stepper, long steps, const Repetitions& repeated);
 /// A bound of the operations of any step.

@@ -55,6 +55,9 @@ StepFiles StepWriter::files(model::Scene scene, const StepForm& form, const std:
   program::Programs programs = found->second;
   programs.steppers = {stepper_of(model, request, programs)};
   programs.steppers.front().tells = form.tells;
+  for (program::Staged& staged : programs.staged) {
+    staged.tells = form.tells;
+  }
   StepFiles result{model.name,
                    {},
                    in_scalar(programs, model, form.scalar).steppers.front(),

@@ -76,6 +76,18 @@ class Accuracy : public Cli {
     ::setenv("CXX", compiler.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): one thread
   }
 
+  /// From here on compiled code counts the calls of a function. \return the file with their number
+  std::string plant_counter(const std::string& function) {
+    const std::string file = scratch("counted");
+    plant(R"(1i #include <cstdio>\nstatic long calls = 0;\nstatic struct Tell { ~Tell() { if )"
+          R"((FILE* file = fopen(")" +
+          file +
+          R"(", "w")) { fprintf(file, "%ld", calls); fclose(file); } } } tell;
+/^[a-z]* )" +
+          function + R"((/,/noexcept {$/ s/noexcept {$/noexcept { ++calls;/)");
+    return file;
+  }
+
   /// The study of the scene's own initial state.
   Json study(const std::vector<std::string>& options) {
     std::vector<std::string> arguments = {"accuracy", kPendulum, "--states", "1", "-o", out()};
@@ -297,11 +309,7 @@ TEST_F(Orders, OfARegularPrecession) {
 /// Calls of the dynamics that the compiled step made, counted by itself; the last step of a motion,
 /// which only tells reactions, is not among those that are told.
 TEST_F(Accuracy, EvaluationsAreThoseOfTheCompiledStep) {
-  const std::string counted = scratch("counted");
-  plant(R"(1i #include <cstdio>\nstatic long calls = 0;\nstatic struct Tell { ~Tell() { if )"
-        R"((FILE* file = fopen(")" +
-        counted + R"(", "w")) { fprintf(file, "%ld", calls); fclose(file); } } } tell;
-/^int constrained_dynamics/,/noexcept {$/ s/noexcept {$/noexcept { ++calls;/)");
+  const std::string counted = plant_counter("constrained_dynamics");
   for (const auto& [scene, integrator, most] :
        {std::tuple(kPendulum, "sdirk2", 20),
         std::tuple(top(scratch(""), "0.0101", 64), "rk4", 250)}) {
@@ -316,6 +324,21 @@ TEST_F(Accuracy, EvaluationsAreThoseOfTheCompiledStep) {
     EXPECT_GT(calls, told) << scene;
     EXPECT_LE(calls - told, most) << scene;
   }
+}
+
+/// A ball on the ground: five operations of its contact wherever it presses; 28 of a step in the
+/// air.
+TEST_F(Accuracy, ContactsCostWhereTheyPress) {
+  const std::string counted = plant_counter("press");
+  const Outcome run =
+      treedyn({"simulate", TREEDYN_SOURCE_DIR "/models/scenes/drop.yaml", "--as-generated",
+               "--integrator", "rk4", "--step", "0.0005", "--json", "-o", out()});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json result = Json::parse(read_file(file("drop.json")));
+  const long calls = std::stol(read_file(counted));
+  EXPECT_GT(calls, 100);
+  EXPECT_NEAR(result.at("cost").at("operations").get<double>() - 8000 * 28,
+              static_cast<double>(5 * calls), 5 * 4);  // the last step is not told
 }
 
 /// A step of 50 ms in which a joint turns by 60 rad/s is 60 parts of 0.05 rad.
