@@ -66,12 +66,13 @@ std::string contraction_text(const Study& study, const std::vector<std::size_t>&
     least = std::min(least, factor);
     most = std::max(most, factor);
   }
-  return !(most > 0) || (least == 1 && most == 1) ? ""
-                                                  : fmt::format(
-                                                        "with contraction (-ffp-contract=fast; "
-                                                        "rounds otherwise): {:.2f} to {:.2f} times "
-                                                        "these cycles\n",
-                                                        least, most);
+  return !(most > 0) || (least > 0.995 && most < 1.005)
+             ? ""
+             : fmt::format(
+                   "with contraction (-ffp-contract=fast; "
+                   "rounds otherwise): {:.2f} to {:.2f} times "
+                   "these cycles\n",
+                   least, most);
 }
 
 std::string front_text(const Study& study, const Core& core) {
