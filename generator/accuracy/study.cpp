@@ -116,17 +116,6 @@ double Outcome::expected(Error of) const {
   return std::max(most, std::exp(mean + t * std::sqrt(squares / (n - 1) * (1 + 1 / n))));
 }
 
-StepCount& StepCount::operator+=(const StepCount& other) {
-  steps += other.steps;
-  repeated.resize(std::max(repeated.size(), other.repeated.size()));
-  most.resize(repeated.size());
-  for (std::size_t what = 0; what < other.repeated.size(); ++what) {
-    repeated[what] += other.repeated[what];
-    most[what] = std::max(most[what], other.most[what]);
-  }
-  return *this;
-}
-
 std::size_t PhaseSteps::kinds() const {
   return std::min(repeated_costs.size(), count.repeated.size());  // none where no step was counted
 }
@@ -136,7 +125,7 @@ double Outcome::mean(Of of) const {
   double sum = 0;
   double steps = 0;
   for (const PhaseSteps& phase : phases) {
-    const StepCount& count = phase.count;
+    const program::StepCount& count = phase.count;
     sum += static_cast<double>(count.steps) * of(phase.cost);
     for (std::size_t what = 0; what < phase.kinds(); ++what) {
       sum += static_cast<double>(count.repeated[what]) * of(phase.repeated_costs[what]);

@@ -53,21 +53,12 @@ struct Size {
   long stack = 0;  ///< the deepest way of calls
 };
 
-/// How often a step was called in one phase, and how often it repeated something.
-struct StepCount {
-  long steps = 0;
-  program::Repetitions repeated = {};  ///< in all
-  program::Repetitions most = {};      ///< in one step
-
-  StepCount& operator+=(const StepCount& other);
-};
-
 /// Steps in one phase, the operations of one that repeats nothing, and of each repetition by its
 /// number.
 struct PhaseSteps {
   program::Cost cost;
   std::vector<program::Cost> repeated_costs = {};
-  StepCount count = {};
+  program::StepCount count = {};
 
   /// Of repetitions.
   [[nodiscard]] std::size_t kinds() const;

@@ -45,7 +45,7 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
   const long of_event = scene.stepping.cuts > 0 ? scene.stepping.cuts + 1 : 0;
   for (long k = 0; k < every * subject.times; ++k) {
     motion.steps.resize(std::max(motion.steps.size(), phase() + 1));
-    accuracy::StepCount& steps = motion.steps[phase()];
+    program::StepCount& steps = motion.steps[phase()];
     if (step.has("t")) {
       step.at("t")[0] = t0 + static_cast<long double>(k) * h;
     }

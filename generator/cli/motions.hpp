@@ -25,10 +25,10 @@ struct Start {
 struct Motion {
   GeneratedStep::Values q;
   GeneratedStep::Values qd;
-  int status = 0;                               ///< bits that `step` returned
-  std::vector<SteppedEvent> events;             ///< in s from the beginning of the motion
-  OffRows off;                                  ///< at up to ten times between two comparisons
-  std::vector<accuracy::StepCount> steps = {};  ///< by the number of the phase
+  int status = 0;                              ///< bits that `step` returned
+  std::vector<SteppedEvent> events;            ///< in s from the beginning of the motion
+  OffRows off;                                 ///< at up to ten times between two comparisons
+  std::vector<program::StepCount> steps = {};  ///< by the number of the phase
 
   template <typename Numbers>
   void note(const Numbers& coordinates, const Numbers& speeds) {

@@ -31,8 +31,7 @@ class Run {
         h_(static_cast<double>(scene.stepping.step)),
         count_(std::lround(static_cast<double>(scene.duration) / h_)),
         output_step_(output_step),
-        steps_(step.stepper().phases.size()),
-        repeated_(step.stepper().phases.size()) {
+        steps_(step.stepper().phases.size()) {
     begin();
   }
 
@@ -62,8 +61,7 @@ class Run {
   long count_;
   double output_step_;
   std::vector<StatusRecord> statuses_;
-  std::vector<long> steps_;                     ///< in each phase of the step
-  std::vector<program::Repetitions> repeated_;  ///< the same
+  std::vector<program::StepCount> steps_;  ///< in each phase of the step
 };
 
 void Run::begin() { begin_motion(scene_, simulator_.q(), simulator_.qd(), step_); }
@@ -137,16 +135,12 @@ GeneratedRun Run::counted() const {
   result.statuses = statuses_;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     const program::StepPhase& phase = stepper.phases[k];
-    if (steps_[k] == 0) {
-      continue;
-    }
-    result.recording.cost.steps += steps_[k];
-    result.recording.cost.evaluations +=
-        program::step_evaluations(stepper, steps_[k], repeated_[k]);
-    result.operations += steps_[k] * program::least_step_cost(stepper, phase).total();
-    const auto costs = program::repeated_costs(stepper, phase);
-    for (std::size_t what = 0; what < costs.size(); ++what) {
-      result.operations += repeated_[k][what] * costs[what].total();
+    result.recording.cost.steps += steps_[k].steps;
+    result.recording.cost.evaluations += program::step_evaluations(stepper, steps_[k]);
+    result.operations += steps_[k].steps * program::least_step_cost(stepper, phase).total();
+    const std::vector<program::Cost> costs = program::repeated_costs(stepper, phase);
+    for (std::size_t what = 0; what < std::min(costs.size(), steps_[k].repeated.size()); ++what) {
+      result.operations += steps_[k].repeated[what] * costs[what].total();
     }
   }
   return result;
@@ -176,12 +170,8 @@ bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& l
       break;
     }
     note_status(status, time(k));
-    const std::size_t phase = step_.has("phase") ? static_cast<std::size_t>(before) : 0;
-    ++steps_[phase];
-    repeated_[phase].resize(step_.repeated().size());
-    for (std::size_t what = 0; what < step_.repeated().size(); ++what) {
-      repeated_[phase][what] += step_.repeated()[what];
-    }
+    steps_[step_.has("phase") ? static_cast<std::size_t>(before) : 0] +=
+        {1, step_.repeated(), step_.repeated()};
     const Vector next = vector_of(step_.at("q"));
     if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
       std::vector<double> last(q.begin(), q.end());

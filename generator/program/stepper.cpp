@@ -220,6 +220,17 @@ int most_of(const std::vector<StepPhase>& phases, const Part& part) {
 
 }  // namespace
 
+StepCount& StepCount::operator+=(const StepCount& other) {
+  steps += other.steps;
+  repeated.resize(std::max(repeated.size(), other.repeated.size()));
+  most.resize(repeated.size());
+  for (std::size_t what = 0; what < other.repeated.size(); ++what) {
+    repeated[what] += other.repeated[what];
+    most[what] = std::max(most[what], other.most[what]);
+  }
+  return *this;
+}
+
 bool Stepper::ends() const {
   return std::any_of(phases.begin(), phases.end(),
                      [](const StepPhase& phase) { return !phase.events.empty(); });
@@ -323,18 +334,18 @@ std::vector<Cost> repeated_costs(const Stepper& stepper, const StepPhase& phase)
   return result;
 }
 
-long step_evaluations(const Stepper& stepper, long steps, const Repetitions& repeated) {
+long step_evaluations(const Stepper& stepper, const StepCount& count) {
   StepPhase none;
   StepPhase one;
   one.dynamics_cost.add = 1;  // so additions count calls
   const auto calls = [&](const Cost& with, const Cost& without) {
     return static_cast<long>(with.add - without.add);
   };
-  long result = steps * calls(least_step_cost(stepper, one), least_step_cost(stepper, none));
+  long result = count.steps * calls(least_step_cost(stepper, one), least_step_cost(stepper, none));
   const auto with = repeated_costs(stepper, one);
   const auto without = repeated_costs(stepper, none);
-  for (std::size_t what = 0; what < with.size(); ++what) {
-    result += repeated[what] * calls(with[what], without[what]);
+  for (std::size_t what = 0; what < std::min(with.size(), count.repeated.size()); ++what) {
+    result += count.repeated[what] * calls(with[what], without[what]);
   }
   return result;
 }

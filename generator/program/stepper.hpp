@@ -28,6 +28,15 @@ enum class Repeated {
 /// By its number.
 using Repetitions = std::vector<long>;
 
+/// How often a step was called in one phase, and how often it repeated something.
+struct StepCount {
+  long steps = 0;
+  Repetitions repeated = {};  ///< in all
+  Repetitions most = {};      ///< in one step
+
+  StepCount& operator+=(const StepCount& other);
+};
+
 /// Elements of `anchor` that are made anew.
 struct Renewal {
   int first = 0;
@@ -156,7 +165,7 @@ Cost step_cost(const Stepper& stepper);
 Cost least_step_cost(const Stepper& stepper, const StepPhase& phase);
 std::vector<Cost> repeated_costs(const Stepper& stepper, const StepPhase& phase);
 /// Calls of the dynamics in steps that repeat so much, without those that look for events.
-long step_evaluations(const Stepper& stepper, long steps, const Repetitions& repeated);
+long step_evaluations(const Stepper& stepper, const StepCount& count);
 /// A bound of the operations of any step.
 Cost worst_step_cost(const Stepper& stepper);
 
