@@ -11,6 +11,7 @@ namespace {
 using program::Graph;
 using program::Kind;
 using program::Node;
+using program::node_index;
 using program::Ref;
 
 /// The value of the literal.
@@ -48,7 +49,7 @@ class Steps {
 
  private:
   [[nodiscard]] const BoundStep& step(int k) const { return steps_[static_cast<std::size_t>(k)]; }
-  [[nodiscard]] int number(Ref a) const { return numbers_[static_cast<std::size_t>(std::abs(a))]; }
+  [[nodiscard]] int number(Ref a) const { return numbers_[node_index(a)]; }
 
   [[nodiscard]] BoundStep made(Ref k) const {
     const Node& node = graph_.node(k);

@@ -175,7 +175,7 @@ class Chart {
   }
 
   [[nodiscard]] static std::string level_name(const std::string& name, double y, Places& places) {
-    std::vector<Box> boxes;
+    std::vector<Rectangle> boxes;
     double right = kWidth - kRight - 4;
     do {
       for (const double top : {y - 1.5 - kLine, y + 1.5}) {
@@ -183,7 +183,7 @@ class Chart {
       }
       right -= kLine;
     } while (right > kLeft + width_of(name));
-    const Box& box = boxes[places.take_best(boxes)];
+    const Rectangle& box = boxes[places.take_best(boxes)];
     return fmt::format(
         "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\" fill=\"#555\" stroke=\"white\" "
         "stroke-width=\"2\" paint-order=\"stroke\">{}</text>\n",
@@ -207,7 +207,7 @@ class Chart {
       const double x = px(limit.step);
       const std::string name =
           fmt::format("{} is stable up to {:.2g} s", limit.integrator, limit.step);
-      std::vector<Box> boxes;
+      std::vector<Rectangle> boxes;
       for (const double left : {x - 2 - kLine, x + 2}) {
         double foot = kHeight - kBottom - 4;
         do {
@@ -215,7 +215,7 @@ class Chart {
           foot -= 4;
         } while (foot - width_of(name) > kTop);
       }
-      const Box& box = boxes[places.take_best(boxes)];
+      const Rectangle& box = boxes[places.take_best(boxes)];
       text += fmt::format(
           "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#a33\" stroke-dasharray=\"6 3\"/><text "
           "transform=\"translate({3:.1f} {4:.1f}) rotate(-90)\" fill=\"#a33\" stroke=\"white\" "
@@ -277,12 +277,12 @@ class Chart {
   [[nodiscard]] static std::string cross(double x, const std::string& what, const char* colour,
                                          Places& crosses) {
     constexpr double kApart = 5;
-    std::vector<Box> boxes;
+    std::vector<Rectangle> boxes;
     for (int k = 0; k < 24; ++k) {
       const double at = x + kApart * (k % 2 == 0 ? -k / 2 : (k + 1) / 2);
       boxes.push_back({at - kApart / 2, 0, at + kApart / 2, 1});
     }
-    const Box& box = boxes[crosses.take_best(boxes)];
+    const Rectangle& box = boxes[crosses.take_best(boxes)];
     return fmt::format(
         "<path d=\"M{:.1f} {}l8 8m0 -8l-8 8\" stroke=\"{}\" stroke-width=\"2\"><title>{}: "
         "failed</title></path>\n",

@@ -142,7 +142,7 @@ std::vector<T> executed(const program::Function& function, const Inputs& inputs,
   std::vector<T> outputs;
   outputs.reserve(function.outputs.size());
   for (const program::Ref output : function.outputs) {
-    const T& value = values[static_cast<std::size_t>(std::abs(output))];
+    const T& value = values[program::node_index(output)];
     outputs.push_back(output < 0 ? -value : value);
   }
   return outputs;

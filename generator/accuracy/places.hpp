@@ -8,11 +8,11 @@
 namespace treedyn::accuracy {
 
 /// A rectangle of a picture; y grows downwards.
-struct Box {
+struct Rectangle {
   double left, top, right, bottom;
 
   /// The area in both.
-  [[nodiscard]] double common(const Box& other) const {
+  [[nodiscard]] double common(const Rectangle& other) const {
     return std::max(0.0, std::min(right, other.right) - std::max(left, other.left)) *
            std::max(0.0, std::min(bottom, other.bottom) - std::max(top, other.top));
   }
@@ -21,12 +21,12 @@ struct Box {
 /// Where marks and names stand.
 class Places {
  public:
-  void take(const Box& box) { taken_.push_back(box); }
+  void take(const Rectangle& box) { taken_.push_back(box); }
   /// Takes the box that covers the least; the first of several.
-  std::size_t take_best(const std::vector<Box>& boxes) {
-    const auto covered = [&](const Box& box) {
+  std::size_t take_best(const std::vector<Rectangle>& boxes) {
+    const auto covered = [&](const Rectangle& box) {
       double sum = 0;
-      for (const Box& other : taken_) {
+      for (const Rectangle& other : taken_) {
         sum += box.common(other);
       }
       return sum;
@@ -38,7 +38,7 @@ class Places {
   }
 
  private:
-  std::vector<Box> taken_;
+  std::vector<Rectangle> taken_;
 };
 
 }  // namespace treedyn::accuracy

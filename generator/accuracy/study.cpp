@@ -112,7 +112,10 @@ double Outcome::expected(Error of) const {
   for (const double value : values) {
     squares += (std::log(value) - mean) * (std::log(value) - mean);
   }
-  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.95);
+  // in double: long double is that of another machine under valgrind
+  using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+  const double t =
+      boost::math::quantile(boost::math::students_t_distribution<double, Policy>(n - 1), 0.95);
   return std::max(most, std::exp(mean + t * std::sqrt(squares / (n - 1) * (1 + 1 / n))));
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
+
 namespace treedyn::block {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Partial {
   Factor matrix;
@@ -42,9 +42,9 @@ Factor multiplied(const Factor& a, const Factor& b) {
 class Table {
  public:
   explicit Table(const std::vector<Factor>& factors) : n_(static_cast<int>(factors.size())) {
-    entries_.resize(at(n_ * n_));
+    entries_.resize(to_index(n_ * n_));
     for (int i = 0; i < n_; ++i) {
-      entry(i, i).matrix = factors[at(i)];
+      entry(i, i).matrix = factors[to_index(i)];
     }
     for (int length = 2; length <= n_; ++length) {
       for (int first = 0; first + length <= n_; ++first) {
@@ -64,7 +64,7 @@ class Table {
   }
 
  private:
-  Partial& entry(int first, int last) { return entries_[at(first * n_ + last)]; }
+  Partial& entry(int first, int last) { return entries_[to_index(first * n_ + last)]; }
 
   void fill(int first, int last) {
     Partial& best = entry(first, last);

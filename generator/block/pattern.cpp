@@ -4,12 +4,12 @@
 #include <iterator>
 #include <numeric>
 
+#include "common/index.hpp"
+
 namespace treedyn::block {
 namespace {
 
 using Rows = std::vector<std::vector<int>>;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<int> row(const Pattern& a, int i) {
   std::vector<int> result;
@@ -46,57 +46,57 @@ int Pattern::find(int i, int j) const {
 }
 
 Pattern transpose(const Pattern& a) {
-  Rows rows(at(a.cols()));
-  a.visit([&](int i, int j, int) { rows[at(j)].push_back(i); });
+  Rows rows(to_index(a.cols()));
+  a.visit([&](int i, int j, int) { rows[to_index(j)].push_back(i); });
   return {a.rows(), rows};
 }
 
 Pattern unite(const Pattern& a, const Pattern& b) {
-  Rows rows(at(a.rows()));
+  Rows rows(to_index(a.rows()));
   for (int i = 0; i < a.rows(); ++i) {
     const std::vector<int> x = row(a, i);
     const std::vector<int> y = row(b, i);
-    std::set_union(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(rows[at(i)]));
+    std::set_union(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(rows[to_index(i)]));
   }
   return {a.cols(), rows};
 }
 
 Pattern product(const Pattern& a, const Pattern& b) {
-  Rows rows(at(a.rows()));
-  std::vector<bool> present(at(b.cols()));
+  Rows rows(to_index(a.rows()));
+  std::vector<bool> present(to_index(b.cols()));
   const auto mark_row = [&](int k, int /*block*/) {
-    b.visit_row(k, [&](int j, int /*block*/) { present[at(j)] = true; });
+    b.visit_row(k, [&](int j, int /*block*/) { present[to_index(j)] = true; });
   };
   for (int i = 0; i < a.rows(); ++i) {
     present.assign(present.size(), false);
     a.visit_row(i, mark_row);
-    rows[at(i)] = positions(present);
+    rows[to_index(i)] = positions(present);
   }
   return {b.cols(), rows};
 }
 
 Pattern diagonal(int n) {
-  Rows rows(at(n));
+  Rows rows(to_index(n));
   for (int i = 0; i < n; ++i) {
-    rows[at(i)] = {i};
+    rows[to_index(i)] = {i};
   }
   return {n, rows};
 }
 
 Pattern full(int rows, int cols) {
-  std::vector<int> all(at(cols));
+  std::vector<int> all(to_index(cols));
   std::iota(all.begin(), all.end(), 0);
-  return {cols, Rows(at(rows), all)};
+  return {cols, Rows(to_index(rows), all)};
 }
 
 Pattern reachability(const Index& index) {
-  Rows rows(at(index.links()));
+  Rows rows(to_index(index.links()));
   for (int i = 0; i < index.links(); ++i) {
-    const int f = index.father[at(i)];
+    const int f = index.father[to_index(i)];
     if (f >= 0) {
-      rows[at(i)] = rows[at(f)];  // fathers come first, so the columns ascend
+      rows[to_index(i)] = rows[to_index(f)];  // fathers come first, so the columns ascend
     }
-    rows[at(i)].push_back(i);
+    rows[to_index(i)].push_back(i);
   }
   return {index.links(), rows};
 }
@@ -104,9 +104,9 @@ Pattern reachability(const Index& index) {
 std::string to_text(const Pattern& pattern) {
   std::string result;
   for (int i = 0; i < pattern.rows(); ++i) {
-    std::string line(at(pattern.cols()), '.');
+    std::string line(to_index(pattern.cols()), '.');
     for (const int j : row(pattern, i)) {
-      line[at(j)] = 'x';
+      line[to_index(j)] = 'x';
     }
     result += line + '\n';
   }

@@ -6,11 +6,10 @@
 #include "block/association.hpp"
 #include "block/rewrite.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::block {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 int count(const Index& index, Set set) {
   switch (set) {
@@ -54,7 +53,7 @@ Pattern leaf_pattern(const Expression& e, const Index& index) {
       return transpose(Pattern(rows, columns));
     case Structure::kRevolute:
       for (int i = 0; i < rows; ++i) {
-        columns.push_back(index.revolute[at(i)] ? std::vector<int>{i} : std::vector<int>{});
+        columns.push_back(index.revolute[to_index(i)] ? std::vector<int>{i} : std::vector<int>{});
       }
       return {rows, columns};
   }
@@ -66,8 +65,8 @@ Pattern leaf_pattern(const Expression& e, const Index& index) {
 Plan::Plan(Index index) : index_(std::move(index)) {
   const Pattern d = reachability(index_);
   const int n = index_.links();
-  identity_ = constant(constant_step(diagonal(n), std::vector<int>(at(n), 1)));
-  const int d_step = constant(constant_step(d, std::vector<int>(at(d.blocks()), 1)));
+  identity_ = constant(constant_step(diagonal(n), std::vector<int>(to_index(n), 1)));
+  const int d_step = constant(constant_step(d, std::vector<int>(to_index(d.blocks()), 1)));
   const int dt_step = constant(transpose_step(step(d_step)));
   const int strict = add_sum({{d_step, {}}, {identity_, {-1, 1}}});
   const int strict_t = add_sum({{dt_step, {}}, {identity_, {-1, 1}}});
@@ -85,17 +84,17 @@ int Plan::leaf(const std::string& name) const {
 std::vector<int> Plan::needed(const std::vector<int>& results) const {
   std::vector<bool> wanted(steps_.size(), false);
   for (const int result : results) {
-    wanted[at(result)] = true;
+    wanted[to_index(result)] = true;
   }
   std::vector<int> list;
   for (int i = static_cast<int>(steps_.size()) - 1; i >= 0; --i) {
     const Step& s = step(i);
-    if (!wanted[at(i)] || s.operands.empty()) {
+    if (!wanted[to_index(i)] || s.operands.empty()) {
       continue;
     }
     list.push_back(i);
     for (const int operand : s.operands) {
-      wanted[at(operand)] = true;
+      wanted[to_index(operand)] = true;
     }
   }
   std::reverse(list.begin(), list.end());
@@ -125,7 +124,7 @@ int Plan::append(Step step) {
 
 int Plan::constant(Step step) {
   if (step.operation != Operation::kConstant) {  // a transposed constant, see the constructor
-    step = constant_step(step.pattern, std::vector<int>(at(step.pattern.blocks()), 1));
+    step = constant_step(step.pattern, std::vector<int>(to_index(step.pattern.blocks()), 1));
   }
   const auto key = std::make_pair(step.pattern, step.constants);
   const auto found = constants_.find(key);
@@ -181,7 +180,7 @@ int Plan::add_leaf(const Expression& e) {
   const Node& node = e.node();
   const Pattern blocks = leaf_pattern(e, index_);
   if (treedyn::block::is_constant(node.structure)) {
-    return constant(constant_step(blocks, std::vector<int>(at(blocks.blocks()), 1)));
+    return constant(constant_step(blocks, std::vector<int>(to_index(blocks.blocks()), 1)));
   }
   const auto found = leaves_.find(node.name);
   if (found != leaves_.end()) {
@@ -352,7 +351,8 @@ int Plan::chain(const std::vector<int>& factors) {
   const std::vector<Split> order = associate(matrices);
   std::vector<int> values = factors;
   for (const Split& split : order) {  // innermost products first
-    values[at(split.left)] = multiply(values[at(split.left)], values[at(split.right)]);
+    values[to_index(split.left)] =
+        multiply(values[to_index(split.left)], values[to_index(split.right)]);
   }
   return values.front();
 }

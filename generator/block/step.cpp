@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::block {
 namespace {
 
 using Rows = std::vector<std::vector<int>>;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> result;
@@ -20,8 +19,8 @@ std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
 }
 
 Rows rows_of(const Pattern& pattern) {
-  Rows rows(at(pattern.rows()));
-  pattern.visit([&](int i, int j, int) { rows[at(i)].push_back(j); });
+  Rows rows(to_index(pattern.rows()));
+  pattern.visit([&](int i, int j, int) { rows[to_index(i)].push_back(j); });
   return rows;
 }
 
@@ -37,7 +36,7 @@ struct Edge {
 std::vector<Edge> edges(const PathSum& sum, const Index& index) {
   std::vector<Edge> result;
   for (int i = 0; i < index.links(); ++i) {
-    const int f = index.father[at(i)];
+    const int f = index.father[to_index(i)];
     if (f >= 0) {
       result.push_back(sum.subtree ? Edge{f, i} : Edge{i, f});
     }
@@ -51,10 +50,10 @@ std::vector<Edge> edges(const PathSum& sum, const Index& index) {
 Rows path_sum_lines(const PathSum& sum, const Rows& x, const Index& index) {
   Rows lines = sum.strict ? Rows(x.size()) : x;
   for (const Edge& edge : edges(sum, index)) {
-    std::vector<int>& line = lines[at(edge.to)];
-    line = united(line, lines[at(edge.from)]);
+    std::vector<int>& line = lines[to_index(edge.to)];
+    line = united(line, lines[to_index(edge.from)]);
     if (sum.strict) {
-      line = united(line, x[at(edge.from)]);
+      line = united(line, x[to_index(edge.from)]);
     }
   }
   return lines;
@@ -113,14 +112,15 @@ Step same_blocks(const Step& a, Operation operation) {
 int folded_term(const Step& step, const Term& term, const std::vector<const Step*>& operands) {
   switch (step.operation) {
     case Operation::kSum: {
-      const Ratio& factor = step.factors[at(term.right)];
+      const Ratio& factor = step.factors[to_index(term.right)];
       TREEDYN_EXPECT(factor.denominator == 1);
-      return factor.numerator * operands[at(term.right)]->constants[at(term.left)];
+      return factor.numerator * operands[to_index(term.right)]->constants[to_index(term.left)];
     }
     case Operation::kProduct:
-      return operands[0]->constants[at(term.left)] * operands[1]->constants[at(term.right)];
+      return operands[0]->constants[to_index(term.left)] *
+             operands[1]->constants[to_index(term.right)];
     default:
-      return operands[0]->constants[at(term.left)];
+      return operands[0]->constants[to_index(term.left)];
   }
 }
 
@@ -210,16 +210,16 @@ Step diagonal_step(const Step& a) {
 }
 
 Step folded(const Step& step, const std::vector<const Step*>& operands) {
-  std::vector<int> values(at(step.pattern.blocks()), 0);
+  std::vector<int> values(to_index(step.pattern.blocks()), 0);
   for (const Term& term : step.terms) {
-    values[at(term.target)] += folded_term(step, term, operands);
+    values[to_index(term.target)] += folded_term(step, term, operands);
   }
-  Rows rows(at(step.pattern.rows()));
+  Rows rows(to_index(step.pattern.rows()));
   std::vector<int> kept;
   step.pattern.visit([&](int i, int j, int block) {
-    if (values[at(block)] != 0) {
-      rows[at(i)].push_back(j);
-      kept.push_back(values[at(block)]);
+    if (values[to_index(block)] != 0) {
+      rows[to_index(i)].push_back(j);
+      kept.push_back(values[to_index(block)]);
     }
   });
   return constant_step(Pattern(step.pattern.cols(), rows), std::move(kept));

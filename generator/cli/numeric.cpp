@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Values = std::map<std::string, std::vector<double>>;
+using NamedValues = std::map<std::string, std::vector<double>>;
 
 /// The values of the functions in `folder`; empty if something does not compile or run.
-Values values_of(std::vector<std::string> command, const std::string& name, const fs::path& folder,
-                 const std::vector<program::Signature>& functions) {
+NamedValues values_of(std::vector<std::string> command, const std::string& name,
+                      const fs::path& folder, const std::vector<program::Signature>& functions) {
   const TemporaryFolder scratch;
   const std::string driver = (scratch.path() / "driver.cpp").string();
   const std::string program = (scratch.path() / "driver").string();
@@ -34,7 +34,7 @@ Values values_of(std::vector<std::string> command, const std::string& name, cons
   if (!succeeds(command, printed) || !succeeds({program}, printed)) {
     return {};
   }
-  Values result;
+  NamedValues result;
   std::istringstream lines(read_file(printed).value_or(""));
   for (std::string function, number; lines >> function >> number;) {
     double value = std::nan("");
@@ -90,8 +90,8 @@ std::string numeric_report(const Model& model, const std::vector<emit::File>& fi
       report += fmt::format("numeric: {}: not in the old files\n", signature.name);
     }
   }
-  const Values old_values = values_of(compiler, model.name, folder, common);
-  const Values new_values = values_of(compiler, model.name, fresh.path(), common);
+  const NamedValues old_values = values_of(compiler, model.name, folder, common);
+  const NamedValues new_values = values_of(compiler, model.name, fresh.path(), common);
   for (const program::Signature& signature : common) {
     report += old_values.contains(signature.name) && new_values.contains(signature.name)
                   ? distance_line(signature.name, old_values.at(signature.name),

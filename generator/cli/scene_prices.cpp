@@ -145,7 +145,7 @@ bool has_constraint(const Scene& scene, ConstraintKind kind) {
                      [&](const Constraint& constraint) { return constraint.kind == kind; });
 }
 
-std::map<std::string, program::Cost> costs(const program::Programs& programs) {
+std::map<std::string, program::Cost> costs_by_name(const program::Programs& programs) {
   std::map<std::string, program::Cost> result;
   for (const program::Function& function : programs.functions) {
     result[function.signature.name] = program::cost(function);
@@ -193,7 +193,7 @@ Scene without_effect(const Scene& scene, std::string_view effect) {
 
 std::vector<Price> effect_prices(const Model& model, const Request& request,
                                  const program::Programs& programs) {
-  const std::map<std::string, program::Cost> with = costs(programs);
+  const std::map<std::string, program::Cost> with = costs_by_name(programs);
   Scene scene = *model.scene;
   formulate::forget_sticking(scene);
   std::vector<Price> result;
@@ -204,7 +204,7 @@ std::vector<Price> effect_prices(const Model& model, const Request& request,
     Model other = model;
     other.scene = without_effect(scene, effect.name);
     formulate::settle_sticking(*other.scene);
-    std::map<std::string, program::Cost> without = costs(in_scalar(
+    std::map<std::string, program::Cost> without = costs_by_name(in_scalar(
         formulate_model(other, request, [](const std::string&) {}), other, request.target.scalar));
     const std::size_t before = result.size();
     for (const auto& [function, cost] : with) {

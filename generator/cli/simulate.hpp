@@ -49,6 +49,10 @@ struct SimulateResult {
   std::optional<OfStep> generated;     ///< nothing: the motion is the simulator's
   std::vector<StatusRecord> statuses;  ///< of a generated step
   std::vector<Warning> warnings;       ///< of how it was made
+
+  [[nodiscard]] const std::string& phase_name(int phase) const {
+    return scene.phases[static_cast<std::size_t>(phase)].name;
+  }
 };
 
 /// Reads and runs the scene. \throws InputError for mistakes in it

@@ -68,18 +68,14 @@ std::string rows_json(const simulation::Recording& recording) {
   return result;
 }
 
-const std::string& phase_name(const SimulateResult& result, int phase) {
-  return result.scene.phases[static_cast<std::size_t>(phase)].name;
-}
-
 std::string events_json(const SimulateResult& result) {
   std::vector<std::string> events;
   for (const simulation::EventRecord& event : result.recording.events) {
     events.push_back(
         emit::json_object({{"t", fmt::format("{:.9g}", event.time)},
                            {"name", emit::json_string(event.name)},
-                           {"phase", emit::json_string(phase_name(result, event.phase))},
-                           {"then", emit::json_string(phase_name(result, event.then))}}));
+                           {"phase", emit::json_string(result.phase_name(event.phase))},
+                           {"then", emit::json_string(result.phase_name(event.then))}}));
   }
   return list_of(events);
 }

@@ -52,13 +52,9 @@ std::string json_strings(const std::vector<std::string>& values) {
   return "[" + result + "]";
 }
 
-const std::string& phase_name(const SimulateResult& result, int phase) {
-  return result.scene.phases[static_cast<std::size_t>(phase)].name;
-}
-
 std::string event_json(const SimulateResult& result, const simulation::EventRecord& event) {
   return emit::json_object({{"t", json_number(event.time)},
-                            {"phase", emit::json_string(phase_name(result, event.phase))},
+                            {"phase", emit::json_string(result.phase_name(event.phase))},
                             {"event", emit::json_string(event.name)},
                             {"q", json_numbers(event.q)},
                             {"qd_before", json_numbers(event.qd_before)},
@@ -135,7 +131,7 @@ std::string stable_json(const SimulateResult& result) {
 
 std::string row_json(const SimulateResult& result, const simulation::Row& row) {
   std::string text =
-      fmt::format("[{}, {}", json_number(row.t), emit::json_string(phase_name(result, row.phase)));
+      fmt::format("[{}, {}", json_number(row.t), emit::json_string(result.phase_name(row.phase)));
   for (const double value : row.values) {
     text += ", " + json_number(value);
   }
@@ -208,7 +204,7 @@ std::string csv_text(const SimulateResult& result) {
   }
   text += "\n";
   for (const simulation::Row& row : result.recording.rows) {
-    text += fmt::format("{},{}", row.t, csv_field(phase_name(result, row.phase)));
+    text += fmt::format("{},{}", row.t, csv_field(result.phase_name(row.phase)));
     for (const double value : row.values) {
       text += fmt::format(",{}", value);
     }

@@ -28,14 +28,14 @@ std::vector<Origin> united(const std::vector<Origin>& a, const std::vector<Origi
   return result;
 }
 
-struct Hash {
-  std::size_t operator()(const Digits& x) const { return std::hash<Digits>()(x); }
-};
-
 }  // namespace
 
 /// What is known of numbers, by the magnitudes that they are seen as; each source once.
 class Sources {
+  struct Hash {
+    std::size_t operator()(const Digits& x) const { return std::hash<Digits>()(x); }
+  };
+
  public:
   static constexpr int kNone = -1;
 

@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace treedyn::derive {
-namespace {
-
-constexpr Ratio kOne{1, 1};
-
-}  // namespace
-
 bool Opening::depends(int x) const {
   const Value& v = values_[x];
   return v.name == unknown_ ||
@@ -55,7 +49,7 @@ Affine Opening::sum(const Value& v) {
       if (!is_new && values_[place->second].type != values_[more].type) {
         throw NoComposites{};
       }
-      place->second = is_new ? more : algebra_.linear({{kOne, place->second}, {kOne, more}});
+      place->second = is_new ? more : algebra_.linear({{kPlus, place->second}, {kPlus, more}});
     }
     for (const auto& [factor, x] : term.rest) {
       result.rest.emplace_back(multiply(v.factors[k], factor), x);
@@ -115,7 +109,7 @@ Affine Opening::moment(const Value& v) {
   const int square = rest(open(v.operands[0]), Type::kTensor);
   const int none = algebra_.zero(v.set, Type::kVector);
   result.rest = {
-      {kOne, values_.intern({v.op, v.set, v.type, {}, 0, {square, none, v.operands[2]}, {}})}};
+      {kPlus, values_.intern({v.op, v.set, v.type, {}, 0, {square, none, v.operands[2]}, {}})}};
   return result;
 }
 
@@ -125,7 +119,7 @@ Affine Opening::open(int x) {
     return X;
   };
   if (!depends(x)) {
-    return {{}, {{kOne, x}}};
+    return {{}, {{kPlus, x}}};
   }
   switch (v.op) {
     case Op::kLeaf:

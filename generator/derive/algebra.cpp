@@ -7,12 +7,6 @@
 #include "derive/telescope.hpp"
 
 namespace treedyn::derive {
-namespace {
-
-constexpr Ratio kOne{1, 1};
-
-}  // namespace
-
 Set Algebra::set_of(int a, int b) const {
   TREEDYN_EXPECT(value(a).set == value(b).set);
   return value(a).set;
@@ -23,7 +17,7 @@ std::pair<Ratio, int> Algebra::split(int x) const {
   if (v.op == Op::kLinear && v.operands.size() == 1) {
     return {v.factors.front(), v.operands.front()};
   }
-  return {kOne, x};
+  return {kPlus, x};
 }
 
 int Algebra::bilinear(Op op, Type type, int a, int b) {
@@ -43,7 +37,7 @@ int Algebra::bilinear(Op op, Type type, int a, int b) {
   }
   const int product = values_.intern({op, set, type, {}, 0, {x, y}, {}});
   const Ratio factor = multiply(p, q);
-  return factor == kOne ? product : linear({{factor, product}});
+  return factor == kPlus ? product : linear({{factor, product}});
 }
 
 int Algebra::leaf(const std::string& name, Set set, Type type) {
@@ -88,7 +82,7 @@ int Algebra::skew(int a) {
   const int result = v.op == Op::kPick  // points take the blocks of their links
                          ? sum_along(v.op, v.set, skew(v.operands.front()))
                          : values_.intern({Op::kSkew, v.set, Type::kTensor, {}, 0, {x}, {}});
-  return factor == kOne ? result : linear({{factor, result}});
+  return factor == kPlus ? result : linear({{factor, result}});
 }
 
 /// One canonical product: all numbers in ascending order, then what is no number.
@@ -155,7 +149,7 @@ int Algebra::scale(int number, int x) {
   const auto [q, b] = split(x);
   const int product = scaled({a}, b);
   const Ratio factor = multiply(p, q);
-  return factor == kOne ? product : linear({{factor, product}});
+  return factor == kPlus ? product : linear({{factor, product}});
 }
 
 int Algebra::component(int x, int k) {
@@ -179,7 +173,7 @@ int Algebra::sum_along(Op op, Set set, int x) {
     return x;
   }
   const auto [factor, y] = split(x);
-  if (factor != kOne) {
+  if (factor != kPlus) {
     return linear({{factor, sum_along(op, set, y)}});
   }
   if (value(x).op == Op::kLinear && value(x).factors.front().numerator < 0) {  // D(-x) = -D x
@@ -285,7 +279,7 @@ int Algebra::of_kind(Op op, Set set, int x) {
 int Algebra::telescoped(Op op, int x) {
   Terms terms;
   if (value(x).op == Op::kSkewProduct) {
-    terms = {{kOne, x}};
+    terms = {{kPlus, x}};
   } else if (value(x).op == Op::kLinear) {
     for (std::size_t k = 0; k < value(x).operands.size(); ++k) {
       terms.emplace_back(value(x).factors[k], value(x).operands[k]);

@@ -4,13 +4,6 @@
 #include "derive/algebra.hpp"
 
 namespace treedyn::derive {
-namespace {
-
-constexpr Ratio kOne{1, 1};
-constexpr Ratio kMinus{-1, 1};
-
-}  // namespace
-
 int Algebra::product_of_steps(int a, int b) {
   if (a < 0 || b < 0) {
     return std::max(a, b);  // E
@@ -91,7 +84,7 @@ int Algebra::of_composites(Op op, int x) {
     return -1;
   }
   Opened opened;
-  open_paths(kOne, -1, x, opened);
+  open_paths(kPlus, -1, x, opened);
   if (opened.paths.empty()) {
     return -1;
   }
@@ -104,7 +97,7 @@ int Algebra::of_composites(Op op, int x) {
     const int X = path.step < 0 ? ones(Set::kLinks) : path.step;
     const int below = sum_along(Op::kSubtreeStrict, Set::kLinks, X);
     const int whole =
-        has_sum(X) ? linear({{kOne, X}, {kOne, below}}) : sum_along(Op::kSubtree, Set::kLinks, X);
+        has_sum(X) ? linear({{kPlus, X}, {kPlus, below}}) : sum_along(Op::kSubtree, Set::kLinks, X);
     const int father = sum_along(Op::kPathStrict, Set::kLinks, path.y);
     const bool inclusive = op == Op::kSubtree;
     const int first = path.strict ? step(below, path.y) : step(whole, path.y);

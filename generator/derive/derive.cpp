@@ -83,7 +83,7 @@ void derive_unit(const block::Expression& expression, Derivation& result) {
       columns.apply(expression, result.by_rows, columns.algebra().unit(side.set, type))};
 }
 
-Derivation derive(const block::Expression& expression, bool by_rows, const Choices& choices) {
+Derivation derive_with(const block::Expression& expression, bool by_rows, const Choices& choices) {
   Derivation result;
   result.values = Values(choices);
   result.shape = expression.shape();
@@ -148,7 +148,7 @@ std::optional<Derivation> derive_rows(const block::Expression& column) {
 Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_joints) {
   std::optional<Derivation> best;
   for (const bool common_leaves : {true, false}) {
-    const Derivation plain = derive(expression, by_rows, {keeps_joints, common_leaves});
+    const Derivation plain = derive_with(expression, by_rows, {keeps_joints, common_leaves});
     for (const bool transposes : {false, true}) {
       Derivation next = with_forms(transposes ? transposed(plain) : plain);
       if (!best || sums(next) < sums(*best)) {

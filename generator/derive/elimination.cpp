@@ -8,9 +8,6 @@
 namespace treedyn::derive {
 namespace {
 
-constexpr Ratio kOne{1, 1};
-constexpr Ratio kMinus{-1, 1};
-
 /// A vector that travels from the root, y = Π y + b x + Σ block * (other y of the father) + rest,
 /// or to it.
 struct State {
@@ -66,10 +63,10 @@ Affine Eliminator::opened(int x) {
   for (const auto& [atom, block] : std::exchange(result.blocks, {})) {
     const auto [path, more] = representative(atom.first);
     const auto [other, is_new] = result.blocks.emplace(Atom{path, atom.second}, block);
-    other->second = is_new ? block : algebra_.linear({{kOne, other->second}, {kOne, block}});
+    other->second = is_new ? block : algebra_.linear({{kPlus, other->second}, {kPlus, block}});
     if (path != atom.first) {
       const Op op = atom.second ? Op::kPathStrict : Op::kPath;
-      result.rest.emplace_back(kOne,
+      result.rest.emplace_back(kPlus,
                                algebra_.step(block, algebra_.sum_along(op, Set::kLinks, more)));
     }
   }
@@ -87,7 +84,7 @@ std::pair<int, int> Eliminator::representative(int path) {
     const std::vector<int>& operands = values_[other].operands;
     if (of_other.blocks == own.blocks && std::equal(operands.begin() + 1, operands.end(),
                                                     v.operands.begin() + 1, v.operands.end())) {
-      return {other, algebra_.linear({{kOne, opening_.rest(own, Type::kVector)},
+      return {other, algebra_.linear({{kPlus, opening_.rest(own, Type::kVector)},
                                       {kMinus, opening_.rest(of_other, Type::kVector)}})};
     }
   }
@@ -118,7 +115,7 @@ bool Eliminator::find_states(int root) {
   for (const auto& [row, axis] : out.blocks) {
     const Value v = values_[row.first];
     State* force = place(z_, axis, row.first);
-    signs[row.first] = force != nullptr ? kOne : kMinus;
+    signs[row.first] = force != nullptr ? kPlus : kMinus;
     force = force != nullptr ? force : place(z_, algebra_.negative(axis), row.first);
     if (force == nullptr || (v.op != Op::kSubtree && v.op != Op::kBackward)) {
       return false;
@@ -228,8 +225,8 @@ int Eliminator::sum(const Terms& terms) {
   if (value.operands.empty()) {
     return algebra_.zero(value.set, value.type);
   }
-  return value.operands.size() == 1 && value.factors[0] == kOne ? value.operands[0]
-                                                                : values_.intern(value);
+  return value.operands.size() == 1 && value.factors[0] == kPlus ? value.operands[0]
+                                                                 : values_.intern(value);
 }
 
 int Eliminator::fold(int travelling, int own, int handed) {
@@ -251,12 +248,12 @@ void Eliminator::eliminate(int r, Elimination& result) {
   const auto dot = [&](int x, int y) {
     return made(Op::kDot, Type::kScalar, {x, y});
   };
-  U_ = {sum({{kOne, times(I, b[0])}, {kOne, times(H, b[1])}}),
-        sum({{kOne, times(H, b[0], true)}, {kOne, times(M, b[1])}})};
-  const int d = sum({{kOne, dot(b[0], U_[0])}, {kOne, dot(b[1], U_[1])}});
+  U_ = {sum({{kPlus, times(I, b[0])}, {kPlus, times(H, b[1])}}),
+        sum({{kPlus, times(H, b[0], true)}, {kPlus, times(M, b[1])}})};
+  const int d = sum({{kPlus, dot(b[0], U_[0])}, {kPlus, dot(b[1], U_[1])}});
   inverse_ = made(Op::kReciprocal, Type::kScalar, {d});
-  const int bias = sum({{kOne, dot(b[0], p[0])}, {kOne, dot(b[1], p[1])}});
-  u_ = made(Op::kAtLink, Type::kScalar, {sum({{kOne, r}, {kMinus, bias}}), inverse_}, 0, "u");
+  const int bias = sum({{kPlus, dot(b[0], p[0])}, {kPlus, dot(b[1], p[1])}});
+  u_ = made(Op::kAtLink, Type::kScalar, {sum({{kPlus, r}, {kMinus, bias}}), inverse_}, 0, "u");
   std::array<int, 2> V{};
   std::array<int, 2> q{};  // p + U u / d
   for (std::size_t k = 0; k < 2; ++k) {
@@ -265,7 +262,7 @@ void Eliminator::eliminate(int r, Elimination& result) {
     const int scaled = made(Op::kScale, Type::kVector, {inverse_, U_[k]});
     V[k] = made(Op::kAlong, Type::kVector, {scaled, b[k], algebra_.ones(Set::kLinks)});
     const int more = made(Op::kScale, Type::kVector, {u_, V[k]});
-    q[k] = made(Op::kAlong, Type::kVector, {sum({{kOne, p[k]}, {kOne, more}}), b[k], r});
+    q[k] = made(Op::kAlong, Type::kVector, {sum({{kPlus, p[k]}, {kPlus, more}}), b[k], r});
   }
   const auto without = [&](int K, std::size_t k, std::size_t l) {
     return made(Op::kAcross, Type::kTensor, {K, U_[k], V[l], b[k], b[l]});
@@ -274,18 +271,19 @@ void Eliminator::eliminate(int r, Elimination& result) {
   const int H1 = without(H, 0, 1);
   const int M1 = without(M, 1, 1);
   const std::array<int, 2> p1 = {
-      sum({{kOne, q[0]}, {kOne, sum({{kOne, times(I1, zeta_[0])}, {kOne, times(H1, zeta_[1])}})}}),
-      sum({{kOne, q[1]},
-           {kOne, sum({{kOne, times(H1, zeta_[0], true)}, {kOne, times(M1, zeta_[1])}})}})};
-  const int H2 = sum({{kOne, made(Op::kLever, Type::kTensor, {s_, M1})}, {kOne, H1}});
-  const int I2 = sum({{kOne, made(Op::kLever, Type::kTensor, {s_, H1, H2})}, {kOne, I1}});
+      sum({{kPlus, q[0]},
+           {kPlus, sum({{kPlus, times(I1, zeta_[0])}, {kPlus, times(H1, zeta_[1])}})}}),
+      sum({{kPlus, q[1]},
+           {kPlus, sum({{kPlus, times(H1, zeta_[0], true)}, {kPlus, times(M1, zeta_[1])}})}})};
+  const int H2 = sum({{kPlus, made(Op::kLever, Type::kTensor, {s_, M1})}, {kPlus, H1}});
+  const int I2 = sum({{kPlus, made(Op::kLever, Type::kTensor, {s_, H1, H2})}, {kPlus, I1}});
   result.inertia = {fold(I, tensor(z_[0].own, {y_[0].sum, false}), I2),
                     fold(H, tensor(z_[0].own, {y_[1].sum, false}), H2),
                     fold(M, tensor(z_[1].own, {y_[1].sum, false}), M1)};
   const int moment = algebra_.step(s_, p1[1]);
   const std::array<int, 2> own = {opening_.rest(z_[0].own, Type::kVector),
                                   opening_.rest(z_[1].own, Type::kVector)};
-  result.bias = {fold(p[0], own[0], sum({{kOne, p1[0]}, {kOne, moment}})),
+  result.bias = {fold(p[0], own[0], sum({{kPlus, p1[0]}, {kPlus, moment}})),
                  fold(p[1], own[1], p1[1])};
 }
 
@@ -299,17 +297,17 @@ int Eliminator::onward(Elimination& result) {
     father[k] = made(Op::kFather, Type::kVector, operands);
   }
   const std::array<int, 2> before = {
-      made(Op::kAtLink, Type::kVector, {sum({{kOne, father[0]}, {kOne, zeta_[0]}})}),
+      made(Op::kAtLink, Type::kVector, {sum({{kPlus, father[0]}, {kPlus, zeta_[0]}})}),
       made(Op::kAtLink, Type::kVector,
-           {sum({{kOne, sum({{kOne, father[1]},
-                             {kOne, algebra_.step(algebra_.negative(s_), father[0])}})},
-                 {kOne, zeta_[1]}})})};
-  const int taken = sum({{kOne, made(Op::kDot, Type::kScalar, {U_[0], before[0]})},
-                         {kOne, made(Op::kDot, Type::kScalar, {U_[1], before[1]})}});
-  const int x = made(Op::kScale, Type::kScalar, {inverse_, sum({{kOne, u_}, {kMinus, taken}})});
+           {sum({{kPlus, sum({{kPlus, father[1]},
+                              {kPlus, algebra_.step(algebra_.negative(s_), father[0])}})},
+                 {kPlus, zeta_[1]}})})};
+  const int taken = sum({{kPlus, made(Op::kDot, Type::kScalar, {U_[0], before[0]})},
+                         {kPlus, made(Op::kDot, Type::kScalar, {U_[1], before[1]})}});
+  const int x = made(Op::kScale, Type::kScalar, {inverse_, sum({{kPlus, u_}, {kMinus, taken}})});
   for (std::size_t k = 0; k < 2; ++k) {
     const int own = made(Op::kScale, Type::kVector, {x, y_[k].axis});
-    result.motion[k] = sum({{kOne, before[k]}, {kOne, own}});
+    result.motion[k] = sum({{kPlus, before[k]}, {kPlus, own}});
     values_.define(y[k], result.motion[k]);
   }
   return x;

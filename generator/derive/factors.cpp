@@ -9,9 +9,6 @@ namespace {
 using block::Expression;
 using block::Kind;
 
-constexpr Ratio kOne{1, 1};
-constexpr Ratio kMinus{-1, 1};
-
 bool is_leaf(const Expression& e, const std::string& name) {
   return e.kind() == Kind::kLeaf && e.node().name == name;
 }
@@ -72,7 +69,7 @@ void Factoring::open(const Ratio& factor, const Expression& e) {
 int Factoring::given(const char* name, const Sum& sum) {
   std::optional<Expression> all;
   for (const auto& [factor, e] : sum) {
-    const Expression term = factor == kOne ? e : factor * e;
+    const Expression term = factor == kPlus ? e : factor * e;
     all = all ? *all + term : term;
   }
   result_.given.emplace_back(name, *all);
@@ -85,7 +82,7 @@ int Factoring::sum(const Terms& terms) {
     value.factors.push_back(factor);
     value.operands.push_back(x);
   }
-  return value.factors == std::vector{kOne} ? value.operands.front() : values_.intern(value);
+  return value.factors == std::vector{kPlus} ? value.operands.front() : values_.intern(value);
 }
 
 /// What the unknown's term is equal to: symbols as they are, less one column h of all else.
@@ -117,8 +114,8 @@ bool Factoring::factor(const Sum& A) {
   const int a = made(Op::kEliminated, {matrix, below_}, "a");
   const int diagonal = made(Op::kDiagonal, {a}, "Δ");
   inverse_ = made(Op::kReciprocal, {diagonal}, "Δ^-1");
-  values_.define(below_, made(Op::kScale, {inverse_, sum({{kOne, a}, {kMinus, diagonal}})}));
-  const int L = sum({{kOne, identity()}, {kOne, below_}});
+  values_.define(below_, made(Op::kScale, {inverse_, sum({{kPlus, a}, {kMinus, diagonal}})}));
+  const int L = sum({{kPlus, identity()}, {kPlus, below_}});
   result_.derivation.roots = {L, diagonal, inverse_};
   return true;
 }
@@ -131,11 +128,11 @@ bool Factoring::solve(const Expression& matrix) {
   const bool turned = matrix.kind() == Kind::kTranspose;
   const Expression& L = turned ? matrix.operands().front() : matrix;
   if (r >= 0 && L.kind() == Kind::kLeaf && L.node().structure == block::Structure::kAlongPaths) {
-    below_ = sum({{kOne, made(Op::kLeaf, {}, L.node().name)}, {kMinus, identity()}});
+    below_ = sum({{kPlus, made(Op::kLeaf, {}, L.node().name)}, {kMinus, identity()}});
     result_.derivation.roots = {solve(turned ? Op::kFromLeaves : Op::kFromRoot, r, unknown_)};
     return true;
   }
-  if (r < 0 || !one || (!column && values_[r].name != "E") || !factor({{kOne, matrix}})) {
+  if (r < 0 || !one || (!column && values_[r].name != "E") || !factor({{kPlus, matrix}})) {
     return false;
   }
   if (column) {
@@ -149,7 +146,7 @@ bool Factoring::solve(const Expression& matrix) {
 }
 
 bool Factoring::run(const Expression& equation) {
-  open(kOne, equation);
+  open(kPlus, equation);
   result_.derivation.shape = equation.shape();
   if (with_.size() != 1 || with_.front().second.kind() != Kind::kProduct) {
     return false;
@@ -165,7 +162,7 @@ bool Factoring::run(const Expression& equation) {
   for (std::size_t k = 1; k + 1 < f.size(); ++k) {
     matrix = matrix * f[k];
   }
-  return last && sign == kOne && !holds(matrix, unknown_) && solve(matrix);
+  return last && sign == kPlus && !holds(matrix, unknown_) && solve(matrix);
 }
 
 }  // namespace

@@ -8,14 +8,11 @@
 namespace treedyn::derive {
 namespace {
 
-constexpr Ratio kOne{1, 1};
-constexpr Ratio kMinus{-1, 1};
-
 /// Ω = Λ(α) + Λ(ω)².
 std::optional<Turning> turning(const Values& values, int Omega) {
   const Value& v = values[Omega];
-  if (v.op != Op::kLinear || v.operands.size() != 2 || v.factors[0] != kOne ||
-      v.factors[1] != kOne) {
+  if (v.op != Op::kLinear || v.operands.size() != 2 || v.factors[0] != kPlus ||
+      v.factors[1] != kPlus) {
     return std::nullopt;
   }
   Turning result{Omega, -1, -1};
@@ -81,7 +78,7 @@ class Forms {
         return path;
       }
       gather_moment(value);
-      if (value.operands.size() == 1 && value.factors[0] == kOne) {
+      if (value.operands.size() == 1 && value.factors[0] == kPlus) {
         return value.operands[0];
       }
     }
@@ -123,7 +120,7 @@ class Forms {
       const Value& path = new_[value.operands[k]];
       const int g = value.operands[1 - k];
       if (path.op == Op::kPath && path.operands.size() == 1 && new_[g].name == "g" &&
-          value.factors[k] == kOne) {
+          value.factors[k] == kPlus) {
         const int x = path.operands[0];
         const int start = algebra_.linear({{value.factors[1 - k], g}});
         return noted(Rule::kStart, {Op::kPath, value.set, value.type, {}, 0, {x, start}, {}});
@@ -138,7 +135,7 @@ class Forms {
       for (std::size_t b = 0; b < sum.operands.size(); ++b) {
         const Value& linear = new_[sum.operands[a]];
         const Value& square = new_[sum.operands[b]];
-        if (sum.factors[a] != kOne || sum.factors[b] != kOne || !is_momentum(sum.operands[a]) ||
+        if (sum.factors[a] != kPlus || sum.factors[b] != kPlus || !is_momentum(sum.operands[a]) ||
             square.op != Op::kCross || !is_momentum(square.operands[1]) ||
             new_[square.operands[1]].operands[1] != square.operands[0]) {
           continue;
@@ -146,7 +143,7 @@ class Forms {
         const int alpha = linear.operands[1];
         const int omega = square.operands[0];
         const int Omega = algebra_.linear(
-            {{kOne, algebra_.skew(alpha)}, {kOne, algebra_.skew_product(omega, omega)}});
+            {{kPlus, algebra_.skew(alpha)}, {kPlus, algebra_.skew_product(omega, omega)}});
         sum.operands[a] = noted(Rule::kPseudoInertia,
                                 {Op::kMoment, sum.set, sum.type, {}, 0, {Omega, alpha, omega}, {}});
         sum.operands.erase(sum.operands.begin() + static_cast<std::ptrdiff_t>(b));
@@ -175,7 +172,7 @@ class Forms {
       const int shifted = second.operands[1];
       const int ms = new_[h].op == Op::kBackward ? new_[h].operands[1] : -1;
       if (ms >= 0 && new_[ms].op == Op::kScale && new_[ms].operands.size() == 2 &&
-          new_[ms].operands[1] == s && algebra_.linear({{kOne, h}, {kOne, ms}}) == shifted) {
+          new_[ms].operands[1] == s && algebra_.linear({{kPlus, h}, {kPlus, ms}}) == shifted) {
         return noted(Rule::kComposite,
                      {Op::kComposite, sum.set, sum.type, {}, 0, {new_[ms].operands[0], h, s}, {}});
       }
@@ -186,7 +183,7 @@ class Forms {
   /// F7: D^T a + N^T (a + 2 b); -1: another sum.
   int twice(const Value& sum) {
     const int a = sum.operands[0];
-    const Terms rest = {{kOne, sum.operands[1]}, {kMinus, a}};
+    const Terms rest = {{kPlus, sum.operands[1]}, {kMinus, a}};
     const Value both = new_[algebra_.linear(rest)];
     if (both.op != Op::kLinear ||
         std::any_of(both.factors.begin(), both.factors.end(),
@@ -194,12 +191,12 @@ class Forms {
       return -1;
     }
     new_.note(Rule::kTwice);
-    Terms inner = {{kOne, a}};
+    Terms inner = {{kPlus, a}};
     for (std::size_t k = 0; k < both.operands.size(); ++k) {
       inner.emplace_back(multiply({1, 2}, both.factors[k]), both.operands[k]);
     }
     const int below = algebra_.sum_along(Op::kSubtreeStrict, sum.set, algebra_.linear(inner));
-    return algebra_.linear({{kOne, a}, {{2, 1}, below}});
+    return algebra_.linear({{kPlus, a}, {{2, 1}, below}});
   }
 
   /// I x.
@@ -237,7 +234,7 @@ bool turns_about_axes(const Values& values, const Turning& turning) {
     const bool with_father = t.op == Op::kCross && t.operands[1] == w &&
                              values[t.operands[0]].op == Op::kPathStrict &&
                              values[t.operands[0]].operands[0] == w;
-    if (with_father && (!sum || v.factors[k] == kOne)) {
+    if (with_father && (!sum || v.factors[k] == kPlus)) {
       ++crosses;
     } else if (!is_along_axis(values, term)) {
       return false;

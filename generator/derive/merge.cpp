@@ -8,9 +8,6 @@
 namespace treedyn::derive {
 namespace {
 
-constexpr Ratio kOne{1, 1};
-constexpr Ratio kMinus{-1, 1};
-
 bool is_sum_along(Op op) { return op >= Op::kPath && op <= Op::kCollect && op != Op::kBackward; }
 
 }  // namespace
@@ -73,7 +70,7 @@ void Algebra::merge(Terms& terms, Key key, Merged merged) {
     note(Rule::kMerge);
     const int result = merged(group);
     if (!is_zero(result)) {
-      rest.emplace_back(kOne, result);
+      rest.emplace_back(kPlus, result);
     }
   }
   terms = flattened(rest);
@@ -243,7 +240,7 @@ void Algebra::merge_skew_products(Terms& terms) {
       [&](const Terms& group) {
         const Value first = value(group.front().second);
         const bool last = place(first) == 1;
-        const Ratio sign = group.front().first.numerator < 0 ? kMinus : kOne;
+        const Ratio sign = group.front().first.numerator < 0 ? kMinus : kPlus;
         Terms inner;
         for (const auto& [factor, x] : group) {
           inner.emplace_back(multiply(sign, factor), value(x).operands[last ? 0 : 1]);
@@ -267,13 +264,13 @@ void Algebra::merge_backward(Terms& terms) {
   }
   const Value v = value(a->second);
   const bool negative = values_.choices().composites && a->first == kMinus && b->first == kMinus;
-  const int own = linear({{negative ? kOne : a->first, v.operands[0]}});
-  const int of_sons = linear({{negative ? kOne : b->first, value(b->second).operands[0]}});
+  const int own = linear({{negative ? kPlus : a->first, v.operands[0]}});
+  const int of_sons = linear({{negative ? kPlus : b->first, value(b->second).operands[0]}});
   const std::vector<int> gone = {a->second, b->second};
   std::erase_if(terms,
                 [&](const auto& term) { return term.second == gone[0] || term.second == gone[1]; });
   note(Rule::kMerge);
-  terms.emplace_back(negative ? kMinus : kOne,
+  terms.emplace_back(negative ? kMinus : kPlus,
                      values_.intern({Op::kBackward, v.set, v.type, {}, 0, {own, of_sons}, {}}));
 }
 
@@ -293,7 +290,7 @@ int Algebra::linear(const Terms& terms) {
   if (rest.empty()) {
     return zero(first.set, first.type);
   }
-  if (rest.size() == 1 && rest.front().first == kOne) {
+  if (rest.size() == 1 && rest.front().first == kPlus) {
     return rest.front().second;
   }
   std::sort(rest.begin(), rest.end(),

@@ -4,12 +4,6 @@
 #include "derive/algebra.hpp"
 
 namespace treedyn::derive {
-namespace {
-
-constexpr Ratio kOne{1, 1};
-
-}  // namespace
-
 /// True for c, Ω c, c×x, x×c and sums with such a term.
 bool Algebra::has_centre(int x) const {
   const Value& v = value(x);
@@ -128,7 +122,7 @@ int Algebra::moment_of_turning(int S) {
   const int x = v.operands[0];
   const int I = leaf("I^d", v.set, Type::kTensor);
   const int J = leaf("J_c^d", v.set, Type::kTensor);
-  const int more = linear({{kOne, apply(I, x)}, {{-1, 1}, apply(J, x)}});
+  const int more = linear({{kPlus, apply(I, x)}, {{-1, 1}, apply(J, x)}});
   return v.op == Op::kSkew ? more : cross(x, more);
 }
 

@@ -9,8 +9,6 @@
 namespace treedyn::derive {
 namespace {
 
-constexpr Ratio kOne{1, 1};
-
 /// Goes from a sum over all links down to what it is made of, with the factors in front.
 class Transposer {
  public:
@@ -25,7 +23,7 @@ class Transposer {
       return algebra_.linear({{v.factors[0], *run(v.operands[0])}});
     }
     values_.note(Rule::kTransposes);
-    factors_[root] = {{kOne, algebra_.ones(Set::kOne)}};
+    factors_[root] = {{kPlus, algebra_.ones(Set::kOne)}};
     std::map<int, int> rest;  // factors by what they stand in front of
     while (!factors_.empty()) {
       const auto [x, terms] = *factors_.rbegin();
@@ -39,7 +37,7 @@ class Transposer {
     }
     Terms result;
     for (const auto& [x, factor] : rest) {
-      result.emplace_back(kOne, collected(factor, x));
+      result.emplace_back(kPlus, collected(factor, x));
     }
     return algebra_.linear(result);
   }
@@ -96,23 +94,23 @@ class Transposer {
       case Op::kScale:
         return hand_on_product(v, factor);
       case Op::kDot:
-        return add(has_subtrees(a) ? a : b, kOne, algebra_.scale(factor, has_subtrees(a) ? b : a));
+        return add(has_subtrees(a) ? a : b, kPlus, algebra_.scale(factor, has_subtrees(a) ? b : a));
       case Op::kCross:  // f·(a×b) = a·(b×f) = b·(f×a)
-        return has_subtrees(a) ? add(a, kOne, algebra_.cross(b, factor))
-                               : add(b, kOne, algebra_.cross(factor, a));
+        return has_subtrees(a) ? add(a, kPlus, algebra_.cross(b, factor))
+                               : add(b, kPlus, algebra_.cross(factor, a));
       case Op::kCollect:
-        return add(a, kOne, algebra_.sum_along(Op::kSpread, values_[a].set, factor));
+        return add(a, kPlus, algebra_.sum_along(Op::kSpread, values_[a].set, factor));
       case Op::kApply:
-        return add(b, kOne, algebra_.apply_transposed(a, factor));
+        return add(b, kPlus, algebra_.apply_transposed(a, factor));
       case Op::kApplyTranspose:
-        return add(b, kOne, algebra_.apply(a, factor));
+        return add(b, kPlus, algebra_.apply(a, factor));
       case Op::kSubtreeStrict:
-        return add(a, kOne, path(Op::kPathStrict));
+        return add(a, kPlus, path(Op::kPathStrict));
       case Op::kBackward:
-        add(b, kOne, path(Op::kPathStrict));
+        add(b, kPlus, path(Op::kPathStrict));
         [[fallthrough]];
       default:
-        return add(a, kOne, path(Op::kPath));
+        return add(a, kPlus, path(Op::kPath));
     }
   }
 
@@ -126,7 +124,7 @@ class Transposer {
         factor = vectors ? algebra_.dot(*y, factor) : algebra_.scale(*y, factor);
       }
     }
-    add(*x, kOne, factor);
+    add(*x, kPlus, factor);
   }
 
   /// 1^T (factor·x).

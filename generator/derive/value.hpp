@@ -13,6 +13,9 @@
 namespace treedyn::derive {
 
 using block::Ratio;
+
+inline constexpr Ratio kPlus{1, 1};
+inline constexpr Ratio kMinus{-1, 1};
 using block::Set;
 
 enum class Type { kScalar, kVector, kTensor };

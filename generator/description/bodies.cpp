@@ -33,7 +33,9 @@ Real moment_tolerance(const Numbers& written, const Matrix3& tensor) {
   return 6 * largest + Real("1e-6") * abs(scale) + Real("1e-15");
 }
 
-std::string shown(const Real& value) { return fmt::format("{:.6g}", value.convert_to<double>()); }
+std::string six_digits(const Real& value) {
+  return fmt::format("{:.6g}", value.convert_to<double>());
+}
 
 void check_moments(const RawTree& raw, const RawLink& link, const Matrix3& tensor,
                    std::vector<Warning>& warnings) {
@@ -41,7 +43,8 @@ void check_moments(const RawTree& raw, const RawLink& link, const Matrix3& tenso
   const Real tolerance = moment_tolerance(written, tensor);
   const Vector3 m = eigenvalues(tensor);
   const std::string name = fmt::format("link '{}': inertia", treedyn::shown(link.name.text));
-  const std::string moments = fmt::format("{}, {}, {}", shown(m[0]), shown(m[1]), shown(m[2]));
+  const std::string moments =
+      fmt::format("{}, {}, {}", six_digits(m[0]), six_digits(m[1]), six_digits(m[2]));
   if (m[0] < -tolerance) {
     throw InputError(
         location(raw, written.where),

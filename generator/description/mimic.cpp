@@ -7,12 +7,11 @@
 
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::description {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// q = multiplier * q_leader + offset; no leader: independent.
 struct Rule {
@@ -54,14 +53,14 @@ Rule rule_of(const RawTree& raw, const RawJoint& joint, const NumberReader& numb
 /// Follows the leaders of joint `start`: q_start = multiplier * q_last + offset.
 Rule followed(const model::Tree& tree, const std::vector<Rule>& rules, int start) {
   Rule total{start};
-  for (std::size_t steps = 0; rules[index(*total.leader)].leader; ++steps) {
+  for (std::size_t steps = 0; rules[to_index(*total.leader)].leader; ++steps) {
     if (steps > rules.size()) {
-      const model::Joint& joint = tree.links[index(start)].joint;
+      const model::Joint& joint = tree.links[to_index(start)].joint;
       throw InputError(joint.where, fmt::format("joint '{}': mimic joints form a cycle; expected "
                                                 "one that is independent",
                                                 shown(joint.name)));
     }
-    const Rule& next = rules[index(*total.leader)];
+    const Rule& next = rules[to_index(*total.leader)];
     total.offset += total.multiplier * next.offset;
     total.multiplier *= next.multiplier;
     total.leader = next.leader;
@@ -75,13 +74,13 @@ void resolve_mimics(const RawTree& raw, const Skeleton& skeleton, const NumberRe
                     bool reduce, model::Tree& tree) {
   JointIndex moving;
   for (int i = 0; i < tree.size(); ++i) {
-    moving.emplace(tree.links[index(i)].joint.name, i);
+    moving.emplace(tree.links[to_index(i)].joint.name, i);
   }
   std::vector<Rule> rules(tree.links.size());
   for (int i = 0; i < tree.size(); ++i) {
-    const auto joint = skeleton.joint_by_name.find(tree.links[index(i)].joint.name);
+    const auto joint = skeleton.joint_by_name.find(tree.links[to_index(i)].joint.name);
     if (joint != skeleton.joint_by_name.end()) {  // else a base joint
-      rules[index(i)] = rule_of(raw, raw.joints[index(joint->second)], numbers, moving);
+      rules[to_index(i)] = rule_of(raw, raw.joints[to_index(joint->second)], numbers, moving);
     }
   }
   std::vector<Rule> totals;
@@ -90,14 +89,14 @@ void resolve_mimics(const RawTree& raw, const Skeleton& skeleton, const NumberRe
   }
   std::vector<int> coordinate(tree.links.size(), 0);
   for (int i = 0; i < tree.size(); ++i) {
-    if (!reduce || !rules[index(i)].leader) {
-      coordinate[index(i)] = tree.dof();
+    if (!reduce || !rules[to_index(i)].leader) {
+      coordinate[to_index(i)] = tree.dof();
       tree.coordinates.push_back(i);
     }
   }
   for (int i = 0; i < tree.size(); ++i) {
-    const Rule& total = reduce ? totals[index(i)] : Rule{i};
-    tree.drives.push_back({coordinate[index(*total.leader)], total.multiplier, total.offset});
+    const Rule& total = reduce ? totals[to_index(i)] : Rule{i};
+    tree.drives.push_back({coordinate[to_index(*total.leader)], total.multiplier, total.offset});
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 #include "description/bodies.hpp"
 #include "description/identifiers.hpp"
 #include "description/mimic.hpp"
@@ -21,8 +22,6 @@
 namespace treedyn::description {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Where the frame of a link stands in the moving link (of the file) that carries it, or in the
 /// base.
@@ -128,12 +127,12 @@ class Resolver {
   void refuse_base_name(const char* name) const {
     const auto joint = skeleton_.joint_by_name.find(name);
     if (joint != skeleton_.joint_by_name.end()) {
-      fail(raw_.joints[index(joint->second)].name.where,
+      fail(raw_.joints[to_index(joint->second)].name.where,
            fmt::format("joint '{}' has the name of a base joint; expected another name", name));
     }
     const auto link = skeleton_.link_by_name.find(name);
     if (link != skeleton_.link_by_name.end()) {
-      fail(raw_.links[index(link->second)].name.where,
+      fail(raw_.links[to_index(link->second)].name.where,
            fmt::format("link '{}' has the name of a base link; expected another name", name));
     }
   }
@@ -174,7 +173,8 @@ class Resolver {
     moving_father_.assign(raw_.links.size(), model::kGround);
     // in file order, so that the first mistake of the file is the one reported
     for (const RawJoint& joint : raw_.joints) {
-      joint_frames_[index(skeleton_.link_by_name.find(joint.son.text)->second)] = joint_pose(joint);
+      joint_frames_[to_index(skeleton_.link_by_name.find(joint.son.text)->second)] =
+          joint_pose(joint);
     }
     for (const int link : skeleton_.order) {
       place_link(link);
@@ -182,30 +182,30 @@ class Resolver {
   }
 
   void place_link(int link) {
-    const int joint = skeleton_.joint[index(link)];
-    const int father = skeleton_.father[index(link)];
-    const Placement on = father == model::kGround ? Placement{} : placements_[index(father)];
-    Placement frame = joint_frames_[index(link)];
+    const int joint = skeleton_.joint[to_index(link)];
+    const int father = skeleton_.father[to_index(link)];
+    const Placement on = father == model::kGround ? Placement{} : placements_[to_index(father)];
+    Placement frame = joint_frames_[to_index(link)];
     frame.origin = on.origin + on.rotation * frame.origin;
     frame.rotation =
         on.rotation == identity() ? frame.rotation : tidied(on.rotation * frame.rotation);
     frame.carrier = on.carrier;
-    moving_father_[index(link)] = on.carrier;
-    joint_frames_[index(link)] = frame;
-    const bool moves = joint != kNoJoint && skeleton_.kinds[index(joint)] != JointKind::kFixed;
-    placements_[index(link)] = moves ? Placement{link, identity(), {}} : frame;
+    moving_father_[to_index(link)] = on.carrier;
+    joint_frames_[to_index(link)] = frame;
+    const bool moves = joint != kNoJoint && skeleton_.kinds[to_index(joint)] != JointKind::kFixed;
+    placements_[to_index(link)] = moves ? Placement{link, identity(), {}} : frame;
   }
 
   void add_links() {
     model_index_.assign(raw_.links.size(), model::kGround);
     for (const int link : moving_order(skeleton_, moving_father_)) {
-      model_index_[index(link)] = tree_.size();
-      const int father = moving_father_[index(link)];
+      model_index_[to_index(link)] = tree_.size();
+      const int father = moving_father_[to_index(link)];
       model::Link result;
-      result.name = raw_.links[index(link)].name.text;
-      result.father = father == model::kGround ? ground() : model_index_[index(father)];
+      result.name = raw_.links[to_index(link)].name.text;
+      result.father = father == model::kGround ? ground() : model_index_[to_index(father)];
       result.joint = moving_joint(link);
-      result.where = location(raw_, raw_.links[index(link)].where);
+      result.where = location(raw_, raw_.links[to_index(link)].where);
       tree_.links.push_back(std::move(result));
     }
     if (tree_.links.empty()) {
@@ -217,12 +217,12 @@ class Resolver {
   }
 
   model::Joint moving_joint(int link) {
-    const RawJoint& raw = raw_.joints[index(skeleton_.joint[index(link)])];
+    const RawJoint& raw = raw_.joints[to_index(skeleton_.joint[to_index(link)])];
     const std::string name = fmt::format("joint '{}'", shown(raw.name.text));
     model::Joint joint;
     joint.name = raw.name.text;
     joint.identifier = to_identifier(raw.name.text);
-    joint.type = skeleton_.kinds[index(skeleton_.joint[index(link)])] == JointKind::kPrismatic
+    joint.type = skeleton_.kinds[to_index(skeleton_.joint[to_index(link)])] == JointKind::kPrismatic
                      ? model::JointType::kPrismatic
                      : model::JointType::kRevolute;
     if (!raw.axis) {
@@ -230,8 +230,8 @@ class Resolver {
     }
     const std::string what = name + ": axis";
     joint.axis = snapper_.unit_axis(numbers_.vector(raw.axis, what), *raw.axis, what);
-    joint.offset = joint_frames_[index(link)].origin;
-    joint.rotation = joint_frames_[index(link)].rotation;
+    joint.offset = joint_frames_[to_index(link)].origin;
+    joint.rotation = joint_frames_[to_index(link)].rotation;
     joint.limits = limits(raw, name);
     joint.where = location(raw_, raw.where);
     return joint;
@@ -263,7 +263,8 @@ class Resolver {
 
   /// The model's index of a carrier.
   [[nodiscard]] int carrier_index(const Placement& placement) const {
-    return placement.carrier == model::kGround ? ground() : model_index_[index(placement.carrier)];
+    return placement.carrier == model::kGround ? ground()
+                                               : model_index_[to_index(placement.carrier)];
   }
 
   void add_inertias() {
@@ -279,7 +280,7 @@ class Resolver {
       }
       const int carrier = carrier_index(placements_[k]);
       if (carrier != model::kGround && raw_.links[k].inertia) {
-        bodies[index(carrier)].push_back(
+        bodies[to_index(carrier)].push_back(
             moved(inertia, placements_[k].rotation, placements_[k].origin));
       }
     }
@@ -304,7 +305,7 @@ class Resolver {
 
   void add_frames() {
     for (int k = 0; options_.base == Base::kAxes && k <= ground(); ++k) {
-      tree_.frames.push_back({tree_.links[index(k)].name, k, identity(), {}});
+      tree_.frames.push_back({tree_.links[to_index(k)].name, k, identity(), {}});
     }
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
       const Placement& placement = placements_[k];

@@ -56,7 +56,7 @@ Numbers upper_half(const SceneFields& fields, const Node& node) {
 }
 
 /// The names of the file if they are different identifiers of links, else "body_1", ..
-std::vector<std::string> names_of(const std::vector<Node>& bodies) {
+std::vector<std::string> body_names(const std::vector<Node>& bodies) {
   std::vector<std::string> names;
   std::set<std::string> identifiers;
   for (const Node& body : bodies) {
@@ -116,7 +116,7 @@ RawTree read_bodies(const std::string& file, const Node& model, const std::strin
   raw.format = Format::kYaml;
   raw.file = file;
   raw.name = {name, model.where};
-  const std::vector<std::string> names = names_of(bodies);
+  const std::vector<std::string> names = body_names(bodies);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     read_body(file, bodies[k], k, names, raw);
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "common/index.hpp"
 #include "description/read.hpp"
 #include "description/scene_reader.hpp"
 #include "description/vectors.hpp"
@@ -16,8 +17,6 @@ namespace {
 
 using Motion = std::array<Real, 6>;    ///< (omega, velocity of the link's origin), link frame
 using Spatial = std::array<Real, 36>;  ///< row-major 6x6
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Matrix3 skew(const Vector3& a) { return {0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0}; }
 
@@ -44,7 +43,7 @@ Spatial product(const Spatial& a, const Spatial& b) {
   return result;
 }
 
-Spatial transposed(const Spatial& a) {
+Spatial spatial_transposed(const Spatial& a) {
   Spatial result;
   for (std::size_t k = 0; k < 36; ++k) {
     result[k] = a[6 * (k % 6) + k / 6];
@@ -60,7 +59,7 @@ Motion product(const Spatial& a, const Motion& x) {
   return result;
 }
 
-Real dot(const Motion& a, const Motion& b) {
+Real spatial_dot(const Motion& a, const Motion& b) {
   Real result = 0;
   for (std::size_t k = 0; k < 6; ++k) {
     result += a[k] * b[k];
@@ -156,22 +155,22 @@ std::vector<Pivot> articulated_pivots(const model::Tree& tree, const std::vector
   }
   std::vector<Spatial> articulated = rigid;
   for (int i = tree.size() - 1; i >= 0; --i) {
-    const model::Link& link = tree.links[index(i)];
+    const model::Link& link = tree.links[to_index(i)];
     const Motion s = joint_motion(link.joint);
-    Pivot& pivot = pivots[index(i)];
-    pivot.u = product(articulated[index(i)], s);
-    pivot.d = dot(s, pivot.u) + armature[index(i)];
-    const Real whole = dot(s, product(rigid[index(i)], s)) + armature[index(i)];
-    pivot.zero = negligible(whole, size_of(rigid[index(i)]) + armature[index(i)]) ||
+    Pivot& pivot = pivots[to_index(i)];
+    pivot.u = product(articulated[to_index(i)], s);
+    pivot.d = spatial_dot(s, pivot.u) + armature[to_index(i)];
+    const Real whole = spatial_dot(s, product(rigid[to_index(i)], s)) + armature[to_index(i)];
+    pivot.zero = negligible(whole, size_of(rigid[to_index(i)]) + armature[to_index(i)]) ||
                  pivot.d <= whole * Real("1e-25");
     if (!pivot.zero) {
-      give_way(articulated[index(i)], pivot.u, pivot.d);
+      give_way(articulated[to_index(i)], pivot.u, pivot.d);
     }
     if (link.father != model::kGround) {
       const Spatial x = to_link(link.joint, general_position(i));
-      const Spatial xt = transposed(x);
-      add(rigid[index(link.father)], product(xt, product(rigid[index(i)], x)));
-      add(articulated[index(link.father)], product(xt, product(articulated[index(i)], x)));
+      const Spatial xt = spatial_transposed(x);
+      add(rigid[to_index(link.father)], product(xt, product(rigid[to_index(i)], x)));
+      add(articulated[to_index(link.father)], product(xt, product(articulated[to_index(i)], x)));
     }
   }
   return pivots;
@@ -181,27 +180,27 @@ std::vector<Pivot> articulated_pivots(const model::Tree& tree, const std::vector
 /// moving any inertia: a vector x with A x = 0 is x_link = 1 and x_j = -u_j . v / d_j beyond, where
 /// v is the motion that the joints before j cause.
 Movement free_movement(const model::Tree& tree, const std::vector<Pivot>& pivots, int link) {
-  Movement result = {index(link)};
+  Movement result = {to_index(link)};
   std::vector<std::optional<Motion>> motions(tree.links.size());
-  motions[index(link)] = joint_motion(tree.links[index(link)].joint);
+  motions[to_index(link)] = joint_motion(tree.links[to_index(link)].joint);
   for (int j = link + 1; j < tree.size(); ++j) {
-    const int father = tree.links[index(j)].father;
-    if (father == model::kGround || !motions[index(father)]) {
+    const int father = tree.links[to_index(j)].father;
+    if (father == model::kGround || !motions[to_index(father)]) {
       continue;
     }
-    const Pivot& pivot = pivots[index(j)];
-    const Motion s = joint_motion(tree.links[index(j)].joint);
-    Motion v =
-        product(to_link(tree.links[index(j)].joint, general_position(j)), *motions[index(father)]);
-    const Real x = pivot.zero ? Real(0) : Real(-dot(pivot.u, v) / pivot.d);
-    const Real size = sqrt(dot(pivot.u, pivot.u) * dot(v, v));
+    const Pivot& pivot = pivots[to_index(j)];
+    const Motion s = joint_motion(tree.links[to_index(j)].joint);
+    Motion v = product(to_link(tree.links[to_index(j)].joint, general_position(j)),
+                       *motions[to_index(father)]);
+    const Real x = pivot.zero ? Real(0) : Real(-spatial_dot(pivot.u, v) / pivot.d);
+    const Real size = sqrt(spatial_dot(pivot.u, pivot.u) * spatial_dot(v, v));
     if (abs(x) * pivot.d > size * Real("1e-25")) {
-      result.push_back(index(j));
+      result.push_back(to_index(j));
     }
     for (std::size_t k = 0; k < 6; ++k) {
       v[k] += s[k] * x;
     }
-    motions[index(j)] = v;
+    motions[to_index(j)] = v;
   }
   return result;
 }
@@ -212,9 +211,9 @@ std::vector<Real> reduced_mass_matrix(const model::Tree& tree) {
   const auto n = static_cast<std::size_t>(tree.dof());
   std::vector<Real> a(n * n, Real(0));
   const auto add_entry = [&](int i, int j, const Real& value) {
-    const model::Drive& row = tree.drives[index(i)];
-    const model::Drive& column = tree.drives[index(j)];
-    a[index(row.coordinate) * n + index(column.coordinate)] +=
+    const model::Drive& row = tree.drives[to_index(i)];
+    const model::Drive& column = tree.drives[to_index(j)];
+    a[to_index(row.coordinate) * n + to_index(column.coordinate)] +=
         row.multiplier * column.multiplier * value;
   };
   std::vector<Spatial> composite;
@@ -222,23 +221,25 @@ std::vector<Real> reduced_mass_matrix(const model::Tree& tree) {
     composite.push_back(spatial_inertia(link.inertia));
   }
   const auto position = [&](int i) {
-    const model::Drive& drive = tree.drives[index(i)];
+    const model::Drive& drive = tree.drives[to_index(i)];
     return Real(drive.multiplier * general_position(drive.coordinate) + drive.offset);
   };
   for (int i = tree.size() - 1; i >= 0; --i) {
-    const model::Link& link = tree.links[index(i)];
-    Motion force = product(composite[index(i)], joint_motion(link.joint));
-    add_entry(i, i, dot(joint_motion(link.joint), force));
-    for (int j = i; tree.links[index(j)].father != model::kGround;) {
-      force = product(transposed(to_link(tree.links[index(j)].joint, position(j))), force);
-      j = tree.links[index(j)].father;
-      const Real entry = dot(joint_motion(tree.links[index(j)].joint), force);
+    const model::Link& link = tree.links[to_index(i)];
+    Motion force = product(composite[to_index(i)], joint_motion(link.joint));
+    add_entry(i, i, spatial_dot(joint_motion(link.joint), force));
+    for (int j = i; tree.links[to_index(j)].father != model::kGround;) {
+      force =
+          product(spatial_transposed(to_link(tree.links[to_index(j)].joint, position(j))), force);
+      j = tree.links[to_index(j)].father;
+      const Real entry = spatial_dot(joint_motion(tree.links[to_index(j)].joint), force);
       add_entry(i, j, entry);
       add_entry(j, i, entry);
     }
     if (link.father != model::kGround) {
       const Spatial x = to_link(link.joint, position(i));
-      add(composite[index(link.father)], product(transposed(x), product(composite[index(i)], x)));
+      add(composite[to_index(link.father)],
+          product(spatial_transposed(x), product(composite[to_index(i)], x)));
     }
   }
   return a;
@@ -296,12 +297,12 @@ std::vector<Movement> free_reduced_movements(const model::Tree& tree,
 std::vector<Movement> free_movements(const model::Tree& tree, const std::vector<Real>& armature) {
   std::vector<Real> by_link(tree.links.size(), Real(0));
   for (std::size_t k = 0; k < tree.coordinates.size(); ++k) {
-    by_link[index(tree.coordinates[k])] = armature[k];
+    by_link[to_index(tree.coordinates[k])] = armature[k];
   }
   const std::vector<Pivot> pivots = articulated_pivots(tree, by_link);
   std::vector<Movement> result;
   for (int i = 0; i < tree.size(); ++i) {
-    if (pivots[index(i)].zero) {
+    if (pivots[to_index(i)].zero) {
       result.push_back(free_movement(tree, pivots, i));
     }
   }
@@ -311,7 +312,7 @@ std::vector<Movement> free_movements(const model::Tree& tree, const std::vector<
   result = free_reduced_movements(tree, armature);
   for (Movement& movement : result) {
     std::transform(movement.begin(), movement.end(), movement.begin(),
-                   [&](std::size_t k) { return index(tree.coordinates[k]); });
+                   [&](std::size_t k) { return to_index(tree.coordinates[k]); });
   }
   return result;
 }
@@ -353,7 +354,7 @@ std::vector<Warning> joints_without_inertia(const model::Tree& tree) {
 std::vector<Warning> joints_without_inertia(const model::Scene& scene) {
   std::vector<Real> armature(static_cast<std::size_t>(scene.tree.dof()), Real(0));
   for (const model::Armature& added : scene.armatures) {
-    armature[index(added.joint)] += added.inertia;
+    armature[to_index(added.joint)] += added.inertia;
   }
   return joints_without_inertia(scene.tree, armature);
 }

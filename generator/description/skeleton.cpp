@@ -10,6 +10,7 @@
 
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
+#include "common/index.hpp"
 #include "description/identifiers.hpp"
 
 namespace treedyn::description {
@@ -17,8 +18,6 @@ namespace treedyn::description {
 namespace {
 
 constexpr std::string_view kGroundName = "ground";
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void fail(const RawTree& raw, const Place& where, const std::string& message) {
   throw InputError(location(raw, where), message);
@@ -121,16 +120,16 @@ void connect(const RawTree& raw, Skeleton& skeleton) {
     const RawJoint& joint = raw.joints[k];
     skeleton.kinds.push_back(kind_of(raw, joint));
     const int son = find_link(raw, skeleton, joint, joint.son, "child");
-    int& carrier = skeleton.joint[index(son)];
+    int& carrier = skeleton.joint[to_index(son)];
     if (carrier != kNoJoint) {
       fail(raw, joint.son.where,
            fmt::format("link '{}' is the child of joints '{}' and '{}'; expected one father",
-                       shown(joint.son.text), shown(raw.joints[index(carrier)].name.text),
+                       shown(joint.son.text), shown(raw.joints[to_index(carrier)].name.text),
                        shown(joint.name.text)));
     }
     carrier = static_cast<int>(k);
     const bool on_ground = raw.format == Format::kYaml && joint.father.text == kGroundName;
-    skeleton.father[index(son)] =
+    skeleton.father[to_index(son)] =
         on_ground ? model::kGround
                   : find_link(raw, skeleton, joint, joint.father,
                               raw.format == Format::kYaml ? "father" : "parent");
@@ -155,22 +154,22 @@ void check_roots(const RawTree& raw, const Skeleton& skeleton) {
 /// Reports the cycle above `link`, which the ground does not reach.
 [[noreturn]] void fail_with_cycle(const RawTree& raw, const Skeleton& skeleton, int link) {
   std::vector<bool> seen(raw.links.size(), false);
-  while (!seen[index(link)]) {
-    seen[index(link)] = true;
-    link = skeleton.father[index(link)];
+  while (!seen[to_index(link)]) {
+    seen[to_index(link)] = true;
+    link = skeleton.father[to_index(link)];
   }
   std::string path;
   int count = 0;
   const int start = link;
   do {
-    path += count < 10 ? fmt::format("'{}' -> ", shown(raw.links[index(link)].name.text)) : "";
-    link = skeleton.father[index(link)];
+    path += count < 10 ? fmt::format("'{}' -> ", shown(raw.links[to_index(link)].name.text)) : "";
+    link = skeleton.father[to_index(link)];
     ++count;
   } while (link != start);
   path += count > 10 ? ".. -> " : "";
-  fail(raw, raw.links[index(start)].where,
+  fail(raw, raw.links[to_index(start)].where,
        fmt::format("fathers form the cycle {}'{}'; expected a tree on the ground", path,
-                   shown(raw.links[index(start)].name.text)));
+                   shown(raw.links[to_index(start)].name.text)));
 }
 
 /// Breadth first from the ground, sons in file order.
@@ -178,17 +177,17 @@ void sort_links(const RawTree& raw, Skeleton& skeleton) {
   std::vector<std::vector<int>> sons(raw.links.size());
   for (std::size_t k = 0; k < raw.links.size(); ++k) {
     const int father = skeleton.father[k];
-    (father == model::kGround ? skeleton.order : sons[index(father)])
+    (father == model::kGround ? skeleton.order : sons[to_index(father)])
         .push_back(static_cast<int>(k));
   }
   for (std::size_t k = 0; k < skeleton.order.size(); ++k) {
-    const std::vector<int>& next = sons[index(skeleton.order[k])];
+    const std::vector<int>& next = sons[to_index(skeleton.order[k])];
     skeleton.order.insert(skeleton.order.end(), next.begin(), next.end());
   }
   if (skeleton.order.size() < raw.links.size()) {
     std::vector<bool> reached(raw.links.size(), false);
     for (const int link : skeleton.order) {
-      reached[index(link)] = true;
+      reached[to_index(link)] = true;
     }
     const auto lost = std::find(reached.begin(), reached.end(), false);
     fail_with_cycle(raw, skeleton, static_cast<int>(lost - reached.begin()));
@@ -212,18 +211,18 @@ Skeleton resolve_skeleton(const RawTree& raw) {
 
 std::vector<int> moving_order(const Skeleton& skeleton, const std::vector<int>& moving_father) {
   const auto moves = [&](int link) {
-    const int joint = skeleton.joint[index(link)];
-    return joint != kNoJoint && skeleton.kinds[index(joint)] != JointKind::kFixed;
+    const int joint = skeleton.joint[to_index(link)];
+    return joint != kNoJoint && skeleton.kinds[to_index(joint)] != JointKind::kFixed;
   };
   using Entry = std::pair<int, int>;  // joint, link
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> ready;
   std::vector<std::vector<int>> sons(moving_father.size());
   for (const int link : skeleton.order) {
-    const int father = moving_father[index(link)];
+    const int father = moving_father[to_index(link)];
     if (moves(link) && father == model::kGround) {
-      ready.emplace(skeleton.joint[index(link)], link);
+      ready.emplace(skeleton.joint[to_index(link)], link);
     } else if (moves(link)) {
-      sons[index(father)].push_back(link);
+      sons[to_index(father)].push_back(link);
     }
   }
   std::vector<int> result;
@@ -231,8 +230,8 @@ std::vector<int> moving_order(const Skeleton& skeleton, const std::vector<int>& 
     const int link = ready.top().second;
     ready.pop();
     result.push_back(link);
-    for (const int son : sons[index(link)]) {
-      ready.emplace(skeleton.joint[index(son)], son);
+    for (const int son : sons[to_index(link)]) {
+      ready.emplace(skeleton.joint[to_index(son)], son);
     }
   }
   return result;

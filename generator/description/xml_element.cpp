@@ -12,7 +12,7 @@ namespace treedyn::description {
 
 namespace {
 
-constexpr std::size_t kMaxDepth = 64;
+constexpr std::size_t kMostNestedElements = 64;
 constexpr std::size_t kMaxElements = 1'000'000;  // that are kept
 constexpr std::size_t kMaxStrays = 1000;
 
@@ -36,9 +36,9 @@ std::string tolerated(std::string text) {
 
 /// Builds the elements with a stack of its own. A mistake stops expat and is thrown after it has
 /// returned, for exceptions must not cross C code.
-class Builder {
+class ElementBuilder {
  public:
-  Builder(const std::string& file, Wanted wanted)
+  ElementBuilder(const std::string& file, Wanted wanted)
       : file_(file), wanted_(wanted), parser_(XML_ParserCreate(nullptr)) {
     TREEDYN_EXPECT(parser_ != nullptr);
     XML_SetUserData(parser_.get(), this);
@@ -63,7 +63,7 @@ class Builder {
   }
 
  private:
-  static Builder& self(void* data) { return *static_cast<Builder*>(data); }
+  static ElementBuilder& self(void* data) { return *static_cast<ElementBuilder*>(data); }
   static void on_start(void* data, const XML_Char* name, const XML_Char** attributes) {
     self(data).start(name, attributes);
   }
@@ -86,8 +86,8 @@ class Builder {
   }
 
   void start(const XML_Char* name, const XML_Char** attributes) {
-    if (open_.size() + skipped_ == kMaxDepth) {
-      stop(fmt::format("nested too deeply; expected at most {} levels", kMaxDepth));
+    if (open_.size() + skipped_ == kMostNestedElements) {
+      stop(fmt::format("nested too deeply; expected at most {} levels", kMostNestedElements));
     } else if (skipped_ > 0 || (!open_.empty() && !wanted_(open_.back().name, name))) {
       if (skipped_ == 0 && strays_ < kMaxStrays) {
         ++strays_;
@@ -151,7 +151,7 @@ Element parse_xml(const std::string& text, const std::string& file, Wanted wante
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw InputError({file, 1, 1}, "file is empty; expected a robot description");
   }
-  return Builder(file, wanted).parse(text);
+  return ElementBuilder(file, wanted).parse(text);
 }
 
 }  // namespace treedyn::description

@@ -14,7 +14,7 @@ namespace treedyn::description {
 
 namespace {
 
-constexpr std::size_t kMaxDepth = 32;
+constexpr std::size_t kMostNestedNodes = 32;
 constexpr std::size_t kMaxValues = 1'000'000;
 
 int to_int(std::size_t n) { return static_cast<int>(std::min<std::size_t>(n, 2'000'000'000)); }
@@ -84,9 +84,9 @@ class Events {
 };
 
 /// Makes nodes of events with a stack of its own: no recursion.
-class Builder {
+class NodeBuilder {
  public:
-  explicit Builder(const std::string& file) : file_(file) {}
+  explicit NodeBuilder(const std::string& file) : file_(file) {}
 
   void add(const yaml_event_t& event) {
     switch (event.type) {
@@ -157,8 +157,8 @@ class Builder {
     if (expects_key()) {
       fail(where, "key is not a scalar; expected a word");
     }
-    if (open_.size() == kMaxDepth) {
-      fail(where, fmt::format("nested too deeply; expected at most {} levels", kMaxDepth));
+    if (open_.size() == kMostNestedNodes) {
+      fail(where, fmt::format("nested too deeply; expected at most {} levels", kMostNestedNodes));
     }
     Node node;
     node.kind = kind;
@@ -221,7 +221,7 @@ class Builder {
 
 Node parse_yaml_node(const std::string& text, const std::string& file) {
   Events events(text, file);
-  Builder builder(file);
+  NodeBuilder builder(file);
   int documents = 0;
   while (true) {
     const yaml_event_t& event = events.next();

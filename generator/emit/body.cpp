@@ -15,6 +15,7 @@
 namespace treedyn::emit {
 
 using program::Kind;
+using program::node_index;
 using program::Ref;
 
 namespace {
@@ -159,7 +160,7 @@ void Writer::note_arrays(const Statement& statement, Part& part) const {
 /// What the statement needs of other parts, where its own part has not loaded it yet.
 void Writer::load(const Statement& statement, Part& part, Body& body) {
   statements_.visit_atoms(statement, [&](Ref value) {
-    std::size_t& loaded = loaded_in_[static_cast<std::size_t>(std::abs(value))];
+    std::size_t& loaded = loaded_in_[node_index(value)];
     if (statements_.is_elsewhere(value, statement.part) && loaded != statement.part) {
       loaded = statement.part;
       part.uses_workspace = true;

@@ -14,8 +14,6 @@ namespace treedyn::emit {
 
 namespace {
 
-constexpr std::size_t kLongestCell = 32;  ///< of what models name
-
 std::string array_doc(const program::Array& array, bool output, std::size_t name_width) {
   const std::string unit = array.unit.empty() ? "" : fmt::format(", {}", array.unit);
   if (!array.type.empty()) {

@@ -18,8 +18,6 @@ namespace treedyn::emit {
 
 namespace {
 
-constexpr std::size_t kLongestCell = 32;  ///< of what models name
-
 const model::Link& link_of(const model::Tree& tree, int coordinate) {
   const auto k = static_cast<std::size_t>(coordinate);
   return tree.links[static_cast<std::size_t>(tree.coordinates[k])];

@@ -10,6 +10,7 @@
 namespace treedyn::emit {
 
 inline constexpr std::size_t kColumns = 100;
+inline constexpr std::size_t kLongestCell = 32;  ///< of what models name, in tables of comments
 
 /// `text` broken at spaces into lines of at most 100 columns, each after `prefix`; continued lines
 /// get `hang` more spaces. Ends with a line feed.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "emit/layout.hpp"
 #include "emit/parts.hpp"
 #include "emit/sincos.hpp"
@@ -19,8 +20,6 @@ using program::LimbPhase;
 
 namespace {
 
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
-
 /// Limbs are lanes of vectors: as the target wants, but for roots, which vectors do not have.
 bool in_lanes(const program::Function& function, const Target& target) {
   return target.limb_lanes &&
@@ -32,7 +31,7 @@ bool in_lanes(const program::Function& function, const Target& target) {
 /// The size of a vector of one value of every limb: a power of two. Behind the last limb it is
 /// repeated.
 int lanes(const LimbClass& limb_class) {
-  return static_cast<int>(std::bit_ceil(at(limb_class.size())));
+  return static_cast<int>(std::bit_ceil(to_index(limb_class.size())));
 }
 
 std::string vector_type(int lanes) { return fmt::format("Limbs{}", lanes); }
@@ -51,20 +50,20 @@ std::string vector_array(int c) { return fmt::format("limbs_{}", c + 1); }
 
 /// limb_left_hip: the values of a limb, by its first link.
 std::string limb_array(const LimbClass& limb_class, int limb, const Vocabulary& words) {
-  return "limb_" + words.bodies[at(limb_class.links[at(limb)].front())];
+  return "limb_" + words.bodies[to_index(limb_class.links[to_index(limb)].front())];
 }
 
 /// The trunk's code that reads the limbs' values from lanes, and does not write them.
 program::Function trunk_of_lanes(const LimbCode& code) {
   program::Function trunk = code.trunk;
-  auto place = at(code.arguments());
+  auto place = to_index(code.arguments());
   for (std::size_t c = 0; c < code.limbs.size(); ++c) {
     for (int limb = 0; limb < code.limbs[c].size(); ++limb, ++place) {
       program::Array& array = trunk.signature.inputs[place];
       array.name = vector_array(static_cast<int>(c));
       array.number = vector_type(lanes(code.limbs[c]));
       array.lane = limb;
-      trunk.outputs.resize(trunk.outputs.size() - at(trunk.signature.outputs.back().size));
+      trunk.outputs.resize(trunk.outputs.size() - to_index(trunk.signature.outputs.back().size));
       trunk.signature.outputs.pop_back();
     }
   }
@@ -78,30 +77,30 @@ std::vector<std::string> gathered(const LimbCode& code, std::vector<bool>& uses)
   const program::Function& trunk = code.trunk;
   std::size_t number = 0;
   for (const LimbClass& limb_class : code.limbs) {
-    number += at(limb_class.size());
+    number += to_index(limb_class.size());
   }
   std::size_t array = trunk.signature.outputs.size() - number;
   std::size_t first = 0;
   for (std::size_t k = 0; k < array; ++k) {
-    first += at(trunk.signature.outputs[k].size);
+    first += to_index(trunk.signature.outputs[k].size);
   }
   for (std::size_t c = 0; c < code.limbs.size(); ++c) {
     const LimbClass& limb_class = code.limbs[c];
-    const auto count = at(trunk.signature.outputs[array].size);
+    const auto count = to_index(trunk.signature.outputs[array].size);
     for (std::size_t k = 0; k < count; ++k) {
       const auto of_limb = [&](int limb) {
-        const program::Ref value = trunk.outputs[first + at(limb) * count + k];
+        const program::Ref value = trunk.outputs[first + to_index(limb) * count + k];
         const program::Node& node = trunk.graph.node(value);
         TREEDYN_EXPECT(node.kind == program::Kind::kInput);
-        uses[at(node.a)] = true;
+        uses[to_index(node.a)] = true;
         return fmt::format("{}{}", value < 0 ? "-" : "",
-                           element_text(trunk.signature.inputs[at(node.a)], node.b));
+                           element_text(trunk.signature.inputs[to_index(node.a)], node.b));
       };
       lines.push_back(fmt::format("{}[{}] = {}{};", vector_array(static_cast<int>(c)), k,
                                   vector_type(lanes(limb_class)), in_braces(limb_class, of_limb)));
     }
-    first += at(limb_class.size()) * count;
-    array += at(limb_class.size());
+    first += to_index(limb_class.size()) * count;
+    array += to_index(limb_class.size());
   }
   return lines;
 }
@@ -109,7 +108,7 @@ std::vector<std::string> gathered(const LimbCode& code, std::vector<bool>& uses)
 /// The trunk's code with an array of its own name for every limb, which is input and output.
 program::Function named_trunk(const LimbCode& code, const Vocabulary& words) {
   program::Function trunk = code.trunk;
-  const auto first_input = at(code.arguments());
+  const auto first_input = to_index(code.arguments());
   std::size_t number = 0;
   for (const LimbClass& limb_class : code.limbs) {
     for (int limb = 0; limb < limb_class.size(); ++limb, ++number) {
@@ -126,7 +125,7 @@ program::Function named_trunk(const LimbCode& code, const Vocabulary& words) {
 
 /// Names in the code of a class: what the links and joints of all limbs have in common.
 Vocabulary limb_words(const LimbCode& code, int c, const Vocabulary& words) {
-  const LimbClass& limb_class = code.limbs[at(c)];
+  const LimbClass& limb_class = code.limbs[to_index(c)];
   Vocabulary result = words;
   std::vector<std::string> bodies;
   std::vector<std::string> joints;
@@ -134,8 +133,10 @@ Vocabulary limb_words(const LimbCode& code, int c, const Vocabulary& words) {
     std::vector<std::string> links;
     std::vector<std::string> coordinates;
     for (int limb = 0; limb < limb_class.size(); ++limb) {
-      links.push_back(identifier_part(words.body_comments[at(limb_class.links[at(limb)][p])]));
-      coordinates.push_back(words.joints[at(limb_class.joints[at(limb)][p].coordinate)]);
+      links.push_back(
+          identifier_part(words.body_comments[to_index(limb_class.links[to_index(limb)][p])]));
+      coordinates.push_back(
+          words.joints[to_index(limb_class.joints[to_index(limb)][p].coordinate)]);
     }
     const std::string link = short_body(common_words(links));
     const std::string joint = common_words(coordinates);
@@ -143,16 +144,16 @@ Vocabulary limb_words(const LimbCode& code, int c, const Vocabulary& words) {
     joints.push_back(joint.empty() ? fmt::format("joint{}", p + 1) : joint);
   }
   for (std::size_t p = 0; p < bodies.size(); ++p) {
-    const auto link = at(limb_class.links.front()[p]);
+    const auto link = to_index(limb_class.links.front()[p]);
     const bool unique = std::ranges::count(bodies, bodies[p]) == 1 &&
                         std::ranges::count(words.bodies, bodies[p]) == 0;
     result.bodies[link] = unique ? bodies[p] : fmt::format("link{}", p + 1);
     result.body_comments[link] = result.bodies[link];
   }
   result.joints.clear();
-  for (const LimbCode::Value& value : code.values[at(c)]) {
+  for (const LimbCode::Value& value : code.values[to_index(c)]) {
     if (value.stage < 0) {
-      result.joints.push_back(joints[at(value.position)]);
+      result.joints.push_back(joints[to_index(value.position)]);
     }
   }
   return result;
@@ -179,19 +180,20 @@ std::string table_name(const program::Function& function, int c) {
 
 /// One row a number, its value in every limb.
 std::string table_of_lanes(const program::Function& function, int c, const Target& target) {
-  const LimbClass& limb_class = function.limb_code->limbs[at(c)];
+  const LimbClass& limb_class = function.limb_code->limbs[to_index(c)];
   if (limb_class.columns.empty()) {
     return {};
   }
   std::string result = fmt::format("\nconst {} {}[{}] = {{\n", vector_type(lanes(limb_class)),
                                    table_name(function, c), limb_class.columns.size());
   for (std::size_t k = 0; k < limb_class.columns.size(); ++k) {
-    result += fmt::format(
-        "    {},  // {}\n",
-        in_braces(
-            limb_class,
-            [&](int limb) { return literal(limb_class.columns[k][at(limb)], target.scalar); }),
-        k);
+    result += fmt::format("    {},  // {}\n",
+                          in_braces(limb_class,
+                                    [&](int limb) {
+                                      return literal(limb_class.columns[k][to_index(limb)],
+                                                     target.scalar);
+                                    }),
+                          k);
   }
   return result + "};\n";
 }
@@ -200,7 +202,7 @@ std::string table_of_lanes(const program::Function& function, int c, const Targe
 /// setting them in columns.
 std::string table(const program::Function& function, int c, const Vocabulary& words,
                   const Target& target) {
-  const LimbClass& limb_class = function.limb_code->limbs[at(c)];
+  const LimbClass& limb_class = function.limb_code->limbs[to_index(c)];
   if (limb_class.columns.empty()) {
     return {};
   }
@@ -210,11 +212,11 @@ std::string table(const program::Function& function, int c, const Vocabulary& wo
   std::string result = fmt::format("\nconst Scalar {}[{}][{}] = {{\n", table_name(function, c),
                                    limb_class.size(), limb_class.columns.size());
   for (int limb = 0; limb < limb_class.size(); ++limb) {
-    const auto link = at(limb_class.links[at(limb)].front());
+    const auto link = to_index(limb_class.links[to_index(limb)].front());
     result += fmt::format("    // {}\n    {{\n", words.body_comments[link]);
     std::vector<std::string> cells;
     for (const std::vector<Real>& column : limb_class.columns) {
-      cells.push_back(literal(column[at(limb)], target.scalar) + ",");
+      cells.push_back(literal(column[to_index(limb)], target.scalar) + ",");
     }
     const std::size_t width = std::ranges::max_element(cells, {}, &std::string::size)->size();
     for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -240,7 +242,7 @@ PhaseText phase_text(const program::Function& function, const LimbPhase& phase,
   named.signature.name = result.name;
   Target numbers = target;
   if (in_lanes(function, target)) {
-    numbers.lanes = lanes(function.limb_code->limbs[at(phase.limb_class)]);
+    numbers.lanes = lanes(function.limb_code->limbs[to_index(phase.limb_class)]);
     numbers.number = vector_type(numbers.lanes);
     for (program::Array* const array : {&named.signature.inputs[1], &named.signature.inputs[2],
                                         &named.signature.outputs.front()}) {
@@ -286,7 +288,7 @@ std::vector<std::string> calls(const program::Function& function,
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < phases.size(); ++k) {
     const LimbPhase& phase = code.phases[k];
-    const LimbClass& limb_class = code.limbs[at(phase.limb_class)];
+    const LimbClass& limb_class = code.limbs[to_index(phase.limb_class)];
     const int count = together ? 1 : limb_class.size();
     for (int limb = 0; phase.stage == stage && limb < count; ++limb) {
       std::vector<std::string> arguments;
@@ -343,7 +345,7 @@ std::string trunk_text(const program::Function& function, const std::vector<Phas
   });
   const int last_stage = function.limb_code->phases.back().stage;
   std::vector<std::string> lines = local_arrays(function, words, together);
-  std::vector<bool> passed(at(function.limb_code->arguments()), false);
+  std::vector<bool> passed(to_index(function.limb_code->arguments()), false);
   if (together) {
     append(lines, gathered(*function.limb_code, passed));
   }
@@ -417,7 +419,8 @@ std::string limb_vectors(const std::vector<program::Function>& functions, const 
     }
     for (const LimbPhase& phase : function.limb_code->phases) {
       const program::Cost cost = program::cost(phase.function);
-      has_angles[lanes(function.limb_code->limbs[at(phase.limb_class)])] |= cost.sin + cost.cos > 0;
+      has_angles[lanes(function.limb_code->limbs[to_index(phase.limb_class)])] |=
+          cost.sin + cost.cos > 0;
     }
   }
   std::string result;

@@ -37,29 +37,29 @@ int owner(const Provenance& source) {
   return inertial != kNoLink ? inertial : any;
 }
 
-struct Kind {
+struct ConstantKind {
   Dimension dimension;
   char letter;
   const char* unit;
 };
 
-constexpr std::array<Kind, 8> kKinds = {{{{0, 0, 0}, 'k', "ratio"},
-                                         {{1, 0, 0}, 'm', "kg"},
-                                         {{0, 1, 0}, 'l', "m"},
-                                         {{1, 1, 0}, 'h', "kg m"},
-                                         {{1, 2, 0}, 'I', "kg m^2"},
-                                         {{0, 1, -2}, 'g', "m/s^2"},
-                                         {{1, 1, -2}, 'w', "N"},
-                                         {{1, 2, -2}, 'G', "N m"}}};
+constexpr std::array<ConstantKind, 8> kKinds = {{{{0, 0, 0}, 'k', "ratio"},
+                                                 {{1, 0, 0}, 'm', "kg"},
+                                                 {{0, 1, 0}, 'l', "m"},
+                                                 {{1, 1, 0}, 'h', "kg m"},
+                                                 {{1, 2, 0}, 'I', "kg m^2"},
+                                                 {{0, 1, -2}, 'g', "m/s^2"},
+                                                 {{1, 1, -2}, 'w', "N"},
+                                                 {{1, 2, -2}, 'G', "N m"}}};
 
 char letter_of(const Dimension& dimension) {
-  const auto found = std::ranges::find(kKinds, dimension, &Kind::dimension);
+  const auto found = std::ranges::find(kKinds, dimension, &ConstantKind::dimension);
   return found == kKinds.end() ? 'p' : found->letter;
 }
 
 /// "kg m^2: ", of other units "kg^-1 m^-2: "; empty if it is not known.
 std::string unit_text(const Dimension& dimension) {
-  const auto found = std::ranges::find(kKinds, dimension, &Kind::dimension);
+  const auto found = std::ranges::find(kKinds, dimension, &ConstantKind::dimension);
   if (!dimension.is_known || found != kKinds.end()) {
     return dimension.is_known ? fmt::format("{}: ", found->unit) : std::string();
   }
@@ -200,7 +200,7 @@ ConstantNames::ConstantNames(const std::vector<const program::Function*>& functi
     }
   }
   std::ranges::stable_sort(entries_, {}, [](const Entry& e) {
-    const auto kind = std::ranges::find(kKinds, e.letter, &Kind::letter);
+    const auto kind = std::ranges::find(kKinds, e.letter, &ConstantKind::letter);
     return std::tuple(e.link, kind - kKinds.begin(), e.number);
   });
   by_value_.clear();

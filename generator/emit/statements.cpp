@@ -10,6 +10,7 @@
 namespace treedyn::emit {
 
 using program::Kind;
+using program::node_index;
 using program::Ref;
 
 namespace {
@@ -60,12 +61,12 @@ void Statements::find_levels(const std::function<int(int, int)>& level) {
   level_.assign(graph_.size(), 0);
   for (const Ref k : program::reachable(graph_, function_.outputs)) {
     const program::Node& node = graph_.node(k);
-    int& own = level_[index(k)];
+    int& own = level_[node_index(k)];
     if (node.kind == Kind::kInput && level) {
       own = level(node.a, node.b);
     }
-    program::for_each_operand(node,
-                              [&](Ref operand) { own = std::max(own, level_[index(operand)]); });
+    program::for_each_operand(
+        node, [&](Ref operand) { own = std::max(own, level_[node_index(operand)]); });
     last_level_ = std::max(last_level_, own);
   }
 }
@@ -76,10 +77,10 @@ void Statements::find_uses() {
   outputs_of_.resize(graph_.size());
   for (const Ref k : operations_) {
     program::for_each_operand(graph_.node(k),
-                              [&](Ref operand) { is_local_[index(operand)] = true; });
+                              [&](Ref operand) { is_local_[node_index(operand)] = true; });
   }
   for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
-    outputs_of_[index(function_.outputs[output])].push_back(static_cast<int>(output));
+    outputs_of_[node_index(function_.outputs[output])].push_back(static_cast<int>(output));
   }
 }
 
@@ -90,11 +91,11 @@ void Statements::find_pairs() {
     if (!is_trigonometric(k)) {
       continue;
     }
-    Ref& other = first[index(graph_.node(k).a)];
+    Ref& other = first[node_index(graph_.node(k).a)];
     if (other != 0) {
-      partner_[index(k)] = other;
-      partner_[index(other)] = k;
-      is_local_[index(k)] = is_local_[index(other)] = true;
+      partner_[node_index(k)] = other;
+      partner_[node_index(other)] = k;
+      is_local_[node_index(k)] = is_local_[node_index(other)] = true;
     }
     other = k;
   }
@@ -103,7 +104,7 @@ void Statements::find_pairs() {
 /// Of several angles together every sine and cosine has a name.
 void Statements::name_angles() {
   for (const Ref k : operations_) {
-    is_local_[index(k)] = is_local_[index(k)] || is_trigonometric(k);
+    is_local_[node_index(k)] = is_local_[node_index(k)] || is_trigonometric(k);
   }
 }
 
@@ -112,7 +113,7 @@ int Statements::available(Ref value) const {
   const int left =
       is_local(value)
           ? static_cast<int>(("const " + target_.number + " ").size()) + names_.width(value)
-          : static_cast<int>(element(outputs_of_[index(value)].front()).size()) + 3;
+          : static_cast<int>(element(outputs_of_[node_index(value)].front()).size()) + 3;
   return static_cast<int>(kColumns) - kIndentation - left -
          static_cast<int>(std::string_view(" = ;").size());
 }
@@ -140,7 +141,7 @@ void Statements::list_statements() {
       waiting.clear();
     };
     for (const Ref value : schedule_.statements) {
-      if (level_[index(value)] != level) {
+      if (level_[node_index(value)] != level) {
         continue;
       }
       const bool together = target_.takes_vectors() && is_trigonometric(value);
@@ -166,7 +167,7 @@ void Statements::list_angle(Ref value) {
     return angle.sine == node.a || angle.cosine == node.a;
   };
   if (statements_.empty() || statements_.back().angles.empty() ||
-      level_of(statements_.size() - 1) != level_[index(value)] ||
+      level_of(statements_.size() - 1) != level_[node_index(value)] ||
       std::ranges::any_of(statements_.back().angles, gives)) {
     statements_.push_back({.value = value});
   }
@@ -179,8 +180,8 @@ void Statements::list_angle(Ref value) {
 
 /// Of sine and cosine of one angle the first brings both.
 void Statements::list_definition(Ref value, std::vector<bool>& stated) {
-  const Ref partner = partner_[index(value)];
-  if (!is_local(value) || stated[index(value)]) {
+  const Ref partner = partner_[node_index(value)];
+  if (!is_local(value) || stated[node_index(value)]) {
     return;
   }
   names_.assign(value);
@@ -189,14 +190,14 @@ void Statements::list_definition(Ref value, std::vector<bool>& stated) {
     return;
   }
   names_.assign(partner);
-  stated[index(partner)] = true;
+  stated[node_index(partner)] = true;
   const bool is_sine = graph_.node(value).kind == Kind::kSin;
   statements_.push_back({.value = is_sine ? value : partner, .partner = is_sine ? partner : value});
 }
 
 void Statements::list_stores(Ref value) {
   int first = -1;
-  for (const int output : outputs_of_[index(value)]) {
+  for (const int output : outputs_of_[node_index(value)]) {
     statements_.push_back({.value = function_.outputs[static_cast<std::size_t>(output)],
                            .output = output,
                            .copy_of = first});
@@ -215,7 +216,7 @@ void Statements::list_constants(int level) {
   for (const bool zeros : {false, true}) {
     for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
       const Ref value = function_.outputs[output];
-      if (!is_operation(value) && (value == 0) == zeros && level_[index(value)] == level &&
+      if (!is_operation(value) && (value == 0) == zeros && level_[node_index(value)] == level &&
           !stays(static_cast<int>(output), value)) {
         statements_.push_back({.value = value, .output = static_cast<int>(output)});
       }
@@ -264,13 +265,13 @@ std::vector<int> Statements::crossing_counts() const {
   std::vector<std::size_t> defined(graph_.size(), 0);
   std::vector<std::size_t> last(graph_.size(), 0);
   for (std::size_t at = 0; at < statements_.size(); ++at) {
-    visit_definitions(statements_[at], [&](Ref value) { defined[index(value)] = at; });
-    visit_atoms(statements_[at], [&](Ref value) { last[index(value)] = at; });
+    visit_definitions(statements_[at], [&](Ref value) { defined[node_index(value)] = at; });
+    visit_atoms(statements_[at], [&](Ref value) { last[node_index(value)] = at; });
   }
   std::vector<int> change(statements_.size() + 1, 0);
   for (const Statement& statement : statements_) {
     visit_definitions(statement, [&](Ref value) {
-      const std::size_t k = index(value);
+      const std::size_t k = node_index(value);
       ++change[defined[k] + 1];
       --change[std::min(last[k] + 1, statements_.size())];
     });
@@ -316,7 +317,7 @@ void Statements::divide() {
 std::vector<std::size_t> Statements::last_parts() const {
   std::vector<std::size_t> last(graph_.size(), 0);
   for (const Statement& statement : statements_) {
-    visit_atoms(statement, [&](Ref value) { last[index(value)] = statement.part; });
+    visit_atoms(statement, [&](Ref value) { last[node_index(value)] = statement.part; });
   }
   return last;
 }
@@ -335,7 +336,7 @@ void Statements::assign_slots() {
       free.insert(freed[part].begin(), freed[part].end());
     }
     visit_definitions(statement, [&](Ref value) {
-      const std::size_t k = index(value);
+      const std::size_t k = node_index(value);
       part_of_[k] = part;
       if (last[k] > part) {
         if (free.empty()) {

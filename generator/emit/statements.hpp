@@ -46,20 +46,20 @@ class Statements {
   [[nodiscard]] const program::Schedule& schedule() const { return schedule_; }
   /// The stage of a statement.
   [[nodiscard]] int level_of(std::size_t statement) const {
-    return level_[index(statements_[statement].value)];
+    return level_[program::node_index(statements_[statement].value)];
   }
   [[nodiscard]] bool is_operation(program::Ref a) const;
   [[nodiscard]] bool is_trigonometric(program::Ref a) const;
   /// True if the value has a name of its own: some operation uses it, or it is one of a pair.
-  [[nodiscard]] bool is_local(program::Ref a) const { return is_local_[index(a)]; }
+  [[nodiscard]] bool is_local(program::Ref a) const { return is_local_[program::node_index(a)]; }
   /// True if a part behind its own needs the value.
-  [[nodiscard]] bool is_shared(program::Ref a) const { return slot_[index(a)] >= 0; }
+  [[nodiscard]] bool is_shared(program::Ref a) const { return slot_[program::node_index(a)] >= 0; }
   /// True if the value is shared and another part than `part` states it.
   [[nodiscard]] bool is_elsewhere(program::Ref a, std::size_t part) const {
-    return is_shared(a) && part_of_[index(a)] != part;
+    return is_shared(a) && part_of_[program::node_index(a)] != part;
   }
   /// The element of the workspace that holds a shared value.
-  [[nodiscard]] int slot(program::Ref a) const { return slot_[index(a)]; }
+  [[nodiscard]] int slot(program::Ref a) const { return slot_[program::node_index(a)]; }
   /// Elements of the workspace.
   [[nodiscard]] int slots() const { return slots_; }
   /// The values that a statement gives names to.
@@ -80,7 +80,6 @@ class Statements {
   [[nodiscard]] std::string atom(program::Ref value) const;
 
  private:
-  static std::size_t index(program::Ref a) { return static_cast<std::size_t>(std::abs(a)); }
   void find_levels(const std::function<int(int, int)>& level);
   void find_uses();
   void find_pairs();

@@ -10,6 +10,7 @@
 
 namespace treedyn::emit {
 
+using program::node_index;
 using program::Ref;
 
 namespace {
@@ -79,12 +80,12 @@ int Steps::body_of(const Statement& statement) const {
 /// own body that leads to something.
 void Steps::find_goals() {
   const auto at = [this](Ref a) -> std::string& {
-    return goals_[static_cast<std::size_t>(std::abs(a))];
+    return goals_[node_index(a)];
   };
   std::vector<bool> is_fixed(goals_.size());
   for (std::size_t k = function_.outputs.size(); k-- > 0;) {
     if (function_.outputs[k] != 0) {
-      is_fixed[static_cast<std::size_t>(std::abs(function_.outputs[k]))] = true;
+      is_fixed[node_index(function_.outputs[k])] = true;
       at(function_.outputs[k]) =
           function_.signature.outputs[statements_.output_array(static_cast<int>(k))].name;
     }
@@ -99,7 +100,7 @@ void Steps::find_goals() {
       }
     }
     program::for_each_operand(graph_.node(*node), [&](Ref operand) {
-      const auto value = static_cast<std::size_t>(std::abs(operand));
+      const auto value = node_index(operand);
       const bool in_body = graph_.hint(std::abs(operand)).body == graph_.hint(*node).body;
       if (!is_fixed[value] && in_body && !at(*node).empty()) {
         goals_[value] = at(*node);
@@ -129,7 +130,7 @@ std::string Steps::text(std::size_t begin, std::size_t end) const {
     if (body_of(statement) != body || statements_.is_trigonometric(statement.value)) {
       continue;
     }
-    const std::string& goal = goals_[static_cast<std::size_t>(std::abs(statement.value))];
+    const std::string& goal = goals_[node_index(statement.value)];
     if (!goal.empty() && std::ranges::find(goals, word_of(goal)) == goals.end()) {
       goals.push_back(word_of(goal));
     }

@@ -17,7 +17,7 @@ Rate sum(const Rate& a, const Rate& b) { return a && b ? *a + *b : a ? a : b; }
 Expression turning(const Expression& omega, const Expression& x) { return skew(diagb(omega)) * x; }
 
 /// The rates of the symbols.
-const std::map<std::string, Rate>& table() {
+const std::map<std::string, Rate>& known_rates() {
   static const std::map<std::string, Rate> kTable = [] {
     const Expression w = z_d * sigma * qd;
     const Expression omega = D * w;
@@ -49,8 +49,8 @@ Rate of_leaf(const Expression& e, const Rates& rates) {
   if (const auto own = rates.find(name); own != rates.end()) {
     return own->second;
   }
-  const auto found = table().find(name);
-  if (found == table().end()) {
+  const auto found = known_rates().find(name);
+  if (found == known_rates().end()) {
     throw NoRate("the rate of " + name + " is not known");
   }
   return found->second;

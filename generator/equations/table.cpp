@@ -13,7 +13,7 @@ int Extent::count(int dof, int points) const {
 
 namespace {
 
-constexpr Extent kOne{1, Extent::Of::kFixed};
+constexpr Extent kOneElement{1, Extent::Of::kFixed};
 constexpr Extent kN{1, Extent::Of::kPerDof};
 constexpr Extent k3N{3, Extent::Of::kPerDof};
 constexpr Extent k3P{3, Extent::Of::kPerPoint};
@@ -22,13 +22,13 @@ constexpr Extent k10N{10, Extent::Of::kPerDof};
 
 constexpr const char* kForce = "N m|N";
 constexpr const char* kAcceleration = "rad/s^2|m/s^2";
-constexpr Argument kQ = {"q", kN, kOne, "rad|m"};
-constexpr Argument kQd = {"qd", kN, kOne, "rad/s|m/s"};
-constexpr Argument kQdd = {"qdd", kN, kOne, kAcceleration};
-constexpr Argument kTau = {"tau", kN, kOne, kForce};
+constexpr Argument kQ = {"q", kN, kOneElement, "rad|m"};
+constexpr Argument kQd = {"qd", kN, kOneElement, "rad/s|m/s"};
+constexpr Argument kQdd = {"qdd", kN, kOneElement, kAcceleration};
+constexpr Argument kTau = {"tau", kN, kOneElement, kForce};
 constexpr Argument kA = {"A", kN, kN, "kg m^2|kg m|kg"};
-constexpr Argument kB = {"B", kN, kOne, kForce};
-constexpr Argument kG = {"G", kN, kOne, kForce};
+constexpr Argument kB = {"B", kN, kOneElement, kForce};
+constexpr Argument kG = {"G", kN, kOneElement, kForce};
 
 constexpr const char* kErrataOfA = "E10 E11 E13";
 constexpr const char* kErrataOfTau = "E1 E2 E3 E4 E5 E10 E11 E12";
@@ -80,19 +80,19 @@ std::vector<Equation> points_and_vectors() {
        "1.2",
        "Positions of the points, base frame.",
        {kQ},
-       {{"p", k3P, kOne, "m"}},
+       {{"p", k3P, kOneElement, "m"}},
        point_positions()},
       {"point_velocities",
        "6.1",
        "Velocities C^T qd of the points, base frame.",
        {kQ, kQd},
-       {{"v", k3P, kOne, "m/s"}},
+       {{"v", k3P, kOneElement, "m/s"}},
        point_velocities()},
       {"point_rotations",
        "1.2",
        "Rotations link frame -> base frame of the points' links; 3 x 3 each, row-major.",
        {kQ},
-       {{"R", k9P, kOne, "1"}}},
+       {{"R", k9P, kOneElement, "1"}}},
       {"force_jacobian_transpose",
        "(9)",
        "C of the points, transposed Jacobian; N x 3P, row-major.",
@@ -110,14 +110,14 @@ std::vector<Equation> points_and_vectors() {
        "6.1",
        "gamma_f = d/dt(C^T) qd of the points, base frame.",
        {kQ, kQd},
-       {{"gamma_f", k3P, kOne, "m/s^2"}},
+       {{"gamma_f", k3P, kOneElement, "m/s^2"}},
        point_bias_acceleration(),
        "E1 E2 E4"},
       {"angular_bias_acceleration",
        "6.1",
        "gamma_n = d/dt(H^T) qd of the points' links, base frame.",
        {kQ, kQd},
-       {{"gamma_n", k3P, kOne, "rad/s^2"}},
+       {{"gamma_n", k3P, kOneElement, "rad/s^2"}},
        angular_bias_acceleration()},
       {"joint_to_link_vectors",
        "(6)",
@@ -140,21 +140,21 @@ std::vector<Equation> forces_and_energies() {
       {"applied_force",
        "(8)",
        "Joint forces Q = C f + H n of forces f at the points and moments n on their links.",
-       {kQ, {"f", k3P, kOne, "N"}, {"n", k3P, kOne, "N m"}},
-       {{"Q", kN, kOne, kForce}},
+       {kQ, {"f", k3P, kOneElement, "N"}, {"n", k3P, kOneElement, "N m"}},
+       {{"Q", kN, kOneElement, kForce}},
        applied_force(),
        "E7 E12"},
       {"kinetic_energy",
        "(2)",
        "Kinetic energy T = 1/2 qd^T A(q) qd.",
        {kQ, kQd},
-       {{"T", kOne, kOne, "J"}},
+       {{"T", kOneElement, kOneElement, "J"}},
        kinetic_energy()},
       {"potential_energy",
        "6.5",
        "Potential energy of gravity; zero with all mass at the base origin.",
        {kQ},
-       {{"U", kOne, kOne, "J"}},
+       {{"U", kOneElement, kOneElement, "J"}},
        potential_energy()},
       {"dynamics_terms",
        "(2),(3),6.5",
@@ -176,15 +176,15 @@ std::vector<Equation> factors() {
        "7.4",
        "L (unit lower triangular, N x N, row-major) and d of A = L^T diag(d) L, without fill-in.",
        {kQ},
-       {{"L", kN, kN, "1|m|1/m"}, {"d", kN, kOne, "kg m^2|kg"}},
+       {{"L", kN, kN, "1|m|1/m"}, {"d", kN, kOneElement, "kg m^2|kg"}},
        mass_matrix_factor(),
        kErrataOfA,
        "L"},
       {"mass_matrix_solve",
        "7.4",
        "x of A(q) x = b by the factors of A.",
-       {kQ, {"b", kN, kOne, kForce}},
-       {{"x", kN, kOne, kAcceleration}},
+       {kQ, {"b", kN, kOneElement, kForce}},
+       {{"x", kN, kOneElement, kAcceleration}},
        mass_matrix_solve(),
        kErrataOfA,
        "x"},

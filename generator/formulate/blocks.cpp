@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
+
 namespace treedyn::formulate {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 unit(Graph& graph, std::size_t k) {
   Vec3 v;
@@ -28,7 +28,8 @@ FrameChanges::FrameChanges(const Kinematics& kinematics, Way way)
       kinematics.graph().set_body(i);
       Mat3 r;
       for (std::size_t row = 0; row < 3; ++row) {  // R_i = R_f T_i, row by row
-        const Vec3 father = f == kBase ? unit(kinematics.graph(), row) : rotation_[index(f)][row];
+        const Vec3 father =
+            f == kBase ? unit(kinematics.graph(), row) : rotation_[to_index(f)][row];
         r[row] = kinematics.from_father(i, father);
         name(kinematics.graph(), r[row], row == 0 ? "Rx" : row == 1 ? "Ry" : "Rz", i);
       }
@@ -42,8 +43,8 @@ Vec3 FrameChanges::moved(const Vec3& v, int from, int to) const {
     return v;
   }
   if (in_base() || (way_ == Way::kInLinks && to == kBase)) {
-    const Vec3 base = from == kBase ? v : rotation_[index(from)] * v;
-    return to == kBase ? base : transposed(rotation_[index(to)]) * base;
+    const Vec3 base = from == kBase ? v : rotation_[to_index(from)] * v;
+    return to == kBase ? base : transposed(rotation_[to_index(to)]) * base;
   }
   if (depth(from) > depth(to)) {
     return moved(kinematics_.to_father(from, v), kinematics_.link(from).father, to);

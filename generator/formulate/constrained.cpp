@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/index.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/scene_drift.hpp"
@@ -12,8 +13,6 @@
 namespace treedyn::formulate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// a . b over the places that both have.
 Expr product(const SparseRow& a, const SparseRow& b) {
@@ -30,7 +29,7 @@ Expr product(const SparseRow& a, const SparseRow& b) {
 SparseRows transposed(const SparseRow& row, std::size_t size) {
   SparseRows column(size);
   for (const auto& [k, value] : row) {
-    column[index(k)][0] = value;
+    column[to_index(k)][0] = value;
   }
   return column;
 }
@@ -69,15 +68,13 @@ Reduced reduce(const Factors& factor, const std::vector<Row>& rows,
   return r;
 }
 
-Expr input(Graph& graph, int array, int element) { return {graph, graph.input(array, element)}; }
-
 /// The sum of right_k and the columns of the rows times mu.
 std::vector<Expr> with_reactions(const Reduced& r, const std::vector<Expr>& mu) {
   std::vector<Expr> x = r.free;
   for (std::size_t i = 0; i < mu.size(); ++i) {
     for (const auto& [k, value] : r.scaled[i]) {
       const Expr term = value * mu[i];
-      x[index(k)] += term;
+      x[to_index(k)] += term;
     }
   }
   return x;
@@ -93,7 +90,7 @@ std::vector<int> all_constraints(const model::Scene& scene) {
 
 int rows_of(const model::Scene& scene, const std::vector<int>& constraints) {
   return std::accumulate(constraints.begin(), constraints.end(), 0, [&](int sum, int c) {
-    return sum + static_cast<int>(scene.constraints[index(c)].rows());
+    return sum + static_cast<int>(scene.constraints[to_index(c)].rows());
   });
 }
 
@@ -157,9 +154,9 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   std::vector<Expr> result = lower_half(reduced);
   std::vector<Expr> mu;
   for (int i = 0; i < rows.size(); ++i) {
-    Expr b = rows.rows()[index(i)].right;
-    for (const auto& [k, value] : reduced.Y[index(i)]) {
-      b -= value * reduced.free[index(k)];
+    Expr b = rows.rows()[to_index(i)].right;
+    for (const auto& [k, value] : reduced.Y[to_index(i)]) {
+      b -= value * reduced.free[to_index(k)];
     }
     result.push_back(b);
     mu.push_back(input(graph, arrays.mu, i));
@@ -195,8 +192,8 @@ std::vector<Expr> build_impact(const Task& task) {
   std::vector<Expr> mu;
   for (int i = 0; i < rows.size(); ++i) {
     Expr speed;
-    for (const auto& [k, value] : rows.rows()[index(i)].columns) {
-      speed += value * velocity[index(k)];
+    for (const auto& [k, value] : rows.rows()[to_index(i)].columns) {
+      speed += value * velocity[to_index(k)];
     }
     result.push_back(-(rebound * speed));
     mu.push_back(input(graph, arrays.mu, i));
@@ -213,14 +210,14 @@ std::vector<Expr> build_impact(const Task& task) {
 
 std::vector<Expr> build_reaction_jacobian(const Task& task) {
   const SceneFrame frame(task, false);
-  const auto n = index(task.tree.dof());
+  const auto n = to_index(task.tree.dof());
   const model::Scene& scene = *task.options.scene;
-  const auto r = index(rows_of(scene, all_constraints(scene)));
+  const auto r = to_index(rows_of(scene, all_constraints(scene)));
   std::vector<Expr> result(n * r);
   std::size_t row = 0;
   for (const Row& columns : base_rows(scene, frame, task.kinematics.graph())) {
     for (const auto& [k, value] : columns.columns) {
-      result[index(k) * r + row] = value;
+      result[to_index(k) * r + row] = value;
     }
     ++row;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/scene_rows.hpp"
@@ -11,10 +12,6 @@ namespace treedyn::formulate {
 
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Expr input(Graph& graph, int array, int element) { return {graph, graph.input(array, element)}; }
-
 /// h = A qdd + B + G less the forces of the scene itself: what drives and reactions have to give.
 std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
   const model::Scene& scene = *task.options.scene;
@@ -22,21 +19,21 @@ std::vector<Expr> needed_forces(const Task& task, const SceneForces& forces) {
   const InverseArrays arrays = inverse_arrays(scene);
   std::vector<Expr> h = build_equation(task, "inverse_dynamics");
   for (int i = 0; i < task.tree.dof(); ++i) {
-    h[index(i)] -= forces.joint(i);
+    h[to_index(i)] -= forces.joint(i);
     if (arrays.force >= 0) {
-      h[index(i)] -= input(graph, arrays.force, i);
+      h[to_index(i)] -= input(graph, arrays.force, i);
     }
   }
   for (const model::Armature& armature : scene.armatures) {
     const Expr qdd = input(graph, arrays.qdd, armature.joint);
-    h[index(armature.joint)] += constant(graph, armature.inertia) * qdd;
+    h[to_index(armature.joint)] += constant(graph, armature.inertia) * qdd;
   }
   const SceneFrame frame(task, false);
   for (const AppliedLoad& load : forces.loads()) {
-    const model::Point& point = scene.points[index(load.point)];
+    const model::Point& point = scene.points[to_index(load.point)];
     const MotionMap map = load.is_moment ? frame.turning(point) : frame.point(point);
     for (const auto& [k, column] : map.columns) {
-      h[index(k)] -= dot(column, load.value);
+      h[to_index(k)] -= dot(column, load.value);
     }
   }
   return h;
@@ -47,7 +44,7 @@ std::vector<Row> active_rows(const Task& task) {
   model::Scene scene = *task.options.scene;
   std::vector<model::Constraint> active;
   for (const int c : task.options.active) {
-    active.push_back(scene.constraints[index(c)]);
+    active.push_back(scene.constraints[to_index(c)]);
   }
   scene.constraints = active;
   return base_rows(scene, SceneFrame(task, false), task.kinematics.graph());
@@ -92,7 +89,7 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
     mu.push_back(input(graph, arrays.scene.mu, static_cast<int>(u)));
   }
   for (const int u : passive) {
-    result.push_back(h[index(u)]);
+    result.push_back(h[to_index(u)]);
   }
   std::vector<Expr> lambda;
   for (const Row& row : rows) {
@@ -103,7 +100,7 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
     lambda.push_back(sum);
   }
   for (int i = 0; i < task.tree.dof(); ++i) {
-    Expr tau = h[index(i)];
+    Expr tau = h[to_index(i)];
     for (std::size_t r = 0; r < rows.size(); ++r) {
       tau -= entry(rows[r], i) * lambda[r];
     }

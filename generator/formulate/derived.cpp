@@ -5,6 +5,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "common/index.hpp"
 #include "derive/words.hpp"
 #include "equations/table.hpp"
 #include "formulate/lowering.hpp"
@@ -14,8 +15,6 @@ namespace {
 
 using block::Set;
 using Matrix = std::vector<std::vector<Expr>>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 int count(const block::Side& side, int links, int points) {
   return side.size * (side.set == Set::kLinks ? links : side.set == Set::kPoints ? points : 1);
@@ -30,14 +29,15 @@ Matrix in_coordinates(const Task& task, const Matrix& rows, const block::Side& s
     return rows;
   }
   const std::size_t width = rows.front().size();
-  Matrix result(index(tree.dof() * side.size), std::vector<Expr>(width));
+  Matrix result(to_index(tree.dof() * side.size), std::vector<Expr>(width));
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const int link = static_cast<int>(k) / side.size;
-    const model::Drive& drive = tree.drives[index(link)];
-    if (picked && tree.coordinates[index(drive.coordinate)] != link) {
+    const model::Drive& drive = tree.drives[to_index(link)];
+    if (picked && tree.coordinates[to_index(drive.coordinate)] != link) {
       continue;
     }
-    std::vector<Expr>& sum = result[index(drive.coordinate * side.size) + k % index(side.size)];
+    std::vector<Expr>& sum =
+        result[to_index(drive.coordinate * side.size) + k % to_index(side.size)];
     for (std::size_t j = 0; j < width; ++j) {
       sum[j] += picked ? rows[k][j] : constant(graph, drive.multiplier) * rows[k][j];
     }
@@ -93,15 +93,15 @@ void add_column(const Kinematics& k, Lowering& lowering, int j, SparseSymmetric&
 
 /// Row-major, of the degrees of freedom: T^T A T for reduced mimic joints (q = T u + q0).
 std::vector<Expr> dense(const Task& task, const SparseSymmetric& a) {
-  const auto n = index(task.tree.dof());
+  const auto n = to_index(task.tree.dof());
   std::vector<Expr> result(n * n);
   for (const auto& [place, entry] : a) {
-    const model::Drive& row = task.tree.drives[index(place.first)];
-    const model::Drive& column = task.tree.drives[index(place.second)];
+    const model::Drive& row = task.tree.drives[to_index(place.first)];
+    const model::Drive& column = task.tree.drives[to_index(place.second)];
     const Expr scaled =
         constant(task.kinematics.graph(), row.multiplier * column.multiplier) * entry;
-    const auto i = index(row.coordinate);
-    const auto j = index(column.coordinate);
+    const auto i = to_index(row.coordinate);
+    const auto j = to_index(column.coordinate);
     result[i * n + j] += scaled;
     if (place.first != place.second) {
       result[j * n + i] += scaled;

@@ -4,13 +4,12 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "common/index.hpp"
 #include "equations/symbols.hpp"
 #include "equations/table.hpp"
 
 namespace treedyn::formulate {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// An equation of the table, or what else stands in one that is solved.
 std::shared_ptr<const Derived> derived_leaf(const std::string& name, const block::Expression& e) {
@@ -45,7 +44,7 @@ SparseRows rows_of(const Task& task, const Derived& function) {
   SparseSymmetric lower;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
-      lower[{i, j}] = x[index(i * n + j)];
+      lower[{i, j}] = x[to_index(i * n + j)];
     }
   }
   return sparse(n, lower);
@@ -74,9 +73,9 @@ std::vector<Expr> dense(const SparseRows& rows, bool mirrored) {
   std::vector<Expr> result(rows.size() * rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const auto& [j, x] : rows[i]) {
-      result[i * rows.size() + index(j)] = x;
+      result[i * rows.size() + to_index(j)] = x;
       if (mirrored) {
-        result[index(j) * rows.size() + i] = x;
+        result[to_index(j) * rows.size() + i] = x;
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::formulate {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 using block::Set;
 using derive::Op;
 using derive::Type;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool is_to_sons(Op op) { return op == Op::kPath || op == Op::kPathStrict || op == Op::kFather; }
 bool is_to_fathers(Op op) {
@@ -36,11 +35,11 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way)
       needed_(derivation_.values.needed(derivation_.roots)),
       turnings_(frames_.in_base() ? std::vector<derive::Turning>{}
                                   : derive::turnings_about_axes(derivation_.values, needed_)),
-      stage_(index(derivation_.values.size()), -1),
-      of_unit_(index(derivation_.values.size()), false),
-      memo_(index(derivation_.values.size())),
-      known_(index(derivation_.values.size())),
-      costs_(index(derivation_.values.size())) {
+      stage_(to_index(derivation_.values.size()), -1),
+      of_unit_(to_index(derivation_.values.size()), false),
+      memo_(to_index(derivation_.values.size())),
+      known_(to_index(derivation_.values.size())),
+      costs_(to_index(derivation_.values.size())) {
   arrange();
   if (derivation_.elimination) {  // numbers of no link come first
     static_cast<void>(task_.kinematics.ground_acceleration());
@@ -53,14 +52,14 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way)
 int Lowering::stage_of(int id) const {
   const Value& v = value(id);
   if (v.op == Op::kTravelling) {
-    return stage_[index(derivation_.values.definitions().at(id))];
+    return stage_[to_index(derivation_.values.definitions().at(id))];
   }
   if (v.operands.empty()) {
     return -1;
   }
   int stage = 0;
   for (const int operand : v.operands) {
-    stage = std::max(stage, stage_[index(operand)]);
+    stage = std::max(stage, stage_[to_index(operand)]);
   }
   const bool fixed = is_whole(v) || is_to_sons(v.op) || is_to_fathers(v.op);
   const Walk walk = is_whole(v)           ? Walk::kWhole
@@ -76,44 +75,44 @@ void Lowering::arrange() {
   std::vector<bool> of_sum(memo_.size(), false);
   for (const int id : needed_) {
     const Value& v = value(id);
-    memo_[index(id)].resize(index(count(v.set)));
-    known_[index(id)].assign(index(count(v.set)), false);
-    of_unit_[index(id)] =
+    memo_[to_index(id)].resize(to_index(count(v.set)));
+    known_[to_index(id)].assign(to_index(count(v.set)), false);
+    of_unit_[to_index(id)] =
         v.op == Op::kUnit || std::any_of(v.operands.begin(), v.operands.end(),
-                                         [this](int x) { return of_unit_[index(x)]; });
+                                         [this](int x) { return of_unit_[to_index(x)]; });
   }
   for (bool settled = false; !settled;) {
     settled = true;
     for (const int id : needed_) {
       const int stage = stage_of(id);
-      settled = settled && stage == stage_[index(id)];
-      stage_[index(id)] = stage;
-      stages_.resize(std::max(stages_.size(), index(stage + 1)));
+      settled = settled && stage == stage_[to_index(id)];
+      stage_[to_index(id)] = stage;
+      stages_.resize(std::max(stages_.size(), to_index(stage + 1)));
     }
   }
   for (auto id = needed_.rbegin(); id != needed_.rend(); ++id) {
     const Value& v = value(*id);
-    of_sum[index(*id)] =
-        of_sum[index(*id)] || is_to_sons(v.op) || is_to_fathers(v.op) ||
-        (v.op == Op::kAtLink && v.type == Type::kVector && stage_[index(*id)] == 1);
+    of_sum[to_index(*id)] =
+        of_sum[to_index(*id)] || is_to_sons(v.op) || is_to_fathers(v.op) ||
+        (v.op == Op::kAtLink && v.type == Type::kVector && stage_[to_index(*id)] == 1);
     const bool here = !derivation_.elimination || v.op != Op::kFather;
     for (const int operand : v.operands) {
-      if (of_sum[index(*id)] && here && stage_[index(operand)] == stage_[index(*id)]) {
-        of_sum[index(operand)] = true;
+      if (of_sum[to_index(*id)] && here && stage_[to_index(operand)] == stage_[to_index(*id)]) {
+        of_sum[to_index(operand)] = true;
       }
     }
   }
   for (const int id : needed_) {
-    if (stage_[index(id)] >= 0) {
-      Stage& stage = stages_[index(stage_[index(id)])];
-      (of_sum[index(id)] ? stage.sums : stage.rest).push_back(id);
+    if (stage_[to_index(id)] >= 0) {
+      Stage& stage = stages_[to_index(stage_[to_index(id)])];
+      (of_sum[to_index(id)] ? stage.sums : stage.rest).push_back(id);
     }
   }
 }
 
 void Lowering::run(const std::vector<int>& ids, int e, bool of_unit) {
   for (const int id : ids) {
-    if (of_unit_[index(id)] == of_unit) {
+    if (of_unit_[to_index(id)] == of_unit) {
       need(id, e);
     }
   }
@@ -154,7 +153,7 @@ void Lowering::run(bool of_unit) {
     }
   }
   for (const int root : derivation_.roots) {  // that are leaves
-    for (int e = 0; of_unit_[index(root)] == of_unit && e < count(value(root).set); ++e) {
+    for (int e = 0; of_unit_[to_index(root)] == of_unit && e < count(value(root).set); ++e) {
       if (is_asked(e, of_unit)) {
         need(root, e);
       }
@@ -166,8 +165,8 @@ void Lowering::ask_for(int place, int component) {
   place_ = place;
   component_ = component;
   for (const int id : needed_) {
-    if (of_unit_[index(id)]) {
-      std::fill(known_[index(id)].begin(), known_[index(id)].end(), false);
+    if (of_unit_[to_index(id)]) {
+      std::fill(known_[to_index(id)].begin(), known_[to_index(id)].end(), false);
       sums_.erase(id);
     }
   }
@@ -175,13 +174,14 @@ void Lowering::ask_for(int place, int component) {
 }
 
 void Lowering::need(int id, int e) {
-  if (known_[index(id)][index(e)]) {
+  if (known_[to_index(id)][to_index(e)]) {
     return;
   }
   const Value& v = value(id);
   for (const int operand : v.op == Op::kFold ? std::vector<int>{} : v.operands) {
     const bool elsewhere = value(operand).set != v.set || v.op == Op::kFather || v.op == Op::kSons;
-    for (int k = 0; elsewhere && stage_[index(operand)] < 0 && k < count(value(operand).set); ++k) {
+    for (int k = 0; elsewhere && stage_[to_index(operand)] < 0 && k < count(value(operand).set);
+         ++k) {
       need(operand, k);
     }
     if (!elsewhere) {
@@ -196,10 +196,10 @@ void Lowering::need(int id, int e) {
     need(turning->omega, e);
     turn(*turning, e);
   } else {
-    memo_[index(id)][index(e)] = made(id, v, e);
-    known_[index(id)][index(e)] = true;
+    memo_[to_index(id)][to_index(e)] = made(id, v, e);
+    known_[to_index(id)][to_index(e)] = true;
   }
-  count_new(graph(), std::max(before, counted_), costs_[index(id)]);
+  count_new(graph(), std::max(before, counted_), costs_[to_index(id)]);
   counted_ = graph().size();
 }
 
@@ -233,7 +233,7 @@ int Lowering::home(Set set, int e) const {
   if (trunk_ && set == Set::kLinks && e < kTrunkLink) {
     return task_.kinematics.link(e).revolute ? kTrunkLink : kBase;
   }
-  return set == Set::kLinks ? e : task_.options.points[index(e)].link;
+  return set == Set::kLinks ? e : task_.options.points[to_index(e)].link;
 }
 
 Block Lowering::zero(const Value& v, int e) const { return {{}, {}, {home(v.set, e), {}}}; }
@@ -345,7 +345,7 @@ Block Lowering::made(int id, const Value& v, int e) {
 }
 
 std::vector<Expr> Lowering::written(int k, Set set, int frame) const {
-  const int root = derivation_.roots[index(k)];
+  const int root = derivation_.roots[to_index(k)];
   std::vector<Expr> result;
   for (int e = 0; e < count(set); ++e) {
     const Block& block = of(root, e);

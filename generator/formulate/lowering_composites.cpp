@@ -1,14 +1,11 @@
 // Composite inertias: D^T of what turns, carried from sons to fathers.
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "formulate/lowering.hpp"
 
 namespace treedyn::formulate {
 namespace {
-
-constexpr std::size_t kSize = 3;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// 2 s_a h_a and m s_a^2, merged into one product where s is not constant.
 std::array<Expr, 2> diagonal_shift(Expr h, Expr mass, Expr s) {
@@ -31,8 +28,8 @@ std::vector<Expr> product_shift(const Vec3& h, Expr mass, const Vec3& s, std::si
 
 Lowering::TensorTerms& Lowering::composite_terms(int id, int i) {
   std::vector<TensorTerms>& all = tensors_[id];
-  all.resize(index(task_.tree.size()));
-  TensorTerms& terms = all[index(i)];
+  all.resize(to_index(task_.tree.size()));
+  TensorTerms& terms = all[to_index(i)];
   if (terms[0][0].empty()) {
     const Mat3 tensor = has_tensors() ? tensor_about_joint(i) : pseudo_inertia(i);
     const Mat3 own = frames_.moved({i, tensor}, home(block::Set::kLinks, i)).value;

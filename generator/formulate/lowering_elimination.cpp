@@ -1,4 +1,5 @@
 // Eliminations: what sons hand on is made of their own sums, joints take their axes out of it.
+#include "common/index.hpp"
 #include "formulate/lowering.hpp"
 
 namespace treedyn::formulate {
@@ -6,10 +7,6 @@ namespace {
 
 using derive::Op;
 using derive::Type;
-
-constexpr std::size_t kSize = 3;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// The upper half twice.
 Mat3 mirrored(Mat3 S) {
@@ -26,7 +23,7 @@ Mat3 mirrored(Mat3 S) {
 /// a + Π^T b.
 Block Lowering::folded(int id, const Value& v, int i) {
   begin(id, v, i);
-  return sums_[id][index(i)].block;
+  return sums_[id][to_index(i)].block;
 }
 
 /// When all of a link is known.
@@ -41,7 +38,7 @@ void Lowering::hand_on(const std::vector<int>& ids, int i) {
         up = up + frames_.moved(part.value, part.frame, f);
       }
       begin(id, v, f);
-      add(v, sums_[id][index(f)].block, {{}, {{f, up}}, more.tensor}, number(1));
+      add(v, sums_[id][to_index(f)].block, {{}, {{f, up}}, more.tensor}, number(1));
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "formulate/lowering.hpp"
 
 namespace treedyn::formulate {
@@ -11,8 +12,6 @@ using block::Set;
 using derive::Op;
 using derive::Type;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 Block Lowering::unit(const Value& v, int e) const {
@@ -21,7 +20,7 @@ Block Lowering::unit(const Value& v, int e) const {
     result.number = number(1);
   } else if (e == place_) {
     Vec3 x;
-    x[index(component_)] = number(1);
+    x[to_index(component_)] = number(1);
     result.vector = {{kBase, x}};
   }
   return result;
@@ -40,7 +39,7 @@ Block Lowering::leaf(const Value& v, int e) const {
     return orientation(found->second);
   }
   if (const auto found = equation.constants.find(v.name); found != equation.constants.end()) {
-    return {number(found->second[index(e)]), {}, {}};
+    return {number(found->second[to_index(e)]), {}, {}};
   }
   return link_leaf(v, e);
 }
@@ -63,7 +62,7 @@ Block Lowering::input(const Value& v, const equations::UserArgument& argument, i
   }
   Vec3 x;
   for (int k = 0; k < 3; ++k) {
-    x[index(k)] = element(array, 3 * e + k);
+    x[to_index(k)] = element(array, 3 * e + k);
   }
   return {{}, {{kBase, x}}, {}};
 }
@@ -86,7 +85,7 @@ Mat3 Lowering::tensor_about_joint(int e) const {
   if (function_.regroups) {
     return k.body_with_inertia_tensor(e).pseudo;
   }
-  const model::Inertia& inertia = task_.tree.links[index(e)].inertia;
+  const model::Inertia& inertia = task_.tree.links[to_index(e)].inertia;
   const Mat3 square = skew_squared(k.point(e, inertia.com));
   Mat3 I = k.tensor_of(e, inertia.about_com);
   for (std::size_t row = 0; row < 3; ++row) {
@@ -121,12 +120,12 @@ Block Lowering::link_leaf(const Value& v, int e) const {
     return Block{{}, {{frame, x}}, {}};
   };
   if (v.name == "t^d") {
-    const model::Point& point = task_.options.points[index(e)];
+    const model::Point& point = task_.options.points[to_index(e)];
     return vector(point.link, point.link == kBase
                                   ? constant(graph(), point.at)
                                   : k.point(point.link, point.at) + slide(point.link));
   }
-  const model::Inertia& inertia = task_.tree.links[index(e)].inertia;
+  const model::Inertia& inertia = task_.tree.links[to_index(e)].inertia;
   if (v.name == "m^d") {
     return {function_.regroups ? k.body(e).mass : number(inertia.mass), {}, {}};
   }

@@ -1,6 +1,7 @@
 // Steps of single links.
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "formulate/lowering.hpp"
 
 namespace treedyn::formulate {
@@ -8,8 +9,6 @@ namespace {
 
 using derive::Op;
 using derive::Type;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Mat3 skew(const Vec3& a) {
   return {{{Expr(), -a[2], a[1]}, {a[2], Expr(), -a[0]}, {-a[1], a[0], Expr()}}};
@@ -94,7 +93,7 @@ Block Lowering::applied(const Value& v, int e) const {
 Block Lowering::components(const Value& v, int e) const {
   if (v.op == Op::kComponent) {
     const Parts& x = of(v.operands.front(), e).vector;
-    return {frames_.in(x, kBase)[index(v.component)], {}, {}};
+    return {frames_.in(x, kBase)[to_index(v.component)], {}, {}};
   }
   Vec3 x;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "formulate/lowering.hpp"
 
 namespace treedyn::formulate {
@@ -12,27 +13,25 @@ using block::Set;
 using derive::Op;
 using derive::Type;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 /// D x, or a + D x: the father's sum and what is given in its frame go over the edge together.
 Block Lowering::path(int id, const Value& v, int i) {
   Blocks& totals = totals_[id];
-  totals.resize(index(task_.tree.size()));
+  totals.resize(to_index(task_.tree.size()));
   const int f = father(i);
   const int at = home(Set::kLinks, i);
   const bool root = f == kBase;
   const Block& x = of(v.operands.front(), i);
   Block before = zero(v, i);
   if (!root) {
-    before = totals[index(f)];
+    before = totals[to_index(f)];
   } else if (v.operands.size() > 1) {
     before = of(v.operands.back(), i);
   } else if (symbol(id) == std::string("omega")) {
     before.vector = {{kBase, task_.kinematics.ground_turning()}};
   }
-  Block& total = totals[index(i)];
+  Block& total = totals[to_index(i)];
   if (v.type == Type::kVector) {
     Parts of_father = before.vector;
     Parts own;
@@ -56,15 +55,15 @@ Block Lowering::path(int id, const Value& v, int i) {
 /// The sum of a link begins with its own block, if that is known before the sons' are.
 void Lowering::begin(int id, const Value& v, int i) {
   std::vector<Sum>& sums = sums_[id];
-  sums.resize(index(task_.tree.size()));
-  Sum& sum = sums[index(i)];
+  sums.resize(to_index(task_.tree.size()));
+  Sum& sum = sums[to_index(i)];
   if (sum.begun) {
     return;
   }
   const int a = v.operands.front();
   const int at = home(Set::kLinks, i);
   sum.begun = true;
-  sum.has_own = v.op != Op::kSubtreeStrict && stage_[index(a)] < stage_[index(id)];
+  sum.has_own = v.op != Op::kSubtreeStrict && stage_[to_index(a)] < stage_[to_index(id)];
   if (sum.has_own) {
     need(a, i);
   }
@@ -75,9 +74,9 @@ void Lowering::begin(int id, const Value& v, int i) {
 Block Lowering::subtree(int id, const Value& v, int i) {
   begin(id, v, i);
   const int at = home(Set::kLinks, i);
-  const Block of_sons = sums_[id][index(i)].block;
+  const Block of_sons = sums_[id][to_index(i)].block;
   Block total = of_sons;
-  if (!sums_[id][index(i)].has_own) {
+  if (!sums_[id][to_index(i)].has_own) {
     add(v, total, moved(v, of(v.operands.front(), i), at, at), number(1));
   }
   if (const int f = father(i); f != kBase) {
@@ -87,11 +86,11 @@ Block Lowering::subtree(int id, const Value& v, int i) {
       add(v, up, moved(v, of(v.operands.back(), i), above, above), number(1));
     }
     begin(id, v, f);
-    add(v, sums_[id][index(f)].block, up, number(1));
+    add(v, sums_[id][to_index(f)].block, up, number(1));
   }
   if (v.type == Type::kVector) {
-    totals_[id].resize(index(task_.tree.size()));
-    totals_[id][index(i)] = total;
+    totals_[id].resize(to_index(task_.tree.size()));
+    totals_[id][to_index(i)] = total;
     named_.push_back(id);
   }
   return v.op == Op::kSubtreeStrict ? of_sons : total;
@@ -119,7 +118,7 @@ Block Lowering::at_points(const Value& v, int e) const {
   const int x = v.operands.front();
   Block sum = zero(v, e);
   for (int p = 0; p < count(Set::kPoints); ++p) {
-    const int i = task_.options.points[index(p)].link;
+    const int i = task_.options.points[to_index(p)].link;
     const int from = v.op == Op::kPick ? i : p;
     if (i == kBase || e != (v.op == Op::kPick ? p : i)) {
       continue;
@@ -138,7 +137,7 @@ Block Lowering::at_points(const Value& v, int e) const {
 Block Lowering::collect(const Value& v) const {
   TREEDYN_EXPECT(v.type != Type::kTensor);
   Block sum;
-  for (const Block& x : memo_[index(v.operands.front())]) {
+  for (const Block& x : memo_[to_index(v.operands.front())]) {
     add(v, sum, x, number(1));
   }
   for (const auto& [factor, id] : terms(v.operands.front())) {
@@ -181,11 +180,11 @@ void Lowering::name_sums(int e) {
   std::sort(named_.begin(), named_.end());
   for (const int id : named_) {
     const Value& v = value(id);
-    if (derivation_.symmetric && of_unit_[index(id)]) {
+    if (derivation_.symmetric && of_unit_[to_index(id)]) {
       continue;  // as many as columns
     }
     const auto total = totals_.find(id);
-    const Block& block = total != totals_.end() ? total->second[index(e)] : of(id, e);
+    const Block& block = total != totals_.end() ? total->second[to_index(e)] : of(id, e);
     if (v.type == Type::kTensor) {
       for (std::size_t n = 0; n < 9; ++n) {
         graph().name(block.tensor.value[n / 3][n % 3].ref(), "Omega", e, kEntry[n]);

@@ -1,12 +1,11 @@
 // Turning bodies: Ω = Λ(α) + Λ(ω)² link by link, and the moments that it needs.
 #include <optional>
 
+#include "common/index.hpp"
 #include "formulate/lowering.hpp"
 
 namespace treedyn::formulate {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// An axis that coincides with a coordinate axis: which, and in which direction.
 struct CoordinateAxis {
@@ -50,8 +49,8 @@ void Lowering::turn(const derive::Turning& turning, int i) {
   const int f = father(i);
   const bool root = f == kBase;
   std::vector<Squares>& squares = squares_[turning.Omega];
-  squares.resize(index(task_.tree.size()));
-  Squares& s = squares[index(i)];
+  squares.resize(to_index(task_.tree.size()));
+  Squares& s = squares[to_index(i)];
   const Vec3 omega = frames_.in(of(turning.omega, i).vector, i);
   const Vec3 of_father = root ? Vec3{} : frames_.in(of(turning.alpha, f).vector, f);
   const Vec3 father_omega = root ? Vec3{} : frames_.in(of(turning.omega, f).vector, f);
@@ -65,15 +64,15 @@ void Lowering::turn(const derive::Turning& turning, int i) {
     for (Expr& component : along) {
       component = axis->signed_value(component);
     }
-    Omega = turned_by_column(i, omega, k.from_father(i, along), squares[index(f)], alpha, s);
+    Omega = turned_by_column(i, omega, k.from_father(i, along), squares[to_index(f)], alpha, s);
   } else {
     Omega = turning_tensor(alpha, omega);
     s = {omega[0] * omega[0], omega[1] * omega[1], Omega[0][0] - Omega[2][2]};
   }
-  memo_[index(turning.alpha)][index(i)].vector = {{i, alpha}};
-  memo_[index(turning.Omega)][index(i)].tensor = {i, Omega};
+  memo_[to_index(turning.alpha)][to_index(i)].vector = {{i, alpha}};
+  memo_[to_index(turning.Omega)][to_index(i)].tensor = {i, Omega};
   for (const int id : {turning.alpha, turning.Omega}) {
-    known_[index(id)][index(i)] = true;
+    known_[to_index(id)][to_index(i)] = true;
     named_.push_back(id);
   }
 }
@@ -157,7 +156,7 @@ Block Lowering::moment(const Value& v, int e) const {
   const Vec3 alpha = frames_.in(of(v.operands[1], e).vector, frame);
   const Vec3 omega = frames_.in(of(v.operands[2], e).vector, frame);
   const auto known = squares_.find(v.operands[0]);
-  const Squares s = known != squares_.end() ? known->second[index(e)]
+  const Squares s = known != squares_.end() ? known->second[to_index(e)]
                                             : Squares{omega[0] * omega[0], omega[1] * omega[1],
                                                       Omega.value[0][0] - Omega.value[2][2]};
   const Vec3 M = task_.kinematics.choice(e).tensor_moment

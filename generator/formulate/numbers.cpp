@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "formulate/functions.hpp"
 
 namespace treedyn::formulate {
@@ -15,16 +16,14 @@ constexpr const char* kNoPivot =
     "the mass matrix is singular to 40 digits; expected masses, lengths and inertias of fewer "
     "decades, or --functions without forward dynamics";
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 SparseRows sparse(int size, const SparseSymmetric& lower) {
-  SparseRows rows(index(size));
+  SparseRows rows(to_index(size));
   for (const auto& [place, entry] : lower) {
     TREEDYN_EXPECT(place.first >= place.second);
     if (!entry.is_zero()) {
-      rows[index(place.first)][place.second] = entry;
+      rows[to_index(place.first)][place.second] = entry;
     }
   }
   return rows;
@@ -48,13 +47,13 @@ std::vector<Expr> column_of(const SparseRows& rows) {
 
 Numbers::Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf)
     : graph_(graph),
-      size_(index(size)),
+      size_(to_index(size)),
       derivation_(derivation),
       needed_(derivation.values.needed(derivation.roots)),
-      rows_(index(derivation.values.size())),
-      costs_(index(derivation.values.size())) {
+      rows_(to_index(derivation.values.size())),
+      costs_(to_index(derivation.values.size())) {
   for (const int id : needed_) {
-    if (rows_[index(id)].empty() && derivation.values[id].op != Op::kTravelling) {
+    if (rows_[to_index(id)].empty() && derivation.values[id].op != Op::kTravelling) {
       run(id, leaf);
     }
   }
@@ -63,16 +62,16 @@ Numbers::Numbers(Graph& graph, int size, const derive::Derivation& derivation, c
 void Numbers::run(int id, const Leaf& leaf) {
   const derive::Value& v = derivation_.values[id];
   if (v.op == Op::kLeaf && v.name != "E") {
-    rows_[index(id)] = leaf(v.name);
+    rows_[to_index(id)] = leaf(v.name);
   } else if (v.op == Op::kEliminated) {
     eliminate(id, defined(v.operands[1]));
   } else if (v.op == Op::kFromLeaves) {
-    rows_[index(id)] = rows_[index(v.operands[0])];
+    rows_[to_index(id)] = rows_[to_index(v.operands[0])];
     for (std::size_t k = size_; k-- > 0;) {
       hand_on(id, v.operands[1], k);
     }
   } else {
-    rows_[index(id)].resize(size_);
+    rows_[to_index(id)].resize(size_);
     for (std::size_t k = 0; k < size_; ++k) {
       make(id, k);
     }
@@ -81,12 +80,12 @@ void Numbers::run(int id, const Leaf& leaf) {
 
 /// a and what L' is made of, row by row from the leaves.
 void Numbers::eliminate(int id, int until) {
-  rows_[index(id)] = rows_[index(derivation_.values[id].operands[0])];
+  rows_[to_index(id)] = rows_[to_index(derivation_.values[id].operands[0])];
   for (std::size_t k = size_; k-- > 0;) {
     graph_.set_body(static_cast<int>(k));
     for (const int g : needed_) {
       if (g > id && g <= until) {
-        rows_[index(g)].resize(size_);
+        rows_[to_index(g)].resize(size_);
         make(g, k);
       }
     }
@@ -97,25 +96,25 @@ void Numbers::eliminate(int id, int until) {
 /// What row k takes from rows above it: x_i -= L'_ki x_k, the lower half of a.
 void Numbers::hand_on(int id, int below, std::size_t k) {
   const std::size_t before = graph_.size();
-  SparseRows& x = rows_[index(id)];
+  SparseRows& x = rows_[to_index(id)];
   const bool lower = derivation_.values[id].op == Op::kEliminated;
   const SparseRow& l = of(below, k);
   for (auto entry = l.rbegin(); entry != l.rend(); ++entry) {
     const auto& [i, l_ki] = *entry;
     for (const auto& [j, x_kj] : x[k]) {
       if (!lower || j <= i) {
-        x[index(i)][j] -= l_ki * x_kj;
+        x[to_index(i)][j] -= l_ki * x_kj;
       }
     }
   }
-  count_new(graph_, before, costs_[index(id)]);
+  count_new(graph_, before, costs_[to_index(id)]);
 }
 
 void Numbers::make(int id, std::size_t k) {
   const std::size_t before = graph_.size();
-  rows_[index(id)][k] = row(id, k);
-  std::erase_if(rows_[index(id)][k], [](const auto& entry) { return entry.second.is_zero(); });
-  count_new(graph_, before, costs_[index(id)]);
+  rows_[to_index(id)][k] = row(id, k);
+  std::erase_if(rows_[to_index(id)][k], [](const auto& entry) { return entry.second.is_zero(); });
+  count_new(graph_, before, costs_[to_index(id)]);
 }
 
 SparseRow Numbers::row(int id, std::size_t k) const {
@@ -146,7 +145,7 @@ SparseRow Numbers::row(int id, std::size_t k) const {
     case Op::kFromRoot: {
       const SparseRow& l = of(v.operands[1], k);
       for (auto entry = l.rbegin(); entry != l.rend(); ++entry) {
-        for (const auto& [j, x_ij] : of(id, index(entry->first))) {
+        for (const auto& [j, x_ij] : of(id, to_index(entry->first))) {
           x[j] -= entry->second * x_ij;
         }
       }
@@ -177,7 +176,7 @@ SparseRow Numbers::congruent(const derive::Value& v, std::size_t i) const {
   for (std::size_t j = 0; j <= i; ++j) {
     for (const auto& [k, y_jk] : of(v.operands[0], j)) {
       if (const auto y_ik = y_i.find(k); y_ik != y_i.end()) {
-        result[static_cast<int>(j)] += y_ik->second * (y_jk * of(v.operands[1], index(k)).at(k));
+        result[static_cast<int>(j)] += y_ik->second * (y_jk * of(v.operands[1], to_index(k)).at(k));
       }
     }
   }

@@ -12,7 +12,7 @@ namespace treedyn::formulate {
 
 namespace {
 
-using Numbers = std::vector<std::pair<Real, Provenance>>;
+using OriginList = std::vector<std::pair<Real, Provenance>>;
 
 constexpr Dimension kMassUnit = {1, 0, 0};
 constexpr Dimension kLengthUnit = {0, 1, 0};
@@ -55,7 +55,7 @@ class Collection {
     }
   }
 
-  [[nodiscard]] Numbers numbers() && {
+  [[nodiscard]] OriginList numbers() && {
     know_dimensions();
     return std::move(numbers_);
   }
@@ -68,7 +68,7 @@ class Collection {
     }
   }
 
-  Numbers numbers_;
+  OriginList numbers_;
   std::size_t known_ = 0;  ///< of how many it is decided whether dimensions are known
   bool has_one_ = false;
 };

@@ -2,13 +2,12 @@
 
 #include <array>
 
+#include "common/index.hpp"
 #include "formulate/derived.hpp"
 
 namespace treedyn::formulate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int kParameters = 10;
 /// Rows and columns of xx xy xz yy yz zz.
@@ -62,12 +61,12 @@ std::vector<Expr> build_regressor(const Task& task) {
   for (int link = 0; link < bare.size(); ++link) {
     for (int parameter = 0; parameter < kParameters; ++parameter) {
       NormalTree normal = nothing;
-      add_unit(normal.links[index(link)], parameter);
+      add_unit(normal.links[to_index(link)], parameter);
       const Kinematics own(k.graph(), bare, normal, k.variant(), k.inputs());
       const std::vector<Expr> tau =
           build_equation({bare, normal, task.options, own}, "inverse_dynamics");
       for (std::size_t row = 0; row < tau.size(); ++row) {
-        Y[row * columns + index(kParameters * link + parameter)] = tau[row];
+        Y[row * columns + to_index(kParameters * link + parameter)] = tau[row];
       }
     }
   }

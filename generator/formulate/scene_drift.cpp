@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "formulate/scene_frame.hpp"
 #include "formulate/scene_steps.hpp"
 #include "model/scene_facts.hpp"
@@ -13,8 +14,6 @@ using model::ConstraintKind;
 using model::Scene;
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Errors of a constraint's motion, along x, y, z of the base frame; of a joint the first.
 struct Errors {
@@ -31,7 +30,7 @@ class Drift {
         graph_(task.kinematics.graph()),
         scene_(*task.options.scene),
         number_(constraint),
-        constraint_(scene_.constraints[index(constraint)]),
+        constraint_(scene_.constraints[to_index(constraint)]),
         size_(anchor_size(scene_, constraint)),
         offset_(anchor_offset(scene_, constraint)),
         anchor_(anchor) {}
@@ -70,7 +69,7 @@ class Drift {
  private:
   [[nodiscard]] Expr anchor(int element) const {
     if (has_place(scene_, number_)) {
-      return constant(graph_, constraint_.loop->at(index(element)));
+      return constant(graph_, constraint_.loop->at(to_index(element)));
     }
     return element < size_ ? Expr(graph_, graph_.input(anchor_, offset_ + element)) : Expr();
   }
@@ -84,7 +83,7 @@ class Drift {
   }
 
   [[nodiscard]] std::vector<Expr> rotation() const {
-    return point_rotations(task_.kinematics, {scene_.points[index(constraint_.point)]});
+    return point_rotations(task_.kinematics, {scene_.points[to_index(constraint_.point)]});
   }
 
   /// p - c - anchor, v - c'.
@@ -102,7 +101,7 @@ class Drift {
     const auto E = [&](int i, int k) {  // R anchor^T
       Expr sum;
       for (int n = 0; n < 3; ++n) {
-        sum += R[index(3 * i + n)] * anchor(3 * k + n);
+        sum += R[to_index(3 * i + n)] * anchor(3 * k + n);
       }
       return sum;
     };
@@ -116,7 +115,8 @@ class Drift {
     const Expr z = half_difference(1, 0);
     const SceneFrame frame(task_, false);
     Vec3 omega;
-    for (const auto& [k, column] : frame.turning(scene_.points[index(constraint_.point)]).columns) {
+    for (const auto& [k, column] :
+         frame.turning(scene_.points[to_index(constraint_.point)]).columns) {
       const Expr speed = forces_.meaning()({model::Quantity::kVelocity, k});
       omega = omega + speed * column;
     }
@@ -164,7 +164,7 @@ std::vector<Expr> anchors_now(const Task& task, const SceneForces& forces) {
 std::vector<Expr> drift_corrections(const Task& task, const SceneForces& forces, int constraint,
                                     int anchor) {
   const Scene& scene = *task.options.scene;
-  const Constraint& c = scene.constraints[index(constraint)];
+  const Constraint& c = scene.constraints[to_index(constraint)];
   Graph& graph = task.kinematics.graph();
   const Errors errors = Drift(task, forces, constraint, anchor).errors();
   const Real alpha = stabilisation_rate(scene);

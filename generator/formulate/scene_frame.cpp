@@ -2,12 +2,6 @@
 
 namespace treedyn::formulate {
 
-namespace {
-
-Vec3 triple(const std::vector<Expr>& values) { return {values[0], values[1], values[2]}; }
-
-}  // namespace
-
 SceneFrame::SceneFrame(const Task& task, bool velocity_products, const Trunk* trunk)
     : task_(trunk != nullptr ? trunk->seen() : task),
       velocity_products_(velocity_products),

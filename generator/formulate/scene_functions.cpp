@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "common/parallel.hpp"
 #include "formulate/constrained.hpp"
 #include "formulate/constrained_inverse.hpp"
@@ -28,8 +29,6 @@ namespace {
 
 constexpr const char* kForce = "N m|N";
 constexpr const char* kAcceleration = "rad/s^2|m/s^2";
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Seen scene_with_stand_ins(const model::Scene& scene, Options options) {
   options.gravity = scene.gravity;
@@ -210,7 +209,7 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
     if (has_place(scene_, c)) {
       staged.anchors.push_back(
           fmt::format("{} is drawn to where the initial state of the scene has it",
-                      scene_.constraints[index(c)].name));
+                      scene_.constraints[to_index(c)].name));
     }
   }
   if (r > 0) {
@@ -406,7 +405,7 @@ SceneFunctions scene_functions(const model::Scene& given, const Options& options
     if (steps || wants(wanted, "constrained_dynamics")) {
       dynamics.push_back(add(staged, [&] { return formulator.constrained_dynamics(state); }));
     }
-    const bool declared = state.active == scene.phases[index(state.phase)].active;
+    const bool declared = state.active == scene.phases[to_index(state.phase)].active;
     if (declared && has_inverse_dynamics(scene, state) &&
         wants(wanted, "constrained_inverse_dynamics")) {
       add(staged, [&] { return formulator.inverse_dynamics(state); });

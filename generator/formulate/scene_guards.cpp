@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "formulate/geometry.hpp"
 #include "formulate/scene_drift.hpp"
 #include "model/scene_facts.hpp"
@@ -13,8 +14,6 @@ using model::EventKind;
 
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 /// normal . (sum of lambda_k d_k) over the rows of a constraint, and the height.
 Expr pull(const Task& task, const Event& event, int lambda) {
   Graph& graph = task.kinematics.graph();
@@ -22,7 +21,7 @@ Expr pull(const Task& task, const Event& event, int lambda) {
   int row = 0;
   Expr sum = event.plane.height == 0 ? Expr() : constant(graph, event.plane.height);
   for (const int c : task.options.active) {
-    const model::Constraint& constraint = scene.constraints[index(c)];
+    const model::Constraint& constraint = scene.constraints[to_index(c)];
     for (std::size_t k = 0; c == event.constraint && k < constraint.directions.size(); ++k) {
       const Expr reaction(graph, graph.input(lambda, row + static_cast<int>(k)));
       sum += constant(graph, dot(event.plane.normal, constraint.directions[k])) * reaction;
@@ -89,7 +88,7 @@ std::vector<Expr> build_anchors(const Task& task) {
 
 bool anchors_use_time(const model::Scene& scene) {
   for (int c = 0; c < static_cast<int>(scene.constraints.size()); ++c) {
-    const model::VectorExpression& curve = scene.constraints[index(c)].curve.position;
+    const model::VectorExpression& curve = scene.constraints[to_index(c)].curve.position;
     const auto of_time = [](const model::Expression& e) {
       return e.uses(model::Quantity::kTime);
     };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "common/index.hpp"
 #include "formulate/scene_drift.hpp"
 #include "formulate/scene_rank.hpp"
 #include "formulate/scene_steps.hpp"
@@ -18,8 +19,6 @@ namespace {
 using model::Constraint;
 using model::Scene;
 using Values = std::vector<Real>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool contains(const std::vector<int>& all, int one) {
   return std::find(all.begin(), all.end(), one) != all.end();
@@ -44,10 +43,10 @@ bool is_redundant(const Scene& scene, const ScenePositions& positions, int const
     }
     std::size_t rows = 0;
     for (const int c : phase.active) {
-      rows += scene.constraints[index(c)].rows();
+      rows += scene.constraints[to_index(c)].rows();
     }
     const program::OrdinaryRows ordinary = positions.ordinary(phase.active);
-    return ordinary.holds && index(ordinary.rank) < rows;
+    return ordinary.holds && to_index(ordinary.rank) < rows;
   });
 }
 
@@ -57,7 +56,7 @@ class InitialPlaces {
   explicit InitialPlaces(Scene scene) : scene_(std::move(scene)) {
     scene_.stepping.drift = model::Drift::kBaumgarte;
     Values q = scene_.q0;
-    q.resize(index(scene_.tree.dof()));
+    q.resize(to_index(scene_.tree.dof()));
     const Values t = {scene_.t0};
     if (anchor_offset(scene_, static_cast<int>(scene_.constraints.size())) > 0) {
       const program::Function anchors = anchor_function(scene_);
@@ -85,7 +84,7 @@ void settle_loops(Scene& scene) {
   }
   std::vector<int> loops;
   for (int c = 0; c < static_cast<int>(scene.constraints.size()); ++c) {
-    const Constraint& constraint = scene.constraints[index(c)];
+    const Constraint& constraint = scene.constraints[to_index(c)];
     if (constraint.kind != model::ConstraintKind::kJoined && constraint.accelerations.empty() &&
         stays(scene, c) && model::closes_loop(scene, c)) {
       loops.push_back(c);
@@ -98,7 +97,7 @@ void settle_loops(Scene& scene) {
   const InitialPlaces places(scene);
   for (const int c : loops) {
     if (is_redundant(scene, positions, c)) {
-      scene.constraints[index(c)].loop = places.of(c);
+      scene.constraints[to_index(c)].loop = places.of(c);
     }
   }
 }

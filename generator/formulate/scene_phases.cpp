@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 #include "formulate/geometry.hpp"
 #include "formulate/scene_names.hpp"
 #include "formulate/scene_steps.hpp"
@@ -18,12 +19,6 @@ using model::EventKind;
 using model::Scene;
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-bool includes(const std::vector<int>& all, const std::vector<int>& some) {
-  return std::includes(all.begin(), all.end(), some.begin(), some.end());
-}
 
 std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> result;
@@ -45,7 +40,8 @@ std::vector<Event> lift_offs(const Scene& scene, int phase, const std::vector<in
       const auto is_known = [&](const Event& known) {
         return known.constraint == event.impact->constraints.front();
       };
-      if (!rests_unasked(scene, event) || !includes(resting, event.impact->constraints) ||
+      if (!rests_unasked(scene, event) ||
+          !std::ranges::includes(resting, event.impact->constraints) ||
           std::any_of(result.begin(), result.end(), is_known)) {
         continue;
       }
@@ -63,13 +59,13 @@ std::vector<Event> lift_offs(const Scene& scene, int phase, const std::vector<in
 
 PhaseState resting(const Scene& scene, const std::vector<PhaseState>& states, int phase,
                    const std::vector<int>& rests) {
-  const PhaseState& plain = states[index(phase)];
+  const PhaseState& plain = states[to_index(phase)];
   const auto named = [&](int number) {
     const std::string more = number > 1 ? fmt::format("_at_rest_{}", number) : "_at_rest";
     return PhaseState{phase,
                       united(plain.active, rests),
                       plain.ending + more,
-                      to_identifier(scene.phases[index(phase)].name + more),
+                      to_identifier(scene.phases[to_index(phase)].name + more),
                       plain.forces,
                       lift_offs(scene, phase, without(rests, plain.active))};
   };
@@ -101,7 +97,7 @@ void add_resting(const Scene& scene, int phase, const std::vector<int>& rests,
 
 bool is_watched(const Event& event, const std::vector<int>& active) {
   const bool rests = event.impact && !event.impact->constraints.empty() &&
-                     includes(active, event.impact->constraints);
+                     std::ranges::includes(active, event.impact->constraints);
   const bool reacts = event.kind != EventKind::kReaction ||
                       std::find(active.begin(), active.end(), event.constraint) != active.end();
   return !rests && reacts;
@@ -116,7 +112,7 @@ bool rests_unasked(const Scene& scene, const Event& event) {
       event.impact->rest_below > 0 || event.impact->constraints.size() != 1) {
     return false;
   }
-  const model::Constraint& row = scene.constraints[index(event.impact->constraints.front())];
+  const model::Constraint& row = scene.constraints[to_index(event.impact->constraints.front())];
   return step_method(scene) && row.kind == model::ConstraintKind::kPoint &&
          row.point == event.point &&
          std::any_of(row.directions.begin(), row.directions.end(), [&](const model::Vector3& d) {
@@ -130,12 +126,12 @@ bool may_rest(const Scene& scene, const Event& event) {
 
 std::vector<int> active_behind(const Scene& scene, const PhaseState& state, const Event& event,
                                bool at_rest) {
-  std::vector<int> active = scene.phases[index(event.then)].active;
+  std::vector<int> active = scene.phases[to_index(event.then)].active;
   if (at_rest) {
     active = united(active, event.impact->constraints);
   }
   if (event.goes_on) {
-    std::vector<int> rest = without(state.active, scene.phases[index(state.phase)].active);
+    std::vector<int> rest = without(state.active, scene.phases[to_index(state.phase)].active);
     if (event.kind == EventKind::kReaction) {
       rest = without(rest, {event.constraint});
     }
@@ -145,7 +141,7 @@ std::vector<int> active_behind(const Scene& scene, const PhaseState& state, cons
 }
 
 std::vector<Event> events_of(const Scene& scene, const PhaseState& state) {
-  std::vector<Event> events = scene.phases[index(state.phase)].until;
+  std::vector<Event> events = scene.phases[to_index(state.phase)].until;
   events.insert(events.end(), state.lift_offs.begin(), state.lift_offs.end());
   return events;
 }
@@ -171,7 +167,7 @@ std::vector<PhaseState> phase_states(const Scene& scene, bool at_rest) {
       }
       const std::vector<int> active = active_behind(scene, states[k], event, rests);
       if (find_state(states, event.then, active) < 0) {
-        add_resting(scene, event.then, without(active, scene.phases[index(event.then)].active),
+        add_resting(scene, event.then, without(active, scene.phases[to_index(event.then)].active),
                     states);
       }
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "common/index.hpp"
 #include "formulate/functions.hpp"
 #include "model/reach.hpp"
 #include "program/interpret.hpp"
@@ -12,10 +13,8 @@ namespace treedyn::formulate {
 
 namespace {
 
-using Values = std::vector<double>;
+using Doubles = std::vector<double>;
 using model::ConstraintKind;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// One formulation, without a search.
 program::Function function_of(const model::Scene& scene, const char* name) {
@@ -32,14 +31,14 @@ program::Function function_of(const model::Scene& scene, const char* name) {
 
 /// p (3 P), C and H (N x 3 P).
 struct ScenePositions::Place {
-  Values q, p, C, H;
+  Doubles q, p, C, H;
 };
 
 ScenePositions::ScenePositions(const model::Scene& scene)
     : scene_(scene), reach_(model::reach_of(scene.tree, scene.points)) {
   std::transform(scene.q0.begin(), scene.q0.end(), std::back_inserter(q0_),
                  [](const Real& x) { return x.convert_to<double>(); });
-  q0_.resize(index(scene.tree.dof()));
+  q0_.resize(to_index(scene.tree.dof()));
   if (!scene.points.empty()) {
     for (const char* name :
          {"point_positions", "force_jacobian_transpose", "moment_jacobian_transpose"}) {
@@ -48,10 +47,10 @@ ScenePositions::ScenePositions(const model::Scene& scene)
   }
 }
 
-ScenePositions::Place ScenePositions::place(const Values& q) const {
+ScenePositions::Place ScenePositions::place(const Doubles& q) const {
   Place result{q, {}, {}, {}};
   const std::vector<std::span<const double>> inputs = {q};
-  const std::array<Values*, 3> arrays = {&result.p, &result.C, &result.H};
+  const std::array<Doubles*, 3> arrays = {&result.p, &result.C, &result.H};
   for (std::size_t k = 0; k < functions_.size(); ++k) {
     *arrays[k] = program::interpret<double>(functions_[k], inputs);
   }
@@ -69,18 +68,18 @@ void ScenePositions::add_row(const model::Constraint& c, std::size_t row, const 
                              const Place& start, double& phi, double* J) const {
   const bool held = c.accelerations.empty();
   if (c.kind == ConstraintKind::kJoint) {
-    const double goal = c.pinned ? start.q[index(c.joint)] : curve(c.curve.position[0]);
-    phi = held ? at.q[index(c.joint)] - goal : 0;
+    const double goal = c.pinned ? start.q[to_index(c.joint)] : curve(c.curve.position[0]);
+    phi = held ? at.q[to_index(c.joint)] - goal : 0;
     J[c.joint] = 1;
     return;
   }
   const std::size_t width = 3 * scene_.points.size();
   for (std::size_t n = 0; n < 3; ++n) {
     const double d = c.directions[row][n].convert_to<double>();
-    const std::size_t column = 3 * index(c.point) + n;
-    const std::size_t other = 3 * index(std::max(c.other, 0)) + n;
+    const std::size_t column = 3 * to_index(c.point) + n;
+    const std::size_t other = 3 * to_index(std::max(c.other, 0)) + n;
     const bool joined = c.kind == ConstraintKind::kJoined;
-    const Values& map = c.kind == ConstraintKind::kOrientation ? at.H : at.C;
+    const Doubles& map = c.kind == ConstraintKind::kOrientation ? at.H : at.C;
     for (std::size_t i = 0; i < at.q.size(); ++i) {
       J[i] += d * (map[i * width + column] - (joined ? map[i * width + other] : 0));
     }
@@ -99,13 +98,13 @@ program::OrdinaryRows ScenePositions::ordinary(const std::vector<int>& constrain
   program::ConstraintRows rows;
   rows.columns = scene_.tree.dof();
   for (const int c : constraints) {
-    rows.rows += static_cast<int>(scene_.constraints[index(c)].rows());
+    rows.rows += static_cast<int>(scene_.constraints[to_index(c)].rows());
   }
-  rows.evaluate = [&](const Values& q, Values& phi, Values& J) {
+  rows.evaluate = [&](const Doubles& q, Doubles& phi, Doubles& J) {
     const Place at = place(q);
     std::size_t k = 0;
     for (const int c : constraints) {
-      const model::Constraint& constraint = scene_.constraints[index(c)];
+      const model::Constraint& constraint = scene_.constraints[to_index(c)];
       for (std::size_t row = 0; row < constraint.rows(); ++row, ++k) {
         add_row(constraint, row, at, start, phi[k], J.data() + k * q.size());
       }

@@ -1,5 +1,6 @@
 #include "formulate/scene_rows.hpp"
 
+#include "common/index.hpp"
 #include "formulate/geometry.hpp"
 
 namespace treedyn::formulate {
@@ -7,8 +8,6 @@ namespace treedyn::formulate {
 using model::ConstraintKind;
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 MotionMap difference(MotionMap a, const MotionMap& b) {
   for (const auto& [k, column] : b.columns) {
@@ -37,13 +36,13 @@ Row row_of(const MotionMap& map, Expr wanted, Component component) {
 /// The motion that the rows of a constraint see. \pre not kJoint
 MotionMap motion_of(const model::Scene& scene, const model::Constraint& c,
                     const SceneFrame& frame) {
-  const model::Point& point = scene.points[index(c.point)];
+  const model::Point& point = scene.points[to_index(c.point)];
   if (c.kind == ConstraintKind::kOrientation) {
     return frame.turning(point);
   }
   MotionMap map = frame.point(point);
   if (c.kind == ConstraintKind::kJoined) {
-    return difference(std::move(map), frame.point(scene.points[index(c.other)]));
+    return difference(std::move(map), frame.point(scene.points[to_index(c.other)]));
   }
   const Vec3 fall = frame.free_fall();
   map.gamma = map.gamma + fall;
@@ -72,7 +71,7 @@ SceneRows::SceneRows(const model::Scene& scene, const std::vector<int>& active,
                      const Correction& correction)
     : scene_(scene), frame_(frame), graph_(graph), meaning_(meaning) {
   for (const int c : active) {
-    const model::Constraint& constraint = scene.constraints[index(c)];
+    const model::Constraint& constraint = scene.constraints[to_index(c)];
     std::vector<Expr> a = wanted(constraint);
     const std::vector<Expr> more = correction ? correction(c) : std::vector<Expr>();
     for (std::size_t k = 0; k < more.size(); ++k) {
@@ -156,7 +155,7 @@ std::vector<Expr> SceneRows::reactions(const std::vector<Expr>& mu) const {
   for (std::size_t k = 0; k < turn_.size(); ++k) {
     Expr sum;
     for (std::size_t n = 0; n < turn_[k].size(); ++n) {
-      sum += turn_[k][n] * mu[index(first_[k]) + n];
+      sum += turn_[k][n] * mu[to_index(first_[k]) + n];
     }
     lambda.push_back(sum);
   }

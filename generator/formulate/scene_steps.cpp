@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "formulate/scene_drift.hpp"
 #include "formulate/scene_guards.hpp"
 #include "formulate/search.hpp"
@@ -25,8 +26,6 @@ using program::StepPhase;
 
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 StepCause cause_of(const Event& event) {
   switch (event.kind) {
     case EventKind::kTime:
@@ -39,10 +38,6 @@ StepCause cause_of(const Event& event) {
       break;
   }
   return StepCause::kCross;
-}
-
-bool includes(const std::vector<int>& all, const std::vector<int>& some) {
-  return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
 bool has(const std::vector<program::Array>& arrays, const std::string& name) {
@@ -165,11 +160,11 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
   result.stops = event.stops;
   const std::vector<int>& before = states_[state].active;
   for (int c = 0; c < static_cast<int>(scene_.constraints.size()); ++c) {
-    const model::Constraint& constraint = scene_.constraints[index(c)];
+    const model::Constraint& constraint = scene_.constraints[to_index(c)];
     const bool moves = constraint.pinned || constraint.kind == model::ConstraintKind::kOrientation;
     const bool pinned = std::find(event.pins.begin(), event.pins.end(), c) != event.pins.end();
-    if (anchor_size(scene_, c) > 0 &&
-        (pinned || (moves && includes(active, {c}) && !includes(before, {c})))) {
+    if (anchor_size(scene_, c) > 0 && (pinned || (moves && std::ranges::count(active, c) > 0 &&
+                                                  std::ranges::count(before, c) == 0))) {
       result.renewals.push_back({anchor_offset(scene_, c), anchor_size(scene_, c)});
     }
   }
@@ -177,15 +172,15 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
 }
 
 const std::string& joint_name(const Scene& scene, int joint) {
-  return scene.tree.links[index(scene.tree.coordinates[index(joint)])].joint.name;
+  return scene.tree.links[to_index(scene.tree.coordinates[to_index(joint)])].joint.name;
 }
 
 std::string brief_of(const Scene& scene, const Event& event) {
   switch (event.kind) {
     case EventKind::kHeight:
-      return fmt::format("touch_down of {}", scene.points[index(event.point)].name);
+      return fmt::format("touch_down of {}", scene.points[to_index(event.point)].name);
     case EventKind::kReaction: {
-      const model::Constraint& row = scene.constraints[index(event.constraint)];
+      const model::Constraint& row = scene.constraints[to_index(event.constraint)];
       return fmt::format("{} {}", row.sticks ? "beyond" : "lift_off of", row.name);
     }
     case EventKind::kExpression:
@@ -241,7 +236,7 @@ StepPhase StepMaker::phase(std::size_t state, const Staged& dynamics) const {
     return event.kind == EventKind::kExpression && event.value.uses(model::Quantity::kVelocity);
   });
   for (const int c : states_[state].active) {
-    const model::Constraint& row = scene_.constraints[index(c)];
+    const model::Constraint& row = scene_.constraints[to_index(c)];
     if (row.sticks) {
       result.stuck.push_back(row.joint);
     }
@@ -337,7 +332,7 @@ program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
     result.takes_time = result.takes_time || program::takes_time(result.anchors.front());
   }
   result.sticking = scene_.sticking;
-  result.first = states_[index(scene_.start_phase)].identifier;
+  result.first = states_[to_index(scene_.start_phase)].identifier;
   sign(dynamics.front(), result);
   return result;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::formulate {
 
@@ -28,8 +29,6 @@ struct Sticking {
   int row = 0;  ///< the constraint that holds it
 };
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 std::vector<Sticking> sticking_joints(const Scene& scene) {
   std::vector<Sticking> result;
   for (const model::JointFriction& friction : scene.frictions) {
@@ -49,7 +48,7 @@ std::vector<Sticking> sticking_joints(const Scene& scene) {
 }
 
 const std::string& name_of(const Scene& scene, int joint) {
-  return scene.tree.links[index(scene.tree.coordinates[index(joint)])].joint.name;
+  return scene.tree.links[to_index(scene.tree.coordinates[to_index(joint)])].joint.name;
 }
 
 /// Makes the phases of one scene.
@@ -82,7 +81,7 @@ class PhaseMaker {
     for (std::size_t k = 0, place = 1; k < joints_.size(); ++k, place *= 3) {
       const std::vector<Real>& qd = scene_.qd0;
       const Real speed =
-          index(joints_[k].joint) < qd.size() ? qd[index(joints_[k].joint)] : Real(0);
+          to_index(joints_[k].joint) < qd.size() ? qd[to_index(joints_[k].joint)] : Real(0);
       scene_.start_phase += static_cast<int>(place) * (speed > 0   ? kForth
                                                        : speed < 0 ? kBack
                                                                    : kRests);
@@ -180,12 +179,12 @@ void forget_sticking(Scene& scene) {
     ways *= 3;
   }
   std::vector<Phase> phases;
-  for (std::size_t k = 0; k < scene.phases.size(); k += index(ways)) {
+  for (std::size_t k = 0; k < scene.phases.size(); k += to_index(ways)) {
     Phase phase = scene.phases[k];
     if (phase.name.ends_with(suffix)) {
       phase.name.resize(phase.name.size() - suffix.size());
     }
-    std::erase_if(phase.active, [&](int c) { return scene.constraints[index(c)].sticks; });
+    std::erase_if(phase.active, [&](int c) { return scene.constraints[to_index(c)].sticks; });
     std::erase_if(phase.until, [](const Event& event) { return event.goes_on; });
     for (Event& event : phase.until) {
       event.then /= ways;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "model/tree.hpp"
 #include "program/graph.hpp"
@@ -13,6 +14,11 @@ using program::Graph;
 
 using Vec3 = std::array<Expr, 3>;
 using Mat3 = std::array<std::array<Expr, 3>, 3>;  ///< row by row
+
+inline constexpr std::size_t kSize = 3;
+
+/// The three values as a vector.
+inline Vec3 triple(const std::vector<Expr>& values) { return {values[0], values[1], values[2]}; }
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};

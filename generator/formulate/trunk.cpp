@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "formulate/derived.hpp"
 
 namespace treedyn::formulate {
 namespace {
 
 constexpr std::size_t kSize = 3;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// x of M x = v, row by row: each has one unknown left.
 Vec3 substituted(Graph& graph, const Mat3& M, Vec3 v, int body) {
@@ -44,7 +43,7 @@ Vec3 substituted(Graph& graph, const Mat3& M, Vec3 v, int body) {
 }
 
 Vec3 taken(const std::vector<Expr>& x, int first) {
-  return {x[index(first)], x[index(first + 1)], x[index(first + 2)]};
+  return {x[to_index(first)], x[to_index(first + 1)], x[to_index(first + 2)]};
 }
 
 void put(const Vec3& v, int first, std::vector<Expr>& x) {
@@ -66,7 +65,7 @@ Trunk::Triad Trunk::triad(int first, int frame, Way way) const {
   for (int k = 0; k < 3; ++k) {
     const int joint = first + k;
     const Vec3 z = {Expr(), Expr(), constant(k_.graph(), Real(k_.link(joint).sign))};
-    result.axes[index(k)] = result.frames.moved(z, joint, frame);
+    result.axes[to_index(k)] = result.frames.moved(z, joint, frame);
   }
   return result;
 }
@@ -93,7 +92,7 @@ Vec3 Trunk::along_axes(const Triad& triad, const std::vector<Expr>& x) const {
 /// round: axis i is z of link i, or -z.
 Vec3 Trunk::with_signs(const Triad& triad, Vec3 v) const {
   for (int k = 0; k < 3; ++k) {
-    v[index(k)] = k_.link(triad.first + k).sign > 0 ? v[index(k)] : -v[index(k)];
+    v[to_index(k)] = k_.link(triad.first + k).sign > 0 ? v[to_index(k)] : -v[to_index(k)];
   }
   return v;
 }

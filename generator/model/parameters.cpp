@@ -4,6 +4,7 @@
 #include <array>
 
 #include "common/identifier.hpp"
+#include "common/index.hpp"
 
 namespace treedyn::model {
 
@@ -34,14 +35,12 @@ constexpr std::array<Kind, 7> kKinds = {{
 /// Those that a model declares.
 constexpr std::size_t kOfModels = kKinds.size() - 1;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 const Kind& kind(ParameterKind quantity) { return kKinds[static_cast<std::size_t>(quantity)]; }
 
 /// "", "x", "xx"
 std::string component_name(ParameterKind quantity, int component) {
   const int count = kind(quantity).count;
-  return count == 1 ? "" : count == 3 ? kAxes[index(component)] : kEntries[index(component)];
+  return count == 1 ? "" : count == 3 ? kAxes[to_index(component)] : kEntries[to_index(component)];
 }
 
 /// Both with something in between, or the one that there is.
@@ -55,21 +54,21 @@ std::string joined(std::string first, char between, const std::string& second) {
 /// What it belongs to, as the file writes it.
 std::string owner(const Tree& tree, const Parameter& parameter) {
   return parameter.quantity >= ParameterKind::kGravity ? ""
-         : parameter.quantity == ParameterKind::kPoint ? tree.points[index(parameter.link)].name
-                                                       : tree.links[index(parameter.link)].name;
+         : parameter.quantity == ParameterKind::kPoint ? tree.points[to_index(parameter.link)].name
+                                                       : tree.links[to_index(parameter.link)].name;
 }
 
 /// Where it stands.
 template <class SomeTree, class SomeGravity>
 auto& place(SomeTree& tree, SomeGravity& gravity, const Parameter& parameter) {
-  const std::size_t k = index(parameter.component);
+  const std::size_t k = to_index(parameter.component);
   if (parameter.quantity == ParameterKind::kGravity) {
     return gravity[k];
   }
   if (parameter.quantity == ParameterKind::kPoint) {
-    return tree.points[index(parameter.link)].at[k];
+    return tree.points[to_index(parameter.link)].at[k];
   }
-  auto& link = tree.links[index(parameter.link)];
+  auto& link = tree.links[to_index(parameter.link)];
   return parameter.quantity == ParameterKind::kOffset    ? link.joint.offset[k]
          : parameter.quantity == ParameterKind::kCom     ? link.inertia.com[k]
          : parameter.quantity == ParameterKind::kInertia ? link.inertia.about_com[kPlaces[k]]
@@ -137,8 +136,8 @@ std::string link_name(const Tree& tree, const Parameter& parameter) {
   if (parameter.quantity != ParameterKind::kPoint) {
     return owner(tree, parameter);
   }
-  const int link = tree.points[index(parameter.link)].link;
-  return link == kGround ? "" : tree.links[index(link)].name;
+  const int link = tree.points[to_index(parameter.link)].link;
+  return link == kGround ? "" : tree.links[to_index(link)].name;
 }
 
 Real nominal(const Tree& tree, const Vector3& gravity, const Parameter& parameter) {
@@ -152,8 +151,8 @@ void set(Tree& tree, Vector3& gravity, const Parameter& parameter, const Real& v
   }
   place(tree, gravity, parameter) = value;
   if (parameter.quantity == ParameterKind::kInertia) {
-    tree.links[index(parameter.link)].inertia.about_com[kMirrored[index(parameter.component)]] =
-        value;
+    tree.links[to_index(parameter.link)]
+        .inertia.about_com[kMirrored[to_index(parameter.component)]] = value;
   }
 }
 
@@ -165,12 +164,12 @@ std::vector<std::pair<std::size_t, std::size_t>> points_with_parameters(
       if (parameter.quantity != ParameterKind::kPoint) {
         return false;
       }
-      const Point& own = tree.points[index(parameter.link)];
+      const Point& own = tree.points[to_index(parameter.link)];
       return own.name == points[k].name && own.link == points[k].link && own.at == points[k].at;
     };
     const auto found = std::ranges::find_if(tree.parameters, is_of);
     if (found != tree.parameters.end()) {
-      result.emplace_back(k, index(found->link));
+      result.emplace_back(k, to_index(found->link));
     }
   }
   return result;

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "common/index.hpp"
+
 namespace treedyn::model {
 
 namespace {
@@ -14,11 +16,9 @@ constexpr std::array<std::pair<const char*, StepMethod>, 4> kMethods = {
      {"dopri5-fixed", StepMethod::kDopri5},
      {"sdirk2", StepMethod::kSdirk2}}};
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 /// True if its curve, or its orientation, is that of the moment when it begins to act.
 bool begins_anywhere(const Scene& scene, int constraint) {
-  const Constraint& c = scene.constraints[index(constraint)];
+  const Constraint& c = scene.constraints[to_index(constraint)];
   const auto pins = [&](const Event& event) {
     return std::find(event.pins.begin(), event.pins.end(), constraint) != event.pins.end();
   };
@@ -48,14 +48,14 @@ std::vector<std::string> step_method_names() {
 }
 
 bool is_stabilised(const Scene& scene, int constraint) {
-  const Constraint& c = scene.constraints[index(constraint)];
+  const Constraint& c = scene.constraints[to_index(constraint)];
   const bool loop = (c.kind == ConstraintKind::kJoined || c.loop) && step_method(scene) &&
                     scene.stepping.drift == Drift::kProjection;
   return c.accelerations.empty() && (loop || scene.stepping.drift == Drift::kBaumgarte);
 }
 
 bool has_place(const Scene& scene, int constraint) {
-  const std::optional<std::vector<Real>>& loop = scene.constraints[index(constraint)].loop;
+  const std::optional<std::vector<Real>>& loop = scene.constraints[to_index(constraint)].loop;
   return loop && !loop->empty() && scene.stepping.drift == Drift::kProjection;
 }
 
@@ -67,7 +67,7 @@ Real stabilisation_rate(const Scene& scene) {
 }
 
 int anchor_size(const Scene& scene, int constraint) {
-  const Constraint& c = scene.constraints[index(constraint)];
+  const Constraint& c = scene.constraints[to_index(constraint)];
   if (!is_stabilised(scene, constraint) || c.kind == ConstraintKind::kJoined ||
       !begins_anywhere(scene, constraint) || has_place(scene, constraint)) {
     return 0;

@@ -9,8 +9,6 @@ namespace treedyn::optimise {
 
 namespace {
 
-std::size_t at(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-
 /// Term number `term` of a sum has the factor `factor`.
 struct Occurrence {
   Ref factor = 0;
@@ -28,7 +26,7 @@ class Factoring {
   int run() {
     int saved = 0;
     for (int k = 1; k < network_.size(); ++k) {  // includes the sums that this loop appends
-      while (network_.item(k).kind == Kind::kAdd && uses_[at(k)] > 0) {
+      while (network_.item(k).kind == Kind::kAdd && uses_[program::node_index(k)] > 0) {
         const int gain = factor_once(k);
         if (gain == 0) {
           break;
@@ -62,7 +60,7 @@ void Factoring::collect(int sum) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Ref term = std::abs(terms[i]);
     const int number = static_cast<int>(i);
-    if (network_.item(term).kind == Kind::kMultiply && uses_[at(term)] == 1) {
+    if (network_.item(term).kind == Kind::kMultiply && uses_[program::node_index(term)] == 1) {
       const auto factors = network_.operands(term);
       for (std::size_t f = 0; f < factors.size(); ++f) {
         if (std::find(factors.begin(), factors.begin() + static_cast<std::ptrdiff_t>(f),

@@ -8,8 +8,6 @@ namespace treedyn::optimise {
 
 namespace {
 
-std::size_t at(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-
 /// Writes a network to a graph, item by item.
 class GraphWriter {
  public:
@@ -24,7 +22,9 @@ class GraphWriter {
   void write_item(int k);
   Ref write_sum(std::span<const Ref> terms);
   Ref write_product(std::span<const Ref> factors);
-  Ref image(Ref a) const { return a < 0 ? -image_[at(a)] : image_[at(a)]; }
+  Ref image(Ref a) const {
+    return a < 0 ? -image_[program::node_index(a)] : image_[program::node_index(a)];
+  }
 
   const Network& network_;
   std::vector<int> uses_;
@@ -36,9 +36,10 @@ class GraphWriter {
 void GraphWriter::find_products_of_sums() {
   later_.assign(image_.size(), false);
   for (int k = 1; k < network_.size(); ++k) {
-    if (network_.item(k).kind == Kind::kAdd && uses_[at(k)] > 0) {
+    if (network_.item(k).kind == Kind::kAdd && uses_[program::node_index(k)] > 0) {
       for (const Ref term : network_.operands(k)) {
-        later_[at(term)] = network_.item(term).kind == Kind::kMultiply && uses_[at(term)] == 1;
+        later_[program::node_index(term)] =
+            network_.item(term).kind == Kind::kMultiply && uses_[program::node_index(term)] == 1;
       }
     }
   }
@@ -58,11 +59,12 @@ Ref GraphWriter::write_product(std::span<const Ref> factors) {
 
 Ref GraphWriter::write_sum(std::span<const Ref> terms) {
   std::vector<Ref> order(terms.begin(), terms.end());
-  std::stable_partition(order.begin(), order.end(), [&](Ref term) { return !later_[at(term)]; });
+  std::stable_partition(order.begin(), order.end(),
+                        [&](Ref term) { return !later_[program::node_index(term)]; });
   Ref sum = 0;
   for (const Ref term : order) {
-    if (later_[at(term)]) {
-      image_[at(term)] = write_product(network_.operands(term));
+    if (later_[program::node_index(term)]) {
+      image_[program::node_index(term)] = write_product(network_.operands(term));
     }
     sum = graph_.add(sum, image(term));
   }
@@ -72,7 +74,7 @@ Ref GraphWriter::write_sum(std::span<const Ref> terms) {
 void GraphWriter::write_item(int k) {
   const Item& item = network_.item(k);
   const auto operands = network_.operands(k);
-  Ref& result = image_[at(k)];
+  Ref& result = image_[program::node_index(k)];
   switch (item.kind) {
     case Kind::kConstant:
       result = graph_.constant(network_.magnitude(k));
@@ -104,7 +106,7 @@ void GraphWriter::write_item(int k) {
 Graph GraphWriter::write(std::vector<Ref>& outputs) {
   find_products_of_sums();
   for (int k = 1; k < network_.size(); ++k) {
-    if (uses_[at(k)] > 0 && !later_[at(k)]) {
+    if (uses_[program::node_index(k)] > 0 && !later_[program::node_index(k)]) {
       write_item(k);
     }
   }

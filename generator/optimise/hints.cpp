@@ -59,8 +59,7 @@ std::vector<Ref> first_users(const Function& function) {
   std::vector<Ref> user(function.graph.size(), 0);
   const std::vector<Ref> order = reachable(function.graph, function.outputs);
   std::for_each(order.rbegin(), order.rend(), [&](Ref k) {
-    for_each_operand(function.graph.node(k),
-                     [&](Ref a) { user[static_cast<std::size_t>(std::abs(a))] = k; });
+    for_each_operand(function.graph.node(k), [&](Ref a) { user[program::node_index(a)] = k; });
   });
   return user;
 }

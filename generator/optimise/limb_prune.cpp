@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "common/index.hpp"
+
 namespace treedyn::optimise {
 
 namespace {
-
-std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 using Leaf = std::function<Ref(const Node&, Graph&)>;
 
@@ -19,7 +18,7 @@ Function rewritten(const Function& function, const std::vector<Ref>& outputs, co
   std::vector<Ref> copies(from.size(), 0);
   for (const Ref k : reachable(from, outputs)) {
     const Node& node = from.node(k);
-    Ref& copy = copies[index(k)];
+    Ref& copy = copies[program::node_index(k)];
     copy = node.kind == Kind::kInput ? leaf(node, result.graph)
                                      : copy_node(from, k, copies, result.graph);
     if (copy != 0) {
@@ -68,7 +67,9 @@ class Pruner {
   void find_needed();
   void need_of_trunk();
   void need_of(const LimbPhase& phase);
-  void need(int c, int element) { needed_[at(c)][at(element)] = !number_[at(c)][at(element)]; }
+  void need(int c, int element) {
+    needed_[to_index(c)][to_index(element)] = !number_[to_index(c)][to_index(element)];
+  }
   void write_trunk();
   void write_phases();
   [[nodiscard]] int limb_class_of(int array) const;
@@ -76,12 +77,12 @@ class Pruner {
   [[nodiscard]] std::size_t own_outputs() const {
     std::size_t limbs = 0;
     for (const LimbClass& limb_class : code_.limbs) {
-      limbs += at(limb_class.size());
+      limbs += to_index(limb_class.size());
     }
     const auto& outputs = code_.trunk.signature.outputs;
     std::size_t result = 0;
     for (std::size_t k = 0; k + limbs + 1 < outputs.size(); ++k) {
-      result += at(outputs[k].size);
+      result += to_index(outputs[k].size);
     }
     return result;
   }
@@ -97,8 +98,8 @@ class Pruner {
 int Pruner::limb_class_of(int array) const {
   int first = first_limb_;
   int c = 0;
-  while (array >= first + code_.limbs[at(c)].size()) {
-    first += code_.limbs[at(c)].size();
+  while (array >= first + code_.limbs[to_index(c)].size()) {
+    first += code_.limbs[to_index(c)].size();
     ++c;
   }
   return c;
@@ -111,7 +112,7 @@ void Pruner::find_numbers() {
     needed_.emplace_back(values.size(), false);
   }
   for (const LimbPhase& phase : code_.phases) {
-    const auto c = at(phase.limb_class);
+    const auto c = to_index(phase.limb_class);
     for (std::size_t e = 0; e < number_[c].size(); ++e) {
       const Ref output = phase.function.outputs[e];
       const Graph& graph = phase.function.graph;
@@ -124,13 +125,13 @@ void Pruner::find_numbers() {
       }
     }
   }
-  const std::size_t limbs = code_.trunk.signature.inputs.size() - at(first_limb_);
+  const std::size_t limbs = code_.trunk.signature.inputs.size() - to_index(first_limb_);
   const auto& outputs = code_.trunk.signature.outputs;
-  needed_trunk_.assign(at(outputs[outputs.size() - limbs - 1].size), false);
+  needed_trunk_.assign(to_index(outputs[outputs.size() - limbs - 1].size), false);
 }
 
 std::vector<Ref> Pruner::needed_outputs(const LimbPhase& phase) const {
-  const auto c = at(phase.limb_class);
+  const auto c = to_index(phase.limb_class);
   std::vector<Ref> result;
   for (std::size_t e = 0; e < needed_[c].size(); ++e) {
     if (needed_[c][e] && code_.values[c][e].stage == phase.stage) {
@@ -144,8 +145,8 @@ void Pruner::need_of_trunk() {
   const auto own = static_cast<std::ptrdiff_t>(own_outputs());
   std::vector<Ref> outputs(code_.trunk.outputs.begin(), code_.trunk.outputs.begin() + own);
   for (int k = 0; k < trunk_values(); ++k) {
-    if (needed_trunk_[at(k)]) {
-      outputs.push_back(code_.trunk.outputs[at(k) + at(static_cast<int>(own))]);
+    if (needed_trunk_[to_index(k)]) {
+      outputs.push_back(code_.trunk.outputs[to_index(k) + to_index(static_cast<int>(own))]);
     }
   }
   for (const Ref k : reachable(code_.trunk.graph, outputs)) {
@@ -162,10 +163,10 @@ void Pruner::need_of(const LimbPhase& phase) {
     if (node.kind != Kind::kInput || node.a >= kFixedArrays) {
       continue;
     }
-    if (phase.function.signature.inputs[at(node.a)].name == kLimbValues) {
+    if (phase.function.signature.inputs[to_index(node.a)].name == kLimbValues) {
       need(phase.limb_class, node.b);
     } else {
-      needed_trunk_[at(node.b)] = true;
+      needed_trunk_[to_index(node.b)] = true;
     }
   }
 }
@@ -208,15 +209,15 @@ void Pruner::write_trunk() {
     if (node.a < first_limb_) {
       return to.input(node.a, node.b);
     }
-    const auto c = at(limb_class_of(node.a));
-    const std::optional<Real>& number = number_[c][at(node.b)];
-    return number ? to.constant(*number) : to.input(node.a, numbers(needed_[c])[at(node.b)]);
+    const auto c = to_index(limb_class_of(node.a));
+    const std::optional<Real>& number = number_[c][to_index(node.b)];
+    return number ? to.constant(*number) : to.input(node.a, numbers(needed_[c])[to_index(node.b)]);
   });
   auto& signature = code_.trunk.signature;
   for (std::size_t k = 0; k < given.size(); ++k) {
     const int c = limb_class_of(first_limb_ + static_cast<int>(k));
-    signature.inputs[at(first_limb_) + k].size =
-        static_cast<int>(std::ranges::count(needed_[at(c)], true));
+    signature.inputs[to_index(first_limb_) + k].size =
+        static_cast<int>(std::ranges::count(needed_[to_index(c)], true));
     signature.outputs[signature.outputs.size() - given.size() + k].size = given[k];
   }
   signature.outputs[signature.outputs.size() - given.size() - 1].size =
@@ -228,7 +229,7 @@ void Pruner::write_phases() {
                 [&](const LimbPhase& phase) { return needed_outputs(phase).empty(); });
   const std::vector<int> trunk = numbers(needed_trunk_);
   for (LimbPhase& phase : code_.phases) {
-    const auto c = at(phase.limb_class);
+    const auto c = to_index(phase.limb_class);
     const std::vector<int> limb = numbers(needed_[c]);
     const int size = static_cast<int>(std::ranges::count(needed_[c], true));
     std::vector<Ref> outputs;
@@ -245,12 +246,12 @@ void Pruner::write_phases() {
         return to.input(node.a, node.b);
       }
       if (node.a != array) {
-        return to.input(node.a, trunk[at(node.b)]);
+        return to.input(node.a, trunk[to_index(node.b)]);
       }
-      const std::optional<Real>& number = number_[c][at(node.b)];
-      return number ? to.constant(*number) : to.input(node.a, limb[at(node.b)]);
+      const std::optional<Real>& number = number_[c][to_index(node.b)];
+      return number ? to.constant(*number) : to.input(node.a, limb[to_index(node.b)]);
     });
-    phase.function.signature.inputs[at(array)].size = size;
+    phase.function.signature.inputs[to_index(array)].size = size;
     phase.function.signature.outputs.front().size = size;
     for (Array& input : phase.function.signature.inputs) {
       if (input.name == kTrunkValues) {

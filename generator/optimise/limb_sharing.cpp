@@ -8,15 +8,13 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "optimise/limb_partition.hpp"
 #include "optimise/limb_prune.hpp"
 
 namespace treedyn::optimise {
 
 namespace {
-
-std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 constexpr int kTrunkArray = 0;
 constexpr int kRowArray = 1;
@@ -54,14 +52,14 @@ class Writer {
   Ref phase_leaf(int c, Ref k, Graph& to) const;
   Ref trunk_leaf(Ref k, Graph& to) const;
   [[nodiscard]] int element_of(int c, Ref exported) const {
-    const auto& list = exports_[at(c)];
+    const auto& list = exports_[to_index(c)];
     const auto found = std::ranges::find(list, exported);
     TREEDYN_EXPECT(found != list.end());
     const auto place = static_cast<int>(found - list.begin());
-    return static_cast<int>(joint_values_[at(c)].size()) + place;
+    return static_cast<int>(joint_values_[to_index(c)].size()) + place;
   }
   [[nodiscard]] int values_of(int c) const {
-    return static_cast<int>(joint_values_[at(c)].size() + exports_[at(c)].size());
+    return static_cast<int>(joint_values_[to_index(c)].size() + exports_[to_index(c)].size());
   }
 
   const Function& function_;
@@ -80,7 +78,7 @@ void Writer::note_operand(Ref user, Ref operand) {
   const Node& node = from_.node(operand);
   if (of_user.is_trunk()) {
     if (partition_.is_limb_operation(operand)) {
-      exports_[at(own.limb_class)].push_back(partition_.counterpart(operand));
+      exports_[to_index(own.limb_class)].push_back(partition_.counterpart(operand));
     }
   } else if (of_user.limb == 0 && own.is_trunk()) {
     if (node.kind != Kind::kConstant) {
@@ -88,10 +86,10 @@ void Writer::note_operand(Ref user, Ref operand) {
     }
   } else if (of_user.limb == 0 && node.kind == Kind::kInput) {
     if (node.a < kFixedArrays) {
-      joint_values_[at(own.limb_class)].emplace_back(node.a - kLimbInputs, own.position);
+      joint_values_[to_index(own.limb_class)].emplace_back(node.a - kLimbInputs, own.position);
     }
   } else if (of_user.limb == 0 && own.stage < of_user.stage) {
-    exports_[at(own.limb_class)].push_back(std::abs(operand));
+    exports_[to_index(own.limb_class)].push_back(std::abs(operand));
   }
 }
 
@@ -107,7 +105,8 @@ void Writer::list_interfaces() {
   }
   for (const Ref output : function_.outputs) {
     if (partition_.is_limb_operation(output)) {
-      exports_[at(partition_.place(output).limb_class)].push_back(partition_.counterpart(output));
+      exports_[to_index(partition_.place(output).limb_class)].push_back(
+          partition_.counterpart(output));
     }
   }
   sort_unique(trunk_values_);
@@ -142,7 +141,7 @@ Ref Writer::phase_leaf(int c, Ref k, Graph& to) const {
   if (node.a >= kFixedArrays) {
     return to.input(node.a, node.b);
   }
-  const auto& joints = joint_values_[at(c)];
+  const auto& joints = joint_values_[to_index(c)];
   const JointValue value(node.a - kLimbInputs, place.position);
   return to.input(kLimbArray,
                   static_cast<int>(std::ranges::lower_bound(joints, value) - joints.begin()));
@@ -164,11 +163,11 @@ void Writer::add_phase(int c, int stage) {
     }
     for_each_operand(from_.node(k), [&](Ref operand) {
       if (!is_inside(operand)) {
-        copies[index(operand)] = phase_leaf(c, std::abs(operand), to);
+        copies[program::node_index(operand)] = phase_leaf(c, std::abs(operand), to);
       }
     });
     const Ref copy = copy_node(from_, k, copies, to);
-    copies[index(k)] = copy;
+    copies[program::node_index(k)] = copy;
     to.set_hint(copy, from_.hint(k));
     to.set_hint(-copy, from_.hint(-k));
     computes = true;
@@ -177,10 +176,11 @@ void Writer::add_phase(int c, int stage) {
     return;
   }
   for (int e = 0; e < values_of(c); ++e) {
-    const bool now = result_.values[at(c)][at(e)].stage == stage;
-    const std::size_t joints = joint_values_[at(c)].size();
-    phase.function.outputs.push_back(now ? copies[index(exports_[at(c)][at(e) - joints])]
-                                         : to.input(kLimbArray, e));
+    const bool now = result_.values[to_index(c)][to_index(e)].stage == stage;
+    const std::size_t joints = joint_values_[to_index(c)].size();
+    phase.function.outputs.push_back(
+        now ? copies[program::node_index(exports_[to_index(c)][to_index(e) - joints])]
+            : to.input(kLimbArray, e));
   }
   const int size = values_of(c);
   phase.function.signature.inputs = {{kTrunkValues, static_cast<int>(trunk_values_.size()), ""},
@@ -207,12 +207,12 @@ Ref Writer::trunk_leaf(Ref k, Graph& to) const {
   if (place.is_trunk()) {
     return to.input(node.a, node.b);
   }
-  const LimbClass& own = result_.limbs[at(place.limb_class)];
+  const LimbClass& own = result_.limbs[to_index(place.limb_class)];
   if (node.a >= kFixedArrays) {
-    return to.constant(own.columns[at(place.position)][at(place.limb)]);
+    return to.constant(own.columns[to_index(place.position)][to_index(place.limb)]);
   }
   const Ref input = to.input(node.a - kLimbInputs, node.b);
-  return own.joints[at(place.limb)][at(place.position)].sign < 0 ? -input : input;
+  return own.joints[to_index(place.limb)][to_index(place.position)].sign < 0 ? -input : input;
 }
 
 void Writer::write_trunk() {
@@ -221,7 +221,7 @@ void Writer::write_trunk() {
   std::vector<Ref> copies(from_.size(), 0);
   const auto of = [&](Ref a) {
     const bool copied = a == 0 || (partition_.is_operation(a) && partition_.place(a).is_trunk());
-    Ref& copy = copies[index(a)];
+    Ref& copy = copies[program::node_index(a)];
     copy = copied ? copy : trunk_leaf(std::abs(a), to);
     return a < 0 ? -copy : copy;
   };
@@ -229,7 +229,7 @@ void Writer::write_trunk() {
     if (partition_.place(k).is_trunk() && partition_.is_operation(k)) {
       for_each_operand(from_.node(k), of);
       const Ref copy = copy_node(from_, k, copies, to);
-      copies[index(k)] = copy;
+      copies[program::node_index(k)] = copy;
       to.set_hint(copy, from_.hint(k));
       to.set_hint(-copy, from_.hint(-k));
     }
@@ -239,12 +239,12 @@ void Writer::write_trunk() {
   trunk.signature = function_.signature;
   trunk.signature.outputs.push_back({kTrunkValues, static_cast<int>(trunk_values_.size()), ""});
   for (int c = 0; c < static_cast<int>(result_.limbs.size()); ++c) {
-    for (const auto& joints : result_.limbs[at(c)].joints) {
-      for (const auto& [argument, position] : joint_values_[at(c)]) {
-        const LimbJoint& joint = joints[at(position)];
+    for (const auto& joints : result_.limbs[to_index(c)].joints) {
+      for (const auto& [argument, position] : joint_values_[to_index(c)]) {
+        const LimbJoint& joint = joints[to_index(position)];
         trunk.outputs.push_back(joint.sign * to.input(argument, joint.coordinate));
       }
-      const int given = static_cast<int>(joint_values_[at(c)].size());
+      const int given = static_cast<int>(joint_values_[to_index(c)].size());
       trunk.signature.inputs.push_back({kLimbValues, values_of(c), ""});
       trunk.signature.outputs.push_back({kLimbValues, given, ""});
     }
@@ -256,19 +256,20 @@ std::vector<int> output_levels(const LimbCode& code, const Function& trunk) {
   std::vector<int> level(trunk.graph.size(), 0);
   for (const Ref k : reachable(trunk.graph, trunk.outputs)) {
     const Node& node = trunk.graph.node(k);
-    int& own = level[index(k)];
+    int& own = level[program::node_index(k)];
     own = node.kind == Kind::kInput ? code.level(node.a, node.b) : 0;
-    for_each_operand(node, [&](Ref operand) { own = std::max(own, level[index(operand)]); });
+    for_each_operand(
+        node, [&](Ref operand) { own = std::max(own, level[program::node_index(operand)]); });
   }
   std::vector<int> result;
   std::ranges::transform(trunk.outputs, std::back_inserter(result),
-                         [&](Ref output) { return level[index(output)]; });
+                         [&](Ref output) { return level[program::node_index(output)]; });
   return result;
 }
 
 /// Numbers the columns that the phases of a class use from 0 and makes them input kRowArray.
 void renumber_columns(LimbCode& code, int c) {
-  LimbClass& limb_class = code.limbs[at(c)];
+  LimbClass& limb_class = code.limbs[to_index(c)];
   std::set<int> used;
   for (const LimbPhase& phase : code.phases) {
     for (const Ref k : reachable(phase.function.graph, phase.function.outputs)) {
@@ -290,12 +291,12 @@ void renumber_columns(LimbCode& code, int c) {
       const Node& node = from.node(k);
       if (node.kind == Kind::kInput && node.a >= kFixedArrays) {
         const auto place = used.find(node.b / limb_class.size());
-        copies[index(k)] =
+        copies[program::node_index(k)] =
             renumbered.graph.input(kRowArray, static_cast<int>(std::distance(used.begin(), place)));
       } else {
-        copies[index(k)] = copy_node(from, k, copies, renumbered.graph);
-        renumbered.graph.set_hint(copies[index(k)], from.hint(k));
-        renumbered.graph.set_hint(-copies[index(k)], from.hint(-k));
+        copies[program::node_index(k)] = copy_node(from, k, copies, renumbered.graph);
+        renumbered.graph.set_hint(copies[program::node_index(k)], from.hint(k));
+        renumbered.graph.set_hint(-copies[program::node_index(k)], from.hint(-k));
       }
     }
     for (const Ref output : phase.function.outputs) {
@@ -305,7 +306,7 @@ void renumber_columns(LimbCode& code, int c) {
   }
   std::vector<std::vector<Real>> columns;
   for (const int k : used) {
-    columns.push_back(limb_class.columns[at(k)]);
+    columns.push_back(limb_class.columns[to_index(k)]);
   }
   limb_class.columns = std::move(columns);
 }

@@ -10,8 +10,6 @@ namespace treedyn::optimise {
 
 namespace {
 
-std::size_t at(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-
 bool merges_into(Kind operand, Kind user) {
   return operand == user && (user == Kind::kAdd || user == Kind::kMultiply);
 }
@@ -65,8 +63,8 @@ void visit(const Network& network, int root, std::vector<bool>& done, std::vecto
   };
   const int position = network.item(root).position;
   std::vector<Frame> stack;
-  if (!done[at(root)]) {
-    done[at(root)] = true;
+  if (!done[program::node_index(root)]) {
+    done[program::node_index(root)] = true;
     stack.push_back({root, 0});
   }
   while (!stack.empty()) {
@@ -78,8 +76,8 @@ void visit(const Network& network, int root, std::vector<bool>& done, std::vecto
       continue;
     }
     const int operand = std::abs(operands[frame.next++]);
-    if (!done[at(operand)]) {
-      done[at(operand)] = true;
+    if (!done[program::node_index(operand)]) {
+      done[program::node_index(operand)] = true;
       stack.push_back({operand, 0});
     }
   }
@@ -90,8 +88,8 @@ std::vector<int> needed_items(const Network& network) {
   std::vector<bool> needed(static_cast<std::size_t>(network.size()), false);
   std::vector<int> open;
   const auto need = [&](Ref a) {
-    if (a != 0 && !needed[at(a)]) {
-      needed[at(a)] = true;
+    if (a != 0 && !needed[program::node_index(a)]) {
+      needed[program::node_index(a)] = true;
       open.push_back(std::abs(a));
     }
   };
@@ -103,7 +101,7 @@ std::vector<int> needed_items(const Network& network) {
   }
   std::vector<int> items;
   for (int k = 1; k < network.size(); ++k) {
-    if (needed[at(k)]) {
+    if (needed[program::node_index(k)]) {
       items.push_back(k);
     }
   }
@@ -155,7 +153,7 @@ std::vector<Ref> mapped(const std::vector<Ref>& image, std::span<const Ref> refs
   std::vector<Ref> result;
   result.reserve(refs.size());
   for (const Ref a : refs) {
-    result.push_back(with_sign(image[at(a)], a));
+    result.push_back(with_sign(image[program::node_index(a)], a));
   }
   return result;
 }
@@ -169,12 +167,13 @@ Network without_duplicates(const Network& network) {
   for (const Step& step : order) {
     operands.clear();
     for (const Ref operand : network.operands(step.item)) {
-      if (const Ref a = with_sign(image[at(operand)], operand);
+      if (const Ref a = with_sign(image[program::node_index(operand)], operand);
           a != 0 || network.item(step.item).kind != Kind::kAdd) {
         operands.push_back(a);
       }
     }
-    image[at(step.item)] = rebuild(builder, network.item(step.item), operands, step.position);
+    image[program::node_index(step.item)] =
+        rebuild(builder, network.item(step.item), operands, step.position);
   }
   return builder.finish(mapped(image, network.outputs()));
 }
@@ -185,9 +184,10 @@ std::vector<bool> parts(const Network& network) {
   std::vector<bool> part(static_cast<std::size_t>(network.size()), false);
   for (int k = 1; k < network.size(); ++k) {
     for (const Ref operand : network.operands(k)) {
-      part[at(operand)] =
-          part[at(operand)] || (count[at(k)] > 0 && count[at(operand)] == 1 &&
-                                merges_into(network.item(operand).kind, network.item(k).kind));
+      part[program::node_index(operand)] =
+          part[program::node_index(operand)] ||
+          (count[program::node_index(k)] > 0 && count[program::node_index(operand)] == 1 &&
+           merges_into(network.item(operand).kind, network.item(k).kind));
     }
   }
   return part;
@@ -197,10 +197,10 @@ std::vector<bool> parts(const Network& network) {
 void append_flat(const Network& network, const std::vector<bool>& part,
                  const std::vector<Ref>& image, Ref k, std::vector<Ref>& operands) {
   for (const Ref operand : network.operands(k)) {
-    if (part[at(operand)]) {
+    if (part[program::node_index(operand)]) {
       append_flat(network, part, image, with_sign(operand, k), operands);
     } else {
-      operands.push_back(with_sign(with_sign(image[at(operand)], operand), k));
+      operands.push_back(with_sign(with_sign(image[program::node_index(operand)], operand), k));
     }
   }
 }
@@ -215,13 +215,14 @@ Network flat(Network network) {
   std::vector<Ref> image(static_cast<std::size_t>(network.size()), 0);
   std::vector<Ref> operands;
   for (int k = 1; k < network.size(); ++k) {
-    if (!part[at(k)]) {
+    if (!part[program::node_index(k)]) {
       operands.clear();
       append_flat(network, part, image, k, operands);
       if (network.item(k).kind == Kind::kAdd) {
         std::erase(operands, 0);
       }
-      image[at(k)] = rebuild(builder, network.item(k), operands, network.item(k).position);
+      image[program::node_index(k)] =
+          rebuild(builder, network.item(k), operands, network.item(k).position);
     }
   }
   return builder.finish(mapped(image, network.outputs()));
@@ -230,7 +231,7 @@ Network flat(Network network) {
 bool has_unneeded_operations(const Network& network) {
   const std::vector<int> count = uses(network);
   for (int k = 1; k < network.size(); ++k) {
-    if (count[at(k)] == 0 && !network.operands(k).empty()) {
+    if (count[program::node_index(k)] == 0 && !network.operands(k).empty()) {
       return true;
     }
   }
@@ -254,13 +255,14 @@ Network network_of(const Graph& graph, std::span<const Ref> outputs) {
   for (const Ref k : reachable(graph, outputs)) {
     const Node& node = graph.node(k);
     if (node.kind == Kind::kConstant) {
-      image[at(k)] = builder.constant(graph.value(k));
+      image[program::node_index(k)] = builder.constant(graph.value(k));
       continue;
     }
     operands.clear();
-    for_each_operand(node, [&](Ref a) { operands.push_back(with_sign(image[at(a)], a)); });
+    for_each_operand(
+        node, [&](Ref a) { operands.push_back(with_sign(image[program::node_index(a)], a)); });
     const Item leaf{node.kind, node.a, node.b, k};
-    image[at(k)] = rebuild(builder, leaf, operands, k);
+    image[program::node_index(k)] = rebuild(builder, leaf, operands, k);
   }
   return normalise(builder.finish(mapped(image, outputs)));
 }
@@ -268,13 +270,13 @@ Network network_of(const Graph& graph, std::span<const Ref> outputs) {
 std::vector<int> uses(const Network& network) {
   std::vector<int> count(static_cast<std::size_t>(network.size()), 0);
   for (const Ref output : network.outputs()) {
-    ++count[at(output)];
+    ++count[program::node_index(output)];
   }
   count[0] = 0;
   for (int k = network.size() - 1; k > 0; --k) {
-    if (count[at(k)] > 0) {
+    if (count[program::node_index(k)] > 0) {
       for (const Ref operand : network.operands(k)) {
-        ++count[at(operand)];
+        ++count[program::node_index(operand)];
       }
     }
   }
@@ -286,7 +288,7 @@ int operations(const Network& network) {
   int total = 0;
   for (int k = 1; k < network.size(); ++k) {
     const Kind kind = network.item(k).kind;
-    if (count[at(k)] > 0 &&
+    if (count[program::node_index(k)] > 0 &&
         (kind == Kind::kAdd || kind == Kind::kMultiply || kind == Kind::kDivide)) {
       total += network.item(k).size - 1;
     }

@@ -22,23 +22,21 @@ constexpr double kMostCancellation = 16;
 /// The bound of rounding errors of a value may grow by this factor.
 constexpr double kMostAmplification = 16;
 
-std::size_t at(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-
 /// The items that outputs need, operands first; operands may come after users in the network.
 std::vector<int> order_of_evaluation(const Network& network) {
   std::vector<bool> seen(static_cast<std::size_t>(network.size()), false);
   std::vector<int> order;
   std::vector<int> stack;
   const auto open = [&](Ref a) {
-    if (a != 0 && !seen[at(a)]) {
+    if (a != 0 && !seen[program::node_index(a)]) {
       stack.push_back(std::abs(a));
     }
   };
   std::ranges::for_each(network.outputs(), open);
   while (!stack.empty()) {
     const int k = stack.back();
-    if (!seen[at(k)]) {
-      seen[at(k)] = true;
+    if (!seen[program::node_index(k)]) {
+      seen[program::node_index(k)] = true;
       stack.push_back(-k);  // its operands first
       std::ranges::for_each(network.operands(k), open);
       continue;
@@ -66,7 +64,7 @@ class Resubstitution {
   Sample sample(Ref a) const { return samples_.sample(a); }
   /// True if `item` instead of k does not amplify rounding.
   bool is_accurate(int item, int k) const {
-    return within(samples_.errors(item), reference_[at(k)], kMostAmplification);
+    return within(samples_.errors(item), reference_[program::node_index(k)], kMostAmplification);
   }
   /// An item that pays and is free of cycles as an operand of a new form of `k`.
   Ref find_operand(double first, double second, int k);
@@ -103,7 +101,7 @@ void Resubstitution::refresh() {
   samples_.update_errors(order_);
   uses_.assign(static_cast<std::size_t>(network_.size()), 0);
   const auto use = [this](Ref a) {
-    ++uses_[at(a)];
+    ++uses_[program::node_index(a)];
   };
   std::ranges::for_each(network_.outputs(), use);
   for (const int k : order_) {
@@ -118,21 +116,23 @@ void Resubstitution::mark_dependents(int k) {
   }
   marked_ = k;
   dependent_.assign(static_cast<std::size_t>(network_.size()), false);
-  dependent_[at(k)] = true;
+  dependent_[program::node_index(k)] = true;
   for (const int item : order_) {
-    if (std::ranges::any_of(network_.operands(item),
-                            [this](Ref operand) { return dependent_[at(operand)]; })) {
-      dependent_[at(item)] = true;
+    if (std::ranges::any_of(network_.operands(item), [this](Ref operand) {
+          return dependent_[program::node_index(operand)];
+        })) {
+      dependent_[program::node_index(item)] = true;
     }
   }
 }
 
 bool Resubstitution::may_use(int k, int item) {
-  if (exclusive_[at(item)] || (uses_[at(item)] == 0 && !network_.operands(item).empty())) {
+  if (exclusive_[program::node_index(item)] ||
+      (uses_[program::node_index(item)] == 0 && !network_.operands(item).empty())) {
     return false;
   }
   mark_dependents(k);
-  return !dependent_[at(item)];
+  return !dependent_[program::node_index(item)];
 }
 
 Ref Resubstitution::find_operand(double first, double second, int k) {
@@ -144,7 +144,7 @@ int Resubstitution::exclusive_operations(int k) {
   exclusive_.assign(static_cast<std::size_t>(network_.size()), false);
   std::vector<int> left = uses_;
   std::vector<int> open{k};
-  exclusive_[at(k)] = true;
+  exclusive_[program::node_index(k)] = true;
   int total = 0;
   while (!open.empty()) {
     const int item = open.back();
@@ -153,8 +153,9 @@ int Resubstitution::exclusive_operations(int k) {
     const bool counts = kind == Kind::kAdd || kind == Kind::kMultiply || kind == Kind::kDivide;
     total += counts ? network_.item(item).size - 1 : 0;
     for (const Ref operand : network_.operands(item)) {
-      if (operand != 0 && --left[at(operand)] == 0 && !network_.operands(operand).empty()) {
-        exclusive_[at(operand)] = true;
+      if (operand != 0 && --left[program::node_index(operand)] == 0 &&
+          !network_.operands(operand).empty()) {
+        exclusive_[program::node_index(operand)] = true;
         open.push_back(std::abs(operand));
       }
     }
@@ -207,7 +208,7 @@ std::optional<Ref> Resubstitution::sum_for(int k, int x, int sign) {
     return std::nullopt;
   }
   const Ref y = find_operand(a[0] - sign * b[0], a[1] - sign * b[1], k);
-  if (y == 0 || at(y) == at(x) || !may_use(k, x) ||
+  if (y == 0 || program::node_index(y) == program::node_index(x) || !may_use(k, x) ||
       !identical(sample(y) + sample(sign * x), sample(k))) {
     return std::nullopt;
   }
@@ -305,7 +306,7 @@ bool Resubstitution::shorten(int k) {
 bool Resubstitution::replace_by_pair(int k) {
   const int known = samples_.known();
   for (int x = 1; x <= known; ++x) {
-    if (x == k || exclusive_[at(x)] || samples_.is_zero(x)) {
+    if (x == k || exclusive_[program::node_index(x)] || samples_.is_zero(x)) {
       continue;  // a zero has no multiples: its sample is rounding
     }
     if (const auto value = pair_for(k, x)) {
@@ -327,12 +328,12 @@ int Resubstitution::run() {
   }
   refresh();
   for (int k = 1; k <= known; ++k) {
-    while (uses_[at(k)] > 0 && shorten(k)) {
+    while (uses_[program::node_index(k)] > 0 && shorten(k)) {
       ++replaced;
     }
   }
   for (int k = 1; k <= known; ++k) {
-    if (uses_[at(k)] > 0 && exclusive_operations(k) > 1 && replace_by_pair(k)) {
+    if (uses_[program::node_index(k)] > 0 && exclusive_operations(k) > 1 && replace_by_pair(k)) {
       ++replaced;
     }
   }

@@ -5,14 +5,14 @@ namespace treedyn::optimise {
 namespace {
 
 /// Of every output, by all passes together.
-constexpr double kMostAmplification = 2;
+constexpr double kMostOverReference = 2;
 
 /// Values in double: where they cancel, their error bounds count and not what is left.
 std::vector<Rounded<double>> rounded_items(const Network& network, int point) {
   using Number = Rounded<double>;
   std::vector<Number> items(static_cast<std::size_t>(network.size()));
   const auto of = [&](Ref a) {
-    const Number& item = items[static_cast<std::size_t>(std::abs(a))];
+    const Number& item = items[program::node_index(a)];
     return a < 0 ? -item : item;
   };
   const auto elementary = [](Kind kind, const Number& a) {
@@ -38,7 +38,7 @@ std::vector<ErrorBounds> output_errors(const Network& network) {
   const std::array points = {rounded_items(network, 1), rounded_items(network, 2)};
   std::vector<ErrorBounds> bounds;
   for (const Ref output : network.outputs()) {
-    const auto k = static_cast<std::size_t>(std::abs(output));
+    const auto k = program::node_index(output);
     bounds.push_back({points[0][k].error, points[1][k].error});
   }
   return bounds;
@@ -47,7 +47,7 @@ std::vector<ErrorBounds> output_errors(const Network& network) {
 bool RoundingGuard::accepts(const Network& network) const {
   const std::vector<ErrorBounds> bounds = output_errors(network);
   for (std::size_t k = 0; k < bounds.size(); ++k) {
-    if (!within(bounds[k], reference_[k], kMostAmplification)) {
+    if (!within(bounds[k], reference_[k], kMostOverReference)) {
       return false;
     }
   }

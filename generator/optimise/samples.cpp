@@ -34,7 +34,7 @@ Sample SampleTable::evaluate(int k) const {
 double SampleTable::error_at(std::size_t point, int k) const {
   using Number = Rounded<double>;
   const auto value = [&](Ref a) {
-    const double x = fast_[static_cast<std::size_t>(std::abs(a))][point];
+    const double x = fast_[program::node_index(a)][point];
     return a < 0 ? -x : x;
   };
   if (network_.operands(k).empty()) {

@@ -46,7 +46,7 @@ class SampleTable {
   /// Takes in item `k`, which was appended to the network; `find` does not find it.
   void append(int k);
   [[nodiscard]] Sample sample(Ref a) const {
-    const Sample& found = samples_[static_cast<std::size_t>(std::abs(a))];
+    const Sample& found = samples_[program::node_index(a)];
     return a < 0 ? -found : found;
   }
   /// The sample of an item, in double.
@@ -54,14 +54,12 @@ class SampleTable {
     return fast_[static_cast<std::size_t>(k)];
   }
   /// What rounding in double leaves in the item, as it is computed now.
-  [[nodiscard]] const ErrorBounds& errors(Ref a) const {
-    return errors_[static_cast<std::size_t>(std::abs(a))];
-  }
+  [[nodiscard]] const ErrorBounds& errors(Ref a) const { return errors_[program::node_index(a)]; }
   /// After operands have changed. \param order  all items in use, operands before their users
   void update_errors(std::span<const int> order);
   /// True if the value is zero but for rounding at 50 digits: somewhere in it sums cancel
   /// completely.
-  [[nodiscard]] bool is_zero(Ref a) const { return zero_[static_cast<std::size_t>(std::abs(a))]; }
+  [[nodiscard]] bool is_zero(Ref a) const { return zero_[program::node_index(a)]; }
   /// The number of items that `find` can find: 1 to this.
   [[nodiscard]] int known() const { return static_cast<int>(table_.size()); }
   /// The first item with the given values or their negatives that passes `accept(item)`, or 0.

@@ -77,7 +77,7 @@ void Sharing::count_operands() {
   for (int k = 1; k < network_.size(); ++k) {
     if (network_.item(k).kind == kind_) {
       for (const Ref operand : network_.operands(k)) {
-        ++count_[static_cast<std::size_t>(std::abs(operand))];
+        ++count_[program::node_index(operand)];
       }
     }
   }
@@ -92,7 +92,7 @@ void Sharing::collect() {
     }
     candidates.clear();
     for (const Ref operand : network_.operands(k)) {
-      if (count_[static_cast<std::size_t>(std::abs(operand))] > 1) {
+      if (count_[program::node_index(operand)] > 1) {
         candidates.push_back(operand);
       }
     }

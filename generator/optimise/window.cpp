@@ -7,8 +7,6 @@ namespace treedyn::optimise {
 
 namespace {
 
-std::size_t at(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-
 Ref with_sign(Ref value, Ref sign) { return sign < 0 ? -value : value; }
 
 bool is_operation(const Network& network, int k) {
@@ -27,7 +25,7 @@ Users users_of(const Network& network) {
   result.first.assign(static_cast<std::size_t>(network.size()) + 1, 0);
   for (int k = 1; k < network.size(); ++k) {
     for (const Ref operand : network.operands(k)) {
-      ++result.first[at(operand) + 1];
+      ++result.first[program::node_index(operand) + 1];
     }
   }
   for (std::size_t k = 1; k < result.first.size(); ++k) {
@@ -37,7 +35,7 @@ Users users_of(const Network& network) {
   std::vector<int> next = result.first;
   for (int k = 1; k < network.size(); ++k) {
     for (const Ref operand : network.operands(k)) {
-      result.users[static_cast<std::size_t>(next[at(operand)]++)] = k;
+      result.users[static_cast<std::size_t>(next[program::node_index(operand)]++)] = k;
     }
   }
   return result;
@@ -50,8 +48,8 @@ std::vector<int> random_neighbourhood(const Network& network, Random& random, in
   std::vector<bool> seen(static_cast<std::size_t>(network.size()), false);
   std::vector<int> found;
   const auto visit = [&](int k) {
-    if (!seen[at(k)] && is_operation(network, k)) {
-      seen[at(k)] = true;
+    if (!seen[program::node_index(k)] && is_operation(network, k)) {
+      seen[program::node_index(k)] = true;
       found.push_back(k);
     }
   };
@@ -65,7 +63,8 @@ std::vector<int> random_neighbourhood(const Network& network, Random& random, in
     for (const Ref operand : network.operands(found[i])) {
       visit(std::abs(operand));
     }
-    for (int u = users.first[at(found[i])]; u < users.first[at(found[i]) + 1]; ++u) {
+    for (int u = users.first[program::node_index(found[i])];
+         u < users.first[program::node_index(found[i]) + 1]; ++u) {
       visit(users.users[static_cast<std::size_t>(u)]);
     }
   }
@@ -81,7 +80,7 @@ Window cut_window(const Network& network, std::span<const int> items) {
   for (const int k : items) {
     operands.clear();
     for (const Ref operand : network.operands(k)) {
-      int& known = image[at(operand)];
+      int& known = image[program::node_index(operand)];
       if (known == 0) {
         const Item& item = network.item(operand);
         known = window.network.append_leaf(
@@ -90,15 +89,16 @@ Window cut_window(const Network& network, std::span<const int> items) {
                 : Item{Kind::kInput, -1, std::abs(operand), item.position});
       }
       operands.push_back(with_sign(known, operand));
-      ++inner_uses[at(operand)];
+      ++inner_uses[program::node_index(operand)];
     }
-    image[at(k)] = window.network.append(network.item(k).kind, operands, network.item(k).position);
+    image[program::node_index(k)] =
+        window.network.append(network.item(k).kind, operands, network.item(k).position);
   }
   const std::vector<int> all_uses = uses(network);
   for (const int k : items) {
-    if (all_uses[at(k)] > inner_uses[at(k)]) {
+    if (all_uses[program::node_index(k)] > inner_uses[program::node_index(k)]) {
       window.results.push_back(k);
-      window.network.outputs().push_back(image[at(k)]);
+      window.network.outputs().push_back(image[program::node_index(k)]);
     }
   }
   window.network = normalise(window.network);
@@ -111,20 +111,20 @@ Network with_window(Network network, const Window& window) {
   for (int k = 1; k < window.network.size(); ++k) {
     const Item& item = window.network.item(k);
     if (item.kind == Kind::kInput) {
-      image[at(k)] = item.size;
+      image[program::node_index(k)] = item.size;
     } else if (item.kind == Kind::kConstant) {
-      image[at(k)] = network.append_leaf(item);
+      image[program::node_index(k)] = network.append_leaf(item);
     } else {
       operands.clear();
       for (const Ref operand : window.network.operands(k)) {
-        operands.push_back(with_sign(image[at(operand)], operand));
+        operands.push_back(with_sign(image[program::node_index(operand)], operand));
       }
-      image[at(k)] = network.append(item.kind, operands, item.position);
+      image[program::node_index(k)] = network.append(item.kind, operands, item.position);
     }
   }
   for (std::size_t i = 0; i < window.results.size(); ++i) {
     const Ref output = window.network.outputs()[i];
-    const Ref value = with_sign(image[at(output)], output);
+    const Ref value = with_sign(image[program::node_index(output)], output);
     network.set_kind(window.results[i], Kind::kAdd);  // a sum of one term is that term
     network.set_operands(window.results[i], std::span(&value, 1));
   }

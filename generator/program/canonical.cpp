@@ -26,7 +26,7 @@ class Structure {
     }
   }
 
-  [[nodiscard]] int height(Ref a) const { return heights_[static_cast<std::size_t>(std::abs(a))]; }
+  [[nodiscard]] int height(Ref a) const { return heights_[node_index(a)]; }
   /// True if node `a` comes before node `b`: long chains of operations first, cosines before sines,
   /// inputs by their index.
   [[nodiscard]] bool before(Ref a, Ref b) const { return rank(a) < rank(b); }
@@ -40,7 +40,7 @@ class Structure {
             std::min(positive, negative(positive))};
   }
   [[nodiscard]] Key key(Ref a) const {
-    const Key positive = keys_[static_cast<std::size_t>(std::abs(a))];
+    const Key positive = keys_[node_index(a)];
     return a < 0 ? negative(positive) : positive;
   }
   [[nodiscard]] Key make_key(Ref k) const {

@@ -13,15 +13,14 @@ namespace {
 int fused(const Graph& graph, const std::vector<Ref>& nodes, std::span<const Ref> outputs) {
   std::vector<int> uses(graph.size(), 0);
   const auto use = [&uses](Ref a) {
-    ++uses[static_cast<std::size_t>(std::abs(a))];
+    ++uses[node_index(a)];
   };
   std::for_each(outputs.begin(), outputs.end(), use);
   for (const Ref k : nodes) {
     for_each_operand(graph.node(k), use);
   }
   const auto takes_in = [&](Ref a) {
-    return graph.node(a).kind == Kind::kMultiply &&
-           uses[static_cast<std::size_t>(std::abs(a))] == 1;
+    return graph.node(a).kind == Kind::kMultiply && uses[node_index(a)] == 1;
   };
   return static_cast<int>(std::count_if(nodes.begin(), nodes.end(), [&](Ref k) {
     const Node& node = graph.node(k);

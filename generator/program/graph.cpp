@@ -204,15 +204,14 @@ void Graph::set_body(int body) {
 std::vector<Ref> reachable(const Graph& graph, std::span<const Ref> outputs) {
   std::vector<bool> needed(graph.size(), false);
   for (const Ref output : outputs) {
-    needed[static_cast<std::size_t>(std::abs(output))] = true;
+    needed[node_index(output)] = true;
   }
   std::vector<Ref> order;
   for (std::size_t k = graph.size() - 1; k > 0; --k) {
     if (needed[k]) {
       order.push_back(static_cast<Ref>(k));
-      for_each_operand(graph.node(static_cast<Ref>(k)), [&](Ref operand) {
-        needed[static_cast<std::size_t>(std::abs(operand))] = true;
-      });
+      for_each_operand(graph.node(static_cast<Ref>(k)),
+                       [&](Ref operand) { needed[node_index(operand)] = true; });
     }
   }
   std::reverse(order.begin(), order.end());

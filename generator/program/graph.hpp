@@ -14,6 +14,9 @@ namespace treedyn::program {
 /// value and costs nothing.
 using Ref = std::int32_t;
 
+/// The position of the node that `a` or its negative is.
+constexpr std::size_t node_index(Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
+
 /// Input arrays from this number on hold numbers that are known when code is generated, but are not
 /// the same in all limbs that share it (limbs.hpp).
 inline constexpr int kFixedArrays = 1 << 20;
@@ -60,10 +63,10 @@ class Graph {
 
   [[nodiscard]] bool is_constant(Ref a) const;
   /// True if no argument of the function is needed: a constant, or made of constants of limbs.
-  [[nodiscard]] bool is_fixed(Ref a) const { return a == 0 || fixed_[index(a)]; }
+  [[nodiscard]] bool is_fixed(Ref a) const { return a == 0 || fixed_[node_index(a)]; }
   /// \pre is_constant(a)
   [[nodiscard]] Real value(Ref a) const;
-  [[nodiscard]] const Node& node(Ref a) const { return nodes_[index(a)]; }
+  [[nodiscard]] const Node& node(Ref a) const { return nodes_[node_index(a)]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
   /// Names the value `a` unless it has a name already or is a constant or an input. Begins a
@@ -75,11 +78,12 @@ class Graph {
   void set_body(int body);
   /// The section in which a node was made: ascending numbers of the stretches of code between two
   /// calls of `name` or `set_body`.
-  [[nodiscard]] int section(Ref a) const { return sections_[index(a)]; }
+  [[nodiscard]] int section(Ref a) const { return sections_[node_index(a)]; }
 
  private:
-  static std::size_t index(Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
-  static std::size_t hint_index(Ref a) { return 2 * index(a) + static_cast<std::size_t>(a < 0); }
+  static std::size_t hint_index(Ref a) {
+    return 2 * node_index(a) + static_cast<std::size_t>(a < 0);
+  }
   Ref make(Kind kind, Ref a, Ref b);
   Ref add_constant(Ref sum, Ref constant);
   [[nodiscard]] bool is_one(Ref a) const;
@@ -150,5 +154,10 @@ class Expr {
   Graph* graph_ = nullptr;
   Ref ref_ = 0;
 };
+
+/// Element `element` of an argument of the function.
+inline Expr input(Graph& graph, int array, int element) {
+  return {graph, graph.input(array, element)};
+}
 
 }  // namespace treedyn::program

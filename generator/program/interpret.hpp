@@ -83,7 +83,7 @@ std::vector<Scalar> interpret(const Function& function,
   std::vector<Scalar> outputs;
   outputs.reserve(function.outputs.size());
   for (const Ref output : function.outputs) {
-    const Scalar& result = value[static_cast<std::size_t>(std::abs(output))];
+    const Scalar& result = value[node_index(output)];
     outputs.push_back(output < 0 ? Scalar(-result) : result);
   }
   return outputs;

@@ -1,12 +1,10 @@
 #include "program/limb_code.hpp"
 
+#include "common/index.hpp"
+
 namespace treedyn::program {
 
-namespace {
-
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
-
-}  // namespace
+namespace {}  // namespace
 
 int LimbCode::arguments() const {
   auto result = static_cast<int>(trunk.signature.inputs.size());
@@ -20,7 +18,7 @@ int LimbCode::level(int array, int element) const {
   int first = arguments();
   for (std::size_t c = 0; c < limbs.size(); ++c) {
     if (array >= first && array < first + limbs[c].size()) {
-      return values[c][at(element)].stage + 1;
+      return values[c][to_index(element)].stage + 1;
     }
     first += limbs[c].size();
   }
@@ -30,7 +28,7 @@ int LimbCode::level(int array, int element) const {
 Cost cost(const LimbCode& code) {
   Cost result = cost(code.trunk.graph, code.trunk.outputs);
   for (const LimbPhase& phase : code.phases) {
-    result = result + code.limbs[at(phase.limb_class)].size() *
+    result = result + code.limbs[to_index(phase.limb_class)].size() *
                           cost(phase.function.graph, phase.function.outputs);
   }
   return result;

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "common/index.hpp"
 #include "program/copy.hpp"
 #include "program/limb_code.hpp"
 
@@ -12,9 +13,6 @@ namespace {
 constexpr int kTrunkArray = 0;
 constexpr int kLimbArray = 2;
 
-std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
-
 /// Evaluates trunk and phases in a graph without limbs.
 class Flattener {
  public:
@@ -24,9 +22,9 @@ class Flattener {
         copies_(code.trunk.graph.size(), 0),
         done_(code.trunk.graph.size(), false) {
     arguments_ = code.arguments();
-    values_.resize(code.trunk.signature.inputs.size() - at(arguments_));
+    values_.resize(code.trunk.signature.inputs.size() - to_index(arguments_));
     for (std::size_t limb = 0; limb < values_.size(); ++limb) {
-      values_[limb].resize(at(code.trunk.signature.inputs[at(arguments_) + limb].size));
+      values_[limb].resize(to_index(code.trunk.signature.inputs[to_index(arguments_) + limb].size));
     }
     copy_trunk(0);
     for (const LimbPhase& phase : code.phases) {
@@ -44,24 +42,24 @@ class Flattener {
     const Graph& from = code_.trunk.graph;
     for (const Ref k : reachable(from, code_.trunk.outputs)) {
       const Node& node = from.node(k);
-      bool known = !done_[index(k)];
-      for_each_operand(node, [&](Ref operand) { known &= done_[index(operand)]; });
+      bool known = !done_[node_index(k)];
+      for_each_operand(node, [&](Ref operand) { known &= done_[node_index(operand)]; });
       const bool of_limb = node.kind == Kind::kInput && node.a >= arguments_;
       if (!known || (of_limb && code_.level(node.a, node.b) > stage)) {
         continue;
       }
-      done_[index(k)] = true;
-      copies_[index(k)] =
-          of_limb ? values_[at(node.a - arguments_)][at(node.b)] : copy_node(from, k, copies_, to_);
+      done_[node_index(k)] = true;
+      copies_[node_index(k)] = of_limb ? values_[to_index(node.a - arguments_)][to_index(node.b)]
+                                       : copy_node(from, k, copies_, to_);
     }
   }
 
   void run(const LimbPhase& phase) {
     int first = 0;
     for (int c = 0; c < phase.limb_class; ++c) {
-      first += code_.limbs[at(c)].size();
+      first += code_.limbs[to_index(c)].size();
     }
-    for (int limb = 0; limb < code_.limbs[at(phase.limb_class)].size(); ++limb) {
+    for (int limb = 0; limb < code_.limbs[to_index(phase.limb_class)].size(); ++limb) {
       run(phase, limb, first + limb);
     }
   }
@@ -70,7 +68,7 @@ class Flattener {
   [[nodiscard]] std::size_t first_output(int array) const {
     std::size_t place = 0;
     for (int k = 0; k < array; ++k) {
-      place += at(code_.trunk.signature.outputs[at(k)].size);
+      place += to_index(code_.trunk.signature.outputs[to_index(k)].size);
     }
     return place;
   }
@@ -78,26 +76,26 @@ class Flattener {
   void run(const LimbPhase& phase, int limb, int number) {
     const int trunk_array =
         static_cast<int>(code_.trunk.signature.outputs.size() - values_.size()) - 1;
-    std::vector<Ref>& values = values_[at(number)];
+    std::vector<Ref>& values = values_[to_index(number)];
     const std::size_t given = first_output(trunk_array + 1 + number);
     const std::size_t from_trunk = first_output(trunk_array);
-    const int joints = code_.trunk.signature.outputs[at(trunk_array + 1 + number)].size;
+    const int joints = code_.trunk.signature.outputs[to_index(trunk_array + 1 + number)].size;
     for (int k = 0; k < joints; ++k) {
-      values[at(k)] = output(given + at(k));
+      values[to_index(k)] = output(given + to_index(k));
     }
     const Graph& from = phase.function.graph;
     std::vector<Ref> copies(from.size(), 0);
     for (const Ref k : reachable(from, phase.function.outputs)) {
       const Node& node = from.node(k);
       if (node.kind != Kind::kInput) {
-        copies[index(k)] = copy_node(from, k, copies, to_);
+        copies[node_index(k)] = copy_node(from, k, copies, to_);
       } else if (node.a == kTrunkArray) {
-        copies[index(k)] = output(from_trunk + at(node.b));
+        copies[node_index(k)] = output(from_trunk + to_index(node.b));
       } else if (node.a == kLimbArray) {
-        copies[index(k)] = values[at(node.b)];
+        copies[node_index(k)] = values[to_index(node.b)];
       } else {
-        const LimbClass& limb_class = code_.limbs[at(phase.limb_class)];
-        copies[index(k)] = to_.constant(limb_class.columns[at(node.b)][at(limb)]);
+        const LimbClass& limb_class = code_.limbs[to_index(phase.limb_class)];
+        copies[node_index(k)] = to_.constant(limb_class.columns[to_index(node.b)][to_index(limb)]);
       }
     }
     for (std::size_t e = 0; e < values.size(); ++e) {
@@ -120,7 +118,7 @@ Function flat(std::shared_ptr<const LimbCode> code, const Signature& signature) 
   const Flattener flattener(*code, result.graph);
   std::size_t outputs = 0;
   for (const Array& array : signature.outputs) {
-    outputs += at(array.size);
+    outputs += to_index(array.size);
   }
   for (std::size_t k = 0; k < outputs; ++k) {
     result.outputs.push_back(flattener.output(k));

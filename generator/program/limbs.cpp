@@ -10,8 +10,6 @@ namespace treedyn::program {
 
 namespace {
 
-std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-
 bool same(const std::vector<Real>& a, const std::vector<Real>& b, int sign) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [sign](const Real& x, const Real& y) { return identical(x, Real(sign * y)); });
@@ -119,14 +117,14 @@ class Folder {
   /// The copy of a value; a number gets its leaf when it is needed.
   Ref of(Ref a) {
     if (from_.is_fixed(a)) {
-      copies_[index(a)] = leaf(numbers_[index(a)]);
+      copies_[node_index(a)] = leaf(numbers_[node_index(a)]);
     }
     return copy_of(copies_, a);
   }
 
  private:
   [[nodiscard]] Number number(Ref a) const {
-    return a < 0 ? negated(numbers_[index(a)]) : numbers_[index(a)];
+    return a < 0 ? negated(numbers_[node_index(a)]) : numbers_[node_index(a)];
   }
   Ref leaf(const Number& number) {
     return number.limb_class < 0
@@ -219,11 +217,11 @@ Ref Folder::copy(Ref k) {
 
 void Folder::visit(Ref k) {
   if (from_.is_fixed(k)) {
-    numbers_[index(k)] = fixed_number(k);
+    numbers_[node_index(k)] = fixed_number(k);
     return;
   }
   const Ref made = copy(k);
-  copies_[index(k)] = made;
+  copies_[node_index(k)] = made;
   if (!to_.is_fixed(made) && to_.node(made).kind != Kind::kInput) {
     to_.set_hint(made, from_.hint(k));
     to_.set_hint(-made, from_.hint(-k));

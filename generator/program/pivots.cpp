@@ -13,11 +13,9 @@ namespace treedyn::program {
 
 namespace {
 
-using Values = std::vector<Real>;  ///< by node
+using NodeValues = std::vector<Real>;  ///< by node
 
-std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-
-Values values_at(const Function& function, const std::vector<double>& q) {
+NodeValues values_at(const Function& function, const std::vector<double>& q) {
   return node_values<Real>(
       function.graph, function.outputs,
       [&](int array, int element) {
@@ -41,10 +39,10 @@ class Pivots {
       values_.push_back(values_at(function, q));
     }
     for (const Ref k : reachable(graph_, function.outputs)) {
-      for_each_operand(graph_.node(k), [&](Ref operand) { ++uses_[index(operand)]; });
+      for_each_operand(graph_.node(k), [&](Ref operand) { ++uses_[node_index(operand)]; });
     }
     for (const Ref output : function.outputs) {
-      ++uses_[index(output)];
+      ++uses_[node_index(output)];
     }
   }
 
@@ -63,8 +61,8 @@ class Pivots {
 
   const Function& function_;
   const Graph& graph_;
-  std::vector<int> uses_;       // by node
-  std::vector<Values> values_;  // by state
+  std::vector<int> uses_;           // by node
+  std::vector<NodeValues> values_;  // by state
 };
 
 /// Of divisions, and the elements of an output d.
@@ -98,7 +96,8 @@ void Pivots::visit_terms(Ref a, const std::function<void(Ref)>& visit) const {
 
 int Pivots::sign(Ref a) const {
   const auto all = [&](auto holds) {
-    return std::ranges::all_of(values_, [&](const Values& at) { return holds(at[index(a)]); });
+    return std::ranges::all_of(values_,
+                               [&](const NodeValues& at) { return holds(at[node_index(a)]); });
   };
   return all([](const Real& x) { return x > 0; })   ? 1
          : all([](const Real& x) { return x < 0; }) ? -1
@@ -107,16 +106,16 @@ int Pivots::sign(Ref a) const {
 
 Real Pivots::sum_of_sizes(Ref a) const {
   Real sum = 0;
-  for (const Values& at : values_) {
-    sum += abs(at[index(a)]);
+  for (const NodeValues& at : values_) {
+    sum += abs(at[node_index(a)]);
   }
   return sum;
 }
 
 Real Pivots::largest_size(Ref a) const {
   Real largest = 0;
-  for (const Values& at : values_) {
-    largest = std::max(largest, Real(abs(at[index(a)])));
+  for (const NodeValues& at : values_) {
+    largest = std::max(largest, Real(abs(at[node_index(a)])));
   }
   return largest;
 }
@@ -125,7 +124,7 @@ Real Pivots::largest_size(Ref a) const {
 /// prevent.
 bool Pivots::may_be_named(Ref a) const {
   return graph_.node(a).kind == Kind::kAdd ||
-         (graph_.node(a).kind == Kind::kMultiply && uses_[index(a)] > 1);
+         (graph_.node(a).kind == Kind::kMultiply && uses_[node_index(a)] > 1);
 }
 
 bool Pivots::of_first_alone(Ref a) const {

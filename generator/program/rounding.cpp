@@ -39,7 +39,7 @@ std::vector<double> errors_at(const Function& function, const std::vector<double
   const Graph& graph = function.graph;
   std::vector<double> errors(graph.size(), 0);
   const auto of = [&](Ref a) {
-    const auto k = static_cast<std::size_t>(std::abs(a));
+    const auto k = node_index(a);
     return Number(a < 0 ? -values[k] : values[k], errors[k]);
   };
   for (const Ref k : reachable(graph, function.outputs)) {
@@ -67,7 +67,7 @@ std::vector<double> errors_at(const Function& function, const std::vector<double
   }
   std::vector<double> result;
   for (const Ref output : function.outputs) {
-    result.push_back(errors[static_cast<std::size_t>(std::abs(output))]);
+    result.push_back(errors[node_index(output)]);
   }
   return result;
 }
@@ -135,7 +135,7 @@ std::vector<Scalar> results_at(const Function& function, int state) {
       });
   std::vector<Scalar> results;
   for (const Ref output : function.outputs) {
-    const Scalar value = values[static_cast<std::size_t>(std::abs(output))];
+    const Scalar value = values[node_index(output)];
     results.push_back(output < 0 ? Scalar(-value) : value);
   }
   return results;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/index.hpp"
 #include "program/random.hpp"
 
 namespace treedyn::program {
@@ -18,18 +19,16 @@ constexpr double kHolds = 1e-9;      ///< error of rows that hold, of what a rea
 constexpr double kMoves = 1e-2;      ///< in reaches: states of a mechanism that moves differ
 constexpr double kShortest = 1e-14;  ///< of rows: what is smaller is rounding
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 /// phi and J in a state, columns per reach instead of per rad or m.
 struct Sample {
   Values phi, J;
 };
 
 Sample sample(const ConstraintRows& rows, const Values& q, const Values& reach) {
-  Sample result{Values(index(rows.rows)), Values(index(rows.rows * rows.columns))};
+  Sample result{Values(to_index(rows.rows)), Values(to_index(rows.rows * rows.columns))};
   rows.evaluate(q, result.phi, result.J);
   for (std::size_t k = 0; k < result.J.size(); ++k) {
-    result.J[k] *= reach[k % index(rows.columns)];
+    result.J[k] *= reach[k % to_index(rows.columns)];
   }
   return result;
 }
@@ -83,7 +82,7 @@ void step(const ConstraintRows& rows, const Values& reach, Sample at, Values& q)
   const double mu = norm(at.phi.data(), at.phi.size()) + 1e-14;
   Values S(n * n);
   Values x(n);
-  for (std::size_t r = 0; r < index(rows.rows); ++r) {
+  for (std::size_t r = 0; r < to_index(rows.rows); ++r) {
     const double* const row = at.J.data() + r * n;
     for (std::size_t i = 0; i < n; ++i) {
       x[i] -= row[i] * at.phi[r];
@@ -129,7 +128,7 @@ int rank_of_rows(Values J, std::size_t n, const Values& sizes) {
   const std::size_t r = sizes.size();
   std::vector<bool> done(r);
   int rank = 0;
-  for (; index(rank) < std::min(r, n); ++rank) {
+  for (; to_index(rank) < std::min(r, n); ++rank) {
     std::size_t best = r;
     double most = kDependent;
     for (std::size_t i = 0; i < r; ++i) {
@@ -157,8 +156,8 @@ int rank_of_rows(Values J, std::size_t n, const Values& sizes) {
 /// Norms of the rows, the largest of some states.
 Values sizes_of(const ConstraintRows& rows, const std::vector<Values>& states, const Values& reach,
                 const std::vector<bool>& counts) {
-  Values sizes(index(rows.rows));
-  const std::size_t n = index(rows.columns);
+  Values sizes(to_index(rows.rows));
+  const std::size_t n = to_index(rows.columns);
   for (const Values& q : states) {
     const Sample at = sample(rows, q, reach);
     for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -206,9 +205,9 @@ OrdinaryRows ordinary_rows(const ConstraintRows& rows, const Values& q0, const V
       held.push_back(q);
     }
   }
-  std::vector<bool> counts(index(rows.columns), columns.empty());
+  std::vector<bool> counts(to_index(rows.columns), columns.empty());
   for (const int k : columns) {
-    counts[index(k)] = true;
+    counts[to_index(k)] = true;
   }
   result.holds = !held.empty();
   result.states = near;
@@ -217,9 +216,9 @@ OrdinaryRows ordinary_rows(const ConstraintRows& rows, const Values& q0, const V
   for (const Values& q : result.holds ? held : near) {
     Sample at = sample(rows, q, reach);
     for (std::size_t k = 0; k < at.J.size(); ++k) {
-      at.J[k] *= counts[k % index(rows.columns)] ? 1 : 0;
+      at.J[k] *= counts[k % to_index(rows.columns)] ? 1 : 0;
     }
-    result.rank = std::max(result.rank, rank_of_rows(at.J, index(rows.columns), result.lengths));
+    result.rank = std::max(result.rank, rank_of_rows(at.J, to_index(rows.columns), result.lengths));
   }
   // rows that leave velocities free and hold in one place only: a singular position
   const bool moves = spread_of(held, reach) > kMoves;

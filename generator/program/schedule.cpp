@@ -14,8 +14,6 @@ namespace {
 /// keep its own operands alive for so long.
 constexpr int kFar = 24;
 
-std::size_t index(Ref a) { return static_cast<std::size_t>(std::abs(a)); }
-
 bool is_operation(const Graph& graph, Ref a) {
   const Kind kind = graph.node(a).kind;
   return a != 0 && kind != Kind::kConstant && kind != Kind::kInput;
@@ -32,10 +30,10 @@ std::vector<Ref> trigonometric_partners(const Graph& graph, const std::vector<Re
     if (!is_trigonometric(node.kind)) {
       continue;
     }
-    Ref& first = by_angle[index(node.a)];
+    Ref& first = by_angle[node_index(node.a)];
     if (first != 0) {
-      partner[index(k)] = first;
-      partner[index(first)] = k;
+      partner[node_index(k)] = first;
+      partner[node_index(first)] = k;
     }
     first = k;
   }
@@ -47,12 +45,12 @@ std::vector<bool> needed_by_angles_only(const Graph& graph, std::span<const Ref>
                                         const std::vector<Ref>& nodes) {
   std::vector<bool> result(graph.size(), true);
   for (const Ref output : outputs) {
-    result[index(output)] = is_trigonometric(graph.node(output).kind);
+    result[node_index(output)] = is_trigonometric(graph.node(output).kind);
   }
   for (auto k = nodes.rbegin(); k != nodes.rend(); ++k) {
-    if (!result[index(*k)]) {
+    if (!result[node_index(*k)]) {
       for_each_operand(graph.node(*k), [&](Ref operand) {
-        result[index(operand)] = is_trigonometric(graph.node(operand).kind);
+        result[node_index(operand)] = is_trigonometric(graph.node(operand).kind);
       });
     }
   }
@@ -69,7 +67,7 @@ class Order {
   std::vector<Ref> take() { return std::move(order_); }
 
  private:
-  bool is_missing(Ref a) const { return is_operation(graph_, a) && !seen_[index(a)]; }
+  bool is_missing(Ref a) const { return is_operation(graph_, a) && !seen_[node_index(a)]; }
 
   const Graph& graph_;
   std::vector<Ref> partner_;
@@ -94,9 +92,9 @@ void Order::add(Ref value) {
       continue;
     }
     waiting.pop_back();
-    for (const Ref each : {k, partner_[index(k)]}) {
+    for (const Ref each : {k, partner_[node_index(k)]}) {
       if (is_missing(each)) {
-        seen_[index(each)] = true;
+        seen_[node_index(each)] = true;
         order_.push_back(each);
       }
     }
@@ -110,11 +108,11 @@ std::vector<std::vector<Ref>> by_dependence(const Graph& graph, const std::vecto
   for (const Ref k : nodes) {
     for_each_operand(graph.node(k), [&](Ref operand) {
       const std::size_t own = is_trigonometric(graph.node(operand).kind) ? 1 : 0;
-      before[index(k)] = std::max(before[index(k)], before[index(operand)] + own);
+      before[node_index(k)] = std::max(before[node_index(k)], before[node_index(operand)] + own);
     });
     if (is_trigonometric(graph.node(k).kind)) {
-      result.resize(std::max(result.size(), before[index(k)] + 1));
-      result[before[index(k)]].push_back(k);
+      result.resize(std::max(result.size(), before[node_index(k)] + 1));
+      result[before[node_index(k)]].push_back(k);
     }
   }
   return result;
@@ -145,7 +143,7 @@ std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> ou
     add_together(graph, nodes, order);
   }
   for (const Ref k : nodes) {
-    if (!waits[index(k)]) {
+    if (!waits[node_index(k)]) {
       order.add(k);
     }
   }
@@ -201,8 +199,8 @@ class Inliner {
     const Node& node = graph_.node(k);
     while (expression_width(node) > measure_.available(k) && materialise_widest(node)) {
     }
-    width_[index(k)] = expression_width(node);
-    if (!result_.inlined[index(k)]) {
+    width_[node_index(k)] = expression_width(node);
+    if (!result_.inlined[node_index(k)]) {
       result_.statements.push_back(k);
     }
   }
@@ -211,7 +209,7 @@ class Inliner {
 
  private:
   int operand_width(Ref a) const {
-    return result_.is_inlined(a) ? width_[index(a)] : measure_.atom(std::abs(a));
+    return result_.is_inlined(a) ? width_[node_index(a)] : measure_.atom(std::abs(a));
   }
 
   int expression_width(const Node& node) const {
@@ -235,7 +233,7 @@ class Inliner {
     if (widest == 0) {
       return false;
     }
-    result_.inlined[index(widest)] = false;
+    result_.inlined[node_index(widest)] = false;
     result_.statements.push_back(widest);
     return true;
   }
@@ -250,11 +248,12 @@ void Inliner::mark_candidates(std::span<const Ref> outputs, std::span<const Ref>
   std::vector<int> uses(graph_.size(), 0);
   std::vector<std::size_t> place(graph_.size(), 0);
   for (const Ref output : outputs) {
-    uses[index(output)] += 2;
+    uses[node_index(output)] += 2;
   }
   for (std::size_t at = 0; at < operations.size(); ++at) {
-    place[index(operations[at])] = at;
-    for_each_operand(graph_.node(operations[at]), [&](Ref operand) { ++uses[index(operand)]; });
+    place[node_index(operations[at])] = at;
+    for_each_operand(graph_.node(operations[at]),
+                     [&](Ref operand) { ++uses[node_index(operand)]; });
   }
   for (std::size_t at = 0; at < operations.size(); ++at) {
     const Node& user = graph_.node(operations[at]);
@@ -262,10 +261,10 @@ void Inliner::mark_candidates(std::span<const Ref> outputs, std::span<const Ref>
       const Kind kind = graph_.node(operand).kind;
       const bool named = graph_.hint(operand).symbol != nullptr &&
                          !(kind == Kind::kMultiply && user.kind == Kind::kAdd);
-      result_.inlined[index(operand)] = is_operation(graph_, operand) && !is_trigonometric(kind) &&
-                                        !is_trigonometric(user.kind) && !named &&
-                                        uses[index(operand)] == 1 &&
-                                        at - place[index(operand)] <= kFar;
+      result_.inlined[node_index(operand)] =
+          is_operation(graph_, operand) && !is_trigonometric(kind) &&
+          !is_trigonometric(user.kind) && !named && uses[node_index(operand)] == 1 &&
+          at - place[node_index(operand)] <= kFar;
     });
   }
 }

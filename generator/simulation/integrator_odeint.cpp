@@ -9,10 +9,10 @@ namespace treedyn::simulation {
 
 namespace {
 
-using State = std::vector<double>;
+using OdeintState = std::vector<double>;
 namespace odeint = boost::numeric::odeint;
 
-void copy(const State& from, Vector& to) {
+void copy(const OdeintState& from, Vector& to) {
   to = VectorMap(from.data(), static_cast<Eigen::Index>(from.size()));
 }
 
@@ -31,7 +31,7 @@ class OdeintIntegrator final : public Integrator {
  public:
   void step(const Rate& rate, double t, double h, const Vector& y, Vector& result,
             Vector& error) override {
-    const auto system = [&](const State& x, State& dxdt, double time) {
+    const auto system = [&](const OdeintState& x, OdeintState& dxdt, double time) {
       copy(x, x_);
       rate(time, x_, rate_);
       std::copy(rate_.begin(), rate_.end(), dxdt.begin());
@@ -54,7 +54,7 @@ class OdeintIntegrator final : public Integrator {
   template <class System>
   void run(const System& system, double t, double h) {
     if constexpr (order == 4) {
-      State end(from_.size());
+      OdeintState end(from_.size());
       stepper_.do_step(system, from_, derivative_, t, to_, end, h, error_);
     } else {
       stepper_.do_step(system, from_, derivative_, t, to_, h, error_);
@@ -62,18 +62,18 @@ class OdeintIntegrator final : public Integrator {
   }
 
   Stepper stepper_;
-  State from_, to_, error_, derivative_;
+  OdeintState from_, to_, error_, derivative_;
   Vector x_, rate_;
 };
 
 }  // namespace
 
 std::unique_ptr<Integrator> make_dopri5() {
-  return std::make_unique<OdeintIntegrator<odeint::runge_kutta_dopri5<State>, 4>>();
+  return std::make_unique<OdeintIntegrator<odeint::runge_kutta_dopri5<OdeintState>, 4>>();
 }
 
 std::unique_ptr<Integrator> make_fehlberg78() {
-  return std::make_unique<OdeintIntegrator<odeint::runge_kutta_fehlberg78<State>, 7>>();
+  return std::make_unique<OdeintIntegrator<odeint::runge_kutta_fehlberg78<OdeintState>, 7>>();
 }
 
 }  // namespace treedyn::simulation

@@ -25,7 +25,7 @@ constexpr double kResolved = 1e-2;
 /// How many times the tolerance an error across the rows may be, which the projection takes away.
 constexpr double kAcross = 1e3;
 /// A fixed step below this many roundings of the time does not advance it.
-constexpr double kRoundings = 16;
+constexpr double kRoundingsOfTime = 16;
 /// How often a fixed step is halved when it does not lead anywhere.
 constexpr int kHalvings = 20;
 
@@ -53,7 +53,7 @@ double Simulator::error_ratio(double h) {
 
 /// What advances time at all.
 double Simulator::least_step() const {
-  return kRoundings * std::numeric_limits<double>::epsilon() * std::fabs(t_);
+  return kRoundingsOfTime * std::numeric_limits<double>::epsilon() * std::fabs(t_);
 }
 
 /// `next_` after a step of a method without error estimate. \return its length

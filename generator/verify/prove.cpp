@@ -97,7 +97,7 @@ Numbers interpreted(const program::Function& function, const std::vector<Values>
       });
   Numbers outputs;
   for (const program::Ref output : function.outputs) {
-    const Number& value = values[static_cast<std::size_t>(std::abs(output))];
+    const Number& value = values[program::node_index(output)];
     outputs.push_back(output < 0 ? -value : value);
   }
   return outputs;

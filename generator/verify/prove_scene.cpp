@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "equations/scene_table.hpp"
 #include "model/scene_facts.hpp"
 #include "program/interpret.hpp"
@@ -21,8 +22,6 @@ namespace {
 
 using Values = std::vector<Real>;
 using Matrix = std::vector<Values>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Real dot(const Values& a, const Values& b) {
   Real sum = 0;
@@ -132,7 +131,7 @@ void prove_plain(const model::Scene& scene, const program::Function& function, S
 Solution solved_values(const program::Staged& staged, State& state) {
   Real least = 1;
   if (!staged.solves.empty()) {
-    const std::size_t r = index(staged.solves.front().rows);
+    const std::size_t r = to_index(staged.solves.front().rows);
     const Values first = state.evaluate(staged.function);
     const auto size = static_cast<std::ptrdiff_t>(r * (r + 1) / 2);
     const Values lower(first.begin(), first.begin() + size);
@@ -244,7 +243,7 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
 void prove_impact(const model::Scene& scene, const program::Staged& staged, Source& source) {
   State state(staged.function.signature, source);
   const auto [values, least] = solved_values(staged, state);
-  const std::size_t r = index(staged.solves.front().rows);
+  const std::size_t r = to_index(staged.solves.front().rows);
   const Values P(values.end() - static_cast<std::ptrdiff_t>(r), values.end());
   const Values& minus = state.at("qd_minus");
   const SceneEquations equations(scene, state.at("q"), Values(minus.size()), 0);
@@ -275,7 +274,7 @@ void prove_impact(const model::Scene& scene, const program::Staged& staged, Sour
 Values forces_of(const program::Staged& staged, const SceneEquations& equations) {
   Values force = equations.force();
   for (const auto& [joint, own] : staged.forces) {
-    force[index(joint)] += own;
+    force[to_index(joint)] += own;
   }
   return force;
 }
@@ -283,9 +282,9 @@ Values forces_of(const program::Staged& staged, const SceneEquations& equations)
 void prove_constrained(const model::Scene& scene, const program::Staged& staged, Source& source) {
   State state(staged.function.signature, source);
   const std::string& name = staged.signature.name;
-  const auto n = index(scene.tree.dof());
+  const auto n = to_index(scene.tree.dof());
   const auto [values, least] = solved_values(staged, state);
-  const std::size_t r = staged.solves.empty() ? 0 : index(staged.solves.front().rows);
+  const std::size_t r = staged.solves.empty() ? 0 : to_index(staged.solves.front().rows);
   const auto contacts = static_cast<std::ptrdiff_t>(scene.contacts.size());
   const auto reactions = values.end() - contacts - static_cast<std::ptrdiff_t>(r);
   const Values qdd(reactions - static_cast<std::ptrdiff_t>(n), reactions);
@@ -325,7 +324,7 @@ void prove_inverse(const model::Scene& scene, const program::Staged& staged, Sou
   const SceneEquations equations(scene, state.at("q"), state.at("qd"),
                                  state.has("t") ? state.at("t")[0] : Real(0));
   const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
-  const auto n = index(scene.tree.dof());
+  const auto n = to_index(scene.tree.dof());
   const auto first =
       values.end() - static_cast<std::ptrdiff_t>(n + rows.size() + scene.contacts.size());
   const Values tau(first, first + static_cast<std::ptrdiff_t>(n));
@@ -345,7 +344,7 @@ void prove_inverse(const model::Scene& scene, const program::Staged& staged, Sou
   if (staged.solves.front().regular()) {
     Values left;
     for (const int joint : model::passive_joints(scene)) {
-      left.push_back(tau[index(joint)]);
+      left.push_back(tau[to_index(joint)]);
     }
     require_small(staged.signature.name, "passive joint", left, motion.sizes, least);
   }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "common/index.hpp"
 #include "engine/engine.hpp"
 #include "equations/kinematics.hpp"
 #include "support/random_tree.hpp"
@@ -16,10 +17,8 @@ using Matrix3 = equations::Matrix3<double>;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 VectorXd random_vector(int n, support::Dice& dice) {
-  const std::vector<double> x = dice.numbers(at(n), 1.5);
+  const std::vector<double> x = dice.numbers(to_index(n), 1.5);
   return Eigen::Map<const VectorXd>(x.data(), n);
 }
 
@@ -40,26 +39,28 @@ class Entries {
 
   [[nodiscard]] int size() const { return tree_.size(); }
   [[nodiscard]] bool reaches(int i, int j) const { return model::reaches(tree_, i, j); }
-  [[nodiscard]] double sigma(int i) const { return constants_.links[at(i)].revolute ? 1 : 0; }
-  [[nodiscard]] Vector3 z(int i) const { return poses_.z[at(i)]; }
-  [[nodiscard]] double m(int i) const { return constants_.links[at(i)].mass; }
+  [[nodiscard]] double sigma(int i) const { return constants_.links[to_index(i)].revolute ? 1 : 0; }
+  [[nodiscard]] Vector3 z(int i) const { return poses_.z[to_index(i)]; }
+  [[nodiscard]] double m(int i) const { return constants_.links[to_index(i)].mass; }
   [[nodiscard]] Matrix3 J(int i) const {
-    const Matrix3& R = poses_.R[at(i)];
-    return R * constants_.links[at(i)].inertia * R.transpose();
+    const Matrix3& R = poses_.R[to_index(i)];
+    return R * constants_.links[to_index(i)].inertia * R.transpose();
   }
   [[nodiscard]] Vector3 com(int i) const {
-    return poses_.O[at(i)] + poses_.R[at(i)] * constants_.links[at(i)].com;
+    return poses_.O[to_index(i)] + poses_.R[to_index(i)] * constants_.links[to_index(i)].com;
   }
   [[nodiscard]] Vector3 point(int p) const {
-    const auto& point = constants_.points[at(p)];
-    return poses_.O[at(point.link)] + poses_.R[at(point.link)] * point.at;
+    const auto& point = constants_.points[to_index(p)];
+    return poses_.O[to_index(point.link)] + poses_.R[to_index(point.link)] * point.at;
   }
-  [[nodiscard]] int carrier(int p) const { return constants_.points[at(p)].link; }
-  [[nodiscard]] Vector3 from_joint(int j, const Vector3& x) const { return x - poses_.P[at(j)]; }
+  [[nodiscard]] int carrier(int p) const { return constants_.points[to_index(p)].link; }
+  [[nodiscard]] Vector3 from_joint(int j, const Vector3& x) const {
+    return x - poses_.P[to_index(j)];
+  }
 
   [[nodiscard]] Vector3 omega(int i) const {
     Vector3 sum = Vector3::Zero();
-    for (int j = i; j >= 0; j = tree_.links[at(j)].father) {
+    for (int j = i; j >= 0; j = tree_.links[to_index(j)].father) {
       sum += sigma(j) * qd_(j) * z(j);
     }
     return sum;
@@ -133,7 +134,9 @@ class Entries {
   }
 
  private:
-  static std::span<const double> view(const VectorXd& x) { return {x.data(), at(int(x.size()))}; }
+  static std::span<const double> view(const VectorXd& x) {
+    return {x.data(), to_index(int(x.size()))};
+  }
 
   const model::Tree& tree_;
   equations::Constants<double> constants_;

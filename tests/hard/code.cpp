@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "common/index.hpp"
 #include "formulate/scene_drift.hpp"
 #include "model/scene_facts.hpp"
 #include "pipeline.hpp"
@@ -13,8 +14,6 @@
 namespace treedyn::hard {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Model model_of(const model::Scene& scene, const std::vector<std::string>& functions) {
   Model result;
@@ -77,17 +76,17 @@ Numbers anchors_at(const model::Scene& scene, const Vector& q, double t) {
     const int size = model::anchor_size(scene, static_cast<int>(c));
     const Eigen::Vector3d curve = simulation::VectorValue(constraint.curve.position).at(t);
     if (!constraint.pinned && size < 9) {
-      result.insert(result.end(), index(size), 0);
+      result.insert(result.end(), to_index(size), 0);
     } else if (size == 1) {
       result.push_back(q[constraint.joint] - curve[0]);
     } else if (size == 3) {
-      const model::Point& point = scene.points[index(constraint.point)];
+      const model::Point& point = scene.points[to_index(constraint.point)];
       const Eigen::Vector3d p = pose.point(point.link, simulation::vector_of(point.at)) - curve;
       result.insert(result.end(), p.begin(), p.end());
     } else if (size == 9) {
-      const int link = scene.points[index(constraint.point)].link;
+      const int link = scene.points[to_index(constraint.point)].link;
       const Eigen::Matrix3d R =
-          link < 0 ? Eigen::Matrix3d::Identity() : pose.links()[index(link)].R;
+          link < 0 ? Eigen::Matrix3d::Identity() : pose.links()[to_index(link)].R;
       for (int k = 0; k < 9; ++k) {
         result.push_back(R(k / 3, k % 3));
       }

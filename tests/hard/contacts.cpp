@@ -28,10 +28,6 @@ double rising_speed(Run& run) {
   return (C * contact.plane().normal()).dot(run.qd());
 }
 
-double end_of(Scene scene) {
-  return static_cast<double>(scene.t0) + static_cast<double>(scene.duration);
-}
-
 Values contact_duration(Scene s, Dynamics d, Entry) {
   const std::vector<double> times = crossings(s, d, end_of(s), height);
   return {times.at(1) - times.at(0)};

@@ -19,10 +19,6 @@ Eigen::Vector3d omega_body(Run& run) {
   return last.R.transpose() * last.omega;
 }
 
-double end_of(Scene scene) {
-  return static_cast<double>(scene.t0) + static_cast<double>(scene.duration);
-}
-
 /// From rest to the second rest.
 Values period(Scene s, Dynamics d, Entry) {
   const double start = static_cast<double>(s.t0);

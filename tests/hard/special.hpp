@@ -7,6 +7,11 @@ namespace treedyn::hard {
 
 using Function = std::function<double(Run&)>;
 
+/// The time at which the scene ends.
+inline double end_of(const model::Scene& scene) {
+  return static_cast<double>(scene.t0) + static_cast<double>(scene.duration);
+}
+
 /// The times at which `g` changes its sign on the way to `end`, to the resolution of time.
 std::vector<double> crossings(const model::Scene& scene, Source& source, double end,
                               const Function& g);

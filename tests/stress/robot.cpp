@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "engine/engine.hpp"
 
 namespace treedyn::stress {
@@ -12,8 +13,6 @@ namespace treedyn::stress {
 namespace {
 
 using support::Dice;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// 10^k, k within half of `decades` of zero.
 Real power(int decades, Dice& dice) { return pow(Real(10), dice.below(decades + 1) - decades / 2); }
@@ -50,7 +49,7 @@ model::Constraint constraint_at(int point, Dice& dice) {
   const int count = 1 + dice.below(3);
   for (int k = 0; k < count; ++k) {
     model::Vector3 d{};
-    d[index((first + k) % 3)] = 1;
+    d[to_index((first + k) % 3)] = 1;
     result.directions.push_back(d);
   }
   return result;
@@ -60,7 +59,7 @@ void add_constraints(model::Scene& scene, Dice& dice) {
   const int wanted = dice.below(4);
   for (int k = 0; k < wanted; ++k) {
     const int point = dice.below(static_cast<int>(scene.points.size()));
-    if (scene.points[index(point)].link == model::kGround) {
+    if (scene.points[to_index(point)].link == model::kGround) {
       continue;
     }
     model::Constraint constraint = constraint_at(point, dice);
@@ -174,7 +173,7 @@ std::vector<Robot> smaller(const Robot& robot) {
     less.scene.tree.drives.pop_back();
     less.scene.tree.coordinates.pop_back();
     std::erase_if(less.scene.constraints, [&](const model::Constraint& constraint) {
-      return less.scene.points[index(constraint.point)].link == last;
+      return less.scene.points[to_index(constraint.point)].link == last;
     });
     std::erase_if(less.scene.joint_springs,
                   [&](const model::JointSpring& spring) { return spring.joint == last; });
@@ -220,7 +219,7 @@ std::string body_text(const model::Link& link) {
 
 std::string constraint_text(const Robot& robot, const model::Constraint& constraint,
                             const Values& positions) {
-  const model::Point& point = robot.scene.points[index(constraint.point)];
+  const model::Point& point = robot.scene.points[to_index(constraint.point)];
   std::vector<std::string> directions;
   std::transform(constraint.directions.begin(), constraint.directions.end(),
                  std::back_inserter(directions), list_text<model::Vector3>);

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "common/index.hpp"
+
 namespace treedyn::support {
 namespace {
 
 using nlohmann::json;
 using Numbers = std::vector<double>;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Fathers before sons, otherwise the order of the file; position -> link of the file.
 std::vector<std::size_t> tree_order(const std::vector<int>& father) {
@@ -21,7 +21,7 @@ std::vector<std::size_t> tree_order(const std::vector<int>& father) {
   placed[0] = true;  // ground
   while (order.size() < father.size()) {
     for (std::size_t i = 0; i < father.size(); ++i) {
-      if (!placed[i + 1] && placed[at(father[i])]) {
+      if (!placed[i + 1] && placed[to_index(father[i])]) {
         placed[i + 1] = true;
         order.push_back(i);
       }

@@ -1,9 +1,9 @@
 #include "support/random_tree.hpp"
 
+#include "common/index.hpp"
+
 namespace treedyn::support {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 model::Vector3 random_vector(Dice& dice, double limit) {
   return {Real(dice.number(limit)), Real(dice.number(limit)), Real(dice.number(limit))};
@@ -36,7 +36,7 @@ model::Matrix3 random_inertia(Dice& dice) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) {
-        J[at(3 * i + j)] += R[at(3 * i + k)] * principal[k] * R[at(3 * j + k)];
+        J[to_index(3 * i + j)] += R[to_index(3 * i + k)] * principal[k] * R[to_index(3 * j + k)];
       }
     }
   }
