@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/scene_drift.hpp"
+#include "model/joint_forces.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::formulate {
@@ -11,10 +13,6 @@ namespace treedyn::formulate {
 using model::Quantity;
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Vec3 triple(const std::vector<Expr>& values) { return {values[0], values[1], values[2]}; }
 
 Expr root(Graph& graph, Expr x) { return {graph, graph.sqrt(x.ref())}; }
 
@@ -52,86 +50,27 @@ Expr SceneForces::input(int array, int element) const {
   return {graph, graph.input(array, element)};
 }
 
-/// -k (q - rest) - d qd of all springs and dampers.
-Expr SceneForces::springs(int joint) const {
-  Graph& graph = task_.kinematics.graph();
-  Real k = 0;
-  Real rest = 0;
-  Real d = 0;
-  for (const model::JointSpring& s : scene_.joint_springs) {
-    const bool here = s.joint == joint;
-    k += here ? s.stiffness : Real(0);
-    rest += here ? Real(s.stiffness * s.rest) : Real(0);
-    d += here ? s.damping : Real(0);
-  }
-  for (const model::ViscousFriction& f : scene_.viscous_frictions) {
-    d += f.joint == joint ? f.coefficient : Real(0);
-  }
-  Expr sum = constant(graph, rest);
-  if (k != 0) {
-    sum -= constant(graph, k) * input(arrays_.q, joint);
-  }
-  if (d != 0) {
-    sum -= constant(graph, d) * input(arrays_.qd, joint);
-  }
-  return sum;
-}
-
-/// -f qd / sqrt(qd^2 + vs^2), f = force + (static_force - force) / (1 + (qd/stribeck_speed)^2).
-Expr SceneForces::friction(int joint) const {
-  Graph& graph = task_.kinematics.graph();
-  const auto regularised = [&](Expr force, const Real& slip_speed) {
-    const Expr qd = input(arrays_.qd, joint);
-    const Expr squared = qd * qd + constant(graph, slip_speed * slip_speed);
-    const Expr speed = root(graph, squared);
-    return force * qd / speed;
-  };
-  Expr sum;
-  for (const model::JointFriction& f : scene_.frictions) {
-    if (f.joint == joint && f.slip_speed > 0) {
-      sum -= regularised(constant(graph, f.force), f.slip_speed);
-    }
-  }
-  for (const model::StribeckFriction& f : scene_.stribeck_frictions) {
-    if (f.joint == joint) {
-      const Expr s = input(arrays_.qd, joint) * constant(graph, 1 / f.stribeck_speed);
-      const Expr fall = constant(graph, Real(1)) + s * s;
-      const Expr more = constant(graph, f.static_force - f.force) / fall;
-      sum -= regularised(constant(graph, f.force) + more, f.slip_speed);
-    }
-  }
-  return sum;
-}
-
 Expr SceneForces::joint(int joint) const {
   Graph& graph = task_.kinematics.graph();
   Expr sum = arrays_.tau >= 0 ? input(arrays_.tau, joint) : Expr();
-  if (!scene_.tau.empty()) {
-    sum += constant(graph, scene_.tau[index(joint)]);
-  }
   for (const model::JointForce& own : task_.options.phase_forces) {
     sum += own.joint == joint ? constant(graph, own.force) : Expr();
   }
-  for (const model::Motor& motor : scene_.motors) {
-    if (motor.joint == joint) {
-      sum += value_of(graph, motor.torque, meaning_);
-    }
+  for (const model::Expression& force : model::joint_forces(scene_, joint)) {
+    sum += value_of(graph, force, meaning_);
   }
-  const Expr elastic = springs(joint);
-  const Expr dry = friction(joint);
-  sum += elastic;
-  sum += dry;
   return sum;
 }
 
 Vec3 SceneForces::position(int point) const {
-  return triple(values_at(task_, "point_positions", {scene_.points[index(point)]}, Way::kToRoot));
+  return triple(
+      values_at(task_, "point_positions", {scene_.points[to_index(point)]}, Way::kToRoot));
 }
 
 Vec3 SceneForces::velocity(int point) const {
   const Kinematics& k = moving_ ? *moving_ : task_.kinematics;
   return triple(values_at({task_.tree, task_.normal, task_.options, k}, "point_velocities",
-                          {scene_.points[index(point)]}, Way::kToRoot));
+                          {scene_.points[to_index(point)]}, Way::kToRoot));
 }
 
 /// -(k (l - rest) + c l') along the unit vector from the anchor, l l' = u . v with u = p - anchor.
@@ -157,9 +96,9 @@ AppliedLoad SceneForces::load(const model::PointLoad& load, bool is_moment) cons
   const Meaning meaning = [&](const model::Variable& v) {
     switch (v.quantity) {
       case Quantity::kPointPosition:
-        return position(load.point)[index(v.index)];
+        return position(load.point)[to_index(v.index)];
       case Quantity::kPointVelocity:
-        return velocity(load.point)[index(v.index)];
+        return velocity(load.point)[to_index(v.index)];
       default:
         return meaning_(v);
     }
@@ -187,7 +126,7 @@ std::vector<AppliedLoad> SceneForces::loads() const {
 
 bool uses_time(const model::Scene& scene, const std::vector<int>& active) {
   const auto row_uses = [&](int c) {
-    const model::Constraint& constraint = scene.constraints[index(c)];
+    const model::Constraint& constraint = scene.constraints[to_index(c)];
     const bool stabilised = is_stabilised(scene, c);
     return constraint.accelerations.empty()
                ? of_time(constraint.curve.acceleration) ||

@@ -42,8 +42,6 @@ class SceneForces {
 
  private:
   [[nodiscard]] Expr input(int array, int element) const;
-  [[nodiscard]] Expr springs(int joint) const;
-  [[nodiscard]] Expr friction(int joint) const;
   [[nodiscard]] Vec3 spring_force(const model::PointSpring& spring) const;
   [[nodiscard]] AppliedLoad load(const model::PointLoad& load, bool is_moment) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/joint_forces.hpp"
+
 namespace treedyn::simulation {
 
 namespace {
@@ -53,32 +55,21 @@ double ContactLaw::energy_rate(const Eigen::Vector3d& p, const Eigen::Vector3d& 
   return -k_ * std::pow(d, n_) * plane_.normal().dot(v);
 }
 
-Forces::Forces(const model::Scene& scene) : tau_(Vector::Zero(scene.tree.dof())) {
-  for (std::size_t k = 0; k < scene.tau.size(); ++k) {
-    tau_[static_cast<Eigen::Index>(k)] = value(scene.tau[k]);
+Forces::Forces(const model::Scene& scene) {
+  for (int joint = 0; joint < scene.tree.dof(); ++joint) {
+    for (const model::Expression& force : model::joint_forces(scene, joint)) {
+      joint_forces_.push_back({joint, force});
+    }
+  }
+  for (const model::Motor& motor : scene.motors) {
+    drives_.push_back(motor.torque);
   }
   for (const model::JointSpring& s : scene.joint_springs) {
-    joint_springs_.push_back({s.joint, value(s.stiffness), value(s.damping), value(s.rest)});
+    joint_springs_.push_back({s.joint, value(s.stiffness), value(s.rest), model::law(s)});
   }
-  springs_ = joint_springs_.size();
   for (const model::PointSpring& s : scene.point_springs) {
     point_springs_.push_back(
         {s.point, vector_of(s.anchor), value(s.stiffness), value(s.damping), value(s.rest_length)});
-  }
-  for (const model::ViscousFriction& f : scene.viscous_frictions) {
-    joint_springs_.push_back({f.joint, 0, value(f.coefficient), 0});
-  }
-  for (const model::JointFriction& f : scene.frictions) {
-    if (f.slip_speed > 0) {
-      frictions_.push_back({f.joint, value(f.force), value(f.force), 1, value(f.slip_speed)});
-    }
-  }
-  for (const model::StribeckFriction& f : scene.stribeck_frictions) {
-    frictions_.push_back({f.joint, value(f.force), value(f.static_force), value(f.stribeck_speed),
-                          value(f.slip_speed)});
-  }
-  for (const model::Motor& motor : scene.motors) {
-    motors_.push_back({motor.joint, motor.torque});
   }
   for (const model::PointLoad& load : scene.torques) {
     torques_.push_back({load.point, VectorValue(load.value)});
@@ -92,26 +83,14 @@ Forces::Forces(const model::Scene& scene) : tau_(Vector::Zero(scene.tree.dof()))
   }
 }
 
-double Forces::Friction::at(double speed) const {
-  const double s = speed / stribeck;
-  const double size = force + (static_force - force) / (1 + s * s);
-  return size * speed / std::sqrt(speed * speed + slip * slip);
-}
-
 void Forces::add_joint_forces(const State& state, Vector& Q) const {
-  for (const JointSpring& s : joint_springs_) {
-    Q[s.joint] -= s.k * (state.q[s.joint] - s.rest) + s.d * state.qd[s.joint];
-  }
-  for (const Friction& friction : frictions_) {
-    Q[friction.joint] -= friction.at(state.qd[friction.joint]);
-  }
-  for (const Motor& motor : motors_) {
-    Q[motor.joint] += value_of(motor.torque, state);
+  for (const JointForce& force : joint_forces_) {
+    Q[force.joint] += value_of(force.value, state);
   }
 }
 
 void Forces::generalized(const Terms& terms, const State& state, Vector& Q) {
-  Q = tau_;
+  Q = Vector::Zero(state.q.size());
   add_joint_forces(state, Q);
   if (terms.needs().points) {
     v_.noalias() = terms.C().transpose() * state.qd;
@@ -183,12 +162,11 @@ double Forces::elastic_energy(const Vector& q, const VectorMap& p) const {
 }
 
 void Forces::append_forces(const Terms& terms, const State& state, std::vector<double>& values) {
-  for (const Motor& motor : motors_) {
-    values.push_back(value_of(motor.torque, state));
+  for (const model::Expression& torque : drives_) {
+    values.push_back(value_of(torque, state));
   }
-  for (std::size_t k = 0; k < springs_; ++k) {
-    const JointSpring& s = joint_springs_[k];
-    values.push_back(-s.k * (state.q[s.joint] - s.rest) - s.d * state.qd[s.joint]);
+  for (const JointSpring& s : joint_springs_) {
+    values.push_back(value_of(s.law, state));
   }
   if (!terms.needs().points) {
     return;

@@ -71,7 +71,8 @@ class Forces {
  private:
   struct JointSpring {
     int joint;
-    double k, d, rest;
+    double k, rest;
+    model::Expression law;
   };
   struct PointSpring {
     int point;
@@ -82,15 +83,9 @@ class Forces {
     int point;
     VectorValue value;
   };
-  /// The larger force at rest falls to `force` as speed grows; regularised by `slip`.
-  struct Friction {
+  struct JointForce {
     int joint;
-    double force, static_force, stribeck, slip;
-    [[nodiscard]] double at(double speed) const;
-  };
-  struct Motor {
-    int joint;
-    model::Expression torque;
+    model::Expression value;
   };
 
   void add_joint_forces(const State& state, Vector& Q) const;
@@ -98,11 +93,9 @@ class Forces {
   [[nodiscard]] Eigen::Vector3d load(const Load& load, const Terms& terms,
                                      const State& state) const;
 
-  Vector tau_;
-  std::vector<JointSpring> joint_springs_;  ///< viscous frictions behind the springs
-  std::size_t springs_ = 0;
-  std::vector<Friction> frictions_;
-  std::vector<Motor> motors_;
+  std::vector<JointForce> joint_forces_;    ///< all, by joint
+  std::vector<model::Expression> drives_;   ///< of them, as the scene lists them
+  std::vector<JointSpring> joint_springs_;  ///< of them
   std::vector<PointSpring> point_springs_;
   std::vector<Load> torques_;
   std::vector<Load> loads_;

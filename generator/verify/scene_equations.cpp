@@ -2,15 +2,13 @@
 
 #include <utility>
 
+#include "common/index.hpp"
+#include "model/joint_forces.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn {
 
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t,
                                Values anchor)
@@ -20,14 +18,14 @@ SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, c
       anchor_(std::move(anchor)),
       t_(t),
       dof_(scene.tree.dof()) {
-  anchor_.resize(index(model::anchor_offset(scene, static_cast<int>(scene.constraints.size()))));
+  anchor_.resize(to_index(model::anchor_offset(scene, static_cast<int>(scene.constraints.size()))));
   engine::Engine<Real> engine(scene.tree, scene.points, scene.gravity);
   const Values a = engine.evaluate("mass_matrix", {q_});
   for (int i = 0; i < dof_; ++i) {
     A_.emplace_back(a.begin() + i * dof_, a.begin() + (i + 1) * dof_);
   }
   for (const model::Armature& armature : scene.armatures) {
-    A_[index(armature.joint)][index(armature.joint)] += armature.inertia;
+    A_[to_index(armature.joint)][to_index(armature.joint)] += armature.inertia;
   }
   const Values rates = scene.velocity_products ? qd_ : Values(qd_.size());
   bias_ = engine.evaluate("inverse_dynamics", {q_, rates, Values(qd_.size())});
@@ -47,14 +45,14 @@ Real SceneEquations::variable(const model::Variable& v, int point) const {
     case model::Quantity::kTime:
       return t_;
     case model::Quantity::kPosition:
-      return q_[index(v.index)];
+      return q_[to_index(v.index)];
     case model::Quantity::kVelocity:
-      return qd_[index(v.index)];
+      return qd_[to_index(v.index)];
     case model::Quantity::kPointPosition:
-      return p_[index(3 * point + v.index)];
+      return p_[to_index(3 * point + v.index)];
     default:
       TREEDYN_EXPECT(v.quantity == model::Quantity::kPointVelocity);
-      return v_[index(3 * point + v.index)];
+      return v_[to_index(3 * point + v.index)];
   }
 }
 
@@ -66,7 +64,7 @@ Real SceneEquations::value(const model::Expression& expression, int point) const
 std::vector<SceneEquations::Row> SceneEquations::rows(const std::vector<int>& active) const {
   std::vector<Row> result;
   for (const int c : active) {
-    const model::Constraint& constraint = scene_.constraints[index(c)];
+    const model::Constraint& constraint = scene_.constraints[to_index(c)];
     for (std::size_t k = 0; k < constraint.rows(); ++k) {
       result.push_back(row(constraint, k));
       result.back().wanted = wanted(constraint, k);
@@ -79,9 +77,9 @@ std::vector<SceneEquations::Row> SceneEquations::rows(const std::vector<int>& ac
 }
 
 SceneEquations::Row SceneEquations::row(const model::Constraint& c, std::size_t k) const {
-  Row result{Values(index(dof_)), 0, 0};
+  Row result{Values(to_index(dof_)), 0, 0};
   if (c.kind == model::ConstraintKind::kJoint) {
-    result.J[index(c.joint)] = 1;
+    result.J[to_index(c.joint)] = 1;
     return result;
   }
   const bool turning = c.kind == model::ConstraintKind::kOrientation;
@@ -96,7 +94,7 @@ void SceneEquations::add(Row& row, const model::Vector3& d, const Values& jacobi
                          const Values& gamma, int point, int sign) const {
   const std::size_t width = 3 * scene_.points.size();
   for (std::size_t n = 0; n < 3; ++n) {
-    const std::size_t column = 3 * index(point) + n;
+    const std::size_t column = 3 * to_index(point) + n;
     for (std::size_t i = 0; i < row.J.size(); ++i) {
       row.J[i] += sign * d[n] * jacobian[i * width + column];
     }
@@ -123,7 +121,7 @@ model::Vector3 SceneEquations::turn_from(const Real* anchor, int point) const {
   const auto E = [&](std::size_t i, std::size_t k) {
     Real sum = 0;
     for (std::size_t n = 0; n < 3; ++n) {
-      sum += R_[9 * index(point) + 3 * i + n] * anchor[3 * k + n];
+      sum += R_[9 * to_index(point) + 3 * i + n] * anchor[3 * k + n];
     }
     return sum;
   };
@@ -131,22 +129,22 @@ model::Vector3 SceneEquations::turn_from(const Real* anchor, int point) const {
 }
 
 Real SceneEquations::position_error(int constraint, std::size_t k) const {
-  const model::Constraint& c = scene_.constraints[index(constraint)];
+  const model::Constraint& c = scene_.constraints[to_index(constraint)];
   const bool has_place = model::has_place(scene_, constraint);
   const Real* anchor =
       has_place ? c.loop->data() : anchor_.data() + model::anchor_offset(scene_, constraint);
   const bool has_anchor = has_place || model::anchor_size(scene_, constraint) > 0;
   if (c.kind == model::ConstraintKind::kJoint) {
-    const Real off = q_[index(c.joint)] - value(c.curve.position[0], 0);
+    const Real off = q_[to_index(c.joint)] - value(c.curve.position[0], 0);
     return has_anchor ? Real(off - anchor[0]) : off;
   }
   const bool turning = c.kind == model::ConstraintKind::kOrientation;
   const model::Vector3 turn = turning ? turn_from(anchor, c.point) : model::Vector3{};
   Real phi = 0;
   for (std::size_t n = 0; n < 3; ++n) {
-    Real off = turning ? turn[n] : p_[3 * index(c.point) + n];
+    Real off = turning ? turn[n] : p_[3 * to_index(c.point) + n];
     if (c.kind == model::ConstraintKind::kJoined) {
-      off -= p_[3 * index(c.other) + n];
+      off -= p_[3 * to_index(c.other) + n];
     } else if (!turning) {
       off -= value(c.curve.position[n], c.point);
       off -= has_anchor ? anchor[n] : Real(0);
@@ -158,7 +156,7 @@ Real SceneEquations::position_error(int constraint, std::size_t k) const {
 
 /// -2 alpha (J qd - c') - alpha^2 phi.
 Real SceneEquations::correction(const Row& row, int constraint, std::size_t k) const {
-  const model::Constraint& c = scene_.constraints[index(constraint)];
+  const model::Constraint& c = scene_.constraints[to_index(constraint)];
   Real rate = 0;
   for (std::size_t i = 0; i < row.J.size(); ++i) {
     rate += row.J[i] * qd_[i];
@@ -174,32 +172,10 @@ Real SceneEquations::correction(const Row& row, int constraint, std::size_t k) c
 }
 
 void SceneEquations::add_joint_forces(Values& force) const {
-  for (std::size_t k = 0; k < scene_.tau.size(); ++k) {
-    force[k] += scene_.tau[k];
-  }
-  for (const model::Motor& motor : scene_.motors) {
-    force[index(motor.joint)] += value(motor.torque, 0);
-  }
-  for (const model::JointSpring& s : scene_.joint_springs) {
-    const std::size_t j = index(s.joint);
-    force[j] -= s.stiffness * (q_[j] - s.rest) + s.damping * qd_[j];
-  }
-  for (const model::ViscousFriction& f : scene_.viscous_frictions) {
-    force[index(f.joint)] -= f.coefficient * qd_[index(f.joint)];
-  }
-  const auto saturated = [](const Real& speed, const Real& slip_speed) {
-    return Real(speed / sqrt(Real(speed * speed + slip_speed * slip_speed)));
-  };
-  for (const model::JointFriction& f : scene_.frictions) {
-    if (f.slip_speed > 0) {
-      force[index(f.joint)] -= f.force * saturated(qd_[index(f.joint)], f.slip_speed);
+  for (int joint = 0; joint < scene_.tree.dof(); ++joint) {
+    for (const model::Expression& law : model::joint_forces(scene_, joint)) {
+      force[to_index(joint)] += value(law, 0);
     }
-  }
-  for (const model::StribeckFriction& f : scene_.stribeck_frictions) {
-    const Real& speed = qd_[index(f.joint)];
-    const Real ratio = speed / f.stribeck_speed;
-    const Real size = f.force + (f.static_force - f.force) / (1 + ratio * ratio);
-    force[index(f.joint)] -= size * saturated(speed, f.slip_speed);
   }
 }
 
@@ -209,7 +185,7 @@ void SceneEquations::apply(const model::Vector3& value, int point, const Values&
   const std::size_t width = 3 * scene_.points.size();
   for (std::size_t i = 0; i < force.size(); ++i) {
     for (std::size_t n = 0; n < 3; ++n) {
-      force[i] += jacobian[i * width + 3 * index(point) + n] * value[n];
+      force[i] += jacobian[i * width + 3 * to_index(point) + n] * value[n];
     }
   }
 }
@@ -220,9 +196,9 @@ void SceneEquations::add_point_springs(Values& force) const {
     Real squared = 0;
     Real along = 0;
     for (std::size_t n = 0; n < 3; ++n) {
-      u[n] = p_[3 * index(s.point) + n] - s.anchor[n];
+      u[n] = p_[3 * to_index(s.point) + n] - s.anchor[n];
       squared += u[n] * u[n];
-      along += u[n] * v_[3 * index(s.point) + n];
+      along += u[n] * v_[3 * to_index(s.point) + n];
     }
     const Real length = sqrt(squared);
     const Real pull = s.stiffness * (length - s.rest_length) + s.damping * along / length;
@@ -240,7 +216,7 @@ void SceneEquations::add_load(const model::PointLoad& load, const Values& jacobi
 }
 
 SceneEquations::Values SceneEquations::force() const {
-  Values force(index(dof_));
+  Values force(to_index(dof_));
   add_joint_forces(force);
   add_point_springs(force);
   for (const model::PointLoad& load : scene_.forces) {
@@ -255,7 +231,7 @@ SceneEquations::Values SceneEquations::force() const {
 Real SceneEquations::normal_speed(const model::GroundContact& contact) const {
   Real sum = 0;
   for (std::size_t n = 0; n < 3; ++n) {
-    sum += contact.plane.normal[n] * v_[3 * index(contact.point) + n];
+    sum += contact.plane.normal[n] * v_[3 * to_index(contact.point) + n];
   }
   return sum;
 }
@@ -280,7 +256,7 @@ SceneEquations::Values SceneEquations::contact(const model::GroundContact& conta
   model::Vector3 slip;
   Real squared = contact.slip_speed * contact.slip_speed;
   for (std::size_t n = 0; n < 3; ++n) {
-    slip[n] = v_[3 * index(contact.point) + n] - vn * contact.plane.normal[n];
+    slip[n] = v_[3 * to_index(contact.point) + n] - vn * contact.plane.normal[n];
     squared += slip[n] * slip[n];
   }
   model::Vector3 f;
@@ -289,7 +265,7 @@ SceneEquations::Values SceneEquations::contact(const model::GroundContact& conta
         contact.friction == 0 ? Real(0) : Real(contact.friction * normal * slip[n] / sqrt(squared));
     f[n] = normal * contact.plane.normal[n] - drag;
   }
-  Values force(index(dof_));
+  Values force(to_index(dof_));
   apply(f, contact.point, C_, force);
   return force;
 }
