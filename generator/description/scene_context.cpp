@@ -158,7 +158,7 @@ void SceneContext::define_points(const SceneFields& root) {
   const std::vector<Node>& nodes = root.list("points");
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const SceneFields point =
-        fields(nodes[k], called("point", nodes[k], k), {"name", "link", "at"});
+        fields(nodes[k], called("point", nodes[k], k), {"name", "link", "at"}).at_run_time();
     const Text name = point.name("name", "point");
     const Text link = point.text("link");
     const model::Frame* const frame = find_frame(scene_.tree, link.text);

@@ -125,10 +125,10 @@ void read_actuated(const SceneContext& context, const SceneFields& root, model::
 /// What the model declares as known at run time only, where it is a matter of the scene too.
 void read_model_parameters(const SceneFields& root, bool at_run_time, model::Tree& tree) {
   for (const model::Parameter& parameter : tree.parameters) {
-    if (parameter.quantity > model::ParameterKind::kInertia) {
+    if (parameter.quantity == model::ParameterKind::kGravity) {
       root.fail(root.get("model").where,
-                fmt::format("the model declares '{}' as known at run time only, which scenes do "
-                            "not take; expected masses, centres of mass and inertias",
+                fmt::format("the model declares '{}' as known at run time only, which is a matter "
+                            "of the scene; expected parameters of the scene in its 'gravity'",
                             shown(parameter.declared)));
     }
   }

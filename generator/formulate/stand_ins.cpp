@@ -31,8 +31,14 @@ void see(model::Link& link, StandInNumbers& all) {
   link.inertia.about_com = all.symmetric(link.inertia.about_com);
 }
 
+bool is_fixed(std::span<const Real> numbers) {
+  return std::ranges::all_of(numbers, [](const Real& number) { return number.recipe() == 0; });
+}
+
 void see(model::Point& point, StandInNumbers& all) {
-  point.at = all.vector(StandIn::kOffset, point.at);
+  if (is_fixed(point.at)) {
+    point.at = all.vector(StandIn::kOffset, point.at);
+  }
   point.rotation = all.rotation(point.rotation);
 }
 
@@ -47,10 +53,6 @@ std::vector<int> groups_of(const model::Tree& tree) {
     }
   }
   return groups;
-}
-
-bool is_fixed(std::span<const Real> numbers) {
-  return std::ranges::all_of(numbers, [](const Real& number) { return number.recipe() == 0; });
 }
 
 /// Of a scene all its numbers, behind those of the robot.
@@ -217,6 +219,9 @@ model::Scene with_values(const model::Scene& scene, const std::vector<Real>& par
   std::size_t k = 0;
   for (const model::Parameter& parameter : scene.tree.parameters) {
     model::set(result.tree, result.gravity, parameter, parameters[k++].plain());
+  }
+  for (const auto& [point, own] : model::points_with_parameters(scene.tree, scene.points)) {
+    result.points[point].at = result.tree.points[own].at;
   }
   result.tree.parameters.clear();
   return result;

@@ -20,6 +20,7 @@
 #include "formulate/scene_steps.hpp"
 #include "formulate/scene_sticking.hpp"
 #include "formulate/stand_ins.hpp"
+#include "model/parameters.hpp"
 #include "model/scene_facts.hpp"
 #include "request/limits.hpp"
 #include "simulation/integrator.hpp"
@@ -241,6 +242,23 @@ void refuse_parameters(const Request& request, const std::string& file) {
   }
 }
 
+/// Spare rows of a loop are drawn to where the nominal lengths have them.
+void refuse_lengths_of_loops(const model::Scene& scene, const std::string& file) {
+  const auto is_at_run_time = [](const model::Point& point) {
+    return std::ranges::any_of(point.at, [](const Real& x) { return x.recipe() != 0; });
+  };
+  const auto drawn = std::ranges::find_if(
+      scene.constraints, [](const model::Constraint& c) { return c.loop && !c.loop->empty(); });
+  if (drawn != scene.constraints.end() &&
+      (model::has_lengths(scene.tree) || std::ranges::any_of(scene.points, is_at_run_time))) {
+    throw InputError({file, 0, 0},
+                     fmt::format("runtime: constraint '{}' closes a loop that steps draw to where "
+                                 "it begins, which follows from lengths; expected none that are "
+                                 "known at run time only, or stabilisation: {{method: none}}",
+                                 shown(drawn->name)));
+  }
+}
+
 /// A scene brings its tree, gravity and points. Its digest is that of scene and model, one behind
 /// the other.
 Model read_scene_model(const Request& request) {
@@ -282,6 +300,7 @@ Model read_scene_model(const Request& request) {
   check_step(model);
   check_impacts(model, {*request.scene, 0, 0});
   formulate::settle_loops(*model.scene);
+  refuse_lengths_of_loops(*model.scene, *request.scene);
   formulate::settle_sticking(*model.scene);
   model.name = request.name.value_or(to_identifier(model.scene->name));
   model.name += is_reserved(model.name) ? "_" : "";

@@ -497,7 +497,7 @@ const Robot kLed = {
     "Led",
     "polar.yaml",
     "",
-    {{"runtime: [radius, omega, offset, rate]\n", "", "", ""},
+    {{"runtime: [radius, omega, offset, rate, grip]\n", "", "", ""},
      of_parameter("radius", "0.25", "0.6"),
      of_parameter("omega", "2", "3"),
      of_parameter("offset", "1.2", "0.5"),
@@ -505,12 +505,20 @@ const Robot kLed = {
      {"mass: m3", "mass: 5.5", "boom_mass", "5.5"},
      {"com: [0, 0, -c3]", "com: [0.01, 0.02, -0.4]", "boom_com_x", "0.01"},
      {"[0.01, 0.02", "[0.01, 0.02", "boom_com_y", "0.02"},
-     {"0.02, -0.4]", "0.02, -0.4]", "boom_com_z", "-0.4"}},
+     {"0.02, -0.4]", "0.02, -0.4]", "boom_com_z", "-0.4"},
+     {"offset: [0, d2, 0]", "offset: [0.05, 0.3, -0.1]", "boom_offset_x", "0.05"},
+     {"[0.05, 0.3", "[0.05, 0.3", "boom_offset_y", "0.3"},
+     {"0.3, -0.1]", "0.3, -0.1]", "boom_offset_z", "-0.1"},
+     {"link: boom}", "link: boom, at: [0.3, -0.2, 0.15]}", "hand_at_x", "0.3"},
+     {"at: [0.3, -0.2", "at: [0.3, -0.2", "hand_at_y", "-0.2"},
+     {"-0.2, 0.15]", "-0.2, 0.15]", "hand_at_z", "0.15"},
+     of_parameter("grip", "0.2", "-0.35")},
     {"--effort", "20"},
     2.3e-16,
     {},
     "led.yaml",
-    {{"    com: [0, 0, -c3]\n", "    com: [0, 0, -c3]\n    runtime: [mass, com]\n", "", ""}}};
+    {{"    com: [0, 0, -c3]\n", "    com: [0, 0, -c3]\n    runtime: [mass, com, offset]\n", "", ""},
+     {"link: boom}", "link: boom, runtime: [at]}", "", ""}}};
 
 const Robot kBounce = {"Bounce",
                        "scenes/drop.model.yaml",
@@ -600,8 +608,8 @@ TEST_F(RunTimeCli, ScenesRefuseWhatTheyDoNotTake) {
     write_file(scratch("scene.yaml"), "scene: s\nmodel: model.yaml\nduration: 1\n" + scene);
     expect_refused({"--scene", scratch("scene.yaml")}, what);
   };
-  write_file(scratch("model.yaml"), declared("mass: 2\n    runtime: [offset]"));
-  refused("", "scene.yaml:2:8: scene: the model declares 'a.offset' as known at run time only");
+  write_file(scratch("model.yaml"), "runtime: [gravity]\n" + declared("mass: 2"));
+  refused("", "scene.yaml:2:8: scene: the model declares 'gravity' as known at run time only");
   write_file(scratch("model.yaml"), declared("mass: 2\n    inertia: [1, 0, 0, 1, 0, 1]"));
   const std::string k = "parameters: {k: 2}\nruntime: [k]\n";
   refused("runtime: [k]\n", "runtime: there is no parameter 'k'");
@@ -609,7 +617,9 @@ TEST_F(RunTimeCli, ScenesRefuseWhatTheyDoNotTake) {
   refused(k, "no function that is generated depends on parameter 'k'");
   const std::string fixed = "'k' is known at run time only, which this is not";
   refused(k + "stepping: {step: k/1000}\n", fixed);
-  refused(k + "points: [{name: p, link: a, at: [k, 0, 0]}]\n", fixed);
+  refused(k + "points: [{name: p, link: a, at: [k, 0, 0]}]\nstepping: {integrator: rk4}\n"
+              "effects: {point_constraint: [{point: p, along: [y]}]}\n",
+          "constraint 'p' closes a loop that steps draw to where it begins");
   refused(k + "effects: {coulomb_friction: [{joint: j, force: k}]}\n", fixed);
   refused(k + "effects: {ground_contact: [{point: a, stiffness: 1, exponent: k}]}\n", fixed);
   refused(k + "effects: {point_constraint: [{point: a, along: [[k, 0, 0]]}]}\n", fixed);
