@@ -109,7 +109,9 @@ class Chart {
 
   [[nodiscard]] std::string grid(const std::string& axis) const {
     std::string text;
-    for (double k = x_.low; k <= x_.high; ++k) {
+    const int decades = static_cast<int>(x_.high - x_.low);
+    for (int number = 0; number <= decades; ++number) {
+      const double k = x_.low + number;
       const double x = px(std::pow(10, k));
       text += fmt::format(
           "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"{3}\" "
@@ -117,7 +119,9 @@ class Chart {
           x, kTop, kHeight - kBottom, kHeight - kBottom + 16, k);
     }
     const double every = std::max(1.0, std::ceil((y_.high - y_.low) / 10));
-    for (double k = y_.low; k <= y_.high; k += every) {
+    const int lines = static_cast<int>((y_.high - y_.low) / every);
+    for (int number = 0; number <= lines; ++number) {
+      const double k = y_.low + number * every;
       const double y = py(std::pow(10, k));
       text += fmt::format(
           "<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#ddd\"/><text x=\"{3}\" y=\"{4:.1f}\" "

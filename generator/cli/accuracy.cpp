@@ -234,6 +234,23 @@ Study study_of(const AccuracyRequest& request, const Subject& subject) {
   return study;
 }
 
+/// What there are steps in; of sdirk2 no compensated ones are made.
+bool is_made(accuracy::State state, const std::string& integrator) {
+  return state != accuracy::State::kCompensated || integrator != "sdirk2";
+}
+
+/// By scalar, falling step.
+void add_settings(const std::string& integrator, const accuracy::Variant& variant,
+                  const std::vector<double>& steps, std::vector<accuracy::Setting>& settings) {
+  for (const accuracy::State state : accuracy::kStates) {
+    if (is_made(state, integrator)) {
+      for (const double step : steps) {
+        settings.push_back({state, integrator, step, variant});
+      }
+    }
+  }
+}
+
 /// By method, scalar, falling step.
 std::vector<accuracy::Setting> settings_of(const std::vector<std::string>& integrators,
                                            const std::vector<accuracy::Variant>& variants,
@@ -241,14 +258,7 @@ std::vector<accuracy::Setting> settings_of(const std::vector<std::string>& integ
   std::vector<accuracy::Setting> result;
   for (const std::string& integrator : integrators) {
     for (const accuracy::Variant& variant : variants) {
-      for (const accuracy::State state : accuracy::kStates) {
-        if (state == accuracy::State::kCompensated && integrator == "sdirk2") {
-          continue;  // which is not made
-        }
-        for (const double step : steps) {
-          result.push_back({state, integrator, step, variant});
-        }
-      }
+      add_settings(integrator, variant, steps, result);
     }
   }
   return result;
@@ -273,26 +283,32 @@ std::string identity(const Study& study, const Subject& subject,
   return text;
 }
 
-/// The reference and its check, of the parts if they are there.
-void find_reference(const AccuracyRequest& request, const Subject& subject, const StudyParts& parts,
-                    const AccuracyTrace& trace, Comparison& comparison, StepWriter& writer,
+/// Takes the reference and its check from the parts. \return false if they are not there
+bool take_reference(const AccuracyRequest& request, const StudyParts& parts, Comparison& comparison,
                     Study& study) {
   if (std::optional<KnownReference> known = parts.reference()) {
     study.reference = known->reference;
     comparison.set_reference(std::move(known->exact));
     require_error(request, study);
-    return;
+    return true;
   }
   if (request.joined) {
     throw InputError({request.parts, 0, 0},
                      "the reference is not there; expected the folder of a plan");
   }
+  return false;
+}
+
+/// The reference and its check.
+KnownReference make_reference(const AccuracyRequest& request, const Subject& subject,
+                              const AccuracyTrace& trace, Comparison& comparison,
+                              StepWriter& writer, Study& study) {
   const std::vector<Motion> exact = reference(subject, comparison, writer, study);
   require_error(request, study);
   trace(fmt::format("reference: agreement {:.1e}", study.reference.agreement));
   check(subject, exact, study);
   trace(fmt::format("check: {:.1e}", study.reference.check_difference));
-  parts.keep({study.reference, exact});
+  return {study.reference, exact};
 }
 
 /// What the names of the study's files begin with.
@@ -351,7 +367,9 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
       identity(study, subject, settings, sized) + (request.time ? "timed\n" : ""),
       own.empty() ? StudyParts::Others::kRefused : StudyParts::Others::kReplaced);
   Comparison comparison(subject, points);
-  find_reference(request, subject, parts, trace, comparison, writer, study);
+  if (!take_reference(request, parts, comparison, study)) {
+    parts.keep(make_reference(request, subject, trace, comparison, writer, study));
+  }
   if (!request.plan.empty()) {
     plan(request, parts, settings);
     return std::nullopt;

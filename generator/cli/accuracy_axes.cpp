@@ -121,7 +121,7 @@ std::vector<Variant> variants_of(const AccuracyAxes& axes, const Subject& subjec
     require_difference(axis, subject, integrator, writer);
     std::vector<Variant> varied;
     for (const std::string& word : *axis.words) {
-      for (Variant variant : result) {
+      for (Variant variant : result) {  // NOLINT(performance-for-range-copy): to be changed
         variant.*axis.choice = word;
         varied.push_back(variant);
       }

@@ -116,8 +116,8 @@ std::string factored_text(const Model& model, const Request& request, const std:
                  formulate::costs_of_numbers(model.tree, name, formulate_options(model, request)));
   for (const auto& [leaf, of] : function.given) {
     const std::string text = block::print(of->equation.expression);
-    result += "\n" + (text == leaf ? leaf : leaf + " = " + text) + "\n" +
-              derived_text(model, request, of);
+    result += fmt::format("\n{}\n{}", text == leaf ? leaf : fmt::format("{} = {}", leaf, text),
+                          derived_text(model, request, of));
   }
   return result;
 }

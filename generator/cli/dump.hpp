@@ -13,8 +13,7 @@ std::string equations_text(const Model& model, const Request& request);
 
 /// How the code of a function comes about, line by line. \throws UsageError for a function that is
 /// no block equation.
-std::string derivation_text(const Model& model, const Request& request,
-                            const std::string& function);
+std::string derivation_text(const Model& model, const Request& request, const std::string& name);
 
 /// The stages whose results `dump` shows.
 const std::vector<std::string>& stages();

@@ -27,7 +27,7 @@ Real number(const std::string& option, const std::string& text) {
 }
 
 Real positive(const std::string& option, const std::string& text) {
-  const Real value = number(option, text);
+  Real value = number(option, text);
   if (value <= 0) {
     throw CLI::ValidationError(
         option, fmt::format("{} is not above 0; expected a number above 0", shown(text)));
@@ -334,19 +334,10 @@ std::vector<std::string> with_settings(const std::vector<std::string>& words,
   return result;
 }
 
-void add_generation(CLI::App& command, Request& request) {
-  add_model(command, request);
-  add_sharing(command, request);
-  add_checked(command, request);
-  add_runtime(command, request);
-  add_stepping(command, request.stepping);
-  command.get_option("MODEL")->required(false);
-  command
-      .add_option_function<std::string>(
-          "--scene", [&request](const std::string& file) { request.scene = file; },
-          "a scene: its model, effects and functions instead of a MODEL")
-      ->type_name("FILE");
-  add_language(command, request);
+namespace {
+
+/// Numbers, sines and storage of the output.
+void add_target(CLI::App& command, Request& request) {
   command
       .add_option_function<std::string>(
           "--scalar",
@@ -394,6 +385,10 @@ void add_generation(CLI::App& command, Request& request) {
           "the header; default dense")
       ->check(one_of({"dense", "packed"}))
       ->type_name("dense|packed");
+}
+
+/// Which functions there are, and of what.
+void add_contents(CLI::App& command, Request& request) {
   command
       .add_option_function<std::string>(
           "--functions", [&request](const std::string& list) { set_functions(request, list); },
@@ -417,6 +412,10 @@ void add_generation(CLI::App& command, Request& request) {
           "--gravity", [&request](const std::string& text) { set_gravity(request, text); },
           "m/s^2 in the base frame; default 0,0,-9.81")
       ->type_name("x,y,z");
+}
+
+/// How formulations are looked for and measured.
+void add_formulation(CLI::App& command, Request& request) {
   command
       .add_option("--accuracy-samples", request.accuracy_samples,
                   "states in which errors of the functions of the model are measured: into the "
@@ -451,6 +450,26 @@ void add_generation(CLI::App& command, Request& request) {
           "method of forward_dynamics; default cheapest")
       ->check(one_of({"cheapest", "factor", "articulated"}))
       ->type_name("cheapest|factor|articulated");
+}
+
+}  // namespace
+
+void add_generation(CLI::App& command, Request& request) {
+  add_model(command, request);
+  add_sharing(command, request);
+  add_checked(command, request);
+  add_runtime(command, request);
+  add_stepping(command, request.stepping);
+  command.get_option("MODEL")->required(false);
+  command
+      .add_option_function<std::string>(
+          "--scene", [&request](const std::string& file) { request.scene = file; },
+          "a scene: its model, effects and functions instead of a MODEL")
+      ->type_name("FILE");
+  add_language(command, request);
+  add_target(command, request);
+  add_contents(command, request);
+  add_formulation(command, request);
 }
 
 }  // namespace treedyn

@@ -31,7 +31,7 @@
 
 namespace {
 
-using namespace treedyn;
+using namespace treedyn;  // NOLINT(google-build-using-namespace): this is its program
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 void print_error(const std::string& text) { std::fputs(text.c_str(), stderr); }

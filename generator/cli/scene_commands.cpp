@@ -79,30 +79,8 @@ void add_axes(CLI::App& command, AccuracyAxes& axes) {
       axes.without);
 }
 
-/// In the order in which they come first.
-template <class Value>
-void keep_once(std::vector<Value>& values) {
-  std::vector<Value> once;
-  for (const Value& value : values) {
-    if (std::find(once.begin(), once.end(), value) == once.end()) {
-      once.push_back(value);
-    }
-  }
-  values = once;
-}
-
-}  // namespace
-
-void tidy_study(AccuracyRequest& request) {
-  keep_once(request.on);
-  keep_once(request.integrators);
-  keep_once(request.steps);
-}
-
-void add_accuracy(CLI::App& app, Settings& settings) {
-  AccuracyRequest& request = settings.accuracy;
-  CLI::App& command =
-      *app.add_subcommand("accuracy", "what the accuracy of a scene's generated step costs");
+/// What is studied, and what is looked for.
+void add_study(CLI::App& command, AccuracyRequest& request) {
   command.add_option("SCENE", request.scene, "scene (*.yaml)")->required();
   command
       .add_option("-o,--output", request.output,
@@ -138,6 +116,10 @@ void add_accuracy(CLI::App& app, Settings& settings) {
   add_positive(command, "--target",
                "largest error, see --error: prints the cheapest setting that keeps it", "E",
                request.target);
+}
+
+/// Which motions are compared, and by what.
+void add_comparison(CLI::App& command, AccuracyRequest& request) {
   command.add_option("--states", request.states, "initial states, the scene's own among them")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
@@ -161,7 +143,10 @@ void add_accuracy(CLI::App& app, Settings& settings) {
       .add_option("--points", request.points,
                   "whose places are compared, as in generate; default: those of the scene")
       ->type_name("LIST");
-  add_axes(command, request.axes);
+}
+
+/// What a setting takes of a processor and of this machine.
+void add_resources(CLI::App& command, AccuracyRequest& request) {
   command.add_flag("--sizes", request.sizes,
                    "flash and stack of every step on the processors, by arm-none-eabi-g++");
   command.add_flag("--time", request.time,
@@ -169,6 +154,10 @@ void add_accuracy(CLI::App& app, Settings& settings) {
                    "from run to run");
   add_bytes(command, "--flash", request.limits.flash);
   add_bytes(command, "--stack", request.limits.stack);
+}
+
+/// A study by several processes, or one that goes on.
+void add_parts(CLI::App& command, AccuracyRequest& request) {
   CLI::Option* parts =
       command
           .add_option("--parts", request.parts,
@@ -194,6 +183,37 @@ void add_accuracy(CLI::App& app, Settings& settings) {
           "measure nothing: all settings are in the folder that --parts had")
       ->type_name("DIR")
       ->excludes("--plan", "--part", "--parts");
+}
+
+/// In the order in which they come first.
+template <class Value>
+void keep_once(std::vector<Value>& values) {
+  std::vector<Value> once;
+  for (const Value& value : values) {
+    if (std::find(once.begin(), once.end(), value) == once.end()) {
+      once.push_back(value);
+    }
+  }
+  values = once;
+}
+
+}  // namespace
+
+void tidy_study(AccuracyRequest& request) {
+  keep_once(request.on);
+  keep_once(request.integrators);
+  keep_once(request.steps);
+}
+
+void add_accuracy(CLI::App& app, Settings& settings) {
+  AccuracyRequest& request = settings.accuracy;
+  CLI::App& command =
+      *app.add_subcommand("accuracy", "what the accuracy of a scene's generated step costs");
+  add_study(command, request);
+  add_comparison(command, request);
+  add_axes(command, request.axes);
+  add_resources(command, request);
+  add_parts(command, request);
   add_talk(command, settings);
 }
 

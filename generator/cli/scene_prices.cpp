@@ -57,6 +57,16 @@ void remove_impacts(Scene& scene) {
   }
 }
 
+template <auto kList>
+void without_any(Scene& scene) {
+  (scene.*kList).clear();
+}
+
+template <ConstraintKind kKind>
+void without_kind(Scene& scene) {
+  remove_constraints(scene, kKind);
+}
+
 using Removal = std::function<void(Scene&)>;
 
 const std::map<std::string_view, Removal>& removals() {
@@ -69,63 +79,24 @@ const std::map<std::string_view, Removal>& removals() {
        [](Scene& s) {
          s.velocity_products = false;
        }},
-      {"viscous_friction",
-       [](Scene& s) {
-         s.viscous_frictions.clear();
-       }},
-      {"coulomb_friction",
-       [](Scene& s) {
-         s.frictions.clear();
-       }},
-      {"stribeck_friction",
-       [](Scene& s) {
-         s.stribeck_frictions.clear();
-       }},
-      {"armature",
-       [](Scene& s) {
-         s.armatures.clear();
-       }},
-      {"joint_spring",
-       [](Scene& s) {
-         s.joint_springs.clear();
-       }},
-      {"point_spring",
-       [](Scene& s) {
-         s.point_springs.clear();
-       }},
+      {"viscous_friction", without_any<&Scene::viscous_frictions>},
+      {"coulomb_friction", without_any<&Scene::frictions>},
+      {"stribeck_friction", without_any<&Scene::stribeck_frictions>},
+      {"armature", without_any<&Scene::armatures>},
+      {"joint_spring", without_any<&Scene::joint_springs>},
+      {"point_spring", without_any<&Scene::point_springs>},
       {"drive",
        [](Scene& s) {
          s.motors.clear();
          s.tau.clear();
        }},
-      {"locked_joint",
-       [](Scene& s) {
-         remove_constraints(s, ConstraintKind::kJoint);
-       }},
-      {"force",
-       [](Scene& s) {
-         s.forces.clear();
-       }},
-      {"moment",
-       [](Scene& s) {
-         s.torques.clear();
-       }},
-      {"point_constraint",
-       [](Scene& s) {
-         remove_constraints(s, ConstraintKind::kPoint);
-       }},
-      {"orientation_constraint",
-       [](Scene& s) {
-         remove_constraints(s, ConstraintKind::kOrientation);
-       }},
-      {"joined_constraint",
-       [](Scene& s) {
-         remove_constraints(s, ConstraintKind::kJoined);
-       }},
-      {"ground_contact",
-       [](Scene& s) {
-         s.contacts.clear();
-       }},
+      {"locked_joint", without_kind<ConstraintKind::kJoint>},
+      {"force", without_any<&Scene::forces>},
+      {"moment", without_any<&Scene::torques>},
+      {"point_constraint", without_kind<ConstraintKind::kPoint>},
+      {"orientation_constraint", without_kind<ConstraintKind::kOrientation>},
+      {"joined_constraint", without_kind<ConstraintKind::kJoined>},
+      {"ground_contact", without_any<&Scene::contacts>},
       {"impact", remove_impacts},
       {"stabilisation", [](Scene& s) {
          s.stepping.drift = model::Drift::kNone;

@@ -17,9 +17,9 @@ namespace treedyn {
 namespace {
 
 /// States that a page shows: more than a plot has pixels.
-constexpr std::size_t kStates = 1200;
+constexpr std::size_t kMostShownRows = 1200;
 
-std::string list_of(const std::vector<std::string>& values) {
+std::string bracketed(const std::vector<std::string>& values) {
   return fmt::format("[{}]", fmt::join(values, ","));
 }
 
@@ -30,7 +30,7 @@ std::string short_numbers(const List& values) {
   for (const double value : values) {
     result.push_back(std::isfinite(value) ? fmt::format("{:.6g}", value) : "null");
   }
-  return list_of(result);
+  return bracketed(result);
 }
 
 /// \param contacts  instead of those of the row, from this column on
@@ -46,11 +46,11 @@ std::string short_row(const simulation::Row& row, const std::vector<double>& con
                      short_numbers(nodes));
 }
 
-/// At most kStates rows; those beside a change of phase and the last stay. Contact forces are the
-/// largest since the row before.
+/// At most kMostShownRows rows; those beside a change of phase and the last stay. Contact forces
+/// are the largest since the row before.
 std::string rows_json(const simulation::Recording& recording) {
   const std::vector<simulation::Row>& rows = recording.rows;
-  const std::size_t every = (rows.size() + kStates - 1) / kStates;
+  const std::size_t every = (rows.size() + kMostShownRows - 1) / kMostShownRows;
   const auto column = std::ranges::find_if(
       recording.columns, [](const std::string& name) { return name.starts_with("F["); });
   std::vector<double> contacts;
@@ -77,7 +77,7 @@ std::string events_json(const SimulateResult& result) {
                            {"phase", emit::json_string(result.phase_name(event.phase))},
                            {"then", emit::json_string(result.phase_name(event.then))}}));
   }
-  return list_of(events);
+  return bracketed(events);
 }
 
 std::string effects_of(const model::Scene& scene) {
@@ -163,16 +163,18 @@ std::string run_json(const SimulateResult& result) {
   add("largest residual, drift",
       fmt::format("{:.2g}, {:.2g}", recording.residual, recording.drift));
   add("version", fmt::format("treedyn {}", kVersion));
-  return list_of(lines);
+  return bracketed(lines);
 }
 
-std::string vector_json(const model::Vector3& x) { return fmt::format("[{}]", numbers_of(x)); }
+std::string short_vector_json(const model::Vector3& x) {
+  return fmt::format("[{}]", numbers_of(x));
+}
 
 std::string planes_json(const model::Scene& scene) {
   std::vector<std::string> result;
   const auto add = [&](const model::Plane& plane) {
     const std::string text =
-        emit::json_object({{"normal", vector_json(plane.normal)},
+        emit::json_object({{"normal", short_vector_json(plane.normal)},
                            {"height", fmt::format("{:.6g}", static_cast<double>(plane.height))}});
     if (std::find(result.begin(), result.end(), text) == result.end()) {
       result.push_back(text);
@@ -188,7 +190,7 @@ std::string planes_json(const model::Scene& scene) {
       }
     }
   }
-  return list_of(result);
+  return bracketed(result);
 }
 
 /// Where the forces on points act: the node of the figure, and columns with their directions.
@@ -215,7 +217,7 @@ class ForceList {
                           {fmt::format("F[{}.y]", name), {0, 1, 0}},
                           {fmt::format("F[{}.z]", name), {0, 0, 1}}});
     }
-    return list_of(forces_);
+    return bracketed(forces_);
   }
 
  private:
@@ -229,14 +231,14 @@ class ForceList {
     for (const auto& [name, direction] : rows) {
       const auto at = std::find(columns_.begin(), columns_.end(), name);
       columns.push_back(std::to_string(at - columns_.begin()));
-      directions.push_back(vector_json(direction));
+      directions.push_back(short_vector_json(direction));
     }
     const auto before =
         std::count_if(scene_.points.begin(), scene_.points.begin() + point,
                       [](const model::Point& x) { return x.link != model::kGround; });
     forces_.push_back(emit::json_object({{"node", std::to_string(scene_.tree.size() + before)},
-                                         {"columns", list_of(columns)},
-                                         {"directions", list_of(directions)}}));
+                                         {"columns", bracketed(columns)},
+                                         {"directions", bracketed(directions)}}));
   }
 
   const model::Scene& scene_;
@@ -286,11 +288,12 @@ std::string report_data(const SimulateResult& result) {
       "\"phases\": {},\n\"names\": {},\n\"visible\": [{}],\n\"lines\": {},\n\"planes\": {},\n"
       "\"forces\": {},\n\"bounds\": {},\n\"rows\": [\n{}]}}",
       emit::json_string(scene.name), scene.tree.dof(), scene.tree.size(), recording.rows.size(),
-      emit::json_string(recording.stopped), run_json(result), list_of(quoted(warnings_of(result))),
-      events_json(result), list_of(quoted(recording.columns)), units_json(scene),
-      list_of(quoted(phases)), list_of(quoted(recording.figure.names)),
-      fmt::join(recording.figure.visible, ","), list_of(lines), planes_json(scene),
-      ForceList(scene, recording.columns).text(), bounds_json(result), rows_json(recording));
+      emit::json_string(recording.stopped), run_json(result),
+      bracketed(quoted(warnings_of(result))), events_json(result),
+      bracketed(quoted(recording.columns)), units_json(scene), bracketed(quoted(phases)),
+      bracketed(quoted(recording.figure.names)), fmt::join(recording.figure.visible, ","),
+      bracketed(lines), planes_json(scene), ForceList(scene, recording.columns).text(),
+      bounds_json(result), rows_json(recording));
   std::string safe;
   for (const char c : text) {  // no name ends the script
     safe += c == '<' ? "\\u003c" : std::string(1, c);

@@ -18,7 +18,7 @@ constexpr double kMoved = 1e-6;
 /// @a) begins with an apostrophe.
 std::string csv_field(const std::string& name) {
   const bool formula = name.find_first_of("=+-@\t") == 0;
-  const std::string text = (formula ? "'" : "") + name;
+  std::string text = (formula ? "'" : "") + name;
   if (text.find_first_of(",\"\r\n") == std::string::npos) {
     return text;
   }

@@ -22,7 +22,7 @@ std::string printable(const std::string& path) {
 }  // namespace
 
 std::string to_string(const Location& where) {
-  const std::string file = printable(where.file);
+  std::string file = printable(where.file);
   if (where.line <= 0) {
     return file;
   }

@@ -49,9 +49,11 @@ namespace treedyn {
 class Real {
  public:
   Real() = default;
-  Real(const Digits& value) : value_(value) {}
+  Real(const Digits& value)  // NOLINT(google-explicit-constructor): numbers are Real
+      : value_(value) {}
   template <class T>
-  requires std::is_arithmetic_v<T> Real(T value) : Real(from(Widest<T>(value))) {}
+  requires std::is_arithmetic_v<T> Real(T value)  // NOLINT(google-explicit-constructor): likewise
+      : Real(from(Widest<T>(value))) {}
   explicit Real(const char* text);
   explicit Real(const std::string& text) : Real(text.c_str()) {}
   template <unsigned n>

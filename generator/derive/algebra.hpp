@@ -91,7 +91,7 @@ class Algebra {
   int of_composites(Op op, int x);
 
   Terms flattened(const Terms& terms);
-  [[nodiscard]] int body_of(const Value& scaled) const;
+  [[nodiscard]] int body_of(const Value& v) const;
   void merge_sums(Terms& terms);
   void merge_backward(Terms& terms);
   void merge_skews(Terms& terms);

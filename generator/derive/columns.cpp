@@ -54,8 +54,6 @@ Strict strict(const Expression& a, const Expression& b) {
 
 namespace {
 
-bool is_vector(const Expression& f) { return f.shape().rows.size == 3 && f.shape().cols.size == 1; }
-
 Expression product_of(std::vector<Expression>::const_iterator begin,
                       std::vector<Expression>::const_iterator end) {
   return std::accumulate(begin + 1, end, *begin,

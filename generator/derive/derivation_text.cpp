@@ -143,13 +143,57 @@ class Printer {
     return text;
   }
 
+  [[nodiscard]] const std::string& first(const Value& value) const {
+    return name(value.operands.front());
+  }
+  [[nodiscard]] const std::string& last(const Value& value) const {
+    return name(value.operands.back());
+  }
+
+  /// Of values that come along the tree or from all of its links.
+  [[nodiscard]] std::string tree_expression(const Value& value) const {
+    switch (value.op) {
+      case Op::kPath:
+        return value.operands.size() == 1
+                   ? fmt::format("D {}", first(value))
+                   : fmt::format("{} everywhere + D {}", last(value), first(value));
+      case Op::kPathStrict:
+        return fmt::format("N {}", first(value));
+      case Op::kSubtree:
+        return fmt::format("D^T {}", first(value));
+      case Op::kSubtreeStrict:
+        return fmt::format("N^T {}", first(value));
+      case Op::kBackward:
+        return fmt::format("D^T {} + N^T {}", first(value), last(value));
+      case Op::kFather:
+        return value.operands.size() == 1
+                   ? fmt::format("{} of the father", first(value))
+                   : fmt::format("{} of the father, {} above roots", first(value), last(value));
+      case Op::kSons:
+        return fmt::format("sum of {} of the sons", first(value));
+      case Op::kGather:
+        return fmt::format("W {}", first(value));
+      case Op::kPick:
+        return fmt::format("W^T {}", first(value));
+      case Op::kSpread:
+        return fmt::format("{} everywhere", first(value));
+      case Op::kCollect:
+        return fmt::format("sum of all {}", first(value));
+      case Op::kFold:
+        return fmt::format("{} + sum of {} of the sons", first(value), last(value));
+      case Op::kEliminated:
+      case Op::kFromLeaves:
+      case Op::kFromRoot: {
+        const bool up = value.op != Op::kFromRoot;
+        return fmt::format("{} - {}{} {}, from the {}", first(value), last(value), up ? "^T" : "",
+                           value.name, up ? "leaves" : "root");
+      }
+      default:
+        return symbol(value);
+    }
+  }
+
   [[nodiscard]] std::string expression(const Value& value) const {
-    const auto a = [&] {
-      return name(value.operands.front());
-    };
-    const auto b = [&] {
-      return name(value.operands.back());
-    };
     switch (value.op) {
       case Op::kLinear:
         return sum(value);
@@ -161,82 +205,50 @@ class Printer {
         return text;
       }
       case Op::kDot:
-        return fmt::format("{}·{}", a(), b());
+        return fmt::format("{}·{}", first(value), last(value));
       case Op::kCross:
-        return fmt::format("{} × {}", a(), b());
+        return fmt::format("{} × {}", first(value), last(value));
       case Op::kSkew:
-        return fmt::format("Λ({})", a());
+        return fmt::format("Λ({})", first(value));
       case Op::kSkewProduct:
-        return a() == b() ? fmt::format("Λ({})²", a()) : fmt::format("Λ({}) Λ({})", a(), b());
+        return first(value) == last(value) ? fmt::format("Λ({})²", first(value))
+                                           : fmt::format("Λ({}) Λ({})", first(value), last(value));
       case Op::kApply:
-        return fmt::format("{} {}", a(), b());
+        return fmt::format("{} {}", first(value), last(value));
       case Op::kApplyTranspose:
-        return fmt::format("{}^T {}", a(), b());
+        return fmt::format("{}^T {}", first(value), last(value));
       case Op::kComposite:
         return fmt::format(
-            "tr(E^c) - E^c, E^c = D^T E + N^T ({1} {2}^T + {2} {1}^T + {0} {2} {2}^T)", a(),
-            name(value.operands[1]), b());
+            "tr(E^c) - E^c, E^c = D^T E + N^T ({1} {2}^T + {2} {1}^T + {0} {2} {2}^T)",
+            first(value), name(value.operands[1]), last(value));
       case Op::kMoment:
-        return fmt::format("vee({} E)", a());
+        return fmt::format("vee({} E)", first(value));
       case Op::kSquare:
-        return fmt::format("-tr(Λ({})² E)", a());
-      case Op::kPath:
-        return value.operands.size() == 1 ? fmt::format("D {}", a())
-                                          : fmt::format("{} everywhere + D {}", b(), a());
-      case Op::kPathStrict:
-        return fmt::format("N {}", a());
-      case Op::kSubtree:
-        return fmt::format("D^T {}", a());
-      case Op::kSubtreeStrict:
-        return fmt::format("N^T {}", a());
-      case Op::kBackward:
-        return fmt::format("D^T {} + N^T {}", a(), b());
-      case Op::kFather:
-        return value.operands.size() == 1
-                   ? fmt::format("{} of the father", a())
-                   : fmt::format("{} of the father, {} above roots", a(), b());
-      case Op::kSons:
-        return fmt::format("sum of {} of the sons", a());
-      case Op::kGather:
-        return fmt::format("W {}", a());
-      case Op::kPick:
-        return fmt::format("W^T {}", a());
-      case Op::kSpread:
-        return fmt::format("{} everywhere", a());
-      case Op::kCollect:
-        return fmt::format("sum of all {}", a());
+        return fmt::format("-tr(Λ({})² E)", first(value));
       case Op::kComponent:
-        return fmt::format("{}_{}", a(), "xyz"[value.component]);
-      case Op::kFold:
-        return fmt::format("{} + sum of {} of the sons", a(), b());
+        return fmt::format("{}_{}", first(value), "xyz"[value.component]);
       case Op::kAtLink:
-        return a();
+        return first(value);
       case Op::kReciprocal:
-        return fmt::format("1 / {}", a());
+        return fmt::format("1 / {}", first(value));
       case Op::kLever:
         return value.operands.size() == 2
-                   ? fmt::format("Λ({}) {}", a(), b())
-                   : fmt::format("Λ({}) {}^T - {} Λ({})", a(), name(value.operands[1]), b(), a());
+                   ? fmt::format("Λ({}) {}", first(value), last(value))
+                   : fmt::format("Λ({}) {}^T - {} Λ({})", first(value), name(value.operands[1]),
+                                 last(value), first(value));
       case Op::kAcross:
-        return fmt::format("{} - {} {}^T, across {} and {}", a(), name(value.operands[1]),
-                           name(value.operands[2]), name(value.operands[3]), b());
+        return fmt::format("{} - {} {}^T, across {} and {}", first(value), name(value.operands[1]),
+                           name(value.operands[2]), name(value.operands[3]), last(value));
       case Op::kAlong:
-        return fmt::format("{}, along {} {}", a(), name(value.operands[1]), b());
-      case Op::kEliminated:
-      case Op::kFromLeaves:
-      case Op::kFromRoot: {
-        const bool up = value.op != Op::kFromRoot;
-        return fmt::format("{} - {}{} {}, from the {}", a(), b(), up ? "^T" : "", value.name,
-                           up ? "leaves" : "root");
-      }
+        return fmt::format("{}, along {} {}", first(value), name(value.operands[1]), last(value));
       case Op::kDiagonal:
-        return fmt::format("diagonal of {}", a());
+        return fmt::format("diagonal of {}", first(value));
       case Op::kCongruence:
-        return fmt::format("{0} {1} {0}^T", a(), b());
+        return fmt::format("{0} {1} {0}^T", first(value), last(value));
       case Op::kAssemble:
-        return fmt::format("({}, {}, {})", a(), name(value.operands[1]), b());
+        return fmt::format("({}, {}, {})", first(value), name(value.operands[1]), last(value));
       default:
-        return symbol(value);
+        return tree_expression(value);
     }
   }
 

@@ -16,6 +16,10 @@ using block::Ratio;
 
 inline constexpr Ratio kPlus{1, 1};
 inline constexpr Ratio kMinus{-1, 1};
+
+inline bool is_vector(const block::Expression& f) {
+  return f.shape().rows.size == 3 && f.shape().cols.size == 1;
+}
 using block::Set;
 
 enum class Type { kScalar, kVector, kTensor };

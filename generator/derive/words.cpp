@@ -16,8 +16,6 @@ using Words = std::vector<Word>;
 /// More words than asked for.
 struct TooMany {};
 
-bool is_vector(const Expression& f) { return f.shape().rows.size == 3 && f.shape().cols.size == 1; }
-
 /// "D-E" and "E-σ" are symbols of their own.
 bool is_symbol(const Expression& e) {
   const std::string text = block::print(e);
@@ -28,12 +26,12 @@ class Opener {
  public:
   explicit Opener(std::size_t most) : most_(most) {}
 
-  Words open(const Expression& e) const;
+  [[nodiscard]] Words open(const Expression& e) const;
 
  private:
-  Words product(const std::vector<Expression>& factors) const;
-  Words transposed(Words inner) const;
-  Words skew(const Expression& e) const;
+  [[nodiscard]] Words product(const std::vector<Expression>& factors) const;
+  [[nodiscard]] Words transposed(Words inner) const;
+  [[nodiscard]] Words skew(const Expression& e) const;
 
   std::size_t most_;
 };

@@ -83,7 +83,7 @@ class PointList {
     return comma != std::string_view::npos;
   }
 
-  const model::Frame& frame(std::string_view name, std::string_view point) const {
+  [[nodiscard]] const model::Frame& frame(std::string_view name, std::string_view point) const {
     const model::Frame* const found = find_frame(tree_, name);
     if (found == nullptr) {
       fail(fmt::format("point '{}': link '{}' is unknown{}; expected one of {}", shown(point),

@@ -29,7 +29,7 @@ constexpr std::size_t kMaxFileSize = std::size_t{64} << 20;
 
 std::string read_stream(std::FILE* stream, const std::string& path) {
   std::string text;
-  std::array<char, 1 << 16> buffer;
+  std::array<char, 1 << 16> buffer = {};
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
     text.append(buffer.data(), count);
     if (text.size() > kMaxFileSize) {

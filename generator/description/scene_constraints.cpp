@@ -75,17 +75,19 @@ bool contradict(const model::Constraint& a, const model::Constraint& b) {
 }  // namespace
 
 void SceneEffects::refuse_contradictions(const SceneFields& root) const {
+  const auto& constraints = context_.scene().constraints;
   for (const model::Phase& phase : context_.scene().phases) {
     for (auto b = phase.active.begin(); b != phase.active.end(); ++b) {
-      for (auto a = phase.active.begin(); a != b; ++a) {
-        const auto& first = context_.scene().constraints[static_cast<std::size_t>(*a)];
-        const auto& second = context_.scene().constraints[static_cast<std::size_t>(*b)];
-        if (contradict(first, second)) {
-          root.fail(places_.at(second.name),
-                    fmt::format("constraint '{}' contradicts '{}' in phase '{}'; expected the same "
-                                "motion, or one of them",
-                                shown(second.name), shown(first.name), shown(phase.name)));
-        }
+      const auto& second = constraints[static_cast<std::size_t>(*b)];
+      const auto a = std::find_if(phase.active.begin(), b, [&](int c) {
+        return contradict(constraints[static_cast<std::size_t>(c)], second);
+      });
+      if (a != b) {
+        const auto& first = constraints[static_cast<std::size_t>(*a)];
+        root.fail(places_.at(second.name),
+                  fmt::format("constraint '{}' contradicts '{}' in phase '{}'; expected the same "
+                              "motion, or one of them",
+                              shown(second.name), shown(first.name), shown(phase.name)));
       }
     }
   }

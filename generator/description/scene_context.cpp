@@ -29,7 +29,7 @@ std::string some_of(const List& list, const Name& name) {
 }
 
 /// A point of a link of the file. \param at  in the frame of this link
-model::Point on_frame(const std::string& name, const model::Frame& frame, const Vector3& at) {
+model::Point point_of_frame(const std::string& name, const model::Frame& frame, const Vector3& at) {
   return {name,
           to_identifier(name),
           frame.name,
@@ -169,7 +169,7 @@ void SceneContext::define_points(const SceneFields& root) {
                       did_you_mean(link.text, names_of(scene_.tree.frames)),
                       some_of(scene_.tree.frames, [](const model::Frame& f) { return f.name; })));
     }
-    model::Point defined = on_frame(name.text, *frame, point.vector_or("at", {}));
+    model::Point defined = point_of_frame(name.text, *frame, point.vector_or("at", {}));
     if (const std::optional<model::Point> other = of_model(name.text);
         other && !same_place(*other, defined)) {
       point.fail(name.where, fmt::format("'{}' is another place of the model; expected a new name",
@@ -187,7 +187,7 @@ std::optional<model::Point> SceneContext::of_model(const std::string& name) cons
     }
   }
   const model::Frame* const frame = find_frame(scene_.tree, name);
-  return frame == nullptr ? std::nullopt : std::optional(on_frame(name, *frame, {}));
+  return frame == nullptr ? std::nullopt : std::optional(point_of_frame(name, *frame, {}));
 }
 
 int SceneContext::point(const SceneFields& fields, std::string_view key) {

@@ -45,7 +45,7 @@ class SceneContext {
   enum class Of { kState, kTime, kPoint, kDepth };
   /// An expression of t, q, qd; t alone; these and the motion of a point; depth and normal speed.
   [[nodiscard]] model::Expression expression(const SceneFields& fields, const Node& node,
-                                             Of variables) const;
+                                             Of kind) const;
   /// Of time, with its derivatives.
   [[nodiscard]] std::array<model::Expression, 3> motion(const SceneFields& fields,
                                                         const Node& node) const;

@@ -186,7 +186,7 @@ class SceneReader {
     scene_.contacts.push_back(std::move(contact));
   }
 
-  std::vector<model::Vector3> directions(const SceneFields& fields) const {
+  [[nodiscard]] std::vector<model::Vector3> directions(const SceneFields& fields) const {
     std::vector<model::Vector3> result;
     for (const Node& item : fields.sequence(fields.get("dirs"))) {
       result.push_back(fields.vector_of(item));

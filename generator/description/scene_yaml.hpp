@@ -12,7 +12,7 @@ namespace treedyn::description {
 /// \param file  its folder is where the model's path begins
 /// \param at_run_time  as of parse_scene
 /// \throws InputError
-model::Scene read_scene_yaml(const Node& root, const std::string& file,
+model::Scene read_scene_yaml(const Node& node, const std::string& file,
                              const TextReader& model_text, const AtRunTime& at_run_time);
 
 }  // namespace treedyn::description

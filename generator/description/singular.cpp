@@ -245,16 +245,10 @@ std::vector<Real> reduced_mass_matrix(const model::Tree& tree) {
   return a;
 }
 
-/// The same for joints tied by mimics, by Gauss's elimination in A_r: coordinates.
-std::vector<Movement> free_reduced_movements(const model::Tree& tree,
-                                             const std::vector<Real>& armature) {
-  const auto n = static_cast<std::size_t>(tree.dof());
-  std::vector<Real> a = reduced_mass_matrix(tree);
-  std::vector<Real> diagonal;
-  for (std::size_t k = 0; k < n; ++k) {
-    a[k * n + k] += armature[k];
-    diagonal.push_back(a[k * n + k]);
-  }
+/// Gauss's elimination in A_r, from its last row. \param diagonal  of A_r as it was
+/// \return whose pivots are zero
+std::vector<bool> eliminated(std::vector<Real>& a, const std::vector<Real>& diagonal) {
+  const std::size_t n = diagonal.size();
   const Real scale = *std::max_element(diagonal.begin(), diagonal.end());
   std::vector<bool> zero(n, false);
   for (std::size_t k = n; k-- > 0;) {
@@ -267,27 +261,47 @@ std::vector<Movement> free_reduced_movements(const model::Tree& tree,
       }
     }
   }
+  return zero;
+}
+
+/// What moves with coordinate k, whose pivot is zero. \param a  after the elimination
+Movement free_reduced_movement(const std::vector<Real>& a, const std::vector<bool>& zero,
+                               std::size_t k) {
+  const std::size_t n = zero.size();
+  std::vector<Real> x(n, Real(0));
+  x[k] = 1;
+  Movement movement = {k};
+  for (std::size_t j = k + 1; j < n; ++j) {
+    Real size = 0;
+    for (std::size_t i = k; i < j && !zero[j]; ++i) {
+      x[j] -= a[j * n + i] * x[i] / a[j * n + j];
+      size += abs(a[j * n + i]) / a[j * n + j];
+    }
+    const Real largest = abs(*std::max_element(
+        x.begin(), x.end(), [](const Real& l, const Real& r) { return abs(l) < abs(r); }));
+    if (abs(x[j]) > size * largest * Real("1e-25")) {
+      movement.push_back(j);
+    }
+  }
+  return movement;
+}
+
+/// The same for joints tied by mimics, by Gauss's elimination in A_r: coordinates.
+std::vector<Movement> free_reduced_movements(const model::Tree& tree,
+                                             const std::vector<Real>& armature) {
+  const auto n = static_cast<std::size_t>(tree.dof());
+  std::vector<Real> a = reduced_mass_matrix(tree);
+  std::vector<Real> diagonal;
+  for (std::size_t k = 0; k < n; ++k) {
+    a[k * n + k] += armature[k];
+    diagonal.push_back(a[k * n + k]);
+  }
+  const std::vector<bool> zero = eliminated(a, diagonal);
   std::vector<Movement> result;
   for (std::size_t k = 0; k < n; ++k) {
-    if (!zero[k]) {
-      continue;
+    if (zero[k]) {
+      result.push_back(free_reduced_movement(a, zero, k));
     }
-    std::vector<Real> x(n, Real(0));
-    x[k] = 1;
-    Movement movement = {k};
-    for (std::size_t j = k + 1; j < n; ++j) {
-      Real size = 0;
-      for (std::size_t i = k; i < j && !zero[j]; ++i) {
-        x[j] -= a[j * n + i] * x[i] / a[j * n + j];
-        size += abs(a[j * n + i]) / a[j * n + j];
-      }
-      const Real largest = abs(*std::max_element(
-          x.begin(), x.end(), [](const Real& l, const Real& r) { return abs(l) < abs(r); }));
-      if (abs(x[j]) > size * largest * Real("1e-25")) {
-        movement.push_back(j);
-      }
-    }
-    result.push_back(std::move(movement));
   }
   return result;
 }

@@ -126,7 +126,7 @@ class NodeBuilder {
     }
   }
 
-  bool expects_key() const {
+  [[nodiscard]] bool expects_key() const {
     return !open_.empty() && open_.back().kind == NodeKind::kMapping && !has_key_;
   }
 

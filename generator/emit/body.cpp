@@ -35,11 +35,11 @@ class Writer {
   Body write();
 
  private:
-  std::string text(const Statement& statement) const;
-  std::string pair(const Statement& statement) const;
+  [[nodiscard]] std::string text(const Statement& statement) const;
+  [[nodiscard]] std::string pair(const Statement& statement) const;
   void state_angles(const Statement& statement, Part& part, Body& body) const;
-  std::string broadcast(Ref value) const;
-  std::string right_side(const Statement& statement) const;
+  [[nodiscard]] std::string broadcast(Ref value) const;
+  [[nodiscard]] std::string right_side(const Statement& statement) const;
   void note_arrays(const Statement& statement, Part& part) const;
   void load(const Statement& statement, Part& part, Body& body);
   void share(Ref value, Part& part, Body& body) const;

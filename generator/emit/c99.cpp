@@ -58,8 +58,9 @@ class Translator {
   }
   [[nodiscard]] std::string words(const std::string& line) const;
   [[nodiscard]] std::string word(const std::string& word, bool called) const;
+  bool header_frame(const std::string& line, Lines& result) const;
   void header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list);
-  void constant(std::string line, bool in_list, Lines& result) const;
+  void constant(const std::string& line, bool in_list, Lines& result) const;
   std::set<std::string> function(const std::string& line, bool is_local, bool is_noinline,
                                  Lines& result);
   void statement(const Lines& lines, std::size_t& at, Lines& result) const;
@@ -132,7 +133,7 @@ std::string Translator::words(const std::string& line) const {
 
 /// A constant of the header: an enumerator, which may be the length of an array; of a list of
 /// names `  prefix_joint_elbow = 1,`.
-void Translator::constant(std::string line, bool in_list, Lines& result) const {
+void Translator::constant(const std::string& line, bool in_list, Lines& result) const {
   const std::size_t equals = line.find(" = ");
   const std::string name = line.substr(0, equals);
   const std::string value = line.substr(equals + 3, line.size() - equals - 4);
@@ -153,11 +154,8 @@ void Translator::structure(const Lines& lines, std::size_t& at, Lines& result) c
   result.push_back(fmt::format("}} {};", prefixed(name.substr(0, name.find(' ')))));
 }
 
-void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list) {
-  static const std::string kInteger = "constexpr int ";
-  const std::string step_start =
-      fmt::format("constexpr {} kStep = ", type_name(unit_.target.scalar));
-  const std::string& line = lines[at];
+/// What stands around the header: its guard, extern "C". True if the line is of it.
+bool Translator::header_frame(const std::string& line, Lines& result) const {
   if (line == "#pragma once") {
     const std::string guard = in_capitals(unit_.name) + "_H";
     result.insert(result.end(), {"#ifndef " + guard, "#define " + guard});
@@ -165,7 +163,21 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
     result.insert(result.end(), {"#ifdef __cplusplus", "extern \"C\" {", "#endif"});
   } else if (line == "}  // namespace " + unit_.space()) {
     result.insert(result.end(), {"#ifdef __cplusplus", "}", "#endif", "", "#endif"});
-  } else if (line.starts_with("namespace ")) {
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list) {
+  static const std::string kInteger = "constexpr int ";
+  const std::string step_start =
+      fmt::format("constexpr {} kStep = ", type_name(unit_.target.scalar));
+  const std::string& line = lines[at];
+  if (header_frame(line, result)) {
+    return;
+  }
+  if (line.starts_with("namespace ")) {
     in_list = true;
     result.emplace_back("enum {");
   } else if (line.starts_with("}  // namespace ")) {
@@ -231,7 +243,7 @@ std::string give_name(std::string& argument) {
   if (begin == std::string::npos) {
     return {};
   }
-  const std::string name = argument.substr(begin + 2, end - begin - 2);
+  std::string name = argument.substr(begin + 2, end - begin - 2);
   argument.replace(begin, end + 2 - begin, name);
   return name;
 }

@@ -15,7 +15,7 @@ namespace treedyn::emit {
 namespace {
 
 /// A number with two digits, of normal size.
-std::string short_literal(double value, const Target& target) {
+std::string pivot_literal(double value, const Target& target) {
   const double least = target.scalar == Scalar::kFloat ? 1e-36 : 1e-290;
   return literal(Real(fmt::format("{:.1e}", std::max(value, least))), target.scalar);
 }
@@ -45,10 +45,6 @@ std::vector<std::string> local_arrays(const Checked& checked) {
   return lines;
 }
 
-void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
-  lines.insert(lines.end(), more.begin(), more.end());
-}
-
 }  // namespace
 
 double pivot_rounding(int size, Scalar scalar) {
@@ -66,11 +62,11 @@ std::vector<std::string> pivot_tests(const std::vector<program::Pivot>& pivots, 
   for (std::size_t k = 0; k < pivots.size(); ++k) {
     const program::Pivot& pivot = pivots[k];
     const std::string value = fmt::format("{}[{}]", program::kPivotArray, k);
-    const std::string least = short_literal(share * pivot.size, target);
+    const std::string least = pivot_literal(share * pivot.size, target);
     lines.push_back(lost(pivot.positive ? fmt::format("{} < {}", value, least)
                                         : fmt::format("{0} < {1} && {0} > -{1}", value, least)));
     if (pivot.whole != 0) {
-      lines.push_back(lost(fmt::format("{} < {} * {}[{}]", value, short_literal(share, target),
+      lines.push_back(lost(fmt::format("{} < {} * {}[{}]", value, pivot_literal(share, target),
                                        program::kWholeArray, whole++)));
     }
   }

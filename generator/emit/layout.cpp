@@ -103,4 +103,19 @@ std::string cost_text(const program::Cost& cost) {
   return result.empty() ? "none" : result;
 }
 
+void append(Lines& lines, const Lines& more, const std::string& indentation) {
+  for (const std::string& line : more) {
+    lines.push_back(indentation + line);
+  }
+}
+
+std::string joined(const Lines& lines, const std::string& indentation) {
+  std::string result;
+  for (const std::string& line : lines) {
+    result += result.empty() ? "" : "\n";
+    result += indentation + line;
+  }
+  return result;
+}
+
 }  // namespace treedyn::emit

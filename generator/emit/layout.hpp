@@ -9,6 +9,13 @@
 
 namespace treedyn::emit {
 
+using Lines = std::vector<std::string>;
+
+/// Adds the lines `more`, each behind `indentation`.
+void append(Lines& lines, const Lines& more, const std::string& indentation = "");
+/// The lines one below the other, each behind `indentation`, without the last line break.
+std::string joined(const Lines& lines, const std::string& indentation);
+
 inline constexpr std::size_t kColumns = 100;
 inline constexpr std::size_t kLongestCell = 32;  ///< of what models name, in tables of comments
 

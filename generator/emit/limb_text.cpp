@@ -330,8 +330,19 @@ std::vector<std::string> local_arrays(const program::Function& function, const V
   return lines;
 }
 
-void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
-  lines.insert(lines.end(), more.begin(), more.end());
+/// Which arguments of the public function are used.
+/// \param uses  those of the trunk's code \param passed  inputs that limbs get in lanes
+std::vector<bool> outer_uses(const program::Signature& outer, const program::Signature& trunk,
+                             const std::vector<bool>& uses, const std::vector<bool>& passed) {
+  std::vector<bool> used(uses.begin(),
+                         uses.begin() + static_cast<std::ptrdiff_t>(outer.inputs.size()));
+  const auto first_output = static_cast<std::ptrdiff_t>(trunk.inputs.size());
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    used[k] = used[k] || passed[k];
+  }
+  used.insert(used.end(), uses.begin() + first_output,
+              uses.begin() + first_output + static_cast<std::ptrdiff_t>(outer.outputs.size()));
+  return used;
 }
 
 /// The public function: trunk, limbs, trunk, ...
@@ -379,14 +390,7 @@ std::string trunk_text(const program::Function& function, const std::vector<Phas
   }
   call_before(last_stage + 1);
   const program::Signature& outer = function.signature;
-  std::vector<bool> used(uses.begin(),
-                         uses.begin() + static_cast<std::ptrdiff_t>(outer.inputs.size()));
-  const auto first_output = static_cast<std::ptrdiff_t>(trunk.signature.inputs.size());
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    used[k] = used[k] || passed[k];
-  }
-  used.insert(used.end(), uses.begin() + first_output,
-              uses.begin() + first_output + static_cast<std::ptrdiff_t>(outer.outputs.size()));
+  const std::vector<bool> used = outer_uses(outer, trunk.signature, uses, passed);
   return parts + declaration(returned(outer), parameters(outer, used), " noexcept {") +
          block(lines);
 }

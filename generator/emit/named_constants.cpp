@@ -39,8 +39,8 @@ int owner(const Provenance& source) {
 
 struct ConstantKind {
   Dimension dimension;
-  char letter;
-  const char* unit;
+  char letter = 'p';
+  const char* unit = "";
 };
 
 constexpr std::array<ConstantKind, 8> kKinds = {{{{0, 0, 0}, 'k', "ratio"},

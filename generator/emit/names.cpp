@@ -36,7 +36,7 @@ std::vector<std::string> words_of(const std::string& identifier) {
   return words;
 }
 
-std::string joined(const std::vector<std::string>& words, std::size_t letters) {
+std::string joined_words(const std::vector<std::string>& words, std::size_t letters) {
   std::string result;
   for (const std::string& word : words) {
     result += result.empty() ? "" : "_";
@@ -49,7 +49,7 @@ std::string joined(const std::vector<std::string>& words, std::size_t letters) {
 std::string shorter_words(const std::string& identifier, std::size_t longest) {
   const std::vector<std::string> words = words_of(identifier);
   for (std::size_t letters = longest; letters > 0; --letters) {
-    std::string candidate = joined(words, letters);
+    std::string candidate = joined_words(words, letters);
     if (candidate.size() <= longest) {
       return candidate;
     }

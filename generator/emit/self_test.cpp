@@ -38,7 +38,7 @@ class Tables {
       }
     }
     known.push_back(list);
-    const std::string name = numbered(stem, known.size() - 1);
+    std::string name = numbered(stem, known.size() - 1);
     std::string lines = wrapped(list + "};", "    ");
     lines.pop_back();
     text_ += fmt::format("static const Scalar {}[{}] = {{\n{}\n", name, values.size(), lines);

@@ -296,10 +296,6 @@ std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& 
   return result;
 }
 
-void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
-  lines.insert(lines.end(), more.begin(), more.end());
-}
-
 std::string function_text(const Staged& staged, const Body& text, const Solves& all,
                           const Target& target) {
   std::vector<std::string> lines = local_arrays(staged);

@@ -338,14 +338,15 @@ void Statements::assign_slots() {
     visit_definitions(statement, [&](Ref value) {
       const std::size_t k = node_index(value);
       part_of_[k] = part;
-      if (last[k] > part) {
-        if (free.empty()) {
-          free.insert(slots_++);
-        }
-        slot_[k] = *free.begin();
-        free.erase(free.begin());
-        freed[last[k]].push_back(slot_[k]);
+      if (last[k] <= part) {
+        return;
       }
+      if (free.empty()) {
+        free.insert(slots_++);
+      }
+      slot_[k] = *free.begin();
+      free.erase(free.begin());
+      freed[last[k]].push_back(slot_[k]);
     });
   }
 }

@@ -90,15 +90,15 @@ class Statements {
   void list_angle(program::Ref value);
   void list_stores(program::Ref value);
   void list_constants(int level);
-  bool stays(int output, program::Ref value) const;
+  [[nodiscard]] bool stays(int output, program::Ref value) const;
   void divide();
-  std::size_t best_cut(const std::vector<int>& crossing, std::size_t begin) const;
-  std::vector<int> crossing_counts() const;
-  std::vector<std::size_t> last_parts() const;
+  [[nodiscard]] std::size_t best_cut(const std::vector<int>& crossing, std::size_t begin) const;
+  [[nodiscard]] std::vector<int> crossing_counts() const;
+  [[nodiscard]] std::vector<std::size_t> last_parts() const;
   void assign_slots();
-  std::string input(const program::Node& node) const;
-  bool is_large() const;
-  int available(program::Ref value) const;
+  [[nodiscard]] std::string input(const program::Node& node) const;
+  [[nodiscard]] bool is_large() const;
+  [[nodiscard]] int available(program::Ref value) const;
 
   const program::Function& function_;
   const program::Graph& graph_;

@@ -21,21 +21,6 @@ bool has_input(const program::Staged& staged, const std::string& name) {
 
 }  // namespace
 
-void append(Lines& lines, const Lines& more, const std::string& indentation) {
-  for (const std::string& line : more) {
-    lines.push_back(indentation + line);
-  }
-}
-
-std::string joined(const Lines& lines, const std::string& indentation) {
-  std::string result;
-  for (const std::string& line : lines) {
-    result += result.empty() ? "" : "\n";
-    result += indentation + line;
-  }
-  return result;
-}
-
 std::string derived_parameter() {
   return fmt::format("const {}& {}", kDerivedParameters, derived_array().name);
 }

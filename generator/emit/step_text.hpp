@@ -5,19 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "emit/layout.hpp"
 #include "program/stepper.hpp"
 
 namespace treedyn::emit {
 
-using Lines = std::vector<std::string>;
-
 /// What run-time parameters have become, where a `motion` is at hand.
 inline constexpr const char* kDerivedOfMotion = "*motion.derived";
-
-void append(Lines& lines, const Lines& more, const std::string& indentation = "");
-
-/// The lines one below the other, each behind `indentation`, without the last line break.
-std::string joined(const Lines& lines, const std::string& indentation);
 
 /// A function's parameter that run-time parameters have become.
 std::string derived_parameter();

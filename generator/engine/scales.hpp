@@ -37,7 +37,7 @@ class Scales {
 
  private:
   void set_leaf(std::size_t step, const std::vector<double>& numbers);
-  void compute(std::size_t step);
+  void compute(std::size_t number);
 
   const block::Plan& plan_;
   std::vector<std::vector<double>> norms_;  ///< by step, one for each block

@@ -88,7 +88,7 @@ Rate rate(const Expression& e, const Rates& rates) {
     }
     return result;
   }
-  const Rate inner = rate(x.front(), rates);
+  Rate inner = rate(x.front(), rates);
   if (!inner) {
     return inner;
   }

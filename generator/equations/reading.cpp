@@ -216,7 +216,7 @@ Expression Reading::of_point(const std::string& name) {
 /// The rate of a rotation is Λ(ω) R.
 Expression Reading::orientation(const std::string& name) {
   const std::string leaf = fmt::format("R({})", name);
-  const Expression R =
+  Expression R =
       block::leaf(leaf, block::Structure::kFull, {{block::Set::kOne, 3}, {block::Set::kOne, 3}});
   int carrier = model::kGround;
   model::Matrix3 rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};

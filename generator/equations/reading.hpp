@@ -30,7 +30,7 @@ class Reading {
   Expression number(const Real& value);
   Expression reciprocal(const Expression& e);
   Expression of(const std::string& function, const std::string& argument);
-  std::optional<Expression> input(const std::string& name) const;
+  [[nodiscard]] std::optional<Expression> input(const std::string& name) const;
   void finish(const Expression& e);
 
  private:

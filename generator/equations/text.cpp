@@ -217,7 +217,7 @@ class Parser {
       --depth_;
       return c == '+' ? inner : multiply(offset, Number{-1, block::Ratio{-1, 1}}, inner);
     }
-    const Term base = primary();
+    Term base = primary();
     if (peek() != '^') {
       return base;
     }
@@ -241,7 +241,7 @@ class Parser {
     const std::size_t offset = at_;
     if (c == '(') {
       ++at_;
-      const Term inner = sum();
+      Term inner = sum();
       expect(')');
       return inner;
     }

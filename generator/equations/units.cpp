@@ -14,15 +14,15 @@ using block::Structure;
 
 constexpr Unit kNumber{};
 
-struct Row {
+struct UnitName {
   Unit unit;
-  const char* text;
+  const char* text = "";
 };
-constexpr Row kNames[] = {
+constexpr UnitName kNames[] = {
     {{1, 1, -2}, "N"}, {{1, 2, -2}, "N m"}, {{1, 2, -3}, "W"}, {{1, 0, -2}, "N/m"}};
 
 struct LeafRow {
-  const char* name;
+  const char* name = "";
   Unit revolute;   ///< of the blocks in rows of revolute joints, or of all
   Unit prismatic;  ///< of those in rows of prismatic joints
 };
@@ -65,15 +65,17 @@ Units sum(const Units& a, const Units& b) {
   return result;
 }
 
+std::optional<Unit> product(const std::optional<Unit>& a, const std::optional<Unit>& b) {
+  return a && b ? std::optional(*a * *b) : std::nullopt;
+}
+
 /// Rows of one kind, columns of the other, and what both kinds of the middle add up to.
 Units product(const Units& a, const Units& b) {
   Units result;
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
       for (std::size_t k = 0; k < 2; ++k) {
-        if (a[i][k] && b[k][j]) {
-          result[i][j] = sum(result[i][j], *a[i][k] * *b[k][j]);
-        }
+        result[i][j] = sum(result[i][j], product(a[i][k], b[k][j]));
       }
     }
   }
@@ -114,7 +116,7 @@ std::string to_string(const Unit& unit) {
   if (unit.any) {
     return "";
   }
-  for (const Row& row : kNames) {
+  for (const UnitName& row : kNames) {
     if (row.unit == unit) {
       return row.text;
     }
@@ -127,7 +129,7 @@ std::string to_string(const Unit& unit) {
       (exponent > 0 ? above : below).push_back(power(name, std::abs(exponent)));
     }
   }
-  const std::string top = above.empty() ? "1" : fmt::format("{}", fmt::join(above, " "));
+  std::string top = above.empty() ? "1" : fmt::format("{}", fmt::join(above, " "));
   if (below.empty()) {
     return top;
   }

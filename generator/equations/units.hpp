@@ -53,7 +53,7 @@ class UnitReader {
   Units of(const block::Expression& e);
 
  private:
-  Units of_leaf(const block::Expression& e) const;
+  [[nodiscard]] Units of_leaf(const block::Expression& e) const;
   Units of_sum(const block::Expression& e);
   [[nodiscard]] Units column(const Unit& revolute, const Unit& prismatic) const;
   [[nodiscard]] Units uniform(const block::Expression& e, const Unit& unit) const;

@@ -15,7 +15,7 @@
 namespace treedyn::equations {
 namespace {
 
-constexpr int kDeepest = 50;  // equations that use each other
+constexpr int kMostNestedUses = 50;  // equations that use each other
 
 class Reader {
  public:
@@ -120,7 +120,7 @@ Expression Reader::expand(const model::EquationText& text, Reading& reading) {
     reading.units().of(e);
   };
   try {
-    const Expression result = parse(text.value, scope);
+    Expression result = parse(text.value, scope);
     open_.pop_back();
     return result;
   } catch (const TextError& error) {
@@ -147,20 +147,21 @@ Term Reader::name(const std::string& name, const model::EquationText& text, Read
     }
   }
   for (const model::EquationText& other : texts_) {
-    if (other.name == name) {
-      if (std::find(open_.begin(), open_.end(), &other) != open_.end()) {
-        throw std::runtime_error(fmt::format("equation '{}' uses itself", shown(name)));
-      }
-      if (open_.size() > kDeepest) {
-        throw std::runtime_error("equations use each other too deeply");
-      }
-      for (const model::InputText& input : other.inputs) {
-        if (!reading.input(input.name)) {
-          reading.add_input(input);
-        }
-      }
-      return block::named(name, expand(other, reading));
+    if (other.name != name) {
+      continue;
     }
+    if (std::find(open_.begin(), open_.end(), &other) != open_.end()) {
+      throw std::runtime_error(fmt::format("equation '{}' uses itself", shown(name)));
+    }
+    if (open_.size() > kMostNestedUses) {
+      throw std::runtime_error("equations use each other too deeply");
+    }
+    for (const model::InputText& input : other.inputs) {
+      if (!reading.input(input.name)) {
+        reading.add_input(input);
+      }
+    }
+    return block::named(name, expand(other, reading));
   }
   throw std::runtime_error(
       fmt::format("there is no symbol '{}'; expected one of {}, an input or an equation",

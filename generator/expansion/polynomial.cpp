@@ -89,7 +89,7 @@ std::string monomial_text(const Ring& ring, const Monomial& monomial) {
 
 std::string term_text(const Ring& ring, const Monomial& monomial, const numeric& coefficient) {
   const std::string factors = monomial_text(ring, monomial);
-  const std::string number = magnitude_text(coefficient);
+  std::string number = magnitude_text(coefficient);
   if (factors.empty()) {
     return number;
   }

@@ -40,7 +40,7 @@ ex Ring::add(const std::string& name) {
 }
 
 ex Ring::add(const std::string& name, const ex& square) {
-  const ex symbol = add(name);
+  ex symbol = add(name);
   variables_.back().has_square = true;
   variables_.back().square = square;
   return symbol;

@@ -50,7 +50,7 @@ Real Constants::evaluate(std::string_view text, bool run_time) const {
         .value();
   }
   const Precision precision;
-  const Real value = to_real(exact.value);
+  Real value = to_real(exact.value);
   if (value != 0 && (abs(value) > Real("1e300") || abs(value) < Real("1e-300"))) {
     throw ConstantError(0, describe(DecimalError::kOutOfRange, text));
   }

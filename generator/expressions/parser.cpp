@@ -27,7 +27,7 @@ class Parser {
       : text_(text), names_(names), variables_(variables) {}
 
   Exact whole() {
-    const Exact result = sum();
+    Exact result = sum();
     skip_spaces();
     if (at_ < text_.size()) {
       fail(at_, fmt::format("unexpected '{}'; expected an operator or the end", rest()));

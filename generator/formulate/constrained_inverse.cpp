@@ -55,6 +55,24 @@ Expr entry(const Row& row, int joint) {
   return found == row.columns.end() ? Expr() : found->second;
 }
 
+/// Entry (i, j) of J^T J.
+Expr product_of_joints(const std::vector<Row>& rows, int i, int j) {
+  Expr sum;
+  for (const Row& row : rows) {
+    sum += entry(row, i) * entry(row, j);
+  }
+  return sum;
+}
+
+/// lambda = J mu, of one row.
+Expr reaction_of_row(const Row& row, const std::vector<int>& passive, const std::vector<Expr>& mu) {
+  Expr sum;
+  for (std::size_t u = 0; u < passive.size(); ++u) {
+    sum += entry(row, passive[u]) * mu[u];
+  }
+  return sum;
+}
+
 }  // namespace
 
 InverseArrays inverse_arrays(const model::Scene& scene) {
@@ -80,11 +98,7 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
   std::vector<Expr> mu;
   for (std::size_t u = 0; u < passive.size(); ++u) {
     for (std::size_t v = 0; v <= u; ++v) {
-      Expr sum;
-      for (const Row& row : rows) {
-        sum += entry(row, passive[u]) * entry(row, passive[v]);
-      }
-      result.push_back(sum);
+      result.push_back(product_of_joints(rows, passive[u], passive[v]));
     }
     mu.push_back(input(graph, arrays.scene.mu, static_cast<int>(u)));
   }
@@ -93,11 +107,7 @@ std::vector<Expr> build_constrained_inverse(const Task& task) {
   }
   std::vector<Expr> lambda;
   for (const Row& row : rows) {
-    Expr sum;
-    for (std::size_t u = 0; u < passive.size(); ++u) {
-      sum += entry(row, passive[u]) * mu[u];
-    }
-    lambda.push_back(sum);
+    lambda.push_back(reaction_of_row(row, passive, mu));
   }
   for (int i = 0; i < task.tree.dof(); ++i) {
     Expr tau = h[to_index(i)];

@@ -55,6 +55,16 @@ Matrix transposed(const Matrix& m) {
   return result;
 }
 
+/// Entries `first`, `first` + `stride` and so on.
+std::vector<Expr> every_nth(const std::vector<Expr>& entries, std::size_t first,
+                            std::size_t stride) {
+  std::vector<Expr> result;
+  for (std::size_t e = first; e < entries.size(); e += stride) {
+    result.push_back(entries[e]);
+  }
+  return result;
+}
+
 /// The rows of what is derived, vectors in a frame.
 Matrix written(Lowering lowering, int frame) {
   const derive::Derivation& derivation = lowering.derivation();
@@ -71,10 +81,7 @@ Matrix written(Lowering lowering, int frame) {
       const std::vector<Expr> entries =
           lowering.written(derivation.by_units ? 0 : k, along.set, frame);
       for (std::size_t n = 0; n < stride; ++n) {
-        std::vector<Expr>& column = result.emplace_back();
-        for (std::size_t e = n; e < entries.size(); e += stride) {
-          column.push_back(entries[e]);
-        }
+        result.push_back(every_nth(entries, n, stride));
       }
     }
   }

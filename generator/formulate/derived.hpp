@@ -20,8 +20,8 @@ struct Derived {
   equations::UserEquation equation;
   derive::Derivation derivation;
   std::optional<derive::Derivation> to_root;  ///< the same by the rows of points, read backwards
-  bool keeps_joints;      ///< the result refers to the places P_i of sliding joints
-  bool regroups = false;  ///< of inertial parameters masses and first moments alone occur
+  bool keeps_joints = false;  ///< the result refers to the places P_i of sliding joints
+  bool regroups = false;      ///< of inertial parameters masses and first moments alone occur
 };
 
 using DerivedFunctions = std::vector<std::shared_ptr<const Derived>>;

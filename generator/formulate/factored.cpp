@@ -35,7 +35,7 @@ FactoredFunction make(const equations::Equation& equation) {
 }
 
 /// A column, or the lower half of a symmetric matrix.
-SparseRows rows_of(const Task& task, const Derived& function) {
+SparseRows sparse_rows_of(const Task& task, const Derived& function) {
   const std::vector<Expr> x = build_derived(task, function, task.kinematics.variant().way);
   if (!function.derivation.symmetric) {
     return sparse(x);
@@ -55,7 +55,7 @@ Numbers numbers(const Task& task, const std::string& name) {
   const auto leaf = [&](const std::string& symbol) {
     for (const auto& [given, of] : function.given) {
       if (given == symbol) {
-        return rows_of(task, *of);
+        return sparse_rows_of(task, *of);
       }
     }
     std::vector<Expr> argument;

@@ -70,7 +70,7 @@ Variant usable(const model::Tree& tree, const Recipe& recipe, Variant used) {
 Built formulation(const model::Tree& tree, const Recipe& recipe, const Options& options,
                   const Variant& variant, bool in_order) {
   const Variant used = usable(tree, recipe, variant);
-  const auto ordered = [in_order](program::Function function) {
+  const auto ordered = [in_order](const program::Function& function) {
     return in_order ? program::canonical(function) : function;
   };
   const std::vector<LimbLinks> links =

@@ -53,7 +53,7 @@ class Gate {
     }
   }
 
-  program::Function run() const;
+  [[nodiscard]] program::Function run() const;
   [[nodiscard]] bool holds(const program::Function& function) const {
     // a scene's rows are along axes that each formulation chooses: no NaN is enough
     const program::Function& same = options_.scene != nullptr ? function : before_.front();

@@ -142,8 +142,8 @@ EulerZxz angles_of(const Matrix3& r) {
 
 /// Of a rotation.
 Turn seen_as(const Turn& a, const Turn& stand_in, const Matrix3& rotation) {
-  const Turn turn = {Real::seen_as(a.c.digits(), stand_in.c.digits()),
-                     Real::seen_as(a.s.digits(), stand_in.s.digits())};
+  Turn turn = {Real::seen_as(a.c.digits(), stand_in.c.digits()),
+               Real::seen_as(a.s.digits(), stand_in.s.digits())};
   note_ratio(rotation, turn.c);
   note_ratio(rotation, turn.s);
   return turn;

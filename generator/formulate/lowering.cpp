@@ -267,6 +267,7 @@ Block Lowering::moved(const Value& v, const Block& x, int from, int to) const {
   return result;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a row for every operation
 Block Lowering::made(int id, const Value& v, int e) {
   switch (v.op) {
     case Op::kZero:

@@ -16,6 +16,12 @@ constexpr const char* kNoPivot =
     "the mass matrix is singular to 40 digits; expected masses, lengths and inertias of fewer "
     "decades, or --functions without forward dynamics";
 
+void subtract_multiple(SparseRow& x, const Expr& factor, const SparseRow& other) {
+  for (const auto& [j, x_j] : other) {
+    x[j] -= factor * x_j;
+  }
+}
+
 }  // namespace
 
 SparseRows sparse(int size, const SparseSymmetric& lower) {
@@ -145,9 +151,7 @@ SparseRow Numbers::row(int id, std::size_t k) const {
     case Op::kFromRoot: {
       const SparseRow& l = of(v.operands[1], k);
       for (auto entry = l.rbegin(); entry != l.rend(); ++entry) {
-        for (const auto& [j, x_ij] : of(id, to_index(entry->first))) {
-          x[j] -= entry->second * x_ij;
-        }
+        subtract_multiple(x, entry->second, of(id, to_index(entry->first)));
       }
       return x;
     }

@@ -8,6 +8,8 @@ namespace {
 
 /// Moves mass at the origin, first moment along z and E_zz from revolute link l to its father:
 /// exact, because the joint cannot feel them (EQUATIONS.md 8).
+// Copies, as they may be numbers of the link itself.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 void move_to_father(NormalTree& tree, NormalLink& l, Real mass, Real moment, Real pseudo) {
   l.mass -= mass;
   l.moment[2] -= moment;

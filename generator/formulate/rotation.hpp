@@ -37,7 +37,7 @@ struct PlaneRotation {
   [[nodiscard]] Vec3 forward(const Vec3& v) const;   ///< R v
   [[nodiscard]] Vec3 backward(const Vec3& v) const;  ///< R^T v
   /// R S R^T for symmetric S with u = s d + 2 c xy, t = s u: 4 multiplications instead of 10.
-  [[nodiscard]] Mat3 forward_symmetric(const Mat3& s) const;
+  [[nodiscard]] Mat3 forward_symmetric(const Mat3& a) const;
   /// R H R^T for general H.
   [[nodiscard]] Mat3 forward_general(const Mat3& h) const;
 };

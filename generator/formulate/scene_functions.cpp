@@ -27,7 +27,7 @@ namespace treedyn::formulate {
 
 namespace {
 
-constexpr const char* kForce = "N m|N";
+constexpr const char* kForceUnit = "N m|N";
 constexpr const char* kAcceleration = "rad/s^2|m/s^2";
 
 Seen scene_with_stand_ins(const model::Scene& scene, Options options) {
@@ -83,6 +83,8 @@ class SceneFormulator {
 
  private:
   static void add_forces(const PhaseState& state, program::Staged& staged);
+  static void add_input(const program::Array& input, program::Staged& staged);
+  void add_places(const std::vector<int>& active, program::Staged& staged) const;
   /// \param joints  whose columns of J the rows of K stand for; empty: K stands for rows of J
   [[nodiscard]] program::RowSolve solve_of(const program::Function& function, int rows,
                                            const std::vector<int>& constraints,
@@ -120,6 +122,24 @@ class SceneFormulator {
 void SceneFormulator::add_forces(const PhaseState& state, program::Staged& staged) {
   for (const model::JointForce& own : state.forces) {
     staged.forces.emplace_back(own.joint, own.force.plain());
+  }
+}
+
+/// An input that is there from the beginning.
+void SceneFormulator::add_input(const program::Array& input, program::Staged& staged) {
+  staged.signature.inputs.push_back(input);
+  staged.function.signature.inputs.push_back(input);
+  staged.levels.push_back(0);
+}
+
+/// What is said of constraints with a place of their own.
+void SceneFormulator::add_places(const std::vector<int>& active, program::Staged& staged) const {
+  for (const int c : active) {
+    if (has_place(scene_, c)) {
+      staged.anchors.push_back(
+          fmt::format("{} is drawn to where the initial state of the scene has it",
+                      scene_.constraints[to_index(c)].name));
+    }
   }
 }
 
@@ -167,7 +187,7 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   const int r = rows_of(scene_, options.active);
   program::Staged staged;
   staged.function = cheapest_by_structure(tree_, recipe, options);
-  const program::Array tau = {"tau", dof_, kForce};
+  const program::Array tau = {"tau", dof_, kForceUnit};
   const program::Array qdd = {"qdd", dof_, kAcceleration};
   staged.signature = {"constrained_dynamics" + state.ending,
                       r > 0 ? "(8),(12)" : "(8)",
@@ -195,23 +215,13 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   }
   add_depths(inner);
   if (arrays.t >= 0) {
-    staged.signature.inputs.push_back({"t", 1, "s"});
-    inner.inputs.push_back({"t", 1, "s"});
-    staged.levels.push_back(0);
+    add_input({"t", 1, "s"}, staged);
   }
   if (arrays.anchor >= 0) {
-    staged.signature.inputs.push_back(anchor());
-    inner.inputs.push_back(anchor());
-    staged.levels.push_back(0);
+    add_input(anchor(), staged);
     staged.anchors = anchor_names(scene_);
   }
-  for (const int c : options.active) {
-    if (has_place(scene_, c)) {
-      staged.anchors.push_back(
-          fmt::format("{} is drawn to where the initial state of the scene has it",
-                      scene_.constraints[to_index(c)].name));
-    }
-  }
+  add_places(options.active, staged);
   if (r > 0) {
     staged.solves.push_back(solve_of(staged.function, r, options.active));
   }
@@ -237,7 +247,7 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
   program::Staged staged;
   staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   const program::Array qdd = {"qdd", dof_, kAcceleration};
-  const program::Array tau = {"tau", dof_, kForce};
+  const program::Array tau = {"tau", dof_, kForceUnit};
   const program::Array lambda = {"lambda", r, "N|N m"};
   staged.signature = {"constrained_inverse_dynamics" + state.ending,
                       "(8),(12)",
@@ -255,13 +265,11 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
   staged.levels = {0, 0, 0, 1};
   if (arrays.force >= 0) {
     add_contacts(staged);
-    staged.function.signature.inputs.push_back({program::kForceArray, dof_, kForce});
+    staged.function.signature.inputs.push_back({program::kForceArray, dof_, kForceUnit});
     staged.levels = {0, 0, 0, 2, 1};
   }
   if (arrays.scene.t >= 0) {
-    staged.signature.inputs.push_back({"t", 1, "s"});
-    staged.function.signature.inputs.push_back({"t", 1, "s"});
-    staged.levels.push_back(0);
+    add_input({"t", 1, "s"}, staged);
   }
   staged.gates.push_back(program::Gate::kSolve);
   staged.solves = {solve_of(staged.function, p, options.active, passive_joints(scene_))};
@@ -335,7 +343,7 @@ program::Staged SceneFormulator::contact_press(std::size_t contact) const {
   staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   const int count = static_cast<int>(scene_.contacts.size());
   const program::Array depth = {program::kDepthArray, count, "m"};
-  const program::Array force = {program::kForceArray, dof_, kForce};
+  const program::Array force = {program::kForceArray, dof_, kForceUnit};
   staged.signature = {
       contact_name(scene_, contact, "press"), "(8)", "", {q(), qd(), depth}, {force}};
   staged.function.signature = {"",
@@ -378,67 +386,118 @@ bool wants(const std::vector<std::string>& wanted, const std::string& name) {
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
 }
 
-}  // namespace
+/// The functions of a scene that are wanted, formulated at the same time.
+class SceneTasks {
+ public:
+  SceneTasks(const model::Scene& given, const Options& options,
+             const std::vector<std::string>& wanted)
+      : formulator_(given, options),
+        options_(options),
+        wanted_(wanted),
+        steps_(step_method(scene()) && is_wanted("step")),
+        states_(phase_states(scene(), steps_)),
+        names_(impacts_of(scene())) {
+    add_rows();
+    for (const PhaseState& state : states_) {
+      add_phase(state);
+    }
+    add_events();
+  }
+  SceneTasks(const SceneTasks&) = delete;  // tasks refer to members
+  SceneTasks& operator=(const SceneTasks&) = delete;
 
-SceneFunctions scene_functions(const model::Scene& given, const Options& options,
-                               const std::vector<std::string>& wanted) {
-  const SceneFormulator formulator(given, options);
-  const model::Scene& scene = formulator.scene();
-  SceneFunctions result;
-  std::deque<program::Function> plain;  // whose elements stay where they are
-  std::deque<program::Staged> staged;
-  std::vector<std::function<void()>> tasks;
-  const auto add = [&](auto& functions, auto make) {
-    tasks.emplace_back([&function = functions.emplace_back(), make] { function = make(); });
+  [[nodiscard]] SceneFunctions run();
+
+ private:
+  [[nodiscard]] const model::Scene& scene() const { return formulator_.scene(); }
+  [[nodiscard]] bool is_wanted(const std::string& name) const { return wants(wanted_, name); }
+  void add_rows();
+  void add_phase(const PhaseState& state);
+  void add_events();
+  [[nodiscard]] std::vector<program::Staged> staged_at(
+      const std::vector<std::size_t>& places) const;
+
+  /// \return its place among `functions`
+  template <class Function, class Make>
+  std::size_t add(std::deque<Function>& functions, Make make) {
+    tasks_.emplace_back([&function = functions.emplace_back(), make] { function = make(); });
     return functions.size() - 1;
-  };
-  if (formulator.rows() > 0 && wants(wanted, "reaction_jacobian_transpose")) {
-    add(plain, [&] { return formulator.jacobian(); });
   }
-  if (formulator.rows() > 0 && wants(wanted, "reaction_bias_acceleration")) {
-    add(plain, [&] { return formulator.bias(); });
+
+  const SceneFormulator formulator_;
+  const Options& options_;
+  const std::vector<std::string>& wanted_;
+  const bool steps_;
+  const std::vector<PhaseState> states_;
+  const std::vector<ImpactName> names_;
+  std::deque<program::Function> plain_;  ///< whose elements stay where they are
+  std::deque<program::Staged> staged_;
+  std::vector<std::size_t> dynamics_;  ///< places in `staged_`
+  std::vector<std::size_t> impacts_;
+  std::vector<std::function<void()>> tasks_;
+};
+
+void SceneTasks::add_rows() {
+  if (formulator_.rows() > 0 && is_wanted("reaction_jacobian_transpose")) {
+    add(plain_, [this] { return formulator_.jacobian(); });
   }
-  const bool steps = step_method(scene) && wants(wanted, "step");
-  const std::vector<PhaseState> states = phase_states(scene, steps);
-  std::vector<std::size_t> dynamics;
-  for (const PhaseState& state : states) {
-    if (steps || wants(wanted, "constrained_dynamics")) {
-      dynamics.push_back(add(staged, [&] { return formulator.constrained_dynamics(state); }));
+  if (formulator_.rows() > 0 && is_wanted("reaction_bias_acceleration")) {
+    add(plain_, [this] { return formulator_.bias(); });
+  }
+}
+
+void SceneTasks::add_phase(const PhaseState& state) {
+  if (steps_ || is_wanted("constrained_dynamics")) {
+    dynamics_.push_back(
+        add(staged_, [this, &state] { return formulator_.constrained_dynamics(state); }));
+  }
+  const bool declared = state.active == scene().phases[to_index(state.phase)].active;
+  if (declared && has_inverse_dynamics(scene(), state) &&
+      is_wanted("constrained_inverse_dynamics")) {
+    add(staged_, [this, &state] { return formulator_.inverse_dynamics(state); });
+  }
+}
+
+/// Impacts and contacts.
+void SceneTasks::add_events() {
+  for (const ImpactName& impact : names_) {
+    if (steps_ || is_wanted("impact")) {
+      impacts_.push_back(add(staged_, [this, &impact] { return formulator_.impact(impact); }));
     }
-    const bool declared = state.active == scene.phases[to_index(state.phase)].active;
-    if (declared && has_inverse_dynamics(scene, state) &&
-        wants(wanted, "constrained_inverse_dynamics")) {
-      add(staged, [&] { return formulator.inverse_dynamics(state); });
-    }
   }
-  std::vector<std::size_t> impacts;
-  const std::vector<ImpactName> names = impacts_of(scene);
-  for (const ImpactName& impact : names) {
-    if (steps || wants(wanted, "impact")) {
-      impacts.push_back(add(staged, [&] { return formulator.impact(impact); }));
-    }
+  for (std::size_t k = 0; k < scene().contacts.size() && is_wanted("contact_force"); ++k) {
+    add(staged_, [this, k] { return formulator_.contact_force(k); });
   }
-  for (std::size_t k = 0; k < scene.contacts.size() && wants(wanted, "contact_force"); ++k) {
-    add(staged, [&, k] { return formulator.contact_force(k); });
+}
+
+std::vector<program::Staged> SceneTasks::staged_at(const std::vector<std::size_t>& places) const {
+  std::vector<program::Staged> result;
+  for (const std::size_t place : places) {
+    result.push_back(staged_[place]);
   }
-  run_all(tasks);
-  if (steps) {
-    const auto those = [&](const std::vector<std::size_t>& places) {
-      std::vector<program::Staged> picked;
-      for (const std::size_t place : places) {
-        picked.push_back(staged[place]);
-      }
-      return picked;
-    };
+  return result;
+}
+
+SceneFunctions SceneTasks::run() {
+  run_all(tasks_);
+  SceneFunctions result;
+  if (steps_) {
     result.steppers.push_back(
-        make_stepper(scene, options, states, those(dynamics), those(impacts)));
+        make_stepper(scene(), options_, states_, staged_at(dynamics_), staged_at(impacts_)));
   }
-  result.plain.assign(plain.begin(), plain.end());
-  result.staged.assign(staged.begin(), staged.end());
+  result.plain.assign(plain_.begin(), plain_.end());
+  result.staged.assign(staged_.begin(), staged_.end());
   for (program::Staged& function : result.staged) {
     function.signature.status = true;
   }
   return result;
+}
+
+}  // namespace
+
+SceneFunctions scene_functions(const model::Scene& given, const Options& options,
+                               const std::vector<std::string>& wanted) {
+  return SceneTasks(given, options, wanted).run();
 }
 
 }  // namespace treedyn::formulate

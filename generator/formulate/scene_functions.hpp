@@ -22,7 +22,7 @@ struct SceneFunctions {
 /// The cheapest formulations found; deterministic. `options` are those of the model; its scene,
 /// gravity and points are replaced.
 /// \param wanted  names of scene_function_infos(); empty: all that the scene needs
-SceneFunctions scene_functions(const model::Scene& scene, const Options& options,
+SceneFunctions scene_functions(const model::Scene& given, const Options& options,
                                const std::vector<std::string>& wanted);
 
 }  // namespace treedyn::formulate

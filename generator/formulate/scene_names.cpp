@@ -38,12 +38,13 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
   };
   for (const model::Phase& phase : scene.phases) {
     for (const model::Event& event : phase.until) {
-      if (event.impact) {
-        const std::string name = fmt::format("impact_{}", to_identifier(phase.name));
-        add({event.impact->constraints, event.impact->restitution, name});
-        if (event.impact->rest_below > 0) {
-          add({event.impact->constraints, 0, name + "_at_rest"});
-        }
+      if (!event.impact) {
+        continue;
+      }
+      const std::string name = fmt::format("impact_{}", to_identifier(phase.name));
+      add({event.impact->constraints, event.impact->restitution, name});
+      if (event.impact->rest_below > 0) {
+        add({event.impact->constraints, 0, name + "_at_rest"});
       }
     }
   }

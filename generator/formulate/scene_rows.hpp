@@ -36,10 +36,10 @@ class SceneRows {
   [[nodiscard]] std::vector<Expr> reactions(const std::vector<Expr>& mu) const;
 
  private:
-  void add_constraint(const model::Constraint& constraint, const std::vector<Expr>& wanted);
-  void add_joint(const model::Constraint& constraint, const std::vector<Expr>& wanted);
-  void add_triad(const MotionMap& map, const std::vector<Expr>& wanted);
-  void add_directions(const MotionMap& map, const std::vector<Expr>& wanted);
+  void add_constraint(const model::Constraint& constraint, const std::vector<Expr>& a);
+  void add_joint(const model::Constraint& constraint, const std::vector<Expr>& a);
+  void add_triad(const MotionMap& map, const std::vector<Expr>& a);
+  void add_directions(const MotionMap& map, const std::vector<Expr>& a);
   [[nodiscard]] std::vector<Expr> wanted(const model::Constraint& constraint) const;
 
   const model::Scene& scene_;

@@ -19,7 +19,7 @@ using model::Phase;
 using model::Scene;
 
 /// What a joint does, in the order of phases.
-enum Way { kRests, kForth, kBack };
+enum SlipWay { kRests, kForth, kBack };
 constexpr std::array<const char*, 3> kWayNames = {"sticks", "forth", "back"};
 
 /// A joint whose friction sticks.
@@ -97,7 +97,7 @@ class PhaseMaker {
     const auto first = static_cast<int>(ways_ * (&phase - before_.data()));
     int place = 1;
     for (const Sticking& sticking : joints_) {
-      const auto way = static_cast<Way>(ways / place % 3);
+      const auto way = static_cast<SlipWay>(ways / place % 3);
       result.name += fmt::format("_{}_{}", name_of(scene_, sticking.joint), kWayNames[way]);
       add(sticking, way, {first + ways - place * way, place}, result);
       place *= 3;
@@ -109,13 +109,13 @@ class PhaseMaker {
   struct Ways {
     int first;
     int place;
-    [[nodiscard]] int at(Way way) const { return first + place * way; }
+    [[nodiscard]] int at(SlipWay way) const { return first + place * way; }
   };
 
-  static void add(const Sticking& sticking, Way way, const Ways& ways, Phase& phase) {
+  static void add(const Sticking& sticking, SlipWay way, const Ways& ways, Phase& phase) {
     if (way == kRests) {
       phase.active.push_back(sticking.row);
-      for (const Way next : {kForth, kBack}) {
+      for (const SlipWay next : {kForth, kBack}) {
         Event event;
         event.kind = EventKind::kReaction;
         event.constraint = sticking.row;

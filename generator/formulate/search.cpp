@@ -170,6 +170,10 @@ class Search {
   /// First-improvement descent over all choices in random order; stops when `limit` moves are left.
   template <class Evaluate>
   void descend(Variant& variant, int& cost, int limit, Evaluate evaluate);
+  /// One round of it: true if it improved, and all choices had their turn.
+  template <class Evaluate>
+  bool descend_once(Variant& variant, int& cost, int limit, const std::vector<std::size_t>& order,
+                    Evaluate& evaluate);
   template <class Evaluate>
   void anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluate evaluate);
   Variant perturbed(Variant variant);
@@ -229,26 +233,33 @@ void Search::descend(Variant& variant, int& cost, int limit, Evaluate evaluate) 
   std::vector<std::size_t> order(choices_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (bool improved = true; improved;) {
-    improved = false;
     for (std::size_t i = order.size(); i > 1; --i) {
       std::swap(order[i - 1], order[random(i)]);
     }
-    for (const std::size_t n : order) {
-      for (int setting = 0; setting < choices_[n].settings; ++setting) {
-        if (moves_ <= limit) {
-          return;
-        }
-        Variant trial = variant;
-        choices_[n].set(trial, choices_[n].links, setting);
-        const int trial_cost = evaluate(trial);
-        if (trial_cost < cost) {
-          cost = trial_cost;
-          variant = trial;
-          improved = true;
-        }
+    improved = descend_once(variant, cost, limit, order, evaluate);
+  }
+}
+
+template <class Evaluate>
+bool Search::descend_once(Variant& variant, int& cost, int limit,
+                          const std::vector<std::size_t>& order, Evaluate& evaluate) {
+  bool improved = false;
+  for (const std::size_t n : order) {
+    for (int setting = 0; setting < choices_[n].settings; ++setting) {
+      if (moves_ <= limit) {
+        return false;
+      }
+      Variant trial = variant;
+      choices_[n].set(trial, choices_[n].links, setting);
+      const int trial_cost = evaluate(trial);
+      if (trial_cost < cost) {
+        cost = trial_cost;
+        variant = trial;
+        improved = true;
       }
     }
   }
+  return improved;
 }
 
 Variant Search::perturbed(Variant variant) {

@@ -73,7 +73,7 @@ inline Mat3 constant(Graph& graph, const model::Matrix3& m) {
 }
 
 /// I = tr(E) - E.
-Mat3 inertia_tensor(const Mat3& pseudo);
+Mat3 inertia_tensor(const Mat3& E);
 
 /// A sum whose constant terms are added last, as one number.
 Expr sum(const std::vector<Expr>& terms);

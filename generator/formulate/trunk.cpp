@@ -141,7 +141,7 @@ std::vector<Expr> Trunk::joint_accelerations(std::vector<Expr> x) const {
 
 std::vector<std::pair<const char*, program::Cost>> trunk_lines(const model::Tree& tree,
                                                                const Options& options) {
-  using Make = std::vector<Expr> (*)(const Trunk&, std::vector<Expr>);
+  using Make = std::vector<Expr> (*)(const Trunk&, const std::vector<Expr>&);
   const auto cost = [&](Make make) {
     Recipe recipe = recipe_of("forward_dynamics");
     recipe.build = [make](const Task& task) {
@@ -153,16 +153,15 @@ std::vector<std::pair<const char*, program::Cost>> trunk_lines(const model::Tree
     };
     return program::cost(build(tree, recipe, options, plain_variant(tree)));
   };
-  const Make turning = [](const Trunk& trunk, std::vector<Expr>) {
+  const Make turning = [](const Trunk& trunk, const std::vector<Expr>&) {
     const Vec3& omega = trunk.seen().kinematics.ground_turning();
     return std::vector<Expr>(omega.begin(), omega.end());
   };
   return {{"ω = B q̇ of the trunk, in its frame", cost(turning)},
-          {"f = B^-T τ, force and moment on it", cost([](const Trunk& trunk, std::vector<Expr> x) {
-             return trunk.forces(std::move(x));
-           })},
-          {"q̈ = B^-1 (y + g - γ)", cost([](const Trunk& trunk, std::vector<Expr> x) {
-             return trunk.joint_accelerations(std::move(x));
+          {"f = B^-T τ, force and moment on it",
+           cost([](const Trunk& trunk, const std::vector<Expr>& x) { return trunk.forces(x); })},
+          {"q̈ = B^-1 (y + g - γ)", cost([](const Trunk& trunk, const std::vector<Expr>& x) {
+             return trunk.joint_accelerations(x);
            })}};
 }
 

@@ -10,8 +10,6 @@ namespace {
 /// Longer sums are not multiplied out.
 constexpr int kLongestSum = 8;
 
-Ref with_sign(Ref value, Ref sign) { return sign < 0 ? -value : value; }
-
 /// Operand number `place` of `user` can be taken apart: merged into the user, or multiplied out.
 struct Choice {
   int user = 0;
@@ -76,7 +74,7 @@ void Expansion::merge(int user, int place) {
   }
   operands.erase(operands.begin() + place);
   for (const Ref operand : network_.operands(part)) {
-    operands.push_back(with_sign(operand, part));
+    operands.push_back(program::with_sign(operand, part));
   }
   network_.set_operands(user, operands);
 }
@@ -98,7 +96,7 @@ void Expansion::multiply_out(int product, Random& random) {
   std::vector<Ref> terms(network_.operands(sum).begin(), network_.operands(sum).end());
   for (Ref& term : terms) {
     factors[place] = std::abs(term);
-    term = with_sign(network_.append(Kind::kMultiply, factors), term);
+    term = program::with_sign(network_.append(Kind::kMultiply, factors), term);
   }
   network_.set_operands(product, terms);
   network_.set_kind(product, Kind::kAdd);

@@ -60,16 +60,16 @@ void Factoring::collect(int sum) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Ref term = std::abs(terms[i]);
     const int number = static_cast<int>(i);
-    if (network_.item(term).kind == Kind::kMultiply && uses_[program::node_index(term)] == 1) {
-      const auto factors = network_.operands(term);
-      for (std::size_t f = 0; f < factors.size(); ++f) {
-        if (std::find(factors.begin(), factors.begin() + static_cast<std::ptrdiff_t>(f),
-                      factors[f]) == factors.begin() + static_cast<std::ptrdiff_t>(f)) {
-          found_.push_back({factors[f], number, true});
-        }
-      }
-    } else {
+    if (network_.item(term).kind != Kind::kMultiply || uses_[program::node_index(term)] != 1) {
       found_.push_back({term, number, false});
+      continue;
+    }
+    const auto factors = network_.operands(term);
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+      if (std::find(factors.begin(), factors.begin() + static_cast<std::ptrdiff_t>(f),
+                    factors[f]) == factors.begin() + static_cast<std::ptrdiff_t>(f)) {
+        found_.push_back({factors[f], number, true});
+      }
     }
   }
   std::ranges::sort(found_);

@@ -22,7 +22,7 @@ class GraphWriter {
   void write_item(int k);
   Ref write_sum(std::span<const Ref> terms);
   Ref write_product(std::span<const Ref> factors);
-  Ref image(Ref a) const {
+  [[nodiscard]] Ref image(Ref a) const {
     return a < 0 ? -image_[program::node_index(a)] : image_[program::node_index(a)];
   }
 

@@ -35,7 +35,8 @@ Network improve_whole(Network network, int moves, const RoundingGuard* guard, Ra
   return network;
 }
 
-Network improve_window(Network network, int moves, const RoundingGuard& guard, Random& random) {
+Network improve_window(const Network& network, int moves, const RoundingGuard& guard,
+                       Random& random) {
   Window window = cut_window(network, random_neighbourhood(network, random, kWindow));
   window.network = improve_whole(std::move(window.network), moves, nullptr, random);
   Network next = with_window(network, window);
@@ -53,7 +54,7 @@ Network improve(Network network, int moves, const RoundingGuard& guard, std::uin
       break;
     }
     network = count <= kWindow ? improve_whole(std::move(network), now, &guard, random)
-                               : improve_window(std::move(network), now, guard, random);
+                               : improve_window(network, now, guard, random);
   }
   return network;
 }

@@ -71,6 +71,7 @@ class Pruner {
     needed_[to_index(c)][to_index(element)] = !number_[to_index(c)][to_index(element)];
   }
   void write_trunk();
+  int keep_joint_values(std::size_t c, std::size_t& place, std::vector<Ref>& outputs) const;
   void write_phases();
   [[nodiscard]] int limb_class_of(int array) const;
   [[nodiscard]] std::vector<Ref> needed_outputs(const LimbPhase& phase) const;
@@ -183,6 +184,19 @@ void Pruner::find_needed() {
   }
 }
 
+/// Appends the needed ones of a limb of class c, which start at `place`; steps behind them all.
+/// \return  how many it appended
+int Pruner::keep_joint_values(std::size_t c, std::size_t& place, std::vector<Ref>& outputs) const {
+  int kept = 0;
+  for (std::size_t e = 0; e < needed_[c].size() && code_.values[c][e].stage < 0; ++e, ++place) {
+    if (needed_[c][e]) {
+      outputs.push_back(code_.trunk.outputs[place]);
+      ++kept;
+    }
+  }
+  return kept;
+}
+
 void Pruner::write_trunk() {
   std::size_t place = own_outputs();
   std::vector<Ref> outputs(code_.trunk.outputs.begin(),
@@ -196,13 +210,7 @@ void Pruner::write_trunk() {
   std::vector<int> given;  // joint values by limb
   for (std::size_t c = 0; c < code_.limbs.size(); ++c) {
     for (int limb = 0; limb < code_.limbs[c].size(); ++limb) {
-      given.push_back(0);
-      for (std::size_t e = 0; e < needed_[c].size() && code_.values[c][e].stage < 0; ++e, ++place) {
-        if (needed_[c][e]) {
-          outputs.push_back(code_.trunk.outputs[place]);
-          ++given.back();
-        }
-      }
+      given.push_back(keep_joint_values(c, place, outputs));
     }
   }
   code_.trunk = rewritten(code_.trunk, outputs, [&](const Node& node, Graph& to) {

@@ -127,8 +127,6 @@ std::vector<Step> evaluation_order(const Network& network) {
   return order;
 }
 
-Ref with_sign(Ref value, Ref sign) { return sign < 0 ? -value : value; }
-
 /// Appends to `builder` the item with the given operands.
 Ref rebuild(NetworkBuilder& builder, const Item& item, std::vector<Ref>& operands, int position) {
   switch (item.kind) {
@@ -153,7 +151,7 @@ std::vector<Ref> mapped(const std::vector<Ref>& image, std::span<const Ref> refs
   std::vector<Ref> result;
   result.reserve(refs.size());
   for (const Ref a : refs) {
-    result.push_back(with_sign(image[program::node_index(a)], a));
+    result.push_back(program::with_sign(image[program::node_index(a)], a));
   }
   return result;
 }
@@ -167,7 +165,7 @@ Network without_duplicates(const Network& network) {
   for (const Step& step : order) {
     operands.clear();
     for (const Ref operand : network.operands(step.item)) {
-      if (const Ref a = with_sign(image[program::node_index(operand)], operand);
+      if (const Ref a = program::with_sign(image[program::node_index(operand)], operand);
           a != 0 || network.item(step.item).kind != Kind::kAdd) {
         operands.push_back(a);
       }
@@ -198,9 +196,10 @@ void append_flat(const Network& network, const std::vector<bool>& part,
                  const std::vector<Ref>& image, Ref k, std::vector<Ref>& operands) {
   for (const Ref operand : network.operands(k)) {
     if (part[program::node_index(operand)]) {
-      append_flat(network, part, image, with_sign(operand, k), operands);
+      append_flat(network, part, image, program::with_sign(operand, k), operands);
     } else {
-      operands.push_back(with_sign(with_sign(image[program::node_index(operand)], operand), k));
+      operands.push_back(
+          program::with_sign(program::with_sign(image[program::node_index(operand)], operand), k));
     }
   }
 }
@@ -259,8 +258,9 @@ Network network_of(const Graph& graph, std::span<const Ref> outputs) {
       continue;
     }
     operands.clear();
-    for_each_operand(
-        node, [&](Ref a) { operands.push_back(with_sign(image[program::node_index(a)], a)); });
+    for_each_operand(node, [&](Ref a) {
+      operands.push_back(program::with_sign(image[program::node_index(a)], a));
+    });
     const Item leaf{node.kind, node.a, node.b, k};
     image[program::node_index(k)] = rebuild(builder, leaf, operands, k);
   }

@@ -30,7 +30,7 @@ class NetworkBuilder {
   template <class Equal, class Append>
   Ref find(std::uint64_t hash, Equal equal, Append append);
   void grow();
-  std::uint64_t hash_of(Ref item) const;
+  [[nodiscard]] std::uint64_t hash_of(Ref item) const;
   bool merge_equal_terms(std::vector<Ref>& terms);
   void add_constants(std::vector<Ref>& terms);
   bool multiply_constants(std::vector<Ref>& factors);

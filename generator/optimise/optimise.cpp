@@ -37,7 +37,7 @@ Function optimised(const Function& function, const Effort& effort) {
   const Network start = network_of(function.graph, function.outputs);
   const RoundingGuard guard(start);
   Network best = run_all_orders(start, effort.rounds);
-  best = resubstituted(guard.accepts(best) ? std::move(best) : start, guard);
+  best = resubstituted(guard.accepts(best) ? best : start, guard);
   for (int part = 0; part < kParts && effort.moves > 0; ++part) {
     const auto seed = static_cast<std::uint64_t>(part + 1);
     best = resubstituted(improve(std::move(best), effort.moves / kParts, guard, seed), guard);

@@ -61,9 +61,9 @@ class Resubstitution {
   int run();
 
  private:
-  Sample sample(Ref a) const { return samples_.sample(a); }
+  [[nodiscard]] Sample sample(Ref a) const { return samples_.sample(a); }
   /// True if `item` instead of k does not amplify rounding.
-  bool is_accurate(int item, int k) const {
+  [[nodiscard]] bool is_accurate(int item, int k) const {
     return within(samples_.errors(item), reference_[program::node_index(k)], kMostAmplification);
   }
   /// An item that pays and is free of cycles as an operand of a new form of `k`.
@@ -288,14 +288,15 @@ bool Resubstitution::shorten(int k) {
       const Sample value = kind == Kind::kAdd ? a + b : a * b;
       const Ref same = find_operand(static_cast<double>(value.first.seen()),
                                     static_cast<double>(value.second.seen()), k);
-      if (same != 0 && identical(sample(same), value) && (kind == Kind::kAdd || same > 0)) {
-        std::vector<Ref> rest = operands;
-        rest[i] = same;
-        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(j));
-        if (sets_operands(k, rest)) {
-          refresh();
-          return true;
-        }
+      if (same == 0 || !identical(sample(same), value) || (kind == Kind::kMultiply && same < 0)) {
+        continue;
+      }
+      std::vector<Ref> rest = operands;
+      rest[i] = same;
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(j));
+      if (sets_operands(k, rest)) {
+        refresh();
+        return true;
       }
     }
   }

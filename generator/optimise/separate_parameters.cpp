@@ -54,9 +54,9 @@ Function separated(const Function& from, DerivedNumbers& numbers) {
 }
 
 /// Recipes as expressions of the parameters, which are array 0.
-class Writer {
+class UpdateWriter {
  public:
-  explicit Writer(Graph& graph) : graph_(graph) {}
+  explicit UpdateWriter(Graph& graph) : graph_(graph) {}
 
   Expr write(int recipe) {
     note(recipe);
@@ -149,7 +149,7 @@ Separated separate_parameters(const std::vector<Function*>& functions, const Arr
   }
   Function update;
   std::vector<Real> elements;
-  Writer writer(update.graph);
+  UpdateWriter writer(update.graph);
   for (int k = 0; k < numbers.count(); ++k) {
     elements.push_back(numbers.value(k));
     update.outputs.push_back(writer.write(elements.back().recipe()).ref());

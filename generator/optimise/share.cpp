@@ -8,7 +8,7 @@ namespace treedyn::optimise {
 namespace {
 
 /// Operands further apart than this in one list are not paired.
-constexpr std::size_t kWindow = 48;
+constexpr std::size_t kNearCandidates = 48;
 constexpr int kMostRounds = 30;
 
 /// Operand pair of an item; x <= |y|, y negative if a sum has them with different signs.
@@ -56,6 +56,7 @@ class Sharing {
  private:
   void count_operands();
   void collect();
+  void add_pairs(const std::vector<Ref>& candidates, int item);
   void group();
   int share_round();
   int share_group(const Group& group);
@@ -96,11 +97,15 @@ void Sharing::collect() {
         candidates.push_back(operand);
       }
     }
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      for (std::size_t j = i + 1; j < std::min(candidates.size(), i + kWindow); ++j) {
-        if (kind_ == Kind::kMultiply || std::abs(candidates[i]) != std::abs(candidates[j])) {
-          pairs_.push_back(make_pair(candidates[i], candidates[j], k));
-        }
+    add_pairs(candidates, k);
+  }
+}
+
+void Sharing::add_pairs(const std::vector<Ref>& candidates, int item) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    for (std::size_t j = i + 1; j < std::min(candidates.size(), i + kNearCandidates); ++j) {
+      if (kind_ == Kind::kMultiply || std::abs(candidates[i]) != std::abs(candidates[j])) {
+        pairs_.push_back(make_pair(candidates[i], candidates[j], item));
       }
     }
   }

@@ -7,8 +7,6 @@ namespace treedyn::optimise {
 
 namespace {
 
-Ref with_sign(Ref value, Ref sign) { return sign < 0 ? -value : value; }
-
 bool is_operation(const Network& network, int k) {
   const Kind kind = network.item(k).kind;
   return kind == Kind::kAdd || kind == Kind::kMultiply || kind == Kind::kDivide;
@@ -88,7 +86,7 @@ Window cut_window(const Network& network, std::span<const int> items) {
                 ? item
                 : Item{Kind::kInput, -1, std::abs(operand), item.position});
       }
-      operands.push_back(with_sign(known, operand));
+      operands.push_back(program::with_sign(known, operand));
       ++inner_uses[program::node_index(operand)];
     }
     image[program::node_index(k)] =
@@ -117,14 +115,14 @@ Network with_window(Network network, const Window& window) {
     } else {
       operands.clear();
       for (const Ref operand : window.network.operands(k)) {
-        operands.push_back(with_sign(image[program::node_index(operand)], operand));
+        operands.push_back(program::with_sign(image[program::node_index(operand)], operand));
       }
       image[program::node_index(k)] = network.append(item.kind, operands, item.position);
     }
   }
   for (std::size_t i = 0; i < window.results.size(); ++i) {
     const Ref output = window.network.outputs()[i];
-    const Ref value = with_sign(image[program::node_index(output)], output);
+    const Ref value = program::with_sign(image[program::node_index(output)], output);
     network.set_kind(window.results[i], Kind::kAdd);  // a sum of one term is that term
     network.set_operands(window.results[i], std::span(&value, 1));
   }

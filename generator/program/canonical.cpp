@@ -10,7 +10,7 @@ namespace treedyn::program {
 
 namespace {
 
-using namespace residue;
+using namespace residue;  // NOLINT(google-build-using-namespace): operators of residues
 
 /// Keys of the nodes by structure: the key of -a is the negative of that of a, the operands of sums
 /// and products may change places, numbers count in double.

@@ -16,6 +16,8 @@ using Ref = std::int32_t;
 
 /// The position of the node that `a` or its negative is.
 constexpr std::size_t node_index(Ref a) { return static_cast<std::size_t>(a < 0 ? -a : a); }
+/// `value`, negated where `sign` is negative.
+constexpr Ref with_sign(Ref value, Ref sign) { return sign < 0 ? -value : value; }
 
 /// Input arrays from this number on hold numbers that are known when code is generated, but are not
 /// the same in all limbs that share it (limbs.hpp).

@@ -46,18 +46,18 @@ class Pivots {
     }
   }
 
-  std::vector<Pivot> find() const;
+  [[nodiscard]] std::vector<Pivot> find() const;
 
  private:
-  std::set<Ref> divisors() const;
-  Pivot pivot(Ref divisor) const;
+  [[nodiscard]] std::set<Ref> divisors() const;
+  [[nodiscard]] Pivot pivot(Ref divisor) const;
   void visit_terms(Ref a, const std::function<void(Ref)>& visit) const;
   /// +1 or -1 in all states, or 0.
-  int sign(Ref a) const;
-  Real sum_of_sizes(Ref a) const;
-  Real largest_size(Ref a) const;
-  bool may_be_named(Ref a) const;
-  bool of_first_alone(Ref a) const;
+  [[nodiscard]] int sign(Ref a) const;
+  [[nodiscard]] Real sum_of_sizes(Ref a) const;
+  [[nodiscard]] Real largest_size(Ref a) const;
+  [[nodiscard]] bool may_be_named(Ref a) const;
+  [[nodiscard]] bool of_first_alone(Ref a) const;
 
   const Function& function_;
   const Graph& graph_;

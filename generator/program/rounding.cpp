@@ -135,7 +135,7 @@ std::vector<Scalar> results_at(const Function& function, int state) {
       });
   std::vector<Scalar> results;
   for (const Ref output : function.outputs) {
-    const Scalar value = values[node_index(output)];
+    const Scalar& value = values[node_index(output)];
     results.push_back(output < 0 ? Scalar(-value) : value);
   }
   return results;

@@ -67,7 +67,9 @@ class Order {
   std::vector<Ref> take() { return std::move(order_); }
 
  private:
-  bool is_missing(Ref a) const { return is_operation(graph_, a) && !seen_[node_index(a)]; }
+  [[nodiscard]] bool is_missing(Ref a) const {
+    return is_operation(graph_, a) && !seen_[node_index(a)];
+  }
 
   const Graph& graph_;
   std::vector<Ref> partner_;
@@ -78,15 +80,16 @@ class Order {
 /// Appends what `value` needs and what is missing, then itself and the cosine of its sine.
 void Order::add(Ref value) {
   std::vector<Ref> waiting = {std::abs(value)};
+  const auto add_missing = [&](Ref operand) {
+    if (is_missing(operand)) {
+      waiting.push_back(std::abs(operand));
+    }
+  };
   while (!waiting.empty()) {
     const Ref k = waiting.back();
     const std::size_t before = waiting.size();
     if (is_missing(k)) {
-      for_each_operand(graph_.node(k), [&](Ref operand) {
-        if (is_missing(operand)) {
-          waiting.push_back(std::abs(operand));
-        }
-      });
+      for_each_operand(graph_.node(k), add_missing);
     }
     if (waiting.size() > before) {
       continue;
@@ -208,11 +211,11 @@ class Inliner {
   Schedule take() { return std::move(result_); }
 
  private:
-  int operand_width(Ref a) const {
+  [[nodiscard]] int operand_width(Ref a) const {
     return result_.is_inlined(a) ? width_[node_index(a)] : measure_.atom(std::abs(a));
   }
 
-  int expression_width(const Node& node) const {
+  [[nodiscard]] int expression_width(const Node& node) const {
     if (node.b == 0) {
       return operand_width(node.a) + 6;  // "sqrt()"
     }

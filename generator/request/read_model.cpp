@@ -168,6 +168,20 @@ void check_step(const Model& model) {
   }
 }
 
+void check_impact(const model::Scene& scene, const model::Phase& phase,
+                  const std::vector<int>& constraints, const Location& where) {
+  for (const int c : constraints) {
+    const model::Constraint& row = scene.constraints[static_cast<std::size_t>(c)];
+    const auto& speed = row.curve.velocity;
+    if (!std::all_of(speed.begin(), speed.end(), [](const auto& v) { return v.is_zero(); })) {
+      throw InputError(where, fmt::format("phase '{}': an impact strikes constraint '{}', which "
+                                          "is led along a curve; expected one at rest, or "
+                                          "--functions without impact and step",
+                                          shown(phase.name), shown(row.name)));
+    }
+  }
+}
+
 /// Generated impacts bring rows to rest, or let them rebound: they do not know of speeds of curves.
 void check_impacts(const Model& model, const Location& where) {
   const std::vector<std::string>& wanted = model.scene_functions;
@@ -177,16 +191,8 @@ void check_impacts(const Model& model, const Location& where) {
       });
   for (const model::Phase& phase : model.scene->phases) {
     for (const model::Event& event : phase.until) {
-      for (const int c : event.impact && !none ? event.impact->constraints : std::vector<int>{}) {
-        const model::Constraint& row = model.scene->constraints[static_cast<std::size_t>(c)];
-        const auto& speed = row.curve.velocity;
-        if (!std::all_of(speed.begin(), speed.end(), [](const auto& v) { return v.is_zero(); })) {
-          throw InputError(where,
-                           fmt::format("phase '{}': an impact strikes constraint '{}', which "
-                                       "is led along a curve; expected one at rest, or "
-                                       "--functions without impact and step",
-                                       shown(phase.name), shown(row.name)));
-        }
+      if (event.impact && !none) {
+        check_impact(*model.scene, phase, event.impact->constraints, where);
       }
     }
   }

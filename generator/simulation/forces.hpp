@@ -70,21 +70,24 @@ class Forces {
 
  private:
   struct JointSpring {
-    int joint;
-    double k, rest;
+    int joint = 0;
+    double k = 0;
+    double rest = 0;
     model::Expression law;
   };
   struct PointSpring {
-    int point;
+    int point = 0;
     Eigen::Vector3d anchor;
-    double k, d, length;
+    double k = 0;
+    double d = 0;
+    double length = 0;
   };
   struct Load {
-    int point;
+    int point = 0;
     VectorValue value;
   };
   struct JointForce {
-    int joint;
+    int joint = 0;
     model::Expression value;
   };
 

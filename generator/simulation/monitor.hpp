@@ -58,8 +58,8 @@ struct Turn {
 
 /// Of all forces without potential in a step.
 struct Work {
-  double done;           ///< J
-  double power;          ///< W, the largest
+  double done = 0;       ///< J
+  double power = 0;      ///< W, the largest
   bool strikes = false;  ///< an impact within the step may have taken energy
 };
 

@@ -125,12 +125,12 @@ class Simulator {
   bool is_resolved(double h);
   void propose();
   double longest_step(double longest);
-  double least_step() const;
-  double goal(double end) const;
+  [[nodiscard]] double least_step() const;
+  [[nodiscard]] double goal(double end) const;
   void land(double h, double time);
   void project(double t, Vector& y);
   void show_between(double h, double end);
-  void show_now(double time);
+  void show_now(double end);
   void guard_against_standstill(double end);
 
   void start_phase(int phase, const std::vector<int>& active);
@@ -139,16 +139,16 @@ class Simulator {
                  const model::Plane& plane);
   void prepare_watches();
   std::optional<Crossing> first_crossing(double h);
-  void look_for(std::size_t watch, double h, std::optional<Crossing>& first);
-  int pieces(double h) const;
+  void look_for(std::size_t k, double h, std::optional<Crossing>& first);
+  [[nodiscard]] int pieces(double h) const;
   double refine(const Watch& watch, double low, double high, double h);
   void happen(Watch& watch);
-  void stick_or_slip(std::size_t friction);
-  void fire(std::size_t event);
+  void stick_or_slip(std::size_t k);
+  void fire(std::size_t index);
   void lift_off(const LiftOff& rest);
   void add_lift_off(const model::Event& event);
-  const model::Event& event_at(std::size_t event) const;
-  std::string name_of(std::size_t event) const;
+  [[nodiscard]] const model::Event& event_at(std::size_t event) const;
+  [[nodiscard]] std::string name_of(std::size_t event) const;
   bool strike(const model::Event& event, EventRecord& record);
   void guard_against_pile();
 

@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Relative difference step, and the part of a contact's depth that a difference may move.
-constexpr double kDifference = 1e-6;
+constexpr double kDifferenceOfState = 1e-6;
 constexpr double kPartOfDepth = 1e-2;
 /// Depths that are tried, m; halvings of an interval.
 constexpr double kLeastDepth = 1e-9;
@@ -103,7 +103,7 @@ Eigen::MatrixXd derivative(System& system, double t, const Vector& q, const Vect
   y << q, qd;
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     const double x = y[k];
-    const double d = std::min(kDifference * std::max(1.0, std::fabs(x)), k < n ? most : 1.0);
+    const double d = std::min(kDifferenceOfState * std::max(1.0, std::fabs(x)), k < n ? most : 1.0);
     y[k] = x + d;
     result.col(k) = system.accelerate(t, y.head(n), y.tail(n)).qdd;
     y[k] = x - d;

@@ -145,7 +145,8 @@ double integrated_step(const model::Expression& expression, const State& state, 
       {{0, 64.0 / 225},
        {0.269234655052841544, 0.239314335249683234},
        {0.453089922969331996, 0.118463442528094544}}};
-  for (double step = longest; step > longest * std::pow(0.5, kScaleHalvings); step /= 2) {
+  double step = longest;
+  for (int halving = 0; halving < kScaleHalvings; ++halving, step /= 2) {
     double cotes = 0;
     double gauss = 0;
     double size = 0;

@@ -20,11 +20,11 @@ struct Watch {
     kSlip,        ///< velocity of a slipping joint
     kStick,       ///< what is left of the friction that holds a sticking joint
   };
-  Kind kind;
-  std::size_t index;  ///< of the event in its phase, the contact, the friction
-  int point;
+  Kind kind = Kind::kEvent;
+  std::size_t index = 0;  ///< of the event in its phase, the contact, the friction
+  int point = 0;
   PlaneValues plane;
-  int side;  ///< sign of the function now
+  int side = 0;  ///< sign of the function now
   const model::Event* event = nullptr;
   double until = 0;   ///< before this time an event is not looked at, s
   bool armed = true;  ///< `until` is over, `side` is that of now

@@ -48,6 +48,20 @@ void require_length(const Real& step, const Request& request) {
   }
 }
 
+/// \throws InputError if a function has the name of one of the self-test
+void require_free_names(const emit::Unit& unit, const Request& request) {
+  for (const program::Function& function : unit.functions) {
+    const std::string& name = function.signature.name;
+    if (unit.self_test &&
+        (name == "self_test" || name == "compare" || name.starts_with("known_"))) {
+      throw InputError({request.scene.value_or(request.model), 0, 0},
+                       fmt::format("function '{}' has a name that --self-test needs; expected "
+                                   "another one",
+                                   name));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<emit::File> emit_files(const Model& model, const Request& request,
@@ -90,16 +104,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
   if (request.checked) {
     unit.checked = checked_siblings(model, unit.functions);
   }
-  for (const program::Function& function : unit.functions) {
-    const std::string& name = function.signature.name;
-    if (unit.self_test &&
-        (name == "self_test" || name == "compare" || name.starts_with("known_"))) {
-      throw InputError({request.scene.value_or(request.model), 0, 0},
-                       fmt::format("function '{}' has a name that --self-test needs; expected "
-                                   "another one",
-                                   name));
-    }
-  }
+  require_free_names(unit, request);
   unit.command = generate_command(request, Paths::kBaseNames);
   unit.tool = fmt::format("treedyn {}", kVersion);
   unit.model_file = model.source.file;

@@ -86,7 +86,7 @@ bool succeeds(std::vector<std::string> words, const std::string& output) {
 std::vector<std::string> find_compiler(const std::string& scratch) {
   const char* const chosen = std::getenv("CXX");  // NOLINT(concurrency-mt-unsafe): one thread
   for (const char* const candidate : {chosen != nullptr ? chosen : "", "c++", "g++", "clang++"}) {
-    const std::vector<std::string> compiler = words_of(candidate);
+    std::vector<std::string> compiler = words_of(candidate);
     std::vector<std::string> version = compiler;
     version.emplace_back("--version");
     if (!compiler.empty() && succeeds(version, scratch)) {

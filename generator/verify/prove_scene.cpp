@@ -41,7 +41,7 @@ Real largest(const Values& values) {
 
 /// What arguments are filled with.
 struct Source {
-  program::Random random;
+  program::Random random = program::Random(7);
   const Values& derived;  ///< of run-time parameters
 };
 
@@ -151,13 +151,13 @@ struct Residual {
 
   void add(std::size_t i, const Real& term) {
     left[i] += term;
-    sum[i] += abs(term);
-    sizes = std::max(sizes, sum[i]);
+    sum_[i] += abs(term);
+    sizes = std::max(sizes, sum_[i]);
   }
-  explicit Residual(std::size_t count) : left(count), sum(count) {}
+  explicit Residual(std::size_t count) : left(count), sum_(count) {}
 
  private:
-  Values sum;
+  Values sum_;
 };
 
 Residual motion_of(const SceneEquations& equations, const std::vector<SceneEquations::Row>& rows,
@@ -377,7 +377,7 @@ void prove_contacts(const model::Scene& scene, const program::Staged& staged, So
 
 void prove_scene(const model::Scene& scene, const program::Programs& programs,
                  const std::vector<Real>& derived) {
-  Source source{program::Random(7), derived};
+  Source source{.derived = derived};
   for (const program::Function& function : programs.functions) {
     if (equations::is_scene_function(function.signature.name)) {
       prove_plain(scene, function, source);

@@ -32,13 +32,14 @@ Solution solved(Matrix s, Values b, const Real& least) {
     order.push_back(p);
     result.least = std::min(result.least, share(p));
     for (std::size_t i = 0; i < n; ++i) {
-      if (free(i)) {
-        const Real factor = s[i][p] / s[p][p];
-        for (std::size_t j = 0; j < n; ++j) {
-          s[i][j] -= factor * s[p][j];
-        }
-        b[i] -= factor * b[p];
+      if (!free(i)) {
+        continue;
       }
+      const Real factor = s[i][p] / s[p][p];
+      for (std::size_t j = 0; j < n; ++j) {
+        s[i][j] -= factor * s[p][j];
+      }
+      b[i] -= factor * b[p];
     }
   }
   for (auto p = order.rbegin(); p != order.rend(); ++p) {

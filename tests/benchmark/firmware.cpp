@@ -1,8 +1,9 @@
 // benchmark_cortex TREEDYN MODELS SOURCES -o DIR: generated code on a Cortex-M4F, of the biped and
 // the quadruped of the folder MODELS; both also with late sines and with shared code of the limbs.
 //
-// Float, arm-none-eabi-g++ -O2, without contraction and with it: instructions that one call
-// executes (counted by qemu-system-arm) and their cycles by a table, bytes of flash and of stack.
+// Float, arm-none-eabi-g++ -Os without contraction, and other ways to compile: instructions that
+// one call executes (counted by qemu-system-arm) and their cycles by a table, bytes of flash and of
+// stack.
 // SOURCES is the folder firmware/. Writes firmware.md.
 #include <algorithm>
 #include <cstdlib>
@@ -29,13 +30,21 @@ namespace fs = std::filesystem;
 
 const std::string kTool = "arm-none-eabi-";
 const std::vector<std::string> kCompile{
-    kTool + "g++",       "-std=c++17",        "-O2",
+    kTool + "g++",       "-std=c++17",        "-Os",
     "-mcpu=cortex-m4",   "-mthumb",           "-mfloat-abi=hard",
     "-mfpu=fpv4-sp-d16", "-fno-exceptions",   "-fno-rtti",
     "-fno-math-errno",   "-ffp-contract=off", "-ffunction-sections"};
 
-constexpr const char* kContracted = "-ffp-contract=fast";
-constexpr const char* kUnscheduled = "-fno-schedule-insns";
+/// In place of -Os and of what is off: other ways to compile the same text.
+struct Way {
+  const char* name;
+  std::vector<std::string> flags;
+};
+const std::vector<Way> kWays = {
+    {"-Os -ffp-contract=fast", {"-ffp-contract=fast"}},
+    {"-O2", {"-O2"}},
+    {"-O2 -fno-schedule-insns", {"-O2", "-fno-schedule-insns"}},
+};
 
 struct Function {
   const char* name;
@@ -151,15 +160,22 @@ Executed executed(const Function& function, int calls, const fs::path& sources,
   return result;
 }
 
-/// What a function costs on the microcontroller.
-struct Figures {
-  long operations = 0;
-  Executed plain;
-  Executed contracted;   ///< compiled with kContracted
-  Executed unscheduled;  ///< with kUnscheduled
-  long unscheduled_flash = 0;
+/// What compiled code costs on the microcontroller.
+struct Compiled {
+  Executed call;
   long flash = 0;
   long stack = 0;
+
+  /// Instructions, cycles and bytes of flash.
+  [[nodiscard]] std::string text() const {
+    return fmt::format("{} / {} / {}", call.instructions, call.cycles, flash);
+  }
+};
+
+struct Figures {
+  long operations = 0;
+  Compiled plain;
+  std::vector<Compiled> others;  ///< by kWays
 };
 
 /// Where things are.
@@ -170,7 +186,7 @@ struct Places {
 };
 
 Figures measured(const Function& function, const Places& places, const std::string& model,
-                 const std::vector<std::string>& options) {
+                 const std::vector<std::string>& options, const std::vector<Way>& ways) {
   const support::TemporaryFolder folder;
   const fs::path& work = folder.path();
   std::vector<std::string> command{places.treedyn, "generate", places.models / (model + ".yaml")};
@@ -179,56 +195,51 @@ Figures measured(const Function& function, const Places& places, const std::stri
   command.insert(command.end(), options.begin(), options.end());
   checked(command);
   const fs::path object = work / "generated.o";
-  const auto build = [&](const std::vector<std::string>& more) {
+  const auto compiled = [&](const std::vector<std::string>& more) {
     std::vector<std::string> flags{"-fstack-usage", "-c", work / "generated.cpp", "-o", object};
     flags.insert(flags.end(), more.begin(), more.end());
     checked(compile(flags));
-  };
-  const auto of_a_call = [&] {
     const Executed once = executed(function, 1, places.sources, work);
     const Executed twice = executed(function, 2, places.sources, work);
-    return Executed{twice.instructions - once.instructions, twice.cycles - once.cycles};
+    return Compiled{{twice.instructions - once.instructions, twice.cycles - once.cycles},
+                    flash_bytes(kTool + "size", object),
+                    stack_bytes(work / "generated.su")};
   };
   const auto cost = support::read_manifest(work / "generated.json").functions.front().operations;
-  build({kContracted});
-  const Executed contracted = of_a_call();
-  build({kUnscheduled});
-  const Executed unscheduled = of_a_call();
-  const long unscheduled_flash = flash_bytes(kTool + "size", object);
-  build({});
-  return {cost[0] + cost[1] + cost[2],
-          of_a_call(),
-          contracted,
-          unscheduled,
-          unscheduled_flash,
-          flash_bytes(kTool + "size", object),
-          stack_bytes(work / "generated.su")};
+  Figures result{cost[0] + cost[1] + cost[2], compiled({}), {}};
+  for (const Way& way : ways) {
+    result.others.push_back(compiled(way.flags));
+  }
+  return result;
 }
 
 using AllFigures = std::vector<Figures>;
 
 AllFigures all_figures(const Places& places, const std::string& model,
-                       const std::vector<std::string>& options) {
+                       const std::vector<std::string>& options, const std::vector<Way>& ways = {}) {
   AllFigures result;
   for (const Function& function : kFunctions) {
-    result.push_back(measured(function, places, model, options));
+    result.push_back(measured(function, places, model, options, ways));
   }
   return result;
 }
 
 std::string table(const AllFigures& figures) {
-  std::string text = fmt::format(
-      "| function | operations | instructions of a call | cycles | the same with {} | flash, bytes "
-      "| stack, bytes | instructions, cycles, flash with {} | target |\n"
-      "|---|---|---|---|---|---|---|---|---|\n",
-      kContracted, kUnscheduled);
+  std::string text = "| function | operations | instructions, cycles, bytes of flash | target |";
+  std::string line = "\n|---|---|---|---|";
+  for (const Way& way : kWays) {
+    text += fmt::format(" with {} |", way.name);
+    line += "---|";
+  }
+  text += " stack, bytes |" + line + "---|\n";
   for (std::size_t k = 0; k < figures.size(); ++k) {
     const Figures& f = figures[k];
-    text += fmt::format("| {} | {} | {} | {} | {} / {} | {} | {} | {} / {} / {} | {} |\n",
-                        kFunctions[k].name, f.operations, f.plain.instructions, f.plain.cycles,
-                        f.contracted.instructions, f.contracted.cycles, f.flash, f.stack,
-                        f.unscheduled.instructions, f.unscheduled.cycles, f.unscheduled_flash,
+    text += fmt::format("| {} | {} | {} | {} |", kFunctions[k].name, f.operations, f.plain.text(),
                         kFunctions[k].target);
+    for (const Compiled& other : f.others) {
+      text += fmt::format(" {} |", other.text());
+    }
+    text += fmt::format(" {} |\n", f.plain.stack);
   }
   return text;
 }
@@ -255,21 +266,22 @@ std::string comparison(const Places& places, const std::string& option, const Al
     for (std::size_t k = 0; k < own->size(); ++k) {
       const Figures& a = (*own)[k];
       const Figures& b = with[k];
-      text += fmt::format("| {} | {} | {} | {} | {} | {} / {} |\n", model, kFunctions[k].name,
-                          pair(a.operations, b.operations), pair(a.flash, b.flash),
-                          pair(a.plain.cycles, b.plain.cycles), a.stack, b.stack);
+      text +=
+          fmt::format("| {} | {} | {} | {} | {} | {} / {} |\n", model, kFunctions[k].name,
+                      pair(a.operations, b.operations), pair(a.plain.flash, b.plain.flash),
+                      pair(a.plain.call.cycles, b.plain.call.cycles), a.plain.stack, b.plain.stack);
     }
   }
   return text;
 }
 
 void run(const Places& places, const fs::path& output) {
-  const AllFigures packed = all_figures(places, "biped", {"--layout", "packed"});
+  const AllFigures packed = all_figures(places, "biped", {"--layout", "packed"}, kWays);
   const AllFigures biped = all_figures(places, "biped", {});
   const AllFigures quadruped = all_figures(places, "quadruped", {});
   std::string text =
       "biped.yaml `--base axes --scalar float --layout packed` on a Cortex-M4F, arm-none-eabi-g++ "
-      "-O2 -ffp-contract=off; executed instructions counted by qemu, cycles of each by a table "
+      "-Os -ffp-contract=off; executed instructions counted by qemu, cycles of each by a table "
       "after ARM's manual "
       "(loads and stores 2, fused products 3, jumps 3). Targets: instructions, cycles, kB of "
       "flash.\n\n" +

@@ -20,7 +20,7 @@ Outcome shell(const std::string& command) { return support::run({"sh", "-c", com
 class Hostile : public Cli {
  protected:
   /// A model of one link and joint, both called `name`.
-  std::string named(const std::string& name) const {
+  [[nodiscard]] std::string named(const std::string& name) const {
     write_file(
         scratch("named.yaml"),
         fmt::format("name: \"{0}\"\nlinks:\n  - name: \"{0}\"\n    father: ground\n    joint: "
@@ -30,7 +30,7 @@ class Hostile : public Cli {
     return scratch("named.yaml");
   }
   /// A scene of the two-link arm with the given lines.
-  std::string scene(const std::string& lines, const std::string& name = "s") const {
+  [[nodiscard]] std::string scene(const std::string& lines, const std::string& name = "s") const {
     write_file(scratch("s.yaml"),
                fmt::format("scene: {}\nmodel: {}\nduration: 0.01\n{}", name, kModel, lines));
     return scratch("s.yaml");

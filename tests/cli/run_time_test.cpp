@@ -210,7 +210,7 @@ class RunTime : public Cli, public testing::WithParamInterface<Robot> {
   }
 
   /// What the driver finds.
-  double difference(const std::string& other_source, const std::string& text) const {
+  [[nodiscard]] double difference(const std::string& other_source, const std::string& text) const {
     write_file(file("driver.cpp"), text);
     const std::string at = out() + "/";
     run_compiler(fmt::format("-std=c++17 {0} -c {1}r.cpp -o {1}r.o", kWarnings, at));
