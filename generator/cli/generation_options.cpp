@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "accuracy/core.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "common/parallel.hpp"
@@ -337,6 +338,41 @@ std::vector<std::string> with_settings(const std::vector<std::string>& words,
 namespace {
 
 /// Numbers, sines and storage of the output.
+/// The processor and what follows for the order of statements; `--trig` has the last word.
+void add_core(CLI::App& command, Request& request) {
+  const auto late = [](bool is_late) {
+    return is_late ? program::Trigonometry::kLate : program::Trigonometry::kEarly;
+  };
+  CLI::Option* const trig =
+      command
+          .add_option_function<std::string>(
+              "--trig",
+              [&request, late](const std::string& place) {
+                request.target.trigonometry = late(place == "late");
+              },
+              "sines and cosines at the beginning, or just before their first use, for processors "
+              "that execute in order; default early, with --core of a microcontroller late")
+          ->check(one_of({"early", "late"}))
+          ->type_name("early|late");
+  std::vector<std::string> names;
+  for (const accuracy::Core& core : accuracy::cores()) {
+    names.emplace_back(core.name);
+  }
+  command
+      .add_option_function<std::string>(
+          "--core",
+          [&request, late, trig](const std::string& core) {
+            request.core = core;
+            if (trig->count() == 0) {
+              request.target.trigonometry = late(has_late_sines(core));
+            }
+          },
+          "the processor: header and manifest say how to compile for it and how many cycles a call "
+          "takes")
+      ->check(one_of(names))
+      ->type_name(fmt::format("{}", fmt::join(names, "|")));
+}
+
 void add_target(CLI::App& command, Request& request) {
   command
       .add_option_function<std::string>(
@@ -366,17 +402,7 @@ void add_target(CLI::App& command, Request& request) {
           "processors with vectors; or of the C library; default pair")
       ->check(one_of({"pair", "vector", "libm", "builtin"}))
       ->type_name("pair|vector|libm");
-  command
-      .add_option_function<std::string>(
-          "--trig",
-          [&request](const std::string& place) {
-            request.target.trigonometry =
-                place == "late" ? program::Trigonometry::kLate : program::Trigonometry::kEarly;
-          },
-          "sines and cosines at the beginning, or just before their first use, for processors that "
-          "execute in order; default early")
-      ->check(one_of({"early", "late"}))
-      ->type_name("early|late");
+  add_core(command, request);
   command
       .add_option_function<std::string>(
           "--layout",

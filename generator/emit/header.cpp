@@ -219,20 +219,45 @@ std::string prototype(const program::Signature& signature) {
   return declaration(returned(signature), parameters(signature, all), " noexcept;") + "\n";
 }
 
+/// "/// About 4400 cycles on a Cortex-M4F."; nothing if the files are for any processor.
+std::string cycles_doc(const Unit& unit, const program::Signature& signature) {
+  if (!unit.processor) {
+    return "";
+  }
+  const auto found = std::ranges::find(unit.processor->cycles, signature.name,
+                                       &std::pair<std::string, double>::first);
+  return found == unit.processor->cycles.end()
+             ? ""
+             : wrapped(fmt::format("About {} cycles on a {}.", cycles_text(found->second),
+                                   unit.processor->brief),
+                       "/// ");
+}
+
+/// How to compile the files; nothing if they are for any processor.
+std::string processor_comment(const Unit& unit) {
+  return unit.processor
+             ? wrapped(fmt::format("For a {}: {}", unit.processor->brief, unit.processor->flags),
+                       "// ", 4)
+             : "";
+}
+
 std::string declarations(const Unit& unit) {
   std::string result;
   for (const program::Function& function : unit.functions) {
-    result += '\n' + doc(function) + prototype(function.signature);
+    result +=
+        '\n' + doc(function) + cycles_doc(unit, function.signature) + prototype(function.signature);
   }
   result += unit.self_test ? self_test_declaration(unit) : "";
   for (const Checked& checked : unit.checked) {
-    result += '\n' + doc(checked) + prototype(checked.signature);
+    result +=
+        '\n' + doc(checked) + cycles_doc(unit, checked.signature) + prototype(checked.signature);
   }
   for (const program::Staged& staged : unit.staged) {
-    result += '\n' + doc(staged) + prototype(staged.signature);
+    result += '\n' + doc(staged) + cycles_doc(unit, staged.signature) + prototype(staged.signature);
   }
   for (const program::Stepper& stepper : unit.steppers) {
-    result += '\n' + doc(stepper) + prototype(stepper.signature);
+    result +=
+        '\n' + doc(stepper) + cycles_doc(unit, stepper.signature) + prototype(stepper.signature);
   }
   return result;
 }
@@ -304,7 +329,7 @@ std::string header_text(const Unit& unit) {
               {{"name", unit.name},
                {"space", unit.space()},
                {"model", for_comment(tree.name, kLongestCell * 2)},
-               {"command", command_comment(unit.command)},
+               {"command", command_comment(unit.command) + processor_comment(unit)},
                {"joints", joint_table(tree)},
                {"points", point_table(unit.points)},
                {"scalar", scalar_declaration(unit.target)},

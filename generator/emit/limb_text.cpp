@@ -179,7 +179,8 @@ std::string table_name(const program::Function& function, int c) {
 }
 
 /// One row a number, its value in every limb.
-std::string table_of_lanes(const program::Function& function, int c, const Target& target) {
+std::string table_of_lanes(const program::Function& function, int c, const Vocabulary& words,
+                           const Target& target) {
   const LimbClass& limb_class = function.limb_code->limbs[to_index(c)];
   if (limb_class.columns.empty()) {
     return {};
@@ -187,13 +188,14 @@ std::string table_of_lanes(const program::Function& function, int c, const Targe
   std::string result = fmt::format("\nconst {} {}[{}] = {{\n", vector_type(lanes(limb_class)),
                                    table_name(function, c), limb_class.columns.size());
   for (std::size_t k = 0; k < limb_class.columns.size(); ++k) {
-    result += fmt::format("    {},  // {}\n",
-                          in_braces(limb_class,
-                                    [&](int limb) {
-                                      return literal(limb_class.columns[k][to_index(limb)],
-                                                     target.scalar);
-                                    }),
-                          k);
+    result +=
+        fmt::format("    {},  // {}\n",
+                    in_braces(limb_class,
+                              [&](int limb) {
+                                return signed_number_text(
+                                    words, limb_class.columns[k][to_index(limb)], target.scalar);
+                              }),
+                    k);
   }
   return result + "};\n";
 }
@@ -207,7 +209,7 @@ std::string table(const program::Function& function, int c, const Vocabulary& wo
     return {};
   }
   if (in_lanes(function, target)) {
-    return table_of_lanes(function, c, target);
+    return table_of_lanes(function, c, words, target);
   }
   std::string result = fmt::format("\nconst Scalar {}[{}][{}] = {{\n", table_name(function, c),
                                    limb_class.size(), limb_class.columns.size());
@@ -216,7 +218,7 @@ std::string table(const program::Function& function, int c, const Vocabulary& wo
     result += fmt::format("    // {}\n    {{\n", words.body_comments[link]);
     std::vector<std::string> cells;
     for (const std::vector<Real>& column : limb_class.columns) {
-      cells.push_back(literal(column[to_index(limb)], target.scalar) + ",");
+      cells.push_back(signed_number_text(words, column[to_index(limb)], target.scalar) + ",");
     }
     const std::size_t width = std::ranges::max_element(cells, {}, &std::string::size)->size();
     for (std::size_t k = 0; k < cells.size(); ++k) {

@@ -144,6 +144,21 @@ std::string stepper_cost(const program::Stepper& stepper) {
                      operations_json(program::worst_step_cost(stepper)));
 }
 
+/// The processor that the files are for, if they are for one.
+std::string processor_json(const Unit& unit) {
+  if (!unit.processor) {
+    return "";
+  }
+  std::vector<std::pair<std::string, std::string>> cycles;
+  for (const auto& [name, of_call] : unit.processor->cycles) {
+    cycles.emplace_back(name, cycles_text(of_call));
+  }
+  return fmt::format(",\n  \"processor\": {}",
+                     json_object({{"name", json_string(unit.processor->brief)},
+                                  {"flags", json_string(unit.processor->flags)},
+                                  {"cycles", json_object(cycles)}}));
+}
+
 /// Where sines and cosines are numbers, if they are those of the source.
 std::string sincos_json(const Unit& unit) {
   return has_sincos(unit) ? fmt::format(",\n  \"sincos\": {}", sincos_range(unit.target)) : "";
@@ -190,8 +205,8 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
       json_string(unit.name), json_string(unit.tool),
       json_object(
           {{"file", json_string(unit.model_file)}, {"sha256", json_string(unit.model_sha256)}}),
-      json_object(unit.options) + sincos_json(unit), unit.tree->dof(), joints_json(*unit.tree),
-      points_json(unit.points), parameters_json(*unit.tree, unit.gravity),
+      json_object(unit.options) + sincos_json(unit) + processor_json(unit), unit.tree->dof(),
+      joints_json(*unit.tree), points_json(unit.points), parameters_json(*unit.tree, unit.gravity),
       json_lines(functions, 4));
 }
 

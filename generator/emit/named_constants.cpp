@@ -189,7 +189,8 @@ std::string stem_of(const Provenance& source, const Vocabulary& words) {
 }  // namespace
 
 ConstantNames::ConstantNames(const std::vector<const program::Function*>& functions,
-                             const Vocabulary& words, std::set<std::string> taken)
+                             const std::vector<Real>& numbers, const Vocabulary& words,
+                             std::set<std::string> taken)
     : taken_(std::move(taken)) {
   for (const program::Function* const function : functions) {
     const program::Graph& graph = function->graph;
@@ -198,6 +199,9 @@ ConstantNames::ConstantNames(const std::vector<const program::Function*>& functi
         add(graph.value(node), words);
       }
     }
+  }
+  for (const Real& number : numbers) {
+    add(abs(number), words);
   }
   std::ranges::stable_sort(entries_, {}, [](const Entry& e) {
     const auto kind = std::ranges::find(kKinds, e.letter, &ConstantKind::letter);
@@ -291,6 +295,11 @@ std::string ConstantNames::table(const Vocabulary& words, Scalar scalar) const {
 std::string number_text(const Vocabulary& words, const Real& constant, Scalar scalar) {
   const std::string* const name = words.constants ? words.constants->find(constant) : nullptr;
   return name != nullptr ? *name : literal(constant, scalar);
+}
+
+std::string signed_number_text(const Vocabulary& words, const Real& constant, Scalar scalar) {
+  return constant < 0 ? "-" + number_text(words, -constant, scalar)
+                      : number_text(words, constant, scalar);
 }
 
 int number_width(const Vocabulary& words, const Real& constant, Scalar scalar) {

@@ -21,8 +21,10 @@ struct Vocabulary;
 class ConstantNames {
  public:
   /// \param functions  in the order of the text
+  /// \param numbers    others that stand in it
   /// \param taken      names that are something else there
-  ConstantNames(const std::vector<const program::Function*>& functions, const Vocabulary& words,
+  ConstantNames(const std::vector<const program::Function*>& functions,
+                const std::vector<Real>& numbers, const Vocabulary& words,
                 std::set<std::string> taken);
 
   /// Null: a literal.
@@ -59,8 +61,10 @@ struct DescribedNumber {
 /// are not known.
 std::vector<DescribedNumber> described(const std::vector<Real>& numbers, const Vocabulary& words);
 
-/// The name of a constant, or its literal.
+/// The name of a constant, or its literal. \pre constant >= 0
 std::string number_text(const Vocabulary& words, const Real& constant, Scalar scalar);
+/// The same of any sign.
+std::string signed_number_text(const Vocabulary& words, const Real& constant, Scalar scalar);
 /// Columns to keep free for it.
 int number_width(const Vocabulary& words, const Real& constant, Scalar scalar);
 

@@ -20,6 +20,9 @@ namespace treedyn::emit {
 
 namespace {
 
+constexpr const char* kOrderComment =
+    ",\n// and would put statements into another order, which keeps more values on the stack";
+
 std::string whole_function(const program::Signature& signature, const Part& part) {
   return declaration(returned(signature), parameters(signature, part.uses), " noexcept {") +
          block(part.lines);
@@ -102,11 +105,14 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies,
   }
   const std::string constants =
       words.constants ? words.constants->table(words, unit.target.scalar) : "";
+  const bool in_order = unit.processor && unit.processor->in_order;
   return fill(template_text("model.cpp"), {{"name", unit.name},
                                            {"space", unit.space()},
                                            {"command", command_comment(unit.command)},
                                            {"digest", kNoDigest},
                                            {"includes", includes(unit)},
+                                           {"order_comment", in_order ? kOrderComment : ""},
+                                           {"order", in_order ? ", \"no-schedule-insns\"" : ""},
                                            {"using", mathematics(unit, functions)},
                                            {"constants", constants},
                                            {"functions", functions}});

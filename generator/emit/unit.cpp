@@ -1,10 +1,13 @@
 #include "emit/unit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <tuple>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "emit/body.hpp"
 #include "emit/c99.hpp"
@@ -18,6 +21,14 @@
 #include "program/limb_code.hpp"
 
 namespace treedyn::emit {
+
+std::string cycles_text(double cycles) {
+  double unit = 1;
+  while (cycles >= 100 * unit) {
+    unit *= 10;
+  }
+  return fmt::format("{:.0f}", std::round(cycles / unit) * unit);
+}
 
 program::Cost total_cost(const Unit& unit) {
   program::Cost total;
@@ -61,9 +72,15 @@ Vocabulary words_of(const Unit& unit) {
       }
     }
   };
+  std::vector<Real> of_tables;
   for (const program::Function& function : unit.functions) {
     take(function.signature);
     if (function.limb_code) {
+      for (const program::LimbClass& limbs : function.limb_code->limbs) {
+        for (const std::vector<Real>& column : limbs.columns) {
+          of_tables.insert(of_tables.end(), column.begin(), column.end());
+        }
+      }
       functions.push_back(&function.limb_code->trunk);
       for (const program::LimbPhase& phase : function.limb_code->phases) {
         functions.push_back(&phase.function);
@@ -93,7 +110,8 @@ Vocabulary words_of(const Unit& unit) {
     }
     std::ranges::for_each(stepper.anchors, take_staged);
   }
-  words.constants = std::make_shared<const ConstantNames>(functions, words, std::move(taken));
+  words.constants =
+      std::make_shared<const ConstantNames>(functions, of_tables, words, std::move(taken));
   return words;
 }
 

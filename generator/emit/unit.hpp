@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,14 @@
 namespace treedyn::emit {
 
 enum class Language { kCpp, kC99 };
+
+/// What files that are made for one processor say of it.
+struct Processor {
+  std::string brief;      ///< Cortex-M4F
+  std::string flags;      ///< of the compiler
+  bool in_order = false;  ///< g++ has to leave the order of statements alone
+  std::vector<std::pair<std::string, double>> cycles;  ///< of a call, by function
+};
 
 /// Everything that the generated files say.
 struct Unit {
@@ -39,6 +48,7 @@ struct Unit {
   std::string model_file;            ///< base name, "-" for standard input
   std::string model_sha256;
   std::vector<std::pair<std::string, std::string>> options;  ///< for the manifest; values are JSON
+  std::optional<Processor> processor;                        ///< none: they are for any
   std::map<std::string, std::string> errors;  ///< of functions, for the manifest; values are JSON
 
   /// Of the C++ text; of one that becomes C a name that no list of names has.
@@ -49,6 +59,9 @@ struct Unit {
     return given_prefix.empty() ? name : given_prefix;
   }
 };
+
+/// Cycles with two digits, as tables of operations tell no more: 4400.
+std::string cycles_text(double cycles);
 
 /// Operations of all functions together, of the dearest calls.
 program::Cost total_cost(const Unit& unit);

@@ -79,6 +79,8 @@ std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", te
 
 }  // namespace
 
+bool has_late_sines(const std::string& core) { return !core.empty() && core != "host"; }
+
 std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
   std::vector<std::pair<std::string, std::string>> options = {
       {"scalar", in_quotes(emit::type_name(request.target.scalar))},
@@ -100,6 +102,7 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
       options.emplace_back(option, in_quotes(word));
     }
   };
+  add_word("core", request.core);
   add_word("language", request.language == emit::Language::kC99 ? "c99" : "");
   add_word("namespace", request.space.value_or(""));
   add_word("prefix", request.prefix.value_or(""));
@@ -146,7 +149,9 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
       std::to_string(request.target.lanes));
   add(sincos_word(request.target) != sincos_word(kDefaults.target), "--sincos",
       sincos_word(request.target));
-  add(request.target.trigonometry == program::Trigonometry::kLate, "--trig", "late");
+  add(!request.core.empty(), "--core", request.core);
+  const bool late = request.target.trigonometry == program::Trigonometry::kLate;
+  add(late != has_late_sines(request.core), "--trig", late ? "late" : "early");
   add(request.target.packed, "--layout", "packed");
   add(!request.functions.empty(), "--functions", list_of(request.functions));
   for (const std::string& file : request.equations) {

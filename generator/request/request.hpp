@@ -42,6 +42,7 @@ struct Request {
   std::vector<std::string> equations;  ///< files with equations of the user
   model::Vector3 gravity = {0, 0, Real("-9.81")};
   emit::Target target;
+  std::string core;  ///< the processor that it is for, one of accuracy::cores(); empty: any
   int effort = formulate::Options{}.effort;
   formulate::ForwardDynamics forward_dynamics = formulate::ForwardDynamics::kCheapest;
   std::vector<formulate::Pass> without;  ///< passes that are switched off
@@ -52,6 +53,10 @@ struct Request {
   int accuracy_samples = 0;              ///< states in which errors are measured; 0: none
   StepChoice stepping;                   ///< of a scene
 };
+
+/// True if sines are placed late unless something else is asked for: processors that execute in
+/// order spill fewer values then.
+bool has_late_sines(const std::string& core);
 
 /// How a command names its files.
 enum class Paths { kAsGiven, kBaseNames };

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "accuracy/core.hpp"
 #include "common/decimal.hpp"
 #include "formulate/functions.hpp"
 #include "formulate/stand_ins.hpp"
@@ -46,6 +47,37 @@ void require_length(const Real& step, const Request& request) {
         fmt::format("a step of {} s has no digits in {}; expected {} s or more",
                     emit::decimal(step), emit::type_name(request.target.scalar), least));
   }
+}
+
+/// How to compile for a processor, and what calls cost there by its table.
+emit::Processor processor_of(const accuracy::Core& core, const emit::Unit& unit) {
+  accuracy::Build build{unit.target.scalar == emit::Scalar::kFloat, unit.target.takes_libm()};
+  const program::Cost all = emit::total_cost(unit);
+  const double separate = accuracy::cycles(all, core, build);
+  build.contracted = true;
+  build.contracted = accuracy::cycles(all, core, build) < separate;
+  emit::Processor result{
+      std::string(core.brief),
+      fmt::format("{}{}-ffp-contract={}", fmt::join(core.options, " "),
+                  core.options.empty() ? "" : " ", build.contracted ? "fast" : "off"),
+      core.in_order,
+      {}};
+  const auto add = [&](const std::string& name, const program::Cost& cost) {
+    result.cycles.emplace_back(name, accuracy::cycles(cost, core, build));
+  };
+  for (const program::Function& function : unit.functions) {
+    add(function.signature.name, program::cost(function));
+  }
+  for (const emit::Checked& checked : unit.checked) {
+    add(checked.signature.name, emit::cost(checked));
+  }
+  for (const program::Staged& staged : unit.staged) {
+    add(staged.signature.name, program::cost(staged));
+  }
+  for (const program::Stepper& stepper : unit.steppers) {
+    add(stepper.signature.name, program::step_cost(stepper));
+  }
+  return result;
 }
 
 /// \throws InputError if a function has the name of one of the self-test
@@ -105,6 +137,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
     unit.checked = checked_siblings(model, unit.functions);
   }
   require_free_names(unit, request);
+  if (const accuracy::Core* const core = accuracy::find_core(request.core)) {
+    unit.processor = processor_of(*core, unit);
+  }
   unit.command = generate_command(request, Paths::kBaseNames);
   unit.tool = fmt::format("treedyn {}", kVersion);
   unit.model_file = model.source.file;

@@ -31,6 +31,39 @@ TEST_F(Cli, DoesNotTouchFilesThatWouldNotChange) {
   EXPECT_EQ(before.st_mtim.tv_nsec, after.st_mtim.tv_nsec);
 }
 
+/// mass_matrix of the arm: 2 mul, 2 add and a pair of 78 cycles.
+TEST_F(Cli, SaysHowToCompileForAProcessorAndWhatACallCosts) {
+  const auto generated = [&](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"generate", kModel, "--scalar", "float", "--self-test", "-o", out()});
+    const Outcome outcome = treedyn(more);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_file(file(fs::exists(file("two_link.h")) ? "two_link.h" : "two_link.hpp"));
+  };
+  const auto of_processor = [](const std::string& header) {
+    EXPECT_THAT(header, HasSubstr("--core m4f"));
+    EXPECT_THAT(header, HasSubstr("// For a Cortex-M4F: -mcpu=cortex-m4 -mfloat-abi=hard "
+                                  "-mfpu=fpv4-sp-d16 -ffp-contract=off\n"));
+    EXPECT_THAT(header, HasSubstr("Cost: 2 mul, 2 add, 1 cos.\n/// About 88 cycles on a "
+                                  "Cortex-M4F.\n"));
+  };
+  EXPECT_THAT(generated({}), Not(HasSubstr("Cortex")));
+  EXPECT_THAT(read_file(file("two_link.json")), Not(HasSubstr("processor")));
+  of_processor(generated({"--core", "m4f"}));
+  EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"cycles\": {\"mass_matrix\": 88, "));
+  EXPECT_THAT(read_file(file("two_link.cpp")),
+              HasSubstr("optimize(\"no-tree-slp-vectorize\", \"no-schedule-insns\")\n"));
+  EXPECT_EQ(
+      treedyn({"check", kModel, "--scalar", "float", "--self-test", "--core", "m4f", "-o", out()})
+          .status,
+      0);
+  EXPECT_THAT(generated({"--core", "m4f", "--trig", "early"}),
+              HasSubstr("--core m4f --trig early"));
+  EXPECT_THAT(generated({"--trig", "late", "--core", "m4f"}), Not(HasSubstr("--trig")));
+  expect_usage_error(treedyn({"generate", kModel, "--core", "z80", "-o", out()}), "m0plus");
+  of_processor(generated({"--core", "m4f", "--language", "c99"}));
+}
+
 TEST_F(Cli, NamesTheOutputsWithoutWritingThem) {
   const Outcome outcome = treedyn({"outputs", kModel, "--name", "arm", "-o", out()});
   EXPECT_EQ(outcome.status, 0);
