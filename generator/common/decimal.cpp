@@ -148,13 +148,13 @@ std::string describe(DecimalError error, std::string_view text) {
 }
 
 std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
+  constexpr std::size_t kMostShown = 60;
   std::string result;
-  for (const char c : text.substr(0, kLongest)) {
+  for (const char c : text.substr(0, kMostShown)) {
     const auto byte = static_cast<unsigned char>(c);
     result += byte < 0x20 || byte > 0x7e ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
   }
-  return text.size() > kLongest ? result + "..." : result;
+  return text.size() > kMostShown ? result + "..." : result;
 }
 
 }  // namespace treedyn

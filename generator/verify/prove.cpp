@@ -13,6 +13,7 @@
 #include "model/parameters.hpp"
 #include "program/interpret.hpp"
 #include "program/rounding.hpp"
+#include "verify/solve.hpp"
 
 namespace treedyn {
 
@@ -21,7 +22,6 @@ namespace {
 /// Larger robots get one state: the engine's block products grow as N^3.
 constexpr int kLargestForTwoStates = 20;
 
-using Values = std::vector<Real>;
 /// A value of a program with the bound of its rounding.
 using Number = program::Rounded<Real>;
 using Numbers = std::vector<Number>;

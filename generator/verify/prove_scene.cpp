@@ -20,9 +20,6 @@ namespace treedyn {
 
 namespace {
 
-using Values = std::vector<Real>;
-using Matrix = std::vector<Values>;
-
 Real dot(const Values& a, const Values& b) {
   Real sum = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {

@@ -6,9 +6,6 @@
 
 namespace treedyn {
 
-using Values = std::vector<Real>;
-using Matrix = std::vector<Values>;
-
 Solution solved(Matrix s, Values b, const Real& least) {
   const std::size_t n = b.size();
   std::vector<std::size_t> order;

@@ -7,19 +7,21 @@
 
 namespace treedyn {
 
+using Values = std::vector<Real>;
+using Matrix = std::vector<Values>;  ///< row by row
+
 /// What solves S x = b, and the smallest pivot as a part of its own diagonal entry.
 struct Solution {
   std::vector<Real> x;
   Real least = 1;
 };
 
-/// By Gaussian elimination with diagonal pivots; S (row by row) positive semidefinite, components
+/// By Gaussian elimination with diagonal pivots; s positive semidefinite, components
 /// behind the rank are zero: pivots of at most `least` of their own diagonal entry.
-Solution solved(std::vector<std::vector<Real>> S, std::vector<Real> b,
-                const Real& least = Real("1e-25"));
+Solution solved(Matrix s, Values b, const Real& least = Real("1e-25"));
 
 /// x with K K x = K b for a symmetric K: K x is as near to b as it can be. Its smallest pivot is
 /// the root of that of K K.
-Solution least_squares(const std::vector<std::vector<Real>>& K, const std::vector<Real>& b);
+Solution least_squares(const Matrix& K, const Values& b);
 
 }  // namespace treedyn

@@ -10,33 +10,33 @@ namespace treedyn::support {
 
 namespace {
 
-using Json = nlohmann::json;
+using ManifestJson = nlohmann::json;
 
-std::vector<int> sizes(const Json& arrays) {
+std::vector<int> sizes(const ManifestJson& arrays) {
   std::vector<int> result;
-  for (const Json& array : arrays) {
+  for (const ManifestJson& array : arrays) {
     result.push_back(array.at("size").get<int>());
   }
   return result;
 }
 
-std::vector<std::string> names(const Json& items) {
+std::vector<std::string> names(const ManifestJson& items) {
   std::vector<std::string> result;
-  for (const Json& item : items) {
+  for (const ManifestJson& item : items) {
     result.push_back(item.at("name").get<std::string>());
   }
   return result;
 }
 
-std::vector<bool> integers(const Json& arrays) {
+std::vector<bool> integers(const ManifestJson& arrays) {
   std::vector<bool> result;
-  for (const Json& array : arrays) {
+  for (const ManifestJson& array : arrays) {
     result.push_back(array.value("type", "") == "int");
   }
   return result;
 }
 
-FunctionInfo function_info(const Json& entry) {
+FunctionInfo function_info(const ManifestJson& entry) {
   FunctionInfo result{entry.at("name"),
                       names(entry.at("inputs")),
                       sizes(entry.at("inputs")),
@@ -56,7 +56,7 @@ FunctionInfo function_info(const Json& entry) {
 }  // namespace
 
 Manifest read_manifest(const std::filesystem::path& path) {
-  const Json json = Json::parse(read_file(path));
+  const ManifestJson json = ManifestJson::parse(read_file(path));
   Manifest result{json.at("model").at("file"),
                   json.at("options").at("base"),
                   json.at("options").at("scalar"),
@@ -64,7 +64,7 @@ Manifest read_manifest(const std::filesystem::path& path) {
                   names(json.at("joints")),
                   names(json.at("points")),
                   {}};
-  for (const Json& entry : json.at("functions")) {
+  for (const ManifestJson& entry : json.at("functions")) {
     result.functions.push_back(function_info(entry));
   }
   return result;
