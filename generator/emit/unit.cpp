@@ -59,6 +59,24 @@ void sign(std::string& header, std::string& source) {
   }
 }
 
+/// The parts that the text of a function has, and the numbers of its tables.
+void add_code(const program::Function& function, std::vector<const program::Function*>& functions,
+              std::vector<Real>& numbers) {
+  if (!function.limb_code) {
+    functions.push_back(&function);
+    return;
+  }
+  functions.push_back(&function.limb_code->trunk);
+  for (const program::LimbPhase& phase : function.limb_code->phases) {
+    functions.push_back(&phase.function);
+  }
+  for (const program::LimbClass& limb_class : function.limb_code->limbs) {
+    for (const std::vector<Real>& column : limb_class.columns) {
+      numbers.insert(numbers.end(), column.begin(), column.end());
+    }
+  }
+}
+
 /// With names for the numbers of the model.
 Vocabulary words_of(const Unit& unit) {
   Vocabulary words = vocabulary(*unit.tree);
@@ -75,19 +93,7 @@ Vocabulary words_of(const Unit& unit) {
   std::vector<Real> of_tables;
   for (const program::Function& function : unit.functions) {
     take(function.signature);
-    if (function.limb_code) {
-      for (const program::LimbClass& limbs : function.limb_code->limbs) {
-        for (const std::vector<Real>& column : limbs.columns) {
-          of_tables.insert(of_tables.end(), column.begin(), column.end());
-        }
-      }
-      functions.push_back(&function.limb_code->trunk);
-      for (const program::LimbPhase& phase : function.limb_code->phases) {
-        functions.push_back(&phase.function);
-      }
-    } else {
-      functions.push_back(&function);
-    }
+    add_code(function, functions, of_tables);
   }
   for (const Checked& checked : unit.checked) {
     take(checked.signature);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -123,6 +124,24 @@ std::vector<std::pair<std::string, std::string>> manifest_options(const Request&
   return options;
 }
 
+namespace {
+
+std::vector<std::string> options_without_value(const Request& request) {
+  std::vector<std::string> result;
+  if (request.share_limbs) {
+    result.emplace_back(request.target.limb_lanes ? "--limb-lanes" : "--share-limbs");
+  }
+  if (request.self_test) {
+    result.emplace_back("--self-test");
+  }
+  if (request.checked) {
+    result.emplace_back("--checked");
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<std::string> generate_command(const Request& request, Paths paths) {
   std::vector<std::string> result = {"treedyn", "generate"};
   const auto add = [&](bool given, const char* option, const std::string& value) {
@@ -172,15 +191,7 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
   for (const auto& [option, value] : step_options(request.stepping)) {
     add(true, option, value);
   }
-  if (request.share_limbs) {
-    result.emplace_back(request.target.limb_lanes ? "--limb-lanes" : "--share-limbs");
-  }
-  if (request.self_test) {
-    result.emplace_back("--self-test");
-  }
-  if (request.checked) {
-    result.emplace_back("--checked");
-  }
+  std::ranges::copy(options_without_value(request), std::back_inserter(result));
   return result;
 }
 

@@ -94,6 +94,14 @@ void require_free_names(const emit::Unit& unit, const Request& request) {
   }
 }
 
+/// \throws InputError for a self-test of nothing
+void require_tested(const emit::Unit& unit, const Request& request) {
+  if (unit.self_test && unit.functions.empty()) {
+    throw InputError({request.scene.value_or(request.model), 0, 0},
+                     "--self-test tests functions of the model; expected some among --functions");
+  }
+}
+
 }  // namespace
 
 std::vector<emit::File> emit_files(const Model& model, const Request& request,
@@ -120,10 +128,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
     require_length(stepper.step, request);
   }
   unit.self_test = request.self_test;
-  if (unit.self_test && unit.functions.empty()) {
-    throw InputError({request.scene.value_or(request.model), 0, 0},
-                     "--self-test tests functions of the model; expected some among --functions");
-  }
+  require_tested(unit, request);
   if (request.accuracy_samples > 0) {
     unit.errors = measured_errors(model, request, unit.functions);
   }
