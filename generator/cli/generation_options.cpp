@@ -268,7 +268,7 @@ void require_room_for_vectors(const Request& request) {
                          target.trigonometry == program::Trigonometry::kLate)) {
     throw CLI::ValidationError("--sincos vector",
                                "all angles of one state first, in C++; expected 1 lane, no "
-                               "--trig late and no --language c99");
+                               "--trig late, no --core of a microcontroller and no --language c99");
   }
 }
 
