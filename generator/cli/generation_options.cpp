@@ -354,22 +354,24 @@ void add_core(CLI::App& command, Request& request) {
               "that execute in order; default early, with --core of a microcontroller late")
           ->check(one_of({"early", "late"}))
           ->type_name("early|late");
-  std::vector<std::string> names;
+  std::vector<std::string> names = {"generic"};
   for (const accuracy::Core& core : accuracy::cores()) {
     names.emplace_back(core.name);
   }
+  std::vector<std::string> known = names;
+  known.emplace_back("m4");  // with its FPU
   command
       .add_option_function<std::string>(
           "--core",
           [&request, late, trig](const std::string& core) {
-            request.core = core;
+            request.core = core == "generic" ? "" : core == "m4" ? "m4f" : core;
             if (trig->count() == 0) {
-              request.target.trigonometry = late(has_late_sines(core));
+              request.target.trigonometry = late(has_late_sines(request.core));
             }
           },
           "the processor: header and manifest say how to compile for it and how many cycles a call "
-          "takes")
-      ->check(one_of(names))
+          "takes (m4: m4f); default generic, which says neither")
+      ->check(one_of(known))
       ->type_name(fmt::format("{}", fmt::join(names, "|")));
 }
 

@@ -57,6 +57,8 @@ TEST_F(Cli, SaysHowToCompileForAProcessorAndWhatACallCosts) {
       treedyn({"check", kModel, "--scalar", "float", "--self-test", "--core", "m4f", "-o", out()})
           .status,
       0);
+  EXPECT_EQ(generated({"--core", "m4"}), generated({"--core", "m4f"}));
+  EXPECT_EQ(generated({"--core", "generic"}), generated({}));
   EXPECT_THAT(generated({"--core", "m4f", "--trig", "early"}),
               HasSubstr("--core m4f --trig early"));
   EXPECT_THAT(generated({"--trig", "late", "--core", "m4f"}), Not(HasSubstr("--trig")));
