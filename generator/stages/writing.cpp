@@ -62,6 +62,9 @@ emit::Processor processor_of(const accuracy::Core& core, const emit::Unit& unit)
                   core.options.empty() ? "" : " ", build.contracted ? "fast" : "off"),
       core.in_order,
       {}};
+  if (unit.target.lanes > 1 || unit.target.limb_lanes || unit.target.takes_vectors()) {
+    return result;  // the table is of scalars
+  }
   const auto add = [&](const std::string& name, const program::Cost& cost) {
     result.cycles.emplace_back(name, accuracy::cycles(cost, core, build));
   };
