@@ -7,14 +7,173 @@
 
 #include "biped.hpp"
 
+namespace biped {
+
+static_assert(kDigest == 0x928e9c99f2ddfd29ULL, "header and source are of different runs");
+
+// Zeros, where compilers may store neighbours at once.
+namespace {
+
+[[gnu::noinline]] void mass_matrix_0(Scalar A[144]) noexcept {
+  A[6] = 0.0;
+  A[7] = 0.0;
+  A[8] = 0.0;
+  A[9] = 0.0;
+  A[10] = 0.0;
+  A[11] = 0.0;
+  A[18] = 0.0;
+  A[19] = 0.0;
+  A[20] = 0.0;
+  A[21] = 0.0;
+  A[22] = 0.0;
+  A[23] = 0.0;
+  A[30] = 0.0;
+  A[31] = 0.0;
+  A[32] = 0.0;
+  A[33] = 0.0;
+  A[34] = 0.0;
+  A[35] = 0.0;
+  A[42] = 0.0;
+  A[43] = 0.0;
+  A[44] = 0.0;
+  A[45] = 0.0;
+  A[46] = 0.0;
+  A[47] = 0.0;
+  A[54] = 0.0;
+  A[55] = 0.0;
+  A[56] = 0.0;
+  A[57] = 0.0;
+  A[58] = 0.0;
+  A[59] = 0.0;
+  A[66] = 0.0;
+  A[67] = 0.0;
+  A[68] = 0.0;
+  A[69] = 0.0;
+  A[70] = 0.0;
+  A[71] = 0.0;
+  A[72] = 0.0;
+  A[73] = 0.0;
+  A[74] = 0.0;
+  A[75] = 0.0;
+  A[76] = 0.0;
+  A[77] = 0.0;
+  A[84] = 0.0;
+  A[85] = 0.0;
+  A[86] = 0.0;
+  A[87] = 0.0;
+  A[88] = 0.0;
+  A[89] = 0.0;
+  A[96] = 0.0;
+  A[97] = 0.0;
+  A[98] = 0.0;
+  A[99] = 0.0;
+  A[100] = 0.0;
+  A[101] = 0.0;
+  A[108] = 0.0;
+  A[109] = 0.0;
+  A[110] = 0.0;
+  A[111] = 0.0;
+  A[112] = 0.0;
+  A[113] = 0.0;
+  A[120] = 0.0;
+  A[121] = 0.0;
+  A[122] = 0.0;
+  A[123] = 0.0;
+  A[124] = 0.0;
+  A[125] = 0.0;
+  A[132] = 0.0;
+  A[133] = 0.0;
+  A[134] = 0.0;
+  A[135] = 0.0;
+  A[136] = 0.0;
+  A[137] = 0.0;
+}
+
+[[gnu::noinline]] void force_jacobian_transpose_0(Scalar C[144]) noexcept {
+  C[2] = 0.0;
+  C[5] = 0.0;
+  C[6] = 0.0;
+  C[7] = 0.0;
+  C[8] = 0.0;
+  C[9] = 0.0;
+  C[10] = 0.0;
+  C[11] = 0.0;
+  C[18] = 0.0;
+  C[19] = 0.0;
+  C[20] = 0.0;
+  C[21] = 0.0;
+  C[22] = 0.0;
+  C[23] = 0.0;
+  C[30] = 0.0;
+  C[31] = 0.0;
+  C[32] = 0.0;
+  C[33] = 0.0;
+  C[34] = 0.0;
+  C[35] = 0.0;
+  C[42] = 0.0;
+  C[43] = 0.0;
+  C[44] = 0.0;
+  C[45] = 0.0;
+  C[46] = 0.0;
+  C[47] = 0.0;
+  C[54] = 0.0;
+  C[55] = 0.0;
+  C[56] = 0.0;
+  C[57] = 0.0;
+  C[58] = 0.0;
+  C[59] = 0.0;
+  C[66] = 0.0;
+  C[67] = 0.0;
+  C[68] = 0.0;
+  C[69] = 0.0;
+  C[70] = 0.0;
+  C[71] = 0.0;
+  C[72] = 0.0;
+  C[73] = 0.0;
+  C[74] = 0.0;
+  C[75] = 0.0;
+  C[76] = 0.0;
+  C[77] = 0.0;
+  C[80] = 0.0;
+  C[83] = 0.0;
+  C[84] = 0.0;
+  C[85] = 0.0;
+  C[86] = 0.0;
+  C[87] = 0.0;
+  C[88] = 0.0;
+  C[89] = 0.0;
+  C[96] = 0.0;
+  C[97] = 0.0;
+  C[98] = 0.0;
+  C[99] = 0.0;
+  C[100] = 0.0;
+  C[101] = 0.0;
+  C[108] = 0.0;
+  C[109] = 0.0;
+  C[110] = 0.0;
+  C[111] = 0.0;
+  C[112] = 0.0;
+  C[113] = 0.0;
+  C[120] = 0.0;
+  C[121] = 0.0;
+  C[122] = 0.0;
+  C[123] = 0.0;
+  C[124] = 0.0;
+  C[125] = 0.0;
+  C[132] = 0.0;
+  C[133] = 0.0;
+  C[134] = 0.0;
+  C[135] = 0.0;
+  C[136] = 0.0;
+  C[137] = 0.0;
+}
+
+}  // namespace
+
 // g++ would gather scalars into vectors, which takes up to twice as long.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
-
-namespace biped {
-
-static_assert(kDigest == 0xd2f93089ff6dd6dcULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,39 +191,92 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
 /// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
-[[gnu::noinline]] SineCosine<double> sine_cosine(double x) noexcept {
-  const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
-  const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
-  const double r_1 = x - t * 7.32983532344312e-302;
-  const double r = r_1 + k * 8.705515695504166e-10;
-  const double z = r * r;
-  const double s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
-  const double s_2 = s_1 * z + 2.7557313707070068e-06;
-  const double s_3 = s_2 * z - 0.0001984126982985795;
-  const double s_4 = s_3 * z + 0.00833333333332249;
-  const double s_5 = s_4 * z - 0.16666666666666632;
-  const double c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
-  const double c_2 = c_1 * z - 2.7557314351390663e-07;
-  const double c_3 = c_2 * z + 2.480158728947673e-05;
-  const double c_4 = c_3 * z - 0.001388888888887411;
-  const double c_5 = c_4 * z + 0.0416666666666666;
-  const double sine = r + r * z * s_5;
-  const double cosine = 1.0 - z * (0.5 - z * c_5);
+template <class Angle>
+[[gnu::always_inline]] inline SineCosine<Angle> pair_of(Angle x) noexcept {
+  const Angle k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
+  const Angle t = k * 2.1430172143725346e+301;  // infinite beyond the range
+  const Angle r_1 = x - t * 7.32983532344312e-302;
+  const Angle r = r_1 + k * 8.705515695504166e-10;
+  const Angle z = r * r;
+  const Angle s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
+  const Angle s_2 = s_1 * z + 2.7557313707070068e-06;
+  const Angle s_3 = s_2 * z - 0.0001984126982985795;
+  const Angle s_4 = s_3 * z + 0.00833333333332249;
+  const Angle s_5 = s_4 * z - 0.16666666666666632;
+  const Angle c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
+  const Angle c_2 = c_1 * z - 2.7557314351390663e-07;
+  const Angle c_3 = c_2 * z + 2.480158728947673e-05;
+  const Angle c_4 = c_3 * z - 0.001388888888887411;
+  const Angle c_5 = c_4 * z + 0.0416666666666666;
+  const Angle sine = r + r * z * s_5;
+  const Angle cosine = 1.0 - z * (0.5 - z * c_5);
 
   // k modulo 4: -2 to 2, not a number where t is infinite
-  const double l = t * 4.6663180925160944e-302;
-  const double m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
-  const double n = 4.0 - m * m;
+  const Angle l = t * 4.6663180925160944e-302;
+  const Angle m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
+  const Angle n = 4.0 - m * m;
   // sine and cosine of m pi/2: 0, 1 or -1
-  const double s = m * (n * 0.3333333333333333);
-  const double c = 0.5 * (n - s * s) - 1.0;
+  const Angle s = m * (n * 0.3333333333333333);
+  const Angle c = 0.5 * (n - s * s) - 1.0;
   return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+[[gnu::noinline, gnu::unused]] SineCosine<double> sine_cosine(double x) noexcept {
+  return pair_of(x);
 }
 
 /// For other types that stand for Scalar, such as one that counts operations: their own functions.
 template <class Number>
 SineCosine<Number> sine_cosine(const Number& x) noexcept {
   return {sin(x), cos(x)};
+}
+
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+// As many angles as a register holds.
+#if defined(__AVX__)
+using Angles [[gnu::vector_size(32)]] = double;
+#else
+using Angles [[gnu::vector_size(16)]] = double;
+#endif
+constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
+
+/// The numbers from x on, one by one: a load would wait for all to be stored.
+[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
+#if defined(__AVX__)
+  return Angles{x[0], x[1], x[2], x[3]};
+#else
+  return Angles{x[0], x[1]};
+#endif
+}
+
+/// The pairs of a vector of angles.
+[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
+  const SineCosine<Angles> pairs = pair_of(x);
+  __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
+  __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
+/// vectors.
+template <class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines,
+                                                 Angle... angle) noexcept {
+  const double x[sizeof...(angle) + kAngles] = {angle...};  // zeros behind them
+  store_sines_cosines(gathered(x), sines, cosines);
+  if (sizeof...(angle) > kAngles) {
+    store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles);
+  }
+}
+#endif
+
+/// One by one: on processors without vectors, and of other types that stand for Scalar.
+template <class Number, class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(Number* sines, Number* cosines,
+                                                 const Angle&... angle) noexcept {
+  SineCosine<Number> pair;
+  const int done[] = {
+      (pair = sine_cosine(Number(angle)), *sines++ = pair.sine, *cosines++ = pair.cosine, 0)...};
+  static_cast<void>(done);
 }
 
 }  // namespace
@@ -489,55 +701,46 @@ constexpr double left_foot_G1 = 0.1386019141706801;
 // Names: vectors h_ in kg m^2/L, s_ in L; all others are of values in SI units; numbered ones (t_)
 // by what they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank: way s to the joint of (2)
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  const Scalar neg_s_left_shank_y = left_hip_fork_k1 * s_left_hip_pitch;
-  const Scalar neg_s_left_shank_x = left_hip_fork_k1 * c_left_hip_pitch;
-  // left_ankle_cross: A, way s to the joint of (2)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
-  const Scalar neg_s_left_ankle_cross_y = left_hip_fork_k2 * s_q2_q3;
-  const Scalar neg_s_left_ankle_cross_x = left_hip_fork_k2 * c_q2_q3;
   const Scalar angle_left_foot = left_foot_k1 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank: way s to the joint of (2)
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  const Scalar neg_s_right_shank_x = left_hip_fork_k1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_hip_fork_k1 * s_right_hip_pitch;
-  // right_ankle_cross: A, way s to the joint of (2)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
+  const Scalar angle_right_foot = left_foot_k1 - q[11];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[1], q[2], q_q2_q3_q4, q_q2_q3);
+  sines_cosines(sines + 4, cosines + 4, angle_left_foot, q[7], q[8], q_q8_q9_q10);
+  sines_cosines(sines + 8, cosines + 8, q_q8_q9, angle_right_foot);
+  const Scalar s_left_hip_roll = sines[0];
+  const Scalar c_left_hip_roll = cosines[0];
+  const Scalar s_left_hip_pitch = sines[1];
+  const Scalar c_left_hip_pitch = cosines[1];
+  const Scalar s_q2_q3_q4 = sines[2];
+  const Scalar c_q2_q3_q4 = cosines[2];
+  const Scalar s_q2_q3 = sines[3];
+  const Scalar c_q2_q3 = cosines[3];
+  const Scalar s_left_foot = sines[4];
+  const Scalar c_left_foot = cosines[4];
+  const Scalar s_right_hip_roll = sines[5];
+  const Scalar c_right_hip_roll = cosines[5];
+  const Scalar s_right_hip_pitch = sines[6];
+  const Scalar c_right_hip_pitch = cosines[6];
+  const Scalar s_q8_q9_q10 = sines[7];
+  const Scalar c_q8_q9_q10 = cosines[7];
+  const Scalar s_q8_q9 = sines[8];
+  const Scalar c_q8_q9 = cosines[8];
+  const Scalar s_right_foot = sines[9];
+  const Scalar c_right_foot = cosines[9];
+  const Scalar neg_s_left_shank_y = left_hip_fork_k1 * s_left_hip_pitch;
+  const Scalar neg_s_left_shank_x = left_hip_fork_k1 * c_left_hip_pitch;
+  const Scalar neg_s_left_ankle_cross_y = left_hip_fork_k2 * s_q2_q3;
+  const Scalar neg_s_left_ankle_cross_x = left_hip_fork_k2 * c_q2_q3;
+  const Scalar neg_s_right_shank_x = left_hip_fork_k1 * c_right_hip_pitch;
+  const Scalar neg_s_right_shank_y = left_hip_fork_k1 * s_right_hip_pitch;
   const Scalar neg_s_righ_ankl_cros_y = left_hip_fork_k2 * s_q8_q9;
   const Scalar neg_s_righ_ankl_cros_x = left_hip_fork_k2 * c_q8_q9;
-  // right_foot: A, first moment h of (2)
-  const Scalar angle_right_foot = left_foot_k1 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
+  // right_foot: first moment h, A of (2)
   const Scalar t_right_foot_1 = left_foot_I1 * c_right_foot;
   const Scalar neg_h_righ_ankl_cros_z = left_foot_I1 * s_right_foot;
   const Scalar t_right_foot_2 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
@@ -808,121 +1011,47 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[24] = A[2];
   A[65] = left_foot_I9;
   A[143] = left_foot_I9;
-  A[6] = 0.0;
-  A[7] = 0.0;
-  A[8] = 0.0;
-  A[9] = 0.0;
-  A[10] = 0.0;
-  A[11] = 0.0;
-  A[18] = 0.0;
-  A[19] = 0.0;
-  A[20] = 0.0;
-  A[21] = 0.0;
-  A[22] = 0.0;
-  A[23] = 0.0;
-  A[30] = 0.0;
-  A[31] = 0.0;
-  A[32] = 0.0;
-  A[33] = 0.0;
-  A[34] = 0.0;
-  A[35] = 0.0;
-  A[42] = 0.0;
-  A[43] = 0.0;
-  A[44] = 0.0;
-  A[45] = 0.0;
-  A[46] = 0.0;
-  A[47] = 0.0;
-  A[54] = 0.0;
-  A[55] = 0.0;
-  A[56] = 0.0;
-  A[57] = 0.0;
-  A[58] = 0.0;
-  A[59] = 0.0;
-  A[66] = 0.0;
-  A[67] = 0.0;
-  A[68] = 0.0;
-  A[69] = 0.0;
-  A[70] = 0.0;
-  A[71] = 0.0;
-  A[72] = 0.0;
-  A[73] = 0.0;
-  A[74] = 0.0;
-  A[75] = 0.0;
-  A[76] = 0.0;
-  A[77] = 0.0;
-  A[84] = 0.0;
-  A[85] = 0.0;
-  A[86] = 0.0;
-  A[87] = 0.0;
-  A[88] = 0.0;
-  A[89] = 0.0;
-  A[96] = 0.0;
-  A[97] = 0.0;
-  A[98] = 0.0;
-  A[99] = 0.0;
-  A[100] = 0.0;
-  A[101] = 0.0;
-  A[108] = 0.0;
-  A[109] = 0.0;
-  A[110] = 0.0;
-  A[111] = 0.0;
-  A[112] = 0.0;
-  A[113] = 0.0;
-  A[120] = 0.0;
-  A[121] = 0.0;
-  A[122] = 0.0;
-  A[123] = 0.0;
-  A[124] = 0.0;
-  A[125] = 0.0;
-  A[132] = 0.0;
-  A[133] = 0.0;
-  A[134] = 0.0;
-  A[135] = 0.0;
-  A[136] = 0.0;
-  A[137] = 0.0;
+  mass_matrix_0(A);
 }
 
 void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept {
   const Scalar q_q3_q4 = q[3] + q[4];
-  // left_thigh: angular velocity omega of (3)
   const Scalar q_q2_q3_q4 = q[2] + q_q3_q4;
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank: way s to the joint of (3)
-  const auto p_s_q3_q4 = sine_cosine(q_q3_q4);
-  const Scalar& s_q3_q4 = p_s_q3_q4.sine;
-  const Scalar& c_q3_q4 = p_s_q3_q4.cosine;
+  const Scalar q_q9_q10 = q[9] + q[10];
+  const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
+  const Scalar angle_left_foot = left_foot_k1 + q[5];
+  const Scalar angle_right_foot = left_foot_k1 - q[11];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q_q2_q3_q4, q[1], q_q3_q4, q[4]);
+  sines_cosines(sines + 4, cosines + 4, q_q8_q9_q10, q[7], q_q9_q10, q[10]);
+  sines_cosines(sines + 8, cosines + 8, angle_left_foot, angle_right_foot);
+  const Scalar s_q2_q3_q4 = sines[0];
+  const Scalar c_q2_q3_q4 = cosines[0];
+  const Scalar s_left_hip_roll = sines[1];
+  const Scalar c_left_hip_roll = cosines[1];
+  const Scalar s_q3_q4 = sines[2];
+  const Scalar c_q3_q4 = cosines[2];
+  const Scalar s_left_ankle_pitch = sines[3];
+  const Scalar c_left_ankle_pitch = cosines[3];
+  const Scalar s_q8_q9_q10 = sines[4];
+  const Scalar c_q8_q9_q10 = cosines[4];
+  const Scalar s_right_hip_roll = sines[5];
+  const Scalar c_right_hip_roll = cosines[5];
+  const Scalar s_q9_q10 = sines[6];
+  const Scalar c_q9_q10 = cosines[6];
+  const Scalar s_right_ankle_pitch = sines[7];
+  const Scalar c_right_ankle_pitch = cosines[7];
+  const Scalar s_left_foot = sines[8];
+  const Scalar c_left_foot = cosines[8];
+  const Scalar s_right_foot = sines[9];
+  const Scalar c_right_foot = cosines[9];
   const Scalar neg_s_left_shank_y = left_shank_l1 * s_q3_q4;
   const Scalar s_left_shank_x = left_shank_l1 * c_q3_q4;
-  // left_ankle_cross: way s to the joint of (3)
-  const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_left_ankle_pitch;
   const Scalar s_left_ankle_cross_x = left_ankle_cross_l1 * c_left_ankle_pitch;
-  const Scalar q_q9_q10 = q[9] + q[10];
-  // right_thigh: angular velocity omega of (3)
-  const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank: way s to the joint of (3)
-  const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
-  const Scalar& s_q9_q10 = p_s_q9_q10.sine;
-  const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
   const Scalar neg_s_right_shank_y = left_shank_l1 * s_q9_q10;
   const Scalar s_right_shank_x = left_shank_l1 * c_q9_q10;
-  // right_ankle_cross: way s to the joint of (3)
-  const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_right_ankle_pitch;
   const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_right_ankle_pitch;
   // left_thigh: angular velocity omega, Omega, angular acceleration alpha of (3)
@@ -1025,10 +1154,6 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar Omega_left_foot_zy = t_left_ankle_cross_1 + Omega_left_foot_zy_1;
   const Scalar t_left_foot_2 = omega_left_foot_z * omega_left_foot_z;
   const Scalar Omega_left_foot_zx = Omega_left_thigh_xy - t_left_shank_2 * omega_left_foot_z;
-  const Scalar angle_left_foot = left_foot_k1 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_3 = left_foot_h1 * c_left_foot;
   const Scalar t_left_foot_4 = left_foot_h1 * s_left_foot;
   const Scalar t_left_foot_5 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
@@ -1162,10 +1287,6 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar Omega_right_foot_zy = Omega_righ_ankl_cros_zy + Omega_right_foot_zy_1;
   const Scalar t_right_foot_1 = omega_right_foot_z * omega_right_foot_z;
   const Scalar Omega_right_foot_zx = Omega_right_thigh_xy - t_right_shank_2 * omega_right_foot_z;
-  const Scalar angle_right_foot = left_foot_k1 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_2 = left_foot_h1 * c_right_foot;
   const Scalar t_right_foot_3 = left_foot_h1 * s_right_foot;
   const Scalar t_right_foot_4 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
@@ -1513,39 +1634,38 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 }
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar q_q2_q3 = q[2] + q[3];
-  const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar q_q8_q9 = q[8] + q[9];
-  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
-  // right_foot: G of 6.5
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   const Scalar angle_right_foot = left_foot_k1 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
+  const Scalar angle_left_foot = left_foot_k1 + q[5];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[1], q[2], q_q2_q3, q_q2_q3_q4);
+  sines_cosines(sines + 4, cosines + 4, q[7], q[8], q_q8_q9, q_q8_q9_q10);
+  sines_cosines(sines + 8, cosines + 8, angle_right_foot, angle_left_foot);
+  const Scalar s_left_hip_roll = sines[0];
+  const Scalar c_left_hip_roll = cosines[0];
+  const Scalar s_left_hip_pitch = sines[1];
+  const Scalar c_left_hip_pitch = cosines[1];
+  const Scalar s_q2_q3 = sines[2];
+  const Scalar c_q2_q3 = cosines[2];
+  const Scalar s_q2_q3_q4 = sines[3];
+  const Scalar c_q2_q3_q4 = cosines[3];
+  const Scalar s_right_hip_roll = sines[4];
+  const Scalar c_right_hip_roll = cosines[4];
+  const Scalar s_right_hip_pitch = sines[5];
+  const Scalar c_right_hip_pitch = cosines[5];
+  const Scalar s_q8_q9 = sines[6];
+  const Scalar c_q8_q9 = cosines[6];
+  const Scalar s_q8_q9_q10 = sines[7];
+  const Scalar c_q8_q9_q10 = cosines[7];
+  const Scalar s_right_foot = sines[8];
+  const Scalar c_right_foot = cosines[8];
+  const Scalar s_left_foot = sines[9];
+  const Scalar c_left_foot = cosines[9];
+  // right_foot: G of 6.5
   const Scalar t_right_foot_1 = left_foot_G1 * s_right_foot;
   const Scalar t_right_foot_2 = left_foot_G1 * c_right_foot;
   const Scalar neg_G_11_1 = c_right_hip_roll * c_q8_q9_q10 * t_right_foot_1;
@@ -1568,10 +1688,6 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar G_7_5 = s_right_hip_roll * (G_7_4 + c_q8_q9_q10 * t_righ_ankl_cros_1);
   G[7] = G_7_5 - c_right_hip_roll * (left_hip_fork_G1 + t_right_foot_1);
   // left_foot: G of 6.5
-  const Scalar angle_left_foot = left_foot_k1 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_1 = left_foot_G1 * s_left_foot;
   const Scalar t_left_foot_2 = c_left_hip_roll * c_q2_q3_q4;
   const Scalar t_left_foot_3 = left_foot_G1 * c_left_foot;
@@ -1603,30 +1719,33 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
 // by what they are made of. Arguments and results are in SI units.
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
                       Scalar tau[12]) noexcept {
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  const auto p_s_left_knee = sine_cosine(q[3]);
-  const Scalar& s_left_knee = p_s_left_knee.sine;
-  const Scalar& c_left_knee = p_s_left_knee.cosine;
-  const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  const auto p_s_right_knee = sine_cosine(q[9]);
-  const Scalar& s_right_knee = p_s_right_knee.sine;
-  const Scalar& c_right_knee = p_s_right_knee.cosine;
-  const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
+  const Scalar angle_left_foot = left_foot_k1 + q[5];
+  const Scalar angle_right_foot = left_foot_k1 - q[11];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[1], q[2], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[7], q[8], q[9], q[10]);
+  sines_cosines(sines + 8, cosines + 8, angle_left_foot, angle_right_foot);
+  const Scalar s_left_hip_roll = sines[0];
+  const Scalar c_left_hip_roll = cosines[0];
+  const Scalar s_left_hip_pitch = sines[1];
+  const Scalar c_left_hip_pitch = cosines[1];
+  const Scalar s_left_knee = sines[2];
+  const Scalar c_left_knee = cosines[2];
+  const Scalar s_left_ankle_pitch = sines[3];
+  const Scalar c_left_ankle_pitch = cosines[3];
+  const Scalar s_right_hip_roll = sines[4];
+  const Scalar c_right_hip_roll = cosines[4];
+  const Scalar s_right_hip_pitch = sines[5];
+  const Scalar c_right_hip_pitch = cosines[5];
+  const Scalar s_right_knee = sines[6];
+  const Scalar c_right_knee = cosines[6];
+  const Scalar s_right_ankle_pitch = sines[7];
+  const Scalar c_right_ankle_pitch = cosines[7];
+  const Scalar s_left_foot = sines[8];
+  const Scalar c_left_foot = cosines[8];
+  const Scalar s_right_foot = sines[9];
+  const Scalar c_right_foot = cosines[9];
   const Scalar t_left_hip_block_1 = qd[0] * qd[0];
   // left_hip_fork: angular velocity omega, angular acceleration alpha, Omega of (1)
   const Scalar omega_left_hip_fork_x = c_left_hip_roll * qd[0];
@@ -1755,10 +1874,6 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_foot_2 = omega_left_ankle_cross_x * t_left_foot_1;
   const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - t_left_foot_2;
   const Scalar t_left_foot_3 = omega_left_foot_z * omega_left_foot_z;
-  const Scalar angle_left_foot = left_foot_k1 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_4 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
   const Scalar t_left_foot_5 = left_foot_I14 - c_left_foot * t_left_foot_4;
   const Scalar t_left_foot_6 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
@@ -1913,10 +2028,6 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_foot_2 = omega_right_foot_z * omega_right_foot_z;
   const Scalar t_right_foot_3 = omega_righ_ankl_cros_x * t_right_foot_1;
   const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - t_right_foot_3;
-  const Scalar angle_right_foot = left_foot_k1 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_4 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
   const Scalar t_right_foot_5 = s_right_foot * t_right_foot_4;
   const Scalar t_right_foot_6 = left_foot_I14 - c_right_foot * t_right_foot_4;
@@ -2326,44 +2437,43 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept {
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank: way s to the joint of (1)
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
-  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
-  // left_ankle_cross: angular velocity omega, way s to the joint of (1)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
-  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
-  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank: way s to the joint of (1)
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
-  // right_ankle_cross: acceleration a, way s to the joint of (1)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
+  const Scalar angle_left_foot = left_foot_k2 + q[5];
+  const Scalar angle_right_foot = left_foot_k2 - q[11];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[1], q[2], q_q2_q3_q4, q_q2_q3);
+  sines_cosines(sines + 4, cosines + 4, q[7], q[8], q_q8_q9_q10, q_q8_q9);
+  sines_cosines(sines + 8, cosines + 8, angle_left_foot, angle_right_foot);
+  const Scalar s_left_hip_roll = sines[0];
+  const Scalar c_left_hip_roll = cosines[0];
+  const Scalar s_left_hip_pitch = sines[1];
+  const Scalar c_left_hip_pitch = cosines[1];
+  const Scalar s_q2_q3_q4 = sines[2];
+  const Scalar c_q2_q3_q4 = cosines[2];
+  const Scalar s_q2_q3 = sines[3];
+  const Scalar c_q2_q3 = cosines[3];
+  const Scalar s_right_hip_roll = sines[4];
+  const Scalar c_right_hip_roll = cosines[4];
+  const Scalar s_right_hip_pitch = sines[5];
+  const Scalar c_right_hip_pitch = cosines[5];
+  const Scalar s_q8_q9_q10 = sines[6];
+  const Scalar c_q8_q9_q10 = cosines[6];
+  const Scalar s_q8_q9 = sines[7];
+  const Scalar c_q8_q9 = cosines[7];
+  const Scalar s_left_foot = sines[8];
+  const Scalar c_left_foot = cosines[8];
+  const Scalar s_right_foot = sines[9];
+  const Scalar c_right_foot = cosines[9];
+  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
+  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
+  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
+  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
+  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
+  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
   const Scalar neg_s_righ_ankl_cros_x = left_ankle_cross_l1 * c_q8_q9;
   const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_q8_q9;
   // left_hip_fork: angular velocity omega, Omega of (1)
@@ -2471,10 +2581,6 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_foot_1 = neg_omega_left_foot_z * neg_omega_left_foot_z;
   const Scalar t_left_foot_2 = t_left_ankle_cross_17 * neg_omega_left_foot_z * 2.0;
   const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - t_left_foot_2;
-  const Scalar angle_left_foot = left_foot_k2 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar neg_h_left_foot_y = left_foot_h2 * c_left_foot - left_foot_h3 * s_left_foot;
   const Scalar h_left_foot_x = left_foot_h3 * c_left_foot + left_foot_h2 * s_left_foot;
   const Scalar t_left_foot_3 = left_foot_I15 * s_left_foot + left_foot_I16 * c_left_foot;
@@ -2596,10 +2702,6 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_foot_2 = t_righ_ankl_cros_12 - t_right_foot_1;
   const Scalar t_right_foot_3 = t_righ_ankl_cros_8 * neg_omega_right_foot_z * 2.0;
   const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - t_right_foot_3;
-  const Scalar angle_right_foot = left_foot_k2 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_4 = left_foot_I16 * c_right_foot + left_foot_I15 * s_right_foot;
   const Scalar t_right_foot_5 = c_right_foot * t_right_foot_4;
   const Scalar E_right_foot_xy = left_foot_I20 - t_right_foot_5;
@@ -3525,46 +3627,39 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
 }
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
-  const auto p_s_left_hip_yaw = sine_cosine(q[0]);
-  const Scalar& s_left_hip_yaw = p_s_left_hip_yaw.sine;
-  const Scalar& c_left_hip_yaw = p_s_left_hip_yaw.cosine;
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   const Scalar q_q3_q4 = q[3] + q[4];
   const Scalar q_q2_q3_q4 = q[2] + q_q3_q4;
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_q3_q4 = sine_cosine(q_q3_q4);
-  const Scalar& s_q3_q4 = p_s_q3_q4.sine;
-  const Scalar& c_q3_q4 = p_s_q3_q4.cosine;
-  const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
-  const auto p_s_left_ankle_roll = sine_cosine(q[5]);
-  const Scalar& s_left_ankle_roll = p_s_left_ankle_roll.sine;
-  const Scalar& c_left_ankle_roll = p_s_left_ankle_roll.cosine;
-  const auto p_s_right_hip_yaw = sine_cosine(q[6]);
-  const Scalar& s_right_hip_yaw = p_s_right_hip_yaw.sine;
-  const Scalar& c_right_hip_yaw = p_s_right_hip_yaw.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   const Scalar q_q9_q10 = q[9] + q[10];
   const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
-  const Scalar& s_q9_q10 = p_s_q9_q10.sine;
-  const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
-  const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
-  const auto p_s_right_ankle_roll = sine_cosine(q[11]);
-  const Scalar& s_right_ankle_roll = p_s_right_ankle_roll.sine;
-  const Scalar& c_right_ankle_roll = p_s_right_ankle_roll.cosine;
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[0], q[1], q_q2_q3_q4, q_q3_q4);
+  sines_cosines(sines + 4, cosines + 4, q[4], q[5], q[6], q[7]);
+  sines_cosines(sines + 8, cosines + 8, q_q8_q9_q10, q_q9_q10, q[10], q[11]);
+  const Scalar s_left_hip_yaw = sines[0];
+  const Scalar c_left_hip_yaw = cosines[0];
+  const Scalar s_left_hip_roll = sines[1];
+  const Scalar c_left_hip_roll = cosines[1];
+  const Scalar s_q2_q3_q4 = sines[2];
+  const Scalar c_q2_q3_q4 = cosines[2];
+  const Scalar s_q3_q4 = sines[3];
+  const Scalar c_q3_q4 = cosines[3];
+  const Scalar s_left_ankle_pitch = sines[4];
+  const Scalar c_left_ankle_pitch = cosines[4];
+  const Scalar s_left_ankle_roll = sines[5];
+  const Scalar c_left_ankle_roll = cosines[5];
+  const Scalar s_right_hip_yaw = sines[6];
+  const Scalar c_right_hip_yaw = cosines[6];
+  const Scalar s_right_hip_roll = sines[7];
+  const Scalar c_right_hip_roll = cosines[7];
+  const Scalar s_q8_q9_q10 = sines[8];
+  const Scalar c_q8_q9_q10 = cosines[8];
+  const Scalar s_q9_q10 = sines[9];
+  const Scalar c_q9_q10 = cosines[9];
+  const Scalar s_right_ankle_pitch = sines[10];
+  const Scalar c_right_ankle_pitch = cosines[10];
+  const Scalar s_right_ankle_roll = sines[11];
+  const Scalar c_right_ankle_roll = cosines[11];
   // left_shank
   const Scalar t_left_shank_1 = left_hip_fork_l1 + left_shank_l1 * c_q3_q4;
   const Scalar t_left_shank_2 = t_left_shank_1 + left_ankle_cross_l1 * c_left_ankle_pitch;
@@ -3625,59 +3720,48 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
-  const auto p_s_left_hip_yaw = sine_cosine(q[0]);
-  const Scalar& s_left_hip_yaw = p_s_left_hip_yaw.sine;
-  const Scalar& c_left_hip_yaw = p_s_left_hip_yaw.cosine;
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank: way s to the joint of (9)
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
-  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
-  // left_ankle_cross: r, way s to the joint of (9)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
-  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
-  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
-  const auto p_s_right_hip_yaw = sine_cosine(q[6]);
-  const Scalar& s_right_hip_yaw = p_s_right_hip_yaw.sine;
-  const Scalar& c_right_hip_yaw = p_s_right_hip_yaw.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank: way s to the joint of (9)
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
-  // right_ankle_cross: r, way s to the joint of (9)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[0], q[1], q[2], q_q2_q3_q4);
+  sines_cosines(sines + 4, cosines + 4, q_q2_q3, q[6], q[7], q[8]);
+  sines_cosines(sines + 8, cosines + 8, q_q8_q9_q10, q_q8_q9, q[11], q[5]);
+  const Scalar s_left_hip_yaw = sines[0];
+  const Scalar c_left_hip_yaw = cosines[0];
+  const Scalar s_left_hip_roll = sines[1];
+  const Scalar c_left_hip_roll = cosines[1];
+  const Scalar s_left_hip_pitch = sines[2];
+  const Scalar c_left_hip_pitch = cosines[2];
+  const Scalar s_q2_q3_q4 = sines[3];
+  const Scalar c_q2_q3_q4 = cosines[3];
+  const Scalar s_q2_q3 = sines[4];
+  const Scalar c_q2_q3 = cosines[4];
+  const Scalar s_right_hip_yaw = sines[5];
+  const Scalar c_right_hip_yaw = cosines[5];
+  const Scalar s_right_hip_roll = sines[6];
+  const Scalar c_right_hip_roll = cosines[6];
+  const Scalar s_right_hip_pitch = sines[7];
+  const Scalar c_right_hip_pitch = cosines[7];
+  const Scalar s_q8_q9_q10 = sines[8];
+  const Scalar c_q8_q9_q10 = cosines[8];
+  const Scalar s_q8_q9 = sines[9];
+  const Scalar c_q8_q9 = cosines[9];
+  const Scalar s_right_ankle_roll = sines[10];
+  const Scalar c_right_ankle_roll = cosines[10];
+  const Scalar s_left_ankle_roll = sines[11];
+  const Scalar c_left_ankle_roll = cosines[11];
+  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
+  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
+  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
+  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
+  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
+  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
   const Scalar neg_s_righ_ankl_cros_x = left_ankle_cross_l1 * c_q8_q9;
   const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_q8_q9;
-  const auto p_s_right_ankle_roll = sine_cosine(q[11]);
-  const Scalar& s_right_ankle_roll = p_s_right_ankle_roll.sine;
-  const Scalar& c_right_ankle_roll = p_s_right_ankle_roll.cosine;
   const Scalar r_right_foot_x = left_foot_l2 * c_right_ankle_roll;
-  const auto p_s_left_ankle_roll = sine_cosine(q[5]);
-  const Scalar& s_left_ankle_roll = p_s_left_ankle_roll.sine;
-  const Scalar& c_left_ankle_roll = p_s_left_ankle_roll.cosine;
   const Scalar r_left_foot_x = left_foot_l2 * c_left_ankle_roll;
   const Scalar r_right_foot_y = left_foot_l2 * s_right_ankle_roll;
   const Scalar r_left_foot_y = left_foot_l2 * s_left_ankle_roll;
@@ -3829,82 +3913,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[130] = -(t_left_hip_block_8 * t_righ_ankl_cros_6 + s_right_hip_yaw * t_righ_ankl_cros_5);
   C[119] = c_right_hip_roll * neg_r_right_shank_y_2;
   C[131] = c_right_hip_roll * t_righ_ankl_cros_6;
-  C[2] = 0.0;
-  C[5] = 0.0;
-  C[6] = 0.0;
-  C[7] = 0.0;
-  C[8] = 0.0;
-  C[9] = 0.0;
-  C[10] = 0.0;
-  C[11] = 0.0;
-  C[18] = 0.0;
-  C[19] = 0.0;
-  C[20] = 0.0;
-  C[21] = 0.0;
-  C[22] = 0.0;
-  C[23] = 0.0;
-  C[30] = 0.0;
-  C[31] = 0.0;
-  C[32] = 0.0;
-  C[33] = 0.0;
-  C[34] = 0.0;
-  C[35] = 0.0;
-  C[42] = 0.0;
-  C[43] = 0.0;
-  C[44] = 0.0;
-  C[45] = 0.0;
-  C[46] = 0.0;
-  C[47] = 0.0;
-  C[54] = 0.0;
-  C[55] = 0.0;
-  C[56] = 0.0;
-  C[57] = 0.0;
-  C[58] = 0.0;
-  C[59] = 0.0;
-  C[66] = 0.0;
-  C[67] = 0.0;
-  C[68] = 0.0;
-  C[69] = 0.0;
-  C[70] = 0.0;
-  C[71] = 0.0;
-  C[72] = 0.0;
-  C[73] = 0.0;
-  C[74] = 0.0;
-  C[75] = 0.0;
-  C[76] = 0.0;
-  C[77] = 0.0;
-  C[80] = 0.0;
-  C[83] = 0.0;
-  C[84] = 0.0;
-  C[85] = 0.0;
-  C[86] = 0.0;
-  C[87] = 0.0;
-  C[88] = 0.0;
-  C[89] = 0.0;
-  C[96] = 0.0;
-  C[97] = 0.0;
-  C[98] = 0.0;
-  C[99] = 0.0;
-  C[100] = 0.0;
-  C[101] = 0.0;
-  C[108] = 0.0;
-  C[109] = 0.0;
-  C[110] = 0.0;
-  C[111] = 0.0;
-  C[112] = 0.0;
-  C[113] = 0.0;
-  C[120] = 0.0;
-  C[121] = 0.0;
-  C[122] = 0.0;
-  C[123] = 0.0;
-  C[124] = 0.0;
-  C[125] = 0.0;
-  C[132] = 0.0;
-  C[133] = 0.0;
-  C[134] = 0.0;
-  C[135] = 0.0;
-  C[136] = 0.0;
-  C[137] = 0.0;
+  force_jacobian_transpose_0(C);
 }
 
 }  // namespace biped

@@ -7,14 +7,173 @@
 
 #include "biped.hpp"
 
+namespace biped {
+
+static_assert(kDigest == 0x3b35e9d33f672692ULL, "header and source are of different runs");
+
+// Zeros, where compilers may store neighbours at once.
+namespace {
+
+[[gnu::noinline]] void mass_matrix_0(Scalar A[144]) noexcept {
+  A[6] = 0.0f;
+  A[7] = 0.0f;
+  A[8] = 0.0f;
+  A[9] = 0.0f;
+  A[10] = 0.0f;
+  A[11] = 0.0f;
+  A[18] = 0.0f;
+  A[19] = 0.0f;
+  A[20] = 0.0f;
+  A[21] = 0.0f;
+  A[22] = 0.0f;
+  A[23] = 0.0f;
+  A[30] = 0.0f;
+  A[31] = 0.0f;
+  A[32] = 0.0f;
+  A[33] = 0.0f;
+  A[34] = 0.0f;
+  A[35] = 0.0f;
+  A[42] = 0.0f;
+  A[43] = 0.0f;
+  A[44] = 0.0f;
+  A[45] = 0.0f;
+  A[46] = 0.0f;
+  A[47] = 0.0f;
+  A[54] = 0.0f;
+  A[55] = 0.0f;
+  A[56] = 0.0f;
+  A[57] = 0.0f;
+  A[58] = 0.0f;
+  A[59] = 0.0f;
+  A[66] = 0.0f;
+  A[67] = 0.0f;
+  A[68] = 0.0f;
+  A[69] = 0.0f;
+  A[70] = 0.0f;
+  A[71] = 0.0f;
+  A[72] = 0.0f;
+  A[73] = 0.0f;
+  A[74] = 0.0f;
+  A[75] = 0.0f;
+  A[76] = 0.0f;
+  A[77] = 0.0f;
+  A[84] = 0.0f;
+  A[85] = 0.0f;
+  A[86] = 0.0f;
+  A[87] = 0.0f;
+  A[88] = 0.0f;
+  A[89] = 0.0f;
+  A[96] = 0.0f;
+  A[97] = 0.0f;
+  A[98] = 0.0f;
+  A[99] = 0.0f;
+  A[100] = 0.0f;
+  A[101] = 0.0f;
+  A[108] = 0.0f;
+  A[109] = 0.0f;
+  A[110] = 0.0f;
+  A[111] = 0.0f;
+  A[112] = 0.0f;
+  A[113] = 0.0f;
+  A[120] = 0.0f;
+  A[121] = 0.0f;
+  A[122] = 0.0f;
+  A[123] = 0.0f;
+  A[124] = 0.0f;
+  A[125] = 0.0f;
+  A[132] = 0.0f;
+  A[133] = 0.0f;
+  A[134] = 0.0f;
+  A[135] = 0.0f;
+  A[136] = 0.0f;
+  A[137] = 0.0f;
+}
+
+[[gnu::noinline]] void force_jacobian_transpose_0(Scalar C[144]) noexcept {
+  C[2] = 0.0f;
+  C[5] = 0.0f;
+  C[6] = 0.0f;
+  C[7] = 0.0f;
+  C[8] = 0.0f;
+  C[9] = 0.0f;
+  C[10] = 0.0f;
+  C[11] = 0.0f;
+  C[18] = 0.0f;
+  C[19] = 0.0f;
+  C[20] = 0.0f;
+  C[21] = 0.0f;
+  C[22] = 0.0f;
+  C[23] = 0.0f;
+  C[30] = 0.0f;
+  C[31] = 0.0f;
+  C[32] = 0.0f;
+  C[33] = 0.0f;
+  C[34] = 0.0f;
+  C[35] = 0.0f;
+  C[42] = 0.0f;
+  C[43] = 0.0f;
+  C[44] = 0.0f;
+  C[45] = 0.0f;
+  C[46] = 0.0f;
+  C[47] = 0.0f;
+  C[54] = 0.0f;
+  C[55] = 0.0f;
+  C[56] = 0.0f;
+  C[57] = 0.0f;
+  C[58] = 0.0f;
+  C[59] = 0.0f;
+  C[66] = 0.0f;
+  C[67] = 0.0f;
+  C[68] = 0.0f;
+  C[69] = 0.0f;
+  C[70] = 0.0f;
+  C[71] = 0.0f;
+  C[72] = 0.0f;
+  C[73] = 0.0f;
+  C[74] = 0.0f;
+  C[75] = 0.0f;
+  C[76] = 0.0f;
+  C[77] = 0.0f;
+  C[80] = 0.0f;
+  C[83] = 0.0f;
+  C[84] = 0.0f;
+  C[85] = 0.0f;
+  C[86] = 0.0f;
+  C[87] = 0.0f;
+  C[88] = 0.0f;
+  C[89] = 0.0f;
+  C[96] = 0.0f;
+  C[97] = 0.0f;
+  C[98] = 0.0f;
+  C[99] = 0.0f;
+  C[100] = 0.0f;
+  C[101] = 0.0f;
+  C[108] = 0.0f;
+  C[109] = 0.0f;
+  C[110] = 0.0f;
+  C[111] = 0.0f;
+  C[112] = 0.0f;
+  C[113] = 0.0f;
+  C[120] = 0.0f;
+  C[121] = 0.0f;
+  C[122] = 0.0f;
+  C[123] = 0.0f;
+  C[124] = 0.0f;
+  C[125] = 0.0f;
+  C[132] = 0.0f;
+  C[133] = 0.0f;
+  C[134] = 0.0f;
+  C[135] = 0.0f;
+  C[136] = 0.0f;
+  C[137] = 0.0f;
+}
+
+}  // namespace
+
 // g++ would gather scalars into vectors, which takes up to twice as long.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
-
-namespace biped {
-
-static_assert(kDigest == 0xb5c06e53ffce78c7ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,34 +191,87 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1e-7 for
 /// |x| < 1e5; not a number for |x| > 1.03e5 and where x is none.
-[[gnu::noinline]] SineCosine<float> sine_cosine(float x) noexcept {
-  const float k = (x * 0.63661975f + 12582912.0f) - 12582912.0f;
-  const float t = k * 5.192297e+33f;  // infinite beyond the range
-  const float r_1 = x - t * 3.0243119e-34f;
-  const float r_2 = r_1 - k * 0.00048828125f;
-  const float r = r_2 + k * 4.454455e-06f;
-  const float z = r * r;
-  const float s_1 = -0.00019515296f * z + 0.008332161f;
-  const float s_2 = s_1 * z - 0.16666655f;
-  const float c_1 = 2.4433157e-05f * z - 0.0013887316f;
-  const float c_2 = c_1 * z + 0.041666646f;
-  const float sine = r + r * z * s_2;
-  const float cosine = 1.0f - z * (0.5f - z * c_2);
+template <class Angle>
+[[gnu::always_inline]] inline SineCosine<Angle> pair_of(Angle x) noexcept {
+  const Angle k = (x * 0.63661975f + 12582912.0f) - 12582912.0f;
+  const Angle t = k * 5.192297e+33f;  // infinite beyond the range
+  const Angle r_1 = x - t * 3.0243119e-34f;
+  const Angle r_2 = r_1 - k * 0.00048828125f;
+  const Angle r = r_2 + k * 4.454455e-06f;
+  const Angle z = r * r;
+  const Angle s_1 = -0.00019515296f * z + 0.008332161f;
+  const Angle s_2 = s_1 * z - 0.16666655f;
+  const Angle c_1 = 2.4433157e-05f * z - 0.0013887316f;
+  const Angle c_2 = c_1 * z + 0.041666646f;
+  const Angle sine = r + r * z * s_2;
+  const Angle cosine = 1.0f - z * (0.5f - z * c_2);
 
   // k modulo 4: -2 to 2, not a number where t is infinite
-  const float l = t * 1.92593e-34f;
-  const float m = l - ((l + 50331650.0f) - 50331650.0f);
-  const float n = 4.0f - m * m;
+  const Angle l = t * 1.92593e-34f;
+  const Angle m = l - ((l + 50331650.0f) - 50331650.0f);
+  const Angle n = 4.0f - m * m;
   // sine and cosine of m pi/2: 0, 1 or -1
-  const float s = m * (n * 0.33333334f);
-  const float c = 0.5f * (n - s * s) - 1.0f;
+  const Angle s = m * (n * 0.33333334f);
+  const Angle c = 0.5f * (n - s * s) - 1.0f;
   return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+[[gnu::noinline, gnu::unused]] SineCosine<float> sine_cosine(float x) noexcept {
+  return pair_of(x);
 }
 
 /// For other types that stand for Scalar, such as one that counts operations: their own functions.
 template <class Number>
 SineCosine<Number> sine_cosine(const Number& x) noexcept {
   return {sin(x), cos(x)};
+}
+
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+// As many angles as a register holds.
+#if defined(__AVX__)
+using Angles [[gnu::vector_size(32)]] = float;
+#else
+using Angles [[gnu::vector_size(16)]] = float;
+#endif
+constexpr unsigned kAngles = sizeof(Angles) / sizeof(float);
+
+/// The numbers from x on, one by one: a load would wait for all to be stored.
+[[gnu::always_inline]] inline Angles gathered(const float* x) noexcept {
+#if defined(__AVX__)
+  return Angles{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
+#else
+  return Angles{x[0], x[1], x[2], x[3]};
+#endif
+}
+
+/// The pairs of a vector of angles.
+[[gnu::noinline]] void store_sines_cosines(Angles x, float* sines, float* cosines) noexcept {
+  const SineCosine<Angles> pairs = pair_of(x);
+  __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
+  __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Sines and cosines of 8 angles or fewer, as many at once as the processor can; writes whole
+/// vectors.
+template <class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(float* sines, float* cosines,
+                                                 Angle... angle) noexcept {
+  const float x[sizeof...(angle) + kAngles] = {angle...};  // zeros behind them
+  store_sines_cosines(gathered(x), sines, cosines);
+  if (sizeof...(angle) > kAngles) {
+    store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles);
+  }
+}
+#endif
+
+/// One by one: on processors without vectors, and of other types that stand for Scalar.
+template <class Number, class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(Number* sines, Number* cosines,
+                                                 const Angle&... angle) noexcept {
+  SineCosine<Number> pair;
+  const int done[] = {
+      (pair = sine_cosine(Number(angle)), *sines++ = pair.sine, *cosines++ = pair.cosine, 0)...};
+  static_cast<void>(done);
 }
 
 }  // namespace
@@ -484,55 +696,46 @@ constexpr float left_foot_G1 = 0.13860191f;
 // Names: vectors h_ in kg m^2/L, s_ in L; all others are of values in SI units; numbered ones (t_)
 // by what they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank: way s to the joint of (2)
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  const Scalar neg_s_left_shank_y = left_hip_fork_k1 * s_left_hip_pitch;
-  const Scalar neg_s_left_shank_x = left_hip_fork_k1 * c_left_hip_pitch;
-  // left_ankle_cross: A, way s to the joint of (2)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
-  const Scalar neg_s_left_ankle_cross_y = left_hip_fork_k2 * s_q2_q3;
-  const Scalar neg_s_left_ankle_cross_x = left_hip_fork_k2 * c_q2_q3;
   const Scalar angle_left_foot = left_foot_k1 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank: way s to the joint of (2)
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  const Scalar neg_s_right_shank_x = left_hip_fork_k1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_hip_fork_k1 * s_right_hip_pitch;
-  // right_ankle_cross: A, way s to the joint of (2)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
+  const Scalar angle_right_foot = left_foot_k1 - q[11];
+  Scalar sines[16];
+  Scalar cosines[16];
+  sines_cosines(sines, cosines, q[1], q[2], q_q2_q3_q4, q_q2_q3, angle_left_foot, q[7], q[8],
+                q_q8_q9_q10);
+  sines_cosines(sines + 8, cosines + 8, q_q8_q9, angle_right_foot);
+  const Scalar s_left_hip_roll = sines[0];
+  const Scalar c_left_hip_roll = cosines[0];
+  const Scalar s_left_hip_pitch = sines[1];
+  const Scalar c_left_hip_pitch = cosines[1];
+  const Scalar s_q2_q3_q4 = sines[2];
+  const Scalar c_q2_q3_q4 = cosines[2];
+  const Scalar s_q2_q3 = sines[3];
+  const Scalar c_q2_q3 = cosines[3];
+  const Scalar s_left_foot = sines[4];
+  const Scalar c_left_foot = cosines[4];
+  const Scalar s_right_hip_roll = sines[5];
+  const Scalar c_right_hip_roll = cosines[5];
+  const Scalar s_right_hip_pitch = sines[6];
+  const Scalar c_right_hip_pitch = cosines[6];
+  const Scalar s_q8_q9_q10 = sines[7];
+  const Scalar c_q8_q9_q10 = cosines[7];
+  const Scalar s_q8_q9 = sines[8];
+  const Scalar c_q8_q9 = cosines[8];
+  const Scalar s_right_foot = sines[9];
+  const Scalar c_right_foot = cosines[9];
+  const Scalar neg_s_left_shank_y = left_hip_fork_k1 * s_left_hip_pitch;
+  const Scalar neg_s_left_shank_x = left_hip_fork_k1 * c_left_hip_pitch;
+  const Scalar neg_s_left_ankle_cross_y = left_hip_fork_k2 * s_q2_q3;
+  const Scalar neg_s_left_ankle_cross_x = left_hip_fork_k2 * c_q2_q3;
+  const Scalar neg_s_right_shank_x = left_hip_fork_k1 * c_right_hip_pitch;
+  const Scalar neg_s_right_shank_y = left_hip_fork_k1 * s_right_hip_pitch;
   const Scalar neg_s_righ_ankl_cros_y = left_hip_fork_k2 * s_q8_q9;
   const Scalar neg_s_righ_ankl_cros_x = left_hip_fork_k2 * c_q8_q9;
-  // right_foot: A, first moment h of (2)
-  const Scalar angle_right_foot = left_foot_k1 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
+  // right_foot: first moment h, A of (2)
   const Scalar t_right_foot_1 = left_foot_I1 * c_right_foot;
   const Scalar neg_h_righ_ankl_cros_z = left_foot_I1 * s_right_foot;
   const Scalar t_right_foot_2 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
@@ -803,121 +1006,47 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[24] = A[2];
   A[65] = left_foot_I9;
   A[143] = left_foot_I9;
-  A[6] = 0.0f;
-  A[7] = 0.0f;
-  A[8] = 0.0f;
-  A[9] = 0.0f;
-  A[10] = 0.0f;
-  A[11] = 0.0f;
-  A[18] = 0.0f;
-  A[19] = 0.0f;
-  A[20] = 0.0f;
-  A[21] = 0.0f;
-  A[22] = 0.0f;
-  A[23] = 0.0f;
-  A[30] = 0.0f;
-  A[31] = 0.0f;
-  A[32] = 0.0f;
-  A[33] = 0.0f;
-  A[34] = 0.0f;
-  A[35] = 0.0f;
-  A[42] = 0.0f;
-  A[43] = 0.0f;
-  A[44] = 0.0f;
-  A[45] = 0.0f;
-  A[46] = 0.0f;
-  A[47] = 0.0f;
-  A[54] = 0.0f;
-  A[55] = 0.0f;
-  A[56] = 0.0f;
-  A[57] = 0.0f;
-  A[58] = 0.0f;
-  A[59] = 0.0f;
-  A[66] = 0.0f;
-  A[67] = 0.0f;
-  A[68] = 0.0f;
-  A[69] = 0.0f;
-  A[70] = 0.0f;
-  A[71] = 0.0f;
-  A[72] = 0.0f;
-  A[73] = 0.0f;
-  A[74] = 0.0f;
-  A[75] = 0.0f;
-  A[76] = 0.0f;
-  A[77] = 0.0f;
-  A[84] = 0.0f;
-  A[85] = 0.0f;
-  A[86] = 0.0f;
-  A[87] = 0.0f;
-  A[88] = 0.0f;
-  A[89] = 0.0f;
-  A[96] = 0.0f;
-  A[97] = 0.0f;
-  A[98] = 0.0f;
-  A[99] = 0.0f;
-  A[100] = 0.0f;
-  A[101] = 0.0f;
-  A[108] = 0.0f;
-  A[109] = 0.0f;
-  A[110] = 0.0f;
-  A[111] = 0.0f;
-  A[112] = 0.0f;
-  A[113] = 0.0f;
-  A[120] = 0.0f;
-  A[121] = 0.0f;
-  A[122] = 0.0f;
-  A[123] = 0.0f;
-  A[124] = 0.0f;
-  A[125] = 0.0f;
-  A[132] = 0.0f;
-  A[133] = 0.0f;
-  A[134] = 0.0f;
-  A[135] = 0.0f;
-  A[136] = 0.0f;
-  A[137] = 0.0f;
+  mass_matrix_0(A);
 }
 
 void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept {
   const Scalar q_q3_q4 = q[3] + q[4];
-  // left_thigh: angular velocity omega of (3)
   const Scalar q_q2_q3_q4 = q[2] + q_q3_q4;
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank: way s to the joint of (3)
-  const auto p_s_q3_q4 = sine_cosine(q_q3_q4);
-  const Scalar& s_q3_q4 = p_s_q3_q4.sine;
-  const Scalar& c_q3_q4 = p_s_q3_q4.cosine;
+  const Scalar q_q9_q10 = q[9] + q[10];
+  const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
+  const Scalar angle_left_foot = left_foot_k1 + q[5];
+  const Scalar angle_right_foot = left_foot_k1 - q[11];
+  Scalar sines[16];
+  Scalar cosines[16];
+  sines_cosines(sines, cosines, q_q2_q3_q4, q[1], q_q3_q4, q[4], q_q8_q9_q10, q[7], q_q9_q10,
+                q[10]);
+  sines_cosines(sines + 8, cosines + 8, angle_left_foot, angle_right_foot);
+  const Scalar s_q2_q3_q4 = sines[0];
+  const Scalar c_q2_q3_q4 = cosines[0];
+  const Scalar s_left_hip_roll = sines[1];
+  const Scalar c_left_hip_roll = cosines[1];
+  const Scalar s_q3_q4 = sines[2];
+  const Scalar c_q3_q4 = cosines[2];
+  const Scalar s_left_ankle_pitch = sines[3];
+  const Scalar c_left_ankle_pitch = cosines[3];
+  const Scalar s_q8_q9_q10 = sines[4];
+  const Scalar c_q8_q9_q10 = cosines[4];
+  const Scalar s_right_hip_roll = sines[5];
+  const Scalar c_right_hip_roll = cosines[5];
+  const Scalar s_q9_q10 = sines[6];
+  const Scalar c_q9_q10 = cosines[6];
+  const Scalar s_right_ankle_pitch = sines[7];
+  const Scalar c_right_ankle_pitch = cosines[7];
+  const Scalar s_left_foot = sines[8];
+  const Scalar c_left_foot = cosines[8];
+  const Scalar s_right_foot = sines[9];
+  const Scalar c_right_foot = cosines[9];
   const Scalar neg_s_left_shank_y = left_shank_l1 * s_q3_q4;
   const Scalar s_left_shank_x = left_shank_l1 * c_q3_q4;
-  // left_ankle_cross: way s to the joint of (3)
-  const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
   const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_left_ankle_pitch;
   const Scalar s_left_ankle_cross_x = left_ankle_cross_l1 * c_left_ankle_pitch;
-  const Scalar q_q9_q10 = q[9] + q[10];
-  // right_thigh: angular velocity omega of (3)
-  const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank: way s to the joint of (3)
-  const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
-  const Scalar& s_q9_q10 = p_s_q9_q10.sine;
-  const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
   const Scalar neg_s_right_shank_y = left_shank_l1 * s_q9_q10;
   const Scalar s_right_shank_x = left_shank_l1 * c_q9_q10;
-  // right_ankle_cross: way s to the joint of (3)
-  const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
   const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_right_ankle_pitch;
   const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_right_ankle_pitch;
   // left_thigh: angular velocity omega, Omega, angular acceleration alpha of (3)
@@ -1020,10 +1149,6 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar Omega_left_foot_zy = t_left_ankle_cross_1 + Omega_left_foot_zy_1;
   const Scalar t_left_foot_2 = omega_left_foot_z * omega_left_foot_z;
   const Scalar Omega_left_foot_zx = Omega_left_thigh_xy - t_left_shank_2 * omega_left_foot_z;
-  const Scalar angle_left_foot = left_foot_k1 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_3 = left_foot_h1 * c_left_foot;
   const Scalar t_left_foot_4 = left_foot_h1 * s_left_foot;
   const Scalar t_left_foot_5 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
@@ -1157,10 +1282,6 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar Omega_right_foot_zy = Omega_righ_ankl_cros_zy + Omega_right_foot_zy_1;
   const Scalar t_right_foot_1 = omega_right_foot_z * omega_right_foot_z;
   const Scalar Omega_right_foot_zx = Omega_right_thigh_xy - t_right_shank_2 * omega_right_foot_z;
-  const Scalar angle_right_foot = left_foot_k1 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_2 = left_foot_h1 * c_right_foot;
   const Scalar t_right_foot_3 = left_foot_h1 * s_right_foot;
   const Scalar t_right_foot_4 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
@@ -1508,39 +1629,37 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 }
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
   const Scalar q_q2_q3 = q[2] + q[3];
-  const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
   const Scalar q_q8_q9 = q[8] + q[9];
-  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
-  // right_foot: G of 6.5
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
   const Scalar angle_right_foot = left_foot_k1 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
+  const Scalar angle_left_foot = left_foot_k1 + q[5];
+  Scalar sines[16];
+  Scalar cosines[16];
+  sines_cosines(sines, cosines, q[1], q[2], q_q2_q3, q_q2_q3_q4, q[7], q[8], q_q8_q9, q_q8_q9_q10);
+  sines_cosines(sines + 8, cosines + 8, angle_right_foot, angle_left_foot);
+  const Scalar s_left_hip_roll = sines[0];
+  const Scalar c_left_hip_roll = cosines[0];
+  const Scalar s_left_hip_pitch = sines[1];
+  const Scalar c_left_hip_pitch = cosines[1];
+  const Scalar s_q2_q3 = sines[2];
+  const Scalar c_q2_q3 = cosines[2];
+  const Scalar s_q2_q3_q4 = sines[3];
+  const Scalar c_q2_q3_q4 = cosines[3];
+  const Scalar s_right_hip_roll = sines[4];
+  const Scalar c_right_hip_roll = cosines[4];
+  const Scalar s_right_hip_pitch = sines[5];
+  const Scalar c_right_hip_pitch = cosines[5];
+  const Scalar s_q8_q9 = sines[6];
+  const Scalar c_q8_q9 = cosines[6];
+  const Scalar s_q8_q9_q10 = sines[7];
+  const Scalar c_q8_q9_q10 = cosines[7];
+  const Scalar s_right_foot = sines[8];
+  const Scalar c_right_foot = cosines[8];
+  const Scalar s_left_foot = sines[9];
+  const Scalar c_left_foot = cosines[9];
+  // right_foot: G of 6.5
   const Scalar t_right_foot_1 = left_foot_G1 * s_right_foot;
   const Scalar t_right_foot_2 = left_foot_G1 * c_right_foot;
   const Scalar neg_G_11_1 = c_right_hip_roll * c_q8_q9_q10 * t_right_foot_1;
@@ -1563,10 +1682,6 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar G_7_5 = s_right_hip_roll * (G_7_4 + c_q8_q9_q10 * t_righ_ankl_cros_1);
   G[7] = G_7_5 - c_right_hip_roll * (left_hip_fork_G1 + t_right_foot_1);
   // left_foot: G of 6.5
-  const Scalar angle_left_foot = left_foot_k1 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_1 = left_foot_G1 * s_left_foot;
   const Scalar t_left_foot_2 = c_left_hip_roll * c_q2_q3_q4;
   const Scalar t_left_foot_3 = left_foot_G1 * c_left_foot;
@@ -1598,30 +1713,32 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
 // by what they are made of. Arguments and results are in SI units.
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
                       Scalar tau[12]) noexcept {
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  const auto p_s_left_knee = sine_cosine(q[3]);
-  const Scalar& s_left_knee = p_s_left_knee.sine;
-  const Scalar& c_left_knee = p_s_left_knee.cosine;
-  const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  const auto p_s_right_knee = sine_cosine(q[9]);
-  const Scalar& s_right_knee = p_s_right_knee.sine;
-  const Scalar& c_right_knee = p_s_right_knee.cosine;
-  const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
+  const Scalar angle_left_foot = left_foot_k1 + q[5];
+  const Scalar angle_right_foot = left_foot_k1 - q[11];
+  Scalar sines[16];
+  Scalar cosines[16];
+  sines_cosines(sines, cosines, q[1], q[2], q[3], q[4], q[7], q[8], q[9], q[10]);
+  sines_cosines(sines + 8, cosines + 8, angle_left_foot, angle_right_foot);
+  const Scalar s_left_hip_roll = sines[0];
+  const Scalar c_left_hip_roll = cosines[0];
+  const Scalar s_left_hip_pitch = sines[1];
+  const Scalar c_left_hip_pitch = cosines[1];
+  const Scalar s_left_knee = sines[2];
+  const Scalar c_left_knee = cosines[2];
+  const Scalar s_left_ankle_pitch = sines[3];
+  const Scalar c_left_ankle_pitch = cosines[3];
+  const Scalar s_right_hip_roll = sines[4];
+  const Scalar c_right_hip_roll = cosines[4];
+  const Scalar s_right_hip_pitch = sines[5];
+  const Scalar c_right_hip_pitch = cosines[5];
+  const Scalar s_right_knee = sines[6];
+  const Scalar c_right_knee = cosines[6];
+  const Scalar s_right_ankle_pitch = sines[7];
+  const Scalar c_right_ankle_pitch = cosines[7];
+  const Scalar s_left_foot = sines[8];
+  const Scalar c_left_foot = cosines[8];
+  const Scalar s_right_foot = sines[9];
+  const Scalar c_right_foot = cosines[9];
   const Scalar t_left_hip_block_1 = qd[0] * qd[0];
   // left_hip_fork: angular velocity omega, angular acceleration alpha, Omega of (1)
   const Scalar omega_left_hip_fork_x = c_left_hip_roll * qd[0];
@@ -1750,10 +1867,6 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_foot_2 = omega_left_ankle_cross_x * t_left_foot_1;
   const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - t_left_foot_2;
   const Scalar t_left_foot_3 = omega_left_foot_z * omega_left_foot_z;
-  const Scalar angle_left_foot = left_foot_k1 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar t_left_foot_4 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
   const Scalar t_left_foot_5 = left_foot_I14 - c_left_foot * t_left_foot_4;
   const Scalar t_left_foot_6 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
@@ -1908,10 +2021,6 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_foot_2 = omega_right_foot_z * omega_right_foot_z;
   const Scalar t_right_foot_3 = omega_righ_ankl_cros_x * t_right_foot_1;
   const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - t_right_foot_3;
-  const Scalar angle_right_foot = left_foot_k1 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_4 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
   const Scalar t_right_foot_5 = s_right_foot * t_right_foot_4;
   const Scalar t_right_foot_6 = left_foot_I14 - c_right_foot * t_right_foot_4;
@@ -2321,44 +2430,42 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept {
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank: way s to the joint of (1)
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
-  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
-  // left_ankle_cross: angular velocity omega, way s to the joint of (1)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
-  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
-  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank: way s to the joint of (1)
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
-  // right_ankle_cross: acceleration a, way s to the joint of (1)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
+  const Scalar angle_left_foot = left_foot_k2 + q[5];
+  const Scalar angle_right_foot = left_foot_k2 - q[11];
+  Scalar sines[16];
+  Scalar cosines[16];
+  sines_cosines(sines, cosines, q[1], q[2], q_q2_q3_q4, q_q2_q3, q[7], q[8], q_q8_q9_q10, q_q8_q9);
+  sines_cosines(sines + 8, cosines + 8, angle_left_foot, angle_right_foot);
+  const Scalar s_left_hip_roll = sines[0];
+  const Scalar c_left_hip_roll = cosines[0];
+  const Scalar s_left_hip_pitch = sines[1];
+  const Scalar c_left_hip_pitch = cosines[1];
+  const Scalar s_q2_q3_q4 = sines[2];
+  const Scalar c_q2_q3_q4 = cosines[2];
+  const Scalar s_q2_q3 = sines[3];
+  const Scalar c_q2_q3 = cosines[3];
+  const Scalar s_right_hip_roll = sines[4];
+  const Scalar c_right_hip_roll = cosines[4];
+  const Scalar s_right_hip_pitch = sines[5];
+  const Scalar c_right_hip_pitch = cosines[5];
+  const Scalar s_q8_q9_q10 = sines[6];
+  const Scalar c_q8_q9_q10 = cosines[6];
+  const Scalar s_q8_q9 = sines[7];
+  const Scalar c_q8_q9 = cosines[7];
+  const Scalar s_left_foot = sines[8];
+  const Scalar c_left_foot = cosines[8];
+  const Scalar s_right_foot = sines[9];
+  const Scalar c_right_foot = cosines[9];
+  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
+  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
+  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
+  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
+  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
+  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
   const Scalar neg_s_righ_ankl_cros_x = left_ankle_cross_l1 * c_q8_q9;
   const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_q8_q9;
   // left_hip_fork: angular velocity omega, Omega of (1)
@@ -2466,10 +2573,6 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_foot_1 = neg_omega_left_foot_z * neg_omega_left_foot_z;
   const Scalar t_left_foot_2 = t_left_ankle_cross_17 * neg_omega_left_foot_z * 2.0f;
   const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - t_left_foot_2;
-  const Scalar angle_left_foot = left_foot_k2 + q[5];
-  const auto p_s_left_foot = sine_cosine(angle_left_foot);
-  const Scalar& s_left_foot = p_s_left_foot.sine;
-  const Scalar& c_left_foot = p_s_left_foot.cosine;
   const Scalar neg_h_left_foot_y = left_foot_h2 * c_left_foot - left_foot_h3 * s_left_foot;
   const Scalar h_left_foot_x = left_foot_h3 * c_left_foot + left_foot_h2 * s_left_foot;
   const Scalar t_left_foot_3 = left_foot_I15 * s_left_foot + left_foot_I16 * c_left_foot;
@@ -2591,10 +2694,6 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_foot_2 = t_righ_ankl_cros_12 - t_right_foot_1;
   const Scalar t_right_foot_3 = t_righ_ankl_cros_8 * neg_omega_right_foot_z * 2.0f;
   const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - t_right_foot_3;
-  const Scalar angle_right_foot = left_foot_k2 - q[11];
-  const auto p_s_right_foot = sine_cosine(angle_right_foot);
-  const Scalar& s_right_foot = p_s_right_foot.sine;
-  const Scalar& c_right_foot = p_s_right_foot.cosine;
   const Scalar t_right_foot_4 = left_foot_I16 * c_right_foot + left_foot_I15 * s_right_foot;
   const Scalar t_right_foot_5 = c_right_foot * t_right_foot_4;
   const Scalar E_right_foot_xy = left_foot_I20 - t_right_foot_5;
@@ -3520,46 +3619,38 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
 }
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
-  const auto p_s_left_hip_yaw = sine_cosine(q[0]);
-  const Scalar& s_left_hip_yaw = p_s_left_hip_yaw.sine;
-  const Scalar& c_left_hip_yaw = p_s_left_hip_yaw.cosine;
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
   const Scalar q_q3_q4 = q[3] + q[4];
   const Scalar q_q2_q3_q4 = q[2] + q_q3_q4;
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_q3_q4 = sine_cosine(q_q3_q4);
-  const Scalar& s_q3_q4 = p_s_q3_q4.sine;
-  const Scalar& c_q3_q4 = p_s_q3_q4.cosine;
-  const auto p_s_left_ankle_pitch = sine_cosine(q[4]);
-  const Scalar& s_left_ankle_pitch = p_s_left_ankle_pitch.sine;
-  const Scalar& c_left_ankle_pitch = p_s_left_ankle_pitch.cosine;
-  const auto p_s_left_ankle_roll = sine_cosine(q[5]);
-  const Scalar& s_left_ankle_roll = p_s_left_ankle_roll.sine;
-  const Scalar& c_left_ankle_roll = p_s_left_ankle_roll.cosine;
-  const auto p_s_right_hip_yaw = sine_cosine(q[6]);
-  const Scalar& s_right_hip_yaw = p_s_right_hip_yaw.sine;
-  const Scalar& c_right_hip_yaw = p_s_right_hip_yaw.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
   const Scalar q_q9_q10 = q[9] + q[10];
   const Scalar q_q8_q9_q10 = q[8] + q_q9_q10;
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_q9_q10 = sine_cosine(q_q9_q10);
-  const Scalar& s_q9_q10 = p_s_q9_q10.sine;
-  const Scalar& c_q9_q10 = p_s_q9_q10.cosine;
-  const auto p_s_right_ankle_pitch = sine_cosine(q[10]);
-  const Scalar& s_right_ankle_pitch = p_s_right_ankle_pitch.sine;
-  const Scalar& c_right_ankle_pitch = p_s_right_ankle_pitch.cosine;
-  const auto p_s_right_ankle_roll = sine_cosine(q[11]);
-  const Scalar& s_right_ankle_roll = p_s_right_ankle_roll.sine;
-  const Scalar& c_right_ankle_roll = p_s_right_ankle_roll.cosine;
+  Scalar sines[16];
+  Scalar cosines[16];
+  sines_cosines(sines, cosines, q[0], q[1], q_q2_q3_q4, q_q3_q4, q[4], q[5], q[6], q[7]);
+  sines_cosines(sines + 8, cosines + 8, q_q8_q9_q10, q_q9_q10, q[10], q[11]);
+  const Scalar s_left_hip_yaw = sines[0];
+  const Scalar c_left_hip_yaw = cosines[0];
+  const Scalar s_left_hip_roll = sines[1];
+  const Scalar c_left_hip_roll = cosines[1];
+  const Scalar s_q2_q3_q4 = sines[2];
+  const Scalar c_q2_q3_q4 = cosines[2];
+  const Scalar s_q3_q4 = sines[3];
+  const Scalar c_q3_q4 = cosines[3];
+  const Scalar s_left_ankle_pitch = sines[4];
+  const Scalar c_left_ankle_pitch = cosines[4];
+  const Scalar s_left_ankle_roll = sines[5];
+  const Scalar c_left_ankle_roll = cosines[5];
+  const Scalar s_right_hip_yaw = sines[6];
+  const Scalar c_right_hip_yaw = cosines[6];
+  const Scalar s_right_hip_roll = sines[7];
+  const Scalar c_right_hip_roll = cosines[7];
+  const Scalar s_q8_q9_q10 = sines[8];
+  const Scalar c_q8_q9_q10 = cosines[8];
+  const Scalar s_q9_q10 = sines[9];
+  const Scalar c_q9_q10 = cosines[9];
+  const Scalar s_right_ankle_pitch = sines[10];
+  const Scalar c_right_ankle_pitch = cosines[10];
+  const Scalar s_right_ankle_roll = sines[11];
+  const Scalar c_right_ankle_roll = cosines[11];
   // left_shank
   const Scalar t_left_shank_1 = left_hip_fork_l1 + left_shank_l1 * c_q3_q4;
   const Scalar t_left_shank_2 = t_left_shank_1 + left_ankle_cross_l1 * c_left_ankle_pitch;
@@ -3620,59 +3711,47 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
-  const auto p_s_left_hip_yaw = sine_cosine(q[0]);
-  const Scalar& s_left_hip_yaw = p_s_left_hip_yaw.sine;
-  const Scalar& c_left_hip_yaw = p_s_left_hip_yaw.cosine;
-  const auto p_s_left_hip_roll = sine_cosine(q[1]);
-  const Scalar& s_left_hip_roll = p_s_left_hip_roll.sine;
-  const Scalar& c_left_hip_roll = p_s_left_hip_roll.cosine;
-  // left_shank: way s to the joint of (9)
-  const auto p_s_left_hip_pitch = sine_cosine(q[2]);
-  const Scalar& s_left_hip_pitch = p_s_left_hip_pitch.sine;
-  const Scalar& c_left_hip_pitch = p_s_left_hip_pitch.cosine;
-  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
-  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
-  // left_ankle_cross: r, way s to the joint of (9)
   const Scalar q_q2_q3 = q[2] + q[3];
   const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const auto p_s_q2_q3_q4 = sine_cosine(q_q2_q3_q4);
-  const Scalar& s_q2_q3_q4 = p_s_q2_q3_q4.sine;
-  const Scalar& c_q2_q3_q4 = p_s_q2_q3_q4.cosine;
-  const auto p_s_q2_q3 = sine_cosine(q_q2_q3);
-  const Scalar& s_q2_q3 = p_s_q2_q3.sine;
-  const Scalar& c_q2_q3 = p_s_q2_q3.cosine;
-  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
-  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
-  const auto p_s_right_hip_yaw = sine_cosine(q[6]);
-  const Scalar& s_right_hip_yaw = p_s_right_hip_yaw.sine;
-  const Scalar& c_right_hip_yaw = p_s_right_hip_yaw.cosine;
-  const auto p_s_right_hip_roll = sine_cosine(q[7]);
-  const Scalar& s_right_hip_roll = p_s_right_hip_roll.sine;
-  const Scalar& c_right_hip_roll = p_s_right_hip_roll.cosine;
-  // right_shank: way s to the joint of (9)
-  const auto p_s_right_hip_pitch = sine_cosine(q[8]);
-  const Scalar& s_right_hip_pitch = p_s_right_hip_pitch.sine;
-  const Scalar& c_right_hip_pitch = p_s_right_hip_pitch.cosine;
-  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
-  // right_ankle_cross: r, way s to the joint of (9)
   const Scalar q_q8_q9 = q[8] + q[9];
   const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const auto p_s_q8_q9_q10 = sine_cosine(q_q8_q9_q10);
-  const Scalar& s_q8_q9_q10 = p_s_q8_q9_q10.sine;
-  const Scalar& c_q8_q9_q10 = p_s_q8_q9_q10.cosine;
-  const auto p_s_q8_q9 = sine_cosine(q_q8_q9);
-  const Scalar& s_q8_q9 = p_s_q8_q9.sine;
-  const Scalar& c_q8_q9 = p_s_q8_q9.cosine;
+  Scalar sines[16];
+  Scalar cosines[16];
+  sines_cosines(sines, cosines, q[0], q[1], q[2], q_q2_q3_q4, q_q2_q3, q[6], q[7], q[8]);
+  sines_cosines(sines + 8, cosines + 8, q_q8_q9_q10, q_q8_q9, q[11], q[5]);
+  const Scalar s_left_hip_yaw = sines[0];
+  const Scalar c_left_hip_yaw = cosines[0];
+  const Scalar s_left_hip_roll = sines[1];
+  const Scalar c_left_hip_roll = cosines[1];
+  const Scalar s_left_hip_pitch = sines[2];
+  const Scalar c_left_hip_pitch = cosines[2];
+  const Scalar s_q2_q3_q4 = sines[3];
+  const Scalar c_q2_q3_q4 = cosines[3];
+  const Scalar s_q2_q3 = sines[4];
+  const Scalar c_q2_q3 = cosines[4];
+  const Scalar s_right_hip_yaw = sines[5];
+  const Scalar c_right_hip_yaw = cosines[5];
+  const Scalar s_right_hip_roll = sines[6];
+  const Scalar c_right_hip_roll = cosines[6];
+  const Scalar s_right_hip_pitch = sines[7];
+  const Scalar c_right_hip_pitch = cosines[7];
+  const Scalar s_q8_q9_q10 = sines[8];
+  const Scalar c_q8_q9_q10 = cosines[8];
+  const Scalar s_q8_q9 = sines[9];
+  const Scalar c_q8_q9 = cosines[9];
+  const Scalar s_right_ankle_roll = sines[10];
+  const Scalar c_right_ankle_roll = cosines[10];
+  const Scalar s_left_ankle_roll = sines[11];
+  const Scalar c_left_ankle_roll = cosines[11];
+  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
+  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
+  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
+  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
+  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
+  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
   const Scalar neg_s_righ_ankl_cros_x = left_ankle_cross_l1 * c_q8_q9;
   const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_q8_q9;
-  const auto p_s_right_ankle_roll = sine_cosine(q[11]);
-  const Scalar& s_right_ankle_roll = p_s_right_ankle_roll.sine;
-  const Scalar& c_right_ankle_roll = p_s_right_ankle_roll.cosine;
   const Scalar r_right_foot_x = left_foot_l2 * c_right_ankle_roll;
-  const auto p_s_left_ankle_roll = sine_cosine(q[5]);
-  const Scalar& s_left_ankle_roll = p_s_left_ankle_roll.sine;
-  const Scalar& c_left_ankle_roll = p_s_left_ankle_roll.cosine;
   const Scalar r_left_foot_x = left_foot_l2 * c_left_ankle_roll;
   const Scalar r_right_foot_y = left_foot_l2 * s_right_ankle_roll;
   const Scalar r_left_foot_y = left_foot_l2 * s_left_ankle_roll;
@@ -3824,82 +3903,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[130] = -(t_left_hip_block_8 * t_righ_ankl_cros_6 + s_right_hip_yaw * t_righ_ankl_cros_5);
   C[119] = c_right_hip_roll * neg_r_right_shank_y_2;
   C[131] = c_right_hip_roll * t_righ_ankl_cros_6;
-  C[2] = 0.0f;
-  C[5] = 0.0f;
-  C[6] = 0.0f;
-  C[7] = 0.0f;
-  C[8] = 0.0f;
-  C[9] = 0.0f;
-  C[10] = 0.0f;
-  C[11] = 0.0f;
-  C[18] = 0.0f;
-  C[19] = 0.0f;
-  C[20] = 0.0f;
-  C[21] = 0.0f;
-  C[22] = 0.0f;
-  C[23] = 0.0f;
-  C[30] = 0.0f;
-  C[31] = 0.0f;
-  C[32] = 0.0f;
-  C[33] = 0.0f;
-  C[34] = 0.0f;
-  C[35] = 0.0f;
-  C[42] = 0.0f;
-  C[43] = 0.0f;
-  C[44] = 0.0f;
-  C[45] = 0.0f;
-  C[46] = 0.0f;
-  C[47] = 0.0f;
-  C[54] = 0.0f;
-  C[55] = 0.0f;
-  C[56] = 0.0f;
-  C[57] = 0.0f;
-  C[58] = 0.0f;
-  C[59] = 0.0f;
-  C[66] = 0.0f;
-  C[67] = 0.0f;
-  C[68] = 0.0f;
-  C[69] = 0.0f;
-  C[70] = 0.0f;
-  C[71] = 0.0f;
-  C[72] = 0.0f;
-  C[73] = 0.0f;
-  C[74] = 0.0f;
-  C[75] = 0.0f;
-  C[76] = 0.0f;
-  C[77] = 0.0f;
-  C[80] = 0.0f;
-  C[83] = 0.0f;
-  C[84] = 0.0f;
-  C[85] = 0.0f;
-  C[86] = 0.0f;
-  C[87] = 0.0f;
-  C[88] = 0.0f;
-  C[89] = 0.0f;
-  C[96] = 0.0f;
-  C[97] = 0.0f;
-  C[98] = 0.0f;
-  C[99] = 0.0f;
-  C[100] = 0.0f;
-  C[101] = 0.0f;
-  C[108] = 0.0f;
-  C[109] = 0.0f;
-  C[110] = 0.0f;
-  C[111] = 0.0f;
-  C[112] = 0.0f;
-  C[113] = 0.0f;
-  C[120] = 0.0f;
-  C[121] = 0.0f;
-  C[122] = 0.0f;
-  C[123] = 0.0f;
-  C[124] = 0.0f;
-  C[125] = 0.0f;
-  C[132] = 0.0f;
-  C[133] = 0.0f;
-  C[134] = 0.0f;
-  C[135] = 0.0f;
-  C[136] = 0.0f;
-  C[137] = 0.0f;
+  force_jacobian_transpose_0(C);
 }
 
 }  // namespace biped

@@ -7,14 +7,38 @@
 
 #include "compass_walker.hpp"
 
+namespace compass_walker {
+
+static_assert(kDigest == 0xb62e552cf19df058ULL, "header and source are of different runs");
+
+// Zeros, where compilers may store neighbours at once.
+namespace {
+
+[[gnu::noinline]] void force_jacobian_transpose_0(Scalar C[24]) noexcept {
+  C[1] = 0.0;
+  C[2] = 0.0;
+  C[4] = 0.0;
+  C[5] = 0.0;
+  C[6] = 0.0;
+  C[7] = 0.0;
+  C[9] = 0.0;
+  C[10] = 0.0;
+  C[13] = 0.0;
+  C[15] = 0.0;
+  C[16] = 0.0;
+  C[17] = 0.0;
+  C[18] = 0.0;
+  C[19] = 0.0;
+  C[20] = 0.0;
+  C[22] = 0.0;
+}
+
+}  // namespace
+
 // g++ would gather scalars into vectors, which takes up to twice as long.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
-
-namespace compass_walker {
-
-static_assert(kDigest == 0x8b5e97520dfd1b5bULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,33 +56,38 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
 /// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
-[[gnu::noinline]] SineCosine<double> sine_cosine(double x) noexcept {
-  const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
-  const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
-  const double r_1 = x - t * 7.32983532344312e-302;
-  const double r = r_1 + k * 8.705515695504166e-10;
-  const double z = r * r;
-  const double s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
-  const double s_2 = s_1 * z + 2.7557313707070068e-06;
-  const double s_3 = s_2 * z - 0.0001984126982985795;
-  const double s_4 = s_3 * z + 0.00833333333332249;
-  const double s_5 = s_4 * z - 0.16666666666666632;
-  const double c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
-  const double c_2 = c_1 * z - 2.7557314351390663e-07;
-  const double c_3 = c_2 * z + 2.480158728947673e-05;
-  const double c_4 = c_3 * z - 0.001388888888887411;
-  const double c_5 = c_4 * z + 0.0416666666666666;
-  const double sine = r + r * z * s_5;
-  const double cosine = 1.0 - z * (0.5 - z * c_5);
+template <class Angle>
+[[gnu::always_inline]] inline SineCosine<Angle> pair_of(Angle x) noexcept {
+  const Angle k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
+  const Angle t = k * 2.1430172143725346e+301;  // infinite beyond the range
+  const Angle r_1 = x - t * 7.32983532344312e-302;
+  const Angle r = r_1 + k * 8.705515695504166e-10;
+  const Angle z = r * r;
+  const Angle s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
+  const Angle s_2 = s_1 * z + 2.7557313707070068e-06;
+  const Angle s_3 = s_2 * z - 0.0001984126982985795;
+  const Angle s_4 = s_3 * z + 0.00833333333332249;
+  const Angle s_5 = s_4 * z - 0.16666666666666632;
+  const Angle c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
+  const Angle c_2 = c_1 * z - 2.7557314351390663e-07;
+  const Angle c_3 = c_2 * z + 2.480158728947673e-05;
+  const Angle c_4 = c_3 * z - 0.001388888888887411;
+  const Angle c_5 = c_4 * z + 0.0416666666666666;
+  const Angle sine = r + r * z * s_5;
+  const Angle cosine = 1.0 - z * (0.5 - z * c_5);
 
   // k modulo 4: -2 to 2, not a number where t is infinite
-  const double l = t * 4.6663180925160944e-302;
-  const double m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
-  const double n = 4.0 - m * m;
+  const Angle l = t * 4.6663180925160944e-302;
+  const Angle m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
+  const Angle n = 4.0 - m * m;
   // sine and cosine of m pi/2: 0, 1 or -1
-  const double s = m * (n * 0.3333333333333333);
-  const double c = 0.5 * (n - s * s) - 1.0;
+  const Angle s = m * (n * 0.3333333333333333);
+  const Angle c = 0.5 * (n - s * s) - 1.0;
   return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+[[gnu::noinline, gnu::unused]] SineCosine<double> sine_cosine(double x) noexcept {
+  return pair_of(x);
 }
 
 /// For other types that stand for Scalar, such as one that counts operations: their own functions.
@@ -68,6 +97,53 @@ SineCosine<Number> sine_cosine(const Number& x) noexcept {
 }
 
 inline double sin(double x) noexcept { return sine_cosine(x).sine; }
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+// As many angles as a register holds.
+#if defined(__AVX__)
+using Angles [[gnu::vector_size(32)]] = double;
+#else
+using Angles [[gnu::vector_size(16)]] = double;
+#endif
+constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
+
+/// The numbers from x on, one by one: a load would wait for all to be stored.
+[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
+#if defined(__AVX__)
+  return Angles{x[0], x[1], x[2], x[3]};
+#else
+  return Angles{x[0], x[1]};
+#endif
+}
+
+/// The pairs of a vector of angles.
+[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
+  const SineCosine<Angles> pairs = pair_of(x);
+  __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
+  __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
+/// vectors.
+template <class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines,
+                                                 Angle... angle) noexcept {
+  const double x[sizeof...(angle) + kAngles] = {angle...};  // zeros behind them
+  store_sines_cosines(gathered(x), sines, cosines);
+  if (sizeof...(angle) > kAngles) {
+    store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles);
+  }
+}
+#endif
+
+/// One by one: on processors without vectors, and of other types that stand for Scalar.
+template <class Number, class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(Number* sines, Number* cosines,
+                                                 const Angle&... angle) noexcept {
+  SineCosine<Number> pair;
+  const int done[] = {
+      (pair = sine_cosine(Number(angle)), *sines++ = pair.sine, *cosines++ = pair.cosine, 0)...};
+  static_cast<void>(done);
+}
 
 }  // namespace
 
@@ -105,13 +181,13 @@ constexpr double left_leg_p7 = 19.62;
 }  // namespace
 
 void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
-  const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar& s_left_hip = p_s_left_hip.sine;
-  const Scalar& c_left_hip = p_s_left_hip.cosine;
-  // right_leg: A of (2)
-  const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar& s_right_hip = p_s_right_hip.sine;
-  const Scalar& c_right_hip = p_s_right_hip.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[2], q[3]);
+  const Scalar s_left_hip = sines[0];
+  const Scalar c_left_hip = cosines[0];
+  const Scalar s_right_hip = sines[1];
+  const Scalar c_right_hip = cosines[1];
   A[7] = left_leg_p1 * s_right_hip;
   A[13] = A[7];
   A[3] = -left_leg_p1 * c_right_hip;
@@ -132,12 +208,13 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
 }
 
 void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
-  const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar& s_left_hip = p_s_left_hip.sine;
-  const Scalar& c_left_hip = p_s_left_hip.cosine;
-  const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar& s_right_hip = p_s_right_hip.sine;
-  const Scalar& c_right_hip = p_s_right_hip.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[2], q[3]);
+  const Scalar s_left_hip = sines[0];
+  const Scalar c_left_hip = cosines[0];
+  const Scalar s_right_hip = sines[1];
+  const Scalar c_right_hip = cosines[1];
   const Scalar neg_Omega_right_leg_xx = qd[3] * qd[3];
   const Scalar neg_Omega_left_leg_xx = qd[2] * qd[2];
   // hip: force F of (3)
@@ -161,19 +238,20 @@ void gravity_force(const Scalar q[4], Scalar G[4]) noexcept {
 
 void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4],
                       Scalar tau[4]) noexcept {
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[2], q[3]);
+  const Scalar s_left_hip = sines[0];
+  const Scalar c_left_hip = cosines[0];
+  const Scalar s_right_hip = sines[1];
+  const Scalar c_right_hip = cosines[1];
   const Scalar a_hip_z = base_p1 + qdd[1];
   // left_leg: moment M, Omega of (1)
-  const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar& s_left_hip = p_s_left_hip.sine;
-  const Scalar& c_left_hip = p_s_left_hip.cosine;
   const Scalar t_left_leg_1 = left_leg_p1 * c_left_hip;
   const Scalar t_left_leg_2 = left_leg_p1 * s_left_hip;
   tau[2] = left_leg_p2 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
   const Scalar neg_Omega_left_leg_xx = qd[2] * qd[2];
   // right_leg: moment M, Omega of (1)
-  const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar& s_right_hip = p_s_right_hip.sine;
-  const Scalar& c_right_hip = p_s_right_hip.cosine;
   const Scalar t_right_leg_1 = left_leg_p1 * c_right_hip;
   const Scalar t_right_leg_2 = left_leg_p1 * s_right_hip;
   tau[3] = left_leg_p2 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
@@ -189,12 +267,13 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
 
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
                       Scalar qdd[4]) noexcept {
-  const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar& s_left_hip = p_s_left_hip.sine;
-  const Scalar& c_left_hip = p_s_left_hip.cosine;
-  const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar& s_right_hip = p_s_right_hip.sine;
-  const Scalar& c_right_hip = p_s_right_hip.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[2], q[3]);
+  const Scalar s_left_hip = sines[0];
+  const Scalar c_left_hip = cosines[0];
+  const Scalar s_right_hip = sines[1];
+  const Scalar c_right_hip = cosines[1];
   const Scalar t_left_leg_1 = left_leg_p6 * (c_right_hip * c_right_hip + c_left_hip * c_left_hip);
   const Scalar t_left_leg_2 = hip_p3 + t_left_leg_1;
   const Scalar inverse_pivot_hip = 1.0 / t_left_leg_2;
@@ -225,12 +304,13 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
 }
 
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
-  const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar& s_left_hip = p_s_left_hip.sine;
-  const Scalar& c_left_hip = p_s_left_hip.cosine;
-  const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar& s_right_hip = p_s_right_hip.sine;
-  const Scalar& c_right_hip = p_s_right_hip.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[2], q[3]);
+  const Scalar s_left_hip = sines[0];
+  const Scalar c_left_hip = cosines[0];
+  const Scalar s_right_hip = sines[1];
+  const Scalar c_right_hip = cosines[1];
   p[2] = q[1] - c_left_hip;
   p[0] = q[0] - s_left_hip;
   p[5] = q[1] - c_right_hip;
@@ -241,37 +321,22 @@ void point_positions(const Scalar q[4], Scalar p[6]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[4], Scalar C[24]) noexcept {
-  const auto p_s_left_hip = sine_cosine(q[2]);
-  const Scalar& s_left_hip = p_s_left_hip.sine;
-  const Scalar& c_left_hip = p_s_left_hip.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[2], q[3]);
+  const Scalar s_left_hip = sines[0];
+  const Scalar c_left_hip = cosines[0];
+  const Scalar s_right_hip = sines[1];
+  const Scalar c_right_hip = cosines[1];
   C[12] = -c_left_hip;
   C[14] = s_left_hip;
-  // right_leg
-  const auto p_s_right_hip = sine_cosine(q[3]);
-  const Scalar& s_right_hip = p_s_right_hip.sine;
-  const Scalar& c_right_hip = p_s_right_hip.cosine;
   C[21] = -c_right_hip;
   C[23] = s_right_hip;
   C[0] = 1.0;
   C[3] = 1.0;
   C[8] = 1.0;
   C[11] = 1.0;
-  C[1] = 0.0;
-  C[2] = 0.0;
-  C[4] = 0.0;
-  C[5] = 0.0;
-  C[6] = 0.0;
-  C[7] = 0.0;
-  C[9] = 0.0;
-  C[10] = 0.0;
-  C[13] = 0.0;
-  C[15] = 0.0;
-  C[16] = 0.0;
-  C[17] = 0.0;
-  C[18] = 0.0;
-  C[19] = 0.0;
-  C[20] = 0.0;
-  C[22] = 0.0;
+  force_jacobian_transpose_0(C);
 }
 
 }  // namespace compass_walker

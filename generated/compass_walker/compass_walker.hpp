@@ -27,7 +27,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x8b5e97520dfd1b5bULL;
+constexpr unsigned long long kDigest = 0xb62e552cf19df058ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -7,14 +7,13 @@
 
 #include "panda.hpp"
 
+namespace panda {
+
+static_assert(kDigest == 0x98e21b8c54b4a4f2ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which takes up to twice as long.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
-
-namespace panda {
-
-static_assert(kDigest == 0x2e71d7868c94653fULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,39 +31,92 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
 /// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
-[[gnu::noinline]] SineCosine<double> sine_cosine(double x) noexcept {
-  const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
-  const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
-  const double r_1 = x - t * 7.32983532344312e-302;
-  const double r = r_1 + k * 8.705515695504166e-10;
-  const double z = r * r;
-  const double s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
-  const double s_2 = s_1 * z + 2.7557313707070068e-06;
-  const double s_3 = s_2 * z - 0.0001984126982985795;
-  const double s_4 = s_3 * z + 0.00833333333332249;
-  const double s_5 = s_4 * z - 0.16666666666666632;
-  const double c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
-  const double c_2 = c_1 * z - 2.7557314351390663e-07;
-  const double c_3 = c_2 * z + 2.480158728947673e-05;
-  const double c_4 = c_3 * z - 0.001388888888887411;
-  const double c_5 = c_4 * z + 0.0416666666666666;
-  const double sine = r + r * z * s_5;
-  const double cosine = 1.0 - z * (0.5 - z * c_5);
+template <class Angle>
+[[gnu::always_inline]] inline SineCosine<Angle> pair_of(Angle x) noexcept {
+  const Angle k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
+  const Angle t = k * 2.1430172143725346e+301;  // infinite beyond the range
+  const Angle r_1 = x - t * 7.32983532344312e-302;
+  const Angle r = r_1 + k * 8.705515695504166e-10;
+  const Angle z = r * r;
+  const Angle s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
+  const Angle s_2 = s_1 * z + 2.7557313707070068e-06;
+  const Angle s_3 = s_2 * z - 0.0001984126982985795;
+  const Angle s_4 = s_3 * z + 0.00833333333332249;
+  const Angle s_5 = s_4 * z - 0.16666666666666632;
+  const Angle c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
+  const Angle c_2 = c_1 * z - 2.7557314351390663e-07;
+  const Angle c_3 = c_2 * z + 2.480158728947673e-05;
+  const Angle c_4 = c_3 * z - 0.001388888888887411;
+  const Angle c_5 = c_4 * z + 0.0416666666666666;
+  const Angle sine = r + r * z * s_5;
+  const Angle cosine = 1.0 - z * (0.5 - z * c_5);
 
   // k modulo 4: -2 to 2, not a number where t is infinite
-  const double l = t * 4.6663180925160944e-302;
-  const double m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
-  const double n = 4.0 - m * m;
+  const Angle l = t * 4.6663180925160944e-302;
+  const Angle m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
+  const Angle n = 4.0 - m * m;
   // sine and cosine of m pi/2: 0, 1 or -1
-  const double s = m * (n * 0.3333333333333333);
-  const double c = 0.5 * (n - s * s) - 1.0;
+  const Angle s = m * (n * 0.3333333333333333);
+  const Angle c = 0.5 * (n - s * s) - 1.0;
   return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+[[gnu::noinline, gnu::unused]] SineCosine<double> sine_cosine(double x) noexcept {
+  return pair_of(x);
 }
 
 /// For other types that stand for Scalar, such as one that counts operations: their own functions.
 template <class Number>
 SineCosine<Number> sine_cosine(const Number& x) noexcept {
   return {sin(x), cos(x)};
+}
+
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+// As many angles as a register holds.
+#if defined(__AVX__)
+using Angles [[gnu::vector_size(32)]] = double;
+#else
+using Angles [[gnu::vector_size(16)]] = double;
+#endif
+constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
+
+/// The numbers from x on, one by one: a load would wait for all to be stored.
+[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
+#if defined(__AVX__)
+  return Angles{x[0], x[1], x[2], x[3]};
+#else
+  return Angles{x[0], x[1]};
+#endif
+}
+
+/// The pairs of a vector of angles.
+[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
+  const SineCosine<Angles> pairs = pair_of(x);
+  __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
+  __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
+/// vectors.
+template <class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines,
+                                                 Angle... angle) noexcept {
+  const double x[sizeof...(angle) + kAngles] = {angle...};  // zeros behind them
+  store_sines_cosines(gathered(x), sines, cosines);
+  if (sizeof...(angle) > kAngles) {
+    store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles);
+  }
+}
+#endif
+
+/// One by one: on processors without vectors, and of other types that stand for Scalar.
+template <class Number, class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(Number* sines, Number* cosines,
+                                                 const Angle&... angle) noexcept {
+  SineCosine<Number> pair;
+  const int done[] = {
+      (pair = sine_cosine(Number(angle)), *sines++ = pair.sine, *cosines++ = pair.cosine, 0)...};
+  static_cast<void>(done);
 }
 
 }  // namespace
@@ -383,28 +435,26 @@ constexpr double link7_p1 = 203.68042513969144;
 // Names: vectors h_ in kg m^2/L; all others are of values in SI units; numbered ones (t_) by what
 // they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
-  const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar& s_joint3 = p_s_joint3.sine;
-  const Scalar& c_joint3 = p_s_joint3.cosine;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
-  const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar& s_joint6 = p_s_joint6.sine;
-  const Scalar& c_joint6 = p_s_joint6.cosine;
-  // link7: A, first moment h of (2)
   const Scalar angle_link7 = link7_k1 - q[6];
-  const auto p_s_link7 = sine_cosine(angle_link7);
-  const Scalar& s_link7 = p_s_link7.sine;
-  const Scalar& c_link7 = p_s_link7.cosine;
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[1], q[2], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[5], angle_link7);
+  const Scalar s_joint2 = sines[0];
+  const Scalar c_joint2 = cosines[0];
+  const Scalar s_joint3 = sines[1];
+  const Scalar c_joint3 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
+  const Scalar s_joint6 = sines[4];
+  const Scalar c_joint6 = cosines[4];
+  const Scalar s_link7 = sines[5];
+  const Scalar c_link7 = cosines[5];
   const Scalar t_link7_1 = link7_I6 * c_link7;
   const Scalar h_link6_x = link6_I3 + t_link7_1;
+  // link7: first moment h, A of (2)
   const Scalar neg_h_link6_z = link7_I6 * s_link7;
   const Scalar t_link7_2 = link7_I7 * c_link7 - link7_I8 * s_link7;
   const Scalar t_link7_3 = s_link7 * t_link7_2;
@@ -573,21 +623,23 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
 // Names: vectors F_ in N m/L, a_ in L/s^2; all others are of values in SI units; numbered ones (t_)
 // by what they are made of. Arguments and results are in SI units.
 void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
-  const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar& s_joint3 = p_s_joint3.sine;
-  const Scalar& c_joint3 = p_s_joint3.cosine;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
-  const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar& s_joint6 = p_s_joint6.sine;
-  const Scalar& c_joint6 = p_s_joint6.cosine;
+  const Scalar angle_link7 = link7_k1 - q[6];
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[1], q[2], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[5], angle_link7);
+  const Scalar s_joint2 = sines[0];
+  const Scalar c_joint2 = cosines[0];
+  const Scalar s_joint3 = sines[1];
+  const Scalar c_joint3 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
+  const Scalar s_joint6 = sines[4];
+  const Scalar c_joint6 = cosines[4];
+  const Scalar s_link7 = sines[5];
+  const Scalar c_link7 = cosines[5];
   const Scalar t_link2_1 = link2_I7 - c_joint2 * (link2_I1 * c_joint2 - link2_I6 * s_joint2);
   const Scalar t_link2_2 = qd[0] * t_link2_1;
   // link3: angular velocity omega, Omega, angular acceleration alpha of (3)
@@ -685,10 +737,6 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar t_link6_7 = t_link6_3 - t_link6_4;
   const Scalar neg_Omega_link7_zx = Omega_link7_xz + omega_link6_x * t_link7_1;
   const Scalar t_link7_2 = neg_omega_link7_z * neg_omega_link7_z;
-  const Scalar angle_link7 = link7_k1 - q[6];
-  const auto p_s_link7 = sine_cosine(angle_link7);
-  const Scalar& s_link7 = p_s_link7.sine;
-  const Scalar& c_link7 = p_s_link7.cosine;
   const Scalar t_link7_3 = link7_I7 * c_link7 - link7_I8 * s_link7;
   const Scalar t_link7_4 = link7_I11 - c_link7 * t_link7_3;
   const Scalar t_link7_5 = s_link7 * t_link7_3;
@@ -834,26 +882,24 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
 }
 
 void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
-  const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar& s_joint3 = p_s_joint3.sine;
-  const Scalar& c_joint3 = p_s_joint3.cosine;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
   // link7: first moment h, G of 6.5
-  const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar& s_joint6 = p_s_joint6.sine;
-  const Scalar& c_joint6 = p_s_joint6.cosine;
   const Scalar angle_link7 = link7_k1 - q[6];
-  const auto p_s_link7 = sine_cosine(angle_link7);
-  const Scalar& s_link7 = p_s_link7.sine;
-  const Scalar& c_link7 = p_s_link7.cosine;
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[1], q[2], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[5], angle_link7);
+  const Scalar s_joint2 = sines[0];
+  const Scalar c_joint2 = cosines[0];
+  const Scalar s_joint3 = sines[1];
+  const Scalar c_joint3 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
+  const Scalar s_joint6 = sines[4];
+  const Scalar c_joint6 = cosines[4];
+  const Scalar s_link7 = sines[5];
+  const Scalar c_link7 = cosines[5];
   const Scalar h_link7_x = link7_h1 * c_link7;
   const Scalar neg_h_link7_y = link7_h1 * s_link7;
   const Scalar t_link7_1 = base_g1 * s_joint2;
@@ -889,21 +935,23 @@ void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
 
 void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7],
                       Scalar tau[7]) noexcept {
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
-  const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar& s_joint3 = p_s_joint3.sine;
-  const Scalar& c_joint3 = p_s_joint3.cosine;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
-  const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar& s_joint6 = p_s_joint6.sine;
-  const Scalar& c_joint6 = p_s_joint6.cosine;
+  const Scalar angle_link7 = link7_k1 - q[6];
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[1], q[2], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[5], angle_link7);
+  const Scalar s_joint2 = sines[0];
+  const Scalar c_joint2 = cosines[0];
+  const Scalar s_joint3 = sines[1];
+  const Scalar c_joint3 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
+  const Scalar s_joint6 = sines[4];
+  const Scalar c_joint6 = cosines[4];
+  const Scalar s_link7 = sines[5];
+  const Scalar c_link7 = cosines[5];
   // link2: angular velocity omega, Omega, angular acceleration alpha of (1)
   const Scalar neg_omega_link2_x = s_joint2 * qd[0];
   const Scalar t_link2_1 = neg_omega_link2_x * neg_omega_link2_x;
@@ -1018,10 +1066,6 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar a_link7_z = a_link7_z_1 - c_joint6 * t_link6_6;
   const Scalar neg_Omega_link7_zx = Omega_link7_xz - omega_link6_x * omega_link7_z * 2.0;
   const Scalar t_link7_2 = omega_link7_z * omega_link7_z;
-  const Scalar angle_link7 = link7_k1 - q[6];
-  const auto p_s_link7 = sine_cosine(angle_link7);
-  const Scalar& s_link7 = p_s_link7.sine;
-  const Scalar& c_link7 = p_s_link7.cosine;
   const Scalar t_link7_3 = link7_I7 * c_link7 - link7_I8 * s_link7;
   const Scalar t_link7_4 = s_link7 * t_link7_3;
   const Scalar t_link7_5 = link7_I3 * s_link7 + link7_I4 * c_link7;
@@ -1188,21 +1232,23 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
 // numbered ones (t_) by what they are made of. Arguments and results are in SI units.
 void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7],
                       Scalar qdd[7]) noexcept {
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
-  const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar& s_joint3 = p_s_joint3.sine;
-  const Scalar& c_joint3 = p_s_joint3.cosine;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
-  const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar& s_joint6 = p_s_joint6.sine;
-  const Scalar& c_joint6 = p_s_joint6.cosine;
+  const Scalar angle_link7 = link7_k1 - q[6];
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[1], q[2], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[5], angle_link7);
+  const Scalar s_joint2 = sines[0];
+  const Scalar c_joint2 = cosines[0];
+  const Scalar s_joint3 = sines[1];
+  const Scalar c_joint3 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
+  const Scalar s_joint6 = sines[4];
+  const Scalar c_joint6 = cosines[4];
+  const Scalar s_link7 = sines[5];
+  const Scalar c_link7 = cosines[5];
   const Scalar t_link2_1 = link2_I1 * c_joint2 - link2_I6 * s_joint2;
   const Scalar t_link2_2 = qd[0] * (link2_I7 - c_joint2 * t_link2_1);
   // link3: angular velocity omega, angular acceleration alpha, Omega of (1)
@@ -1308,10 +1354,6 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar a_link7_x = a_link6_x - link4_k3 * neg_Omega_link6_xx;
   const Scalar neg_Omega_link7_zx = Omega_link7_xz - omega_link6_x * omega_link7_z * 2.0;
   const Scalar t_link7_1 = omega_link7_z * omega_link7_z;
-  const Scalar angle_link7 = link7_k1 - q[6];
-  const auto p_s_link7 = sine_cosine(angle_link7);
-  const Scalar& s_link7 = p_s_link7.sine;
-  const Scalar& c_link7 = p_s_link7.cosine;
   const Scalar t_link7_2 = link7_I7 * c_link7 - link7_I8 * s_link7;
   const Scalar t_link7_3 = c_link7 * t_link7_2;
   const Scalar neg_I_link7_xy = link7_I11 - t_link7_3;
@@ -1712,24 +1754,22 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
 }
 
 void point_positions(const Scalar q[7], Scalar p[3]) noexcept {
-  const auto p_s_joint1 = sine_cosine(q[0]);
-  const Scalar& s_joint1 = p_s_joint1.sine;
-  const Scalar& c_joint1 = p_s_joint1.cosine;
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
-  const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar& s_joint3 = p_s_joint3.sine;
-  const Scalar& c_joint3 = p_s_joint3.cosine;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
-  const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar& s_joint6 = p_s_joint6.sine;
-  const Scalar& c_joint6 = p_s_joint6.cosine;
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[0], q[1], q[2], q[3]);
+  sines_cosines(sines + 4, cosines + 4, q[4], q[5]);
+  const Scalar s_joint1 = sines[0];
+  const Scalar c_joint1 = cosines[0];
+  const Scalar s_joint2 = sines[1];
+  const Scalar c_joint2 = cosines[1];
+  const Scalar s_joint3 = sines[2];
+  const Scalar c_joint3 = cosines[2];
+  const Scalar s_joint4 = sines[3];
+  const Scalar c_joint4 = cosines[3];
+  const Scalar s_joint5 = sines[4];
+  const Scalar c_joint5 = cosines[4];
+  const Scalar s_joint6 = sines[5];
+  const Scalar c_joint6 = cosines[5];
   const Scalar t_link6_1 = link7_l1 * c_joint6 + link7_l2 * s_joint6;
   const Scalar t_link5_1 = s_joint5 * t_link6_1;
   const Scalar t_link5_2 = link4_l1 - c_joint5 * t_link6_1;
@@ -1746,24 +1786,22 @@ void point_positions(const Scalar q[7], Scalar p[3]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
-  const auto p_s_joint1 = sine_cosine(q[0]);
-  const Scalar& s_joint1 = p_s_joint1.sine;
-  const Scalar& c_joint1 = p_s_joint1.cosine;
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
-  const auto p_s_joint3 = sine_cosine(q[2]);
-  const Scalar& s_joint3 = p_s_joint3.sine;
-  const Scalar& c_joint3 = p_s_joint3.cosine;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
-  const auto p_s_joint6 = sine_cosine(q[5]);
-  const Scalar& s_joint6 = p_s_joint6.sine;
-  const Scalar& c_joint6 = p_s_joint6.cosine;
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[0], q[1], q[2], q[3]);
+  sines_cosines(sines + 4, cosines + 4, q[4], q[5]);
+  const Scalar s_joint1 = sines[0];
+  const Scalar c_joint1 = cosines[0];
+  const Scalar s_joint2 = sines[1];
+  const Scalar c_joint2 = cosines[1];
+  const Scalar s_joint3 = sines[2];
+  const Scalar c_joint3 = cosines[2];
+  const Scalar s_joint4 = sines[3];
+  const Scalar c_joint4 = cosines[3];
+  const Scalar s_joint5 = sines[4];
+  const Scalar c_joint5 = cosines[4];
+  const Scalar s_joint6 = sines[5];
+  const Scalar c_joint6 = cosines[5];
   // link6: r of (9)
   const Scalar r_link6_x = link7_l1 * c_joint6 + link7_l2 * s_joint6;
   const Scalar neg_r_link5_x = c_joint5 * r_link6_x;

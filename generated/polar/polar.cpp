@@ -7,14 +7,13 @@
 
 #include "polar.hpp"
 
+namespace polar {
+
+static_assert(kDigest == 0xed2f60dba6d50280ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which takes up to twice as long.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
-
-namespace polar {
-
-static_assert(kDigest == 0x0ea41131b5e31636ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -155,10 +154,10 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
-  // shoulder_link: p of 1.2
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
+  // shoulder_link: p of 1.2
   p[0] = s_shoulder * q[1];
   p[2] = c_shoulder * q[1];
   p[1] = boom_l2;

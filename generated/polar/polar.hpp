@@ -24,7 +24,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x0ea41131b5e31636ULL;
+constexpr unsigned long long kDigest = 0xed2f60dba6d50280ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -7,14 +7,13 @@
 
 #include "puma560.hpp"
 
+namespace puma560 {
+
+static_assert(kDigest == 0x994f20422520d4ebULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which takes up to twice as long.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
-
-namespace puma560 {
-
-static_assert(kDigest == 0xeb70982c30613458ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,39 +31,92 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
 /// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
-[[gnu::noinline]] SineCosine<double> sine_cosine(double x) noexcept {
-  const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
-  const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
-  const double r_1 = x - t * 7.32983532344312e-302;
-  const double r = r_1 + k * 8.705515695504166e-10;
-  const double z = r * r;
-  const double s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
-  const double s_2 = s_1 * z + 2.7557313707070068e-06;
-  const double s_3 = s_2 * z - 0.0001984126982985795;
-  const double s_4 = s_3 * z + 0.00833333333332249;
-  const double s_5 = s_4 * z - 0.16666666666666632;
-  const double c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
-  const double c_2 = c_1 * z - 2.7557314351390663e-07;
-  const double c_3 = c_2 * z + 2.480158728947673e-05;
-  const double c_4 = c_3 * z - 0.001388888888887411;
-  const double c_5 = c_4 * z + 0.0416666666666666;
-  const double sine = r + r * z * s_5;
-  const double cosine = 1.0 - z * (0.5 - z * c_5);
+template <class Angle>
+[[gnu::always_inline]] inline SineCosine<Angle> pair_of(Angle x) noexcept {
+  const Angle k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
+  const Angle t = k * 2.1430172143725346e+301;  // infinite beyond the range
+  const Angle r_1 = x - t * 7.32983532344312e-302;
+  const Angle r = r_1 + k * 8.705515695504166e-10;
+  const Angle z = r * r;
+  const Angle s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
+  const Angle s_2 = s_1 * z + 2.7557313707070068e-06;
+  const Angle s_3 = s_2 * z - 0.0001984126982985795;
+  const Angle s_4 = s_3 * z + 0.00833333333332249;
+  const Angle s_5 = s_4 * z - 0.16666666666666632;
+  const Angle c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
+  const Angle c_2 = c_1 * z - 2.7557314351390663e-07;
+  const Angle c_3 = c_2 * z + 2.480158728947673e-05;
+  const Angle c_4 = c_3 * z - 0.001388888888887411;
+  const Angle c_5 = c_4 * z + 0.0416666666666666;
+  const Angle sine = r + r * z * s_5;
+  const Angle cosine = 1.0 - z * (0.5 - z * c_5);
 
   // k modulo 4: -2 to 2, not a number where t is infinite
-  const double l = t * 4.6663180925160944e-302;
-  const double m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
-  const double n = 4.0 - m * m;
+  const Angle l = t * 4.6663180925160944e-302;
+  const Angle m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
+  const Angle n = 4.0 - m * m;
   // sine and cosine of m pi/2: 0, 1 or -1
-  const double s = m * (n * 0.3333333333333333);
-  const double c = 0.5 * (n - s * s) - 1.0;
+  const Angle s = m * (n * 0.3333333333333333);
+  const Angle c = 0.5 * (n - s * s) - 1.0;
   return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+[[gnu::noinline, gnu::unused]] SineCosine<double> sine_cosine(double x) noexcept {
+  return pair_of(x);
 }
 
 /// For other types that stand for Scalar, such as one that counts operations: their own functions.
 template <class Number>
 SineCosine<Number> sine_cosine(const Number& x) noexcept {
   return {sin(x), cos(x)};
+}
+
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+// As many angles as a register holds.
+#if defined(__AVX__)
+using Angles [[gnu::vector_size(32)]] = double;
+#else
+using Angles [[gnu::vector_size(16)]] = double;
+#endif
+constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
+
+/// The numbers from x on, one by one: a load would wait for all to be stored.
+[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
+#if defined(__AVX__)
+  return Angles{x[0], x[1], x[2], x[3]};
+#else
+  return Angles{x[0], x[1]};
+#endif
+}
+
+/// The pairs of a vector of angles.
+[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
+  const SineCosine<Angles> pairs = pair_of(x);
+  __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
+  __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
+/// vectors.
+template <class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines,
+                                                 Angle... angle) noexcept {
+  const double x[sizeof...(angle) + kAngles] = {angle...};  // zeros behind them
+  store_sines_cosines(gathered(x), sines, cosines);
+  if (sizeof...(angle) > kAngles) {
+    store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles);
+  }
+}
+#endif
+
+/// One by one: on processors without vectors, and of other types that stand for Scalar.
+template <class Number, class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(Number* sines, Number* cosines,
+                                                 const Angle&... angle) noexcept {
+  SineCosine<Number> pair;
+  const int done[] = {
+      (pair = sine_cosine(Number(angle)), *sines++ = pair.sine, *cosines++ = pair.cosine, 0)...};
+  static_cast<void>(done);
 }
 
 }  // namespace
@@ -244,21 +296,19 @@ constexpr double link6_p1 = 25000.0;
 // Names: vectors h_ in kg m^2/L, s_ in L; all others are of values in SI units; numbered ones (t_)
 // by what they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
-  // link3: A, way s to the joint of (2)
   const Scalar q_joint2_joint3 = q[1] + q[2];
-  const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q_joint2_joint3, q[1], q[3], q[4]);
+  const Scalar s_joint2_joint3 = sines[0];
+  const Scalar c_joint2_joint3 = cosines[0];
+  const Scalar s_joint2 = sines[1];
+  const Scalar c_joint2 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
   const Scalar neg_s_link3_x = link3_k1 * c_joint2;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar h_link4_z = link6_I4 * c_joint5;
   const Scalar h_link4_x = link6_I4 * s_joint5;
   // link5
@@ -346,21 +396,19 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
 }
 
 void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
-  // link4: way s to the joint of (3)
   const Scalar q_joint2_joint3 = q[1] + q[2];
-  const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[1], q_joint2_joint3, q[3], q[4]);
+  const Scalar s_joint2 = sines[0];
+  const Scalar c_joint2 = cosines[0];
+  const Scalar s_joint2_joint3 = sines[1];
+  const Scalar c_joint2_joint3 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
   const Scalar s_link4_y = link4_l1 * c_joint2_joint3 + link4_l2 * s_joint2_joint3;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar neg_Omega_link1_xx = qd[0] * qd[0];
   const Scalar neg_Omega_link2_yy = qd[1] * qd[1];
   const Scalar neg_s_link3_y = link3_l1 * s_joint2;
@@ -463,19 +511,18 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
 }
 
 void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
   const Scalar q_joint2_joint3 = q[1] + q[2];
-  const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[1], q_joint2_joint3, q[3], q[4]);
+  const Scalar s_joint2 = sines[0];
+  const Scalar c_joint2 = cosines[0];
+  const Scalar s_joint2_joint3 = sines[1];
+  const Scalar c_joint2_joint3 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
   // link5: G of 6.5
   const Scalar t_link5_1 = s_joint2_joint3 * c_joint5 * link6_G1;
   const Scalar t_link5_2 = link6_G1 * s_joint5;
@@ -497,23 +544,22 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
 // ones (t_) by what they are made of. Arguments and results are in SI units.
 void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6],
                       Scalar tau[6]) noexcept {
-  // link3: angular velocity omega, way s to the joint, Omega of (1)
   const Scalar q_joint2_joint3 = q[1] + q[2];
-  const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q_joint2_joint3, q[1], q[3], q[4]);
+  const Scalar s_joint2_joint3 = sines[0];
+  const Scalar c_joint2_joint3 = cosines[0];
+  const Scalar s_joint2 = sines[1];
+  const Scalar c_joint2 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
   const Scalar neg_s_link3_x = link3_k2 * c_joint2;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar neg_Omega_link1_xx = qd[0] * qd[0];
   const Scalar neg_Omega_link2_yy = qd[1] * qd[1];
+  // link3: way s to the joint, angular velocity omega, Omega of (1)
   const Scalar neg_s_link3_y = link3_k2 * s_joint2;
   const Scalar omega_link3_x = c_joint2_joint3 * qd[0];
   const Scalar t_link3_1 = omega_link3_x * omega_link3_x;
@@ -651,22 +697,21 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
 // units; numbered ones (t_) by what they are made of. Arguments and results are in SI units.
 void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6],
                       Scalar qdd[6]) noexcept {
-  const auto p_s_joint2 = sine_cosine(q[1]);
-  const Scalar& s_joint2 = p_s_joint2.sine;
-  const Scalar& c_joint2 = p_s_joint2.cosine;
   // link4: way s to the joint of (1)
   const Scalar q_joint2_joint3 = q[1] + q[2];
-  const auto p_s_joint2_joint3 = sine_cosine(q_joint2_joint3);
-  const Scalar& s_joint2_joint3 = p_s_joint2_joint3.sine;
-  const Scalar& c_joint2_joint3 = p_s_joint2_joint3.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[1], q_joint2_joint3, q[3], q[4]);
+  const Scalar s_joint2 = sines[0];
+  const Scalar c_joint2 = cosines[0];
+  const Scalar s_joint2_joint3 = sines[1];
+  const Scalar c_joint2_joint3 = cosines[1];
+  const Scalar s_joint4 = sines[2];
+  const Scalar c_joint4 = cosines[2];
+  const Scalar s_joint5 = sines[3];
+  const Scalar c_joint5 = cosines[3];
   const Scalar neg_s_link4_x = link3_k3 * s_joint2_joint3 - link3_k4 * c_joint2_joint3;
   const Scalar s_link4_y = link3_k4 * s_joint2_joint3 + link3_k3 * c_joint2_joint3;
-  const auto p_s_joint4 = sine_cosine(q[3]);
-  const Scalar& s_joint4 = p_s_joint4.sine;
-  const Scalar& c_joint4 = p_s_joint4.cosine;
-  const auto p_s_joint5 = sine_cosine(q[4]);
-  const Scalar& s_joint5 = p_s_joint5.sine;
-  const Scalar& c_joint5 = p_s_joint5.cosine;
   const Scalar neg_Omega_link1_xx = qd[0] * qd[0];
   // link2: Omega of (1)
   const Scalar neg_Omega_link2_yy = qd[1] * qd[1];

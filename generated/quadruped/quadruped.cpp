@@ -7,289 +7,14 @@
 
 #include "quadruped.hpp"
 
-// g++ would gather scalars into vectors, which takes up to twice as long.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-tree-slp-vectorize")
-#endif
-
 namespace quadruped {
 
-static_assert(kDigest == 0x963fd77794b2e3d5ULL, "header and source are of different runs");
+static_assert(kDigest == 0xa8ac8208ae6368c0ULL, "header and source are of different runs");
 
-#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
-#error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
-#endif
-
+// Zeros, where compilers may store neighbours at once.
 namespace {
 
-template <class Number>
-struct SineCosine {
-  Number sine;
-  Number cosine;
-};
-
-/// Sine and cosine of x without a library and without a branch: x less the nearest multiple of
-/// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
-/// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
-/// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
-[[gnu::noinline]] SineCosine<double> sine_cosine(double x) noexcept {
-  const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
-  const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
-  const double r_1 = x - t * 7.32983532344312e-302;
-  const double r = r_1 + k * 8.705515695504166e-10;
-  const double z = r * r;
-  const double s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
-  const double s_2 = s_1 * z + 2.7557313707070068e-06;
-  const double s_3 = s_2 * z - 0.0001984126982985795;
-  const double s_4 = s_3 * z + 0.00833333333332249;
-  const double s_5 = s_4 * z - 0.16666666666666632;
-  const double c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
-  const double c_2 = c_1 * z - 2.7557314351390663e-07;
-  const double c_3 = c_2 * z + 2.480158728947673e-05;
-  const double c_4 = c_3 * z - 0.001388888888887411;
-  const double c_5 = c_4 * z + 0.0416666666666666;
-  const double sine = r + r * z * s_5;
-  const double cosine = 1.0 - z * (0.5 - z * c_5);
-
-  // k modulo 4: -2 to 2, not a number where t is infinite
-  const double l = t * 4.6663180925160944e-302;
-  const double m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
-  const double n = 4.0 - m * m;
-  // sine and cosine of m pi/2: 0, 1 or -1
-  const double s = m * (n * 0.3333333333333333);
-  const double c = 0.5 * (n - s * s) - 1.0;
-  return {c * sine + s * cosine, c * cosine - s * sine};
-}
-
-/// For other types that stand for Scalar, such as one that counts operations: their own functions.
-template <class Number>
-SineCosine<Number> sine_cosine(const Number& x) noexcept {
-  return {sin(x), cos(x)};
-}
-
-}  // namespace
-
-namespace {
-
-// The numbers that functions take from the model, under the first link whose inertia is in them;
-// above each its unit and the numbers of the model that it is made of, but for those that are
-// exactly 0 or 1. Other literals are numbers of the equations.
-
-// m: offset x of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip
-constexpr double front_left_hip_l1 = 0.19;
-// m: offset y of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip
-constexpr double front_left_hip_l2 = 0.049;
-// kg m^2: mass, com y, inertia of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip;
-//     mass, com y z, inertia xx yy zz, offset y of front_left_thigh, front_right_thigh,
-//     hind_left_thigh, hind_right_thigh; mass, inertia xx yy zz, offset z of front_left_shank,
-//     front_right_shank, hind_left_shank, hind_right_shank
-constexpr double front_left_hip_I1 = 0.010222296;
-// kg m^2: mass, com y, inertia xx yy zz of front_left_hip, front_right_hip, hind_left_hip,
-//     hind_right_hip; mass, com y z, inertia xx yy zz, offset y of front_left_thigh,
-//     front_right_thigh, hind_left_thigh, hind_right_thigh; mass, com z, inertia xx yy zz, offset z
-//     of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
-constexpr double front_left_hip_I2 = 0.01069944;
-// N m: gravity; mass, com y of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip;
-//     mass, com y, offset y of front_left_thigh, front_right_thigh, hind_left_thigh,
-//     hind_right_thigh; mass of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_hip_G1 = 0.7147566;
-
-// ratio: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; offset
-//     z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
-constexpr double front_left_thigh_k1 = 0.2966507177033493;
-// m: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
-constexpr double front_left_thigh_l1 = 0.062;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
-//     hind_right_thigh; mass, offset z of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_thigh_I1 = 0.004624184;
-// kg m^2: inertia xz of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
-constexpr double front_left_thigh_I2 = 2.6e-05;
-// kg m^2: mass, com y z, inertia yz, offset y of front_left_thigh, front_right_thigh,
-//     hind_left_thigh, hind_right_thigh; mass, offset z of front_left_shank, front_right_shank,
-//     hind_left_shank, hind_right_shank
-constexpr double front_left_thigh_I3 = 0.001819852;
-// kg m^2: inertia xy of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
-constexpr double front_left_thigh_I4 = 0.000245;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
-//     hind_right_thigh; mass, com z, inertia xx yy zz, offset z of front_left_shank,
-//     front_right_shank, hind_left_shank, hind_right_shank
-constexpr double front_left_thigh_I5 = 0.005638328;
-// kg m^2: inertia xz of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
-constexpr double front_left_thigh_I6 = 1.3e-05;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
-//     hind_right_thigh; mass, offset z of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_thigh_I7 = 0.005152184;
-// N m: gravity; mass, com z of front_left_thigh, front_right_thigh, hind_left_thigh,
-//     hind_right_thigh; mass, offset z of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_thigh_G1 = 0.25560936;
-
-// ratio: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
-//     com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_shank_k1 = 0.4978936282253818;
-// m: offset z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
-constexpr double front_left_shank_l1 = 0.209;
-// m: points of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
-constexpr double front_left_shank_l2 = 0.175;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_shank_I1 = 0.000477144;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_shank_I2 = 0.000486144;
-// kg m^2: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
-//     com z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
-constexpr double front_left_shank_I3 = 0.000242048;
-// kg m^2: mass, com z, offset z of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_shank_I4 = 0.001631872;
-// kg m^2: mass, com z, offset z of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_shank_I5 = 0.000815936;
-// kg m^2: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
-//     com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_shank_I6 = 0.0005976581569246972;
-// N m: gravity; mass, com z of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
-constexpr double front_left_shank_G1 = 0.03829824;
-// s^-2: gravity; offset z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
-constexpr double front_left_shank_p1 = 46.9377990430622;
-// kg^-1 m^-2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank,
-//     hind_left_shank, hind_right_shank
-constexpr double front_left_shank_p2 = 2057.0036861506055;
-
-}  // namespace
-
-void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
-  const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
-  const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
-  const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
-  // hind_right_shank: A of (2)
-  const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
-  const Scalar q_q10_q11 = q[10] + q[11];
-  const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
-  const Scalar t_hind_right_shank_1 = s_hind_right_hip * s_q10_q11;
-  const Scalar t_hind_right_shank_2 = c_hind_right_hip * c_q10_q11;
-  const Scalar t_hind_right_shank_3 = front_left_shank_I4 * t_hind_right_shank_2;
-  const Scalar neg_A_119 = front_left_shank_I3 * s_q10_q11;
-  A[119] = -neg_A_119;
-  A[141] = A[119];
-  // hind_right_thigh: inertia I of (2)
-  const Scalar neg_A_118_1 = neg_A_119 + front_left_thigh_I3 * s_hind_right_hip;
-  A[118] = front_left_thigh_I4 * c_hind_right_hip - neg_A_118_1;
-  A[129] = A[118];
-  const Scalar t_hind_right_thigh_1 = front_left_thigh_I5 + t_hind_right_shank_3;
-  A[130] = t_hind_right_thigh_1 + front_left_shank_I4 * t_hind_right_shank_1;
-  // hind_right_shank: inertia I of (2)
-  const Scalar I_hind_right_hip_zz_1 = front_left_thigh_I1 * s_hind_right_hip;
-  const Scalar I_hind_right_hip_zz_2 = front_left_thigh_I2 * c_hind_right_hip;
-  const Scalar I_hind_right_shank_yy = c_q10_q11 * c_q10_q11 * front_left_shank_I1;
-  const Scalar I_hind_right_hip_zz_3 = front_left_hip_I1 + t_hind_right_shank_3;
-  const Scalar I_hind_right_hip_zz_4 = I_hind_right_hip_zz_1 + I_hind_right_hip_zz_2;
-  const Scalar I_hind_right_hip_zz_5 = I_hind_right_hip_zz_3 + I_hind_right_shank_yy;
-  A[117] = I_hind_right_hip_zz_5 - s_hind_right_hip * I_hind_right_hip_zz_4;
-  // hind_left_shank: A of (2)
-  const Scalar q_q7_q8 = q[7] + q[8];
-  const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
-  const Scalar t_hind_left_shank_1 = s_hind_left_hip * s_q7_q8;
-  const Scalar t_hind_left_shank_2 = c_hind_left_hip * c_q7_q8;
-  const Scalar t_hind_left_shank_3 = front_left_shank_I4 * t_hind_left_shank_2;
-  const Scalar A_80 = front_left_shank_I3 * s_q7_q8;
-  A[80] = A_80;
-  A[102] = A[80];
-  // hind_left_thigh: inertia I of (2)
-  A[79] = A_80 + front_left_thigh_I3 * s_hind_left_hip - front_left_thigh_I4 * c_hind_left_hip;
-  A[90] = A[79];
-  const Scalar I_hind_left_thigh_zz_1 = front_left_thigh_I5 + t_hind_left_shank_3;
-  A[91] = I_hind_left_thigh_zz_1 + front_left_shank_I4 * t_hind_left_shank_1;
-  const Scalar I_hind_left_hip_zz_1 = front_left_thigh_I1 * s_hind_left_hip;
-  const Scalar I_hind_left_hip_zz_2 = front_left_thigh_I2 * c_hind_left_hip;
-  const Scalar I_hind_left_hip_zz_3 = front_left_hip_I1 + t_hind_left_shank_3;
-  const Scalar I_hind_left_shank_yy = c_q7_q8 * c_q7_q8 * front_left_shank_I1;
-  const Scalar I_hind_left_hip_zz_4 = I_hind_left_hip_zz_1 + I_hind_left_hip_zz_2;
-  const Scalar I_hind_left_hip_zz_5 = I_hind_left_hip_zz_3 + I_hind_left_shank_yy;
-  A[78] = I_hind_left_hip_zz_5 - s_hind_left_hip * I_hind_left_hip_zz_4;
-  // front_right_shank: A of (2)
-  const Scalar q_q4_q5 = q[4] + q[5];
-  const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
-  const Scalar t_fron_righ_shan_1 = s_front_right_hip * s_q4_q5;
-  const Scalar t_fron_righ_shan_2 = c_front_right_hip * c_q4_q5;
-  const Scalar t_fron_righ_shan_3 = front_left_shank_I4 * t_fron_righ_shan_2;
-  const Scalar neg_A_41 = front_left_shank_I3 * s_q4_q5;
-  A[41] = -neg_A_41;
-  A[63] = A[41];
-  // front_right_thigh: inertia I of (2)
-  const Scalar t_fron_righ_thig_1 = neg_A_41 - front_left_thigh_I4 * c_front_right_hip;
-  A[40] = -(t_fron_righ_thig_1 + front_left_thigh_I3 * s_front_right_hip);
-  A[51] = A[40];
-  const Scalar I_fron_righ_thig_zz_1 = front_left_thigh_I5 + t_fron_righ_shan_3;
-  A[52] = I_fron_righ_thig_zz_1 + front_left_shank_I4 * t_fron_righ_shan_1;
-  const Scalar I_front_right_hip_zz_1 = front_left_thigh_I1 * s_front_right_hip;
-  const Scalar I_front_right_hip_zz_2 = front_left_thigh_I2 * c_front_right_hip;
-  const Scalar I_front_right_hip_zz_3 = front_left_hip_I1 + t_fron_righ_shan_3;
-  const Scalar I_fron_righ_shan_yy = c_q4_q5 * c_q4_q5 * front_left_shank_I1;
-  const Scalar I_front_right_hip_zz_4 = I_front_right_hip_zz_1 + I_front_right_hip_zz_2;
-  const Scalar I_front_right_hip_zz_5 = I_front_right_hip_zz_3 + I_fron_righ_shan_yy;
-  A[39] = I_front_right_hip_zz_5 - s_front_right_hip * I_front_right_hip_zz_4;
-  // front_left_shank: A of (2)
-  const Scalar q_q1_q2 = q[1] + q[2];
-  const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
-  const Scalar t_front_left_shank_1 = s_front_left_hip * s_q1_q2;
-  const Scalar t_front_left_shank_2 = c_front_left_hip * c_q1_q2;
-  const Scalar t_front_left_shank_3 = front_left_shank_I4 * t_front_left_shank_2;
-  const Scalar A_2 = front_left_shank_I3 * s_q1_q2;
-  A[2] = A_2;
-  A[24] = A[2];
-  // front_left_thigh: inertia I of (2)
-  A[1] = A_2 - front_left_thigh_I4 * c_front_left_hip + front_left_thigh_I3 * s_front_left_hip;
-  A[12] = A[1];
-  const Scalar t_front_left_thigh_1 = front_left_thigh_I5 + t_front_left_shank_3;
-  A[13] = t_front_left_thigh_1 + front_left_shank_I4 * t_front_left_shank_1;
-  const Scalar I_front_left_hip_zz_1 = front_left_thigh_I2 * c_front_left_hip;
-  const Scalar I_front_left_hip_zz_2 = front_left_thigh_I1 * s_front_left_hip;
-  const Scalar I_front_left_hip_zz_3 = front_left_hip_I1 + t_front_left_shank_3;
-  const Scalar I_front_left_shank_yy = c_q1_q2 * c_q1_q2 * front_left_shank_I1;
-  const Scalar I_front_left_hip_zz_4 = I_front_left_hip_zz_1 + I_front_left_hip_zz_2;
-  const Scalar I_front_left_hip_zz_5 = I_front_left_hip_zz_3 + I_front_left_shank_yy;
-  A[0] = I_front_left_hip_zz_5 - s_front_left_hip * I_front_left_hip_zz_4;
-  const Scalar A_131_1 = front_left_shank_I5 * (t_hind_right_shank_1 + t_hind_right_shank_2);
-  A[131] = front_left_shank_I2 + A_131_1;
-  A[142] = A[131];
-  const Scalar A_92_1 = front_left_shank_I5 * (t_hind_left_shank_1 + t_hind_left_shank_2);
-  A[92] = front_left_shank_I2 + A_92_1;
-  A[103] = A[92];
-  const Scalar A_53_1 = front_left_shank_I5 * (t_fron_righ_shan_1 + t_fron_righ_shan_2);
-  A[53] = front_left_shank_I2 + A_53_1;
-  A[64] = A[53];
-  // front_left_shank: A of (2)
-  const Scalar A_14_1 = front_left_shank_I5 * (t_front_left_shank_1 + t_front_left_shank_2);
-  A[14] = front_left_shank_I2 + A_14_1;
-  A[25] = A[14];
-  A[26] = front_left_shank_I2;
-  A[65] = front_left_shank_I2;
-  A[104] = front_left_shank_I2;
-  A[143] = front_left_shank_I2;
+[[gnu::noinline]] void mass_matrix_0(Scalar A[144]) noexcept {
   A[3] = 0.0;
   A[4] = 0.0;
   A[5] = 0.0;
@@ -400,25 +125,481 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[140] = 0.0;
 }
 
-void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept {
-  const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
-  const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
-  const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
-  const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
-  // front_left_shank: angular velocity omega, moment M, Omega of (3)
-  const Scalar omega_front_left_shank_z = qd[1] + qd[2];
+[[gnu::noinline]] void force_jacobian_transpose_0(Scalar C[144]) noexcept {
+  C[0] = 0.0;
+  C[3] = 0.0;
+  C[4] = 0.0;
+  C[5] = 0.0;
+  C[6] = 0.0;
+  C[7] = 0.0;
+  C[8] = 0.0;
+  C[9] = 0.0;
+  C[10] = 0.0;
+  C[11] = 0.0;
+  C[15] = 0.0;
+  C[16] = 0.0;
+  C[17] = 0.0;
+  C[18] = 0.0;
+  C[19] = 0.0;
+  C[20] = 0.0;
+  C[21] = 0.0;
+  C[22] = 0.0;
+  C[23] = 0.0;
+  C[27] = 0.0;
+  C[28] = 0.0;
+  C[29] = 0.0;
+  C[30] = 0.0;
+  C[31] = 0.0;
+  C[32] = 0.0;
+  C[33] = 0.0;
+  C[34] = 0.0;
+  C[35] = 0.0;
+  C[36] = 0.0;
+  C[37] = 0.0;
+  C[38] = 0.0;
+  C[39] = 0.0;
+  C[42] = 0.0;
+  C[43] = 0.0;
+  C[44] = 0.0;
+  C[45] = 0.0;
+  C[46] = 0.0;
+  C[47] = 0.0;
+  C[48] = 0.0;
+  C[49] = 0.0;
+  C[50] = 0.0;
+  C[54] = 0.0;
+  C[55] = 0.0;
+  C[56] = 0.0;
+  C[57] = 0.0;
+  C[58] = 0.0;
+  C[59] = 0.0;
+  C[60] = 0.0;
+  C[61] = 0.0;
+  C[62] = 0.0;
+  C[66] = 0.0;
+  C[67] = 0.0;
+  C[68] = 0.0;
+  C[69] = 0.0;
+  C[70] = 0.0;
+  C[71] = 0.0;
+  C[72] = 0.0;
+  C[73] = 0.0;
+  C[74] = 0.0;
+  C[75] = 0.0;
+  C[76] = 0.0;
+  C[77] = 0.0;
+  C[78] = 0.0;
+  C[81] = 0.0;
+  C[82] = 0.0;
+  C[83] = 0.0;
+  C[84] = 0.0;
+  C[85] = 0.0;
+  C[86] = 0.0;
+  C[87] = 0.0;
+  C[88] = 0.0;
+  C[89] = 0.0;
+  C[93] = 0.0;
+  C[94] = 0.0;
+  C[95] = 0.0;
+  C[96] = 0.0;
+  C[97] = 0.0;
+  C[98] = 0.0;
+  C[99] = 0.0;
+  C[100] = 0.0;
+  C[101] = 0.0;
+  C[105] = 0.0;
+  C[106] = 0.0;
+  C[107] = 0.0;
+  C[108] = 0.0;
+  C[109] = 0.0;
+  C[110] = 0.0;
+  C[111] = 0.0;
+  C[112] = 0.0;
+  C[113] = 0.0;
+  C[114] = 0.0;
+  C[115] = 0.0;
+  C[116] = 0.0;
+  C[117] = 0.0;
+  C[120] = 0.0;
+  C[121] = 0.0;
+  C[122] = 0.0;
+  C[123] = 0.0;
+  C[124] = 0.0;
+  C[125] = 0.0;
+  C[126] = 0.0;
+  C[127] = 0.0;
+  C[128] = 0.0;
+  C[132] = 0.0;
+  C[133] = 0.0;
+  C[134] = 0.0;
+  C[135] = 0.0;
+  C[136] = 0.0;
+  C[137] = 0.0;
+  C[138] = 0.0;
+  C[139] = 0.0;
+  C[140] = 0.0;
+}
+
+}  // namespace
+
+// g++ would gather scalars into vectors, which takes up to twice as long.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-tree-slp-vectorize")
+#endif
+
+#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+#error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#endif
+
+namespace {
+
+template <class Number>
+struct SineCosine {
+  Number sine;
+  Number cosine;
+};
+
+/// Sine and cosine of x without a library and without a branch: x less the nearest multiple of
+/// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
+/// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
+/// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
+template <class Angle>
+[[gnu::always_inline]] inline SineCosine<Angle> pair_of(Angle x) noexcept {
+  const Angle k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
+  const Angle t = k * 2.1430172143725346e+301;  // infinite beyond the range
+  const Angle r_1 = x - t * 7.32983532344312e-302;
+  const Angle r = r_1 + k * 8.705515695504166e-10;
+  const Angle z = r * r;
+  const Angle s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
+  const Angle s_2 = s_1 * z + 2.7557313707070068e-06;
+  const Angle s_3 = s_2 * z - 0.0001984126982985795;
+  const Angle s_4 = s_3 * z + 0.00833333333332249;
+  const Angle s_5 = s_4 * z - 0.16666666666666632;
+  const Angle c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
+  const Angle c_2 = c_1 * z - 2.7557314351390663e-07;
+  const Angle c_3 = c_2 * z + 2.480158728947673e-05;
+  const Angle c_4 = c_3 * z - 0.001388888888887411;
+  const Angle c_5 = c_4 * z + 0.0416666666666666;
+  const Angle sine = r + r * z * s_5;
+  const Angle cosine = 1.0 - z * (0.5 - z * c_5);
+
+  // k modulo 4: -2 to 2, not a number where t is infinite
+  const Angle l = t * 4.6663180925160944e-302;
+  const Angle m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
+  const Angle n = 4.0 - m * m;
+  // sine and cosine of m pi/2: 0, 1 or -1
+  const Angle s = m * (n * 0.3333333333333333);
+  const Angle c = 0.5 * (n - s * s) - 1.0;
+  return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+[[gnu::noinline, gnu::unused]] SineCosine<double> sine_cosine(double x) noexcept {
+  return pair_of(x);
+}
+
+/// For other types that stand for Scalar, such as one that counts operations: their own functions.
+template <class Number>
+SineCosine<Number> sine_cosine(const Number& x) noexcept {
+  return {sin(x), cos(x)};
+}
+
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+// As many angles as a register holds.
+#if defined(__AVX__)
+using Angles [[gnu::vector_size(32)]] = double;
+#else
+using Angles [[gnu::vector_size(16)]] = double;
+#endif
+constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
+
+/// The numbers from x on, one by one: a load would wait for all to be stored.
+[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
+#if defined(__AVX__)
+  return Angles{x[0], x[1], x[2], x[3]};
+#else
+  return Angles{x[0], x[1]};
+#endif
+}
+
+/// The pairs of a vector of angles.
+[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
+  const SineCosine<Angles> pairs = pair_of(x);
+  __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
+  __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
+/// vectors.
+template <class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines,
+                                                 Angle... angle) noexcept {
+  const double x[sizeof...(angle) + kAngles] = {angle...};  // zeros behind them
+  store_sines_cosines(gathered(x), sines, cosines);
+  if (sizeof...(angle) > kAngles) {
+    store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles);
+  }
+}
+#endif
+
+/// One by one: on processors without vectors, and of other types that stand for Scalar.
+template <class Number, class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(Number* sines, Number* cosines,
+                                                 const Angle&... angle) noexcept {
+  SineCosine<Number> pair;
+  const int done[] = {
+      (pair = sine_cosine(Number(angle)), *sines++ = pair.sine, *cosines++ = pair.cosine, 0)...};
+  static_cast<void>(done);
+}
+
+}  // namespace
+
+namespace {
+
+// The numbers that functions take from the model, under the first link whose inertia is in them;
+// above each its unit and the numbers of the model that it is made of, but for those that are
+// exactly 0 or 1. Other literals are numbers of the equations.
+
+// m: offset x of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip
+constexpr double front_left_hip_l1 = 0.19;
+// m: offset y of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip
+constexpr double front_left_hip_l2 = 0.049;
+// kg m^2: mass, com y, inertia of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip;
+//     mass, com y z, inertia xx yy zz, offset y of front_left_thigh, front_right_thigh,
+//     hind_left_thigh, hind_right_thigh; mass, inertia xx yy zz, offset z of front_left_shank,
+//     front_right_shank, hind_left_shank, hind_right_shank
+constexpr double front_left_hip_I1 = 0.010222296;
+// kg m^2: mass, com y, inertia xx yy zz of front_left_hip, front_right_hip, hind_left_hip,
+//     hind_right_hip; mass, com y z, inertia xx yy zz, offset y of front_left_thigh,
+//     front_right_thigh, hind_left_thigh, hind_right_thigh; mass, com z, inertia xx yy zz, offset z
+//     of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
+constexpr double front_left_hip_I2 = 0.01069944;
+// N m: gravity; mass, com y of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip;
+//     mass, com y, offset y of front_left_thigh, front_right_thigh, hind_left_thigh,
+//     hind_right_thigh; mass of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_hip_G1 = 0.7147566;
+
+// ratio: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; offset
+//     z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
+constexpr double front_left_thigh_k1 = 0.2966507177033493;
+// m: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
+constexpr double front_left_thigh_l1 = 0.062;
+// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
+//     hind_right_thigh; mass, offset z of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_thigh_I1 = 0.004624184;
+// kg m^2: inertia xz of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
+constexpr double front_left_thigh_I2 = 2.6e-05;
+// kg m^2: mass, com y z, inertia yz, offset y of front_left_thigh, front_right_thigh,
+//     hind_left_thigh, hind_right_thigh; mass, offset z of front_left_shank, front_right_shank,
+//     hind_left_shank, hind_right_shank
+constexpr double front_left_thigh_I3 = 0.001819852;
+// kg m^2: inertia xy of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
+constexpr double front_left_thigh_I4 = 0.000245;
+// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
+//     hind_right_thigh; mass, com z, inertia xx yy zz, offset z of front_left_shank,
+//     front_right_shank, hind_left_shank, hind_right_shank
+constexpr double front_left_thigh_I5 = 0.005638328;
+// kg m^2: inertia xz of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
+constexpr double front_left_thigh_I6 = 1.3e-05;
+// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
+//     hind_right_thigh; mass, offset z of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_thigh_I7 = 0.005152184;
+// N m: gravity; mass, com z of front_left_thigh, front_right_thigh, hind_left_thigh,
+//     hind_right_thigh; mass, offset z of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_thigh_G1 = 0.25560936;
+
+// ratio: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
+//     com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_shank_k1 = 0.4978936282253818;
+// m: offset z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
+constexpr double front_left_shank_l1 = 0.209;
+// m: points of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
+constexpr double front_left_shank_l2 = 0.175;
+// kg m^2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_shank_I1 = 0.000477144;
+// kg m^2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_shank_I2 = 0.000486144;
+// kg m^2: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
+//     com z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
+constexpr double front_left_shank_I3 = 0.000242048;
+// kg m^2: mass, com z, offset z of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_shank_I4 = 0.001631872;
+// kg m^2: mass, com z, offset z of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_shank_I5 = 0.000815936;
+// kg m^2: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
+//     com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_shank_I6 = 0.0005976581569246972;
+// N m: gravity; mass, com z of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
+constexpr double front_left_shank_G1 = 0.03829824;
+// s^-2: gravity; offset z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
+constexpr double front_left_shank_p1 = 46.9377990430622;
+// kg^-1 m^-2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank,
+//     hind_left_shank, hind_right_shank
+constexpr double front_left_shank_p2 = 2057.0036861506055;
+
+}  // namespace
+
+void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
+  const Scalar q_q10_q11 = q[10] + q[11];
+  const Scalar q_q7_q8 = q[7] + q[8];
+  const Scalar q_q4_q5 = q[4] + q[5];
   const Scalar q_q1_q2 = q[1] + q[2];
-  const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[1], q[4], q[7], q[10]);
+  sines_cosines(sines + 4, cosines + 4, q_q10_q11, q_q7_q8, q_q4_q5, q_q1_q2);
+  const Scalar s_front_left_hip = sines[0];
+  const Scalar c_front_left_hip = cosines[0];
+  const Scalar s_front_right_hip = sines[1];
+  const Scalar c_front_right_hip = cosines[1];
+  const Scalar s_hind_left_hip = sines[2];
+  const Scalar c_hind_left_hip = cosines[2];
+  const Scalar s_hind_right_hip = sines[3];
+  const Scalar c_hind_right_hip = cosines[3];
+  const Scalar s_q10_q11 = sines[4];
+  const Scalar c_q10_q11 = cosines[4];
+  const Scalar s_q7_q8 = sines[5];
+  const Scalar c_q7_q8 = cosines[5];
+  const Scalar s_q4_q5 = sines[6];
+  const Scalar c_q4_q5 = cosines[6];
+  const Scalar s_q1_q2 = sines[7];
+  const Scalar c_q1_q2 = cosines[7];
+  // hind_right_shank: A of (2)
+  const Scalar t_hind_right_shank_1 = s_hind_right_hip * s_q10_q11;
+  const Scalar t_hind_right_shank_2 = c_hind_right_hip * c_q10_q11;
+  const Scalar t_hind_right_shank_3 = front_left_shank_I4 * t_hind_right_shank_2;
+  const Scalar neg_A_119 = front_left_shank_I3 * s_q10_q11;
+  A[119] = -neg_A_119;
+  A[141] = A[119];
+  // hind_right_thigh: inertia I of (2)
+  const Scalar neg_A_118_1 = neg_A_119 + front_left_thigh_I3 * s_hind_right_hip;
+  A[118] = front_left_thigh_I4 * c_hind_right_hip - neg_A_118_1;
+  A[129] = A[118];
+  const Scalar t_hind_right_thigh_1 = front_left_thigh_I5 + t_hind_right_shank_3;
+  A[130] = t_hind_right_thigh_1 + front_left_shank_I4 * t_hind_right_shank_1;
+  // hind_right_shank: inertia I of (2)
+  const Scalar I_hind_right_hip_zz_1 = front_left_thigh_I1 * s_hind_right_hip;
+  const Scalar I_hind_right_hip_zz_2 = front_left_thigh_I2 * c_hind_right_hip;
+  const Scalar I_hind_right_shank_yy = c_q10_q11 * c_q10_q11 * front_left_shank_I1;
+  const Scalar I_hind_right_hip_zz_3 = front_left_hip_I1 + t_hind_right_shank_3;
+  const Scalar I_hind_right_hip_zz_4 = I_hind_right_hip_zz_1 + I_hind_right_hip_zz_2;
+  const Scalar I_hind_right_hip_zz_5 = I_hind_right_hip_zz_3 + I_hind_right_shank_yy;
+  A[117] = I_hind_right_hip_zz_5 - s_hind_right_hip * I_hind_right_hip_zz_4;
+  // hind_left_shank: A of (2)
+  const Scalar t_hind_left_shank_1 = s_hind_left_hip * s_q7_q8;
+  const Scalar t_hind_left_shank_2 = c_hind_left_hip * c_q7_q8;
+  const Scalar t_hind_left_shank_3 = front_left_shank_I4 * t_hind_left_shank_2;
+  const Scalar A_80 = front_left_shank_I3 * s_q7_q8;
+  A[80] = A_80;
+  A[102] = A[80];
+  // hind_left_thigh: inertia I of (2)
+  A[79] = A_80 + front_left_thigh_I3 * s_hind_left_hip - front_left_thigh_I4 * c_hind_left_hip;
+  A[90] = A[79];
+  const Scalar I_hind_left_thigh_zz_1 = front_left_thigh_I5 + t_hind_left_shank_3;
+  A[91] = I_hind_left_thigh_zz_1 + front_left_shank_I4 * t_hind_left_shank_1;
+  const Scalar I_hind_left_hip_zz_1 = front_left_thigh_I1 * s_hind_left_hip;
+  const Scalar I_hind_left_hip_zz_2 = front_left_thigh_I2 * c_hind_left_hip;
+  const Scalar I_hind_left_hip_zz_3 = front_left_hip_I1 + t_hind_left_shank_3;
+  const Scalar I_hind_left_shank_yy = c_q7_q8 * c_q7_q8 * front_left_shank_I1;
+  const Scalar I_hind_left_hip_zz_4 = I_hind_left_hip_zz_1 + I_hind_left_hip_zz_2;
+  const Scalar I_hind_left_hip_zz_5 = I_hind_left_hip_zz_3 + I_hind_left_shank_yy;
+  A[78] = I_hind_left_hip_zz_5 - s_hind_left_hip * I_hind_left_hip_zz_4;
+  // front_right_shank: A of (2)
+  const Scalar t_fron_righ_shan_1 = s_front_right_hip * s_q4_q5;
+  const Scalar t_fron_righ_shan_2 = c_front_right_hip * c_q4_q5;
+  const Scalar t_fron_righ_shan_3 = front_left_shank_I4 * t_fron_righ_shan_2;
+  const Scalar neg_A_41 = front_left_shank_I3 * s_q4_q5;
+  A[41] = -neg_A_41;
+  A[63] = A[41];
+  // front_right_thigh: inertia I of (2)
+  const Scalar t_fron_righ_thig_1 = neg_A_41 - front_left_thigh_I4 * c_front_right_hip;
+  A[40] = -(t_fron_righ_thig_1 + front_left_thigh_I3 * s_front_right_hip);
+  A[51] = A[40];
+  const Scalar I_fron_righ_thig_zz_1 = front_left_thigh_I5 + t_fron_righ_shan_3;
+  A[52] = I_fron_righ_thig_zz_1 + front_left_shank_I4 * t_fron_righ_shan_1;
+  const Scalar I_front_right_hip_zz_1 = front_left_thigh_I1 * s_front_right_hip;
+  const Scalar I_front_right_hip_zz_2 = front_left_thigh_I2 * c_front_right_hip;
+  const Scalar I_front_right_hip_zz_3 = front_left_hip_I1 + t_fron_righ_shan_3;
+  const Scalar I_fron_righ_shan_yy = c_q4_q5 * c_q4_q5 * front_left_shank_I1;
+  const Scalar I_front_right_hip_zz_4 = I_front_right_hip_zz_1 + I_front_right_hip_zz_2;
+  const Scalar I_front_right_hip_zz_5 = I_front_right_hip_zz_3 + I_fron_righ_shan_yy;
+  A[39] = I_front_right_hip_zz_5 - s_front_right_hip * I_front_right_hip_zz_4;
+  // front_left_shank: A of (2)
+  const Scalar t_front_left_shank_1 = s_front_left_hip * s_q1_q2;
+  const Scalar t_front_left_shank_2 = c_front_left_hip * c_q1_q2;
+  const Scalar t_front_left_shank_3 = front_left_shank_I4 * t_front_left_shank_2;
+  const Scalar A_2 = front_left_shank_I3 * s_q1_q2;
+  A[2] = A_2;
+  A[24] = A[2];
+  // front_left_thigh: inertia I of (2)
+  A[1] = A_2 - front_left_thigh_I4 * c_front_left_hip + front_left_thigh_I3 * s_front_left_hip;
+  A[12] = A[1];
+  const Scalar t_front_left_thigh_1 = front_left_thigh_I5 + t_front_left_shank_3;
+  A[13] = t_front_left_thigh_1 + front_left_shank_I4 * t_front_left_shank_1;
+  const Scalar I_front_left_hip_zz_1 = front_left_thigh_I2 * c_front_left_hip;
+  const Scalar I_front_left_hip_zz_2 = front_left_thigh_I1 * s_front_left_hip;
+  const Scalar I_front_left_hip_zz_3 = front_left_hip_I1 + t_front_left_shank_3;
+  const Scalar I_front_left_shank_yy = c_q1_q2 * c_q1_q2 * front_left_shank_I1;
+  const Scalar I_front_left_hip_zz_4 = I_front_left_hip_zz_1 + I_front_left_hip_zz_2;
+  const Scalar I_front_left_hip_zz_5 = I_front_left_hip_zz_3 + I_front_left_shank_yy;
+  A[0] = I_front_left_hip_zz_5 - s_front_left_hip * I_front_left_hip_zz_4;
+  const Scalar A_131_1 = front_left_shank_I5 * (t_hind_right_shank_1 + t_hind_right_shank_2);
+  A[131] = front_left_shank_I2 + A_131_1;
+  A[142] = A[131];
+  const Scalar A_92_1 = front_left_shank_I5 * (t_hind_left_shank_1 + t_hind_left_shank_2);
+  A[92] = front_left_shank_I2 + A_92_1;
+  A[103] = A[92];
+  const Scalar A_53_1 = front_left_shank_I5 * (t_fron_righ_shan_1 + t_fron_righ_shan_2);
+  A[53] = front_left_shank_I2 + A_53_1;
+  A[64] = A[53];
+  // front_left_shank: A of (2)
+  const Scalar A_14_1 = front_left_shank_I5 * (t_front_left_shank_1 + t_front_left_shank_2);
+  A[14] = front_left_shank_I2 + A_14_1;
+  A[25] = A[14];
+  A[26] = front_left_shank_I2;
+  A[65] = front_left_shank_I2;
+  A[104] = front_left_shank_I2;
+  A[143] = front_left_shank_I2;
+  mass_matrix_0(A);
+}
+
+void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept {
+  const Scalar q_q1_q2 = q[1] + q[2];
+  const Scalar q_q4_q5 = q[4] + q[5];
+  const Scalar q_q7_q8 = q[7] + q[8];
+  const Scalar q_q10_q11 = q[10] + q[11];
+  Scalar sines[8];
+  Scalar cosines[8];
+  sines_cosines(sines, cosines, q[1], q[4], q[7], q[10]);
+  sines_cosines(sines + 4, cosines + 4, q_q1_q2, q_q4_q5, q_q7_q8, q_q10_q11);
+  const Scalar s_front_left_hip = sines[0];
+  const Scalar c_front_left_hip = cosines[0];
+  const Scalar s_front_right_hip = sines[1];
+  const Scalar c_front_right_hip = cosines[1];
+  const Scalar s_hind_left_hip = sines[2];
+  const Scalar c_hind_left_hip = cosines[2];
+  const Scalar s_hind_right_hip = sines[3];
+  const Scalar c_hind_right_hip = cosines[3];
+  const Scalar s_q1_q2 = sines[4];
+  const Scalar c_q1_q2 = cosines[4];
+  const Scalar s_q4_q5 = sines[5];
+  const Scalar c_q4_q5 = cosines[5];
+  const Scalar s_q7_q8 = sines[6];
+  const Scalar c_q7_q8 = cosines[6];
+  const Scalar s_q10_q11 = sines[7];
+  const Scalar c_q10_q11 = cosines[7];
+  // front_left_shank: angular velocity omega, Omega, moment M of (3)
+  const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar t_front_left_shank_1 = omega_front_left_shank_z * omega_front_left_shank_z;
   const Scalar t_front_left_shank_2 = s_front_left_hip * c_q1_q2 * front_left_shank_I5;
   const Scalar t_front_left_shank_3 = c_front_left_hip * s_q1_q2 * front_left_shank_I5;
@@ -431,12 +612,8 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_front_left_shank_8 = t_front_left_shank_6 * t_front_left_hip_1;
   const Scalar neg_M_front_left_shank_z = t_front_left_shank_7 - t_front_left_shank_8;
   B[2] = -neg_M_front_left_shank_z;
-  // front_right_shank: angular velocity omega, moment M, Omega of (3)
+  // front_right_shank: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
-  const Scalar q_q4_q5 = q[4] + q[5];
-  const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = omega_fron_righ_shan_z * omega_fron_righ_shan_z;
   const Scalar t_fron_righ_shan_2 = s_front_right_hip * c_q4_q5 * front_left_shank_I5;
   const Scalar t_fron_righ_shan_3 = c_front_right_hip * s_q4_q5 * front_left_shank_I5;
@@ -449,12 +626,8 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_fron_righ_shan_8 = t_fron_righ_shan_4 * t_fron_righ_thig_1;
   const Scalar neg_M_fron_righ_shan_z = t_fron_righ_shan_8 - t_fron_righ_shan_7;
   B[5] = -neg_M_fron_righ_shan_z;
-  // hind_left_shank: angular velocity omega, moment M, Omega of (3)
+  // hind_left_shank: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
-  const Scalar q_q7_q8 = q[7] + q[8];
-  const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_hind_left_shank_1 = omega_hind_left_shank_z * omega_hind_left_shank_z;
   const Scalar t_hind_left_shank_2 = s_hind_left_hip * c_q7_q8 * front_left_shank_I5;
   const Scalar t_hind_left_shank_3 = c_hind_left_hip * s_q7_q8 * front_left_shank_I5;
@@ -467,12 +640,8 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar M_hind_left_shank_z_2 = t_hind_left_shank_5 * t_hind_left_hip_1;
   const Scalar M_hind_left_shank_z = M_hind_left_shank_z_2 - M_hind_left_shank_z_1;
   B[8] = M_hind_left_shank_z;
-  // hind_right_shank: angular velocity omega, moment M, Omega of (3)
+  // hind_right_shank: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
-  const Scalar q_q10_q11 = q[10] + q[11];
-  const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar t_hind_right_shank_1 = omega_hind_right_shank_z * omega_hind_right_shank_z;
   const Scalar t_hind_right_shank_2 = s_hind_right_hip * c_q10_q11 * front_left_shank_I5;
   const Scalar t_hind_right_shank_3 = c_hind_right_hip * s_q10_q11 * front_left_shank_I5;
@@ -562,35 +731,39 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
 }
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
-  const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
-  const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
-  const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
-  const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
-  const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
-  const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
-  const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
-  // hind_right_shank: G of 6.5
-  const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
   const Scalar q_q10_q11 = q[10] + q[11];
-  const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
+  const Scalar q_q7_q8 = q[7] + q[8];
+  const Scalar q_q4_q5 = q[4] + q[5];
+  const Scalar q_q1_q2 = q[1] + q[2];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[0], q[1], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[6], q[7], q[9], q[10]);
+  sines_cosines(sines + 8, cosines + 8, q_q10_q11, q_q7_q8, q_q4_q5, q_q1_q2);
+  const Scalar s_front_left_abduction = sines[0];
+  const Scalar c_front_left_abduction = cosines[0];
+  const Scalar s_front_left_hip = sines[1];
+  const Scalar c_front_left_hip = cosines[1];
+  const Scalar s_front_right_abduction = sines[2];
+  const Scalar c_front_right_abduction = cosines[2];
+  const Scalar s_front_right_hip = sines[3];
+  const Scalar c_front_right_hip = cosines[3];
+  const Scalar s_hind_left_abduction = sines[4];
+  const Scalar c_hind_left_abduction = cosines[4];
+  const Scalar s_hind_left_hip = sines[5];
+  const Scalar c_hind_left_hip = cosines[5];
+  const Scalar s_hind_right_abduction = sines[6];
+  const Scalar c_hind_right_abduction = cosines[6];
+  const Scalar s_hind_right_hip = sines[7];
+  const Scalar c_hind_right_hip = cosines[7];
+  const Scalar s_q10_q11 = sines[8];
+  const Scalar c_q10_q11 = cosines[8];
+  const Scalar s_q7_q8 = sines[9];
+  const Scalar c_q7_q8 = cosines[9];
+  const Scalar s_q4_q5 = sines[10];
+  const Scalar c_q4_q5 = cosines[10];
+  const Scalar s_q1_q2 = sines[11];
+  const Scalar c_q1_q2 = cosines[11];
   const Scalar G_11 = c_hind_right_abduction * s_q10_q11 * front_left_shank_G1;
   G[11] = G_11;
   G[10] = G_11 + c_hind_right_abduction * s_hind_right_hip * front_left_thigh_G1;
@@ -598,31 +771,16 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar neg_G_9_1 = front_left_thigh_G1 * c_hind_right_hip;
   const Scalar neg_G_9_2 = s_hind_right_abduction * (front_left_shank_G1 * c_q10_q11 + neg_G_9_1);
   G[9] = neg_G_9_2 - front_left_hip_G1 * c_hind_right_abduction;
-  // hind_left_shank: G of 6.5
-  const Scalar q_q7_q8 = q[7] + q[8];
-  const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar G_8 = c_hind_left_abduction * s_q7_q8 * front_left_shank_G1;
   G[8] = G_8;
   G[7] = G_8 + c_hind_left_abduction * s_hind_left_hip * front_left_thigh_G1;
   const Scalar G_6_1 = front_left_shank_G1 * c_q7_q8 + front_left_thigh_G1 * c_hind_left_hip;
   G[6] = front_left_hip_G1 * c_hind_left_abduction + s_hind_left_abduction * G_6_1;
-  // front_right_shank: G of 6.5
-  const Scalar q_q4_q5 = q[4] + q[5];
-  const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar G_5 = c_front_right_abduction * s_q4_q5 * front_left_shank_G1;
   G[5] = G_5;
   G[4] = G_5 + c_front_right_abduction * s_front_right_hip * front_left_thigh_G1;
   const Scalar neg_G_3_1 = front_left_shank_G1 * c_q4_q5 + front_left_thigh_G1 * c_front_right_hip;
   G[3] = s_front_right_abduction * neg_G_3_1 - front_left_hip_G1 * c_front_right_abduction;
-  // front_left_shank: G of 6.5
-  const Scalar q_q1_q2 = q[1] + q[2];
-  const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar G_2 = c_front_left_abduction * s_q1_q2 * front_left_shank_G1;
   G[2] = G_2;
   G[1] = G_2 + c_front_left_abduction * s_front_left_hip * front_left_thigh_G1;
@@ -637,37 +795,42 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
 // ones (t_) by what they are made of. Arguments and results are in SI units.
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
                       Scalar tau[12]) noexcept {
-  const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
-  const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
-  const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
-  const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
-  const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
-  const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
-  const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
-  const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar q_q1_q2 = q[1] + q[2];
+  const Scalar q_q4_q5 = q[4] + q[5];
+  const Scalar q_q7_q8 = q[7] + q[8];
+  const Scalar q_q10_q11 = q[10] + q[11];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[0], q[1], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[6], q[7], q[9], q[10]);
+  sines_cosines(sines + 8, cosines + 8, q_q1_q2, q_q4_q5, q_q7_q8, q_q10_q11);
+  const Scalar s_front_left_abduction = sines[0];
+  const Scalar c_front_left_abduction = cosines[0];
+  const Scalar s_front_left_hip = sines[1];
+  const Scalar c_front_left_hip = cosines[1];
+  const Scalar s_front_right_abduction = sines[2];
+  const Scalar c_front_right_abduction = cosines[2];
+  const Scalar s_front_right_hip = sines[3];
+  const Scalar c_front_right_hip = cosines[3];
+  const Scalar s_hind_left_abduction = sines[4];
+  const Scalar c_hind_left_abduction = cosines[4];
+  const Scalar s_hind_left_hip = sines[5];
+  const Scalar c_hind_left_hip = cosines[5];
+  const Scalar s_hind_right_abduction = sines[6];
+  const Scalar c_hind_right_abduction = cosines[6];
+  const Scalar s_hind_right_hip = sines[7];
+  const Scalar c_hind_right_hip = cosines[7];
+  const Scalar s_q1_q2 = sines[8];
+  const Scalar c_q1_q2 = cosines[8];
+  const Scalar s_q4_q5 = sines[9];
+  const Scalar c_q4_q5 = cosines[9];
+  const Scalar s_q7_q8 = sines[10];
+  const Scalar c_q7_q8 = cosines[10];
+  const Scalar s_q10_q11 = sines[11];
+  const Scalar c_q10_q11 = cosines[11];
   // front_left_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
   const Scalar alpha_front_left_shank_z = qdd[1] + qdd[2];
-  const Scalar q_q1_q2 = q[1] + q[2];
-  const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar t_front_left_shank_1 = front_left_shank_I5 * s_q1_q2;
   const Scalar t_front_left_shank_2 = front_left_shank_I1 * s_q1_q2;
   const Scalar t_front_left_shank_3 = c_front_left_hip * t_front_left_shank_1;
@@ -695,10 +858,6 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   // front_right_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
   const Scalar alpha_fron_righ_shan_z = qdd[4] + qdd[5];
-  const Scalar q_q4_q5 = q[4] + q[5];
-  const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = front_left_shank_I1 * s_q4_q5;
   const Scalar t_fron_righ_shan_2 = c_q4_q5 * t_fron_righ_shan_1;
   const Scalar t_fron_righ_shan_3 = front_left_shank_I5 * s_q4_q5;
@@ -722,10 +881,6 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   // hind_left_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar alpha_hind_left_shank_z = qdd[7] + qdd[8];
-  const Scalar q_q7_q8 = q[7] + q[8];
-  const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_hind_left_shank_1 = front_left_shank_I5 * c_q7_q8;
   const Scalar t_hind_left_shank_2 = c_hind_left_hip * t_hind_left_shank_1;
   const Scalar t_hind_left_shank_3 = front_left_shank_I5 * s_q7_q8;
@@ -751,10 +906,6 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   // hind_right_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
   const Scalar alpha_hind_right_shank_z = qdd[10] + qdd[11];
-  const Scalar q_q10_q11 = q[10] + q[11];
-  const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar t_hind_right_shank_1 = front_left_shank_I1 * s_q10_q11;
   const Scalar t_hind_right_shank_2 = front_left_shank_I5 * c_q10_q11;
   const Scalar t_hind_right_shank_3 = c_hind_right_hip * t_hind_right_shank_2;
@@ -977,60 +1128,52 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept {
-  const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
-  const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
-  const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
-  const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
-  const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
-  const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
-  const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
-  const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
+  const Scalar q_q1_q2 = q[1] + q[2];
+  const Scalar q_q4_q5 = q[4] + q[5];
+  const Scalar q_q7_q8 = q[7] + q[8];
+  const Scalar q_q10_q11 = q[10] + q[11];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[0], q[1], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[6], q[7], q[9], q[10]);
+  sines_cosines(sines + 8, cosines + 8, q_q1_q2, q_q4_q5, q_q7_q8, q_q10_q11);
+  const Scalar s_front_left_abduction = sines[0];
+  const Scalar c_front_left_abduction = cosines[0];
+  const Scalar s_front_left_hip = sines[1];
+  const Scalar c_front_left_hip = cosines[1];
+  const Scalar s_front_right_abduction = sines[2];
+  const Scalar c_front_right_abduction = cosines[2];
+  const Scalar s_front_right_hip = sines[3];
+  const Scalar c_front_right_hip = cosines[3];
+  const Scalar s_hind_left_abduction = sines[4];
+  const Scalar c_hind_left_abduction = cosines[4];
+  const Scalar s_hind_left_hip = sines[5];
+  const Scalar c_hind_left_hip = cosines[5];
+  const Scalar s_hind_right_abduction = sines[6];
+  const Scalar c_hind_right_abduction = cosines[6];
+  const Scalar s_hind_right_hip = sines[7];
+  const Scalar c_hind_right_hip = cosines[7];
+  const Scalar s_q1_q2 = sines[8];
+  const Scalar c_q1_q2 = cosines[8];
+  const Scalar s_q4_q5 = sines[9];
+  const Scalar c_q4_q5 = cosines[9];
+  const Scalar s_q7_q8 = sines[10];
+  const Scalar c_q7_q8 = cosines[10];
+  const Scalar s_q10_q11 = sines[11];
+  const Scalar c_q10_q11 = cosines[11];
   // front_left_shank: angular velocity omega, moment M of (1)
   const Scalar omega_front_left_shank_z = qd[1] + qd[2];
-  const Scalar q_q1_q2 = q[1] + q[2];
-  const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
   const Scalar t_front_left_shank_1 = front_left_shank_I5 * c_q1_q2;
   const Scalar t_front_left_shank_2 = s_front_left_hip * t_front_left_shank_1;
   // front_right_shank: angular velocity omega, moment M of (1)
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
-  const Scalar q_q4_q5 = q[4] + q[5];
-  const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar t_fron_righ_shan_1 = front_left_shank_I5 * s_front_right_hip;
   const Scalar t_fron_righ_shan_2 = c_q4_q5 * t_fron_righ_shan_1;
-  // hind_left_shank: angular velocity omega, inertia I of (1)
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
-  const Scalar q_q7_q8 = q[7] + q[8];
-  const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar t_front_left_hip_1 = front_left_shank_I5 * s_hind_left_hip;
   const Scalar t_front_left_hip_2 = c_q7_q8 * t_front_left_hip_1;
   // hind_right_shank: angular velocity omega, moment M, inertia I of (1)
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
-  const Scalar q_q10_q11 = q[10] + q[11];
-  const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
   const Scalar t_hind_right_shank_1 = front_left_shank_I5 * c_q10_q11;
   const Scalar t_hind_right_shank_2 = s_hind_right_hip * t_hind_right_shank_1;
   const Scalar t_hind_right_shank_3 = front_left_shank_I5 * s_q10_q11;
@@ -1320,50 +1463,39 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
 }
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
-  const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
-  // front_left_shank
   const Scalar q_q1_q2 = q[1] + q[2];
-  const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
-  const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
-  const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
-  // front_right_shank
   const Scalar q_q4_q5 = q[4] + q[5];
-  const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
-  const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
-  const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
-  // hind_left_shank
   const Scalar q_q7_q8 = q[7] + q[8];
-  const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
-  const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
-  const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
-  // hind_right_shank
   const Scalar q_q10_q11 = q[10] + q[11];
-  const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
-  const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[0], q_q1_q2, q[1], q[3]);
+  sines_cosines(sines + 4, cosines + 4, q_q4_q5, q[4], q[6], q_q7_q8);
+  sines_cosines(sines + 8, cosines + 8, q[7], q[9], q_q10_q11, q[10]);
+  const Scalar s_front_left_abduction = sines[0];
+  const Scalar c_front_left_abduction = cosines[0];
+  const Scalar s_q1_q2 = sines[1];
+  const Scalar c_q1_q2 = cosines[1];
+  const Scalar s_front_left_hip = sines[2];
+  const Scalar c_front_left_hip = cosines[2];
+  const Scalar s_front_right_abduction = sines[3];
+  const Scalar c_front_right_abduction = cosines[3];
+  const Scalar s_q4_q5 = sines[4];
+  const Scalar c_q4_q5 = cosines[4];
+  const Scalar s_front_right_hip = sines[5];
+  const Scalar c_front_right_hip = cosines[5];
+  const Scalar s_hind_left_abduction = sines[6];
+  const Scalar c_hind_left_abduction = cosines[6];
+  const Scalar s_q7_q8 = sines[7];
+  const Scalar c_q7_q8 = cosines[7];
+  const Scalar s_hind_left_hip = sines[8];
+  const Scalar c_hind_left_hip = cosines[8];
+  const Scalar s_hind_right_abduction = sines[9];
+  const Scalar c_hind_right_abduction = cosines[9];
+  const Scalar s_q10_q11 = sines[10];
+  const Scalar c_q10_q11 = cosines[10];
+  const Scalar s_hind_right_hip = sines[11];
+  const Scalar c_hind_right_hip = cosines[11];
   const Scalar s_front_left_shank_x = front_left_shank_l1 * c_front_left_hip;
   const Scalar t_front_left_shank_1 = s_front_left_shank_x + front_left_shank_l2 * c_q1_q2;
   // front_left_hip: p of 1.2
@@ -1403,51 +1535,45 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
 }
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
-  const auto p_s_front_left_abduction = sine_cosine(q[0]);
-  const Scalar& s_front_left_abduction = p_s_front_left_abduction.sine;
-  const Scalar& c_front_left_abduction = p_s_front_left_abduction.cosine;
-  const auto p_s_front_left_hip = sine_cosine(q[1]);
-  const Scalar& s_front_left_hip = p_s_front_left_hip.sine;
-  const Scalar& c_front_left_hip = p_s_front_left_hip.cosine;
-  const auto p_s_front_right_abduction = sine_cosine(q[3]);
-  const Scalar& s_front_right_abduction = p_s_front_right_abduction.sine;
-  const Scalar& c_front_right_abduction = p_s_front_right_abduction.cosine;
-  const auto p_s_front_right_hip = sine_cosine(q[4]);
-  const Scalar& s_front_right_hip = p_s_front_right_hip.sine;
-  const Scalar& c_front_right_hip = p_s_front_right_hip.cosine;
-  const auto p_s_hind_left_abduction = sine_cosine(q[6]);
-  const Scalar& s_hind_left_abduction = p_s_hind_left_abduction.sine;
-  const Scalar& c_hind_left_abduction = p_s_hind_left_abduction.cosine;
-  const auto p_s_hind_left_hip = sine_cosine(q[7]);
-  const Scalar& s_hind_left_hip = p_s_hind_left_hip.sine;
-  const Scalar& c_hind_left_hip = p_s_hind_left_hip.cosine;
-  const auto p_s_hind_right_abduction = sine_cosine(q[9]);
-  const Scalar& s_hind_right_abduction = p_s_hind_right_abduction.sine;
-  const Scalar& c_hind_right_abduction = p_s_hind_right_abduction.cosine;
-  const auto p_s_hind_right_hip = sine_cosine(q[10]);
-  const Scalar& s_hind_right_hip = p_s_hind_right_hip.sine;
-  const Scalar& c_hind_right_hip = p_s_hind_right_hip.cosine;
+  // front_left_hip
   const Scalar q_q10_q11 = q[10] + q[11];
-  const auto p_s_q10_q11 = sine_cosine(q_q10_q11);
-  const Scalar& s_q10_q11 = p_s_q10_q11.sine;
-  const Scalar& c_q10_q11 = p_s_q10_q11.cosine;
-  const Scalar r_hind_right_shank_y = front_left_shank_l2 * s_q10_q11;
   const Scalar q_q1_q2 = q[1] + q[2];
-  const auto p_s_q1_q2 = sine_cosine(q_q1_q2);
-  const Scalar& s_q1_q2 = p_s_q1_q2.sine;
-  const Scalar& c_q1_q2 = p_s_q1_q2.cosine;
+  const Scalar q_q7_q8 = q[7] + q[8];
+  const Scalar q_q4_q5 = q[4] + q[5];
+  Scalar sines[12];
+  Scalar cosines[12];
+  sines_cosines(sines, cosines, q[0], q[1], q[3], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[6], q[7], q[9], q[10]);
+  sines_cosines(sines + 8, cosines + 8, q_q10_q11, q_q1_q2, q_q7_q8, q_q4_q5);
+  const Scalar s_front_left_abduction = sines[0];
+  const Scalar c_front_left_abduction = cosines[0];
+  const Scalar s_front_left_hip = sines[1];
+  const Scalar c_front_left_hip = cosines[1];
+  const Scalar s_front_right_abduction = sines[2];
+  const Scalar c_front_right_abduction = cosines[2];
+  const Scalar s_front_right_hip = sines[3];
+  const Scalar c_front_right_hip = cosines[3];
+  const Scalar s_hind_left_abduction = sines[4];
+  const Scalar c_hind_left_abduction = cosines[4];
+  const Scalar s_hind_left_hip = sines[5];
+  const Scalar c_hind_left_hip = cosines[5];
+  const Scalar s_hind_right_abduction = sines[6];
+  const Scalar c_hind_right_abduction = cosines[6];
+  const Scalar s_hind_right_hip = sines[7];
+  const Scalar c_hind_right_hip = cosines[7];
+  const Scalar s_q10_q11 = sines[8];
+  const Scalar c_q10_q11 = cosines[8];
+  const Scalar s_q1_q2 = sines[9];
+  const Scalar c_q1_q2 = cosines[9];
+  const Scalar s_q7_q8 = sines[10];
+  const Scalar c_q7_q8 = cosines[10];
+  const Scalar s_q4_q5 = sines[11];
+  const Scalar c_q4_q5 = cosines[11];
+  const Scalar r_hind_right_shank_y = front_left_shank_l2 * s_q10_q11;
   const Scalar r_front_left_shank_x = front_left_shank_l2 * c_q1_q2;
   C[24] = r_front_left_shank_x;
   const Scalar r_front_left_shank_y = front_left_shank_l2 * s_q1_q2;
-  const Scalar q_q7_q8 = q[7] + q[8];
-  const auto p_s_q7_q8 = sine_cosine(q_q7_q8);
-  const Scalar& s_q7_q8 = p_s_q7_q8.sine;
-  const Scalar& c_q7_q8 = p_s_q7_q8.cosine;
   const Scalar r_hind_left_shank_y = front_left_shank_l2 * s_q7_q8;
-  const Scalar q_q4_q5 = q[4] + q[5];
-  const auto p_s_q4_q5 = sine_cosine(q_q4_q5);
-  const Scalar& s_q4_q5 = p_s_q4_q5.sine;
-  const Scalar& c_q4_q5 = p_s_q4_q5.cosine;
   const Scalar r_fron_righ_shan_y = front_left_shank_l2 * s_q4_q5;
   const Scalar r_hind_right_shank_x = front_left_shank_l2 * c_q10_q11;
   C[141] = r_hind_right_shank_x;
@@ -1507,118 +1633,7 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   C[130] = -s_hind_right_abduction * r_hind_right_thigh_y;
   C[143] = c_hind_right_abduction * r_hind_right_shank_y;
   C[142] = -s_hind_right_abduction * r_hind_right_shank_y;
-  C[0] = 0.0;
-  C[3] = 0.0;
-  C[4] = 0.0;
-  C[5] = 0.0;
-  C[6] = 0.0;
-  C[7] = 0.0;
-  C[8] = 0.0;
-  C[9] = 0.0;
-  C[10] = 0.0;
-  C[11] = 0.0;
-  C[15] = 0.0;
-  C[16] = 0.0;
-  C[17] = 0.0;
-  C[18] = 0.0;
-  C[19] = 0.0;
-  C[20] = 0.0;
-  C[21] = 0.0;
-  C[22] = 0.0;
-  C[23] = 0.0;
-  C[27] = 0.0;
-  C[28] = 0.0;
-  C[29] = 0.0;
-  C[30] = 0.0;
-  C[31] = 0.0;
-  C[32] = 0.0;
-  C[33] = 0.0;
-  C[34] = 0.0;
-  C[35] = 0.0;
-  C[36] = 0.0;
-  C[37] = 0.0;
-  C[38] = 0.0;
-  C[39] = 0.0;
-  C[42] = 0.0;
-  C[43] = 0.0;
-  C[44] = 0.0;
-  C[45] = 0.0;
-  C[46] = 0.0;
-  C[47] = 0.0;
-  C[48] = 0.0;
-  C[49] = 0.0;
-  C[50] = 0.0;
-  C[54] = 0.0;
-  C[55] = 0.0;
-  C[56] = 0.0;
-  C[57] = 0.0;
-  C[58] = 0.0;
-  C[59] = 0.0;
-  C[60] = 0.0;
-  C[61] = 0.0;
-  C[62] = 0.0;
-  C[66] = 0.0;
-  C[67] = 0.0;
-  C[68] = 0.0;
-  C[69] = 0.0;
-  C[70] = 0.0;
-  C[71] = 0.0;
-  C[72] = 0.0;
-  C[73] = 0.0;
-  C[74] = 0.0;
-  C[75] = 0.0;
-  C[76] = 0.0;
-  C[77] = 0.0;
-  C[78] = 0.0;
-  C[81] = 0.0;
-  C[82] = 0.0;
-  C[83] = 0.0;
-  C[84] = 0.0;
-  C[85] = 0.0;
-  C[86] = 0.0;
-  C[87] = 0.0;
-  C[88] = 0.0;
-  C[89] = 0.0;
-  C[93] = 0.0;
-  C[94] = 0.0;
-  C[95] = 0.0;
-  C[96] = 0.0;
-  C[97] = 0.0;
-  C[98] = 0.0;
-  C[99] = 0.0;
-  C[100] = 0.0;
-  C[101] = 0.0;
-  C[105] = 0.0;
-  C[106] = 0.0;
-  C[107] = 0.0;
-  C[108] = 0.0;
-  C[109] = 0.0;
-  C[110] = 0.0;
-  C[111] = 0.0;
-  C[112] = 0.0;
-  C[113] = 0.0;
-  C[114] = 0.0;
-  C[115] = 0.0;
-  C[116] = 0.0;
-  C[117] = 0.0;
-  C[120] = 0.0;
-  C[121] = 0.0;
-  C[122] = 0.0;
-  C[123] = 0.0;
-  C[124] = 0.0;
-  C[125] = 0.0;
-  C[126] = 0.0;
-  C[127] = 0.0;
-  C[128] = 0.0;
-  C[132] = 0.0;
-  C[133] = 0.0;
-  C[134] = 0.0;
-  C[135] = 0.0;
-  C[136] = 0.0;
-  C[137] = 0.0;
-  C[138] = 0.0;
-  C[139] = 0.0;
-  C[140] = 0.0;
+  force_jacobian_transpose_0(C);
 }
 
 }  // namespace quadruped

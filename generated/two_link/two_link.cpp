@@ -7,14 +7,13 @@
 
 #include "two_link.hpp"
 
+namespace two_link {
+
+static_assert(kDigest == 0xa5314da179882787ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which takes up to twice as long.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
-
-namespace two_link {
-
-static_assert(kDigest == 0x6238398664f77ed0ULL, "header and source are of different runs");
 
 #if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
@@ -32,33 +31,38 @@ struct SineCosine {
 /// pi/2, k pi/2, part by part; polynomials on [-pi/4, pi/4]; sine and cosine of k pi/2 from k
 /// modulo 4; the addition theorem, with factors 0, 1 and -1. Absolute errors below 1.7e-16 for
 /// |x| < 1.3e7; not a number for |x| > 1.32e7 and where x is none.
-[[gnu::noinline]] SineCosine<double> sine_cosine(double x) noexcept {
-  const double k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
-  const double t = k * 2.1430172143725346e+301;  // infinite beyond the range
-  const double r_1 = x - t * 7.32983532344312e-302;
-  const double r = r_1 + k * 8.705515695504166e-10;
-  const double z = r * r;
-  const double s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
-  const double s_2 = s_1 * z + 2.7557313707070068e-06;
-  const double s_3 = s_2 * z - 0.0001984126982985795;
-  const double s_4 = s_3 * z + 0.00833333333332249;
-  const double s_5 = s_4 * z - 0.16666666666666632;
-  const double c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
-  const double c_2 = c_1 * z - 2.7557314351390663e-07;
-  const double c_3 = c_2 * z + 2.480158728947673e-05;
-  const double c_4 = c_3 * z - 0.001388888888887411;
-  const double c_5 = c_4 * z + 0.0416666666666666;
-  const double sine = r + r * z * s_5;
-  const double cosine = 1.0 - z * (0.5 - z * c_5);
+template <class Angle>
+[[gnu::always_inline]] inline SineCosine<Angle> pair_of(Angle x) noexcept {
+  const Angle k = (x * 0.6366197723675814 + 6755399441055744.0) - 6755399441055744.0;
+  const Angle t = k * 2.1430172143725346e+301;  // infinite beyond the range
+  const Angle r_1 = x - t * 7.32983532344312e-302;
+  const Angle r = r_1 + k * 8.705515695504166e-10;
+  const Angle z = r * r;
+  const Angle s_1 = 1.58969099521155e-10 * z - 2.5050760253406863e-08;
+  const Angle s_2 = s_1 * z + 2.7557313707070068e-06;
+  const Angle s_3 = s_2 * z - 0.0001984126982985795;
+  const Angle s_4 = s_3 * z + 0.00833333333332249;
+  const Angle s_5 = s_4 * z - 0.16666666666666632;
+  const Angle c_1 = -1.1359647557788195e-11 * z + 2.087572321298175e-09;
+  const Angle c_2 = c_1 * z - 2.7557314351390663e-07;
+  const Angle c_3 = c_2 * z + 2.480158728947673e-05;
+  const Angle c_4 = c_3 * z - 0.001388888888887411;
+  const Angle c_5 = c_4 * z + 0.0416666666666666;
+  const Angle sine = r + r * z * s_5;
+  const Angle cosine = 1.0 - z * (0.5 - z * c_5);
 
   // k modulo 4: -2 to 2, not a number where t is infinite
-  const double l = t * 4.6663180925160944e-302;
-  const double m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
-  const double n = 4.0 - m * m;
+  const Angle l = t * 4.6663180925160944e-302;
+  const Angle m = l - ((l + 2.7021597764222976e+16) - 2.7021597764222976e+16);
+  const Angle n = 4.0 - m * m;
   // sine and cosine of m pi/2: 0, 1 or -1
-  const double s = m * (n * 0.3333333333333333);
-  const double c = 0.5 * (n - s * s) - 1.0;
+  const Angle s = m * (n * 0.3333333333333333);
+  const Angle c = 0.5 * (n - s * s) - 1.0;
   return {c * sine + s * cosine, c * cosine - s * sine};
+}
+
+[[gnu::noinline, gnu::unused]] SineCosine<double> sine_cosine(double x) noexcept {
+  return pair_of(x);
 }
 
 /// For other types that stand for Scalar, such as one that counts operations: their own functions.
@@ -69,6 +73,53 @@ SineCosine<Number> sine_cosine(const Number& x) noexcept {
 
 inline double sin(double x) noexcept { return sine_cosine(x).sine; }
 inline double cos(double x) noexcept { return sine_cosine(x).cosine; }
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+// As many angles as a register holds.
+#if defined(__AVX__)
+using Angles [[gnu::vector_size(32)]] = double;
+#else
+using Angles [[gnu::vector_size(16)]] = double;
+#endif
+constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
+
+/// The numbers from x on, one by one: a load would wait for all to be stored.
+[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
+#if defined(__AVX__)
+  return Angles{x[0], x[1], x[2], x[3]};
+#else
+  return Angles{x[0], x[1]};
+#endif
+}
+
+/// The pairs of a vector of angles.
+[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
+  const SineCosine<Angles> pairs = pair_of(x);
+  __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
+  __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
+/// vectors.
+template <class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines,
+                                                 Angle... angle) noexcept {
+  const double x[sizeof...(angle) + kAngles] = {angle...};  // zeros behind them
+  store_sines_cosines(gathered(x), sines, cosines);
+  if (sizeof...(angle) > kAngles) {
+    store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles);
+  }
+}
+#endif
+
+/// One by one: on processors without vectors, and of other types that stand for Scalar.
+template <class Number, class... Angle>
+[[gnu::always_inline]] inline void sines_cosines(Number* sines, Number* cosines,
+                                                 const Angle&... angle) noexcept {
+  SineCosine<Number> pair;
+  const int done[] = {
+      (pair = sine_cosine(Number(angle)), *sines++ = pair.sine, *cosines++ = pair.cosine, 0)...};
+  static_cast<void>(done);
+}
 
 }  // namespace
 
@@ -118,8 +169,8 @@ void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
 
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
   // forearm: angular velocity omega, moment M of (3)
-  const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar s_elbow = sin(q[1]);
+  const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar t_forearm_1 = forearm_p2 * s_elbow;
   const Scalar M_forearm_z = qd[0] * qd[0] * t_forearm_1;
   B[1] = M_forearm_z;
@@ -129,8 +180,8 @@ void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   // forearm: G of 6.5
-  const Scalar c_shoulder = cos(q[0]);
   const Scalar q_shoulder_elbow = q[0] + q[1];
+  const Scalar c_shoulder = cos(q[0]);
   const Scalar c_shoulder_elbow = cos(q_shoulder_elbow);
   const Scalar G_1 = forearm_p4 * c_shoulder_elbow;
   G[1] = G_1;
@@ -140,13 +191,14 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
                       Scalar tau[2]) noexcept {
-  const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar& s_shoulder = p_s_shoulder.sine;
-  const Scalar& c_shoulder = p_s_shoulder.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[0], q[1]);
+  const Scalar s_shoulder = sines[0];
+  const Scalar c_shoulder = cosines[0];
+  const Scalar s_elbow = sines[1];
+  const Scalar c_elbow = cosines[1];
   // forearm: angular velocity omega, angular acceleration alpha, acceleration a of (1)
-  const auto p_s_elbow = sine_cosine(q[1]);
-  const Scalar& s_elbow = p_s_elbow.sine;
-  const Scalar& c_elbow = p_s_elbow.cosine;
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar alpha_forearm_z = qdd[0] + qdd[1];
   const Scalar a_forearm_y_1 = s_elbow * (base_p1 * s_shoulder - qd[0] * qd[0]);
@@ -161,14 +213,14 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept {
-  const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar& s_shoulder = p_s_shoulder.sine;
-  const Scalar& c_shoulder = p_s_shoulder.cosine;
-  // forearm: angular velocity omega, qdd of (1)
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[0], q[1]);
+  const Scalar s_shoulder = sines[0];
+  const Scalar c_shoulder = cosines[0];
+  const Scalar s_elbow = sines[1];
+  const Scalar c_elbow = cosines[1];
   const Scalar omega_forearm_z = qd[0] + qd[1];
-  const auto p_s_elbow = sine_cosine(q[1]);
-  const Scalar& s_elbow = p_s_elbow.sine;
-  const Scalar& c_elbow = p_s_elbow.cosine;
   const Scalar t_forearm_1 = c_elbow * c_elbow * forearm_p7;
   const Scalar inverse_pivot_upper_arm = 1.0 / (upper_arm_p3 - t_forearm_1);
   const Scalar t_upper_arm_1 = base_p1 * c_shoulder;
@@ -180,31 +232,34 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar neg_qdd_0_3 = neg_qdd_0_1 + t_forearm_3 * t_upper_arm_2 - neg_qdd_0_2;
   const Scalar neg_qdd_0 = inverse_pivot_upper_arm * neg_qdd_0_3;
   qdd[0] = -neg_qdd_0;
+  // forearm: qdd of (1)
   qdd[1] = neg_qdd_0 + forearm_p5 * t_upper_arm_2 - t_forearm_3 * (t_upper_arm_1 - neg_qdd_0);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {
   // forearm: p of 1.2
   const Scalar q_shoulder_elbow = q[0] + q[1];
-  const auto p_s_shoulder_elbow = sine_cosine(q_shoulder_elbow);
-  const Scalar& s_shoulder_elbow = p_s_shoulder_elbow.sine;
-  const Scalar& c_shoulder_elbow = p_s_shoulder_elbow.cosine;
-  const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar& s_shoulder = p_s_shoulder.sine;
-  const Scalar& c_shoulder = p_s_shoulder.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q_shoulder_elbow, q[0]);
+  const Scalar s_shoulder_elbow = sines[0];
+  const Scalar c_shoulder_elbow = cosines[0];
+  const Scalar s_shoulder = sines[1];
+  const Scalar c_shoulder = cosines[1];
   p[0] = c_shoulder_elbow + c_shoulder;
   p[2] = s_shoulder_elbow + s_shoulder;
   p[1] = 0.0;
 }
 
 void force_jacobian_transpose(const Scalar q[2], Scalar C[6]) noexcept {
-  const auto p_s_shoulder = sine_cosine(q[0]);
-  const Scalar& s_shoulder = p_s_shoulder.sine;
-  const Scalar& c_shoulder = p_s_shoulder.cosine;
   const Scalar q_shoulder_elbow = q[0] + q[1];
-  const auto p_s_shoulder_elbow = sine_cosine(q_shoulder_elbow);
-  const Scalar& s_shoulder_elbow = p_s_shoulder_elbow.sine;
-  const Scalar& c_shoulder_elbow = p_s_shoulder_elbow.cosine;
+  Scalar sines[4];
+  Scalar cosines[4];
+  sines_cosines(sines, cosines, q[0], q_shoulder_elbow);
+  const Scalar s_shoulder = sines[0];
+  const Scalar c_shoulder = cosines[0];
+  const Scalar s_shoulder_elbow = sines[1];
+  const Scalar c_shoulder_elbow = cosines[1];
   C[5] = c_shoulder_elbow;
   C[3] = -s_shoulder_elbow;
   C[2] = c_shoulder + c_shoulder_elbow;

@@ -24,7 +24,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x6238398664f77ed0ULL;
+constexpr unsigned long long kDigest = 0xa5314da179882787ULL;
 
 /// Index of every joint.
 namespace joint {

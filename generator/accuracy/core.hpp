@@ -57,6 +57,7 @@ struct Build {
   bool is_float = true;     ///< which of the two types
   bool libm = false;        ///< sines are those of the C library
   bool contracted = false;  ///< -ffp-contract=fast, not off
+  int angles = 1;           ///< of which sines are taken at once
 };
 
 /// Cycles of one call.

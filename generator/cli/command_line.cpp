@@ -151,7 +151,7 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
         kUsage);
   }
   if (request.target.limb_lanes &&
-      (request.target.sincos == emit::Sincos::kLibm || request.target.vectors)) {
+      (request.target.sincos == emit::Sincos::kLibm || request.vectors.value_or(false))) {
     throw CLI::ParseError("--limb-lanes: vectors have the pair alone; expected --sincos pair",
                           kUsage);
   }
@@ -234,7 +234,7 @@ void require_options(const CLI::App& app, Settings& settings) {
                   [&](const char* name) { return app.got_subcommand(name); })) {
     require_model_or_scene(*app.get_subcommands().front(), settings);
     require_words_of_language(settings.request);
-    require_room_for_vectors(settings.request);
+    settle_vectors(settings.request);
     require_scene_of_functions(settings.request);
     require_functions_of_passes(settings);
   }

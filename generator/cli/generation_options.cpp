@@ -262,10 +262,10 @@ void add_stepping(CLI::App& command, StepChoice& stepping) {
 
 }  // namespace
 
-void require_room_for_vectors(const Request& request) {
-  const emit::Target& target = request.target;
-  if (target.vectors && (target.lanes > 1 || request.language == emit::Language::kC99 ||
-                         target.trigonometry == program::Trigonometry::kLate)) {
+void settle_vectors(Request& request) {
+  const bool room = room_for_vectors(request);
+  request.target.vectors = request.vectors.value_or(room);
+  if (request.target.vectors && !room) {
     throw CLI::ValidationError("--sincos vector",
                                "all angles of one state first, in C++; expected 1 lane, no "
                                "--trig late, no --core of a microcontroller and no --language c99");
@@ -397,13 +397,14 @@ void add_target(CLI::App& command, Request& request) {
           "--sincos",
           [&request](const std::string& choice) {
             request.target.sincos = choice == "libm" ? emit::Sincos::kLibm : emit::Sincos::kPair;
-            request.target.vectors = choice == "vector";
+            request.vectors = choice == "vector";
           },
-          "sine and cosine by one branch-free function in the source, the same bits everywhere "
-          "(builtin: the same); by that function for several angles of a function at once, on "
-          "processors with vectors; or of the C library; default pair")
-      ->check(one_of({"pair", "vector", "libm", "builtin"}))
-      ->type_name("pair|vector|libm");
+          "sine and cosine by one branch-free function in the source, the same bits everywhere: "
+          "for several angles of a function at once, as many as the processor's vectors hold, or "
+          "one by one (builtin: pair); or of the C library; default vector, and pair in C, with "
+          "--trig late and for several lanes")
+      ->check(one_of({"vector", "pair", "libm", "builtin"}))
+      ->type_name("vector|pair|libm");
   add_core(command, request);
   command
       .add_option_function<std::string>(

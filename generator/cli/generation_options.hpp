@@ -26,9 +26,9 @@ void add_model(CLI::App& command, Request& request);
 /// All options of `generate`; MODEL is optional among them.
 void add_generation(CLI::App& command, Request& request);
 
-/// `--sincos vector` works on several angles of one state at once, before all that needs them, in
-/// vectors that C++ has. \throws CLI::ValidationError where other options ask for something else
-void require_room_for_vectors(const Request& request);
+/// Sines in vectors where there is room for them, unless `--sincos` says otherwise.
+/// \throws CLI::ValidationError for `--sincos vector` where there is none
+void settle_vectors(Request& request);
 
 /// The words of a command line, with `--settings FILE` replaced by the options that stand in FILE
 /// and are not among the words. \param command  whose options they are

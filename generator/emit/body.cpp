@@ -95,8 +95,13 @@ std::string Writer::pair(const Statement& statement) const {
       statements_.name(statement.partner), target_.number);
 }
 
-/// The arrays hold whole vectors; a call for each of the longest.
+/// The arrays hold whole vectors; a call for each of the longest. One angle needs none.
 void Writer::state_angles(const Statement& statement, Part& part, Body& body) const {
+  if (statement.angles.size() == 1) {
+    const Angle& angle = statement.angles.front();
+    part.lines.push_back(pair({.value = angle.sine, .partner = angle.cosine}));
+    return;
+  }
   const std::size_t number = ++body.angle_statements;
   const std::string suffix = number == 1 ? "" : fmt::format("_{}", number);
   const std::vector<std::string> arrays = {statements_.array_name("sines" + suffix),
@@ -121,11 +126,9 @@ void Writer::state_angles(const Statement& statement, Part& part, Body& body) co
     const Angle& angle = statement.angles[k];
     for (const auto& [value, array] :
          {std::pair(angle.sine, arrays[0]), std::pair(angle.cosine, arrays[1])}) {
-      if (value != 0) {
-        part.lines.push_back(
-            fmt::format("const Scalar {} = {}[{}];", statements_.name(value), array, k));
-        ++body.statements;
-      }
+      part.lines.push_back(
+          fmt::format("const Scalar {} = {}[{}];", statements_.name(value), array, k));
+      ++body.statements;
     }
   }
 }
@@ -210,6 +213,16 @@ Body Writer::write() {
     }
     ++result.statements;
     Statements::visit_definitions(statement, [&](Ref value) { share(value, part, result); });
+  }
+  const std::size_t arrays = function_.signature.inputs.size() + function_.signature.outputs.size();
+  result.zeros.uses.resize(arrays);
+  if (result.parts.empty() && !statements_.zeros().empty()) {
+    result.parts.push_back({{}, 0, std::vector<bool>(arrays)});
+  }
+  for (const Statement& zero : statements_.zeros()) {
+    note_arrays(zero, result.zeros);
+    result.zeros.lines.push_back(text(zero));
+    ++result.statements;
   }
   result.structural_zeros =
       static_cast<int>(std::count(function_.outputs.begin(), function_.outputs.end(), Ref{0}));

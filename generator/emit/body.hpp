@@ -22,6 +22,7 @@ struct Part {
 /// The body of a function. One part: a plain function; several: functions that share a workspace.
 struct Body {
   std::vector<Part> parts;
+  Part zeros;          ///< outputs that are zero, in a function of their own; no line: none
   int workspace = 0;   ///< elements for values that one part computes and another needs
   std::string number;  ///< the type of values
   std::vector<std::size_t> stages;   ///< of a single part: where stages 1, 2, .. begin

@@ -22,8 +22,9 @@ struct Target {
   std::string number = "Scalar";  ///< the type of values
   bool limb_lanes = false;        ///< limbs that share code are the lanes of vectors
   Sincos sincos = Sincos::kPair;
-  bool vectors = false;  ///< the pair of all angles of a function together, in vectors
-  bool packed = false;   ///< A: what is not structurally zero, lower triangle
+  bool vectors = false;      ///< the pair of all angles of a function together, in vectors
+  bool packed = false;       ///< A: what is not structurally zero, lower triangle
+  bool zeros_apart = false;  ///< many outputs that are zero get a function of their own
   program::Trigonometry trigonometry = program::Trigonometry::kEarly;
 
   /// True if <cmath> gives sines and cosines: it has none for several lanes.

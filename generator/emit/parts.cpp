@@ -25,6 +25,22 @@ std::vector<std::string> chosen(const std::vector<std::string>& values,
   return result;
 }
 
+std::vector<std::string> names_of_arrays(const program::Signature& signature) {
+  std::vector<std::string> names;
+  for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
+    for (const program::Array& array : *arrays) {
+      names.push_back(array.name);
+    }
+  }
+  return names;
+}
+
+std::string part_head(const std::string& name) { return "[[gnu::noinline]] void " + name; }
+
+std::string call_of(const std::string& name, const std::vector<std::string>& passed) {
+  return declaration("  " + name, passed, ";").substr(2);
+}
+
 }  // namespace
 
 std::string block(const std::vector<std::string>& lines) {
@@ -35,14 +51,15 @@ std::string block(const std::vector<std::string>& lines) {
   return result + "}\n";
 }
 
+void unite(std::vector<bool>& uses, const std::vector<bool>& more) {
+  for (std::size_t array = 0; array < uses.size(); ++array) {
+    uses[array] = uses[array] || more[array];
+  }
+}
+
 SplitText split_text(const program::Signature& signature, const Body& body) {
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
-  std::vector<std::string> names;
-  for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
-    for (const program::Array& array : *arrays) {
-      names.push_back(array.name);
-    }
-  }
+  const std::vector<std::string> names = names_of_arrays(signature);
   SplitText text;
   text.used.assign(all.size(), false);
   const std::string workspace = fmt::format("{} w[{}]", body.number, body.workspace);
@@ -59,14 +76,23 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
       passed.emplace_back("w");
     }
     text.parts += "\n";
-    text.parts +=
-        declaration("[[gnu::noinline]] void " + name, declared, " noexcept {") + block(part.lines);
-    text.calls.push_back(declaration("  " + name, passed, ";").substr(2));
-    for (std::size_t array = 0; array < text.used.size(); ++array) {
-      text.used[array] = text.used[array] || part.uses[array];
-    }
+    text.parts += declaration(part_head(name), declared, " noexcept {") + block(part.lines);
+    text.calls.push_back(call_of(name, passed));
+    unite(text.used, part.uses);
   }
   return text;
+}
+
+ZerosText zeros_text(const program::Signature& signature, const Body& body) {
+  if (body.zeros.lines.empty()) {
+    return {};
+  }
+  const std::vector<bool> all(body.zeros.uses.size(), true);
+  const std::vector<std::string> names = names_of_arrays(signature);
+  const std::string name = signature.name + "_0";
+  const std::vector<std::string> declared = chosen(parameters(signature, all), names, body.zeros);
+  return {declaration(part_head(name), declared, " noexcept {") + block(body.zeros.lines),
+          call_of(name, chosen(names, names, body.zeros))};
 }
 
 }  // namespace treedyn::emit

@@ -11,6 +11,9 @@ namespace treedyn::emit {
 /// What follows the opening brace of a function.
 std::string block(const std::vector<std::string>& lines);
 
+/// Adds arrays to those that are used.
+void unite(std::vector<bool>& uses, const std::vector<bool>& more);
+
 struct SplitText {
   std::string parts;               ///< the functions of the parts
   std::string declaration;         ///< of the workspace in the caller; empty: none
@@ -20,5 +23,12 @@ struct SplitText {
 
 /// The parts of a body as functions name_1, name_2, ...
 SplitText split_text(const program::Signature& signature, const Body& body);
+
+/// The zeros of a body: their function, and its call, which is empty if there is none.
+struct ZerosText {
+  std::string function;
+  std::string call;
+};
+ZerosText zeros_text(const program::Signature& signature, const Body& body);
 
 }  // namespace treedyn::emit

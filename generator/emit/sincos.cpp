@@ -56,16 +56,9 @@ const Approximation& approximation(Scalar scalar) {
 
 /// What an angle is. Of a single state not Scalar: another type may stand for that.
 std::string type(const Target& target) {
-  return target.takes_vectors() ? "Angles"
+  return target.takes_vectors() ? "Angle"
          : target.lanes == 1    ? type_name(target.scalar)
                                 : target.number;
-}
-
-/// A template of what only vectors of angles need.
-std::string of_vectors(const std::string& name, std::map<std::string, std::string> slots,
-                       const Target& target) {
-  slots.emplace("type", type_name(target.scalar));
-  return target.takes_vectors() ? fill(template_text(name), slots) : "";
 }
 
 /// Horner's rule in z, a statement a coefficient.
@@ -138,11 +131,21 @@ std::string singles(const Target& target, const std::string& functions) {
   std::string text;
   for (const auto& [name, member] : {std::pair("sin", "sine"), std::pair("cos", "cosine")}) {
     if (calls(functions, name)) {
-      text += fmt::format("\ninline {0} {1}({0} x) noexcept {{ return sine_cosine(x).{2}; }}",
-                          type(target), name, member);
+      text +=
+          fmt::format("\ninline {0} {1}({0} x) noexcept {{ return sine_cosine(x).{2}; }}",
+                      target.lanes == 1 ? type_name(target.scalar) : target.number, name, member);
     }
   }
   return text;
+}
+
+/// "x[0], x[1]".
+std::string elements(std::size_t count) {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < count; ++k) {
+    all.push_back(fmt::format("x[{}]", k));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 /// The function that gives both, of an argument that is passed as `argument`.
@@ -151,28 +154,30 @@ std::string pair_text(const Target& target, const std::string& argument) {
   const auto number = [&](const Real& value) {
     return literal(value, target.scalar);
   };
-  return fill(template_text("sine_cosine.cpp"),
-              {{"error", a.error},
-               {"range", a.range},
-               {"end", a.end},
-               {"type", type(target)},
-               {"argument", argument},
-               {"half", number(Real("0.5"))},
-               {"one", number(1)},
-               {"four", number(4)},
-               {"third", number(Real(1) / 3)},
-               {"two_over_pi", number(2 / pi())},
-               {"rounding", number(rounding(a))},
-               {"rounding_to_fours", number(4 * rounding(a))},
-               {"scale", number(scale(a))},
-               {"unscale", number(1 / scale(a))},
-               {"reduction", reduction(a, target)},
-               {"sine", horner("s", a.sine, target)},
-               {"cosine", horner("c", a.cosine, target)},
-               {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
-               {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)},
-               {"inlining",
-                target.takes_vectors() ? "[[gnu::always_inline]] inline" : "[[gnu::noinline]]"}});
+  return fill(
+      template_text("sine_cosine.cpp"),
+      {{"error", a.error},
+       {"range", a.range},
+       {"end", a.end},
+       {"type", type(target)},
+       {"argument", argument},
+       {"half", number(Real("0.5"))},
+       {"one", number(1)},
+       {"four", number(4)},
+       {"third", number(Real(1) / 3)},
+       {"two_over_pi", number(2 / pi())},
+       {"rounding", number(rounding(a))},
+       {"rounding_to_fours", number(4 * rounding(a))},
+       {"scale", number(scale(a))},
+       {"unscale", number(1 / scale(a))},
+       {"reduction", reduction(a, target)},
+       {"sine", horner("s", a.sine, target)},
+       {"cosine", horner("c", a.cosine, target)},
+       {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
+       {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)},
+       {"head", target.takes_vectors() ? "template <class Angle>\n[[gnu::always_inline]] inline"
+                                       : "[[gnu::noinline]]"},
+       {"name", target.takes_vectors() ? "pair_of" : kSineCosine}});
 }
 
 /// The constants of the source as numbers.
@@ -252,14 +257,23 @@ bool has_sincos(const Unit& unit) {
   return !unit.target.takes_libm() && cost.sin + cost.cos > 0;
 }
 
-std::string sincos_text(const Target& target, const std::string& functions, bool has_numbers) {
-  return fill(template_text("sincos.cpp"),
-              {{"pair", has_numbers ? pair_text(target, type(target)) : ""},
-               {"angles", of_vectors("angles.cpp", {}, target)},
-               {"singles", singles(target, functions)},
-               {"sines_cosines",
-                of_vectors("sines_cosines.cpp",
-                           {{"most", std::to_string(most_angles(target.scalar))}}, target)}});
+std::string sincos_text(Target target, const std::string& functions, bool has_numbers) {
+  target.vectors = target.vectors && calls(functions, kSinesCosines);
+  std::string pair = has_numbers ? pair_text(target, type(target)) : "";
+  std::string others = singles(target, functions);
+  if (target.takes_vectors()) {
+    const std::size_t most = most_angles(target.scalar);
+    pair += fmt::format(
+        "\n[[gnu::noinline, gnu::unused]] SineCosine<{0}> {1}({0} x) noexcept {{\n"
+        "  return pair_of(x);\n}}\n",
+        type_name(target.scalar), kSineCosine);
+    others += '\n' + fill(template_text("sines_cosines.cpp"), {{"type", type_name(target.scalar)},
+                                                               {"most", std::to_string(most)},
+                                                               {"long", elements(most)},
+                                                               {"short", elements(most / 2)}});
+    others.pop_back();
+  }
+  return fill(template_text("sincos.cpp"), {{"pair", pair}, {"others", others}});
 }
 
 std::string sincos_of_limbs(const Target& target) {

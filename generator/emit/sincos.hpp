@@ -20,7 +20,7 @@ bool has_sincos(const Unit& unit);
 /// Definitions of `sine_cosine` for Scalar, the same text for every model, and of `sin` and `cos`
 /// as far as `functions`, the text of those behind it, call them.
 /// \param has_numbers  false: there are angles of limbs together only
-std::string sincos_text(const Target& target, const std::string& functions, bool has_numbers);
+std::string sincos_text(Target target, const std::string& functions, bool has_numbers);
 /// The same for `target.number`, a vector that is passed by reference.
 std::string sincos_of_limbs(const Target& target);
 

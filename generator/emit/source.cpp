@@ -23,14 +23,24 @@ namespace {
 constexpr const char* kOrderComment =
     ",\n// and would put statements into another order, which keeps more values on the stack";
 
-std::string whole_function(const program::Signature& signature, const Part& part) {
+/// With a call of the function of its zeros, if there is one.
+std::string whole_function(const program::Signature& signature, const Body& body) {
+  Part part = body.parts.front();
+  if (const ZerosText zeros = zeros_text(signature, body); !zeros.call.empty()) {
+    part.lines.push_back(zeros.call);
+    unite(part.uses, body.zeros.uses);
+  }
   return declaration(returned(signature), parameters(signature, part.uses), " noexcept {") +
          block(part.lines);
 }
 
 /// A function in parts: a workspace, the parts, and the function that calls them in order.
 std::string split_function(const program::Signature& signature, const Body& body) {
-  const SplitText text = split_text(signature, body);
+  SplitText text = split_text(signature, body);
+  if (const ZerosText zeros = zeros_text(signature, body); !zeros.call.empty()) {
+    text.calls.push_back(zeros.call);
+    unite(text.used, body.zeros.uses);
+  }
   std::vector<std::string> calls = text.calls;
   if (!text.declaration.empty()) {
     calls.insert(calls.begin(), text.declaration);
@@ -64,13 +74,28 @@ std::string mathematics(const Unit& unit, const std::string& functions) {
   return result + limb_vectors(unit.functions, unit.target);
 }
 
-/// <cmath>, for what is used of it: the functions above, and what scene functions take; <cstring>.
+/// The zeros of functions that have many, in functions that stand before what tells g++ not to
+/// store neighbours at once.
+std::string zeros_of(const Unit& unit, const std::vector<Body>& bodies) {
+  std::string functions;
+  for (std::size_t k = 0; k < unit.functions.size(); ++k) {
+    const std::string zeros = zeros_text(unit.functions[k].signature, bodies[k]).function;
+    functions += zeros.empty() ? "" : '\n' + zeros;
+  }
+  return functions.empty()
+             ? ""
+             : fmt::format(
+                   "\n// Zeros, where compilers may store neighbours at once.\nnamespace "
+                   "{{\n{}\n}}  // namespace\n",
+                   functions);
+}
+
+/// <cmath>, for what is used of it: the functions above, and what scene functions take.
 std::string includes(const Unit& unit) {
   const bool scene = !unit.staged.empty() || !unit.steppers.empty();
   const program::Cost total = total_cost(unit);
   const bool trigonometric = unit.target.takes_libm() && total.sin + total.cos > 0;
   std::string result = scene || trigonometric || total.sqrt > 0 ? "#include <cmath>\n" : "";
-  result += unit.target.takes_vectors() && has_sincos(unit) ? "#include <cstring>\n" : "";
   return result.empty() ? result : result + '\n';
 }
 
@@ -86,7 +111,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies,
       functions += limb_text(unit.functions[k], words, unit.target);
       continue;
     }
-    functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k].parts.front())
+    functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k])
                                              : split_function(signature, bodies[k]);
   }
   functions += unit.self_test ? self_test_text(unit) : "";
@@ -111,6 +136,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies,
                                            {"command", command_comment(unit.command)},
                                            {"digest", kNoDigest},
                                            {"includes", includes(unit)},
+                                           {"zeros", zeros_of(unit, bodies)},
                                            {"order_comment", in_order ? kOrderComment : ""},
                                            {"order", in_order ? ", \"no-schedule-insns\"" : ""},
                                            {"using", mathematics(unit, functions)},

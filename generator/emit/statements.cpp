@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kLargestFunction = 1500;
 constexpr std::size_t kSmallestPart = 200;
 constexpr std::size_t kLargestPart = 400;
+/// Zeros from which a function of their own pays.
+constexpr std::ptrdiff_t kManyZeros = 16;
 
 }  // namespace
 
@@ -34,9 +36,7 @@ Statements::Statements(const program::Function& function, const Vocabulary& word
       slot_(graph_.size(), -1) {
   find_levels(level);
   find_uses();
-  if (target.takes_vectors()) {
-    name_angles();
-  } else if (!target.takes_libm()) {
+  if (!target.takes_libm()) {
     find_pairs();
   }
   make_schedule();
@@ -101,13 +101,6 @@ void Statements::find_pairs() {
   }
 }
 
-/// Of several angles together every sine and cosine has a name.
-void Statements::name_angles() {
-  for (const Ref k : operations_) {
-    is_local_[node_index(k)] = is_local_[node_index(k)] || is_trigonometric(k);
-  }
-}
-
 /// Room for the expression of a value: `const Scalar name = ...;`, or `A[12] = -(...);`.
 int Statements::available(Ref value) const {
   const int left =
@@ -144,9 +137,9 @@ void Statements::list_statements() {
       if (level_[node_index(value)] != level) {
         continue;
       }
-      const bool together = target_.takes_vectors() && is_trigonometric(value);
+      const bool together = target_.takes_vectors() && partner_[node_index(value)] != 0;
       if (together) {
-        list_angle(value);
+        list_angle(value, stated);
       } else {
         store();
         list_definition(value, stated);
@@ -158,11 +151,18 @@ void Statements::list_statements() {
   }
 }
 
-/// Joins the statement before it if that is one of angles, of this level and not of the sine or
-/// cosine whose sine or cosine this is.
-void Statements::list_angle(Ref value) {
+/// Sine and cosine of one angle. Joins the statement before it if that is one of angles, of this
+/// level and not of the sine or cosine whose sine and cosine these are.
+void Statements::list_angle(Ref value, std::vector<bool>& stated) {
+  if (stated[node_index(value)]) {
+    return;
+  }
   const program::Node& node = graph_.node(value);
+  const Ref partner = partner_[node_index(value)];
+  const bool is_sine = node.kind == Kind::kSin;
+  stated[node_index(partner)] = true;
   names_.assign(value);
+  names_.assign(partner);
   const auto gives = [&](const Angle& angle) {
     return angle.sine == node.a || angle.cosine == node.a;
   };
@@ -171,11 +171,8 @@ void Statements::list_angle(Ref value) {
       std::ranges::any_of(statements_.back().angles, gives)) {
     statements_.push_back({.value = value});
   }
-  std::vector<Angle>& angles = statements_.back().angles;
-  if (angles.empty() || angles.back().angle != node.a) {
-    angles.push_back({.angle = node.a});
-  }
-  (node.kind == Kind::kSin ? angles.back().sine : angles.back().cosine) = value;
+  statements_.back().angles.push_back(
+      {node.a, is_sine ? value : partner, is_sine ? partner : value});
 }
 
 /// Of sine and cosine of one angle the first brings both.
@@ -213,12 +210,15 @@ bool Statements::stays(int output, Ref value) const {
 
 /// Outputs that are constants or inputs of this level; zeros last.
 void Statements::list_constants(int level) {
+  const bool apart =
+      target_.zeros_apart && std::ranges::count(function_.outputs, Ref{0}) >= kManyZeros;
   for (const bool zeros : {false, true}) {
+    std::vector<Statement>& list = zeros && apart ? zeros_ : statements_;
     for (std::size_t output = 0; output < function_.outputs.size(); ++output) {
       const Ref value = function_.outputs[output];
       if (!is_operation(value) && (value == 0) == zeros && level_[node_index(value)] == level &&
           !stays(static_cast<int>(output), value)) {
-        statements_.push_back({.value = value, .output = static_cast<int>(output)});
+        list.push_back({.value = value, .output = static_cast<int>(output)});
       }
     }
   }
@@ -230,11 +230,8 @@ void Statements::visit_definitions(const Statement& statement,
     return;
   }
   for (const Angle& angle : statement.angles) {
-    for (const Ref value : {angle.sine, angle.cosine}) {
-      if (value != 0) {
-        visit(value);
-      }
-    }
+    visit(angle.sine);
+    visit(angle.cosine);
   }
   if (statement.angles.empty()) {
     visit(statement.value);

@@ -16,10 +16,10 @@ namespace treedyn::emit {
 
 inline constexpr int kIndentation = 2;
 
-/// What is needed of an angle.
+/// An angle, its sine and its cosine.
 struct Angle {
   program::Ref angle = 0;
-  program::Ref sine = 0;  ///< 0: not needed
+  program::Ref sine = 0;
   program::Ref cosine = 0;
 };
 
@@ -43,6 +43,8 @@ class Statements {
              const std::function<int(int, int)>& level);
 
   [[nodiscard]] const std::vector<Statement>& all() const { return statements_; }
+  /// Zeros that stand in a function of their own, not among `all`; none unless the target asks.
+  [[nodiscard]] const std::vector<Statement>& zeros() const { return zeros_; }
   [[nodiscard]] const program::Schedule& schedule() const { return schedule_; }
   /// The stage of a statement.
   [[nodiscard]] int level_of(std::size_t statement) const {
@@ -83,11 +85,10 @@ class Statements {
   void find_levels(const std::function<int(int, int)>& level);
   void find_uses();
   void find_pairs();
-  void name_angles();
   void make_schedule();
   void list_statements();
   void list_definition(program::Ref value, std::vector<bool>& stated);
-  void list_angle(program::Ref value);
+  void list_angle(program::Ref value, std::vector<bool>& stated);
   void list_stores(program::Ref value);
   void list_constants(int level);
   [[nodiscard]] bool stays(int output, program::Ref value) const;
@@ -113,6 +114,7 @@ class Statements {
   std::vector<program::Ref> partner_;         // by node: the other one of sine and cosine, 0: none
   std::vector<std::vector<int>> outputs_of_;  // by node
   std::vector<Statement> statements_;
+  std::vector<Statement> zeros_;
   std::vector<std::size_t> part_of_;  // by node, where its local is defined
   std::vector<int> slot_;             // by node; -1: not shared
   int slots_ = 0;

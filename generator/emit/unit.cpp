@@ -125,11 +125,13 @@ Vocabulary words_of(const Unit& unit) {
 
 std::vector<File> emit_files(const Unit& unit) {
   const Vocabulary words = words_of(unit);
+  Target target = unit.target;
+  target.zeros_apart = target.lanes == 1 && !(unit.processor && unit.processor->in_order);
   std::vector<Body> bodies;
   bodies.reserve(unit.functions.size() + unit.checked.size() + unit.staged.size());
   for (const program::Function& function : unit.functions) {
     bodies.push_back(function.limb_code ? limb_body(function, words, unit.target)
-                                        : body(function, words, unit.target));
+                                        : body(function, words, target));
   }
   for (const Checked& checked : unit.checked) {
     bodies.push_back(body(checked.function, words, unit.target));

@@ -82,6 +82,13 @@ std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", te
 
 bool has_late_sines(const std::string& core) { return !core.empty() && core != "host"; }
 
+bool room_for_vectors(const Request& request) {
+  const emit::Target& target = request.target;
+  return target.sincos == emit::Sincos::kPair && target.lanes == 1 && !target.limb_lanes &&
+         target.trigonometry == program::Trigonometry::kEarly &&
+         request.language == emit::Language::kCpp;
+}
+
 std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
   std::vector<std::pair<std::string, std::string>> options = {
       {"scalar", in_quotes(emit::type_name(request.target.scalar))},
@@ -166,8 +173,8 @@ std::vector<std::string> generate_command(const Request& request, Paths paths) {
       emit::type_name(request.target.scalar));
   add(request.target.lanes != kDefaults.target.lanes, "--lanes",
       std::to_string(request.target.lanes));
-  add(sincos_word(request.target) != sincos_word(kDefaults.target), "--sincos",
-      sincos_word(request.target));
+  add(request.target.takes_libm() || request.target.vectors != room_for_vectors(request),
+      "--sincos", sincos_word(request.target));
   add(!request.core.empty(), "--core", request.core);
   const bool late = request.target.trigonometry == program::Trigonometry::kLate;
   add(late != has_late_sines(request.core), "--trig", late ? "late" : "early");

@@ -42,6 +42,7 @@ struct Request {
   std::vector<std::string> equations;  ///< files with equations of the user
   model::Vector3 gravity = {0, 0, Real("-9.81")};
   emit::Target target;
+  std::optional<bool> vectors;  ///< of angles, instead of where they can be (`room_for_vectors`)
   std::string core;  ///< the processor that it is for, one of accuracy::cores(); empty: any
   int effort = formulate::Options{}.effort;
   formulate::ForwardDynamics forward_dynamics = formulate::ForwardDynamics::kCheapest;
@@ -57,6 +58,10 @@ struct Request {
 /// True if sines are placed late unless something else is asked for: processors that execute in
 /// order spill fewer values then.
 bool has_late_sines(const std::string& core);
+
+/// True if the angles of a function can be worked on together, in vectors: those of one state,
+/// before all that needs them, in C++.
+bool room_for_vectors(const Request& request);
 
 /// How a command names its files.
 enum class Paths { kAsGiven, kBaseNames };

@@ -52,6 +52,9 @@ void require_length(const Real& step, const Request& request) {
 /// How to compile for a processor, and what calls cost there by its table.
 emit::Processor processor_of(const accuracy::Core& core, const emit::Unit& unit) {
   accuracy::Build build{unit.target.scalar == emit::Scalar::kFloat, unit.target.takes_libm()};
+  if (unit.target.takes_vectors() && !core.has_flash()) {
+    build.angles = build.is_float ? 4 : 2;  // in vectors that every desktop core has
+  }
   const program::Cost all = emit::total_cost(unit);
   const double separate = accuracy::cycles(all, core, build);
   build.contracted = true;
@@ -62,7 +65,7 @@ emit::Processor processor_of(const accuracy::Core& core, const emit::Unit& unit)
                   core.options.empty() ? "" : " ", build.contracted ? "fast" : "off"),
       core.in_order,
       {}};
-  if (unit.target.lanes > 1 || unit.target.limb_lanes || unit.target.takes_vectors()) {
+  if (unit.target.lanes > 1 || unit.target.limb_lanes) {
     return result;  // the table is of scalars
   }
   const auto add = [&](const std::string& name, const program::Cost& cost) {

@@ -207,7 +207,6 @@ TEST(EmitFiles, StatesAllAnglesThatDependOnNoneTogether) {
                                 "  const Scalar s_j0 = sines_[0];\n"
                                 "  const Scalar c_j0 = cosines[0];\n"));
   EXPECT_THAT(source, HasSubstr("  sines_cosines(sines_2, cosines_2, s_j0, t_1);\n"));
-  EXPECT_THAT(source, HasSubstr("#include <cstring>"));
   expect_same_as_program(nested_function(), 2, Scalar::kDouble, Sincos::kPair, true);
   expect_same_as_program(nested_function(), 2, Scalar::kFloat, Sincos::kPair, true);
   expect_same_as_program(program::spatial_chain(60), 60, Scalar::kDouble, Sincos::kPair, true);
