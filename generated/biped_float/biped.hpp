@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x3b35e9d33f672692ULL;
+constexpr unsigned long long kDigest = 0x936815024eb9fb00ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -27,7 +27,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xb62e552cf19df058ULL;
+constexpr unsigned long long kDigest = 0x76f46c290bf95c39ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -29,7 +29,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x98e21b8c54b4a4f2ULL;
+constexpr unsigned long long kDigest = 0xf62a89bfcd1736cfULL;
 
 /// Index of every joint.
 namespace joint {

@@ -25,7 +25,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x994f20422520d4ebULL;
+constexpr unsigned long long kDigest = 0x06a44c1a9bb082bcULL;
 
 /// Index of every joint.
 namespace joint {

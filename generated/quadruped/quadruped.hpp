@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xa8ac8208ae6368c0ULL;
+constexpr unsigned long long kDigest = 0x176533ce3c60ca69ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -24,7 +24,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xa5314da179882787ULL;
+constexpr unsigned long long kDigest = 0x5ed36a4a4a56066eULL;
 
 /// Index of every joint.
 namespace joint {

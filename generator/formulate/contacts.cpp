@@ -1,6 +1,8 @@
 #include "formulate/contacts.hpp"
 
+#include "common/index.hpp"
 #include "formulate/scene_frame.hpp"
+#include "model/force_laws.hpp"
 
 namespace treedyn::formulate {
 
@@ -42,44 +44,35 @@ Slip slip_of(const Task& task, const SceneForces& forces) {
   return {v, dot(constant(task.kinematics.graph(), c.plane.normal), v)};
 }
 
-/// f = k d^n (1 - c vn), or the scene's own law.
-/// \param power_array  d^n where the contact needs_power
+/// The law that presses. \param power_array  d^n where the contact needs_power
 Expr law(const Task& task, const SceneForces& forces, Expr depth, const Slip& slip,
          int power_array) {
   Graph& graph = task.kinematics.graph();
   const model::GroundContact& c = contact_of(task);
-  if (c.law) {
-    return value_of(graph, *c.law, [&](const model::Variable& v) {
-      return v.quantity == model::Quantity::kDepth         ? depth
-             : v.quantity == model::Quantity::kNormalSpeed ? slip.normal
-                                                           : forces.meaning()(v);
-    });
-  }
-  const Expr raised =
-      needs_power(c) ? input(task, power_array, 0) : power(graph, depth, c.exponent);
-  const Expr elastic = constant(graph, c.stiffness) * raised;
-  if (c.dissipation == 0) {
-    return elastic;
-  }
-  const Expr damped = constant(graph, Real(1)) - constant(graph, c.dissipation) * slip.normal;
-  return elastic * damped;
+  return value_of(graph, model::normal_law(c), [&](const model::Variable& v) {
+    switch (v.quantity) {
+      case model::Quantity::kDepth:
+        return depth;
+      case model::Quantity::kRaisedDepth:
+        return needs_power(c) ? input(task, power_array, 0) : power(graph, depth, c.exponent);
+      case model::Quantity::kNormalSpeed:
+        return slip.normal;
+      default:
+        return forces.meaning()(v);
+    }
+  });
 }
 
-/// f n - mu f vt / sqrt(vt^2 + vs^2).
-Vec3 force(const Task& task, Expr f, const Slip& slip) {
+Vec3 force(const Task& task, Expr press, const Slip& slip) {
+  const model::VectorExpression law = model::contact_force(contact_of(task));
+  const Meaning meaning = [&](const model::Variable& v) {
+    return v.quantity == model::Quantity::kPress         ? press
+           : v.quantity == model::Quantity::kNormalSpeed ? slip.normal
+                                                         : slip.velocity[to_index(v.index)];
+  };
   Graph& graph = task.kinematics.graph();
-  const model::GroundContact& c = contact_of(task);
-  const Vec3 n = constant(graph, c.plane.normal);
-  const Vec3 along = f * n;
-  if (c.friction == 0) {
-    return along;
-  }
-  const Vec3 normal_part = slip.normal * n;
-  const Vec3 vt = slip.velocity - normal_part;
-  const Expr squared = dot(vt, vt) + constant(graph, c.slip_speed * c.slip_speed);
-  const Expr speed(graph, graph.sqrt(squared.ref()));
-  const Expr factor = constant(graph, c.friction) * f / speed;
-  return along - factor * vt;
+  return {value_of(graph, law[0], meaning), value_of(graph, law[1], meaning),
+          value_of(graph, law[2], meaning)};
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "common/index.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/scene_drift.hpp"
-#include "model/joint_forces.hpp"
+#include "model/force_laws.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::formulate {
@@ -13,8 +13,6 @@ namespace treedyn::formulate {
 using model::Quantity;
 
 namespace {
-
-Expr root(Graph& graph, Expr x) { return {graph, graph.sqrt(x.ref())}; }
 
 bool of_time(const model::Expression& e) { return e.uses(Quantity::kTime); }
 
@@ -73,25 +71,6 @@ Vec3 SceneForces::velocity(int point) const {
                           {scene_.points[to_index(point)]}, Way::kToRoot));
 }
 
-/// -(k (l - rest) + c l') along the unit vector from the anchor, l l' = u . v with u = p - anchor.
-Vec3 SceneForces::spring_force(const model::PointSpring& s) const {
-  Graph& graph = task_.kinematics.graph();
-  const Vec3 u = position(s.point) - constant(graph, s.anchor);
-  Expr factor = constant(graph, s.stiffness);
-  if (s.rest_length != 0 || s.damping != 0) {
-    const Expr squared = dot(u, u);
-    if (s.rest_length != 0) {
-      const Expr length = root(graph, squared);
-      factor -= constant(graph, s.stiffness * s.rest_length) / length;
-    }
-    if (s.damping != 0) {
-      const Expr along = dot(u, velocity(s.point));
-      factor += constant(graph, s.damping) * along / squared;
-    }
-  }
-  return -(factor * u);
-}
-
 AppliedLoad SceneForces::load(const model::PointLoad& load, bool is_moment) const {
   const Meaning meaning = [&](const model::Variable& v) {
     switch (v.quantity) {
@@ -112,10 +91,7 @@ AppliedLoad SceneForces::load(const model::PointLoad& load, bool is_moment) cons
 
 std::vector<AppliedLoad> SceneForces::loads() const {
   std::vector<AppliedLoad> result;
-  for (const model::PointSpring& spring : scene_.point_springs) {
-    result.push_back({spring.point, false, spring_force(spring)});
-  }
-  for (const model::PointLoad& force : scene_.forces) {
+  for (const model::PointLoad& force : model::point_forces(scene_)) {
     result.push_back(load(force, false));
   }
   for (const model::PointLoad& torque : scene_.torques) {

@@ -42,7 +42,6 @@ class SceneForces {
 
  private:
   [[nodiscard]] Expr input(int array, int element) const;
-  [[nodiscard]] Vec3 spring_force(const model::PointSpring& spring) const;
   [[nodiscard]] AppliedLoad load(const model::PointLoad& load, bool is_moment) const;
 
   const Task& task_;

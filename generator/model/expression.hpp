@@ -21,7 +21,9 @@ enum class Quantity : std::uint8_t {
   kPointPosition,  ///< x, y, z of the point that the expression belongs to, base frame, m
   kPointVelocity,  ///< vx, vy, vz of this point, m/s
   kDepth,          ///< depth of this point below its plane, m
+  kRaisedDepth,    ///< this depth to the power of the contact's exponent
   kNormalSpeed,    ///< velocity of this point along the plane's normal, m/s
+  kPress,          ///< the force along this normal, N
 };
 
 struct Variable {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/joint_forces.hpp"
+#include "model/force_laws.hpp"
 
 namespace treedyn::simulation {
 
@@ -22,10 +22,9 @@ ContactLaw::ContactLaw(const model::GroundContact& contact)
       plane_(contact.plane),
       k_(value(contact.stiffness)),
       n_(value(contact.exponent)),
-      c_(value(contact.dissipation)),
-      mu_(value(contact.friction)),
-      vs_(value(contact.slip_speed)),
-      law_(contact.law) {}
+      is_own_(contact.law.has_value()),
+      normal_law_(model::normal_law(contact)),
+      force_(model::contact_force(contact)) {}
 
 Eigen::Vector3d ContactLaw::force(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const {
   const double d = -plane_.height(p);
@@ -34,24 +33,30 @@ Eigen::Vector3d ContactLaw::force(const Eigen::Vector3d& p, const Eigen::Vector3
   }
   const Eigen::Vector3d& normal = plane_.normal();
   const double vn = normal.dot(v);
-  const double law = law_ ? law_->evaluate([&](const model::Variable& variable) {
-    return variable.quantity == model::Quantity::kDepth ? d : vn;
-  })
-                          : k_ * std::pow(d, n_) * (1 - c_ * vn);
-  const double f = std::max(0.0, law);
-  const Eigen::Vector3d vt = v - vn * normal;
-  const double slip = std::sqrt(vt.squaredNorm() + vs_ * vs_);
-  return mu_ == 0 ? Eigen::Vector3d(f * normal)
-                  : Eigen::Vector3d(f * normal - (mu_ * f / slip) * vt);
+  const double press = std::max(0.0, normal_law_.evaluate([&](const model::Variable& variable) {
+    switch (variable.quantity) {
+      case model::Quantity::kDepth:
+        return d;
+      case model::Quantity::kRaisedDepth:
+        return std::pow(d, n_);
+      default:
+        return vn;
+    }
+  }));
+  return force_.evaluate([&](const model::Variable& variable) {
+    return variable.quantity == model::Quantity::kPress         ? press
+           : variable.quantity == model::Quantity::kNormalSpeed ? vn
+                                                                : v[variable.index];
+  });
 }
 
 double ContactLaw::energy(const Eigen::Vector3d& p) const {
-  const double d = law_ ? 0 : std::max(0.0, -plane_.height(p));
+  const double d = is_own_ ? 0 : std::max(0.0, -plane_.height(p));
   return k_ * std::pow(d, n_ + 1) / (n_ + 1);
 }
 
 double ContactLaw::energy_rate(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const {
-  const double d = law_ ? 0 : std::max(0.0, -plane_.height(p));
+  const double d = is_own_ ? 0 : std::max(0.0, -plane_.height(p));
   return -k_ * std::pow(d, n_) * plane_.normal().dot(v);
 }
 
@@ -69,12 +74,12 @@ Forces::Forces(const model::Scene& scene) {
   }
   for (const model::PointSpring& s : scene.point_springs) {
     point_springs_.push_back(
-        {s.point, vector_of(s.anchor), value(s.stiffness), value(s.damping), value(s.rest_length)});
+        {s.point, vector_of(s.anchor), value(s.stiffness), value(s.rest_length)});
   }
   for (const model::PointLoad& load : scene.torques) {
     torques_.push_back({load.point, VectorValue(load.value)});
   }
-  for (const model::PointLoad& load : scene.forces) {
+  for (const model::PointLoad& load : model::point_forces(scene)) {
     loads_.push_back({load.point, VectorValue(load.value)});
   }
   for (const model::GroundContact& contact : scene.contacts) {
@@ -95,7 +100,7 @@ void Forces::generalized(const Terms& terms, const State& state, Vector& Q) {
   if (terms.needs().points) {
     v_.noalias() = terms.C().transpose() * state.qd;
   }
-  if (!point_springs_.empty() || !loads_.empty() || !contacts_.empty()) {
+  if (!loads_.empty() || !contacts_.empty()) {
     add_point_forces(terms, state);
     Q.noalias() += terms.C() * f_;  // (8)
   }
@@ -125,14 +130,6 @@ Eigen::Vector3d Forces::load(const Load& load, const Terms& terms, const State& 
 void Forces::add_point_forces(const Terms& terms, const State& state) {
   f_ = Vector::Zero(v_.size());
   const auto p = terms.p();
-  for (const PointSpring& s : point_springs_) {
-    const Eigen::Vector3d line = p.segment<3>(3 * s.point) - s.anchor;
-    const double l = line.norm();
-    if (l > 0) {
-      const double rate = line.dot(v_.segment<3>(3 * s.point)) / l;
-      f_.segment<3>(3 * s.point) -= (s.k * (l - s.length) + s.d * rate) / l * line;
-    }
-  }
   for (const Load& force : loads_) {
     f_.segment<3>(3 * force.point) += load(force, terms, state);
   }
@@ -173,11 +170,11 @@ void Forces::append_forces(const Terms& terms, const State& state, std::vector<d
   }
   v_.noalias() = terms.C().transpose() * state.qd;
   const auto p = terms.p();
-  for (const PointSpring& s : point_springs_) {
+  for (std::size_t k = 0; k < point_springs_.size(); ++k) {
+    const PointSpring& s = point_springs_[k];
     const Eigen::Vector3d line = p.segment<3>(3 * s.point) - s.anchor;
     const double l = line.norm();
-    const double rate = l > 0 ? line.dot(v_.segment<3>(3 * s.point)) / l : 0;
-    values.push_back(s.k * (l - s.length) + s.d * rate);
+    values.push_back(l > 0 ? -line.dot(load(loads_[k], terms, state)) / l : 0);
   }
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const int at = 3 * contacts_[k].point();

@@ -43,8 +43,10 @@ class ContactLaw {
  private:
   int point_;
   PlaneValues plane_;
-  double k_, n_, c_, mu_, vs_;
-  std::optional<model::Expression> law_;
+  double k_, n_;
+  bool is_own_;  ///< the law is one of the user
+  model::Expression normal_law_;
+  VectorValue force_;
 };
 
 /// Everything that acts on a scene apart from reactions and exact dry friction.
@@ -79,7 +81,6 @@ class Forces {
     int point = 0;
     Eigen::Vector3d anchor;
     double k = 0;
-    double d = 0;
     double length = 0;
   };
   struct Load {
@@ -99,9 +100,9 @@ class Forces {
   std::vector<JointForce> joint_forces_;    ///< all, by joint
   std::vector<model::Expression> drives_;   ///< of them, as the scene lists them
   std::vector<JointSpring> joint_springs_;  ///< of them
-  std::vector<PointSpring> point_springs_;
+  std::vector<PointSpring> point_springs_;  ///< the first of `loads_`
   std::vector<Load> torques_;
-  std::vector<Load> loads_;
+  std::vector<Load> loads_;  ///< forces
   std::vector<ContactLaw> contacts_;
   std::vector<bool> touching_;
   Vector v_;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "common/index.hpp"
-#include "model/joint_forces.hpp"
+#include "model/force_laws.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn {
@@ -190,23 +190,6 @@ void SceneEquations::apply(const model::Vector3& value, int point, const Values&
   }
 }
 
-void SceneEquations::add_point_springs(Values& force) const {
-  for (const model::PointSpring& s : scene_.point_springs) {
-    model::Vector3 u;
-    Real squared = 0;
-    Real along = 0;
-    for (std::size_t n = 0; n < 3; ++n) {
-      u[n] = p_[3 * to_index(s.point) + n] - s.anchor[n];
-      squared += u[n] * u[n];
-      along += u[n] * v_[3 * to_index(s.point) + n];
-    }
-    const Real length = sqrt(squared);
-    const Real pull = s.stiffness * (length - s.rest_length) + s.damping * along / length;
-    apply({-pull * u[0] / length, -pull * u[1] / length, -pull * u[2] / length}, s.point, C_,
-          force);
-  }
-}
-
 void SceneEquations::add_load(const model::PointLoad& load, const Values& jacobian,
                               Values& force) const {
   const model::Vector3 components = {value(load.value[0], load.point),
@@ -218,8 +201,7 @@ void SceneEquations::add_load(const model::PointLoad& load, const Values& jacobi
 SceneEquations::Values SceneEquations::force() const {
   Values force(to_index(dof_));
   add_joint_forces(force);
-  add_point_springs(force);
-  for (const model::PointLoad& load : scene_.forces) {
+  for (const model::PointLoad& load : model::point_forces(scene_)) {
     add_load(load, C_, force);
   }
   for (const model::PointLoad& load : scene_.torques) {
@@ -236,34 +218,35 @@ Real SceneEquations::normal_speed(const model::GroundContact& contact) const {
   return sum;
 }
 
+Real SceneEquations::in_contact(const model::Expression& law, const model::GroundContact& contact,
+                                const Real& depth, const Real& press) const {
+  return law.evaluate<Real>([](const Real& x) { return x; },
+                            [&](const model::Variable& v) -> Real {
+                              switch (v.quantity) {
+                                case model::Quantity::kDepth:
+                                  return depth;
+                                case model::Quantity::kRaisedDepth:
+                                  return pow(depth, contact.exponent);
+                                case model::Quantity::kNormalSpeed:
+                                  return normal_speed(contact);
+                                case model::Quantity::kPress:
+                                  return press;
+                                default:
+                                  return variable(v, contact.point);
+                              }
+                            });
+}
+
 Real SceneEquations::contact_law(const model::GroundContact& contact, const Real& depth) const {
-  const Real vn = normal_speed(contact);
-  if (contact.law) {
-    return contact.law->evaluate<Real>([](const Real& x) { return x; },
-                                       [&](const model::Variable& v) {
-                                         return v.quantity == model::Quantity::kDepth ? depth
-                                                : v.quantity == model::Quantity::kNormalSpeed
-                                                    ? vn
-                                                    : variable(v, contact.point);
-                                       });
-  }
-  return contact.stiffness * pow(depth, contact.exponent) * (1 - contact.dissipation * vn);
+  return in_contact(model::normal_law(contact), contact, depth, 0);
 }
 
 SceneEquations::Values SceneEquations::contact(const model::GroundContact& contact,
                                                const Real& normal) const {
-  const Real vn = normal_speed(contact);
-  model::Vector3 slip;
-  Real squared = contact.slip_speed * contact.slip_speed;
-  for (std::size_t n = 0; n < 3; ++n) {
-    slip[n] = v_[3 * to_index(contact.point) + n] - vn * contact.plane.normal[n];
-    squared += slip[n] * slip[n];
-  }
+  const model::VectorExpression law = model::contact_force(contact);
   model::Vector3 f;
   for (std::size_t n = 0; n < 3; ++n) {
-    const Real drag =
-        contact.friction == 0 ? Real(0) : Real(contact.friction * normal * slip[n] / sqrt(squared));
-    f[n] = normal * contact.plane.normal[n] - drag;
+    f[n] = in_contact(law[n], contact, 0, normal);
   }
   Values force(to_index(dof_));
   apply(f, contact.point, C_, force);

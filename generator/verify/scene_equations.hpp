@@ -42,6 +42,9 @@ class SceneEquations {
 
  private:
   [[nodiscard]] Real normal_speed(const model::GroundContact& contact) const;
+  /// A law at this depth, or of this force that presses.
+  [[nodiscard]] Real in_contact(const model::Expression& law, const model::GroundContact& contact,
+                                const Real& depth, const Real& press) const;
   [[nodiscard]] Real value(const model::Expression& expression, int point) const;
   [[nodiscard]] Real variable(const model::Variable& variable, int point) const;
   [[nodiscard]] Row row(const model::Constraint& constraint, std::size_t k) const;
@@ -52,7 +55,6 @@ class SceneEquations {
   void add(Row& row, const model::Vector3& d, const Values& jacobian, const Values& gamma,
            int point, int sign) const;
   void add_joint_forces(Values& force) const;
-  void add_point_springs(Values& force) const;
   void add_load(const model::PointLoad& load, const Values& jacobian, Values& force) const;
   void apply(const model::Vector3& value, int point, const Values& jacobian, Values& force) const;
 

@@ -1,4 +1,7 @@
-#include "model/joint_forces.hpp"
+#include "model/force_laws.hpp"
+
+#include <algorithm>
+#include <iterator>
 
 #include "common/index.hpp"
 
@@ -8,6 +11,15 @@ namespace {
 
 Expression position(int joint) { return Expression(Variable{Quantity::kPosition, joint}); }
 Expression velocity(int joint) { return Expression(Variable{Quantity::kVelocity, joint}); }
+
+/// x, y, z of the point.
+VectorExpression of_point(Quantity quantity) {
+  return {Expression({quantity, 0}), Expression({quantity, 1}), Expression({quantity, 2})};
+}
+
+Expression dot(const VectorExpression& a, const VectorExpression& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /// Springs and dampers of one joint act as one.
 struct Elastic {
@@ -43,6 +55,59 @@ Expression law(const JointSpring& spring) {
   Elastic alone;
   alone.add(spring);
   return alone.law(spring.joint);
+}
+
+/// -(k (l - rest) + c l') along the unit vector from the anchor, l l' = u . v with u = p - anchor.
+PointLoad law(const PointSpring& spring) {
+  VectorExpression u = of_point(Quantity::kPointPosition);
+  for (std::size_t n = 0; n < 3; ++n) {
+    u[n] = u[n] - spring.anchor[n];
+  }
+  const Expression squared = dot(u, u);
+  Expression factor = spring.stiffness;
+  if (spring.rest_length != 0) {
+    factor = factor - Real(spring.stiffness * spring.rest_length) / sqrt(squared);
+  }
+  if (spring.damping != 0) {
+    factor = factor + spring.damping * dot(u, of_point(Quantity::kPointVelocity)) / squared;
+  }
+  return {spring.point, {-(factor * u[0]), -(factor * u[1]), -(factor * u[2])}};
+}
+
+Expression normal_law(const GroundContact& contact) {
+  if (contact.law) {
+    return *contact.law;
+  }
+  const Expression elastic = contact.stiffness * Expression({Quantity::kRaisedDepth});
+  return contact.dissipation == 0
+             ? elastic
+             : elastic * (Real(1) - contact.dissipation * Expression({Quantity::kNormalSpeed}));
+}
+
+VectorExpression contact_force(const GroundContact& contact) {
+  const Expression press({Quantity::kPress});
+  const model::Vector3& normal = contact.plane.normal;
+  VectorExpression slip = of_point(Quantity::kPointVelocity);
+  for (std::size_t n = 0; n < 3; ++n) {
+    slip[n] = slip[n] - Expression({Quantity::kNormalSpeed}) * normal[n];
+  }
+  const Real least(contact.slip_speed * contact.slip_speed);
+  const Expression factor = contact.friction == 0
+                                ? Expression()
+                                : contact.friction * press / sqrt(dot(slip, slip) + least);
+  VectorExpression force;
+  for (std::size_t n = 0; n < 3; ++n) {
+    force[n] = press * normal[n] - factor * slip[n];
+  }
+  return force;
+}
+
+std::vector<PointLoad> point_forces(const Scene& scene) {
+  std::vector<PointLoad> result;
+  std::ranges::transform(scene.point_springs, std::back_inserter(result),
+                         [](const PointSpring& spring) { return law(spring); });
+  result.insert(result.end(), scene.forces.begin(), scene.forces.end());
+  return result;
 }
 
 std::vector<Expression> joint_forces(const Scene& scene, int joint) {
