@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xa0f3d641750901fcULL;
+constexpr unsigned long long kDigest = 0x31f4c0a45c07d8caULL;
 
 /// Index of every joint.
 namespace joint {

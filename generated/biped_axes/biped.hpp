@@ -43,7 +43,7 @@ constexpr int kDof = 18;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xf707f48ee7cf5c22ULL;
+constexpr unsigned long long kDigest = 0xb0c7393fae2865bfULL;
 
 /// Index of every joint.
 namespace joint {

@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x936815024eb9fb00ULL;
+constexpr unsigned long long kDigest = 0xedc23b3aa07c329bULL;
 
 /// Index of every joint.
 namespace joint {

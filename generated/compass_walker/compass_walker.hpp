@@ -27,7 +27,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x76f46c290bf95c39ULL;
+constexpr unsigned long long kDigest = 0xa1ff8f3679f2ad4bULL;
 
 /// Index of every joint.
 namespace joint {

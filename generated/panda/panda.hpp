@@ -29,7 +29,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xf62a89bfcd1736cfULL;
+constexpr unsigned long long kDigest = 0xe2dd2b15a1e269f7ULL;
 
 /// Index of every joint.
 namespace joint {

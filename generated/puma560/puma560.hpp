@@ -25,7 +25,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x06a44c1a9bb082bcULL;
+constexpr unsigned long long kDigest = 0x31338dfc65cfbc0aULL;
 
 /// Index of every joint.
 namespace joint {

@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x176533ce3c60ca69ULL;
+constexpr unsigned long long kDigest = 0x9da81b9d0b09dd1aULL;
 
 /// Index of every joint.
 namespace joint {

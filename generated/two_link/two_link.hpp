@@ -24,7 +24,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x5ed36a4a4a56066eULL;
+constexpr unsigned long long kDigest = 0x4536a7102a8b1c94ULL;
 
 /// Index of every joint.
 namespace joint {

@@ -267,10 +267,15 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
         "\n[[gnu::noinline, gnu::unused]] SineCosine<{0}> {1}({0} x) noexcept {{\n"
         "  return pair_of(x);\n}}\n",
         type_name(target.scalar), kSineCosine);
-    others += '\n' + fill(template_text("sines_cosines.cpp"), {{"type", type_name(target.scalar)},
-                                                               {"most", std::to_string(most)},
-                                                               {"long", elements(most)},
-                                                               {"short", elements(most / 2)}});
+    others +=
+        '\n' +
+        fill(template_text("sines_cosines.cpp"),
+             {{"type", type_name(target.scalar)},
+              {"most", std::to_string(most)},
+              {"filling",
+               fmt::format("{}", fmt::join(std::vector<std::string>(most - 1, "first"), ", "))},
+              {"long", elements(most)},
+              {"short", elements(most / 2)}});
     others.pop_back();
   }
   return fill(template_text("sincos.cpp"), {{"pair", pair}, {"others", others}});

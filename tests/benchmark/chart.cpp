@@ -11,13 +11,13 @@ namespace {
 
 constexpr const char* kColours[] = {"#1b5e9b", "#5aa2d8", "#b9b9b9",
                                     "#d95f02", "#7a5195", "#2f8f5b"};
-constexpr int kBar = 9;         ///< height, px
-constexpr int kGap = 8;         ///< between functions
-constexpr int kLabels = 190;    ///< width of the names of the functions
-constexpr int kDecade = 75;     ///< width of a factor of 10
-constexpr int kPanel = 520;     ///< width of a robot
-constexpr int kTitle = 34;      ///< height of its name
-constexpr double kLeast = 0.3;  ///< at the left end of the bars
+constexpr int kBar = 9;          ///< height, px
+constexpr int kGap = 8;          ///< between functions
+constexpr int kLabels = 190;     ///< width of the names of the functions
+constexpr int kDecade = 70;      ///< width of a factor of 10
+constexpr int kPanel = 520;      ///< width of a robot
+constexpr int kTitle = 34;       ///< height of its name
+constexpr double kLeast = 0.05;  ///< at the left end of the bars
 
 double place(double ratio) {
   return kLabels + kDecade * std::log10(std::max(ratio, kLeast) / kLeast);
@@ -80,12 +80,12 @@ class Chart {
     std::string text = fmt::format(
         "<text x=\"10\" y=\"14\" font-size=\"13\" font-weight=\"bold\">{}</text>\n", robot);
     const int bottom = panel_height() - 14;
-    for (const double tick : {1.0, 10.0, 100.0, 1000.0}) {
+    for (const double tick : {0.1, 1.0, 10.0, 100.0, 1000.0}) {
       text += fmt::format(
           "<line x1=\"{0:.1f}\" y1=\"{1}\" x2=\"{0:.1f}\" y2=\"{2}\" "
           "stroke=\"#cccccc\"/>\n",
           place(tick), kTitle - 6, bottom);
-      text += text_at(place(tick), kTitle - 9, "middle", fmt::format("{:.0f}", tick));
+      text += text_at(place(tick), kTitle - 9, "middle", fmt::format("{:g}", tick));
     }
     for (std::size_t k = 0; k < functions_.size(); ++k) {
       text += group(robot, functions_[k], kTitle + group_height() * static_cast<int>(k));
@@ -111,7 +111,10 @@ class Chart {
                           kLabels, y, place(ratio) - kLabels, kBar - 1,
                           kColours[k % std::size(kColours)]);
       text += text_at(place(ratio) + 3, y + kBar - 1, "start",
-                      fmt::format("{:.{}f}", ratio, ratio < 10 ? 1 : 0));
+                      fmt::format("{:.{}f}", ratio,
+                                  ratio < 1    ? 2
+                                  : ratio < 10 ? 1
+                                               : 0));
     }
     return text;
   }

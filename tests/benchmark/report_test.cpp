@@ -16,7 +16,7 @@ Cell cell(const std::string& contestant, double least, std::optional<double> ins
   return {"arm", 6, "mass_matrix", contestant, 1e-16, least, least + 1, instructions};
 }
 
-const std::vector<Cell> kCells{cell("treedyn, libm", 50, 400), cell("treedyn, pair", 25, 300),
+const std::vector<Cell> kCells{cell("treedyn, libm", 50, 400), cell("treedyn, default", 25, 300),
                                cell("block form", 40, 9000), cell("KDL", 1000, 7000),
                                cell("MuJoCo", 500, 5000)};
 

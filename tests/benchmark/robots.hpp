@@ -14,7 +14,7 @@ struct RobotInfo {
   std::string base;    ///< of --base
   std::string points;  ///< of --points
   const Code* libm;
-  const Code* pair;  ///< --sincos pair
+  const Code* vector;  ///< default options
 };
 
 std::vector<RobotInfo> robots();

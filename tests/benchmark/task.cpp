@@ -128,7 +128,7 @@ Task make_task(const RobotInfo& robot) {
 std::vector<std::unique_ptr<Contestant>> contestants(const Task& task, const RobotInfo& robot) {
   std::vector<std::unique_ptr<Contestant>> result;
   result.push_back(make_generated(task, *robot.libm, "treedyn, libm"));
-  result.push_back(make_generated(task, *robot.pair, "treedyn, pair"));
+  result.push_back(make_generated(task, *robot.vector, "treedyn, default"));
   result.push_back(make_block_form(task));
   result.push_back(make_kdl(task));
   result.push_back(make_mujoco(task));

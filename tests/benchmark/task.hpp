@@ -13,7 +13,7 @@ namespace treedyn::benchmark {
 /// 1].
 Task make_task(const RobotInfo& robot);
 
-/// Generated code first (libm, pair), the block form, then the engines that read the robot.
+/// Generated code first (libm, default options), the block form, then the engines that read the robot.
 /// \pre `task` outlives the result
 std::vector<std::unique_ptr<Contestant>> contestants(const Task& task, const RobotInfo& robot);
 
