@@ -97,9 +97,10 @@ void Forces::add_joint_forces(const State& state, Vector& Q) const {
 void Forces::generalized(const Terms& terms, const State& state, Vector& Q) {
   Q = Vector::Zero(state.q.size());
   add_joint_forces(state, Q);
-  if (terms.needs().points) {
-    v_.noalias() = terms.C().transpose() * state.qd;
+  if (!terms.needs().points) {
+    return;
   }
+  v_.noalias() = terms.C().transpose() * state.qd;
   if (!loads_.empty() || !contacts_.empty()) {
     add_point_forces(terms, state);
     Q.noalias() += terms.C() * f_;  // (8)

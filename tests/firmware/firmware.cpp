@@ -4,9 +4,10 @@
 //
 //   firmware TREEDYN MODELS SOURCES BUDGETS [--update]
 //
-// SOURCES is the folder of this file. BUDGETS has a line for every function; it fails if a figure
-// is exceeded by more than 0.5 %, or if code keeps something in .data, or code in float calls a
-// function for double. --update writes it anew.
+// Sines are those of `--sincos pair`, on the host too, as the table's are. SOURCES is the folder of
+// this file. BUDGETS has a line for every function; it fails if a figure is exceeded by more than
+// 0.5 %, or if code keeps something in .data, or code in float calls a function for double.
+// --update writes it anew.
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -377,7 +378,7 @@ int measure(const Robot& robot, const Places& places, Budgets& budgets, Counts& 
   const Words functions = robot.functions.empty() ? Words{} : Words{"--functions", robot.functions};
   checked(joined(joined({places.treedyn, "generate"}, joined(robot.arguments, functions)),
                  {"--scalar", robot.is_float ? "float" : "double", "--name", "generated",
-                  "--effort", kEffort, "-q", "-o", work}));
+                  "--sincos", "pair", "--effort", kEffort, "-q", "-o", work}));
   const support::Manifest manifest = support::read_manifest(work / "generated.json");
   support::write_file(work / "calls.cpp", calls_text(manifest));
   const Lines host = on_the_host(robot, places, work);
