@@ -64,7 +64,7 @@ TEST(Csv, HasOneLineACell) {
 TEST(Svg, LabelsBarsWithTheRatioToTheFirstContestant) {
   const std::string text = svg(kCells);
   EXPECT_THAT(text, HasSubstr(">20<"));
-  EXPECT_THAT(text, HasSubstr(">0.5<"));
+  EXPECT_THAT(text, HasSubstr(">0.50<"));
 }
 
 }  // namespace
