@@ -61,7 +61,8 @@ double price(const program::Cost& cost, const Prices& of, const Build& build) {
   const int fused = build.contracted ? cost.fused : 0;
   const double pair = build.libm ? of.libm : build.contracted ? of.fused_pair : of.pair;
   return (cost.add - fused) * of.add + (cost.mul - fused) * of.mul + fused * of.fused +
-         cost.div * of.div + cost.sqrt * of.sqrt + std::max(cost.sin, cost.cos) * pair / build.angles;
+         cost.div * of.div + cost.sqrt * of.sqrt +
+         std::max(cost.sin, cost.cos) * pair / build.angles;
 }
 
 const Precision& precision(const Core& core, const Build& build) {

@@ -13,8 +13,8 @@ namespace treedyn::benchmark {
 /// 1].
 Task make_task(const RobotInfo& robot);
 
-/// Generated code first (libm, default options), the block form, then the engines that read the robot.
-/// \pre `task` outlives the result
+/// Generated code first (libm, default options), the block form, then the engines that read the
+/// robot. \pre `task` outlives the result
 std::vector<std::unique_ptr<Contestant>> contestants(const Task& task, const RobotInfo& robot);
 
 /// The largest error of a contestant over 16 states against the recursive oracle at 50 digits,

@@ -77,7 +77,8 @@ void expect_no_branch(const std::string& tools, const std::string& compiler, con
   if (!is_there(compiler)) {
     GTEST_SKIP() << compiler << " is not installed";
   }
-  for (const char* source : {"/pair_double.cpp", "/pair_float.cpp", "/vector_double.cpp", "/vector_float.cpp"}) {
+  for (const char* source :
+       {"/pair_double.cpp", "/pair_float.cpp", "/vector_double.cpp", "/vector_float.cpp"}) {
     std::size_t functions = 0;
     EXPECT_THAT(
         branching(tools, compiler, options, std::string(TREEDYN_PAIRS) + source, &functions),
