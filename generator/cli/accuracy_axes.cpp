@@ -23,7 +23,8 @@ struct Axis {
   const char* lacks;
 };
 
-/// The statements of a step: comments name the options, of which the digest is, too.
+/// The statements of a step: comments name the options, on as many lines as these need; of them the
+/// digest is, too.
 std::string statements(const Subject& subject, const std::string& integrator,
                        const Variant& variant, StepWriter& writer) {
   const Stepped how{integrator, 1, emit::Scalar::kDouble, false, variant};
@@ -33,7 +34,9 @@ std::string statements(const Subject& subject, const std::string& integrator,
     const bool is_code = !file.name.ends_with(".json");
     for (std::string line; is_code && std::getline(lines, line);) {
       const bool is_digest = line.find("kDigest") != std::string::npos;
-      result += is_digest ? "" : line.substr(0, line.find("//")) + "\n";
+      const std::string code = line.substr(0, line.find("//"));
+      const bool is_empty = code.find_first_not_of(' ') == std::string::npos;
+      result += is_digest || is_empty ? "" : code + "\n";
     }
   }
   return result;
