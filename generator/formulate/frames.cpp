@@ -1,7 +1,6 @@
 #include "formulate/frames.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "formulate/regrouping.hpp"
 
@@ -14,11 +13,13 @@ namespace {
 /// and inertias about them would cancel. Any slide is exact, so only the cost depends on this.
 const Real kNearlyParallel("1e-6");
 
-/// The tree while frames and parameters are being chosen. Every operation changes the description,
-/// not the robot.
+/// Of trees with frames that are kept.
+constexpr std::size_t kMostLinksKept = 4096;
+
+/// The tree while frames are being chosen. Every operation changes the description, not the robot.
 class Workbench {
  public:
-  Workbench(const model::Tree& tree, const Vector3& gravity, const Variant& variant);
+  Workbench(NormalTree tree, const Variant& variant) : variant_(variant), tree_(std::move(tree)) {}
   NormalTree run(const std::vector<LimbLinks>& limbs);
 
  private:
@@ -31,7 +32,6 @@ class Workbench {
   void turn_half(int i);
   void slide(int i, const Real& distance);
   void turn(int i, const Turn& turn);
-  void scale_lengths(const Real& unit);
   void align(const LimbLinks& limbs);
   void align(int i, const NormalLink& first);
 
@@ -39,7 +39,6 @@ class Workbench {
   [[nodiscard]] Turn frame_turn(int i);
   [[nodiscard]] Turn turn_to_son(int i);
 
-  const model::Tree& model_;
   const Variant& variant_;
   NormalTree tree_;
 };
@@ -75,9 +74,10 @@ Matrix3 pseudo_inertia(const model::Inertia& inertia) {
   return half_trace * identity() - j + inertia.mass * outer(inertia.com, inertia.com);
 }
 
-Workbench::Workbench(const model::Tree& tree, const Vector3& gravity, const Variant& variant)
-    : model_(tree), variant_(variant) {
-  tree_.gravity = gravity;
+/// Frames at the joints.
+NormalTree at_joints(const model::Tree& tree, const Vector3& gravity) {
+  NormalTree result;
+  result.gravity = gravity;
   std::vector<Matrix3> frame;  // normal frame -> original link frame
   for (int i = 0; i < tree.size(); ++i) {
     const model::Link& source = tree.links[static_cast<std::size_t>(i)];
@@ -95,10 +95,11 @@ Workbench::Workbench(const model::Tree& tree, const Vector3& gravity, const Vari
     made.to_normal = transpose(p);
     frame.push_back(p);
     if (!root) {
-      link(source.father).sons.push_back(i);
+      result.links[static_cast<std::size_t>(source.father)].sons.push_back(i);
     }
-    tree_.links.push_back(made);
+    result.links.push_back(made);
   }
+  return result;
 }
 
 /// Rotates the frame of link i by `t` about its own axis.
@@ -233,10 +234,10 @@ Turn Workbench::frame_turn(int i) {
   }
 }
 
-void Workbench::scale_lengths(const Real& unit) {
-  tree_.unit = unit;
-  tree_.gravity = Real(1 / unit) * tree_.gravity;
-  for (NormalLink& l : tree_.links) {
+void scale_lengths(NormalTree& tree, const Real& unit) {
+  tree.unit = unit;
+  tree.gravity = Real(1 / unit) * tree.gravity;
+  for (NormalLink& l : tree.links) {
     l.offset = Real(1 / unit) * l.offset;
     l.moment = unit * l.moment;
     l.mass *= unit * unit;
@@ -314,13 +315,6 @@ NormalTree Workbench::run(const std::vector<LimbLinks>& limbs) {
     align(of_class);
   }
   clean_constants(tree_);
-  if (variant_.unit_length > 0) {
-    scale_lengths(unit_of(model_, variant_).metres);
-  }
-  for (int i = n - 1; i >= 0; --i) {
-    regroup(tree_, i, choice(i));
-  }
-  clean_constants(tree_);
   for (NormalLink& l : tree_.links) {
     l.euler = euler_zxz(l.rotation);
   }
@@ -329,13 +323,40 @@ NormalTree Workbench::run(const std::vector<LimbLinks>& limbs) {
 
 }  // namespace
 
-NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Variant& variant,
-                       const std::vector<LimbLinks>& limbs) {
-  return Workbench(tree, gravity, variant).run(limbs);
+NormalForms::NormalForms(const model::Tree& tree, const Vector3& gravity,
+                         const std::vector<LimbLinks>& limbs)
+    : model_(tree), limbs_(limbs), start_(at_joints(tree, gravity)) {}
+
+const NormalTree& NormalForms::placed(const Variant& variant) {
+  Places places;
+  for (const LinkVariant& link : variant.links) {
+    places.emplace_back(link.slide, link.angle);
+  }
+  const auto known = placed_.find(places);
+  if (known != placed_.end()) {
+    return known->second;
+  }
+  if (placed_.size() * start_.links.size() > kMostLinksKept) {
+    placed_.clear();
+  }
+  return placed_.emplace(std::move(places), Workbench(start_, variant).run(limbs_)).first->second;
 }
 
-std::vector<program::LengthUnit> unit_lengths(const model::Tree& tree) {
-  std::vector<program::LengthUnit> lengths;
+NormalTree NormalForms::of(const Variant& variant) {
+  NormalTree tree = placed(variant);
+  if (variant.unit_length > 0) {
+    lengths_ = lengths_ ? std::move(lengths_) : unit_lengths(model_);
+    scale_lengths(tree, (*lengths_)[static_cast<std::size_t>(variant.unit_length - 1)].metres);
+  }
+  for (int i = static_cast<int>(tree.links.size()) - 1; i >= 0; --i) {
+    regroup(tree, i, variant.links[static_cast<std::size_t>(i)]);
+  }
+  clean_constants(tree);
+  return tree;
+}
+
+UnitLengths unit_lengths(const model::Tree& tree) {
+  UnitLengths lengths;
   for (const model::Link& link : tree.links) {
     if (link.joint.type == model::JointType::kPrismatic) {
       return {};

@@ -3,6 +3,9 @@
 // 8).
 #pragma once
 
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "formulate/find_limbs.hpp"
@@ -40,16 +43,40 @@ struct NormalTree {
 
 /// Lengths of the robot that may serve as unit of length, ascending; empty if some joint is
 /// prismatic (its coordinate is given in metres).
-std::vector<program::LengthUnit> unit_lengths(const model::Tree& tree);
+using UnitLengths = std::vector<program::LengthUnit>;
+UnitLengths unit_lengths(const model::Tree& tree);
 
 /// The one that a variant chooses.
 program::LengthUnit unit_of(const model::Tree& tree, const Variant& variant);
 
-/// The frames of `limbs` are turned by half turns so that as many constants as possible are those
-/// of the first limb of the class; `sign` is the first limb's. \pre variant.links has one entry per
-/// link.
-NormalTree normal_form(const model::Tree& tree, const Vector3& gravity, const Variant& variant,
-                       const std::vector<LimbLinks>& limbs = {});
+/// The normal forms of one robot. What its variants have in common is worked out once.
+class NormalForms {
+ public:
+  /// The frames of `limbs` are turned by half turns so that as many constants as possible are those
+  /// of the first limb of the class; `sign` is the first limb's.
+  NormalForms(const model::Tree& tree, const Vector3& gravity,
+              const std::vector<LimbLinks>& limbs = {});
+
+  /// \pre variant.links has one entry per link.
+  NormalTree of(const Variant& variant);
+
+ private:
+  using Places = std::vector<std::pair<Slide, FrameAngle>>;
+
+  const NormalTree& placed(const Variant& variant);
+
+  const model::Tree& model_;
+  std::vector<LimbLinks> limbs_;
+  NormalTree start_;                     ///< frames at the joints, z along the axes
+  std::map<Places, NormalTree> placed_;  ///< by what places frames; some of those asked for
+  std::optional<UnitLengths> lengths_;
+};
+
+/// One of them.
+inline NormalTree normal_form(const model::Tree& tree, const Vector3& gravity,
+                              const Variant& variant, const std::vector<LimbLinks>& limbs = {}) {
+  return NormalForms(tree, gravity, limbs).of(variant);
+}
 
 /// The link that carries the body of a free base.
 inline constexpr int kTrunkLink = 5;

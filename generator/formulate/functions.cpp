@@ -48,8 +48,8 @@ program::Function written(const model::Tree& tree, const NormalTree& normal, con
 }
 
 /// The variant of which the recipe can make use.
-Variant usable(const model::Tree& tree, const Recipe& recipe, Variant used) {
-  if (recipe.freedom.trunk && used.trunk && has_trunk(tree)) {
+Variant usable(const Recipe& recipe, bool has_trunk, Variant used) {
+  if (used.trunk && has_trunk) {
     for (std::size_t i = 3; i < 6;
          ++i) {  // the base axes stay in one point and the trunk keeps its mass
       used.links[i].mass = MassGauge::kNothing;
@@ -66,36 +66,36 @@ Variant usable(const model::Tree& tree, const Recipe& recipe, Variant used) {
   return used;
 }
 
-/// One formulation, its nodes in canonical order if that is asked for.
-Built formulation(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                  const Variant& variant, bool in_order) {
-  const Variant used = usable(tree, recipe, variant);
-  const auto ordered = [in_order](const program::Function& function) {
-    return in_order ? program::canonical(function) : function;
-  };
-  const std::vector<LimbLinks> links =
-      options.share_limbs && !recipe.freedom.own_code ? find_limbs(tree) : std::vector<LimbLinks>{};
-  const NormalTree normal = normal_form(tree, options.gravity, used, links);
-  if (links.empty()) {
-    return {ordered(written(tree, normal, recipe, options, used, nullptr)), {}};
-  }
-  SharedLimbs limbs = shared_limbs(tree, normal, links);
-  program::Function function =
-      ordered(written(with_signs(tree, normal), normal, recipe, options, used, &limbs));
-  function = program::fold_limb_constants(function, limbs.table);
-  return {std::move(function), std::move(limbs.table)};
+std::vector<LimbLinks> limbs_of(const model::Tree& tree, const Recipe& recipe,
+                                const Options& options) {
+  return options.share_limbs && !recipe.freedom.own_code ? find_limbs(tree)
+                                                         : std::vector<LimbLinks>{};
 }
 
 }  // namespace
 
-Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                       const Variant& variant) {
-  return formulation(tree, recipe, options, variant, true);
-}
+Formulations::Formulations(const model::Tree& tree, const Recipe& recipe, const Options& options)
+    : tree_(tree),
+      recipe_(recipe),
+      options_(options),
+      limbs_(limbs_of(tree, recipe, options)),
+      has_trunk_(recipe.freedom.trunk && has_trunk(tree)),
+      forms_(tree, options.gravity, limbs_) {}
 
-program::Cost cost_of(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                      const Variant& variant) {
-  return program::cost(formulation(tree, recipe, options, variant, false).function);
+Built Formulations::made(const Variant& variant, bool in_order) {
+  const Variant used = usable(recipe_, has_trunk_, variant);
+  const auto ordered = [in_order](program::Function function) {
+    return in_order ? program::canonical(function) : function;
+  };
+  const NormalTree normal = forms_.of(used);
+  if (limbs_.empty()) {
+    return {ordered(written(tree_, normal, recipe_, options_, used, nullptr)), {}};
+  }
+  SharedLimbs limbs = shared_limbs(tree_, normal, limbs_);
+  program::Function function =
+      ordered(written(with_signs(tree_, normal), normal, recipe_, options_, used, &limbs));
+  function = program::fold_limb_constants(function, limbs.table);
+  return {std::move(function), std::move(limbs.table)};
 }
 
 }  // namespace treedyn::formulate

@@ -62,18 +62,35 @@ struct Built {
   program::Function function;
   program::Limbs limbs;
 };
-Built build_with_limbs(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                       const Variant& variant);
 
-/// The operations of `build_with_limbs`.
-program::Cost cost_of(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                      const Variant& variant);
+/// The formulations of a function of one robot.
+class Formulations {
+ public:
+  Formulations(const model::Tree& tree, const Recipe& recipe, const Options& options);
+
+  /// As it comes from the equations: no algebraic pass has run. Its nodes in canonical order.
+  Built build(const Variant& variant) { return made(variant, true); }
+  /// The operations of `build`.
+  program::Cost cost(const Variant& variant) {
+    return program::cost(made(variant, false).function);
+  }
+
+ private:
+  Built made(const Variant& variant, bool in_order);
+
+  const model::Tree& tree_;
+  const Recipe& recipe_;
+  const Options& options_;
+  std::vector<LimbLinks> limbs_;  ///< that share code
+  bool has_trunk_;                ///< and the function has a choice
+  NormalForms forms_;
+};
 
 /// One formulation of a function, as it comes from the equations: no algebraic pass has run.
 /// \pre not `options.share_limbs`
 inline program::Function build(const model::Tree& tree, const Recipe& recipe,
                                const Options& options, const Variant& variant) {
-  return build_with_limbs(tree, recipe, options, variant).function;
+  return Formulations(tree, recipe, options).build(variant).function;
 }
 
 /// The variant before any search.

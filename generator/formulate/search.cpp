@@ -138,6 +138,7 @@ class Search {
         recipe_(recipe),
         options_(options),
         seen_(stand_ins_alone(tree, options)),
+        formulations_(seen_.tree, recipe, seen_.options),
         choices_(choices_of(tree, recipe.freedom, options)) {
     const program::Function first = compared(start);
     const std::size_t size = std::max(first.graph.size(), kReferenceSize);
@@ -159,8 +160,8 @@ class Search {
   }
   [[nodiscard]] program::Function finished(const Variant& variant) const;
   /// With stand-ins alone: for its cost.
-  [[nodiscard]] program::Function compared(const Variant& variant) const {
-    return build_with_limbs(seen_.tree, recipe_, seen_.options, variant).function;
+  [[nodiscard]] program::Function compared(const Variant& variant) {
+    return formulations_.build(variant).function;
   }
   [[nodiscard]] optimise::Effort algebra_effort(const program::Function& function) const;
   void note(const Variant& variant, int cost);
@@ -183,6 +184,7 @@ class Search {
   const Recipe& recipe_;
   const Options& options_;
   const Seen seen_;
+  Formulations formulations_;  ///< with stand-ins alone
   std::vector<Choice> choices_;
   Variant best_;
   int moves_ = 0;
@@ -208,7 +210,7 @@ int Search::raw_cost(const Variant& variant) {
     return known->second;
   }
   --moves_;
-  const int cost = weight(cost_of(seen_.tree, recipe_, seen_.options, variant));
+  const int cost = weight(formulations_.cost(variant));
   note(variant, cost);
   return cost;
 }
@@ -370,7 +372,7 @@ program::Function Search::run() {
 
 /// The formulation after the algebraic passes; with `share_limbs` empty if nothing can be shared.
 program::Function Search::finished(const Variant& variant) const {
-  Built built = build_with_limbs(tree_, recipe_, options_, variant);
+  Built built = Formulations(tree_, recipe_, options_).build(variant);
   program::Function& function = built.function;
   std::optional<optimise::Effort> effort;
   if (options_.has(Pass::kAlgebra)) {

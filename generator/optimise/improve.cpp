@@ -21,11 +21,12 @@ constexpr int kMovesPerWindow = 20;
 /// \param guard  null: of a window, which is held to the rounding of the whole
 Network improve_whole(Network network, int moves, const RoundingGuard* guard, Random& random) {
   int fewest = operations(network);
+  Network apart = network;
   for (int move = 0; move < moves; ++move) {
-    Network next = network;
-    expand_at_random(next, random, 1 + random.below(kMostExpansions));
+    apart = network;
+    expand_at_random(apart, random, 1 + random.below(kMostExpansions));
     const auto order = static_cast<std::size_t>(random.below(static_cast<int>(kOrders.size())));
-    next = run_passes(normalise(next), kOrders[order], random.next() | 1U);
+    Network next = run_passes(normalise(apart), kOrders[order], random.next() | 1U);
     const int count = operations(next);
     if (count <= fewest && (guard == nullptr || guard->accepts(next))) {
       fewest = count;

@@ -1,6 +1,7 @@
 #include "optimise/network.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 
 #include "common/error.hpp"
@@ -55,76 +56,90 @@ struct Step {
   int position = 0;
 };
 
-/// Depth first below one root; everything that is not there yet takes the position of the root.
-void visit(const Network& network, int root, std::vector<bool>& done, std::vector<Step>& order) {
-  struct Frame {
-    int item;
-    std::size_t next;
-  };
-  const int position = network.item(root).position;
+struct Frame {
+  int item = 0;
+  std::size_t next = 0;
+};
+
+/// What is needed again for every network: a search normalises many small ones, and would spend
+/// its time on memory.
+struct Workspace {
+  std::vector<char> marks;
+  std::vector<int> open;
+  std::vector<std::uint64_t> keys;  ///< position, then number of the item
   std::vector<Frame> stack;
-  if (!done[program::node_index(root)]) {
-    done[program::node_index(root)] = true;
-    stack.push_back({root, 0});
+  std::vector<Step> order;
+  std::vector<Ref> image;
+  std::vector<Ref> operands;
+  std::vector<int> count;
+};
+
+Workspace& workspace() {
+  thread_local Workspace of_thread;
+  return of_thread;
+}
+
+/// Depth first below one root; everything that is not there yet takes the position of the root.
+void visit(const Network& network, int root, Workspace& w) {
+  const int position = network.item(root).position;
+  if (w.marks[program::node_index(root)] == 0) {
+    w.marks[program::node_index(root)] = 1;
+    w.stack.push_back({root, 0});
   }
-  while (!stack.empty()) {
-    Frame& frame = stack.back();
+  while (!w.stack.empty()) {
+    Frame& frame = w.stack.back();
     const auto operands = network.operands(frame.item);
     if (frame.next == operands.size()) {
-      order.push_back({frame.item, position});
-      stack.pop_back();
+      w.order.push_back({frame.item, position});
+      w.stack.pop_back();
       continue;
     }
     const int operand = std::abs(operands[frame.next++]);
-    if (!done[program::node_index(operand)]) {
-      done[program::node_index(operand)] = true;
-      stack.push_back({operand, 0});
+    if (w.marks[program::node_index(operand)] == 0) {
+      w.marks[program::node_index(operand)] = 1;
+      w.stack.push_back({operand, 0});
     }
   }
 }
 
-/// Ascending.
-std::vector<int> needed_items(const Network& network) {
-  std::vector<bool> needed(static_cast<std::size_t>(network.size()), false);
-  std::vector<int> open;
+/// The needed items as keys, ascending.
+void find_needed(const Network& network, Workspace& w) {
+  const auto size = static_cast<std::size_t>(network.size());
+  w.marks.assign(size, 0);
+  w.open.clear();
   const auto need = [&](Ref a) {
-    if (a != 0 && !needed[program::node_index(a)]) {
-      needed[program::node_index(a)] = true;
-      open.push_back(std::abs(a));
+    if (a != 0 && w.marks[program::node_index(a)] == 0) {
+      w.marks[program::node_index(a)] = 1;
+      w.open.push_back(std::abs(a));
     }
   };
   std::ranges::for_each(network.outputs(), need);
-  while (!open.empty()) {
-    const int k = open.back();
-    open.pop_back();
+  while (!w.open.empty()) {
+    const int k = w.open.back();
+    w.open.pop_back();
     std::ranges::for_each(network.operands(k), need);
   }
-  std::vector<int> items;
-  for (int k = 1; k < network.size(); ++k) {
-    if (needed[program::node_index(k)]) {
-      items.push_back(k);
+  w.keys.clear();
+  for (std::size_t k = 1; k < size; ++k) {
+    if (w.marks[k] != 0) {
+      const auto position = static_cast<std::uint64_t>(network.item(static_cast<Ref>(k)).position);
+      w.keys.push_back((position << 32U) | k);
     }
   }
-  return items;
+  if (!std::ranges::is_sorted(w.keys)) {
+    std::ranges::sort(w.keys);
+  }
 }
 
-/// The needed items, operands first, otherwise by position.
-std::vector<Step> evaluation_order(const Network& network) {
-  std::vector<int> items = needed_items(network);
-  const auto position = [&](int k) {
-    return network.item(k).position;
-  };
-  if (!std::ranges::is_sorted(items, {}, position)) {
-    std::ranges::stable_sort(items, {}, position);
+/// `order`: the needed items, operands first, otherwise by position.
+void find_order(const Network& network, Workspace& w) {
+  find_needed(network, w);
+  w.marks.assign(static_cast<std::size_t>(network.size()), 0);
+  w.marks[0] = 1;
+  w.order.clear();
+  for (const std::uint64_t key : w.keys) {
+    visit(network, static_cast<int>(key & 0xFFFFFFFFU), w);
   }
-  std::vector<bool> done(static_cast<std::size_t>(network.size()), false);
-  done[0] = true;
-  std::vector<Step> order;
-  order.reserve(items.size());
-  for (const int root : items) {
-    visit(network, root, done, order);
-  }
-  return order;
 }
 
 /// Appends to `builder` the item with the given operands.
@@ -158,77 +173,95 @@ std::vector<Ref> mapped(const std::vector<Ref>& image, std::span<const Ref> refs
 
 /// Equal items become one.
 Network without_duplicates(const Network& network) {
-  const std::vector<Step> order = evaluation_order(network);
-  NetworkBuilder builder(network.shared_constants(), order.size());
-  std::vector<Ref> image(static_cast<std::size_t>(network.size()), 0);
-  std::vector<Ref> operands;
-  for (const Step& step : order) {
-    operands.clear();
+  Workspace& w = workspace();
+  find_order(network, w);
+  NetworkBuilder builder(network.shared_constants(), w.order.size());
+  w.image.assign(static_cast<std::size_t>(network.size()), 0);
+  for (const Step& step : w.order) {
+    w.operands.clear();
     for (const Ref operand : network.operands(step.item)) {
-      if (const Ref a = program::with_sign(image[program::node_index(operand)], operand);
+      if (const Ref a = program::with_sign(w.image[program::node_index(operand)], operand);
           a != 0 || network.item(step.item).kind != Kind::kAdd) {
-        operands.push_back(a);
+        w.operands.push_back(a);
       }
     }
-    image[program::node_index(step.item)] =
-        rebuild(builder, network.item(step.item), operands, step.position);
+    w.image[program::node_index(step.item)] =
+        rebuild(builder, network.item(step.item), w.operands, step.position);
   }
-  return builder.finish(mapped(image, network.outputs()));
+  return builder.finish(mapped(w.image, network.outputs()));
 }
 
-/// Marks the sums (products) that only one sum (product) uses.
-std::vector<bool> parts(const Network& network) {
-  const std::vector<int> count = uses(network);
-  std::vector<bool> part(static_cast<std::size_t>(network.size()), false);
-  for (int k = 1; k < network.size(); ++k) {
-    for (const Ref operand : network.operands(k)) {
-      part[program::node_index(operand)] =
-          part[program::node_index(operand)] ||
-          (count[program::node_index(k)] > 0 && count[program::node_index(operand)] == 1 &&
-           merges_into(network.item(operand).kind, network.item(k).kind));
+void count_uses(const Network& network, std::vector<int>& count) {
+  count.assign(static_cast<std::size_t>(network.size()), 0);
+  for (const Ref output : network.outputs()) {
+    ++count[program::node_index(output)];
+  }
+  count[0] = 0;
+  for (int k = network.size() - 1; k > 0; --k) {
+    if (count[program::node_index(k)] > 0) {
+      for (const Ref operand : network.operands(k)) {
+        ++count[program::node_index(operand)];
+      }
     }
   }
-  return part;
+}
+
+/// Marks the sums (products) that only one sum (product) uses; false if there is none.
+bool mark_parts(const Network& network, Workspace& w) {
+  count_uses(network, w.count);
+  w.marks.assign(static_cast<std::size_t>(network.size()), 0);
+  bool found = false;
+  for (int k = 1; k < network.size(); ++k) {
+    const Kind kind = network.item(k).kind;
+    if (w.count[program::node_index(k)] > 0 && merges_into(kind, kind)) {
+      for (const Ref operand : network.operands(k)) {
+        if (w.count[program::node_index(operand)] == 1 && network.item(operand).kind == kind) {
+          w.marks[program::node_index(operand)] = 1;
+          found = true;
+        }
+      }
+    }
+  }
+  return found;
 }
 
 /// Appends the operands of `k`, those of its parts instead of the parts.
-void append_flat(const Network& network, const std::vector<bool>& part,
-                 const std::vector<Ref>& image, Ref k, std::vector<Ref>& operands) {
+void append_flat(const Network& network, Ref k, Workspace& w) {
   for (const Ref operand : network.operands(k)) {
-    if (part[program::node_index(operand)]) {
-      append_flat(network, part, image, program::with_sign(operand, k), operands);
+    const std::size_t at = program::node_index(operand);
+    if (w.marks[at] != 0) {
+      append_flat(network, program::with_sign(operand, k), w);
     } else {
-      operands.push_back(
-          program::with_sign(program::with_sign(image[program::node_index(operand)], operand), k));
+      w.operands.push_back(program::with_sign(program::with_sign(w.image[at], operand), k));
     }
   }
 }
 
 /// Sums within sums and products within products become one, where nobody else needs them.
 Network flat(Network network) {
-  const std::vector<bool> part = parts(network);
-  if (std::ranges::find(part, true) == part.end()) {
+  Workspace& w = workspace();
+  if (!mark_parts(network, w)) {
     return network;
   }
   NetworkBuilder builder(network.shared_constants(), static_cast<std::size_t>(network.size()));
-  std::vector<Ref> image(static_cast<std::size_t>(network.size()), 0);
-  std::vector<Ref> operands;
+  w.image.assign(static_cast<std::size_t>(network.size()), 0);
   for (int k = 1; k < network.size(); ++k) {
-    if (!part[program::node_index(k)]) {
-      operands.clear();
-      append_flat(network, part, image, k, operands);
+    if (w.marks[program::node_index(k)] == 0) {
+      w.operands.clear();
+      append_flat(network, k, w);
       if (network.item(k).kind == Kind::kAdd) {
-        std::erase(operands, 0);
+        std::erase(w.operands, 0);
       }
-      image[program::node_index(k)] =
-          rebuild(builder, network.item(k), operands, network.item(k).position);
+      w.image[program::node_index(k)] =
+          rebuild(builder, network.item(k), w.operands, network.item(k).position);
     }
   }
-  return builder.finish(mapped(image, network.outputs()));
+  return builder.finish(mapped(w.image, network.outputs()));
 }
 
 bool has_unneeded_operations(const Network& network) {
-  const std::vector<int> count = uses(network);
+  std::vector<int>& count = workspace().count;
+  count_uses(network, count);
   for (int k = 1; k < network.size(); ++k) {
     if (count[program::node_index(k)] == 0 && !network.operands(k).empty()) {
       return true;
@@ -268,23 +301,14 @@ Network network_of(const Graph& graph, std::span<const Ref> outputs) {
 }
 
 std::vector<int> uses(const Network& network) {
-  std::vector<int> count(static_cast<std::size_t>(network.size()), 0);
-  for (const Ref output : network.outputs()) {
-    ++count[program::node_index(output)];
-  }
-  count[0] = 0;
-  for (int k = network.size() - 1; k > 0; --k) {
-    if (count[program::node_index(k)] > 0) {
-      for (const Ref operand : network.operands(k)) {
-        ++count[program::node_index(operand)];
-      }
-    }
-  }
+  std::vector<int> count;
+  count_uses(network, count);
   return count;
 }
 
 int operations(const Network& network) {
-  const std::vector<int> count = uses(network);
+  std::vector<int>& count = workspace().count;
+  count_uses(network, count);
   int total = 0;
   for (int k = 1; k < network.size(); ++k) {
     const Kind kind = network.item(k).kind;

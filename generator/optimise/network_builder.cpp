@@ -1,6 +1,7 @@
 #include "optimise/network_builder.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 #include "common/error.hpp"
@@ -35,13 +36,24 @@ bool by_magnitude(Ref a, Ref b) {
 
 }  // namespace
 
-NetworkBuilder::NetworkBuilder(std::shared_ptr<ConstantTable> constants, std::size_t expected)
-    : network_(std::move(constants)), table_(64, 0) {
-  network_.reserve(expected, 3 * expected);
-  while (table_.size() < 2 * expected) {
-    table_.resize(2 * table_.size(), 0);
-  }
+namespace {
+
+/// The table of the last builder that is gone: most networks are small, and soon the next comes.
+std::vector<Ref>& spare_table() {
+  thread_local std::vector<Ref> of_thread;
+  return of_thread;
 }
+
+}  // namespace
+
+NetworkBuilder::NetworkBuilder(std::shared_ptr<ConstantTable> constants, std::size_t expected)
+    : network_(std::move(constants)) {
+  network_.reserve(expected, 3 * expected);
+  table_.swap(spare_table());
+  table_.assign(std::bit_ceil(std::max<std::size_t>(64, 2 * expected)), 0);
+}
+
+NetworkBuilder::~NetworkBuilder() { table_.swap(spare_table()); }
 
 std::uint64_t NetworkBuilder::hash_of(Ref item) const {
   const Item& known = network_.item(item);

@@ -11,6 +11,9 @@ namespace treedyn::optimise {
 class NetworkBuilder {
  public:
   explicit NetworkBuilder(std::shared_ptr<ConstantTable> constants, std::size_t expected = 0);
+  ~NetworkBuilder();
+  NetworkBuilder(const NetworkBuilder&) = delete;
+  NetworkBuilder& operator=(const NetworkBuilder&) = delete;
 
   Ref leaf(const Item& leaf);
   Ref constant(const Real& value);

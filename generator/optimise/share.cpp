@@ -36,6 +36,20 @@ Pair make_pair(Ref a, Ref b, int item) {
   return a < 0 ? Pair{-a, -b, item} : Pair{a, b, item};
 }
 
+/// Kept for the next network.
+struct Workspace {
+  std::vector<int> count;
+  std::vector<Pair> pairs;
+  std::vector<Group> groups;
+  std::vector<Ref> candidates;
+  std::vector<int> items;
+};
+
+Workspace& workspace() {
+  thread_local Workspace of_thread;
+  return of_thread;
+}
+
 class Sharing {
  public:
   Sharing(Network& network, Kind kind, std::uint64_t seed)
@@ -67,9 +81,10 @@ class Sharing {
   Network& network_;
   Kind kind_;
   std::uint64_t seed_;
-  std::vector<int> count_;
-  std::vector<Pair> pairs_;
-  std::vector<Group> groups_;
+  Workspace& workspace_ = workspace();
+  std::vector<int>& count_ = workspace_.count;
+  std::vector<Pair>& pairs_ = workspace_.pairs;
+  std::vector<Group>& groups_ = workspace_.groups;
 };
 
 /// In how many items of this kind an operand occurs.
@@ -86,7 +101,7 @@ void Sharing::count_operands() {
 
 void Sharing::collect() {
   pairs_.clear();
-  std::vector<Ref> candidates;
+  std::vector<Ref>& candidates = workspace_.candidates;
   for (int k = 1; k < network_.size(); ++k) {
     if (network_.item(k).kind != kind_) {
       continue;
@@ -173,7 +188,8 @@ int Sharing::replace(const std::vector<int>& items, Ref x, Ref y) {
 /// Shares a pair if all its items still have it; a later round takes the others.
 int Sharing::share_group(const Group& group) {
   const Pair& pair = pairs_[group.begin];
-  std::vector<int> items;
+  std::vector<int>& items = workspace_.items;
+  items.clear();
   for (std::size_t p = group.begin; p < group.end; ++p) {
     std::size_t i = 0;
     std::size_t j = 0;

@@ -69,7 +69,7 @@ void expect_same_values(const model::Tree& robot, const Recipe& recipe, const Va
   const program::Signature s = signature(recipe.name, robot.dof(), 2);
   const Values expected = evaluate(build(robot, recipe, options, plain_variant(robot)), s);
   options.share_limbs = true;
-  Built shared = build_with_limbs(robot, recipe, options, variant);
+  Built shared = Formulations(robot, recipe, options).build(variant);
   shared.function.signature = s;
   const auto code = optimise::limb_code(shared.function, shared.limbs, optimise::Effort{});
   if (!code) {
