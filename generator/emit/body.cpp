@@ -91,7 +91,7 @@ std::string Writer::pair(const Statement& statement) const {
   const bool fits = kIndentation + left.size() + 1 + call.size() <= kColumns;
   return fmt::format(
       "{0}{1}{2}\n{3:{4}}const {8}& {5} = {6}.sine;\n{3:{4}}const {8}& {7} = {6}.cosine;", left,
-      fits ? " " : "\n      ", call, "", kIndentation, sine, both,
+      fits ? " " : kNextLine, call, "", kIndentation, sine, both,
       statements_.name(statement.partner), target_.number);
 }
 
@@ -140,9 +140,10 @@ std::string Writer::text(const Statement& statement) const {
   const std::string left = statement.output < 0 ? fmt::format("const {} {}", target_.number,
                                                               statements_.name(statement.value))
                                                 : statements_.element(statement.output);
-  std::string line = fmt::format("{} = {};", left, right_side(statement));
-  TREEDYN_EXPECT(line.size() + kIndentation <= kColumns);
-  return line;
+  const std::string right = right_side(statement) + ';';
+  const bool fits = kIndentation + left.size() + 3 + right.size() <= kColumns;
+  TREEDYN_EXPECT(fits || kContinuation + right.size() <= kColumns);
+  return fmt::format("{} ={}{}", left, fits ? " " : kNextLine, right);
 }
 
 void Writer::note_arrays(const Statement& statement, Part& part) const {

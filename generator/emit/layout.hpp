@@ -17,6 +17,8 @@ void append(Lines& lines, const Lines& more, const std::string& indentation = ""
 std::string joined(const Lines& lines, const std::string& indentation);
 
 inline constexpr std::size_t kColumns = 100;
+inline constexpr std::size_t kContinuation = 6;  ///< indentation of the second line of a statement
+inline constexpr const char* kNextLine = "\n      ";  ///< and the break before it
 inline constexpr std::size_t kLongestCell = 32;  ///< of what models name, in tables of comments
 
 /// `text` broken at spaces into lines of at most 100 columns, each after `prefix`; continued lines

@@ -122,6 +122,7 @@ void Statements::make_schedule() {
     }
     return is_operation(value) ? names_.width(value) : static_cast<int>(atom(value).size());
   };
+  measure.own_line = static_cast<int>(kColumns - kContinuation - std::string_view("-();").size());
   schedule_ = program::schedule(graph_, function_.outputs, operations_, measure);
 }
 

@@ -224,21 +224,46 @@ class Inliner {
            (form.second_in_parentheses ? 2 : 0);
   }
 
-  /// Gives the widest waiting operand a statement; false if none waits.
-  bool materialise_widest(const Node& node) {
+  [[nodiscard]] Ref widest_waiting(const Node& node, bool products) const {
     Ref widest = 0;
     for_each_operand(node, [&](Ref operand) {
       if (result_.is_inlined(operand) &&
+          (products || graph_.node(operand).kind != Kind::kMultiply) &&
           (widest == 0 || operand_width(operand) > operand_width(widest))) {
         widest = std::abs(operand);
       }
     });
+    return widest;
+  }
+
+  /// Gives the widest waiting operand a statement; false if none waits, or the expression gets a
+  /// line of its own. A product stays in its sum as long as something else, or one of its own
+  /// factors, can leave the line.
+  bool materialise_widest(const Node& node) {
+    const bool sum = node.kind == Kind::kAdd;
+    Ref widest = widest_waiting(node, !sum);
+    const Ref product = widest == 0 ? widest_waiting(node, true) : 0;
+    if (product != 0 && !has_two_products(node)) {
+      widest = widest_waiting(graph_.node(product), true);
+    }
+    if (widest == 0 && product != 0 &&
+        (has_two_products(node) || expression_width(node) > measure_.own_line)) {
+      widest = product;
+    }
     if (widest == 0) {
       return false;
     }
     result_.inlined[node_index(widest)] = false;
     result_.statements.push_back(widest);
+    if (product != 0 && widest != product) {
+      width_[node_index(product)] = expression_width(graph_.node(product));
+    }
     return true;
+  }
+
+  /// Only one of two products can be contracted with their sum.
+  [[nodiscard]] bool has_two_products(const Node& node) const {
+    return is_product(graph_, node.a, result_) && is_product(graph_, node.b, result_);
   }
 
   const Graph& graph_;

@@ -31,6 +31,7 @@ std::vector<Ref> operations_in_order(const Graph& graph, std::span<const Ref> ou
 struct Measure {
   std::function<int(Ref)> atom;       ///< name or literal of the value, where it is used
   std::function<int(Ref)> available;  ///< room for the expression in the value's own statement
+  int own_line = 0;                   ///< and in a line of its own; 0: it gets none
 };
 
 /// Which operand of a node stands in parentheses, and whether the two change places (both are
@@ -56,7 +57,7 @@ struct Schedule {
 Shape shape(const Graph& graph, const Node& node, const Schedule& schedule);
 
 /// Values with one use and no name of their own are inlined where the line is wide enough, and a
-/// product always goes into its sum so that compilers can contract the two.
+/// product goes into its sum, if need be on a second line, so that compilers can contract the two.
 Schedule schedule(const Graph& graph, std::span<const Ref> outputs, std::span<const Ref> operations,
                   const Measure& measure);
 

@@ -128,6 +128,34 @@ TEST(Schedule, MakesTwoStatementsOfWhatDoesNotFit) {
   EXPECT_NE(result.is_inlined(left), result.is_inlined(right));
 }
 
+Measure narrow(int room, int own_line) {
+  return {[](Ref) { return 4; }, [room](Ref) { return room; }, own_line};
+}
+
+Schedule schedule_all(const Graph& graph, const std::vector<Ref>& outputs, const Measure& measure) {
+  return schedule(graph, outputs, operations_in_order(graph, outputs, Trigonometry::kEarly),
+                  measure);
+}
+
+TEST(Schedule, GivesASumWithAProductALineOfItsOwn) {
+  Graph g;
+  const Ref product = g.multiply(g.input(0, 0), g.input(0, 1));
+  const Ref sum = g.add(g.input(0, 2), product);  // 4 + 3 + (4 + 3 + 4) columns
+  EXPECT_EQ(schedule_all(g, {sum}, narrow(15, 18)).statements, (std::vector<Ref>{sum}));
+  EXPECT_EQ(schedule_all(g, {sum}, narrow(15, 17)).statements, (std::vector<Ref>{product, sum}));
+}
+
+TEST(Schedule, TakesOtherThingsThanTheProductOutOfASum) {
+  Graph g;
+  const Ref factor = g.add(g.input(0, 0), g.input(0, 1));
+  const Ref product = g.multiply(factor, g.input(0, 2));
+  const Ref quotient = g.divide(g.input(0, 3), g.input(0, 4));
+  const Ref sum = g.add(quotient, product);
+  const Schedule result = schedule_all(g, {sum}, narrow(20, 0));
+  EXPECT_EQ(result.statements, (std::vector<Ref>{quotient, factor, sum}));
+  EXPECT_TRUE(result.is_inlined(product));
+}
+
 TEST(Shape, PutsParenthesesWhereTheGraphGroupsOtherwise) {
   Graph g;
   const Ref a = g.input(0, 0);
