@@ -298,9 +298,8 @@ std::string sincos_range(const Target& target) {
 std::string sincos_comment(const Target& target) {
   const Approximation& a = approximation(target.scalar);
   return fmt::format(
-      "Sines and cosines, the same bits everywhere, have errors below {} for angles below {} "
-      "rad; "
-      "they are not a number beyond {} rad.",
+      "Sines and cosines, without contraction the same bits everywhere, have errors below {} for "
+      "angles below {} rad; they are not a number beyond {} rad.",
       a.error, a.range, a.end);
 }
 
