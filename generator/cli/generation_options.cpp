@@ -399,10 +399,10 @@ void add_target(CLI::App& command, Request& request) {
             request.target.sincos = choice == "libm" ? emit::Sincos::kLibm : emit::Sincos::kPair;
             request.vectors = choice == "vector";
           },
-          "sine and cosine by one branch-free function in the source, the same bits everywhere: "
-          "for several angles of a function at once, as many as the processor's vectors hold, or "
-          "one by one (builtin: pair); or of the C library; default vector, and pair in C, with "
-          "--trig late and for several lanes")
+          "sine and cosine by one branch-free function in the source, without contraction the same "
+          "bits everywhere: for several angles of a function at once, as many as the processor's "
+          "vectors hold, or one by one (builtin: pair); or of the C library; default vector, and "
+          "pair in C, with --trig late and for several lanes")
       ->check(one_of({"vector", "pair", "libm", "builtin"}))
       ->type_name("vector|pair|libm");
   add_core(command, request);

@@ -119,6 +119,7 @@ int run_generate(const Settings& settings) {
     print(dump(settings.request, settings.dump));
     return 0;
   }
+  const auto start = std::chrono::steady_clock::now();
   const Model model = read(settings.request);
   print_warnings(settings, warnings_of(model, settings.request));
   FunctionsDone done(settings, model);
@@ -141,6 +142,8 @@ int run_generate(const Settings& settings) {
   }
   const int changed = write_files(outputs);
   trace_of(settings)(fmt::format("{} of {} files written", changed, outputs.size()));
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  trace_of(settings)(fmt::format("in all: {:.1f} s", time.count()));
   return 0;
 }
 

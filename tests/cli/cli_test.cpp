@@ -14,6 +14,16 @@ TEST_F(Cli, WritesThreeFilesAndSaysNothing) {
   EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("//   treedyn generate two_link.yaml\n"));
 }
 
+TEST_F(Cli, SaysHowLongEveryFunctionAndAllTook) {
+  const Outcome outcome = treedyn({"generate", kModel, "-v", "-o", out()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err,
+              testing::ContainsRegex("mass_matrix: 2 mul, 2 add, 1 cos \\([0-9.]+ s\\)\n"));
+  EXPECT_THAT(outcome.err,
+              testing::ContainsRegex("\n3 of 3 files written\nin all: [0-9]+\\.[0-9] s\n$"));
+}
+
 TEST_F(Cli, ReadsYamlFromStandardInput) {
   const Outcome outcome = treedyn({"generate", "-", "-o", out()}, read_file(kModel));
   EXPECT_EQ(outcome.status, 0) << outcome.err;

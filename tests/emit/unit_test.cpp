@@ -301,10 +301,10 @@ std::vector<std::string> words(const std::string& text) {
   return result;
 }
 
-void expect_no_warnings(const std::filesystem::path& source, const char* standard) {
+void expect_no_warnings(const std::filesystem::path& source) {
   for (const char* compiler : {"g++", "clang++"}) {
     std::vector<std::string> command =
-        words(fmt::format("{} -std={} {} {}", compiler, standard, kWarnings,
+        words(fmt::format("{} -std=c++11 {} {}", compiler, kWarnings,
                           std::string_view(compiler) == "g++" ? kOnlyGnu : ""));
     command.push_back(source.string());
     const support::Outcome outcome = support::run(command);
@@ -326,7 +326,7 @@ void expect_formatted(const std::filesystem::path& file) {
 void expect_clean(const Unit& unit) {
   const support::TemporaryFolder folder;
   write(folder.path(), unit);
-  expect_no_warnings(folder.path() / "robot.cpp", unit.target.vectors ? "c++17" : "c++11");
+  expect_no_warnings(folder.path() / "robot.cpp");
   expect_formatted(folder.path() / "robot.cpp");
   expect_formatted(folder.path() / "robot.hpp");
 }

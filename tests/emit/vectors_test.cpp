@@ -15,8 +15,13 @@ namespace fs = std::filesystem;
 using support::Outcome;
 
 const std::string kOptions =
-    "-std=c++17 -pedantic -Wall -Wextra -Werror -Wconversion -Wsign-conversion -Wshadow "
-    "-Wdouble-promotion -Wfloat-conversion -Wcast-qual -Wundef -Wunused -ffp-contract=off -O1";
+    "-std=c++11 -Wall -Wextra -Wpedantic -Werror -Wshadow -Wconversion -Wsign-conversion "
+    "-Wdouble-promotion -Wfloat-conversion -Wold-style-cast -Wcast-qual -Wnull-dereference "
+    "-Wnon-virtual-dtor -Woverloaded-virtual -Wundef -Wunused -Wformat=2 -Wimplicit-fallthrough "
+    "-Wmissing-declarations -Wredundant-decls -Wextra-semi -Wfloat-equal -Wvla -Walloca "
+    "-ffp-contract=off -O1";
+const std::string kOnlyGnu =
+    " -Wuseless-cast -Wduplicated-cond -Wduplicated-branches -Wlogical-op -Wcast-align=strict";
 
 const support::Program kSingle = {"#include \"single.hpp\"", "single::", "one_"};
 const support::Program kVector = {"#include \"vector.hpp\"", "vector::", "all_"};
@@ -25,10 +30,10 @@ const support::Program kVector = {"#include \"vector.hpp\"", "vector::", "all_"}
 std::vector<std::string> compilers() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx") != 0) {
-    return {"g++ -mavx", "clang++"};
+    return {"g++ -mavx" + kOnlyGnu, "clang++"};
   }
 #endif
-  return {"g++", "clang++"};
+  return {"g++" + kOnlyGnu, "clang++"};
 }
 
 const std::string kModels = TREEDYN_SOURCE_DIR "/models/";

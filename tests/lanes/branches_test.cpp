@@ -74,8 +74,10 @@ std::set<std::string> branching(const std::string& tools, const std::string& com
 }
 
 void expect_no_branch(const std::string& tools, const std::string& compiler, const Words& options) {
-  if (!is_there(compiler)) {
-    GTEST_SKIP() << compiler << " is not installed";
+  for (const std::string& program : {compiler, tools + "objdump"}) {
+    if (!is_there(program)) {
+      GTEST_SKIP() << program << " is not installed";
+    }
   }
   for (const char* source :
        {"/pair_double.cpp", "/pair_float.cpp", "/vector_double.cpp", "/vector_float.cpp"}) {
@@ -83,7 +85,7 @@ void expect_no_branch(const std::string& tools, const std::string& compiler, con
     EXPECT_THAT(
         branching(tools, compiler, options, std::string(TREEDYN_PAIRS) + source, &functions),
         testing::IsEmpty())
-        << compiler;
+        << compiler << ' ' << options.front() << source;
     EXPECT_GE(functions, 6U);  // the pair and those of the model
   }
 }
@@ -110,8 +112,20 @@ TEST(Branches, AreNotThereWithClangForVectors) {
 }
 
 TEST(Branches, AreNotThereOnACortexM4F) {
-  expect_no_branch("arm-none-eabi-", "arm-none-eabi-g++",
-                   {"-O2", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"});
+  for (const char* level : {"-O2", "-Os", "-O3"}) {
+    expect_no_branch(
+        "arm-none-eabi-", "arm-none-eabi-g++",
+        {level, "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"});
+  }
+}
+
+/// The sources include nothing, so clang++ needs no library of the target.
+TEST(Branches, AreNotThereOnACortexM4FWithClang) {
+  for (const char* level : {"-O2", "-Os", "-O3"}) {
+    expect_no_branch("arm-none-eabi-", "clang++",
+                     {level, "--target=thumbv7em-none-eabihf", "-mcpu=cortex-m4",
+                      "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"});
+  }
 }
 
 }  // namespace

@@ -212,87 +212,161 @@ TEST(SinesCosines, HaveTheBitsOfThePairInFloat) {
   }
 }
 
-/// Prints all bits of the pair at many arguments, folded; of a vector those of each place in turn.
+/// C and C++: prints all bits of the pair at many arguments, folded (of a vector those of each
+/// place in turn), and how many numbers it gives for arguments beyond its range.
 constexpr const char* kDriver = R"(
-#include "SOURCE.cpp"
-#include <cstdint>
-#include <cstdio>
-#include <cstring>
-using SOURCE::Scalar;
+#include "FILE"
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#ifdef __cplusplus
+using namespace SOURCE;
+typedef SineCosine<Scalar> Pair;
+#else
+typedef SineCosine Pair;
+#endif
 #ifdef PLACES
-SOURCE::SineCosine<Scalar> pair_of(Scalar x, int k) {
+static Pair pair_at(Scalar x, int k) {
   Scalar s[8], c[8];
   const Scalar y = 1;
   k %= PLACES;
-  SOURCE::sines_cosines(s, c, k == 0 ? x : y, k == 1 ? x : y, k == 2 ? x : y, k == 3 ? x : y);
-  return {s[k], c[k]};
+  sines_cosines(s, c, k == 0 ? x : y, k == 1 ? x : y, k == 2 ? x : y, k == 3 ? x : y);
+  const Pair pair = {s[k], c[k]};
+  return pair;
 }
 #else
-SOURCE::SineCosine<Scalar> pair_of(Scalar x, int) { return SOURCE::sine_cosine(x); }
+static Pair pair_at(Scalar x, int k) { return sine_cosine(k < 0 ? 0 : x); }
 #endif
-int main() {
-  std::uint64_t hash = 14695981039346656037ULL, state = 1;
-  for (int k = 0; k < 200000; ++k) {
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    const auto x = static_cast<SOURCE::Scalar>((static_cast<double>(state >> 11) * 0x1p-52 - 1) *
-                                               (k % 2 ? 4 : 9e4));
-    const auto pair = pair_of(x, k);
+static int is_number(Scalar x) {
+  uint64_t bits = 0;
+  memcpy(&bits, &x, sizeof(x));
+  return sizeof(x) == 4 ? (bits & 0x7fffffff) <= 0x7f800000
+                        : (bits & 0x7fffffffffffffff) <= 0x7ff0000000000000;
+}
+int main(void) {
+  uint64_t hash = 14695981039346656037u, state = 1;
+  const volatile double beyond[] = {1.4e7, -2e7, 1e30, -1e30, 1e38, 1e300 * 1e300, -(1e300 * 1e300)};
+  int k, n, numbers = 0;
+  for (k = 0; k < 200000; ++k) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const Scalar x = (Scalar)(((double)(state >> 11) * 0x1p-52 - 1) * (k % 2 ? 4 : 9e4));
+    const Pair pair = pair_at(x, k);
     unsigned char bytes[sizeof(pair)];
-    std::memcpy(bytes, &pair, sizeof(pair));
-    for (const unsigned char byte : bytes) {
-      hash = (hash ^ byte) * 1099511628211ULL;
+    memcpy(bytes, &pair, sizeof(pair));
+    for (n = 0; n < (int)sizeof(pair); ++n) {
+      hash = (hash ^ bytes[n]) * 1099511628211u;
     }
   }
-  std::printf("%016llx\n", static_cast<unsigned long long>(hash));
+  for (k = 0; k < 28; ++k) {
+    const Pair pair = pair_at((Scalar)beyond[k / 4], k);
+    numbers += is_number(pair.sine) + is_number(pair.cosine);
+  }
+  printf("%016llx, %d numbers\n", (unsigned long long)hash, numbers);
+  return 0;
 }
 )";
 
 using treedyn::support::Outcome;
+using Options = std::vector<std::string>;
 
-Outcome compile(const std::filesystem::path& folder, const std::string& source,
-                const std::string& compiler, const std::vector<std::string>& options) {
+/// A program of the source `name`.cpp, or of `name`.c if the compiler is one of C.
+Outcome compile(const std::filesystem::path& folder, const std::string& name,
+                const std::string& compiler, const Options& options) {
+  const std::string ending = compiler.ends_with("++") ? ".cpp" : ".c";
   std::string driver = kDriver;
-  for (std::size_t at = driver.find("SOURCE"); at != std::string::npos;
-       at = driver.find("SOURCE")) {
-    driver.replace(at, 6, source);
-  }
-  treedyn::support::write_file(folder / "driver.cpp", driver);
-  std::vector<std::string> command{
-      compiler,      "-std=c++17", "-ffp-contract=off", "-I",
-      TREEDYN_PAIRS, "-o",         folder / "driver",   folder / "driver.cpp"};
+  driver.replace(driver.find("FILE"), 4, name + ending);
+  driver.replace(driver.find("SOURCE"), 6, name);
+  treedyn::support::write_file(folder / ("driver" + ending), driver);
+  Options command{compiler,
+                  ending == ".c" ? "-std=c99" : "-std=c++17",
+                  "-ffp-contract=off",
+                  "-I",
+                  TREEDYN_PAIRS,
+                  "-o",
+                  folder / "driver",
+                  folder / ("driver" + ending)};
   command.insert(command.end(), options.begin(), options.end());
   return treedyn::support::run(command);
+}
+
+/// What the driver prints. Fails if it does not compile.
+std::string bits(const std::filesystem::path& folder, const std::string& name,
+                 const std::string& compiler, const Options& options) {
+  const Outcome compiled = compile(folder, name, compiler, options);
+  EXPECT_EQ(compiled.status, 0) << compiled.err;
+  return treedyn::support::run({folder / "driver"}).out;
 }
 
 TEST(SineCosine, HasTheSameBitsFromEveryCompilerWithoutContraction) {
   const treedyn::support::TemporaryFolder folder;
   for (const std::string scalar : {"double", "float"}) {
-    using Options = std::vector<std::string>;
-    std::string expected;
+    const std::string expected = bits(folder.path(), "pair_" + scalar, "g++", {"-O0"});
+    EXPECT_THAT(expected, testing::MatchesRegex("[0-9a-f]{16}, 0 numbers\n"));
     for (const auto& [kind, compiler, options] :
-         {std::tuple<std::string, std::string, Options>{"pair_", "g++", {"-O0"}},
-          {"pair_", "g++", {"-O3", "-march=native"}},
+         {std::tuple<std::string, std::string, Options>{"pair_", "g++", {"-O3", "-march=native"}},
           {"pair_", "clang++", {"-O3", "-march=native"}},
+          {"c_", "gcc", {"-O2"}},
+          {"c_", "clang", {"-O2"}},
           {"vector_", "g++", {"-O0", "-DPLACES=4"}},
           {"vector_", "g++", {"-O3", "-march=native", "-DPLACES=4"}},
           {"vector_", "g++", {"-O1", "-U__AVX__", "-U__SSE2__", "-U__aarch64__", "-DPLACES=4"}},
           {"vector_", "clang++", {"-O3", "-march=native", "-DPLACES=4"}}}) {
-      const Outcome compiled = compile(folder.path(), kind + scalar, compiler, options);
-      ASSERT_EQ(compiled.status, 0) << compiled.err;
-      const std::string bits = treedyn::support::run({folder.path() / "driver"}).out;
-      expected = expected.empty() ? bits : expected;
-      EXPECT_EQ(bits, expected) << kind << compiler;
+      EXPECT_EQ(bits(folder.path(), kind + scalar, compiler, options), expected)
+          << kind << compiler;
     }
-    EXPECT_EQ(expected.size(), 17U);
   }
 }
 
 TEST(SineCosine, DoesNotCompileWhereItsRoundingWouldBeCancelled) {
   const treedyn::support::TemporaryFolder folder;
-  for (const char* compiler : {"g++", "clang++"}) {
-    const Outcome outcome = compile(folder.path(), "pair_double", compiler, {"-ffast-math"});
-    EXPECT_NE(outcome.status, 0);
+  for (const auto& [source, compiler, option] :
+       {std::tuple{"pair_double", "g++", "-ffast-math"},
+        {"pair_double", "g++", "-funsafe-math-optimizations"},
+        {"c_double", "gcc", "-Ofast"},
+        {"c_double", "gcc", "-funsafe-math-optimizations"},
+        {"pair_double", "clang++", "-ffast-math"},
+        {"c_double", "clang", "-Ofast"}}) {
+    const Outcome outcome = compile(folder.path(), source, compiler, {option});
+    EXPECT_NE(outcome.status, 0) << compiler << option;
     EXPECT_THAT(outcome.err, testing::HasSubstr("--sincos libm"));
+  }
+}
+
+/// Parts of -ffast-math.
+const std::vector<Options> kParts = {
+    {"-funsafe-math-optimizations"},
+    {"-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"},
+    {"-ffinite-math-only"},
+    {"-freciprocal-math", "-fno-signed-zeros", "-fno-trapping-math"}};
+
+/// g++ without the word by which it tells that it may reorder sums, as older ones are.
+const Options kSilent = {"-U__ASSOCIATIVE_MATH__", "-U__FAST_MATH__"};
+
+TEST(SineCosine, HasItsBitsWithPartsOfFastMathOrDoesNotCompile) {
+  const treedyn::support::TemporaryFolder folder;
+  for (const std::string scalar : {"double", "float"}) {
+    const std::string expected = bits(folder.path(), "pair_" + scalar, "g++", {"-O0"});
+    for (const auto& [kind, compiler, more] :
+         {std::tuple<std::string, std::string, Options>{"pair_", "g++", {}},
+          {"vector_", "g++", {"-DPLACES=4"}},
+          {"c_", "gcc", {}},
+          {"pair_", "g++", kSilent},
+          {"c_", "gcc", kSilent},
+          {"pair_", "clang++", {}},
+          {"vector_", "clang++", {"-DPLACES=4"}},
+          {"c_", "clang", {}}}) {
+      for (Options options : kParts) {
+        options.insert(options.end(), more.begin(), more.end());
+        options.emplace_back("-O2");
+        const Outcome compiled = compile(folder.path(), kind + scalar, compiler, options);
+        if (compiled.status == 0) {
+          EXPECT_EQ(treedyn::support::run({folder.path() / "driver"}).out, expected)
+              << kind << scalar << ' ' << compiler << ' ' << options.front();
+        } else {
+          EXPECT_THAT(compiled.err, testing::HasSubstr("--sincos libm"));
+        }
+      }
+    }
   }
 }
 
