@@ -19,7 +19,8 @@ namespace treedyn::formulate {
 
 namespace {
 
-/// Graphs above this size get proportionally fewer moves.
+/// Graphs above this size get proportionally fewer moves, but half of them suffice to try every
+/// setting once.
 constexpr std::size_t kReferenceSize = 1500;
 /// One evaluation with algebraic passes counts as this many moves.
 constexpr int kOptimisedMove = 8;
@@ -130,6 +131,12 @@ std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom,
   return choices;
 }
 
+/// Variants that differ from one in a single choice.
+int other_settings(const std::vector<Choice>& choices) {
+  return std::accumulate(choices.begin(), choices.end(), 0,
+                         [](int sum, const Choice& choice) { return sum + choice.settings - 1; });
+}
+
 class Search {
  public:
   Search(const model::Tree& tree, const Recipe& recipe, const Options& options,
@@ -143,6 +150,7 @@ class Search {
     const program::Function first = compared(start);
     const std::size_t size = std::max(first.graph.size(), kReferenceSize);
     moves_ = static_cast<int>(static_cast<std::size_t>(options.effort) * kReferenceSize / size);
+    moves_ = std::max(moves_, std::min(options.effort, 2 * other_settings(choices_)));
     note(start, weight(program::cost(first)));
   }
 
