@@ -1,12 +1,13 @@
 // The programs against the equations, exactly: what a function computes, carried out with
 // polynomials in sines, cosines, slides and rates, is the expansion of its block equation. Every
-// difference is the zero polynomial. Mechanisms whose numbers are decimals and whose axes are
-// coordinate axes, so that the constants of the programs are exact.
+// difference is the zero polynomial. Mechanisms and models whose numbers are decimals and whose
+// axes are coordinate axes, so that the constants of the programs are exact.
 #include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
 
+#include "description/read.hpp"
 #include "equations/equations.hpp"
 #include "equations/table.hpp"
 #include "expansion/expansion.hpp"
@@ -77,6 +78,7 @@ namespace {
 struct Mechanism {
   const char* name;
   support::TreeShape shape;
+  const char* file = nullptr;  ///< below models/, instead of a random one
 };
 void PrintTo(const Mechanism& mechanism, std::ostream* stream) { *stream << mechanism.name; }
 
@@ -120,7 +122,12 @@ model::Tree decimal_tree(const support::TreeShape& shape, support::Dice& dice) {
 
 class Programs : public testing::TestWithParam<Mechanism> {
  protected:
-  Programs() : dice_(5), tree_(decimal_tree(GetParam().shape, dice_)) {
+  Programs()
+      : dice_(5),
+        tree_(GetParam().file != nullptr
+                  ? description::read_model(
+                        std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam().file, {})
+                  : decimal_tree(GetParam().shape, dice_)) {
     for (int link = model::kGround; link < tree_.size(); ++link) {
       model::Point point;
       point.link = link;
@@ -189,19 +196,32 @@ class Programs : public testing::TestWithParam<Mechanism> {
     return equal;
   }
 
+  void expect_equations() const {
+    const expansion::Expansion expansion(tree_, options_.points, options_.gravity);
+    for (const equations::Equation& equation : equations::table()) {
+      const formulate::Recipe& recipe = formulate::recipe_of(std::string(equation.name));
+      const program::Function function = formulate::formulated(tree_, recipe.name, options_);
+      EXPECT_TRUE(is(expansion, recipe, function, *equation.expression)) << equation.name;
+    }
+  }
+
   support::Dice dice_;
   model::Tree tree_;
   formulate::Options options_;
 };
 
-TEST_P(Programs, AreTheirEquations) {
-  const expansion::Expansion expansion(tree_, options_.points, options_.gravity);
-  for (const equations::Equation& equation : equations::table()) {
-    const formulate::Recipe& recipe = formulate::recipe_of(std::string(equation.name));
-    const program::Function function = formulate::formulated(tree_, recipe.name, options_);
-    EXPECT_TRUE(is(expansion, recipe, function, *equation.expression)) << equation.name;
-  }
-}
+TEST_P(Programs, AreTheirEquations) { expect_equations(); }
+
+/// Those of models/ that are small enough for polynomials.
+class Models : public Programs {};
+
+TEST_P(Models, AreTheirEquations) { expect_equations(); }
+
+INSTANTIATE_TEST_SUITE_P(Committed, Models,
+                         testing::Values(Mechanism{"two_link", {}, "two_link.yaml"},
+                                         Mechanism{"polar", {}, "polar.yaml"},
+                                         Mechanism{"compass_walker", {}, "compass_walker.yaml"}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Programs, AreTheirEquationsInEveryFrame) {
   const expansion::Expansion expansion(tree_, options_.points, options_.gravity);
