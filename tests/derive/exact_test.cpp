@@ -220,7 +220,9 @@ TEST_P(Models, AreTheirEquations) { expect_equations(); }
 INSTANTIATE_TEST_SUITE_P(Committed, Models,
                          testing::Values(Mechanism{"two_link", {}, "two_link.yaml"},
                                          Mechanism{"polar", {}, "polar.yaml"},
-                                         Mechanism{"compass_walker", {}, "compass_walker.yaml"}),
+                                         Mechanism{"compass_walker", {}, "compass_walker.yaml"},
+                                         Mechanism{"puma560", {}, "puma560.yaml"},
+                                         Mechanism{"quadruped", {}, "quadruped.yaml"}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Programs, AreTheirEquationsInEveryFrame) {
