@@ -17,6 +17,7 @@ enum class Rule {
   kCrossWords,
   kTelescope,
   kComponents,
+  kBlownUp,
   kUnits,
   kMeet,
   kSymmetric,

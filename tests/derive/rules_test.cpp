@@ -105,6 +105,13 @@ TEST(R4, TakesCrossWordsByBlocksOfThree) {
   EXPECT_FALSE(acts(word, Rule::kComponents));
 }
 
+TEST(R4, TakesNumbersMadeOfVectorsTimesVectorsByComponents) {
+  const Expression all = mass_matrix() * (D * w);
+  EXPECT_TRUE(acts(all, Rule::kBlownUp));
+  EXPECT_EQ(count(all, Op::kAssemble), 1);
+  EXPECT_FALSE(acts(D * sigma * (D * w), Rule::kBlownUp));  // numbers made of numbers
+}
+
 TEST(R5, TelescopesTheCentripetalTerms) {
   const Expression a = bias_matrix(centres_of_mass()) * w;
   EXPECT_TRUE(acts(a, Rule::kTelescope));

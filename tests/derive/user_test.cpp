@@ -12,27 +12,45 @@ using support::UserRobot;
 
 const Real kExact("1e-40");  // 50 digits, a few thousand operations
 
+/// Where all joints turn units refuse less.
+const std::vector<TreeShape>& turning_shapes() {
+  static const std::vector<TreeShape> kShapes = {{{-1, 0, 1}, "RRR"},
+                                                 {{-1, 0, 0, 1, -1, 3}, "RRRRRR"}};
+  return kShapes;
+}
+
 const std::vector<TreeShape>& shapes() {
   static const std::vector<TreeShape> kShapes = {
       {{-1, 0, 1}, "RPR"}, {{-1, 0, 0, 1, -1}, "RRPRP"}, {{-1, 0, 1, 1, 3, 2}, "PRRRPR"}};
   return kShapes;
 }
 
-class Derived : public testing::TestWithParam<const char*> {};
-
-TEST_P(Derived, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
-  for (const TreeShape& shape : shapes()) {
+void expect_derived(const std::string& text, const std::vector<TreeShape>& on,
+                    const std::vector<model::InputText>& inputs = {}) {
+  for (const TreeShape& shape : on) {
     UserRobot robot(shape);
-    const auto equation = robot.read(GetParam());
+    const auto equation = robot.read(text, inputs);
     const auto at = robot.inputs(equation);
     const Numbers expected = robot.expected(equation, at);
     for (const formulate::Way way :
          {formulate::Way::kToRoot, formulate::Way::kInLinks, formulate::Way::kInBase}) {
       const program::Function function = robot.derived(equation, way);
       EXPECT_LT(support::distance(UserRobot::run(function, at), expected), kExact)
-          << shape.types << " way " << static_cast<int>(way);
+          << text << " of " << shape.types << " way " << static_cast<int>(way);
     }
   }
+}
+
+class Derived : public testing::TestWithParam<const char*> {};
+
+TEST_P(Derived, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
+  expect_derived(GetParam(), shapes());
+}
+
+class DerivedOfTurningJoints : public testing::TestWithParam<const char*> {};
+
+TEST_P(DerivedOfTurningJoints, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
+  expect_derived(GetParam(), turning_shapes());
 }
 
 INSTANTIATE_TEST_SUITE_P(Symbols, Derived,
@@ -69,6 +87,19 @@ INSTANTIATE_TEST_SUITE_P(
         "T(T(D) * omega) * J_d * T(D) * omega", "T(omega) * LamT(c_d) * T(D) * omega",
         "T(tau) * sigma * T(z_d) * Lam(s_d) * J_d * T(N) * omega"));
 
+INSTANTIATE_TEST_SUITE_P(
+    NumbersOfVectorsTimesVectors, DerivedOfTurningJoints,
+    testing::Values("A * omega", "A * r", "A * J_v", "A * c_d", "T(r) * A", "A * D * s_d",
+                    "T(A) * A * omega", "T(J_v) * m_d * J_v * omega", "T(r) * A * qd",
+                    "qd * T(qd) * A * r", "T(qd) * A * qd * T(ones) * r", "T(omega) * A * omega",
+                    "Lam(A * c_d) * omega", "T(Lam(A * c_d)) * omega",
+                    "Lam(Lam(c_fD) * z_d * A) * omega", "diagb(A * r) * A * qd",
+                    "T(l_D * A) * omega", "T(J_w) * J_d * J_w * W * p + A * r",
+                    "(A + T(A)) * omega", "(T(J_w) * J_d * J_w + A) * omega",
+                    "(T(J_w) * J_d * J_w * Lam(diagb(r)) + A * Lam(c_d)) * omega", "0 * A * omega",
+                    "T(ones) * A * Lam(diagb(r)) * omega", "C * D_P * J_w * omega",
+                    "T(A * s_d) * K * omega"));
+
 INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                          testing::Values("dot(s_d) * ones", "dot(l_d) * ones", "dot(c_d) * ones",
                                          "dot(t_d) * ones_P", "dot(z_d) * qd", "dot(J_v) * qd",
@@ -88,6 +119,32 @@ TEST(Derived, TakesColumnsOfTheUser) {
   EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, formulate::Way::kToRoot), at),
                               robot.expected(equation, at)),
             kExact);
+}
+
+TEST(Derived, MultipliesVectorsOfTheUserByNumbersMadeOfVectors) {
+  for (const char* text :
+       {"(T(qd) * A * qd) * axis", "T(axis) * (T(qd) * A * qd)", "A * x", "T(x) * A * x"}) {
+    expect_derived(text, turning_shapes(), {{"axis", "", 3, {}}, {"x", "link", 3, {}}});
+  }
+}
+
+/// The size rule by hand.
+TEST(Engine, MultipliesVectorsByNumbersMadeOfVectors) {
+  UserRobot robot(turning_shapes()[1]);
+  const auto product = robot.read("T(J_w) * J_d * J_w * r");
+  const auto at = robot.inputs(product);
+  const Numbers X = robot.expected(robot.read("T(J_w) * J_d * J_w"), at);
+  const Numbers r = robot.expected(robot.read("r"), at);
+  const auto n = static_cast<std::size_t>(robot.tree.size());
+  Numbers by_hand(3 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        by_hand[3 * i + k] += X[i * n + j] * r[3 * j + k];
+      }
+    }
+  }
+  EXPECT_LT(support::distance(robot.expected(product, at), by_hand), kExact);
 }
 
 struct Refusal {
