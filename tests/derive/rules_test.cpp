@@ -190,6 +190,14 @@ TEST(R6, LeavesWhatReachesBelowTheColumnOnlyThroughItsFathers) {
   EXPECT_FALSE(derive(mass_matrix() * mass_matrix(), false, false).symmetric);
 }
 
+TEST(R6, LeavesSymmetricMatricesWhoseBranchesMeet) {
+  const Expression C = force_jacobian_transpose(points());
+  for (const Expression& dense : {D * transpose(D), ones * transpose(ones), qd * transpose(qd),
+                                  C * transpose(C), transpose(D) * W * transpose(W) * D}) {
+    EXPECT_FALSE(derive(dense, false).symmetric);
+  }
+}
+
 /// (2): values of the derivation.
 std::vector<Value> of_mass_matrix(Op op) {
   const Derivation derivation = derive(mass_matrix(), false, false);

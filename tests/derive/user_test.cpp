@@ -100,6 +100,16 @@ INSTANTIATE_TEST_SUITE_P(
                     "T(ones) * A * Lam(diagb(r)) * omega", "C * D_P * J_w * omega",
                     "T(A * s_d) * K * omega"));
 
+INSTANTIATE_TEST_SUITE_P(
+    SymmetricMatrices, DerivedOfTurningJoints,
+    testing::Values("C * T(C)", "H * T(H)", "T(T(ones) * m_d * J_v / 3) * (T(ones) * m_d * J_v)",
+                    "qd * T(qd)", "G * T(G)", "T(J_w) * ones * T(ones) * J_w", "D * T(D)",
+                    "ones * T(ones)", "T(D) * D", "D + T(D)", "T(D) * m_d * D",
+                    "T(J_v) * m_d * J_v", "A * A", "N * T(N)", "T(N) * N", "T(D) * W * T(W) * D",
+                    "N * T(N) + T(N) * N", "D * T(D) * D * T(D)", "T(D) * D * T(D) * D",
+                    "T(J_w) * under(link1) * J_w", "T(D) * (ones * T(ones)) * D",
+                    "diagb(qd) * T(D) * D * diagb(qd)"));
+
 INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                          testing::Values("dot(s_d) * ones", "dot(l_d) * ones", "dot(c_d) * ones",
                                          "dot(t_d) * ones_P", "dot(z_d) * qd", "dot(J_v) * qd",
