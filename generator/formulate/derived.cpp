@@ -131,6 +131,11 @@ bool is_picked(const block::Shape& shape) {
   return shape.rows.size == 3 && shape.rows.set == Set::kLinks;
 }
 
+bool takes_q(const Derived& function) {
+  return std::ranges::any_of(function.equation.arguments,
+                             [](const auto& argument) { return argument.name == "q"; });
+}
+
 }  // namespace
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
@@ -240,10 +245,16 @@ Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
   for (const equations::UserArgument& argument : function->equation.arguments) {
     inputs.push_back(argument.name);
   }
+  const bool turns = takes_q(*function);  // else nothing is known of frames but the base's
   return {places_of(inputs),
-          {.any_way = true, .fixed_frames = true, .fixed_length = true, .own_code = true},
-          [function](const Task& task) {
-            return build_derived(task, *function, task.kinematics.variant().way);
+          {.any_way = turns,
+           .way = turns ? Way::kToRoot : Way::kInBase,
+           .fixed_frames = true,
+           .fixed_length = true,
+           .own_code = true},
+          [function, turns](const Task& task) {
+            return build_derived(task, *function,
+                                 turns ? task.kinematics.variant().way : Way::kInBase);
           },
           function->equation.name};
 }

@@ -157,6 +157,15 @@ TEST(Engine, MultipliesVectorsByNumbersMadeOfVectors) {
   EXPECT_LT(support::distance(robot.expected(product, at), by_hand), kExact);
 }
 
+/// Frames of links come from q: without it everything stays in the base.
+TEST(Derived, StaysInTheBaseFrameWithoutJointPositions) {
+  for (const char* text : {"diagb(D * g)", "D * g", "Lam(diagb(N * g)) * x", "gain * W * f_b",
+                           "T(D) * diagb(y) * g"}) {
+    expect_derived(text, shapes(),
+                   {{"gain", "", 1, {}}, {"x", "link", 3, {}}, {"y", "link", 1, {}}});
+  }
+}
+
 struct Refusal {
   const char* value;
   int column;
