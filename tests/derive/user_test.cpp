@@ -232,5 +232,21 @@ TEST(Units, AreWorkedOutFromTheLeaves) {
   EXPECT_EQ(robot.read("J_v").unit, "m|1");
 }
 
+TEST(Units, AreJoulesOfWhatHasTheFormOfAnEnergy) {
+  const UserRobot robot({{-1, 0, 1}, "RRR"});
+  for (const char* text :
+       {"1/2 * T(qd) * (T(J_v) * m_d * J_v + T(J_w) * J_d * J_w) * qd",
+        "T(omega) * J_d * omega / 2", "1/2 * T(J_v * qd) * m_d * J_v * qd", "-T(g) * m_d * r",
+        "T(r) * m_d * g", "1/2 * T(qd) * A * qd - T(g) * m_d * r", "sqrt(2) * (T(qd) * A * qd)"}) {
+    EXPECT_EQ(robot.read(text).unit, "J") << text;
+  }
+  for (const char* text :
+       {"T(at(joint1)) * tau", "T(ones) * tau", "T(at(joint1)) * B", "T(at(joint1)) * G",
+        "T(ones) * G", "T(at(joint1)) * A * qdd", "1/2 * T(qd) * A * qd + T(at(joint1)) * tau"}) {
+    EXPECT_EQ(robot.read(text).unit, "N m") << text;
+  }
+  EXPECT_EQ(robot.read("tau").unit, "N m");
+}
+
 }  // namespace
 }  // namespace treedyn
