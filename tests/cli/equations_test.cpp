@@ -62,6 +62,16 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
               HasSubstr("taken"));
 }
 
+TEST_F(Cli, TellsReservedNamesOfEquations) {
+  const std::string equations = scratch("reserved.yaml");
+  write_file(equations, "equations:\n  - {name: class, value: A}\n");
+  EXPECT_THAT(treedyn({"generate", kModel, "--equations", equations, "-o", out()}).err,
+              HasSubstr("equation 'class' has a name that is taken"));
+  expect_usage_error(
+      treedyn({"generate", kModel, "--equations", equations, "--functions", "class", "-o", out()}),
+      "class is a reserved word and no name of a function");
+}
+
 TEST_F(Cli, ShowsHowCodeComesAbout) {
   const Outcome outcome = treedyn({"info", kModel, "--derivation", "bias_force"});
   EXPECT_EQ(outcome.status, 0);
