@@ -248,5 +248,16 @@ TEST(Units, AreJoulesOfWhatHasTheFormOfAnEnergy) {
   EXPECT_EQ(robot.read("tau").unit, "N m");
 }
 
+TEST(Rates, AreKnownOfTheSymbolsThatDotMeets) {
+  const UserRobot robot(turning_shapes()[0]);
+  EXPECT_TRUE(robot.read("A").rates.empty());
+  EXPECT_TRUE(robot.read("dot(D * m_d) * qd").rates.empty());
+  const auto rates = robot.read("T(J_v) * m_d * dot(J_v)").rates;
+  std::vector<std::string> names;
+  std::ranges::transform(rates, std::back_inserter(names),
+                         [](const auto& row) { return row.first; });
+  EXPECT_EQ(names, (std::vector<std::string>{"c^d", "l^d", "s^d", "z^d"}));
+}
+
 }  // namespace
 }  // namespace treedyn
