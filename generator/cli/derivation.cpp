@@ -99,6 +99,9 @@ std::string recursion_text(const formulate::Derived& function,
       "\nrecursion: D and N from the root, D^T and N^T to it; operations in link frames before any "
       "search\n" +
       lines_text(function.derivation, costs);
+  if (const int others = costs.back().total(); others > 0) {
+    result += fmt::format("  {:>5}  angles and places of joints\n", others);
+  }
   if (function.to_root) {
     result += "\nor from one point E e_j to the root\n";
     for (const derive::Line& line : derive::lines(*function.to_root)) {
