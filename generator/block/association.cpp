@@ -7,6 +7,8 @@
 namespace treedyn::block {
 namespace {
 
+constexpr long long kNever = 1LL << 50;
+
 struct Partial {
   Factor matrix;
   long long cost = 0;
@@ -27,7 +29,12 @@ int scalar_products(const Factor& a, const Factor& b) {
   return a_size == 1 ? b_size : b_size == 1 ? a_size : a.height * a.width * b.width;
 }
 
+/// \return `kNever` if numbers that the size rule blows up are not yet numbers
 long long cost(const Factor& a, const Factor& b) {
+  const bool has_number = a.height * a.width == 1 || b.height * b.width == 1;
+  if (!has_number && a.width != b.height) {
+    return kNever;
+  }
   if (a.path_sum || b.path_sum) {
     return a.path_sum ? b.pattern.blocks() : a.pattern.blocks();
   }

@@ -255,7 +255,8 @@ int Plan::add_product(const Expression& e) {
   Ratio factor;
   flatten(e, factors, factor);
   int result = -1;
-  if (e.shape().cols == Side{}) {
+  const std::span<const Expression> before(factors.begin(), factors.end() - 1);
+  if (e.shape().cols == Side{} && !blows_up(before, factors.back().shape().rows.size)) {
     result = add(factors.back());
     for (std::size_t k = factors.size() - 1; k-- > 0;) {
       result = apply(factors[k], result);
@@ -271,9 +272,15 @@ int Plan::add_product(const Expression& e) {
   return add_sum({{result, factor}});
 }
 
-/// e times a column: (X + Y) v = X v + Y v, (X Y) v = X (Y v), so that only columns are computed.
+/// e times a column: (X + Y) v = X v + Y v, (X Y) v = X (Y v), so that only columns are computed;
+/// but what the size rule blows up is numbers first.
 int Plan::apply(const Expression& e, int column) {
   const std::vector<Expression>& x = e.operands();
+  const int size = step(column).height;
+  const bool of_vectors = size == 3 && has_numbers(e) && !is_of_numbers(e);
+  if (of_vectors || (e.kind() == Kind::kProduct && blows_up(x, size))) {
+    return multiply(add(e), column);
+  }
   switch (e.kind()) {
     case Kind::kNamed:
       return apply(x.front(), column);

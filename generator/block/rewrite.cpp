@@ -46,6 +46,26 @@ bool constant_expression(const Expression& e) {
   return std::all_of(e.operands().begin(), e.operands().end(), constant_expression);
 }
 
+bool has_numbers(const Expression& e) {
+  return e.shape().rows.size == 1 && e.shape().cols.size == 1;
+}
+
+bool is_of_numbers(const Expression& e) {
+  return has_numbers(e) &&
+         (e.kind() == Kind::kDiagonal || std::ranges::all_of(e.operands(), is_of_numbers));
+}
+
+bool blows_up(std::span<const Expression> factors, int size) {
+  for (auto f = factors.rbegin(); f != factors.rend(); ++f) {
+    const auto& [rows, cols] = f->shape();
+    if (size == 3 && rows.size == 3 && cols.size == 1) {
+      return true;
+    }
+    size = rows.size == cols.size ? size : rows.size;
+  }
+  return false;
+}
+
 void flatten(const Expression& e, std::vector<Expression>& factors, Ratio& factor) {
   switch (e.kind()) {
     case Kind::kNamed:

@@ -1,6 +1,7 @@
 // Expressions in the form that a plan wants.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "block/block.hpp"
@@ -12,6 +13,14 @@ Expression push_transpose(const Expression& e);
 
 /// True if only the tree decides the values: sums, products, .. of D, E, sigma, W and ones.
 bool constant_expression(const Expression& e);
+
+/// A matrix of 1x1 blocks.
+bool has_numbers(const Expression& e);
+/// A word of such matrices: what it multiplies may be blocks of any kind.
+bool is_of_numbers(const Expression& e);
+/// True if in the product of `factors` with blocks `size` high numbers made of vectors meet
+/// vectors: by the size rule these factors are multiplied before they are blown up.
+bool blows_up(std::span<const Expression> factors, int size);
 
 /// Appends the factors of a product, names and nested products opened, to `factors` and multiplies
 /// `factor` by the rational factors.

@@ -1,5 +1,6 @@
 // How the code of a function comes about, as text.
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -65,10 +66,19 @@ std::string words_text(const block::Expression& e) {
   return result;
 }
 
-std::string rules_text(const std::set<derive::Rule>& acted) {
+using Rates = std::map<std::string, block::Expression>;
+
+/// \param rates  of the symbols that R11 has met, where equations are read
+std::string rules_text(std::set<derive::Rule> acted, const Rates& rates = {}) {
   std::string result = "\nrules that acted (N = D - E)\n";
+  if (!rates.empty()) {
+    acted.insert(derive::Rule::kRates);
+  }
   for (const derive::Rule rule : acted) {
     result += fmt::format("  {:4} {}\n", derive::row_of(rule).name, derive::row_of(rule).text);
+    for (const auto& [symbol, rate] : rule == derive::Rule::kRates ? rates : Rates{}) {
+      result += fmt::format("       dot({}) = {}\n", symbol, block::print(rate));
+    }
   }
   return result;
 }
@@ -89,6 +99,9 @@ std::string recursion_text(const formulate::Derived& function,
       "\nrecursion: D and N from the root, D^T and N^T to it; operations in link frames before any "
       "search\n" +
       lines_text(function.derivation, costs);
+  if (const int others = costs.back().total(); others > 0) {
+    result += fmt::format("  {:>5}  angles and places of joints\n", others);
+  }
   if (function.to_root) {
     result += "\nor from one point E e_j to the root\n";
     for (const derive::Line& line : derive::lines(*function.to_root)) {
@@ -102,7 +115,7 @@ std::string recursion_text(const formulate::Derived& function,
 using Derived = std::shared_ptr<const formulate::Derived>;
 
 std::string derived_text(const Model& model, const Request& request, const Derived& function) {
-  return rules_text(function->derivation.values.acted()) +
+  return rules_text(function->derivation.values.acted(), function->equation.rates) +
          recursion_text(*function, formulate::costs_of_values(model.tree, function,
                                                               formulate_options(model, request)));
 }

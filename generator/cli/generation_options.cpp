@@ -103,6 +103,12 @@ void set_functions(Request& request, const std::string& list) {
     known.emplace_back(info.name);
   }
   for (const std::string& name : split(list)) {
+    if (is_reserved_word(name)) {
+      throw CLI::ValidationError(
+          "--functions", fmt::format("{} is a reserved word and no name of a function; expected "
+                                     "another name, or some of {}",
+                                     shown(name), fmt::join(known, ",")));
+    }
     const bool may_be_users = !name.empty() && to_identifier(name) == name;
     if (!may_be_users && std::find(known.begin(), known.end(), name) == known.end()) {
       throw CLI::ValidationError(

@@ -143,6 +143,7 @@ int Algebra::scale(int number, int x) {
     return zero(set, type);
   }
   if (value(number).type != Type::kScalar) {
+    TREEDYN_EXPECT(value(x).type == Type::kScalar);
     return scale(x, number);
   }
   const auto [p, a] = split(number);

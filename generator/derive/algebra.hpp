@@ -41,8 +41,8 @@ class Algebra {
   /// D, N, D^T, N^T, Π, W, .. times x; the result has a block for every element of `set`.
   int sum_along(Op op, Set set, int x);
   int component(int x, int k);
-  /// x where its rows on the way from the column that is asked for to the root are enough. \pre
-  /// made with `Choices::composites` \throws NoComposites if they are not
+  /// x on the way from the column that is asked for to the root: without N y, which is zero there.
+  /// \pre made with `Choices::composites` \throws NoComposites if N y is not
   int on_way_to_root(int x);
   int assemble(const std::vector<int>& components);
   /// Steps of links as blocks: a number y stands for y E, a vector a for Λ(a). a b; -1: E.
@@ -87,7 +87,6 @@ class Algebra {
   };
   void open_paths(const Ratio& factor, int X, int x, Opened& opened);
   [[nodiscard]] bool has_sum(int x) const;
-  [[nodiscard]] bool is_below_unit(int x) const;
   int of_composites(Op op, int x);
 
   Terms flattened(const Terms& terms);

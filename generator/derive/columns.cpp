@@ -11,6 +11,8 @@ namespace treedyn::derive {
 namespace {
 
 using block::Expression;
+using block::has_numbers;
+using block::is_of_numbers;
 using block::Kind;
 using block::Structure;
 
@@ -18,10 +20,6 @@ Type type_of(const block::Shape& block) {
   return block.rows.size == 1   ? Type::kScalar
          : block.cols.size == 1 ? Type::kVector
                                 : Type::kTensor;
-}
-
-bool has_numbers(const Expression& e) {
-  return e.shape().rows.size == 1 && e.shape().cols.size == 1;
 }
 
 const Expression& unnamed(const Expression& e) {
@@ -53,12 +51,6 @@ Strict strict(const Expression& a, const Expression& b) {
 }  // namespace
 
 namespace {
-
-Expression product_of(std::vector<Expression>::const_iterator begin,
-                      std::vector<Expression>::const_iterator end) {
-  return std::accumulate(begin + 1, end, *begin,
-                         [](const Expression& a, const Expression& b) { return a * b; });
-}
 
 /// A product L v R with numbers in L and R.
 struct Parted {
@@ -93,7 +85,10 @@ bool is_sum_of_words(const Expression& P) {
     case Kind::kProduct: {
       const Parted parts = parted(P);
       const bool shorter = !parts.left.empty() || !parts.right.empty() || parts.middle.size() == 1;
-      return shorter && is_sum_of_words(product_of(parts.middle.begin(), parts.middle.end()));
+      const bool numbers = std::all_of(parts.left.begin(), parts.left.end(), is_of_numbers) &&
+                           std::all_of(parts.right.begin(), parts.right.end(), is_of_numbers);
+      return shorter && numbers &&
+             is_sum_of_words(product_of(parts.middle.begin(), parts.middle.end()));
     }
     default:
       return false;
@@ -101,6 +96,11 @@ bool is_sum_of_words(const Expression& P) {
 }
 
 }  // namespace
+
+Expression product_of(Factor begin, Factor end) {
+  return std::accumulate(begin + 1, end, *begin,
+                         [](const Expression& a, const Expression& b) { return a * b; });
+}
 
 bool is_diagonal(const Expression& e) {
   const Structure structure = e.node().structure;
@@ -125,7 +125,10 @@ int Columns::apply(const Expression& e, bool transposed, int x) {
     case Kind::kLeaf:
       return leaf(e, transposed, x);
     case Kind::kNamed:
-      return apply(operands.front(), transposed, x);
+      return !wide_ && algebra_.value(x).type == Type::kVector && has_numbers(e) &&
+                     !is_of_numbers(e)
+                 ? blown_up(e, transposed, x)
+                 : apply(operands.front(), transposed, x);
     case Kind::kSum:
       return sum(operands, transposed, x);
     case Kind::kProduct:
@@ -218,15 +221,6 @@ int Columns::sum(const Factors& terms, bool transposed, int x) {
     result.emplace_back(Ratio{}, apply(term, transposed, x));
   }
   return algebra_.linear(result);
-}
-
-int Columns::product(const Factors& factors, bool transposed, int x) {
-  if (transposed) {
-    return std::accumulate(factors.begin(), factors.end(), x,
-                           [this](int y, const Expression& f) { return apply(f, true, y); });
-  }
-  return std::accumulate(factors.rbegin(), factors.rend(), x,
-                         [this](int y, const Expression& f) { return apply(f, false, y); });
 }
 
 int Columns::skew(const Expression& Y, bool transposed, int x) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "block/block.hpp"
 #include "derive/algebra.hpp"
@@ -33,6 +34,7 @@ class Columns {
   int diagonal(const block::Shape& shape, int blocks, bool transposed, int x);
   int sum(const Factors& terms, bool transposed, int x);
   int product(const Factors& factors, bool transposed, int x);
+  int blown_up(const block::Expression& A, bool transposed, int x);
   /// Λ(Y) x, or its transpose.
   int skew(const block::Expression& Y, bool transposed, int x);
   int skew_of_product(Factors factors, bool transposed, int x);
@@ -56,5 +58,9 @@ class Columns {
 
 /// E, or a block diagonal made of block diagonals.
 bool is_diagonal(const block::Expression& e);
+
+using Factor = std::vector<block::Expression>::const_iterator;
+/// \pre not empty
+block::Expression product_of(Factor begin, Factor end);
 
 }  // namespace treedyn::derive

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "derive/algebra.hpp"
+#include "derive/places.hpp"
 
 namespace treedyn::derive {
 int Algebra::product_of_steps(int a, int b) {
@@ -58,6 +59,14 @@ void Algebra::open_paths(const Ratio& factor, int X, int x, Opened& opened) {
       open_paths(factor, product_of_steps(X, v.operands[0]), v.operands[1], opened);
       return;
     case Op::kScale:
+      if (v.type == Type::kScalar && values_.of_unit(x)) {
+        const int unit =
+            *std::ranges::find_if(v.operands, [this](int y) { return values_.of_unit(y); });
+        std::vector<int> others = v.operands;
+        std::erase(others, unit);
+        open_paths(factor, product_of_steps(X, scaled(others, ones(v.set))), unit, opened);
+        return;
+      }
       if (!values_.of_unit(v.operands.front()) && values_.of_unit(v.operands.back())) {
         const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
         open_paths(factor, product_of_steps(X, scaled(numbers, ones(v.set))), v.operands.back(),
@@ -110,15 +119,6 @@ int Algebra::of_composites(Op op, int x) {
   return linear(terms);
 }
 
-/// True for what is zero but at the column that is asked for and below.
-bool Algebra::is_below_unit(int x) const {
-  const Value& v = value(x);
-  const bool goes_up = v.op >= Op::kSubtree && v.op <= Op::kCollect && v.op != Op::kFather;
-  return !values_.of_unit(x) ||
-         (!goes_up && std::all_of(v.operands.begin(), v.operands.end(),
-                                  [this](int y) { return is_below_unit(y); }));
-}
-
 /// The rows of x on the way from the column that is asked for to the root: there N y is zero.
 int Algebra::on_way_to_root(int x) {
   const Value v = value(x);
@@ -127,7 +127,7 @@ int Algebra::on_way_to_root(int x) {
   }
   switch (v.op) {
     case Op::kPathStrict:
-      if (!is_below_unit(v.operands.front())) {
+      if (places(values_, v.operands.front()).above) {
         throw NoComposites{};
       }
       return zero(v.set, v.type);

@@ -4,6 +4,7 @@
 
 #include "derive/columns.hpp"
 #include "derive/forms.hpp"
+#include "derive/places.hpp"
 #include "derive/transpose.hpp"
 
 namespace treedyn::derive {
@@ -42,7 +43,8 @@ bool derive_wide(const block::Expression& expression, Derivation& result) {
 }
 
 /// The columns of a matrix of numbers between links by composites, if A e_j and A^T e_j derive to
-/// the same.
+/// the same, if all of it is zero but between links on one path and if the rows on the way to the
+/// root need no others.
 bool derive_symmetric(const block::Expression& expression, Derivation& result) {
   const block::Side joints{Set::kLinks, 1};
   if (result.shape != block::Shape{joints, joints}) {
@@ -64,7 +66,11 @@ bool derive_symmetric(const block::Expression& expression, Derivation& result) {
   values.note(Rule::kUnits);
   values.note(Rule::kSymmetric);
   try {
-    result.roots = {column(values, false)};
+    const int root = column(values, false);
+    if (places(values, root).beside) {
+      return false;
+    }
+    result.roots = {root};
   } catch (const NoComposites&) {
     return false;
   }

@@ -5,7 +5,9 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 28> kRows = {{
+  static constexpr std::array<RuleRow, 30> kRows = {{
+      {Rule::kRates, "R11",
+       "dot: (X Y)' = X' Y + X Y', D, σ, m are constant, vectors of links turn, s has the slide"},
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
@@ -18,6 +20,7 @@ std::span<const RuleRow> rules() {
       {Rule::kCrossWords, "R4", "Λ^T(Λ^T(P) u) x = Σ Λ(x) Λ(u) P: sums of 3x3 blocks times s"},
       {Rule::kTelescope, "R5", "D (g - g of the father) = g"},
       {Rule::kComponents, "R4'", "Λ(Y) x = Σ (Y x_k) × e_k, component by component"},
+      {Rule::kBlownUp, "R4''", "numbers A are A E_3 where they multiply vectors: (A x)_k = A x_k"},
       {Rule::kUnits, "R6'", "X is its columns X e_j (or rows), whatever is zero in them vanishes"},
       {Rule::kMeet, "R6''", "rows come from the left, columns from the right, they meet anywhere"},
       {Rule::kSymmetric, "R6", "A e_j = A^T e_j: the rows from link j to the root are enough"},

@@ -8,6 +8,7 @@ namespace treedyn::derive {
 
 /// EQUATIONS.md's block expressions become recursions by these and nothing else. N = D - E.
 enum class Rule {
+  kRates,
   kDistribute,
   kSums,
   kTransposes,
@@ -17,6 +18,7 @@ enum class Rule {
   kCrossWords,
   kTelescope,
   kComponents,
+  kBlownUp,
   kUnits,
   kMeet,
   kSymmetric,

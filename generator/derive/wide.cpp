@@ -1,6 +1,7 @@
 // Columns of 3x3 blocks: multiples of E, skew blocks and single rows keep their kind (R7').
 #include <utility>
 
+#include "block/rewrite.hpp"
 #include "derive/columns.hpp"
 
 namespace treedyn::derive {
@@ -57,6 +58,11 @@ int Columns::meet(const Expression& e, int x, int c) {
       auto first = factors.begin();
       for (std::optional<int> rows = x; (rows = wide(*first, true, x)); ++first) {
         x = *rows;
+      }
+      if (block::blows_up({first, factors.end()},
+                          algebra_.value(c).type == Type::kScalar ? 1 : 3)) {
+        algebra_.note(Rule::kMeet);
+        return contract(x, apply_narrow(product_of(first, factors.end()), c));
       }
       while (factors.end() - 1 != first) {
         c = apply_narrow(factors.back(), c);

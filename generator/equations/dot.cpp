@@ -110,6 +110,17 @@ Rate rate(const Expression& e, const Rates& rates) {
 
 }  // namespace
 
+std::map<std::string, Expression> leaf_rates(const Expression& e, const Rates& rates) {
+  std::map<std::string, Expression> result;
+  if (const Rate own = e.kind() == Kind::kLeaf ? of_leaf(e, rates) : Rate{}) {
+    result.emplace(e.node().name, *own);
+  }
+  for (const Expression& operand : e.operands()) {
+    result.merge(leaf_rates(operand, rates));
+  }
+  return result;
+}
+
 Expression dot(const Expression& e, const Rates& rates) {
   const Rate result = rate(e, rates);
   return result ? *result : 0 * e;

@@ -26,4 +26,7 @@ using Rates = std::map<std::string, std::optional<block::Expression>>;
 /// \throws NoRate
 block::Expression dot(const block::Expression& e, const Rates& rates = {});
 
+/// The rates of the leaves of e that are not constant. \throws NoRate
+std::map<std::string, block::Expression> leaf_rates(const block::Expression& e, const Rates& rates);
+
 }  // namespace treedyn::equations

@@ -11,6 +11,7 @@
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
+#include "equations/energy.hpp"
 #include "equations/kinematics.hpp"
 #include "equations/symbol_names.hpp"
 
@@ -264,7 +265,8 @@ Expression Reading::of(const std::string& function, const std::string& argument)
 void Reading::finish(const Expression& e) {
   made.expression = e;
   const std::string unit = to_string(units_.of(e));
-  const bool is_energy = unit == "N m" && e.shape() == block::Shape{kOne, kOne};
+  const bool is_energy =
+      unit == "N m" && e.shape() == block::Shape{kOne, kOne} && has_form_of_energy(e);
   made.unit = is_energy ? std::string("J") : unit;
   std::set<std::string> leaves;
   collect_leaves(e, leaves);

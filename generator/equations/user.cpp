@@ -111,7 +111,9 @@ Expression Reader::expand(const model::EquationText& text, Reading& reading) {
     return reading.number(value);
   };
   scope.dot = [&](const Expression& e) {
-    return dot(e, reading.rates);
+    Expression result = dot(e, reading.rates);
+    reading.made.rates.merge(leaf_rates(e, reading.rates));
+    return result;
   };
   scope.reciprocal = [&](const Expression& e) {
     return reading.reciprocal(e);

@@ -35,6 +35,7 @@ struct UserEquation {
   std::vector<UserArgument> arguments;
   std::map<std::string, std::vector<Real>> constants;  ///< leaves of numbers: one a block
   std::map<std::string, UserFrame> frames;             ///< leaves R(LINK)
+  std::map<std::string, block::Expression> rates;      ///< of leaves, where `dot` took them: R11
   Location where;
 };
 

@@ -66,7 +66,7 @@ std::vector<Expr> every_nth(const std::vector<Expr>& entries, std::size_t first,
 }
 
 /// The rows of what is derived, vectors in a frame.
-Matrix written(Lowering lowering, int frame) {
+Matrix written(Lowering& lowering, int frame) {
   const derive::Derivation& derivation = lowering.derivation();
   const auto& [rows, cols] = derivation.shape;
   const block::Side& counted = derivation.by_rows ? rows : cols;
@@ -131,6 +131,45 @@ bool is_picked(const block::Shape& shape) {
   return shape.rows.size == 3 && shape.rows.set == Set::kLinks;
 }
 
+/// Row-major, of the degrees of freedom; column by column where columns are asked for.
+std::vector<Expr> expressions(const Task& task, Lowering& lowering, int frame) {
+  const auto& [rows, cols] = lowering.derivation().shape;
+  if (lowering.derivation().symmetric) {
+    SparseSymmetric a;
+    for (int j = task.tree.size() - 1; j >= 0; --j) {
+      add_column(task.kinematics, lowering, j, a);
+    }
+    return dense(task, a);
+  }
+  Matrix m = written(lowering, frame);
+  if (m.empty()) {
+    return {};
+  }
+  const bool picked = is_picked(lowering.derivation().shape);
+  m = in_coordinates(task, m, rows, picked);
+  m = transposed(in_coordinates(task, transposed(m), cols, picked));
+  std::vector<Expr> result;
+  for (const std::vector<Expr>& row : m) {
+    result.insert(result.end(), row.begin(), row.end());
+  }
+  return result;
+}
+
+bool takes_q(const Derived& function) {
+  return std::ranges::any_of(function.equation.arguments,
+                             [](const auto& argument) { return argument.name == "q"; });
+}
+
+/// Of one of our functions, or of a user's.
+Recipe recipe_of(const std::shared_ptr<const Derived>& function) {
+  for (const Recipe& recipe : recipes()) {
+    if (recipe.name == function->equation.name) {
+      return recipe;
+    }
+  }
+  return derived_recipe(function);
+}
+
 }  // namespace
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
@@ -179,27 +218,8 @@ std::shared_ptr<const Derived> derived_part(const std::string& name,
 }
 
 std::vector<Expr> build_derived(const Task& task, const Derived& function, Way way, int frame) {
-  const auto& [rows, cols] = function.derivation.shape;
-  const bool picked = is_picked(function.derivation.shape);
-  if (function.derivation.symmetric) {
-    Lowering lowering(task, function, way);
-    SparseSymmetric a;
-    for (int j = task.tree.size() - 1; j >= 0; --j) {
-      add_column(task.kinematics, lowering, j, a);
-    }
-    return dense(task, a);
-  }
-  Matrix m = written(Lowering(task, function, way), frame);
-  if (m.empty()) {
-    return {};
-  }
-  m = in_coordinates(task, m, rows, picked);
-  m = transposed(in_coordinates(task, transposed(m), cols, picked));
-  std::vector<Expr> result;
-  for (const std::vector<Expr>& row : m) {
-    result.insert(result.end(), row.begin(), row.end());
-  }
-  return result;
+  Lowering lowering(task, function, way);
+  return expressions(task, lowering, frame);
 }
 
 std::vector<Expr> build_equation(const Task& task, const std::string& name) {
@@ -226,10 +246,12 @@ std::vector<program::Cost> costs_of_values(const model::Tree& tree,
                                            const std::shared_ptr<const Derived>& function,
                                            const Options& options) {
   std::vector<program::Cost> result;
-  Recipe recipe = derived_recipe(function);
+  Recipe recipe = recipe_of(function);
   recipe.build = [&](const Task& task) {
-    result = Lowering(task, *function, Way::kInLinks).costs();
-    return std::vector<Expr>{};
+    Lowering lowering(task, *function, takes_q(*function) ? Way::kInLinks : Way::kInBase);
+    const std::vector<Expr> outputs = expressions(task, lowering, kBase);
+    result = lowering.costs(outputs);
+    return outputs;
   };
   build(tree, recipe, options, plain_variant(tree));
   return result;
@@ -240,10 +262,16 @@ Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
   for (const equations::UserArgument& argument : function->equation.arguments) {
     inputs.push_back(argument.name);
   }
+  const bool turns = takes_q(*function);  // else nothing is known of frames but the base's
   return {places_of(inputs),
-          {.any_way = true, .fixed_frames = true, .fixed_length = true, .own_code = true},
-          [function](const Task& task) {
-            return build_derived(task, *function, task.kinematics.variant().way);
+          {.any_way = turns,
+           .way = turns ? Way::kToRoot : Way::kInBase,
+           .fixed_frames = true,
+           .fixed_length = true,
+           .own_code = true},
+          [function, turns](const Task& task) {
+            return build_derived(task, *function,
+                                 turns ? task.kinematics.variant().way : Way::kInBase);
           },
           function->equation.name};
 }

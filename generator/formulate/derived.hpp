@@ -54,7 +54,8 @@ std::vector<Expr> values_at(const Task& task, const std::string& name,
 /// gamma_n of a point, by what its gamma_f is made of. \pre `point` moves
 Vec3 angular_bias(const Task& task, const model::Point& point);
 
-/// Operations of every value of the derivation, before any search.
+/// Operations of every value of the derivation in link frames, before any search; behind them those
+/// of no value: angles, places and what joints that move together add up.
 std::vector<program::Cost> costs_of_values(const model::Tree& tree,
                                            const std::shared_ptr<const Derived>& function,
                                            const Options& options);

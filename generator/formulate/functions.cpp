@@ -11,12 +11,15 @@ int weight(const program::Cost& cost) {
   return cost.total() + kOperationsOfSineAndCosine * std::max(cost.sin, cost.cos);
 }
 
+void add_operation(const program::Node& node, program::Cost& cost) {
+  cost.add += node.kind == program::Kind::kAdd ? 1 : 0;
+  cost.mul += node.kind == program::Kind::kMultiply ? 1 : 0;
+  cost.div += node.kind == program::Kind::kDivide ? 1 : 0;
+}
+
 void count_new(const Graph& graph, std::size_t first, program::Cost& cost) {
   for (std::size_t n = first; n < graph.size(); ++n) {
-    const program::Kind kind = graph.node(static_cast<program::Ref>(n)).kind;
-    cost.add += kind == program::Kind::kAdd ? 1 : 0;
-    cost.mul += kind == program::Kind::kMultiply ? 1 : 0;
-    cost.div += kind == program::Kind::kDivide ? 1 : 0;
+    add_operation(graph.node(static_cast<program::Ref>(n)), cost);
   }
 }
 

@@ -54,6 +54,8 @@ const Recipe& recipe_of(const std::string& name);
 /// What formulations are compared by: operations, a sine with its cosine as 8 of them.
 int weight(const program::Cost& cost);
 
+/// Adds the operation of a node.
+void add_operation(const program::Node& node, program::Cost& cost);
 /// Adds the operations of the nodes from number `first` on.
 void count_new(const Graph& graph, std::size_t first, program::Cost& cost);
 

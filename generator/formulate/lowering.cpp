@@ -13,6 +13,8 @@ using block::Set;
 using derive::Op;
 using derive::Type;
 
+constexpr int kNobody = -1;
+
 bool is_to_sons(Op op) { return op == Op::kPath || op == Op::kPathStrict || op == Op::kFather; }
 bool is_to_fathers(Op op) {
   return op == Op::kSubtree || op == Op::kSubtreeStrict || op == Op::kBackward || op == Op::kSons ||
@@ -38,8 +40,7 @@ Lowering::Lowering(const Task& task, const Derived& function, Way way)
       stage_(to_index(derivation_.values.size()), -1),
       of_unit_(to_index(derivation_.values.size()), false),
       memo_(to_index(derivation_.values.size())),
-      known_(to_index(derivation_.values.size())),
-      costs_(to_index(derivation_.values.size())) {
+      known_(to_index(derivation_.values.size())) {
   arrange();
   if (derivation_.elimination) {  // numbers of no link come first
     static_cast<void>(task_.kinematics.ground_acceleration());
@@ -199,8 +200,25 @@ void Lowering::need(int id, int e) {
     memo_[to_index(id)][to_index(e)] = made(id, v, e);
     known_[to_index(id)][to_index(e)] = true;
   }
-  count_new(graph(), std::max(before, counted_), costs_[to_index(id)]);
-  counted_ = graph().size();
+  own(before, id);
+}
+
+void Lowering::own(std::size_t first, int id) {
+  owners_.resize(graph().size(), kNobody);
+  std::replace(owners_.begin() + static_cast<std::ptrdiff_t>(first), owners_.end(), kNobody, id);
+}
+
+std::vector<program::Cost> Lowering::costs(const std::vector<Expr>& outputs) const {
+  std::vector<program::Ref> refs;
+  std::ranges::transform(outputs, std::back_inserter(refs), [](Expr x) { return x.ref(); });
+  const auto nobody = to_index(derivation_.values.size());
+  std::vector<program::Cost> result(nobody + 1);
+  for (const program::Ref node : program::reachable(graph(), refs)) {
+    const auto n = to_index(node);
+    const bool owned = n < owners_.size() && owners_[n] != kNobody;
+    add_operation(graph().node(node), result[owned ? to_index(owners_[n]) : nobody]);
+  }
+  return result;
 }
 
 /// A value as a sum.
@@ -345,8 +363,9 @@ Block Lowering::made(int id, const Value& v, int e) {
   return zero(v, e);
 }
 
-std::vector<Expr> Lowering::written(int k, Set set, int frame) const {
+std::vector<Expr> Lowering::written(int k, Set set, int frame) {
   const int root = derivation_.roots[to_index(k)];
+  const std::size_t before = graph().size();
   std::vector<Expr> result;
   for (int e = 0; e < count(set); ++e) {
     const Block& block = of(root, e);
@@ -365,6 +384,7 @@ std::vector<Expr> Lowering::written(int k, Set set, int frame) const {
         }
     }
   }
+  own(before, root);
   return result;
 }
 

@@ -25,7 +25,7 @@ class Lowering {
 
   /// Column `k` of what the function derives to, a block for every element of its rows: vectors in
   /// `frame`, numbers as they are, one behind the other.
-  [[nodiscard]] std::vector<Expr> written(int k, block::Set set, int frame = kBase) const;
+  [[nodiscard]] std::vector<Expr> written(int k, block::Set set, int frame = kBase);
   [[nodiscard]] int count(block::Set set) const;
   /// Entry (i, place) of a symmetric matrix. \pre i is `place` or above
   [[nodiscard]] Expr entry(int i) const { return of(derivation_.roots.front(), i).number; }
@@ -35,8 +35,9 @@ class Lowering {
     return frames_.in(of(turnings_.front().alpha, i).vector, kBase);
   }
 
-  /// Operations that the values took, by their number in the derivation.
-  [[nodiscard]] const std::vector<program::Cost>& costs() const { return costs_; }
+  /// Operations of `outputs` by the number of the value, in the derivation, for which they are
+  /// written; the last: for none.
+  [[nodiscard]] std::vector<program::Cost> costs(const std::vector<Expr>& outputs) const;
 
  private:
   using Value = derive::Value;
@@ -70,6 +71,8 @@ class Lowering {
   /// Block e of a value, if it is not known yet, and those of its operands.
   void need(int id, int e);
   void name_sums(int e);
+  /// The nodes from number `first` on that are no value's yet are written for this one.
+  void own(std::size_t first, int id);
 
   [[nodiscard]] const char* symbol(int id) const;
   Block made(int id, const Value& v, int e);
@@ -143,8 +146,7 @@ class Lowering {
   std::map<int, std::vector<TensorTerms>> tensors_;  ///< of composites, by value
   std::map<int, std::vector<Squares>> squares_;      ///< of turnings, by Ω
   std::vector<int> named_;                           ///< sums of the link that have no names yet
-  std::vector<program::Cost> costs_;
-  std::size_t counted_ = 0;  ///< nodes of the graph that are in them
+  std::vector<int> owners_;  ///< by node of the graph: the value for which it is written, or none
   int place_ = 0;
   int component_ = 0;
 };

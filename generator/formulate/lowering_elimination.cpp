@@ -32,6 +32,7 @@ void Lowering::hand_on(const std::vector<int>& ids, int i) {
   for (const int id : ids) {
     const Value& v = value(id);
     if (v.op == Op::kFold && f != kBase) {
+      const std::size_t before = graph().size();
       const Block& more = of(v.operands.back(), i);
       Vec3 up;
       for (const Part& part : more.vector) {
@@ -39,6 +40,7 @@ void Lowering::hand_on(const std::vector<int>& ids, int i) {
       }
       begin(id, v, f);
       add(v, sums_[id][to_index(f)].block, {{}, {{f, up}}, more.tensor}, number(1));
+      own(before, id);
     }
   }
 }

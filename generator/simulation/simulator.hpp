@@ -137,7 +137,6 @@ class Simulator {
   void build_watches();
   void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
                  const model::Plane& plane);
-  void prepare_watches();
   std::optional<Crossing> first_crossing(double h);
   void look_for(std::size_t k, double h, std::optional<Crossing>& first);
   [[nodiscard]] int pieces(double h) const;

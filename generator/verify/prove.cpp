@@ -86,6 +86,7 @@ Numbers interpreted(const program::Function& function, const std::vector<Values>
       [&](int array, int element) {
         const auto a = static_cast<std::size_t>(array);
         const auto k = static_cast<std::size_t>(element);
+        TREEDYN_EXPECT(k < (a < inputs.size() ? inputs[a].size() : derived.size()));
         return a < inputs.size() ? Number(inputs[a][k]) : derived[k];
       },
       [](program::Kind kind, const Number& a) {

@@ -8,8 +8,6 @@
 
 namespace treedyn {
 
-namespace {}  // namespace
-
 SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t,
                                Values anchor)
     : scene_(scene),

@@ -33,6 +33,13 @@ TEST(Associate, PrefersSmallBlocks) {
   EXPECT_EQ(order_of({row, matrix, matrix}), (Order{{0, 1}, {0, 2}}));
 }
 
+TEST(Associate, MultipliesNumbersOutBeforeTheSizeRuleBlowsThemUp) {
+  const Factor row{full(4, 4), 1, 3, false};     // J_v^T
+  const Factor column{full(4, 4), 3, 1, false};  // J_v
+  const Factor vectors{full(4, 1), 3, 1, false};
+  EXPECT_EQ(order_of({row, column, vectors}), (Order{{0, 1}, {0, 2}}));
+}
+
 TEST(Associate, LeavesSingleFactorAlone) {
   EXPECT_TRUE(order_of({{full(2, 2), 1, 1, false}}).empty());
 }

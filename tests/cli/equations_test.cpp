@@ -62,6 +62,24 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
               HasSubstr("taken"));
 }
 
+TEST_F(Cli, TellsReservedNamesOfEquations) {
+  const std::string equations = scratch("reserved.yaml");
+  write_file(equations, "equations:\n  - {name: class, value: A}\n");
+  EXPECT_THAT(treedyn({"generate", kModel, "--equations", equations, "-o", out()}).err,
+              HasSubstr("equation 'class' has a name that is taken"));
+  expect_usage_error(
+      treedyn({"generate", kModel, "--equations", equations, "--functions", "class", "-o", out()}),
+      "class is a reserved word and no name of a function");
+}
+
+TEST_F(Cli, ShowsTheRatesOfSymbols) {
+  const std::string coriolis = TREEDYN_SOURCE_DIR "/models/equations/coriolis.yaml";
+  const Outcome outcome =
+      treedyn({"info", kModel, "--equations", coriolis, "--derivation", "coriolis_matrix"});
+  EXPECT_THAT(outcome.out, HasSubstr("rules that acted (N = D - E)\n  R11  dot: "));
+  EXPECT_THAT(outcome.out, HasSubstr("\n       dot(z^d) = Λ(diagb("));
+}
+
 TEST_F(Cli, ShowsHowCodeComesAbout) {
   const Outcome outcome = treedyn({"info", kModel, "--derivation", "bias_force"});
   EXPECT_EQ(outcome.status, 0);

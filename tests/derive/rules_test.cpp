@@ -105,6 +105,13 @@ TEST(R4, TakesCrossWordsByBlocksOfThree) {
   EXPECT_FALSE(acts(word, Rule::kComponents));
 }
 
+TEST(R4, TakesNumbersMadeOfVectorsTimesVectorsByComponents) {
+  const Expression all = mass_matrix() * (D * w);
+  EXPECT_TRUE(acts(all, Rule::kBlownUp));
+  EXPECT_EQ(count(all, Op::kAssemble), 1);
+  EXPECT_FALSE(acts(D * sigma * (D * w), Rule::kBlownUp));  // numbers made of numbers
+}
+
 TEST(R5, TelescopesTheCentripetalTerms) {
   const Expression a = bias_matrix(centres_of_mass()) * w;
   EXPECT_TRUE(acts(a, Rule::kTelescope));
@@ -181,6 +188,14 @@ TEST(R6, TakesColumnsOfSymmetricMatricesToTheRoot) {
 
 TEST(R6, LeavesWhatReachesBelowTheColumnOnlyThroughItsFathers) {
   EXPECT_FALSE(derive(mass_matrix() * mass_matrix(), false, false).symmetric);
+}
+
+TEST(R6, LeavesSymmetricMatricesWhoseBranchesMeet) {
+  const Expression C = force_jacobian_transpose(points());
+  for (const Expression& dense : {D * transpose(D), ones * transpose(ones), qd * transpose(qd),
+                                  C * transpose(C), transpose(D) * W * transpose(W) * D}) {
+    EXPECT_FALSE(derive(dense, false).symmetric);
+  }
 }
 
 /// (2): values of the derivation.

@@ -12,27 +12,45 @@ using support::UserRobot;
 
 const Real kExact("1e-40");  // 50 digits, a few thousand operations
 
+/// Where all joints turn units refuse less.
+const std::vector<TreeShape>& turning_shapes() {
+  static const std::vector<TreeShape> kShapes = {{{-1, 0, 1}, "RRR"},
+                                                 {{-1, 0, 0, 1, -1, 3}, "RRRRRR"}};
+  return kShapes;
+}
+
 const std::vector<TreeShape>& shapes() {
   static const std::vector<TreeShape> kShapes = {
       {{-1, 0, 1}, "RPR"}, {{-1, 0, 0, 1, -1}, "RRPRP"}, {{-1, 0, 1, 1, 3, 2}, "PRRRPR"}};
   return kShapes;
 }
 
-class Derived : public testing::TestWithParam<const char*> {};
-
-TEST_P(Derived, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
-  for (const TreeShape& shape : shapes()) {
+void expect_derived(const std::string& text, const std::vector<TreeShape>& on,
+                    const std::vector<model::InputText>& inputs = {}) {
+  for (const TreeShape& shape : on) {
     UserRobot robot(shape);
-    const auto equation = robot.read(GetParam());
+    const auto equation = robot.read(text, inputs);
     const auto at = robot.inputs(equation);
     const Numbers expected = robot.expected(equation, at);
     for (const formulate::Way way :
          {formulate::Way::kToRoot, formulate::Way::kInLinks, formulate::Way::kInBase}) {
       const program::Function function = robot.derived(equation, way);
       EXPECT_LT(support::distance(UserRobot::run(function, at), expected), kExact)
-          << shape.types << " way " << static_cast<int>(way);
+          << text << " of " << shape.types << " way " << static_cast<int>(way);
     }
   }
+}
+
+class Derived : public testing::TestWithParam<const char*> {};
+
+TEST_P(Derived, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
+  expect_derived(GetParam(), shapes());
+}
+
+class DerivedOfTurningJoints : public testing::TestWithParam<const char*> {};
+
+TEST_P(DerivedOfTurningJoints, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
+  expect_derived(GetParam(), turning_shapes());
 }
 
 INSTANTIATE_TEST_SUITE_P(Symbols, Derived,
@@ -69,6 +87,29 @@ INSTANTIATE_TEST_SUITE_P(
         "T(T(D) * omega) * J_d * T(D) * omega", "T(omega) * LamT(c_d) * T(D) * omega",
         "T(tau) * sigma * T(z_d) * Lam(s_d) * J_d * T(N) * omega"));
 
+INSTANTIATE_TEST_SUITE_P(
+    NumbersOfVectorsTimesVectors, DerivedOfTurningJoints,
+    testing::Values("A * omega", "A * r", "A * J_v", "A * c_d", "T(r) * A", "A * D * s_d",
+                    "T(A) * A * omega", "T(J_v) * m_d * J_v * omega", "T(r) * A * qd",
+                    "qd * T(qd) * A * r", "T(qd) * A * qd * T(ones) * r", "T(omega) * A * omega",
+                    "Lam(A * c_d) * omega", "T(Lam(A * c_d)) * omega",
+                    "Lam(Lam(c_fD) * z_d * A) * omega", "diagb(A * r) * A * qd",
+                    "T(l_D * A) * omega", "T(J_w) * J_d * J_w * W * p + A * r",
+                    "(A + T(A)) * omega", "(T(J_w) * J_d * J_w + A) * omega",
+                    "(T(J_w) * J_d * J_w * Lam(diagb(r)) + A * Lam(c_d)) * omega", "0 * A * omega",
+                    "T(ones) * A * Lam(diagb(r)) * omega", "C * D_P * J_w * omega",
+                    "T(A * s_d) * K * omega"));
+
+INSTANTIATE_TEST_SUITE_P(
+    SymmetricMatrices, DerivedOfTurningJoints,
+    testing::Values("C * T(C)", "H * T(H)", "T(T(ones) * m_d * J_v / 3) * (T(ones) * m_d * J_v)",
+                    "qd * T(qd)", "G * T(G)", "T(J_w) * ones * T(ones) * J_w", "D * T(D)",
+                    "ones * T(ones)", "T(D) * D", "D + T(D)", "T(D) * m_d * D",
+                    "T(J_v) * m_d * J_v", "A * A", "N * T(N)", "T(N) * N", "T(D) * W * T(W) * D",
+                    "N * T(N) + T(N) * N", "D * T(D) * D * T(D)", "T(D) * D * T(D) * D",
+                    "T(J_w) * under(link1) * J_w", "T(D) * (ones * T(ones)) * D",
+                    "diagb(qd) * T(D) * D * diagb(qd)"));
+
 INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                          testing::Values("dot(s_d) * ones", "dot(l_d) * ones", "dot(c_d) * ones",
                                          "dot(t_d) * ones_P", "dot(z_d) * qd", "dot(J_v) * qd",
@@ -88,6 +129,41 @@ TEST(Derived, TakesColumnsOfTheUser) {
   EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, formulate::Way::kToRoot), at),
                               robot.expected(equation, at)),
             kExact);
+}
+
+TEST(Derived, MultipliesVectorsOfTheUserByNumbersMadeOfVectors) {
+  for (const char* text :
+       {"(T(qd) * A * qd) * axis", "T(axis) * (T(qd) * A * qd)", "A * x", "T(x) * A * x"}) {
+    expect_derived(text, turning_shapes(), {{"axis", "", 3, {}}, {"x", "link", 3, {}}});
+  }
+}
+
+/// The size rule by hand.
+TEST(Engine, MultipliesVectorsByNumbersMadeOfVectors) {
+  UserRobot robot(turning_shapes()[1]);
+  const auto product = robot.read("T(J_w) * J_d * J_w * r");
+  const auto at = robot.inputs(product);
+  const Numbers X = robot.expected(robot.read("T(J_w) * J_d * J_w"), at);
+  const Numbers r = robot.expected(robot.read("r"), at);
+  const auto n = static_cast<std::size_t>(robot.tree.size());
+  Numbers by_hand(3 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        by_hand[3 * i + k] += X[i * n + j] * r[3 * j + k];
+      }
+    }
+  }
+  EXPECT_LT(support::distance(robot.expected(product, at), by_hand), kExact);
+}
+
+/// Frames of links come from q: without it everything stays in the base.
+TEST(Derived, StaysInTheBaseFrameWithoutJointPositions) {
+  for (const char* text : {"diagb(D * g)", "D * g", "Lam(diagb(N * g)) * x", "gain * W * f_b",
+                           "T(D) * diagb(y) * g"}) {
+    expect_derived(text, shapes(),
+                   {{"gain", "", 1, {}}, {"x", "link", 3, {}}, {"y", "link", 1, {}}});
+  }
 }
 
 struct Refusal {
@@ -154,6 +230,33 @@ TEST(Units, AreWorkedOutFromTheLeaves) {
   EXPECT_EQ(robot.read("T(ones) * m_d * J_v * qd").unit, "kg m/s");
   EXPECT_EQ(robot.read("dot(J_v) * qd").unit, "m/s^2");
   EXPECT_EQ(robot.read("J_v").unit, "m|1");
+}
+
+TEST(Units, AreJoulesOfWhatHasTheFormOfAnEnergy) {
+  const UserRobot robot({{-1, 0, 1}, "RRR"});
+  for (const char* text :
+       {"1/2 * T(qd) * (T(J_v) * m_d * J_v + T(J_w) * J_d * J_w) * qd",
+        "T(omega) * J_d * omega / 2", "1/2 * T(J_v * qd) * m_d * J_v * qd", "-T(g) * m_d * r",
+        "T(r) * m_d * g", "1/2 * T(qd) * A * qd - T(g) * m_d * r", "sqrt(2) * (T(qd) * A * qd)"}) {
+    EXPECT_EQ(robot.read(text).unit, "J") << text;
+  }
+  for (const char* text :
+       {"T(at(joint1)) * tau", "T(ones) * tau", "T(at(joint1)) * B", "T(at(joint1)) * G",
+        "T(ones) * G", "T(at(joint1)) * A * qdd", "1/2 * T(qd) * A * qd + T(at(joint1)) * tau"}) {
+    EXPECT_EQ(robot.read(text).unit, "N m") << text;
+  }
+  EXPECT_EQ(robot.read("tau").unit, "N m");
+}
+
+TEST(Rates, AreKnownOfTheSymbolsThatDotMeets) {
+  const UserRobot robot(turning_shapes()[0]);
+  EXPECT_TRUE(robot.read("A").rates.empty());
+  EXPECT_TRUE(robot.read("dot(D * m_d) * qd").rates.empty());
+  const auto rates = robot.read("T(J_v) * m_d * dot(J_v)").rates;
+  std::vector<std::string> names;
+  std::ranges::transform(rates, std::back_inserter(names),
+                         [](const auto& row) { return row.first; });
+  EXPECT_EQ(names, (std::vector<std::string>{"c^d", "l^d", "s^d", "z^d"}));
 }
 
 }  // namespace

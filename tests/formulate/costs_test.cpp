@@ -1,0 +1,70 @@
+// The operations that `info --derivation` prints line by line are those of the plain formulation.
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "description/read.hpp"
+#include "formulate/derived.hpp"
+
+namespace treedyn::formulate {
+namespace {
+
+struct Case {
+  const char* model;
+  const char* function;
+};
+
+class Costs : public testing::TestWithParam<Case> {};
+
+TEST_P(Costs, OfLinesAddUpToThoseOfThePlainFormulation) {
+  const std::string path = std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam().model + ".yaml";
+  const model::Tree tree = description::read_model(path, {});
+  Options options;
+  options.gravity = {0, 0, Real("-9.81")};
+  options.points = tree.points;
+  options.points.resize(tree.points.size() + 1);
+  options.points.back().link = tree.size() - 1;
+  options.points.back().at = {Real("0.1"), Real("0.2"), Real("0.3")};
+  const std::string name = GetParam().function;
+  Variant variant = plain_variant(tree);
+  variant.way = Way::kInLinks;
+  const auto of_lines = costs_of_values(tree, derived(name), options);
+  const auto sum = std::accumulate(of_lines.begin(), of_lines.end(), program::Cost{});
+  const auto all = program::cost(build(tree, recipe_of(name), options, variant));
+  EXPECT_GT(all.total(), 0);
+  EXPECT_EQ(sum.add, all.add);
+  EXPECT_EQ(sum.mul, all.mul);
+  EXPECT_EQ(sum.div, all.div);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Functions, Costs,
+    testing::Values(Case{"puma560", "mass_matrix"}, Case{"panda", "mass_matrix"},
+                    Case{"quadruped", "mass_matrix"}, Case{"puma560", "force_jacobian_transpose"},
+                    Case{"panda", "force_jacobian_transpose"}, Case{"puma560", "bias_force"},
+                    Case{"polar", "inverse_dynamics"}, Case{"polar", "joint_to_link_vectors"}),
+    [](const auto& row) { return std::string(row.param.model) + "_" + row.param.function; });
+
+TEST(Costs, OfEquationsOfUsersAddUp) {
+  const model::Tree tree = description::read_model(TREEDYN_SOURCE_DIR "/models/puma560.yaml", {});
+  for (const char* value : {"T(J_v) * m_d * dot(J_v)", "J_v", "T(ones) * m_d * J_v * qd"}) {
+    model::EquationText text;
+    text.name = "asked";
+    text.value = value;
+    const auto equation = equations::read_equations({text}, tree, tree.points).front();
+    const auto function = derived(equation, tree.size(), static_cast<int>(tree.points.size()));
+    Options options;
+    options.gravity = {1, 2, 3};
+    options.points = tree.points;
+    Variant variant = plain_variant(tree);
+    variant.way = Way::kInLinks;
+    const auto of_lines = costs_of_values(tree, function, options);
+    const auto sum = std::accumulate(of_lines.begin(), of_lines.end(), program::Cost{});
+    const auto all = program::cost(build(tree, derived_recipe(function), options, variant));
+    EXPECT_GT(all.total(), 0) << value;
+    EXPECT_EQ(sum.total(), all.total()) << value;
+  }
+}
+
+}  // namespace
+}  // namespace treedyn::formulate
