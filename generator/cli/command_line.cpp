@@ -150,10 +150,9 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
         "expected a MODEL and 1 lane",
         kUsage);
   }
-  if (request.target.limb_lanes &&
-      (request.target.sincos == emit::Sincos::kLibm || request.vectors.value_or(false))) {
-    throw CLI::ParseError("--limb-lanes: vectors have the pair alone; expected --sincos pair",
-                          kUsage);
+  if (request.target.limb_lanes && request.target.sincos == emit::Sincos::kLibm) {
+    throw CLI::ParseError(
+        "--limb-lanes: <cmath> has no sines of vectors; expected no --sincos libm", kUsage);
   }
   if (request.checked && (request.share_limbs || request.target.lanes > 1)) {
     throw CLI::ParseError(

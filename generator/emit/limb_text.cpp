@@ -391,6 +391,10 @@ std::string trunk_text(const program::Function& function, const std::vector<Phas
     uses = split.used;
   }
   call_before(last_stage + 1);
+  if (const ZerosText zeros = zeros_text(trunk.signature, text); !zeros.call.empty()) {
+    lines.push_back(zeros.call);
+    unite(uses, text.zeros.uses);
+  }
   const program::Signature& outer = function.signature;
   const std::vector<bool> used = outer_uses(outer, trunk.signature, uses, passed);
   return parts + declaration(returned(outer), parameters(outer, used), " noexcept {") +
@@ -401,9 +405,17 @@ std::string trunk_text(const program::Function& function, const std::vector<Phas
 
 Body limb_body(const program::Function& function, const Vocabulary& words, const Target& target) {
   const LimbCode& code = *function.limb_code;
-  Body result = body(named_trunk(code, words), words, target);
+  const bool together = in_lanes(function, target);
+  Target of_limbs = target;
+  of_limbs.vectors = target.vectors && !together;
+  Target of_trunk = target;
+  of_trunk.zeros_apart = target.zeros_apart && together;
+  const program::Function trunk = together ? trunk_of_lanes(code) : named_trunk(code, words);
+  Body result = body(trunk, words, of_trunk);
+  const std::vector<bool> none(to_index(code.arguments()), false);
+  result.zeros.uses = outer_uses(function.signature, trunk.signature, result.zeros.uses, none);
   for (const LimbPhase& phase : code.phases) {
-    result.statements += body(phase.function, words, target).statements;
+    result.statements += body(phase.function, words, of_limbs).statements;
   }
   result.structural_zeros = static_cast<int>(std::ranges::count(function.outputs, program::Ref{0}));
   return result;

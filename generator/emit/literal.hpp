@@ -31,8 +31,10 @@ struct Target {
   [[nodiscard]] bool takes_libm() const { return sincos == Sincos::kLibm && lanes == 1; }
   /// True if the angles of a function are worked on together.
   [[nodiscard]] bool takes_vectors() const { return vectors && lanes == 1; }
+  /// Of vectors all sines come first, too: their calls keep no register.
   [[nodiscard]] program::Trigonometry order() const {
-    return takes_vectors() ? program::Trigonometry::kTogether : trigonometry;
+    const bool first = lanes > 1 && trigonometry == program::Trigonometry::kEarly;
+    return takes_vectors() || first ? program::Trigonometry::kTogether : trigonometry;
   }
 };
 

@@ -149,12 +149,40 @@ std::string elements(std::size_t count) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-/// The function that gives both, of an argument that is passed as `argument`.
-std::string pair_text(const Target& target, const std::string& argument) {
+constexpr const char* kCalled = "[[gnu::noinline]]";
+constexpr const char* kInline = "[[gnu::always_inline]] inline";
+
+/// What k modulo 4 does to sine and cosine: by numbers, or in vectors by bits, which costs less.
+std::string quadrant_text(const Target& target) {
   const Approximation& a = approximation(target.scalar);
   const auto number = [&](const Real& value) {
     return literal(value, target.scalar);
   };
+  const bool is_float = target.scalar == Scalar::kFloat;
+  return target.lanes > 1
+             ? fill(template_text("quadrant_of_lanes.cpp"),
+                    {{"type", type(target)},
+                     {"rounding", number(rounding(a))},
+                     {"bits", is_float ? "unsigned" : "unsigned long long"},
+                     {"minus", is_float ? "0x80000000U" : "0x8000000000000000ULL"},
+                     {"to_sign", is_float ? "30" : "62"}})
+             : fill(template_text("quadrant.cpp"), {{"type", type(target)},
+                                                    {"half", number(Real("0.5"))},
+                                                    {"one", number(1)},
+                                                    {"four", number(4)},
+                                                    {"third", number(Real(1) / 3)},
+                                                    {"rounding_to_fours", number(4 * rounding(a))},
+                                                    {"unscale", number(1 / scale(a))}});
+}
+
+/// The function that gives both, with `head` before its type, of an argument that is passed as
+/// `argument`.
+std::string pair_text(const Target& target, const std::string& head, const std::string& argument) {
+  const Approximation& a = approximation(target.scalar);
+  const auto number = [&](const Real& value) {
+    return literal(value, target.scalar);
+  };
+  const bool by_bits = target.lanes > 1;
   return fill(
       template_text("sine_cosine.cpp"),
       {{"error", a.error},
@@ -164,20 +192,20 @@ std::string pair_text(const Target& target, const std::string& argument) {
        {"argument", argument},
        {"half", number(Real("0.5"))},
        {"one", number(1)},
-       {"four", number(4)},
-       {"third", number(Real(1) / 3)},
        {"two_over_pi", number(2 / pi())},
        {"rounding", number(rounding(a))},
-       {"rounding_to_fours", number(4 * rounding(a))},
        {"scale", number(scale(a))},
-       {"unscale", number(1 / scale(a))},
+       {"square", by_bits ? "r * r + (t - t)" : "r * r"},
+       {"quadrants", by_bits ? "which of them is which, and the\n/// signs, by the last bits of k"
+                             : "sine and cosine of k pi/2 from k\n/// modulo 4; the addition "
+                               "theorem, with factors 0, 1 and -1"},
+       {"quadrant", quadrant_text(target)},
        {"reduction", reduction(a, target)},
        {"sine", horner("s", a.sine, target)},
        {"cosine", horner("c", a.cosine, target)},
        {"sine_end", fmt::format("s_{}", a.sine.size() - 1)},
        {"cosine_end", fmt::format("c_{}", a.cosine.size() - 1)},
-       {"head", target.takes_vectors() ? "template <class Angle>\n[[gnu::always_inline]] inline"
-                                       : "[[gnu::noinline]]"},
+       {"head", head},
        {"name", target.takes_vectors() ? "pair_of" : kSineCosine}});
 }
 
@@ -260,7 +288,9 @@ bool has_sincos(const Unit& unit) {
 
 std::string sincos_text(Target target, const std::string& functions, bool has_numbers) {
   target.vectors = target.vectors && calls(functions, kSinesCosines);
-  std::string pair = has_numbers ? pair_text(target, type(target)) : "";
+  const std::string head =
+      target.takes_vectors() ? fmt::format("template <class Angle>\n{}", kInline) : kCalled;
+  std::string pair = has_numbers ? pair_text(target, head, type(target)) : "";
   std::string others = singles(target, functions);
   if (target.takes_vectors()) {
     const std::size_t most = most_angles(target.scalar);
@@ -283,7 +313,7 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
 }
 
 std::string sincos_of_limbs(const Target& target) {
-  return pair_text(target, fmt::format("const {}&", type(target)));
+  return pair_text(target, kInline, fmt::format("const {}&", type(target)));
 }
 
 StatedSines stated_sines(Scalar scalar) {

@@ -21,7 +21,8 @@ bool has_sincos(const Unit& unit);
 /// as far as `functions`, the text of those behind it, call them.
 /// \param has_numbers  false: there are angles of limbs together only
 std::string sincos_text(Target target, const std::string& functions, bool has_numbers);
-/// The same for `target.number`, a vector that is passed by reference.
+/// The same for `target.number`, a vector that is passed by reference; inline, as a processor works
+/// on a limb's angles side by side.
 std::string sincos_of_limbs(const Target& target);
 
 /// What the source's `sine_cosine` returns for float and double, bit by bit.

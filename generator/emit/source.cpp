@@ -108,7 +108,9 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies,
     const program::Signature& signature = unit.functions[k].signature;
     functions += "\n" + unit_comment(unit.functions[k], *unit.tree);
     if (unit.functions[k].limb_code) {
-      functions += limb_text(unit.functions[k], words, unit.target);
+      Target target = unit.target;
+      target.zeros_apart = !bodies[k].zeros.lines.empty();
+      functions += limb_text(unit.functions[k], words, target);
       continue;
     }
     functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k])

@@ -1,6 +1,8 @@
 #include "emit/statements.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -41,6 +43,9 @@ Statements::Statements(const program::Function& function, const Vocabulary& word
   }
   make_schedule();
   list_statements();
+  if (target.lanes > 1 && last_level_ == 0) {
+    spread_zeros();
+  }
   divide();
   assign_slots();
 }
@@ -223,6 +228,34 @@ void Statements::list_constants(int level) {
       }
     }
   }
+}
+
+/// Several states at once: a processor stores zeros while it computes sines, if there are some
+/// behind each pair; it does not wait for all of them in a row.
+void Statements::spread_zeros() {
+  const auto is_zero = [](const Statement& statement) {
+    return statement.output >= 0 && statement.value == 0;
+  };
+  const auto is_pair = [](const Statement& statement) {
+    return statement.partner != 0;
+  };
+  const auto pairs = std::ranges::count_if(statements_, is_pair);
+  if (pairs == 0 || std::ranges::count_if(statements_, is_zero) < kManyZeros) {
+    return;
+  }
+  const auto middle = std::ranges::stable_partition(statements_, std::not_fn(is_zero)).begin();
+  const std::vector<Statement> zeros(middle, statements_.end());
+  std::vector<Statement> spread;
+  std::ptrdiff_t before = 0;
+  std::ptrdiff_t placed = 0;
+  for (auto at = statements_.begin(); at != middle; ++at) {
+    spread.push_back(*at);
+    before += is_pair(*at) ? 1 : 0;
+    const std::ptrdiff_t end = std::ssize(zeros) * before / pairs;
+    spread.insert(spread.end(), zeros.begin() + placed, zeros.begin() + end);
+    placed = end;
+  }
+  statements_ = std::move(spread);
 }
 
 void Statements::visit_definitions(const Statement& statement,

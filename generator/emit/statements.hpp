@@ -91,6 +91,7 @@ class Statements {
   void list_angle(program::Ref value, std::vector<bool>& stated);
   void list_stores(program::Ref value);
   void list_constants(int level);
+  void spread_zeros();
   [[nodiscard]] bool stays(int output, program::Ref value) const;
   void divide();
   [[nodiscard]] std::size_t best_cut(const std::vector<int>& crossing, std::size_t begin) const;

@@ -130,7 +130,7 @@ std::vector<File> emit_files(const Unit& unit) {
   std::vector<Body> bodies;
   bodies.reserve(unit.functions.size() + unit.checked.size() + unit.staged.size());
   for (const program::Function& function : unit.functions) {
-    bodies.push_back(function.limb_code ? limb_body(function, words, unit.target)
+    bodies.push_back(function.limb_code ? limb_body(function, words, target)
                                         : body(function, words, target));
   }
   for (const Checked& checked : unit.checked) {

@@ -84,7 +84,7 @@ bool has_late_sines(const std::string& core) { return !core.empty() && core != "
 
 bool room_for_vectors(const Request& request) {
   const emit::Target& target = request.target;
-  return target.sincos == emit::Sincos::kPair && target.lanes == 1 && !target.limb_lanes &&
+  return target.sincos == emit::Sincos::kPair && target.lanes == 1 &&
          target.trigonometry == program::Trigonometry::kEarly &&
          request.language == emit::Language::kCpp;
 }

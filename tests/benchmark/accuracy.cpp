@@ -122,12 +122,24 @@ double quotient(const Real& error, const Real& scale) {
   return static_cast<double>(scale == 0 ? error : error / scale);
 }
 
-/// The exact output and the two scales of errors.
+/// The exact output and the scales of errors.
 struct Exact {
   std::vector<Real> y;
+  std::vector<double> scales;  ///< of every entry
   Real size;
   Real steepness;
 };
+
+/// The values of all arguments in the order of the signature.
+template <class T>
+std::vector<std::vector<T>> arguments(const program::Signature& signature,
+                                      const support::Sample& sample) {
+  std::vector<std::vector<T>> result;
+  for (const program::Array& array : signature.inputs) {
+    result.push_back(converted<T>(sample.at(array.name)));
+  }
+  return result;
+}
 
 /// The output for every input changed by a relative `step` up or down.
 std::vector<Real> shifted(const program::Function& function, const support::Sample& sample,
@@ -142,10 +154,13 @@ std::vector<Real> shifted(const program::Function& function, const support::Samp
   return program::interpret<Real>(function, {arrays.begin(), arrays.end()});
 }
 
-Exact exact(const program::Function& function, const support::Sample& sample,
-            support::Random& sign) {
+/// \param scales  double gives them
+Exact exact(const program::Function& function, engine::Engine<double>& scales,
+            const support::Sample& sample, support::Random& sign) {
   const Real step("1e-15");
-  Exact result{run<Real>(function, sample), 0, 0};
+  const program::Signature& signature = function.signature;
+  Exact result{run<Real>(function, sample),
+               scales.scales(signature.name, arguments<double>(signature, sample)), 0, 0};
   result.size = largest(result.y);
   for (int turn = 0; turn < 2; ++turn) {
     const Real change = distance(shifted(function, sample, step, sign), result.y);
@@ -156,20 +171,18 @@ Exact exact(const program::Function& function, const support::Sample& sample,
 
 template <class T>
 void note(const std::vector<T>& x, const Exact& exact, std::size_t region, Errors& errors) {
-  const Real error = distance(x, exact.y);
-  double& plain = errors.plain[region];
+  double& scaled = errors.scaled[region];
   double& conditioned = errors.conditioned[region];
-  plain = std::max(plain, quotient(error, exact.size));
-  conditioned = std::max(conditioned, quotient(error, exact.size + exact.steepness));
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    scaled = std::max(scaled, quotient(abs(Real(x[k]) - exact.y[k]), exact.scales[k]));
+  }
+  conditioned = std::max(conditioned, quotient(distance(x, exact.y), exact.size + exact.steepness));
 }
 
 void expect_equations(engine::Engine<Real>& engine, const program::Function& function,
                       const support::Sample& sample, const std::vector<Real>& y) {
-  std::vector<std::vector<Real>> inputs;
-  for (const program::Array& array : function.signature.inputs) {
-    inputs.push_back(converted<Real>(sample.at(array.name)));
-  }
-  const std::vector<Real> expected = engine.evaluate(function.signature.name, inputs);
+  const std::vector<Real> expected =
+      engine.evaluate(function.signature.name, arguments<Real>(function.signature, sample));
   // 50 digits less 12 for A near a singular position and 8 for the growth of rounding.
   if (quotient(distance(y, expected), largest(expected)) > 1e-30) {
     throw std::runtime_error(
@@ -214,12 +227,13 @@ std::vector<Accuracy> accuracy(const Subject& subject, const std::string& name,
         {subject.name, name, formulation, program::cost(functions.back()).total(), {}, {}});
   }
   engine::Engine<Real> engine(subject.tree, {}, kGravity);
+  engine::Engine<double> scales(subject.tree, {}, kGravity);
   for (std::size_t region = 0; region < kRegions.size(); ++region) {
     States states(subject.tree, 7 + region);
     support::Random sign(11);
     for (std::size_t index = 0; index < subject.states; ++index) {
       const support::Sample sample = states(static_cast<Region>(region), index);
-      const Exact truth = exact(functions.back(), sample, sign);
+      const Exact truth = exact(functions.back(), scales, sample, sign);
       if (index % 50 == 0) {
         expect_equations(engine, functions.back(), sample, truth.y);
       }
@@ -238,7 +252,7 @@ Errors factors(const Errors& a, const Errors& b, double floor) {
   };
   Errors result{};
   for (std::size_t k = 0; k < kRegions.size(); ++k) {
-    result.plain[k] = factor(a.plain[k], b.plain[k]);
+    result.scaled[k] = factor(a.scaled[k], b.scaled[k]);
     result.conditioned[k] = factor(a.conditioned[k], b.conditioned[k]);
   }
   return result;

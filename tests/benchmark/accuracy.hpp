@@ -21,11 +21,13 @@ inline constexpr std::array<const char*, 3> kRegions{"usual", "singular", "large
 
 /// The largest error of a function by region.
 struct Errors {
-  std::array<double, kRegions.size()> plain{};  ///< max|x - y| / max|y| over the entries
-  /// The same relative to max|y| and to what relative changes of the inputs by 1 make of y, to
+  /// |x - y| of an entry relative to its natural scale, the sum of the magnitudes of the terms of
+  /// its equation (Engine::scales): a few unit roundoffs of it cannot be avoided, also where y is
+  /// nearly zero (B near right angles).
+  std::array<double, kRegions.size()> scaled{};
+  /// max|x - y| relative to max|y| and to what relative changes of the inputs by 1 make of y, to
   /// first order. Rounding of the inputs, and of sums of angles, costs 1 unit roundoff of it, also
-  /// where y is nearly zero (B near right angles) or steep (forward dynamics near a singular
-  /// position, large angles).
+  /// where y is steep (forward dynamics near a singular position, large angles).
   std::array<double, kRegions.size()> conditioned{};
 };
 

@@ -33,7 +33,7 @@ Subject chain(int size, std::size_t states) {
 }
 
 std::string shown(const Errors& errors) {
-  const auto& e = errors.plain;
+  const auto& e = errors.scaled;
   return fmt::format("{:.1e} | {:.1e} | {:.1e}", e[0], e[1], e[2]);
 }
 
@@ -42,13 +42,13 @@ std::string shown(const Errors& errors) {
 std::string cost(const Accuracy& a, const Accuracy& b) {
   const Errors in_double = factors(a.in_double, b.in_double, kDouble);
   const Errors in_float = factors(a.in_float, b.in_float, kFloat);
-  std::array<double, 3> plain{};
+  std::array<double, 3> scaled{};
   double conditioned = 0;
   for (std::size_t k = 0; k < kRegions.size(); ++k) {
-    plain[k] = std::max(in_double.plain[k], in_float.plain[k]);
+    scaled[k] = std::max(in_double.scaled[k], in_float.scaled[k]);
     conditioned = std::max({conditioned, in_double.conditioned[k], in_float.conditioned[k]});
   }
-  return fmt::format("{:.1f} | {:.1f} | {:.1f}", std::max(plain[0], plain[1]), plain[2],
+  return fmt::format("{:.1f} | {:.1f} | {:.1f}", std::max(scaled[0], scaled[1]), scaled[2],
                      conditioned);
 }
 
@@ -111,7 +111,8 @@ void run(const fs::path& models, const fs::path& urdf, std::size_t states, const
                                   states / 4, 0}});
   }
   const std::string text = fmt::format(
-      "Largest error, norm-relative, {} states a region (chains and humanoid: {}).\n\n"
+      "Largest error, relative to the natural scale of the value, {} states a region (chains and "
+      "humanoid: {}).\n\n"
       "{}\nForward dynamics both ways (chains and humanoid: `--effort 0`):\n\n{}",
       states, states / 4, table_of_passes(arms), table_of_forward_dynamics(solved));
   fs::create_directories(output);

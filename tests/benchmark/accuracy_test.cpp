@@ -15,13 +15,13 @@ constexpr double kLargestCost = 4;  ///< of a pass that is on by default
 
 constexpr std::size_t kSums = 1;  ///< number of the formulation without them
 
-/// At usual angles relative to the result; elsewhere relative to what rounding of the inputs makes
-/// of it as well, since B and G nearly vanish at some right angles. Large angles are left out for
-/// `sums`: a sum is rounded to its own unit before its sine is taken, which costs more there.
+/// At usual angles relative to the natural scale; elsewhere relative to what rounding of the inputs
+/// makes of the result. Large angles are left out for `sums`: a sum is rounded to its own unit
+/// before its sine is taken, which costs more there.
 void expect_accurate(const Errors& with, const Errors& without, double unit, bool large,
                      const std::string& what) {
   const Errors cost = factors(with, without, unit);
-  EXPECT_LE(cost.plain[static_cast<std::size_t>(Region::kUsual)], kLargestCost) << what;
+  EXPECT_LE(cost.scaled[static_cast<std::size_t>(Region::kUsual)], kLargestCost) << what;
   EXPECT_LE(cost.conditioned[static_cast<std::size_t>(Region::kSingular)], kLargestCost) << what;
   if (large) {
     EXPECT_LE(cost.conditioned[static_cast<std::size_t>(Region::kLarge)], kLargestCost) << what;

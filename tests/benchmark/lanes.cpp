@@ -1,5 +1,6 @@
 // benchmark_throughput ROUNDS -o DIR: states a second on one core with --lanes 2, 4, 8, 16,
-// relative to one state at a time, in one interleaved run. Writes lanes.md.
+// relative to one state at a time, which takes the sines of all its angles at once, in one
+// interleaved run. Writes lanes.md.
 #include "benchmark/lanes.hpp"
 
 #include <cmath>
@@ -20,7 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFunctions[] = {"mass_matrix", "inverse_dynamics", "forward_dynamics"};
+constexpr const char* kFunctions[] = {"mass_matrix", "bias_force", "gravity_force",
+                                      "inverse_dynamics", "forward_dynamics"};
+constexpr int kFunctionCount = 5;
 
 /// \throws std::runtime_error if a lane differs from the code for one state by more than the
 /// contraction of other multiply-adds explains.
@@ -42,36 +45,36 @@ void check(const LanesCode& one, const LanesCode& many, int function) {
   }
 }
 
-/// One row a robot and function. \pre the code for one lane of a robot comes first
+/// One row a robot, function and compiler. \pre the code for one lane of a robot comes first
 std::string table(const std::vector<const LanesCode*>& codes, int rounds) {
   std::vector<Repeated> functions;
   for (const LanesCode* code : codes) {
     code->prepare();
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < kFunctionCount; ++k) {
       functions.emplace_back([code, k](Turn turn) { code->run(k, turn); });
     }
   }
   const std::vector<Time> times = measure(functions, rounds);
   std::string text;
   const LanesCode* one = nullptr;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < kFunctionCount; ++k) {
     double alone = 0;
     for (std::size_t c = 0; c < codes.size(); ++c) {
-      const double least = times[3 * c + static_cast<std::size_t>(k)].least;
+      const double time = times[kFunctionCount * c + static_cast<std::size_t>(k)].median;
       if (codes[c]->lanes == 1) {
         one = codes[c];
-        alone = least;
-        text += fmt::format("\n| {} | {} |", one->robot, kFunctions[k]);
+        alone = time;
+        text += fmt::format("\n| {} | {} | {} |", one->robot, kFunctions[k], one->compiler);
         continue;
       }
       check(*one, *codes[c], k);
-      text += fmt::format(" {:.1f} |", alone * codes[c]->lanes / least);
+      text += fmt::format(" {:.1f} |", alone * codes[c]->lanes / time);
     }
   }
   return fmt::format(
-      "States a second on one core, relative to one state at a time:\n\n"
-      "| robot | function | 2 lanes | 4 lanes | 8 lanes | 16 lanes "
-      "|\n|---|---|---|---|---|---|{}\n",
+      "States a second on one core, relative to the code for one state with default options, by medians:\n\n"
+      "| robot | function | compiler | 2 lanes | 4 lanes | 8 lanes | 16 lanes "
+      "|\n|---|---|---|---|---|---|---|{}\n",
       text);
 }
 

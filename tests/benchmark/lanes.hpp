@@ -13,11 +13,12 @@ struct LanesCode {
   using Run = void (*)(int function, Turn);
 
   const char* robot;
+  const char* compiler;
   int lanes;
   /// Puts the same random states into every lane.
   void (*prepare)();
-  /// Calls with consecutive states, each call for all lanes; mass_matrix, inverse_dynamics,
-  /// forward_dynamics.
+  /// Calls with consecutive states, each call for all lanes; mass_matrix, bias_force,
+  /// gravity_force, inverse_dynamics, forward_dynamics.
   Run run;
   /// All outputs of one state: of lane k in entry k + lanes i.
   Values values;

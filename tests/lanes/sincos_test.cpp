@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "lanes_double.cpp"  // NOLINT(bugprone-suspicious-include)
+#include "lanes_float.cpp"   // NOLINT(bugprone-suspicious-include)
 #include "pair_double.cpp"   // NOLINT(bugprone-suspicious-include)
 #include "pair_float.cpp"    // NOLINT(bugprone-suspicious-include)
 #include "support/process.hpp"
@@ -210,6 +211,42 @@ TEST(SinesCosines, HaveTheBitsOfThePairInFloat) {
       expect_same<float>({sines[n], cosines[n]}, {sine, cosine}, all[k + n]);
     }
   }
+}
+
+/// Each lane in turn is that of an argument, the others are those of its neighbours.
+template <class Lanes, std::size_t lanes, class T, class InLanes, class Alone>
+void expect_same_in_lanes(const std::vector<T>& all, InLanes in_lanes, Alone alone) {
+  for (std::size_t k = 0; k + lanes <= all.size(); ++k) {
+    Lanes x{};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      x[lane] = all[k + lane];
+    }
+    const auto pairs = in_lanes(x);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const auto expected = alone(all[k + lane]);
+      expect_same<T>({pairs.sine[lane], pairs.cosine[lane]}, {expected.sine, expected.cosine},
+                     all[k + lane]);
+    }
+  }
+}
+
+TEST(SineCosine, HasTheBitsOfOneStateInLanesOfDouble) {
+  std::vector<double> all = arguments(5000);
+  const std::vector<double> more = edges(kRangeDouble, kEndDouble);
+  all.insert(all.end(), more.begin(), more.end());
+  expect_same_in_lanes<lanes_double::Scalar, 4>(
+      all, [](lanes_double::Scalar x) { return lanes_double::sine_cosine(x); },
+      [](double x) { return pair_double::sine_cosine(x); });
+}
+
+TEST(SineCosine, HasTheBitsOfOneStateInLanesOfFloat) {
+  std::vector<float> all = edges(kRangeFloat, kEndFloat);
+  for (std::uint32_t bits = 0; bits < 0xFFFFFFFFU - 40013U; bits += 40013U) {
+    all.push_back(float_of(bits));
+  }
+  expect_same_in_lanes<lanes_float::Scalar, 8>(
+      all, [](lanes_float::Scalar x) { return lanes_float::sine_cosine(x); },
+      [](float x) { return pair_float::sine_cosine(x); });
 }
 
 /// C and C++: prints all bits of the pair at many arguments, folded (of a vector those of each
