@@ -149,6 +149,12 @@ std::string elements(std::size_t count) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
+/// Lanes are no numbers beyond the range because t - t is none, which -ffinite-math-only takes for
+/// 0.
+bool needs_no_numbers(const Target& target) { return target.lanes > 1 || target.limb_lanes; }
+constexpr const char* kFiniteMath =
+    "    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \\\n";
+
 constexpr const char* kCalled = "[[gnu::noinline]]";
 constexpr const char* kInline = "[[gnu::always_inline]] inline";
 
@@ -309,7 +315,9 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
               {"short", elements(most / 2)}});
     others.pop_back();
   }
-  return fill(template_text("sincos.cpp"), {{"pair", pair}, {"others", others}});
+  return fill(template_text("sincos.cpp"), {{"finite", needs_no_numbers(target) ? kFiniteMath : ""},
+                                            {"pair", pair},
+                                            {"others", others}});
 }
 
 std::string sincos_of_limbs(const Target& target) {

@@ -359,6 +359,8 @@ TEST(SineCosine, DoesNotCompileWhereItsRoundingWouldBeCancelled) {
   for (const auto& [source, compiler, option] :
        {std::tuple{"pair_double", "g++", "-ffast-math"},
         {"pair_double", "g++", "-funsafe-math-optimizations"},
+        {"lanes_double", "g++", "-ffinite-math-only"},
+        {"lanes_double", "clang++", "-ffinite-math-only"},
         {"c_double", "gcc", "-Ofast"},
         {"c_double", "gcc", "-funsafe-math-optimizations"},
         {"pair_double", "clang++", "-ffast-math"},
