@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "stages/checked_at_states.hpp"
 #include "stages/formulation.hpp"
-#include "stages/proof.hpp"
 #include "stages/run_time_parameters.hpp"
 #include "stages/writing.hpp"
 
@@ -14,7 +14,7 @@ namespace treedyn {
 /// Called with what users should know of the programs.
 using Warn = std::function<void(const Warning&)>;
 
-/// A model to text: `formulate_model`, `separate_parameters`, `prove`, `emit_files`.
+/// A model to text: `formulate_model`, `separate_parameters`, `check_at_states`, `emit_files`.
 std::vector<emit::File> generate(const Model& model, const Request& request, const Trace& trace,
                                  const Warn& warn);
 

@@ -1,4 +1,4 @@
-#include "verify/prove_scene.hpp"
+#include "verify/scene_at_states.hpp"
 
 #include <algorithm>
 #include <span>
@@ -101,7 +101,7 @@ Matrix symmetric(const Values& lower, std::size_t n) {
   return result;
 }
 
-void prove_plain(const model::Scene& scene, const program::Function& function, Source& source) {
+void check_plain(const model::Scene& scene, const program::Function& function, Source& source) {
   State state(function.signature, source);
   const Values ours = state.evaluate(function);
   const Values at_rest(state.at("q").size());
@@ -237,7 +237,7 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
   return error;
 }
 
-void prove_impact(const model::Scene& scene, const program::Staged& staged, Source& source) {
+void check_impact(const model::Scene& scene, const program::Staged& staged, Source& source) {
   State state(staged.function.signature, source);
   const auto [values, least] = solved_values(staged, state);
   const std::size_t r = to_index(staged.solves.front().rows);
@@ -276,7 +276,7 @@ Values forces_of(const program::Staged& staged, const SceneEquations& equations)
   return force;
 }
 
-void prove_constrained(const model::Scene& scene, const program::Staged& staged, Source& source) {
+void check_constrained(const model::Scene& scene, const program::Staged& staged, Source& source) {
   State state(staged.function.signature, source);
   const std::string& name = staged.signature.name;
   const auto n = to_index(scene.tree.dof());
@@ -315,7 +315,7 @@ void prove_constrained(const model::Scene& scene, const program::Staged& staged,
 
 /// A qdd + B + G = tau + J^T lambda and the scene's forces; regular rows leave the passive joints
 /// without a drive.
-void prove_inverse(const model::Scene& scene, const program::Staged& staged, Source& source) {
+void check_inverse(const model::Scene& scene, const program::Staged& staged, Source& source) {
   State state(staged.function.signature, source);
   const auto [values, least] = solved_values(staged, state);
   const SceneEquations equations(scene, state.at("q"), state.at("qd"),
@@ -348,7 +348,7 @@ void prove_inverse(const model::Scene& scene, const program::Staged& staged, Sou
 }
 
 /// Joint forces of every contact at a depth, by the law's own words, against C f.
-void prove_contacts(const model::Scene& scene, const program::Staged& staged, Source& source) {
+void check_contacts(const model::Scene& scene, const program::Staged& staged, Source& source) {
   for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
     const program::Staged& press = staged.contacts[c];
     State state(press.function.signature, source);
@@ -372,22 +372,22 @@ void prove_contacts(const model::Scene& scene, const program::Staged& staged, So
 
 }  // namespace
 
-void prove_scene(const model::Scene& scene, const program::Programs& programs,
-                 const std::vector<Real>& derived) {
+void check_scene_at_states(const model::Scene& scene, const program::Programs& programs,
+                           const std::vector<Real>& derived) {
   Source source{.derived = derived};
   for (const program::Function& function : programs.functions) {
     if (equations::is_scene_function(function.signature.name)) {
-      prove_plain(scene, function, source);
+      check_plain(scene, function, source);
     }
   }
   for (const program::Staged& staged : programs.staged) {
     if (staged.signature.name.starts_with("constrained_dynamics")) {
-      prove_constrained(scene, staged, source);
-      prove_contacts(scene, staged, source);
+      check_constrained(scene, staged, source);
+      check_contacts(scene, staged, source);
     } else if (staged.signature.name.starts_with("constrained_inverse")) {
-      prove_inverse(scene, staged, source);
+      check_inverse(scene, staged, source);
     } else if (staged.signature.name.starts_with("impact")) {
-      prove_impact(scene, staged, source);
+      check_impact(scene, staged, source);
     }
   }
 }

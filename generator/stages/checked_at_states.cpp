@@ -1,4 +1,4 @@
-#include "stages/proof.hpp"
+#include "stages/checked_at_states.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -10,21 +10,21 @@
 #include "program/interpret.hpp"
 #include "program/random.hpp"
 #include "request/limits.hpp"
-#include "verify/prove.hpp"
-#include "verify/prove_scene.hpp"
+#include "verify/at_states.hpp"
+#include "verify/scene_at_states.hpp"
 
 namespace treedyn {
 
 namespace {
 
 /// With nominal values of run-time parameters, and with others.
-void prove_scene_of(const Model& model, const program::Programs& programs) {
+void check_scene(const Model& model, const program::Programs& programs) {
   if (!programs.update) {
-    prove_scene(*model.scene, programs);
+    check_scene_at_states(*model.scene, programs);
     return;
   }
   constexpr double kMore[] = {0.5, 0.05, 0.005};  // of the nominal values, where that is a number
-  const auto proven = [&](double most) {
+  const auto checked = [&](double most) {
     program::Random random(11);
     std::vector<Real> values;
     for (const model::Parameter& parameter : model.tree.parameters) {
@@ -36,17 +36,18 @@ void prove_scene_of(const Model& model, const program::Programs& programs) {
     const std::vector<Real> derived = program::interpret<Real>(*programs.update, inputs);
     const bool is_there = std::ranges::all_of(derived, [](const Real& x) { return isfinite(x); });
     if (is_there) {
-      prove_scene(formulate::with_values(*model.scene, values), programs, derived);
+      check_scene_at_states(formulate::with_values(*model.scene, values), programs, derived);
     }
     return is_there;
   };
-  proven(0);
-  std::ranges::any_of(kMore, proven);
+  checked(0);
+  std::ranges::any_of(kMore, checked);
 }
 
 }  // namespace
 
-void prove(const Model& model, const Request& request, const program::Programs& programs) {
+void check_at_states(const Model& model, const Request& request,
+                     const program::Programs& programs) {
   std::vector<program::Function> of_model;
   std::copy_if(programs.functions.begin(), programs.functions.end(), std::back_inserter(of_model),
                [](const program::Function& function) {
@@ -59,13 +60,13 @@ void prove(const Model& model, const Request& request, const program::Programs& 
     equations.push_back(&function->equation);
   }
   try {
-    prove_functions(model.tree, model.points, gravity, equations, of_model,
+    check_at_states(model.tree, model.points, gravity, equations, of_model,
                     programs.update ? &*programs.update : nullptr);
   } catch (const std::range_error& error) {
     refuse_decades(model.tree, error.what());
   }
   if (model.scene) {
-    prove_scene_of(model, programs);
+    check_scene(model, programs);
   }
 }
 

@@ -20,7 +20,7 @@ using UserEquations = std::vector<const equations::UserEquation*>;
 /// \param update  computes the last argument of such functions; null: there are none
 /// \throws std::logic_error naming the function that differs: a mistake of ours.
 /// \throws std::range_error if numbers of the model cancel so that no digit would be left in double
-void prove_functions(const model::Tree& tree, const std::vector<model::Point>& points,
+void check_at_states(const model::Tree& tree, const std::vector<model::Point>& points,
                      const model::Vector3& gravity, const UserEquations& equations,
                      const std::vector<program::Function>& functions,
                      const program::Function* update = nullptr);

@@ -14,7 +14,7 @@ namespace treedyn {
 /// can reach).
 /// \param derived  what functions take of run-time parameters that have the scene's values
 /// \throws std::logic_error naming the function that differs: a mistake of ours.
-void prove_scene(const model::Scene& scene, const program::Programs& programs,
-                 const std::vector<Real>& derived = {});
+void check_scene_at_states(const model::Scene& scene, const program::Programs& programs,
+                           const std::vector<Real>& derived = {});
 
 }  // namespace treedyn
