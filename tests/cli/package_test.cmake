@@ -19,7 +19,7 @@ target_link_libraries(consumer PRIVATE arm)
 enable_testing()
 treedyn_generate(swing SCENE swing.yaml NAME swing OPTIONS --effort 0 CONTRACTION off)
 target_link_libraries(consumer PRIVATE swing)
-treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --language c99 --functions mass_matrix --effort 0)
+treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --language c99 --functions mass_matrix --effort 0 CONTRACTION on)
 target_link_libraries(consumer PRIVATE in_c)
 treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_BINARY_DIR}/swing OPTIONS --effort 0)
 treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
@@ -65,7 +65,10 @@ endfunction()
 set(build ${scratch}/build)
 run(${CMAKE_COMMAND} -S ${scratch}/project -B ${build} -G Ninja -DCMAKE_CXX_COMPILER=${CXX}
     -DCMAKE_PREFIX_PATH=${scratch}/second)
-run(${CMAKE_COMMAND} --build ${build})
+run(${CMAKE_COMMAND} --build ${build} --verbose)
+if(NOT output MATCHES "-ffp-contract=fast [^\n]*in_c\\.c" OR NOT output MATCHES "-ffp-contract=off [^\n]*swing\\.cpp")
+  message(FATAL_ERROR "CONTRACTION did not reach the compiler:\n${output}")
+endif()
 run(${build}/consumer)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${build})
 
@@ -94,6 +97,17 @@ file(WRITE ${scratch}/project/two_link.yaml "${changed}")
 run(${CMAKE_COMMAND} --build ${build})
 if(changed STREQUAL model OR NOT output MATCHES "treedyn generate swing.yaml")
   message(FATAL_ERROR "the model of a scene changed, and it was not generated again:\n${output}")
+endif()
+
+file(READ ${scratch}/project/CMakeLists.txt project)
+string(REPLACE "CONTRACTION on" "CONTRACTION fast" wrong "${project}")
+file(WRITE ${scratch}/wrong/CMakeLists.txt "${wrong}")
+file(COPY ${scratch}/project/ DESTINATION ${scratch}/wrong PATTERN CMakeLists.txt EXCLUDE)
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${scratch}/wrong -B ${scratch}/wrong_build -G Ninja -DCMAKE_CXX_COMPILER=${CXX}
+                        -DCMAKE_PREFIX_PATH=${scratch}/second
+                OUTPUT_QUIET ERROR_VARIABLE error RESULT_VARIABLE status)
+if(status EQUAL 0 OR NOT error MATCHES "treedyn_generate: CONTRACTION 'fast'; expected on or off")
+  message(FATAL_ERROR "a wrong value of CONTRACTION was not refused:\n${error}")
 endif()
 
 # A processor with 32 bits: the package is that of the machine that builds.
