@@ -1,7 +1,8 @@
 // benchmark_growth TREEDYN COMPILER LARGEST -o DIR: what generated code costs as a robot grows.
 //
 // For chains and binary trees of 4, 8, .. LARGEST links: processor seconds to generate (--effort 0)
-// and to compile, bytes of code and of stack of mass_matrix, bias_force and inverse_dynamics.
+// and to compile, bytes of code and of stack of mass_matrix, bias_force, inverse_dynamics and
+// forward_dynamics.
 // Writes growth.md and growth.svg.
 #include <sys/resource.h>
 
@@ -137,7 +138,8 @@ std::string svg(const std::vector<Row>& rows) {
 void run(const Tools& tools, int largest, const fs::path& output) {
   std::vector<Row> rows;
   for (const bool chain : {true, false}) {
-    for (const char* function : {"mass_matrix", "bias_force", "inverse_dynamics"}) {
+    for (const char* function :
+         {"mass_matrix", "bias_force", "inverse_dynamics", "forward_dynamics"}) {
       for (int size = 4; size <= largest; size *= 2) {
         rows.push_back(measure(tools, chain, size, function));
         std::cerr << rows.back().shape << ' ' << size << ' ' << function << '\n';

@@ -9,8 +9,8 @@ namespace treedyn::benchmark {
 
 namespace {
 
-constexpr const char* kColours[] = {"#1b5e9b", "#d95f02", "#2f8f5b",
-                                    "#5aa2d8", "#f0a35e", "#86c99f"};
+constexpr const char* kColours[] = {"#1b5e9b", "#d95f02", "#2f8f5b", "#7b4fa3",
+                                    "#5aa2d8", "#f0a35e", "#86c99f", "#bfa3d9"};
 constexpr double kWidth = 420;
 constexpr double kHeight = 300;
 constexpr double kLeft = 60;
