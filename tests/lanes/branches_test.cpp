@@ -1,4 +1,5 @@
 // Machine code of the pair of sine and cosine and of functions that use it: no branch.
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -18,11 +19,10 @@ bool is_there(const std::string& program) {
   return run({"sh", "-c", "command -v " + program}).status == 0;
 }
 
-/// The mnemonics of an object file by function.
-std::map<std::string, std::set<std::string>> mnemonics(const std::string& objdump,
-                                                       const std::string& object) {
+/// The instructions of an object file by function.
+std::map<std::string, Words> instructions(const std::string& objdump, const std::string& object) {
   std::istringstream lines(run({objdump, "-d", "-C", "--no-show-raw-insn", object}).out);
-  std::map<std::string, std::set<std::string>> result;
+  std::map<std::string, Words> result;
   std::string function;
   for (std::string line; std::getline(lines, line);) {
     const std::size_t name = line.find('<');
@@ -30,10 +30,7 @@ std::map<std::string, std::set<std::string>> mnemonics(const std::string& objdum
     if (line.ends_with(">:")) {
       function = line.substr(name + 1, line.size() - name - 3);
     } else if (tab != std::string::npos) {
-      std::istringstream words(line.substr(tab + 2));
-      std::string word;
-      words >> word;
-      result[function].insert(word);
+      result[function].push_back(line.substr(tab + 2));
     }
   }
   return result;
@@ -50,21 +47,27 @@ bool is_branch(const std::string& mnemonic, bool thumb) {
   return kBranches.contains(mnemonic.substr(0, mnemonic.find('.')));
 }
 
-/// Functions with a branch.
-std::set<std::string> branching(const std::string& tools, const std::string& compiler,
-                                const Words& options, const std::string& source,
-                                std::size_t* functions) {
+std::map<std::string, Words> compiled(const std::string& tools, const std::string& compiler,
+                                      const Words& options, const std::string& source) {
   const treedyn::support::TemporaryFolder folder;
   const std::string object = folder.path() / "object.o";
   Words command{compiler, "-std=c++17", "-Wno-psabi", "-c", source, "-o", object};
   command.insert(command.end(), options.begin(), options.end());
   const Outcome outcome = run(command);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return instructions(tools + "objdump", object);
+}
+
+/// Functions with a branch.
+std::set<std::string> branching(const std::string& tools, const std::string& compiler,
+                                const Words& options, const std::string& source,
+                                std::size_t* functions) {
   std::set<std::string> result;
-  const auto found = mnemonics(tools + "objdump", object);
+  const auto found = compiled(tools, compiler, options, source);
   *functions = found.size();
-  for (const auto& [function, words] : found) {
-    for (const std::string& word : words) {
+  for (const auto& [function, lines] : found) {
+    for (const std::string& line : lines) {
+      const std::string word = line.substr(0, line.find_first_of(" \t"));
       if (is_branch(word, !tools.empty())) {
         result.insert(function + ": " + word);
       }
@@ -109,6 +112,26 @@ TEST(Branches, AreNotThereWithClang) { expect_no_branch("", "clang++", {"-O2"});
 
 TEST(Branches, AreNotThereWithClangForVectors) {
   expect_no_branch("", "clang++", {"-O3", "-march=x86-64-v3"});
+}
+
+/// Code for SSE that runs behind them is slow as long as upper halves of registers are in use.
+TEST(Vectors, LeaveNoUpperHalvesOfRegistersInUse) {
+  for (const char* compiler : {"g++", "clang++"}) {
+    for (const char* source : {"/vector_double.cpp", "/vector_float.cpp"}) {
+      int with_vectors = 0;
+      for (const auto& [function, lines] : compiled("", compiler, {"-O3", "-march=x86-64-v3"},
+                                                    TREEDYN_PAIRS + std::string(source))) {
+        const auto has = [&lines = lines](const char* word) {
+          return std::any_of(lines.begin(), lines.end(), [word](const std::string& line) {
+            return line.find(word) != std::string::npos;
+          });
+        };
+        with_vectors += has("%ymm") ? 1 : 0;
+        EXPECT_EQ(has("%ymm"), has("vzeroupper")) << compiler << source << ' ' << function;
+      }
+      EXPECT_GT(with_vectors, 0);
+    }
+  }
 }
 
 TEST(Branches, AreNotThereOnACortexM4F) {
