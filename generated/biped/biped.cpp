@@ -9,7 +9,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x31f4c0a45c07d8caULL, "header and source are of different runs");
+static_assert(kDigest == 0xf391c237e794c1e9ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -170,13 +170,19 @@ namespace {
 
 }  // namespace
 
-// g++ would gather scalars into vectors, which takes up to twice as long.
+// g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
-#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+// Orders of sums other than those that are written would cancel the rounding.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#elif defined(__clang__) && __clang_major__ > 12
+#pragma clang fp reassociate(off)
+#elif defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-associative-math")
 #endif
 
 namespace {
@@ -240,20 +246,23 @@ using Angles [[gnu::vector_size(16)]] = double;
 #endif
 constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
 
-/// The numbers from x on, one by one: a load would wait for all to be stored.
-[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
-#if defined(__AVX__)
-  return Angles{x[0], x[1], x[2], x[3]};
-#else
-  return Angles{x[0], x[1]};
-#endif
-}
-
-/// The pairs of a vector of angles.
-[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
-  const SineCosine<Angles> pairs = pair_of(x);
+/// The pairs of a vector of angles, which come one by one: a load would wait for all to be stored,
+/// and of a vector that crosses a call g++ leaves the upper halves of registers in use, with which
+/// code for SSE is slow.
+template <class... Angle>
+[[gnu::noinline]] void store_sines_cosines(double* sines, double* cosines, Angle... x) noexcept {
+  const SineCosine<Angles> pairs = pair_of(Angles{x...});
   __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
   __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Those of the numbers from x on.
+[[gnu::always_inline]] inline void store(const double* x, double* sines, double* cosines) noexcept {
+#if defined(__AVX__)
+  store_sines_cosines(sines, cosines, x[0], x[1], x[2], x[3]);
+#else
+  store_sines_cosines(sines, cosines, x[0], x[1]);
+#endif
 }
 
 /// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
@@ -262,10 +271,8 @@ template <class... Angle>
 [[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines, double first,
                                                  Angle... more) noexcept {
   const double x[] = {first, more..., first, first, first};
-  store_sines_cosines(gathered(x), sines, cosines);
-  sizeof...(more) >= kAngles
-      ? store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles)
-      : void();
+  store(x, sines, cosines);
+  sizeof...(more) >= kAngles ? store(x + kAngles, sines + kAngles, cosines + kAngles) : void();
 }
 #endif
 
@@ -755,9 +762,9 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + c_q8_q9_q10 * h_righ_ankl_cros_x;
   const Scalar t_righ_ankl_cros_3 = left_ankle_cross_I3 * c_q8_q9_q10;
   const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 - s_q8_q9_q10 * h_righ_ankl_cros_x;
-  const Scalar t_righ_ankl_cros_5 = c_right_foot * (left_foot_I6 + t_right_foot_2);
-  const Scalar t_righ_ankl_cros_6 = left_ankle_cross_I4 + neg_h_righ_ankl_cros_z;
-  const Scalar neg_E_righ_ankl_cros_xz = t_righ_ankl_cros_6 + t_righ_ankl_cros_5;
+  const Scalar t_righ_ankl_cros_5 = left_ankle_cross_I4 + neg_h_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_6 = left_foot_I6 + t_right_foot_2;
+  const Scalar neg_E_righ_ankl_cros_xz = t_righ_ankl_cros_5 + c_right_foot * t_righ_ankl_cros_6;
   const Scalar E_righ_ankl_cros_yz = left_ankle_cross_I2 + A_131;
   const Scalar neg_A_94 = s_q8_q9_q10 * neg_E_righ_ankl_cros_xz - c_q8_q9_q10 * E_righ_ankl_cros_yz;
   A[94] = -neg_A_94;
@@ -806,39 +813,40 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   // right_ankle_cross
   const Scalar t_righ_ankl_cros_13 = c_q8_q9_q10 * t_right_foot_4;
   const Scalar t_righ_ankl_cros_14 = left_ankle_cross_I7 * c_q8_q9_q10;
-  const Scalar t_righ_ankl_cros_15 = s_q8_q9_q10 * (left_ankle_cross_I5 + t_righ_ankl_cros_10);
-  const Scalar t_righ_ankl_cros_16 = t_righ_ankl_cros_14 - 2.0 * t_righ_ankl_cros_13;
-  const Scalar t_righ_ankl_cros_17 = t_righ_ankl_cros_16 + t_righ_ankl_cros_15;
+  const Scalar t_righ_ankl_cros_15 = t_righ_ankl_cros_14 - 2.0 * t_righ_ankl_cros_13;
+  const Scalar t_righ_ankl_cros_16 = left_ankle_cross_I5 + t_righ_ankl_cros_10;
+  const Scalar t_righ_ankl_cros_17 = t_righ_ankl_cros_15 + s_q8_q9_q10 * t_righ_ankl_cros_16;
   const Scalar t_right_hip_fork_1 = left_hip_fork_I1 + neg_h_righ_ankl_cros_z;
-  const Scalar t_right_hip_fork_2 = left_hip_fork_k1 * h_right_shank_y;
+  const Scalar t_right_hip_fork_2 = left_thigh_I1 - t_right_shank_6;
   const Scalar t_righ_ankl_cros_18 = left_shank_I3 * c_q8_q9 + left_shank_I4 * s_q8_q9;
   // right_hip_fork: pseudo-inertia E, A of (2)
   const Scalar t_right_hip_fork_3 = left_hip_fork_I2 + t_right_foot_4 + neg_h_right_shank_x;
-  const Scalar t_right_hip_fork_4 = left_thigh_I1 - t_right_shank_6 + t_right_hip_fork_2;
+  const Scalar t_right_hip_fork_4 = t_right_hip_fork_2 + left_hip_fork_k1 * h_right_shank_y;
   const Scalar t_right_hip_fork_5 = t_right_hip_fork_3 + c_q8_q9_q10 * t_righ_ankl_cros_17;
-  const Scalar t_right_hip_fork_6 = c_right_hip_pitch * t_right_hip_fork_4;
-  const Scalar t_right_hip_fork_7 = t_right_hip_fork_5 + t_right_hip_fork_6;
-  const Scalar t_right_hip_fork_8 = t_right_hip_fork_7 - c_q8_q9 * t_righ_ankl_cros_18;
-  const Scalar t_righ_ankl_cros_19 = neg_s_righ_ankl_cros_x * t_righ_ankl_cros_4;
-  const Scalar t_right_hip_fork_9 = left_thigh_I2 + left_hip_fork_k1 * neg_h_right_shank_x;
-  const Scalar t_right_hip_fork_10 = t_right_hip_fork_8 + t_righ_ankl_cros_19;
-  const Scalar t_right_hip_fork_11 = s_right_hip_pitch * t_right_hip_fork_9;
-  const Scalar t_righ_ankl_cros_20 = neg_s_righ_ankl_cros_y * t_righ_ankl_cros_2;
-  const Scalar t_right_hip_fork_12 = t_right_hip_fork_10 - t_right_hip_fork_11;
-  const Scalar neg_A_79_1 = c_right_hip_roll * (t_right_hip_fork_12 - t_righ_ankl_cros_20);
-  A[79] = neg_A_79_1 - s_right_hip_roll * (E_right_thigh_yz - t_right_hip_fork_1);
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 + c_right_hip_pitch * t_right_hip_fork_4;
+  const Scalar t_right_hip_fork_7 = t_right_hip_fork_6 - c_q8_q9 * t_righ_ankl_cros_18;
+  const Scalar t_right_hip_fork_8 = left_thigh_I2 + left_hip_fork_k1 * neg_h_right_shank_x;
+  const Scalar t_right_hip_fork_9 =
+      t_right_hip_fork_7 + neg_s_righ_ankl_cros_x * t_righ_ankl_cros_4;
+  const Scalar t_right_hip_fork_10 = t_right_hip_fork_9 - s_right_hip_pitch * t_right_hip_fork_8;
+  const Scalar neg_E_right_hip_fork_xz =
+      t_right_hip_fork_10 - neg_s_righ_ankl_cros_y * t_righ_ankl_cros_2;
+  const Scalar neg_A_79_1 = s_right_hip_roll * (E_right_thigh_yz - t_right_hip_fork_1);
+  A[79] = c_right_hip_roll * neg_E_right_hip_fork_xz - neg_A_79_1;
   A[90] = A[79];
-  const Scalar t_right_hip_fork_13 = t_right_foot_3 + left_foot_I7 * s_right_foot;
-  const Scalar t_right_hip_fork_14 = t_right_thigh_2 - s_q8_q9_q10 * t_righ_ankl_cros_17;
-  const Scalar t_right_hip_fork_15 = t_right_hip_fork_14 + s_right_hip_pitch * t_right_shank_6;
-  const Scalar t_right_hip_fork_16 = t_right_hip_fork_15 + s_q8_q9 * t_righ_ankl_cros_18;
-  A[91] = left_hip_fork_I4 + t_right_hip_fork_13 - t_right_hip_fork_16;
-  const Scalar A_78_1 = t_right_hip_fork_16 - (left_hip_fork_I5 - t_right_hip_fork_13);
+  const Scalar t_right_hip_fork_11 = t_right_foot_3 + left_foot_I7 * s_right_foot;
+  const Scalar t_right_hip_fork_12 = t_right_thigh_2 - s_q8_q9_q10 * t_righ_ankl_cros_17;
+  const Scalar t_right_hip_fork_13 = t_right_hip_fork_12 + s_right_hip_pitch * t_right_shank_6;
+  const Scalar t_right_hip_fork_14 = t_right_hip_fork_13 + s_q8_q9 * t_righ_ankl_cros_18;
+  A[91] = left_hip_fork_I4 + t_right_hip_fork_11 - t_right_hip_fork_14;
+  const Scalar A_78_1 = t_right_hip_fork_14 - (left_hip_fork_I5 - t_right_hip_fork_11);
   const Scalar A_78_2 = s_right_hip_roll * (left_hip_fork_I3 + 2.0 * E_right_thigh_xz);
   const Scalar h_right_thigh_y_1 = h_right_shank_y - left_thigh_I1 * s_right_hip_pitch;
   const Scalar h_right_thigh_y = h_right_thigh_y_1 - left_thigh_I2 * c_right_hip_pitch;
-  const Scalar A_78_3 = c_right_hip_roll * (c_right_hip_roll * A_78_1 - A_78_2);
-  A[78] = left_hip_block_I1 - t_right_thigh_4 + A_78_3 + 2.0 * h_right_thigh_y;
+  // right_hip_block: A of (2)
+  const Scalar A_78_3 = left_hip_block_I1 - t_right_thigh_4;
+  const Scalar A_78_4 = A_78_3 + c_right_hip_roll * (c_right_hip_roll * A_78_1 - A_78_2);
+  A[78] = A_78_4 + 2.0 * h_right_thigh_y;
   const Scalar t_left_foot_1 = left_foot_I1 * c_left_foot;
   const Scalar h_left_ankle_cross_z = left_foot_I1 * s_left_foot;
   // left_foot: A of (2)
@@ -854,9 +862,9 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_left_ankle_cross_2 = left_ankle_cross_I3 * c_q2_q3_q4 - t_left_ankle_cross_1;
   const Scalar t_left_ankle_cross_3 = c_q2_q3_q4 * h_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_4 = left_ankle_cross_I3 * s_q2_q3_q4 + t_left_ankle_cross_3;
-  const Scalar t_left_ankle_cross_5 = c_left_foot * (left_foot_I6 + t_left_foot_2);
-  const Scalar t_left_ankle_cross_6 = left_ankle_cross_I4 + h_left_ankle_cross_z;
-  const Scalar E_left_ankle_cross_xz = t_left_ankle_cross_6 + t_left_ankle_cross_5;
+  const Scalar t_left_ankle_cross_5 = left_ankle_cross_I4 + h_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_6 = left_foot_I6 + t_left_foot_2;
+  const Scalar E_left_ankle_cross_xz = t_left_ankle_cross_5 + c_left_foot * t_left_ankle_cross_6;
   const Scalar t_left_ankle_cross_7 = left_ankle_cross_I2 + neg_A_53;
   const Scalar A_16 = s_q2_q3_q4 * E_left_ankle_cross_xz - c_q2_q3_q4 * t_left_ankle_cross_7;
   A[16] = A_16;
@@ -898,45 +906,44 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar A_26 = left_thigh_I7 - t_left_thigh_2;
   A[26] = A_26;
   const Scalar t_left_ankle_cross_13 = left_shank_I3 * c_q2_q3 + left_shank_I4 * s_q2_q3;
-  const Scalar t_left_hip_fork_1 = left_hip_fork_k2 * t_left_ankle_cross_2;
   const Scalar E_left_hip_fork_yz = neg_E_left_thigh_yz - (left_hip_fork_I1 + h_left_ankle_cross_z);
   // left_ankle_cross
   const Scalar t_left_ankle_cross_14 = s_q2_q3_q4 * (left_ankle_cross_I5 + t_left_ankle_cross_10);
-  const Scalar t_left_ankle_cross_15 = c_q2_q3_q4 * (left_ankle_cross_I7 + 2.0 * t_left_foot_4);
-  const Scalar t_left_ankle_cross_16 = t_left_ankle_cross_14 + t_left_ankle_cross_15;
+  const Scalar t_left_ankle_cross_15 = left_ankle_cross_I7 + 2.0 * t_left_foot_4;
+  const Scalar t_left_ankle_cross_16 = t_left_ankle_cross_14 + c_q2_q3_q4 * t_left_ankle_cross_15;
   const Scalar t_left_shank_7 = left_thigh_I4 * c_left_hip_pitch;
   const Scalar t_left_shank_8 = t_left_shank_7 + left_thigh_I3 * s_left_hip_pitch;
   // left_hip_fork: pseudo-inertia E, A of (2)
-  const Scalar t_left_hip_fork_2 = left_hip_fork_I2 - t_left_foot_4 + neg_h_left_shank_x;
-  const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 + c_q2_q3_q4 * t_left_ankle_cross_16;
-  const Scalar t_left_hip_fork_4 = left_thigh_I2 + left_hip_fork_k1 * neg_h_left_shank_x;
-  const Scalar t_left_hip_fork_5 = t_left_hip_fork_3 + neg_s_left_shank_x * h_left_shank_y;
-  const Scalar t_left_hip_fork_6 = t_left_hip_fork_5 - s_left_hip_pitch * t_left_hip_fork_4;
-  const Scalar t_left_hip_fork_7 = c_q2_q3 * (t_left_ankle_cross_13 - t_left_hip_fork_1);
-  const Scalar t_left_hip_fork_8 = c_left_hip_pitch * (left_thigh_I1 - t_left_shank_8);
-  const Scalar t_left_hip_fork_9 = t_left_hip_fork_6 - t_left_hip_fork_7;
-  const Scalar t_left_ankle_cross_17 = neg_s_left_ankle_cross_y * t_left_ankle_cross_4;
-  const Scalar t_left_hip_fork_10 = t_left_hip_fork_9 + t_left_hip_fork_8;
-  const Scalar A_1_1 = c_left_hip_roll * (t_left_hip_fork_10 - t_left_ankle_cross_17);
-  A[1] = s_left_hip_roll * E_left_hip_fork_yz + A_1_1;
+  const Scalar t_left_hip_fork_1 = left_hip_fork_I2 - t_left_foot_4 + neg_h_left_shank_x;
+  const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + c_q2_q3_q4 * t_left_ankle_cross_16;
+  const Scalar t_left_hip_fork_3 = left_thigh_I2 + left_hip_fork_k1 * neg_h_left_shank_x;
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_2 + neg_s_left_shank_x * h_left_shank_y;
+  const Scalar t_left_hip_fork_5 = t_left_ankle_cross_13 - left_hip_fork_k2 * t_left_ankle_cross_2;
+  const Scalar t_left_hip_fork_6 = t_left_hip_fork_4 - s_left_hip_pitch * t_left_hip_fork_3;
+  const Scalar t_left_hip_fork_7 = t_left_hip_fork_6 - c_q2_q3 * t_left_hip_fork_5;
+  const Scalar t_left_hip_fork_8 = left_thigh_I1 - t_left_shank_8;
+  const Scalar t_left_hip_fork_9 = t_left_hip_fork_7 + c_left_hip_pitch * t_left_hip_fork_8;
+  const Scalar neg_E_left_hip_fork_xz =
+      t_left_hip_fork_9 - neg_s_left_ankle_cross_y * t_left_ankle_cross_4;
+  A[1] = s_left_hip_roll * E_left_hip_fork_yz + c_left_hip_roll * neg_E_left_hip_fork_xz;
   A[12] = A[1];
-  const Scalar t_left_hip_fork_11 = t_left_foot_3 + left_foot_I7 * s_left_foot;
-  const Scalar t_left_hip_fork_12 = t_left_shank_2 - t_left_shank_5;
-  const Scalar t_left_hip_fork_13 = t_left_hip_fork_12 + s_left_hip_pitch * t_left_shank_8;
-  const Scalar t_left_hip_fork_14 = t_left_hip_fork_13 - s_q2_q3_q4 * t_left_ankle_cross_16;
-  const Scalar t_left_hip_fork_15 = t_left_hip_fork_14 + s_q2_q3 * t_left_ankle_cross_13;
-  A[13] = left_hip_fork_I4 + t_left_hip_fork_11 - t_left_hip_fork_15;
+  const Scalar t_left_hip_fork_10 = t_left_foot_3 + left_foot_I7 * s_left_foot;
+  const Scalar t_left_hip_fork_11 = t_left_shank_2 - t_left_shank_5;
+  const Scalar t_left_hip_fork_12 = t_left_hip_fork_11 + s_left_hip_pitch * t_left_shank_8;
+  const Scalar t_left_hip_fork_13 = t_left_hip_fork_12 - s_q2_q3_q4 * t_left_ankle_cross_16;
+  const Scalar t_left_hip_fork_14 = t_left_hip_fork_13 + s_q2_q3 * t_left_ankle_cross_13;
+  A[13] = left_hip_fork_I4 + t_left_hip_fork_10 - t_left_hip_fork_14;
   const Scalar h_left_thigh_y_1 = h_left_shank_y - left_thigh_I1 * s_left_hip_pitch;
   const Scalar h_left_thigh_y = h_left_thigh_y_1 - left_thigh_I2 * c_left_hip_pitch;
-  const Scalar A_0_1 = t_left_hip_fork_15 - (left_hip_fork_I5 - t_left_hip_fork_11);
+  const Scalar A_0_1 = t_left_hip_fork_14 - (left_hip_fork_I5 - t_left_hip_fork_10);
   const Scalar A_0_2 = s_left_hip_roll * (left_hip_fork_I3 + 2.0 * neg_E_left_thigh_xz);
   const Scalar A_0_3 = left_hip_block_I1 - t_left_thigh_2 + 2.0 * h_left_thigh_y;
   A[0] = A_0_3 + c_left_hip_roll * (A_0_2 + c_left_hip_roll * A_0_1);
   // right_ankle_cross: A of (2)
-  const Scalar t_righ_ankl_cros_21 = c_q8_q9_q10 * neg_h_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_22 = s_q8_q9_q10 * neg_h_righ_ankl_cros_z;
-  const Scalar A_119_1 = A_131 - neg_s_righ_ankl_cros_y * t_righ_ankl_cros_21;
-  const Scalar A_119 = A_119_1 + neg_s_righ_ankl_cros_x * t_righ_ankl_cros_22;
+  const Scalar t_righ_ankl_cros_19 = c_q8_q9_q10 * neg_h_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_20 = s_q8_q9_q10 * neg_h_righ_ankl_cros_z;
+  const Scalar A_119_1 = A_131 - neg_s_righ_ankl_cros_y * t_righ_ankl_cros_19;
+  const Scalar A_119 = A_119_1 + neg_s_righ_ankl_cros_x * t_righ_ankl_cros_20;
   A[119] = A_119;
   A[141] = A[119];
   const Scalar t_right_foot_5 = left_foot_I9 + t_right_foot_1 + left_foot_I6 * s_right_foot;
@@ -944,14 +951,14 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar A_95_1 = t_right_foot_1 * (neg_s_right_shank_x + neg_s_righ_ankl_cros_x);
   A[95] = c_q8_q9_q10 * t_right_foot_5 + A_95_1 - s_q8_q9_q10 * t_right_foot_4;
   A[139] = A[95];
-  const Scalar A_107_1 = A_119 + neg_s_right_shank_x * t_righ_ankl_cros_22;
-  const Scalar A_107 = A_107_1 - neg_s_right_shank_y * t_righ_ankl_cros_21;
+  const Scalar A_107_1 = A_119 + neg_s_right_shank_x * t_righ_ankl_cros_20;
+  const Scalar A_107 = A_107_1 - neg_s_right_shank_y * t_righ_ankl_cros_19;
   A[107] = A_107;
   A[140] = A[107];
   const Scalar neg_A_83_1 = neg_s_righ_ankl_cros_y - (1.0 - neg_s_right_shank_y);
   const Scalar neg_A_83_2 = t_righ_ankl_cros_13 + s_q8_q9_q10 * t_right_foot_5;
   const Scalar neg_A_83_3 = c_right_hip_roll * (neg_A_83_2 + t_right_foot_1 * neg_A_83_1);
-  A[83] = s_right_hip_roll * (t_righ_ankl_cros_21 + A_107) - neg_A_83_3;
+  A[83] = s_right_hip_roll * (t_righ_ankl_cros_19 + A_107) - neg_A_83_3;
   A[138] = A[83];
   const Scalar A_118 = t_righ_ankl_cros_7 - t_righ_ankl_cros_8 + A_130;
   A[118] = A_118;
@@ -971,25 +978,25 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[80] = s_right_hip_roll * (A_104 + h_right_thigh_y) - c_right_hip_roll * E_right_thigh_xz;
   A[102] = A[80];
   // left_ankle_cross: A of (2)
-  const Scalar t_left_ankle_cross_18 = s_q2_q3_q4 * h_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_19 = c_q2_q3_q4 * h_left_ankle_cross_z;
-  const Scalar neg_A_41_1 = neg_A_53 + neg_s_left_ankle_cross_x * t_left_ankle_cross_18;
-  const Scalar neg_A_41 = neg_A_41_1 - neg_s_left_ankle_cross_y * t_left_ankle_cross_19;
+  const Scalar t_left_ankle_cross_17 = s_q2_q3_q4 * h_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_18 = c_q2_q3_q4 * h_left_ankle_cross_z;
+  const Scalar neg_A_41_1 = neg_A_53 + neg_s_left_ankle_cross_x * t_left_ankle_cross_17;
+  const Scalar neg_A_41 = neg_A_41_1 - neg_s_left_ankle_cross_y * t_left_ankle_cross_18;
   A[41] = -neg_A_41;
   A[63] = A[41];
   const Scalar t_left_foot_5 = left_foot_I9 + t_left_foot_1 + left_foot_I6 * s_left_foot;
+  const Scalar A_17_1 = c_q2_q3_q4 * t_left_foot_5 + s_q2_q3_q4 * t_left_foot_4;
   // left_shank: A of (2)
-  const Scalar A_17_1 = t_left_foot_1 * (neg_s_left_shank_x + neg_s_left_ankle_cross_x);
-  A[17] = c_q2_q3_q4 * t_left_foot_5 + s_q2_q3_q4 * t_left_foot_4 + A_17_1;
+  A[17] = A_17_1 + t_left_foot_1 * (neg_s_left_shank_x + neg_s_left_ankle_cross_x);
   A[61] = A[17];
-  const Scalar neg_A_29_1 = neg_A_41 - neg_s_left_shank_y * t_left_ankle_cross_19;
-  const Scalar neg_A_29 = neg_A_29_1 + neg_s_left_shank_x * t_left_ankle_cross_18;
+  const Scalar neg_A_29_1 = neg_A_41 - neg_s_left_shank_y * t_left_ankle_cross_18;
+  const Scalar neg_A_29 = neg_A_29_1 + neg_s_left_shank_x * t_left_ankle_cross_17;
   A[29] = -neg_A_29;
   A[62] = A[29];
   const Scalar neg_A_5_1 = neg_s_left_ankle_cross_y - (1.0 - neg_s_left_shank_y);
   const Scalar neg_A_5_2 = c_q2_q3_q4 * t_left_foot_4 - s_q2_q3_q4 * t_left_foot_5;
   const Scalar neg_A_5_3 = c_left_hip_roll * (neg_A_5_2 - t_left_foot_1 * neg_A_5_1);
-  A[5] = neg_A_5_3 - s_left_hip_roll * (t_left_ankle_cross_19 + neg_A_29);
+  A[5] = neg_A_5_3 - s_left_hip_roll * (t_left_ankle_cross_18 + neg_A_29);
   A[60] = A[5];
   const Scalar A_40 = A_52 - (t_left_ankle_cross_8 - t_left_ankle_cross_9);
   A[40] = A_40;
@@ -1095,8 +1102,7 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   // left_shank: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
   const Scalar t_left_shank_1 = 2.0 * neg_omega_left_thigh_y;
-  const Scalar Omega_left_shank_zy_1 = omega_left_shank_z * t_left_shank_1;
-  const Scalar Omega_left_shank_zy = neg_Omega_left_thigh_yz - Omega_left_shank_zy_1;
+  const Scalar Omega_left_shank_zy = neg_Omega_left_thigh_yz - omega_left_shank_z * t_left_shank_1;
   const Scalar t_left_shank_2 = 2.0 * neg_omega_left_thigh_x;
   const Scalar Omega_left_shank_zx = neg_Omega_left_foot_xy - omega_left_shank_z * t_left_shank_2;
   const Scalar t_left_shank_3 = omega_left_shank_z * omega_left_shank_z;
@@ -1121,37 +1127,33 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_left_ankle_cross_3 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
   const Scalar a_left_shank_z_1 = neg_s_left_shank_y * neg_Omega_left_thigh_zy;
   const Scalar a_left_shank_z = a_left_shank_z_1 - s_left_shank_x * neg_Omega_left_thigh_zx;
-  const Scalar a_left_ankle_cross_z_1 = s_left_ankle_cross_x * Omega_left_shank_zx;
-  const Scalar a_left_ankle_cross_z_2 = neg_s_left_ankle_cross_y * Omega_left_shank_zy;
-  const Scalar a_left_ankle_cross_z_3 = a_left_shank_z + a_left_ankle_cross_z_1;
-  const Scalar a_left_ankle_cross_z = a_left_ankle_cross_z_3 - a_left_ankle_cross_z_2;
-  // left_foot: acceleration a of (3)
-  const Scalar a_left_foot_y_1 = left_hip_fork_l2 * neg_Omega_left_thigh_zz;
-  const Scalar a_left_foot_y_2 = left_hip_fork_l1 * t_left_ankle_cross_2;
-  const Scalar a_left_foot_y = a_left_ankle_cross_z - a_left_foot_y_1 + a_left_foot_y_2;
+  const Scalar a_left_ankle_cross_z_1 = a_left_shank_z + s_left_ankle_cross_x * Omega_left_shank_zx;
+  const Scalar a_left_ankle_cross_z =
+      a_left_ankle_cross_z_1 - neg_s_left_ankle_cross_y * Omega_left_shank_zy;
+  const Scalar a_left_foot_y_1 = a_left_ankle_cross_z - left_hip_fork_l2 * neg_Omega_left_thigh_zz;
+  const Scalar a_left_foot_y = a_left_foot_y_1 + left_hip_fork_l1 * t_left_ankle_cross_2;
   const Scalar a_left_shank_x_1 = a_left_thigh_x - s_left_shank_x * neg_Omega_left_thigh_xx;
   const Scalar a_left_shank_x = a_left_shank_x_1 - neg_s_left_shank_y * Omega_left_thigh_xy;
-  // left_ankle_cross: acceleration a of (3)
-  const Scalar a_left_ankle_cross_x_1 = s_left_ankle_cross_x * neg_Omega_left_shank_xx;
-  const Scalar a_left_ankle_cross_x_2 = neg_s_left_ankle_cross_y * Omega_left_thigh_xy;
-  const Scalar a_left_ankle_cross_x_3 = a_left_shank_x - a_left_ankle_cross_x_1;
-  const Scalar a_left_ankle_cross_x = a_left_ankle_cross_x_3 - a_left_ankle_cross_x_2;
-  // left_foot: acceleration a, angular velocity omega, Omega of (3)
+  const Scalar a_left_ankle_cross_x_1 =
+      a_left_shank_x - s_left_ankle_cross_x * neg_Omega_left_shank_xx;
+  const Scalar a_left_ankle_cross_x =
+      a_left_ankle_cross_x_1 - neg_s_left_ankle_cross_y * Omega_left_thigh_xy;
   const Scalar a_left_foot_x_1 = a_left_ankle_cross_x - left_hip_fork_l2 * neg_Omega_left_foot_xy;
-  const Scalar a_left_foot_x_2 = left_hip_fork_l1 * (t_left_thigh_5 + t_left_ankle_cross_3);
-  const Scalar a_left_foot_x = a_left_foot_x_1 - a_left_foot_x_2;
+  const Scalar a_left_foot_x_2 = t_left_thigh_5 + t_left_ankle_cross_3;
+  const Scalar a_left_foot_x = a_left_foot_x_1 - left_hip_fork_l1 * a_left_foot_x_2;
   const Scalar neg_Omega_left_thigh_yy = t_left_thigh_3 + t_left_thigh_7;
   const Scalar a_left_shank_y_1 = a_left_thigh_y + neg_s_left_shank_y * neg_Omega_left_thigh_yy;
   const Scalar a_left_shank_y = a_left_shank_y_1 + s_left_shank_x * Omega_left_thigh_yx;
   const Scalar t_left_foot_1 = left_hip_fork_l1 + s_left_ankle_cross_x;
   const Scalar neg_Omega_left_shank_yy = t_left_thigh_3 + t_left_shank_3;
+  // left_foot: acceleration a, angular velocity omega, Omega of (3)
   const Scalar neg_a_left_foot_z_1 = a_left_shank_y - left_hip_fork_l2 * neg_Omega_left_thigh_yz;
-  const Scalar neg_a_left_foot_z_2 = neg_s_left_ankle_cross_y * neg_Omega_left_shank_yy;
-  const Scalar neg_a_left_foot_z_3 = neg_a_left_foot_z_1 + neg_a_left_foot_z_2;
-  const Scalar neg_a_left_foot_z = neg_a_left_foot_z_3 + Omega_left_thigh_yx * t_left_foot_1;
+  const Scalar neg_a_left_foot_z_2 =
+      neg_a_left_foot_z_1 + neg_s_left_ankle_cross_y * neg_Omega_left_shank_yy;
+  const Scalar neg_a_left_foot_z = neg_a_left_foot_z_2 + Omega_left_thigh_yx * t_left_foot_1;
   const Scalar omega_left_foot_z = neg_omega_left_thigh_y + qd[5];
-  const Scalar Omega_left_foot_zy_1 = omega_left_ankle_cross_z * omega_left_foot_z * 2.0;
-  const Scalar Omega_left_foot_zy = t_left_ankle_cross_1 + Omega_left_foot_zy_1;
+  const Scalar Omega_left_foot_zy_1 = omega_left_ankle_cross_z * omega_left_foot_z;
+  const Scalar Omega_left_foot_zy = t_left_ankle_cross_1 + 2.0 * Omega_left_foot_zy_1;
   const Scalar t_left_foot_2 = omega_left_foot_z * omega_left_foot_z;
   const Scalar Omega_left_foot_zx = Omega_left_thigh_xy - t_left_shank_2 * omega_left_foot_z;
   const Scalar t_left_foot_3 = left_foot_h1 * c_left_foot;
@@ -1219,14 +1221,14 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_thigh_20 = left_thigh_h2 * c_q9_q10 + left_thigh_h1 * s_q9_q10;
   // right_shank: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[9];
-  const Scalar Omega_right_shank_zy_1 = neg_omega_right_thigh_y * omega_right_shank_z * 2.0;
-  const Scalar Omega_right_shank_zy = neg_Omega_right_thigh_yz - Omega_right_shank_zy_1;
+  const Scalar Omega_right_shank_zy_1 = neg_omega_right_thigh_y * omega_right_shank_z;
+  const Scalar Omega_right_shank_zy = neg_Omega_right_thigh_yz - 2.0 * Omega_right_shank_zy_1;
   const Scalar t_right_shank_2 = 2.0 * neg_omega_right_thigh_x;
-  const Scalar Omega_right_shank_zx_1 = omega_right_shank_z * t_right_shank_2;
-  const Scalar Omega_right_shank_zx = neg_Omega_right_foot_xy - Omega_right_shank_zx_1;
+  const Scalar Omega_right_shank_zx =
+      neg_Omega_right_foot_xy - omega_right_shank_z * t_right_shank_2;
   const Scalar neg_a_right_shank_z_1 = neg_s_right_shank_y * neg_Omega_right_thigh_zy;
-  const Scalar neg_a_right_shank_z_2 = s_right_shank_x * neg_Omega_right_thigh_zx;
-  const Scalar neg_a_right_shank_z = neg_a_right_shank_z_2 - neg_a_right_shank_z_1;
+  const Scalar neg_a_right_shank_z =
+      s_right_shank_x * neg_Omega_right_thigh_zx - neg_a_right_shank_z_1;
   const Scalar t_right_shank_3 = omega_right_shank_z * omega_right_shank_z;
   const Scalar neg_Omega_right_shank_xx = t_right_thigh_8 + t_right_shank_3;
   const Scalar neg_Omega_right_shank_yy = t_right_thigh_9 + t_right_shank_3;
@@ -1246,45 +1248,40 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   // right_ankle_cross: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_righ_ankl_cros_z = omega_right_shank_z + qd[10];
   const Scalar t_righ_ankl_cros_1 = 2.0 * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_2 = neg_omega_right_thigh_y * t_righ_ankl_cros_1;
-  const Scalar Omega_righ_ankl_cros_zy = neg_Omega_right_thigh_yz - t_righ_ankl_cros_2;
+  const Scalar Omega_righ_ankl_cros_zy =
+      neg_Omega_right_thigh_yz - neg_omega_right_thigh_y * t_righ_ankl_cros_1;
   const Scalar Omega_righ_ankl_cros_zx = Omega_right_shank_zx - t_right_shank_2 * qd[10];
-  const Scalar t_righ_ankl_cros_3 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_4 = t_right_thigh_8 + t_righ_ankl_cros_3;
-  const Scalar t_righ_ankl_cros_5 = neg_Omega_right_thigh_zz - t_righ_ankl_cros_4;
-  const Scalar t_righ_ankl_cros_6 = neg_s_righ_ankl_cros_y * Omega_right_shank_zy;
-  const Scalar t_righ_ankl_cros_7 = neg_a_right_shank_z + t_righ_ankl_cros_6;
-  const Scalar t_righ_ankl_cros_8 = s_righ_ankl_cros_x * Omega_right_shank_zx;
-  const Scalar neg_a_righ_ankl_cros_z = t_righ_ankl_cros_7 - t_righ_ankl_cros_8;
-  // right_foot: acceleration a of (3)
-  const Scalar neg_a_right_foot_y_1 = left_hip_fork_l2 * neg_Omega_right_thigh_zz;
-  const Scalar neg_a_right_foot_y_2 = neg_a_righ_ankl_cros_z - neg_a_right_foot_y_1;
-  const Scalar neg_a_right_foot_y_3 = left_hip_fork_l1 * Omega_righ_ankl_cros_zx;
-  const Scalar neg_a_right_foot_y = neg_a_right_foot_y_2 - neg_a_right_foot_y_3;
+  const Scalar t_righ_ankl_cros_2 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_3 = t_right_thigh_8 + t_righ_ankl_cros_2;
+  const Scalar t_righ_ankl_cros_4 = neg_Omega_right_thigh_zz - t_righ_ankl_cros_3;
+  const Scalar t_righ_ankl_cros_5 =
+      neg_a_right_shank_z + neg_s_righ_ankl_cros_y * Omega_right_shank_zy;
+  const Scalar neg_a_righ_ankl_cros_z =
+      t_righ_ankl_cros_5 - s_righ_ankl_cros_x * Omega_right_shank_zx;
+  const Scalar neg_a_right_foot_y_1 =
+      neg_a_righ_ankl_cros_z - left_hip_fork_l2 * neg_Omega_right_thigh_zz;
+  const Scalar neg_a_right_foot_y =
+      neg_a_right_foot_y_1 - left_hip_fork_l1 * Omega_righ_ankl_cros_zx;
   const Scalar a_right_shank_x_1 = a_right_thigh_x - neg_s_right_shank_y * Omega_right_thigh_xy;
   const Scalar a_right_shank_x = a_right_shank_x_1 - s_right_shank_x * neg_Omega_right_thigh_xx;
-  // right_ankle_cross: acceleration a of (3)
-  const Scalar a_righ_ankl_cros_x_1 = neg_s_righ_ankl_cros_y * Omega_right_thigh_xy;
-  const Scalar a_righ_ankl_cros_x_2 = s_righ_ankl_cros_x * neg_Omega_right_shank_xx;
-  const Scalar a_righ_ankl_cros_x_3 = a_right_shank_x - a_righ_ankl_cros_x_1;
-  const Scalar a_righ_ankl_cros_x = a_righ_ankl_cros_x_3 - a_righ_ankl_cros_x_2;
-  const Scalar a_right_foot_x_1 = a_righ_ankl_cros_x - left_hip_fork_l1 * t_righ_ankl_cros_4;
+  const Scalar a_righ_ankl_cros_x_1 =
+      a_right_shank_x - neg_s_righ_ankl_cros_y * Omega_right_thigh_xy;
+  const Scalar a_righ_ankl_cros_x =
+      a_righ_ankl_cros_x_1 - s_righ_ankl_cros_x * neg_Omega_right_shank_xx;
+  const Scalar a_right_foot_x_1 = a_righ_ankl_cros_x - left_hip_fork_l1 * t_righ_ankl_cros_3;
   const Scalar a_right_foot_x = a_right_foot_x_1 + left_hip_fork_l2 * neg_Omega_right_foot_xy;
-  // right_shank: acceleration a of (3)
   const Scalar a_right_shank_y_1 = a_right_thigh_y + s_right_shank_x * Omega_right_thigh_yx;
-  const Scalar a_right_shank_y_2 = neg_s_right_shank_y * neg_Omega_right_thigh_yy;
-  const Scalar a_right_shank_y = a_right_shank_y_1 + a_right_shank_y_2;
-  const Scalar neg_a_right_foot_z_1 = left_hip_fork_l2 * neg_Omega_right_thigh_yz;
-  const Scalar neg_a_right_foot_z_2 = neg_s_righ_ankl_cros_y * neg_Omega_right_shank_yy;
+  const Scalar a_right_shank_y = a_right_shank_y_1 + neg_s_right_shank_y * neg_Omega_right_thigh_yy;
   // right_foot: acceleration a, angular velocity omega, Omega of (3)
-  const Scalar neg_a_right_foot_z_3 = a_right_shank_y + neg_a_right_foot_z_1;
-  const Scalar neg_a_right_foot_z_4 = left_hip_fork_l1 + s_righ_ankl_cros_x;
-  const Scalar neg_a_right_foot_z_5 = neg_a_right_foot_z_3 + neg_a_right_foot_z_2;
-  const Scalar neg_a_right_foot_z_6 = Omega_right_thigh_yx * neg_a_right_foot_z_4;
-  const Scalar neg_a_right_foot_z = neg_a_right_foot_z_5 + neg_a_right_foot_z_6;
+  const Scalar neg_a_right_foot_z_1 = a_right_shank_y + left_hip_fork_l2 * neg_Omega_right_thigh_yz;
+  const Scalar neg_a_right_foot_z_2 = left_hip_fork_l1 + s_righ_ankl_cros_x;
+  const Scalar neg_a_right_foot_z_3 =
+      neg_a_right_foot_z_1 + neg_s_righ_ankl_cros_y * neg_Omega_right_shank_yy;
+  const Scalar neg_a_right_foot_z =
+      neg_a_right_foot_z_3 + Omega_right_thigh_yx * neg_a_right_foot_z_2;
   const Scalar omega_right_foot_z = neg_omega_right_thigh_y + qd[11];
-  const Scalar Omega_right_foot_zy_1 = t_righ_ankl_cros_1 * omega_right_foot_z;
-  const Scalar Omega_right_foot_zy = Omega_righ_ankl_cros_zy + Omega_right_foot_zy_1;
+  const Scalar Omega_right_foot_zy =
+      Omega_righ_ankl_cros_zy + t_righ_ankl_cros_1 * omega_right_foot_z;
   const Scalar t_right_foot_1 = omega_right_foot_z * omega_right_foot_z;
   const Scalar Omega_right_foot_zx = Omega_right_thigh_xy - t_right_shank_2 * omega_right_foot_z;
   const Scalar t_right_foot_2 = left_foot_h1 * c_right_foot;
@@ -1296,171 +1293,149 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_foot_8 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
   const Scalar t_right_foot_9 = left_foot_I13 + t_right_foot_5;
   const Scalar t_right_foot_10 = left_foot_I14 - c_right_foot * t_right_foot_4;
-  const Scalar neg_M_right_foot_z_1 = t_righ_ankl_cros_5 * t_right_foot_10;
-  const Scalar neg_M_right_foot_z_2 = neg_a_right_foot_y * t_right_foot_2;
-  const Scalar neg_M_right_foot_z_3 = neg_M_right_foot_z_2 + neg_M_right_foot_z_1;
-  const Scalar neg_M_right_foot_z_4 = neg_M_right_foot_z_3 - a_right_foot_x * t_right_foot_3;
-  const Scalar neg_M_right_foot_z_5 = Omega_right_thigh_xy * t_right_foot_8;
-  const Scalar neg_M_right_foot_z_6 = neg_M_right_foot_z_4 + neg_M_right_foot_z_5;
-  const Scalar neg_M_right_foot_z_7 = neg_Omega_right_foot_xy * t_right_foot_9;
-  const Scalar neg_M_right_foot_z_8 = neg_M_right_foot_z_6 - neg_M_right_foot_z_7;
-  const Scalar neg_M_right_foot_z_9 = Omega_righ_ankl_cros_zy * t_right_foot_7;
-  const Scalar neg_M_right_foot_z_10 = neg_M_right_foot_z_8 - neg_M_right_foot_z_9;
-  const Scalar neg_M_right_foot_z_11 = Omega_righ_ankl_cros_zx * t_right_foot_6;
-  const Scalar neg_M_right_foot_z = neg_M_right_foot_z_10 - neg_M_right_foot_z_11;
+  const Scalar neg_M_right_foot_z_1 = t_righ_ankl_cros_4 * t_right_foot_10;
+  const Scalar neg_M_right_foot_z_2 = neg_a_right_foot_y * t_right_foot_2 + neg_M_right_foot_z_1;
+  const Scalar neg_M_right_foot_z_3 = neg_M_right_foot_z_2 - a_right_foot_x * t_right_foot_3;
+  const Scalar neg_M_right_foot_z_4 = neg_M_right_foot_z_3 + Omega_right_thigh_xy * t_right_foot_8;
+  const Scalar neg_M_right_foot_z_5 =
+      neg_M_right_foot_z_4 - neg_Omega_right_foot_xy * t_right_foot_9;
+  const Scalar neg_M_right_foot_z_6 =
+      neg_M_right_foot_z_5 - Omega_righ_ankl_cros_zy * t_right_foot_7;
+  const Scalar neg_M_right_foot_z = neg_M_right_foot_z_6 - Omega_righ_ankl_cros_zx * t_right_foot_6;
   B[11] = -neg_M_right_foot_z;
   const Scalar neg_F_right_foot_z_1 = Omega_right_foot_zy * t_right_foot_3;
-  const Scalar neg_F_right_foot_z_2 = Omega_right_foot_zx * t_right_foot_2;
-  const Scalar neg_F_right_foot_z_3 = neg_F_right_foot_z_1 - neg_F_right_foot_z_2;
-  const Scalar neg_F_right_foot_z_4 = left_ankle_cross_m1 * neg_a_right_foot_z;
-  const Scalar neg_F_right_foot_z = neg_F_right_foot_z_3 + neg_F_right_foot_z_4;
+  const Scalar neg_F_right_foot_z_2 = neg_F_right_foot_z_1 - Omega_right_foot_zx * t_right_foot_2;
+  const Scalar neg_F_right_foot_z = neg_F_right_foot_z_2 + left_ankle_cross_m1 * neg_a_right_foot_z;
   const Scalar t_right_foot_11 = left_ankle_cross_I2 + t_right_foot_8;
-  const Scalar t_righ_ankl_cros_9 = left_ankle_cross_I8 * t_right_shank_1;
-  const Scalar t_right_foot_12 = t_righ_ankl_cros_9 - neg_a_right_foot_z * t_right_foot_2;
+  const Scalar t_righ_ankl_cros_6 = left_ankle_cross_I8 * t_right_shank_1;
+  const Scalar t_right_foot_12 = t_righ_ankl_cros_6 - neg_a_right_foot_z * t_right_foot_2;
   const Scalar t_right_foot_13 = t_right_foot_12 - left_ankle_cross_h1 * a_righ_ankl_cros_x;
   const Scalar t_right_foot_14 = t_right_foot_13 - left_hip_fork_l1 * neg_F_right_foot_z;
-  const Scalar t_righ_ankl_cros_10 = left_ankle_cross_I10 * neg_Omega_right_thigh_yz;
-  const Scalar t_right_foot_15 = t_right_foot_14 - t_righ_ankl_cros_10;
+  const Scalar t_right_foot_15 = t_right_foot_14 - left_ankle_cross_I10 * neg_Omega_right_thigh_yz;
   const Scalar t_right_foot_16 = t_right_foot_15 + Omega_right_foot_zx * t_right_foot_6;
   const Scalar t_right_foot_17 = t_right_foot_16 - neg_Omega_right_foot_xy * t_right_foot_11;
-  const Scalar t_right_foot_18 = t_right_foot_7 * (t_right_thigh_9 - t_right_foot_1);
-  const Scalar t_righ_ankl_cros_11 = left_ankle_cross_I9 * Omega_right_thigh_xy;
-  const Scalar t_right_foot_19 = t_right_foot_17 + t_right_foot_18 + t_righ_ankl_cros_11;
-  const Scalar t_right_foot_20 = t_right_foot_19 + Omega_right_foot_zy * t_right_foot_10;
-  const Scalar t_righ_ankl_cros_12 = left_ankle_cross_I11 * Omega_right_thigh_yx;
-  const Scalar neg_M_righ_ankl_cros_z = t_right_foot_20 - t_righ_ankl_cros_12;
+  const Scalar t_right_foot_18 = t_right_thigh_9 - t_right_foot_1;
+  const Scalar t_right_foot_19 = t_right_foot_17 + t_right_foot_7 * t_right_foot_18;
+  const Scalar t_right_foot_20 = t_right_foot_19 + left_ankle_cross_I9 * Omega_right_thigh_xy;
+  const Scalar t_right_foot_21 = t_right_foot_20 + Omega_right_foot_zy * t_right_foot_10;
+  const Scalar neg_M_righ_ankl_cros_z =
+      t_right_foot_21 - left_ankle_cross_I11 * Omega_right_thigh_yx;
   B[10] = -neg_M_righ_ankl_cros_z;
   const Scalar neg_Omega_right_foot_yy = t_right_thigh_9 + t_right_foot_1;
   const Scalar neg_F_right_foot_y_1 = Omega_righ_ankl_cros_zx * t_right_foot_2;
-  const Scalar neg_F_right_foot_y_2 = left_ankle_cross_m1 * neg_a_right_foot_y;
-  const Scalar neg_F_right_foot_y_3 = neg_F_right_foot_y_2 - neg_F_right_foot_y_1;
-  const Scalar neg_F_right_foot_y_4 = t_right_foot_3 * neg_Omega_right_foot_yy;
-  const Scalar neg_F_right_foot_y = neg_F_right_foot_y_3 - neg_F_right_foot_y_4;
-  const Scalar t_righ_ankl_cros_13 = left_ankle_cross_h1 * Omega_righ_ankl_cros_zy;
-  const Scalar neg_F_righ_ankl_cros_z = neg_F_right_foot_y + t_righ_ankl_cros_13;
-  const Scalar t_righ_ankl_cros_14 = t_right_thigh_9 + t_righ_ankl_cros_3;
+  const Scalar neg_F_right_foot_y_2 =
+      left_ankle_cross_m1 * neg_a_right_foot_y - neg_F_right_foot_y_1;
+  const Scalar neg_F_right_foot_y = neg_F_right_foot_y_2 - t_right_foot_3 * neg_Omega_right_foot_yy;
+  const Scalar neg_F_righ_ankl_cros_z =
+      neg_F_right_foot_y + left_ankle_cross_h1 * Omega_righ_ankl_cros_zy;
+  const Scalar t_righ_ankl_cros_7 = t_right_thigh_9 + t_righ_ankl_cros_2;
   const Scalar t_right_shank_17 = left_shank_I10 + t_right_shank_9;
-  const Scalar F_right_foot_x_1 = t_right_foot_2 * (t_righ_ankl_cros_3 + t_right_foot_1);
+  const Scalar F_right_foot_x_1 = t_right_foot_2 * (t_righ_ankl_cros_2 + t_right_foot_1);
   const Scalar F_right_foot_x_2 = left_ankle_cross_m1 * a_right_foot_x - F_right_foot_x_1;
   const Scalar F_right_foot_x = F_right_foot_x_2 + neg_Omega_right_foot_xy * t_right_foot_3;
+  // right_ankle_cross: force F, moment M of (3)
   const Scalar F_righ_ankl_cros_x = F_right_foot_x - left_ankle_cross_h1 * Omega_right_thigh_xy;
-  const Scalar F_righ_ankl_cros_y = neg_F_right_foot_z + left_ankle_cross_h1 * t_righ_ankl_cros_14;
-  const Scalar neg_M_right_shank_z_1 = t_right_shank_1 * t_right_shank_6;
-  const Scalar neg_M_right_shank_z_2 = neg_M_righ_ankl_cros_z + neg_M_right_shank_z_1;
-  const Scalar neg_M_right_shank_z_3 = neg_Omega_right_thigh_yz * t_right_shank_12;
-  // right_ankle_cross: moment M, force F of (3)
-  const Scalar neg_M_right_shank_z_4 = neg_M_right_shank_z_2 - neg_M_right_shank_z_3;
-  const Scalar neg_M_right_shank_z_5 = neg_s_righ_ankl_cros_y * F_righ_ankl_cros_x;
-  const Scalar neg_M_right_shank_z_6 = neg_M_right_shank_z_4 - neg_M_right_shank_z_5;
-  const Scalar neg_M_right_shank_z_7 = neg_Omega_right_foot_xy * t_right_shank_8;
-  const Scalar neg_M_right_shank_z_8 = neg_M_right_shank_z_6 - neg_M_right_shank_z_7;
-  const Scalar neg_M_right_shank_z_9 = Omega_right_thigh_xy * t_right_shank_17;
-  const Scalar neg_M_right_shank_z_10 = neg_M_right_shank_z_8 + neg_M_right_shank_z_9;
-  const Scalar neg_M_right_shank_z_11 = t_right_shank_16 * a_right_shank_x;
-  const Scalar neg_M_right_shank_z_12 = neg_M_right_shank_z_10 + neg_M_right_shank_z_11;
-  const Scalar neg_M_right_shank_z_13 = s_righ_ankl_cros_x * F_righ_ankl_cros_y;
-  const Scalar neg_M_right_shank_z_14 = neg_M_right_shank_z_12 - neg_M_right_shank_z_13;
-  const Scalar neg_M_right_shank_z_15 = Omega_right_thigh_yx * t_right_shank_10;
-  const Scalar neg_M_right_shank_z_16 = neg_M_right_shank_z_14 - neg_M_right_shank_z_15;
-  const Scalar neg_M_right_shank_z = neg_M_right_shank_z_16 - t_right_shank_14 * a_right_shank_y;
+  const Scalar F_righ_ankl_cros_y = neg_F_right_foot_z + left_ankle_cross_h1 * t_righ_ankl_cros_7;
+  const Scalar neg_M_right_shank_z_1 = neg_M_righ_ankl_cros_z + t_right_shank_1 * t_right_shank_6;
+  const Scalar neg_M_right_shank_z_2 =
+      neg_M_right_shank_z_1 - neg_Omega_right_thigh_yz * t_right_shank_12;
+  const Scalar neg_M_right_shank_z_3 =
+      neg_M_right_shank_z_2 - neg_s_righ_ankl_cros_y * F_righ_ankl_cros_x;
+  const Scalar neg_M_right_shank_z_4 =
+      neg_M_right_shank_z_3 - neg_Omega_right_foot_xy * t_right_shank_8;
+  const Scalar neg_M_right_shank_z_5 =
+      neg_M_right_shank_z_4 + Omega_right_thigh_xy * t_right_shank_17;
+  const Scalar neg_M_right_shank_z_6 = neg_M_right_shank_z_5 + t_right_shank_16 * a_right_shank_x;
+  const Scalar neg_M_right_shank_z_7 =
+      neg_M_right_shank_z_6 - s_righ_ankl_cros_x * F_righ_ankl_cros_y;
+  const Scalar neg_M_right_shank_z_8 =
+      neg_M_right_shank_z_7 - Omega_right_thigh_yx * t_right_shank_10;
+  const Scalar neg_M_right_shank_z = neg_M_right_shank_z_8 - t_right_shank_14 * a_right_shank_y;
   B[9] = -neg_M_right_shank_z;
-  const Scalar neg_F_right_shank_z_1 = Omega_right_shank_zx * t_right_shank_14;
-  const Scalar neg_F_right_shank_z_2 = neg_F_righ_ankl_cros_z - neg_F_right_shank_z_1;
-  const Scalar neg_F_right_shank_z_3 = Omega_right_shank_zy * t_right_shank_16;
-  const Scalar neg_F_right_shank_z = neg_F_right_shank_z_2 - neg_F_right_shank_z_3;
+  const Scalar neg_F_right_shank_z_1 =
+      neg_F_righ_ankl_cros_z - Omega_right_shank_zx * t_right_shank_14;
+  const Scalar neg_F_right_shank_z =
+      neg_F_right_shank_z_1 - Omega_right_shank_zy * t_right_shank_16;
   // right_thigh: moment M of (3)
   const Scalar t_right_thigh_21 = left_ankle_cross_I2 + t_right_thigh_16 + t_right_shank_8;
   const Scalar t_right_thigh_22 = left_thigh_I10 - t_right_thigh_15;
   const Scalar M_right_thigh_y_1 = t_right_thigh_9 - t_right_thigh_10;
-  const Scalar M_right_thigh_y_2 = left_ankle_cross_I11 * Omega_righ_ankl_cros_zx;
-  const Scalar M_right_thigh_y_3 = neg_M_right_foot_z - M_right_thigh_y_2;
-  const Scalar M_right_thigh_y_4 = M_right_thigh_y_3 - left_hip_fork_l2 * F_right_foot_x;
-  const Scalar M_right_thigh_y_5 = M_right_thigh_y_4 + left_hip_fork_l1 * neg_F_right_foot_y;
-  const Scalar M_right_thigh_y_6 = left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
-  const Scalar M_right_thigh_y_7 = neg_Omega_right_thigh_zy * t_right_thigh_18;
-  const Scalar M_right_thigh_y_8 = M_right_thigh_y_5 + M_right_thigh_y_6;
-  const Scalar M_right_thigh_y_9 = left_ankle_cross_I10 * t_righ_ankl_cros_5;
-  const Scalar M_right_thigh_y_10 = M_right_thigh_y_8 - M_right_thigh_y_7;
-  const Scalar M_right_thigh_y_11 = neg_Omega_right_thigh_zx * t_right_thigh_22;
-  const Scalar M_right_thigh_y_12 = M_right_thigh_y_10 - M_right_thigh_y_9;
-  const Scalar M_right_thigh_y_13 = neg_Omega_right_thigh_zz - neg_Omega_right_shank_xx;
-  const Scalar M_right_thigh_y_14 = M_right_thigh_y_12 + M_right_thigh_y_11;
-  const Scalar M_right_thigh_y_15 = M_right_thigh_y_14 - t_right_shank_12 * M_right_thigh_y_13;
-  const Scalar M_right_thigh_y_16 = M_right_thigh_y_15 + Omega_right_thigh_xy * t_right_thigh_21;
-  const Scalar M_right_thigh_y_17 = M_right_thigh_y_16 + Omega_right_shank_zy * t_right_shank_6;
-  const Scalar M_right_thigh_y_18 = M_right_thigh_y_17 + s_right_shank_x * neg_F_right_shank_z;
-  const Scalar M_right_thigh_y_19 = s_righ_ankl_cros_x * neg_F_righ_ankl_cros_z;
-  const Scalar M_right_thigh_y_20 = M_right_thigh_y_18 + M_right_thigh_y_19;
-  const Scalar M_right_thigh_y_21 = M_right_thigh_y_20 + neg_a_right_shank_z * t_right_shank_14;
-  const Scalar M_right_thigh_y_22 = M_right_thigh_y_21 - Omega_right_shank_zx * t_right_shank_10;
-  const Scalar M_right_thigh_y = M_right_thigh_y_22 - t_right_thigh_13 * M_right_thigh_y_1;
+  const Scalar M_right_thigh_y_2 =
+      neg_M_right_foot_z - left_ankle_cross_I11 * Omega_righ_ankl_cros_zx;
+  const Scalar M_right_thigh_y_3 = M_right_thigh_y_2 - left_hip_fork_l2 * F_right_foot_x;
+  const Scalar M_right_thigh_y_4 = M_right_thigh_y_3 + left_hip_fork_l1 * neg_F_right_foot_y;
+  const Scalar M_right_thigh_y_5 =
+      M_right_thigh_y_4 + left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
+  const Scalar M_right_thigh_y_6 = M_right_thigh_y_5 - neg_Omega_right_thigh_zy * t_right_thigh_18;
+  const Scalar M_right_thigh_y_7 = M_right_thigh_y_6 - left_ankle_cross_I10 * t_righ_ankl_cros_4;
+  const Scalar M_right_thigh_y_8 = neg_Omega_right_thigh_zz - neg_Omega_right_shank_xx;
+  const Scalar M_right_thigh_y_9 = M_right_thigh_y_7 + neg_Omega_right_thigh_zx * t_right_thigh_22;
+  const Scalar M_right_thigh_y_10 = M_right_thigh_y_9 - t_right_shank_12 * M_right_thigh_y_8;
+  const Scalar M_right_thigh_y_11 = M_right_thigh_y_10 + Omega_right_thigh_xy * t_right_thigh_21;
+  const Scalar M_right_thigh_y_12 = M_right_thigh_y_11 + Omega_right_shank_zy * t_right_shank_6;
+  const Scalar M_right_thigh_y_13 = M_right_thigh_y_12 + s_right_shank_x * neg_F_right_shank_z;
+  const Scalar M_right_thigh_y_14 =
+      M_right_thigh_y_13 + s_righ_ankl_cros_x * neg_F_righ_ankl_cros_z;
+  const Scalar M_right_thigh_y_15 = M_right_thigh_y_14 + neg_a_right_shank_z * t_right_shank_14;
+  const Scalar M_right_thigh_y_16 = M_right_thigh_y_15 - Omega_right_shank_zx * t_right_shank_10;
+  const Scalar M_right_thigh_y = M_right_thigh_y_16 - t_right_thigh_13 * M_right_thigh_y_1;
   const Scalar M_right_thigh_x_1 = left_ankle_cross_I10 + t_right_thigh_13 + t_right_shank_12;
   const Scalar M_right_thigh_x_2 = Omega_right_shank_zy * t_right_shank_17;
   const Scalar M_right_thigh_x_3 = M_right_thigh_x_2 - neg_a_right_shank_z * t_right_shank_16;
-  const Scalar M_right_thigh_x_4 = neg_Omega_right_shank_yy * t_right_shank_8;
-  const Scalar M_right_thigh_x_5 = M_right_thigh_x_3 + M_right_thigh_x_4;
-  const Scalar M_right_thigh_x_6 = M_right_thigh_x_5 - Omega_right_shank_zx * t_right_shank_6;
-  const Scalar M_right_thigh_x_7 = M_right_thigh_x_6 + t_right_foot_11 * t_righ_ankl_cros_14;
-  const Scalar M_right_thigh_x_8 = neg_s_righ_ankl_cros_y * neg_F_righ_ankl_cros_z;
-  const Scalar M_right_thigh_x_9 = left_ankle_cross_h1 * neg_a_righ_ankl_cros_z;
-  const Scalar M_right_thigh_x_10 = M_right_thigh_x_7 + M_right_thigh_x_8;
-  const Scalar M_right_thigh_x_11 = M_right_thigh_x_10 + M_right_thigh_x_9;
-  const Scalar M_right_thigh_x_12 = neg_s_right_shank_y * neg_F_right_shank_z;
-  const Scalar M_right_thigh_x_13 = t_right_foot_8 * neg_Omega_right_foot_yy;
-  const Scalar M_right_thigh_x_14 = M_right_thigh_x_11 + M_right_thigh_x_12;
-  const Scalar M_right_thigh_x_15 = left_ankle_cross_I8 - t_right_foot_7;
-  const Scalar M_right_thigh_x_16 = Omega_righ_ankl_cros_zx * M_right_thigh_x_15;
-  const Scalar M_right_thigh_x_17 = M_right_thigh_x_14 - M_right_thigh_x_13;
-  const Scalar M_right_thigh_x_18 = neg_Omega_right_thigh_zz * t_right_thigh_21;
-  const Scalar M_right_thigh_x_19 = M_right_thigh_x_17 - M_right_thigh_x_16;
-  const Scalar M_right_thigh_x_20 = neg_Omega_right_thigh_yy * t_right_thigh_16;
-  const Scalar M_right_thigh_x_21 = M_right_thigh_x_19 - M_right_thigh_x_18;
-  const Scalar M_right_thigh_x_22 = left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
-  const Scalar M_right_thigh_x_23 = M_right_thigh_x_21 + M_right_thigh_x_20;
-  const Scalar M_right_thigh_x_24 = M_right_thigh_x_23 + M_right_thigh_x_22;
-  const Scalar M_right_thigh_x_25 = M_right_thigh_x_24 + left_hip_fork_l2 * neg_F_right_foot_z;
-  const Scalar M_right_thigh_x_26 = M_right_thigh_x_25 + neg_a_right_foot_z * t_right_foot_3;
-  const Scalar M_right_thigh_x_27 = M_right_thigh_x_26 + Omega_right_foot_zy * t_right_foot_9;
-  const Scalar M_right_thigh_x_28 = M_right_thigh_x_27 + Omega_right_foot_zx * t_right_foot_10;
-  const Scalar M_right_thigh_x_29 = Omega_right_thigh_yx * M_right_thigh_x_1;
-  const Scalar M_right_thigh_x_30 = neg_Omega_right_thigh_zx * t_right_thigh_18;
-  const Scalar M_right_thigh_x_31 = M_right_thigh_x_28 + M_right_thigh_x_29;
-  const Scalar M_right_thigh_x_32 = neg_Omega_right_thigh_zy * t_right_thigh_17;
-  const Scalar M_right_thigh_x = M_right_thigh_x_31 + M_right_thigh_x_30 - M_right_thigh_x_32;
+  const Scalar M_right_thigh_x_4 = M_right_thigh_x_3 + neg_Omega_right_shank_yy * t_right_shank_8;
+  const Scalar M_right_thigh_x_5 = M_right_thigh_x_4 - Omega_right_shank_zx * t_right_shank_6;
+  const Scalar M_right_thigh_x_6 = M_right_thigh_x_5 + t_right_foot_11 * t_righ_ankl_cros_7;
+  const Scalar M_right_thigh_x_7 =
+      M_right_thigh_x_6 + neg_s_righ_ankl_cros_y * neg_F_righ_ankl_cros_z;
+  const Scalar M_right_thigh_x_8 = M_right_thigh_x_7 + left_ankle_cross_h1 * neg_a_righ_ankl_cros_z;
+  const Scalar M_right_thigh_x_9 = M_right_thigh_x_8 + neg_s_right_shank_y * neg_F_right_shank_z;
+  const Scalar M_right_thigh_x_10 = left_ankle_cross_I8 - t_right_foot_7;
+  const Scalar M_right_thigh_x_11 = M_right_thigh_x_9 - t_right_foot_8 * neg_Omega_right_foot_yy;
+  const Scalar M_right_thigh_x_12 =
+      M_right_thigh_x_11 - Omega_righ_ankl_cros_zx * M_right_thigh_x_10;
+  const Scalar M_right_thigh_x_13 =
+      M_right_thigh_x_12 - neg_Omega_right_thigh_zz * t_right_thigh_21;
+  const Scalar M_right_thigh_x_14 =
+      M_right_thigh_x_13 + neg_Omega_right_thigh_yy * t_right_thigh_16;
+  const Scalar M_right_thigh_x_15 =
+      M_right_thigh_x_14 + left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
+  const Scalar M_right_thigh_x_16 = M_right_thigh_x_15 + left_hip_fork_l2 * neg_F_right_foot_z;
+  const Scalar M_right_thigh_x_17 = M_right_thigh_x_16 + neg_a_right_foot_z * t_right_foot_3;
+  const Scalar M_right_thigh_x_18 = M_right_thigh_x_17 + Omega_right_foot_zy * t_right_foot_9;
+  const Scalar M_right_thigh_x_19 = M_right_thigh_x_18 + Omega_right_foot_zx * t_right_foot_10;
+  const Scalar M_right_thigh_x_20 = M_right_thigh_x_19 + Omega_right_thigh_yx * M_right_thigh_x_1;
+  const Scalar M_right_thigh_x_21 =
+      M_right_thigh_x_20 + neg_Omega_right_thigh_zx * t_right_thigh_18;
+  const Scalar M_right_thigh_x = M_right_thigh_x_21 - neg_Omega_right_thigh_zy * t_right_thigh_17;
   // right_shank: force F, moment M of (3)
   const Scalar F_right_shank_y_1 = F_righ_ankl_cros_y + Omega_right_thigh_yx * t_right_shank_14;
   const Scalar F_right_shank_y = F_right_shank_y_1 - neg_Omega_right_shank_yy * t_right_shank_16;
-  const Scalar F_right_shank_x_1 = neg_Omega_right_shank_xx * t_right_shank_14;
-  const Scalar F_right_shank_x_2 = F_righ_ankl_cros_x - F_right_shank_x_1;
-  const Scalar F_right_shank_x = F_right_shank_x_2 + Omega_right_thigh_xy * t_right_shank_16;
-  const Scalar neg_M_right_thigh_z_1 = neg_Omega_right_thigh_yz * t_right_thigh_13;
-  const Scalar neg_M_right_thigh_z_2 = neg_M_right_shank_z - neg_M_right_thigh_z_1;
-  const Scalar neg_M_right_thigh_z_3 = t_right_shank_1 * t_right_thigh_18;
-  const Scalar neg_M_right_thigh_z_4 = neg_M_right_thigh_z_2 + neg_M_right_thigh_z_3;
-  const Scalar neg_M_right_thigh_z_5 = s_right_shank_x * F_right_shank_y;
-  const Scalar neg_M_right_thigh_z_6 = neg_M_right_thigh_z_4 - neg_M_right_thigh_z_5;
-  const Scalar neg_M_right_thigh_z_7 = a_right_thigh_y * t_right_thigh_20;
-  const Scalar neg_M_right_thigh_z_8 = neg_M_right_thigh_z_6 - neg_M_right_thigh_z_7;
-  const Scalar neg_M_right_thigh_z_9 = neg_Omega_right_foot_xy * t_right_thigh_16;
-  const Scalar neg_M_right_thigh_z_10 = neg_M_right_thigh_z_8 - neg_M_right_thigh_z_9;
-  const Scalar neg_M_right_thigh_z_11 = a_right_thigh_x * t_right_thigh_19;
-  const Scalar neg_M_right_thigh_z_12 = neg_M_right_thigh_z_10 - neg_M_right_thigh_z_11;
-  const Scalar neg_M_right_thigh_z_13 = neg_s_right_shank_y * F_right_shank_x;
-  const Scalar neg_M_right_thigh_z_14 = neg_M_right_thigh_z_12 - neg_M_right_thigh_z_13;
-  const Scalar neg_M_right_thigh_z_15 = Omega_right_thigh_yx * t_right_thigh_22;
-  const Scalar neg_M_right_thigh_z_16 = neg_M_right_thigh_z_14 - neg_M_right_thigh_z_15;
-  const Scalar neg_M_right_thigh_z_17 = Omega_right_thigh_xy * t_right_thigh_17;
-  const Scalar neg_M_right_thigh_z = neg_M_right_thigh_z_16 + neg_M_right_thigh_z_17;
+  const Scalar F_right_shank_x_1 = F_righ_ankl_cros_x - neg_Omega_right_shank_xx * t_right_shank_14;
+  const Scalar F_right_shank_x = F_right_shank_x_1 + Omega_right_thigh_xy * t_right_shank_16;
+  const Scalar neg_M_right_thigh_z_1 =
+      neg_M_right_shank_z - neg_Omega_right_thigh_yz * t_right_thigh_13;
+  const Scalar neg_M_right_thigh_z_2 = neg_M_right_thigh_z_1 + t_right_shank_1 * t_right_thigh_18;
+  const Scalar neg_M_right_thigh_z_3 = neg_M_right_thigh_z_2 - s_right_shank_x * F_right_shank_y;
+  const Scalar neg_M_right_thigh_z_4 = neg_M_right_thigh_z_3 - a_right_thigh_y * t_right_thigh_20;
+  const Scalar neg_M_right_thigh_z_5 =
+      neg_M_right_thigh_z_4 - neg_Omega_right_foot_xy * t_right_thigh_16;
+  const Scalar neg_M_right_thigh_z_6 = neg_M_right_thigh_z_5 - a_right_thigh_x * t_right_thigh_19;
+  const Scalar neg_M_right_thigh_z_7 =
+      neg_M_right_thigh_z_6 - neg_s_right_shank_y * F_right_shank_x;
+  const Scalar neg_M_right_thigh_z_8 =
+      neg_M_right_thigh_z_7 - Omega_right_thigh_yx * t_right_thigh_22;
+  const Scalar neg_M_right_thigh_z =
+      neg_M_right_thigh_z_8 + Omega_right_thigh_xy * t_right_thigh_17;
   B[8] = -neg_M_right_thigh_z;
   // right_hip_fork
   const Scalar t_right_hip_fork_3 = left_hip_fork_I7 + s_right_hip_roll * t_right_hip_fork_2;
   const Scalar t_right_hip_fork_4 = qd[6] * t_right_hip_fork_3;
   const Scalar t_right_hip_fork_5 = left_hip_fork_I9 * c_right_hip_roll;
   const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 - left_hip_fork_I8 * s_right_hip_roll;
-  const Scalar neg_F_right_thigh_z_1 = neg_Omega_right_thigh_zx * t_right_thigh_20;
-  const Scalar neg_F_right_thigh_z_2 = neg_F_right_shank_z + neg_F_right_thigh_z_1;
-  const Scalar neg_F_right_thigh_z_3 = neg_Omega_right_thigh_zy * t_right_thigh_19;
-  const Scalar neg_F_right_thigh_z = neg_F_right_thigh_z_2 - neg_F_right_thigh_z_3;
+  const Scalar neg_F_right_thigh_z_1 =
+      neg_F_right_shank_z + neg_Omega_right_thigh_zx * t_right_thigh_20;
+  const Scalar neg_F_right_thigh_z =
+      neg_F_right_thigh_z_1 - neg_Omega_right_thigh_zy * t_right_thigh_19;
   // right_thigh: moment M, force F of (3)
   const Scalar t_right_thigh_23 = left_hip_fork_l1 * neg_F_right_thigh_z;
   const Scalar t_right_thigh_24 = s_q8_q9_q10 * M_right_thigh_y - t_right_thigh_23;
@@ -1477,28 +1452,25 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_right_thigh_29 = c_q8_q9_q10 * M_right_thigh_y + s_q8_q9_q10 * M_right_thigh_x;
   B[7] = qd[6] * t_right_hip_fork_4 - t_right_thigh_29;
   const Scalar M_left_ankle_cross_z_1 = t_left_foot_8 * (t_left_thigh_3 - t_left_foot_2);
-  const Scalar M_left_ankle_cross_z_2 = left_hip_fork_l1 * neg_F_left_foot_z;
   // left_ankle_cross: moment M, Omega of (3)
-  const Scalar M_left_ankle_cross_z_3 = left_ankle_cross_I2 + t_left_foot_9;
-  const Scalar M_left_ankle_cross_z_4 = M_left_ankle_cross_z_2 + M_left_ankle_cross_z_1;
-  const Scalar M_left_ankle_cross_z_5 = neg_Omega_left_foot_xy * M_left_ankle_cross_z_3;
-  const Scalar M_left_ankle_cross_z_6 = M_left_ankle_cross_z_4 - M_left_ankle_cross_z_5;
-  const Scalar M_left_ankle_cross_z_7 = Omega_left_foot_zx * t_left_foot_7;
-  const Scalar M_left_ankle_cross_z_8 = M_left_ankle_cross_z_6 - M_left_ankle_cross_z_7;
-  const Scalar M_left_ankle_cross_z_9 = left_ankle_cross_I12 * t_left_thigh_11;
-  const Scalar M_left_ankle_cross_z_10 = M_left_ankle_cross_z_8 - M_left_ankle_cross_z_9;
-  const Scalar M_left_ankle_cross_z_11 = left_ankle_cross_I10 * neg_Omega_left_thigh_yz;
-  const Scalar M_left_ankle_cross_z_12 = M_left_ankle_cross_z_10 - M_left_ankle_cross_z_11;
-  const Scalar M_left_ankle_cross_z_13 = neg_a_left_foot_z * t_left_foot_3;
-  const Scalar M_left_ankle_cross_z_14 = M_left_ankle_cross_z_12 + M_left_ankle_cross_z_13;
-  const Scalar M_left_ankle_cross_z_15 = left_ankle_cross_I8 * t_left_thigh_17;
-  const Scalar M_left_ankle_cross_z_16 = M_left_ankle_cross_z_14 + M_left_ankle_cross_z_15;
-  const Scalar M_left_ankle_cross_z_17 = left_ankle_cross_h1 * a_left_ankle_cross_x;
-  const Scalar M_left_ankle_cross_z_18 = M_left_ankle_cross_z_16 + M_left_ankle_cross_z_17;
-  const Scalar M_left_ankle_cross_z_19 = left_ankle_cross_I13 * alpha_left_thigh_z;
-  const Scalar M_left_ankle_cross_z_20 = M_left_ankle_cross_z_18 + M_left_ankle_cross_z_19;
-  const Scalar M_left_ankle_cross_z_21 = Omega_left_foot_zy * t_left_foot_11;
-  const Scalar M_left_ankle_cross_z = M_left_ankle_cross_z_20 + M_left_ankle_cross_z_21;
+  const Scalar M_left_ankle_cross_z_2 = left_ankle_cross_I2 + t_left_foot_9;
+  const Scalar M_left_ankle_cross_z_3 =
+      left_hip_fork_l1 * neg_F_left_foot_z + M_left_ankle_cross_z_1;
+  const Scalar M_left_ankle_cross_z_4 =
+      M_left_ankle_cross_z_3 - neg_Omega_left_foot_xy * M_left_ankle_cross_z_2;
+  const Scalar M_left_ankle_cross_z_5 = M_left_ankle_cross_z_4 - Omega_left_foot_zx * t_left_foot_7;
+  const Scalar M_left_ankle_cross_z_6 =
+      M_left_ankle_cross_z_5 - left_ankle_cross_I12 * t_left_thigh_11;
+  const Scalar M_left_ankle_cross_z_7 =
+      M_left_ankle_cross_z_6 - left_ankle_cross_I10 * neg_Omega_left_thigh_yz;
+  const Scalar M_left_ankle_cross_z_8 = M_left_ankle_cross_z_7 + neg_a_left_foot_z * t_left_foot_3;
+  const Scalar M_left_ankle_cross_z_9 =
+      M_left_ankle_cross_z_8 + left_ankle_cross_I8 * t_left_thigh_17;
+  const Scalar M_left_ankle_cross_z_10 =
+      M_left_ankle_cross_z_9 + left_ankle_cross_h1 * a_left_ankle_cross_x;
+  const Scalar M_left_ankle_cross_z_11 =
+      M_left_ankle_cross_z_10 + left_ankle_cross_I13 * alpha_left_thigh_z;
+  const Scalar M_left_ankle_cross_z = M_left_ankle_cross_z_11 + Omega_left_foot_zy * t_left_foot_11;
   B[4] = M_left_ankle_cross_z;
   const Scalar t_left_ankle_cross_5 = t_left_thigh_3 + t_left_ankle_cross_3;
   // left_foot: force F of (3)
@@ -1507,21 +1479,20 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar F_left_foot_x = F_left_foot_x_2 - neg_Omega_left_foot_xy * t_left_foot_4;
   const Scalar F_left_ankle_cross_x = F_left_foot_x - left_ankle_cross_h1 * Omega_left_thigh_xy;
   const Scalar t_left_shank_17 = left_shank_I10 - t_left_shank_7;
-  // left_ankle_cross: force F of (3)
-  const Scalar F_left_ankle_cross_y_1 = left_ankle_cross_h1 * t_left_ankle_cross_5;
-  const Scalar F_left_ankle_cross_y = neg_F_left_foot_z + F_left_ankle_cross_y_1;
-  const Scalar M_left_shank_z_1 = s_left_ankle_cross_x * F_left_ankle_cross_y;
+  const Scalar F_left_ankle_cross_y =
+      neg_F_left_foot_z + left_ankle_cross_h1 * t_left_ankle_cross_5;
   // left_shank: moment M of (3)
-  const Scalar M_left_shank_z_2 = M_left_ankle_cross_z + M_left_shank_z_1;
-  const Scalar M_left_shank_z_3 = M_left_shank_z_2 + t_left_shank_16 * a_left_shank_y;
-  const Scalar M_left_shank_z_4 = M_left_shank_z_3 + t_left_thigh_17 * t_left_shank_6;
-  const Scalar M_left_shank_z_5 = neg_s_left_ankle_cross_y * F_left_ankle_cross_x;
-  const Scalar M_left_shank_z_6 = neg_Omega_left_thigh_yz * t_left_shank_9;
-  const Scalar M_left_shank_z_7 = M_left_shank_z_4 + M_left_shank_z_5 - M_left_shank_z_6;
-  const Scalar M_left_shank_z_8 = M_left_shank_z_7 + t_left_shank_13 * a_left_shank_x;
-  const Scalar M_left_shank_z_9 = M_left_shank_z_8 - neg_Omega_left_foot_xy * t_left_shank_11;
-  const Scalar M_left_shank_z_10 = M_left_shank_z_9 - Omega_left_thigh_xy * t_left_shank_17;
-  const Scalar M_left_shank_z = M_left_shank_z_10 + Omega_left_thigh_yx * t_left_shank_14;
+  const Scalar M_left_shank_z_1 =
+      M_left_ankle_cross_z + s_left_ankle_cross_x * F_left_ankle_cross_y;
+  const Scalar M_left_shank_z_2 = M_left_shank_z_1 + t_left_shank_16 * a_left_shank_y;
+  const Scalar M_left_shank_z_3 = M_left_shank_z_2 + t_left_thigh_17 * t_left_shank_6;
+  const Scalar M_left_shank_z_4 =
+      M_left_shank_z_3 + neg_s_left_ankle_cross_y * F_left_ankle_cross_x;
+  const Scalar M_left_shank_z_5 = M_left_shank_z_4 - neg_Omega_left_thigh_yz * t_left_shank_9;
+  const Scalar M_left_shank_z_6 = M_left_shank_z_5 + t_left_shank_13 * a_left_shank_x;
+  const Scalar M_left_shank_z_7 = M_left_shank_z_6 - neg_Omega_left_foot_xy * t_left_shank_11;
+  const Scalar M_left_shank_z_8 = M_left_shank_z_7 - Omega_left_thigh_xy * t_left_shank_17;
+  const Scalar M_left_shank_z = M_left_shank_z_8 + Omega_left_thigh_yx * t_left_shank_14;
   B[3] = M_left_shank_z;
   // left_foot: Omega, force F of (3)
   const Scalar neg_Omega_left_foot_yy = t_left_thigh_3 + t_left_foot_2;
@@ -1533,40 +1504,36 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar F_left_shank_z = F_left_shank_z_1 + Omega_left_shank_zx * t_left_shank_16;
   const Scalar t_left_thigh_21 = left_thigh_I10 - t_left_thigh_15;
   // left_shank: moment M, force F of (3)
-  const Scalar neg_M_left_thigh_y_1 = left_ankle_cross_I14 * c_left_ankle_pitch;
-  const Scalar neg_M_left_thigh_y_2 = left_ankle_cross_I8 + neg_M_left_thigh_y_1;
-  const Scalar neg_M_left_thigh_y_3 = neg_Omega_left_thigh_zz - neg_Omega_left_shank_xx;
-  const Scalar neg_M_left_thigh_y_4 = M_left_foot_z - t_left_shank_9 * neg_M_left_thigh_y_3;
-  const Scalar neg_M_left_thigh_y_5 = Omega_left_shank_zy * t_left_shank_6;
-  const Scalar neg_M_left_thigh_y_6 = neg_M_left_thigh_y_4 - neg_M_left_thigh_y_5;
-  const Scalar neg_M_left_thigh_y_7 = neg_Omega_left_thigh_zy * t_left_thigh_18;
-  const Scalar neg_M_left_thigh_y_8 = neg_M_left_thigh_y_6 + neg_M_left_thigh_y_7;
-  const Scalar neg_M_left_thigh_y_9 = left_ankle_cross_I11 * t_left_ankle_cross_2;
-  const Scalar neg_M_left_thigh_y_10 = neg_M_left_thigh_y_8 + neg_M_left_thigh_y_9;
-  const Scalar neg_M_left_thigh_y_11 = Omega_left_shank_zx * t_left_shank_14;
-  const Scalar neg_M_left_thigh_y_12 = left_ankle_cross_I2 + t_left_thigh_16 + t_left_shank_11;
-  const Scalar neg_M_left_thigh_y_13 = neg_M_left_thigh_y_10 + neg_M_left_thigh_y_11;
-  const Scalar neg_M_left_thigh_y_14 = Omega_left_thigh_xy * neg_M_left_thigh_y_12;
-  const Scalar neg_M_left_thigh_y_15 = neg_M_left_thigh_y_13 + neg_M_left_thigh_y_14;
-  const Scalar neg_M_left_thigh_y_16 = neg_M_left_thigh_y_15 + t_left_foot_1 * F_left_foot_y;
-  const Scalar neg_M_left_thigh_y_17 = neg_Omega_left_thigh_zx * t_left_thigh_21;
-  const Scalar neg_M_left_thigh_y_18 = neg_M_left_thigh_y_16 - neg_M_left_thigh_y_17;
-  const Scalar neg_M_left_thigh_y_19 = neg_M_left_thigh_y_18 - left_hip_fork_l2 * F_left_foot_x;
-  const Scalar neg_M_left_thigh_y_20 = neg_M_left_thigh_y_19 + t_left_shank_16 * a_left_shank_z;
-  const Scalar neg_M_left_thigh_y_21 = left_ankle_cross_I10 * t_left_ankle_cross_4;
-  const Scalar neg_M_left_thigh_y_22 = neg_Omega_left_thigh_zz - neg_Omega_left_thigh_xx;
-  const Scalar neg_M_left_thigh_y_23 = neg_M_left_thigh_y_20 - neg_M_left_thigh_y_21;
-  const Scalar neg_M_left_thigh_y_24 = t_left_thigh_13 * neg_M_left_thigh_y_22;
-  const Scalar neg_M_left_thigh_y_25 = neg_M_left_thigh_y_23 - neg_M_left_thigh_y_24;
-  const Scalar neg_M_left_thigh_y_26 = t_left_ankle_cross_1 * neg_M_left_thigh_y_2;
-  const Scalar neg_M_left_thigh_y_27 = neg_M_left_thigh_y_25 - neg_M_left_thigh_y_26;
-  const Scalar neg_M_left_thigh_y = neg_M_left_thigh_y_27 + s_left_shank_x * F_left_shank_z;
-  const Scalar F_left_shank_y_1 = t_left_shank_13 * neg_Omega_left_shank_yy;
-  const Scalar F_left_shank_y_2 = F_left_ankle_cross_y + F_left_shank_y_1;
-  const Scalar F_left_shank_y = F_left_shank_y_2 + Omega_left_thigh_yx * t_left_shank_16;
-  const Scalar F_left_shank_x_1 = neg_Omega_left_shank_xx * t_left_shank_16;
-  const Scalar F_left_shank_x_2 = F_left_ankle_cross_x - F_left_shank_x_1;
-  const Scalar F_left_shank_x = F_left_shank_x_2 - Omega_left_thigh_xy * t_left_shank_13;
+  const Scalar neg_M_left_thigh_y_1 =
+      left_ankle_cross_I8 + left_ankle_cross_I14 * c_left_ankle_pitch;
+  const Scalar neg_M_left_thigh_y_2 = neg_Omega_left_thigh_zz - neg_Omega_left_shank_xx;
+  const Scalar neg_M_left_thigh_y_3 = M_left_foot_z - t_left_shank_9 * neg_M_left_thigh_y_2;
+  const Scalar neg_M_left_thigh_y_4 = neg_M_left_thigh_y_3 - Omega_left_shank_zy * t_left_shank_6;
+  const Scalar neg_M_left_thigh_y_5 =
+      neg_M_left_thigh_y_4 + neg_Omega_left_thigh_zy * t_left_thigh_18;
+  const Scalar neg_M_left_thigh_y_6 =
+      neg_M_left_thigh_y_5 + left_ankle_cross_I11 * t_left_ankle_cross_2;
+  const Scalar neg_M_left_thigh_y_7 = left_ankle_cross_I2 + t_left_thigh_16 + t_left_shank_11;
+  const Scalar neg_M_left_thigh_y_8 = neg_M_left_thigh_y_6 + Omega_left_shank_zx * t_left_shank_14;
+  const Scalar neg_M_left_thigh_y_9 =
+      neg_M_left_thigh_y_8 + Omega_left_thigh_xy * neg_M_left_thigh_y_7;
+  const Scalar neg_M_left_thigh_y_10 = neg_M_left_thigh_y_9 + t_left_foot_1 * F_left_foot_y;
+  const Scalar neg_M_left_thigh_y_11 =
+      neg_M_left_thigh_y_10 - neg_Omega_left_thigh_zx * t_left_thigh_21;
+  const Scalar neg_M_left_thigh_y_12 = neg_M_left_thigh_y_11 - left_hip_fork_l2 * F_left_foot_x;
+  const Scalar neg_M_left_thigh_y_13 = neg_M_left_thigh_y_12 + t_left_shank_16 * a_left_shank_z;
+  const Scalar neg_M_left_thigh_y_14 = neg_Omega_left_thigh_zz - neg_Omega_left_thigh_xx;
+  const Scalar neg_M_left_thigh_y_15 =
+      neg_M_left_thigh_y_13 - left_ankle_cross_I10 * t_left_ankle_cross_4;
+  const Scalar neg_M_left_thigh_y_16 =
+      neg_M_left_thigh_y_15 - t_left_thigh_13 * neg_M_left_thigh_y_14;
+  const Scalar neg_M_left_thigh_y_17 =
+      neg_M_left_thigh_y_16 - t_left_ankle_cross_1 * neg_M_left_thigh_y_1;
+  const Scalar neg_M_left_thigh_y = neg_M_left_thigh_y_17 + s_left_shank_x * F_left_shank_z;
+  const Scalar F_left_shank_y_1 = F_left_ankle_cross_y + t_left_shank_13 * neg_Omega_left_shank_yy;
+  const Scalar F_left_shank_y = F_left_shank_y_1 + Omega_left_thigh_yx * t_left_shank_16;
+  const Scalar F_left_shank_x_1 = F_left_ankle_cross_x - neg_Omega_left_shank_xx * t_left_shank_16;
+  const Scalar F_left_shank_x = F_left_shank_x_1 - Omega_left_thigh_xy * t_left_shank_13;
   // left_thigh: moment M, force F of (3)
   const Scalar t_left_thigh_22 = left_thigh_I11 + t_left_thigh_15;
   const Scalar M_left_thigh_z_1 = M_left_shank_z + neg_s_left_shank_y * F_left_shank_x;
@@ -1584,28 +1551,26 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar M_left_thigh_x_3 = left_ankle_cross_I9 * t_left_ankle_cross_1;
   const Scalar M_left_thigh_x_4 = M_left_thigh_x_3 + Omega_left_shank_zy * t_left_shank_17;
   const Scalar M_left_thigh_x_5 = M_left_thigh_x_4 + neg_Omega_left_thigh_zx * t_left_thigh_18;
-  const Scalar M_left_thigh_x_6 = t_left_thigh_16 * (t_left_thigh_5 - t_left_thigh_7);
+  const Scalar M_left_thigh_x_6 = t_left_thigh_5 - t_left_thigh_7;
   const Scalar M_left_thigh_x_7 = left_ankle_cross_I10 + t_left_thigh_13 + t_left_shank_9;
-  const Scalar M_left_thigh_x_8 = Omega_left_thigh_yx * M_left_thigh_x_7;
+  const Scalar M_left_thigh_x_8 = M_left_thigh_x_5 + t_left_thigh_16 * M_left_thigh_x_6;
   const Scalar M_left_thigh_x_9 = neg_Omega_left_thigh_zz - neg_Omega_left_shank_yy;
-  const Scalar M_left_thigh_x_10 = M_left_thigh_x_5 + M_left_thigh_x_6 - M_left_thigh_x_8;
+  const Scalar M_left_thigh_x_10 = M_left_thigh_x_8 - Omega_left_thigh_yx * M_left_thigh_x_7;
   const Scalar M_left_thigh_x_11 = M_left_thigh_x_10 + t_left_shank_11 * M_left_thigh_x_9;
   const Scalar M_left_thigh_x_12 = M_left_thigh_x_11 - neg_Omega_left_thigh_zy * t_left_thigh_22;
   const Scalar M_left_thigh_x_13 = M_left_thigh_x_12 - left_ankle_cross_h1 * a_left_ankle_cross_z;
   const Scalar M_left_thigh_x_14 = M_left_thigh_x_13 - Omega_left_foot_zx * t_left_foot_11;
   const Scalar M_left_thigh_x_15 = left_ankle_cross_I8 + t_left_foot_8;
   const Scalar M_left_thigh_x_16 = M_left_thigh_x_14 - neg_a_left_foot_z * t_left_foot_4;
-  const Scalar M_left_thigh_x_17 = t_left_ankle_cross_2 * M_left_thigh_x_15;
-  const Scalar M_left_thigh_x_18 = M_left_thigh_x_16 - M_left_thigh_x_17;
-  const Scalar M_left_thigh_x_19 = M_left_thigh_x_18 + Omega_left_foot_zy * t_left_foot_10;
-  const Scalar M_left_thigh_x_20 = M_left_thigh_x_19 - t_left_shank_13 * a_left_shank_z;
-  const Scalar M_left_thigh_x_21 = M_left_thigh_x_20 - t_left_foot_9 * M_left_thigh_x_1;
-  const Scalar M_left_thigh_x_22 = M_left_thigh_x_21 - Omega_left_shank_zx * t_left_shank_6;
-  const Scalar M_left_thigh_x_23 = M_left_thigh_x_22 - neg_s_left_shank_y * F_left_shank_z;
-  const Scalar M_left_thigh_x_24 = M_left_thigh_x_23 + left_ankle_cross_I2 * M_left_thigh_x_2;
-  const Scalar M_left_thigh_x_25 = M_left_thigh_x_24 - left_hip_fork_l2 * neg_F_left_foot_z;
-  const Scalar M_left_thigh_x_26 = neg_s_left_ankle_cross_y * F_left_ankle_cross_z;
-  const Scalar M_left_thigh_x = M_left_thigh_x_25 - M_left_thigh_x_26;
+  const Scalar M_left_thigh_x_17 = M_left_thigh_x_16 - t_left_ankle_cross_2 * M_left_thigh_x_15;
+  const Scalar M_left_thigh_x_18 = M_left_thigh_x_17 + Omega_left_foot_zy * t_left_foot_10;
+  const Scalar M_left_thigh_x_19 = M_left_thigh_x_18 - t_left_shank_13 * a_left_shank_z;
+  const Scalar M_left_thigh_x_20 = M_left_thigh_x_19 - t_left_foot_9 * M_left_thigh_x_1;
+  const Scalar M_left_thigh_x_21 = M_left_thigh_x_20 - Omega_left_shank_zx * t_left_shank_6;
+  const Scalar M_left_thigh_x_22 = M_left_thigh_x_21 - neg_s_left_shank_y * F_left_shank_z;
+  const Scalar M_left_thigh_x_23 = M_left_thigh_x_22 + left_ankle_cross_I2 * M_left_thigh_x_2;
+  const Scalar M_left_thigh_x_24 = M_left_thigh_x_23 - left_hip_fork_l2 * neg_F_left_foot_z;
+  const Scalar M_left_thigh_x = M_left_thigh_x_24 - neg_s_left_ankle_cross_y * F_left_ankle_cross_z;
   const Scalar t_left_hip_fork_1 = left_hip_fork_I6 * c_left_hip_roll;
   const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + left_hip_fork_I3 * s_left_hip_roll;
   const Scalar F_left_thigh_z_1 = F_left_shank_z - neg_Omega_left_thigh_zx * t_left_thigh_20;
@@ -1675,8 +1640,8 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar neg_G_10_1 = s_q8_q9_q10 * t_righ_ankl_cros_1;
   const Scalar neg_G_10 = c_right_hip_roll * (left_ankle_cross_G1 * c_q8_q9_q10 - neg_G_10_1);
   G[10] = -neg_G_10;
-  const Scalar neg_G_9_1 = c_right_hip_roll * (left_shank_G1 * c_q8_q9 + left_shank_G2 * s_q8_q9);
-  const Scalar neg_G_9 = neg_G_10 - neg_G_9_1;
+  const Scalar neg_G_9_1 = left_shank_G1 * c_q8_q9 + left_shank_G2 * s_q8_q9;
+  const Scalar neg_G_9 = neg_G_10 - c_right_hip_roll * neg_G_9_1;
   G[9] = -neg_G_9;
   const Scalar neg_G_8_1 = left_thigh_G1 * c_right_hip_pitch + left_thigh_G2 * s_right_hip_pitch;
   G[8] = c_right_hip_roll * neg_G_8_1 - neg_G_9;
@@ -1697,8 +1662,8 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar neg_G_4_1 = c_left_hip_roll * s_q2_q3_q4 * t_left_ankle_cross_1;
   const Scalar neg_G_4 = left_ankle_cross_G1 * t_left_foot_2 - neg_G_4_1;
   G[4] = -neg_G_4;
-  const Scalar neg_G_3_1 = c_left_hip_roll * (left_shank_G1 * c_q2_q3 + left_shank_G2 * s_q2_q3);
-  const Scalar neg_G_3 = neg_G_4 - neg_G_3_1;
+  const Scalar neg_G_3_1 = left_shank_G1 * c_q2_q3 + left_shank_G2 * s_q2_q3;
+  const Scalar neg_G_3 = neg_G_4 - c_left_hip_roll * neg_G_3_1;
   G[3] = -neg_G_3;
   const Scalar neg_G_2_1 = left_thigh_G2 * s_left_hip_pitch + left_thigh_G1 * c_left_hip_pitch;
   G[2] = c_left_hip_roll * neg_G_2_1 - neg_G_3;
@@ -1768,27 +1733,25 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar neg_omega_left_thigh_x = t_left_thigh_2 + s_left_hip_pitch * qd[1];
   const Scalar omega_left_thigh_z = t_left_hip_fork_6 + qd[2];
   const Scalar t_left_thigh_3 = 2.0 * omega_left_thigh_z;
-  const Scalar Omega_left_thigh_zx_1 = neg_omega_left_thigh_x * t_left_thigh_3;
-  const Scalar Omega_left_thigh_zx = neg_Omega_left_thigh_xz - Omega_left_thigh_zx_1;
+  const Scalar Omega_left_thigh_zx =
+      neg_Omega_left_thigh_xz - neg_omega_left_thigh_x * t_left_thigh_3;
   const Scalar Omega_left_thigh_yz_1 = c_left_hip_pitch * Omega_left_hip_fork_zy;
-  const Scalar Omega_left_thigh_yz_2 = s_left_hip_pitch * t_left_hip_fork_10;
-  const Scalar Omega_left_thigh_yz = Omega_left_thigh_yz_2 + Omega_left_thigh_yz_1;
+  const Scalar Omega_left_thigh_yz = s_left_hip_pitch * t_left_hip_fork_10 + Omega_left_thigh_yz_1;
   const Scalar omega_left_thigh_y_1 = s_left_hip_pitch * omega_left_hip_fork_x;
   const Scalar omega_left_thigh_y = omega_left_thigh_y_1 - c_left_hip_pitch * qd[1];
-  const Scalar t_left_thigh_4 = t_left_thigh_3 * omega_left_thigh_y;
-  const Scalar neg_Omega_left_thigh_zy = Omega_left_thigh_yz - t_left_thigh_4;
-  const Scalar t_left_thigh_5 = neg_omega_left_thigh_x * neg_omega_left_thigh_x;
-  const Scalar t_left_thigh_6 = omega_left_thigh_z * omega_left_thigh_z;
-  const Scalar t_left_thigh_7 = neg_omega_left_thigh_x * omega_left_thigh_y;
+  const Scalar neg_Omega_left_thigh_zy = Omega_left_thigh_yz - t_left_thigh_3 * omega_left_thigh_y;
+  const Scalar t_left_thigh_4 = neg_omega_left_thigh_x * neg_omega_left_thigh_x;
+  const Scalar t_left_thigh_5 = omega_left_thigh_z * omega_left_thigh_z;
+  const Scalar t_left_thigh_6 = neg_omega_left_thigh_x * omega_left_thigh_y;
   const Scalar alpha_left_thigh_z = t_left_hip_fork_3 + qdd[2];
-  const Scalar neg_Omega_left_thigh_yx = t_left_thigh_7 - alpha_left_thigh_z;
-  const Scalar t_left_thigh_8 = t_left_hip_fork_2 - left_hip_fork_p1 * c_left_hip_roll;
-  const Scalar t_left_thigh_9 = t_left_thigh_5 - t_left_thigh_6;
-  const Scalar neg_Omega_left_thigh_xx = t_left_hip_fork_11 - t_left_thigh_9;
+  const Scalar neg_Omega_left_thigh_yx = t_left_thigh_6 - alpha_left_thigh_z;
+  const Scalar t_left_thigh_7 = t_left_hip_fork_2 - left_hip_fork_p1 * c_left_hip_roll;
+  const Scalar t_left_thigh_8 = t_left_thigh_4 - t_left_thigh_5;
+  const Scalar neg_Omega_left_thigh_xx = t_left_hip_fork_11 - t_left_thigh_8;
   const Scalar a_left_thigh_x_1 = s_left_hip_pitch * t_left_hip_block_1;
-  const Scalar a_left_thigh_x = a_left_thigh_x_1 + c_left_hip_pitch * t_left_thigh_8;
+  const Scalar a_left_thigh_x = a_left_thigh_x_1 + c_left_hip_pitch * t_left_thigh_7;
   const Scalar a_left_thigh_y_1 = c_left_hip_pitch * t_left_hip_block_1;
-  const Scalar a_left_thigh_y = a_left_thigh_y_1 - s_left_hip_pitch * t_left_thigh_8;
+  const Scalar a_left_thigh_y = a_left_thigh_y_1 - s_left_hip_pitch * t_left_thigh_7;
   // left_shank: acceleration a, Omega, angular velocity omega of (1)
   const Scalar t_left_shank_1 = a_left_thigh_y - left_hip_fork_k1 * neg_Omega_left_thigh_yx;
   const Scalar Omega_left_shank_yz_1 = s_left_knee * neg_Omega_left_thigh_xz;
@@ -1797,108 +1760,102 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar omega_left_shank_y = omega_left_shank_y_1 + c_left_knee * omega_left_thigh_y;
   const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
   const Scalar t_left_shank_2 = 2.0 * omega_left_shank_z;
-  const Scalar t_left_shank_3 = omega_left_shank_y * t_left_shank_2;
-  const Scalar neg_Omega_left_shank_zy = Omega_left_shank_yz - t_left_shank_3;
+  const Scalar neg_Omega_left_shank_zy = Omega_left_shank_yz - omega_left_shank_y * t_left_shank_2;
   const Scalar Omega_left_shank_xz_1 = c_left_knee * neg_Omega_left_thigh_xz;
   const Scalar Omega_left_shank_xz = s_left_knee * Omega_left_thigh_yz - Omega_left_shank_xz_1;
   const Scalar omega_left_shank_x_1 = c_left_knee * neg_omega_left_thigh_x;
   const Scalar omega_left_shank_x = s_left_knee * omega_left_thigh_y - omega_left_shank_x_1;
-  const Scalar t_left_shank_4 = t_left_shank_2 * omega_left_shank_x;
-  const Scalar neg_Omega_left_shank_zx = Omega_left_shank_xz - t_left_shank_4;
+  const Scalar neg_Omega_left_shank_zx = Omega_left_shank_xz - t_left_shank_2 * omega_left_shank_x;
   const Scalar a_left_thigh_z = t_left_hip_fork_7 + left_hip_fork_p1 * s_left_hip_roll;
   const Scalar a_left_shank_z = a_left_thigh_z + left_hip_fork_k1 * Omega_left_thigh_zx;
-  const Scalar t_left_shank_5 = a_left_thigh_x - left_hip_fork_k1 * neg_Omega_left_thigh_xx;
-  const Scalar a_left_shank_x = c_left_knee * t_left_shank_5 + s_left_knee * t_left_shank_1;
-  const Scalar t_left_shank_6 = omega_left_shank_x * omega_left_shank_x;
-  const Scalar t_left_shank_7 = omega_left_shank_z * omega_left_shank_z;
-  const Scalar t_left_shank_8 = omega_left_shank_y * omega_left_shank_x;
+  const Scalar t_left_shank_3 = a_left_thigh_x - left_hip_fork_k1 * neg_Omega_left_thigh_xx;
+  const Scalar a_left_shank_x = c_left_knee * t_left_shank_3 + s_left_knee * t_left_shank_1;
+  const Scalar t_left_shank_4 = omega_left_shank_x * omega_left_shank_x;
+  const Scalar t_left_shank_5 = omega_left_shank_z * omega_left_shank_z;
+  const Scalar t_left_shank_6 = omega_left_shank_y * omega_left_shank_x;
   const Scalar alpha_left_shank_z = alpha_left_thigh_z + qdd[3];
-  const Scalar Omega_left_shank_xy = t_left_shank_8 - alpha_left_shank_z;
-  const Scalar Omega_left_shank_yx = t_left_shank_8 + alpha_left_shank_z;
-  const Scalar t_left_shank_9 = t_left_shank_6 - t_left_shank_7;
-  const Scalar neg_Omega_left_shank_xx = t_left_hip_fork_11 - t_left_shank_9;
+  const Scalar Omega_left_shank_xy = t_left_shank_6 - alpha_left_shank_z;
+  const Scalar Omega_left_shank_yx = t_left_shank_6 + alpha_left_shank_z;
+  const Scalar t_left_shank_7 = t_left_shank_4 - t_left_shank_5;
+  const Scalar neg_Omega_left_shank_xx = t_left_hip_fork_11 - t_left_shank_7;
   const Scalar t_left_ankle_cross_1 = a_left_shank_x - left_hip_fork_k2 * neg_Omega_left_shank_xx;
-  const Scalar a_left_shank_y = c_left_knee * t_left_shank_1 - s_left_knee * t_left_shank_5;
+  const Scalar a_left_shank_y = c_left_knee * t_left_shank_1 - s_left_knee * t_left_shank_3;
   // left_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
   const Scalar t_left_ankle_cross_2 = a_left_shank_y + left_hip_fork_k2 * Omega_left_shank_yx;
   const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[4];
   const Scalar t_left_ankle_cross_3 = s_left_ankle_pitch * omega_left_shank_x;
-  const Scalar t_left_ankle_cross_4 = c_left_ankle_pitch * omega_left_shank_y;
-  const Scalar t_left_ankle_cross_5 = t_left_ankle_cross_3 - t_left_ankle_cross_4;
-  const Scalar t_left_ankle_cross_6 = s_left_ankle_pitch * Omega_left_shank_xz;
-  const Scalar t_left_ankle_cross_7 = c_left_ankle_pitch * Omega_left_shank_yz;
-  const Scalar t_left_ankle_cross_8 = t_left_ankle_cross_6 - t_left_ankle_cross_7;
-  const Scalar t_left_ankle_cross_9 = 2.0 * omega_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_10 = t_left_ankle_cross_5 * t_left_ankle_cross_9;
-  const Scalar t_left_ankle_cross_11 = t_left_ankle_cross_8 - t_left_ankle_cross_10;
-  const Scalar t_left_ankle_cross_12 = c_left_ankle_pitch * Omega_left_shank_xz;
-  const Scalar t_left_ankle_cross_13 = s_left_ankle_pitch * Omega_left_shank_yz;
-  const Scalar t_left_ankle_cross_14 = t_left_ankle_cross_12 + t_left_ankle_cross_13;
-  const Scalar t_left_ankle_cross_15 = c_left_ankle_pitch * omega_left_shank_x;
-  const Scalar t_left_ankle_cross_16 = s_left_ankle_pitch * omega_left_shank_y;
-  const Scalar omega_left_ankle_cross_x = t_left_ankle_cross_15 + t_left_ankle_cross_16;
-  const Scalar t_left_ankle_cross_17 = t_left_ankle_cross_9 * omega_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_18 = t_left_ankle_cross_14 - t_left_ankle_cross_17;
+  const Scalar t_left_ankle_cross_4 =
+      t_left_ankle_cross_3 - c_left_ankle_pitch * omega_left_shank_y;
+  const Scalar t_left_ankle_cross_5 = s_left_ankle_pitch * Omega_left_shank_xz;
+  const Scalar t_left_ankle_cross_6 =
+      t_left_ankle_cross_5 - c_left_ankle_pitch * Omega_left_shank_yz;
+  const Scalar t_left_ankle_cross_7 = 2.0 * omega_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_8 =
+      t_left_ankle_cross_6 - t_left_ankle_cross_4 * t_left_ankle_cross_7;
+  const Scalar t_left_ankle_cross_9 = c_left_ankle_pitch * Omega_left_shank_xz;
+  const Scalar t_left_ankle_cross_10 =
+      t_left_ankle_cross_9 + s_left_ankle_pitch * Omega_left_shank_yz;
+  const Scalar t_left_ankle_cross_11 = c_left_ankle_pitch * omega_left_shank_x;
+  const Scalar omega_left_ankle_cross_x =
+      t_left_ankle_cross_11 + s_left_ankle_pitch * omega_left_shank_y;
+  const Scalar t_left_ankle_cross_12 = t_left_ankle_cross_7 * omega_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_13 = t_left_ankle_cross_10 - t_left_ankle_cross_12;
   const Scalar a_left_ankle_cross_z = a_left_shank_z - left_hip_fork_k2 * neg_Omega_left_shank_zx;
-  const Scalar t_left_ankle_cross_19 = omega_left_ankle_cross_x * omega_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_20 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_21 = t_left_ankle_cross_19 - t_left_ankle_cross_20;
-  const Scalar t_left_ankle_cross_22 = t_left_ankle_cross_5 * omega_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_14 = omega_left_ankle_cross_x * omega_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_15 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_16 = t_left_ankle_cross_14 - t_left_ankle_cross_15;
+  const Scalar t_left_ankle_cross_17 = t_left_ankle_cross_4 * omega_left_ankle_cross_x;
   const Scalar alpha_left_ankle_cross_z = alpha_left_shank_z + qdd[4];
-  const Scalar Omega_left_foot_xz = t_left_ankle_cross_22 + alpha_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_23 = t_left_ankle_cross_22 - alpha_left_ankle_cross_z;
-  // left_foot: angular velocity omega, Omega of (1)
-  const Scalar omega_left_foot_z = t_left_ankle_cross_5 + qd[5];
+  const Scalar Omega_left_foot_xz = t_left_ankle_cross_17 + alpha_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_18 = t_left_ankle_cross_17 - alpha_left_ankle_cross_z;
+  // left_foot: angular velocity omega, Omega, acceleration a of (1)
+  const Scalar omega_left_foot_z = t_left_ankle_cross_4 + qd[5];
   const Scalar t_left_foot_1 = 2.0 * omega_left_foot_z;
-  const Scalar Omega_left_foot_zy_1 = omega_left_ankle_cross_z * t_left_foot_1;
-  const Scalar Omega_left_foot_zy = t_left_ankle_cross_11 + Omega_left_foot_zy_1;
-  // left_ankle_cross: acceleration a of (1)
-  const Scalar t_left_ankle_cross_24 = s_left_ankle_pitch * t_left_ankle_cross_1;
-  const Scalar t_left_ankle_cross_25 = c_left_ankle_pitch * t_left_ankle_cross_2;
-  const Scalar neg_a_left_ankle_cross_y = t_left_ankle_cross_24 - t_left_ankle_cross_25;
-  // left_foot: acceleration a of (1)
-  const Scalar a_left_foot_z_1 = t_left_ankle_cross_23 + neg_a_left_ankle_cross_y;
-  const Scalar a_left_foot_z = a_left_foot_z_1 + left_hip_fork_k3 * t_left_ankle_cross_8;
-  const Scalar neg_a_left_foot_y_1 = t_left_ankle_cross_18 - a_left_ankle_cross_z;
+  const Scalar Omega_left_foot_zy = t_left_ankle_cross_8 + omega_left_ankle_cross_z * t_left_foot_1;
+  const Scalar t_left_ankle_cross_19 = s_left_ankle_pitch * t_left_ankle_cross_1;
+  const Scalar neg_a_left_ankle_cross_y =
+      t_left_ankle_cross_19 - c_left_ankle_pitch * t_left_ankle_cross_2;
+  const Scalar a_left_foot_z_1 = t_left_ankle_cross_18 + neg_a_left_ankle_cross_y;
+  const Scalar a_left_foot_z = a_left_foot_z_1 + left_hip_fork_k3 * t_left_ankle_cross_6;
+  const Scalar neg_a_left_foot_y_1 = t_left_ankle_cross_13 - a_left_ankle_cross_z;
   const Scalar neg_a_left_foot_y = neg_a_left_foot_y_1 + left_hip_fork_k3 * t_left_hip_fork_11;
   // left_ankle_cross: acceleration a, Omega of (1)
   const Scalar a_left_ankle_cross_x_1 = s_left_ankle_pitch * t_left_ankle_cross_2;
-  const Scalar a_left_ankle_cross_x_2 = c_left_ankle_pitch * t_left_ankle_cross_1;
-  const Scalar a_left_ankle_cross_x = a_left_ankle_cross_x_1 + a_left_ankle_cross_x_2;
-  const Scalar a_left_foot_x_1 = t_left_hip_fork_11 - t_left_ankle_cross_21;
+  const Scalar a_left_ankle_cross_x =
+      a_left_ankle_cross_x_1 + c_left_ankle_pitch * t_left_ankle_cross_1;
+  const Scalar a_left_foot_x_1 = t_left_hip_fork_11 - t_left_ankle_cross_16;
   // left_foot: acceleration a, Omega, moment M of (1)
-  const Scalar a_left_foot_x_2 = left_hip_fork_k3 * t_left_ankle_cross_14;
-  const Scalar a_left_foot_x = a_left_ankle_cross_x - a_left_foot_x_1 + a_left_foot_x_2;
-  const Scalar Omega_left_foot_xy = t_left_ankle_cross_14 - qdd[5];
-  const Scalar Omega_left_foot_yx = t_left_ankle_cross_17 - Omega_left_foot_xy;
-  const Scalar t_left_foot_2 = omega_left_ankle_cross_x * t_left_foot_1;
-  const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - t_left_foot_2;
-  const Scalar t_left_foot_3 = omega_left_foot_z * omega_left_foot_z;
-  const Scalar t_left_foot_4 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
-  const Scalar t_left_foot_5 = left_foot_I14 - c_left_foot * t_left_foot_4;
-  const Scalar t_left_foot_6 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
-  const Scalar t_left_foot_7 = s_left_foot * t_left_foot_4;
-  const Scalar t_left_foot_8 = left_foot_I3 * c_left_foot - left_foot_I2 * s_left_foot;
-  const Scalar t_left_foot_9 = left_foot_I1 * c_left_foot;
-  const Scalar t_left_foot_10 = left_foot_I13 + t_left_foot_7;
-  const Scalar t_left_foot_11 = left_foot_I1 * s_left_foot;
-  const Scalar t_left_foot_12 = left_foot_I12 - t_left_foot_7;
-  const Scalar neg_M_left_foot_z_1 = t_left_ankle_cross_21 * t_left_foot_5;
-  const Scalar neg_M_left_foot_z_2 = a_left_foot_x * t_left_foot_11 - neg_M_left_foot_z_1;
-  const Scalar neg_M_left_foot_z_3 = neg_M_left_foot_z_2 + Omega_left_foot_xz * t_left_foot_6;
-  const Scalar neg_M_left_foot_z_4 = neg_M_left_foot_z_3 + neg_a_left_foot_y * t_left_foot_9;
-  const Scalar neg_M_left_foot_z_5 = neg_M_left_foot_z_4 + Omega_left_foot_xy * t_left_foot_10;
-  const Scalar neg_M_left_foot_z_6 = t_left_ankle_cross_11 * t_left_foot_8;
-  const Scalar neg_M_left_foot_z_7 = neg_M_left_foot_z_5 + neg_M_left_foot_z_6;
-  const Scalar neg_M_left_foot_z = neg_M_left_foot_z_7 - Omega_left_foot_yx * t_left_foot_12;
+  const Scalar a_left_foot_x_2 = a_left_ankle_cross_x - a_left_foot_x_1;
+  const Scalar a_left_foot_x = a_left_foot_x_2 + left_hip_fork_k3 * t_left_ankle_cross_10;
+  const Scalar Omega_left_foot_xy = t_left_ankle_cross_10 - qdd[5];
+  const Scalar Omega_left_foot_yx = t_left_ankle_cross_12 - Omega_left_foot_xy;
+  const Scalar neg_Omega_left_foot_zx =
+      Omega_left_foot_xz - omega_left_ankle_cross_x * t_left_foot_1;
+  const Scalar t_left_foot_2 = omega_left_foot_z * omega_left_foot_z;
+  const Scalar t_left_foot_3 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
+  const Scalar t_left_foot_4 = left_foot_I14 - c_left_foot * t_left_foot_3;
+  const Scalar t_left_foot_5 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
+  const Scalar t_left_foot_6 = s_left_foot * t_left_foot_3;
+  const Scalar t_left_foot_7 = left_foot_I3 * c_left_foot - left_foot_I2 * s_left_foot;
+  const Scalar t_left_foot_8 = left_foot_I1 * c_left_foot;
+  const Scalar t_left_foot_9 = left_foot_I13 + t_left_foot_6;
+  const Scalar t_left_foot_10 = left_foot_I1 * s_left_foot;
+  const Scalar t_left_foot_11 = left_foot_I12 - t_left_foot_6;
+  const Scalar neg_M_left_foot_z_1 = t_left_ankle_cross_16 * t_left_foot_4;
+  const Scalar neg_M_left_foot_z_2 = a_left_foot_x * t_left_foot_10 - neg_M_left_foot_z_1;
+  const Scalar neg_M_left_foot_z_3 = neg_M_left_foot_z_2 + Omega_left_foot_xz * t_left_foot_5;
+  const Scalar neg_M_left_foot_z_4 = neg_M_left_foot_z_3 + neg_a_left_foot_y * t_left_foot_8;
+  const Scalar neg_M_left_foot_z_5 = neg_M_left_foot_z_4 + Omega_left_foot_xy * t_left_foot_9;
+  const Scalar neg_M_left_foot_z_6 = neg_M_left_foot_z_5 + t_left_ankle_cross_8 * t_left_foot_7;
+  const Scalar neg_M_left_foot_z = neg_M_left_foot_z_6 - Omega_left_foot_yx * t_left_foot_11;
   tau[5] = -neg_M_left_foot_z;
-  const Scalar neg_F_left_foot_z_1 = neg_Omega_left_foot_zx * t_left_foot_9;
+  const Scalar neg_F_left_foot_z_1 = neg_Omega_left_foot_zx * t_left_foot_8;
   const Scalar neg_F_left_foot_z_2 = neg_F_left_foot_z_1 - left_ankle_cross_I1 * a_left_foot_z;
-  const Scalar neg_F_left_foot_z = neg_F_left_foot_z_2 - Omega_left_foot_zy * t_left_foot_11;
-  const Scalar F_left_foot_x_1 = Omega_left_foot_xy * t_left_foot_11;
-  const Scalar F_left_foot_x_2 = t_left_foot_9 * (t_left_ankle_cross_20 + t_left_foot_3);
-  const Scalar F_left_foot_x_3 = F_left_foot_x_1 + left_ankle_cross_I1 * a_left_foot_x;
-  const Scalar F_left_foot_x = F_left_foot_x_3 - F_left_foot_x_2;
+  const Scalar neg_F_left_foot_z = neg_F_left_foot_z_2 - Omega_left_foot_zy * t_left_foot_10;
+  const Scalar F_left_foot_x_1 = Omega_left_foot_xy * t_left_foot_10;
+  const Scalar F_left_foot_x_2 = F_left_foot_x_1 + left_ankle_cross_I1 * a_left_foot_x;
+  const Scalar neg_Omega_left_foot_xx = t_left_ankle_cross_15 + t_left_foot_2;
+  const Scalar F_left_foot_x = F_left_foot_x_2 - t_left_foot_8 * neg_Omega_left_foot_xx;
   const Scalar t_right_hip_block_1 = qd[6] * qd[6];
   // right_hip_fork: angular velocity omega, angular acceleration alpha, Omega of (1)
   const Scalar omega_right_hip_fork_x = c_right_hip_roll * qd[6];
@@ -1915,36 +1872,36 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_hip_fork_10 = t_right_hip_fork_6 + t_right_hip_fork_7;
   // right_thigh: Omega, angular velocity omega, angular acceleration alpha of (1)
   const Scalar Omega_right_thigh_xz_1 = s_right_hip_pitch * Omega_right_hip_fork_zy;
-  const Scalar Omega_right_thigh_xz_2 = c_right_hip_pitch * t_right_hip_fork_9;
-  const Scalar Omega_right_thigh_xz = Omega_right_thigh_xz_1 - Omega_right_thigh_xz_2;
+  const Scalar Omega_right_thigh_xz =
+      Omega_right_thigh_xz_1 - c_right_hip_pitch * t_right_hip_fork_9;
   const Scalar t_right_thigh_1 = c_right_hip_pitch * omega_right_hip_fork_x;
   const Scalar neg_omega_right_thigh_x = t_right_thigh_1 + s_right_hip_pitch * qd[7];
   const Scalar omega_right_thigh_z = t_right_hip_fork_4 + qd[8];
   const Scalar t_right_thigh_2 = 2.0 * omega_right_thigh_z;
-  const Scalar t_right_thigh_3 = neg_omega_right_thigh_x * t_right_thigh_2;
-  const Scalar neg_Omega_right_thigh_zx = Omega_right_thigh_xz + t_right_thigh_3;
+  const Scalar neg_Omega_right_thigh_zx =
+      Omega_right_thigh_xz + neg_omega_right_thigh_x * t_right_thigh_2;
   const Scalar Omega_right_thigh_yz_1 = c_right_hip_pitch * Omega_right_hip_fork_zy;
-  const Scalar Omega_right_thigh_yz_2 = s_right_hip_pitch * t_right_hip_fork_9;
-  const Scalar Omega_right_thigh_yz = Omega_right_thigh_yz_2 + Omega_right_thigh_yz_1;
+  const Scalar Omega_right_thigh_yz =
+      s_right_hip_pitch * t_right_hip_fork_9 + Omega_right_thigh_yz_1;
   const Scalar omega_right_thigh_y_1 = s_right_hip_pitch * omega_right_hip_fork_x;
   const Scalar omega_right_thigh_y = omega_right_thigh_y_1 - c_right_hip_pitch * qd[7];
-  const Scalar t_right_thigh_4 = t_right_thigh_2 * omega_right_thigh_y;
-  const Scalar neg_Omega_right_thigh_zy = Omega_right_thigh_yz - t_right_thigh_4;
-  const Scalar t_right_thigh_5 = neg_omega_right_thigh_x * neg_omega_right_thigh_x;
-  const Scalar t_right_thigh_6 = omega_right_thigh_z * omega_right_thigh_z;
-  const Scalar t_right_thigh_7 = neg_omega_right_thigh_x * omega_right_thigh_y;
+  const Scalar neg_Omega_right_thigh_zy =
+      Omega_right_thigh_yz - t_right_thigh_2 * omega_right_thigh_y;
+  const Scalar t_right_thigh_3 = neg_omega_right_thigh_x * neg_omega_right_thigh_x;
+  const Scalar t_right_thigh_4 = omega_right_thigh_z * omega_right_thigh_z;
+  const Scalar t_right_thigh_5 = neg_omega_right_thigh_x * omega_right_thigh_y;
   const Scalar alpha_right_thigh_z = t_right_hip_fork_3 + qdd[8];
-  const Scalar neg_Omega_right_thigh_yx = t_right_thigh_7 - alpha_right_thigh_z;
-  const Scalar neg_Omega_right_thigh_xy = t_right_thigh_7 + alpha_right_thigh_z;
-  const Scalar t_right_thigh_8 = t_right_hip_fork_2 - left_hip_fork_p1 * c_right_hip_roll;
+  const Scalar neg_Omega_right_thigh_yx = t_right_thigh_5 - alpha_right_thigh_z;
+  const Scalar neg_Omega_right_thigh_xy = t_right_thigh_5 + alpha_right_thigh_z;
+  const Scalar t_right_thigh_6 = t_right_hip_fork_2 - left_hip_fork_p1 * c_right_hip_roll;
   const Scalar a_right_thigh_z = t_right_hip_fork_5 + left_hip_fork_p1 * s_right_hip_roll;
   const Scalar a_right_thigh_y_1 = c_right_hip_pitch * t_right_hip_block_1;
-  const Scalar a_right_thigh_y = a_right_thigh_y_1 - s_right_hip_pitch * t_right_thigh_8;
+  const Scalar a_right_thigh_y = a_right_thigh_y_1 - s_right_hip_pitch * t_right_thigh_6;
   const Scalar t_right_shank_1 = a_right_thigh_y - left_hip_fork_k1 * neg_Omega_right_thigh_yx;
   const Scalar a_right_thigh_x_1 = s_right_hip_pitch * t_right_hip_block_1;
-  const Scalar a_right_thigh_x = a_right_thigh_x_1 + c_right_hip_pitch * t_right_thigh_8;
-  const Scalar t_right_thigh_9 = t_right_thigh_5 - t_right_thigh_6;
-  const Scalar neg_Omega_right_thigh_xx = t_right_hip_fork_10 - t_right_thigh_9;
+  const Scalar a_right_thigh_x = a_right_thigh_x_1 + c_right_hip_pitch * t_right_thigh_6;
+  const Scalar t_right_thigh_7 = t_right_thigh_3 - t_right_thigh_4;
+  const Scalar neg_Omega_right_thigh_xx = t_right_hip_fork_10 - t_right_thigh_7;
   // right_shank: acceleration a, Omega, angular velocity omega of (1)
   const Scalar t_right_shank_2 = a_right_thigh_x - left_hip_fork_k1 * neg_Omega_right_thigh_xx;
   const Scalar a_right_shank_x_1 = c_right_knee * t_right_shank_2;
@@ -1955,12 +1912,11 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar omega_right_shank_y = c_right_knee * omega_right_thigh_y + omega_right_shank_y_1;
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[9];
   const Scalar t_right_shank_4 = 2.0 * omega_right_shank_z;
-  const Scalar Omega_right_shank_zy_1 = omega_right_shank_y * t_right_shank_4;
-  const Scalar Omega_right_shank_zy = neg_Omega_right_shank_yz + Omega_right_shank_zy_1;
+  const Scalar Omega_right_shank_zy =
+      neg_Omega_right_shank_yz + omega_right_shank_y * t_right_shank_4;
   const Scalar a_right_shank_z = a_right_thigh_z - left_hip_fork_k1 * neg_Omega_right_thigh_zx;
   const Scalar Omega_right_shank_xz_1 = s_right_knee * Omega_right_thigh_yz;
-  const Scalar Omega_right_shank_xz_2 = c_right_knee * Omega_right_thigh_xz;
-  const Scalar Omega_right_shank_xz = Omega_right_shank_xz_1 + Omega_right_shank_xz_2;
+  const Scalar Omega_right_shank_xz = Omega_right_shank_xz_1 + c_right_knee * Omega_right_thigh_xz;
   const Scalar omega_right_shank_x_1 = c_right_knee * neg_omega_right_thigh_x;
   const Scalar omega_right_shank_x = s_right_knee * omega_right_thigh_y - omega_right_shank_x_1;
   const Scalar t_right_shank_5 = omega_right_shank_x * omega_right_shank_x;
@@ -1971,222 +1927,208 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar Omega_right_shank_yx = t_right_shank_7 + alpha_right_shank_z;
   const Scalar neg_Omega_right_shank_yy = t_right_shank_5 + t_right_shank_6;
   const Scalar t_right_shank_8 = t_right_shank_5 - t_right_shank_6;
-  const Scalar t_righ_ankl_cros_1 = left_hip_fork_k2 * (t_right_hip_fork_10 - t_right_shank_8);
-  const Scalar t_righ_ankl_cros_2 = a_right_shank_x - t_righ_ankl_cros_1;
+  const Scalar neg_Omega_right_shank_xx = t_right_hip_fork_10 - t_right_shank_8;
+  const Scalar t_righ_ankl_cros_1 = a_right_shank_x - left_hip_fork_k2 * neg_Omega_right_shank_xx;
   const Scalar a_right_shank_y_1 = c_right_knee * t_right_shank_1;
   const Scalar a_right_shank_y = a_right_shank_y_1 - s_right_knee * t_right_shank_2;
   // right_ankle_cross: acceleration a, Omega, angular velocity omega of (1)
-  const Scalar t_righ_ankl_cros_3 = a_right_shank_y + left_hip_fork_k2 * Omega_right_shank_yx;
-  const Scalar a_righ_ankl_cros_x_1 = c_right_ankle_pitch * t_righ_ankl_cros_2;
-  const Scalar a_righ_ankl_cros_x_2 = s_right_ankle_pitch * t_righ_ankl_cros_3;
-  const Scalar a_righ_ankl_cros_x = a_righ_ankl_cros_x_1 + a_righ_ankl_cros_x_2;
-  const Scalar t_right_shank_9 = t_right_shank_4 * omega_right_shank_x;
-  const Scalar neg_Omega_right_shank_zx = Omega_right_shank_xz - t_right_shank_9;
+  const Scalar t_righ_ankl_cros_2 = a_right_shank_y + left_hip_fork_k2 * Omega_right_shank_yx;
+  const Scalar a_righ_ankl_cros_x_1 = c_right_ankle_pitch * t_righ_ankl_cros_1;
+  const Scalar a_righ_ankl_cros_x = a_righ_ankl_cros_x_1 + s_right_ankle_pitch * t_righ_ankl_cros_2;
+  const Scalar neg_Omega_right_shank_zx =
+      Omega_right_shank_xz - t_right_shank_4 * omega_right_shank_x;
   const Scalar a_righ_ankl_cros_z = a_right_shank_z - left_hip_fork_k2 * neg_Omega_right_shank_zx;
-  const Scalar t_righ_ankl_cros_4 = s_right_ankle_pitch * neg_Omega_right_shank_yz;
-  const Scalar t_righ_ankl_cros_5 = c_right_ankle_pitch * Omega_right_shank_xz;
-  const Scalar t_righ_ankl_cros_6 = t_righ_ankl_cros_4 - t_righ_ankl_cros_5;
-  const Scalar t_righ_ankl_cros_7 = c_right_ankle_pitch * omega_right_shank_x;
-  const Scalar t_righ_ankl_cros_8 = s_right_ankle_pitch * omega_right_shank_y;
-  const Scalar omega_righ_ankl_cros_x = t_righ_ankl_cros_7 + t_righ_ankl_cros_8;
+  const Scalar t_righ_ankl_cros_3 = s_right_ankle_pitch * neg_Omega_right_shank_yz;
+  const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 - c_right_ankle_pitch * Omega_right_shank_xz;
+  const Scalar t_righ_ankl_cros_5 = c_right_ankle_pitch * omega_right_shank_x;
+  const Scalar omega_righ_ankl_cros_x =
+      t_righ_ankl_cros_5 + s_right_ankle_pitch * omega_right_shank_y;
   const Scalar omega_righ_ankl_cros_z = omega_right_shank_z + qd[10];
-  const Scalar t_righ_ankl_cros_9 = 2.0 * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_10 = omega_righ_ankl_cros_x * t_righ_ankl_cros_9;
-  const Scalar Omega_righ_ankl_cros_zx = t_righ_ankl_cros_6 + t_righ_ankl_cros_10;
-  const Scalar t_righ_ankl_cros_11 = s_right_ankle_pitch * omega_right_shank_x;
-  const Scalar t_righ_ankl_cros_12 = c_right_ankle_pitch * omega_right_shank_y;
-  const Scalar t_righ_ankl_cros_13 = t_righ_ankl_cros_11 - t_righ_ankl_cros_12;
-  const Scalar t_righ_ankl_cros_14 = c_right_ankle_pitch * neg_Omega_right_shank_yz;
-  const Scalar t_righ_ankl_cros_15 = s_right_ankle_pitch * Omega_right_shank_xz;
-  const Scalar t_righ_ankl_cros_16 = t_righ_ankl_cros_14 + t_righ_ankl_cros_15;
-  const Scalar t_righ_ankl_cros_17 = t_righ_ankl_cros_9 * t_righ_ankl_cros_13;
-  const Scalar Omega_righ_ankl_cros_zy = t_righ_ankl_cros_16 - t_righ_ankl_cros_17;
-  const Scalar t_righ_ankl_cros_18 = omega_righ_ankl_cros_x * omega_righ_ankl_cros_x;
-  const Scalar t_righ_ankl_cros_19 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_20 = t_righ_ankl_cros_18 - t_righ_ankl_cros_19;
-  const Scalar t_righ_ankl_cros_21 = omega_righ_ankl_cros_x * t_righ_ankl_cros_13;
+  const Scalar t_righ_ankl_cros_6 = 2.0 * omega_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_7 = omega_righ_ankl_cros_x * t_righ_ankl_cros_6;
+  const Scalar Omega_righ_ankl_cros_zx = t_righ_ankl_cros_4 + t_righ_ankl_cros_7;
+  const Scalar t_righ_ankl_cros_8 = s_right_ankle_pitch * omega_right_shank_x;
+  const Scalar t_righ_ankl_cros_9 = t_righ_ankl_cros_8 - c_right_ankle_pitch * omega_right_shank_y;
+  const Scalar t_righ_ankl_cros_10 = c_right_ankle_pitch * neg_Omega_right_shank_yz;
+  const Scalar t_righ_ankl_cros_11 =
+      t_righ_ankl_cros_10 + s_right_ankle_pitch * Omega_right_shank_xz;
+  const Scalar Omega_righ_ankl_cros_zy =
+      t_righ_ankl_cros_11 - t_righ_ankl_cros_6 * t_righ_ankl_cros_9;
+  const Scalar t_righ_ankl_cros_12 = omega_righ_ankl_cros_x * omega_righ_ankl_cros_x;
+  const Scalar t_righ_ankl_cros_13 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_14 = t_righ_ankl_cros_12 - t_righ_ankl_cros_13;
+  const Scalar t_righ_ankl_cros_15 = omega_righ_ankl_cros_x * t_righ_ankl_cros_9;
   const Scalar alpha_righ_ankl_cros_z = alpha_right_shank_z + qdd[10];
-  const Scalar Omega_right_foot_xz = t_righ_ankl_cros_21 + alpha_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_22 = t_righ_ankl_cros_21 - alpha_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_23 = s_right_ankle_pitch * t_righ_ankl_cros_2;
-  const Scalar t_righ_ankl_cros_24 = c_right_ankle_pitch * t_righ_ankl_cros_3;
-  const Scalar neg_a_righ_ankl_cros_y = t_righ_ankl_cros_23 - t_righ_ankl_cros_24;
+  const Scalar Omega_right_foot_xz = t_righ_ankl_cros_15 + alpha_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_16 = t_righ_ankl_cros_15 - alpha_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_17 = s_right_ankle_pitch * t_righ_ankl_cros_1;
+  const Scalar neg_a_righ_ankl_cros_y =
+      t_righ_ankl_cros_17 - c_right_ankle_pitch * t_righ_ankl_cros_2;
   // right_foot: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar a_right_foot_z_1 = t_righ_ankl_cros_22 + neg_a_righ_ankl_cros_y;
-  const Scalar a_right_foot_z = a_right_foot_z_1 - left_hip_fork_k3 * t_righ_ankl_cros_16;
+  const Scalar a_right_foot_z_1 = t_righ_ankl_cros_16 + neg_a_righ_ankl_cros_y;
+  const Scalar a_right_foot_z = a_right_foot_z_1 - left_hip_fork_k3 * t_righ_ankl_cros_11;
   const Scalar a_right_foot_y_1 = a_righ_ankl_cros_z + Omega_righ_ankl_cros_zx;
   const Scalar a_right_foot_y = a_right_foot_y_1 + left_hip_fork_k3 * t_right_hip_fork_10;
-  const Scalar omega_right_foot_z = t_righ_ankl_cros_13 + qd[11];
+  const Scalar omega_right_foot_z = t_righ_ankl_cros_9 + qd[11];
   const Scalar t_right_foot_1 = 2.0 * omega_right_foot_z;
-  const Scalar Omega_right_foot_zy_1 = omega_righ_ankl_cros_z * t_right_foot_1;
-  const Scalar Omega_right_foot_zy = Omega_righ_ankl_cros_zy + Omega_right_foot_zy_1;
+  const Scalar Omega_right_foot_zy =
+      Omega_righ_ankl_cros_zy + omega_righ_ankl_cros_z * t_right_foot_1;
   const Scalar a_right_foot_x_1 = t_right_hip_fork_10 - a_righ_ankl_cros_x;
-  const Scalar a_right_foot_x_2 = t_righ_ankl_cros_20 - a_right_foot_x_1;
-  const Scalar a_right_foot_x = a_right_foot_x_2 + left_hip_fork_k3 * t_righ_ankl_cros_6;
-  const Scalar neg_Omega_right_foot_xy = t_righ_ankl_cros_6 + qdd[11];
-  const Scalar Omega_right_foot_yx = t_righ_ankl_cros_10 + neg_Omega_right_foot_xy;
+  const Scalar a_right_foot_x_2 = t_righ_ankl_cros_14 - a_right_foot_x_1;
+  const Scalar a_right_foot_x = a_right_foot_x_2 + left_hip_fork_k3 * t_righ_ankl_cros_4;
+  const Scalar neg_Omega_right_foot_xy = t_righ_ankl_cros_4 + qdd[11];
+  const Scalar Omega_right_foot_yx = t_righ_ankl_cros_7 + neg_Omega_right_foot_xy;
   const Scalar t_right_foot_2 = omega_right_foot_z * omega_right_foot_z;
-  const Scalar t_right_foot_3 = omega_righ_ankl_cros_x * t_right_foot_1;
-  const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - t_right_foot_3;
-  const Scalar t_right_foot_4 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
-  const Scalar t_right_foot_5 = s_right_foot * t_right_foot_4;
-  const Scalar t_right_foot_6 = left_foot_I14 - c_right_foot * t_right_foot_4;
-  const Scalar t_right_foot_7 = left_foot_I2 * s_right_foot - left_foot_I3 * c_right_foot;
-  const Scalar t_right_foot_8 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
-  const Scalar t_right_foot_9 = left_foot_I1 * s_right_foot;
-  const Scalar t_right_foot_10 = left_foot_I1 * c_right_foot;
-  const Scalar t_right_foot_11 = left_foot_I13 + t_right_foot_5;
-  const Scalar t_right_foot_12 = left_foot_I12 - t_right_foot_5;
-  const Scalar M_right_foot_z_1 = neg_Omega_right_foot_xy * t_right_foot_11;
-  const Scalar M_right_foot_z_2 = M_right_foot_z_1 + a_right_foot_y * t_right_foot_10;
-  const Scalar M_right_foot_z_3 = M_right_foot_z_2 + a_right_foot_x * t_right_foot_9;
-  const Scalar M_right_foot_z_4 = M_right_foot_z_3 - t_righ_ankl_cros_20 * t_right_foot_6;
-  const Scalar M_right_foot_z_5 = M_right_foot_z_4 + Omega_right_foot_yx * t_right_foot_12;
-  const Scalar M_right_foot_z_6 = M_right_foot_z_5 + Omega_right_foot_xz * t_right_foot_8;
-  const Scalar M_right_foot_z = M_right_foot_z_6 + Omega_righ_ankl_cros_zy * t_right_foot_7;
+  const Scalar neg_Omega_right_foot_zx =
+      Omega_right_foot_xz - omega_righ_ankl_cros_x * t_right_foot_1;
+  const Scalar t_right_foot_3 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
+  const Scalar t_right_foot_4 = s_right_foot * t_right_foot_3;
+  const Scalar t_right_foot_5 = left_foot_I14 - c_right_foot * t_right_foot_3;
+  const Scalar t_right_foot_6 = left_foot_I2 * s_right_foot - left_foot_I3 * c_right_foot;
+  const Scalar t_right_foot_7 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
+  const Scalar t_right_foot_8 = left_foot_I1 * s_right_foot;
+  const Scalar t_right_foot_9 = left_foot_I1 * c_right_foot;
+  const Scalar t_right_foot_10 = left_foot_I13 + t_right_foot_4;
+  const Scalar t_right_foot_11 = left_foot_I12 - t_right_foot_4;
+  const Scalar M_right_foot_z_1 = neg_Omega_right_foot_xy * t_right_foot_10;
+  const Scalar M_right_foot_z_2 = M_right_foot_z_1 + a_right_foot_y * t_right_foot_9;
+  const Scalar M_right_foot_z_3 = M_right_foot_z_2 + a_right_foot_x * t_right_foot_8;
+  const Scalar M_right_foot_z_4 = M_right_foot_z_3 - t_righ_ankl_cros_14 * t_right_foot_5;
+  const Scalar M_right_foot_z_5 = M_right_foot_z_4 + Omega_right_foot_yx * t_right_foot_11;
+  const Scalar M_right_foot_z_6 = M_right_foot_z_5 + Omega_right_foot_xz * t_right_foot_7;
+  const Scalar M_right_foot_z = M_right_foot_z_6 + Omega_righ_ankl_cros_zy * t_right_foot_6;
   tau[11] = M_right_foot_z;
-  const Scalar neg_F_right_foot_z_1 = neg_Omega_right_foot_zx * t_right_foot_10;
-  const Scalar neg_F_right_foot_z_2 = Omega_right_foot_zy * t_right_foot_9;
-  const Scalar neg_F_right_foot_z_3 = neg_F_right_foot_z_1 + neg_F_right_foot_z_2;
-  const Scalar neg_F_right_foot_z = neg_F_right_foot_z_3 - left_ankle_cross_I1 * a_right_foot_z;
-  const Scalar F_right_foot_x_1 = t_right_foot_10 * (t_righ_ankl_cros_19 + t_right_foot_2);
+  const Scalar neg_F_right_foot_z_1 = neg_Omega_right_foot_zx * t_right_foot_9;
+  const Scalar neg_F_right_foot_z_2 = neg_F_right_foot_z_1 + Omega_right_foot_zy * t_right_foot_8;
+  const Scalar neg_F_right_foot_z = neg_F_right_foot_z_2 - left_ankle_cross_I1 * a_right_foot_z;
+  const Scalar F_right_foot_x_1 = t_right_foot_9 * (t_righ_ankl_cros_13 + t_right_foot_2);
   const Scalar F_right_foot_x_2 = left_ankle_cross_I1 * a_right_foot_x - F_right_foot_x_1;
-  const Scalar F_right_foot_x = F_right_foot_x_2 + neg_Omega_right_foot_xy * t_right_foot_9;
+  const Scalar F_right_foot_x = F_right_foot_x_2 + neg_Omega_right_foot_xy * t_right_foot_8;
   // right_ankle_cross: Omega, moment M of (1)
-  const Scalar t_righ_ankl_cros_25 = t_righ_ankl_cros_18 + t_righ_ankl_cros_19;
-  const Scalar t_righ_ankl_cros_26 = t_right_hip_fork_10 - t_righ_ankl_cros_25;
-  const Scalar t_righ_ankl_cros_27 = left_ankle_cross_I3 * a_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_18 = t_righ_ankl_cros_12 + t_righ_ankl_cros_13;
+  const Scalar t_righ_ankl_cros_19 = t_right_hip_fork_10 - t_righ_ankl_cros_18;
+  const Scalar t_righ_ankl_cros_20 = left_ankle_cross_I3 * a_righ_ankl_cros_z;
   // right_foot: moment M of (1)
-  const Scalar t_right_foot_13 = t_righ_ankl_cros_27 - Omega_right_foot_yx * t_right_foot_7;
-  const Scalar t_right_foot_14 = t_right_foot_13 + left_ankle_cross_I10 * t_righ_ankl_cros_22;
-  const Scalar t_right_foot_15 = t_right_foot_14 + a_right_foot_z * t_right_foot_9;
-  const Scalar t_right_foot_16 = t_right_foot_15 + left_ankle_cross_I2 * t_righ_ankl_cros_26;
-  const Scalar t_right_foot_17 = t_right_foot_16 - left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
-  const Scalar t_right_foot_18 = t_right_foot_17 - left_hip_fork_k3 * neg_F_right_foot_z;
-  const Scalar t_right_foot_19 = t_right_foot_8 * (t_righ_ankl_cros_19 - t_right_foot_2);
-  const Scalar t_right_foot_20 = t_right_foot_18 - Omega_right_foot_zy * t_right_foot_11;
-  const Scalar t_right_foot_21 = neg_Omega_right_foot_zx * t_right_foot_6;
-  const Scalar t_right_foot_22 = t_right_foot_20 - t_right_foot_19 + t_right_foot_21;
-  const Scalar t_righ_ankl_cros_28 = left_ankle_cross_I8 * Omega_righ_ankl_cros_zx;
-  const Scalar neg_M_righ_ankl_cros_x = t_right_foot_22 + t_righ_ankl_cros_28;
+  const Scalar t_right_foot_12 = t_righ_ankl_cros_20 - Omega_right_foot_yx * t_right_foot_6;
+  const Scalar t_right_foot_13 = t_right_foot_12 + left_ankle_cross_I10 * t_righ_ankl_cros_16;
+  const Scalar t_right_foot_14 = t_right_foot_13 + a_right_foot_z * t_right_foot_8;
+  const Scalar t_right_foot_15 = t_right_foot_14 + left_ankle_cross_I2 * t_righ_ankl_cros_19;
+  const Scalar t_right_foot_16 = t_right_foot_15 - left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
+  const Scalar t_right_foot_17 = t_right_foot_16 - left_hip_fork_k3 * neg_F_right_foot_z;
+  const Scalar t_right_foot_18 = t_right_foot_17 - Omega_right_foot_zy * t_right_foot_10;
+  const Scalar t_right_foot_19 = t_righ_ankl_cros_13 - t_right_foot_2;
+  const Scalar t_right_foot_20 = t_right_foot_18 - t_right_foot_7 * t_right_foot_19;
+  const Scalar t_right_foot_21 = t_right_foot_20 + neg_Omega_right_foot_zx * t_right_foot_5;
+  const Scalar neg_M_righ_ankl_cros_x =
+      t_right_foot_21 + left_ankle_cross_I8 * Omega_righ_ankl_cros_zx;
+  const Scalar M_righ_ankl_cros_z_1 =
+      neg_F_right_foot_z + left_ankle_cross_I12 * t_righ_ankl_cros_15;
+  const Scalar M_righ_ankl_cros_z_2 = t_righ_ankl_cros_12 - t_right_foot_2;
   // right_ankle_cross: moment M of (1)
-  const Scalar M_righ_ankl_cros_z_1 = left_ankle_cross_I12 * t_righ_ankl_cros_21;
-  const Scalar M_righ_ankl_cros_z_2 = neg_F_right_foot_z + M_righ_ankl_cros_z_1;
-  const Scalar M_righ_ankl_cros_z_3 = left_ankle_cross_I3 * a_righ_ankl_cros_x;
-  const Scalar M_righ_ankl_cros_z_4 = t_righ_ankl_cros_18 - t_right_foot_2;
-  const Scalar M_righ_ankl_cros_z_5 = M_righ_ankl_cros_z_2 + M_righ_ankl_cros_z_3;
-  const Scalar M_righ_ankl_cros_z_6 = t_right_foot_7 * M_righ_ankl_cros_z_4;
-  const Scalar M_righ_ankl_cros_z_7 = M_righ_ankl_cros_z_5 - M_righ_ankl_cros_z_6;
-  const Scalar M_righ_ankl_cros_z_8 = M_righ_ankl_cros_z_7 - a_right_foot_z * t_right_foot_10;
-  const Scalar M_righ_ankl_cros_z_9 = left_ankle_cross_I2 * t_righ_ankl_cros_6;
-  const Scalar M_righ_ankl_cros_z_10 = t_righ_ankl_cros_20 - t_righ_ankl_cros_26;
-  const Scalar M_righ_ankl_cros_z_11 = M_righ_ankl_cros_z_8 + M_righ_ankl_cros_z_9;
-  const Scalar M_righ_ankl_cros_z_12 = left_ankle_cross_I8 * M_righ_ankl_cros_z_10;
-  const Scalar M_righ_ankl_cros_z_13 = M_righ_ankl_cros_z_11 + M_righ_ankl_cros_z_12;
-  const Scalar M_righ_ankl_cros_z_14 = neg_Omega_right_foot_xy * t_right_foot_8;
-  const Scalar M_righ_ankl_cros_z_15 = M_righ_ankl_cros_z_13 + M_righ_ankl_cros_z_14;
-  const Scalar M_righ_ankl_cros_z_16 = neg_Omega_right_foot_zx * t_right_foot_12;
-  const Scalar M_righ_ankl_cros_z_17 = M_righ_ankl_cros_z_15 + M_righ_ankl_cros_z_16;
-  const Scalar M_righ_ankl_cros_z_18 = left_ankle_cross_I10 * t_righ_ankl_cros_16;
-  const Scalar M_righ_ankl_cros_z_19 = M_righ_ankl_cros_z_17 + M_righ_ankl_cros_z_18;
-  const Scalar M_righ_ankl_cros_z_20 = Omega_right_foot_zy * t_right_foot_6;
-  const Scalar M_righ_ankl_cros_z_21 = M_righ_ankl_cros_z_19 - M_righ_ankl_cros_z_20;
-  const Scalar M_righ_ankl_cros_z_22 = left_ankle_cross_I13 * alpha_righ_ankl_cros_z;
-  const Scalar M_righ_ankl_cros_z = M_righ_ankl_cros_z_21 + M_righ_ankl_cros_z_22;
+  const Scalar M_righ_ankl_cros_z_3 =
+      M_righ_ankl_cros_z_1 + left_ankle_cross_I3 * a_righ_ankl_cros_x;
+  const Scalar M_righ_ankl_cros_z_4 = M_righ_ankl_cros_z_3 - t_right_foot_6 * M_righ_ankl_cros_z_2;
+  const Scalar M_righ_ankl_cros_z_5 = M_righ_ankl_cros_z_4 - a_right_foot_z * t_right_foot_9;
+  const Scalar M_righ_ankl_cros_z_6 = t_righ_ankl_cros_14 - t_righ_ankl_cros_19;
+  const Scalar M_righ_ankl_cros_z_7 =
+      M_righ_ankl_cros_z_5 + left_ankle_cross_I2 * t_righ_ankl_cros_4;
+  const Scalar M_righ_ankl_cros_z_8 =
+      M_righ_ankl_cros_z_7 + left_ankle_cross_I8 * M_righ_ankl_cros_z_6;
+  const Scalar M_righ_ankl_cros_z_9 =
+      M_righ_ankl_cros_z_8 + neg_Omega_right_foot_xy * t_right_foot_7;
+  const Scalar M_righ_ankl_cros_z_10 =
+      M_righ_ankl_cros_z_9 + neg_Omega_right_foot_zx * t_right_foot_11;
+  const Scalar M_righ_ankl_cros_z_11 =
+      M_righ_ankl_cros_z_10 + left_ankle_cross_I10 * t_righ_ankl_cros_11;
+  const Scalar M_righ_ankl_cros_z_12 = M_righ_ankl_cros_z_11 - Omega_right_foot_zy * t_right_foot_5;
+  const Scalar M_righ_ankl_cros_z =
+      M_righ_ankl_cros_z_12 + left_ankle_cross_I13 * alpha_righ_ankl_cros_z;
   tau[10] = M_righ_ankl_cros_z;
   // right_foot: force F of (1)
-  const Scalar F_right_foot_y_1 = t_right_foot_9 * (t_righ_ankl_cros_18 + t_right_foot_2);
-  const Scalar F_right_foot_y_2 = Omega_right_foot_yx * t_right_foot_10 + F_right_foot_y_1;
+  const Scalar F_right_foot_y_1 = t_right_foot_8 * (t_righ_ankl_cros_12 + t_right_foot_2);
+  const Scalar F_right_foot_y_2 = Omega_right_foot_yx * t_right_foot_9 + F_right_foot_y_1;
   const Scalar F_right_foot_y = F_right_foot_y_2 + left_ankle_cross_I1 * a_right_foot_y;
   // right_ankle_cross: force F of (1)
   const Scalar F_righ_ankl_cros_z_1 = F_right_foot_y + left_shank_I14 * a_righ_ankl_cros_z;
-  const Scalar F_righ_ankl_cros_z_2 = left_ankle_cross_I3 * Omega_righ_ankl_cros_zy;
-  const Scalar F_righ_ankl_cros_z = F_righ_ankl_cros_z_1 - F_righ_ankl_cros_z_2;
+  const Scalar F_righ_ankl_cros_z =
+      F_righ_ankl_cros_z_1 - left_ankle_cross_I3 * Omega_righ_ankl_cros_zy;
   const Scalar F_righ_ankl_cros_x_1 = F_right_foot_x + left_shank_I14 * a_righ_ankl_cros_x;
-  const Scalar F_righ_ankl_cros_x_2 = left_ankle_cross_I3 * Omega_right_foot_xz;
-  const Scalar F_righ_ankl_cros_x = F_righ_ankl_cros_x_1 + F_righ_ankl_cros_x_2;
-  const Scalar F_righ_ankl_cros_y_1 = left_shank_I14 * neg_a_righ_ankl_cros_y;
-  const Scalar F_righ_ankl_cros_y_2 = neg_F_right_foot_z - F_righ_ankl_cros_y_1;
-  const Scalar F_righ_ankl_cros_y_3 = left_ankle_cross_I3 * t_righ_ankl_cros_25;
-  const Scalar F_righ_ankl_cros_y = F_righ_ankl_cros_y_2 + F_righ_ankl_cros_y_3;
-  const Scalar t_righ_ankl_cros_29 = s_right_ankle_pitch * F_righ_ankl_cros_x;
-  const Scalar t_righ_ankl_cros_30 = c_right_ankle_pitch * F_righ_ankl_cros_y;
-  const Scalar t_righ_ankl_cros_31 = t_righ_ankl_cros_29 + t_righ_ankl_cros_30;
-  const Scalar t_right_shank_10 = t_right_hip_fork_10 - neg_Omega_right_shank_yy;
-  const Scalar M_right_shank_z_1 = M_righ_ankl_cros_z + left_hip_fork_k2 * t_righ_ankl_cros_31;
+  const Scalar F_righ_ankl_cros_x =
+      F_righ_ankl_cros_x_1 + left_ankle_cross_I3 * Omega_right_foot_xz;
+  const Scalar F_righ_ankl_cros_y_1 = neg_F_right_foot_z - left_shank_I14 * neg_a_righ_ankl_cros_y;
+  const Scalar F_righ_ankl_cros_y =
+      F_righ_ankl_cros_y_1 + left_ankle_cross_I3 * t_righ_ankl_cros_18;
+  const Scalar t_righ_ankl_cros_21 = s_right_ankle_pitch * F_righ_ankl_cros_x;
+  const Scalar t_righ_ankl_cros_22 = t_righ_ankl_cros_21 + c_right_ankle_pitch * F_righ_ankl_cros_y;
+  const Scalar t_right_shank_9 = t_right_hip_fork_10 - neg_Omega_right_shank_yy;
+  const Scalar M_right_shank_z_1 = M_righ_ankl_cros_z + left_hip_fork_k2 * t_righ_ankl_cros_22;
   // right_shank: moment M of (1)
   const Scalar M_right_shank_z_2 = M_right_shank_z_1 + left_shank_I6 * Omega_right_shank_xz;
   const Scalar M_right_shank_z_3 = M_right_shank_z_2 - left_shank_I13 * Omega_right_shank_yx;
   const Scalar M_right_shank_z_4 = M_right_shank_z_3 - left_shank_I1 * a_right_shank_x;
   const Scalar M_right_shank_z_5 = M_right_shank_z_4 - left_shank_I10 * Omega_right_shank_xy;
-  const Scalar M_right_shank_z_6 = left_shank_I11 * neg_Omega_right_shank_yz;
-  const Scalar M_right_shank_z_7 = left_shank_I9 * (t_right_shank_8 - t_right_shank_10);
-  const Scalar M_right_shank_z = M_right_shank_z_5 + M_right_shank_z_6 - M_right_shank_z_7;
+  const Scalar M_right_shank_z_6 = M_right_shank_z_5 + left_shank_I11 * neg_Omega_right_shank_yz;
+  const Scalar M_right_shank_z_7 = t_right_shank_8 - t_right_shank_9;
+  const Scalar M_right_shank_z = M_right_shank_z_6 - left_shank_I9 * M_right_shank_z_7;
   tau[9] = M_right_shank_z;
   // right_foot: moment M of (1)
-  const Scalar t_right_foot_23 = left_hip_fork_k3 * F_right_foot_x;
-  const Scalar t_right_foot_24 = M_right_foot_z + F_right_foot_y + t_right_foot_23;
-  const Scalar t_right_foot_25 = t_right_foot_24 + left_ankle_cross_I11 * Omega_righ_ankl_cros_zx;
-  const Scalar t_right_foot_26 = t_right_foot_25 + left_ankle_cross_I10 * t_righ_ankl_cros_20;
-  const Scalar t_right_foot_27 = t_right_foot_26 + left_ankle_cross_I2 * Omega_right_foot_xz;
-  const Scalar t_righ_ankl_cros_32 = left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
-  const Scalar neg_M_righ_ankl_cros_y = t_right_foot_27 - t_righ_ankl_cros_32;
+  const Scalar t_right_foot_22 = M_right_foot_z + F_right_foot_y;
+  const Scalar t_right_foot_23 = t_right_foot_22 + left_hip_fork_k3 * F_right_foot_x;
+  const Scalar t_right_foot_24 = t_right_foot_23 + left_ankle_cross_I11 * Omega_righ_ankl_cros_zx;
+  const Scalar t_right_foot_25 = t_right_foot_24 + left_ankle_cross_I10 * t_righ_ankl_cros_14;
+  const Scalar t_right_foot_26 = t_right_foot_25 + left_ankle_cross_I2 * Omega_right_foot_xz;
+  const Scalar neg_M_righ_ankl_cros_y =
+      t_right_foot_26 - left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
   const Scalar F_right_shank_z_1 = F_righ_ankl_cros_z + left_shank_I1 * Omega_right_shank_zy;
   const Scalar F_right_shank_z = F_right_shank_z_1 + left_thigh_I14 * a_right_shank_z;
   // right_ankle_cross: moment M of (1)
   const Scalar neg_M_right_shank_x_1 = c_right_ankle_pitch * neg_M_righ_ankl_cros_x;
-  const Scalar neg_M_right_shank_x_2 = s_right_ankle_pitch * neg_M_righ_ankl_cros_y;
-  const Scalar neg_M_right_shank_x_3 = neg_M_right_shank_x_1 - neg_M_right_shank_x_2;
-  const Scalar neg_M_right_shank_x_4 = left_shank_I10 * Omega_right_shank_zy;
-  const Scalar neg_M_right_shank_x_5 = neg_M_right_shank_x_3 - neg_M_right_shank_x_4;
-  const Scalar neg_M_right_shank_x_6 = left_shank_I6 * t_right_shank_10;
-  const Scalar neg_M_right_shank_x_7 = neg_M_right_shank_x_5 - neg_M_right_shank_x_6;
-  const Scalar neg_M_right_shank_x_8 = left_shank_I11 * Omega_right_shank_yx;
-  const Scalar neg_M_right_shank_x_9 = neg_M_right_shank_x_7 - neg_M_right_shank_x_8;
-  const Scalar neg_M_right_shank_x_10 = neg_M_right_shank_x_9 - left_shank_I1 * a_right_shank_z;
-  const Scalar neg_M_right_shank_x_11 = left_shank_I9 * neg_Omega_right_shank_zx;
-  const Scalar neg_M_right_shank_x = neg_M_right_shank_x_10 + neg_M_right_shank_x_11;
+  const Scalar neg_M_right_shank_x_2 =
+      neg_M_right_shank_x_1 - s_right_ankle_pitch * neg_M_righ_ankl_cros_y;
+  const Scalar neg_M_right_shank_x_3 =
+      neg_M_right_shank_x_2 - left_shank_I10 * Omega_right_shank_zy;
+  const Scalar neg_M_right_shank_x_4 = neg_M_right_shank_x_3 - left_shank_I6 * t_right_shank_9;
+  const Scalar neg_M_right_shank_x_5 =
+      neg_M_right_shank_x_4 - left_shank_I11 * Omega_right_shank_yx;
+  const Scalar neg_M_right_shank_x_6 = neg_M_right_shank_x_5 - left_shank_I1 * a_right_shank_z;
+  const Scalar neg_M_right_shank_x =
+      neg_M_right_shank_x_6 + left_shank_I9 * neg_Omega_right_shank_zx;
   const Scalar neg_M_right_shank_y_1 = s_right_ankle_pitch * neg_M_righ_ankl_cros_x;
-  const Scalar neg_M_right_shank_y_2 = left_shank_I11 * t_right_shank_8;
-  const Scalar neg_M_right_shank_y_3 = neg_M_right_shank_y_1 + neg_M_right_shank_y_2;
-  const Scalar neg_M_right_shank_y_4 = c_right_ankle_pitch * neg_M_righ_ankl_cros_y;
-  const Scalar neg_M_right_shank_y_5 = neg_M_right_shank_y_3 + neg_M_right_shank_y_4;
-  const Scalar neg_M_right_shank_y_6 = left_shank_I9 * Omega_right_shank_zy;
-  const Scalar neg_M_right_shank_y_7 = neg_M_right_shank_y_5 + neg_M_right_shank_y_6;
-  const Scalar neg_M_right_shank_y_8 = left_shank_I6 * Omega_right_shank_xy;
-  const Scalar neg_M_right_shank_y_9 = neg_M_right_shank_y_7 + neg_M_right_shank_y_8;
-  const Scalar neg_M_right_shank_y_10 = left_hip_fork_k2 * F_righ_ankl_cros_z;
-  const Scalar neg_M_right_shank_y_11 = neg_M_right_shank_y_9 + neg_M_right_shank_y_10;
-  const Scalar neg_M_right_shank_y_12 = left_shank_I13 * neg_Omega_right_shank_zx;
-  const Scalar neg_M_right_shank_y = neg_M_right_shank_y_11 + neg_M_right_shank_y_12;
+  const Scalar neg_M_right_shank_y_2 = neg_M_right_shank_y_1 + left_shank_I11 * t_right_shank_8;
+  const Scalar neg_M_right_shank_y_3 =
+      neg_M_right_shank_y_2 + c_right_ankle_pitch * neg_M_righ_ankl_cros_y;
+  const Scalar neg_M_right_shank_y_4 = neg_M_right_shank_y_3 + left_shank_I9 * Omega_right_shank_zy;
+  const Scalar neg_M_right_shank_y_5 = neg_M_right_shank_y_4 + left_shank_I6 * Omega_right_shank_xy;
+  const Scalar neg_M_right_shank_y_6 =
+      neg_M_right_shank_y_5 + left_hip_fork_k2 * F_righ_ankl_cros_z;
+  const Scalar neg_M_right_shank_y =
+      neg_M_right_shank_y_6 + left_shank_I13 * neg_Omega_right_shank_zx;
   // right_thigh: moment M of (1)
   const Scalar M_right_thigh_y_1 = left_thigh_I12 * neg_Omega_right_thigh_zy;
   const Scalar M_right_thigh_y_2 = M_right_thigh_y_1 + left_thigh_I6 * neg_Omega_right_thigh_xy;
-  const Scalar M_right_thigh_y_3 = left_thigh_I13 * neg_Omega_right_thigh_zx;
-  const Scalar M_right_thigh_y_4 = M_right_thigh_y_2 - M_right_thigh_y_3;
-  const Scalar M_right_thigh_y_5 = M_right_thigh_y_4 - left_hip_fork_k1 * F_right_shank_z;
-  const Scalar M_right_thigh_y_6 = M_right_thigh_y_5 - s_right_knee * neg_M_right_shank_x;
-  const Scalar M_right_thigh_y_7 = M_right_thigh_y_6 - left_thigh_I8 * t_right_thigh_9;
-  const Scalar M_right_thigh_y = M_right_thigh_y_7 - c_right_knee * neg_M_right_shank_y;
+  const Scalar M_right_thigh_y_3 = M_right_thigh_y_2 - left_thigh_I13 * neg_Omega_right_thigh_zx;
+  const Scalar M_right_thigh_y_4 = M_right_thigh_y_3 - left_hip_fork_k1 * F_right_shank_z;
+  const Scalar M_right_thigh_y_5 = M_right_thigh_y_4 - s_right_knee * neg_M_right_shank_x;
+  const Scalar M_right_thigh_y_6 = M_right_thigh_y_5 - left_thigh_I8 * t_right_thigh_7;
+  const Scalar M_right_thigh_y = M_right_thigh_y_6 - c_right_knee * neg_M_right_shank_y;
   const Scalar F_right_shank_x_1 = c_right_ankle_pitch * F_righ_ankl_cros_x;
   // right_shank: force F of (1)
   const Scalar F_right_shank_x_2 = F_right_shank_x_1 + left_thigh_I14 * a_right_shank_x;
   const Scalar F_right_shank_x_3 = F_right_shank_x_2 + left_shank_I1 * Omega_right_shank_xy;
   const Scalar F_right_shank_x = F_right_shank_x_3 - s_right_ankle_pitch * F_righ_ankl_cros_y;
-  const Scalar F_right_shank_y_1 = t_righ_ankl_cros_31 + left_thigh_I14 * a_right_shank_y;
+  const Scalar F_right_shank_y_1 = t_righ_ankl_cros_22 + left_thigh_I14 * a_right_shank_y;
   const Scalar F_right_shank_y = F_right_shank_y_1 - left_shank_I1 * neg_Omega_right_shank_yy;
-  const Scalar t_right_shank_11 = s_right_knee * F_right_shank_x + c_right_knee * F_right_shank_y;
-  const Scalar neg_Omega_right_thigh_yy = t_right_thigh_5 + t_right_thigh_6;
-  const Scalar M_right_thigh_z_1 = M_right_shank_z + left_hip_fork_k1 * t_right_shank_11;
+  const Scalar t_right_shank_10 = s_right_knee * F_right_shank_x + c_right_knee * F_right_shank_y;
+  const Scalar neg_Omega_right_thigh_yy = t_right_thigh_3 + t_right_thigh_4;
+  const Scalar M_right_thigh_z_1 = M_right_shank_z + left_hip_fork_k1 * t_right_shank_10;
   // right_thigh: moment M of (1)
   const Scalar M_right_thigh_z_2 = M_right_thigh_z_1 - left_thigh_I2 * a_right_thigh_x;
   const Scalar M_right_thigh_z_3 = M_right_thigh_z_2 - left_thigh_I8 * Omega_right_thigh_yz;
-  const Scalar M_right_thigh_z_4 = left_thigh_I11 * neg_Omega_right_thigh_xy;
-  const Scalar M_right_thigh_z_5 = M_right_thigh_z_3 + M_right_thigh_z_4;
-  const Scalar M_right_thigh_z_6 = neg_Omega_right_thigh_xx - neg_Omega_right_thigh_yy;
-  const Scalar M_right_thigh_z_7 = M_right_thigh_z_5 + left_thigh_I6 * Omega_right_thigh_xz;
-  const Scalar M_right_thigh_z_8 = M_right_thigh_z_7 + left_thigh_I12 * M_right_thigh_z_6;
-  const Scalar M_right_thigh_z = M_right_thigh_z_8 + left_thigh_I13 * neg_Omega_right_thigh_yx;
+  const Scalar M_right_thigh_z_4 = M_right_thigh_z_3 + left_thigh_I11 * neg_Omega_right_thigh_xy;
+  const Scalar M_right_thigh_z_5 = neg_Omega_right_thigh_xx - neg_Omega_right_thigh_yy;
+  const Scalar M_right_thigh_z_6 = M_right_thigh_z_4 + left_thigh_I6 * Omega_right_thigh_xz;
+  const Scalar M_right_thigh_z_7 = M_right_thigh_z_6 + left_thigh_I12 * M_right_thigh_z_5;
+  const Scalar M_right_thigh_z = M_right_thigh_z_7 + left_thigh_I13 * neg_Omega_right_thigh_yx;
   tau[8] = M_right_thigh_z;
   // right_hip_fork: moment M, Omega of (1)
   const Scalar t_right_hip_fork_11 = t_right_hip_fork_6 - t_right_hip_fork_7;
@@ -2195,182 +2137,167 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   // right_thigh: moment M of (1)
   const Scalar M_right_thigh_x_1 = left_thigh_I11 * neg_Omega_right_thigh_zy;
   const Scalar M_right_thigh_x_2 = left_thigh_I2 * a_right_thigh_z - M_right_thigh_x_1;
-  const Scalar M_right_thigh_x_3 = left_thigh_I12 * neg_Omega_right_thigh_zx;
-  const Scalar M_right_thigh_x_4 = M_right_thigh_x_2 - M_right_thigh_x_3;
-  const Scalar M_right_thigh_x_5 = M_right_thigh_x_4 - c_right_knee * neg_M_right_shank_x;
-  const Scalar M_right_thigh_x_6 = M_right_thigh_x_5 - left_thigh_I8 * neg_Omega_right_thigh_yx;
-  const Scalar M_right_thigh_x_7 = t_right_hip_fork_10 - neg_Omega_right_thigh_yy;
-  const Scalar M_right_thigh_x_8 = M_right_thigh_x_6 + s_right_knee * neg_M_right_shank_y;
-  const Scalar M_right_thigh_x = M_right_thigh_x_8 + left_thigh_I6 * M_right_thigh_x_7;
-  const Scalar t_right_thigh_10 = left_hip_fork_G3 - left_hip_fork_I8 * qdd[6];
-  const Scalar t_right_thigh_11 = c_right_hip_roll * t_right_thigh_10;
+  const Scalar M_right_thigh_x_3 = M_right_thigh_x_2 - left_thigh_I12 * neg_Omega_right_thigh_zx;
+  const Scalar M_right_thigh_x_4 = M_right_thigh_x_3 - c_right_knee * neg_M_right_shank_x;
+  const Scalar M_right_thigh_x_5 = M_right_thigh_x_4 - left_thigh_I8 * neg_Omega_right_thigh_yx;
+  const Scalar M_right_thigh_x_6 = t_right_hip_fork_10 - neg_Omega_right_thigh_yy;
+  const Scalar M_right_thigh_x_7 = M_right_thigh_x_5 + s_right_knee * neg_M_right_shank_y;
+  const Scalar M_right_thigh_x = M_right_thigh_x_7 + left_thigh_I6 * M_right_thigh_x_6;
+  const Scalar t_right_thigh_8 = left_hip_fork_G3 - left_hip_fork_I8 * qdd[6];
+  const Scalar t_right_thigh_9 = c_right_hip_roll * t_right_thigh_8;
   const Scalar t_right_hip_fork_14 = t_right_hip_fork_11 - t_right_hip_fork_12;
-  const Scalar t_right_thigh_12 = c_right_hip_pitch * M_right_thigh_y + t_right_thigh_11;
-  const Scalar t_right_thigh_13 = t_right_thigh_12 - left_hip_fork_I7 * t_right_hip_fork_14;
-  const Scalar t_right_thigh_14 = left_hip_fork_G2 + left_hip_fork_I9 * qdd[6];
-  const Scalar t_right_thigh_15 = t_right_thigh_13 + left_hip_fork_I10 * t_right_hip_fork_13;
-  const Scalar t_right_thigh_16 = t_right_thigh_15 - s_right_hip_roll * t_right_thigh_14;
-  const Scalar t_right_thigh_17 = t_right_thigh_16 - left_hip_fork_I11 * t_right_hip_fork_9;
+  const Scalar t_right_thigh_10 = c_right_hip_pitch * M_right_thigh_y + t_right_thigh_9;
+  const Scalar t_right_thigh_11 = t_right_thigh_10 - left_hip_fork_I7 * t_right_hip_fork_14;
+  const Scalar t_right_thigh_12 = left_hip_fork_G2 + left_hip_fork_I9 * qdd[6];
+  const Scalar t_right_thigh_13 = t_right_thigh_11 + left_hip_fork_I10 * t_right_hip_fork_13;
+  const Scalar t_right_thigh_14 = t_right_thigh_13 - s_right_hip_roll * t_right_thigh_12;
+  const Scalar t_right_thigh_15 = t_right_thigh_14 - left_hip_fork_I11 * t_right_hip_fork_9;
   // right_hip_fork: moment M, Omega of (1)
-  tau[7] = -(t_right_thigh_17 + s_right_hip_pitch * M_right_thigh_x);
+  tau[7] = -(t_right_thigh_15 + s_right_hip_pitch * M_right_thigh_x);
   const Scalar Omega_right_hip_fork_zx = t_right_hip_fork_1 + t_right_hip_fork_3;
   const Scalar M_right_hip_fork_x_1 = F_right_shank_z - left_hip_fork_I8 * t_right_hip_fork_13;
-  const Scalar M_right_hip_fork_x_2 = left_hip_fork_I9 * t_right_hip_fork_12;
-  const Scalar M_right_hip_fork_x_3 = M_right_hip_fork_x_1 - M_right_hip_fork_x_2;
-  const Scalar M_right_hip_fork_x_4 = left_thigh_I2 * neg_Omega_right_thigh_zy;
-  const Scalar M_right_hip_fork_x_5 = M_right_hip_fork_x_3 - M_right_hip_fork_x_4;
-  const Scalar M_right_hip_fork_x_6 = s_right_hip_pitch * M_right_thigh_y;
-  const Scalar M_right_hip_fork_x_7 = M_right_hip_fork_x_5 + M_right_hip_fork_x_6;
-  const Scalar M_right_hip_fork_x_8 = left_hip_fork_I7 * Omega_right_hip_fork_zx;
-  const Scalar M_right_hip_fork_x_9 = M_right_hip_fork_x_7 - M_right_hip_fork_x_8;
-  const Scalar M_right_hip_fork_x_10 = c_right_hip_pitch * M_right_thigh_x;
-  const Scalar M_right_hip_fork_x_11 = M_right_hip_fork_x_9 - M_right_hip_fork_x_10;
-  const Scalar M_right_hip_fork_x_12 = left_hip_fork_I11 * Omega_right_hip_fork_zy;
-  const Scalar M_right_hip_fork_x = M_right_hip_fork_x_11 + M_right_hip_fork_x_12;
-  const Scalar F_right_thigh_y = t_right_shank_11 - left_thigh_I2 * neg_Omega_right_thigh_yy;
+  const Scalar M_right_hip_fork_x_2 = M_right_hip_fork_x_1 - left_hip_fork_I9 * t_right_hip_fork_12;
+  const Scalar M_right_hip_fork_x_3 =
+      M_right_hip_fork_x_2 - left_thigh_I2 * neg_Omega_right_thigh_zy;
+  const Scalar M_right_hip_fork_x_4 = M_right_hip_fork_x_3 + s_right_hip_pitch * M_right_thigh_y;
+  const Scalar M_right_hip_fork_x_5 =
+      M_right_hip_fork_x_4 - left_hip_fork_I7 * Omega_right_hip_fork_zx;
+  const Scalar M_right_hip_fork_x_6 = M_right_hip_fork_x_5 - c_right_hip_pitch * M_right_thigh_x;
+  const Scalar M_right_hip_fork_x =
+      M_right_hip_fork_x_6 + left_hip_fork_I11 * Omega_right_hip_fork_zy;
+  const Scalar F_right_thigh_y = t_right_shank_10 - left_thigh_I2 * neg_Omega_right_thigh_yy;
   const Scalar F_right_thigh_x_1 = c_right_knee * F_right_shank_x;
   const Scalar F_right_thigh_x_2 = F_right_thigh_x_1 - s_right_knee * F_right_shank_y;
   // right_thigh: force F, moment M of (1)
   const Scalar F_right_thigh_x = F_right_thigh_x_2 - left_thigh_I2 * neg_Omega_right_thigh_xy;
-  const Scalar t_right_thigh_18 = M_right_thigh_z + left_hip_fork_I9 * t_right_hip_fork_9;
-  const Scalar t_right_thigh_19 = t_right_thigh_18 - s_right_hip_pitch * F_right_thigh_y;
-  const Scalar t_right_thigh_20 = t_right_thigh_19 + c_right_hip_pitch * F_right_thigh_x;
-  const Scalar t_right_thigh_21 = t_right_thigh_20 + left_hip_fork_I10 * Omega_right_hip_fork_zx;
-  const Scalar t_right_thigh_22 = t_right_thigh_21 + left_hip_fork_I8 * t_right_hip_fork_11;
-  const Scalar t_right_hip_fork_15 = left_hip_fork_I7 * Omega_right_hip_fork_zy;
+  const Scalar t_right_thigh_16 = M_right_thigh_z + left_hip_fork_I9 * t_right_hip_fork_9;
+  const Scalar t_right_thigh_17 = t_right_thigh_16 - s_right_hip_pitch * F_right_thigh_y;
+  const Scalar t_right_thigh_18 = t_right_thigh_17 + c_right_hip_pitch * F_right_thigh_x;
+  const Scalar t_right_thigh_19 = t_right_thigh_18 + left_hip_fork_I10 * Omega_right_hip_fork_zx;
+  const Scalar t_right_thigh_20 = t_right_thigh_19 + left_hip_fork_I8 * t_right_hip_fork_11;
   const Scalar M_right_hip_block_z_1 = c_right_hip_roll * M_right_hip_fork_x;
-  const Scalar neg_M_right_hip_fork_y = t_right_thigh_22 - t_right_hip_fork_15;
+  const Scalar neg_M_right_hip_fork_y =
+      t_right_thigh_20 - left_hip_fork_I7 * Omega_right_hip_fork_zy;
   const Scalar M_right_hip_block_z_2 = left_hip_block_I2 * qdd[6] + M_right_hip_block_z_1;
   tau[6] = M_right_hip_block_z_2 + s_right_hip_roll * neg_M_right_hip_fork_y;
-  const Scalar t_left_ankle_cross_26 = t_left_ankle_cross_19 + t_left_ankle_cross_20;
-  const Scalar neg_Omega_left_foot_yy = t_left_ankle_cross_19 + t_left_foot_3;
+  const Scalar t_left_ankle_cross_20 = t_left_ankle_cross_14 + t_left_ankle_cross_15;
+  const Scalar neg_Omega_left_foot_yy = t_left_ankle_cross_14 + t_left_foot_2;
   // left_ankle_cross: moment M of (1)
-  const Scalar t_left_ankle_cross_27 = t_left_hip_fork_11 - t_left_ankle_cross_26;
-  const Scalar M_left_ankle_cross_x_1 = left_ankle_cross_I10 * t_left_ankle_cross_23;
-  const Scalar M_left_ankle_cross_x_2 = left_ankle_cross_I8 * t_left_ankle_cross_18;
-  const Scalar M_left_ankle_cross_x_3 = M_left_ankle_cross_x_2 + M_left_ankle_cross_x_1;
-  const Scalar M_left_ankle_cross_x_4 = neg_Omega_left_foot_zx * t_left_foot_5;
-  const Scalar M_left_ankle_cross_x_5 = M_left_ankle_cross_x_3 + M_left_ankle_cross_x_4;
-  const Scalar M_left_ankle_cross_x_6 = left_ankle_cross_I3 * a_left_ankle_cross_z;
-  const Scalar M_left_ankle_cross_x_7 = M_left_ankle_cross_x_5 - M_left_ankle_cross_x_6;
-  const Scalar M_left_ankle_cross_x_8 = left_hip_fork_k3 * neg_F_left_foot_z;
-  const Scalar M_left_ankle_cross_x_9 = M_left_ankle_cross_x_7 - M_left_ankle_cross_x_8;
-  const Scalar M_left_ankle_cross_x_10 = Omega_left_foot_zy * t_left_foot_10;
-  const Scalar M_left_ankle_cross_x_11 = t_left_ankle_cross_26 - neg_Omega_left_foot_yy;
-  const Scalar M_left_ankle_cross_x_12 = M_left_ankle_cross_x_9 + M_left_ankle_cross_x_10;
-  const Scalar M_left_ankle_cross_x_13 = t_left_foot_6 * M_left_ankle_cross_x_11;
-  const Scalar M_left_ankle_cross_x_14 = M_left_ankle_cross_x_12 - M_left_ankle_cross_x_13;
-  const Scalar M_left_ankle_cross_x_15 = a_left_foot_z * t_left_foot_11;
-  const Scalar M_left_ankle_cross_x_16 = M_left_ankle_cross_x_14 + M_left_ankle_cross_x_15;
-  const Scalar M_left_ankle_cross_x_17 = left_ankle_cross_I9 * t_left_ankle_cross_11;
-  const Scalar M_left_ankle_cross_x_18 = M_left_ankle_cross_x_16 + M_left_ankle_cross_x_17;
-  const Scalar M_left_ankle_cross_x_19 = left_ankle_cross_I2 * t_left_ankle_cross_27;
-  const Scalar M_left_ankle_cross_x_20 = M_left_ankle_cross_x_18 + M_left_ankle_cross_x_19;
-  const Scalar M_left_ankle_cross_x_21 = Omega_left_foot_yx * t_left_foot_8;
-  const Scalar M_left_ankle_cross_x = M_left_ankle_cross_x_20 - M_left_ankle_cross_x_21;
+  const Scalar t_left_ankle_cross_21 = t_left_hip_fork_11 - t_left_ankle_cross_20;
+  const Scalar M_left_ankle_cross_x_1 = left_ankle_cross_I10 * t_left_ankle_cross_18;
+  const Scalar M_left_ankle_cross_x_2 =
+      left_ankle_cross_I8 * t_left_ankle_cross_13 + M_left_ankle_cross_x_1;
+  const Scalar M_left_ankle_cross_x_3 =
+      M_left_ankle_cross_x_2 + neg_Omega_left_foot_zx * t_left_foot_4;
+  const Scalar M_left_ankle_cross_x_4 =
+      M_left_ankle_cross_x_3 - left_ankle_cross_I3 * a_left_ankle_cross_z;
+  const Scalar M_left_ankle_cross_x_5 =
+      M_left_ankle_cross_x_4 - left_hip_fork_k3 * neg_F_left_foot_z;
+  const Scalar M_left_ankle_cross_x_6 = t_left_ankle_cross_20 - neg_Omega_left_foot_yy;
+  const Scalar M_left_ankle_cross_x_7 = M_left_ankle_cross_x_5 + Omega_left_foot_zy * t_left_foot_9;
+  const Scalar M_left_ankle_cross_x_8 =
+      M_left_ankle_cross_x_7 - t_left_foot_5 * M_left_ankle_cross_x_6;
+  const Scalar M_left_ankle_cross_x_9 = M_left_ankle_cross_x_8 + a_left_foot_z * t_left_foot_10;
+  const Scalar M_left_ankle_cross_x_10 =
+      M_left_ankle_cross_x_9 + left_ankle_cross_I9 * t_left_ankle_cross_8;
+  const Scalar M_left_ankle_cross_x_11 =
+      M_left_ankle_cross_x_10 + left_ankle_cross_I2 * t_left_ankle_cross_21;
+  const Scalar M_left_ankle_cross_x = M_left_ankle_cross_x_11 - Omega_left_foot_yx * t_left_foot_7;
   // left_foot: force F of (1)
-  const Scalar neg_F_left_foot_y_1 = t_left_foot_11 * neg_Omega_left_foot_yy;
-  const Scalar neg_F_left_foot_y_2 = neg_F_left_foot_y_1 - Omega_left_foot_yx * t_left_foot_9;
+  const Scalar neg_F_left_foot_y_1 = t_left_foot_10 * neg_Omega_left_foot_yy;
+  const Scalar neg_F_left_foot_y_2 = neg_F_left_foot_y_1 - Omega_left_foot_yx * t_left_foot_8;
   const Scalar neg_F_left_foot_y = neg_F_left_foot_y_2 + left_ankle_cross_I1 * neg_a_left_foot_y;
   // left_ankle_cross: moment M, force F of (1)
-  const Scalar M_left_ankle_cross_y_1 = left_ankle_cross_I2 * Omega_left_foot_xz;
-  const Scalar M_left_ankle_cross_y_2 = neg_M_left_foot_z + neg_F_left_foot_y;
-  const Scalar M_left_ankle_cross_y_3 = M_left_ankle_cross_y_2 + M_left_ankle_cross_y_1;
-  const Scalar M_left_ankle_cross_y_4 = left_ankle_cross_I10 * t_left_ankle_cross_21;
-  const Scalar M_left_ankle_cross_y_5 = M_left_ankle_cross_y_3 + M_left_ankle_cross_y_4;
-  const Scalar M_left_ankle_cross_y_6 = left_ankle_cross_I11 * t_left_ankle_cross_18;
-  const Scalar M_left_ankle_cross_y_7 = M_left_ankle_cross_y_5 + M_left_ankle_cross_y_6;
-  const Scalar M_left_ankle_cross_y_8 = left_hip_fork_k3 * F_left_foot_x;
-  const Scalar M_left_ankle_cross_y_9 = M_left_ankle_cross_y_7 + M_left_ankle_cross_y_8;
-  const Scalar M_left_ankle_cross_y_10 = left_ankle_cross_I8 * t_left_ankle_cross_11;
-  const Scalar M_left_ankle_cross_y = M_left_ankle_cross_y_9 + M_left_ankle_cross_y_10;
-  const Scalar M_left_ankle_cross_z_1 = left_ankle_cross_I3 * a_left_ankle_cross_x;
-  const Scalar M_left_ankle_cross_z_2 = neg_F_left_foot_z + M_left_ankle_cross_z_1;
-  const Scalar M_left_ankle_cross_z_3 = neg_Omega_left_foot_zx * t_left_foot_12;
-  const Scalar M_left_ankle_cross_z_4 = M_left_ankle_cross_z_2 + M_left_ankle_cross_z_3;
-  const Scalar M_left_ankle_cross_z_5 = a_left_foot_z * t_left_foot_9;
-  const Scalar M_left_ankle_cross_z_6 = M_left_ankle_cross_z_4 - M_left_ankle_cross_z_5;
-  const Scalar M_left_ankle_cross_z_7 = left_ankle_cross_I9 * Omega_left_foot_xz;
-  const Scalar M_left_ankle_cross_z_8 = M_left_ankle_cross_z_6 + M_left_ankle_cross_z_7;
-  const Scalar M_left_ankle_cross_z_9 = left_ankle_cross_I11 * t_left_ankle_cross_23;
-  const Scalar M_left_ankle_cross_z_10 = t_left_ankle_cross_19 - t_left_foot_3;
-  const Scalar M_left_ankle_cross_z_11 = M_left_ankle_cross_z_8 - M_left_ankle_cross_z_9;
-  const Scalar M_left_ankle_cross_z_12 = t_left_foot_8 * M_left_ankle_cross_z_10;
-  const Scalar M_left_ankle_cross_z_13 = t_left_ankle_cross_21 - t_left_ankle_cross_27;
-  const Scalar M_left_ankle_cross_z_14 = M_left_ankle_cross_z_11 + M_left_ankle_cross_z_12;
-  const Scalar M_left_ankle_cross_z_15 = left_ankle_cross_I8 * M_left_ankle_cross_z_13;
-  const Scalar M_left_ankle_cross_z_16 = M_left_ankle_cross_z_14 + M_left_ankle_cross_z_15;
-  const Scalar M_left_ankle_cross_z_17 = left_ankle_cross_I2 * t_left_ankle_cross_14;
-  const Scalar M_left_ankle_cross_z_18 = M_left_ankle_cross_z_16 + M_left_ankle_cross_z_17;
-  const Scalar M_left_ankle_cross_z_19 = Omega_left_foot_zy * t_left_foot_5;
-  const Scalar M_left_ankle_cross_z_20 = M_left_ankle_cross_z_18 + M_left_ankle_cross_z_19;
-  const Scalar M_left_ankle_cross_z_21 = left_ankle_cross_I10 * t_left_ankle_cross_8;
-  const Scalar M_left_ankle_cross_z_22 = M_left_ankle_cross_z_20 - M_left_ankle_cross_z_21;
-  const Scalar M_left_ankle_cross_z_23 = Omega_left_foot_xy * t_left_foot_6;
-  const Scalar M_left_ankle_cross_z = M_left_ankle_cross_z_22 + M_left_ankle_cross_z_23;
+  const Scalar M_left_ankle_cross_y_1 = neg_M_left_foot_z + neg_F_left_foot_y;
+  const Scalar M_left_ankle_cross_y_2 =
+      M_left_ankle_cross_y_1 + left_ankle_cross_I2 * Omega_left_foot_xz;
+  const Scalar M_left_ankle_cross_y_3 =
+      M_left_ankle_cross_y_2 + left_ankle_cross_I10 * t_left_ankle_cross_16;
+  const Scalar M_left_ankle_cross_y_4 =
+      M_left_ankle_cross_y_3 + left_ankle_cross_I11 * t_left_ankle_cross_13;
+  const Scalar M_left_ankle_cross_y_5 = M_left_ankle_cross_y_4 + left_hip_fork_k3 * F_left_foot_x;
+  const Scalar M_left_ankle_cross_y =
+      M_left_ankle_cross_y_5 + left_ankle_cross_I8 * t_left_ankle_cross_8;
+  const Scalar M_left_ankle_cross_z_1 =
+      neg_F_left_foot_z + left_ankle_cross_I3 * a_left_ankle_cross_x;
+  const Scalar M_left_ankle_cross_z_2 =
+      M_left_ankle_cross_z_1 + neg_Omega_left_foot_zx * t_left_foot_11;
+  const Scalar M_left_ankle_cross_z_3 = M_left_ankle_cross_z_2 - a_left_foot_z * t_left_foot_8;
+  const Scalar M_left_ankle_cross_z_4 =
+      M_left_ankle_cross_z_3 + left_ankle_cross_I9 * Omega_left_foot_xz;
+  const Scalar M_left_ankle_cross_z_5 = t_left_ankle_cross_14 - t_left_foot_2;
+  const Scalar M_left_ankle_cross_z_6 =
+      M_left_ankle_cross_z_4 - left_ankle_cross_I11 * t_left_ankle_cross_18;
+  const Scalar M_left_ankle_cross_z_7 = t_left_ankle_cross_16 - t_left_ankle_cross_21;
+  const Scalar M_left_ankle_cross_z_8 =
+      M_left_ankle_cross_z_6 + t_left_foot_7 * M_left_ankle_cross_z_5;
+  const Scalar M_left_ankle_cross_z_9 =
+      M_left_ankle_cross_z_8 + left_ankle_cross_I8 * M_left_ankle_cross_z_7;
+  const Scalar M_left_ankle_cross_z_10 =
+      M_left_ankle_cross_z_9 + left_ankle_cross_I2 * t_left_ankle_cross_10;
+  const Scalar M_left_ankle_cross_z_11 =
+      M_left_ankle_cross_z_10 + Omega_left_foot_zy * t_left_foot_4;
+  const Scalar M_left_ankle_cross_z_12 =
+      M_left_ankle_cross_z_11 - left_ankle_cross_I10 * t_left_ankle_cross_6;
+  const Scalar M_left_ankle_cross_z = M_left_ankle_cross_z_12 + Omega_left_foot_xy * t_left_foot_5;
   tau[4] = M_left_ankle_cross_z;
-  const Scalar F_left_ankle_cross_y_1 = left_shank_I14 * neg_a_left_ankle_cross_y;
-  const Scalar F_left_ankle_cross_y_2 = neg_F_left_foot_z - F_left_ankle_cross_y_1;
-  const Scalar F_left_ankle_cross_y_3 = left_ankle_cross_I3 * t_left_ankle_cross_26;
-  const Scalar F_left_ankle_cross_y = F_left_ankle_cross_y_2 + F_left_ankle_cross_y_3;
+  const Scalar F_left_ankle_cross_y_1 =
+      neg_F_left_foot_z - left_shank_I14 * neg_a_left_ankle_cross_y;
+  const Scalar F_left_ankle_cross_y =
+      F_left_ankle_cross_y_1 + left_ankle_cross_I3 * t_left_ankle_cross_20;
   const Scalar F_left_ankle_cross_x_1 = F_left_foot_x + left_shank_I14 * a_left_ankle_cross_x;
-  const Scalar F_left_ankle_cross_x_2 = left_ankle_cross_I3 * Omega_left_foot_xz;
-  const Scalar F_left_ankle_cross_x = F_left_ankle_cross_x_1 + F_left_ankle_cross_x_2;
-  const Scalar neg_Omega_left_shank_yy = t_left_shank_6 + t_left_shank_7;
-  const Scalar t_left_ankle_cross_28 = s_left_ankle_pitch * F_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_29 = c_left_ankle_pitch * F_left_ankle_cross_y;
-  const Scalar t_left_ankle_cross_30 = t_left_ankle_cross_28 + t_left_ankle_cross_29;
+  const Scalar F_left_ankle_cross_x =
+      F_left_ankle_cross_x_1 + left_ankle_cross_I3 * Omega_left_foot_xz;
+  const Scalar neg_Omega_left_shank_yy = t_left_shank_4 + t_left_shank_5;
+  const Scalar t_left_ankle_cross_22 = s_left_ankle_pitch * F_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_23 =
+      t_left_ankle_cross_22 + c_left_ankle_pitch * F_left_ankle_cross_y;
   // left_shank: moment M, force F of (1)
   const Scalar M_left_shank_z_1 = M_left_ankle_cross_z - left_shank_I6 * Omega_left_shank_xz;
-  const Scalar M_left_shank_z_2 = M_left_shank_z_1 - left_shank_I15 * t_left_shank_8;
+  const Scalar M_left_shank_z_2 = M_left_shank_z_1 - left_shank_I15 * t_left_shank_6;
   const Scalar M_left_shank_z_3 = neg_Omega_left_shank_xx - neg_Omega_left_shank_yy;
   const Scalar M_left_shank_z_4 = M_left_shank_z_2 + left_shank_I11 * Omega_left_shank_yz;
   const Scalar M_left_shank_z_5 = M_left_shank_z_4 + left_shank_I9 * M_left_shank_z_3;
   const Scalar M_left_shank_z_6 = M_left_shank_z_5 - left_shank_I16 * alpha_left_shank_z;
   const Scalar M_left_shank_z_7 = M_left_shank_z_6 - left_shank_I1 * a_left_shank_x;
-  const Scalar M_left_shank_z = M_left_shank_z_7 + left_hip_fork_k2 * t_left_ankle_cross_30;
+  const Scalar M_left_shank_z = M_left_shank_z_7 + left_hip_fork_k2 * t_left_ankle_cross_23;
   tau[3] = M_left_shank_z;
-  const Scalar F_left_shank_y_1 = left_shank_I1 * neg_Omega_left_shank_yy;
-  const Scalar F_left_shank_y_2 = t_left_ankle_cross_30 - F_left_shank_y_1;
-  const Scalar F_left_shank_y = F_left_shank_y_2 + left_thigh_I14 * a_left_shank_y;
-  const Scalar t_left_foot_13 = neg_F_left_foot_y + left_ankle_cross_I3 * t_left_ankle_cross_11;
-  const Scalar neg_F_left_ankle_cross_z = t_left_foot_13 - left_shank_I14 * a_left_ankle_cross_z;
-  const Scalar neg_Omega_left_thigh_xy = t_left_thigh_7 + alpha_left_thigh_z;
+  const Scalar F_left_shank_y_1 = t_left_ankle_cross_23 - left_shank_I1 * neg_Omega_left_shank_yy;
+  const Scalar F_left_shank_y = F_left_shank_y_1 + left_thigh_I14 * a_left_shank_y;
+  const Scalar t_left_foot_12 = neg_F_left_foot_y + left_ankle_cross_I3 * t_left_ankle_cross_8;
+  const Scalar neg_F_left_ankle_cross_z = t_left_foot_12 - left_shank_I14 * a_left_ankle_cross_z;
+  const Scalar neg_Omega_left_thigh_xy = t_left_thigh_6 + alpha_left_thigh_z;
   const Scalar M_left_shank_y_1 = s_left_ankle_pitch * M_left_ankle_cross_x;
   const Scalar M_left_shank_y_2 = M_left_shank_y_1 + left_shank_I6 * Omega_left_shank_xy;
-  const Scalar M_left_shank_y_3 = M_left_shank_y_2 + left_shank_I11 * t_left_shank_9;
-  const Scalar M_left_shank_y_4 = left_hip_fork_k2 * neg_F_left_ankle_cross_z;
-  const Scalar M_left_shank_y_5 = left_shank_I13 * neg_Omega_left_shank_zx;
-  const Scalar M_left_shank_y_6 = M_left_shank_y_3 + M_left_shank_y_4 - M_left_shank_y_5;
-  const Scalar M_left_shank_y_7 = M_left_shank_y_6 + left_shank_I9 * neg_Omega_left_shank_zy;
-  const Scalar M_left_shank_y = M_left_shank_y_7 + c_left_ankle_pitch * M_left_ankle_cross_y;
+  const Scalar M_left_shank_y_3 = M_left_shank_y_2 + left_shank_I11 * t_left_shank_7;
+  const Scalar M_left_shank_y_4 = M_left_shank_y_3 + left_hip_fork_k2 * neg_F_left_ankle_cross_z;
+  const Scalar M_left_shank_y_5 = M_left_shank_y_4 - left_shank_I13 * neg_Omega_left_shank_zx;
+  const Scalar M_left_shank_y_6 = M_left_shank_y_5 + left_shank_I9 * neg_Omega_left_shank_zy;
+  const Scalar M_left_shank_y = M_left_shank_y_6 + c_left_ankle_pitch * M_left_ankle_cross_y;
+  // left_ankle_cross: force F of (1)
   const Scalar neg_F_left_shank_z_1 = neg_F_left_ankle_cross_z - left_thigh_I14 * a_left_shank_z;
-  const Scalar neg_F_left_shank_z_2 = left_shank_I1 * neg_Omega_left_shank_zy;
-  const Scalar neg_F_left_shank_z = neg_F_left_shank_z_1 + neg_F_left_shank_z_2;
+  const Scalar neg_F_left_shank_z = neg_F_left_shank_z_1 + left_shank_I1 * neg_Omega_left_shank_zy;
   const Scalar M_left_shank_x_1 = c_left_ankle_pitch * M_left_ankle_cross_x;
-  const Scalar M_left_shank_x_2 = left_shank_I6 * (t_left_hip_fork_11 - neg_Omega_left_shank_yy);
-  const Scalar M_left_shank_x_3 = M_left_shank_x_1 - left_shank_I10 * neg_Omega_left_shank_zy;
-  const Scalar M_left_shank_x_4 = M_left_shank_x_3 - M_left_shank_x_2;
+  // left_shank: moment M of (1)
+  const Scalar M_left_shank_x_2 = M_left_shank_x_1 - left_shank_I10 * neg_Omega_left_shank_zy;
+  const Scalar M_left_shank_x_3 = t_left_hip_fork_11 - neg_Omega_left_shank_yy;
+  const Scalar M_left_shank_x_4 = M_left_shank_x_2 - left_shank_I6 * M_left_shank_x_3;
   const Scalar M_left_shank_x_5 = M_left_shank_x_4 - left_shank_I11 * Omega_left_shank_yx;
   const Scalar M_left_shank_x_6 = M_left_shank_x_5 - left_shank_I9 * neg_Omega_left_shank_zx;
   const Scalar M_left_shank_x_7 = M_left_shank_x_6 + left_shank_I1 * a_left_shank_z;
   const Scalar M_left_shank_x = M_left_shank_x_7 - s_left_ankle_pitch * M_left_ankle_cross_y;
-  // left_thigh
   const Scalar neg_M_left_thigh_y_1 = left_thigh_I12 * neg_Omega_left_thigh_zy;
-  const Scalar neg_M_left_thigh_y_2 = left_thigh_I6 * neg_Omega_left_thigh_xy;
-  const Scalar neg_M_left_thigh_y_3 = neg_M_left_thigh_y_2 - neg_M_left_thigh_y_1;
-  const Scalar neg_M_left_thigh_y_4 = neg_M_left_thigh_y_3 - c_left_knee * M_left_shank_y;
-  const Scalar neg_M_left_thigh_y_5 = left_thigh_I13 * Omega_left_thigh_zx;
-  // left_shank: moment M of (1)
-  const Scalar neg_M_left_thigh_y_6 = neg_M_left_thigh_y_4 - neg_M_left_thigh_y_5;
-  const Scalar neg_M_left_thigh_y_7 = left_hip_fork_k1 * neg_F_left_shank_z;
-  const Scalar neg_M_left_thigh_y_8 = neg_M_left_thigh_y_6 - neg_M_left_thigh_y_7;
-  const Scalar neg_M_left_thigh_y_9 = neg_M_left_thigh_y_8 - left_thigh_I8 * t_left_thigh_9;
-  const Scalar neg_M_left_thigh_y = neg_M_left_thigh_y_9 - s_left_knee * M_left_shank_x;
+  const Scalar neg_M_left_thigh_y_2 =
+      left_thigh_I6 * neg_Omega_left_thigh_xy - neg_M_left_thigh_y_1;
+  const Scalar neg_M_left_thigh_y_3 = neg_M_left_thigh_y_2 - c_left_knee * M_left_shank_y;
+  const Scalar neg_M_left_thigh_y_4 = neg_M_left_thigh_y_3 - left_thigh_I13 * Omega_left_thigh_zx;
+  const Scalar neg_M_left_thigh_y_5 = neg_M_left_thigh_y_4 - left_hip_fork_k1 * neg_F_left_shank_z;
+  const Scalar neg_M_left_thigh_y_6 = neg_M_left_thigh_y_5 - left_thigh_I8 * t_left_thigh_8;
+  const Scalar neg_M_left_thigh_y = neg_M_left_thigh_y_6 - s_left_knee * M_left_shank_x;
   // left_thigh: Omega, moment M of (1)
-  const Scalar neg_Omega_left_thigh_yy = t_left_thigh_5 + t_left_thigh_6;
-  const Scalar t_left_thigh_10 = t_left_hip_fork_11 - neg_Omega_left_thigh_yy;
-  const Scalar M_left_thigh_x_1 = left_thigh_I6 * t_left_thigh_10;
+  const Scalar neg_Omega_left_thigh_yy = t_left_thigh_4 + t_left_thigh_5;
+  const Scalar t_left_thigh_9 = t_left_hip_fork_11 - neg_Omega_left_thigh_yy;
+  const Scalar M_left_thigh_x_1 = left_thigh_I6 * t_left_thigh_9;
   const Scalar M_left_thigh_x_2 = left_thigh_I2 * a_left_thigh_z - M_left_thigh_x_1;
   const Scalar M_left_thigh_x_3 = M_left_thigh_x_2 - left_thigh_I11 * neg_Omega_left_thigh_zy;
   const Scalar M_left_thigh_x_4 = M_left_thigh_x_3 + c_left_knee * M_left_shank_x;
@@ -2382,14 +2309,14 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar F_left_shank_x_2 = left_thigh_I14 * a_left_shank_x + F_left_shank_x_1;
   const Scalar F_left_shank_x_3 = F_left_shank_x_2 - s_left_ankle_pitch * F_left_ankle_cross_y;
   const Scalar F_left_shank_x = F_left_shank_x_3 + left_shank_I1 * Omega_left_shank_xy;
-  const Scalar t_left_shank_10 = c_left_knee * F_left_shank_y + s_left_knee * F_left_shank_x;
+  const Scalar t_left_shank_8 = c_left_knee * F_left_shank_y + s_left_knee * F_left_shank_x;
   // left_thigh: moment M of (1)
   const Scalar M_left_thigh_z_1 = M_left_shank_z + left_thigh_I6 * neg_Omega_left_thigh_xz;
-  const Scalar M_left_thigh_z_2 = M_left_thigh_z_1 + left_thigh_I16 * t_left_thigh_7;
-  const Scalar M_left_thigh_z_3 = left_thigh_I12 * (t_left_thigh_9 - t_left_thigh_10);
-  const Scalar M_left_thigh_z_4 = M_left_thigh_z_2 - M_left_thigh_z_3;
+  const Scalar M_left_thigh_z_2 = M_left_thigh_z_1 + left_thigh_I16 * t_left_thigh_6;
+  const Scalar M_left_thigh_z_3 = t_left_thigh_8 - t_left_thigh_9;
+  const Scalar M_left_thigh_z_4 = M_left_thigh_z_2 - left_thigh_I12 * M_left_thigh_z_3;
   const Scalar M_left_thigh_z_5 = M_left_thigh_z_4 + left_thigh_I8 * Omega_left_thigh_yz;
-  const Scalar M_left_thigh_z_6 = M_left_thigh_z_5 + left_hip_fork_k1 * t_left_shank_10;
+  const Scalar M_left_thigh_z_6 = M_left_thigh_z_5 + left_hip_fork_k1 * t_left_shank_8;
   const Scalar M_left_thigh_z_7 = M_left_thigh_z_6 - left_thigh_I15 * alpha_left_thigh_z;
   const Scalar M_left_thigh_z = M_left_thigh_z_7 - left_thigh_I2 * a_left_thigh_x;
   tau[2] = M_left_thigh_z;
@@ -2398,38 +2325,34 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_hip_fork_13 = t_left_hip_block_1 - t_left_hip_fork_11;
   const Scalar M_left_hip_fork_z_1 = left_hip_fork_G2 - left_hip_fork_I9 * qdd[0];
   const Scalar M_left_hip_fork_z_2 = s_left_hip_roll * M_left_hip_fork_z_1;
-  const Scalar M_left_hip_fork_z_3 = left_hip_fork_I11 * t_left_hip_fork_10;
-  const Scalar M_left_hip_fork_z_4 = M_left_hip_fork_z_2 + M_left_hip_fork_z_3;
-  const Scalar M_left_hip_fork_z_5 = c_left_hip_pitch * neg_M_left_thigh_y;
-  const Scalar M_left_hip_fork_z_6 = M_left_hip_fork_z_4 + M_left_hip_fork_z_5;
-  const Scalar M_left_hip_fork_z_7 = left_hip_fork_I10 * t_left_hip_fork_9;
-  const Scalar M_left_hip_fork_z_8 = t_left_hip_fork_12 - t_left_hip_fork_13;
-  const Scalar M_left_hip_fork_z_9 = M_left_hip_fork_z_6 - M_left_hip_fork_z_7;
-  const Scalar M_left_hip_fork_z_10 = left_hip_fork_I7 * M_left_hip_fork_z_8;
-  const Scalar M_left_hip_fork_z_11 = left_hip_fork_G3 + left_hip_fork_I8 * qdd[0];
-  const Scalar M_left_hip_fork_z_12 = M_left_hip_fork_z_9 - M_left_hip_fork_z_10;
-  const Scalar M_left_hip_fork_z_13 = c_left_hip_roll * M_left_hip_fork_z_11;
-  tau[1] = M_left_hip_fork_z_12 + M_left_hip_fork_z_13 - s_left_hip_pitch * M_left_thigh_x;
-  const Scalar F_left_thigh_y = t_left_shank_10 - left_thigh_I2 * neg_Omega_left_thigh_yy;
+  const Scalar M_left_hip_fork_z_3 = M_left_hip_fork_z_2 + left_hip_fork_I11 * t_left_hip_fork_10;
+  const Scalar M_left_hip_fork_z_4 = M_left_hip_fork_z_3 + c_left_hip_pitch * neg_M_left_thigh_y;
+  const Scalar M_left_hip_fork_z_5 = t_left_hip_fork_12 - t_left_hip_fork_13;
+  const Scalar M_left_hip_fork_z_6 = M_left_hip_fork_z_4 - left_hip_fork_I10 * t_left_hip_fork_9;
+  const Scalar M_left_hip_fork_z_7 = left_hip_fork_G3 + left_hip_fork_I8 * qdd[0];
+  const Scalar M_left_hip_fork_z_8 = M_left_hip_fork_z_6 - left_hip_fork_I7 * M_left_hip_fork_z_5;
+  const Scalar M_left_hip_fork_z_9 = M_left_hip_fork_z_8 + c_left_hip_roll * M_left_hip_fork_z_7;
+  tau[1] = M_left_hip_fork_z_9 - s_left_hip_pitch * M_left_thigh_x;
+  const Scalar F_left_thigh_y = t_left_shank_8 - left_thigh_I2 * neg_Omega_left_thigh_yy;
   const Scalar neg_F_left_thigh_x_1 = left_thigh_I2 * neg_Omega_left_thigh_xy;
   const Scalar neg_F_left_thigh_x_2 = neg_F_left_thigh_x_1 + s_left_knee * F_left_shank_y;
   const Scalar Omega_left_hip_fork_zx = t_left_hip_fork_1 + t_left_hip_fork_3;
-  const Scalar t_left_thigh_11 = M_left_thigh_z + left_hip_fork_I8 * t_left_hip_fork_12;
-  const Scalar t_left_thigh_12 = t_left_thigh_11 - s_left_hip_pitch * F_left_thigh_y;
+  const Scalar t_left_thigh_10 = M_left_thigh_z + left_hip_fork_I8 * t_left_hip_fork_12;
+  const Scalar t_left_thigh_11 = t_left_thigh_10 - s_left_hip_pitch * F_left_thigh_y;
   const Scalar neg_F_left_thigh_x = neg_F_left_thigh_x_2 - c_left_knee * F_left_shank_x;
   // left_thigh: moment M of (1)
-  const Scalar t_left_thigh_13 = t_left_thigh_12 - left_hip_fork_I9 * t_left_hip_fork_10;
-  const Scalar t_left_thigh_14 = t_left_thigh_13 - c_left_hip_pitch * neg_F_left_thigh_x;
-  const Scalar t_left_thigh_15 = t_left_thigh_14 + left_hip_fork_I7 * Omega_left_hip_fork_zy;
-  const Scalar t_left_hip_fork_14 = left_hip_fork_I10 * Omega_left_hip_fork_zx;
-  const Scalar t_left_thigh_16 = neg_F_left_shank_z - left_hip_fork_I9 * t_left_hip_fork_13;
-  const Scalar t_left_thigh_17 = t_left_thigh_16 + c_left_hip_pitch * M_left_thigh_x;
-  const Scalar t_left_thigh_18 = t_left_thigh_17 + left_hip_fork_I8 * t_left_hip_fork_9;
-  const Scalar t_left_thigh_19 = t_left_thigh_18 - left_hip_fork_I11 * Omega_left_hip_fork_zy;
-  const Scalar t_left_thigh_20 = t_left_thigh_19 - left_hip_fork_I7 * Omega_left_hip_fork_zx;
-  const Scalar t_left_thigh_21 = t_left_thigh_20 + left_thigh_I2 * neg_Omega_left_thigh_zy;
-  const Scalar M_left_hip_block_z_1 = s_left_hip_roll * (t_left_thigh_15 + t_left_hip_fork_14);
-  const Scalar neg_M_left_hip_fork_x = t_left_thigh_21 + s_left_hip_pitch * neg_M_left_thigh_y;
+  const Scalar t_left_thigh_12 = t_left_thigh_11 - left_hip_fork_I9 * t_left_hip_fork_10;
+  const Scalar t_left_thigh_13 = t_left_thigh_12 - c_left_hip_pitch * neg_F_left_thigh_x;
+  const Scalar t_left_thigh_14 = t_left_thigh_13 + left_hip_fork_I7 * Omega_left_hip_fork_zy;
+  const Scalar t_left_thigh_15 = neg_F_left_shank_z - left_hip_fork_I9 * t_left_hip_fork_13;
+  const Scalar t_left_thigh_16 = t_left_thigh_15 + c_left_hip_pitch * M_left_thigh_x;
+  const Scalar t_left_thigh_17 = t_left_thigh_16 + left_hip_fork_I8 * t_left_hip_fork_9;
+  const Scalar t_left_thigh_18 = t_left_thigh_17 - left_hip_fork_I11 * Omega_left_hip_fork_zy;
+  const Scalar t_left_thigh_19 = t_left_thigh_18 - left_hip_fork_I7 * Omega_left_hip_fork_zx;
+  const Scalar t_left_thigh_20 = t_left_thigh_19 + left_thigh_I2 * neg_Omega_left_thigh_zy;
+  const Scalar neg_M_left_hip_fork_y = t_left_thigh_14 + left_hip_fork_I10 * Omega_left_hip_fork_zx;
+  const Scalar M_left_hip_block_z_1 = s_left_hip_roll * neg_M_left_hip_fork_y;
+  const Scalar neg_M_left_hip_fork_x = t_left_thigh_20 + s_left_hip_pitch * neg_M_left_thigh_y;
   // left_hip_block: moment M of (1)
   const Scalar M_left_hip_block_z_2 = left_hip_block_I2 * qdd[0] + M_left_hip_block_z_1;
   tau[0] = M_left_hip_block_z_2 - c_left_hip_roll * neg_M_left_hip_fork_x;
@@ -2497,90 +2420,88 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_left_thigh_2 = omega_left_thigh_z * omega_left_thigh_z;
   const Scalar neg_Omega_left_thigh_xx = t_left_hip_fork_4 + t_left_thigh_2;
   const Scalar t_left_thigh_3 = 2.0 * omega_left_hip_fork_x;
-  const Scalar t_left_thigh_4 = omega_left_thigh_z * t_left_thigh_3;
-  const Scalar neg_Omega_left_thigh_zx = Omega_left_thigh_xz - t_left_thigh_4;
+  const Scalar neg_Omega_left_thigh_zx = Omega_left_thigh_xz - omega_left_thigh_z * t_left_thigh_3;
   const Scalar neg_a_left_thigh_y_1 = t_left_hip_fork_1 + t_left_hip_fork_3;
   const Scalar neg_a_left_thigh_y = left_hip_fork_l1 * neg_a_left_thigh_y_1;
-  const Scalar t_left_thigh_5 = left_thigh_I4 * c_left_hip_pitch;
-  const Scalar t_left_thigh_6 = t_left_thigh_5 + left_thigh_I3 * s_left_hip_pitch;
-  const Scalar t_left_thigh_7 = c_left_hip_pitch * t_left_thigh_6;
-  const Scalar t_left_thigh_8 = left_thigh_I12 - t_left_thigh_7;
-  const Scalar t_left_thigh_9 = s_left_hip_pitch * t_left_thigh_6;
-  const Scalar t_left_thigh_10 = left_thigh_I6 * s_left_hip_pitch;
-  const Scalar t_left_thigh_11 = t_left_thigh_10 - left_thigh_I5 * c_left_hip_pitch;
+  const Scalar t_left_thigh_4 = left_thigh_I4 * c_left_hip_pitch;
+  const Scalar t_left_thigh_5 = t_left_thigh_4 + left_thigh_I3 * s_left_hip_pitch;
+  const Scalar t_left_thigh_6 = c_left_hip_pitch * t_left_thigh_5;
+  const Scalar t_left_thigh_7 = left_thigh_I12 - t_left_thigh_6;
+  const Scalar t_left_thigh_8 = s_left_hip_pitch * t_left_thigh_5;
+  const Scalar t_left_thigh_9 = left_thigh_I6 * s_left_hip_pitch;
+  const Scalar t_left_thigh_10 = t_left_thigh_9 - left_thigh_I5 * c_left_hip_pitch;
   const Scalar Omega_left_hip_fork_zx = qd[1] * t_left_thigh_3;
-  const Scalar t_left_thigh_12 = left_thigh_I5 * s_left_hip_pitch;
-  const Scalar t_left_thigh_13 = t_left_thigh_12 + left_thigh_I6 * c_left_hip_pitch;
-  const Scalar t_left_thigh_14 = left_thigh_h3 * s_left_hip_pitch;
-  const Scalar t_left_thigh_15 = t_left_thigh_14 + left_thigh_h1 * c_left_hip_pitch;
-  const Scalar t_left_thigh_16 = left_thigh_h1 * s_left_hip_pitch;
-  const Scalar t_left_thigh_17 = t_left_thigh_16 - left_thigh_h3 * c_left_hip_pitch;
-  const Scalar t_left_thigh_18 = left_thigh_I17 - t_left_thigh_9;
+  const Scalar t_left_thigh_11 = left_thigh_I5 * s_left_hip_pitch;
+  const Scalar t_left_thigh_12 = t_left_thigh_11 + left_thigh_I6 * c_left_hip_pitch;
+  const Scalar t_left_thigh_13 = left_thigh_h3 * s_left_hip_pitch;
+  const Scalar t_left_thigh_14 = t_left_thigh_13 + left_thigh_h1 * c_left_hip_pitch;
+  const Scalar t_left_thigh_15 = left_thigh_h1 * s_left_hip_pitch;
+  const Scalar t_left_thigh_16 = t_left_thigh_15 - left_thigh_h3 * c_left_hip_pitch;
+  const Scalar t_left_thigh_17 = left_thigh_I17 - t_left_thigh_8;
   // left_shank: acceleration a, angular velocity omega, Omega of (1)
   const Scalar a_left_shank_z_1 = a_left_thigh_z - neg_s_left_shank_y * Omega_left_thigh_zy;
   const Scalar a_left_shank_z = a_left_shank_z_1 + neg_s_left_shank_x * neg_Omega_left_thigh_zx;
   const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
   const Scalar neg_Omega_left_shank_zx = neg_Omega_left_thigh_zx - t_left_thigh_3 * qd[3];
-  const Scalar t_left_shank_2 = t_left_thigh_1 * omega_left_shank_z;
-  const Scalar neg_Omega_left_shank_zy = Omega_left_thigh_yz - t_left_shank_2;
-  const Scalar t_left_shank_3 = omega_left_shank_z * omega_left_shank_z;
-  const Scalar t_left_shank_4 = left_shank_I3 * c_q2_q3 + left_shank_I4 * s_q2_q3;
-  const Scalar t_left_shank_5 = s_q2_q3 * t_left_shank_4;
-  const Scalar t_left_shank_6 = c_q2_q3 * t_left_shank_4;
-  const Scalar t_left_shank_7 = left_shank_I9 - t_left_shank_6;
-  const Scalar t_left_shank_8 = left_shank_I6 * s_q2_q3 - left_shank_I5 * c_q2_q3;
-  const Scalar t_left_shank_9 = left_shank_I6 * c_q2_q3 + left_shank_I5 * s_q2_q3;
-  const Scalar t_left_shank_10 = left_shank_h2 * c_q2_q3 + left_shank_h3 * s_q2_q3;
-  const Scalar t_left_shank_11 = left_shank_I17 - t_left_shank_5;
-  const Scalar t_left_shank_12 = left_shank_h2 * s_q2_q3 - left_shank_h3 * c_q2_q3;
-  const Scalar neg_Omega_left_shank_yy = t_left_hip_fork_1 + t_left_shank_3;
-  const Scalar neg_a_left_shank_y_1 = neg_s_left_shank_x * Omega_left_hip_fork_zx;
+  const Scalar neg_Omega_left_shank_zy = Omega_left_thigh_yz - t_left_thigh_1 * omega_left_shank_z;
+  const Scalar t_left_shank_2 = omega_left_shank_z * omega_left_shank_z;
+  const Scalar t_left_shank_3 = left_shank_I3 * c_q2_q3 + left_shank_I4 * s_q2_q3;
+  const Scalar t_left_shank_4 = s_q2_q3 * t_left_shank_3;
+  const Scalar t_left_shank_5 = c_q2_q3 * t_left_shank_3;
+  const Scalar t_left_shank_6 = left_shank_I9 - t_left_shank_5;
+  const Scalar t_left_shank_7 = left_shank_I6 * s_q2_q3 - left_shank_I5 * c_q2_q3;
+  const Scalar t_left_shank_8 = left_shank_I6 * c_q2_q3 + left_shank_I5 * s_q2_q3;
+  const Scalar t_left_shank_9 = left_shank_h2 * c_q2_q3 + left_shank_h3 * s_q2_q3;
+  const Scalar t_left_shank_10 = left_shank_I17 - t_left_shank_4;
+  const Scalar t_left_shank_11 = left_shank_h2 * s_q2_q3 - left_shank_h3 * c_q2_q3;
+  const Scalar neg_Omega_left_shank_yy = t_left_hip_fork_1 + t_left_shank_2;
   const Scalar neg_Omega_left_thigh_yy = t_left_hip_fork_1 + t_left_thigh_2;
-  const Scalar neg_a_left_shank_y_2 = neg_a_left_thigh_y + neg_a_left_shank_y_1;
-  const Scalar neg_a_left_shank_y_3 = neg_s_left_shank_y * neg_Omega_left_thigh_yy;
-  const Scalar neg_a_left_shank_y = neg_a_left_shank_y_2 - neg_a_left_shank_y_3;
-  // left_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar t_left_ankle_cross_1 = neg_s_left_ankle_cross_x * Omega_left_hip_fork_zx;
-  const Scalar t_left_ankle_cross_2 = neg_s_left_ankle_cross_y * neg_Omega_left_shank_yy;
-  const Scalar t_left_ankle_cross_3 = neg_a_left_shank_y + t_left_ankle_cross_1;
-  const Scalar t_left_ankle_cross_4 = t_left_ankle_cross_3 - t_left_ankle_cross_2;
-  const Scalar neg_Omega_left_shank_xx = t_left_hip_fork_4 + t_left_shank_3;
+  const Scalar neg_a_left_shank_y_1 =
+      neg_a_left_thigh_y + neg_s_left_shank_x * Omega_left_hip_fork_zx;
+  const Scalar neg_a_left_shank_y =
+      neg_a_left_shank_y_1 - neg_s_left_shank_y * neg_Omega_left_thigh_yy;
+  const Scalar t_left_ankle_cross_1 =
+      neg_a_left_shank_y + neg_s_left_ankle_cross_x * Omega_left_hip_fork_zx;
+  const Scalar t_left_ankle_cross_2 =
+      t_left_ankle_cross_1 - neg_s_left_ankle_cross_y * neg_Omega_left_shank_yy;
+  const Scalar neg_Omega_left_shank_xx = t_left_hip_fork_4 + t_left_shank_2;
   const Scalar a_left_shank_x = a_left_hip_fork_x + neg_s_left_shank_x * neg_Omega_left_thigh_xx;
-  const Scalar t_left_ankle_cross_5 = neg_s_left_ankle_cross_x * neg_Omega_left_shank_xx;
-  const Scalar t_left_ankle_cross_6 = a_left_shank_x + t_left_ankle_cross_5;
-  const Scalar t_left_ankle_cross_7 = neg_s_left_ankle_cross_y * neg_Omega_left_shank_zy;
-  const Scalar t_left_ankle_cross_8 = neg_s_left_ankle_cross_x * neg_Omega_left_shank_zx;
-  const Scalar t_left_ankle_cross_9 = a_left_shank_z + t_left_ankle_cross_7;
-  const Scalar a_left_ankle_cross_z = t_left_ankle_cross_9 + t_left_ankle_cross_8;
+  // left_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
+  const Scalar t_left_ankle_cross_3 =
+      a_left_shank_x + neg_s_left_ankle_cross_x * neg_Omega_left_shank_xx;
+  const Scalar t_left_ankle_cross_4 =
+      a_left_shank_z + neg_s_left_ankle_cross_y * neg_Omega_left_shank_zy;
+  const Scalar a_left_ankle_cross_z =
+      t_left_ankle_cross_4 + neg_s_left_ankle_cross_x * neg_Omega_left_shank_zx;
   const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[4];
-  const Scalar t_left_ankle_cross_10 = s_q2_q3_q4 * omega_left_hip_fork_x;
-  const Scalar omega_left_ankle_cross_y = t_left_ankle_cross_10 - c_q2_q3_q4 * qd[1];
-  const Scalar t_left_ankle_cross_11 = t_left_hip_fork_2 * t_left_ankle_cross_10;
-  const Scalar t_left_ankle_cross_12 = c_q2_q3_q4 * Omega_left_thigh_yz - t_left_ankle_cross_11;
-  const Scalar t_left_ankle_cross_13 = 2.0 * omega_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_14 = omega_left_ankle_cross_y * t_left_ankle_cross_13;
-  const Scalar t_left_ankle_cross_15 = t_left_ankle_cross_12 + t_left_ankle_cross_14;
-  const Scalar t_left_ankle_cross_16 = c_q2_q3_q4 * omega_left_hip_fork_x;
-  const Scalar t_left_ankle_cross_17 = t_left_ankle_cross_16 + s_q2_q3_q4 * qd[1];
-  const Scalar t_left_ankle_cross_18 = t_left_hip_fork_2 * t_left_ankle_cross_16;
-  const Scalar t_left_ankle_cross_19 = s_q2_q3_q4 * Omega_left_thigh_yz + t_left_ankle_cross_18;
-  const Scalar t_left_ankle_cross_20 = t_left_ankle_cross_13 * t_left_ankle_cross_17;
-  const Scalar t_left_ankle_cross_21 = t_left_ankle_cross_19 - t_left_ankle_cross_20;
-  const Scalar t_left_ankle_cross_22 = t_left_ankle_cross_17 * t_left_ankle_cross_17;
-  const Scalar t_left_ankle_cross_23 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_24 = t_left_ankle_cross_22 - t_left_ankle_cross_23;
-  const Scalar t_left_ankle_cross_25 = t_left_hip_fork_5 - t_left_ankle_cross_24;
-  const Scalar t_left_ankle_cross_26 = omega_left_ankle_cross_y * t_left_ankle_cross_17;
-  const Scalar t_left_ankle_cross_27 = alpha_left_thigh_z - t_left_ankle_cross_26;
-  const Scalar Omega_left_foot_xz = alpha_left_thigh_z + t_left_ankle_cross_26;
-  const Scalar t_left_ankle_cross_28 = t_left_ankle_cross_22 + t_left_ankle_cross_23;
+  const Scalar t_left_ankle_cross_5 = s_q2_q3_q4 * omega_left_hip_fork_x;
+  const Scalar omega_left_ankle_cross_y = t_left_ankle_cross_5 - c_q2_q3_q4 * qd[1];
+  const Scalar t_left_ankle_cross_6 = t_left_hip_fork_2 * t_left_ankle_cross_5;
+  const Scalar t_left_ankle_cross_7 = c_q2_q3_q4 * Omega_left_thigh_yz - t_left_ankle_cross_6;
+  const Scalar t_left_ankle_cross_8 = 2.0 * omega_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_9 =
+      t_left_ankle_cross_7 + omega_left_ankle_cross_y * t_left_ankle_cross_8;
+  const Scalar t_left_ankle_cross_10 = c_q2_q3_q4 * omega_left_hip_fork_x;
+  const Scalar t_left_ankle_cross_11 = t_left_ankle_cross_10 + s_q2_q3_q4 * qd[1];
+  const Scalar t_left_ankle_cross_12 = t_left_hip_fork_2 * t_left_ankle_cross_10;
+  const Scalar t_left_ankle_cross_13 = s_q2_q3_q4 * Omega_left_thigh_yz + t_left_ankle_cross_12;
+  const Scalar t_left_ankle_cross_14 =
+      t_left_ankle_cross_13 - t_left_ankle_cross_8 * t_left_ankle_cross_11;
+  const Scalar t_left_ankle_cross_15 = t_left_ankle_cross_11 * t_left_ankle_cross_11;
+  const Scalar t_left_ankle_cross_16 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_17 = t_left_ankle_cross_15 - t_left_ankle_cross_16;
+  const Scalar t_left_ankle_cross_18 = t_left_hip_fork_5 - t_left_ankle_cross_17;
+  const Scalar t_left_ankle_cross_19 = omega_left_ankle_cross_y * t_left_ankle_cross_11;
+  const Scalar t_left_ankle_cross_20 = alpha_left_thigh_z - t_left_ankle_cross_19;
+  const Scalar Omega_left_foot_xz = alpha_left_thigh_z + t_left_ankle_cross_19;
+  const Scalar t_left_ankle_cross_21 = t_left_ankle_cross_15 + t_left_ankle_cross_16;
   // left_foot: angular velocity omega, Omega, first moment h of (1)
   const Scalar neg_omega_left_foot_z = omega_left_ankle_cross_y - qd[5];
-  const Scalar Omega_left_foot_zy_1 = t_left_ankle_cross_13 * neg_omega_left_foot_z;
-  const Scalar Omega_left_foot_zy = t_left_ankle_cross_15 - Omega_left_foot_zy_1;
+  const Scalar Omega_left_foot_zy =
+      t_left_ankle_cross_9 - t_left_ankle_cross_8 * neg_omega_left_foot_z;
   const Scalar t_left_foot_1 = neg_omega_left_foot_z * neg_omega_left_foot_z;
-  const Scalar t_left_foot_2 = t_left_ankle_cross_17 * neg_omega_left_foot_z * 2.0;
-  const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - t_left_foot_2;
+  const Scalar t_left_foot_2 = t_left_ankle_cross_11 * neg_omega_left_foot_z;
+  const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - 2.0 * t_left_foot_2;
   const Scalar neg_h_left_foot_y = left_foot_h2 * c_left_foot - left_foot_h3 * s_left_foot;
   const Scalar h_left_foot_x = left_foot_h3 * c_left_foot + left_foot_h2 * s_left_foot;
   const Scalar t_left_foot_3 = left_foot_I15 * s_left_foot + left_foot_I16 * c_left_foot;
@@ -2611,97 +2532,96 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_right_thigh_2 = t_right_hip_fork_3 - t_right_thigh_1;
   const Scalar neg_Omega_right_thigh_xx = t_right_hip_fork_4 + t_right_thigh_1;
   const Scalar t_right_thigh_3 = 2.0 * omega_right_hip_fork_x;
-  const Scalar t_right_thigh_4 = omega_right_thigh_z * t_right_thigh_3;
-  const Scalar neg_Omega_right_thigh_zx = Omega_right_thigh_xz - t_right_thigh_4;
+  const Scalar neg_Omega_right_thigh_zx =
+      Omega_right_thigh_xz - omega_right_thigh_z * t_right_thigh_3;
   const Scalar t_right_hip_fork_6 = qd[7] * t_right_hip_fork_1;
   const Scalar Omega_right_thigh_yz = 2.0 * t_right_hip_fork_6;
-  const Scalar t_right_thigh_5 = 2.0 * qd[7];
-  const Scalar Omega_right_thigh_zy = qd[8] * t_right_thigh_5;
+  const Scalar t_right_thigh_4 = 2.0 * qd[7];
+  const Scalar Omega_right_thigh_zy = qd[8] * t_right_thigh_4;
   const Scalar neg_a_right_thigh_y_1 = t_right_hip_fork_2 + t_right_hip_fork_3;
   const Scalar neg_a_right_thigh_y = left_hip_fork_l1 * neg_a_right_thigh_y_1;
-  const Scalar t_right_thigh_6 = left_thigh_I3 * s_right_hip_pitch;
-  const Scalar t_right_thigh_7 = t_right_thigh_6 + left_thigh_I4 * c_right_hip_pitch;
-  const Scalar t_right_thigh_8 = s_right_hip_pitch * t_right_thigh_7;
-  const Scalar t_right_thigh_9 = c_right_hip_pitch * t_right_thigh_7;
-  const Scalar t_right_thigh_10 = left_thigh_I12 - t_right_thigh_9;
-  const Scalar t_right_thigh_11 = left_thigh_I5 * c_right_hip_pitch;
-  const Scalar t_right_thigh_12 = t_right_thigh_11 - left_thigh_I6 * s_right_hip_pitch;
+  const Scalar t_right_thigh_5 = left_thigh_I3 * s_right_hip_pitch;
+  const Scalar t_right_thigh_6 = t_right_thigh_5 + left_thigh_I4 * c_right_hip_pitch;
+  const Scalar t_right_thigh_7 = s_right_hip_pitch * t_right_thigh_6;
+  const Scalar t_right_thigh_8 = c_right_hip_pitch * t_right_thigh_6;
+  const Scalar t_right_thigh_9 = left_thigh_I12 - t_right_thigh_8;
+  const Scalar t_right_thigh_10 = left_thigh_I5 * c_right_hip_pitch;
+  const Scalar t_right_thigh_11 = t_right_thigh_10 - left_thigh_I6 * s_right_hip_pitch;
   const Scalar Omega_right_hip_fork_zx = 2.0 * alpha_right_thigh_z;
-  const Scalar t_right_thigh_13 = left_thigh_I5 * s_right_hip_pitch;
-  const Scalar t_right_thigh_14 = t_right_thigh_13 + left_thigh_I6 * c_right_hip_pitch;
-  const Scalar t_right_thigh_15 = left_thigh_h1 * c_right_hip_pitch;
-  const Scalar t_right_thigh_16 = t_right_thigh_15 + left_thigh_h3 * s_right_hip_pitch;
-  const Scalar t_right_thigh_17 = left_thigh_I17 - t_right_thigh_8;
-  const Scalar t_right_thigh_18 = left_thigh_h1 * s_right_hip_pitch;
-  const Scalar t_right_thigh_19 = t_right_thigh_18 - left_thigh_h3 * c_right_hip_pitch;
+  const Scalar t_right_thigh_12 = left_thigh_I5 * s_right_hip_pitch;
+  const Scalar t_right_thigh_13 = t_right_thigh_12 + left_thigh_I6 * c_right_hip_pitch;
+  const Scalar t_right_thigh_14 = left_thigh_h1 * c_right_hip_pitch;
+  const Scalar t_right_thigh_15 = t_right_thigh_14 + left_thigh_h3 * s_right_hip_pitch;
+  const Scalar t_right_thigh_16 = left_thigh_I17 - t_right_thigh_7;
+  const Scalar t_right_thigh_17 = left_thigh_h1 * s_right_hip_pitch;
+  const Scalar t_right_thigh_18 = t_right_thigh_17 - left_thigh_h3 * c_right_hip_pitch;
   // right_shank: acceleration a, angular velocity omega, Omega of (1)
   const Scalar a_right_shank_z_1 = a_right_thigh_z - neg_s_right_shank_y * Omega_right_thigh_zy;
-  const Scalar a_right_shank_z_2 = neg_s_right_shank_x * neg_Omega_right_thigh_zx;
-  const Scalar a_right_shank_z = a_right_shank_z_1 + a_right_shank_z_2;
+  const Scalar a_right_shank_z = a_right_shank_z_1 + neg_s_right_shank_x * neg_Omega_right_thigh_zx;
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[9];
   const Scalar neg_Omega_right_shank_zx = neg_Omega_right_thigh_zx - t_right_thigh_3 * qd[9];
-  const Scalar t_right_shank_2 = t_right_thigh_5 * omega_right_shank_z;
-  const Scalar neg_Omega_right_shank_zy = Omega_right_thigh_yz - t_right_shank_2;
-  const Scalar t_right_shank_3 = omega_right_shank_z * omega_right_shank_z;
-  const Scalar neg_Omega_right_shank_xx = t_right_hip_fork_4 + t_right_shank_3;
-  const Scalar neg_Omega_right_shank_yy = t_right_hip_fork_3 + t_right_shank_3;
-  const Scalar t_right_shank_4 = left_shank_I3 * c_q8_q9 + left_shank_I4 * s_q8_q9;
-  const Scalar t_right_shank_5 = s_q8_q9 * t_right_shank_4;
-  const Scalar t_right_shank_6 = c_q8_q9 * t_right_shank_4;
-  const Scalar t_right_shank_7 = left_shank_I9 - t_right_shank_6;
-  const Scalar t_right_shank_8 = left_shank_I5 * c_q8_q9 - left_shank_I6 * s_q8_q9;
-  const Scalar t_right_shank_9 = left_shank_I6 * c_q8_q9 + left_shank_I5 * s_q8_q9;
-  const Scalar t_right_shank_10 = left_shank_h2 * c_q8_q9 + left_shank_h3 * s_q8_q9;
-  const Scalar t_right_shank_11 = left_shank_h2 * s_q8_q9 - left_shank_h3 * c_q8_q9;
-  const Scalar t_right_shank_12 = left_shank_I17 - t_right_shank_5;
-  const Scalar a_right_shank_x_1 = neg_s_right_shank_x * neg_Omega_right_thigh_xx;
-  const Scalar a_right_shank_x = a_right_hip_fork_x + a_right_shank_x_1;
-  const Scalar t_righ_ankl_cros_1 = neg_s_righ_ankl_cros_x * neg_Omega_right_shank_xx;
-  const Scalar t_righ_ankl_cros_2 = a_right_shank_x + t_righ_ankl_cros_1;
+  const Scalar neg_Omega_right_shank_zy =
+      Omega_right_thigh_yz - t_right_thigh_4 * omega_right_shank_z;
+  const Scalar t_right_shank_2 = omega_right_shank_z * omega_right_shank_z;
+  const Scalar neg_Omega_right_shank_xx = t_right_hip_fork_4 + t_right_shank_2;
+  const Scalar neg_Omega_right_shank_yy = t_right_hip_fork_3 + t_right_shank_2;
+  const Scalar t_right_shank_3 = left_shank_I3 * c_q8_q9 + left_shank_I4 * s_q8_q9;
+  const Scalar t_right_shank_4 = s_q8_q9 * t_right_shank_3;
+  const Scalar t_right_shank_5 = c_q8_q9 * t_right_shank_3;
+  const Scalar t_right_shank_6 = left_shank_I9 - t_right_shank_5;
+  const Scalar t_right_shank_7 = left_shank_I5 * c_q8_q9 - left_shank_I6 * s_q8_q9;
+  const Scalar t_right_shank_8 = left_shank_I6 * c_q8_q9 + left_shank_I5 * s_q8_q9;
+  const Scalar t_right_shank_9 = left_shank_h2 * c_q8_q9 + left_shank_h3 * s_q8_q9;
+  const Scalar t_right_shank_10 = left_shank_h2 * s_q8_q9 - left_shank_h3 * c_q8_q9;
+  const Scalar t_right_shank_11 = left_shank_I17 - t_right_shank_4;
+  const Scalar a_right_shank_x =
+      a_right_hip_fork_x + neg_s_right_shank_x * neg_Omega_right_thigh_xx;
+  const Scalar t_righ_ankl_cros_1 =
+      a_right_shank_x + neg_s_righ_ankl_cros_x * neg_Omega_right_shank_xx;
   const Scalar neg_Omega_right_thigh_yy = t_right_hip_fork_3 + t_right_thigh_1;
-  const Scalar neg_a_right_shank_y_1 = neg_s_right_shank_x * Omega_right_hip_fork_zx;
-  const Scalar neg_a_right_shank_y_2 = neg_a_right_thigh_y + neg_a_right_shank_y_1;
-  const Scalar neg_a_right_shank_y_3 = neg_s_right_shank_y * neg_Omega_right_thigh_yy;
-  const Scalar neg_a_right_shank_y = neg_a_right_shank_y_2 - neg_a_right_shank_y_3;
+  const Scalar neg_a_right_shank_y_1 =
+      neg_a_right_thigh_y + neg_s_right_shank_x * Omega_right_hip_fork_zx;
+  const Scalar neg_a_right_shank_y =
+      neg_a_right_shank_y_1 - neg_s_right_shank_y * neg_Omega_right_thigh_yy;
   // right_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar t_righ_ankl_cros_3 = neg_s_righ_ankl_cros_x * Omega_right_hip_fork_zx;
-  const Scalar t_righ_ankl_cros_4 = neg_s_righ_ankl_cros_y * neg_Omega_right_shank_yy;
-  const Scalar t_righ_ankl_cros_5 = neg_a_right_shank_y + t_righ_ankl_cros_3;
-  const Scalar t_righ_ankl_cros_6 = t_righ_ankl_cros_5 - t_righ_ankl_cros_4;
-  const Scalar t_righ_ankl_cros_7 = c_q8_q9_q10 * t_righ_ankl_cros_2;
-  const Scalar neg_a_righ_ankl_cros_x = t_righ_ankl_cros_7 - s_q8_q9_q10 * t_righ_ankl_cros_6;
-  const Scalar a_righ_ankl_cros_z_1 = neg_s_righ_ankl_cros_x * neg_Omega_right_shank_zx;
-  const Scalar a_righ_ankl_cros_z_2 = neg_s_righ_ankl_cros_y * neg_Omega_right_shank_zy;
-  const Scalar a_righ_ankl_cros_z_3 = a_right_shank_z + a_righ_ankl_cros_z_1;
-  const Scalar a_righ_ankl_cros_z = a_righ_ankl_cros_z_3 + a_righ_ankl_cros_z_2;
-  const Scalar t_righ_ankl_cros_8 = s_q8_q9_q10 * qd[7] + c_q8_q9_q10 * omega_right_hip_fork_x;
+  const Scalar t_righ_ankl_cros_2 =
+      neg_a_right_shank_y + neg_s_righ_ankl_cros_x * Omega_right_hip_fork_zx;
+  const Scalar t_righ_ankl_cros_3 =
+      t_righ_ankl_cros_2 - neg_s_righ_ankl_cros_y * neg_Omega_right_shank_yy;
+  const Scalar t_righ_ankl_cros_4 = c_q8_q9_q10 * t_righ_ankl_cros_1;
+  const Scalar neg_a_righ_ankl_cros_x = t_righ_ankl_cros_4 - s_q8_q9_q10 * t_righ_ankl_cros_3;
+  const Scalar a_righ_ankl_cros_z_1 =
+      a_right_shank_z + neg_s_righ_ankl_cros_x * neg_Omega_right_shank_zx;
+  const Scalar a_righ_ankl_cros_z =
+      a_righ_ankl_cros_z_1 + neg_s_righ_ankl_cros_y * neg_Omega_right_shank_zy;
+  const Scalar t_righ_ankl_cros_5 = s_q8_q9_q10 * qd[7] + c_q8_q9_q10 * omega_right_hip_fork_x;
   const Scalar omega_righ_ankl_cros_z = omega_right_shank_z + qd[10];
-  const Scalar t_righ_ankl_cros_9 = s_q8_q9_q10 * Omega_right_thigh_yz;
-  const Scalar neg_Omega_right_foot_xy = t_righ_ankl_cros_9 + c_q8_q9_q10 * Omega_right_thigh_xz;
-  const Scalar t_righ_ankl_cros_10 = 2.0 * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_11 = t_righ_ankl_cros_8 * t_righ_ankl_cros_10;
-  const Scalar Omega_righ_ankl_cros_zx = neg_Omega_right_foot_xy - t_righ_ankl_cros_11;
-  const Scalar t_righ_ankl_cros_12 = t_righ_ankl_cros_8 * t_righ_ankl_cros_8;
-  const Scalar t_righ_ankl_cros_13 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_14 = t_righ_ankl_cros_12 - t_righ_ankl_cros_13;
-  const Scalar t_righ_ankl_cros_15 = t_right_hip_fork_5 - t_righ_ankl_cros_14;
-  const Scalar t_righ_ankl_cros_16 = c_q8_q9_q10 * Omega_right_thigh_yz;
-  const Scalar t_righ_ankl_cros_17 = t_righ_ankl_cros_16 - s_q8_q9_q10 * Omega_right_thigh_xz;
+  const Scalar t_righ_ankl_cros_6 = s_q8_q9_q10 * Omega_right_thigh_yz;
+  const Scalar neg_Omega_right_foot_xy = t_righ_ankl_cros_6 + c_q8_q9_q10 * Omega_right_thigh_xz;
+  const Scalar t_righ_ankl_cros_7 = 2.0 * omega_righ_ankl_cros_z;
+  const Scalar Omega_righ_ankl_cros_zx =
+      neg_Omega_right_foot_xy - t_righ_ankl_cros_5 * t_righ_ankl_cros_7;
+  const Scalar t_righ_ankl_cros_8 = t_righ_ankl_cros_5 * t_righ_ankl_cros_5;
+  const Scalar t_righ_ankl_cros_9 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_10 = t_righ_ankl_cros_8 - t_righ_ankl_cros_9;
+  const Scalar t_righ_ankl_cros_11 = t_right_hip_fork_5 - t_righ_ankl_cros_10;
+  const Scalar t_righ_ankl_cros_12 = c_q8_q9_q10 * Omega_right_thigh_yz;
+  const Scalar t_righ_ankl_cros_13 = t_righ_ankl_cros_12 - s_q8_q9_q10 * Omega_right_thigh_xz;
   const Scalar omega_righ_ankl_cros_y = s_q8_q9_q10 * omega_right_hip_fork_x - c_q8_q9_q10 * qd[7];
-  const Scalar t_righ_ankl_cros_18 = t_righ_ankl_cros_10 * omega_righ_ankl_cros_y;
-  const Scalar Omega_righ_ankl_cros_zy = t_righ_ankl_cros_17 + t_righ_ankl_cros_18;
-  const Scalar t_righ_ankl_cros_19 = t_righ_ankl_cros_8 * omega_righ_ankl_cros_y;
-  const Scalar Omega_righ_ankl_cros_yx = alpha_right_thigh_z - t_righ_ankl_cros_19;
-  const Scalar Omega_right_foot_xz = alpha_right_thigh_z + t_righ_ankl_cros_19;
-  const Scalar t_righ_ankl_cros_20 = t_righ_ankl_cros_12 + t_righ_ankl_cros_13;
+  const Scalar Omega_righ_ankl_cros_zy =
+      t_righ_ankl_cros_13 + t_righ_ankl_cros_7 * omega_righ_ankl_cros_y;
+  const Scalar t_righ_ankl_cros_14 = t_righ_ankl_cros_5 * omega_righ_ankl_cros_y;
+  const Scalar Omega_righ_ankl_cros_yx = alpha_right_thigh_z - t_righ_ankl_cros_14;
+  const Scalar Omega_right_foot_xz = alpha_right_thigh_z + t_righ_ankl_cros_14;
+  const Scalar t_righ_ankl_cros_15 = t_righ_ankl_cros_8 + t_righ_ankl_cros_9;
   // right_foot: angular velocity omega, Omega, pseudo-inertia E of (1)
   const Scalar neg_omega_right_foot_z = omega_righ_ankl_cros_y - qd[11];
-  const Scalar Omega_right_foot_zy_1 = t_righ_ankl_cros_10 * neg_omega_right_foot_z;
-  const Scalar Omega_right_foot_zy = Omega_righ_ankl_cros_zy - Omega_right_foot_zy_1;
+  const Scalar Omega_right_foot_zy =
+      Omega_righ_ankl_cros_zy - t_righ_ankl_cros_7 * neg_omega_right_foot_z;
   const Scalar t_right_foot_1 = neg_omega_right_foot_z * neg_omega_right_foot_z;
-  const Scalar t_right_foot_2 = t_righ_ankl_cros_12 - t_right_foot_1;
-  const Scalar t_right_foot_3 = t_righ_ankl_cros_8 * neg_omega_right_foot_z * 2.0;
-  const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - t_right_foot_3;
+  const Scalar t_right_foot_2 = t_righ_ankl_cros_8 - t_right_foot_1;
+  const Scalar t_right_foot_3 = t_righ_ankl_cros_5 * neg_omega_right_foot_z;
+  const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - 2.0 * t_right_foot_3;
   const Scalar t_right_foot_4 = left_foot_I16 * c_right_foot + left_foot_I15 * s_right_foot;
   const Scalar t_right_foot_5 = c_right_foot * t_right_foot_4;
   const Scalar E_right_foot_xy = left_foot_I20 - t_right_foot_5;
@@ -2714,916 +2634,792 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar h_right_foot_y = left_foot_h2 * c_right_foot - left_foot_h3 * s_right_foot;
   const Scalar F_right_foot_z_1 = neg_Omega_right_foot_zx * h_right_foot_x;
   const Scalar F_right_foot_z = Omega_right_foot_zy * h_right_foot_y - F_right_foot_z_1;
-  const Scalar a_righ_ankl_cros_y_1 = c_q8_q9_q10 * t_righ_ankl_cros_6;
-  const Scalar a_righ_ankl_cros_y = a_righ_ankl_cros_y_1 + s_q8_q9_q10 * t_righ_ankl_cros_2;
-  const Scalar neg_a_right_foot_z_1 = left_hip_fork_l1 * Omega_righ_ankl_cros_yx;
-  const Scalar neg_a_right_foot_z_2 = a_righ_ankl_cros_y + neg_a_right_foot_z_1;
-  const Scalar neg_a_right_foot_z_3 = left_hip_fork_l2 * t_righ_ankl_cros_17;
-  const Scalar neg_a_right_foot_z = neg_a_right_foot_z_2 + neg_a_right_foot_z_3;
+  const Scalar a_righ_ankl_cros_y_1 = c_q8_q9_q10 * t_righ_ankl_cros_3;
+  const Scalar a_righ_ankl_cros_y = a_righ_ankl_cros_y_1 + s_q8_q9_q10 * t_righ_ankl_cros_1;
+  const Scalar neg_a_right_foot_z_1 =
+      a_righ_ankl_cros_y + left_hip_fork_l1 * Omega_righ_ankl_cros_yx;
+  const Scalar neg_a_right_foot_z = neg_a_right_foot_z_1 + left_hip_fork_l2 * t_righ_ankl_cros_13;
   const Scalar neg_E_righ_ankl_cros_xy = left_ankle_cross_I8 + E_right_foot_xz;
   const Scalar t_right_foot_7 = Omega_right_foot_zy * E_right_foot_yy;
   // right_ankle_cross: pseudo-inertia E of (1)
-  const Scalar t_righ_ankl_cros_21 = t_right_hip_fork_5 - t_righ_ankl_cros_20;
-  const Scalar t_righ_ankl_cros_22 = left_hip_fork_l2 * F_right_foot_z - t_right_foot_7;
-  const Scalar t_righ_ankl_cros_23 = left_ankle_cross_I2 * t_righ_ankl_cros_21;
-  const Scalar t_righ_ankl_cros_24 = t_righ_ankl_cros_22 + t_righ_ankl_cros_23;
-  const Scalar t_right_foot_8 = neg_Omega_right_foot_zx * E_right_foot_xy;
-  const Scalar t_right_foot_9 = t_righ_ankl_cros_13 - t_right_foot_1;
-  const Scalar t_righ_ankl_cros_25 = t_righ_ankl_cros_24 + t_right_foot_8;
-  const Scalar t_right_foot_10 = neg_E_right_foot_yz * t_right_foot_9;
-  const Scalar t_righ_ankl_cros_26 = left_ankle_cross_I17 * Omega_righ_ankl_cros_yx;
-  const Scalar t_righ_ankl_cros_27 = t_righ_ankl_cros_25 - t_right_foot_10;
-  const Scalar t_righ_ankl_cros_28 = t_righ_ankl_cros_27 - t_righ_ankl_cros_26;
-  const Scalar t_righ_ankl_cros_29 = left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
-  const Scalar t_righ_ankl_cros_30 = t_righ_ankl_cros_28 - t_righ_ankl_cros_29;
-  const Scalar t_righ_ankl_cros_31 = t_righ_ankl_cros_30 + h_right_foot_y * neg_a_right_foot_z;
-  const Scalar t_righ_ankl_cros_32 = Omega_righ_ankl_cros_zx * neg_E_righ_ankl_cros_xy;
-  const Scalar t_righ_ankl_cros_33 = t_righ_ankl_cros_31 + t_righ_ankl_cros_32;
-  const Scalar t_righ_ankl_cros_34 = left_ankle_cross_h1 * a_righ_ankl_cros_z;
-  const Scalar neg_M_righ_ankl_cros_x = t_righ_ankl_cros_33 + t_righ_ankl_cros_34;
-  const Scalar t_right_foot_11 = left_hip_fork_l1 * h_right_foot_x;
+  const Scalar t_righ_ankl_cros_16 = t_right_hip_fork_5 - t_righ_ankl_cros_15;
+  const Scalar t_righ_ankl_cros_17 = left_hip_fork_l2 * F_right_foot_z - t_right_foot_7;
+  const Scalar t_righ_ankl_cros_18 =
+      t_righ_ankl_cros_17 + left_ankle_cross_I2 * t_righ_ankl_cros_16;
+  const Scalar t_right_foot_8 = t_righ_ankl_cros_9 - t_right_foot_1;
+  const Scalar t_righ_ankl_cros_19 =
+      t_righ_ankl_cros_18 + neg_Omega_right_foot_zx * E_right_foot_xy;
+  const Scalar t_righ_ankl_cros_20 = t_righ_ankl_cros_19 - neg_E_right_foot_yz * t_right_foot_8;
+  const Scalar t_righ_ankl_cros_21 =
+      t_righ_ankl_cros_20 - left_ankle_cross_I17 * Omega_righ_ankl_cros_yx;
+  const Scalar t_righ_ankl_cros_22 =
+      t_righ_ankl_cros_21 - left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
+  const Scalar t_righ_ankl_cros_23 = t_righ_ankl_cros_22 + h_right_foot_y * neg_a_right_foot_z;
+  const Scalar t_righ_ankl_cros_24 =
+      t_righ_ankl_cros_23 + Omega_righ_ankl_cros_zx * neg_E_righ_ankl_cros_xy;
+  const Scalar neg_M_righ_ankl_cros_x =
+      t_righ_ankl_cros_24 + left_ankle_cross_h1 * a_righ_ankl_cros_z;
+  const Scalar t_right_foot_9 = left_hip_fork_l1 * h_right_foot_x;
   const Scalar E_righ_ankl_cros_yz = left_ankle_cross_I2 + neg_E_right_foot_yz;
-  const Scalar t_righ_ankl_cros_35 = left_ankle_cross_h2 * Omega_righ_ankl_cros_yx;
-  const Scalar t_righ_ankl_cros_36 = left_ankle_cross_h1 * t_righ_ankl_cros_20;
-  const Scalar t_righ_ankl_cros_37 = F_right_foot_z - t_righ_ankl_cros_35;
-  // right_foot: force F, Omega of (1)
-  const Scalar neg_F_righ_ankl_cros_y = t_righ_ankl_cros_37 - t_righ_ankl_cros_36;
-  const Scalar neg_Omega_right_foot_xx = t_righ_ankl_cros_20 - t_right_foot_2;
+  const Scalar t_righ_ankl_cros_25 = F_right_foot_z - left_ankle_cross_h2 * Omega_righ_ankl_cros_yx;
+  // right_foot: force F, Omega, moment M of (1)
+  const Scalar neg_F_righ_ankl_cros_y =
+      t_righ_ankl_cros_25 - left_ankle_cross_h1 * t_righ_ankl_cros_15;
+  const Scalar neg_Omega_right_foot_xx = t_righ_ankl_cros_15 - t_right_foot_2;
   const Scalar neg_F_right_foot_x_1 = h_right_foot_x * neg_Omega_right_foot_xx;
-  const Scalar neg_F_right_foot_x_2 = neg_Omega_right_foot_xy * h_right_foot_y;
-  const Scalar neg_F_right_foot_x = neg_F_right_foot_x_1 + neg_F_right_foot_x_2;
-  // right_ankle_cross: force F of (1)
-  const Scalar t_righ_ankl_cros_38 = left_ankle_cross_h1 * Omega_right_foot_xz;
-  const Scalar t_righ_ankl_cros_39 = left_ankle_cross_h2 * t_righ_ankl_cros_15;
-  const Scalar t_righ_ankl_cros_40 = neg_F_right_foot_x - t_righ_ankl_cros_38;
-  const Scalar neg_F_righ_ankl_cros_x = t_righ_ankl_cros_40 + t_righ_ankl_cros_39;
-  const Scalar t_righ_ankl_cros_41 = s_q8_q9_q10 * neg_F_righ_ankl_cros_y;
-  const Scalar t_righ_ankl_cros_42 = t_righ_ankl_cros_41 - c_q8_q9_q10 * neg_F_righ_ankl_cros_x;
-  // right_foot: Omega, force F of (1)
-  const Scalar neg_Omega_right_foot_yy = t_righ_ankl_cros_12 + t_right_foot_1;
+  const Scalar neg_F_right_foot_x = neg_F_right_foot_x_1 + neg_Omega_right_foot_xy * h_right_foot_y;
+  const Scalar t_righ_ankl_cros_26 = neg_F_right_foot_x - left_ankle_cross_h1 * Omega_right_foot_xz;
+  const Scalar neg_F_righ_ankl_cros_x =
+      t_righ_ankl_cros_26 + left_ankle_cross_h2 * t_righ_ankl_cros_11;
+  const Scalar t_righ_ankl_cros_27 = s_q8_q9_q10 * neg_F_righ_ankl_cros_y;
+  const Scalar t_righ_ankl_cros_28 = t_righ_ankl_cros_27 - c_q8_q9_q10 * neg_F_righ_ankl_cros_x;
+  const Scalar neg_Omega_right_foot_yy = t_righ_ankl_cros_8 + t_right_foot_1;
   const Scalar neg_F_right_foot_y_1 = h_right_foot_y * neg_Omega_right_foot_yy;
-  const Scalar neg_F_right_foot_y_2 = Omega_righ_ankl_cros_zx * h_right_foot_x;
-  const Scalar neg_F_right_foot_y = neg_F_right_foot_y_1 - neg_F_right_foot_y_2;
-  // right_ankle_cross
-  const Scalar t_righ_ankl_cros_43 = left_ankle_cross_h2 * Omega_righ_ankl_cros_zx;
-  const Scalar t_righ_ankl_cros_44 = left_ankle_cross_h1 * Omega_righ_ankl_cros_zy;
-  const Scalar t_righ_ankl_cros_45 = neg_F_right_foot_y - t_righ_ankl_cros_43;
-  const Scalar neg_F_righ_ankl_cros_z = t_righ_ankl_cros_45 + t_righ_ankl_cros_44;
-  // right_shank
-  const Scalar neg_F_right_shank_z_1 = neg_Omega_right_shank_zx * t_right_shank_11;
-  const Scalar neg_F_right_shank_z_2 = neg_F_righ_ankl_cros_z + neg_F_right_shank_z_1;
-  const Scalar neg_F_right_shank_z_3 = neg_Omega_right_shank_zy * t_right_shank_10;
-  const Scalar neg_F_right_shank_z = neg_F_right_shank_z_2 - neg_F_right_shank_z_3;
-  const Scalar t_right_thigh_20 = t_right_thigh_12 + t_right_shank_8;
+  const Scalar neg_F_right_foot_y = neg_F_right_foot_y_1 - Omega_righ_ankl_cros_zx * h_right_foot_x;
+  const Scalar t_righ_ankl_cros_29 =
+      neg_F_right_foot_y - left_ankle_cross_h2 * Omega_righ_ankl_cros_zx;
+  const Scalar neg_F_righ_ankl_cros_z =
+      t_righ_ankl_cros_29 + left_ankle_cross_h1 * Omega_righ_ankl_cros_zy;
+  const Scalar neg_F_right_shank_z_1 =
+      neg_F_righ_ankl_cros_z + neg_Omega_right_shank_zx * t_right_shank_10;
+  const Scalar neg_F_right_shank_z =
+      neg_F_right_shank_z_1 - neg_Omega_right_shank_zy * t_right_shank_9;
+  const Scalar t_right_thigh_19 = t_right_thigh_11 + t_right_shank_7;
   const Scalar t_right_hip_fork_7 = t_right_hip_fork_2 - t_right_hip_fork_4;
-  // right_thigh
-  const Scalar neg_F_right_thigh_z_1 = Omega_right_thigh_zy * t_right_thigh_16;
-  const Scalar neg_F_right_thigh_z_2 = neg_F_right_shank_z + neg_F_right_thigh_z_1;
-  const Scalar neg_F_right_thigh_z_3 = neg_Omega_right_thigh_zx * t_right_thigh_19;
-  const Scalar neg_F_right_thigh_z = neg_F_right_thigh_z_2 + neg_F_right_thigh_z_3;
-  // right_foot: moment M, acceleration a of (1)
-  const Scalar t_right_foot_12 = E_right_foot_xx + t_right_foot_11;
-  const Scalar neg_a_right_foot_x_1 = left_hip_fork_l2 * neg_Omega_right_foot_xy;
-  const Scalar neg_a_right_foot_x_2 = neg_a_righ_ankl_cros_x - neg_a_right_foot_x_1;
-  const Scalar neg_a_right_foot_x_3 = left_hip_fork_l1 * t_righ_ankl_cros_15;
+  const Scalar neg_F_right_thigh_z_1 =
+      neg_F_right_shank_z + Omega_right_thigh_zy * t_right_thigh_15;
+  const Scalar neg_F_right_thigh_z =
+      neg_F_right_thigh_z_1 + neg_Omega_right_thigh_zx * t_right_thigh_18;
+  const Scalar t_right_foot_10 = E_right_foot_xx + t_right_foot_9;
+  const Scalar neg_a_right_foot_x_1 =
+      neg_a_righ_ankl_cros_x - left_hip_fork_l2 * neg_Omega_right_foot_xy;
   const Scalar M_right_foot_z_1 = neg_Omega_right_foot_xy * E_right_foot_yy;
-  const Scalar M_right_foot_z_2 = Omega_right_foot_xz * neg_E_right_foot_yz;
-  const Scalar M_right_foot_z_3 = M_right_foot_z_1 + M_right_foot_z_2;
-  const Scalar M_right_foot_z_4 = a_righ_ankl_cros_z + left_hip_fork_l2 * t_right_hip_fork_5;
-  const Scalar M_right_foot_z_5 = M_right_foot_z_3 - t_righ_ankl_cros_14 * E_right_foot_xy;
-  const Scalar M_right_foot_z_6 = M_right_foot_z_5 + h_right_foot_x * M_right_foot_z_4;
-  const Scalar M_right_foot_z_7 = Omega_righ_ankl_cros_zy * E_right_foot_xz;
-  const Scalar M_right_foot_z_8 = Omega_righ_ankl_cros_zx * t_right_foot_12;
-  const Scalar M_right_foot_z_9 = M_right_foot_z_6 - M_right_foot_z_7;
-  const Scalar neg_a_right_foot_x = neg_a_right_foot_x_2 + neg_a_right_foot_x_3;
-  const Scalar M_right_foot_z_10 = M_right_foot_z_9 + M_right_foot_z_8;
-  const Scalar M_right_foot_z = M_right_foot_z_10 + h_right_foot_y * neg_a_right_foot_x;
-  const Scalar t_right_foot_13 = M_right_foot_z + left_ankle_cross_I2 * Omega_right_foot_xz;
-  const Scalar t_right_foot_14 = t_right_foot_13 + left_ankle_cross_h2 * a_righ_ankl_cros_z;
-  const Scalar t_right_foot_15 = t_right_foot_14 + left_ankle_cross_I17 * t_righ_ankl_cros_14;
-  const Scalar t_right_foot_16 = t_right_foot_15 - left_hip_fork_l2 * neg_F_right_foot_x;
-  const Scalar t_right_foot_17 = t_right_foot_16 - left_hip_fork_l1 * neg_F_right_foot_y;
-  const Scalar t_righ_ankl_cros_46 = left_ankle_cross_I18 * Omega_righ_ankl_cros_zx;
-  const Scalar t_righ_ankl_cros_47 = left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
-  const Scalar t_right_foot_18 = t_right_foot_17 + t_righ_ankl_cros_46;
-  const Scalar neg_M_righ_ankl_cros_y = t_right_foot_18 - t_righ_ankl_cros_47;
-  const Scalar t_right_thigh_21 = t_right_hip_fork_5 - neg_Omega_right_thigh_yy;
-  const Scalar t_right_shank_13 = t_right_hip_fork_5 - neg_Omega_right_shank_yy;
-  const Scalar t_right_thigh_22 = left_thigh_I11 + t_right_thigh_8;
+  const Scalar M_right_foot_z_2 = M_right_foot_z_1 + Omega_right_foot_xz * neg_E_right_foot_yz;
+  const Scalar M_right_foot_z_3 = a_righ_ankl_cros_z + left_hip_fork_l2 * t_right_hip_fork_5;
+  const Scalar M_right_foot_z_4 = M_right_foot_z_2 - t_righ_ankl_cros_10 * E_right_foot_xy;
+  const Scalar M_right_foot_z_5 = M_right_foot_z_4 + h_right_foot_x * M_right_foot_z_3;
+  const Scalar M_right_foot_z_6 = M_right_foot_z_5 - Omega_righ_ankl_cros_zy * E_right_foot_xz;
+  const Scalar neg_a_right_foot_x = neg_a_right_foot_x_1 + left_hip_fork_l1 * t_righ_ankl_cros_11;
+  const Scalar M_right_foot_z_7 = M_right_foot_z_6 + Omega_righ_ankl_cros_zx * t_right_foot_10;
+  const Scalar M_right_foot_z = M_right_foot_z_7 + h_right_foot_y * neg_a_right_foot_x;
+  const Scalar t_right_foot_11 = M_right_foot_z + left_ankle_cross_I2 * Omega_right_foot_xz;
+  const Scalar t_right_foot_12 = t_right_foot_11 + left_ankle_cross_h2 * a_righ_ankl_cros_z;
+  const Scalar t_right_foot_13 = t_right_foot_12 + left_ankle_cross_I17 * t_righ_ankl_cros_10;
+  const Scalar t_right_foot_14 = t_right_foot_13 - left_hip_fork_l2 * neg_F_right_foot_x;
+  const Scalar t_right_foot_15 = t_right_foot_14 - left_hip_fork_l1 * neg_F_right_foot_y;
+  const Scalar t_right_foot_16 = t_right_foot_15 + left_ankle_cross_I18 * Omega_righ_ankl_cros_zx;
+  const Scalar neg_M_righ_ankl_cros_y =
+      t_right_foot_16 - left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
+  const Scalar t_right_thigh_20 = t_right_hip_fork_5 - neg_Omega_right_thigh_yy;
+  const Scalar t_right_shank_12 = t_right_hip_fork_5 - neg_Omega_right_shank_yy;
+  const Scalar t_right_thigh_21 = left_thigh_I11 + t_right_thigh_7;
   const Scalar t_right_hip_fork_8 = left_hip_fork_I8 * Omega_right_thigh_xz;
   // right_thigh: moment M of (1)
-  const Scalar t_right_thigh_23 = t_right_hip_fork_8 - c_q8_q9_q10 * neg_M_righ_ankl_cros_x;
-  const Scalar t_right_thigh_24 = t_right_thigh_23 + left_hip_fork_I13 * t_right_hip_fork_6;
-  const Scalar t_right_thigh_25 = t_right_thigh_24 + left_hip_fork_I1 * t_right_hip_fork_7;
-  // right_shank
-  const Scalar t_right_shank_14 = neg_Omega_right_shank_zx * t_right_shank_7;
-  const Scalar t_right_shank_15 = left_shank_I10 + t_right_shank_5;
-  const Scalar t_right_shank_16 = neg_Omega_right_shank_zy * t_right_shank_15;
-  // right_thigh: moment M of (1)
-  const Scalar t_right_thigh_26 = t_right_thigh_25 - t_right_shank_14 + t_right_shank_16;
+  const Scalar t_right_thigh_22 = t_right_hip_fork_8 - c_q8_q9_q10 * neg_M_righ_ankl_cros_x;
+  const Scalar t_right_thigh_23 = t_right_thigh_22 + left_hip_fork_I13 * t_right_hip_fork_6;
+  const Scalar t_right_thigh_24 = t_right_thigh_23 + left_hip_fork_I1 * t_right_hip_fork_7;
+  const Scalar t_right_shank_13 = left_shank_I10 + t_right_shank_4;
+  const Scalar t_right_thigh_25 = t_right_thigh_24 - neg_Omega_right_shank_zx * t_right_shank_6;
+  const Scalar t_right_thigh_26 = t_right_thigh_25 + neg_Omega_right_shank_zy * t_right_shank_13;
   const Scalar t_right_thigh_27 = t_right_thigh_26 + left_hip_fork_I3 * alpha_right_thigh_z;
-  const Scalar t_right_thigh_28 = Omega_right_hip_fork_zx * t_right_thigh_20;
-  const Scalar t_right_thigh_29 = t_right_thigh_27 + t_right_thigh_28;
-  const Scalar t_right_thigh_30 = t_right_thigh_29 + left_hip_fork_l1 * neg_F_right_thigh_z;
-  const Scalar t_right_thigh_31 = t_right_thigh_30 + a_right_thigh_z * t_right_thigh_16;
-  const Scalar t_right_thigh_32 = t_right_thigh_31 - neg_s_right_shank_y * neg_F_right_shank_z;
-  const Scalar t_righ_ankl_cros_48 = neg_s_righ_ankl_cros_y * neg_F_righ_ankl_cros_z;
-  const Scalar t_right_thigh_33 = t_right_thigh_32 - t_righ_ankl_cros_48;
-  const Scalar t_right_thigh_34 = t_right_thigh_33 + s_q8_q9_q10 * neg_M_righ_ankl_cros_y;
-  const Scalar t_right_thigh_35 = t_right_thigh_34 + t_right_thigh_14 * t_right_thigh_21;
-  const Scalar t_right_thigh_36 = t_right_thigh_35 + t_right_shank_9 * t_right_shank_13;
-  const Scalar t_right_thigh_37 = neg_Omega_right_thigh_zx * t_right_thigh_10;
-  const Scalar t_right_thigh_38 = Omega_right_thigh_zy * t_right_thigh_22;
-  const Scalar t_right_thigh_39 = t_right_thigh_36 - t_right_thigh_37 - t_right_thigh_38;
-  const Scalar neg_M_right_hip_fork_x = t_right_thigh_39 + a_right_shank_z * t_right_shank_10;
-  // left_ankle_cross: acceleration a, pseudo-inertia E of (1)
-  const Scalar t_left_ankle_cross_29 = s_q2_q3_q4 * t_left_ankle_cross_6;
-  const Scalar t_left_ankle_cross_30 = c_q2_q3_q4 * t_left_ankle_cross_4;
-  const Scalar a_left_ankle_cross_y = t_left_ankle_cross_29 + t_left_ankle_cross_30;
+  const Scalar t_right_thigh_28 = t_right_thigh_27 + Omega_right_hip_fork_zx * t_right_thigh_19;
+  const Scalar t_right_thigh_29 = t_right_thigh_28 + left_hip_fork_l1 * neg_F_right_thigh_z;
+  const Scalar t_right_thigh_30 = t_right_thigh_29 + a_right_thigh_z * t_right_thigh_15;
+  const Scalar t_right_thigh_31 = t_right_thigh_30 - neg_s_right_shank_y * neg_F_right_shank_z;
+  const Scalar t_right_thigh_32 =
+      t_right_thigh_31 - neg_s_righ_ankl_cros_y * neg_F_righ_ankl_cros_z;
+  const Scalar t_right_thigh_33 = t_right_thigh_32 + s_q8_q9_q10 * neg_M_righ_ankl_cros_y;
+  const Scalar t_right_thigh_34 = t_right_thigh_33 + t_right_thigh_13 * t_right_thigh_20;
+  const Scalar t_right_thigh_35 = t_right_thigh_34 + t_right_shank_8 * t_right_shank_12;
+  const Scalar t_right_thigh_36 = t_right_thigh_35 - neg_Omega_right_thigh_zx * t_right_thigh_9;
+  const Scalar t_right_thigh_37 = t_right_thigh_36 - Omega_right_thigh_zy * t_right_thigh_21;
+  const Scalar neg_M_right_hip_fork_x = t_right_thigh_37 + a_right_shank_z * t_right_shank_9;
+  const Scalar t_left_ankle_cross_22 = s_q2_q3_q4 * t_left_ankle_cross_3;
+  const Scalar a_left_ankle_cross_y = t_left_ankle_cross_22 + c_q2_q3_q4 * t_left_ankle_cross_2;
   const Scalar E_left_foot_yy = left_foot_I19 + t_left_foot_4;
-  const Scalar t_left_ankle_cross_31 = left_ankle_cross_I8 + E_left_foot_xz;
-  // left_foot: acceleration a of (1)
-  const Scalar neg_a_left_foot_z_1 = left_hip_fork_l2 * t_left_ankle_cross_12;
-  const Scalar neg_a_left_foot_z_2 = a_left_ankle_cross_y - neg_a_left_foot_z_1;
-  const Scalar neg_a_left_foot_z_3 = left_hip_fork_l1 * t_left_ankle_cross_27;
-  const Scalar neg_a_left_foot_z = neg_a_left_foot_z_2 + neg_a_left_foot_z_3;
+  const Scalar t_left_ankle_cross_23 = left_ankle_cross_I8 + E_left_foot_xz;
+  const Scalar neg_a_left_foot_z_1 = a_left_ankle_cross_y - left_hip_fork_l2 * t_left_ankle_cross_7;
+  const Scalar neg_a_left_foot_z = neg_a_left_foot_z_1 + left_hip_fork_l1 * t_left_ankle_cross_20;
   // left_ankle_cross: moment M, pseudo-inertia E, acceleration a of (1)
-  const Scalar t_left_ankle_cross_32 = t_left_hip_fork_5 - t_left_ankle_cross_28;
-  const Scalar t_left_ankle_cross_33 = left_ankle_cross_I17 * t_left_ankle_cross_27;
-  const Scalar t_left_ankle_cross_34 = left_ankle_cross_I2 * t_left_ankle_cross_32;
-  const Scalar t_left_ankle_cross_35 = t_left_ankle_cross_34 - t_left_ankle_cross_33;
-  const Scalar t_left_foot_7 = neg_h_left_foot_y * neg_a_left_foot_z;
-  const Scalar t_left_foot_8 = E_left_foot_yz * (t_left_ankle_cross_23 - t_left_foot_1);
-  const Scalar t_left_ankle_cross_36 = t_left_ankle_cross_35 + t_left_foot_7;
-  const Scalar t_left_ankle_cross_37 = left_ankle_cross_I9 * t_left_ankle_cross_15;
-  const Scalar t_left_ankle_cross_38 = t_left_ankle_cross_36 - t_left_foot_8;
-  const Scalar t_left_ankle_cross_39 = t_left_ankle_cross_38 + t_left_ankle_cross_37;
-  const Scalar t_left_foot_9 = neg_Omega_left_foot_zx * neg_E_left_foot_xy;
-  const Scalar t_left_ankle_cross_40 = t_left_ankle_cross_39 + t_left_foot_9;
-  const Scalar t_left_foot_10 = Omega_left_foot_zy * E_left_foot_yy;
-  const Scalar t_left_ankle_cross_41 = t_left_ankle_cross_40 + t_left_foot_10;
-  const Scalar t_left_ankle_cross_42 = left_ankle_cross_h1 * a_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_43 = t_left_ankle_cross_41 - t_left_ankle_cross_42;
-  const Scalar t_left_ankle_cross_44 = t_left_ankle_cross_21 * t_left_ankle_cross_31;
-  const Scalar t_left_ankle_cross_45 = t_left_ankle_cross_43 - t_left_ankle_cross_44;
-  const Scalar t_left_foot_11 = left_hip_fork_l2 * neg_F_left_foot_z;
-  const Scalar M_left_ankle_cross_x = t_left_ankle_cross_45 - t_left_foot_11;
-  const Scalar t_left_ankle_cross_46 = left_ankle_cross_I2 + E_left_foot_yz;
-  const Scalar t_left_ankle_cross_47 = c_q2_q3_q4 * t_left_ankle_cross_6;
-  const Scalar t_left_ankle_cross_48 = s_q2_q3_q4 * t_left_ankle_cross_4;
-  const Scalar neg_a_left_ankle_cross_x = t_left_ankle_cross_47 - t_left_ankle_cross_48;
-  // left_foot: moment M, Omega, force F of (1)
-  const Scalar M_left_foot_z_1 = left_hip_fork_l1 * t_left_ankle_cross_25;
-  const Scalar t_left_foot_12 = t_left_ankle_cross_22 - t_left_foot_1;
-  const Scalar neg_Omega_left_foot_yy = t_left_ankle_cross_22 + t_left_foot_1;
+  const Scalar t_left_ankle_cross_24 = t_left_hip_fork_5 - t_left_ankle_cross_21;
+  const Scalar t_left_ankle_cross_25 = left_ankle_cross_I17 * t_left_ankle_cross_20;
+  const Scalar t_left_ankle_cross_26 =
+      left_ankle_cross_I2 * t_left_ankle_cross_24 - t_left_ankle_cross_25;
+  const Scalar t_left_ankle_cross_27 =
+      t_left_ankle_cross_26 + neg_h_left_foot_y * neg_a_left_foot_z;
+  const Scalar t_left_foot_7 = t_left_ankle_cross_16 - t_left_foot_1;
+  const Scalar t_left_ankle_cross_28 = t_left_ankle_cross_27 - E_left_foot_yz * t_left_foot_7;
+  const Scalar t_left_ankle_cross_29 =
+      t_left_ankle_cross_28 + left_ankle_cross_I9 * t_left_ankle_cross_9;
+  const Scalar t_left_ankle_cross_30 =
+      t_left_ankle_cross_29 + neg_Omega_left_foot_zx * neg_E_left_foot_xy;
+  const Scalar t_left_ankle_cross_31 = t_left_ankle_cross_30 + Omega_left_foot_zy * E_left_foot_yy;
+  const Scalar t_left_ankle_cross_32 =
+      t_left_ankle_cross_31 - left_ankle_cross_h1 * a_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_33 =
+      t_left_ankle_cross_32 - t_left_ankle_cross_14 * t_left_ankle_cross_23;
+  const Scalar M_left_ankle_cross_x = t_left_ankle_cross_33 - left_hip_fork_l2 * neg_F_left_foot_z;
+  const Scalar t_left_ankle_cross_34 = left_ankle_cross_I2 + E_left_foot_yz;
+  const Scalar t_left_ankle_cross_35 = c_q2_q3_q4 * t_left_ankle_cross_3;
+  const Scalar neg_a_left_ankle_cross_x = t_left_ankle_cross_35 - s_q2_q3_q4 * t_left_ankle_cross_2;
+  // left_foot: Omega, force F, moment M of (1)
+  const Scalar t_left_foot_8 = t_left_ankle_cross_15 - t_left_foot_1;
+  const Scalar neg_Omega_left_foot_yy = t_left_ankle_cross_15 + t_left_foot_1;
   const Scalar F_left_foot_y_1 = neg_h_left_foot_y * neg_Omega_left_foot_yy;
-  const Scalar F_left_foot_y = t_left_ankle_cross_21 * h_left_foot_x + F_left_foot_y_1;
-  const Scalar t_left_foot_13 = left_hip_fork_l2 * h_left_foot_x;
-  const Scalar M_left_foot_z_2 = left_hip_fork_l1 * t_left_ankle_cross_21;
-  const Scalar M_left_foot_z_3 = t_left_ankle_cross_19 * (t_left_foot_6 - E_left_foot_yy);
-  const Scalar M_left_foot_z_4 = t_left_ankle_cross_24 * neg_E_left_foot_xy;
-  const Scalar M_left_foot_z_5 = neg_a_left_ankle_cross_x + M_left_foot_z_1;
-  const Scalar M_left_foot_z_6 = M_left_foot_z_4 - M_left_foot_z_3;
-  const Scalar M_left_foot_z_7 = M_left_foot_z_6 - neg_h_left_foot_y * M_left_foot_z_5;
-  const Scalar M_left_foot_z_8 = M_left_foot_z_7 + t_left_ankle_cross_21 * E_left_foot_xx;
-  const Scalar M_left_foot_z_9 = M_left_foot_z_8 - t_left_ankle_cross_15 * E_left_foot_xz;
-  const Scalar M_left_foot_z_10 = M_left_foot_z_9 - Omega_left_foot_xz * E_left_foot_yz;
-  const Scalar M_left_foot_z_11 = M_left_foot_z_10 - t_left_hip_fork_5 * t_left_foot_13;
-  const Scalar M_left_foot_z_12 = h_left_foot_x * (a_left_ankle_cross_z + M_left_foot_z_2);
-  const Scalar M_left_foot_z = M_left_foot_z_11 + M_left_foot_z_12;
-  const Scalar F_left_foot_x_1 = h_left_foot_x * (t_left_ankle_cross_28 - t_left_foot_12);
-  const Scalar F_left_foot_x = t_left_ankle_cross_19 * neg_h_left_foot_y - F_left_foot_x_1;
-  const Scalar t_left_foot_14 = M_left_foot_z - left_ankle_cross_I2 * Omega_left_foot_xz;
-  const Scalar t_left_foot_15 = t_left_foot_14 + left_hip_fork_l1 * F_left_foot_y;
-  const Scalar t_left_foot_16 = t_left_foot_15 - left_ankle_cross_I8 * t_left_ankle_cross_15;
-  const Scalar t_left_foot_17 = t_left_foot_16 + left_ankle_cross_h2 * a_left_ankle_cross_z;
-  const Scalar t_left_foot_18 = t_left_foot_17 + left_ankle_cross_I18 * t_left_ankle_cross_21;
-  const Scalar t_left_foot_19 = t_left_foot_18 - left_ankle_cross_I17 * t_left_ankle_cross_24;
-  const Scalar neg_M_left_ankle_cross_y = t_left_foot_19 - left_hip_fork_l2 * F_left_foot_x;
-  const Scalar t_left_foot_20 = neg_F_left_foot_z + left_ankle_cross_h1 * t_left_ankle_cross_28;
-  const Scalar t_left_ankle_cross_49 = left_ankle_cross_h2 * t_left_ankle_cross_27;
-  const Scalar F_left_ankle_cross_y = t_left_foot_20 + t_left_ankle_cross_49;
-  const Scalar t_left_foot_21 = F_left_foot_x - left_ankle_cross_h2 * t_left_ankle_cross_25;
+  const Scalar F_left_foot_y = t_left_ankle_cross_14 * h_left_foot_x + F_left_foot_y_1;
+  const Scalar t_left_foot_9 = left_hip_fork_l2 * h_left_foot_x;
+  const Scalar M_left_foot_z_1 = t_left_ankle_cross_13 * (t_left_foot_6 - E_left_foot_yy);
+  const Scalar M_left_foot_z_2 =
+      neg_a_left_ankle_cross_x + left_hip_fork_l1 * t_left_ankle_cross_18;
+  const Scalar M_left_foot_z_3 = t_left_ankle_cross_17 * neg_E_left_foot_xy - M_left_foot_z_1;
+  const Scalar M_left_foot_z_4 = M_left_foot_z_3 - neg_h_left_foot_y * M_left_foot_z_2;
+  const Scalar M_left_foot_z_5 = M_left_foot_z_4 + t_left_ankle_cross_14 * E_left_foot_xx;
+  const Scalar M_left_foot_z_6 = M_left_foot_z_5 - t_left_ankle_cross_9 * E_left_foot_xz;
+  const Scalar M_left_foot_z_7 = M_left_foot_z_6 - Omega_left_foot_xz * E_left_foot_yz;
+  const Scalar M_left_foot_z_8 = a_left_ankle_cross_z + left_hip_fork_l1 * t_left_ankle_cross_14;
+  const Scalar M_left_foot_z_9 = M_left_foot_z_7 - t_left_hip_fork_5 * t_left_foot_9;
+  const Scalar M_left_foot_z = M_left_foot_z_9 + h_left_foot_x * M_left_foot_z_8;
+  const Scalar F_left_foot_x_1 = h_left_foot_x * (t_left_ankle_cross_21 - t_left_foot_8);
+  const Scalar F_left_foot_x = t_left_ankle_cross_13 * neg_h_left_foot_y - F_left_foot_x_1;
+  const Scalar t_left_foot_10 = M_left_foot_z - left_ankle_cross_I2 * Omega_left_foot_xz;
+  const Scalar t_left_foot_11 = t_left_foot_10 + left_hip_fork_l1 * F_left_foot_y;
+  const Scalar t_left_foot_12 = t_left_foot_11 - left_ankle_cross_I8 * t_left_ankle_cross_9;
+  const Scalar t_left_foot_13 = t_left_foot_12 + left_ankle_cross_h2 * a_left_ankle_cross_z;
+  const Scalar t_left_foot_14 = t_left_foot_13 + left_ankle_cross_I18 * t_left_ankle_cross_14;
+  const Scalar t_left_foot_15 = t_left_foot_14 - left_ankle_cross_I17 * t_left_ankle_cross_17;
+  const Scalar neg_M_left_ankle_cross_y = t_left_foot_15 - left_hip_fork_l2 * F_left_foot_x;
+  const Scalar t_left_foot_16 = neg_F_left_foot_z + left_ankle_cross_h1 * t_left_ankle_cross_21;
+  const Scalar F_left_ankle_cross_y = t_left_foot_16 + left_ankle_cross_h2 * t_left_ankle_cross_20;
+  const Scalar t_left_foot_17 = F_left_foot_x - left_ankle_cross_h2 * t_left_ankle_cross_18;
   // left_ankle_cross: force F of (1)
-  const Scalar F_left_ankle_cross_x = t_left_foot_21 + left_ankle_cross_h1 * Omega_left_foot_xz;
-  const Scalar t_left_ankle_cross_50 = left_ankle_cross_h1 * t_left_ankle_cross_15;
-  const Scalar t_left_ankle_cross_51 = left_ankle_cross_h2 * t_left_ankle_cross_21;
-  const Scalar t_left_ankle_cross_52 = F_left_foot_y - t_left_ankle_cross_50;
-  const Scalar F_left_ankle_cross_z = t_left_ankle_cross_52 + t_left_ankle_cross_51;
-  // left_shank: force F of (1)
-  const Scalar F_left_shank_z_1 = neg_Omega_left_shank_zy * t_left_shank_10;
-  const Scalar F_left_shank_z_2 = neg_Omega_left_shank_zx * t_left_shank_12;
-  const Scalar F_left_shank_z = F_left_ankle_cross_z + F_left_shank_z_1 - F_left_shank_z_2;
+  const Scalar F_left_ankle_cross_x = t_left_foot_17 + left_ankle_cross_h1 * Omega_left_foot_xz;
+  const Scalar t_left_ankle_cross_36 = F_left_foot_y - left_ankle_cross_h1 * t_left_ankle_cross_9;
+  const Scalar F_left_ankle_cross_z =
+      t_left_ankle_cross_36 + left_ankle_cross_h2 * t_left_ankle_cross_14;
+  const Scalar F_left_shank_z_1 = F_left_ankle_cross_z + neg_Omega_left_shank_zy * t_left_shank_9;
+  const Scalar F_left_shank_z = F_left_shank_z_1 - neg_Omega_left_shank_zx * t_left_shank_11;
   // left_thigh: moment M of (1)
-  const Scalar t_left_thigh_19 = t_left_thigh_11 + t_left_shank_8;
-  const Scalar t_left_thigh_20 = left_hip_fork_l1 * t_left_thigh_17;
-  const Scalar t_left_thigh_21 = left_hip_fork_l1 - neg_s_left_shank_y;
-  const Scalar t_left_shank_13 = t_left_hip_fork_4 - t_left_shank_3;
-  const Scalar t_left_thigh_22 = left_hip_fork_I3 - 2.0 * t_left_thigh_19;
-  const Scalar t_left_thigh_23 = left_thigh_I11 + t_left_thigh_9;
-  const Scalar t_left_shank_14 = left_shank_I10 + t_left_shank_5;
-  const Scalar t_left_thigh_24 = t_left_thigh_8 - t_left_thigh_20;
+  const Scalar t_left_thigh_18 = t_left_thigh_10 + t_left_shank_7;
+  const Scalar t_left_thigh_19 = left_hip_fork_l1 * t_left_thigh_16;
+  const Scalar t_left_thigh_20 = left_hip_fork_l1 - neg_s_left_shank_y;
+  const Scalar t_left_shank_12 = t_left_hip_fork_4 - t_left_shank_2;
+  const Scalar t_left_thigh_21 = left_hip_fork_I3 - 2.0 * t_left_thigh_18;
+  const Scalar t_left_thigh_22 = left_thigh_I11 + t_left_thigh_8;
+  const Scalar t_left_shank_13 = left_shank_I10 + t_left_shank_4;
+  const Scalar t_left_thigh_23 = t_left_thigh_7 - t_left_thigh_19;
   const Scalar t_left_hip_fork_7 = left_hip_fork_I8 * Omega_left_thigh_xz;
   const Scalar t_left_hip_fork_8 = t_left_hip_fork_3 - t_left_hip_fork_4;
-  const Scalar t_left_thigh_25 = t_left_hip_fork_7 + c_q2_q3_q4 * M_left_ankle_cross_x;
-  const Scalar t_left_thigh_26 = a_left_thigh_z + left_hip_fork_l1 * Omega_left_thigh_zy;
-  const Scalar t_left_thigh_27 = t_left_thigh_25 - left_hip_fork_I1 * t_left_hip_fork_8;
-  const Scalar t_left_thigh_28 = t_left_thigh_27 + t_left_thigh_15 * t_left_thigh_26;
-  const Scalar t_left_thigh_29 = t_left_thigh_28 - F_left_shank_z * t_left_thigh_21;
-  const Scalar t_left_thigh_30 = t_left_thigh_29 - Omega_left_thigh_zy * t_left_thigh_23;
-  const Scalar t_left_thigh_31 = t_left_thigh_30 - neg_Omega_left_shank_zx * t_left_shank_7;
-  const Scalar t_left_ankle_cross_53 = neg_s_left_ankle_cross_y * F_left_ankle_cross_z;
-  const Scalar t_left_thigh_32 = t_left_thigh_31 + t_left_ankle_cross_53;
-  const Scalar t_left_thigh_33 = t_left_thigh_13 * (t_left_hip_fork_4 - t_left_thigh_2);
-  const Scalar t_left_thigh_34 = t_left_thigh_32 + left_hip_fork_I13 * t_left_hip_fork_6;
-  const Scalar t_left_thigh_35 = t_left_thigh_34 - t_left_thigh_33;
-  const Scalar t_left_thigh_36 = t_left_thigh_35 - t_left_shank_9 * t_left_shank_13;
-  const Scalar t_left_thigh_37 = t_left_thigh_36 - alpha_left_thigh_z * t_left_thigh_22;
-  const Scalar t_left_thigh_38 = t_left_thigh_37 + s_q2_q3_q4 * neg_M_left_ankle_cross_y;
-  const Scalar t_left_thigh_39 = t_left_thigh_38 + neg_Omega_left_shank_zy * t_left_shank_14;
-  const Scalar t_left_thigh_40 = t_left_thigh_39 + a_left_shank_z * t_left_shank_10;
-  const Scalar t_left_thigh_41 = neg_Omega_left_thigh_zx * t_left_thigh_24;
-  const Scalar neg_M_left_hip_fork_x = t_left_thigh_40 - t_left_thigh_41;
+  const Scalar t_left_thigh_24 = t_left_hip_fork_7 + c_q2_q3_q4 * M_left_ankle_cross_x;
+  const Scalar t_left_thigh_25 = a_left_thigh_z + left_hip_fork_l1 * Omega_left_thigh_zy;
+  const Scalar t_left_thigh_26 = t_left_thigh_24 - left_hip_fork_I1 * t_left_hip_fork_8;
+  const Scalar t_left_thigh_27 = t_left_thigh_26 + t_left_thigh_14 * t_left_thigh_25;
+  const Scalar t_left_thigh_28 = t_left_thigh_27 - F_left_shank_z * t_left_thigh_20;
+  const Scalar t_left_thigh_29 = t_left_thigh_28 - Omega_left_thigh_zy * t_left_thigh_22;
+  const Scalar t_left_thigh_30 = t_left_thigh_29 - neg_Omega_left_shank_zx * t_left_shank_6;
+  const Scalar t_left_thigh_31 = t_left_thigh_30 + neg_s_left_ankle_cross_y * F_left_ankle_cross_z;
+  const Scalar t_left_thigh_32 = t_left_thigh_31 + left_hip_fork_I13 * t_left_hip_fork_6;
+  const Scalar t_left_thigh_33 = t_left_hip_fork_4 - t_left_thigh_2;
+  const Scalar t_left_thigh_34 = t_left_thigh_32 - t_left_thigh_12 * t_left_thigh_33;
+  const Scalar t_left_thigh_35 = t_left_thigh_34 - t_left_shank_8 * t_left_shank_12;
+  const Scalar t_left_thigh_36 = t_left_thigh_35 - alpha_left_thigh_z * t_left_thigh_21;
+  const Scalar t_left_thigh_37 = t_left_thigh_36 + s_q2_q3_q4 * neg_M_left_ankle_cross_y;
+  const Scalar t_left_thigh_38 = t_left_thigh_37 + neg_Omega_left_shank_zy * t_left_shank_13;
+  const Scalar t_left_thigh_39 = t_left_thigh_38 + a_left_shank_z * t_left_shank_9;
+  const Scalar neg_M_left_hip_fork_x = t_left_thigh_39 - neg_Omega_left_thigh_zx * t_left_thigh_23;
   const Scalar t_left_hip_block_1 = M_right_foot_z - tau[11];
   const Scalar h_righ_ankl_cros_x = left_ankle_cross_h2 + h_right_foot_x;
-  const Scalar t_right_foot_19 = E_right_foot_xx + E_right_foot_yy;
-  const Scalar t_right_foot_20 = left_hip_fork_l1 * h_right_foot_y;
+  const Scalar t_right_foot_17 = E_right_foot_xx + E_right_foot_yy;
+  const Scalar t_right_foot_18 = left_hip_fork_l1 * h_right_foot_y;
   // right_ankle_cross: first moment h, pseudo-inertia E of (1)
-  const Scalar t_righ_ankl_cros_49 = t_right_foot_11 + t_right_foot_12;
-  const Scalar t_righ_ankl_cros_50 = left_ankle_cross_h1 * s_q8_q9_q10;
-  const Scalar t_righ_ankl_cros_51 = t_righ_ankl_cros_50 + c_q8_q9_q10 * h_righ_ankl_cros_x;
-  const Scalar h_right_shank_x = t_right_shank_11 - t_righ_ankl_cros_51;
-  const Scalar t_righ_ankl_cros_52 = left_ankle_cross_h1 * c_q8_q9_q10;
-  const Scalar t_righ_ankl_cros_53 = t_righ_ankl_cros_52 - s_q8_q9_q10 * h_righ_ankl_cros_x;
-  const Scalar neg_h_right_shank_y = t_right_shank_10 - t_righ_ankl_cros_53;
+  const Scalar t_righ_ankl_cros_30 = t_right_foot_9 + t_right_foot_10;
+  const Scalar t_righ_ankl_cros_31 = left_ankle_cross_h1 * s_q8_q9_q10;
+  const Scalar t_righ_ankl_cros_32 = t_righ_ankl_cros_31 + c_q8_q9_q10 * h_righ_ankl_cros_x;
+  const Scalar h_right_shank_x = t_right_shank_10 - t_righ_ankl_cros_32;
+  const Scalar t_righ_ankl_cros_33 = left_ankle_cross_h1 * c_q8_q9_q10;
+  const Scalar t_righ_ankl_cros_34 = t_righ_ankl_cros_33 - s_q8_q9_q10 * h_righ_ankl_cros_x;
+  const Scalar neg_h_right_shank_y = t_right_shank_9 - t_righ_ankl_cros_34;
   const Scalar E_righ_ankl_cros_xz_1 = left_ankle_cross_I19 + t_right_foot_5;
-  const Scalar E_righ_ankl_cros_xz_2 = t_right_foot_20 - E_righ_ankl_cros_xz_1;
+  const Scalar E_righ_ankl_cros_xz_2 = t_right_foot_18 - E_righ_ankl_cros_xz_1;
   const Scalar E_righ_ankl_cros_xz = E_righ_ankl_cros_xz_2 - left_hip_fork_l2 * h_right_foot_x;
-  const Scalar t_righ_ankl_cros_54 = s_q8_q9_q10 * (left_ankle_cross_I15 - t_righ_ankl_cros_49);
-  const Scalar t_righ_ankl_cros_55 = c_q8_q9_q10 * neg_E_righ_ankl_cros_xy * 2.0;
-  const Scalar t_righ_ankl_cros_56 = t_righ_ankl_cros_54 + t_righ_ankl_cros_55;
-  const Scalar t_righ_ankl_cros_57 = neg_s_righ_ankl_cros_x * t_righ_ankl_cros_51;
-  const Scalar t_righ_ankl_cros_58 = neg_s_righ_ankl_cros_y * t_righ_ankl_cros_53;
-  const Scalar t_righ_ankl_cros_59 = neg_s_righ_ankl_cros_y * h_right_foot_y;
+  const Scalar t_righ_ankl_cros_35 = s_q8_q9_q10 * (left_ankle_cross_I15 - t_righ_ankl_cros_30);
+  const Scalar t_righ_ankl_cros_36 = c_q8_q9_q10 * neg_E_righ_ankl_cros_xy;
+  const Scalar t_righ_ankl_cros_37 = t_righ_ankl_cros_35 + 2.0 * t_righ_ankl_cros_36;
+  const Scalar t_righ_ankl_cros_38 = neg_s_righ_ankl_cros_x * t_righ_ankl_cros_32;
+  const Scalar t_righ_ankl_cros_39 = neg_s_righ_ankl_cros_y * t_righ_ankl_cros_34;
+  const Scalar t_righ_ankl_cros_40 = neg_s_righ_ankl_cros_y * h_right_foot_y;
   // right_shank: first moment h of (1)
-  const Scalar neg_h_right_thigh_y = t_right_thigh_16 + neg_h_right_shank_y;
-  const Scalar t_right_shank_17 = neg_s_right_shank_y * neg_h_right_shank_y;
-  const Scalar t_right_shank_18 = neg_s_right_shank_x * h_right_shank_x;
+  const Scalar neg_h_right_thigh_y = t_right_thigh_15 + neg_h_right_shank_y;
+  const Scalar t_right_shank_14 = neg_s_right_shank_y * neg_h_right_shank_y;
+  const Scalar t_right_shank_15 = neg_s_right_shank_x * h_right_shank_x;
   // right_ankle_cross
-  const Scalar t_righ_ankl_cros_60 = c_q8_q9_q10 * E_righ_ankl_cros_xz;
-  const Scalar t_righ_ankl_cros_61 = t_righ_ankl_cros_60 - s_q8_q9_q10 * E_righ_ankl_cros_yz;
-  const Scalar t_righ_ankl_cros_62 = neg_s_righ_ankl_cros_x * h_right_foot_y;
-  const Scalar t_right_shank_19 = neg_s_right_shank_x * h_right_foot_y;
-  const Scalar t_right_shank_20 = t_righ_ankl_cros_49 + 2.0 * t_righ_ankl_cros_57;
-  const Scalar t_right_thigh_40 = t_right_thigh_17 - 2.0 * t_right_shank_18;
-  const Scalar t_right_shank_21 = left_shank_I18 + t_right_shank_20;
-  const Scalar t_right_shank_22 = t_right_shank_21 - 2.0 * t_righ_ankl_cros_58;
-  const Scalar t_right_thigh_41 = t_right_thigh_22 + t_right_thigh_40 + t_right_shank_22;
-  const Scalar t_right_thigh_42 = t_right_thigh_41 + 2.0 * t_right_shank_17;
-  const Scalar t_right_shank_23 = t_right_shank_8 - t_righ_ankl_cros_61;
-  const Scalar neg_E_right_shank_xz = t_righ_ankl_cros_62 - t_right_shank_23;
-  const Scalar t_right_thigh_43 = t_right_thigh_12 - t_right_shank_19;
-  const Scalar neg_E_right_thigh_xz = neg_E_right_shank_xz - t_right_thigh_43;
-  const Scalar E_right_hip_fork_xz_1 = left_hip_fork_I2 - t_right_thigh_9;
-  const Scalar E_right_hip_fork_xz_2 = t_right_shank_6 - E_right_hip_fork_xz_1;
-  const Scalar E_right_hip_fork_xz_3 = neg_s_righ_ankl_cros_x * t_righ_ankl_cros_53;
+  const Scalar t_righ_ankl_cros_41 = c_q8_q9_q10 * E_righ_ankl_cros_xz;
+  const Scalar t_righ_ankl_cros_42 = t_righ_ankl_cros_41 - s_q8_q9_q10 * E_righ_ankl_cros_yz;
+  const Scalar t_righ_ankl_cros_43 = neg_s_righ_ankl_cros_x * h_right_foot_y;
+  const Scalar t_right_shank_16 = neg_s_right_shank_x * h_right_foot_y;
+  const Scalar t_right_shank_17 = t_righ_ankl_cros_30 + 2.0 * t_righ_ankl_cros_38;
+  const Scalar t_right_thigh_38 = t_right_thigh_16 - 2.0 * t_right_shank_15;
+  const Scalar t_right_shank_18 = left_shank_I18 + t_right_shank_17;
+  const Scalar t_right_shank_19 = t_right_shank_18 - 2.0 * t_righ_ankl_cros_39;
+  const Scalar t_right_thigh_39 = t_right_thigh_21 + t_right_thigh_38 + t_right_shank_19;
+  const Scalar t_right_thigh_40 = t_right_thigh_39 + 2.0 * t_right_shank_14;
+  const Scalar t_right_shank_20 = t_right_shank_7 - t_righ_ankl_cros_42;
+  const Scalar neg_E_right_shank_xz = t_righ_ankl_cros_43 - t_right_shank_20;
+  const Scalar t_right_thigh_41 = t_right_thigh_11 - t_right_shank_16;
+  const Scalar neg_E_right_thigh_xz = neg_E_right_shank_xz - t_right_thigh_41;
   // right_hip_fork: pseudo-inertia E of (1)
-  const Scalar E_right_hip_fork_xz_4 = E_right_foot_xz + E_right_hip_fork_xz_2;
-  const Scalar E_right_hip_fork_xz_5 = left_hip_fork_l1 - neg_s_right_shank_y;
-  const Scalar E_right_hip_fork_xz_6 = E_right_hip_fork_xz_4 - E_right_hip_fork_xz_3;
-  const Scalar E_right_hip_fork_xz_7 = h_right_shank_x * E_right_hip_fork_xz_5;
-  const Scalar E_right_hip_fork_xz_8 = E_right_hip_fork_xz_6 + E_right_hip_fork_xz_7;
-  const Scalar E_right_hip_fork_xz_9 = left_hip_fork_l1 * t_right_thigh_19;
-  const Scalar E_right_hip_fork_xz_10 = E_right_hip_fork_xz_8 + E_right_hip_fork_xz_9;
-  const Scalar E_right_hip_fork_xz_11 = c_q8_q9_q10 * t_righ_ankl_cros_56;
-  const Scalar E_right_hip_fork_xz_12 = E_right_hip_fork_xz_10 - E_right_hip_fork_xz_11;
-  const Scalar E_right_hip_fork_xz_13 = neg_s_right_shank_x * neg_h_right_shank_y;
-  const Scalar E_right_hip_fork_xz_14 = E_right_hip_fork_xz_12 + E_right_hip_fork_xz_13;
-  const Scalar E_right_hip_fork_xz_15 = neg_s_righ_ankl_cros_y * t_righ_ankl_cros_51;
-  const Scalar E_right_hip_fork_xz = E_right_hip_fork_xz_14 + E_right_hip_fork_xz_15;
-  const Scalar t_right_shank_24 = neg_s_right_shank_y * h_right_foot_y;
+  const Scalar E_right_hip_fork_xz_1 = left_hip_fork_I2 - t_right_thigh_8;
+  const Scalar E_right_hip_fork_xz_2 = t_right_shank_5 - E_right_hip_fork_xz_1;
+  const Scalar E_right_hip_fork_xz_3 = E_right_foot_xz + E_right_hip_fork_xz_2;
+  const Scalar E_right_hip_fork_xz_4 = left_hip_fork_l1 - neg_s_right_shank_y;
+  const Scalar E_right_hip_fork_xz_5 =
+      E_right_hip_fork_xz_3 - neg_s_righ_ankl_cros_x * t_righ_ankl_cros_34;
+  const Scalar E_right_hip_fork_xz_6 =
+      E_right_hip_fork_xz_5 + h_right_shank_x * E_right_hip_fork_xz_4;
+  const Scalar E_right_hip_fork_xz_7 = E_right_hip_fork_xz_6 + left_hip_fork_l1 * t_right_thigh_18;
+  const Scalar E_right_hip_fork_xz_8 = E_right_hip_fork_xz_7 - c_q8_q9_q10 * t_righ_ankl_cros_37;
+  const Scalar E_right_hip_fork_xz_9 =
+      E_right_hip_fork_xz_8 + neg_s_right_shank_x * neg_h_right_shank_y;
+  const Scalar E_right_hip_fork_xz =
+      E_right_hip_fork_xz_9 + neg_s_righ_ankl_cros_y * t_righ_ankl_cros_32;
+  const Scalar t_right_shank_21 = neg_s_right_shank_y * h_right_foot_y;
   const Scalar h_left_ankle_cross_x = left_ankle_cross_h2 + h_left_foot_x;
-  const Scalar t_left_foot_22 = left_hip_fork_l1 * neg_h_left_foot_y;
+  const Scalar t_left_foot_18 = left_hip_fork_l1 * neg_h_left_foot_y;
   // left_ankle_cross: first moment h, pseudo-inertia E of (1)
-  const Scalar t_left_ankle_cross_54 = s_q2_q3_q4 * h_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_55 = left_ankle_cross_h1 * c_q2_q3_q4 - t_left_ankle_cross_54;
-  const Scalar neg_h_left_shank_y = t_left_shank_10 - t_left_ankle_cross_55;
-  const Scalar t_left_ankle_cross_56 = c_q2_q3_q4 * h_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_57 = left_ankle_cross_h1 * s_q2_q3_q4 + t_left_ankle_cross_56;
-  const Scalar t_left_ankle_cross_58 = left_ankle_cross_I19 + t_left_foot_5 + t_left_foot_13;
-  const Scalar t_left_ankle_cross_59 = t_left_foot_22 - t_left_ankle_cross_58;
-  const Scalar t_left_ankle_cross_60 = neg_s_left_ankle_cross_x * t_left_ankle_cross_57;
-  const Scalar t_left_ankle_cross_61 = neg_s_left_ankle_cross_y * t_left_ankle_cross_55;
-  const Scalar t_left_ankle_cross_62 = neg_s_left_ankle_cross_x * neg_h_left_foot_y;
-  const Scalar neg_h_left_thigh_y = t_left_thigh_15 + neg_h_left_shank_y;
-  const Scalar t_left_ankle_cross_63 = E_left_foot_xx + left_hip_fork_l3 * h_left_foot_x;
-  // left_shank: first moment h of (1)
-  const Scalar t_left_shank_15 = neg_s_left_shank_y * neg_h_left_shank_y;
-  const Scalar h_left_shank_x = t_left_shank_12 - t_left_ankle_cross_57;
-  const Scalar t_left_shank_16 = neg_s_left_shank_x * h_left_shank_x;
-  const Scalar t_left_shank_17 = neg_s_left_shank_x * neg_h_left_foot_y;
+  const Scalar t_left_ankle_cross_37 = s_q2_q3_q4 * h_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_38 = left_ankle_cross_h1 * c_q2_q3_q4 - t_left_ankle_cross_37;
+  const Scalar neg_h_left_shank_y = t_left_shank_9 - t_left_ankle_cross_38;
+  const Scalar t_left_ankle_cross_39 = c_q2_q3_q4 * h_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_40 = left_ankle_cross_h1 * s_q2_q3_q4 + t_left_ankle_cross_39;
+  const Scalar t_left_ankle_cross_41 = left_ankle_cross_I19 + t_left_foot_5 + t_left_foot_9;
+  const Scalar t_left_ankle_cross_42 = t_left_foot_18 - t_left_ankle_cross_41;
+  const Scalar t_left_ankle_cross_43 = neg_s_left_ankle_cross_x * t_left_ankle_cross_40;
+  const Scalar t_left_ankle_cross_44 = neg_s_left_ankle_cross_y * t_left_ankle_cross_38;
+  const Scalar t_left_ankle_cross_45 = neg_s_left_ankle_cross_x * neg_h_left_foot_y;
+  const Scalar neg_h_left_thigh_y = t_left_thigh_14 + neg_h_left_shank_y;
+  const Scalar t_left_ankle_cross_46 = E_left_foot_xx + left_hip_fork_l3 * h_left_foot_x;
+  // left_shank: first moment h, pseudo-inertia E of (1)
+  const Scalar t_left_shank_14 = neg_s_left_shank_y * neg_h_left_shank_y;
+  const Scalar h_left_shank_x = t_left_shank_11 - t_left_ankle_cross_40;
+  const Scalar t_left_shank_15 = neg_s_left_shank_x * h_left_shank_x;
+  const Scalar t_left_shank_16 = neg_s_left_shank_x * neg_h_left_foot_y;
+  const Scalar t_left_ankle_cross_47 = s_q2_q3_q4 * t_left_ankle_cross_34;
+  const Scalar t_left_ankle_cross_48 = t_left_ankle_cross_47 - c_q2_q3_q4 * t_left_ankle_cross_42;
+  const Scalar t_left_thigh_40 = t_left_ankle_cross_45 - t_left_ankle_cross_48;
+  const Scalar E_left_thigh_xz = t_left_thigh_18 + t_left_shank_16 + t_left_thigh_40;
+  const Scalar E_left_shank_xz = t_left_shank_7 + t_left_thigh_40;
   // left_ankle_cross
-  const Scalar t_left_ankle_cross_64 = s_q2_q3_q4 * t_left_ankle_cross_46;
-  const Scalar t_left_ankle_cross_65 = c_q2_q3_q4 * t_left_ankle_cross_59;
-  const Scalar t_left_ankle_cross_66 = t_left_ankle_cross_64 - t_left_ankle_cross_65;
-  const Scalar t_left_thigh_42 = t_left_ankle_cross_62 - t_left_ankle_cross_66;
-  const Scalar E_left_thigh_xz = t_left_thigh_19 + t_left_shank_17 + t_left_thigh_42;
-  const Scalar E_left_shank_xz = t_left_shank_8 + t_left_thigh_42;
-  const Scalar t_left_ankle_cross_67 = left_ankle_cross_I15 - t_left_ankle_cross_63;
-  const Scalar t_left_ankle_cross_68 = c_q2_q3_q4 * t_left_ankle_cross_31 * 2.0;
-  const Scalar t_left_ankle_cross_69 = s_q2_q3_q4 * t_left_ankle_cross_67;
-  const Scalar t_left_ankle_cross_70 = t_left_ankle_cross_68 + t_left_ankle_cross_69;
+  const Scalar t_left_ankle_cross_49 = left_ankle_cross_I15 - t_left_ankle_cross_46;
+  const Scalar t_left_ankle_cross_50 = c_q2_q3_q4 * t_left_ankle_cross_23 * 2.0;
+  const Scalar t_left_ankle_cross_51 = t_left_ankle_cross_50 + s_q2_q3_q4 * t_left_ankle_cross_49;
   // left_hip_fork: pseudo-inertia E of (1)
-  const Scalar E_left_hip_fork_xz_1 = t_left_shank_6 - (left_hip_fork_I2 - t_left_thigh_7);
+  const Scalar E_left_hip_fork_xz_1 = t_left_shank_5 - (left_hip_fork_I2 - t_left_thigh_6);
   const Scalar E_left_hip_fork_xz_2 = E_left_foot_xz + E_left_hip_fork_xz_1;
-  const Scalar E_left_hip_fork_xz_3 = t_left_thigh_20 + E_left_hip_fork_xz_2;
-  const Scalar E_left_hip_fork_xz_4 = c_q2_q3_q4 * t_left_ankle_cross_70;
-  const Scalar E_left_hip_fork_xz_5 = E_left_hip_fork_xz_3 - E_left_hip_fork_xz_4;
-  const Scalar E_left_hip_fork_xz_6 = t_left_thigh_21 * h_left_shank_x;
-  const Scalar E_left_hip_fork_xz_7 = neg_s_left_ankle_cross_y * t_left_ankle_cross_57;
-  const Scalar E_left_hip_fork_xz_8 = E_left_hip_fork_xz_5 + E_left_hip_fork_xz_6;
-  const Scalar E_left_hip_fork_xz_9 = E_left_hip_fork_xz_8 + E_left_hip_fork_xz_7;
-  const Scalar E_left_hip_fork_xz_10 = neg_s_left_shank_x * neg_h_left_shank_y;
-  const Scalar E_left_hip_fork_xz_11 = neg_s_left_ankle_cross_x * t_left_ankle_cross_55;
-  const Scalar E_left_hip_fork_xz_12 = E_left_hip_fork_xz_9 + E_left_hip_fork_xz_10;
-  const Scalar E_left_hip_fork_xz = E_left_hip_fork_xz_12 - E_left_hip_fork_xz_11;
-  const Scalar t_left_ankle_cross_71 = neg_s_left_ankle_cross_y * neg_h_left_foot_y;
-  const Scalar t_left_shank_18 = neg_s_left_shank_y * neg_h_left_foot_y;
-  const Scalar t_right_foot_21 = t_right_foot_11 + t_right_foot_19;
-  const Scalar t_right_foot_22 = t_right_foot_21 - left_hip_fork_l2 * h_right_foot_y;
+  const Scalar E_left_hip_fork_xz_3 = t_left_thigh_19 + E_left_hip_fork_xz_2;
+  const Scalar E_left_hip_fork_xz_4 = E_left_hip_fork_xz_3 - c_q2_q3_q4 * t_left_ankle_cross_51;
+  const Scalar E_left_hip_fork_xz_5 = E_left_hip_fork_xz_4 + t_left_thigh_20 * h_left_shank_x;
+  const Scalar E_left_hip_fork_xz_6 =
+      E_left_hip_fork_xz_5 + neg_s_left_ankle_cross_y * t_left_ankle_cross_40;
+  const Scalar E_left_hip_fork_xz_7 =
+      E_left_hip_fork_xz_6 + neg_s_left_shank_x * neg_h_left_shank_y;
+  const Scalar E_left_hip_fork_xz =
+      E_left_hip_fork_xz_7 - neg_s_left_ankle_cross_x * t_left_ankle_cross_38;
+  const Scalar t_left_ankle_cross_52 = neg_s_left_ankle_cross_y * neg_h_left_foot_y;
+  const Scalar t_left_shank_17 = neg_s_left_shank_y * neg_h_left_foot_y;
+  const Scalar t_right_foot_19 = t_right_foot_9 + t_right_foot_17;
+  const Scalar t_right_foot_20 = t_right_foot_19 - left_hip_fork_l2 * h_right_foot_y;
   // right_ankle_cross
-  const Scalar t_righ_ankl_cros_63 = neg_E_right_foot_yz - s_q8_q9_q10 * t_righ_ankl_cros_62;
-  const Scalar t_righ_ankl_cros_64 = t_righ_ankl_cros_63 + c_q8_q9_q10 * t_righ_ankl_cros_59;
-  const Scalar t_righ_ankl_cros_65 = c_q8_q9_q10 * t_right_foot_22;
-  const Scalar t_right_shank_25 = h_right_foot_x * (neg_s_right_shank_x + neg_s_righ_ankl_cros_x);
-  const Scalar t_righ_ankl_cros_66 = s_q8_q9_q10 * E_right_foot_xz + t_righ_ankl_cros_65;
+  const Scalar t_righ_ankl_cros_44 = neg_E_right_foot_yz - s_q8_q9_q10 * t_righ_ankl_cros_43;
+  const Scalar t_righ_ankl_cros_45 = t_righ_ankl_cros_44 + c_q8_q9_q10 * t_righ_ankl_cros_40;
+  const Scalar t_righ_ankl_cros_46 = c_q8_q9_q10 * t_right_foot_20;
+  const Scalar t_righ_ankl_cros_47 = s_q8_q9_q10 * E_right_foot_xz + t_righ_ankl_cros_46;
   // right_shank
-  const Scalar t_right_shank_26 = t_righ_ankl_cros_66 + t_right_shank_25;
-  const Scalar t_right_shank_27 = t_righ_ankl_cros_64 + c_q8_q9_q10 * t_right_shank_24;
-  const Scalar t_right_shank_28 = t_right_shank_27 - s_q8_q9_q10 * t_right_shank_19;
+  const Scalar t_right_shank_22 = neg_s_right_shank_x + neg_s_righ_ankl_cros_x;
+  const Scalar t_right_shank_23 = t_righ_ankl_cros_47 + h_right_foot_x * t_right_shank_22;
+  const Scalar t_right_shank_24 = t_righ_ankl_cros_45 + c_q8_q9_q10 * t_right_shank_21;
+  const Scalar t_right_shank_25 = t_right_shank_24 - s_q8_q9_q10 * t_right_shank_16;
   // right_thigh
-  const Scalar t_right_thigh_44 = t_right_foot_11 - s_q8_q9_q10 * t_right_foot_22;
-  const Scalar t_right_thigh_45 = h_right_foot_x * (neg_s_right_shank_y + neg_s_righ_ankl_cros_y);
-  const Scalar t_right_thigh_46 = t_right_thigh_44 + c_q8_q9_q10 * E_right_foot_xz;
-  const Scalar t_right_thigh_47 = t_right_shank_28 - c_q8_q9_q10 * t_right_foot_20;
-  // right_hip_fork
-  const Scalar t_right_hip_fork_9 = c_right_hip_roll * (t_right_thigh_46 - t_right_thigh_45);
-  const Scalar t_right_hip_fork_10 = s_right_hip_roll * t_right_thigh_47;
-  const Scalar t_right_hip_fork_11 = t_right_hip_fork_9 + t_right_hip_fork_10;
-  const Scalar t_left_foot_23 = left_hip_fork_l1 * h_left_foot_x;
-  const Scalar t_left_foot_24 = t_left_foot_23 - (t_left_foot_6 - t_right_foot_19);
-  // left_ankle_cross
-  const Scalar t_left_ankle_cross_72 = E_left_foot_yz + c_q2_q3_q4 * t_left_ankle_cross_71;
-  const Scalar t_left_ankle_cross_73 = s_q2_q3_q4 * t_left_ankle_cross_62;
-  const Scalar t_left_ankle_cross_74 = t_left_ankle_cross_72 - t_left_ankle_cross_73;
-  const Scalar t_left_shank_19 = t_left_ankle_cross_74 - s_q2_q3_q4 * t_left_shank_17;
-  const Scalar t_left_shank_20 = t_left_shank_19 + c_q2_q3_q4 * t_left_shank_18;
+  const Scalar t_right_thigh_42 = t_right_foot_9 - s_q8_q9_q10 * t_right_foot_20;
+  const Scalar t_right_thigh_43 = t_right_thigh_42 + c_q8_q9_q10 * E_right_foot_xz;
+  const Scalar t_right_thigh_44 = neg_s_right_shank_y + neg_s_righ_ankl_cros_y;
+  const Scalar t_right_thigh_45 = t_right_thigh_43 - h_right_foot_x * t_right_thigh_44;
+  const Scalar t_right_thigh_46 = t_right_shank_25 - c_q8_q9_q10 * t_right_foot_18;
+  const Scalar t_right_hip_fork_9 = c_right_hip_roll * t_right_thigh_45;
+  const Scalar t_right_hip_fork_10 = t_right_hip_fork_9 + s_right_hip_roll * t_right_thigh_46;
+  const Scalar t_left_foot_19 = left_hip_fork_l1 * h_left_foot_x;
+  const Scalar t_left_foot_20 = t_left_foot_19 - (t_left_foot_6 - t_right_foot_17);
+  const Scalar t_left_ankle_cross_53 = E_left_foot_yz + c_q2_q3_q4 * t_left_ankle_cross_52;
+  const Scalar t_left_ankle_cross_54 = t_left_ankle_cross_53 - s_q2_q3_q4 * t_left_ankle_cross_45;
+  const Scalar t_left_shank_18 = t_left_ankle_cross_54 - s_q2_q3_q4 * t_left_shank_16;
+  const Scalar t_left_shank_19 = t_left_shank_18 + c_q2_q3_q4 * t_left_shank_17;
   // left_thigh
-  const Scalar t_left_thigh_43 = t_left_foot_23 + c_q2_q3_q4 * E_left_foot_xz;
-  const Scalar t_left_thigh_44 = h_left_foot_x * (neg_s_left_shank_y + neg_s_left_ankle_cross_y);
-  const Scalar t_left_thigh_45 = t_left_thigh_43 - s_q2_q3_q4 * t_left_foot_24;
-  const Scalar t_left_thigh_46 = t_left_shank_20 - c_q2_q3_q4 * t_left_foot_22;
-  const Scalar t_left_hip_fork_9 = c_left_hip_roll * (t_left_thigh_45 - t_left_thigh_44);
-  const Scalar t_left_hip_fork_10 = s_left_hip_roll * t_left_thigh_46 - t_left_hip_fork_9;
+  const Scalar t_left_thigh_41 = t_left_foot_19 + c_q2_q3_q4 * E_left_foot_xz;
+  const Scalar t_left_thigh_42 = t_left_thigh_41 - s_q2_q3_q4 * t_left_foot_20;
+  const Scalar t_left_thigh_43 = neg_s_left_shank_y + neg_s_left_ankle_cross_y;
+  const Scalar t_left_thigh_44 = t_left_shank_19 - c_q2_q3_q4 * t_left_foot_18;
+  const Scalar t_left_thigh_45 = t_left_thigh_42 - h_left_foot_x * t_left_thigh_43;
+  const Scalar t_left_hip_fork_9 = s_left_hip_roll * t_left_thigh_44;
+  const Scalar t_left_hip_fork_10 = t_left_hip_fork_9 - c_left_hip_roll * t_left_thigh_45;
   // right_foot: 1/pivot of (1)
-  const Scalar inverse_pivot_right_foot = 1.0 / t_right_foot_19;
-  const Scalar t_right_foot_23 = t_right_hip_fork_11 * inverse_pivot_right_foot;
-  const Scalar t_right_foot_24 = t_right_shank_28 * inverse_pivot_right_foot;
-  const Scalar t_right_foot_25 = neg_E_right_foot_yz * inverse_pivot_right_foot;
+  const Scalar inverse_pivot_right_foot = 1.0 / t_right_foot_17;
+  const Scalar t_right_foot_21 = t_right_hip_fork_10 * inverse_pivot_right_foot;
+  const Scalar t_right_foot_22 = t_right_shank_25 * inverse_pivot_right_foot;
+  const Scalar t_right_foot_23 = neg_E_right_foot_yz * inverse_pivot_right_foot;
   // right_ankle_cross
-  const Scalar t_righ_ankl_cros_67 = left_ankle_cross_I16 + t_righ_ankl_cros_49;
-  const Scalar t_righ_ankl_cros_68 = t_righ_ankl_cros_57 - t_righ_ankl_cros_58;
-  const Scalar t_righ_ankl_cros_69 = t_righ_ankl_cros_67 + t_righ_ankl_cros_68;
-  // right_shank
-  const Scalar t_right_shank_29 = neg_s_right_shank_x * t_righ_ankl_cros_51;
-  const Scalar t_right_shank_30 = neg_s_right_shank_y * t_righ_ankl_cros_53;
-  const Scalar t_right_shank_31 = t_righ_ankl_cros_69 + t_right_shank_29 - t_right_shank_30;
-  const Scalar t_right_thigh_48 = t_right_shank_31 + left_hip_fork_l1 * t_righ_ankl_cros_53;
-  // right_hip_fork
-  const Scalar t_right_hip_fork_12 = c_right_hip_roll * t_righ_ankl_cros_61;
-  const Scalar t_right_hip_fork_13 = s_right_hip_roll * t_right_thigh_48;
-  const Scalar t_right_hip_fork_14 = t_right_hip_fork_12 + t_right_hip_fork_13;
+  const Scalar t_righ_ankl_cros_48 = left_ankle_cross_I16 + t_righ_ankl_cros_30;
+  const Scalar t_righ_ankl_cros_49 = t_righ_ankl_cros_38 - t_righ_ankl_cros_39;
+  const Scalar t_righ_ankl_cros_50 = t_righ_ankl_cros_48 + t_righ_ankl_cros_49;
+  const Scalar t_right_shank_26 = t_righ_ankl_cros_50 + neg_s_right_shank_x * t_righ_ankl_cros_32;
+  const Scalar t_right_shank_27 = t_right_shank_26 - neg_s_right_shank_y * t_righ_ankl_cros_34;
+  const Scalar t_right_thigh_47 = t_right_shank_27 + left_hip_fork_l1 * t_righ_ankl_cros_34;
+  const Scalar t_right_hip_fork_11 = c_right_hip_roll * t_righ_ankl_cros_42;
+  const Scalar t_right_hip_fork_12 = t_right_hip_fork_11 + s_right_hip_roll * t_right_thigh_47;
+  const Scalar t_right_foot_24 = t_right_hip_fork_12 - t_right_hip_fork_10 * t_right_foot_23;
+  const Scalar t_right_foot_25 = t_right_shank_23 * inverse_pivot_right_foot;
+  const Scalar t_righ_ankl_cros_51 = c_q8_q9_q10 * E_righ_ankl_cros_yz;
+  const Scalar t_righ_ankl_cros_52 = t_righ_ankl_cros_51 + s_q8_q9_q10 * E_righ_ankl_cros_xz;
   // right_foot
-  const Scalar t_right_foot_26 = t_right_hip_fork_11 * t_right_foot_25;
-  const Scalar t_right_foot_27 = t_right_hip_fork_14 - t_right_foot_26;
-  const Scalar t_right_foot_28 = t_right_shank_26 * inverse_pivot_right_foot;
-  const Scalar t_righ_ankl_cros_70 = c_q8_q9_q10 * E_righ_ankl_cros_yz;
-  const Scalar t_righ_ankl_cros_71 = t_righ_ankl_cros_70 + s_q8_q9_q10 * E_righ_ankl_cros_xz;
-  const Scalar t_right_foot_29 = t_righ_ankl_cros_71 - neg_E_right_foot_yz * t_right_foot_28;
-  const Scalar t_right_foot_30 = t_right_shank_31 - neg_E_right_foot_yz * t_right_foot_24;
-  const Scalar t_right_foot_31 = t_righ_ankl_cros_64 * inverse_pivot_right_foot;
-  const Scalar t_right_foot_32 = t_righ_ankl_cros_64 * t_right_foot_25;
-  const Scalar t_right_foot_33 = t_righ_ankl_cros_69 - t_right_foot_32;
-  const Scalar t_right_foot_34 = t_righ_ankl_cros_67 - neg_E_right_foot_yz * t_right_foot_25;
+  const Scalar t_right_foot_26 = t_righ_ankl_cros_52 - neg_E_right_foot_yz * t_right_foot_25;
+  const Scalar t_right_foot_27 = t_right_shank_27 - neg_E_right_foot_yz * t_right_foot_22;
+  const Scalar t_right_foot_28 = t_righ_ankl_cros_45 * inverse_pivot_right_foot;
+  const Scalar t_right_foot_29 = t_righ_ankl_cros_50 - t_righ_ankl_cros_45 * t_right_foot_23;
+  const Scalar t_right_foot_30 = t_righ_ankl_cros_48 - neg_E_right_foot_yz * t_right_foot_23;
   // right_ankle_cross: 1/pivot of (1)
-  const Scalar t_righ_ankl_cros_72 = 1.0 / t_right_foot_34;
-  const Scalar t_righ_ankl_cros_73 = t_right_foot_30 * t_righ_ankl_cros_72;
-  const Scalar t_righ_ankl_cros_74 = t_right_foot_33 * t_righ_ankl_cros_72;
-  const Scalar t_right_shank_32 = t_right_shank_17 - t_right_shank_18 + t_right_shank_22;
-  const Scalar t_righ_ankl_cros_75 = t_right_foot_27 * t_righ_ankl_cros_72;
-  const Scalar t_right_thigh_49 = t_right_shank_32 - left_hip_fork_l1 * neg_h_right_shank_y;
-  // right_hip_fork
-  const Scalar t_right_hip_fork_15 = c_right_hip_roll * neg_E_right_shank_xz;
-  const Scalar t_right_hip_fork_16 = s_right_hip_roll * t_right_thigh_49;
-  const Scalar t_right_hip_fork_17 = t_right_hip_fork_16 + t_right_hip_fork_15;
-  const Scalar t_righ_ankl_cros_76 = t_right_foot_27 * t_righ_ankl_cros_74;
-  const Scalar t_righ_ankl_cros_77 = t_right_hip_fork_17 - t_righ_ankl_cros_76;
-  const Scalar t_right_foot_35 = t_righ_ankl_cros_64 * t_right_foot_23;
-  const Scalar t_righ_ankl_cros_78 = t_righ_ankl_cros_77 - t_right_foot_35;
-  const Scalar t_right_foot_36 = t_right_shank_32 - t_right_shank_28 * t_right_foot_31;
-  const Scalar t_righ_ankl_cros_79 = t_right_foot_33 * t_righ_ankl_cros_73;
-  const Scalar t_righ_ankl_cros_80 = t_right_foot_36 - t_righ_ankl_cros_79;
-  const Scalar t_right_foot_37 = t_right_shank_22 - t_righ_ankl_cros_64 * t_right_foot_31;
-  const Scalar t_righ_ankl_cros_81 = t_right_foot_33 * t_righ_ankl_cros_74;
-  const Scalar t_righ_ankl_cros_82 = t_right_foot_29 * t_righ_ankl_cros_72;
-  const Scalar t_right_shank_33 = t_right_shank_9 - t_righ_ankl_cros_59;
-  const Scalar neg_E_right_shank_yz = t_righ_ankl_cros_71 - t_right_shank_33;
-  const Scalar t_right_foot_38 = neg_E_right_shank_yz - t_righ_ankl_cros_64 * t_right_foot_28;
-  const Scalar t_righ_ankl_cros_83 = t_right_foot_33 * t_righ_ankl_cros_82;
-  const Scalar t_righ_ankl_cros_84 = t_right_foot_38 - t_righ_ankl_cros_83;
-  const Scalar t_right_shank_34 = 1.0 / (t_right_foot_37 - t_righ_ankl_cros_81);
-  const Scalar t_right_shank_35 = t_righ_ankl_cros_78 * t_right_shank_34;
-  const Scalar t_right_hip_fork_18 = c_right_hip_roll * neg_E_right_thigh_xz;
-  const Scalar t_right_thigh_50 = t_right_thigh_42 - left_hip_fork_l1 * neg_h_right_thigh_y;
-  const Scalar t_right_foot_39 = t_right_hip_fork_18 - t_right_shank_28 * t_right_foot_23;
-  const Scalar t_right_foot_40 = t_right_foot_39 + s_right_hip_roll * t_right_thigh_50;
-  const Scalar t_righ_ankl_cros_85 = t_right_foot_27 * t_righ_ankl_cros_73;
+  const Scalar t_righ_ankl_cros_53 = 1.0 / t_right_foot_30;
+  const Scalar t_righ_ankl_cros_54 = t_right_foot_27 * t_righ_ankl_cros_53;
+  const Scalar t_righ_ankl_cros_55 = t_right_foot_29 * t_righ_ankl_cros_53;
+  const Scalar t_right_shank_28 = t_right_shank_14 - t_right_shank_15 + t_right_shank_19;
+  const Scalar t_righ_ankl_cros_56 = t_right_foot_24 * t_righ_ankl_cros_53;
+  const Scalar t_right_thigh_48 = t_right_shank_28 - left_hip_fork_l1 * neg_h_right_shank_y;
+  const Scalar t_right_hip_fork_13 = c_right_hip_roll * neg_E_right_shank_xz;
+  const Scalar t_right_hip_fork_14 = s_right_hip_roll * t_right_thigh_48 + t_right_hip_fork_13;
+  const Scalar t_righ_ankl_cros_57 = t_right_hip_fork_14 - t_right_foot_24 * t_righ_ankl_cros_55;
+  const Scalar t_righ_ankl_cros_58 = t_righ_ankl_cros_57 - t_righ_ankl_cros_45 * t_right_foot_21;
+  const Scalar t_right_foot_31 = t_right_shank_28 - t_right_shank_25 * t_right_foot_28;
+  const Scalar t_righ_ankl_cros_59 = t_right_foot_31 - t_right_foot_29 * t_righ_ankl_cros_54;
+  const Scalar t_right_foot_32 = t_right_shank_19 - t_righ_ankl_cros_45 * t_right_foot_28;
+  const Scalar t_righ_ankl_cros_60 = t_right_foot_26 * t_righ_ankl_cros_53;
+  const Scalar t_right_shank_29 = t_right_shank_8 - t_righ_ankl_cros_40;
+  const Scalar neg_E_right_shank_yz = t_righ_ankl_cros_52 - t_right_shank_29;
+  const Scalar t_right_foot_33 = neg_E_right_shank_yz - t_righ_ankl_cros_45 * t_right_foot_25;
+  const Scalar t_righ_ankl_cros_61 = t_right_foot_33 - t_right_foot_29 * t_righ_ankl_cros_60;
+  const Scalar t_righ_ankl_cros_62 = t_right_foot_32 - t_right_foot_29 * t_righ_ankl_cros_55;
+  const Scalar t_right_shank_30 = 1.0 / t_righ_ankl_cros_62;
+  const Scalar t_right_shank_31 = t_righ_ankl_cros_58 * t_right_shank_30;
+  const Scalar t_right_hip_fork_15 = c_right_hip_roll * neg_E_right_thigh_xz;
+  const Scalar t_right_thigh_49 = t_right_thigh_40 - left_hip_fork_l1 * neg_h_right_thigh_y;
+  const Scalar t_right_foot_34 = t_right_hip_fork_15 - t_right_shank_25 * t_right_foot_21;
+  const Scalar t_right_foot_35 = t_right_foot_34 + s_right_hip_roll * t_right_thigh_49;
+  const Scalar t_righ_ankl_cros_63 = t_right_foot_35 - t_right_foot_24 * t_righ_ankl_cros_54;
+  const Scalar t_right_shank_32 = t_righ_ankl_cros_63 - t_righ_ankl_cros_59 * t_right_shank_31;
+  const Scalar t_right_shank_33 = t_righ_ankl_cros_59 * t_right_shank_30;
+  const Scalar t_right_foot_36 = t_right_thigh_40 - t_right_shank_25 * t_right_foot_22;
+  const Scalar t_righ_ankl_cros_64 = t_right_foot_36 - t_right_foot_27 * t_righ_ankl_cros_54;
+  const Scalar t_right_thigh_50 = t_right_thigh_13 - t_right_shank_21;
+  const Scalar neg_E_right_thigh_yz = neg_E_right_shank_yz - t_right_thigh_50;
   // right_shank
-  const Scalar t_right_shank_36 = t_righ_ankl_cros_80 * t_right_shank_35;
-  const Scalar t_right_shank_37 = t_right_foot_40 - t_righ_ankl_cros_85 - t_right_shank_36;
-  const Scalar t_right_shank_38 = t_righ_ankl_cros_80 * t_right_shank_34;
-  const Scalar t_right_foot_41 = t_right_thigh_42 - t_right_shank_28 * t_right_foot_24;
-  const Scalar t_righ_ankl_cros_86 = t_right_foot_30 * t_righ_ankl_cros_73;
-  const Scalar t_right_shank_39 = t_righ_ankl_cros_80 * t_right_shank_38;
-  const Scalar t_right_thigh_51 = t_right_thigh_14 - t_right_shank_24;
-  const Scalar neg_E_right_thigh_yz = neg_E_right_shank_yz - t_right_thigh_51;
-  const Scalar t_right_shank_40 = t_righ_ankl_cros_84 * t_right_shank_38;
-  const Scalar t_right_shank_41 = neg_E_right_thigh_yz - t_right_shank_40;
-  const Scalar t_right_shank_42 = t_right_shank_41 - t_right_foot_30 * t_righ_ankl_cros_82;
-  const Scalar t_right_shank_43 = t_right_shank_42 - t_right_shank_28 * t_right_foot_28;
-  const Scalar t_right_shank_44 = t_right_foot_41 - t_righ_ankl_cros_86 - t_right_shank_39;
-  const Scalar t_right_thigh_52 = 1.0 / t_right_shank_44;
-  const Scalar t_right_thigh_53 = t_right_shank_37 * t_right_thigh_52;
-  const Scalar E_right_hip_fork_yz = left_hip_fork_I1 - t_right_foot_20 + neg_E_right_thigh_yz;
-  const Scalar t_righ_ankl_cros_87 = t_right_foot_29 * t_righ_ankl_cros_75;
+  const Scalar t_right_shank_34 = neg_E_right_thigh_yz - t_righ_ankl_cros_61 * t_right_shank_33;
+  const Scalar t_right_shank_35 = t_right_shank_34 - t_right_foot_27 * t_righ_ankl_cros_60;
+  const Scalar t_right_shank_36 = t_right_shank_35 - t_right_shank_25 * t_right_foot_25;
+  const Scalar t_right_shank_37 = t_righ_ankl_cros_64 - t_righ_ankl_cros_59 * t_right_shank_33;
+  const Scalar t_right_thigh_51 = 1.0 / t_right_shank_37;
+  const Scalar t_right_thigh_52 = t_right_shank_32 * t_right_thigh_51;
+  const Scalar E_right_hip_fork_yz = left_hip_fork_I1 - t_right_foot_18 + neg_E_right_thigh_yz;
+  const Scalar t_righ_ankl_cros_65 = t_right_foot_26 * t_righ_ankl_cros_56;
   // right_thigh
-  const Scalar t_right_thigh_54 = c_right_hip_roll * E_right_hip_fork_xz + t_righ_ankl_cros_87;
-  const Scalar t_right_thigh_55 = t_right_thigh_54 + t_right_hip_fork_11 * t_right_foot_28;
-  const Scalar t_right_thigh_56 = t_right_thigh_55 + t_right_shank_43 * t_right_thigh_53;
-  const Scalar t_right_thigh_57 = t_right_thigh_56 - s_right_hip_roll * E_right_hip_fork_yz;
-  const Scalar t_right_thigh_58 = t_right_thigh_57 + t_righ_ankl_cros_84 * t_right_shank_35;
-  const Scalar t_right_shank_45 = t_righ_ankl_cros_84 * t_right_shank_34;
+  const Scalar t_right_thigh_53 = c_right_hip_roll * E_right_hip_fork_xz + t_righ_ankl_cros_65;
+  const Scalar t_right_thigh_54 = t_right_thigh_53 + t_right_hip_fork_10 * t_right_foot_25;
+  const Scalar t_right_thigh_55 = t_right_thigh_54 + t_right_shank_36 * t_right_thigh_52;
+  const Scalar t_right_thigh_56 = t_right_thigh_55 - s_right_hip_roll * E_right_hip_fork_yz;
+  const Scalar t_right_thigh_57 = t_right_thigh_56 + t_righ_ankl_cros_61 * t_right_shank_31;
+  const Scalar t_right_shank_38 = t_righ_ankl_cros_61 * t_right_shank_30;
   // right_hip_fork: 1/pivot of (1)
-  const Scalar t_right_hip_fork_19 = t_right_foot_6 - left_hip_fork_l4 * h_right_foot_y;
-  const Scalar t_right_hip_fork_20 = t_right_shank_5 - t_right_shank_20;
-  const Scalar t_right_hip_fork_21 = t_right_thigh_40 - t_right_hip_fork_20;
-  const Scalar t_right_hip_fork_22 = t_right_hip_fork_21 + s_q8_q9_q10 * t_righ_ankl_cros_56;
-  const Scalar t_right_thigh_59 = t_right_shank_43 * t_right_thigh_52;
-  const Scalar t_right_hip_fork_23 = left_hip_fork_I16 + t_right_hip_fork_19;
-  const Scalar t_right_hip_fork_24 = t_right_hip_fork_22 + t_right_hip_fork_23;
-  const Scalar t_right_foot_42 = t_right_hip_fork_24 - t_right_shank_26 * t_right_foot_28;
-  const Scalar t_right_shank_46 = t_right_foot_42 - t_righ_ankl_cros_84 * t_right_shank_45;
-  const Scalar t_right_shank_47 = t_right_shank_46 - t_right_foot_29 * t_righ_ankl_cros_82;
-  const Scalar t_right_thigh_60 = t_right_shank_47 - t_right_shank_43 * t_right_thigh_59;
-  const Scalar t_right_hip_fork_25 = 1.0 / t_right_thigh_60;
-  const Scalar qdd_6_1 = left_hip_fork_I15 - t_right_hip_fork_19 + t_right_hip_fork_22;
+  const Scalar t_right_hip_fork_16 = t_right_foot_6 - left_hip_fork_l4 * h_right_foot_y;
+  const Scalar t_right_hip_fork_17 = t_right_shank_4 - t_right_shank_17;
+  const Scalar t_right_hip_fork_18 = t_right_thigh_38 - t_right_hip_fork_17;
+  const Scalar t_right_hip_fork_19 = t_right_hip_fork_18 + s_q8_q9_q10 * t_righ_ankl_cros_37;
+  const Scalar t_right_thigh_58 = t_right_shank_36 * t_right_thigh_51;
+  const Scalar t_right_hip_fork_20 = left_hip_fork_I16 + t_right_hip_fork_16;
+  const Scalar t_right_hip_fork_21 = t_right_hip_fork_19 + t_right_hip_fork_20;
+  const Scalar t_right_foot_37 = t_right_hip_fork_21 - t_right_shank_23 * t_right_foot_25;
+  const Scalar t_right_shank_39 = t_right_foot_37 - t_righ_ankl_cros_61 * t_right_shank_38;
+  const Scalar t_right_shank_40 = t_right_shank_39 - t_right_foot_26 * t_righ_ankl_cros_60;
+  const Scalar t_right_thigh_59 = t_right_shank_40 - t_right_shank_36 * t_right_thigh_58;
+  const Scalar t_right_hip_fork_22 = 1.0 / t_right_thigh_59;
+  const Scalar qdd_6_1 = left_hip_fork_I15 - t_right_hip_fork_16 + t_right_hip_fork_19;
   const Scalar qdd_6_2 = s_right_hip_roll * (left_hip_fork_I3 - 2.0 * neg_E_right_thigh_xz);
-  const Scalar t_right_hip_fork_26 = t_right_thigh_58 * t_right_hip_fork_25;
-  const Scalar qdd_6_3 = c_right_hip_roll * (qdd_6_2 + c_right_hip_roll * qdd_6_1);
-  const Scalar qdd_6_4 = left_hip_block_I3 + t_right_thigh_42 - qdd_6_3;
-  const Scalar qdd_6_5 = qdd_6_4 - left_hip_fork_l3 * neg_h_right_thigh_y;
-  const Scalar qdd_6_6 = qdd_6_5 - t_right_foot_27 * t_righ_ankl_cros_75;
-  const Scalar qdd_6_7 = qdd_6_6 - t_right_shank_37 * t_right_thigh_53;
-  const Scalar qdd_6_8 = qdd_6_7 - t_right_thigh_58 * t_right_hip_fork_26;
-  const Scalar qdd_6_9 = qdd_6_8 - t_righ_ankl_cros_78 * t_right_shank_35;
-  const Scalar qdd_6_10 = 1.0 / (qdd_6_9 - t_right_hip_fork_11 * t_right_foot_23);
-  const Scalar t_left_ankle_cross_75 = c_q2_q3_q4 * t_left_foot_24;
-  const Scalar t_left_shank_21 = h_left_foot_x * (neg_s_left_shank_x + neg_s_left_ankle_cross_x);
-  const Scalar t_left_ankle_cross_76 = s_q2_q3_q4 * E_left_foot_xz + t_left_ankle_cross_75;
-  const Scalar t_left_shank_22 = t_left_ankle_cross_76 + t_left_shank_21;
+  const Scalar t_right_hip_fork_23 = t_right_thigh_57 * t_right_hip_fork_22;
+  const Scalar qdd_6_3 = left_hip_block_I3 + t_right_thigh_40;
+  const Scalar qdd_6_4 = qdd_6_2 + c_right_hip_roll * qdd_6_1;
+  const Scalar qdd_6_5 = qdd_6_3 - c_right_hip_roll * qdd_6_4;
+  const Scalar qdd_6_6 = qdd_6_5 - left_hip_fork_l3 * neg_h_right_thigh_y;
+  const Scalar qdd_6_7 = qdd_6_6 - t_right_foot_24 * t_righ_ankl_cros_56;
+  const Scalar qdd_6_8 = qdd_6_7 - t_right_shank_32 * t_right_thigh_52;
+  const Scalar qdd_6_9 = qdd_6_8 - t_right_thigh_57 * t_right_hip_fork_23;
+  const Scalar qdd_6_10 = qdd_6_9 - t_righ_ankl_cros_58 * t_right_shank_31;
+  const Scalar qdd_6_11 = 1.0 / (qdd_6_10 - t_right_hip_fork_10 * t_right_foot_21);
+  const Scalar t_left_ankle_cross_55 = c_q2_q3_q4 * t_left_foot_20;
+  const Scalar t_left_ankle_cross_56 = s_q2_q3_q4 * E_left_foot_xz + t_left_ankle_cross_55;
+  const Scalar t_left_shank_20 = neg_s_left_shank_x + neg_s_left_ankle_cross_x;
+  const Scalar t_left_shank_21 = t_left_ankle_cross_56 + h_left_foot_x * t_left_shank_20;
   // left_foot
-  const Scalar t_left_foot_25 = inverse_pivot_right_foot * t_left_shank_22;
-  const Scalar t_left_foot_26 = t_left_ankle_cross_74 * inverse_pivot_right_foot;
-  const Scalar t_left_foot_27 = E_left_foot_yz * inverse_pivot_right_foot;
-  const Scalar t_left_foot_28 = t_left_hip_fork_10 * inverse_pivot_right_foot;
+  const Scalar t_left_foot_21 = inverse_pivot_right_foot * t_left_shank_21;
+  const Scalar t_left_foot_22 = t_left_ankle_cross_54 * inverse_pivot_right_foot;
+  const Scalar t_left_foot_23 = E_left_foot_yz * inverse_pivot_right_foot;
+  const Scalar t_left_foot_24 = t_left_hip_fork_10 * inverse_pivot_right_foot;
   // left_ankle_cross
-  const Scalar t_left_ankle_cross_77 = left_ankle_cross_I16 + t_left_ankle_cross_63;
-  const Scalar t_left_ankle_cross_78 = t_left_ankle_cross_60 - t_left_ankle_cross_61;
-  const Scalar t_left_ankle_cross_79 = t_left_ankle_cross_77 + t_left_ankle_cross_78;
-  // left_shank
-  const Scalar t_left_shank_23 = neg_s_left_shank_y * t_left_ankle_cross_55;
-  const Scalar t_left_shank_24 = neg_s_left_shank_x * t_left_ankle_cross_57;
-  const Scalar t_left_shank_25 = t_left_ankle_cross_79 - t_left_shank_23 + t_left_shank_24;
-  const Scalar t_left_hip_fork_11 = c_left_hip_roll * t_left_ankle_cross_66;
-  const Scalar t_left_thigh_47 = t_left_shank_25 + left_hip_fork_l1 * t_left_ankle_cross_55;
-  const Scalar t_left_foot_29 = t_left_hip_fork_11 - E_left_foot_yz * t_left_foot_28;
-  const Scalar t_left_foot_30 = t_left_foot_29 + s_left_hip_roll * t_left_thigh_47;
-  // left_ankle_cross
-  const Scalar t_left_ankle_cross_80 = c_q2_q3_q4 * t_left_ankle_cross_46;
-  const Scalar t_left_ankle_cross_81 = s_q2_q3_q4 * t_left_ankle_cross_59;
-  const Scalar t_left_ankle_cross_82 = t_left_ankle_cross_80 + t_left_ankle_cross_81;
+  const Scalar t_left_ankle_cross_57 = left_ankle_cross_I16 + t_left_ankle_cross_46;
+  const Scalar t_left_ankle_cross_58 = t_left_ankle_cross_43 - t_left_ankle_cross_44;
+  const Scalar t_left_ankle_cross_59 = t_left_ankle_cross_57 + t_left_ankle_cross_58;
+  const Scalar t_left_shank_22 = t_left_ankle_cross_59 - neg_s_left_shank_y * t_left_ankle_cross_38;
+  const Scalar t_left_shank_23 = t_left_shank_22 + neg_s_left_shank_x * t_left_ankle_cross_40;
+  const Scalar t_left_hip_fork_11 = c_left_hip_roll * t_left_ankle_cross_48;
+  const Scalar t_left_thigh_46 = t_left_shank_23 + left_hip_fork_l1 * t_left_ankle_cross_38;
+  const Scalar t_left_foot_25 = t_left_hip_fork_11 - E_left_foot_yz * t_left_foot_24;
+  const Scalar t_left_foot_26 = t_left_foot_25 + s_left_hip_roll * t_left_thigh_46;
+  const Scalar t_left_ankle_cross_60 = c_q2_q3_q4 * t_left_ankle_cross_34;
+  const Scalar t_left_ankle_cross_61 = t_left_ankle_cross_60 + s_q2_q3_q4 * t_left_ankle_cross_42;
   // left_foot
-  const Scalar t_left_foot_31 = t_left_ankle_cross_82 - t_left_shank_22 * t_left_foot_27;
-  const Scalar t_left_foot_32 = t_left_shank_25 - t_left_shank_20 * t_left_foot_27;
-  const Scalar t_left_foot_33 = t_left_ankle_cross_74 * t_left_foot_27;
-  const Scalar t_left_foot_34 = t_left_ankle_cross_79 - t_left_foot_33;
-  const Scalar t_left_foot_35 = t_left_ankle_cross_77 - E_left_foot_yz * t_left_foot_27;
+  const Scalar t_left_foot_27 = t_left_ankle_cross_61 - t_left_shank_21 * t_left_foot_23;
+  const Scalar t_left_foot_28 = t_left_shank_23 - t_left_shank_19 * t_left_foot_23;
+  const Scalar t_left_foot_29 = t_left_ankle_cross_59 - t_left_ankle_cross_54 * t_left_foot_23;
+  const Scalar t_left_foot_30 = t_left_ankle_cross_57 - E_left_foot_yz * t_left_foot_23;
   // left_ankle_cross: 1/pivot of (1)
-  const Scalar t_left_ankle_cross_83 = 1.0 / t_left_foot_35;
-  const Scalar t_left_ankle_cross_84 = t_left_foot_30 * t_left_ankle_cross_83;
-  const Scalar t_left_ankle_cross_85 = t_left_foot_32 * t_left_ankle_cross_83;
+  const Scalar t_left_ankle_cross_62 = 1.0 / t_left_foot_30;
+  const Scalar t_left_ankle_cross_63 = t_left_foot_26 * t_left_ankle_cross_62;
+  const Scalar t_left_ankle_cross_64 = t_left_foot_28 * t_left_ankle_cross_62;
   // left_shank
-  const Scalar t_left_shank_26 = left_shank_I18 - 2.0 * t_left_ankle_cross_61;
-  const Scalar t_left_shank_27 = t_left_ankle_cross_63 + 2.0 * t_left_ankle_cross_60;
-  const Scalar t_left_shank_28 = t_left_shank_26 + t_left_shank_27;
-  const Scalar t_left_shank_29 = t_left_shank_15 - t_left_shank_16 + t_left_shank_28;
-  const Scalar t_left_ankle_cross_86 = t_left_foot_34 * t_left_ankle_cross_84;
-  const Scalar t_left_hip_fork_12 = c_left_hip_roll * E_left_shank_xz;
-  const Scalar t_left_thigh_48 = t_left_shank_29 - left_hip_fork_l1 * neg_h_left_shank_y;
-  const Scalar t_left_ankle_cross_87 = t_left_hip_fork_12 + t_left_ankle_cross_86;
-  const Scalar t_left_hip_fork_13 = s_left_hip_roll * t_left_thigh_48;
-  const Scalar t_left_ankle_cross_88 = t_left_ankle_cross_87 - t_left_hip_fork_13;
-  const Scalar t_left_foot_36 = t_left_ankle_cross_74 * t_left_foot_28;
+  const Scalar t_left_shank_24 = left_shank_I18 - 2.0 * t_left_ankle_cross_44;
+  const Scalar t_left_shank_25 = t_left_ankle_cross_46 + 2.0 * t_left_ankle_cross_43;
+  const Scalar t_left_shank_26 = t_left_shank_24 + t_left_shank_25;
+  const Scalar t_left_shank_27 = t_left_shank_14 - t_left_shank_15 + t_left_shank_26;
+  const Scalar t_left_ankle_cross_65 = t_left_foot_29 * t_left_ankle_cross_63;
+  const Scalar t_left_thigh_47 = t_left_shank_27 - left_hip_fork_l1 * neg_h_left_shank_y;
   // left_ankle_cross
-  const Scalar t_left_ankle_cross_89 = t_left_ankle_cross_88 + t_left_foot_36;
-  const Scalar t_left_ankle_cross_90 = t_left_foot_34 * t_left_ankle_cross_85;
-  const Scalar t_left_ankle_cross_91 = t_left_shank_29 - t_left_ankle_cross_90;
-  const Scalar t_left_foot_37 = t_left_shank_20 * t_left_foot_26;
-  const Scalar t_left_ankle_cross_92 = t_left_ankle_cross_91 - t_left_foot_37;
-  const Scalar t_left_ankle_cross_93 = t_left_foot_34 * t_left_ankle_cross_83;
-  const Scalar t_left_foot_38 = t_left_shank_28 - t_left_ankle_cross_74 * t_left_foot_26;
-  const Scalar t_left_ankle_cross_94 = t_left_foot_34 * t_left_ankle_cross_93;
-  const Scalar t_left_ankle_cross_95 = t_left_foot_31 * t_left_ankle_cross_83;
-  const Scalar E_left_shank_yz_1 = t_left_shank_9 - t_left_ankle_cross_71;
-  const Scalar E_left_shank_yz = t_left_ankle_cross_82 - E_left_shank_yz_1;
-  const Scalar t_left_foot_39 = E_left_shank_yz - t_left_ankle_cross_74 * t_left_foot_25;
-  const Scalar t_left_ankle_cross_96 = t_left_foot_34 * t_left_ankle_cross_95;
-  const Scalar t_left_ankle_cross_97 = t_left_foot_39 - t_left_ankle_cross_96;
+  const Scalar t_left_ankle_cross_66 = c_left_hip_roll * E_left_shank_xz + t_left_ankle_cross_65;
+  const Scalar t_left_ankle_cross_67 = t_left_ankle_cross_66 - s_left_hip_roll * t_left_thigh_47;
+  const Scalar t_left_ankle_cross_68 =
+      t_left_ankle_cross_67 + t_left_ankle_cross_54 * t_left_foot_24;
+  const Scalar t_left_ankle_cross_69 = t_left_shank_27 - t_left_foot_29 * t_left_ankle_cross_64;
+  const Scalar t_left_ankle_cross_70 = t_left_ankle_cross_69 - t_left_shank_19 * t_left_foot_22;
+  const Scalar t_left_ankle_cross_71 = t_left_foot_29 * t_left_ankle_cross_62;
+  const Scalar t_left_foot_31 = t_left_shank_26 - t_left_ankle_cross_54 * t_left_foot_22;
+  const Scalar t_left_ankle_cross_72 = t_left_foot_27 * t_left_ankle_cross_62;
+  const Scalar E_left_shank_yz_1 = t_left_shank_8 - t_left_ankle_cross_52;
+  const Scalar E_left_shank_yz = t_left_ankle_cross_61 - E_left_shank_yz_1;
+  const Scalar t_left_foot_32 = E_left_shank_yz - t_left_ankle_cross_54 * t_left_foot_21;
+  const Scalar t_left_ankle_cross_73 = t_left_foot_32 - t_left_foot_29 * t_left_ankle_cross_72;
+  const Scalar t_left_ankle_cross_74 = t_left_foot_31 - t_left_foot_29 * t_left_ankle_cross_71;
   // left_shank: 1/pivot of (1)
-  const Scalar inverse_pivot_left_shank = 1.0 / (t_left_foot_38 - t_left_ankle_cross_94);
-  const Scalar t_left_shank_30 = t_left_ankle_cross_89 * inverse_pivot_left_shank;
-  const Scalar t_left_shank_31 = t_left_ankle_cross_92 * inverse_pivot_left_shank;
+  const Scalar inverse_pivot_left_shank = 1.0 / t_left_ankle_cross_74;
+  const Scalar t_left_shank_28 = t_left_ankle_cross_68 * inverse_pivot_left_shank;
+  const Scalar t_left_shank_29 = t_left_ankle_cross_70 * inverse_pivot_left_shank;
   // left_thigh
-  const Scalar t_left_thigh_49 = t_left_thigh_18 + t_left_shank_27 - 2.0 * t_left_shank_16;
-  const Scalar t_left_thigh_50 = t_left_thigh_23 + t_left_shank_26 + t_left_thigh_49;
-  const Scalar t_left_thigh_51 = t_left_thigh_50 + 2.0 * t_left_shank_15;
-  const Scalar t_left_thigh_52 = t_left_thigh_51 - left_hip_fork_l1 * neg_h_left_thigh_y;
-  const Scalar t_left_hip_fork_14 = s_left_hip_roll * t_left_thigh_52;
-  const Scalar t_left_hip_fork_15 = c_left_hip_roll * E_left_thigh_xz - t_left_hip_fork_14;
-  const Scalar t_left_ankle_cross_98 = t_left_foot_32 * t_left_ankle_cross_84;
+  const Scalar t_left_thigh_48 = t_left_thigh_17 + t_left_shank_25 - 2.0 * t_left_shank_15;
+  const Scalar t_left_thigh_49 = t_left_thigh_22 + t_left_shank_24 + t_left_thigh_48;
+  const Scalar t_left_thigh_50 = t_left_thigh_49 + 2.0 * t_left_shank_14;
+  const Scalar t_left_thigh_51 = t_left_thigh_50 - left_hip_fork_l1 * neg_h_left_thigh_y;
+  const Scalar t_left_hip_fork_12 = s_left_hip_roll * t_left_thigh_51;
+  const Scalar t_left_hip_fork_13 = c_left_hip_roll * E_left_thigh_xz - t_left_hip_fork_12;
   // left_shank
-  const Scalar t_left_shank_32 = t_left_hip_fork_15 + t_left_ankle_cross_98;
-  const Scalar t_left_shank_33 = t_left_shank_32 - t_left_ankle_cross_89 * t_left_shank_31;
-  const Scalar t_left_shank_34 = t_left_shank_33 + t_left_shank_20 * t_left_foot_28;
-  const Scalar t_left_foot_40 = t_left_shank_20 * inverse_pivot_right_foot;
-  const Scalar t_left_shank_35 = t_left_thigh_51 - t_left_foot_32 * t_left_ankle_cross_85;
-  const Scalar t_left_shank_36 = t_left_shank_35 - t_left_ankle_cross_92 * t_left_shank_31;
-  const Scalar E_left_thigh_yz = E_left_shank_yz - (t_left_thigh_13 - t_left_shank_18);
-  const Scalar t_left_shank_37 = E_left_thigh_yz - t_left_ankle_cross_97 * t_left_shank_31;
-  const Scalar t_left_shank_38 = t_left_shank_37 - t_left_shank_20 * t_left_foot_25;
-  const Scalar t_left_shank_39 = t_left_shank_38 - t_left_foot_31 * t_left_ankle_cross_85;
-  const Scalar t_left_shank_40 = t_left_shank_36 - t_left_shank_20 * t_left_foot_40;
-  const Scalar inverse_pivot_left_thigh = 1.0 / t_left_shank_40;
-  const Scalar t_left_thigh_53 = t_left_shank_34 * inverse_pivot_left_thigh;
+  const Scalar t_left_shank_30 = t_left_hip_fork_13 + t_left_foot_28 * t_left_ankle_cross_63;
+  const Scalar t_left_shank_31 = t_left_shank_30 - t_left_ankle_cross_68 * t_left_shank_29;
+  const Scalar t_left_shank_32 = t_left_shank_31 + t_left_shank_19 * t_left_foot_24;
+  const Scalar t_left_foot_33 = t_left_shank_19 * inverse_pivot_right_foot;
+  const Scalar t_left_shank_33 = t_left_thigh_50 - t_left_foot_28 * t_left_ankle_cross_64;
+  const Scalar t_left_shank_34 = t_left_shank_33 - t_left_ankle_cross_70 * t_left_shank_29;
+  const Scalar E_left_thigh_yz = E_left_shank_yz - (t_left_thigh_12 - t_left_shank_17);
+  const Scalar t_left_shank_35 = E_left_thigh_yz - t_left_ankle_cross_73 * t_left_shank_29;
+  const Scalar t_left_shank_36 = t_left_shank_35 - t_left_shank_19 * t_left_foot_21;
+  const Scalar t_left_shank_37 = t_left_shank_36 - t_left_foot_27 * t_left_ankle_cross_64;
+  const Scalar t_left_shank_38 = t_left_shank_34 - t_left_shank_19 * t_left_foot_33;
+  const Scalar inverse_pivot_left_thigh = 1.0 / t_left_shank_38;
+  const Scalar t_left_thigh_52 = t_left_shank_32 * inverse_pivot_left_thigh;
   // left_hip_fork: pseudo-inertia E of (1)
-  const Scalar neg_E_left_hip_fork_yz = left_hip_fork_I1 - t_left_foot_22 + E_left_thigh_yz;
-  const Scalar t_left_hip_fork_16 = s_left_hip_roll * neg_E_left_hip_fork_yz;
-  const Scalar t_left_hip_fork_17 = c_left_hip_roll * E_left_hip_fork_xz + t_left_hip_fork_16;
-  const Scalar t_left_ankle_cross_99 = t_left_foot_30 * t_left_ankle_cross_95;
+  const Scalar neg_E_left_hip_fork_yz = left_hip_fork_I1 - t_left_foot_18 + E_left_thigh_yz;
+  const Scalar t_left_hip_fork_14 = s_left_hip_roll * neg_E_left_hip_fork_yz;
+  const Scalar t_left_hip_fork_15 = c_left_hip_roll * E_left_hip_fork_xz + t_left_hip_fork_14;
   // left_shank
-  const Scalar t_left_shank_41 = t_left_hip_fork_17 - t_left_ankle_cross_99;
-  const Scalar t_left_shank_42 = t_left_shank_41 + t_left_ankle_cross_97 * t_left_shank_30;
-  const Scalar t_left_shank_43 = t_left_shank_42 - t_left_hip_fork_10 * t_left_foot_25;
-  const Scalar t_left_thigh_54 = t_left_shank_43 + t_left_shank_39 * t_left_thigh_53;
-  const Scalar t_left_hip_fork_18 = t_left_foot_4 - left_hip_fork_l4 * neg_h_left_foot_y;
-  const Scalar t_left_shank_44 = t_left_ankle_cross_97 * inverse_pivot_left_shank;
-  const Scalar t_left_thigh_55 = t_left_shank_39 * inverse_pivot_left_thigh;
+  const Scalar t_left_shank_39 = t_left_hip_fork_15 - t_left_foot_26 * t_left_ankle_cross_72;
+  const Scalar t_left_shank_40 = t_left_shank_39 + t_left_ankle_cross_73 * t_left_shank_28;
+  const Scalar t_left_shank_41 = t_left_shank_40 - t_left_hip_fork_10 * t_left_foot_21;
+  const Scalar t_left_thigh_53 = t_left_shank_41 + t_left_shank_37 * t_left_thigh_52;
+  const Scalar t_left_hip_fork_16 = t_left_foot_4 - left_hip_fork_l4 * neg_h_left_foot_y;
+  const Scalar t_left_shank_42 = t_left_ankle_cross_73 * inverse_pivot_left_shank;
+  const Scalar t_left_thigh_54 = t_left_shank_37 * inverse_pivot_left_thigh;
   // left_hip_fork
-  const Scalar t_left_hip_fork_19 = t_left_shank_5 - t_left_thigh_49;
-  const Scalar t_left_hip_fork_20 = t_left_hip_fork_19 - s_q2_q3_q4 * t_left_ankle_cross_70;
-  const Scalar t_left_hip_fork_21 = left_hip_fork_I16 + t_left_hip_fork_18;
-  const Scalar t_left_hip_fork_22 = t_left_hip_fork_20 - t_left_hip_fork_21;
-  const Scalar t_left_shank_45 = t_left_ankle_cross_97 * t_left_shank_44;
+  const Scalar t_left_hip_fork_17 = t_left_shank_4 - t_left_thigh_48;
+  const Scalar t_left_hip_fork_18 = t_left_hip_fork_17 - s_q2_q3_q4 * t_left_ankle_cross_51;
+  const Scalar t_left_hip_fork_19 = left_hip_fork_I16 + t_left_hip_fork_16;
+  const Scalar t_left_hip_fork_20 = t_left_hip_fork_18 - t_left_hip_fork_19;
   // left_thigh
-  const Scalar t_left_thigh_56 = t_left_hip_fork_22 + t_left_shank_45;
-  const Scalar t_left_thigh_57 = t_left_thigh_56 + t_left_shank_22 * t_left_foot_25;
-  const Scalar t_left_thigh_58 = t_left_thigh_57 + t_left_shank_39 * t_left_thigh_55;
-  const Scalar t_left_thigh_59 = t_left_thigh_58 + t_left_foot_31 * t_left_ankle_cross_95;
+  const Scalar t_left_thigh_55 = t_left_hip_fork_20 + t_left_ankle_cross_73 * t_left_shank_42;
+  const Scalar t_left_thigh_56 = t_left_thigh_55 + t_left_shank_21 * t_left_foot_21;
+  const Scalar t_left_thigh_57 = t_left_thigh_56 + t_left_shank_37 * t_left_thigh_54;
+  const Scalar t_left_thigh_58 = t_left_thigh_57 + t_left_foot_27 * t_left_ankle_cross_72;
   // left_hip_fork: 1/pivot of (1)
-  const Scalar t_left_hip_fork_23 = 1.0 / t_left_thigh_59;
-  const Scalar t_left_hip_fork_24 = t_left_thigh_54 * t_left_hip_fork_23;
-  const Scalar qdd_0_1 = t_left_hip_fork_20 - (left_hip_fork_I15 - t_left_hip_fork_18);
+  const Scalar t_left_hip_fork_21 = 1.0 / t_left_thigh_58;
+  const Scalar t_left_hip_fork_22 = t_left_thigh_53 * t_left_hip_fork_21;
+  const Scalar qdd_0_1 = t_left_hip_fork_18 - (left_hip_fork_I15 - t_left_hip_fork_16);
   const Scalar qdd_0_2 = s_left_hip_roll * (left_hip_fork_I3 - 2.0 * E_left_thigh_xz);
-  const Scalar qdd_0_3 = t_left_ankle_cross_89 * t_left_shank_30;
-  const Scalar qdd_0_4 = left_hip_block_I3 + t_left_thigh_51 - qdd_0_3;
-  const Scalar qdd_0_5 = c_left_hip_roll * (qdd_0_2 + c_left_hip_roll * qdd_0_1);
-  const Scalar qdd_0_6 = qdd_0_4 - t_left_foot_30 * t_left_ankle_cross_84 + qdd_0_5;
-  const Scalar qdd_0_7 = qdd_0_6 - t_left_hip_fork_10 * t_left_foot_28;
-  const Scalar qdd_0_8 = qdd_0_7 + t_left_thigh_54 * t_left_hip_fork_24;
-  const Scalar qdd_0_9 = qdd_0_8 - left_hip_fork_l3 * neg_h_left_thigh_y;
-  const Scalar qdd_0_10 = 1.0 / (qdd_0_9 - t_left_shank_34 * t_left_thigh_53);
+  const Scalar qdd_0_3 = left_hip_block_I3 + t_left_thigh_50;
+  const Scalar qdd_0_4 = qdd_0_3 - t_left_ankle_cross_68 * t_left_shank_28;
+  const Scalar qdd_0_5 = qdd_0_4 - t_left_foot_26 * t_left_ankle_cross_63;
+  const Scalar qdd_0_6 = qdd_0_2 + c_left_hip_roll * qdd_0_1;
+  const Scalar qdd_0_7 = qdd_0_5 + c_left_hip_roll * qdd_0_6;
+  const Scalar qdd_0_8 = qdd_0_7 - t_left_hip_fork_10 * t_left_foot_24;
+  const Scalar qdd_0_9 = qdd_0_8 + t_left_thigh_53 * t_left_hip_fork_22;
+  const Scalar qdd_0_10 = qdd_0_9 - left_hip_fork_l3 * neg_h_left_thigh_y;
+  const Scalar qdd_0_11 = 1.0 / (qdd_0_10 - t_left_shank_32 * t_left_thigh_52);
   const Scalar t_left_hip_block_2 = t_left_hip_block_1 * inverse_pivot_right_foot;
   // right_ankle_cross: moment M of (1)
-  const Scalar M_righ_ankl_cros_z_1 = left_ankle_cross_I15 * t_righ_ankl_cros_19;
-  const Scalar M_righ_ankl_cros_z_2 = left_ankle_cross_I16 * alpha_right_thigh_z;
-  const Scalar M_righ_ankl_cros_z_3 = M_righ_ankl_cros_z_1 + M_righ_ankl_cros_z_2;
-  const Scalar M_righ_ankl_cros_z_4 = left_ankle_cross_I7 * t_righ_ankl_cros_12;
-  const Scalar M_righ_ankl_cros_z_5 = M_righ_ankl_cros_z_3 + M_righ_ankl_cros_z_4;
-  const Scalar M_righ_ankl_cros_z_6 = left_ankle_cross_h1 * neg_a_righ_ankl_cros_x;
-  const Scalar M_righ_ankl_cros_z_7 = M_righ_ankl_cros_z_5 - M_righ_ankl_cros_z_6;
-  const Scalar M_righ_ankl_cros_z_8 = left_hip_fork_l1 * F_right_foot_z;
-  const Scalar M_righ_ankl_cros_z_9 = M_righ_ankl_cros_z_7 - M_righ_ankl_cros_z_8;
-  const Scalar M_righ_ankl_cros_z_10 = left_ankle_cross_I17 * t_righ_ankl_cros_17;
-  const Scalar M_righ_ankl_cros_z_11 = M_righ_ankl_cros_z_9 + M_righ_ankl_cros_z_10;
-  const Scalar M_righ_ankl_cros_z_12 = left_ankle_cross_I8 * t_right_hip_fork_5;
-  const Scalar M_righ_ankl_cros_z_13 = M_righ_ankl_cros_z_11 - M_righ_ankl_cros_z_12;
-  const Scalar M_righ_ankl_cros_z_14 = Omega_right_foot_zy * E_right_foot_xy;
-  const Scalar M_righ_ankl_cros_z_15 = M_righ_ankl_cros_z_13 - M_righ_ankl_cros_z_14;
-  const Scalar M_righ_ankl_cros_z_16 = neg_Omega_right_foot_xy * E_righ_ankl_cros_yz;
-  const Scalar M_righ_ankl_cros_z_17 = M_righ_ankl_cros_z_15 + M_righ_ankl_cros_z_16;
-  const Scalar M_righ_ankl_cros_z_18 = neg_Omega_right_foot_zx * E_right_foot_xx;
-  const Scalar M_righ_ankl_cros_z_19 = M_righ_ankl_cros_z_17 + M_righ_ankl_cros_z_18;
-  const Scalar M_righ_ankl_cros_z_20 = left_ankle_cross_h2 * a_righ_ankl_cros_y;
-  const Scalar M_righ_ankl_cros_z_21 = M_righ_ankl_cros_z_19 + M_righ_ankl_cros_z_20;
-  const Scalar M_righ_ankl_cros_z_22 = t_right_foot_2 * E_right_foot_xz;
-  const Scalar M_righ_ankl_cros_z_23 = M_righ_ankl_cros_z_21 + M_righ_ankl_cros_z_22;
-  const Scalar M_righ_ankl_cros_z = M_righ_ankl_cros_z_23 + h_right_foot_x * neg_a_right_foot_z;
-  const Scalar t_left_hip_block_3 = neg_E_right_foot_yz * t_left_hip_block_2;
-  const Scalar t_left_hip_block_4 = tau[10] - M_righ_ankl_cros_z + t_left_hip_block_3;
-  const Scalar t_righ_ankl_cros_88 = c_q8_q9_q10 * neg_F_righ_ankl_cros_y;
-  const Scalar t_righ_ankl_cros_89 = t_righ_ankl_cros_88 + s_q8_q9_q10 * neg_F_righ_ankl_cros_x;
-  const Scalar M_right_shank_z_1 = Omega_right_thigh_yz * t_right_shank_8;
-  const Scalar M_right_shank_z_2 = neg_s_righ_ankl_cros_x * t_righ_ankl_cros_89;
+  const Scalar M_righ_ankl_cros_z_1 = left_ankle_cross_I15 * t_righ_ankl_cros_14;
+  const Scalar M_righ_ankl_cros_z_2 =
+      M_righ_ankl_cros_z_1 + left_ankle_cross_I16 * alpha_right_thigh_z;
+  const Scalar M_righ_ankl_cros_z_3 =
+      M_righ_ankl_cros_z_2 + left_ankle_cross_I7 * t_righ_ankl_cros_8;
+  const Scalar M_righ_ankl_cros_z_4 =
+      M_righ_ankl_cros_z_3 - left_ankle_cross_h1 * neg_a_righ_ankl_cros_x;
+  const Scalar M_righ_ankl_cros_z_5 = M_righ_ankl_cros_z_4 - left_hip_fork_l1 * F_right_foot_z;
+  const Scalar M_righ_ankl_cros_z_6 =
+      M_righ_ankl_cros_z_5 + left_ankle_cross_I17 * t_righ_ankl_cros_13;
+  const Scalar M_righ_ankl_cros_z_7 =
+      M_righ_ankl_cros_z_6 - left_ankle_cross_I8 * t_right_hip_fork_5;
+  const Scalar M_righ_ankl_cros_z_8 = M_righ_ankl_cros_z_7 - Omega_right_foot_zy * E_right_foot_xy;
+  const Scalar M_righ_ankl_cros_z_9 =
+      M_righ_ankl_cros_z_8 + neg_Omega_right_foot_xy * E_righ_ankl_cros_yz;
+  const Scalar M_righ_ankl_cros_z_10 =
+      M_righ_ankl_cros_z_9 + neg_Omega_right_foot_zx * E_right_foot_xx;
+  const Scalar M_righ_ankl_cros_z_11 =
+      M_righ_ankl_cros_z_10 + left_ankle_cross_h2 * a_righ_ankl_cros_y;
+  const Scalar M_righ_ankl_cros_z_12 = M_righ_ankl_cros_z_11 + t_right_foot_2 * E_right_foot_xz;
+  const Scalar M_righ_ankl_cros_z = M_righ_ankl_cros_z_12 + h_right_foot_x * neg_a_right_foot_z;
+  const Scalar t_left_hip_block_3 = tau[10] - M_righ_ankl_cros_z;
+  const Scalar t_left_hip_block_4 = t_left_hip_block_3 + neg_E_right_foot_yz * t_left_hip_block_2;
+  const Scalar t_righ_ankl_cros_66 = c_q8_q9_q10 * neg_F_righ_ankl_cros_y;
+  const Scalar t_righ_ankl_cros_67 = t_righ_ankl_cros_66 + s_q8_q9_q10 * neg_F_righ_ankl_cros_x;
   // right_shank: moment M of (1)
-  const Scalar M_right_shank_z_3 = M_righ_ankl_cros_z + M_right_shank_z_1;
-  const Scalar M_right_shank_z_4 = M_right_shank_z_3 - M_right_shank_z_2;
-  const Scalar M_right_shank_z_5 = t_right_shank_1 * t_right_shank_7;
-  const Scalar M_right_shank_z_6 = M_right_shank_z_4 + M_right_shank_z_5;
-  const Scalar M_right_shank_z_7 = Omega_right_thigh_xz * t_right_shank_9;
-  const Scalar M_right_shank_z_8 = Omega_right_hip_fork_zx * t_right_shank_12;
-  const Scalar M_right_shank_z_9 = M_right_shank_z_6 - M_right_shank_z_7;
-  const Scalar M_right_shank_z_10 = neg_s_righ_ankl_cros_y * t_righ_ankl_cros_42;
-  const Scalar M_right_shank_z_11 = M_right_shank_z_9 + M_right_shank_z_8;
-  const Scalar M_right_shank_z_12 = M_right_shank_z_11 - M_right_shank_z_10;
-  const Scalar M_right_shank_z_13 = t_right_shank_11 * neg_a_right_shank_y;
-  const Scalar M_right_shank_z_14 = M_right_shank_z_12 - M_right_shank_z_13;
-  const Scalar M_right_shank_z = M_right_shank_z_14 + t_right_shank_10 * a_right_shank_x;
+  const Scalar M_right_shank_z_1 = M_righ_ankl_cros_z + Omega_right_thigh_yz * t_right_shank_7;
+  const Scalar M_right_shank_z_2 = M_right_shank_z_1 - neg_s_righ_ankl_cros_x * t_righ_ankl_cros_67;
+  const Scalar M_right_shank_z_3 = M_right_shank_z_2 + t_right_shank_1 * t_right_shank_6;
+  const Scalar M_right_shank_z_4 = M_right_shank_z_3 - Omega_right_thigh_xz * t_right_shank_8;
+  const Scalar M_right_shank_z_5 = M_right_shank_z_4 + Omega_right_hip_fork_zx * t_right_shank_11;
+  const Scalar M_right_shank_z_6 = M_right_shank_z_5 - neg_s_righ_ankl_cros_y * t_righ_ankl_cros_28;
+  const Scalar M_right_shank_z_7 = M_right_shank_z_6 - t_right_shank_10 * neg_a_right_shank_y;
+  const Scalar M_right_shank_z = M_right_shank_z_7 + t_right_shank_9 * a_right_shank_x;
   // left_hip_block: qdd of (1)
-  const Scalar t_left_hip_block_5 = t_left_hip_block_1 * t_right_foot_31;
-  const Scalar t_left_hip_block_6 = tau[9] - M_right_shank_z + t_left_hip_block_5;
-  const Scalar t_left_hip_block_7 = t_righ_ankl_cros_74 * t_left_hip_block_4;
-  const Scalar t_left_hip_block_8 = t_left_hip_block_6 - t_left_hip_block_7;
-  const Scalar t_right_hip_fork_27 = t_right_hip_fork_2 - t_right_hip_fork_3;
-  const Scalar neg_F_right_shank_x_1 = neg_Omega_right_shank_xx * t_right_shank_11;
-  const Scalar neg_F_right_shank_x = t_righ_ankl_cros_42 + neg_F_right_shank_x_1;
-  const Scalar F_right_shank_y_1 = Omega_right_hip_fork_zx * t_right_shank_11;
-  const Scalar F_right_shank_y_2 = neg_Omega_right_shank_yy * t_right_shank_10;
-  const Scalar F_right_shank_y_3 = t_righ_ankl_cros_89 + F_right_shank_y_1;
-  const Scalar F_right_shank_y = F_right_shank_y_3 + F_right_shank_y_2;
+  const Scalar t_left_hip_block_5 = tau[9] - M_right_shank_z;
+  const Scalar t_left_hip_block_6 = t_left_hip_block_5 + t_left_hip_block_1 * t_right_foot_28;
+  const Scalar t_left_hip_block_7 = t_left_hip_block_6 - t_righ_ankl_cros_55 * t_left_hip_block_4;
+  const Scalar t_right_hip_fork_24 = t_right_hip_fork_2 - t_right_hip_fork_3;
+  const Scalar neg_F_right_shank_x =
+      t_righ_ankl_cros_28 + neg_Omega_right_shank_xx * t_right_shank_10;
+  const Scalar F_right_shank_y_1 = t_righ_ankl_cros_67 + Omega_right_hip_fork_zx * t_right_shank_10;
+  const Scalar F_right_shank_y = F_right_shank_y_1 + neg_Omega_right_shank_yy * t_right_shank_9;
   // right_thigh: moment M of (1)
-  const Scalar M_right_thigh_z_1 = M_right_shank_z + a_right_hip_fork_x * t_right_thigh_16;
-  const Scalar M_right_thigh_z_2 = Omega_right_thigh_yz * t_right_thigh_12;
-  const Scalar M_right_thigh_z_3 = M_right_thigh_z_1 + M_right_thigh_z_2;
-  const Scalar M_right_thigh_z_4 = neg_a_right_thigh_y * t_right_thigh_19;
-  const Scalar M_right_thigh_z_5 = M_right_thigh_z_3 - M_right_thigh_z_4;
-  const Scalar M_right_thigh_z_6 = Omega_right_thigh_xz * t_right_thigh_14;
-  const Scalar M_right_thigh_z_7 = M_right_thigh_z_5 - M_right_thigh_z_6;
-  const Scalar M_right_thigh_z_8 = t_right_shank_1 * t_right_thigh_10;
-  const Scalar M_right_thigh_z_9 = M_right_thigh_z_7 + M_right_thigh_z_8;
-  const Scalar M_right_thigh_z_10 = M_right_thigh_z_9 - neg_s_right_shank_x * F_right_shank_y;
-  const Scalar M_right_thigh_z_11 = Omega_right_hip_fork_zx * t_right_thigh_17;
-  const Scalar M_right_thigh_z_12 = M_right_thigh_z_10 + M_right_thigh_z_11;
-  const Scalar M_right_thigh_z = M_right_thigh_z_12 - neg_s_right_shank_y * neg_F_right_shank_x;
+  const Scalar M_right_thigh_z_1 = M_right_shank_z + a_right_hip_fork_x * t_right_thigh_15;
+  const Scalar M_right_thigh_z_2 = M_right_thigh_z_1 + Omega_right_thigh_yz * t_right_thigh_11;
+  const Scalar M_right_thigh_z_3 = M_right_thigh_z_2 - neg_a_right_thigh_y * t_right_thigh_18;
+  const Scalar M_right_thigh_z_4 = M_right_thigh_z_3 - Omega_right_thigh_xz * t_right_thigh_13;
+  const Scalar M_right_thigh_z_5 = M_right_thigh_z_4 + t_right_shank_1 * t_right_thigh_9;
+  const Scalar M_right_thigh_z_6 = M_right_thigh_z_5 - neg_s_right_shank_x * F_right_shank_y;
+  const Scalar M_right_thigh_z_7 = M_right_thigh_z_6 + Omega_right_hip_fork_zx * t_right_thigh_16;
+  const Scalar M_right_thigh_z = M_right_thigh_z_7 - neg_s_right_shank_y * neg_F_right_shank_x;
   // left_hip_block: qdd of (1)
-  const Scalar t_left_hip_block_9 = t_right_shank_38 * t_left_hip_block_8;
-  const Scalar t_left_hip_block_10 = tau[8] - M_right_thigh_z - t_left_hip_block_9;
-  const Scalar t_left_hip_block_11 = t_righ_ankl_cros_73 * t_left_hip_block_4;
-  const Scalar t_left_hip_block_12 = t_left_hip_block_10 - t_left_hip_block_11;
-  const Scalar t_left_hip_block_13 = t_left_hip_block_1 * t_right_foot_24;
-  const Scalar t_left_hip_block_14 = t_left_hip_block_12 + t_left_hip_block_13;
-  const Scalar t_right_shank_48 = t_right_hip_fork_5 - neg_Omega_right_shank_xx;
-  const Scalar t_left_hip_block_15 = tau[7] + left_hip_fork_G1 * c_right_hip_roll;
-  const Scalar t_left_hip_block_16 = t_left_hip_block_15 - s_q8_q9_q10 * neg_M_righ_ankl_cros_x;
-  const Scalar t_left_hip_block_17 = left_hip_fork_I14 * Omega_right_thigh_xz;
-  const Scalar t_left_hip_block_18 = t_left_hip_block_16 - t_left_hip_block_17;
-  const Scalar t_right_shank_49 = neg_Omega_right_shank_zx * t_right_shank_12;
-  const Scalar t_left_hip_block_19 = t_left_hip_block_18 - t_right_shank_49;
-  const Scalar t_right_hip_fork_28 = left_hip_fork_I7 * t_right_hip_fork_27;
-  const Scalar t_left_hip_block_20 = t_left_hip_block_19 + t_right_hip_fork_28;
-  const Scalar t_right_thigh_61 = t_right_thigh_2 * t_right_thigh_12;
-  const Scalar t_left_hip_block_21 = left_hip_fork_G2 - base_g1 * t_right_thigh_19;
-  const Scalar t_left_hip_block_22 = t_left_hip_block_20 - t_right_thigh_61;
-  const Scalar t_left_hip_block_23 = s_right_hip_roll * t_left_hip_block_21;
-  const Scalar t_left_hip_block_24 = t_left_hip_block_22 - t_left_hip_block_23;
-  const Scalar t_left_hip_block_25 = t_right_thigh_59 * t_left_hip_block_14;
-  const Scalar t_left_hip_block_26 = t_left_hip_block_24 - t_left_hip_block_25;
-  const Scalar t_left_hip_block_27 = t_right_shank_45 * t_left_hip_block_8;
-  const Scalar t_left_hip_block_28 = t_left_hip_block_26 - t_left_hip_block_27;
-  const Scalar t_right_shank_50 = neg_s_right_shank_x * neg_F_right_shank_z;
-  const Scalar t_left_hip_block_29 = t_left_hip_block_28 + t_right_shank_50;
-  const Scalar t_right_thigh_62 = Omega_right_thigh_zy * t_right_thigh_10;
-  const Scalar t_left_hip_block_30 = t_left_hip_block_29 - t_right_thigh_62;
-  const Scalar t_left_hip_block_31 = t_left_hip_block_30 - c_q8_q9_q10 * neg_M_righ_ankl_cros_y;
-  const Scalar t_left_hip_block_32 = t_righ_ankl_cros_82 * t_left_hip_block_4;
-  const Scalar t_left_hip_block_33 = t_left_hip_block_31 - t_left_hip_block_32;
-  const Scalar t_left_hip_block_34 = t_left_hip_block_1 * t_right_foot_28;
-  const Scalar t_left_hip_block_35 = t_left_hip_block_33 + t_left_hip_block_34;
-  const Scalar t_right_shank_51 = neg_Omega_right_shank_zy * t_right_shank_7;
-  const Scalar t_left_hip_block_36 = t_left_hip_block_35 + t_right_shank_51;
-  const Scalar t_left_hip_block_37 = t_left_hip_block_36 + a_right_shank_z * t_right_shank_11;
-  const Scalar t_right_shank_52 = t_right_shank_8 * t_right_shank_48;
-  const Scalar t_righ_ankl_cros_90 = neg_s_righ_ankl_cros_x * neg_F_righ_ankl_cros_z;
-  const Scalar t_left_hip_block_38 = t_left_hip_block_37 - t_right_shank_52;
-  const Scalar t_left_hip_block_39 = t_left_hip_block_38 + t_righ_ankl_cros_90;
-  const Scalar t_right_thigh_63 = neg_Omega_right_thigh_zx * t_right_thigh_17;
-  const Scalar neg_F_right_thigh_x_1 = neg_Omega_right_thigh_xx * t_right_thigh_19;
-  const Scalar neg_F_right_thigh_x = neg_F_right_shank_x + neg_F_right_thigh_x_1;
+  const Scalar t_left_hip_block_8 = tau[8] - M_right_thigh_z;
+  const Scalar t_left_hip_block_9 = t_left_hip_block_8 - t_right_shank_33 * t_left_hip_block_7;
+  const Scalar t_left_hip_block_10 = t_left_hip_block_9 - t_righ_ankl_cros_54 * t_left_hip_block_4;
+  const Scalar t_left_hip_block_11 = t_left_hip_block_10 + t_left_hip_block_1 * t_right_foot_22;
+  const Scalar t_right_shank_41 = t_right_hip_fork_5 - neg_Omega_right_shank_xx;
+  const Scalar t_left_hip_block_12 = tau[7] + left_hip_fork_G1 * c_right_hip_roll;
+  const Scalar t_left_hip_block_13 = t_left_hip_block_12 - s_q8_q9_q10 * neg_M_righ_ankl_cros_x;
+  const Scalar t_left_hip_block_14 = t_left_hip_block_13 - left_hip_fork_I14 * Omega_right_thigh_xz;
+  const Scalar t_left_hip_block_15 =
+      t_left_hip_block_14 - neg_Omega_right_shank_zx * t_right_shank_11;
+  const Scalar t_left_hip_block_16 = t_left_hip_block_15 + left_hip_fork_I7 * t_right_hip_fork_24;
+  const Scalar t_left_hip_block_17 = left_hip_fork_G2 - base_g1 * t_right_thigh_18;
+  const Scalar t_left_hip_block_18 = t_left_hip_block_16 - t_right_thigh_2 * t_right_thigh_11;
+  const Scalar t_left_hip_block_19 = t_left_hip_block_18 - s_right_hip_roll * t_left_hip_block_17;
+  const Scalar t_left_hip_block_20 = t_left_hip_block_19 - t_right_thigh_58 * t_left_hip_block_11;
+  const Scalar t_left_hip_block_21 = t_left_hip_block_20 - t_right_shank_38 * t_left_hip_block_7;
+  const Scalar t_left_hip_block_22 =
+      t_left_hip_block_21 + neg_s_right_shank_x * neg_F_right_shank_z;
+  const Scalar t_left_hip_block_23 = t_left_hip_block_22 - Omega_right_thigh_zy * t_right_thigh_9;
+  const Scalar t_left_hip_block_24 = t_left_hip_block_23 - c_q8_q9_q10 * neg_M_righ_ankl_cros_y;
+  const Scalar t_left_hip_block_25 = t_left_hip_block_24 - t_righ_ankl_cros_60 * t_left_hip_block_4;
+  const Scalar t_left_hip_block_26 = t_left_hip_block_25 + t_left_hip_block_1 * t_right_foot_25;
+  const Scalar t_left_hip_block_27 =
+      t_left_hip_block_26 + neg_Omega_right_shank_zy * t_right_shank_6;
+  const Scalar t_left_hip_block_28 = t_left_hip_block_27 + a_right_shank_z * t_right_shank_10;
+  const Scalar t_left_hip_block_29 = t_left_hip_block_28 - t_right_shank_7 * t_right_shank_41;
+  const Scalar t_left_hip_block_30 =
+      t_left_hip_block_29 + neg_s_righ_ankl_cros_x * neg_F_righ_ankl_cros_z;
+  const Scalar neg_F_right_thigh_x =
+      neg_F_right_shank_x + neg_Omega_right_thigh_xx * t_right_thigh_18;
   // right_thigh: moment M of (1)
-  const Scalar t_right_thigh_64 = M_right_thigh_z + left_hip_fork_I3 * t_right_hip_fork_6;
-  const Scalar t_right_thigh_65 = t_right_thigh_64 + left_hip_fork_l1 * neg_F_right_thigh_x;
-  const Scalar t_right_thigh_66 = t_right_thigh_65 + left_hip_fork_I8 * t_right_shank_1;
-  const Scalar t_right_thigh_67 = t_right_thigh_66 + left_hip_fork_I1 * Omega_right_thigh_xz;
-  const Scalar t_right_hip_fork_29 = left_hip_fork_I12 * alpha_right_thigh_z;
-  const Scalar t_left_hip_block_40 = t_left_hip_block_39 - t_right_thigh_63;
-  const Scalar t_left_hip_block_41 = t_right_hip_fork_25 * t_left_hip_block_40;
-  const Scalar qdd_6_11 = s_right_hip_roll * (t_right_thigh_67 + t_right_hip_fork_29);
+  const Scalar t_right_thigh_60 = M_right_thigh_z + left_hip_fork_I3 * t_right_hip_fork_6;
+  const Scalar t_right_thigh_61 = t_right_thigh_60 + left_hip_fork_l1 * neg_F_right_thigh_x;
+  const Scalar t_right_thigh_62 = t_right_thigh_61 + left_hip_fork_I8 * t_right_shank_1;
+  const Scalar t_right_thigh_63 = t_right_thigh_62 + left_hip_fork_I1 * Omega_right_thigh_xz;
+  const Scalar t_left_hip_block_31 =
+      t_left_hip_block_30 - neg_Omega_right_thigh_zx * t_right_thigh_16;
+  const Scalar t_left_hip_block_32 = t_right_hip_fork_22 * t_left_hip_block_31;
+  const Scalar neg_M_right_hip_fork_y = t_right_thigh_63 + left_hip_fork_I12 * alpha_right_thigh_z;
   // left_hip_block: qdd of (1)
-  const Scalar qdd_6_12 = tau[6] - qdd_6_11 - t_right_thigh_53 * t_left_hip_block_14;
-  const Scalar qdd_6_13 = qdd_6_12 + t_right_thigh_58 * t_left_hip_block_41;
-  const Scalar qdd_6_14 = qdd_6_13 + t_left_hip_block_1 * t_right_foot_23;
-  const Scalar qdd_6_15 = qdd_6_14 - t_righ_ankl_cros_75 * t_left_hip_block_4;
-  const Scalar qdd_6_16 = qdd_6_15 - t_right_shank_35 * t_left_hip_block_8;
-  const Scalar qdd_6 = qdd_6_10 * (qdd_6_16 + c_right_hip_roll * neg_M_right_hip_fork_x);
+  const Scalar qdd_6_12 = tau[6] - s_right_hip_roll * neg_M_right_hip_fork_y;
+  const Scalar qdd_6_13 = qdd_6_12 - t_right_thigh_52 * t_left_hip_block_11;
+  const Scalar qdd_6_14 = qdd_6_13 + t_right_thigh_57 * t_left_hip_block_32;
+  const Scalar qdd_6_15 = qdd_6_14 + t_left_hip_block_1 * t_right_foot_21;
+  const Scalar qdd_6_16 = qdd_6_15 - t_righ_ankl_cros_56 * t_left_hip_block_4;
+  const Scalar qdd_6_17 = qdd_6_16 - t_right_shank_31 * t_left_hip_block_7;
+  const Scalar qdd_6 = qdd_6_11 * (qdd_6_17 + c_right_hip_roll * neg_M_right_hip_fork_x);
   qdd[6] = qdd_6;
-  const Scalar qdd_7 = t_left_hip_block_41 + t_right_hip_fork_26 * qdd_6;
+  const Scalar qdd_7 = t_left_hip_block_32 + t_right_hip_fork_23 * qdd_6;
   qdd[7] = qdd_7;
-  const Scalar qdd_8_1 = t_left_hip_block_14 - t_right_shank_37 * qdd_6;
-  const Scalar qdd_8 = t_right_thigh_52 * (qdd_8_1 - t_right_shank_43 * qdd_7);
+  const Scalar qdd_8_1 = t_left_hip_block_11 - t_right_shank_32 * qdd_6;
+  const Scalar qdd_8 = t_right_thigh_51 * (qdd_8_1 - t_right_shank_36 * qdd_7);
   qdd[8] = qdd_8;
-  const Scalar qdd_9_1 = t_left_hip_block_8 - t_righ_ankl_cros_78 * qdd_6;
-  const Scalar qdd_9_2 = qdd_9_1 - t_righ_ankl_cros_80 * qdd_8;
-  const Scalar qdd_9 = t_right_shank_34 * (qdd_9_2 - t_righ_ankl_cros_84 * qdd_7);
+  const Scalar qdd_9_1 = t_left_hip_block_7 - t_righ_ankl_cros_58 * qdd_6;
+  const Scalar qdd_9_2 = qdd_9_1 - t_righ_ankl_cros_59 * qdd_8;
+  const Scalar qdd_9 = t_right_shank_30 * (qdd_9_2 - t_righ_ankl_cros_61 * qdd_7);
   qdd[9] = qdd_9;
-  const Scalar qdd_10_1 = t_left_hip_block_4 - t_right_foot_27 * qdd_6;
-  const Scalar qdd_10_2 = qdd_10_1 - t_right_foot_29 * qdd_7 - t_right_foot_30 * qdd_8;
-  const Scalar qdd_10 = t_righ_ankl_cros_72 * (qdd_10_2 - t_right_foot_33 * qdd_9);
+  const Scalar qdd_10_1 = t_left_hip_block_4 - t_right_foot_24 * qdd_6;
+  const Scalar qdd_10_2 = qdd_10_1 - t_right_foot_26 * qdd_7 - t_right_foot_27 * qdd_8;
+  const Scalar qdd_10 = t_righ_ankl_cros_53 * (qdd_10_2 - t_right_foot_29 * qdd_9);
   qdd[10] = qdd_10;
-  const Scalar neg_qdd_11_1 = t_left_hip_block_2 + t_right_foot_23 * qdd_6;
-  const Scalar neg_qdd_11_2 = neg_qdd_11_1 + t_right_foot_28 * qdd_7;
-  const Scalar neg_qdd_11_3 = neg_qdd_11_2 + t_right_foot_24 * qdd_8;
-  qdd[11] = -(neg_qdd_11_3 + t_right_foot_25 * qdd_10 + t_right_foot_31 * qdd_9);
-  const Scalar t_left_hip_block_42 = M_left_foot_z - tau[5];
-  const Scalar t_left_hip_block_43 = inverse_pivot_right_foot * t_left_hip_block_42;
+  const Scalar neg_qdd_11_1 = t_left_hip_block_2 + t_right_foot_21 * qdd_6;
+  const Scalar neg_qdd_11_2 = neg_qdd_11_1 + t_right_foot_25 * qdd_7;
+  const Scalar neg_qdd_11_3 = neg_qdd_11_2 + t_right_foot_22 * qdd_8;
+  qdd[11] = -(neg_qdd_11_3 + t_right_foot_23 * qdd_10 + t_right_foot_28 * qdd_9);
+  const Scalar t_left_hip_block_33 = M_left_foot_z - tau[5];
+  const Scalar t_left_hip_block_34 = inverse_pivot_right_foot * t_left_hip_block_33;
   // left_ankle_cross: moment M of (1)
-  const Scalar t_left_ankle_cross_100 = left_ankle_cross_I15 * t_left_ankle_cross_26;
-  const Scalar t_left_ankle_cross_101 = left_ankle_cross_I16 * alpha_left_thigh_z;
-  const Scalar t_left_ankle_cross_102 = t_left_ankle_cross_100 + t_left_ankle_cross_101;
-  const Scalar t_left_ankle_cross_103 = left_ankle_cross_I7 * t_left_ankle_cross_22;
-  const Scalar t_left_ankle_cross_104 = t_left_ankle_cross_102 + t_left_ankle_cross_103;
-  const Scalar t_left_ankle_cross_105 = left_ankle_cross_h2 * a_left_ankle_cross_y;
-  const Scalar t_left_ankle_cross_106 = t_left_ankle_cross_104 + t_left_ankle_cross_105;
-  const Scalar t_left_ankle_cross_107 = left_ankle_cross_h1 * neg_a_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_108 = t_left_ankle_cross_106 - t_left_ankle_cross_107;
-  const Scalar t_left_ankle_cross_109 = t_left_ankle_cross_19 * t_left_ankle_cross_46;
-  const Scalar t_left_ankle_cross_110 = t_left_ankle_cross_108 - t_left_ankle_cross_109;
-  const Scalar t_left_foot_41 = h_left_foot_x * neg_a_left_foot_z;
-  const Scalar t_left_ankle_cross_111 = t_left_ankle_cross_110 + t_left_foot_41;
-  const Scalar t_left_foot_42 = E_left_foot_xz * t_left_foot_12;
-  const Scalar t_left_ankle_cross_112 = left_ankle_cross_I17 * t_left_ankle_cross_12;
-  const Scalar t_left_ankle_cross_113 = t_left_ankle_cross_111 + t_left_foot_42;
-  const Scalar t_left_ankle_cross_114 = t_left_ankle_cross_113 - t_left_ankle_cross_112;
-  const Scalar t_left_ankle_cross_115 = left_ankle_cross_I8 * t_left_hip_fork_5;
-  const Scalar t_left_ankle_cross_116 = t_left_ankle_cross_114 - t_left_ankle_cross_115;
-  const Scalar t_left_foot_43 = Omega_left_foot_zy * neg_E_left_foot_xy;
-  const Scalar t_left_ankle_cross_117 = t_left_ankle_cross_116 + t_left_foot_43;
-  const Scalar t_left_foot_44 = neg_Omega_left_foot_zx * E_left_foot_xx;
-  const Scalar t_left_ankle_cross_118 = t_left_ankle_cross_117 + t_left_foot_44;
-  const Scalar t_left_foot_45 = left_hip_fork_l1 * neg_F_left_foot_z;
-  const Scalar M_left_ankle_cross_z = t_left_ankle_cross_118 + t_left_foot_45;
-  const Scalar t_left_hip_block_44 = t_left_foot_27 * t_left_hip_block_42;
-  const Scalar t_left_hip_block_45 = tau[4] - M_left_ankle_cross_z - t_left_hip_block_44;
-  const Scalar t_left_ankle_cross_119 = s_q2_q3_q4 * F_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_120 = c_q2_q3_q4 * F_left_ankle_cross_y;
-  const Scalar t_left_ankle_cross_121 = t_left_ankle_cross_119 + t_left_ankle_cross_120;
-  const Scalar t_left_ankle_cross_122 = s_q2_q3_q4 * F_left_ankle_cross_y;
-  const Scalar t_left_ankle_cross_123 = c_q2_q3_q4 * F_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_124 = t_left_ankle_cross_122 - t_left_ankle_cross_123;
-  const Scalar M_left_shank_z_1 = M_left_ankle_cross_z + Omega_left_thigh_yz * t_left_shank_8;
-  const Scalar M_left_shank_z_2 = neg_s_left_ankle_cross_x * t_left_ankle_cross_121;
+  const Scalar t_left_ankle_cross_75 = left_ankle_cross_I15 * t_left_ankle_cross_19;
+  const Scalar t_left_ankle_cross_76 =
+      t_left_ankle_cross_75 + left_ankle_cross_I16 * alpha_left_thigh_z;
+  const Scalar t_left_ankle_cross_77 =
+      t_left_ankle_cross_76 + left_ankle_cross_I7 * t_left_ankle_cross_15;
+  const Scalar t_left_ankle_cross_78 =
+      t_left_ankle_cross_77 + left_ankle_cross_h2 * a_left_ankle_cross_y;
+  const Scalar t_left_ankle_cross_79 =
+      t_left_ankle_cross_78 - left_ankle_cross_h1 * neg_a_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_80 =
+      t_left_ankle_cross_79 - t_left_ankle_cross_13 * t_left_ankle_cross_34;
+  const Scalar t_left_ankle_cross_81 = t_left_ankle_cross_80 + h_left_foot_x * neg_a_left_foot_z;
+  const Scalar t_left_ankle_cross_82 = t_left_ankle_cross_81 + E_left_foot_xz * t_left_foot_8;
+  const Scalar t_left_ankle_cross_83 =
+      t_left_ankle_cross_82 - left_ankle_cross_I17 * t_left_ankle_cross_7;
+  const Scalar t_left_ankle_cross_84 =
+      t_left_ankle_cross_83 - left_ankle_cross_I8 * t_left_hip_fork_5;
+  const Scalar t_left_ankle_cross_85 =
+      t_left_ankle_cross_84 + Omega_left_foot_zy * neg_E_left_foot_xy;
+  const Scalar t_left_ankle_cross_86 =
+      t_left_ankle_cross_85 + neg_Omega_left_foot_zx * E_left_foot_xx;
+  const Scalar M_left_ankle_cross_z = t_left_ankle_cross_86 + left_hip_fork_l1 * neg_F_left_foot_z;
+  const Scalar t_left_hip_block_35 = tau[4] - M_left_ankle_cross_z;
+  const Scalar t_left_hip_block_36 = t_left_hip_block_35 - t_left_foot_23 * t_left_hip_block_33;
+  const Scalar t_left_ankle_cross_87 = s_q2_q3_q4 * F_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_88 = t_left_ankle_cross_87 + c_q2_q3_q4 * F_left_ankle_cross_y;
+  const Scalar t_left_ankle_cross_89 = s_q2_q3_q4 * F_left_ankle_cross_y;
+  const Scalar t_left_ankle_cross_90 = t_left_ankle_cross_89 - c_q2_q3_q4 * F_left_ankle_cross_x;
   // left_shank: moment M of (1)
-  const Scalar M_left_shank_z_3 = Omega_left_hip_fork_zx * t_left_shank_11;
-  const Scalar M_left_shank_z_4 = M_left_shank_z_1 + M_left_shank_z_2;
-  const Scalar M_left_shank_z_5 = M_left_shank_z_4 + M_left_shank_z_3;
-  const Scalar M_left_shank_z_6 = M_left_shank_z_5 + Omega_left_thigh_xz * t_left_shank_9;
-  const Scalar M_left_shank_z_7 = M_left_shank_z_6 + t_left_shank_10 * a_left_shank_x;
-  const Scalar M_left_shank_z_8 = neg_s_left_ankle_cross_y * t_left_ankle_cross_124;
-  const Scalar M_left_shank_z_9 = M_left_shank_z_7 + M_left_shank_z_8;
-  const Scalar M_left_shank_z_10 = M_left_shank_z_9 + t_left_shank_1 * t_left_shank_7;
-  const Scalar M_left_shank_z = M_left_shank_z_10 - t_left_shank_12 * neg_a_left_shank_y;
+  const Scalar M_left_shank_z_1 = M_left_ankle_cross_z + Omega_left_thigh_yz * t_left_shank_7;
+  const Scalar M_left_shank_z_2 =
+      M_left_shank_z_1 + neg_s_left_ankle_cross_x * t_left_ankle_cross_88;
+  const Scalar M_left_shank_z_3 = M_left_shank_z_2 + Omega_left_hip_fork_zx * t_left_shank_10;
+  const Scalar M_left_shank_z_4 = M_left_shank_z_3 + Omega_left_thigh_xz * t_left_shank_8;
+  const Scalar M_left_shank_z_5 = M_left_shank_z_4 + t_left_shank_9 * a_left_shank_x;
+  const Scalar M_left_shank_z_6 =
+      M_left_shank_z_5 + neg_s_left_ankle_cross_y * t_left_ankle_cross_90;
+  const Scalar M_left_shank_z_7 = M_left_shank_z_6 + t_left_shank_1 * t_left_shank_6;
+  const Scalar M_left_shank_z = M_left_shank_z_7 - t_left_shank_11 * neg_a_left_shank_y;
   // left_hip_block: qdd of (1)
-  const Scalar t_left_hip_block_46 = t_left_ankle_cross_83 * t_left_hip_block_45;
-  const Scalar t_left_hip_block_47 = t_left_ankle_cross_74 * t_left_hip_block_43;
-  const Scalar t_left_hip_block_48 = tau[3] - M_left_shank_z - t_left_hip_block_47;
-  const Scalar t_left_hip_block_49 = t_left_foot_34 * t_left_hip_block_46;
-  const Scalar t_left_hip_block_50 = t_left_hip_block_48 - t_left_hip_block_49;
-  const Scalar F_left_shank_x_1 = t_left_shank_12 * neg_Omega_left_shank_xx;
-  const Scalar F_left_shank_x = t_left_ankle_cross_124 - F_left_shank_x_1;
-  const Scalar t_left_hip_fork_25 = t_left_hip_fork_1 - t_left_hip_fork_3;
-  const Scalar t_left_hip_block_51 = left_hip_fork_G2 - base_g1 * t_left_thigh_17;
-  const Scalar t_left_shank_46 = t_left_hip_fork_1 - t_left_shank_3;
-  const Scalar t_left_thigh_60 = t_left_hip_fork_1 - t_left_thigh_2;
-  // left_shank
-  const Scalar neg_F_left_shank_y_1 = Omega_left_hip_fork_zx * t_left_shank_12;
-  const Scalar neg_F_left_shank_y_2 = t_left_ankle_cross_121 - neg_F_left_shank_y_1;
-  const Scalar neg_F_left_shank_y_3 = t_left_shank_10 * neg_Omega_left_shank_yy;
+  const Scalar t_left_hip_block_37 = t_left_ankle_cross_62 * t_left_hip_block_36;
+  const Scalar t_left_hip_block_38 = tau[3] - M_left_shank_z;
+  const Scalar t_left_hip_block_39 =
+      t_left_hip_block_38 - t_left_ankle_cross_54 * t_left_hip_block_34;
+  const Scalar t_left_hip_block_40 = t_left_hip_block_39 - t_left_foot_29 * t_left_hip_block_37;
+  const Scalar F_left_shank_x = t_left_ankle_cross_90 - t_left_shank_11 * neg_Omega_left_shank_xx;
+  const Scalar t_left_hip_fork_23 = t_left_hip_fork_1 - t_left_hip_fork_3;
+  const Scalar t_left_hip_block_41 = left_hip_fork_G2 - base_g1 * t_left_thigh_16;
+  const Scalar t_left_shank_43 = t_left_hip_fork_1 - t_left_shank_2;
+  const Scalar t_left_thigh_59 = t_left_hip_fork_1 - t_left_thigh_2;
+  const Scalar neg_F_left_shank_y_1 =
+      t_left_ankle_cross_88 - Omega_left_hip_fork_zx * t_left_shank_11;
   // left_thigh: moment M of (1)
-  const Scalar M_left_thigh_z_1 = M_left_shank_z - neg_a_left_thigh_y * t_left_thigh_17;
-  const Scalar M_left_thigh_z_2 = M_left_thigh_z_1 + t_left_shank_1 * t_left_thigh_8;
+  const Scalar M_left_thigh_z_1 = M_left_shank_z - neg_a_left_thigh_y * t_left_thigh_16;
+  const Scalar M_left_thigh_z_2 = M_left_thigh_z_1 + t_left_shank_1 * t_left_thigh_7;
   const Scalar M_left_thigh_z_3 = M_left_thigh_z_2 + neg_s_left_shank_y * F_left_shank_x;
-  const Scalar M_left_thigh_z_4 = M_left_thigh_z_3 + Omega_left_thigh_xz * t_left_thigh_13;
-  const Scalar M_left_thigh_z_5 = Omega_left_hip_fork_zx * t_left_thigh_18;
-  const Scalar M_left_thigh_z_6 = M_left_thigh_z_4 + M_left_thigh_z_5;
-  const Scalar M_left_thigh_z_7 = M_left_thigh_z_6 + Omega_left_thigh_yz * t_left_thigh_11;
-  const Scalar neg_F_left_shank_y = neg_F_left_shank_y_2 - neg_F_left_shank_y_3;
-  const Scalar M_left_thigh_z_8 = M_left_thigh_z_7 + a_left_hip_fork_x * t_left_thigh_15;
-  const Scalar M_left_thigh_z = M_left_thigh_z_8 + neg_s_left_shank_x * neg_F_left_shank_y;
+  const Scalar M_left_thigh_z_4 = M_left_thigh_z_3 + Omega_left_thigh_xz * t_left_thigh_12;
+  const Scalar M_left_thigh_z_5 = M_left_thigh_z_4 + Omega_left_hip_fork_zx * t_left_thigh_17;
+  const Scalar M_left_thigh_z_6 = M_left_thigh_z_5 + Omega_left_thigh_yz * t_left_thigh_10;
+  const Scalar neg_F_left_shank_y = neg_F_left_shank_y_1 - t_left_shank_9 * neg_Omega_left_shank_yy;
+  const Scalar M_left_thigh_z_7 = M_left_thigh_z_6 + a_left_hip_fork_x * t_left_thigh_14;
+  const Scalar M_left_thigh_z = M_left_thigh_z_7 + neg_s_left_shank_x * neg_F_left_shank_y;
   // left_hip_block: qdd of (1)
-  const Scalar t_left_hip_block_52 = t_left_foot_40 * t_left_hip_block_42;
-  const Scalar t_left_hip_block_53 = tau[2] - M_left_thigh_z - t_left_hip_block_52;
-  const Scalar t_left_hip_block_54 = t_left_shank_31 * t_left_hip_block_50;
-  const Scalar t_left_hip_block_55 = t_left_ankle_cross_85 * t_left_hip_block_45;
-  const Scalar t_left_hip_block_56 = t_left_hip_block_53 - t_left_hip_block_54;
-  const Scalar t_left_hip_block_57 = t_left_hip_block_56 - t_left_hip_block_55;
-  const Scalar t_left_hip_block_58 = inverse_pivot_left_thigh * t_left_hip_block_57;
-  const Scalar t_left_hip_block_59 = tau[1] - left_hip_fork_G1 * c_left_hip_roll;
-  const Scalar t_left_hip_block_60 = t_left_hip_block_59 + s_q2_q3_q4 * M_left_ankle_cross_x;
-  const Scalar t_left_hip_block_61 = t_left_foot_25 * t_left_hip_block_42;
-  const Scalar t_left_hip_block_62 = t_left_hip_block_60 + t_left_hip_block_61;
-  const Scalar t_left_thigh_61 = neg_Omega_left_thigh_zx * t_left_thigh_18;
-  const Scalar t_left_shank_47 = neg_Omega_left_shank_zy * t_left_shank_7;
-  const Scalar t_left_hip_block_63 = t_left_hip_block_62 - t_left_thigh_61;
-  const Scalar t_left_hip_block_64 = t_left_hip_block_63 + t_left_shank_47;
-  const Scalar t_left_hip_fork_26 = left_hip_fork_I7 * t_left_hip_fork_25;
-  const Scalar t_left_hip_block_65 = t_left_hip_block_64 + t_left_hip_fork_26;
-  const Scalar t_left_hip_block_66 = t_left_hip_block_65 + a_left_shank_z * t_left_shank_12;
-  const Scalar t_left_ankle_cross_125 = neg_s_left_ankle_cross_x * F_left_ankle_cross_z;
-  const Scalar t_left_hip_block_67 = t_left_hip_block_66 - t_left_ankle_cross_125;
-  const Scalar t_left_hip_block_68 = t_left_hip_block_67 - neg_s_left_shank_x * F_left_shank_z;
-  const Scalar t_left_hip_block_69 = s_left_hip_roll * t_left_hip_block_51;
-  const Scalar t_left_hip_block_70 = t_left_hip_block_68 - t_left_hip_block_69;
-  const Scalar t_left_shank_48 = t_left_shank_8 * t_left_shank_46;
-  const Scalar t_left_shank_49 = neg_Omega_left_shank_zx * t_left_shank_11;
-  const Scalar t_left_hip_block_71 = t_left_hip_block_70 - t_left_shank_48;
-  const Scalar t_left_hip_block_72 = t_left_hip_block_71 - t_left_shank_49;
-  const Scalar t_left_hip_block_73 = left_hip_fork_I14 * Omega_left_thigh_xz;
-  const Scalar t_left_hip_block_74 = t_left_hip_block_72 - t_left_hip_block_73;
-  const Scalar t_left_thigh_62 = t_left_thigh_11 * t_left_thigh_60;
-  const Scalar t_left_hip_block_75 = t_left_hip_block_74 - t_left_thigh_62;
-  const Scalar t_left_ankle_cross_126 = c_q2_q3_q4 * neg_M_left_ankle_cross_y;
-  const Scalar t_left_hip_block_76 = t_left_hip_block_75 - t_left_ankle_cross_126;
-  const Scalar t_left_hip_block_77 = t_left_shank_39 * t_left_hip_block_58;
-  const Scalar t_left_hip_block_78 = t_left_hip_block_76 + t_left_hip_block_77;
-  const Scalar t_left_hip_block_79 = t_left_shank_44 * t_left_hip_block_50;
-  const Scalar t_left_hip_block_80 = t_left_hip_block_78 + t_left_hip_block_79;
-  const Scalar t_left_thigh_63 = Omega_left_thigh_zy * t_left_thigh_8;
-  const Scalar t_left_hip_block_81 = t_left_ankle_cross_95 * t_left_hip_block_45;
-  const Scalar t_left_hip_block_82 = t_left_hip_block_80 - t_left_thigh_63;
-  const Scalar t_left_hip_block_83 = t_left_hip_block_82 + t_left_hip_block_81;
+  const Scalar t_left_hip_block_42 = tau[2] - M_left_thigh_z;
+  const Scalar t_left_hip_block_43 = t_left_hip_block_42 - t_left_foot_33 * t_left_hip_block_33;
+  const Scalar t_left_hip_block_44 = t_left_hip_block_43 - t_left_shank_29 * t_left_hip_block_40;
+  const Scalar t_left_hip_block_45 =
+      t_left_hip_block_44 - t_left_ankle_cross_64 * t_left_hip_block_36;
+  const Scalar t_left_hip_block_46 = inverse_pivot_left_thigh * t_left_hip_block_45;
+  const Scalar t_left_hip_block_47 = tau[1] - left_hip_fork_G1 * c_left_hip_roll;
+  const Scalar t_left_hip_block_48 = t_left_hip_block_47 + s_q2_q3_q4 * M_left_ankle_cross_x;
+  const Scalar t_left_hip_block_49 = t_left_hip_block_48 + t_left_foot_21 * t_left_hip_block_33;
+  const Scalar t_left_hip_block_50 =
+      t_left_hip_block_49 - neg_Omega_left_thigh_zx * t_left_thigh_17;
+  const Scalar t_left_hip_block_51 = t_left_hip_block_50 + neg_Omega_left_shank_zy * t_left_shank_6;
+  const Scalar t_left_hip_block_52 = t_left_hip_block_51 + left_hip_fork_I7 * t_left_hip_fork_23;
+  const Scalar t_left_hip_block_53 = t_left_hip_block_52 + a_left_shank_z * t_left_shank_11;
+  const Scalar t_left_hip_block_54 =
+      t_left_hip_block_53 - neg_s_left_ankle_cross_x * F_left_ankle_cross_z;
+  const Scalar t_left_hip_block_55 = t_left_hip_block_54 - neg_s_left_shank_x * F_left_shank_z;
+  const Scalar t_left_hip_block_56 = t_left_hip_block_55 - s_left_hip_roll * t_left_hip_block_41;
+  const Scalar t_left_hip_block_57 = t_left_hip_block_56 - t_left_shank_7 * t_left_shank_43;
+  const Scalar t_left_hip_block_58 =
+      t_left_hip_block_57 - neg_Omega_left_shank_zx * t_left_shank_10;
+  const Scalar t_left_hip_block_59 = t_left_hip_block_58 - left_hip_fork_I14 * Omega_left_thigh_xz;
+  const Scalar t_left_hip_block_60 = t_left_hip_block_59 - t_left_thigh_10 * t_left_thigh_59;
+  const Scalar t_left_hip_block_61 = t_left_hip_block_60 - c_q2_q3_q4 * neg_M_left_ankle_cross_y;
+  const Scalar t_left_hip_block_62 = t_left_hip_block_61 + t_left_shank_37 * t_left_hip_block_46;
+  const Scalar t_left_hip_block_63 = t_left_hip_block_62 + t_left_shank_42 * t_left_hip_block_40;
+  const Scalar t_left_hip_block_64 = t_left_hip_block_63 - Omega_left_thigh_zy * t_left_thigh_7;
+  const Scalar t_left_hip_block_65 =
+      t_left_hip_block_64 + t_left_ankle_cross_72 * t_left_hip_block_36;
   // left_thigh: force F, moment M of (1)
-  const Scalar F_left_thigh_x = F_left_shank_x - neg_Omega_left_thigh_xx * t_left_thigh_17;
-  const Scalar t_left_thigh_64 = M_left_thigh_z - left_hip_fork_I3 * t_left_hip_fork_6;
-  const Scalar t_left_thigh_65 = t_left_thigh_64 - left_hip_fork_l1 * F_left_thigh_x;
-  const Scalar t_left_thigh_66 = t_left_thigh_65 - left_hip_fork_I1 * Omega_left_thigh_xz;
-  const Scalar t_left_thigh_67 = t_left_thigh_66 + left_hip_fork_I12 * alpha_left_thigh_z;
-  const Scalar neg_M_left_hip_fork_y = t_left_thigh_67 + left_hip_fork_I8 * t_left_shank_1;
+  const Scalar F_left_thigh_x = F_left_shank_x - neg_Omega_left_thigh_xx * t_left_thigh_16;
+  const Scalar t_left_thigh_60 = M_left_thigh_z - left_hip_fork_I3 * t_left_hip_fork_6;
+  const Scalar t_left_thigh_61 = t_left_thigh_60 - left_hip_fork_l1 * F_left_thigh_x;
+  const Scalar t_left_thigh_62 = t_left_thigh_61 - left_hip_fork_I1 * Omega_left_thigh_xz;
+  const Scalar t_left_thigh_63 = t_left_thigh_62 + left_hip_fork_I12 * alpha_left_thigh_z;
+  const Scalar neg_M_left_hip_fork_y = t_left_thigh_63 + left_hip_fork_I8 * t_left_shank_1;
   // left_hip_block: qdd of (1)
-  const Scalar qdd_0_11 = tau[0] - s_left_hip_roll * neg_M_left_hip_fork_y;
-  const Scalar qdd_0_12 = qdd_0_11 + c_left_hip_roll * neg_M_left_hip_fork_x;
-  const Scalar qdd_0_13 = qdd_0_12 - t_left_ankle_cross_84 * t_left_hip_block_45;
-  const Scalar qdd_0_14 = qdd_0_13 + t_left_thigh_53 * t_left_hip_block_57;
-  const Scalar qdd_0_15 = qdd_0_14 - t_left_hip_fork_24 * t_left_hip_block_83;
-  const Scalar qdd_0_16 = qdd_0_15 - t_left_foot_28 * t_left_hip_block_42;
-  const Scalar qdd_0 = qdd_0_10 * (qdd_0_16 + t_left_shank_30 * t_left_hip_block_50);
+  const Scalar qdd_0_12 = tau[0] - s_left_hip_roll * neg_M_left_hip_fork_y;
+  const Scalar qdd_0_13 = qdd_0_12 + c_left_hip_roll * neg_M_left_hip_fork_x;
+  const Scalar qdd_0_14 = qdd_0_13 - t_left_ankle_cross_63 * t_left_hip_block_36;
+  const Scalar qdd_0_15 = qdd_0_14 + t_left_thigh_52 * t_left_hip_block_45;
+  const Scalar qdd_0_16 = qdd_0_15 - t_left_hip_fork_22 * t_left_hip_block_65;
+  const Scalar qdd_0_17 = qdd_0_16 - t_left_foot_24 * t_left_hip_block_33;
+  const Scalar qdd_0 = qdd_0_11 * (qdd_0_17 + t_left_shank_28 * t_left_hip_block_40);
   qdd[0] = qdd_0;
-  const Scalar neg_qdd_1_1 = t_left_hip_fork_23 * t_left_hip_block_83;
-  const Scalar neg_qdd_1 = neg_qdd_1_1 + t_left_hip_fork_24 * qdd_0;
+  const Scalar neg_qdd_1_1 = t_left_hip_fork_21 * t_left_hip_block_65;
+  const Scalar neg_qdd_1 = neg_qdd_1_1 + t_left_hip_fork_22 * qdd_0;
   qdd[1] = -neg_qdd_1;
-  const Scalar qdd_2_1 = t_left_hip_block_58 + t_left_thigh_53 * qdd_0;
-  const Scalar qdd_2 = qdd_2_1 - t_left_thigh_55 * neg_qdd_1;
+  const Scalar qdd_2_1 = t_left_hip_block_46 + t_left_thigh_52 * qdd_0;
+  const Scalar qdd_2 = qdd_2_1 - t_left_thigh_54 * neg_qdd_1;
   qdd[2] = qdd_2;
-  const Scalar neg_qdd_3_1 = t_left_hip_block_50 + t_left_ankle_cross_89 * qdd_0;
-  const Scalar neg_qdd_3_2 = neg_qdd_3_1 - t_left_ankle_cross_97 * neg_qdd_1;
-  const Scalar neg_qdd_3 = t_left_shank_31 * qdd_2 - inverse_pivot_left_shank * neg_qdd_3_2;
+  const Scalar neg_qdd_3_1 = t_left_hip_block_40 + t_left_ankle_cross_68 * qdd_0;
+  const Scalar neg_qdd_3_2 = neg_qdd_3_1 - t_left_ankle_cross_73 * neg_qdd_1;
+  const Scalar neg_qdd_3 = t_left_shank_29 * qdd_2 - inverse_pivot_left_shank * neg_qdd_3_2;
   qdd[3] = -neg_qdd_3;
-  const Scalar qdd_4_1 = t_left_hip_block_46 - t_left_ankle_cross_84 * qdd_0;
-  const Scalar qdd_4_2 = qdd_4_1 + t_left_ankle_cross_93 * neg_qdd_3;
-  const Scalar qdd_4_3 = qdd_4_2 - t_left_ankle_cross_95 * neg_qdd_1;
-  const Scalar qdd_4 = qdd_4_3 - t_left_ankle_cross_85 * qdd_2;
+  const Scalar qdd_4_1 = t_left_hip_block_37 - t_left_ankle_cross_63 * qdd_0;
+  const Scalar qdd_4_2 = qdd_4_1 + t_left_ankle_cross_71 * neg_qdd_3;
+  const Scalar qdd_4_3 = qdd_4_2 - t_left_ankle_cross_72 * neg_qdd_1;
+  const Scalar qdd_4 = qdd_4_3 - t_left_ankle_cross_64 * qdd_2;
   qdd[4] = qdd_4;
-  const Scalar neg_qdd_5_1 = t_left_hip_block_43 - t_left_foot_28 * qdd_0;
-  const Scalar neg_qdd_5_2 = neg_qdd_5_1 - t_left_foot_25 * neg_qdd_1;
-  const Scalar neg_qdd_5_3 = neg_qdd_5_2 + t_left_foot_26 * neg_qdd_3;
-  qdd[5] = t_left_foot_27 * qdd_4 - (neg_qdd_5_3 - t_left_foot_40 * qdd_2);
+  const Scalar neg_qdd_5_1 = t_left_hip_block_34 - t_left_foot_24 * qdd_0;
+  const Scalar neg_qdd_5_2 = neg_qdd_5_1 - t_left_foot_21 * neg_qdd_1;
+  const Scalar neg_qdd_5_3 = neg_qdd_5_2 + t_left_foot_22 * neg_qdd_3;
+  qdd[5] = t_left_foot_23 * qdd_4 - (neg_qdd_5_3 - t_left_foot_33 * qdd_2);
 }
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
@@ -3852,16 +3648,16 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   // right_hip_fork: r of (9)
   const Scalar t_right_hip_fork_1 = s_right_hip_roll * neg_r_right_hip_fork_x;
   const Scalar t_right_hip_fork_2 = c_right_hip_roll * neg_r_right_hip_fork_x;
-  const Scalar t_right_hip_fork_3 = s_right_hip_roll * neg_r_right_thigh_x;
-  const Scalar neg_r_right_hip_block_y = t_right_hip_fork_2 - t_right_hip_fork_3;
+  const Scalar neg_r_right_hip_block_y =
+      t_right_hip_fork_2 - s_right_hip_roll * neg_r_right_thigh_x;
   C[92] = -neg_r_right_hip_block_y;
   const Scalar r_right_hip_block_x = left_hip_fork_l1 - neg_r_right_thigh_y;
   C[79] = c_right_hip_yaw * r_right_hip_block_x + s_right_hip_yaw * neg_r_right_hip_block_y;
   C[78] = c_right_hip_yaw * neg_r_right_hip_block_y - s_right_hip_yaw * r_right_hip_block_x;
-  const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 + c_right_hip_roll * neg_r_right_thigh_x;
+  const Scalar t_right_hip_fork_3 = t_right_hip_fork_1 + c_right_hip_roll * neg_r_right_thigh_x;
   // left_hip_block: C of (9)
-  C[90] = -s_right_hip_yaw * t_right_hip_fork_4;
-  C[91] = c_right_hip_yaw * t_right_hip_fork_4;
+  C[90] = -s_right_hip_yaw * t_right_hip_fork_3;
+  C[91] = c_right_hip_yaw * t_right_hip_fork_3;
   const Scalar t_left_hip_block_7 = s_right_hip_yaw * s_right_hip_roll;
   C[102] = neg_r_right_thigh_y * t_left_hip_block_7 - c_right_hip_yaw * neg_r_right_thigh_x;
   const Scalar t_left_hip_block_8 = c_right_hip_yaw * s_right_hip_roll;
@@ -3895,11 +3691,10 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar r_right_hip_block_x_2 = left_hip_fork_l1 - neg_r_right_thigh_y_2;
   C[81] = c_right_hip_yaw * neg_C_95 - s_right_hip_yaw * r_right_hip_block_x_2;
   C[82] = c_right_hip_yaw * r_right_hip_block_x_2 + s_right_hip_yaw * neg_C_95;
-  const Scalar t_right_hip_fork_5 = c_right_hip_roll * neg_r_right_thigh_x_2;
-  const Scalar t_right_hip_fork_6 = t_right_hip_fork_1 + t_right_hip_fork_5;
+  const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 + c_right_hip_roll * neg_r_right_thigh_x_2;
   // left_hip_block: C of (9)
-  C[93] = -s_right_hip_yaw * t_right_hip_fork_6;
-  C[94] = c_right_hip_yaw * t_right_hip_fork_6;
+  C[93] = -s_right_hip_yaw * t_right_hip_fork_4;
+  C[94] = c_right_hip_yaw * t_right_hip_fork_4;
   const Scalar neg_C_106_1 = t_left_hip_block_8 * neg_r_right_thigh_y_2;
   C[106] = -(neg_C_106_1 + s_right_hip_yaw * neg_r_right_thigh_x_2);
   const Scalar C_105_1 = t_left_hip_block_7 * neg_r_right_thigh_y_2;

@@ -9,7 +9,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0xa1ff8f3679f2ad4bULL, "header and source are of different runs");
+static_assert(kDigest == 0x5a7eb7bfa1a0846bULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -35,13 +35,19 @@ namespace {
 
 }  // namespace
 
-// g++ would gather scalars into vectors, which takes up to twice as long.
+// g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
-#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+// Orders of sums other than those that are written would cancel the rounding.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#elif defined(__clang__) && __clang_major__ > 12
+#pragma clang fp reassociate(off)
+#elif defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-associative-math")
 #endif
 
 namespace {
@@ -106,20 +112,23 @@ using Angles [[gnu::vector_size(16)]] = double;
 #endif
 constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
 
-/// The numbers from x on, one by one: a load would wait for all to be stored.
-[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
-#if defined(__AVX__)
-  return Angles{x[0], x[1], x[2], x[3]};
-#else
-  return Angles{x[0], x[1]};
-#endif
-}
-
-/// The pairs of a vector of angles.
-[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
-  const SineCosine<Angles> pairs = pair_of(x);
+/// The pairs of a vector of angles, which come one by one: a load would wait for all to be stored,
+/// and of a vector that crosses a call g++ leaves the upper halves of registers in use, with which
+/// code for SSE is slow.
+template <class... Angle>
+[[gnu::noinline]] void store_sines_cosines(double* sines, double* cosines, Angle... x) noexcept {
+  const SineCosine<Angles> pairs = pair_of(Angles{x...});
   __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
   __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Those of the numbers from x on.
+[[gnu::always_inline]] inline void store(const double* x, double* sines, double* cosines) noexcept {
+#if defined(__AVX__)
+  store_sines_cosines(sines, cosines, x[0], x[1], x[2], x[3]);
+#else
+  store_sines_cosines(sines, cosines, x[0], x[1]);
+#endif
 }
 
 /// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
@@ -128,10 +137,8 @@ template <class... Angle>
 [[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines, double first,
                                                  Angle... more) noexcept {
   const double x[] = {first, more..., first, first, first};
-  store_sines_cosines(gathered(x), sines, cosines);
-  sizeof...(more) >= kAngles
-      ? store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles)
-      : void();
+  store(x, sines, cosines);
+  sizeof...(more) >= kAngles ? store(x + kAngles, sines + kAngles, cosines + kAngles) : void();
 }
 #endif
 
@@ -283,13 +290,13 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_4 = qd[2] * qd[2];
   // hip: joint force u of (1)
-  const Scalar u_hip_1 = left_leg_p1 * (c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4);
-  const Scalar u_hip_2 = left_leg_p5 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
-  const Scalar u_hip = tau[1] - u_hip_1 - u_hip_2;
+  const Scalar u_hip_1 = c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4;
+  const Scalar u_hip_2 = tau[1] - left_leg_p1 * u_hip_1;
+  const Scalar u_hip = u_hip_2 - left_leg_p5 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
   // slide: joint force u, qdd of (1)
   const Scalar u_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4;
-  const Scalar u_slide_2 = left_leg_p5 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
-  const Scalar u_slide = tau[0] - left_leg_p1 * u_slide_1 - t_hip_1 * u_hip + u_slide_2;
+  const Scalar u_slide_2 = tau[0] - left_leg_p1 * u_slide_1 - t_hip_1 * u_hip;
+  const Scalar u_slide = u_slide_2 + left_leg_p5 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
   const Scalar qdd_0 = inverse_pivot_slide * u_slide;
   qdd[0] = qdd_0;
   const Scalar qdd_1_1 = u_hip - t_left_leg_3 * qdd_0 - base_p1 * t_left_leg_2;

@@ -9,14 +9,20 @@
 
 namespace panda {
 
-static_assert(kDigest == 0xe2dd2b15a1e269f7ULL, "header and source are of different runs");
-// g++ would gather scalars into vectors, which takes up to twice as long.
+static_assert(kDigest == 0x9d35467df3515d6cULL, "header and source are of different runs");
+// g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
-#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+// Orders of sums other than those that are written would cancel the rounding.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#elif defined(__clang__) && __clang_major__ > 12
+#pragma clang fp reassociate(off)
+#elif defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-associative-math")
 #endif
 
 namespace {
@@ -80,20 +86,23 @@ using Angles [[gnu::vector_size(16)]] = double;
 #endif
 constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
 
-/// The numbers from x on, one by one: a load would wait for all to be stored.
-[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
-#if defined(__AVX__)
-  return Angles{x[0], x[1], x[2], x[3]};
-#else
-  return Angles{x[0], x[1]};
-#endif
-}
-
-/// The pairs of a vector of angles.
-[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
-  const SineCosine<Angles> pairs = pair_of(x);
+/// The pairs of a vector of angles, which come one by one: a load would wait for all to be stored,
+/// and of a vector that crosses a call g++ leaves the upper halves of registers in use, with which
+/// code for SSE is slow.
+template <class... Angle>
+[[gnu::noinline]] void store_sines_cosines(double* sines, double* cosines, Angle... x) noexcept {
+  const SineCosine<Angles> pairs = pair_of(Angles{x...});
   __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
   __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Those of the numbers from x on.
+[[gnu::always_inline]] inline void store(const double* x, double* sines, double* cosines) noexcept {
+#if defined(__AVX__)
+  store_sines_cosines(sines, cosines, x[0], x[1], x[2], x[3]);
+#else
+  store_sines_cosines(sines, cosines, x[0], x[1]);
+#endif
 }
 
 /// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
@@ -102,10 +111,8 @@ template <class... Angle>
 [[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines, double first,
                                                  Angle... more) noexcept {
   const double x[] = {first, more..., first, first, first};
-  store_sines_cosines(gathered(x), sines, cosines);
-  sizeof...(more) >= kAngles
-      ? store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles)
-      : void();
+  store(x, sines, cosines);
+  sizeof...(more) >= kAngles ? store(x + kAngles, sines + kAngles, cosines + kAngles) : void();
 }
 #endif
 
@@ -544,8 +551,8 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   A[8] = link2_I2 - t_link2_1 - t_link2_2;
   const Scalar t_link3_7 = s_joint3 * E_link3_yz + c_joint3 * neg_E_link3_xz;
   const Scalar A_0_1 = s_joint2 * (t_link2_2 - (link2_I3 + t_link2_1));
-  const Scalar A_0_2 = s_joint2 * (c_joint2 * (link2_I1 + 2.0 * t_link3_7) + A_0_1);
-  A[0] = link1_I1 + t_link3_2 - A_0_2;
+  const Scalar A_0_2 = link1_I1 + t_link3_2;
+  A[0] = A_0_2 - s_joint2 * (c_joint2 * (link2_I1 + 2.0 * t_link3_7) + A_0_1);
   const Scalar t_link7_6 = link7_I2 + link7_I1 * c_link7;
   // link6: A of (2)
   const Scalar neg_A_34 = s_joint6 * t_link7_5 + c_joint6 * t_link7_6;
@@ -568,8 +575,9 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   A[44] = A[20];
   const Scalar t_link4_10 = c_joint4 + link3_k1 * s_joint4;
   const Scalar t_link4_11 = s_joint4 - link3_k1 * c_joint4;
-  const Scalar t_link4_12 = (c_joint5 * t_link6_11 + s_joint5 * t_link7_1) * t_link4_11;
-  const Scalar t_link4_13 = neg_A_27 - t_link6_8 * t_link4_10 - t_link4_12;
+  const Scalar t_link4_12 = neg_A_27 - t_link6_8 * t_link4_10;
+  const Scalar t_link5_10 = c_joint5 * t_link6_11 + s_joint5 * t_link7_1;
+  const Scalar t_link4_13 = t_link4_12 - t_link5_10 * t_link4_11;
   const Scalar t_link4_14 = c_joint4 * t_link5_7 + s_joint4 * t_link5_9;
   const Scalar t_link4_15 = t_link4_14 - link3_k1 * t_link5_8;
   A[13] = c_joint3 * t_link4_13 + s_joint3 * t_link4_15;
@@ -581,26 +589,26 @@ void mass_matrix(const Scalar q[7], Scalar A[49]) noexcept {
   const Scalar neg_A_26 = t_link6_1 - c_joint5 * t_link6_12 - s_joint5 * t_link6_6;
   A[26] = -neg_A_26;
   A[38] = A[26];
-  const Scalar t_link5_10 = s_joint5 * neg_h_link5_z;
-  const Scalar t_link5_11 = A_33 - t_link5_10;
-  const Scalar t_link5_12 = t_link5_3 - s_joint5 * t_link6_12;
+  const Scalar t_link5_11 = s_joint5 * neg_h_link5_z;
+  const Scalar t_link5_12 = A_33 - t_link5_11;
+  const Scalar t_link5_13 = t_link5_3 - s_joint5 * t_link6_12;
   // link4: A of (2)
-  const Scalar A_19 = t_link5_10 + c_joint4 * t_link5_11 - s_joint4 * t_link5_12;
+  const Scalar A_19 = t_link5_11 + c_joint4 * t_link5_12 - s_joint4 * t_link5_13;
   A[19] = A_19;
   A[37] = A[19];
   const Scalar t_link4_16 = neg_A_26 - c_joint5 * neg_h_link5_z * t_link4_11;
   const Scalar t_link4_17 = t_link4_16 - t_link6_1 * t_link4_10;
-  const Scalar t_link4_18 = link3_k1 * t_link5_10 + s_joint4 * t_link5_11;
-  const Scalar t_link4_19 = t_link4_18 + c_joint4 * t_link5_12;
+  const Scalar t_link4_18 = link3_k1 * t_link5_11 + s_joint4 * t_link5_12;
+  const Scalar t_link4_19 = t_link4_18 + c_joint4 * t_link5_13;
   A[12] = c_joint3 * t_link4_17 - s_joint3 * t_link4_19;
   A[36] = A[12];
   A[5] = s_joint2 * (c_joint3 * t_link4_19 + s_joint3 * t_link4_17) + c_joint2 * A_19;
   A[35] = A[5];
-  const Scalar t_link5_13 = t_link5_1 + A_32;
-  const Scalar neg_A_18 = t_link5_1 - c_joint4 * t_link5_13 - s_joint4 * t_link5_6;
+  const Scalar t_link5_14 = t_link5_1 + A_32;
+  const Scalar neg_A_18 = t_link5_1 - c_joint4 * t_link5_14 - s_joint4 * t_link5_6;
   A[18] = -neg_A_18;
   A[30] = A[18];
-  const Scalar t_link4_20 = s_joint4 * t_link5_13 - link3_k1 * t_link5_1;
+  const Scalar t_link4_20 = s_joint4 * t_link5_14 - link3_k1 * t_link5_1;
   const Scalar t_link4_21 = t_link4_20 - c_joint4 * t_link5_6;
   const Scalar t_link4_22 = A_25 + h_link4_z * t_link4_11;
   A[11] = -(s_joint3 * t_link4_21 + c_joint3 * t_link4_22);
@@ -761,14 +769,15 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar neg_F_link7_z = neg_F_link7_z_1 + neg_Omega_link7_zx * t_link7_8;
   // link6: moment M of (3)
   const Scalar M_link6_z_1 = link4_k3 * neg_F_link7_z - link6_I11 * t_link6_2;
-  const Scalar M_link6_z_2 = link6_I10 * (neg_Omega_link6_yy - neg_Omega_link6_xx);
-  const Scalar M_link6_z_3 = M_link6_z_1 - link6_I9 * neg_Omega_link6_yz + M_link6_z_2;
-  const Scalar M_link6_z_4 = M_link6_z_3 + link6_I2 * a_link6_x + link6_I12 * alpha_link6_z;
-  const Scalar M_link6_z_5 = M_link6_z_4 + Omega_link7_xy * (link6_I5 - t_link7_11);
-  const Scalar M_link6_z_6 = M_link6_z_5 + t_link7_7 * (t_link6_3 - t_link7_2);
-  const Scalar M_link6_z_7 = M_link6_z_6 + neg_Omega_link7_zx * t_link7_6;
-  const Scalar M_link6_z_8 = M_link6_z_7 - Omega_link7_zy * t_link7_4;
-  const Scalar M_link6_z = M_link6_z_8 + neg_a_link7_z * t_link7_8;
+  const Scalar M_link6_z_2 = M_link6_z_1 - link6_I9 * neg_Omega_link6_yz;
+  const Scalar M_link6_z_3 = neg_Omega_link6_yy - neg_Omega_link6_xx;
+  const Scalar M_link6_z_4 = M_link6_z_2 + link6_I10 * M_link6_z_3 + link6_I2 * a_link6_x;
+  const Scalar M_link6_z_5 = M_link6_z_4 + link6_I12 * alpha_link6_z;
+  const Scalar M_link6_z_6 = M_link6_z_5 + Omega_link7_xy * (link6_I5 - t_link7_11);
+  const Scalar M_link6_z_7 = M_link6_z_6 + t_link7_7 * (t_link6_3 - t_link7_2);
+  const Scalar M_link6_z_8 = M_link6_z_7 + neg_Omega_link7_zx * t_link7_6;
+  const Scalar M_link6_z_9 = M_link6_z_8 - Omega_link7_zy * t_link7_4;
+  const Scalar M_link6_z = M_link6_z_9 + neg_a_link7_z * t_link7_8;
   B[5] = M_link6_z;
   // link7: Omega, force F of (3)
   const Scalar neg_Omega_link7_yy = t_link6_3 + t_link7_2;
@@ -784,14 +793,15 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar M_link6_x_3 = M_link6_x_2 + Omega_link7_zy * t_link7_10;
   const Scalar M_link6_x_4 = M_link6_x_3 - link6_I9 * Omega_link6_yx;
   const Scalar M_link6_x_5 = M_link6_x_4 + link6_I14 * Omega_link6_zy;
-  const Scalar M_link6_x_6 = t_link7_11 * (neg_Omega_link6_yy - neg_Omega_link7_yy);
-  const Scalar M_link6_x_7 = M_link6_x_5 + neg_a_link7_z * t_link7_9 + M_link6_x_6;
-  const Scalar M_link6_x_8 = M_link6_x_7 + neg_Omega_link6_zx * (link6_I10 + t_link7_7);
-  const Scalar M_link6_x = M_link6_x_8 - neg_Omega_link7_zx * t_link7_4;
+  const Scalar M_link6_x_6 = M_link6_x_5 + neg_a_link7_z * t_link7_9;
+  const Scalar M_link6_x_7 = neg_Omega_link6_yy - neg_Omega_link7_yy;
+  const Scalar M_link6_x_8 = M_link6_x_6 + t_link7_11 * M_link6_x_7;
+  const Scalar M_link6_x_9 = M_link6_x_8 + neg_Omega_link6_zx * (link6_I10 + t_link7_7);
+  const Scalar M_link6_x = M_link6_x_9 - neg_Omega_link7_zx * t_link7_4;
   const Scalar F_link6_x_1 = link6_I2 * Omega_link7_xz + link6_I8 * a_link7_x;
   const Scalar F_link6_x_2 = F_link6_x_1 - Omega_link7_xy * t_link7_9;
   const Scalar F_link6_x = F_link6_x_2 - t_link7_8 * (t_link6_4 + t_link7_2);
-  // link5: moment M, Omega of (3)
+  // link5: moment M of (3)
   const Scalar t_link5_7 = t_link5_4 - t_link5_5;
   const Scalar t_link5_8 = neg_Omega_link4_yy - neg_Omega_link5_yy;
   const Scalar M_link5_z_1 = s_joint6 * M_link6_x + link5_I10 * t_link5_3;
@@ -801,12 +811,15 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar M_link5_z_5 = M_link5_z_4 + link5_I11 * alpha_link5_z - link5_I3 * a_link5_y;
   const Scalar M_link5_z = M_link5_z_5 + link5_I8 * neg_Omega_link5_yz + c_joint6 * M_link6_y;
   B[4] = M_link5_z;
+  // link6: force F of (3)
   const Scalar F_link6_y = neg_F_link7_z + link6_I2 * neg_Omega_link6_yy;
   const Scalar t_link6_8 = s_joint6 * F_link6_y - c_joint6 * F_link6_x;
-  const Scalar neg_F_link5_x_1 = link5_I3 * (neg_Omega_link4_yy - t_link5_7);
-  const Scalar neg_F_link5_x_2 = t_link6_8 + link4_I9 * neg_a_link5_x - neg_F_link5_x_1;
+  const Scalar neg_F_link5_x_1 = t_link6_8 + link4_I9 * neg_a_link5_x;
+  const Scalar neg_Omega_link5_xx = neg_Omega_link4_yy - t_link5_7;
+  const Scalar neg_F_link5_x_2 = neg_F_link5_x_1 - link5_I3 * neg_Omega_link5_xx;
   const Scalar neg_F_link5_x = neg_F_link5_x_2 + link5_I4 * neg_Omega_link5_xy;
   const Scalar neg_F_link6_z = neg_F_link7_y + link6_I2 * Omega_link6_zy;
+  // link5: Omega, moment M of (3)
   const Scalar Omega_link5_yx = alpha_link5_z - t_link5_3;
   const Scalar M_link5_x_1 = c_joint6 * M_link6_x - link5_I2 * t_link5_8;
   const Scalar M_link5_x_2 = M_link5_x_1 + link5_I8 * Omega_link5_yx;
@@ -825,9 +838,9 @@ void bias_force(const Scalar q[7], const Scalar qd[7], Scalar B[7]) noexcept {
   const Scalar F_link5_z_2 = F_link5_z_1 - link5_I3 * Omega_link5_zx + s_joint6 * F_link6_x;
   const Scalar F_link5_z = F_link5_z_2 + c_joint6 * F_link6_y;
   const Scalar neg_M_link4_z_1 = F_link5_z + link4_I15 * t_link4_5 + s_joint5 * M_link5_x;
-  const Scalar neg_M_link4_z_2 = link4_I10 * (neg_Omega_link4_yy + Omega_link4_xx);
-  const Scalar neg_M_link4_z_3 = neg_M_link4_z_1 - link4_I11 * Omega_link4_yz;
-  const Scalar neg_M_link4_z_4 = neg_M_link4_z_3 - neg_M_link4_z_2;
+  const Scalar neg_M_link4_z_2 = neg_M_link4_z_1 - link4_I11 * Omega_link4_yz;
+  const Scalar neg_M_link4_z_3 = neg_Omega_link4_yy + Omega_link4_xx;
+  const Scalar neg_M_link4_z_4 = neg_M_link4_z_2 - link4_I10 * neg_M_link4_z_3;
   const Scalar neg_M_link4_z_5 = neg_M_link4_z_4 + link4_I14 * alpha_link3_y;
   const Scalar neg_M_link4_z_6 = neg_M_link4_z_5 - link4_I1 * Omega_link4_xz;
   const Scalar neg_M_link4_z = neg_M_link4_z_6 - link4_I8 * a_link4_x - c_joint5 * neg_M_link5_y;
@@ -1199,13 +1212,14 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar M_link3_x_5 = M_link3_x_4 + link3_I6 * neg_Omega_link3_yx;
   const Scalar M_link3_x = M_link3_x_5 - link3_I9 * neg_Omega_link3_zx;
   const Scalar Omega_link2_yx = t_link2_4 + qdd[1];
-  const Scalar M_link3_y_1 = link4_l1 * (s_joint4 * F_link4_x - c_joint4 * neg_F_link4_y);
-  const Scalar M_link3_y_2 = neg_M_link4_z - link3_G2 * c_joint2 + M_link3_y_1;
-  const Scalar M_link3_y_3 = M_link3_y_2 + link3_I9 * neg_Omega_link3_zy;
-  const Scalar M_link3_y_4 = M_link3_y_3 + link3_I11 * neg_Omega_link3_zx;
-  const Scalar M_link3_y_5 = link3_l1 * (c_joint4 * F_link4_x + s_joint4 * neg_F_link4_y);
-  const Scalar M_link3_y_6 = M_link3_y_4 + link3_I6 * t_link3_5 - M_link3_y_5;
-  const Scalar M_link3_y = M_link3_y_6 - link3_I1 * neg_Omega_link3_xy;
+  const Scalar M_link3_y_1 = neg_M_link4_z - link3_G2 * c_joint2;
+  const Scalar M_link3_y_2 = s_joint4 * F_link4_x - c_joint4 * neg_F_link4_y;
+  const Scalar M_link3_y_3 = M_link3_y_1 + link4_l1 * M_link3_y_2;
+  const Scalar M_link3_y_4 = M_link3_y_3 + link3_I9 * neg_Omega_link3_zy;
+  const Scalar M_link3_y_5 = M_link3_y_4 + link3_I11 * neg_Omega_link3_zx;
+  const Scalar M_link3_y_6 = M_link3_y_5 + link3_I6 * t_link3_5;
+  const Scalar M_link3_y_7 = c_joint4 * F_link4_x + s_joint4 * neg_F_link4_y;
+  const Scalar M_link3_y = M_link3_y_6 - link3_l1 * M_link3_y_7 - link3_I1 * neg_Omega_link3_xy;
   // link2: moment M, Omega of (1)
   const Scalar M_link2_z_4 = c_joint2 * M_link2_z_1 - s_joint2 * M_link2_z_2;
   const Scalar M_link2_z_5 = M_link2_z_4 - link2_I7 * M_link2_z_3 + s_joint3 * M_link3_x;
@@ -1221,9 +1235,9 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
   const Scalar neg_M_link2_y_2 = neg_M_link2_y_1 + link2_I8 * t_link2_5;
   const Scalar neg_M_link2_y_3 = neg_M_link2_y_2 - link2_I9 * neg_Omega_link2_zx;
   const Scalar M_link1_z_1 = s_joint2 * (neg_M_link2_x_4 + link2_I10 * neg_Omega_link2_zy);
-  const Scalar M_link1_z_2 = c_joint2 * (neg_M_link2_y_3 + link2_I5 * Omega_link2_xy);
   // link1: moment M of (1)
-  tau[0] = link1_I2 * qdd[0] + M_link1_z_1 + M_link1_z_2;
+  const Scalar M_link1_z_2 = link1_I2 * qdd[0] + M_link1_z_1;
+  tau[0] = M_link1_z_2 + c_joint2 * (neg_M_link2_y_3 + link2_I5 * Omega_link2_xy);
 }
 
 // Lengths inside are in units of L, a distance between joint3 and joint4:
@@ -1371,15 +1385,15 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar I_link6_xy = link6_I10 + neg_I_link7_xz;
   const Scalar I_link7_xx = link7_I10 + t_link7_4;
   const Scalar neg_M_link6_x_1 = link6_I2 * a_link6_z + link6_I9 * Omega_link6_yx;
-  const Scalar neg_M_link6_x_2 = link6_I5 * (neg_Omega_link5_yy - neg_Omega_link6_yy);
-  const Scalar neg_M_link6_x_3 = neg_M_link6_x_1 + Omega_link6_zx * I_link6_xy;
-  const Scalar neg_M_link6_x_4 = neg_M_link6_x_3 - neg_M_link6_x_2;
+  const Scalar neg_M_link6_x_2 = neg_M_link6_x_1 + Omega_link6_zx * I_link6_xy;
+  const Scalar neg_M_link6_x_3 = neg_Omega_link5_yy - neg_Omega_link6_yy;
+  const Scalar neg_M_link6_x_4 = neg_M_link6_x_2 - link6_I5 * neg_M_link6_x_3;
   const Scalar neg_M_link6_x_5 = neg_M_link6_x_4 - link6_I14 * Omega_link6_zy;
   const Scalar neg_M_link6_x_6 = neg_M_link6_x_5 - Omega_link7_zy * I_link7_xx;
   const Scalar neg_M_link6_x_7 = neg_M_link6_x_6 - neg_a_link7_z * neg_h_link7_y;
   const Scalar neg_M_link6_x_8 = neg_M_link6_x_7 + neg_Omega_link7_zx * neg_I_link7_xy;
-  const Scalar neg_M_link6_x_9 = I_link7_yz * (neg_Omega_link6_yy - neg_Omega_link7_yy);
-  const Scalar neg_M_link6_x = neg_M_link6_x_8 - neg_M_link6_x_9;
+  const Scalar neg_M_link6_x_9 = neg_Omega_link6_yy - neg_Omega_link7_yy;
+  const Scalar neg_M_link6_x = neg_M_link6_x_8 - I_link7_yz * neg_M_link6_x_9;
   const Scalar neg_F_link7_z_1 = link6_I8 * neg_a_link7_z + neg_Omega_link7_zx * h_link7_x;
   const Scalar neg_F_link7_z = neg_F_link7_z_1 + Omega_link7_zy * neg_h_link7_y;
   const Scalar F_link6_y = neg_F_link7_z + link6_I2 * neg_Omega_link6_yy;
@@ -1406,22 +1420,23 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link5_7 = t_link5_5 - t_link5_6;
   const Scalar M_link6_z_1 = link6_I11 * t_link6_4 + link6_I2 * a_link6_x;
   const Scalar M_link6_z_2 = M_link6_z_1 - link6_I9 * neg_Omega_link6_yz;
-  const Scalar M_link6_z_3 = link6_I10 * (neg_Omega_link6_yy - neg_Omega_link6_xx);
-  const Scalar M_link6_z_4 = M_link6_z_2 + link4_k3 * neg_F_link7_z + M_link6_z_3;
-  const Scalar M_link6_z_5 = M_link6_z_4 + neg_a_link7_z * h_link7_x;
-  const Scalar M_link6_z_6 = M_link6_z_5 + link6_I12 * alpha_link6_z;
-  const Scalar M_link6_z_7 = M_link6_z_6 - Omega_link7_zy * neg_I_link7_xy;
-  const Scalar M_link6_z_8 = M_link6_z_7 + neg_Omega_link7_zx * I_link7_yy;
-  const Scalar M_link6_z_9 = M_link6_z_8 + neg_I_link7_xz * (t_link6_5 - t_link7_1);
-  const Scalar M_link6_z = M_link6_z_9 - neg_Omega_link6_xz * I_link6_yz;
+  const Scalar M_link6_z_3 = M_link6_z_2 + link4_k3 * neg_F_link7_z;
+  const Scalar M_link6_z_4 = neg_Omega_link6_yy - neg_Omega_link6_xx;
+  const Scalar M_link6_z_5 = M_link6_z_3 + link6_I10 * M_link6_z_4;
+  const Scalar M_link6_z_6 = M_link6_z_5 + neg_a_link7_z * h_link7_x;
+  const Scalar M_link6_z_7 = M_link6_z_6 + link6_I12 * alpha_link6_z;
+  const Scalar M_link6_z_8 = M_link6_z_7 - Omega_link7_zy * neg_I_link7_xy;
+  const Scalar M_link6_z_9 = M_link6_z_8 + neg_Omega_link7_zx * I_link7_yy;
+  const Scalar M_link6_z_10 = M_link6_z_9 + neg_I_link7_xz * (t_link6_5 - t_link7_1);
+  const Scalar M_link6_z = M_link6_z_10 - neg_Omega_link6_xz * I_link6_yz;
   const Scalar neg_M_link5_y_1 = M_link6_z + link4_k1 * t_link6_8 - link5_I3 * a_link5_z;
   const Scalar neg_M_link5_y_2 = neg_M_link5_y_1 + link5_I8 * t_link5_7;
   const Scalar neg_M_link5_y_3 = neg_M_link5_y_2 + link5_I9 * Omega_link5_zy;
   const Scalar neg_M_link5_y_4 = neg_M_link5_y_3 + link5_I13 * Omega_link5_zx;
   const Scalar neg_M_link5_y = neg_M_link5_y_4 + link5_I2 * neg_Omega_link5_xy;
   const Scalar neg_M_link5_x_1 = c_joint6 * neg_M_link6_x - link5_I8 * Omega_link5_yx;
-  const Scalar neg_M_link5_x_2 = link5_I2 * (neg_Omega_link4_yy - neg_Omega_link5_yy);
-  const Scalar neg_M_link5_x_3 = neg_M_link5_x_1 + neg_M_link5_x_2;
+  const Scalar neg_M_link5_x_2 = neg_Omega_link4_yy - neg_Omega_link5_yy;
+  const Scalar neg_M_link5_x_3 = neg_M_link5_x_1 + link5_I2 * neg_M_link5_x_2;
   const Scalar neg_M_link5_x_4 = neg_M_link5_x_3 - s_joint6 * neg_M_link6_y;
   const Scalar neg_M_link5_x_5 = neg_M_link5_x_4 - link5_I12 * Omega_link5_zy;
   const Scalar neg_M_link5_x_6 = neg_M_link5_x_5 - link5_I4 * a_link5_z;
@@ -1435,9 +1450,9 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar neg_M_link5_z_1 = s_joint6 * neg_M_link6_x - link5_I2 * neg_Omega_link5_xz;
   const Scalar neg_M_link5_z_2 = neg_M_link5_z_1 - link5_I4 * neg_a_link5_x;
   const Scalar neg_M_link5_z_3 = neg_M_link5_z_2 - link5_I8 * neg_Omega_link5_yz;
-  const Scalar neg_M_link5_z_4 = link5_I9 * (neg_Omega_link5_yy - neg_Omega_link5_xx);
-  const Scalar neg_M_link5_z_5 = neg_M_link5_z_3 - link5_I12 * neg_Omega_link5_xy;
-  const Scalar neg_M_link5_z_6 = neg_M_link5_z_5 + neg_M_link5_z_4;
+  const Scalar neg_M_link5_z_4 = neg_M_link5_z_3 - link5_I12 * neg_Omega_link5_xy;
+  const Scalar neg_M_link5_z_5 = neg_Omega_link5_yy - neg_Omega_link5_xx;
+  const Scalar neg_M_link5_z_6 = neg_M_link5_z_4 + link5_I9 * neg_M_link5_z_5;
   const Scalar neg_M_link5_z_7 = neg_M_link5_z_6 - link5_I3 * neg_a_link5_y;
   const Scalar neg_M_link5_z_8 = neg_M_link5_z_7 - link5_I13 * Omega_link5_yx;
   const Scalar neg_M_link5_z = neg_M_link5_z_8 + c_joint6 * neg_M_link6_y;
@@ -1565,52 +1580,54 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link7_10 = link7_p1 * t_link6_21;
   const Scalar t_link7_11 = link7_p1 * I_link7_yz;
   const Scalar t_link4_35 = t_link5_23 + s_joint4 * t_link5_22 + c_joint4 * t_link5_24;
-  const Scalar t_link3_21 = s_joint2 * (c_joint3 * t_link4_27 + s_joint3 * t_link4_30);
-  const Scalar t_link7_12 = t_link3_19 * t_link7_11 - c_joint2 * t_link4_35 - t_link3_21;
-  const Scalar t_link7_13 = link7_p1 * t_link3_19;
-  const Scalar t_link7_14 = I_link7_yz * t_link7_8 + c_joint3 * t_link4_30;
-  const Scalar t_link7_15 = t_link7_14 - s_joint3 * t_link4_27;
-  const Scalar t_link7_16 = t_link4_35 - t_link4_21 * t_link7_11;
-  const Scalar t_link7_17 = link7_p1 * t_link5_17;
-  const Scalar t_link7_18 = t_link5_25 - I_link7_yz * t_link7_17;
-  const Scalar t_link7_19 = t_link6_16 + I_link7_yz * t_link7_10;
+  const Scalar t_link7_12 = t_link3_19 * t_link7_11 - c_joint2 * t_link4_35;
+  const Scalar t_link3_21 = c_joint3 * t_link4_27 + s_joint3 * t_link4_30;
+  const Scalar t_link7_13 = t_link7_12 - s_joint2 * t_link3_21;
+  const Scalar t_link7_14 = link7_p1 * t_link3_19;
+  const Scalar t_link7_15 = I_link7_yz * t_link7_8 + c_joint3 * t_link4_30;
+  const Scalar t_link7_16 = t_link7_15 - s_joint3 * t_link4_27;
+  const Scalar t_link7_17 = t_link4_35 - t_link4_21 * t_link7_11;
+  const Scalar t_link7_18 = link7_p1 * t_link5_17;
+  const Scalar t_link7_19 = t_link5_25 - I_link7_yz * t_link7_18;
+  const Scalar t_link7_20 = t_link6_16 + I_link7_yz * t_link7_10;
   // link6: 1/pivot of (1)
   const Scalar inverse_pivot_link6 = 1.0 / (I_link6_zz - I_link7_yz * t_link7_11);
-  const Scalar t_link6_24 = t_link7_15 * inverse_pivot_link6;
-  const Scalar t_link6_25 = t_link7_16 * inverse_pivot_link6;
-  const Scalar t_link6_26 = t_link7_12 * inverse_pivot_link6;
+  const Scalar t_link6_24 = t_link7_16 * inverse_pivot_link6;
+  const Scalar t_link6_25 = t_link7_17 * inverse_pivot_link6;
+  const Scalar t_link6_26 = t_link7_13 * inverse_pivot_link6;
   const Scalar t_link4_36 = t_link5_9 - s_joint4 * t_link5_15 - c_joint4 * t_link5_26;
-  const Scalar t_link6_27 = t_link7_19 * inverse_pivot_link6;
-  const Scalar t_link6_28 = c_joint2 * t_link4_36 - t_link6_21 * t_link7_13;
-  const Scalar t_link3_22 = s_joint2 * (c_joint3 * t_link4_32 - s_joint3 * t_link4_33);
-  const Scalar t_link6_29 = t_link6_28 - t_link7_19 * t_link6_26 - t_link3_22;
+  const Scalar t_link6_27 = t_link7_20 * inverse_pivot_link6;
+  const Scalar t_link6_28 = c_joint2 * t_link4_36 - t_link6_21 * t_link7_14;
+  const Scalar t_link6_29 = t_link6_28 - t_link7_20 * t_link6_26;
+  const Scalar t_link3_22 = c_joint3 * t_link4_32 - s_joint3 * t_link4_33;
+  const Scalar t_link6_30 = t_link6_29 - s_joint2 * t_link3_22;
   const Scalar t_link3_23 = s_joint3 * t_link4_32 + c_joint3 * t_link4_33;
-  const Scalar t_link7_20 = t_link3_23 + t_link6_21 * t_link7_8;
-  const Scalar t_link6_30 = t_link7_20 + t_link7_15 * t_link6_27;
-  const Scalar t_link7_21 = t_link4_36 - t_link4_21 * t_link7_10;
-  const Scalar t_link6_31 = t_link7_21 + t_link7_19 * t_link6_25;
-  const Scalar t_link6_32 = t_link7_18 * inverse_pivot_link6;
-  const Scalar t_link6_33 = t_link5_14 + t_link7_19 * t_link6_32;
-  const Scalar t_link6_34 = t_link6_33 - t_link6_21 * t_link7_17;
+  const Scalar t_link7_21 = t_link3_23 + t_link6_21 * t_link7_8;
+  const Scalar t_link6_31 = t_link7_21 + t_link7_16 * t_link6_27;
+  const Scalar t_link7_22 = t_link4_36 - t_link4_21 * t_link7_10;
+  const Scalar t_link6_32 = t_link7_22 + t_link7_20 * t_link6_25;
+  const Scalar t_link6_33 = t_link7_19 * inverse_pivot_link6;
+  const Scalar t_link6_34 = t_link5_14 + t_link7_20 * t_link6_33;
+  const Scalar t_link6_35 = t_link6_34 - t_link6_21 * t_link7_18;
   const Scalar inverse_pivot_link5_1 = I_link5_zz - t_link6_21 * t_link7_10;
   // link5: 1/pivot of (1)
-  const Scalar inverse_pivot_link5 = 1.0 / (inverse_pivot_link5_1 - t_link7_19 * t_link6_27);
-  const Scalar t_link5_27 = t_link6_30 * inverse_pivot_link5;
-  const Scalar t_link5_28 = t_link6_31 * inverse_pivot_link5;
-  const Scalar t_link5_29 = t_link6_34 * inverse_pivot_link5;
+  const Scalar inverse_pivot_link5 = 1.0 / (inverse_pivot_link5_1 - t_link7_20 * t_link6_27);
+  const Scalar t_link5_27 = t_link6_31 * inverse_pivot_link5;
+  const Scalar t_link5_28 = t_link6_32 * inverse_pivot_link5;
+  const Scalar t_link5_29 = t_link6_35 * inverse_pivot_link5;
   const Scalar t_link3_24 = s_joint2 * (s_joint3 * t_link4_34 - c_joint3 * t_link4_17);
-  const Scalar t_link7_22 = t_link3_24 + t_link3_19 * t_link7_17 - c_joint2 * t_link4_18;
-  const Scalar t_link6_35 = t_link7_22 - t_link7_12 * t_link6_32;
-  const Scalar t_link5_30 = t_link6_35 + t_link6_29 * t_link5_29;
-  const Scalar t_link5_31 = t_link7_18 * t_link6_24 + s_joint3 * t_link4_17;
-  const Scalar t_link5_32 = t_link5_31 + t_link6_30 * t_link5_29;
-  const Scalar t_link5_33 = t_link5_32 - t_link3_20 * t_link7_17 + c_joint3 * t_link4_34;
-  const Scalar t_link6_36 = t_link4_18 - t_link7_16 * t_link6_32;
-  const Scalar t_link6_37 = t_link6_36 - t_link4_21 * t_link7_17;
-  const Scalar t_link5_34 = t_link6_37 - t_link6_31 * t_link5_29;
-  const Scalar inverse_pivot_link4_1 = I_link4_zz - t_link5_17 * t_link7_17;
-  const Scalar inverse_pivot_link4_2 = inverse_pivot_link4_1 - t_link7_18 * t_link6_32;
-  const Scalar inverse_pivot_link4 = 1.0 / (inverse_pivot_link4_2 - t_link6_34 * t_link5_29);
+  const Scalar t_link7_23 = t_link3_24 + t_link3_19 * t_link7_18 - c_joint2 * t_link4_18;
+  const Scalar t_link6_36 = t_link7_23 - t_link7_13 * t_link6_33;
+  const Scalar t_link5_30 = t_link6_36 + t_link6_30 * t_link5_29;
+  const Scalar t_link5_31 = t_link7_19 * t_link6_24 + s_joint3 * t_link4_17;
+  const Scalar t_link5_32 = t_link5_31 + t_link6_31 * t_link5_29;
+  const Scalar t_link5_33 = t_link5_32 - t_link3_20 * t_link7_18 + c_joint3 * t_link4_34;
+  const Scalar t_link6_37 = t_link4_18 - t_link7_17 * t_link6_33;
+  const Scalar t_link6_38 = t_link6_37 - t_link4_21 * t_link7_18;
+  const Scalar t_link5_34 = t_link6_38 - t_link6_32 * t_link5_29;
+  const Scalar inverse_pivot_link4_1 = I_link4_zz - t_link5_17 * t_link7_18;
+  const Scalar inverse_pivot_link4_2 = inverse_pivot_link4_1 - t_link7_19 * t_link6_33;
+  const Scalar inverse_pivot_link4 = 1.0 / (inverse_pivot_link4_2 - t_link6_35 * t_link5_29);
   // link3: inertia I of (1)
   const Scalar t_link3_25 = t_link4_20 - (t_link4_13 + t_link4_16);
   const Scalar I_link3_zz = link3_I15 - t_link3_25;
@@ -1618,80 +1635,81 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link3_26 = s_joint2 * (s_joint3 * neg_I_link3_yz + c_joint3 * I_link3_xz);
   // link4
   const Scalar t_link4_37 = t_link5_34 * inverse_pivot_link4;
-  const Scalar t_link4_38 = t_link3_26 - c_joint2 * I_link3_zz + t_link6_29 * t_link5_28;
-  const Scalar t_link4_39 = t_link4_38 + t_link4_21 * t_link7_13;
+  const Scalar t_link4_38 = t_link3_26 - c_joint2 * I_link3_zz + t_link6_30 * t_link5_28;
+  const Scalar t_link4_39 = t_link4_38 + t_link4_21 * t_link7_14;
   const Scalar t_link4_40 = t_link4_39 - t_link5_30 * t_link4_37;
-  const Scalar t_link4_41 = t_link4_40 - t_link7_12 * t_link6_25;
+  const Scalar t_link4_41 = t_link4_40 - t_link7_13 * t_link6_25;
   const Scalar t_link3_27 = s_joint3 * I_link3_xz - c_joint3 * neg_I_link3_yz;
   const Scalar t_link4_42 = t_link5_33 * inverse_pivot_link4;
-  const Scalar t_link7_23 = t_link3_27 + t_link3_20 * t_link7_9;
-  const Scalar t_link6_38 = t_link7_23 - t_link7_16 * t_link6_24;
-  const Scalar t_link5_35 = t_link6_38 - t_link6_30 * t_link5_28;
+  const Scalar t_link7_24 = t_link3_27 + t_link3_20 * t_link7_9;
+  const Scalar t_link6_39 = t_link7_24 - t_link7_17 * t_link6_24;
+  const Scalar t_link5_35 = t_link6_39 - t_link6_31 * t_link5_28;
   const Scalar t_link4_43 = t_link5_35 + t_link5_33 * t_link4_37;
-  const Scalar inverse_pivot_link3_1 = I_link3_zz - t_link7_16 * t_link6_25;
+  const Scalar inverse_pivot_link3_1 = I_link3_zz - t_link7_17 * t_link6_25;
   const Scalar inverse_pivot_link3_2 = inverse_pivot_link3_1 - t_link5_34 * t_link4_37;
   const Scalar inverse_pivot_link3_3 = inverse_pivot_link3_2 - t_link4_21 * t_link7_9;
   // link3: 1/pivot of (1)
-  const Scalar inverse_pivot_link3 = 1.0 / (inverse_pivot_link3_3 - t_link6_31 * t_link5_28);
+  const Scalar inverse_pivot_link3 = 1.0 / (inverse_pivot_link3_3 - t_link6_32 * t_link5_28);
   const Scalar t_link3_28 = t_link4_43 * inverse_pivot_link3;
   const Scalar t_link3_29 = t_link4_41 * inverse_pivot_link3;
   // link4
   const Scalar t_link4_44 = c_joint2 * (link2_I5 - t_link3_27) + t_link5_30 * t_link4_42;
-  const Scalar t_link4_45 = s_joint2 * (link2_I4 - t_link3_11 - c_joint3 * t_link3_16);
-  const Scalar t_link4_46 = t_link4_44 + t_link4_45 + t_link6_29 * t_link5_27;
-  const Scalar t_link4_47 = t_link4_46 - t_link7_15 * t_link6_26;
-  const Scalar t_link4_48 = t_link4_47 - t_link3_20 * t_link7_13;
+  const Scalar t_link4_45 = link2_I4 - t_link3_11 - c_joint3 * t_link3_16;
+  const Scalar t_link4_46 = t_link4_44 + s_joint2 * t_link4_45 + t_link6_30 * t_link5_27;
+  const Scalar t_link4_47 = t_link4_46 - t_link7_16 * t_link6_26;
+  const Scalar t_link4_48 = t_link4_47 - t_link3_20 * t_link7_14;
   const Scalar t_link3_30 = t_link4_48 - t_link4_43 * t_link3_29;
   const Scalar neg_I_link2_zz = t_link3_14 - (link2_I11 + t_link4_19) + t_link3_17;
-  const Scalar t_link7_24 = neg_I_link2_zz + t_link3_20 * t_link7_8;
-  const Scalar t_link6_39 = t_link7_24 + t_link7_15 * t_link6_24;
-  const Scalar t_link4_49 = t_link6_39 + t_link5_33 * t_link4_42;
-  const Scalar t_link4_50 = t_link4_49 + t_link6_30 * t_link5_27;
+  const Scalar t_link7_25 = neg_I_link2_zz + t_link3_20 * t_link7_8;
+  const Scalar t_link6_40 = t_link7_25 + t_link7_16 * t_link6_24;
+  const Scalar t_link4_49 = t_link6_40 + t_link5_33 * t_link4_42;
+  const Scalar t_link4_50 = t_link4_49 + t_link6_31 * t_link5_27;
   const Scalar neg_inverse_pivot_link2 = 1.0 / (t_link4_50 + t_link4_43 * t_link3_28);
   const Scalar t_link4_51 = t_link5_30 * inverse_pivot_link4;
   const Scalar t_link2_3 = t_link3_30 * neg_inverse_pivot_link2;
   const Scalar inverse_pivot_link1_1 = t_link3_12 - (link3_I16 + t_link4_19);
   const Scalar inverse_pivot_link1_2 = t_link3_17 - inverse_pivot_link1_1 + t_link3_25;
-  const Scalar t_link5_36 = t_link6_29 * inverse_pivot_link5;
+  const Scalar t_link5_36 = t_link6_30 * inverse_pivot_link5;
   // link2
   const Scalar inverse_pivot_link1_3 = link1_I3 - t_link3_25 - c_joint2 * t_link3_26 * 2.0;
-  const Scalar inverse_pivot_link1_4 = inverse_pivot_link1_3 - t_link7_12 * t_link6_26;
+  const Scalar inverse_pivot_link1_4 = inverse_pivot_link1_3 - t_link7_13 * t_link6_26;
   const Scalar inverse_pivot_link1_5 = inverse_pivot_link1_4 - t_link4_41 * t_link3_29;
   const Scalar inverse_pivot_link1_6 = inverse_pivot_link1_5 + t_link3_30 * t_link2_3;
   const Scalar inverse_pivot_link1_7 = t_link2_1 - s_joint2 * inverse_pivot_link1_2;
   const Scalar inverse_pivot_link1_8 = inverse_pivot_link1_6 - t_link5_30 * t_link4_51;
-  const Scalar inverse_pivot_link1_9 = s_joint2 * inverse_pivot_link1_7;
-  const Scalar inverse_pivot_link1_10 = inverse_pivot_link1_8 - inverse_pivot_link1_9;
-  const Scalar inverse_pivot_link1_11 = inverse_pivot_link1_10 - t_link3_19 * t_link7_13;
+  const Scalar inverse_pivot_link1_9 = inverse_pivot_link1_8 - s_joint2 * inverse_pivot_link1_7;
+  const Scalar inverse_pivot_link1_10 = inverse_pivot_link1_9 - t_link3_19 * t_link7_14;
   // link1: 1/pivot, qdd of (1)
-  const Scalar inverse_pivot_link1 = 1.0 / (inverse_pivot_link1_11 - t_link6_29 * t_link5_36);
+  const Scalar inverse_pivot_link1 = 1.0 / (inverse_pivot_link1_10 - t_link6_30 * t_link5_36);
   const Scalar t_link1_2 = M_link6_z - tau[5] - t_link1_1 * t_link7_11;
   const Scalar t_link1_3 = neg_M_link5_z + tau[4] - t_link1_1 * t_link7_10;
   const Scalar t_link1_4 = t_link1_3 + t_link6_27 * t_link1_2;
   const Scalar neg_M_link4_z_1 = F_link5_z + link4_I15 * t_link4_5 - link4_I8 * a_link4_x;
-  const Scalar neg_M_link4_z_2 = link4_I10 * (neg_Omega_link4_yy - neg_Omega_link4_xx);
+  const Scalar neg_M_link4_z_2 = neg_M_link4_z_1 - link4_I11 * Omega_link4_yz;
+  const Scalar neg_M_link4_z_3 = neg_Omega_link4_yy - neg_Omega_link4_xx;
   // link5: moment M of (1)
-  const Scalar neg_M_link4_z_3 = neg_M_link4_z_1 - link4_I11 * Omega_link4_yz;
-  const Scalar neg_M_link4_z_4 = neg_M_link4_z_3 - neg_M_link4_z_2;
+  const Scalar neg_M_link4_z_4 = neg_M_link4_z_2 - link4_I10 * neg_M_link4_z_3;
   const Scalar neg_M_link4_z_5 = neg_M_link4_z_4 + link4_I14 * alpha_link3_y;
   const Scalar neg_M_link4_z_6 = neg_M_link4_z_5 + link4_I1 * neg_Omega_link4_xz;
   const Scalar neg_M_link4_z_7 = neg_M_link4_z_6 - s_joint5 * neg_M_link5_x;
   const Scalar neg_M_link4_z = neg_M_link4_z_7 - c_joint5 * neg_M_link5_y;
   // link1: qdd of (1)
-  const Scalar t_link1_5 = tau[3] + neg_M_link4_z - t_link1_1 * t_link7_17;
-  const Scalar t_link1_6 = t_link1_5 - t_link6_32 * t_link1_2;
+  const Scalar t_link1_5 = tau[3] + neg_M_link4_z - t_link1_1 * t_link7_18;
+  const Scalar t_link1_6 = t_link1_5 - t_link6_33 * t_link1_2;
   const Scalar t_link1_7 = t_link1_6 - t_link5_29 * t_link1_4;
   // link3: moment M of (1)
   const Scalar neg_M_link3_z_1 = neg_Omega_link3_xx - neg_Omega_link3_yy;
   const Scalar M_link3_x_1 = neg_Omega_link3_zz - neg_Omega_link3_yy;
   const Scalar M_link3_y_1 = neg_M_link4_z - link3_G2 * c_joint2;
-  const Scalar M_link3_y_2 = link3_I6 * (neg_Omega_link3_zz - neg_Omega_link3_xx);
-  const Scalar M_link3_y_3 = M_link3_y_1 + link3_I11 * neg_Omega_link3_zx + M_link3_y_2;
-  const Scalar M_link3_y_4 = c_joint4 * (neg_F_link4_y - link3_k1 * neg_F_link4_x);
-  const Scalar M_link3_y_5 = s_joint4 * (neg_F_link4_x + link3_k1 * neg_F_link4_y);
-  const Scalar M_link3_y_6 = M_link3_y_3 - M_link3_y_4 - M_link3_y_5;
-  const Scalar M_link3_y_7 = M_link3_y_6 - link3_I9 * Omega_link3_zy;
-  const Scalar M_link3_y = M_link3_y_7 - link3_I1 * neg_Omega_link3_xy;
+  const Scalar M_link3_y_2 = M_link3_y_1 + link3_I11 * neg_Omega_link3_zx;
+  const Scalar M_link3_y_3 = neg_Omega_link3_zz - neg_Omega_link3_xx;
+  const Scalar M_link3_y_4 = M_link3_y_2 + link3_I6 * M_link3_y_3;
+  const Scalar M_link3_y_5 = neg_F_link4_y - link3_k1 * neg_F_link4_x;
+  const Scalar M_link3_y_6 = M_link3_y_4 - c_joint4 * M_link3_y_5;
+  const Scalar M_link3_y_7 = neg_F_link4_x + link3_k1 * neg_F_link4_y;
+  const Scalar M_link3_y_8 = M_link3_y_6 - s_joint4 * M_link3_y_7;
+  const Scalar M_link3_y_9 = M_link3_y_8 - link3_I9 * Omega_link3_zy;
+  const Scalar M_link3_y = M_link3_y_9 - link3_I1 * neg_Omega_link3_xy;
   // link4: moment M of (1)
   const Scalar neg_M_link3_z_2 = F_link4_z - link3_I13 * a_link3_y - link3_I14 * neg_a_link3_x;
   const Scalar neg_M_link3_z_3 = neg_M_link3_z_2 - link3_I10 * neg_Omega_link3_xy;
@@ -1719,7 +1737,7 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar t_link1_13 = tau[1] + link2_G1 * s_joint2 - link2_G2 * c_joint2;
   const Scalar t_link1_14 = t_link1_13 + qd[0] * t_link2_2 - s_joint3 * M_link3_x;
   const Scalar t_link1_15 = t_link1_14 - t_link3_28 * t_link1_11;
-  const Scalar t_link1_16 = t_link1_15 + t_link6_30 * t_link1_12 - c_joint3 * M_link3_y;
+  const Scalar t_link1_16 = t_link1_15 + t_link6_31 * t_link1_12 - c_joint3 * M_link3_y;
   const Scalar t_link1_17 = t_link1_16 - t_link4_42 * t_link1_7;
   const Scalar t_link1_18 = t_link1_17 + t_link6_24 * t_link1_2;
   const Scalar t_link1_19 = t_link1_18 - t_link1_1 * t_link7_8;
@@ -1727,9 +1745,9 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar qdd_0_1 = link2_I5 * neg_Omega_link2_yy - c_joint3 * M_link3_x;
   const Scalar qdd_0_2 = tau[0] - qd[1] * t_link2_2 * 2.0 - t_link2_3 * t_link1_19;
   const Scalar qdd_0_3 = qdd_0_2 - s_joint2 * (qdd_0_1 + s_joint3 * M_link3_y);
-  const Scalar qdd_0_4 = qdd_0_3 + t_link1_1 * t_link7_13 - t_link4_51 * t_link1_7;
-  const Scalar qdd_0_5 = c_joint2 * (neg_M_link3_z + link2_I8 * neg_Omega_link2_yy);
-  const Scalar qdd_0_6 = qdd_0_4 + t_link3_29 * t_link1_11 + qdd_0_5;
+  const Scalar qdd_0_4 = qdd_0_3 + t_link1_1 * t_link7_14 - t_link4_51 * t_link1_7;
+  const Scalar qdd_0_5 = qdd_0_4 + t_link3_29 * t_link1_11;
+  const Scalar qdd_0_6 = qdd_0_5 + c_joint2 * (neg_M_link3_z + link2_I8 * neg_Omega_link2_yy);
   const Scalar qdd_0_7 = qdd_0_6 + t_link5_36 * t_link1_4 - t_link6_26 * t_link1_2;
   const Scalar qdd_0 = inverse_pivot_link1 * qdd_0_7;
   qdd[0] = qdd_0;
@@ -1744,9 +1762,9 @@ void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7]
   const Scalar qdd_4_1 = t_link1_12 + t_link5_28 * qdd_2 - t_link5_29 * qdd_3;
   const Scalar qdd_4 = qdd_4_1 - t_link5_27 * neg_qdd_1 + t_link5_36 * qdd_0;
   qdd[4] = qdd_4;
-  const Scalar qdd_5_1 = t_link1_2 - t_link7_15 * neg_qdd_1 - t_link7_12 * qdd_0;
-  const Scalar qdd_5_2 = inverse_pivot_link6 * (qdd_5_1 + t_link7_16 * qdd_2);
-  const Scalar qdd_5 = t_link6_32 * qdd_3 - t_link6_27 * qdd_4 - qdd_5_2;
+  const Scalar qdd_5_1 = t_link1_2 - t_link7_16 * neg_qdd_1 - t_link7_13 * qdd_0;
+  const Scalar qdd_5_2 = t_link6_33 * qdd_3 - t_link6_27 * qdd_4;
+  const Scalar qdd_5 = qdd_5_2 - inverse_pivot_link6 * (qdd_5_1 + t_link7_17 * qdd_2);
   qdd[5] = qdd_5;
   const Scalar neg_qdd_6_1 = t_link1_1 + t_link3_20 * neg_qdd_1 - t_link6_21 * qdd_4;
   const Scalar neg_qdd_6_2 = neg_qdd_6_1 + t_link3_19 * qdd_0 - t_link5_17 * qdd_3;

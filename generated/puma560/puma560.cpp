@@ -9,14 +9,20 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0x31338dfc65cfbc0aULL, "header and source are of different runs");
-// g++ would gather scalars into vectors, which takes up to twice as long.
+static_assert(kDigest == 0x29b7c49418b9b5c6ULL, "header and source are of different runs");
+// g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
-#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+// Orders of sums other than those that are written would cancel the rounding.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#elif defined(__clang__) && __clang_major__ > 12
+#pragma clang fp reassociate(off)
+#elif defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-associative-math")
 #endif
 
 namespace {
@@ -80,20 +86,23 @@ using Angles [[gnu::vector_size(16)]] = double;
 #endif
 constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
 
-/// The numbers from x on, one by one: a load would wait for all to be stored.
-[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
-#if defined(__AVX__)
-  return Angles{x[0], x[1], x[2], x[3]};
-#else
-  return Angles{x[0], x[1]};
-#endif
-}
-
-/// The pairs of a vector of angles.
-[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
-  const SineCosine<Angles> pairs = pair_of(x);
+/// The pairs of a vector of angles, which come one by one: a load would wait for all to be stored,
+/// and of a vector that crosses a call g++ leaves the upper halves of registers in use, with which
+/// code for SSE is slow.
+template <class... Angle>
+[[gnu::noinline]] void store_sines_cosines(double* sines, double* cosines, Angle... x) noexcept {
+  const SineCosine<Angles> pairs = pair_of(Angles{x...});
   __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
   __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Those of the numbers from x on.
+[[gnu::always_inline]] inline void store(const double* x, double* sines, double* cosines) noexcept {
+#if defined(__AVX__)
+  store_sines_cosines(sines, cosines, x[0], x[1], x[2], x[3]);
+#else
+  store_sines_cosines(sines, cosines, x[0], x[1]);
+#endif
 }
 
 /// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
@@ -102,10 +111,8 @@ template <class... Angle>
 [[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines, double first,
                                                  Angle... more) noexcept {
   const double x[] = {first, more..., first, first, first};
-  store_sines_cosines(gathered(x), sines, cosines);
-  sizeof...(more) >= kAngles
-      ? store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles)
-      : void();
+  store(x, sines, cosines);
+  sizeof...(more) >= kAngles ? store(x + kAngles, sines + kAngles, cosines + kAngles) : void();
 }
 #endif
 
@@ -354,9 +361,10 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   const Scalar I_link1_zz_2 = c_joint2_joint3 * (link4_I1 + 2.0 * (h_link4_z - t_link4_3));
   const Scalar I_link1_zz_3 = t_link3_8 - (t_link4_4 - (link1_I1 + t_link5_2));
   const Scalar I_link1_zz_4 = s_joint2_joint3 * I_link1_zz_1 - I_link1_zz_2;
+  // link1: inertia I of (2)
   const Scalar I_link1_zz_5 = I_link1_zz_3 + link2_k1 * h_link3_z;
-  const Scalar I_link1_zz_6 = s_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
-  A[0] = I_link1_zz_5 + s_joint2_joint3 * I_link1_zz_4 - I_link1_zz_6;
+  const Scalar I_link1_zz_6 = I_link1_zz_5 + s_joint2_joint3 * I_link1_zz_4;
+  A[0] = I_link1_zz_6 - s_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
   const Scalar A_23 = link6_I1 * c_joint5;
   A[23] = A_23;
   A[33] = A[23];
@@ -372,6 +380,7 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   A[16] = -neg_A_16;
   A[26] = A[16];
   const Scalar t_link4_5 = c_joint4 * h_link4_z;
+  // link3: A of (2)
   const Scalar t_link3_9 = c_joint2_joint3 - neg_s_link3_x;
   const Scalar t_link3_10 = c_joint2_joint3 * t_link4_5 - s_joint2_joint3 * h_link4_x;
   const Scalar A_4_1 = s_joint4 * (s_joint2_joint3 * t_link5_5 - h_link4_z * t_link3_9);
@@ -451,8 +460,10 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar omega_link6_z = neg_omega_link5_y + qd[5];
   const Scalar t_link6_1 = link6_I1 * omega_link6_z;
   const Scalar neg_M_link5_z_1 = link6_h1 * (neg_a_link5_x_1 + s_joint5 * a_link4_z);
-  const Scalar neg_M_link5_z_2 = omega_link5_x * (t_link6_1 - link6_I7 * neg_omega_link5_y);
-  const Scalar neg_M_link5_z = neg_M_link5_z_1 - link5_I1 * alpha_link4_y + neg_M_link5_z_2;
+  // link6: moment M of (3)
+  const Scalar neg_M_link5_z_2 = neg_M_link5_z_1 - link5_I1 * alpha_link4_y;
+  const Scalar neg_M_link5_z_3 = t_link6_1 - link6_I7 * neg_omega_link5_y;
+  const Scalar neg_M_link5_z = neg_M_link5_z_2 + omega_link5_x * neg_M_link5_z_3;
   B[4] = -neg_M_link5_z;
   const Scalar M_link5_y_1 = neg_M_link6_z + link5_I3 * alpha_link5_y;
   const Scalar M_link5_y = M_link5_y_1 - omega_link5_z * omega_link5_x * link5_I2;
@@ -487,9 +498,9 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar neg_M_link3_z_1 = neg_s_link4_x * t_link4_13 - s_joint4 * M_link4_x;
   const Scalar neg_M_link3_z_2 = neg_M_link3_z_1 + s_link4_y * t_link4_16;
   const Scalar neg_M_link3_z_3 = neg_M_link3_z_2 + c_joint4 * neg_M_link4_y;
-  const Scalar neg_M_link3_z_4 = neg_Omega_link2_yy * (t_link4_17 + neg_s_link3_y * t_link3_1);
-  const Scalar neg_M_link3_z_5 = neg_M_link3_z_3 - neg_Omega_link1_xx * t_link4_18;
-  const Scalar neg_M_link3_z = neg_M_link3_z_5 + neg_M_link3_z_4;
+  const Scalar neg_M_link3_z_4 = neg_M_link3_z_3 - neg_Omega_link1_xx * t_link4_18;
+  const Scalar neg_M_link3_z_5 = t_link4_17 + neg_s_link3_y * t_link3_1;
+  const Scalar neg_M_link3_z = neg_M_link3_z_4 + neg_Omega_link2_yy * neg_M_link3_z_5;
   B[2] = -neg_M_link3_z;
   const Scalar t_link2_2 = link2_I6 - c_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
   // link3: force F, moment M of (3)
@@ -497,13 +508,14 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar neg_M_link2_y_1 = link3_I4 * neg_Omega_link3_yy - c_joint4 * M_link4_x;
   const Scalar neg_M_link2_y_2 = c_joint4 * Omega_link6_yz - s_joint4 * t_link4_10;
   const Scalar neg_M_link2_y_3 = (neg_s_link3_x + neg_s_link4_x) * neg_M_link2_y_2 * link6_h1;
-  const Scalar neg_M_link2_y_4 = neg_Omega_link2_yy * (link2_I1 * s_joint2 - link2_I2 * c_joint2);
-  const Scalar neg_M_link2_y_5 = c_joint2_joint3 * neg_M_link4_z - neg_M_link2_y_3;
-  const Scalar neg_M_link2_y_6 = neg_M_link2_y_5 + neg_M_link2_y_4 - link2_l1 * F_link3_x;
-  const Scalar neg_M_link2_y_7 = neg_M_link2_y_6 - Omega_link2_zy * t_link2_2;
-  const Scalar neg_M_link2_y_8 = neg_M_link2_y_7 + Omega_link3_zy * t_link4_18;
-  const Scalar neg_M_link2_y_9 = s_joint2_joint3 * (neg_M_link2_y_1 - s_joint4 * neg_M_link4_y);
-  B[0] = neg_M_link2_y_9 - (neg_M_link2_y_8 + t_link3_1 * neg_a_link3_z);
+  const Scalar neg_M_link2_y_4 = c_joint2_joint3 * neg_M_link4_z - neg_M_link2_y_3;
+  const Scalar neg_M_link2_y_5 = link2_I1 * s_joint2 - link2_I2 * c_joint2;
+  const Scalar neg_M_link2_y_6 = neg_M_link2_y_4 + neg_Omega_link2_yy * neg_M_link2_y_5;
+  const Scalar neg_M_link2_y_7 = neg_M_link2_y_6 - link2_l1 * F_link3_x;
+  const Scalar neg_M_link2_y_8 = neg_M_link2_y_7 - Omega_link2_zy * t_link2_2;
+  const Scalar neg_M_link2_y_9 = neg_M_link2_y_8 + Omega_link3_zy * t_link4_18;
+  const Scalar neg_M_link2_y_10 = neg_M_link2_y_9 + t_link3_1 * neg_a_link3_z;
+  B[0] = s_joint2_joint3 * (neg_M_link2_y_1 - s_joint4 * neg_M_link4_y) - neg_M_link2_y_10;
   const Scalar M_link1_y_1 = neg_M_link3_z + neg_s_link3_x * t_link4_13;
   const Scalar M_link1_y_2 = M_link1_y_1 + neg_Omega_link1_xx * t_link2_2;
   // link2: moment M of (3)
@@ -576,8 +588,9 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar neg_Omega_link3_yx = t_link3_4 - alpha_link3_z;
   const Scalar alpha_link2_x = qd[0] * qd[1];
   const Scalar Omega_link2_zy = 2.0 * alpha_link2_x;
-  const Scalar t_link3_5 = neg_s_link3_x * (neg_Omega_link1_xx + neg_Omega_link2_yy);
-  const Scalar t_link3_6 = qdd[1] * neg_s_link3_y + link2_k3 * qdd[0] + t_link3_5;
+  const Scalar t_link3_5 = qdd[1] * neg_s_link3_y + link2_k3 * qdd[0];
+  const Scalar neg_Omega_link2_xx = neg_Omega_link1_xx + neg_Omega_link2_yy;
+  const Scalar t_link3_6 = t_link3_5 + neg_s_link3_x * neg_Omega_link2_xx;
   const Scalar t_link3_7 = link4_p1 + neg_Omega_link2_yy * neg_s_link3_y - neg_s_link3_x * qdd[1];
   const Scalar neg_a_link3_y = s_joint2_joint3 * t_link3_7 + c_joint2_joint3 * t_link3_6;
   const Scalar neg_Omega_link3_yy = t_link3_1 + t_link3_2;
@@ -613,27 +626,31 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar omega_link6_z = neg_omega_link5_y + qd[5];
   const Scalar t_link5_1 = link6_I1 * omega_link6_z;
   const Scalar neg_a_link4_x = c_joint4 * t_link4_1 - s_joint4 * t_link4_2;
-  // link5: angular acceleration alpha, moment M, Omega of (1)
+  // link5: angular acceleration alpha, moment M of (1)
   const Scalar alpha_link5_z_1 = t_link4_3 + qdd[4] + s_joint4 * Omega_link3_zx;
   const Scalar alpha_link5_z = alpha_link5_z_1 - c_joint4 * neg_Omega_link3_yx;
   const Scalar t_link5_2 = link6_I3 * c_joint5;
   const Scalar t_link5_3 = link6_I3 * s_joint5;
   const Scalar M_link5_z_1 = link5_I1 * alpha_link5_z - neg_a_link4_x * t_link5_2;
-  const Scalar M_link5_z_2 = neg_omega_link5_x * (t_link5_1 - link6_I7 * neg_omega_link5_y);
-  const Scalar M_link5_z = M_link5_z_1 + neg_a_link4_z * t_link5_3 + M_link5_z_2;
+  const Scalar M_link5_z_2 = M_link5_z_1 + neg_a_link4_z * t_link5_3;
+  const Scalar M_link5_z_3 = t_link5_1 - link6_I7 * neg_omega_link5_y;
+  const Scalar M_link5_z = M_link5_z_2 + neg_omega_link5_x * M_link5_z_3;
   tau[4] = M_link5_z;
-  const Scalar neg_M_link5_y_1 = omega_link5_z * neg_omega_link5_x * link5_I2;
-  const Scalar neg_M_link5_y = M_link6_z - link5_I3 * alpha_link5_y - neg_M_link5_y_1;
+  const Scalar neg_M_link5_y_1 = M_link6_z - link5_I3 * alpha_link5_y;
+  const Scalar neg_M_link5_y = neg_M_link5_y_1 - omega_link5_z * neg_omega_link5_x * link5_I2;
   const Scalar a_link4_y = s_joint4 * t_link4_1 + c_joint4 * t_link4_2;
   const Scalar alpha_link5_x_1 = s_joint5 * neg_alpha_link4_z - neg_omega_link5_y * qd[4];
   const Scalar alpha_link5_x = alpha_link5_x_1 + c_joint5 * alpha_link4_x;
-  const Scalar neg_M_link5_x_1 = omega_link5_z * (t_link5_1 - link5_I4 * neg_omega_link5_y);
-  const Scalar neg_M_link5_x = link6_I3 * a_link4_y - link5_I5 * alpha_link5_x - neg_M_link5_x_1;
+  // link6: moment M of (1)
+  const Scalar neg_M_link5_x_1 = link6_I3 * a_link4_y - link5_I5 * alpha_link5_x;
+  const Scalar neg_M_link5_x_2 = t_link5_1 - link5_I4 * neg_omega_link5_y;
+  const Scalar neg_M_link5_x = neg_M_link5_x_1 - omega_link5_z * neg_M_link5_x_2;
   const Scalar M_link4_z_1 = s_joint5 * neg_M_link5_x - link4_I4 * neg_alpha_link4_z;
   const Scalar M_link4_z = M_link4_z_1 + c_joint5 * neg_M_link5_y;
   tau[3] = M_link4_z;
   const Scalar Omega_link5_zy = alpha_link5_x - neg_omega_link5_y * omega_link5_z;
   const Scalar F_link4_y = link4_I7 * a_link4_y - link6_I3 * Omega_link5_zy;
+  // link5: Omega, force F of (1)
   const Scalar neg_Omega_link5_yy_1 = neg_omega_link5_x * neg_omega_link5_x;
   const Scalar neg_Omega_link5_yy = neg_Omega_link5_yy_1 + omega_link5_z * omega_link5_z;
   const Scalar neg_Omega_link5_xy = alpha_link5_z - neg_omega_link5_y * neg_omega_link5_x;
@@ -651,9 +668,10 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar neg_M_link3_z_2 = neg_M_link3_z_1 + link4_k1 * neg_F_link4_z;
   const Scalar neg_M_link3_z_3 = neg_M_link3_z_2 + link3_I8 * t_link3_4;
   const Scalar neg_M_link3_z_4 = neg_M_link3_z_3 - link3_I9 * alpha_link3_z;
-  const Scalar neg_M_link3_z_5 = link4_I8 * (neg_Omega_link3_yy - neg_Omega_link3_xx);
-  const Scalar neg_M_link3_z_6 = neg_M_link3_z_4 + link3_I7 * neg_a_link3_y + neg_M_link3_z_5;
-  const Scalar neg_M_link3_z = neg_M_link3_z_6 - s_joint4 * M_link4_x - c_joint4 * M_link4_y;
+  const Scalar neg_M_link3_z_5 = neg_M_link3_z_4 + link3_I7 * neg_a_link3_y;
+  const Scalar neg_M_link3_z_6 = neg_Omega_link3_yy - neg_Omega_link3_xx;
+  const Scalar neg_M_link3_z_7 = neg_M_link3_z_5 + link4_I8 * neg_M_link3_z_6;
+  const Scalar neg_M_link3_z = neg_M_link3_z_7 - s_joint4 * M_link4_x - c_joint4 * M_link4_y;
   tau[2] = -neg_M_link3_z;
   const Scalar neg_F_link3_y = t_link4_5 + link3_I7 * neg_Omega_link3_yx;
   const Scalar neg_F_link3_x = neg_F_link4_z + link3_I7 * neg_Omega_link3_xx;
@@ -667,8 +685,8 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar neg_M_link2_z_3 = neg_M_link3_z - link2_I8 * qdd[1] + link2_G3 * c_joint2;
   const Scalar neg_M_link2_z_4 = neg_M_link2_z_3 + neg_s_link3_x * neg_M_link2_z_2;
   const Scalar neg_M_link2_z_5 = neg_M_link2_z_4 + neg_Omega_link1_xx * t_link2_2;
-  const Scalar neg_M_link2_z_6 = s_joint2 * (link2_G2 + link3_k2 * t_link3_9);
-  tau[1] = qdd[0] * t_link2_3 - (neg_M_link2_z_5 - neg_M_link2_z_6);
+  const Scalar neg_M_link2_z_6 = link2_G2 + link3_k2 * t_link3_9;
+  tau[1] = qdd[0] * t_link2_3 - (neg_M_link2_z_5 - s_joint2 * neg_M_link2_z_6);
   const Scalar M_link1_z_1 = link2_I9 * c_joint2 - link2_I1 * s_joint2;
   const Scalar t_link4_6 = c_joint4 * F_link4_y - s_joint4 * neg_F_link4_x;
   const Scalar M_link3_x_1 = M_link4_z + link4_I8 * Omega_link3_zx;
@@ -684,11 +702,11 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar M_link1_z_2 = qdd[1] * t_link2_3 + neg_Omega_link2_yy * M_link1_z_1;
   const Scalar M_link1_z_3 = M_link1_z_2 + link2_k3 * t_link3_9;
   const Scalar M_link1_z_4 = M_link1_z_3 + Omega_link2_zy * t_link2_2;
-  const Scalar M_link1_z_5 = qdd[0] * (link1_I2 - s_joint2 * t_link2_1);
-  const Scalar M_link1_z_6 = s_joint2_joint3 * (neg_M_link3_y_4 - link3_I7 * neg_a_link3_z);
-  const Scalar M_link1_z_7 = M_link1_z_4 + c_joint2_joint3 * M_link3_x + M_link1_z_5;
+  const Scalar M_link1_z_5 = M_link1_z_4 + c_joint2_joint3 * M_link3_x;
+  const Scalar M_link1_z_6 = M_link1_z_5 + qdd[0] * (link1_I2 - s_joint2 * t_link2_1);
+  const Scalar neg_M_link3_y = neg_M_link3_y_4 - link3_I7 * neg_a_link3_z;
   // link1: moment M of (1)
-  tau[0] = M_link1_z_7 + M_link1_z_6 + neg_s_link3_x * F_link3_z;
+  tau[0] = M_link1_z_6 + s_joint2_joint3 * neg_M_link3_y + neg_s_link3_x * F_link3_z;
 }
 
 // Lengths inside are in units of L, a distance between joint2 and joint3:
@@ -808,8 +826,8 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar I_link4_zz = link4_I2 + t_link5_4;
   // link6
   const Scalar t_link6_1 = c_joint2_joint3 * (I_link4_zz + link2_k4 * h_link3_z);
-  const Scalar t_link6_2 = c_joint5 * (t_link4_12 - t_link5_3 * t_link4_11);
-  const Scalar t_link6_3 = t_link4_13 * t_link3_8 + t_link6_1 - t_link6_2;
+  const Scalar t_link6_2 = t_link4_13 * t_link3_8 + t_link6_1;
+  const Scalar t_link6_3 = t_link6_2 - c_joint5 * (t_link4_12 - t_link5_3 * t_link4_11);
   const Scalar t_link3_11 = h_link3_z * (c_joint2 * s_joint2_joint3 - s_joint2 * c_joint2_joint3);
   const Scalar t_link6_4 = t_link4_17 + c_joint5 * t_link4_20 + link3_k3 * h_link3_z;
   const Scalar t_link6_5 = t_link3_11 + t_link6_4;
@@ -838,27 +856,29 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link4_34 = t_link6_9 + t_link3_7 * t_link5_10 + t_link6_5 * t_link4_33;
   const Scalar neg_inverse_pivot_link2 = 1.0 / (t_link4_34 + t_link4_29 * t_link3_12);
   const Scalar t_link3_13 = link4_I1 * c_joint2_joint3 - link3_I6 * s_joint2_joint3;
-  const Scalar t_link4_35 = s_joint2_joint3 * (link4_I9 - t_link4_16 + 2.0 * t_link5_4);
+  const Scalar t_link2_4 = t_link3_13 - I_link4_xz * t_link4_21 * 2.0;
+  const Scalar t_link4_35 = link4_I9 - t_link4_16 + 2.0 * t_link5_4;
   // link3
   const Scalar t_link3_14 = t_link4_32 * inverse_pivot_link3;
   const Scalar t_link3_15 = t_link4_32 + link2_I1 * c_joint2 - t_link3_6 * t_link5_9;
   const Scalar t_link3_16 = t_link3_15 + t_link3_11 * t_link4_30 - t_link4_32 * t_link3_12;
   const Scalar t_link3_17 = t_link3_16 + s_joint2 * (link2_I2 + h_link3_z);
   // link2
-  const Scalar t_link2_4 = neg_inverse_pivot_link2 * t_link3_17;
-  const Scalar t_link2_5 = t_link3_5 - (link1_I1 + t_link5_4 + t_link4_19);
-  const Scalar t_link2_6 = t_link2_5 - link2_k5 * h_link3_z + t_link3_10 * t_link5_9;
-  const Scalar t_link2_7 = t_link3_13 - I_link4_xz * t_link4_21 * 2.0 + t_link4_35;
-  const Scalar t_link2_8 = t_link2_6 + s_joint2 * t_link2_1 + s_joint2_joint3 * t_link2_7;
-  const Scalar t_link2_9 = t_link2_8 - t_link3_17 * t_link2_4 + t_link6_3 * t_link4_30;
-  const Scalar t_link2_10 = t_link2_9 + t_link4_32 * t_link3_14 + t_link4_12 * t_link6_8;
-  const Scalar neg_inverse_pivot_link1 = 1.0 / t_link2_10;
+  const Scalar t_link2_5 = neg_inverse_pivot_link2 * t_link3_17;
+  const Scalar t_link2_6 = t_link3_5 - (link1_I1 + t_link5_4 + t_link4_19);
+  const Scalar t_link2_7 = t_link2_6 - link2_k5 * h_link3_z + t_link3_10 * t_link5_9;
+  const Scalar t_link2_8 = t_link2_7 + s_joint2 * t_link2_1;
+  const Scalar t_link2_9 = t_link2_4 + s_joint2_joint3 * t_link4_35;
+  const Scalar t_link2_10 = t_link2_8 + s_joint2_joint3 * t_link2_9;
+  const Scalar t_link2_11 = t_link2_10 - t_link3_17 * t_link2_5 + t_link6_3 * t_link4_30;
+  const Scalar t_link2_12 = t_link2_11 + t_link4_32 * t_link3_14 + t_link4_12 * t_link6_8;
+  const Scalar neg_inverse_pivot_link1 = 1.0 / t_link2_12;
   const Scalar a_link4_y = c_joint4 * t_link4_8 - s_joint4 * t_link4_3;
   // link5: moment M, force F of (1)
   const Scalar M_link5_x_2 = link5_I5 * alpha_link5_x + link6_I8 * a_link4_y;
   const Scalar M_link5_x = M_link5_x_2 + omega_link5_z * M_link5_x_1;
-  const Scalar M_link5_y_1 = omega_link5_z * neg_omega_link5_x * link5_I2;
-  const Scalar M_link5_y = neg_M_link6_z + link5_I3 * alpha_link5_y + M_link5_y_1;
+  const Scalar M_link5_y_1 = neg_M_link6_z + link5_I3 * alpha_link5_y;
+  const Scalar M_link5_y = M_link5_y_1 + omega_link5_z * neg_omega_link5_x * link5_I2;
   const Scalar neg_M_link4_z_1 = link4_I4 * neg_alpha_link4_z + s_joint5 * M_link5_x;
   const Scalar neg_M_link4_z = neg_M_link4_z_1 + c_joint5 * M_link5_y;
   const Scalar t_link1_2 = tau[3] + neg_M_link4_z - c_joint5 * t_link1_1;
@@ -907,14 +927,16 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar neg_qdd_0_6 = neg_qdd_0_5 + t_link3_8 * neg_qdd_0_1;
   const Scalar neg_qdd_0_7 = neg_qdd_0_6 - t_link6_3 * t_link1_16;
   const Scalar neg_qdd_0_8 = neg_qdd_0_7 + c_joint2_joint3 * neg_M_link4_z;
-  const Scalar neg_qdd_0_9 = neg_Omega_link2_yy * (link2_I1 * s_joint2 - link2_I2 * c_joint2);
-  const Scalar neg_qdd_0_10 = neg_qdd_0_8 - t_link1_1 * t_link6_8 + neg_qdd_0_9;
-  const Scalar neg_qdd_0_11 = neg_qdd_0_10 + link2_k4 * neg_F_link3_x;
-  const Scalar neg_qdd_0_12 = s_joint2_joint3 * (neg_qdd_0_2 - s_joint4 * M_link4_y);
-  const Scalar neg_qdd_0_13 = neg_qdd_0_11 - Omega_link3_zy * t_link1_4 - neg_qdd_0_12;
-  const Scalar neg_qdd_0 = neg_inverse_pivot_link1 * (neg_qdd_0_13 - t_link3_14 * t_link1_15);
+  const Scalar neg_qdd_0_9 = neg_qdd_0_8 - t_link1_1 * t_link6_8;
+  const Scalar neg_qdd_0_10 = link2_I1 * s_joint2 - link2_I2 * c_joint2;
+  const Scalar neg_qdd_0_11 = neg_qdd_0_9 + neg_Omega_link2_yy * neg_qdd_0_10;
+  const Scalar neg_qdd_0_12 = neg_qdd_0_11 + link2_k4 * neg_F_link3_x;
+  const Scalar neg_qdd_0_13 = neg_qdd_0_12 - Omega_link3_zy * t_link1_4;
+  const Scalar neg_qdd_0_14 = neg_qdd_0_2 - s_joint4 * M_link4_y;
+  const Scalar neg_qdd_0_15 = neg_qdd_0_13 - s_joint2_joint3 * neg_qdd_0_14;
+  const Scalar neg_qdd_0 = neg_inverse_pivot_link1 * (neg_qdd_0_15 - t_link3_14 * t_link1_15);
   qdd[0] = -neg_qdd_0;
-  const Scalar neg_qdd_1 = t_link1_21 + t_link2_4 * neg_qdd_0;
+  const Scalar neg_qdd_1 = t_link1_21 + t_link2_5 * neg_qdd_0;
   qdd[1] = -neg_qdd_1;
   const Scalar qdd_2_1 = inverse_pivot_link3 * t_link1_15 + t_link3_14 * neg_qdd_0;
   const Scalar qdd_2 = qdd_2_1 + t_link3_12 * neg_qdd_1;

@@ -9,7 +9,7 @@
 
 namespace quadruped {
 
-static_assert(kDigest == 0x9da81b9d0b09dd1aULL, "header and source are of different runs");
+static_assert(kDigest == 0x3503fd9effc227a3ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -242,13 +242,19 @@ namespace {
 
 }  // namespace
 
-// g++ would gather scalars into vectors, which takes up to twice as long.
+// g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
-#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+// Orders of sums other than those that are written would cancel the rounding.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#elif defined(__clang__) && __clang_major__ > 12
+#pragma clang fp reassociate(off)
+#elif defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-associative-math")
 #endif
 
 namespace {
@@ -312,20 +318,23 @@ using Angles [[gnu::vector_size(16)]] = double;
 #endif
 constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
 
-/// The numbers from x on, one by one: a load would wait for all to be stored.
-[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
-#if defined(__AVX__)
-  return Angles{x[0], x[1], x[2], x[3]};
-#else
-  return Angles{x[0], x[1]};
-#endif
-}
-
-/// The pairs of a vector of angles.
-[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
-  const SineCosine<Angles> pairs = pair_of(x);
+/// The pairs of a vector of angles, which come one by one: a load would wait for all to be stored,
+/// and of a vector that crosses a call g++ leaves the upper halves of registers in use, with which
+/// code for SSE is slow.
+template <class... Angle>
+[[gnu::noinline]] void store_sines_cosines(double* sines, double* cosines, Angle... x) noexcept {
+  const SineCosine<Angles> pairs = pair_of(Angles{x...});
   __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
   __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Those of the numbers from x on.
+[[gnu::always_inline]] inline void store(const double* x, double* sines, double* cosines) noexcept {
+#if defined(__AVX__)
+  store_sines_cosines(sines, cosines, x[0], x[1], x[2], x[3]);
+#else
+  store_sines_cosines(sines, cosines, x[0], x[1]);
+#endif
 }
 
 /// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
@@ -334,10 +343,8 @@ template <class... Angle>
 [[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines, double first,
                                                  Angle... more) noexcept {
   const double x[] = {first, more..., first, first, first};
-  store_sines_cosines(gathered(x), sines, cosines);
-  sizeof...(more) >= kAngles
-      ? store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles)
-      : void();
+  store(x, sines, cosines);
+  sizeof...(more) >= kAngles ? store(x + kAngles, sines + kAngles, cosines + kAngles) : void();
 }
 #endif
 
@@ -487,14 +494,14 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   A[129] = A[118];
   const Scalar t_hind_right_thigh_1 = front_left_thigh_I5 + t_hind_right_shank_3;
   A[130] = t_hind_right_thigh_1 + front_left_shank_I4 * t_hind_right_shank_1;
-  // hind_right_shank: inertia I of (2)
   const Scalar I_hind_right_hip_zz_1 = front_left_thigh_I1 * s_hind_right_hip;
-  const Scalar I_hind_right_hip_zz_2 = front_left_thigh_I2 * c_hind_right_hip;
-  const Scalar I_hind_right_shank_yy = c_q10_q11 * c_q10_q11 * front_left_shank_I1;
-  const Scalar I_hind_right_hip_zz_3 = front_left_hip_I1 + t_hind_right_shank_3;
-  const Scalar I_hind_right_hip_zz_4 = I_hind_right_hip_zz_1 + I_hind_right_hip_zz_2;
-  const Scalar I_hind_right_hip_zz_5 = I_hind_right_hip_zz_3 + I_hind_right_shank_yy;
-  A[117] = I_hind_right_hip_zz_5 - s_hind_right_hip * I_hind_right_hip_zz_4;
+  const Scalar I_hind_right_hip_zz_2 = front_left_hip_I1 + t_hind_right_shank_3;
+  const Scalar t_hind_right_shank_4 = c_q10_q11 * c_q10_q11;
+  const Scalar I_hind_right_hip_zz_3 =
+      I_hind_right_hip_zz_1 + front_left_thigh_I2 * c_hind_right_hip;
+  const Scalar I_hind_right_hip_zz_4 =
+      I_hind_right_hip_zz_2 + front_left_shank_I1 * t_hind_right_shank_4;
+  A[117] = I_hind_right_hip_zz_4 - s_hind_right_hip * I_hind_right_hip_zz_3;
   // hind_left_shank: A of (2)
   const Scalar t_hind_left_shank_1 = s_hind_left_hip * s_q7_q8;
   const Scalar t_hind_left_shank_2 = c_hind_left_hip * c_q7_q8;
@@ -508,12 +515,12 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar I_hind_left_thigh_zz_1 = front_left_thigh_I5 + t_hind_left_shank_3;
   A[91] = I_hind_left_thigh_zz_1 + front_left_shank_I4 * t_hind_left_shank_1;
   const Scalar I_hind_left_hip_zz_1 = front_left_thigh_I1 * s_hind_left_hip;
-  const Scalar I_hind_left_hip_zz_2 = front_left_thigh_I2 * c_hind_left_hip;
-  const Scalar I_hind_left_hip_zz_3 = front_left_hip_I1 + t_hind_left_shank_3;
-  const Scalar I_hind_left_shank_yy = c_q7_q8 * c_q7_q8 * front_left_shank_I1;
-  const Scalar I_hind_left_hip_zz_4 = I_hind_left_hip_zz_1 + I_hind_left_hip_zz_2;
-  const Scalar I_hind_left_hip_zz_5 = I_hind_left_hip_zz_3 + I_hind_left_shank_yy;
-  A[78] = I_hind_left_hip_zz_5 - s_hind_left_hip * I_hind_left_hip_zz_4;
+  const Scalar I_hind_left_hip_zz_2 = front_left_hip_I1 + t_hind_left_shank_3;
+  const Scalar I_hind_left_shank_yy_1 = c_q7_q8 * c_q7_q8;
+  const Scalar I_hind_left_hip_zz_3 = I_hind_left_hip_zz_1 + front_left_thigh_I2 * c_hind_left_hip;
+  const Scalar I_hind_left_hip_zz_4 =
+      I_hind_left_hip_zz_2 + front_left_shank_I1 * I_hind_left_shank_yy_1;
+  A[78] = I_hind_left_hip_zz_4 - s_hind_left_hip * I_hind_left_hip_zz_3;
   // front_right_shank: A of (2)
   const Scalar t_fron_righ_shan_1 = s_front_right_hip * s_q4_q5;
   const Scalar t_fron_righ_shan_2 = c_front_right_hip * c_q4_q5;
@@ -528,12 +535,13 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar I_fron_righ_thig_zz_1 = front_left_thigh_I5 + t_fron_righ_shan_3;
   A[52] = I_fron_righ_thig_zz_1 + front_left_shank_I4 * t_fron_righ_shan_1;
   const Scalar I_front_right_hip_zz_1 = front_left_thigh_I1 * s_front_right_hip;
-  const Scalar I_front_right_hip_zz_2 = front_left_thigh_I2 * c_front_right_hip;
-  const Scalar I_front_right_hip_zz_3 = front_left_hip_I1 + t_fron_righ_shan_3;
-  const Scalar I_fron_righ_shan_yy = c_q4_q5 * c_q4_q5 * front_left_shank_I1;
-  const Scalar I_front_right_hip_zz_4 = I_front_right_hip_zz_1 + I_front_right_hip_zz_2;
-  const Scalar I_front_right_hip_zz_5 = I_front_right_hip_zz_3 + I_fron_righ_shan_yy;
-  A[39] = I_front_right_hip_zz_5 - s_front_right_hip * I_front_right_hip_zz_4;
+  const Scalar I_front_right_hip_zz_2 = front_left_hip_I1 + t_fron_righ_shan_3;
+  const Scalar I_fron_righ_shan_yy_1 = c_q4_q5 * c_q4_q5;
+  const Scalar I_front_right_hip_zz_3 =
+      I_front_right_hip_zz_1 + front_left_thigh_I2 * c_front_right_hip;
+  const Scalar I_front_right_hip_zz_4 =
+      I_front_right_hip_zz_2 + front_left_shank_I1 * I_fron_righ_shan_yy_1;
+  A[39] = I_front_right_hip_zz_4 - s_front_right_hip * I_front_right_hip_zz_3;
   // front_left_shank: A of (2)
   const Scalar t_front_left_shank_1 = s_front_left_hip * s_q1_q2;
   const Scalar t_front_left_shank_2 = c_front_left_hip * c_q1_q2;
@@ -547,24 +555,25 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_front_left_thigh_1 = front_left_thigh_I5 + t_front_left_shank_3;
   A[13] = t_front_left_thigh_1 + front_left_shank_I4 * t_front_left_shank_1;
   const Scalar I_front_left_hip_zz_1 = front_left_thigh_I2 * c_front_left_hip;
-  const Scalar I_front_left_hip_zz_2 = front_left_thigh_I1 * s_front_left_hip;
-  const Scalar I_front_left_hip_zz_3 = front_left_hip_I1 + t_front_left_shank_3;
-  const Scalar I_front_left_shank_yy = c_q1_q2 * c_q1_q2 * front_left_shank_I1;
-  const Scalar I_front_left_hip_zz_4 = I_front_left_hip_zz_1 + I_front_left_hip_zz_2;
-  const Scalar I_front_left_hip_zz_5 = I_front_left_hip_zz_3 + I_front_left_shank_yy;
-  A[0] = I_front_left_hip_zz_5 - s_front_left_hip * I_front_left_hip_zz_4;
-  const Scalar A_131_1 = front_left_shank_I5 * (t_hind_right_shank_1 + t_hind_right_shank_2);
-  A[131] = front_left_shank_I2 + A_131_1;
+  const Scalar I_front_left_hip_zz_2 = front_left_hip_I1 + t_front_left_shank_3;
+  const Scalar t_front_left_shank_4 = c_q1_q2 * c_q1_q2;
+  const Scalar I_front_left_hip_zz_3 =
+      I_front_left_hip_zz_1 + front_left_thigh_I1 * s_front_left_hip;
+  const Scalar I_front_left_hip_zz_4 =
+      I_front_left_hip_zz_2 + front_left_shank_I1 * t_front_left_shank_4;
+  A[0] = I_front_left_hip_zz_4 - s_front_left_hip * I_front_left_hip_zz_3;
+  const Scalar A_131_1 = t_hind_right_shank_1 + t_hind_right_shank_2;
+  A[131] = front_left_shank_I2 + front_left_shank_I5 * A_131_1;
   A[142] = A[131];
-  const Scalar A_92_1 = front_left_shank_I5 * (t_hind_left_shank_1 + t_hind_left_shank_2);
-  A[92] = front_left_shank_I2 + A_92_1;
+  const Scalar A_92_1 = t_hind_left_shank_1 + t_hind_left_shank_2;
+  A[92] = front_left_shank_I2 + front_left_shank_I5 * A_92_1;
   A[103] = A[92];
-  const Scalar A_53_1 = front_left_shank_I5 * (t_fron_righ_shan_1 + t_fron_righ_shan_2);
-  A[53] = front_left_shank_I2 + A_53_1;
+  const Scalar A_53_1 = t_fron_righ_shan_1 + t_fron_righ_shan_2;
+  A[53] = front_left_shank_I2 + front_left_shank_I5 * A_53_1;
   A[64] = A[53];
   // front_left_shank: A of (2)
-  const Scalar A_14_1 = front_left_shank_I5 * (t_front_left_shank_1 + t_front_left_shank_2);
-  A[14] = front_left_shank_I2 + A_14_1;
+  const Scalar A_14_1 = t_front_left_shank_1 + t_front_left_shank_2;
+  A[14] = front_left_shank_I2 + front_left_shank_I5 * A_14_1;
   A[25] = A[14];
   A[26] = front_left_shank_I2;
   A[65] = front_left_shank_I2;
@@ -605,12 +614,13 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_front_left_shank_3 = c_front_left_hip * s_q1_q2 * front_left_shank_I5;
   const Scalar t_front_left_shank_4 = t_front_left_shank_2 - t_front_left_shank_3;
   const Scalar t_front_left_thigh_1 = qd[1] * qd[1];
-  const Scalar t_front_left_shank_5 = s_q1_q2 * c_q1_q2 * front_left_shank_I1;
-  const Scalar t_front_left_shank_6 = t_front_left_shank_3 + t_front_left_shank_5;
+  const Scalar t_front_left_shank_5 = s_q1_q2 * c_q1_q2;
+  const Scalar t_front_left_shank_6 =
+      t_front_left_shank_3 + front_left_shank_I1 * t_front_left_shank_5;
   const Scalar t_front_left_hip_1 = qd[0] * qd[0];
   const Scalar t_front_left_shank_7 = t_front_left_shank_4 * t_front_left_thigh_1;
-  const Scalar t_front_left_shank_8 = t_front_left_shank_6 * t_front_left_hip_1;
-  const Scalar neg_M_front_left_shank_z = t_front_left_shank_7 - t_front_left_shank_8;
+  const Scalar neg_M_front_left_shank_z =
+      t_front_left_shank_7 - t_front_left_shank_6 * t_front_left_hip_1;
   B[2] = -neg_M_front_left_shank_z;
   // front_right_shank: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_fron_righ_shan_z = qd[4] + qd[5];
@@ -619,26 +629,27 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_fron_righ_shan_3 = c_front_right_hip * s_q4_q5 * front_left_shank_I5;
   const Scalar t_fron_righ_shan_4 = t_fron_righ_shan_2 - t_fron_righ_shan_3;
   const Scalar t_fron_righ_thig_1 = qd[4] * qd[4];
-  const Scalar t_fron_righ_shan_5 = s_q4_q5 * c_q4_q5 * front_left_shank_I1;
-  const Scalar t_fron_righ_shan_6 = t_fron_righ_shan_3 + t_fron_righ_shan_5;
+  const Scalar t_fron_righ_shan_5 = s_q4_q5 * c_q4_q5;
+  const Scalar t_fron_righ_shan_6 = t_fron_righ_shan_3 + front_left_shank_I1 * t_fron_righ_shan_5;
   const Scalar t_front_right_hip_1 = qd[3] * qd[3];
   const Scalar t_fron_righ_shan_7 = t_fron_righ_shan_6 * t_front_right_hip_1;
-  const Scalar t_fron_righ_shan_8 = t_fron_righ_shan_4 * t_fron_righ_thig_1;
-  const Scalar neg_M_fron_righ_shan_z = t_fron_righ_shan_8 - t_fron_righ_shan_7;
+  const Scalar neg_M_fron_righ_shan_z =
+      t_fron_righ_shan_4 * t_fron_righ_thig_1 - t_fron_righ_shan_7;
   B[5] = -neg_M_fron_righ_shan_z;
   // hind_left_shank: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
   const Scalar t_hind_left_shank_1 = omega_hind_left_shank_z * omega_hind_left_shank_z;
   const Scalar t_hind_left_shank_2 = s_hind_left_hip * c_q7_q8 * front_left_shank_I5;
   const Scalar t_hind_left_shank_3 = c_hind_left_hip * s_q7_q8 * front_left_shank_I5;
-  const Scalar t_hind_left_shank_4 = s_q7_q8 * c_q7_q8 * front_left_shank_I1;
-  const Scalar t_hind_left_shank_5 = t_hind_left_shank_3 + t_hind_left_shank_4;
+  const Scalar t_hind_left_shank_4 = s_q7_q8 * c_q7_q8;
+  const Scalar t_hind_left_shank_5 =
+      t_hind_left_shank_3 + front_left_shank_I1 * t_hind_left_shank_4;
   const Scalar t_hind_left_hip_1 = qd[6] * qd[6];
   const Scalar t_hind_left_shank_6 = t_hind_left_shank_2 - t_hind_left_shank_3;
   const Scalar t_hind_left_thigh_1 = qd[7] * qd[7];
   const Scalar M_hind_left_shank_z_1 = t_hind_left_shank_6 * t_hind_left_thigh_1;
-  const Scalar M_hind_left_shank_z_2 = t_hind_left_shank_5 * t_hind_left_hip_1;
-  const Scalar M_hind_left_shank_z = M_hind_left_shank_z_2 - M_hind_left_shank_z_1;
+  const Scalar M_hind_left_shank_z =
+      t_hind_left_shank_5 * t_hind_left_hip_1 - M_hind_left_shank_z_1;
   B[8] = M_hind_left_shank_z;
   // hind_right_shank: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
@@ -647,87 +658,82 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar t_hind_right_shank_3 = c_hind_right_hip * s_q10_q11 * front_left_shank_I5;
   const Scalar t_hind_right_shank_4 = t_hind_right_shank_2 - t_hind_right_shank_3;
   const Scalar t_hind_right_thigh_1 = qd[10] * qd[10];
-  const Scalar t_hind_right_shank_5 = s_q10_q11 * c_q10_q11 * front_left_shank_I1;
-  const Scalar t_hind_right_shank_6 = t_hind_right_shank_3 + t_hind_right_shank_5;
+  const Scalar t_hind_right_shank_5 = s_q10_q11 * c_q10_q11;
+  const Scalar t_hind_right_shank_6 =
+      t_hind_right_shank_3 + front_left_shank_I1 * t_hind_right_shank_5;
   const Scalar t_hind_right_hip_1 = qd[9] * qd[9];
   const Scalar t_hind_right_shank_7 = t_hind_right_shank_4 * t_hind_right_thigh_1;
-  const Scalar t_hind_right_shank_8 = t_hind_right_shank_6 * t_hind_right_hip_1;
-  const Scalar neg_M_hind_right_shank_z = t_hind_right_shank_7 - t_hind_right_shank_8;
+  const Scalar neg_M_hind_right_shank_z =
+      t_hind_right_shank_7 - t_hind_right_shank_6 * t_hind_right_hip_1;
   B[11] = -neg_M_hind_right_shank_z;
-  // hind_right_thigh: moment M of (3)
+  // hind_right_thigh
   const Scalar t_hind_right_thigh_2 = front_left_thigh_I3 * c_hind_right_hip;
-  const Scalar t_hind_right_thigh_3 = front_left_thigh_I4 * s_hind_right_hip;
-  const Scalar t_hind_right_thigh_4 = front_left_thigh_I1 * s_hind_right_hip;
-  const Scalar t_hind_right_thigh_5 = front_left_thigh_I2 * c_hind_right_hip;
-  const Scalar t_hind_right_thigh_6 = t_hind_right_thigh_4 + t_hind_right_thigh_5;
-  const Scalar t_hind_right_shank_9 = front_left_thigh_I6 - t_hind_right_shank_2;
-  const Scalar t_hind_right_thigh_7 = c_hind_right_hip * t_hind_right_thigh_6;
-  const Scalar t_hind_right_shank_10 = t_hind_right_shank_9 - t_hind_right_thigh_7;
-  const Scalar t_hind_right_shank_11 = omega_hind_right_shank_z * t_hind_right_shank_6;
-  const Scalar t_hind_right_thigh_8 = t_hind_right_thigh_2 + t_hind_right_thigh_3;
-  const Scalar t_hind_right_shank_12 = c_q10_q11 * t_hind_right_shank_1 * front_left_shank_I3;
-  const Scalar t_hind_right_thigh_9 = t_hind_right_thigh_1 * t_hind_right_thigh_8;
-  const Scalar t_hind_right_shank_13 = qd[10] * t_hind_right_shank_10 - t_hind_right_shank_11;
-  B[9] = qd[9] * t_hind_right_shank_13 * 2.0 - (t_hind_right_shank_12 + t_hind_right_thigh_9);
-  const Scalar t_hind_right_shank_14 = t_hind_right_shank_1 * t_hind_right_shank_4;
-  const Scalar t_hind_right_shank_15 = neg_M_hind_right_shank_z - t_hind_right_shank_14;
-  B[10] = -(t_hind_right_shank_15 + t_hind_right_hip_1 * t_hind_right_shank_10);
+  const Scalar t_hind_right_thigh_3 = front_left_thigh_I1 * s_hind_right_hip;
+  const Scalar t_hind_right_thigh_4 = t_hind_right_thigh_3 + front_left_thigh_I2 * c_hind_right_hip;
+  // hind_right_shank: moment M of (3)
+  const Scalar t_hind_right_shank_8 = front_left_thigh_I6 - t_hind_right_shank_2;
+  const Scalar t_hind_right_shank_9 =
+      t_hind_right_shank_8 - c_hind_right_hip * t_hind_right_thigh_4;
+  const Scalar t_hind_right_shank_10 = omega_hind_right_shank_z * t_hind_right_shank_6;
+  const Scalar t_hind_right_thigh_5 = t_hind_right_thigh_2 + front_left_thigh_I4 * s_hind_right_hip;
+  const Scalar t_hind_right_shank_11 = c_q10_q11 * t_hind_right_shank_1 * front_left_shank_I3;
+  const Scalar t_hind_right_shank_12 = qd[10] * t_hind_right_shank_9 - t_hind_right_shank_10;
+  const Scalar t_hind_right_shank_13 =
+      t_hind_right_shank_11 + t_hind_right_thigh_1 * t_hind_right_thigh_5;
+  B[9] = qd[9] * t_hind_right_shank_12 * 2.0 - t_hind_right_shank_13;
+  const Scalar t_hind_right_shank_14 =
+      neg_M_hind_right_shank_z - t_hind_right_shank_1 * t_hind_right_shank_4;
+  B[10] = -(t_hind_right_shank_14 + t_hind_right_hip_1 * t_hind_right_shank_9);
   // hind_left_thigh: moment M of (3)
   const Scalar M_hind_left_thigh_y_1 = front_left_thigh_I3 * c_hind_left_hip;
-  const Scalar M_hind_left_thigh_y_2 = front_left_thigh_I4 * s_hind_left_hip;
   const Scalar t_hind_left_thigh_2 = front_left_thigh_I1 * s_hind_left_hip;
-  const Scalar t_hind_left_thigh_3 = front_left_thigh_I2 * c_hind_left_hip;
-  const Scalar t_hind_left_thigh_4 = t_hind_left_thigh_2 + t_hind_left_thigh_3;
-  const Scalar t_hind_left_thigh_5 = front_left_thigh_I6 - t_hind_left_shank_2;
-  const Scalar t_hind_left_thigh_6 = c_hind_left_hip * t_hind_left_thigh_4;
-  const Scalar t_hind_left_thigh_7 = t_hind_left_thigh_5 - t_hind_left_thigh_6;
-  const Scalar M_hind_left_thigh_y_3 = omega_hind_left_shank_z * t_hind_left_shank_5;
-  const Scalar M_hind_left_thigh_y_4 = M_hind_left_thigh_y_1 + M_hind_left_thigh_y_2;
-  const Scalar M_hind_left_thigh_y_5 = c_q7_q8 * t_hind_left_shank_1 * front_left_shank_I3;
-  const Scalar M_hind_left_thigh_y_6 = t_hind_left_thigh_1 * M_hind_left_thigh_y_4;
-  const Scalar M_hind_left_thigh_y_7 = qd[7] * t_hind_left_thigh_7 - M_hind_left_thigh_y_3;
-  const Scalar M_hind_left_thigh_y_8 = M_hind_left_thigh_y_5 + M_hind_left_thigh_y_6;
-  B[6] = M_hind_left_thigh_y_8 + qd[6] * M_hind_left_thigh_y_7 * 2.0;
-  const Scalar M_hind_left_thigh_z_1 = t_hind_left_shank_1 * t_hind_left_shank_6;
-  const Scalar M_hind_left_thigh_z_2 = M_hind_left_shank_z + M_hind_left_thigh_z_1;
-  B[7] = M_hind_left_thigh_z_2 - t_hind_left_hip_1 * t_hind_left_thigh_7;
-  // front_right_thigh: moment M of (3)
+  const Scalar t_hind_left_thigh_3 = t_hind_left_thigh_2 + front_left_thigh_I2 * c_hind_left_hip;
+  const Scalar t_hind_left_thigh_4 = front_left_thigh_I6 - t_hind_left_shank_2;
+  const Scalar t_hind_left_thigh_5 = t_hind_left_thigh_4 - c_hind_left_hip * t_hind_left_thigh_3;
+  const Scalar M_hind_left_thigh_y_2 = omega_hind_left_shank_z * t_hind_left_shank_5;
+  const Scalar M_hind_left_thigh_y_3 =
+      M_hind_left_thigh_y_1 + front_left_thigh_I4 * s_hind_left_hip;
+  const Scalar M_hind_left_thigh_y_4 = c_q7_q8 * t_hind_left_shank_1 * front_left_shank_I3;
+  const Scalar M_hind_left_thigh_y_5 = qd[7] * t_hind_left_thigh_5 - M_hind_left_thigh_y_2;
+  const Scalar M_hind_left_thigh_y_6 =
+      M_hind_left_thigh_y_4 + t_hind_left_thigh_1 * M_hind_left_thigh_y_3;
+  B[6] = M_hind_left_thigh_y_6 + qd[6] * M_hind_left_thigh_y_5 * 2.0;
+  const Scalar M_hind_left_thigh_z_1 =
+      M_hind_left_shank_z + t_hind_left_shank_1 * t_hind_left_shank_6;
+  B[7] = M_hind_left_thigh_z_1 - t_hind_left_hip_1 * t_hind_left_thigh_5;
   const Scalar t_fron_righ_thig_2 = front_left_thigh_I1 * s_front_right_hip;
-  const Scalar t_fron_righ_thig_3 = front_left_thigh_I2 * c_front_right_hip;
-  const Scalar t_fron_righ_thig_4 = t_fron_righ_thig_2 + t_fron_righ_thig_3;
-  const Scalar t_fron_righ_shan_9 = front_left_thigh_I6 - t_fron_righ_shan_2;
-  const Scalar t_fron_righ_thig_5 = c_front_right_hip * t_fron_righ_thig_4;
-  const Scalar t_fron_righ_shan_10 = t_fron_righ_shan_9 - t_fron_righ_thig_5;
-  const Scalar t_fron_righ_shan_11 = omega_fron_righ_shan_z * t_fron_righ_shan_6;
-  const Scalar t_fron_righ_thig_6 = front_left_thigh_I4 * s_front_right_hip;
-  const Scalar t_fron_righ_thig_7 = front_left_thigh_I3 * c_front_right_hip;
-  const Scalar t_fron_righ_shan_12 = qd[3] * (qd[4] * t_fron_righ_shan_10 - t_fron_righ_shan_11);
-  const Scalar t_fron_righ_shan_13 = c_q4_q5 * t_fron_righ_shan_1 * front_left_shank_I3;
-  const Scalar t_fron_righ_thig_8 = t_fron_righ_thig_6 + t_fron_righ_thig_7;
-  const Scalar t_fron_righ_shan_14 = t_fron_righ_shan_13 - 2.0 * t_fron_righ_shan_12;
-  B[3] = -(t_fron_righ_shan_14 + t_fron_righ_thig_1 * t_fron_righ_thig_8);
-  const Scalar t_fron_righ_shan_15 = t_front_right_hip_1 * t_fron_righ_shan_10;
-  const Scalar t_fron_righ_shan_16 = neg_M_fron_righ_shan_z + t_fron_righ_shan_15;
-  B[4] = t_fron_righ_shan_1 * t_fron_righ_shan_4 - t_fron_righ_shan_16;
+  const Scalar t_fron_righ_thig_3 = t_fron_righ_thig_2 + front_left_thigh_I2 * c_front_right_hip;
+  // front_right_shank: moment M of (3)
+  const Scalar t_fron_righ_shan_8 = front_left_thigh_I6 - t_fron_righ_shan_2;
+  const Scalar t_fron_righ_shan_9 = t_fron_righ_shan_8 - c_front_right_hip * t_fron_righ_thig_3;
+  const Scalar t_fron_righ_shan_10 = omega_fron_righ_shan_z * t_fron_righ_shan_6;
+  const Scalar t_fron_righ_thig_4 = front_left_thigh_I4 * s_front_right_hip;
+  const Scalar t_fron_righ_shan_11 = qd[3] * (qd[4] * t_fron_righ_shan_9 - t_fron_righ_shan_10);
+  const Scalar t_fron_righ_shan_12 = c_q4_q5 * t_fron_righ_shan_1 * front_left_shank_I3;
+  const Scalar t_fron_righ_thig_5 = t_fron_righ_thig_4 + front_left_thigh_I3 * c_front_right_hip;
+  const Scalar t_fron_righ_shan_13 = t_fron_righ_shan_12 - 2.0 * t_fron_righ_shan_11;
+  B[3] = -(t_fron_righ_shan_13 + t_fron_righ_thig_1 * t_fron_righ_thig_5);
+  const Scalar t_fron_righ_shan_14 =
+      neg_M_fron_righ_shan_z + t_front_right_hip_1 * t_fron_righ_shan_9;
+  B[4] = t_fron_righ_shan_1 * t_fron_righ_shan_4 - t_fron_righ_shan_14;
   // front_left_thigh: moment M of (3)
   const Scalar t_front_left_thigh_2 = front_left_thigh_I2 * c_front_left_hip;
-  const Scalar t_front_left_thigh_3 = front_left_thigh_I1 * s_front_left_hip;
-  const Scalar t_front_left_thigh_4 = t_front_left_thigh_2 + t_front_left_thigh_3;
-  const Scalar t_front_left_thigh_5 = front_left_thigh_I6 - t_front_left_shank_2;
-  const Scalar t_front_left_thigh_6 = c_front_left_hip * t_front_left_thigh_4;
-  const Scalar t_front_left_thigh_7 = t_front_left_thigh_5 - t_front_left_thigh_6;
+  const Scalar t_front_left_thigh_3 = t_front_left_thigh_2 + front_left_thigh_I1 * s_front_left_hip;
+  const Scalar t_front_left_thigh_4 = front_left_thigh_I6 - t_front_left_shank_2;
+  const Scalar t_front_left_thigh_5 =
+      t_front_left_thigh_4 - c_front_left_hip * t_front_left_thigh_3;
   const Scalar M_front_left_thigh_y_1 = omega_front_left_shank_z * t_front_left_shank_6;
   const Scalar M_front_left_thigh_y_2 = front_left_thigh_I3 * c_front_left_hip;
-  const Scalar M_front_left_thigh_y_3 = front_left_thigh_I4 * s_front_left_hip;
-  const Scalar M_front_left_thigh_y_4 = qd[1] * t_front_left_thigh_7 - M_front_left_thigh_y_1;
-  const Scalar M_front_left_thigh_y_5 = c_q1_q2 * t_front_left_shank_1 * front_left_shank_I3;
-  const Scalar M_front_left_thigh_y_6 = qd[0] * M_front_left_thigh_y_4 * 2.0;
-  const Scalar M_front_left_thigh_y_7 = M_front_left_thigh_y_2 + M_front_left_thigh_y_3;
-  const Scalar M_front_left_thigh_y_8 = M_front_left_thigh_y_5 + M_front_left_thigh_y_6;
-  B[0] = M_front_left_thigh_y_8 + t_front_left_thigh_1 * M_front_left_thigh_y_7;
-  const Scalar t_front_left_shank_9 = t_front_left_hip_1 * t_front_left_thigh_7;
-  const Scalar t_front_left_shank_10 = neg_M_front_left_shank_z + t_front_left_shank_9;
-  B[1] = t_front_left_shank_1 * t_front_left_shank_4 - t_front_left_shank_10;
+  const Scalar M_front_left_thigh_y_3 = qd[1] * t_front_left_thigh_5 - M_front_left_thigh_y_1;
+  const Scalar M_front_left_thigh_y_4 = c_q1_q2 * t_front_left_shank_1 * front_left_shank_I3;
+  const Scalar M_front_left_thigh_y_5 = qd[0] * M_front_left_thigh_y_3;
+  const Scalar M_front_left_thigh_y_6 =
+      M_front_left_thigh_y_2 + front_left_thigh_I4 * s_front_left_hip;
+  const Scalar M_front_left_thigh_y_7 = M_front_left_thigh_y_4 + 2.0 * M_front_left_thigh_y_5;
+  B[0] = M_front_left_thigh_y_7 + t_front_left_thigh_1 * M_front_left_thigh_y_6;
+  const Scalar t_front_left_shank_8 =
+      neg_M_front_left_shank_z + t_front_left_hip_1 * t_front_left_thigh_5;
+  B[1] = t_front_left_shank_1 * t_front_left_shank_4 - t_front_left_shank_8;
 }
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
@@ -838,20 +844,20 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_front_left_hip_1 = qd[0] * qd[0];
   const Scalar t_front_left_thigh_1 = qd[1] * qd[1];
   const Scalar t_front_left_shank_5 = c_front_left_hip * t_front_left_thigh_1;
-  const Scalar neg_a_front_left_hip_x = front_left_shank_p1 * c_front_left_abduction;
-  const Scalar M_front_left_shank_z_1 = t_front_left_shank_5 + neg_a_front_left_hip_x;
+  const Scalar M_front_left_shank_z_1 =
+      t_front_left_shank_5 + front_left_shank_p1 * c_front_left_abduction;
   const Scalar M_front_left_shank_z_2 = M_front_left_shank_z_1 + s_front_left_hip * qdd[1];
   const Scalar t_front_left_shank_6 = front_left_shank_I5 * c_q1_q2;
   const Scalar t_front_left_shank_7 = s_front_left_hip * t_front_left_thigh_1;
   const Scalar M_front_left_shank_z_3 = front_left_shank_I2 * alpha_front_left_shank_z;
-  const Scalar M_front_left_shank_z_4 = t_front_left_shank_4 * t_front_left_hip_1;
-  const Scalar M_front_left_shank_z_5 = M_front_left_shank_z_2 + front_left_thigh_k1 * qdd[0];
-  const Scalar M_front_left_shank_z_6 = M_front_left_shank_z_3 + M_front_left_shank_z_4;
-  const Scalar M_front_left_shank_z_7 = t_front_left_shank_1 * M_front_left_shank_z_5;
+  const Scalar M_front_left_shank_z_4 = M_front_left_shank_z_2 + front_left_thigh_k1 * qdd[0];
+  const Scalar M_front_left_shank_z_5 =
+      M_front_left_shank_z_3 + t_front_left_shank_4 * t_front_left_hip_1;
   const Scalar neg_a_front_left_shank_y = t_front_left_shank_7 - c_front_left_hip * qdd[1];
-  const Scalar M_front_left_shank_z_8 = M_front_left_shank_z_6 + M_front_left_shank_z_7;
-  const Scalar M_front_left_shank_z_9 = t_front_left_shank_6 * neg_a_front_left_shank_y;
-  const Scalar M_front_left_shank_z = M_front_left_shank_z_8 - M_front_left_shank_z_9;
+  const Scalar M_front_left_shank_z_6 =
+      M_front_left_shank_z_5 + t_front_left_shank_1 * M_front_left_shank_z_4;
+  const Scalar M_front_left_shank_z =
+      M_front_left_shank_z_6 - t_front_left_shank_6 * neg_a_front_left_shank_y;
   tau[2] = M_front_left_shank_z;
   const Scalar t_front_right_hip_1 = qd[3] * qd[3];
   const Scalar t_fron_righ_thig_1 = qd[4] * qd[4];
@@ -865,18 +871,17 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_fron_righ_shan_4 = neg_a_front_right_hip_x + s_front_right_hip * qdd[4];
   const Scalar t_fron_righ_thig_2 = t_front_right_hip_1 + t_fron_righ_thig_1;
   const Scalar t_fron_righ_shan_5 = t_fron_righ_shan_4 - front_left_thigh_k1 * qdd[3];
-  const Scalar t_fron_righ_shan_6 = c_front_right_hip * t_fron_righ_thig_2;
-  const Scalar t_fron_righ_shan_7 = front_left_shank_I5 * c_q4_q5;
-  const Scalar t_fron_righ_shan_8 = s_front_right_hip * t_fron_righ_thig_1;
-  const Scalar neg_a_fron_righ_shan_x = t_fron_righ_shan_5 + t_fron_righ_shan_6;
+  const Scalar t_fron_righ_shan_6 = front_left_shank_I5 * c_q4_q5;
+  const Scalar t_fron_righ_shan_7 = s_front_right_hip * t_fron_righ_thig_1;
+  const Scalar neg_a_fron_righ_shan_x = t_fron_righ_shan_5 + c_front_right_hip * t_fron_righ_thig_2;
   const Scalar M_fron_righ_shan_z_1 = t_fron_righ_shan_3 * neg_a_fron_righ_shan_x;
-  const Scalar M_fron_righ_shan_z_2 = t_front_right_hip_1 * t_fron_righ_shan_2;
-  const Scalar M_fron_righ_shan_z_3 = M_fron_righ_shan_z_2 + M_fron_righ_shan_z_1;
-  const Scalar M_fron_righ_shan_z_4 = front_left_shank_I2 * alpha_fron_righ_shan_z;
-  const Scalar neg_a_fron_righ_shan_y = t_fron_righ_shan_8 - c_front_right_hip * qdd[4];
-  const Scalar M_fron_righ_shan_z_5 = M_fron_righ_shan_z_3 + M_fron_righ_shan_z_4;
-  const Scalar M_fron_righ_shan_z_6 = t_fron_righ_shan_7 * neg_a_fron_righ_shan_y;
-  const Scalar M_fron_righ_shan_z = M_fron_righ_shan_z_5 - M_fron_righ_shan_z_6;
+  const Scalar M_fron_righ_shan_z_2 =
+      t_front_right_hip_1 * t_fron_righ_shan_2 + M_fron_righ_shan_z_1;
+  const Scalar neg_a_fron_righ_shan_y = t_fron_righ_shan_7 - c_front_right_hip * qdd[4];
+  const Scalar M_fron_righ_shan_z_3 =
+      M_fron_righ_shan_z_2 + front_left_shank_I2 * alpha_fron_righ_shan_z;
+  const Scalar M_fron_righ_shan_z =
+      M_fron_righ_shan_z_3 - t_fron_righ_shan_6 * neg_a_fron_righ_shan_y;
   tau[5] = M_fron_righ_shan_z;
   // hind_left_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_hind_left_shank_z = qd[7] + qd[8];
@@ -894,14 +899,14 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar M_hind_left_shank_z_1 = neg_a_hind_left_hip_x + s_hind_left_hip * qdd[7];
   const Scalar M_hind_left_shank_z_2 = front_left_shank_I2 * alpha_hind_left_shank_z;
   const Scalar M_hind_left_shank_z_3 = M_hind_left_shank_z_2 + qdd[7] * t_hind_left_shank_2;
-  const Scalar M_hind_left_shank_z_4 = t_hind_left_shank_6 * t_hind_left_hip_1;
-  const Scalar M_hind_left_shank_z_5 = t_hind_left_shank_4 - t_hind_left_shank_7;
-  const Scalar M_hind_left_shank_z_6 = M_hind_left_shank_z_3 + M_hind_left_shank_z_4;
-  const Scalar M_hind_left_shank_z_7 = M_hind_left_shank_z_5 * t_hind_left_thigh_1;
-  const Scalar M_hind_left_shank_z_8 = M_hind_left_shank_z_1 + front_left_thigh_k1 * qdd[6];
-  const Scalar M_hind_left_shank_z_9 = M_hind_left_shank_z_6 + M_hind_left_shank_z_7;
-  const Scalar M_hind_left_shank_z_10 = t_hind_left_shank_3 * M_hind_left_shank_z_8;
-  const Scalar M_hind_left_shank_z = M_hind_left_shank_z_9 + M_hind_left_shank_z_10;
+  const Scalar M_hind_left_shank_z_4 = t_hind_left_shank_4 - t_hind_left_shank_7;
+  const Scalar M_hind_left_shank_z_5 =
+      M_hind_left_shank_z_3 + t_hind_left_shank_6 * t_hind_left_hip_1;
+  const Scalar M_hind_left_shank_z_6 = M_hind_left_shank_z_1 + front_left_thigh_k1 * qdd[6];
+  const Scalar M_hind_left_shank_z_7 =
+      M_hind_left_shank_z_5 + M_hind_left_shank_z_4 * t_hind_left_thigh_1;
+  const Scalar M_hind_left_shank_z =
+      M_hind_left_shank_z_7 + t_hind_left_shank_3 * M_hind_left_shank_z_6;
   tau[8] = M_hind_left_shank_z;
   // hind_right_shank: angular velocity omega, angular acceleration alpha, moment M of (1)
   const Scalar omega_hind_right_shank_z = qd[10] + qd[11];
@@ -918,212 +923,192 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_hind_right_shank_7 = s_hind_right_hip * t_hind_right_shank_2;
   const Scalar t_hind_right_thigh_1 = qd[10] * qd[10];
   const Scalar M_hind_right_shank_z_2 = front_left_shank_I2 * alpha_hind_right_shank_z;
-  const Scalar M_hind_right_shank_z_3 = qdd[10] * t_hind_right_shank_3;
-  const Scalar M_hind_right_shank_z_4 = M_hind_right_shank_z_1 - front_left_thigh_k1 * qdd[9];
-  const Scalar M_hind_right_shank_z_5 = M_hind_right_shank_z_2 + M_hind_right_shank_z_3;
-  const Scalar M_hind_right_shank_z_6 = t_hind_right_shank_4 * M_hind_right_shank_z_4;
-  const Scalar M_hind_right_shank_z_7 = M_hind_right_shank_z_5 + M_hind_right_shank_z_6;
-  const Scalar M_hind_right_shank_z_8 = t_hind_right_shank_6 * t_hind_right_hip_1;
-  const Scalar M_hind_right_shank_z_9 = t_hind_right_shank_5 - t_hind_right_shank_7;
-  const Scalar M_hind_right_shank_z_10 = M_hind_right_shank_z_7 + M_hind_right_shank_z_8;
-  const Scalar M_hind_right_shank_z_11 = M_hind_right_shank_z_9 * t_hind_right_thigh_1;
-  const Scalar M_hind_right_shank_z = M_hind_right_shank_z_10 + M_hind_right_shank_z_11;
+  const Scalar M_hind_right_shank_z_3 = M_hind_right_shank_z_1 - front_left_thigh_k1 * qdd[9];
+  const Scalar M_hind_right_shank_z_4 = M_hind_right_shank_z_2 + qdd[10] * t_hind_right_shank_3;
+  const Scalar M_hind_right_shank_z_5 =
+      M_hind_right_shank_z_4 + t_hind_right_shank_4 * M_hind_right_shank_z_3;
+  const Scalar M_hind_right_shank_z_6 = t_hind_right_shank_5 - t_hind_right_shank_7;
+  const Scalar M_hind_right_shank_z_7 =
+      M_hind_right_shank_z_5 + t_hind_right_shank_6 * t_hind_right_hip_1;
+  const Scalar M_hind_right_shank_z =
+      M_hind_right_shank_z_7 + M_hind_right_shank_z_6 * t_hind_right_thigh_1;
   tau[11] = M_hind_right_shank_z;
   const Scalar t_hind_right_shank_8 = omega_hind_right_shank_z * omega_hind_right_shank_z;
-  // hind_right_thigh: moment M of (1)
   const Scalar t_hind_right_thigh_2 = front_left_thigh_I3 * s_hind_right_hip;
-  const Scalar t_hind_right_thigh_3 = front_left_thigh_I4 * c_hind_right_hip;
-  const Scalar t_hind_right_thigh_4 = t_hind_right_thigh_2 - t_hind_right_thigh_3;
+  const Scalar t_hind_right_thigh_3 = t_hind_right_thigh_2 - front_left_thigh_I4 * c_hind_right_hip;
   const Scalar t_hind_right_shank_9 = alpha_hind_right_shank_z * t_hind_right_shank_4;
-  const Scalar t_hind_right_thigh_5 = t_hind_right_shank_2 * t_hind_right_shank_8;
-  const Scalar t_hind_right_thigh_6 = t_hind_right_thigh_5 + t_hind_right_shank_9;
-  const Scalar M_hind_right_thigh_z_1 = front_left_thigh_G1 * c_hind_right_abduction;
-  const Scalar t_hind_right_thigh_7 = front_left_thigh_I1 * s_hind_right_hip;
-  const Scalar t_hind_right_thigh_8 = front_left_thigh_I2 * c_hind_right_hip;
-  const Scalar t_hind_right_thigh_9 = t_hind_right_thigh_7 + t_hind_right_thigh_8;
-  const Scalar t_hind_right_thigh_10 = front_left_thigh_I6 - t_hind_right_shank_7;
-  const Scalar t_hind_right_thigh_11 = c_hind_right_hip * t_hind_right_thigh_9;
-  const Scalar t_hind_right_thigh_12 = t_hind_right_thigh_10 - t_hind_right_thigh_11;
-  const Scalar M_hind_right_thigh_z_2 = M_hind_right_shank_z + front_left_thigh_I7 * qdd[10];
-  const Scalar M_hind_right_thigh_z_3 = t_hind_right_shank_5 * t_hind_right_shank_8;
-  const Scalar M_hind_right_thigh_z_4 = M_hind_right_thigh_z_2 - M_hind_right_thigh_z_3;
-  const Scalar M_hind_right_thigh_z_5 = alpha_hind_right_shank_z * t_hind_right_shank_3;
-  const Scalar M_hind_right_thigh_z_6 = M_hind_right_thigh_z_4 + M_hind_right_thigh_z_5;
-  const Scalar M_hind_right_thigh_z_7 = qdd[9] * t_hind_right_thigh_4;
-  const Scalar M_hind_right_thigh_z_8 = t_hind_right_thigh_6 + M_hind_right_thigh_z_1;
-  const Scalar M_hind_right_thigh_z_9 = M_hind_right_thigh_z_6 - M_hind_right_thigh_z_7;
-  const Scalar M_hind_right_thigh_z_10 = s_hind_right_hip * M_hind_right_thigh_z_8;
-  const Scalar M_hind_right_thigh_z_11 = M_hind_right_thigh_z_9 + M_hind_right_thigh_z_10;
-  tau[10] = M_hind_right_thigh_z_11 - t_hind_right_hip_1 * t_hind_right_thigh_12;
-  const Scalar t_hind_right_thigh_13 = front_left_thigh_I3 * c_hind_right_hip;
-  const Scalar t_hind_right_thigh_14 = front_left_thigh_I4 * s_hind_right_hip;
-  const Scalar t_hind_right_thigh_15 = front_left_hip_I2 + 2.0 * t_hind_right_shank_3;
-  const Scalar t_hind_right_thigh_16 = t_hind_right_thigh_15 - s_q10_q11 * t_hind_right_shank_1;
-  const Scalar t_hind_right_thigh_17 = s_hind_right_hip * t_hind_right_thigh_9;
-  const Scalar t_hind_right_thigh_18 = omega_hind_right_shank_z * t_hind_right_shank_6;
-  const Scalar t_hind_right_thigh_19 = front_left_thigh_G1 * c_hind_right_hip;
-  const Scalar t_hind_right_thigh_20 = t_hind_right_thigh_13 + t_hind_right_thigh_14;
-  const Scalar t_hind_right_thigh_21 = t_hind_right_thigh_1 * t_hind_right_thigh_20;
-  const Scalar t_hind_right_hip_2 = front_left_hip_G1 * c_hind_right_abduction;
-  const Scalar t_hind_right_thigh_22 = qdd[9] * (t_hind_right_thigh_16 - t_hind_right_thigh_17);
-  const Scalar t_hind_right_thigh_23 = t_hind_right_hip_2 + t_hind_right_thigh_21;
-  const Scalar t_hind_right_thigh_24 = t_hind_right_thigh_23 - t_hind_right_thigh_22;
-  const Scalar t_hind_right_thigh_25 = front_left_thigh_k1 * t_hind_right_thigh_6;
-  const Scalar t_hind_right_thigh_26 = qd[10] * t_hind_right_thigh_12 - t_hind_right_thigh_18;
-  const Scalar t_hind_right_thigh_27 = t_hind_right_thigh_24 + t_hind_right_thigh_25;
-  const Scalar t_hind_right_thigh_28 = qd[9] * t_hind_right_thigh_26 * 2.0;
-  const Scalar t_hind_right_thigh_29 = t_hind_right_thigh_19 + front_left_shank_G1 * c_q10_q11;
-  const Scalar t_hind_right_thigh_30 = t_hind_right_thigh_27 - t_hind_right_thigh_28;
-  const Scalar t_hind_right_thigh_31 = s_hind_right_abduction * t_hind_right_thigh_29;
-  tau[9] = -(t_hind_right_thigh_30 - t_hind_right_thigh_31 + qdd[10] * t_hind_right_thigh_4);
+  // hind_right_thigh: moment M of (1)
+  const Scalar t_hind_right_thigh_4 =
+      t_hind_right_shank_2 * t_hind_right_shank_8 + t_hind_right_shank_9;
+  const Scalar t_hind_right_thigh_5 = front_left_thigh_I1 * s_hind_right_hip;
+  const Scalar t_hind_right_thigh_6 = t_hind_right_thigh_5 + front_left_thigh_I2 * c_hind_right_hip;
+  const Scalar t_hind_right_thigh_7 = front_left_thigh_I6 - t_hind_right_shank_7;
+  const Scalar t_hind_right_thigh_8 =
+      t_hind_right_thigh_7 - c_hind_right_hip * t_hind_right_thigh_6;
+  const Scalar M_hind_right_thigh_z_1 = M_hind_right_shank_z + front_left_thigh_I7 * qdd[10];
+  const Scalar M_hind_right_thigh_z_2 =
+      M_hind_right_thigh_z_1 - t_hind_right_shank_5 * t_hind_right_shank_8;
+  const Scalar M_hind_right_thigh_z_3 =
+      M_hind_right_thigh_z_2 + alpha_hind_right_shank_z * t_hind_right_shank_3;
+  const Scalar M_hind_right_thigh_z_4 =
+      t_hind_right_thigh_4 + front_left_thigh_G1 * c_hind_right_abduction;
+  const Scalar M_hind_right_thigh_z_5 = M_hind_right_thigh_z_3 - qdd[9] * t_hind_right_thigh_3;
+  const Scalar M_hind_right_thigh_z_6 =
+      M_hind_right_thigh_z_5 + s_hind_right_hip * M_hind_right_thigh_z_4;
+  tau[10] = M_hind_right_thigh_z_6 - t_hind_right_hip_1 * t_hind_right_thigh_8;
+  const Scalar t_hind_right_thigh_9 = front_left_thigh_I3 * c_hind_right_hip;
+  const Scalar t_hind_right_thigh_10 = front_left_hip_I2 + 2.0 * t_hind_right_shank_3;
+  const Scalar t_hind_right_thigh_11 = t_hind_right_thigh_10 - s_q10_q11 * t_hind_right_shank_1;
+  const Scalar t_hind_right_thigh_12 = omega_hind_right_shank_z * t_hind_right_shank_6;
+  const Scalar t_hind_right_thigh_13 = front_left_thigh_G1 * c_hind_right_hip;
+  const Scalar t_hind_right_thigh_14 =
+      t_hind_right_thigh_9 + front_left_thigh_I4 * s_hind_right_hip;
+  const Scalar t_hind_right_thigh_15 = t_hind_right_thigh_1 * t_hind_right_thigh_14;
+  const Scalar t_hind_right_thigh_16 =
+      t_hind_right_thigh_11 - s_hind_right_hip * t_hind_right_thigh_6;
+  const Scalar t_hind_right_thigh_17 =
+      front_left_hip_G1 * c_hind_right_abduction + t_hind_right_thigh_15;
+  const Scalar t_hind_right_thigh_18 = t_hind_right_thigh_17 - qdd[9] * t_hind_right_thigh_16;
+  const Scalar t_hind_right_thigh_19 = qd[10] * t_hind_right_thigh_8 - t_hind_right_thigh_12;
+  const Scalar t_hind_right_thigh_20 =
+      t_hind_right_thigh_18 + front_left_thigh_k1 * t_hind_right_thigh_4;
+  const Scalar t_hind_right_thigh_21 = qd[9] * t_hind_right_thigh_19;
+  const Scalar t_hind_right_thigh_22 = t_hind_right_thigh_13 + front_left_shank_G1 * c_q10_q11;
+  const Scalar t_hind_right_thigh_23 = t_hind_right_thigh_20 - 2.0 * t_hind_right_thigh_21;
+  const Scalar t_hind_right_thigh_24 =
+      t_hind_right_thigh_23 - s_hind_right_abduction * t_hind_right_thigh_22;
+  tau[9] = -(t_hind_right_thigh_24 + qdd[10] * t_hind_right_thigh_3);
   const Scalar t_hind_left_shank_8 = omega_hind_left_shank_z * omega_hind_left_shank_z;
   // hind_left_thigh: moment M of (1)
   const Scalar t_hind_left_thigh_2 = front_left_thigh_I1 * s_hind_left_hip;
-  const Scalar t_hind_left_thigh_3 = front_left_thigh_I2 * c_hind_left_hip;
-  const Scalar t_hind_left_thigh_4 = t_hind_left_thigh_2 + t_hind_left_thigh_3;
-  const Scalar t_hind_left_thigh_5 = front_left_thigh_I6 - t_hind_left_shank_7;
-  const Scalar t_hind_left_thigh_6 = c_hind_left_hip * t_hind_left_thigh_4;
-  const Scalar t_hind_left_thigh_7 = t_hind_left_thigh_5 - t_hind_left_thigh_6;
+  const Scalar t_hind_left_thigh_3 = t_hind_left_thigh_2 + front_left_thigh_I2 * c_hind_left_hip;
+  const Scalar t_hind_left_thigh_4 = front_left_thigh_I6 - t_hind_left_shank_7;
+  const Scalar t_hind_left_thigh_5 = t_hind_left_thigh_4 - c_hind_left_hip * t_hind_left_thigh_3;
   const Scalar t_hind_left_shank_9 = alpha_hind_left_shank_z * t_hind_left_shank_3;
-  const Scalar t_hind_left_thigh_8 = t_hind_left_shank_1 * t_hind_left_shank_8;
-  const Scalar t_hind_left_thigh_9 = t_hind_left_thigh_8 + t_hind_left_shank_9;
-  const Scalar M_hind_left_thigh_z_1 = front_left_thigh_G1 * c_hind_left_abduction;
-  const Scalar t_hind_left_thigh_10 = front_left_thigh_I3 * s_hind_left_hip;
-  const Scalar t_hind_left_thigh_11 = front_left_thigh_I4 * c_hind_left_hip;
-  const Scalar t_hind_left_thigh_12 = t_hind_left_thigh_10 - t_hind_left_thigh_11;
-  const Scalar M_hind_left_thigh_z_2 = M_hind_left_shank_z + front_left_thigh_I7 * qdd[7];
-  const Scalar M_hind_left_thigh_z_3 = t_hind_left_shank_4 * t_hind_left_shank_8;
-  const Scalar M_hind_left_thigh_z_4 = M_hind_left_thigh_z_2 - M_hind_left_thigh_z_3;
-  const Scalar M_hind_left_thigh_z_5 = alpha_hind_left_shank_z * t_hind_left_shank_2;
-  const Scalar M_hind_left_thigh_z_6 = M_hind_left_thigh_z_4 + M_hind_left_thigh_z_5;
-  const Scalar M_hind_left_thigh_z_7 = t_hind_left_hip_1 * t_hind_left_thigh_7;
-  const Scalar M_hind_left_thigh_z_8 = t_hind_left_thigh_9 + M_hind_left_thigh_z_1;
-  const Scalar M_hind_left_thigh_z_9 = M_hind_left_thigh_z_6 - M_hind_left_thigh_z_7;
-  const Scalar M_hind_left_thigh_z_10 = s_hind_left_hip * M_hind_left_thigh_z_8;
-  tau[7] = M_hind_left_thigh_z_9 + M_hind_left_thigh_z_10 + qdd[6] * t_hind_left_thigh_12;
+  const Scalar t_hind_left_thigh_6 =
+      t_hind_left_shank_1 * t_hind_left_shank_8 + t_hind_left_shank_9;
+  const Scalar t_hind_left_thigh_7 = front_left_thigh_I3 * s_hind_left_hip;
+  const Scalar t_hind_left_thigh_8 = t_hind_left_thigh_7 - front_left_thigh_I4 * c_hind_left_hip;
+  const Scalar M_hind_left_thigh_z_1 = M_hind_left_shank_z + front_left_thigh_I7 * qdd[7];
+  const Scalar M_hind_left_thigh_z_2 =
+      M_hind_left_thigh_z_1 - t_hind_left_shank_4 * t_hind_left_shank_8;
+  const Scalar M_hind_left_thigh_z_3 =
+      M_hind_left_thigh_z_2 + alpha_hind_left_shank_z * t_hind_left_shank_2;
+  const Scalar M_hind_left_thigh_z_4 =
+      t_hind_left_thigh_6 + front_left_thigh_G1 * c_hind_left_abduction;
+  const Scalar M_hind_left_thigh_z_5 =
+      M_hind_left_thigh_z_3 - t_hind_left_hip_1 * t_hind_left_thigh_5;
+  const Scalar M_hind_left_thigh_z_6 =
+      M_hind_left_thigh_z_5 + s_hind_left_hip * M_hind_left_thigh_z_4;
+  tau[7] = M_hind_left_thigh_z_6 + qdd[6] * t_hind_left_thigh_8;
   // hind_left_hip: moment M of (1)
   const Scalar M_hind_left_hip_z_1 = omega_hind_left_shank_z * t_hind_left_shank_6;
   const Scalar M_hind_left_hip_z_2 = front_left_thigh_G1 * c_hind_left_hip;
   const Scalar M_hind_left_hip_z_3 = front_left_hip_I2 + 2.0 * t_hind_left_shank_2;
   const Scalar M_hind_left_hip_z_4 = M_hind_left_hip_z_3 - s_q7_q8 * t_hind_left_shank_5;
-  // hind_left_thigh
-  const Scalar M_hind_left_hip_z_5 = s_hind_left_hip * t_hind_left_thigh_4;
-  const Scalar M_hind_left_hip_z_6 = front_left_thigh_I4 * s_hind_left_hip;
-  const Scalar M_hind_left_hip_z_7 = front_left_thigh_I3 * c_hind_left_hip;
-  // hind_left_hip: moment M of (1)
-  const Scalar M_hind_left_hip_z_8 = qd[7] * t_hind_left_thigh_7 - M_hind_left_hip_z_1;
-  const Scalar M_hind_left_hip_z_9 = front_left_hip_G1 * c_hind_left_abduction;
-  const Scalar M_hind_left_hip_z_10 = front_left_shank_G1 * c_q7_q8 + M_hind_left_hip_z_2;
-  const Scalar M_hind_left_hip_z_11 = M_hind_left_hip_z_9 + qd[6] * M_hind_left_hip_z_8 * 2.0;
-  const Scalar M_hind_left_hip_z_12 = s_hind_left_abduction * M_hind_left_hip_z_10;
-  const Scalar M_hind_left_hip_z_13 = M_hind_left_hip_z_11 + M_hind_left_hip_z_12;
-  const Scalar M_hind_left_hip_z_14 = front_left_thigh_k1 * t_hind_left_thigh_9;
-  const Scalar M_hind_left_hip_z_15 = M_hind_left_hip_z_13 + M_hind_left_hip_z_14;
-  const Scalar M_hind_left_hip_z_16 = qdd[6] * (M_hind_left_hip_z_4 - M_hind_left_hip_z_5);
-  const Scalar M_hind_left_hip_z_17 = M_hind_left_hip_z_15 + qdd[7] * t_hind_left_thigh_12;
-  const Scalar M_hind_left_hip_z_18 = M_hind_left_hip_z_6 + M_hind_left_hip_z_7;
-  const Scalar M_hind_left_hip_z_19 = M_hind_left_hip_z_17 + M_hind_left_hip_z_16;
-  tau[6] = M_hind_left_hip_z_19 + t_hind_left_thigh_1 * M_hind_left_hip_z_18;
-  // front_right_thigh: moment M of (1)
+  const Scalar M_hind_left_hip_z_5 = front_left_thigh_I4 * s_hind_left_hip;
+  const Scalar M_hind_left_hip_z_6 = qd[7] * t_hind_left_thigh_5 - M_hind_left_hip_z_1;
+  const Scalar M_hind_left_hip_z_7 = front_left_hip_G1 * c_hind_left_abduction;
+  const Scalar M_hind_left_hip_z_8 = front_left_shank_G1 * c_q7_q8 + M_hind_left_hip_z_2;
+  const Scalar M_hind_left_hip_z_9 = M_hind_left_hip_z_7 + qd[6] * M_hind_left_hip_z_6 * 2.0;
+  const Scalar M_hind_left_hip_z_10 =
+      M_hind_left_hip_z_9 + s_hind_left_abduction * M_hind_left_hip_z_8;
+  const Scalar M_hind_left_hip_z_11 =
+      M_hind_left_hip_z_10 + front_left_thigh_k1 * t_hind_left_thigh_6;
+  const Scalar M_hind_left_hip_z_12 = M_hind_left_hip_z_4 - s_hind_left_hip * t_hind_left_thigh_3;
+  const Scalar M_hind_left_hip_z_13 = M_hind_left_hip_z_11 + qdd[7] * t_hind_left_thigh_8;
+  const Scalar M_hind_left_hip_z_14 = M_hind_left_hip_z_5 + front_left_thigh_I3 * c_hind_left_hip;
+  const Scalar M_hind_left_hip_z_15 = M_hind_left_hip_z_13 + qdd[6] * M_hind_left_hip_z_12;
+  tau[6] = M_hind_left_hip_z_15 + t_hind_left_thigh_1 * M_hind_left_hip_z_14;
   const Scalar t_fron_righ_thig_3 = front_left_thigh_I4 * c_front_right_hip;
-  const Scalar t_fron_righ_thig_4 = front_left_thigh_I3 * s_front_right_hip;
-  const Scalar t_fron_righ_thig_5 = t_fron_righ_thig_3 - t_fron_righ_thig_4;
-  const Scalar t_fron_righ_shan_9 = omega_fron_righ_shan_z * omega_fron_righ_shan_z;
-  const Scalar t_fron_righ_shan_10 = alpha_fron_righ_shan_z * t_fron_righ_shan_3;
-  const Scalar t_fron_righ_thig_6 = t_fron_righ_shan_7 * t_fron_righ_shan_9;
-  const Scalar t_fron_righ_thig_7 = t_fron_righ_thig_6 + t_fron_righ_shan_10;
-  const Scalar M_fron_righ_thig_z_1 = front_left_thigh_G1 * c_front_right_abduction;
-  const Scalar t_fron_righ_shan_11 = alpha_fron_righ_shan_z * t_fron_righ_shan_7;
-  const Scalar t_fron_righ_shan_12 = t_fron_righ_shan_3 * t_fron_righ_shan_9;
-  const Scalar t_fron_righ_thig_8 = front_left_thigh_I1 * s_front_right_hip;
-  const Scalar t_fron_righ_thig_9 = front_left_thigh_I2 * c_front_right_hip;
-  const Scalar t_fron_righ_thig_10 = t_fron_righ_thig_8 + t_fron_righ_thig_9;
-  const Scalar t_fron_righ_thig_11 = s_front_right_hip * t_fron_righ_shan_7;
-  const Scalar t_fron_righ_thig_12 = front_left_thigh_I6 - t_fron_righ_thig_11;
-  const Scalar t_fron_righ_thig_13 = c_front_right_hip * t_fron_righ_thig_10;
-  const Scalar t_fron_righ_thig_14 = t_fron_righ_thig_12 - t_fron_righ_thig_13;
-  const Scalar M_fron_righ_thig_z_2 = M_fron_righ_shan_z + front_left_thigh_I7 * qdd[4];
-  const Scalar M_fron_righ_thig_z_3 = t_fron_righ_thig_7 + M_fron_righ_thig_z_1;
-  const Scalar M_fron_righ_thig_z_4 = M_fron_righ_thig_z_2 + qdd[3] * t_fron_righ_thig_5;
-  const Scalar M_fron_righ_thig_z_5 = s_front_right_hip * M_fron_righ_thig_z_3;
-  const Scalar neg_F_fron_righ_shan_y = t_fron_righ_shan_12 - t_fron_righ_shan_11;
-  const Scalar M_fron_righ_thig_z_6 = M_fron_righ_thig_z_4 + M_fron_righ_thig_z_5;
-  const Scalar M_fron_righ_thig_z_7 = c_front_right_hip * neg_F_fron_righ_shan_y;
-  const Scalar M_fron_righ_thig_z_8 = M_fron_righ_thig_z_6 - M_fron_righ_thig_z_7;
-  tau[4] = M_fron_righ_thig_z_8 - t_front_right_hip_1 * t_fron_righ_thig_14;
-  const Scalar t_fron_righ_thig_15 = omega_fron_righ_shan_z * t_fron_righ_shan_2;
+  const Scalar t_fron_righ_thig_4 = t_fron_righ_thig_3 - front_left_thigh_I3 * s_front_right_hip;
+  const Scalar t_fron_righ_shan_8 = omega_fron_righ_shan_z * omega_fron_righ_shan_z;
+  const Scalar t_fron_righ_shan_9 = alpha_fron_righ_shan_z * t_fron_righ_shan_3;
+  const Scalar t_fron_righ_thig_5 = t_fron_righ_shan_6 * t_fron_righ_shan_8 + t_fron_righ_shan_9;
+  const Scalar t_fron_righ_shan_10 = alpha_fron_righ_shan_z * t_fron_righ_shan_6;
+  // front_right_thigh: moment M of (1)
+  const Scalar t_fron_righ_thig_6 = front_left_thigh_I1 * s_front_right_hip;
+  const Scalar t_fron_righ_thig_7 = t_fron_righ_thig_6 + front_left_thigh_I2 * c_front_right_hip;
+  const Scalar t_fron_righ_thig_8 = front_left_thigh_I6 - s_front_right_hip * t_fron_righ_shan_6;
+  const Scalar t_fron_righ_thig_9 = t_fron_righ_thig_8 - c_front_right_hip * t_fron_righ_thig_7;
+  const Scalar M_fron_righ_thig_z_1 = M_fron_righ_shan_z + front_left_thigh_I7 * qdd[4];
+  const Scalar M_fron_righ_thig_z_2 =
+      t_fron_righ_thig_5 + front_left_thigh_G1 * c_front_right_abduction;
+  const Scalar M_fron_righ_thig_z_3 = M_fron_righ_thig_z_1 + qdd[3] * t_fron_righ_thig_4;
+  const Scalar neg_F_fron_righ_shan_y =
+      t_fron_righ_shan_3 * t_fron_righ_shan_8 - t_fron_righ_shan_10;
+  const Scalar M_fron_righ_thig_z_4 =
+      M_fron_righ_thig_z_3 + s_front_right_hip * M_fron_righ_thig_z_2;
+  const Scalar M_fron_righ_thig_z_5 =
+      M_fron_righ_thig_z_4 - c_front_right_hip * neg_F_fron_righ_shan_y;
+  tau[4] = M_fron_righ_thig_z_5 - t_front_right_hip_1 * t_fron_righ_thig_9;
+  const Scalar t_fron_righ_thig_10 = omega_fron_righ_shan_z * t_fron_righ_shan_2;
   const Scalar alpha_fron_righ_shan_x = qd[3] * omega_fron_righ_shan_z;
-  const Scalar t_fron_righ_thig_16 = front_left_thigh_G1 * s_front_right_abduction;
-  const Scalar t_fron_righ_thig_17 = front_left_thigh_I3 * t_fron_righ_thig_1;
-  const Scalar t_fron_righ_thig_18 = qdd[3] * c_q4_q5 - s_q4_q5 * alpha_fron_righ_shan_x;
-  const Scalar t_fron_righ_thig_19 = t_fron_righ_thig_16 - t_fron_righ_thig_17;
-  const Scalar t_fron_righ_thig_20 = front_left_shank_I4 * t_fron_righ_thig_18;
-  const Scalar t_fron_righ_thig_21 = front_left_hip_I2 - s_q4_q5 * t_fron_righ_shan_1;
-  const Scalar t_fron_righ_thig_22 = s_front_right_hip * t_fron_righ_thig_10;
+  const Scalar t_fron_righ_thig_11 = front_left_thigh_G1 * s_front_right_abduction;
+  const Scalar t_fron_righ_thig_12 = qdd[3] * c_q4_q5 - s_q4_q5 * alpha_fron_righ_shan_x;
+  const Scalar t_fron_righ_thig_13 = t_fron_righ_thig_11 - front_left_thigh_I3 * t_fron_righ_thig_1;
+  const Scalar t_fron_righ_thig_14 = front_left_hip_I2 - s_q4_q5 * t_fron_righ_shan_1;
   const Scalar t_front_right_hip_2 = front_left_hip_G1 * c_front_right_abduction;
-  const Scalar t_fron_righ_thig_23 = front_left_thigh_I4 * t_fron_righ_shan_8;
-  const Scalar t_fron_righ_thig_24 = s_front_right_abduction * c_q4_q5 * front_left_shank_G1;
-  const Scalar t_fron_righ_thig_25 = t_front_right_hip_2 + t_fron_righ_thig_23;
-  const Scalar t_fron_righ_thig_26 = t_fron_righ_thig_25 - t_fron_righ_thig_24;
-  const Scalar t_fron_righ_thig_27 = qd[3] * (qd[4] * t_fron_righ_thig_14 - t_fron_righ_thig_15);
-  const Scalar t_fron_righ_thig_28 = t_fron_righ_thig_26 - qdd[4] * t_fron_righ_thig_5;
-  const Scalar t_fron_righ_thig_29 = t_fron_righ_thig_28 - 2.0 * t_fron_righ_thig_27;
-  const Scalar t_fron_righ_thig_30 = front_left_thigh_k1 * t_fron_righ_thig_7;
-  const Scalar t_fron_righ_thig_31 = t_fron_righ_thig_19 + t_fron_righ_thig_20;
-  const Scalar t_fron_righ_thig_32 = t_fron_righ_thig_29 + t_fron_righ_thig_30;
-  const Scalar t_fron_righ_thig_33 = c_front_right_hip * t_fron_righ_thig_31;
-  const Scalar t_fron_righ_thig_34 = qdd[3] * (t_fron_righ_thig_21 - t_fron_righ_thig_22);
-  tau[3] = t_fron_righ_thig_34 - (t_fron_righ_thig_32 - t_fron_righ_thig_33);
+  const Scalar t_fron_righ_thig_15 = t_front_right_hip_2 + front_left_thigh_I4 * t_fron_righ_shan_7;
+  const Scalar t_fron_righ_thig_16 = s_front_right_abduction * c_q4_q5;
+  const Scalar t_fron_righ_thig_17 =
+      t_fron_righ_thig_15 - front_left_shank_G1 * t_fron_righ_thig_16;
+  const Scalar t_fron_righ_thig_18 = qd[3] * (qd[4] * t_fron_righ_thig_9 - t_fron_righ_thig_10);
+  const Scalar t_fron_righ_thig_19 = t_fron_righ_thig_17 - qdd[4] * t_fron_righ_thig_4;
+  const Scalar t_fron_righ_thig_20 = t_fron_righ_thig_19 - 2.0 * t_fron_righ_thig_18;
+  const Scalar t_fron_righ_thig_21 =
+      t_fron_righ_thig_13 + front_left_shank_I4 * t_fron_righ_thig_12;
+  const Scalar t_fron_righ_thig_22 = t_fron_righ_thig_20 + front_left_thigh_k1 * t_fron_righ_thig_5;
+  const Scalar t_fron_righ_thig_23 = t_fron_righ_thig_14 - s_front_right_hip * t_fron_righ_thig_7;
+  const Scalar t_fron_righ_thig_24 = t_fron_righ_thig_22 - c_front_right_hip * t_fron_righ_thig_21;
+  tau[3] = qdd[3] * t_fron_righ_thig_23 - t_fron_righ_thig_24;
   const Scalar t_front_left_shank_8 = omega_front_left_shank_z * omega_front_left_shank_z;
   const Scalar t_front_left_shank_9 = alpha_front_left_shank_z * t_front_left_shank_1;
   // front_left_thigh: moment M of (1)
-  const Scalar t_front_left_thigh_2 = t_front_left_shank_6 * t_front_left_shank_8;
-  const Scalar t_front_left_thigh_3 = t_front_left_thigh_2 + t_front_left_shank_9;
-  const Scalar M_front_left_thigh_z_1 = front_left_thigh_G1 * c_front_left_abduction;
-  const Scalar t_front_left_thigh_4 = front_left_thigh_I4 * c_front_left_hip;
-  const Scalar t_front_left_thigh_5 = front_left_thigh_I3 * s_front_left_hip;
-  const Scalar t_front_left_thigh_6 = t_front_left_thigh_4 - t_front_left_thigh_5;
+  const Scalar t_front_left_thigh_2 =
+      t_front_left_shank_6 * t_front_left_shank_8 + t_front_left_shank_9;
+  const Scalar t_front_left_thigh_3 = front_left_thigh_I4 * c_front_left_hip;
+  const Scalar t_front_left_thigh_4 = t_front_left_thigh_3 - front_left_thigh_I3 * s_front_left_hip;
   const Scalar t_front_left_shank_10 = alpha_front_left_shank_z * t_front_left_shank_6;
-  const Scalar t_front_left_shank_11 = t_front_left_shank_1 * t_front_left_shank_8;
-  const Scalar t_front_left_thigh_7 = front_left_thigh_I2 * c_front_left_hip;
-  const Scalar t_front_left_thigh_8 = front_left_thigh_I1 * s_front_left_hip;
-  const Scalar t_front_left_thigh_9 = t_front_left_thigh_7 + t_front_left_thigh_8;
-  const Scalar t_front_left_thigh_10 = s_front_left_hip * t_front_left_shank_6;
-  const Scalar t_front_left_thigh_11 = front_left_thigh_I6 - t_front_left_thigh_10;
-  const Scalar t_front_left_thigh_12 = c_front_left_hip * t_front_left_thigh_9;
-  const Scalar t_front_left_thigh_13 = t_front_left_thigh_11 - t_front_left_thigh_12;
-  const Scalar M_front_left_thigh_z_2 = t_front_left_thigh_3 + M_front_left_thigh_z_1;
-  const Scalar M_front_left_thigh_z_3 = M_front_left_shank_z + front_left_thigh_I7 * qdd[1];
-  const Scalar M_front_left_thigh_z_4 = s_front_left_hip * M_front_left_thigh_z_2;
-  const Scalar M_front_left_thigh_z_5 = M_front_left_thigh_z_3 + M_front_left_thigh_z_4;
-  const Scalar M_front_left_thigh_z_6 = qdd[0] * t_front_left_thigh_6;
-  const Scalar neg_F_front_left_shank_y = t_front_left_shank_11 - t_front_left_shank_10;
-  const Scalar M_front_left_thigh_z_7 = M_front_left_thigh_z_5 - M_front_left_thigh_z_6;
-  const Scalar M_front_left_thigh_z_8 = c_front_left_hip * neg_F_front_left_shank_y;
-  const Scalar M_front_left_thigh_z_9 = M_front_left_thigh_z_7 - M_front_left_thigh_z_8;
-  tau[1] = M_front_left_thigh_z_9 - t_front_left_hip_1 * t_front_left_thigh_13;
+  const Scalar t_front_left_thigh_5 = front_left_thigh_I2 * c_front_left_hip;
+  const Scalar t_front_left_thigh_6 = t_front_left_thigh_5 + front_left_thigh_I1 * s_front_left_hip;
+  const Scalar t_front_left_thigh_7 = front_left_thigh_I6 - s_front_left_hip * t_front_left_shank_6;
+  const Scalar t_front_left_thigh_8 =
+      t_front_left_thigh_7 - c_front_left_hip * t_front_left_thigh_6;
+  const Scalar M_front_left_thigh_z_1 =
+      t_front_left_thigh_2 + front_left_thigh_G1 * c_front_left_abduction;
+  const Scalar M_front_left_thigh_z_2 = M_front_left_shank_z + front_left_thigh_I7 * qdd[1];
+  const Scalar M_front_left_thigh_z_3 =
+      M_front_left_thigh_z_2 + s_front_left_hip * M_front_left_thigh_z_1;
+  const Scalar neg_F_front_left_shank_y =
+      t_front_left_shank_1 * t_front_left_shank_8 - t_front_left_shank_10;
+  const Scalar M_front_left_thigh_z_4 = M_front_left_thigh_z_3 - qdd[0] * t_front_left_thigh_4;
+  const Scalar M_front_left_thigh_z_5 =
+      M_front_left_thigh_z_4 - c_front_left_hip * neg_F_front_left_shank_y;
+  tau[1] = M_front_left_thigh_z_5 - t_front_left_hip_1 * t_front_left_thigh_8;
   // front_left_hip: moment M of (1)
   const Scalar M_front_left_hip_z_1 = omega_front_left_shank_z * t_front_left_shank_4;
-  const Scalar M_front_left_hip_z_2 = c_front_left_hip * c_q1_q2 * front_left_shank_I4;
-  const Scalar M_front_left_hip_z_3 = front_left_hip_I2 + M_front_left_hip_z_2;
+  const Scalar M_front_left_hip_z_2 = c_front_left_hip * c_q1_q2;
+  const Scalar M_front_left_hip_z_3 =
+      front_left_hip_I2 + front_left_shank_I4 * M_front_left_hip_z_2;
   const Scalar M_front_left_hip_z_4 = M_front_left_hip_z_3 - s_q1_q2 * t_front_left_shank_2;
-  const Scalar M_front_left_hip_z_5 = s_front_left_hip * t_front_left_thigh_9;
-  const Scalar M_front_left_hip_z_6 = front_left_thigh_G1 * c_front_left_hip;
-  const Scalar M_front_left_hip_z_7 = front_left_thigh_I4 * t_front_left_shank_7;
-  const Scalar M_front_left_hip_z_8 = front_left_hip_G1 * c_front_left_abduction;
-  const Scalar M_front_left_hip_z_9 = M_front_left_hip_z_8 + M_front_left_hip_z_7;
-  const Scalar M_front_left_hip_z_10 = front_left_thigh_I3 * t_front_left_shank_5;
-  const Scalar M_front_left_hip_z_11 = M_front_left_hip_z_9 + M_front_left_hip_z_10;
-  const Scalar M_front_left_hip_z_12 = qd[1] * t_front_left_thigh_13 - M_front_left_hip_z_1;
-  const Scalar M_front_left_hip_z_13 = M_front_left_hip_z_11 - qdd[1] * t_front_left_thigh_6;
-  const Scalar M_front_left_hip_z_14 = qd[0] * M_front_left_hip_z_12 * 2.0;
-  const Scalar M_front_left_hip_z_15 = qdd[0] * (M_front_left_hip_z_4 - M_front_left_hip_z_5);
-  const Scalar M_front_left_hip_z_16 = M_front_left_hip_z_13 + M_front_left_hip_z_14;
-  const Scalar M_front_left_hip_z_17 = M_front_left_hip_z_16 + M_front_left_hip_z_15;
-  const Scalar M_front_left_hip_z_18 = front_left_thigh_k1 * t_front_left_thigh_3;
-  const Scalar M_front_left_hip_z_19 = front_left_shank_G1 * c_q1_q2 + M_front_left_hip_z_6;
-  const Scalar M_front_left_hip_z_20 = M_front_left_hip_z_17 + M_front_left_hip_z_18;
-  tau[0] = M_front_left_hip_z_20 + s_front_left_abduction * M_front_left_hip_z_19;
+  const Scalar M_front_left_hip_z_5 = front_left_thigh_G1 * c_front_left_hip;
+  const Scalar M_front_left_hip_z_6 = front_left_thigh_I4 * t_front_left_shank_7;
+  const Scalar M_front_left_hip_z_7 =
+      front_left_hip_G1 * c_front_left_abduction + M_front_left_hip_z_6;
+  const Scalar M_front_left_hip_z_8 =
+      M_front_left_hip_z_7 + front_left_thigh_I3 * t_front_left_shank_5;
+  const Scalar M_front_left_hip_z_9 = qd[1] * t_front_left_thigh_8 - M_front_left_hip_z_1;
+  const Scalar M_front_left_hip_z_10 = M_front_left_hip_z_8 - qdd[1] * t_front_left_thigh_4;
+  const Scalar M_front_left_hip_z_11 = qd[0] * M_front_left_hip_z_9;
+  const Scalar M_front_left_hip_z_12 =
+      M_front_left_hip_z_4 - s_front_left_hip * t_front_left_thigh_6;
+  const Scalar M_front_left_hip_z_13 = M_front_left_hip_z_10 + 2.0 * M_front_left_hip_z_11;
+  const Scalar M_front_left_hip_z_14 = M_front_left_hip_z_13 + qdd[0] * M_front_left_hip_z_12;
+  const Scalar M_front_left_hip_z_15 = front_left_shank_G1 * c_q1_q2 + M_front_left_hip_z_5;
+  const Scalar M_front_left_hip_z_16 =
+      M_front_left_hip_z_14 + front_left_thigh_k1 * t_front_left_thigh_2;
+  tau[0] = M_front_left_hip_z_16 + s_front_left_abduction * M_front_left_hip_z_15;
 }
 
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
@@ -1184,20 +1169,22 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_fron_righ_shan_4 = s_q4_q5 * t_fron_righ_shan_3;
   const Scalar t_front_left_shank_3 = front_left_shank_I5 * s_q1_q2;
   const Scalar t_front_left_shank_4 = c_front_left_hip * t_front_left_shank_3;
-  const Scalar t_hind_right_shank_5 = s_q10_q11 * c_q10_q11 * front_left_shank_I1;
-  const Scalar t_hind_right_shank_6 = t_hind_right_shank_4 + t_hind_right_shank_5;
+  const Scalar t_hind_right_shank_5 = s_q10_q11 * c_q10_q11;
+  const Scalar t_hind_right_shank_6 =
+      t_hind_right_shank_4 + front_left_shank_I1 * t_hind_right_shank_5;
   const Scalar t_hind_right_shank_7 = t_hind_right_shank_2 - t_hind_right_shank_4;
   const Scalar t_front_left_thigh_1 = qd[1] * qd[1];
   // front_left_shank: inertia I, moment M of (1)
-  const Scalar t_front_left_shank_5 = s_q1_q2 * c_q1_q2 * front_left_shank_I1;
-  const Scalar t_front_left_shank_6 = t_front_left_shank_4 + t_front_left_shank_5;
+  const Scalar t_front_left_shank_5 = s_q1_q2 * c_q1_q2;
+  const Scalar t_front_left_shank_6 =
+      t_front_left_shank_4 + front_left_shank_I1 * t_front_left_shank_5;
   const Scalar t_front_left_shank_7 = t_front_left_shank_2 - t_front_left_shank_4;
   const Scalar t_front_left_hip_5 = qd[0] * qd[0];
   const Scalar M_front_left_shank_z_1 = c_front_left_abduction * s_q1_q2 * front_left_shank_G1;
-  const Scalar M_front_left_shank_z_2 = t_front_left_shank_6 * t_front_left_hip_5;
-  const Scalar M_front_left_shank_z_3 = M_front_left_shank_z_1 + M_front_left_shank_z_2;
-  const Scalar M_front_left_shank_z_4 = t_front_left_thigh_1 * t_front_left_shank_7;
-  const Scalar M_front_left_shank_z = M_front_left_shank_z_3 - M_front_left_shank_z_4;
+  const Scalar M_front_left_shank_z_2 =
+      M_front_left_shank_z_1 + t_front_left_shank_6 * t_front_left_hip_5;
+  const Scalar M_front_left_shank_z =
+      M_front_left_shank_z_2 - t_front_left_thigh_1 * t_front_left_shank_7;
   const Scalar t_front_left_hip_6 = tau[2] - M_front_left_shank_z;
   // hind_right_shank
   const Scalar t_hind_right_shank_8 = s_hind_right_hip * t_hind_right_shank_3;
@@ -1225,241 +1212,235 @@ void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[
   const Scalar t_hind_right_shank_13 = front_left_shank_p2 * t_hind_right_shank_12;
   const Scalar t_hind_right_thigh_1 = front_left_thigh_I5 + t_hind_right_shank_10;
   const Scalar I_hind_right_thigh_zz = t_hind_right_thigh_1 + 2.0 * t_hind_right_shank_8;
-  const Scalar t_hind_right_shank_14 = t_hind_right_shank_12 * t_hind_right_shank_13;
-  const Scalar t_hind_right_thigh_2 = 1.0 / (I_hind_right_thigh_zz - t_hind_right_shank_14);
+  const Scalar t_hind_right_shank_14 =
+      I_hind_right_thigh_zz - t_hind_right_shank_12 * t_hind_right_shank_13;
+  const Scalar t_hind_right_thigh_2 = 1.0 / t_hind_right_shank_14;
   const Scalar t_hind_right_shank_15 = front_left_shank_k1 * s_q10_q11;
-  // hind_right_thigh
   const Scalar t_hind_right_thigh_3 = front_left_thigh_I3 * s_hind_right_hip;
-  const Scalar t_hind_right_thigh_4 = front_left_thigh_I4 * c_hind_right_hip;
-  const Scalar t_hind_right_thigh_5 = t_hind_right_thigh_3 - t_hind_right_thigh_4;
-  const Scalar t_hind_right_shank_16 = t_hind_right_shank_11 * t_hind_right_shank_15;
-  const Scalar t_hind_right_shank_17 = t_hind_right_thigh_5 - t_hind_right_shank_16;
-  const Scalar t_hind_right_thigh_6 = front_left_thigh_I1 * s_hind_right_hip;
-  const Scalar t_hind_right_thigh_7 = front_left_thigh_I2 * c_hind_right_hip;
-  const Scalar t_hind_right_thigh_8 = t_hind_right_thigh_6 + t_hind_right_thigh_7;
-  const Scalar qdd_9_1 = t_hind_right_thigh_2 * t_hind_right_shank_17;
+  const Scalar t_hind_right_thigh_4 = t_hind_right_thigh_3 - front_left_thigh_I4 * c_hind_right_hip;
+  const Scalar t_hind_right_shank_16 =
+      t_hind_right_thigh_4 - t_hind_right_shank_11 * t_hind_right_shank_15;
+  // hind_right_thigh
+  const Scalar t_hind_right_thigh_5 = front_left_thigh_I1 * s_hind_right_hip;
+  const Scalar t_hind_right_thigh_6 = t_hind_right_thigh_5 + front_left_thigh_I2 * c_hind_right_hip;
+  const Scalar qdd_9_1 = t_hind_right_thigh_2 * t_hind_right_shank_16;
   // hind_right_shank
-  const Scalar qdd_9_2 = s_q10_q11 * s_q10_q11 * front_left_shank_I6;
-  const Scalar qdd_9_3 = front_left_hip_I2 + t_hind_right_shank_10 - qdd_9_2;
-  const Scalar qdd_9_4 = qdd_9_3 - s_hind_right_hip * t_hind_right_thigh_8;
-  const Scalar qdd_9_5 = 1.0 / (qdd_9_4 - t_hind_right_shank_17 * qdd_9_1);
+  const Scalar qdd_9_2 = front_left_hip_I2 + t_hind_right_shank_10;
+  const Scalar qdd_9_3 = qdd_9_2 - s_q10_q11 * s_q10_q11 * front_left_shank_I6;
+  const Scalar qdd_9_4 = qdd_9_3 - s_hind_right_hip * t_hind_right_thigh_6;
+  const Scalar qdd_9_5 = 1.0 / (qdd_9_4 - t_hind_right_shank_16 * qdd_9_1);
   const Scalar t_hind_left_shank_6 = front_left_shank_k1 * s_q7_q8;
-  // hind_left_thigh
   const Scalar t_hind_left_thigh_1 = front_left_thigh_I3 * s_hind_left_hip;
-  const Scalar t_hind_left_thigh_2 = front_left_thigh_I4 * c_hind_left_hip;
-  const Scalar t_hind_left_thigh_3 = t_hind_left_thigh_1 - t_hind_left_thigh_2;
-  // hind_left_shank
-  const Scalar t_hind_left_shank_7 = t_hind_left_shank_4 * t_hind_left_shank_6;
-  const Scalar t_hind_left_shank_8 = t_hind_left_thigh_3 - t_hind_left_shank_7;
-  const Scalar t_hind_left_shank_9 = front_left_shank_p2 * t_hind_left_shank_5;
+  const Scalar t_hind_left_thigh_2 = t_hind_left_thigh_1 - front_left_thigh_I4 * c_hind_left_hip;
+  const Scalar t_hind_left_shank_7 =
+      t_hind_left_thigh_2 - t_hind_left_shank_4 * t_hind_left_shank_6;
+  const Scalar t_hind_left_shank_8 = front_left_shank_p2 * t_hind_left_shank_5;
   const Scalar I_hind_left_thigh_zz_1 = front_left_thigh_I5 + t_hind_left_shank_3;
   const Scalar I_hind_left_thigh_zz = I_hind_left_thigh_zz_1 + 2.0 * t_hind_left_shank_1;
-  const Scalar t_hind_left_shank_10 = t_hind_left_shank_5 * t_hind_left_shank_9;
+  const Scalar t_hind_left_shank_9 =
+      I_hind_left_thigh_zz - t_hind_left_shank_5 * t_hind_left_shank_8;
   // hind_left_thigh: 1/pivot of (1)
-  const Scalar t_hind_left_thigh_4 = 1.0 / (I_hind_left_thigh_zz - t_hind_left_shank_10);
-  const Scalar t_hind_left_thigh_5 = front_left_thigh_I1 * s_hind_left_hip;
-  const Scalar t_hind_left_thigh_6 = front_left_thigh_I2 * c_hind_left_hip;
-  const Scalar t_hind_left_thigh_7 = t_hind_left_thigh_5 + t_hind_left_thigh_6;
-  const Scalar qdd_6_1 = t_hind_left_shank_8 * t_hind_left_thigh_4;
+  const Scalar t_hind_left_thigh_3 = 1.0 / t_hind_left_shank_9;
+  const Scalar t_hind_left_thigh_4 = front_left_thigh_I1 * s_hind_left_hip;
+  const Scalar t_hind_left_thigh_5 = t_hind_left_thigh_4 + front_left_thigh_I2 * c_hind_left_hip;
+  const Scalar qdd_6_1 = t_hind_left_shank_7 * t_hind_left_thigh_3;
   // hind_left_shank
   const Scalar qdd_6_2 = front_left_hip_I2 + t_hind_left_shank_3;
   const Scalar qdd_6_3 = qdd_6_2 - s_q7_q8 * s_q7_q8 * front_left_shank_I6;
-  const Scalar qdd_6_4 = qdd_6_3 - s_hind_left_hip * t_hind_left_thigh_7;
-  const Scalar qdd_6_5 = 1.0 / (qdd_6_4 - t_hind_left_shank_8 * qdd_6_1);
+  const Scalar qdd_6_4 = qdd_6_3 - s_hind_left_hip * t_hind_left_thigh_5;
+  const Scalar qdd_6_5 = 1.0 / (qdd_6_4 - t_hind_left_shank_7 * qdd_6_1);
   const Scalar t_fron_righ_shan_10 = front_left_shank_p2 * t_fron_righ_shan_9;
   const Scalar I_fron_righ_thig_zz_1 = front_left_thigh_I5 + t_fron_righ_shan_7;
   const Scalar I_fron_righ_thig_zz = I_fron_righ_thig_zz_1 + 2.0 * t_fron_righ_shan_5;
-  const Scalar t_fron_righ_shan_11 = t_fron_righ_shan_9 * t_fron_righ_shan_10;
-  const Scalar t_fron_righ_thig_1 = 1.0 / (I_fron_righ_thig_zz - t_fron_righ_shan_11);
+  const Scalar t_fron_righ_shan_11 = I_fron_righ_thig_zz - t_fron_righ_shan_9 * t_fron_righ_shan_10;
+  const Scalar t_fron_righ_thig_1 = 1.0 / t_fron_righ_shan_11;
   const Scalar t_fron_righ_shan_12 = front_left_shank_k1 * s_q4_q5;
-  // front_right_thigh
   const Scalar t_fron_righ_thig_2 = front_left_thigh_I4 * c_front_right_hip;
-  const Scalar t_fron_righ_thig_3 = front_left_thigh_I3 * s_front_right_hip;
-  const Scalar t_fron_righ_thig_4 = t_fron_righ_thig_2 - t_fron_righ_thig_3;
-  const Scalar t_fron_righ_shan_13 = t_fron_righ_shan_8 * t_fron_righ_shan_12;
-  const Scalar t_fron_righ_shan_14 = t_fron_righ_thig_4 + t_fron_righ_shan_13;
-  const Scalar t_fron_righ_thig_5 = front_left_thigh_I1 * s_front_right_hip;
-  const Scalar t_fron_righ_thig_6 = front_left_thigh_I2 * c_front_right_hip;
-  const Scalar t_fron_righ_thig_7 = t_fron_righ_thig_5 + t_fron_righ_thig_6;
-  const Scalar t_fron_righ_thig_8 = t_fron_righ_thig_1 * t_fron_righ_shan_14;
+  const Scalar t_fron_righ_thig_3 = t_fron_righ_thig_2 - front_left_thigh_I3 * s_front_right_hip;
+  const Scalar t_fron_righ_shan_13 = t_fron_righ_thig_3 + t_fron_righ_shan_8 * t_fron_righ_shan_12;
+  // front_right_thigh
+  const Scalar t_fron_righ_thig_4 = front_left_thigh_I1 * s_front_right_hip;
+  const Scalar t_fron_righ_thig_5 = t_fron_righ_thig_4 + front_left_thigh_I2 * c_front_right_hip;
+  const Scalar t_fron_righ_thig_6 = t_fron_righ_thig_1 * t_fron_righ_shan_13;
   // front_right_shank
   const Scalar qdd_3_1 = front_left_hip_I2 + t_fron_righ_shan_7;
   const Scalar qdd_3_2 = qdd_3_1 - s_q4_q5 * s_q4_q5 * front_left_shank_I6;
-  const Scalar qdd_3_3 = qdd_3_2 - s_front_right_hip * t_fron_righ_thig_7;
-  const Scalar qdd_3_4 = 1.0 / (qdd_3_3 - t_fron_righ_shan_14 * t_fron_righ_thig_8);
+  const Scalar qdd_3_3 = qdd_3_2 - s_front_right_hip * t_fron_righ_thig_5;
+  const Scalar qdd_3_4 = 1.0 / (qdd_3_3 - t_fron_righ_shan_13 * t_fron_righ_thig_6);
   // front_left_shank
   const Scalar t_front_left_shank_12 = front_left_shank_p2 * t_front_left_shank_11;
   const Scalar t_front_left_shank_13 = 1.0 + t_front_left_shank_12;
   const Scalar t_front_left_shank_14 = front_left_thigh_I7 + t_front_left_shank_10;
-  const Scalar t_front_left_shank_15 = t_front_left_shank_11 * (2.0 + t_front_left_shank_12);
-  const Scalar t_front_left_shank_16 = t_front_left_shank_14 + 2.0 * t_front_left_shank_8;
-  const Scalar t_front_left_thigh_2 = 1.0 / (t_front_left_shank_16 - t_front_left_shank_15);
-  const Scalar t_front_left_shank_17 = front_left_shank_k1 * s_q1_q2;
-  // front_left_thigh
+  const Scalar t_front_left_shank_15 = t_front_left_shank_14 + 2.0 * t_front_left_shank_8;
+  const Scalar t_front_left_shank_16 = 2.0 + t_front_left_shank_12;
+  const Scalar t_front_left_shank_17 =
+      t_front_left_shank_15 - t_front_left_shank_11 * t_front_left_shank_16;
+  const Scalar t_front_left_thigh_2 = 1.0 / t_front_left_shank_17;
+  const Scalar t_front_left_shank_18 = front_left_shank_k1 * s_q1_q2;
   const Scalar t_front_left_thigh_3 = front_left_thigh_I4 * c_front_left_hip;
-  const Scalar t_front_left_thigh_4 = front_left_thigh_I3 * s_front_left_hip;
-  const Scalar t_front_left_thigh_5 = t_front_left_thigh_3 - t_front_left_thigh_4;
-  const Scalar t_front_left_shank_18 = t_front_left_shank_11 * t_front_left_shank_17;
-  const Scalar t_front_left_shank_19 = t_front_left_thigh_5 + t_front_left_shank_18;
-  const Scalar t_front_left_thigh_6 = front_left_thigh_I2 * c_front_left_hip;
-  const Scalar t_front_left_thigh_7 = front_left_thigh_I1 * s_front_left_hip;
-  const Scalar t_front_left_thigh_8 = t_front_left_thigh_6 + t_front_left_thigh_7;
+  const Scalar t_front_left_thigh_4 = t_front_left_thigh_3 - front_left_thigh_I3 * s_front_left_hip;
+  const Scalar t_front_left_shank_19 =
+      t_front_left_thigh_4 + t_front_left_shank_11 * t_front_left_shank_18;
+  // front_left_thigh
+  const Scalar t_front_left_thigh_5 = front_left_thigh_I2 * c_front_left_hip;
+  const Scalar t_front_left_thigh_6 = t_front_left_thigh_5 + front_left_thigh_I1 * s_front_left_hip;
   const Scalar qdd_0_1 = t_front_left_thigh_2 * t_front_left_shank_19;
   const Scalar qdd_0_2 = front_left_hip_I2 + t_front_left_shank_10;
   const Scalar qdd_0_3 = qdd_0_2 - s_q1_q2 * s_q1_q2 * front_left_shank_I6;
   const Scalar qdd_0_4 = qdd_0_3 - t_front_left_shank_19 * qdd_0_1;
-  const Scalar qdd_0_5 = 1.0 / (qdd_0_4 - s_front_left_hip * t_front_left_thigh_8);
-  const Scalar t_hind_left_thigh_8 = qd[7] * qd[7];
+  const Scalar qdd_0_5 = 1.0 / (qdd_0_4 - s_front_left_hip * t_front_left_thigh_6);
+  const Scalar t_hind_left_thigh_6 = qd[7] * qd[7];
   // front_left_hip: qdd of (1)
   const Scalar qdd_6_6 = front_left_thigh_G1 * s_hind_left_abduction;
-  const Scalar qdd_6_7 = qdd_6_6 + front_left_thigh_I3 * t_hind_left_thigh_8;
+  const Scalar qdd_6_7 = qdd_6_6 + front_left_thigh_I3 * t_hind_left_thigh_6;
   const Scalar t_front_left_hip_7 = front_left_thigh_I6 - t_front_left_hip_2;
-  const Scalar t_hind_left_thigh_9 = c_hind_left_hip * t_hind_left_thigh_7;
-  const Scalar t_front_left_hip_8 = t_front_left_hip_7 - t_hind_left_thigh_9;
-  const Scalar neg_I_hind_left_shank_xy = s_q7_q8 * c_q7_q8 * front_left_shank_I1;
-  const Scalar t_front_left_hip_9 = t_front_left_hip_4 + neg_I_hind_left_shank_xy;
+  const Scalar t_front_left_hip_8 = t_front_left_hip_7 - c_hind_left_hip * t_hind_left_thigh_5;
+  const Scalar t_hind_left_shank_10 = s_q7_q8 * c_q7_q8;
+  const Scalar t_front_left_hip_9 = t_front_left_hip_4 + front_left_shank_I1 * t_hind_left_shank_10;
   const Scalar qdd_6_8 = omega_hind_left_shank_z * t_front_left_hip_9;
   const Scalar qdd_6_9 = qd[7] * t_front_left_hip_8 - qdd_6_8;
   const Scalar t_hind_left_hip_1 = qd[6] * qd[6];
   const Scalar t_front_left_hip_10 = t_front_left_hip_2 - t_front_left_hip_4;
   const Scalar t_hind_left_shank_11 = omega_hind_left_shank_z * omega_hind_left_shank_z;
-  const Scalar t_front_left_hip_11 = c_hind_left_abduction * s_q7_q8 * front_left_shank_G1;
-  const Scalar t_front_left_hip_12 = t_front_left_hip_9 * t_hind_left_hip_1;
-  const Scalar t_front_left_hip_13 = tau[8] - t_front_left_hip_11 - t_front_left_hip_12;
-  const Scalar t_front_left_hip_14 = t_hind_left_thigh_8 * t_front_left_hip_10;
-  const Scalar t_front_left_hip_15 = t_front_left_hip_13 + t_front_left_hip_14;
-  const Scalar t_front_left_hip_16 = front_left_shank_p2 * t_front_left_hip_15;
-  const Scalar t_hind_left_thigh_10 = c_hind_left_abduction * s_hind_left_hip;
-  const Scalar t_front_left_hip_17 = tau[7] - tau[8] - front_left_thigh_G1 * t_hind_left_thigh_10;
-  const Scalar t_front_left_hip_18 = t_front_left_hip_8 * t_hind_left_hip_1;
-  const Scalar t_front_left_hip_19 = t_front_left_hip_10 * t_hind_left_shank_11;
-  const Scalar t_front_left_hip_20 = t_front_left_hip_17 + t_front_left_hip_18;
-  const Scalar t_front_left_hip_21 = t_hind_left_shank_4 * t_front_left_hip_16;
-  const Scalar t_front_left_hip_22 = t_front_left_hip_20 - t_front_left_hip_19;
-  const Scalar t_front_left_hip_23 = t_front_left_hip_22 - t_front_left_hip_21;
+  const Scalar t_front_left_hip_11 = c_hind_left_abduction * s_q7_q8;
+  const Scalar t_front_left_hip_12 = tau[8] - front_left_shank_G1 * t_front_left_hip_11;
+  const Scalar t_front_left_hip_13 = t_front_left_hip_12 - t_front_left_hip_9 * t_hind_left_hip_1;
+  const Scalar t_front_left_hip_14 =
+      t_front_left_hip_13 + t_hind_left_thigh_6 * t_front_left_hip_10;
+  const Scalar t_front_left_hip_15 = front_left_shank_p2 * t_front_left_hip_14;
+  const Scalar t_hind_left_thigh_7 = c_hind_left_abduction * s_hind_left_hip;
+  const Scalar t_front_left_hip_16 = tau[7] - tau[8] - front_left_thigh_G1 * t_hind_left_thigh_7;
+  const Scalar t_front_left_hip_17 = t_front_left_hip_16 + t_front_left_hip_8 * t_hind_left_hip_1;
+  const Scalar t_front_left_hip_18 =
+      t_front_left_hip_17 - t_front_left_hip_10 * t_hind_left_shank_11;
+  const Scalar t_front_left_hip_19 =
+      t_front_left_hip_18 - t_hind_left_shank_4 * t_front_left_hip_15;
   const Scalar qdd_6_10 = front_left_shank_I3 * t_hind_left_shank_11;
-  const Scalar qdd_6_11 = s_hind_left_hip * t_hind_left_thigh_8 * front_left_thigh_I4;
-  const Scalar qdd_6_12 = tau[6] - front_left_hip_G1 * c_hind_left_abduction - qdd_6_11;
-  const Scalar qdd_6_13 = qdd_6_12 - c_hind_left_hip * qdd_6_7 - qd[6] * qdd_6_9 * 2.0;
-  const Scalar qdd_6_14 = qdd_6_13 - qdd_6_1 * t_front_left_hip_23;
-  const Scalar qdd_6_15 = c_q7_q8 * (qdd_6_10 + front_left_shank_G1 * s_hind_left_abduction);
-  const Scalar qdd_6_16 = qdd_6_14 - t_hind_left_shank_6 * t_front_left_hip_15 - qdd_6_15;
-  const Scalar qdd_6 = qdd_6_5 * qdd_6_16;
+  const Scalar qdd_6_11 = tau[6] - front_left_hip_G1 * c_hind_left_abduction;
+  const Scalar qdd_6_12 = s_hind_left_hip * t_hind_left_thigh_6;
+  const Scalar qdd_6_13 = qdd_6_11 - front_left_thigh_I4 * qdd_6_12;
+  const Scalar qdd_6_14 = qdd_6_13 - c_hind_left_hip * qdd_6_7 - qd[6] * qdd_6_9 * 2.0;
+  const Scalar qdd_6_15 = qdd_6_14 - qdd_6_1 * t_front_left_hip_19;
+  const Scalar qdd_6_16 = qdd_6_15 - t_hind_left_shank_6 * t_front_left_hip_14;
+  const Scalar qdd_6_17 = qdd_6_10 + front_left_shank_G1 * s_hind_left_abduction;
+  const Scalar qdd_6 = qdd_6_5 * (qdd_6_16 - c_q7_q8 * qdd_6_17);
   qdd[6] = qdd_6;
-  const Scalar qdd_7_1 = t_front_left_hip_23 - t_hind_left_shank_8 * qdd_6;
-  const Scalar qdd_7 = t_hind_left_thigh_4 * qdd_7_1;
+  const Scalar qdd_7_1 = t_front_left_hip_19 - t_hind_left_shank_7 * qdd_6;
+  const Scalar qdd_7 = t_hind_left_thigh_3 * qdd_7_1;
   qdd[7] = qdd_7;
-  qdd[8] = t_front_left_hip_16 - t_hind_left_shank_6 * qdd_6 - t_hind_left_shank_9 * qdd_7;
-  const Scalar t_fron_righ_shan_15 = omega_fron_righ_shan_z * omega_fron_righ_shan_z;
+  qdd[8] = t_front_left_hip_15 - t_hind_left_shank_6 * qdd_6 - t_hind_left_shank_8 * qdd_7;
+  const Scalar t_fron_righ_shan_14 = omega_fron_righ_shan_z * omega_fron_righ_shan_z;
   const Scalar qdd_3_5 = front_left_shank_G1 * s_front_right_abduction;
-  const Scalar qdd_3_6 = front_left_shank_I3 * t_fron_righ_shan_15 - qdd_3_5;
+  const Scalar qdd_3_6 = front_left_shank_I3 * t_fron_righ_shan_14 - qdd_3_5;
   // front_right_thigh: Omega of (1)
-  const Scalar t_fron_righ_thig_9 = qd[4] * qd[4];
+  const Scalar t_fron_righ_thig_7 = qd[4] * qd[4];
   const Scalar qdd_3_7 = front_left_thigh_I4 * s_front_right_hip;
   const Scalar qdd_3_8 = qdd_3_7 + front_left_thigh_I3 * c_front_right_hip;
   // front_right_shank: inertia I, moment M of (1)
-  const Scalar neg_I_fron_righ_shan_xy = s_q4_q5 * c_q4_q5 * front_left_shank_I1;
-  const Scalar t_fron_righ_shan_16 = qd[3] * (t_fron_righ_shan_4 + neg_I_fron_righ_shan_xy);
-  const Scalar t_fron_righ_shan_17 = t_fron_righ_shan_2 - t_fron_righ_shan_4;
+  const Scalar t_fron_righ_shan_15 = s_q4_q5 * c_q4_q5;
+  const Scalar t_fron_righ_shan_16 = t_fron_righ_shan_4 + front_left_shank_I1 * t_fron_righ_shan_15;
+  const Scalar t_fron_righ_shan_17 = qd[3] * t_fron_righ_shan_16;
+  const Scalar t_fron_righ_shan_18 = t_fron_righ_shan_2 - t_fron_righ_shan_4;
   const Scalar M_fron_righ_shan_z_1 = c_front_right_abduction * s_q4_q5 * front_left_shank_G1;
-  const Scalar M_fron_righ_shan_z_2 = M_fron_righ_shan_z_1 + qd[3] * t_fron_righ_shan_16;
-  const Scalar M_fron_righ_shan_z_3 = t_fron_righ_thig_9 * t_fron_righ_shan_17;
-  const Scalar M_fron_righ_shan_z = M_fron_righ_shan_z_2 - M_fron_righ_shan_z_3;
-  const Scalar t_front_left_hip_24 = tau[5] - M_fron_righ_shan_z;
-  const Scalar t_front_left_hip_25 = front_left_thigh_I6 - t_fron_righ_shan_2;
-  const Scalar t_fron_righ_thig_10 = c_front_right_hip * t_fron_righ_thig_7;
-  const Scalar t_front_left_hip_26 = qd[3] * (t_front_left_hip_25 - t_fron_righ_thig_10);
-  const Scalar qdd_3_9 = omega_fron_righ_shan_z * t_fron_righ_shan_16;
-  const Scalar t_fron_righ_thig_11 = c_front_right_abduction * s_front_right_hip;
-  const Scalar t_fron_righ_thig_12 = front_left_thigh_G1 * t_fron_righ_thig_11;
+  const Scalar M_fron_righ_shan_z_2 = M_fron_righ_shan_z_1 + qd[3] * t_fron_righ_shan_17;
+  const Scalar M_fron_righ_shan_z = M_fron_righ_shan_z_2 - t_fron_righ_thig_7 * t_fron_righ_shan_18;
   // front_left_hip: qdd of (1)
-  const Scalar t_front_left_hip_27 = tau[4] - M_fron_righ_shan_z - t_fron_righ_thig_12;
-  const Scalar t_front_left_hip_28 = t_front_left_hip_27 + qd[3] * t_front_left_hip_26;
-  const Scalar t_front_left_hip_29 = t_fron_righ_shan_10 * t_front_left_hip_24;
-  const Scalar t_front_left_hip_30 = t_front_left_hip_28 - t_front_left_hip_29;
-  const Scalar t_front_left_hip_31 = t_fron_righ_shan_15 * t_fron_righ_shan_17;
-  const Scalar t_front_left_hip_32 = t_front_left_hip_30 - t_front_left_hip_31;
-  const Scalar qdd_3_10 = s_front_right_abduction * c_front_right_hip * front_left_thigh_G1;
-  const Scalar qdd_3_11 = tau[3] + front_left_hip_G1 * c_front_right_abduction - qdd_3_10;
-  const Scalar qdd_3_12 = qdd_3_11 + c_q4_q5 * qdd_3_6 + t_fron_righ_thig_9 * qdd_3_8;
-  const Scalar qdd_3_13 = qdd_3_12 + t_fron_righ_shan_12 * t_front_left_hip_24;
-  const Scalar qdd_3_14 = qdd_3_13 + 2.0 * (qdd_3_9 - qd[4] * t_front_left_hip_26);
-  const Scalar qdd_3 = qdd_3_4 * (qdd_3_14 - t_fron_righ_thig_8 * t_front_left_hip_32);
+  const Scalar t_front_left_hip_20 = tau[5] - M_fron_righ_shan_z;
+  const Scalar t_front_left_hip_21 = front_left_thigh_I6 - t_fron_righ_shan_2;
+  const Scalar t_front_left_hip_22 = t_front_left_hip_21 - c_front_right_hip * t_fron_righ_thig_5;
+  const Scalar t_front_left_hip_23 = qd[3] * t_front_left_hip_22;
+  const Scalar qdd_3_9 = omega_fron_righ_shan_z * t_fron_righ_shan_17;
+  const Scalar t_fron_righ_thig_8 = c_front_right_abduction * s_front_right_hip;
+  const Scalar t_front_left_hip_24 = tau[4] - M_fron_righ_shan_z;
+  const Scalar t_front_left_hip_25 = t_front_left_hip_24 - front_left_thigh_G1 * t_fron_righ_thig_8;
+  const Scalar t_front_left_hip_26 = t_front_left_hip_25 + qd[3] * t_front_left_hip_23;
+  const Scalar t_front_left_hip_27 =
+      t_front_left_hip_26 - t_fron_righ_shan_10 * t_front_left_hip_20;
+  const Scalar t_front_left_hip_28 =
+      t_front_left_hip_27 - t_fron_righ_shan_14 * t_fron_righ_shan_18;
+  const Scalar qdd_3_10 = tau[3] + front_left_hip_G1 * c_front_right_abduction;
+  const Scalar qdd_3_11 = s_front_right_abduction * c_front_right_hip;
+  const Scalar qdd_3_12 = qdd_3_10 - front_left_thigh_G1 * qdd_3_11 + c_q4_q5 * qdd_3_6;
+  const Scalar qdd_3_13 = qdd_3_12 + t_fron_righ_thig_7 * qdd_3_8;
+  const Scalar qdd_3_14 = qdd_3_13 + t_fron_righ_shan_12 * t_front_left_hip_20;
+  const Scalar qdd_3_15 = qdd_3_14 + 2.0 * (qdd_3_9 - qd[4] * t_front_left_hip_23);
+  const Scalar qdd_3 = qdd_3_4 * (qdd_3_15 - t_fron_righ_thig_6 * t_front_left_hip_28);
   qdd[3] = qdd_3;
-  const Scalar qdd_4 = t_fron_righ_thig_1 * t_front_left_hip_32 - t_fron_righ_thig_8 * qdd_3;
+  const Scalar qdd_4 = t_fron_righ_thig_1 * t_front_left_hip_28 - t_fron_righ_thig_6 * qdd_3;
   qdd[4] = qdd_4;
-  const Scalar qdd_5_1 = t_front_left_hip_24 - t_fron_righ_shan_9 * qdd_4;
+  const Scalar qdd_5_1 = t_front_left_hip_20 - t_fron_righ_shan_9 * qdd_4;
   qdd[5] = t_fron_righ_shan_12 * qdd_3 + front_left_shank_p2 * qdd_5_1;
-  const Scalar t_hind_right_thigh_9 = qd[10] * qd[10];
+  const Scalar t_hind_right_thigh_7 = qd[10] * qd[10];
   const Scalar t_hind_right_hip_1 = qd[9] * qd[9];
-  // hind_right_shank: moment M, Omega of (1)
+  // hind_right_shank: moment M of (1)
   const Scalar M_hind_right_shank_z_1 = c_hind_right_abduction * s_q10_q11 * front_left_shank_G1;
-  const Scalar M_hind_right_shank_z_2 = t_hind_right_shank_7 * t_hind_right_thigh_9;
-  const Scalar M_hind_right_shank_z_3 = M_hind_right_shank_z_1 - M_hind_right_shank_z_2;
-  const Scalar M_hind_right_shank_z_4 = t_hind_right_shank_6 * t_hind_right_hip_1;
-  const Scalar M_hind_right_shank_z = M_hind_right_shank_z_3 + M_hind_right_shank_z_4;
-  const Scalar t_front_left_hip_33 = tau[11] - M_hind_right_shank_z;
-  const Scalar t_front_left_hip_34 = front_left_thigh_I6 - t_hind_right_shank_2;
-  const Scalar t_hind_right_thigh_10 = c_hind_right_hip * t_hind_right_thigh_8;
-  const Scalar t_front_left_hip_35 = t_front_left_hip_34 - t_hind_right_thigh_10;
-  const Scalar t_hind_right_shank_18 = omega_hind_right_shank_z * omega_hind_right_shank_z;
-  const Scalar t_hind_right_thigh_11 = c_hind_right_abduction * s_hind_right_hip;
-  const Scalar t_hind_right_thigh_12 = front_left_thigh_G1 * t_hind_right_thigh_11;
+  const Scalar M_hind_right_shank_z_2 =
+      M_hind_right_shank_z_1 - t_hind_right_shank_7 * t_hind_right_thigh_7;
+  const Scalar M_hind_right_shank_z =
+      M_hind_right_shank_z_2 + t_hind_right_shank_6 * t_hind_right_hip_1;
   // front_left_hip: qdd of (1)
-  const Scalar t_front_left_hip_36 = tau[10] - M_hind_right_shank_z - t_hind_right_thigh_12;
-  const Scalar t_front_left_hip_37 = t_hind_right_hip_1 * t_front_left_hip_35;
-  const Scalar t_front_left_hip_38 = t_hind_right_shank_7 * t_hind_right_shank_18;
-  const Scalar t_front_left_hip_39 = t_front_left_hip_36 + t_front_left_hip_37;
-  const Scalar t_front_left_hip_40 = t_hind_right_shank_13 * t_front_left_hip_33;
-  const Scalar t_front_left_hip_41 = t_front_left_hip_39 - t_front_left_hip_38;
-  const Scalar t_front_left_hip_42 = t_front_left_hip_41 - t_front_left_hip_40;
+  const Scalar t_front_left_hip_29 = tau[11] - M_hind_right_shank_z;
+  const Scalar t_front_left_hip_30 = front_left_thigh_I6 - t_hind_right_shank_2;
+  const Scalar t_front_left_hip_31 = t_front_left_hip_30 - c_hind_right_hip * t_hind_right_thigh_6;
+  const Scalar t_hind_right_shank_17 = omega_hind_right_shank_z * omega_hind_right_shank_z;
+  const Scalar t_hind_right_thigh_8 = c_hind_right_abduction * s_hind_right_hip;
+  const Scalar t_front_left_hip_32 = tau[10] - M_hind_right_shank_z;
+  const Scalar t_front_left_hip_33 =
+      t_front_left_hip_32 - front_left_thigh_G1 * t_hind_right_thigh_8;
+  const Scalar t_front_left_hip_34 = t_front_left_hip_33 + t_hind_right_hip_1 * t_front_left_hip_31;
+  const Scalar t_front_left_hip_35 =
+      t_front_left_hip_34 - t_hind_right_shank_7 * t_hind_right_shank_17;
+  const Scalar t_front_left_hip_36 =
+      t_front_left_hip_35 - t_hind_right_shank_13 * t_front_left_hip_29;
   const Scalar qdd_9_6 = omega_hind_right_shank_z * t_hind_right_shank_6;
-  const Scalar qdd_9_7 = front_left_shank_I3 * t_hind_right_shank_18;
+  const Scalar qdd_9_7 = front_left_shank_I3 * t_hind_right_shank_17;
   const Scalar qdd_9_8 = front_left_thigh_I4 * s_hind_right_hip;
-  const Scalar qdd_9_9 = s_hind_right_abduction * c_hind_right_hip * front_left_thigh_G1;
-  const Scalar qdd_9_10 = tau[9] + front_left_hip_G1 * c_hind_right_abduction - qdd_9_9;
-  const Scalar qdd_9_11 = qdd_9_10 + t_hind_right_shank_15 * t_front_left_hip_33;
-  const Scalar qdd_9_12 = qd[9] * (qd[10] * t_front_left_hip_35 - qdd_9_6) * 2.0;
-  const Scalar qdd_9_13 = c_q10_q11 * (qdd_9_7 - front_left_shank_G1 * s_hind_right_abduction);
-  const Scalar qdd_9_14 = qdd_9_8 + front_left_thigh_I3 * c_hind_right_hip;
-  const Scalar qdd_9_15 = qdd_9_11 + qdd_9_1 * t_front_left_hip_42 - qdd_9_12 + qdd_9_13;
-  const Scalar qdd_9 = qdd_9_5 * (qdd_9_15 + t_hind_right_thigh_9 * qdd_9_14);
+  const Scalar qdd_9_9 = tau[9] + front_left_hip_G1 * c_hind_right_abduction;
+  const Scalar qdd_9_10 = s_hind_right_abduction * c_hind_right_hip;
+  const Scalar qdd_9_11 = qdd_9_9 - front_left_thigh_G1 * qdd_9_10;
+  const Scalar qdd_9_12 = qdd_9_11 + t_hind_right_shank_15 * t_front_left_hip_29;
+  const Scalar qdd_9_13 = qdd_9_12 + qdd_9_1 * t_front_left_hip_36;
+  const Scalar qdd_9_14 = qdd_9_13 - qd[9] * (qd[10] * t_front_left_hip_31 - qdd_9_6) * 2.0;
+  const Scalar qdd_9_15 = qdd_9_7 - front_left_shank_G1 * s_hind_right_abduction;
+  const Scalar qdd_9_16 = qdd_9_8 + front_left_thigh_I3 * c_hind_right_hip;
+  const Scalar qdd_9_17 = qdd_9_14 + c_q10_q11 * qdd_9_15 + t_hind_right_thigh_7 * qdd_9_16;
+  const Scalar qdd_9 = qdd_9_5 * qdd_9_17;
   qdd[9] = qdd_9;
-  const Scalar qdd_10_1 = t_front_left_hip_42 + t_hind_right_shank_17 * qdd_9;
+  const Scalar qdd_10_1 = t_front_left_hip_36 + t_hind_right_shank_16 * qdd_9;
   const Scalar qdd_10 = t_hind_right_thigh_2 * qdd_10_1;
   qdd[10] = qdd_10;
-  const Scalar qdd_11_1 = t_front_left_hip_33 - t_hind_right_shank_12 * qdd_10;
+  const Scalar qdd_11_1 = t_front_left_hip_29 - t_hind_right_shank_12 * qdd_10;
   qdd[11] = t_hind_right_shank_15 * qdd_9 + front_left_shank_p2 * qdd_11_1;
   const Scalar t_front_left_shank_20 = omega_front_left_shank_z * omega_front_left_shank_z;
   const Scalar qdd_0_6 = front_left_shank_I3 * t_front_left_shank_20;
   const Scalar qdd_0_7 = qdd_0_6 + front_left_shank_G1 * s_front_left_abduction;
-  const Scalar t_front_left_hip_43 = front_left_thigh_I6 - t_front_left_shank_2;
-  const Scalar t_front_left_thigh_9 = c_front_left_hip * t_front_left_thigh_8;
-  const Scalar t_front_left_hip_44 = t_front_left_hip_43 - t_front_left_thigh_9;
-  const Scalar t_front_left_thigh_10 = c_front_left_abduction * s_front_left_hip;
-  const Scalar t_front_left_thigh_11 = front_left_thigh_G1 * t_front_left_thigh_10;
-  const Scalar t_front_left_hip_45 = tau[1] - M_front_left_shank_z - t_front_left_thigh_11;
-  const Scalar t_front_left_hip_46 = t_front_left_hip_6 * t_front_left_shank_13;
-  const Scalar t_front_left_hip_47 = t_front_left_shank_7 * t_front_left_shank_20;
-  const Scalar t_front_left_hip_48 = t_front_left_hip_45 - t_front_left_hip_46;
-  const Scalar t_front_left_hip_49 = t_front_left_hip_48 - t_front_left_hip_47;
-  const Scalar t_front_left_hip_50 = t_front_left_hip_5 * t_front_left_hip_44;
-  const Scalar t_front_left_hip_51 = t_front_left_hip_49 + t_front_left_hip_50;
+  const Scalar t_front_left_hip_37 = front_left_thigh_I6 - t_front_left_shank_2;
+  const Scalar t_front_left_hip_38 = t_front_left_hip_37 - c_front_left_hip * t_front_left_thigh_6;
+  const Scalar t_front_left_thigh_7 = c_front_left_abduction * s_front_left_hip;
+  const Scalar t_front_left_hip_39 = tau[1] - M_front_left_shank_z;
+  const Scalar t_front_left_hip_40 =
+      t_front_left_hip_39 - front_left_thigh_G1 * t_front_left_thigh_7;
+  const Scalar t_front_left_hip_41 =
+      t_front_left_hip_40 - t_front_left_hip_6 * t_front_left_shank_13;
+  const Scalar t_front_left_hip_42 =
+      t_front_left_hip_41 - t_front_left_shank_7 * t_front_left_shank_20;
+  const Scalar t_front_left_hip_43 = t_front_left_hip_42 + t_front_left_hip_5 * t_front_left_hip_38;
   const Scalar qdd_0_8 = front_left_thigh_G1 * s_front_left_abduction;
   const Scalar qdd_0_9 = omega_front_left_shank_z * t_front_left_shank_6;
-  const Scalar qdd_0_10 = s_front_left_hip * t_front_left_thigh_1 * front_left_thigh_I4;
-  const Scalar qdd_0_11 = tau[0] - front_left_hip_G1 * c_front_left_abduction - qdd_0_10;
-  const Scalar qdd_0_12 = qdd_0_8 + front_left_thigh_I3 * t_front_left_thigh_1;
-  const Scalar qdd_0_13 = qdd_0_11 - c_q1_q2 * qdd_0_7 + qdd_0_1 * t_front_left_hip_51;
-  const Scalar qdd_0_14 = qd[0] * (qdd_0_9 - qd[1] * t_front_left_hip_44) * 2.0;
-  const Scalar qdd_0_15 = qdd_0_13 - c_front_left_hip * qdd_0_12 + qdd_0_14;
-  const Scalar qdd_0 = qdd_0_5 * (qdd_0_15 - t_front_left_hip_6 * t_front_left_shank_17);
+  const Scalar qdd_0_10 = tau[0] - front_left_hip_G1 * c_front_left_abduction;
+  const Scalar qdd_0_11 = s_front_left_hip * t_front_left_thigh_1;
+  const Scalar qdd_0_12 = qdd_0_10 - front_left_thigh_I4 * qdd_0_11 - c_q1_q2 * qdd_0_7;
+  const Scalar qdd_0_13 = qdd_0_8 + front_left_thigh_I3 * t_front_left_thigh_1;
+  const Scalar qdd_0_14 = qdd_0_12 + qdd_0_1 * t_front_left_hip_43;
+  const Scalar qdd_0_15 = qdd_0_14 - c_front_left_hip * qdd_0_13;
+  const Scalar qdd_0_16 = qdd_0_15 + qd[0] * (qdd_0_9 - qd[1] * t_front_left_hip_38) * 2.0;
+  const Scalar qdd_0 = qdd_0_5 * (qdd_0_16 - t_front_left_hip_6 * t_front_left_shank_18);
   qdd[0] = qdd_0;
-  const Scalar qdd_1_1 = t_front_left_hip_51 + t_front_left_shank_19 * qdd_0;
+  const Scalar qdd_1_1 = t_front_left_hip_43 + t_front_left_shank_19 * qdd_0;
   const Scalar qdd_1 = t_front_left_thigh_2 * qdd_1_1;
   qdd[1] = qdd_1;
   const Scalar neg_qdd_2_1 = front_left_shank_p2 * t_front_left_hip_6;
-  qdd[2] = -(t_front_left_shank_17 * qdd_0 - neg_qdd_2_1 + t_front_left_shank_13 * qdd_1);
+  qdd[2] = -(t_front_left_shank_18 * qdd_0 - neg_qdd_2_1 + t_front_left_shank_13 * qdd_1);
 }
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {

@@ -9,14 +9,20 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x4536a7102a8b1c94ULL, "header and source are of different runs");
-// g++ would gather scalars into vectors, which takes up to twice as long.
+static_assert(kDigest == 0x2d3e48db1e275ba4ULL, "header and source are of different runs");
+// g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
-#if defined(__FAST_MATH__) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
+// Orders of sums other than those that are written would cancel the rounding.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
+    (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2)
 #error "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is"
+#elif defined(__clang__) && __clang_major__ > 12
+#pragma clang fp reassociate(off)
+#elif defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-associative-math")
 #endif
 
 namespace {
@@ -82,20 +88,23 @@ using Angles [[gnu::vector_size(16)]] = double;
 #endif
 constexpr unsigned kAngles = sizeof(Angles) / sizeof(double);
 
-/// The numbers from x on, one by one: a load would wait for all to be stored.
-[[gnu::always_inline]] inline Angles gathered(const double* x) noexcept {
-#if defined(__AVX__)
-  return Angles{x[0], x[1], x[2], x[3]};
-#else
-  return Angles{x[0], x[1]};
-#endif
-}
-
-/// The pairs of a vector of angles.
-[[gnu::noinline]] void store_sines_cosines(Angles x, double* sines, double* cosines) noexcept {
-  const SineCosine<Angles> pairs = pair_of(x);
+/// The pairs of a vector of angles, which come one by one: a load would wait for all to be stored,
+/// and of a vector that crosses a call g++ leaves the upper halves of registers in use, with which
+/// code for SSE is slow.
+template <class... Angle>
+[[gnu::noinline]] void store_sines_cosines(double* sines, double* cosines, Angle... x) noexcept {
+  const SineCosine<Angles> pairs = pair_of(Angles{x...});
   __builtin_memcpy(sines, &pairs.sine, sizeof(Angles));
   __builtin_memcpy(cosines, &pairs.cosine, sizeof(Angles));
+}
+
+/// Those of the numbers from x on.
+[[gnu::always_inline]] inline void store(const double* x, double* sines, double* cosines) noexcept {
+#if defined(__AVX__)
+  store_sines_cosines(sines, cosines, x[0], x[1], x[2], x[3]);
+#else
+  store_sines_cosines(sines, cosines, x[0], x[1]);
+#endif
 }
 
 /// Sines and cosines of 4 angles or fewer, as many at once as the processor can; writes whole
@@ -104,10 +113,8 @@ template <class... Angle>
 [[gnu::always_inline]] inline void sines_cosines(double* sines, double* cosines, double first,
                                                  Angle... more) noexcept {
   const double x[] = {first, more..., first, first, first};
-  store_sines_cosines(gathered(x), sines, cosines);
-  sizeof...(more) >= kAngles
-      ? store_sines_cosines(gathered(x + kAngles), sines + kAngles, cosines + kAngles)
-      : void();
+  store(x, sines, cosines);
+  sizeof...(more) >= kAngles ? store(x + kAngles, sines + kAngles, cosines + kAngles) : void();
 }
 #endif
 
@@ -226,10 +233,11 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar t_upper_arm_1 = base_p1 * c_shoulder;
   const Scalar t_forearm_2 = forearm_p2 * s_elbow;
   const Scalar t_forearm_3 = forearm_p6 * c_elbow;
+  // upper_arm: qdd of (1)
   const Scalar t_upper_arm_2 = tau[1] - t_forearm_2 * (qd[0] * qd[0] - base_p1 * s_shoulder);
   const Scalar neg_qdd_0_1 = tau[1] - tau[0] + (upper_arm_p4 - t_forearm_1) * t_upper_arm_1;
-  const Scalar neg_qdd_0_2 = omega_forearm_z * omega_forearm_z * t_forearm_2;
-  const Scalar neg_qdd_0_3 = neg_qdd_0_1 + t_forearm_3 * t_upper_arm_2 - neg_qdd_0_2;
+  const Scalar neg_qdd_0_2 = neg_qdd_0_1 + t_forearm_3 * t_upper_arm_2;
+  const Scalar neg_qdd_0_3 = neg_qdd_0_2 - omega_forearm_z * omega_forearm_z * t_forearm_2;
   const Scalar neg_qdd_0 = inverse_pivot_upper_arm * neg_qdd_0_3;
   qdd[0] = -neg_qdd_0;
   // forearm: qdd of (1)
