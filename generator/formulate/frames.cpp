@@ -14,7 +14,7 @@ namespace {
 const Real kNearlyParallel("1e-6");
 
 /// Of trees with frames that are kept.
-constexpr std::size_t kMostLinksKept = 4096;
+constexpr std::size_t kMostLinksKept = 512;
 
 /// The tree while frames are being chosen. Every operation changes the description, not the robot.
 class Workbench {
