@@ -72,7 +72,8 @@ std::string table(const std::vector<const LanesCode*>& codes, int rounds) {
     }
   }
   return fmt::format(
-      "States a second on one core, relative to the code for one state with default options, by medians:\n\n"
+      "States a second on one core, relative to the code for one state with default options, by "
+      "medians:\n\n"
       "| robot | function | compiler | 2 lanes | 4 lanes | 8 lanes | 16 lanes "
       "|\n|---|---|---|---|---|---|---|{}\n",
       text);
