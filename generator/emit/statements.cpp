@@ -243,7 +243,8 @@ void Statements::spread_zeros() {
   if (pairs == 0 || std::ranges::count_if(statements_, is_zero) < kManyZeros) {
     return;
   }
-  const auto middle = std::ranges::stable_partition(statements_, std::not_fn(is_zero)).begin();
+  const auto middle =
+      std::stable_partition(statements_.begin(), statements_.end(), std::not_fn(is_zero));
   const std::vector<Statement> zeros(middle, statements_.end());
   std::vector<Statement> spread;
   std::ptrdiff_t before = 0;
