@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "common/error.hpp"
+#include "optimise/kept.hpp"
 #include "optimise/network_builder.hpp"
 
 namespace treedyn::optimise {
@@ -61,8 +62,7 @@ struct Frame {
   std::size_t next = 0;
 };
 
-/// What is needed again for every network: a search normalises many small ones, and would spend
-/// its time on memory.
+/// What is needed again for every network.
 struct Workspace {
   std::vector<char> marks;
   std::vector<int> open;
@@ -73,11 +73,6 @@ struct Workspace {
   std::vector<Ref> operands;
   std::vector<int> count;
 };
-
-Workspace& workspace() {
-  thread_local Workspace of_thread;
-  return of_thread;
-}
 
 /// Depth first below one root; everything that is not there yet takes the position of the root.
 void visit(const Network& network, int root, Workspace& w) {
@@ -173,7 +168,7 @@ std::vector<Ref> mapped(const std::vector<Ref>& image, std::span<const Ref> refs
 
 /// Equal items become one.
 Network without_duplicates(const Network& network) {
-  Workspace& w = workspace();
+  Workspace& w = kept_by_thread<Workspace>();
   find_order(network, w);
   NetworkBuilder builder(network.shared_constants(), w.order.size());
   w.image.assign(static_cast<std::size_t>(network.size()), 0);
@@ -239,7 +234,7 @@ void append_flat(const Network& network, Ref k, Workspace& w) {
 
 /// Sums within sums and products within products become one, where nobody else needs them.
 Network flat(Network network) {
-  Workspace& w = workspace();
+  Workspace& w = kept_by_thread<Workspace>();
   if (!mark_parts(network, w)) {
     return network;
   }
@@ -260,7 +255,7 @@ Network flat(Network network) {
 }
 
 bool has_unneeded_operations(const Network& network) {
-  std::vector<int>& count = workspace().count;
+  std::vector<int>& count = kept_by_thread<Workspace>().count;
   count_uses(network, count);
   for (int k = 1; k < network.size(); ++k) {
     if (count[program::node_index(k)] == 0 && !network.operands(k).empty()) {
@@ -307,7 +302,7 @@ std::vector<int> uses(const Network& network) {
 }
 
 int operations(const Network& network) {
-  std::vector<int>& count = workspace().count;
+  std::vector<int>& count = kept_by_thread<Workspace>().count;
   count_uses(network, count);
   int total = 0;
   for (int k = 1; k < network.size(); ++k) {

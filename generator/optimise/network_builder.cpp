@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "common/error.hpp"
+#include "optimise/kept.hpp"
 
 namespace treedyn::optimise {
 
@@ -38,22 +39,21 @@ bool by_magnitude(Ref a, Ref b) {
 
 namespace {
 
-/// The table of the last builder that is gone: most networks are small, and soon the next comes.
-std::vector<Ref>& spare_table() {
-  thread_local std::vector<Ref> of_thread;
-  return of_thread;
-}
+/// The table of the last builder that is gone: soon the next one comes.
+struct SpareTable {
+  std::vector<Ref> table;
+};
 
 }  // namespace
 
 NetworkBuilder::NetworkBuilder(std::shared_ptr<ConstantTable> constants, std::size_t expected)
     : network_(std::move(constants)) {
   network_.reserve(expected, 3 * expected);
-  table_.swap(spare_table());
+  table_.swap(kept_by_thread<SpareTable>().table);
   table_.assign(std::bit_ceil(std::max<std::size_t>(64, 2 * expected)), 0);
 }
 
-NetworkBuilder::~NetworkBuilder() { table_.swap(spare_table()); }
+NetworkBuilder::~NetworkBuilder() { table_.swap(kept_by_thread<SpareTable>().table); }
 
 std::uint64_t NetworkBuilder::hash_of(Ref item) const {
   const Item& known = network_.item(item);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "optimise/kept.hpp"
+
 namespace treedyn::optimise {
 
 namespace {
@@ -37,18 +39,13 @@ Pair make_pair(Ref a, Ref b, int item) {
 }
 
 /// Kept for the next network.
-struct Workspace {
+struct SharingLists {
   std::vector<int> count;
   std::vector<Pair> pairs;
   std::vector<Group> groups;
   std::vector<Ref> candidates;
   std::vector<int> items;
 };
-
-Workspace& workspace() {
-  thread_local Workspace of_thread;
-  return of_thread;
-}
 
 class Sharing {
  public:
@@ -81,10 +78,10 @@ class Sharing {
   Network& network_;
   Kind kind_;
   std::uint64_t seed_;
-  Workspace& workspace_ = workspace();
-  std::vector<int>& count_ = workspace_.count;
-  std::vector<Pair>& pairs_ = workspace_.pairs;
-  std::vector<Group>& groups_ = workspace_.groups;
+  SharingLists& lists_ = kept_by_thread<SharingLists>();
+  std::vector<int>& count_ = lists_.count;
+  std::vector<Pair>& pairs_ = lists_.pairs;
+  std::vector<Group>& groups_ = lists_.groups;
 };
 
 /// In how many items of this kind an operand occurs.
@@ -101,7 +98,7 @@ void Sharing::count_operands() {
 
 void Sharing::collect() {
   pairs_.clear();
-  std::vector<Ref>& candidates = workspace_.candidates;
+  std::vector<Ref>& candidates = lists_.candidates;
   for (int k = 1; k < network_.size(); ++k) {
     if (network_.item(k).kind != kind_) {
       continue;
@@ -188,7 +185,7 @@ int Sharing::replace(const std::vector<int>& items, Ref x, Ref y) {
 /// Shares a pair if all its items still have it; a later round takes the others.
 int Sharing::share_group(const Group& group) {
   const Pair& pair = pairs_[group.begin];
-  std::vector<int>& items = workspace_.items;
+  std::vector<int>& items = lists_.items;
   items.clear();
   for (std::size_t p = group.begin; p < group.end; ++p) {
     std::size_t i = 0;
