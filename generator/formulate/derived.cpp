@@ -161,7 +161,7 @@ bool takes_q(const Derived& function) {
 }
 
 /// Of one of our functions, or of a user's.
-Recipe recipe_of(const std::shared_ptr<const Derived>& function) {
+Recipe recipe_for(const std::shared_ptr<const Derived>& function) {
   for (const Recipe& recipe : recipes()) {
     if (recipe.name == function->equation.name) {
       return recipe;
@@ -246,7 +246,7 @@ std::vector<program::Cost> costs_of_values(const model::Tree& tree,
                                            const std::shared_ptr<const Derived>& function,
                                            const Options& options) {
   std::vector<program::Cost> result;
-  Recipe recipe = recipe_of(function);
+  Recipe recipe = recipe_for(function);
   recipe.build = [&](const Task& task) {
     Lowering lowering(task, *function, takes_q(*function) ? Way::kInLinks : Way::kInBase);
     const std::vector<Expr> outputs = expressions(task, lowering, kBase);
