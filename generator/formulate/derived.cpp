@@ -249,7 +249,7 @@ std::vector<program::Cost> costs_of_values(const model::Tree& tree,
   Recipe recipe = recipe_for(function);
   recipe.build = [&](const Task& task) {
     Lowering lowering(task, *function, takes_q(*function) ? Way::kInLinks : Way::kInBase);
-    const std::vector<Expr> outputs = expressions(task, lowering, kBase);
+    std::vector<Expr> outputs = expressions(task, lowering, kBase);
     result = lowering.costs(outputs);
     return outputs;
   };

@@ -87,16 +87,17 @@ Formulations::Formulations(const model::Tree& tree, const Recipe& recipe, const 
 
 Built Formulations::made(const Variant& variant, bool in_order) {
   const Variant used = usable(recipe_, has_trunk_, variant);
-  const auto ordered = [in_order](program::Function function) {
-    return in_order ? program::canonical(function) : function;
-  };
   const NormalTree normal = forms_.of(used);
   if (limbs_.empty()) {
-    return {ordered(written(tree_, normal, recipe_, options_, used, nullptr)), {}};
+    program::Function function = written(tree_, normal, recipe_, options_, used, nullptr);
+    return {in_order ? program::canonical(function) : std::move(function), {}};
   }
   SharedLimbs limbs = shared_limbs(tree_, normal, limbs_);
   program::Function function =
-      ordered(written(with_signs(tree_, normal), normal, recipe_, options_, used, &limbs));
+      written(with_signs(tree_, normal), normal, recipe_, options_, used, &limbs);
+  if (in_order) {
+    function = program::canonical(function);
+  }
   function = program::fold_limb_constants(function, limbs.table);
   return {std::move(function), std::move(limbs.table)};
 }

@@ -208,12 +208,14 @@ bool mark_parts(const Network& network, Workspace& w) {
   bool found = false;
   for (int k = 1; k < network.size(); ++k) {
     const Kind kind = network.item(k).kind;
-    if (w.count[program::node_index(k)] > 0 && merges_into(kind, kind)) {
-      for (const Ref operand : network.operands(k)) {
-        if (w.count[program::node_index(operand)] == 1 && network.item(operand).kind == kind) {
-          w.marks[program::node_index(operand)] = 1;
-          found = true;
-        }
+    if (w.count[program::node_index(k)] == 0 || !merges_into(kind, kind)) {
+      continue;
+    }
+    for (const Ref operand : network.operands(k)) {
+      const std::size_t at = program::node_index(operand);
+      if (w.count[at] == 1 && network.item(operand).kind == kind) {
+        w.marks[at] = 1;
+        found = true;
       }
     }
   }
