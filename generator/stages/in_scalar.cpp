@@ -13,6 +13,16 @@ namespace treedyn {
 
 namespace {
 
+template <class Check>
+void for_each_function(const program::Programs& programs, Check check) {
+  for (const program::Function& function : programs.functions) {
+    check(function.signature.name, function);
+  }
+  for (const program::Staged& staged : programs.staged) {
+    check(staged.signature.name, staged.function);
+  }
+}
+
 /// What float may lose of the largest result at some ordinary state before there is a warning.
 constexpr double kFloatLoses = 1e-2;
 
@@ -51,13 +61,25 @@ std::vector<Warning> float_warnings(const program::Programs& programs, emit::Sca
     }
   };
   if (scalar == emit::Scalar::kFloat) {
-    for (const program::Function& function : programs.functions) {
-      check(function.signature.name, function);
-    }
-    for (const program::Staged& staged : programs.staged) {
-      check(staged.signature.name, staged.function);
-    }
+    for_each_function(programs, check);
   }
+  return result;
+}
+
+std::vector<Warning> warnings_of(const program::Programs& programs, const Request& request) {
+  const Location where{request.scene.value_or(request.model), 0, 0};
+  std::vector<Warning> result;
+  for_each_function(programs, [&](const std::string& name, const program::Function& function) {
+    const program::Rounding& rounding = function.rounding;
+    if (rounding.refused > 0) {
+      result.push_back(
+          {where, fmt::format("function '{}' is generated without {}: rounding errors would grow "
+                              "{:.2g} times by it",
+                              name, fmt::join(rounding.left_out, ", "), rounding.refused)});
+    }
+  });
+  const std::vector<Warning> lost = float_warnings(programs, request.target.scalar, where);
+  result.insert(result.end(), lost.begin(), lost.end());
   return result;
 }
 

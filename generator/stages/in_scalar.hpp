@@ -13,4 +13,8 @@ program::Programs in_scalar(program::Programs programs, const Model& model, emit
 std::vector<Warning> float_warnings(const program::Programs& programs, emit::Scalar scalar,
                                     const Location& where);
 
+/// What users should know of the numbers of programs: `float_warnings`, and functions without some
+/// pass that would have amplified rounding.
+std::vector<Warning> warnings_of(const program::Programs& programs, const Request& request);
+
 }  // namespace treedyn
