@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "accuracy/places.hpp"
+#include "accuracy/picture_places.hpp"
 
 namespace treedyn::accuracy {
 

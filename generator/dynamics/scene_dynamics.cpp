@@ -47,30 +47,30 @@ class EngineDynamics final : public simulation::Dynamics {
 
   void evaluate(const simulation::Vector& q, const simulation::Vector& qd,
                 simulation::Terms& terms) override {
-    run(engine::Function::kMassMatrix, {q}, terms, 0);
-    run(engine::Function::kInverseDynamics, {q, qd, zero_}, terms, 1);
+    run("mass_matrix", {q}, terms, 0);
+    run("inverse_dynamics", {q, qd, zero_}, terms, 1);
     evaluate_geometry(q, terms);
     if (terms.needs().points) {
-      run(engine::Function::kPointBiasAcceleration, {q, qd}, terms, 4);
+      run("point_bias_acceleration", {q, qd}, terms, 4);
     }
     if (terms.needs().rotations) {
-      run(engine::Function::kAngularBiasAcceleration, {q, qd}, terms, 7);
+      run("angular_bias_acceleration", {q, qd}, terms, 7);
     }
   }
 
   void evaluate_geometry(const simulation::Vector& q, simulation::Terms& terms) override {
     if (terms.needs().points) {
-      run(engine::Function::kPointPositions, {q}, terms, 2);
-      run(engine::Function::kForceJacobianTranspose, {q}, terms, 3);
+      run("point_positions", {q}, terms, 2);
+      run("force_jacobian_transpose", {q}, terms, 3);
     }
     if (terms.needs().rotations) {
-      run(engine::Function::kPointRotations, {q}, terms, 5);
-      run(engine::Function::kMomentJacobianTranspose, {q}, terms, 6);
+      run("point_rotations", {q}, terms, 5);
+      run("moment_jacobian_transpose", {q}, terms, 6);
     }
   }
 
  private:
-  void run(engine::Function function,
+  void run(std::string_view function,
            std::initializer_list<std::reference_wrapper<const simulation::Vector>> inputs,
            simulation::Terms& terms, std::size_t array) {
     std::array<std::span<const double>, 3> spans;
@@ -78,7 +78,8 @@ class EngineDynamics final : public simulation::Dynamics {
     for (const simulation::Vector& input : inputs) {
       spans[count++] = {input.data(), static_cast<std::size_t>(input.size())};
     }
-    const std::span<const double> result = engine_.evaluate(function, {spans.data(), count});
+    const std::span<const double> result =
+        engine_.evaluate(function, std::span<const std::span<const double>>(spans.data(), count));
     std::copy(result.begin(), result.end(),
               terms.values().begin() + static_cast<std::ptrdiff_t>(terms.offset(array)));
   }

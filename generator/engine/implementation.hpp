@@ -26,6 +26,7 @@ class Engine<Scalar>::Implementation {
       : coordinates_(tree, convert),
         sizes_(tree, [](const Real& x) { return std::abs(static_cast<double>(x)); }),
         outputs_(equations::index_of(tree, points)),
+        inertia_(*outputs_.find("mass_matrix")),
         constants_(equations::constants_of<Scalar>(tree, points, convert)),
         evaluation_(outputs_.plan()),
         leaves_(evaluation_),
@@ -44,38 +45,40 @@ class Engine<Scalar>::Implementation {
   [[nodiscard]] int links() const { return static_cast<int>(q_.size()); }
   [[nodiscard]] int points() const { return static_cast<int>(constants_.points.size()); }
 
-  std::span<const Scalar> evaluate(Function function,
-                                   std::span<const std::span<const Scalar>> inputs) {
-    set_inputs(signatures()[static_cast<std::size_t>(function)], inputs);
-    if (function == Function::kPointRotations) {
-      return rotations();
-    }
-    if (function == Function::kForwardDynamics) {
-      return forward_dynamics(inputs.back());
-    }
-    const Output& output = outputs_.of(function);
-    evaluation_.run(output.steps);
-    return reduced(output);
+  /// nullptr if there is no such function.
+  [[nodiscard]] const Output* find(std::string_view function) const {
+    return outputs_.find(function);
   }
 
-  std::vector<double> scales(Function function, std::span<const std::span<const Scalar>> inputs) {
-    evaluate(function, inputs);
-    if (function == Function::kPointRotations) {
+  std::span<const Scalar> evaluate(const Output& output,
+                                   std::span<const std::span<const Scalar>> inputs) {
+    set_inputs(*output.function, inputs);
+    if (output.step < 0) {
+      return rotations();
+    }
+    evaluation_.run(output.steps);
+    return is_solved(output) ? solved(output, inputs.back()) : reduced(output);
+  }
+
+  std::vector<double> scales(const Output& output,
+                             std::span<const std::span<const Scalar>> inputs) {
+    evaluate(output, inputs);
+    if (output.step < 0) {
       return std::vector<double>(9 * constants_.points.size(), 1);
     }
-    const std::vector<double> sums = sizes_of_terms(outputs_.of(function));
-    return function == Function::kForwardDynamics ? solved(sums, inputs.back()) : sums;
+    const std::vector<double> sums = sizes_of_terms(output);
+    return is_solved(output) ? sizes_of_solution(sums, inputs.back()) : sums;
   }
 
  private:
   static Scalar convert(const Real& x) { return static_cast<Scalar>(x); }
 
+  static bool is_solved(const Output& output) { return !output.function->unknown.empty(); }
+
   [[nodiscard]] std::size_t largest_output() const {
     int largest = 0;
-    for (const Signature& signature : signatures()) {
-      const Argument& out = signature.output;
-      const int size = out.rows.count(links(), points()) * out.cols.count(links(), points());
-      largest = std::max(largest, size);
+    for (const equations::Equation* function : functions()) {
+      largest = std::max(largest, function->outputs.front().size(links(), points()));
     }
     return static_cast<std::size_t>(largest);
   }
@@ -91,9 +94,10 @@ class Engine<Scalar>::Implementation {
     }
   }
 
-  void set_inputs(const Signature& signature, std::span<const std::span<const Scalar>> inputs) {
+  void set_inputs(const equations::Equation& function,
+                  std::span<const std::span<const Scalar>> inputs) {
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-      const std::string_view name = signature.inputs[k].name;
+      const std::string_view name = function.inputs[k].name;
       if (name == "q") {
         set_positions(inputs[k]);
       } else if (name == "qd") {
@@ -132,17 +136,14 @@ class Engine<Scalar>::Implementation {
     return {result_.data(), 9 * constants_.points.size()};
   }
 
-  /// tau - B - G = A qdd
-  std::span<const Scalar> forward_dynamics(std::span<const Scalar> tau) {
-    const Output& forces = outputs_.of(Function::kForwardDynamics);  // B + G
-    evaluation_.run(forces.steps);
+  /// tau - B - G = A qdd. \pre `forces`, B + G, have run
+  std::span<const Scalar> solved(const Output& forces, std::span<const Scalar> tau) {
     const std::span<const Scalar> h = reduced(forces);
     for (int i = 0; i < dof(); ++i) {
       solution_(i) = tau[static_cast<std::size_t>(i)] - h[static_cast<std::size_t>(i)];
     }
-    const Output& inertia = outputs_.of(Function::kMassMatrix);
-    evaluation_.run(inertia.steps);
-    factor_ = Eigen::Map<const Matrix>(reduced(inertia).data(), dof(), dof());
+    evaluation_.run(inertia_.steps);
+    factor_ = Eigen::Map<const Matrix>(reduced(inertia_).data(), dof(), dof());
     factorize(factor_);
     solve_factorized(factor_, solution_);
     return {solution_.data(), static_cast<std::size_t>(dof())};
@@ -161,8 +162,9 @@ class Engine<Scalar>::Implementation {
 
   /// |A^-1| (|tau| + forces + |A| |qdd|): what terms of their sizes make of accelerations.
   /// \pre the accelerations have been computed
-  std::vector<double> solved(const std::vector<double>& forces, std::span<const Scalar> tau) {
-    const std::vector<double> A = sizes_of_terms(outputs_.of(Function::kMassMatrix));
+  std::vector<double> sizes_of_solution(const std::vector<double>& forces,
+                                        std::span<const Scalar> tau) {
+    const std::vector<double> A = sizes_of_terms(inertia_);
     const auto n = static_cast<std::size_t>(dof());
     const Vector qdd = solution_;
     std::vector<double> result(n, 0);
@@ -192,6 +194,7 @@ class Engine<Scalar>::Implementation {
   Coordinates<Scalar> coordinates_;
   Coordinates<double> sizes_;  ///< with the magnitudes of the multipliers
   Outputs outputs_;
+  const Output& inertia_;  ///< A
   equations::Constants<Scalar> constants_;
   block::Evaluation<Scalar> evaluation_;
   equations::LeafWriter<Scalar> leaves_;

@@ -1,12 +1,20 @@
 // The functions of the engine as steps of one plan.
 #pragma once
 
+#include <map>
+#include <string_view>
 #include <vector>
 
 #include "block/plan.hpp"
-#include "engine/signatures.hpp"
+#include "equations/table.hpp"
 
 namespace treedyn::engine {
+
+using equations::Extent;
+
+/// The functions that the engine evaluates, rows of equations/table.hpp: those that are one block
+/// expression, forward dynamics and rotations of points.
+std::vector<const equations::Equation*> functions();
 
 /// How an output in joint coordinates turns into independent coordinates, q = T u + q0.
 enum class Reduction {
@@ -17,10 +25,11 @@ enum class Reduction {
 };
 
 struct Output {
-  int step = -1;  ///< of the plan
-  block::Shape shape;
-  std::vector<int> steps;  ///< to run
-  Extent rows, cols;       ///< kPerDof counts links here
+  const equations::Equation* function = nullptr;
+  int step = -1;  ///< of the plan; of rotations none
+  block::Shape shape = {};
+  std::vector<int> steps = {};  ///< to run
+  Extent rows = {}, cols = {};  ///< kPerDof counts links here
   Reduction reduction = Reduction::kNone;
 };
 
@@ -29,16 +38,14 @@ class Outputs {
   explicit Outputs(const block::Index& index);
 
   [[nodiscard]] const block::Plan& plan() const { return plan_; }
-  /// For forward dynamics B + G; nothing for rotations.
-  [[nodiscard]] const Output& of(Function function) const {
-    return outputs_[static_cast<std::size_t>(function)];
-  }
+  /// For forward dynamics B + G; nullptr if the engine has no such function.
+  [[nodiscard]] const Output* find(std::string_view function) const;
 
  private:
-  void add(Function function, const block::Expression& expression);
+  void add(const equations::Equation& function, const block::Expression& expression);
 
   block::Plan plan_;
-  std::vector<Output> outputs_;
+  std::map<std::string_view, Output> outputs_;
 };
 
 }  // namespace treedyn::engine

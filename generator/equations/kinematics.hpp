@@ -6,7 +6,7 @@
 
 #include "block/evaluate.hpp"
 #include "block/pattern.hpp"
-#include "equations/vectors.hpp"
+#include "equations/eigen_vectors.hpp"
 #include "model/tree.hpp"
 
 namespace treedyn::equations {

@@ -11,7 +11,7 @@
 #include "equations/user.hpp"
 #include "formulate/blocks.hpp"
 #include "formulate/functions.hpp"
-#include "formulate/numbers.hpp"
+#include "formulate/joint_numbers.hpp"
 
 namespace treedyn::formulate {
 

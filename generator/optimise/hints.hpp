@@ -1,7 +1,7 @@
 // Names of values, kept while the expressions around them change.
 #pragma once
 
-#include "optimise/words.hpp"
+#include "optimise/program_names.hpp"
 
 namespace treedyn::optimise {
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "optimise/words.hpp"
+#include "optimise/program_names.hpp"
 
 namespace treedyn::optimise {
 

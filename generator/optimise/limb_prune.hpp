@@ -1,7 +1,7 @@
 // Drops what crosses the border between trunk and limbs for nothing.
 #pragma once
 
-#include "optimise/words.hpp"
+#include "optimise/program_names.hpp"
 
 namespace treedyn::optimise {
 

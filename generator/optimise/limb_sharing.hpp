@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "optimise/optimise.hpp"
-#include "optimise/words.hpp"
+#include "optimise/program_names.hpp"
 
 namespace treedyn::optimise {
 

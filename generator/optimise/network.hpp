@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "optimise/constants.hpp"
-#include "optimise/words.hpp"
+#include "optimise/program_names.hpp"
 
 namespace treedyn::optimise {
 
@@ -62,7 +62,6 @@ class Network {
   void set_kind(Ref a, Kind kind) { items_[index(a)].kind = kind; }
   /// Replaces all operands; O(number of operands).
   void set_operands(Ref a, std::span<const Ref> operands);
-  void set_position(Ref a, int position) { items_[index(a)].position = position; }
 
   std::vector<Ref>& outputs() { return outputs_; }
   [[nodiscard]] const std::vector<Ref>& outputs() const { return outputs_; }

@@ -1,7 +1,7 @@
 // Fewer operations for the same values.
 #pragma once
 
-#include "optimise/words.hpp"
+#include "optimise/program_names.hpp"
 
 namespace treedyn::optimise {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "optimise/words.hpp"
+#include "optimise/program_names.hpp"
 
 namespace treedyn::optimise {
 

@@ -5,8 +5,6 @@ namespace treedyn::benchmark {
 
 namespace {
 
-using engine::Function;
-
 class BlockForm final : public Contestant {
  public:
   using Input = std::span<const double>;
@@ -19,25 +17,25 @@ class BlockForm final : public Contestant {
   void run(Quantity quantity, Turn turn) override {
     switch (quantity) {
       case Quantity::kMassMatrix:
-        return evaluate(Function::kMassMatrix, turn,
+        return evaluate("mass_matrix", turn,
                         [](const State& s) { return std::array<Input, 1>{s.q}; });
       case Quantity::kBiasForce:
-        return evaluate(Function::kBiasForce, turn, [](const State& s) {
+        return evaluate("bias_force", turn, [](const State& s) {
           return std::array<Input, 2>{s.q, s.qd};
         });
       case Quantity::kGravityForce:
-        return evaluate(Function::kGravityForce, turn,
+        return evaluate("gravity_force", turn,
                         [](const State& s) { return std::array<Input, 1>{s.q}; });
       case Quantity::kInverseDynamics:
-        return evaluate(Function::kInverseDynamics, turn, [](const State& s) {
+        return evaluate("inverse_dynamics", turn, [](const State& s) {
           return std::array<Input, 3>{s.q, s.qd, s.qdd};
         });
       case Quantity::kForwardDynamics:
-        return evaluate(Function::kForwardDynamics, turn, [](const State& s) {
+        return evaluate("forward_dynamics", turn, [](const State& s) {
           return std::array<Input, 3>{s.q, s.qd, s.tau};
         });
       case Quantity::kJacobian:
-        return evaluate(Function::kForceJacobianTranspose, turn,
+        return evaluate("force_jacobian_transpose", turn,
                         [](const State& s) { return std::array<Input, 1>{s.q}; });
     }
   }
@@ -48,10 +46,10 @@ class BlockForm final : public Contestant {
 
  private:
   template <class Inputs>
-  void evaluate(Function function, Turn turn, const Inputs& inputs_of) {
+  void evaluate(std::string_view function, Turn turn, const Inputs& inputs_of) {
     repeat(states_, turn, [&](std::size_t k) {
       const auto inputs = inputs_of(states_[k]);
-      out_ = engine_.evaluate(function, inputs);
+      out_ = engine_.evaluate(function, std::span<const Input>(inputs));
     });
   }
 

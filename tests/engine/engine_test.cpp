@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/outputs.hpp"
 #include "support/random_tree.hpp"
 
 namespace treedyn {
@@ -56,16 +57,16 @@ TEST(Engine, GivesEveryFunctionItsSize) {
   const model::Tree tree = chain("RPR");
   const std::vector<model::Point> points = {point_on(2, 0, 0, 0), point_on(1, 0, 1, 0)};
   Engine engine(tree, points, kGravity);
-  for (const engine::Signature& signature : engine::signatures()) {
+  for (const equations::Equation* function : engine::functions()) {
     std::vector<std::vector<double>> inputs;
-    for (const engine::Argument& input : signature.inputs) {
+    for (const equations::Argument& input : function->inputs) {
       inputs.emplace_back(static_cast<std::size_t>(input.rows.count(3, 2)), 0.5);
     }
-    const std::vector<double> result = engine.evaluate(signature.name, inputs);
-    const int size = signature.output.rows.count(3, 2) * signature.output.cols.count(3, 2);
-    EXPECT_EQ(result.size(), static_cast<std::size_t>(size)) << signature.name;
+    const std::vector<double> result = engine.evaluate(function->name, inputs);
+    const int size = function->outputs.front().size(3, 2);
+    EXPECT_EQ(result.size(), static_cast<std::size_t>(size)) << function->name;
     for (const double x : result) {
-      EXPECT_TRUE(std::isfinite(x)) << signature.name;
+      EXPECT_TRUE(std::isfinite(x)) << function->name;
     }
   }
 }

@@ -1,10 +1,9 @@
 // What R12 derives, carried out with numbers: matrices with the zeros of a tree and without.
-#include "formulate/numbers.hpp"
-
 #include <gtest/gtest.h>
 
 #include "equations/equations.hpp"
 #include "equations/symbols.hpp"
+#include "formulate/joint_numbers.hpp"
 
 namespace treedyn::formulate {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "description/read.hpp"
 #include "engine/engine.hpp"
+#include "engine/outputs.hpp"
 #include "oracle/engines.hpp"
 #include "oracle/from_tree.hpp"
 #include "oracle/functions.hpp"
@@ -112,10 +113,10 @@ TEST_P(EveryRobot, EngineEqualsTheRecursiveOracle) {
   const Problem<Real> problem = problem_of<Real>(tree);
   engine::Engine<Real> engine(tree, tree.points, kGravity);
   for (const Sample& sample : samples_of(tree, 8)) {
-    for (const engine::Signature& signature : engine::signatures()) {
-      const std::string name(signature.name);
+    for (const equations::Equation* function : engine::functions()) {
+      const std::string name(function->name);
       std::vector<RealList> inputs;
-      for (const engine::Argument& argument : signature.inputs) {
+      for (const equations::Argument& argument : function->inputs) {
         inputs.push_back(numbers<Real>(sample.at(std::string(argument.name))));
       }
       const RealList x = engine.evaluate(name, inputs);

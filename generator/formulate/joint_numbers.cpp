@@ -1,4 +1,4 @@
-#include "formulate/numbers.hpp"
+#include "formulate/joint_numbers.hpp"
 
 #include <algorithm>
 #include <stdexcept>
