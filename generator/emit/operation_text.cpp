@@ -51,7 +51,9 @@ struct Printer {
       case Kind::kCos:
         return fmt::format("cos({})", operand(node.a, false));
       case Kind::kSqrt:
-        return fmt::format("sqrt({})", operand(node.a, false));
+        return fmt::format("sqrt({})", node.a > 0                    ? operand(node.a, false)
+                                       : schedule.is_inlined(node.a) ? negative(-node.a)
+                                                                     : "-" + atom(-node.a));
       case Kind::kConstant:
       case Kind::kInput:
         break;

@@ -18,12 +18,7 @@ struct Term {
   friend Term operator-(const Term& a, const Term& b) { return {a.graph, a.value - b.value}; }
   friend Term operator*(const Term& a, const Term& b) { return {a.graph, a.value * b.value}; }
   friend Term operator/(const Term& a, const Term& b) { return {a.graph, a.value / b.value}; }
-  /// Roots are taken of values, not of negatives of values: -x = sqrt(x x) if it has a root.
-  friend Term sqrt(const Term& a) {
-    const Ref x = a.value.ref();
-    const Ref positive = x < 0 ? a.graph->sqrt(a.graph->multiply(x, x)) : x;
-    return {a.graph, {*a.graph, a.graph->sqrt(positive)}};
-  }
+  friend Term sqrt(const Term& a) { return {a.graph, {*a.graph, a.graph->sqrt(a.value.ref())}}; }
   friend Term sin(const Term& a) { return {a.graph, {*a.graph, a.graph->sin(a.value.ref())}}; }
   friend Term cos(const Term& a) { return {a.graph, {*a.graph, a.graph->cos(a.value.ref())}}; }
 };

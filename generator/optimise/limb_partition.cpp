@@ -92,8 +92,9 @@ Key LimbPartition::operation_key(const Node& node) const {
     case Kind::kSin:
       return residue::odd(key(node.a), node.kind);
     case Kind::kCos:
-    case Kind::kSqrt:
       return residue::even(key(node.a), node.kind);
+    case Kind::kSqrt:
+      return residue::image(key(node.a), node.kind);
     case Kind::kConstant:
     case Kind::kInput:
       break;

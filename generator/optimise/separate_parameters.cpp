@@ -107,19 +107,13 @@ class UpdateWriter {
       case RecipeKind::kDivide:
         return of(r.a) / of(r.b);
       case RecipeKind::kSqrt:
-        return root(of(r.a));
+        return {graph_, graph_.sqrt(of(r.a).ref())};
       case RecipeKind::kSin:
         return {graph_, graph_.sin(of(r.a).ref())};
       case RecipeKind::kCos:
         break;
     }
     return {graph_, graph_.cos(of(r.a).ref())};
-  }
-
-  /// Roots are taken of values, not of negatives of values: -x = sqrt(x x) if it has a root.
-  Expr root(Expr x) {
-    const Expr positive = x.ref() < 0 ? Expr(graph_, graph_.sqrt((x * x).ref())) : x;
-    return {graph_, graph_.sqrt(positive.ref())};
   }
 
   Graph& graph_;

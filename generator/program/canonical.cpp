@@ -59,8 +59,9 @@ class Structure {
       case Kind::kSin:
         return odd(key(node.a), node.kind);
       case Kind::kCos:
-      case Kind::kSqrt:
         return even(key(node.a), node.kind);
+      case Kind::kSqrt:
+        return image(key(node.a), node.kind);
     }
     return 0;
   }

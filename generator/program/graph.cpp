@@ -184,7 +184,6 @@ Ref Graph::cos(Ref a) {
 }
 
 Ref Graph::sqrt(Ref a) {
-  TREEDYN_EXPECT(a >= 0);
   return is_constant(a) ? constant(treedyn::sqrt(value(a))) : make(Kind::kSqrt, a, 0);
 }
 

@@ -26,8 +26,8 @@ inline constexpr int kFixedArrays = 1 << 20;
 enum class Kind : std::uint8_t { kConstant, kInput, kAdd, kMultiply, kDivide, kSin, kCos, kSqrt };
 
 /// One node. kConstant: a = index of the (positive) constant. kInput: a = array, b = element.
-/// kAdd: a > 0, b of either sign. kMultiply, kDivide, kSin, kCos, kSqrt: operands positive, b
-/// unused by functions.
+/// kAdd: a > 0, b of either sign. kMultiply, kDivide, kSin, kCos: operands positive. kSqrt: of
+/// either sign. b is unused by functions.
 struct Node {
   Kind kind = Kind::kConstant;
   Ref a = 0;

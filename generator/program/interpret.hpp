@@ -54,7 +54,7 @@ std::vector<Scalar> node_values(const Graph& graph, std::span<const Ref> outputs
       case Kind::kSin:
       case Kind::kCos:
       case Kind::kSqrt:
-        result = elementary(node.kind, at(node.a));
+        result = elementary(node.kind, node.a < 0 ? Scalar(-at(-node.a)) : at(node.a));
         break;
     }
   }

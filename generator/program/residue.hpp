@@ -39,5 +39,7 @@ inline Key even(Key a, Kind kind) {
   return scramble(product(a, a) + (static_cast<Key>(kind) << 61U)) % kPrime;
 }
 inline Key odd(Key a, Kind kind) { return product(a, even(a, kind)); }
+/// A function that is neither.
+inline Key image(Key a, Kind kind) { return even(sum(a, scramble(a) % kPrime), kind); }
 
 }  // namespace treedyn::program::residue

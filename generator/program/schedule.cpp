@@ -217,7 +217,7 @@ class Inliner {
 
   [[nodiscard]] int expression_width(const Node& node) const {
     if (node.b == 0) {
-      return operand_width(node.a) + 6;  // "sqrt()"
+      return operand_width(node.a) + (node.a < 0 ? 9 : 6);  // "sqrt()", "sqrt(-())"
     }
     const Shape form = shape(graph_, node, result_);
     return operand_width(node.a) + operand_width(node.b) + 3 + (form.first_in_parentheses ? 2 : 0) +

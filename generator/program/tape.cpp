@@ -42,10 +42,12 @@ Tape::Tape(const Function& function) {
         instructions_.push_back({Operation::kCos, result, at(node.a), 0});
         break;
       case Kind::kSqrt:
-        instructions_.push_back({Operation::kSqrt, result, at(node.a), 0});
+        instructions_.push_back(
+            {node.a < 0 ? Operation::kSqrtOfNegative : Operation::kSqrt, result, at(node.a), 0});
         break;
     }
-    TREEDYN_EXPECT(node.kind == Kind::kConstant || node.kind == Kind::kInput || node.a > 0);
+    TREEDYN_EXPECT(node.kind == Kind::kConstant || node.kind == Kind::kInput ||
+                   node.kind == Kind::kSqrt || node.a > 0);
   }
   for (const Ref output : function.outputs) {
     results_.push_back(output < 0 ? -at(output) : at(output));
@@ -80,6 +82,9 @@ void Tape::evaluate(std::span<const std::span<const double>> inputs, std::span<d
         break;
       case Operation::kSqrt:
         r[i.result] = std::sqrt(r[i.a]);
+        break;
+      case Operation::kSqrtOfNegative:
+        r[i.result] = std::sqrt(-r[i.a]);
         break;
     }
   }

@@ -23,7 +23,16 @@ class Tape {
   [[nodiscard]] std::size_t instructions() const { return instructions_.size(); }
 
  private:
-  enum class Operation : std::uint8_t { kAdd, kSubtract, kMultiply, kDivide, kSin, kCos, kSqrt };
+  enum class Operation : std::uint8_t {
+    kAdd,
+    kSubtract,
+    kMultiply,
+    kDivide,
+    kSin,
+    kCos,
+    kSqrt,
+    kSqrtOfNegative
+  };
   struct Instruction {
     Operation operation;
     std::int32_t result;

@@ -66,7 +66,11 @@ void check_at_states(const Model& model, const Request& request,
     refuse_decades(model.tree, error.what());
   }
   if (model.scene) {
-    check_scene(model, programs);
+    try {
+      check_scene(model, programs);
+    } catch (const std::domain_error& error) {
+      throw InputError({*request.scene, 0, 0}, error.what());
+    }
   }
 }
 

@@ -62,6 +62,22 @@ class State {
     TREEDYN_EXPECT(found != names_.end());
     return values_[static_cast<std::size_t>(found - names_.begin())];
   }
+  /// Nearer to where the scene starts: this part of the way is left.
+  void approach(const model::Scene& scene, double part) {
+    const auto move = [&](const char* name, const Values& to) {
+      for (std::size_t k = 0; has(name) && k < to.size(); ++k) {
+        at(name)[k] = to[k] + part * at(name)[k];
+      }
+    };
+    move("q", scene.q0);
+    move("qd", scene.qd0);
+    if (has("t")) {
+      at("t")[0] = scene.t0 + part * abs(at("t")[0]);
+    }
+    if (has(program::kDepthArray)) {
+      std::ranges::for_each(at(program::kDepthArray), [part](Real& depth) { depth *= part; });
+    }
+  }
   [[nodiscard]] bool has(const std::string& name) const {
     return std::find(names_.begin(), names_.end(), name) != names_.end();
   }
@@ -74,6 +90,29 @@ class State {
   std::vector<std::string> names_;
   std::vector<Values> values_;
 };
+
+bool is_finite(const Values& values) {
+  return std::ranges::all_of(values, [](const Real& x) { return isfinite(x); });
+}
+
+/// Expressions of a scene need not have values everywhere. At a pseudo-random state, or at one
+/// nearer to where the scene starts.
+/// \param judged  State -> true, or false where the equations have no value
+/// \throws std::domain_error if they have none at the start
+template <class Judged>
+void at_some_state(const model::Scene& scene, const program::Signature& signature, Source& source,
+                   Judged judged) {
+  for (const double part : {1.0, 0.5, 0.5, 0.5, 0.5, 0.1, 0.1, 0.1, 0.01, 0.01, 0.0}) {
+    State state(signature, source);
+    if (part < 1) {
+      state.approach(scene, part);
+    }
+    if (judged(state)) {
+      return;
+    }
+  }
+  throw std::domain_error("an expression of the scene has no value where the scene starts");
+}
 
 /// \param sizes  of what is added up to it, the largest sum
 /// \param least  by the smallest pivots on the way errors may have grown
@@ -267,6 +306,12 @@ void check_impact(const model::Scene& scene, const program::Staged& staged, Sour
                 of_inertia * least);
 }
 
+/// What rows want.
+bool is_finite(const std::vector<SceneEquations::Row>& rows) {
+  return std::ranges::all_of(rows,
+                             [](const SceneEquations::Row& row) { return isfinite(row.wanted); });
+}
+
 /// Of the scene, and of the phase.
 Values forces_of(const program::Staged& staged, const SceneEquations& equations) {
   Values force = equations.force();
@@ -276,8 +321,16 @@ Values forces_of(const program::Staged& staged, const SceneEquations& equations)
   return force;
 }
 
-void check_constrained(const model::Scene& scene, const program::Staged& staged, Source& source) {
-  State state(staged.function.signature, source);
+/// False where the scene has no value.
+bool check_constrained(const model::Scene& scene, const program::Staged& staged, State& state) {
+  const SceneEquations equations(scene, state.at("q"), state.at("qd"),
+                                 state.has("t") ? state.at("t")[0] : Real(0),
+                                 state.has("anchor") ? state.at("anchor") : Values());
+  const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
+  const Values force = forces_of(staged, equations);
+  if (!is_finite(force) || !is_finite(rows)) {
+    return false;
+  }
   const std::string& name = staged.signature.name;
   const auto n = to_index(scene.tree.dof());
   const auto [values, least] = solved_values(staged, state);
@@ -287,12 +340,6 @@ void check_constrained(const model::Scene& scene, const program::Staged& staged,
   const Values qdd(reactions - static_cast<std::ptrdiff_t>(n), reactions);
   const Values lambda(reactions, values.end() - contacts);
   const Values& tau = state.at(state.has("tau") ? "tau" : program::kForceArray);
-
-  const SceneEquations equations(scene, state.at("q"), state.at("qd"),
-                                 state.has("t") ? state.at("t")[0] : Real(0),
-                                 state.has("anchor") ? state.at("anchor") : Values());
-  const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
-  const Values force = forces_of(staged, equations);
   Residual motion = motion_of(equations, rows, qdd, lambda);
   for (std::size_t i = 0; i < n; ++i) {
     for (const Real& term : {equations.bias()[i], Real(-tau[i]), Real(-force[i])}) {
@@ -311,23 +358,26 @@ void check_constrained(const model::Scene& scene, const program::Staged& staged,
   require_small(name, "equation of motion", motion.left, motion.sizes, of_inertia);
   require_small(name, "row", reachable_error(staged, equations, rows, error.left), error.sizes,
                 of_inertia * least);
+  return true;
 }
 
 /// A qdd + B + G = tau + J^T lambda and the scene's forces; regular rows leave the passive joints
-/// without a drive.
-void check_inverse(const model::Scene& scene, const program::Staged& staged, Source& source) {
-  State state(staged.function.signature, source);
-  const auto [values, least] = solved_values(staged, state);
+/// without a drive. False where the scene has no value.
+bool check_inverse(const model::Scene& scene, const program::Staged& staged, State& state) {
   const SceneEquations equations(scene, state.at("q"), state.at("qd"),
                                  state.has("t") ? state.at("t")[0] : Real(0));
   const std::vector<SceneEquations::Row> rows = equations.rows(staged.constraints);
+  Values force = forces_of(staged, equations);
+  if (!is_finite(force) || !is_finite(rows)) {
+    return false;
+  }
+  const auto [values, least] = solved_values(staged, state);
   const auto n = to_index(scene.tree.dof());
   const auto first =
       values.end() - static_cast<std::ptrdiff_t>(n + rows.size() + scene.contacts.size());
   const Values tau(first, first + static_cast<std::ptrdiff_t>(n));
   const Values lambda(first + static_cast<std::ptrdiff_t>(n),
                       first + static_cast<std::ptrdiff_t>(n + rows.size()));
-  Values force = forces_of(staged, equations);
   for (std::size_t i = 0; i < n && !scene.contacts.empty(); ++i) {
     force[i] += state.at(program::kForceArray)[i];
   }
@@ -345,29 +395,32 @@ void check_inverse(const model::Scene& scene, const program::Staged& staged, Sou
     }
     require_small(staged.signature.name, "passive joint", left, motion.sizes, least);
   }
+  return true;
 }
 
-/// Joint forces of every contact at a depth, by the law's own words, against C f.
-void check_contacts(const model::Scene& scene, const program::Staged& staged, Source& source) {
-  for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
-    const program::Staged& press = staged.contacts[c];
-    State state(press.function.signature, source);
-    Real& depth = state.at(program::kDepthArray)[c];
-    depth = abs(depth);
-    if (state.has(program::kPowerArray)) {
-      state.at(program::kPowerArray)[0] = pow(depth, press.power.exponent);
-    }
-    const SceneEquations equations(scene, state.at("q"), state.at("qd"), 0);
-    const Real law = equations.contact_law(scene.contacts[c], depth);
-    state.at(program::kNormalArray)[0] = std::max(law, Real(0));
-    const Values force = equations.contact(scene.contacts[c], std::max(law, Real(0)));
-    const Values ours = state.evaluate(press.function);
-    Values residual = {ours[0] - law};
-    for (std::size_t i = 0; i < force.size(); ++i) {
-      residual.push_back(ours[i + 1] - state.at(program::kForceArray)[i] - force[i]);
-    }
-    require_small(press.signature.name, "force", residual, largest(ours) + largest(force));
+/// Joint forces of a contact at a depth, by the law's own words, against C f. False where the law
+/// has no value.
+bool check_contact(const model::Scene& scene, const program::Staged& press, std::size_t contact,
+                   State& state) {
+  Real& depth = state.at(program::kDepthArray)[contact];
+  depth = abs(depth);
+  if (state.has(program::kPowerArray)) {
+    state.at(program::kPowerArray)[0] = pow(depth, press.power.exponent);
   }
+  const SceneEquations equations(scene, state.at("q"), state.at("qd"), 0);
+  const Real law = equations.contact_law(scene.contacts[contact], depth);
+  if (!isfinite(law)) {
+    return false;
+  }
+  state.at(program::kNormalArray)[0] = std::max(law, Real(0));
+  const Values force = equations.contact(scene.contacts[contact], std::max(law, Real(0)));
+  const Values ours = state.evaluate(press.function);
+  Values residual = {ours[0] - law};
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    residual.push_back(ours[i + 1] - state.at(program::kForceArray)[i] - force[i]);
+  }
+  require_small(press.signature.name, "force", residual, largest(ours) + largest(force));
+  return true;
 }
 
 }  // namespace
@@ -382,10 +435,16 @@ void check_scene_at_states(const model::Scene& scene, const program::Programs& p
   }
   for (const program::Staged& staged : programs.staged) {
     if (staged.signature.name.starts_with("constrained_dynamics")) {
-      check_constrained(scene, staged, source);
-      check_contacts(scene, staged, source);
+      at_some_state(scene, staged.function.signature, source,
+                    [&](State& state) { return check_constrained(scene, staged, state); });
+      for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
+        const program::Staged& press = staged.contacts[c];
+        at_some_state(scene, press.function.signature, source,
+                      [&](State& state) { return check_contact(scene, press, c, state); });
+      }
     } else if (staged.signature.name.starts_with("constrained_inverse")) {
-      check_inverse(scene, staged, source);
+      at_some_state(scene, staged.function.signature, source,
+                    [&](State& state) { return check_inverse(scene, staged, state); });
     } else if (staged.signature.name.starts_with("impact")) {
       check_impact(scene, staged, source);
     }
