@@ -48,7 +48,9 @@ model::EquationText read_equation(const std::string& file, const Node& node, std
   equation.name = name.text;
   equation.where = located(file, name.where);
   equation.value = value.text;
-  equation.value_where = located(file, value.where);
+  equation.value_at = [file, where = value.where](std::size_t offset) {
+    return located(file, where.at(offset));
+  };
   equation.parameters = parameters;
   if (const auto doc = fields.optional_text("doc")) {
     equation.doc = doc->text;
@@ -74,9 +76,7 @@ Parameters read_parameters(const std::string& file, const Node& node) {
       constants.define(item.key.text, item.text);
       result.emplace_back(item.key.text, constants.evaluate(item.key.text));
     } catch (const expressions::ConstantError& problem) {
-      Location where = located(file, item.where);
-      where.column += static_cast<int>(problem.offset());
-      throw InputError(where,
+      throw InputError(located(file, item.where.at(problem.offset())),
                        fmt::format("parameter '{}': {}", shown(item.key.text), problem.what()));
     }
   }

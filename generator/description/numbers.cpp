@@ -16,8 +16,7 @@ bool is_xacro(const std::string& text) {
 
 [[noreturn]] void rethrow(const RawTree& raw, const Text& text, const std::string& what,
                           const expressions::ConstantError& problem) {
-  Place where = text.where;
-  where.column += static_cast<int>(problem.offset());
+  const Place where = text.where.at(problem.offset());
   throw InputError(location(raw, where), fmt::format("{}: {}", what, problem.what()));
 }
 

@@ -2,6 +2,9 @@
 // computed.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +17,14 @@ namespace treedyn::description {
 struct Place {
   int line = 0;
   int column = 0;
+  /// Of every character of a text that has several lines in its file.
+  std::shared_ptr<const std::vector<Place>> characters = nullptr;
+
+  /// The place of a character of the text that begins here; of its end behind the last.
+  [[nodiscard]] Place at(std::size_t offset) const {
+    return characters != nullptr ? (*characters)[std::min(offset, characters->size() - 1)]
+                                 : Place{line, column + static_cast<int>(offset)};
+  }
 };
 
 struct Text {

@@ -80,9 +80,9 @@ void SceneContext::define(const Node& item, const std::string& what, bool run_ti
       constants_.define(item.key.text, item.text);
     }
   } catch (const expressions::ConstantError& problem) {
-    throw InputError(
-        {file_, item.where.line, item.where.column + static_cast<int>(problem.offset())},
-        fmt::format("{}: {}", what, problem.what()));
+    const Place where = item.where.at(problem.offset());
+    throw InputError({file_, where.line, where.column},
+                     fmt::format("{}: {}", what, problem.what()));
   }
 }
 
@@ -258,8 +258,7 @@ auto SceneContext::guarded(const SceneFields& fields, const Node& node, const Re
   try {
     return read(fields.scalar(node).text);
   } catch (const expressions::ConstantError& problem) {
-    Place where = node.where;
-    where.column += static_cast<int>(problem.offset());
+    const Place where = node.where.at(problem.offset());
     fields.fail(where, fmt::format("{}: {}", described(node), problem.what()));
   }
 }

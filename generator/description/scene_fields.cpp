@@ -37,8 +37,7 @@ Real SceneFields::number_of(const Node& node) const {
     const Real value = constants_->evaluate(text.text, numbers_ != Numbers::kFixed);
     return numbers_ == Numbers::kNominal ? value.plain() : value;
   } catch (const expressions::ConstantError& problem) {
-    Place where = node.where;
-    where.column += static_cast<int>(problem.offset());
+    const Place where = node.where.at(problem.offset());
     fail(where, fmt::format("{}: {}", described(node), problem.what()));
   }
 }

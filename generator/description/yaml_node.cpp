@@ -19,6 +19,8 @@ constexpr std::size_t kMaxValues = 1'000'000;
 
 int to_int(std::size_t n) { return static_cast<int>(std::min<std::size_t>(n, 2'000'000'000)); }
 
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
 Place place(const yaml_mark_t& mark) { return {to_int(mark.line) + 1, to_int(mark.column) + 1}; }
 
 /// Line and column of a byte; a column counts bytes here, for the text may be no UTF-8.
@@ -28,6 +30,29 @@ Place place_of_byte(const std::string& text, std::size_t offset) {
   const std::size_t start = text.rfind('\n', offset == 0 ? 0 : offset - 1);
   const std::size_t column = start == std::string::npos || line == 0 ? offset : offset - start - 1;
   return {static_cast<int>(line) + 1, to_int(column) + 1};
+}
+
+/// Where the characters of a folded value stand, from `start` on: white space may be others there.
+/// The last place is that of the end.
+std::vector<Place> places_of(std::string_view value, std::string_view text, Place start) {
+  std::size_t at = 0;
+  for (int line = 1; line < start.line; ++line) {
+    at = text.find('\n', at) + 1;
+  }
+  at += static_cast<std::size_t>(start.column - 1);
+  std::vector<Place> places;
+  for (const char c : value) {
+    while (!is_blank(c) && at + 1 < text.size() && text[at] != c) {
+      start = text[at++] == '\n' ? Place{start.line + 1, 1} : Place{start.line, start.column + 1};
+    }
+    places.push_back(start);
+    if (!is_blank(c)) {
+      ++at;
+      ++start.column;
+    }
+  }
+  places.push_back(start);
+  return places;
 }
 
 bool is_null(const std::string& text) {
@@ -86,7 +111,7 @@ class Events {
 /// Makes nodes of events with a stack of its own: no recursion.
 class NodeBuilder {
  public:
-  explicit NodeBuilder(const std::string& file) : file_(file) {}
+  NodeBuilder(const std::string& text, const std::string& file) : text_(text), file_(file) {}
 
   void add(const yaml_event_t& event) {
     switch (event.type) {
@@ -146,6 +171,13 @@ class NodeBuilder {
     node.where = where;
     if (scalar.style != YAML_PLAIN_SCALAR_STYLE) {
       ++node.where.column;  // of the first character, behind the quote
+    }
+    if (event.start_mark.line != event.end_mark.line) {
+      const bool is_block =
+          scalar.style == YAML_LITERAL_SCALAR_STYLE || scalar.style == YAML_FOLDED_SCALAR_STYLE;
+      const Place first = is_block ? Place{node.where.line + 1, 1} : node.where;
+      node.where.characters =
+          std::make_shared<const std::vector<Place>>(places_of(text, text_, first));
     }
     attach(std::move(node));
   }
@@ -209,6 +241,7 @@ class NodeBuilder {
     }
   }
 
+  const std::string& text_;
   const std::string& file_;
   std::vector<Node> open_;
   Node root_;
@@ -221,7 +254,7 @@ class NodeBuilder {
 
 Node parse_yaml_node(const std::string& text, const std::string& file) {
   Events events(text, file);
-  NodeBuilder builder(file);
+  NodeBuilder builder(text, file);
   int documents = 0;
   while (true) {
     const yaml_event_t& event = events.next();

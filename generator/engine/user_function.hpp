@@ -10,6 +10,7 @@
 #include "engine/coordinates.hpp"
 #include "engine/scales.hpp"
 #include "equations/kinematics.hpp"
+#include "equations/number_of_tree.hpp"
 #include "equations/user.hpp"
 
 namespace treedyn::engine {
@@ -109,6 +110,10 @@ class UserFunction {
       std::vector<Scalar> numbers;
       std::transform(values.begin(), values.end(), std::back_inserter(numbers), convert);
       write(leaf, numbers);
+    }
+    for (const auto& [leaf, divisor] : equation_.reciprocals) {
+      write(leaf, {1 / equations::number_of_tree<Scalar>(equation_, divisor, plan_.index(), masses,
+                                                         convert)});
     }
     for (const auto& [leaf, frame] : equation_.frames) {
       equations::Matrix3<Scalar> R = equations::matrix3<Scalar>(frame.rotation, convert);

@@ -1,18 +1,19 @@
 #include "equations/reading.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "block/evaluate.hpp"
-#include "block/plan.hpp"
 #include "block/print.hpp"
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "equations/energy.hpp"
 #include "equations/kinematics.hpp"
+#include "equations/number_of_tree.hpp"
 #include "equations/symbol_names.hpp"
 
 namespace treedyn::equations {
@@ -50,6 +51,13 @@ void collect_leaves(const Expression& e, std::set<std::string>& names) {
   }
 }
 
+block::Side side_of(const model::InputText& input) {
+  return {input.per == "link"    ? block::Set::kLinks
+          : input.per == "point" ? block::Set::kPoints
+                                 : block::Set::kOne,
+          input.size};
+}
+
 JointKinds kinds_of(const model::Tree& tree) {
   if (tree.links.empty()) {  // for every tree
     return {true, true};
@@ -83,20 +91,28 @@ void Reading::add_input(const model::InputText& input) {
   if (inputs_.count(input.name) > 0) {
     fail("stands there twice");
   }
-  const block::Set set = input.per == "link"    ? block::Set::kLinks
-                         : input.per == "point" ? block::Set::kPoints
-                                                : block::Set::kOne;
-  const block::Side side{set, input.size};
+  const block::Side side = side_of(input);
   const Expression e = block::leaf(input.name, block::Structure::kFull, {side, kOne});
   inputs_.emplace(input.name, e);
   const Unit any{.any = true};
   Units units;
   units[0][0] = units[1][0] = any;
-  if (set != block::Set::kLinks) {
+  if (side.set != block::Set::kLinks) {
     units[1][0] = std::nullopt;
   }
   units_.define(input.name, units);
   made.arguments.push_back({input.name, input.name, side, ""});
+}
+
+void Reading::add_used_input(const model::InputText& input) {
+  const auto known = inputs_.find(input.name);
+  if (known == inputs_.end()) {
+    add_input(input);
+  } else if (known->second.shape().rows != side_of(input)) {
+    throw std::runtime_error(fmt::format(
+        "uses an equation with an input '{}' of another shape; expected one array of that name",
+        shown(input.name)));
+  }
 }
 
 std::optional<Expression> Reading::input(const std::string& name) const {
@@ -112,7 +128,10 @@ Expression Reading::constant(const std::string& name, block::Structure structure
 }
 
 Expression Reading::number(const Real& value) {
-  return constant(value.str(12), block::Structure::kFull, {kOne, kOne}, {value});
+  const std::string name = value.str(12);
+  const auto known = made.constants.find(name);
+  const bool is_other = known != made.constants.end() && known->second.front() != value;
+  return constant(is_other ? value.str(45) : name, block::Structure::kFull, {kOne, kOne}, {value});
 }
 
 /// Masses and counts of links are numbers before any state is known.
@@ -122,14 +141,16 @@ Expression Reading::reciprocal(const Expression& e) {
   const bool constant_leaves = std::all_of(leaves.begin(), leaves.end(), [&](const auto& name) {
     const bool of_tree = name == "D" || name == "E" || name == "σ" || name == "W" ||
                          name == "1_N" || name == "1_P" || name == "m^d";
-    return of_tree || made.constants.count(name) > 0;
+    return of_tree || made.constants.count(name) > 0 || made.reciprocals.count(name) > 0;
   });
   if (e.shape() != block::Shape{kOne, kOne} || !constant_leaves) {
     throw std::runtime_error(
         "divides by a block expression; expected a constant, or a number that the tree decides");
   }
-  const Real value = constant_value(e);
-  if (value == 0) {
+  std::vector<Real> masses;
+  std::ranges::transform(tree_.links, std::back_inserter(masses),
+                         [](const model::Link& link) { return link.inertia.mass; });
+  if (number_of_tree<Real>(made, e, index_of(tree_, points_), masses, std::identity()) == 0) {
     throw std::runtime_error("divides by zero");
   }
   Units units = units_.of(e);
@@ -137,25 +158,9 @@ Expression Reading::reciprocal(const Expression& e) {
   const std::string name = fmt::format("({})^-1", block::print(e));
   units[0][0] = Unit{-unit.kg, -unit.m, -unit.s, unit.any};
   units_.define(name, units);
-  return constant(name, block::Structure::kFull, {kOne, kOne}, {1 / value});
-}
-
-Real Reading::constant_value(const Expression& e) {
-  block::Plan plan(index_of(tree_, points_));
-  const int step = plan.add(e);
-  block::Evaluation<Real> evaluation(plan);
-  const std::span<Real> masses = evaluation.leaf("m^d");
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    masses[i] = tree_.links[i].inertia.mass;
-  }
-  for (const auto& [name, values] : made.constants) {
-    const std::span<Real> leaf = evaluation.leaf(name);
-    std::copy_n(values.begin(), leaf.size(), leaf.begin());
-  }
-  evaluation.run(plan.needed({step}));
-  Real value = 0;
-  evaluation.write(step, e.shape(), {&value, 1});
-  return value;
+  made.reciprocals.insert_or_assign(name, e);
+  rates.emplace(name, std::nullopt);
+  return block::leaf(name, block::Structure::kFull, {kOne, kOne});
 }
 
 const model::Frame& Reading::frame(const std::string& name) const {
@@ -173,15 +178,21 @@ const model::Frame& Reading::frame(const std::string& name) const {
                   did_you_mean(name, known)));
 }
 
-/// The moving link that is called so, or moved by the joint that is, or carries that link.
+/// The moving link that is called so, or carries the link that is; else that of the joint.
 int Reading::link(const std::string& name) const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    const model::Link& link = tree_.links[i];
-    if (link.name == name || link.joint.name == name || link.joint.identifier == name) {
-      return static_cast<int>(i);
-    }
+  const auto is_link = [&](const model::Link& link) {
+    return link.name == name;
+  };
+  const auto is_joint = [&](const model::Link& link) {
+    return link.joint.name == name || link.joint.identifier == name;
+  };
+  auto found = std::ranges::find_if(tree_.links, is_link);
+  const bool is_frame = std::ranges::count(tree_.frames, name, &model::Frame::name) > 0;
+  if (found == tree_.links.end() && !is_frame) {
+    found = std::ranges::find_if(tree_.links, is_joint);
   }
-  const int i = frame(name).link;
+  const int i =
+      found == tree_.links.end() ? frame(name).link : static_cast<int>(found - tree_.links.begin());
   if (i == model::kGround) {
     throw std::runtime_error(
         fmt::format("link '{}' does not move; expected a link that does", shown(name)));
@@ -219,17 +230,12 @@ Expression Reading::orientation(const std::string& name) {
   const std::string leaf = fmt::format("R({})", name);
   Expression R =
       block::leaf(leaf, block::Structure::kFull, {{block::Set::kOne, 3}, {block::Set::kOne, 3}});
-  int carrier = model::kGround;
-  model::Matrix3 rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  const auto moved =
-      std::find_if(tree_.links.begin(), tree_.links.end(),
-                   [&](const model::Link& l) { return l.joint.name == name || l.name == name; });
-  if (moved != tree_.links.end()) {
-    carrier = static_cast<int>(moved - tree_.links.begin());
-  } else {
-    carrier = frame(name).link;
-    rotation = frame(name).rotation;
-  }
+  const auto fixed = std::ranges::find(tree_.frames, name, &model::Frame::name);
+  const bool is_fixed =
+      fixed != tree_.frames.end() && std::ranges::count(tree_.links, name, &model::Link::name) == 0;
+  const model::Matrix3 rotation =
+      is_fixed ? fixed->rotation : model::Matrix3{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const int carrier = is_fixed ? fixed->link : link(name);
   made.frames[leaf] = {carrier, rotation};
   rates.emplace(leaf, std::nullopt);
   if (carrier != model::kGround) {

@@ -27,6 +27,8 @@ class Reading {
 
   UnitReader& units() { return units_; }
   void add_input(const model::InputText& input);
+  /// Of an equation that this one uses: the same array as an input of that name, if there is one.
+  void add_used_input(const model::InputText& input);
   Expression number(const Real& value);
   Expression reciprocal(const Expression& e);
   Expression of(const std::string& function, const std::string& argument);
@@ -40,7 +42,6 @@ class Reading {
   Expression constant(const std::string& name, block::Structure structure,
                       const block::Shape& shape, const std::vector<Real>& values);
   Expression at(const std::string& name, int i);
-  Real constant_value(const Expression& e);
   Expression of_point(const std::string& name);
   Expression orientation(const std::string& name);
 

@@ -143,16 +143,26 @@ class Parser {
     return e;
   }
 
-  Term sum() {
+  template <class Read>
+  Term deeper(const Read& read) {
     if (++depth_ > kDeepest) {
       fail(at_, fmt::format("is nested more than {} deep", kDeepest));
     }
+    const Term result = read();
+    --depth_;
+    return result;
+  }
+
+  Term sum() {
+    return deeper([&] { return terms(); });
+  }
+
+  Term terms() {
     Term result = product();
     for (char c = peek(); c == '+' || c == '-'; c = peek()) {
       const std::size_t offset = at_++;
       result = add(c, offset, result, product());
     }
-    --depth_;
     return result;
   }
 
@@ -210,11 +220,7 @@ class Parser {
     const std::size_t offset = at_;
     if (c == '+' || c == '-') {
       ++at_;
-      if (++depth_ > kDeepest) {
-        fail(at_, fmt::format("is nested more than {} deep", kDeepest));
-      }
-      const Term inner = factor();
-      --depth_;
+      const Term inner = deeper([&] { return factor(); });
       return c == '+' ? inner : multiply(offset, Number{-1, block::Ratio{-1, 1}}, inner);
     }
     Term base = primary();
@@ -222,7 +228,7 @@ class Parser {
       return base;
     }
     const std::size_t power = at_++;
-    const Term exponent = factor();
+    const Term exponent = deeper([&] { return factor(); });
     if (!std::holds_alternative<Number>(base) || !std::holds_alternative<Number>(exponent)) {
       fail(power, "raises a block expression to a power; expected constants");
     }

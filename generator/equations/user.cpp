@@ -16,6 +16,7 @@ namespace treedyn::equations {
 namespace {
 
 constexpr int kMostNestedUses = 50;  // equations that use each other
+constexpr int kMostUses = 2000;      // of other equations in one, those within them included
 
 class Reader {
  public:
@@ -34,15 +35,16 @@ class Reader {
 
  private:
   void check_names() const;
-  void check_mimic(const model::EquationText& text, const UserEquation& equation) const;
   UserEquation read(const model::EquationText& text);
   Expression expand(const model::EquationText& text, Reading& reading);
   Term name(const std::string& name, const model::EquationText& text, Reading& reading);
+  Expression used(const model::EquationText& other, Reading& reading);
 
   const std::vector<model::EquationText>& texts_;
   const model::Tree& tree_;
   std::span<const model::Point> points_;
   std::vector<const model::EquationText*> open_;  ///< that are being read
+  int uses_ = 0;                                  ///< of other equations
 };
 
 void Reader::check_names() const {
@@ -61,28 +63,6 @@ void Reader::check_names() const {
   }
 }
 
-/// Joints that mimic others are no coordinates.
-void Reader::check_mimic(const model::EquationText& text, const UserEquation& equation) const {
-  if (tree_.dof() == tree_.size()) {
-    return;
-  }
-  const block::Shape& shape = equation.expression.shape();
-  const auto of_links = [](const block::Side& side) {
-    return side.set == block::Set::kLinks;
-  };
-  const bool takes = std::any_of(equation.arguments.begin(), equation.arguments.end(),
-                                 [&](const UserArgument& argument) {
-                                   return of_links(argument.side) && argument.name != "q" &&
-                                          argument.name != "qd" && argument.name != "qdd";
-                                 });
-  if (of_links(shape.rows) || of_links(shape.cols) || takes) {
-    throw InputError(text.where,
-                     fmt::format("equation '{}' has rows, columns or inputs of joints and some "
-                                 "joints mimic others; expected --mimic independent",
-                                 shown(text.name)));
-  }
-}
-
 UserEquation Reader::read(const model::EquationText& text) {
   Reading reading(tree_, points_);
   reading.made.name = text.name;
@@ -92,9 +72,9 @@ UserEquation Reader::read(const model::EquationText& text) {
   for (const model::InputText& input : text.inputs) {
     reading.add_input(input);
   }
+  uses_ = 0;
   const Expression e = expand(text, reading);
   reading.finish(e);
-  check_mimic(text, reading.made);
   return reading.made;
 }
 
@@ -126,51 +106,75 @@ Expression Reader::expand(const model::EquationText& text, Reading& reading) {
     open_.pop_back();
     return result;
   } catch (const TextError& error) {
-    Location where = text.value_where;
-    where.column += static_cast<int>(error.offset());
-    throw InputError(where, fmt::format("equation '{}': {}", shown(text.name), error.what()));
+    throw InputError(text.value_at ? text.value_at(error.offset()) : text.where,
+                     fmt::format("equation '{}': {}", shown(text.name), error.what()));
   }
 }
 
 /// The user's inputs, parameters of the file, the symbols of EQUATIONS.md, other equations.
 Term Reader::name(const std::string& name, const model::EquationText& text, Reading& reading) {
-  if (const auto input = reading.input(name)) {
-    return *input;
+  const bool is_input = std::ranges::count(text.inputs, name, &model::InputText::name) > 0;
+  const auto known = find_name(name);
+  const auto other = std::ranges::find(texts_, name, &model::EquationText::name);
+  const auto parameter =
+      std::ranges::find(text.parameters, name, &std::pair<std::string, Real>::first);
+  if (parameter != text.parameters.end()) {
+    const char* const meaning = is_input                ? "an input"
+                                : known || name == "pi" ? "a symbol"
+                                : other != texts_.end() ? "an equation"
+                                                        : nullptr;
+    if (meaning != nullptr) {
+      throw std::runtime_error(fmt::format("'{}' is a parameter and {}; expected different names",
+                                           shown(name), meaning));
+    }
+    return Number{parameter->second, std::nullopt};
+  }
+  if (is_input) {
+    return *reading.input(name);
   }
   if (name == "pi") {
     return Number{pi(), std::nullopt};
   }
-  if (const auto known = find_name(name)) {
+  if (known) {
     return *known;
   }
-  for (const auto& [parameter, value] : text.parameters) {
-    if (parameter == name) {
-      return Number{value, std::nullopt};
-    }
+  if (other == texts_.end()) {
+    throw std::runtime_error(
+        fmt::format("there is no symbol '{}'; expected one of {}, an input or an equation",
+                    shown(name), fmt::join(known_names(), " ")));
   }
-  for (const model::EquationText& other : texts_) {
-    if (other.name != name) {
-      continue;
-    }
-    if (std::find(open_.begin(), open_.end(), &other) != open_.end()) {
-      throw std::runtime_error(fmt::format("equation '{}' uses itself", shown(name)));
-    }
-    if (open_.size() > kMostNestedUses) {
-      throw std::runtime_error("equations use each other too deeply");
-    }
-    for (const model::InputText& input : other.inputs) {
-      if (!reading.input(input.name)) {
-        reading.add_input(input);
-      }
-    }
-    return block::named(name, expand(other, reading));
+  return used(*other, reading);
+}
+
+/// Another equation, whose inputs become those of the function.
+Expression Reader::used(const model::EquationText& other, Reading& reading) {
+  if (std::find(open_.begin(), open_.end(), &other) != open_.end()) {
+    throw std::runtime_error(fmt::format("equation '{}' uses itself", shown(other.name)));
   }
-  throw std::runtime_error(
-      fmt::format("there is no symbol '{}'; expected one of {}, an input or an equation",
-                  shown(name), fmt::join(known_names(), " ")));
+  if (open_.size() > kMostNestedUses || ++uses_ > kMostUses) {
+    throw std::runtime_error(
+        fmt::format("equations use each other too deeply; expected at most {} levels and {} uses",
+                    kMostNestedUses, kMostUses));
+  }
+  for (const model::InputText& input : other.inputs) {
+    reading.add_used_input(input);
+  }
+  return block::named(other.name, expand(other, reading));
 }
 
 }  // namespace
+
+bool counts_joints(const UserEquation& equation) {
+  const auto of_links = [](const block::Side& side) {
+    return side.set == block::Set::kLinks;
+  };
+  const block::Shape& shape = equation.expression.shape();
+  return of_links(shape.rows) || of_links(shape.cols) ||
+         std::ranges::any_of(equation.arguments, [&](const UserArgument& argument) {
+           return of_links(argument.side) && argument.name != "q" && argument.name != "qd" &&
+                  argument.name != "qdd";
+         });
+}
 
 UserEquation equation_of(const std::string& name, const Expression& expression) {
   const model::Tree tree;  // our equations name no links

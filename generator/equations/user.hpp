@@ -33,11 +33,15 @@ struct UserEquation {
   block::Expression expression = block::leaf("", block::Structure::kFull, {});
   std::string unit;  ///< "N m|N"
   std::vector<UserArgument> arguments;
-  std::map<std::string, std::vector<Real>> constants;  ///< leaves of numbers: one a block
-  std::map<std::string, UserFrame> frames;             ///< leaves R(LINK)
-  std::map<std::string, block::Expression> rates;      ///< of leaves, where `dot` took them: R11
+  std::map<std::string, std::vector<Real>> constants;    ///< leaves of numbers: one a block
+  std::map<std::string, block::Expression> reciprocals;  ///< leaves 1 / x: x, see number_of_tree
+  std::map<std::string, UserFrame> frames;               ///< leaves R(LINK)
+  std::map<std::string, block::Expression> rates;        ///< of leaves, where `dot` took them: R11
   Location where;
 };
+
+/// True if the equation has rows, columns or inputs of joints.
+bool counts_joints(const UserEquation& equation);
 
 /// An equation of EQUATIONS.md as one that a user might have written.
 UserEquation equation_of(const std::string& name, const block::Expression& expression);

@@ -87,7 +87,7 @@ Parts FrameChanges::risen(Parts parts, int frame) const {
     return std::max_element(parts.begin(), parts.end(),
                             [&](const Part& a, const Part& b) { return below(a) < below(b); });
   };
-  for (auto part = deepest(); below(*part) >= 0; part = deepest()) {
+  for (auto part = deepest(); part != parts.end() && below(*part) >= 0; part = deepest()) {
     const Part from = *part;
     parts.erase(part);
     kinematics_.graph().set_body(from.frame);

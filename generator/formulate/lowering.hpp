@@ -84,6 +84,7 @@ class Lowering {
   [[nodiscard]] Block input(const Value& v, const equations::UserArgument& argument, int array,
                             int e) const;
   [[nodiscard]] Block orientation(const equations::UserFrame& frame) const;
+  [[nodiscard]] Real reciprocal(const block::Expression& divisor) const;
   [[nodiscard]] Block linear(const Value& v, int e) const;
   [[nodiscard]] Block scale(const Value& v, int e) const;
   [[nodiscard]] Block product(const Value& v, int e) const;

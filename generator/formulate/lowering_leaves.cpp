@@ -1,8 +1,12 @@
 // Symbols and inputs in frames.
 #include <algorithm>
+#include <functional>
+#include <iterator>
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "equations/kinematics.hpp"
+#include "equations/number_of_tree.hpp"
 #include "formulate/lowering.hpp"
 
 namespace treedyn::formulate {
@@ -41,7 +45,19 @@ Block Lowering::leaf(const Value& v, int e) const {
   if (const auto found = equation.constants.find(v.name); found != equation.constants.end()) {
     return {number(found->second[to_index(e)]), {}, {}};
   }
+  if (const auto found = equation.reciprocals.find(v.name); found != equation.reciprocals.end()) {
+    return {number(reciprocal(found->second)), {}, {}};
+  }
   return link_leaf(v, e);
+}
+
+Real Lowering::reciprocal(const block::Expression& divisor) const {
+  std::vector<Real> masses;
+  std::ranges::transform(task_.tree.links, std::back_inserter(masses),
+                         [](const model::Link& link) { return link.inertia.mass; });
+  return 1 / equations::number_of_tree<Real>(function_.equation, divisor,
+                                             equations::index_of(task_.tree, task_.options.points),
+                                             masses, std::identity());
 }
 
 Expr Lowering::element(int array, int k) const { return {graph(), graph().input(array, k)}; }

@@ -1,6 +1,8 @@
 // Equations of users as files write them.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +26,7 @@ struct EquationText {
   std::string doc;    ///< one line, may be empty
   std::vector<InputText> inputs;
   Location where;                                        ///< of the name
-  Location value_where;                                  ///< of the first character of `value`
+  std::function<Location(std::size_t)> value_at;         ///< the place of a character of `value`
   std::vector<std::pair<std::string, Real>> parameters;  ///< of the file
 };
 

@@ -290,7 +290,7 @@ Model read_scene_model(const Request& request) {
   model.points = model.scene->points;
   const std::string& file = model.scene->tree_file;
   model.equations = chosen(read_user_equations(request, file, model_text, model.tree, model.points),
-                           request.functions);
+                           request.functions, model.tree);
   for (const std::string& name : request.functions) {
     const bool of_user =
         std::any_of(model.equations.begin(), model.equations.end(),
@@ -338,7 +338,7 @@ Model read(const Request& request) {
   require_size(model.tree, model.points, where);
   model.equations =
       chosen(read_user_equations(request, request.model, loaded.text, model.tree, model.points),
-             request.functions);
+             request.functions, model.tree);
   model.functions = functions_of(request, model.tree, !model.points.empty());
   check_functions(model, where);
   model.name = request.name.value_or(model.tree.identifier);

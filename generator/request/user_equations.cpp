@@ -64,6 +64,16 @@ void check_points(const equations::UserEquation& equation, bool no_points) {
   }
 }
 
+/// Joints that mimic others are no coordinates.
+void check_mimic(const equations::UserEquation& equation) {
+  if (equations::counts_joints(equation)) {
+    throw InputError(equation.where,
+                     fmt::format("equation '{}' has rows, columns or inputs of joints and some "
+                                 "joints mimic others; expected --mimic independent",
+                                 equation.name));
+  }
+}
+
 /// "A qdd" for "A * qdd": a star is no matter for comments.
 std::string without_stars(const std::string& text) {
   std::string result;
@@ -111,7 +121,8 @@ UserFunctions read_user_equations(const Request& request, const std::string& tre
   return result;
 }
 
-UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& wanted) {
+UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& wanted,
+                     const model::Tree& tree) {
   for (const std::string& name : wanted) {
     const bool known = is_function(name) || std::any_of(all.begin(), all.end(), [&](const auto& f) {
                          return f->equation.name == name;
@@ -132,6 +143,11 @@ UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& w
     return wanted.empty() ||
            std::find(wanted.begin(), wanted.end(), function->equation.name) != wanted.end();
   });
+  for (const auto& function : result) {
+    if (tree.dof() != tree.size()) {
+      check_mimic(function->equation);
+    }
+  }
   return result;
 }
 

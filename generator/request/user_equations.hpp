@@ -20,8 +20,10 @@ UserFunctions read_user_equations(const Request& request, const std::string& tre
                                   const std::string& tree_text, const model::Tree& tree,
                                   const std::vector<model::Point>& points);
 
-/// The names of `wanted` (none: all). \throws UsageError for a name that no function has.
-UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& wanted);
+/// The names of `wanted` (none: all). \throws UsageError for a name that no function has,
+/// InputError for an equation of joints some of which mimic others.
+UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& wanted,
+                     const model::Tree& tree);
 
 /// What the header says of it.
 program::Signature signature_of(const formulate::Derived& function, int dof, int points);

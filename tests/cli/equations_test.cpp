@@ -47,6 +47,24 @@ TEST_F(Cli, ComputesTheMomentumOfAPendulum) {
   }
 }
 
+/// A link's name goes before that of a joint.
+TEST_F(Cli, FindsLinksBeforeJointsInEquations) {
+  const std::string model = scratch("twice.yaml");
+  write_file(
+      model,
+      "name: twice\nlinks:\n  - name: a\n    father: ground\n    joint: {name: b, type: "
+      "revolute, axis: [0, 0, 1]}\n    mass: 2\n    com: [0.5, 0, 0]\n"
+      "    inertia: [0, 0, 0, 0, 0, 0.1]\n  - name: b\n    father: a\n    joint: {name: c, "
+      "type: revolute, axis: [0, 1, 0], offset: [1, 0, 0]}\n    mass: 5\n    com: [0.5, 0, 0]\n"
+      "    inertia: [0, 0, 0, 0, 0.1, 0]\n"
+      "equations:\n  - {name: of_b, value: T(at(b)) * m_d * ones}\n"
+      "  - {name: of_c, value: T(at(c)) * m_d * ones}\n");
+  const auto code =
+      support::generate_and_compile(model, {"--functions", "of_b,of_c", "--effort", "0"});
+  EXPECT_EQ(code.call("of_b", {})[0], 5);
+  EXPECT_EQ(code.call("of_c", {})[0], 5);
+}
+
 TEST_F(Cli, RefusesAWrongEquationInOneLine) {
   const std::string equations = scratch("mine.yaml");
   write_file(equations, "equations:\n  - name: mixed\n    value: A * qdd + qd\n");
@@ -54,6 +72,16 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, equations + ":3:20: equation 'mixed': adds 1/s to N m\n");
   EXPECT_FALSE(fs::exists(out()));
+  for (const char* value :
+       {">-\n      A * qdd +\n      qd * nothing", "|\n      A * qdd +\n\n      qd * nothing",
+        "A * qdd +\n      qd * nothing", "\"A * qdd +\n      qd * nothing\""}) {
+    write_file(equations, fmt::format("equations:\n  - name: mixed\n    value: {}\n", value));
+    const std::string text = read_file(equations);
+    const auto line = 1 + std::count(text.begin(), text.begin() + text.find("nothing"), '\n');
+    EXPECT_THAT(treedyn({"generate", kModel, "--equations", equations, "-o", out()}).err,
+                HasSubstr(fmt::format("{}:{}:12: equation 'mixed': there is no symbol 'nothing'",
+                                      equations, line)));
+  }
   expect_usage_error(
       treedyn({"generate", kModel, "--equations", kMomentum, "--functions", "mixed", "-o", out()}),
       "there is no function mixed");

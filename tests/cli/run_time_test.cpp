@@ -352,6 +352,11 @@ Robot with_options(Robot robot, std::string name, std::vector<std::string> optio
 const Robot kPlainPuma =
     with_options(kPuma, "PumaPlain",
                  {"--effort", "0", "--functions", kFunctions, "--layout", "packed"}, 2.3e-16);
+const Robot kPumaByMasses = with_options(
+    kPuma, "PumaDividesByMasses",
+    {"--effort", "0", "--equations", TREEDYN_SOURCE_DIR "/models/equations/centre_of_mass.yaml",
+     "--functions", "centre_of_mass,centre_of_mass_jacobian,centre_of_mass_bias"},
+    2.3e-16);
 const Robot kPumaInFloat = with_options(kPuma, "PumaInFloat",
                                         {"--effort", "0", "--scalar", "float", "--functions",
                                          "mass_matrix,inverse_dynamics,gravity_force"},
@@ -536,8 +541,8 @@ const Robot kBounce = {"Bounce",
 std::string name_of(const testing::TestParamInfo<Robot>& of) { return of.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RunTime,
-                         testing::Values(kPuma, kPlainPuma, kPumaInFloat, kFreeBiped, kPolar,
-                                         kTilted, kTiltedPolar, kTiltedBiped, kLongerPuma,
+                         testing::Values(kPuma, kPlainPuma, kPumaByMasses, kPumaInFloat, kFreeBiped,
+                                         kPolar, kTilted, kTiltedPolar, kTiltedBiped, kLongerPuma,
                                          kLongerPlainPuma, kOtherTool, kLongerPolar, kWiderBiped,
                                          kEveryNumber, kEveryPlainNumber, kEveryNumberInFloat,
                                          kLed),

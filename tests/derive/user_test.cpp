@@ -1,6 +1,9 @@
 // Equations of users: what is derived is what the engine evaluates, and what is wrong is refused.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "block/print.hpp"
 #include "derive/user_robot.hpp"
 
 namespace treedyn {
@@ -53,22 +56,22 @@ TEST_P(DerivedOfTurningJoints, IsWhatTheEngineEvaluatesInAllKindsOfFrames) {
   expect_derived(GetParam(), turning_shapes());
 }
 
-INSTANTIATE_TEST_SUITE_P(Symbols, Derived,
-                         testing::Values("D * sigma * qd", "N * sigma * qd", "T(D) * sigma * qd",
-                                         "T(N) * (E - sigma) * qd", "sigma * qd",
-                                         "(E - sigma) * qd", "z_d * qd", "s_d * ones", "l_d * ones",
-                                         "c_d * ones", "t_d * ones_P", "T(z_d) * J_d * z_d * qd",
-                                         "qd_d * tau", "D_P * z_d * sigma * qd", "W * ones_P",
-                                         "T(W) * D * sigma * qd", "g", "f_b",
-                                         "T(W) * z_d * sigma * qd", "r", "p", "v", "omega", "B",
-                                         "G", "C * f_b + H * n_b", "gamma_f", "gamma_n",
-                                         "K * omega", "A * qdd + B + G"));
+INSTANTIATE_TEST_SUITE_P(
+    Symbols, Derived,
+    testing::Values("D * sigma * qd", "N * sigma * qd", "T(D) * sigma * qd",
+                    "T(N) * (E - sigma) * qd", "sigma * qd", "(E - sigma) * qd", "z_d * qd",
+                    "s_d * ones", "s_d", "l_d * ones", "c_d * ones", "t_d * ones_P",
+                    "T(z_d) * J_d * z_d * qd", "qd_d * tau", "D_P * z_d * sigma * qd", "W * ones_P",
+                    "T(W) * D * sigma * qd", "g", "f_b", "T(W) * z_d * sigma * qd", "r", "p", "v",
+                    "omega", "B", "G", "C * f_b + H * n_b", "gamma_f", "gamma_n", "K * omega",
+                    "A * qdd + B + G"));
 
 INSTANTIATE_TEST_SUITE_P(Matrices, Derived,
                          testing::Values("D", "A", "C", "H", "J_v", "J_w", "l_D", "c_fD", "t_fD",
                                          "K", "dot(A)", "T(J_v) * m_d * dot(J_v)",
                                          "T(ones) * m_d * J_v", "m_d * D * T(D)", "J_d", "W",
-                                         "Lam(c_fD)", "T(Lam(c_fD))", "R(link1) * T(R(joint2))"));
+                                         "Lam(c_fD)", "T(Lam(c_fD))", "R(link1) * T(R(joint2))",
+                                         "s_d * D - D * s_d", "l_D - l_d * D"));
 
 INSTANTIATE_TEST_SUITE_P(
     Operations, Derived,
@@ -166,6 +169,92 @@ TEST(Derived, StaysInTheBaseFrameWithoutJointPositions) {
   }
 }
 
+/// E9: s_i = 0 for links on the base.
+TEST(Engine, HasNoVectorFromTheBaseToLinksOnIt) {
+  UserRobot robot(shapes()[1]);
+  const auto equation = robot.read("s_d * ones");
+  const Numbers s = robot.expected(equation, robot.inputs(equation));
+  for (int i = 0; i < robot.tree.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(s[static_cast<std::size_t>(3 * i + k)] == 0,
+                robot.tree.links[static_cast<std::size_t>(i)].father == model::kGround);
+    }
+  }
+}
+
+TEST(Derived, TellsNumbersApartThatAgreeInTwelveDigits) {
+  UserRobot robot(shapes()[0]);
+  const auto equation = robot.read("1234567890123.25 * qd - 1234567890123.75 * qd");
+  const auto at = robot.inputs(equation);
+  const Numbers x = UserRobot::run(robot.derived(equation, formulate::Way::kToRoot), at);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    EXPECT_LT(abs(x[k] + at[0][k] / 2), kExact);
+  }
+}
+
+/// Division by what a tree decides takes the masses of the tree that is evaluated.
+TEST(Engine, DividesByTheMassesOfItsTree) {
+  UserRobot robot(shapes()[0]);
+  const auto equation = robot.read("1 / (T(ones) * m_d * ones / 2)");
+  model::Tree heavier = robot.tree;
+  Real sum = 0;
+  for (model::Link& link : heavier.links) {
+    link.inertia.mass += 3;
+    sum += link.inertia.mass;
+  }
+  const Numbers x = engine::UserFunction<Real>(equation, heavier, robot.points, robot.gravity)({});
+  EXPECT_LT(abs(x.front() * sum - 2), kExact);
+}
+
+model::EquationText text_of(const char* name, const char* value,
+                            const std::vector<model::InputText>& inputs = {}) {
+  model::EquationText text;
+  text.name = name;
+  text.value = value;
+  text.inputs = inputs;
+  return text;
+}
+
+/// Names within an equation mean what they mean there, whoever uses it.
+TEST(Equations, KeepTheMeaningOfTheirNamesWhereOthersUseThem) {
+  const UserRobot robot(shapes()[0]);
+  model::EquationText inner = text_of("inner", "gain * T(ones) * m_d * r");
+  inner.parameters = {{"gain", Real(2)}};
+  const model::EquationText outer = text_of("outer", "gain * inner", {{"gain", "", 1, {}}});
+  const auto read = equations::read_equations({inner, outer}, robot.tree, robot.points);
+  EXPECT_EQ(block::print(read[1].expression), "gain inner");
+  const auto of_inner = std::ranges::find(read[1].expression.operands(), "inner",
+                                          [](const auto& e) { return e.node().name; });
+  ASSERT_NE(of_inner, read[1].expression.operands().end());
+  EXPECT_EQ(block::print_definition(*of_inner), "inner = 2 1_N^T m^d r");
+
+  const auto message = [&](const std::vector<model::EquationText>& texts) -> std::string {
+    try {
+      equations::read_equations(texts, robot.tree, robot.points);
+    } catch (const InputError& error) {
+      return error.message();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(message({text_of("one", "k * T(ones) * m_d * ones", {{"k", "", 1, {}}}),
+                     text_of("two", "T(k) * k * one", {{"k", "", 3, {}}})}),
+            "equation 'two': uses an equation with an input 'k' of another shape; expected one "
+            "array of that name");
+  model::EquationText weight = text_of("weight", "g * T(ones) * m_d * ones");
+  weight.parameters = {{"g", Real("9.81")}};
+  EXPECT_EQ(message({weight}),
+            "equation 'weight': 'g' is a parameter and a symbol; expected different names");
+  std::vector<model::EquationText> doubled = {text_of("e0", "T(ones) * m_d * r")};
+  std::vector<std::string> names;
+  for (int k = 1; k < 24; ++k) {
+    names.push_back("e" + std::to_string(k));
+    doubled.push_back(
+        text_of(names.back().c_str(),
+                ("e" + std::to_string(k - 1) + " + e" + std::to_string(k - 1)).c_str()));
+  }
+  EXPECT_NE(message(doubled).find("use each other too deeply"), std::string::npos);
+}
+
 struct Refusal {
   const char* value;
   int column;
@@ -179,7 +268,9 @@ TEST_P(Refused, WithThePlaceAndTheReason) {
   model::EquationText text;
   text.name = "asked";
   text.value = GetParam().value;
-  text.value_where = {"mine.yaml", 3, 12};
+  text.value_at = [](std::size_t offset) {
+    return Location{"mine.yaml", 3, 12 + static_cast<int>(offset)};
+  };
   try {
     equations::read_equations({text}, robot.tree, robot.points);
     FAIL() << "accepted";
@@ -207,13 +298,22 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{"1 + qd", 2, "does not conform"}, Refusal{"", 0, "found the end"},
                     Refusal{"2 $ qd", 2, "found '$'"}));
 
-TEST(Refused, JointColumnsWhereJointsMimicOthers) {
+TEST(Refused, PowersThatNestTooDeeply) {
+  std::string text = "1";
+  for (int k = 0; k < 9000; ++k) {
+    text += "^1";
+  }
+  EXPECT_THROW(UserRobot(shapes()[0]).read(text + " * qd"), InputError);
+}
+
+TEST(Derived, CountsNoJointsWhereJointsMimicOthers) {
   UserRobot robot(shapes()[0]);
   robot.tree.drives[2] = {1, Real(2), Real("0.1")};
   robot.tree.coordinates = {0, 1};
-  EXPECT_THROW(robot.read("A * qd"), InputError);
-  EXPECT_THROW(robot.read("T(qd) * tau"), InputError);
+  EXPECT_TRUE(equations::counts_joints(robot.read("A * qd")));
+  EXPECT_TRUE(equations::counts_joints(robot.read("T(qd) * tau")));
   auto equation = robot.read("T(ones) * m_d * J_v * qd");
+  EXPECT_FALSE(equations::counts_joints(equation));
   std::vector<Numbers> at = {robot.random(2), robot.random(2)};
   EXPECT_LT(support::distance(UserRobot::run(robot.derived(equation, formulate::Way::kToRoot), at),
                               robot.expected(equation, at)),

@@ -52,6 +52,32 @@ TEST(Effects,
   EXPECT_FALSE(has(pressed.source(), "solve"));
 }
 
+/// A drive's torque is worth as much as the same number in tau; roots begin with a number or are
+/// not real everywhere.
+TEST(Effects, RootsAreTakenOfDifferences) {
+  const ArmScene plain("");
+  const std::pair<const char*, double> torques[] = {
+      {"sqrt(2 - cos(q[elbow]))", std::sqrt(2 - std::cos(kq[1]))},
+      {"sqrt(-q[elbow])", std::sqrt(-kq[1])},
+      {"3*sqrt(1 - q[shoulder]^2 - sin(q[elbow])^2)",
+       3 * std::sqrt(1 - kq[0] * kq[0] - std::pow(std::sin(kq[1]), 2))},
+      {"sqrt(t + 1) * (sqrt(4 - sin(q[elbow])^2) - 0.2)",
+       std::sqrt(4 - std::pow(std::sin(kq[1]), 2)) - 0.2}};
+  for (const auto& [text, value] : torques) {
+    const ArmScene driven(fmt::format("  drive:\n    - {{joint: elbow, torque: \"{}\"}}\n", text));
+    std::vector<Vector> inputs = {kq, kqd, ktau};
+    if (has(text, "t + 1")) {
+      inputs.push_back({0});
+    }
+    const Vector qdd = driven.code().call("constrained_dynamics", inputs);
+    const Vector expected =
+        plain.code().call("constrained_dynamics", {kq, kqd, {ktau[0], ktau[1] + value}});
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      EXPECT_NEAR(qdd[k], expected[k], 1e-12 * (1 + std::abs(expected[k]))) << text;
+    }
+  }
+}
+
 TEST(Effects, SwitchedOffLeavesTheCodeOfTheSceneWithout) {  // E1, byte for byte
   const std::string with =
       std::string(kHeld) + "  joint_spring:\n    - {joint: elbow, stiffness: 30, damping: 2}\n";
