@@ -1,4 +1,8 @@
 // Equations of users, as a user meets them.
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "cli/cli.hpp"
 #include "support/compiled.hpp"
 
@@ -56,7 +60,7 @@ TEST_F(Cli, FindsLinksBeforeJointsInEquations) {
       "revolute, axis: [0, 0, 1]}\n    mass: 2\n    com: [0.5, 0, 0]\n"
       "    inertia: [0, 0, 0, 0, 0, 0.1]\n  - name: b\n    father: a\n    joint: {name: c, "
       "type: revolute, axis: [0, 1, 0], offset: [1, 0, 0]}\n    mass: 5\n    com: [0.5, 0, 0]\n"
-      "    inertia: [0, 0, 0, 0, 0.1, 0]\n"
+      "    inertia: [0, 0, 0, 0.1, 0, 0.1]\n"
       "equations:\n  - {name: of_b, value: T(at(b)) * m_d * ones}\n"
       "  - {name: of_c, value: T(at(c)) * m_d * ones}\n");
   const auto code =
@@ -77,7 +81,8 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
         "A * qdd +\n      qd * nothing", "\"A * qdd +\n      qd * nothing\""}) {
     write_file(equations, fmt::format("equations:\n  - name: mixed\n    value: {}\n", value));
     const std::string text = read_file(equations);
-    const auto line = 1 + std::count(text.begin(), text.begin() + text.find("nothing"), '\n');
+    const std::string before = text.substr(0, text.find("nothing"));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     EXPECT_THAT(treedyn({"generate", kModel, "--equations", equations, "-o", out()}).err,
                 HasSubstr(fmt::format("{}:{}:12: equation 'mixed': there is no symbol 'nothing'",
                                       equations, line)));
