@@ -168,12 +168,16 @@ class Parser {
 
   Term add(char operation, std::size_t offset, const Term& a, const Term& b) {
     if (std::holds_alternative<Number>(a) && std::holds_alternative<Number>(b)) {
-      return combined(operation, std::get<Number>(a), std::get<Number>(b));
+      return in_range(offset, combined(operation, std::get<Number>(a), std::get<Number>(b)));
     }
     return placed(offset, [&] {
       const Expression x = expression(a, offset);
       const Expression y = expression(b, offset);
-      return checked(operation == '+' ? x + y : x - y);
+      const bool begins_with_minus =
+          x.kind() == block::Kind::kScaled && x.node().factor == block::Ratio{-1, 1};
+      return checked(operation == '-'    ? x - y
+                     : begins_with_minus ? y - x.operands().front()
+                                         : x + y);
     });
   }
 
@@ -195,14 +199,15 @@ class Parser {
     if (std::get<Number>(b).value == 0) {
       fail(offset, "divides by zero");
     }
-    return multiply(offset, a, combined('/', Number{1, block::Ratio{}}, std::get<Number>(b)));
+    return multiply(
+        offset, a, in_range(offset, combined('/', Number{1, block::Ratio{}}, std::get<Number>(b))));
   }
 
   Term multiply(std::size_t offset, const Term& a, const Term& b) {
     const Number* const x = std::get_if<Number>(&a);
     const Number* const y = std::get_if<Number>(&b);
     if (x != nullptr && y != nullptr) {
-      return combined('*', *x, *y);
+      return in_range(offset, combined('*', *x, *y));
     }
     return placed(offset, [&]() -> Term {
       if (x == nullptr && y == nullptr) {
@@ -235,11 +240,17 @@ class Parser {
     return finite(power, pow(std::get<Number>(base).value, std::get<Number>(exponent).value));
   }
 
-  static Term finite(std::size_t offset, const Real& value) {
-    if (!isfinite(value) || abs(value) > Real("1e300")) {
+  static Number in_range(std::size_t offset, const Number& x) {
+    if (!isfinite(x.value) || abs(x.value) > Real("1e300")) {
       fail(offset, "is no real number of at most 1e300");
     }
-    return number(value);
+    if (x.value != 0 && abs(x.value) < Real("1e-300")) {
+      fail(offset, "is a number below 1e-300 and not zero");
+    }
+    return x;
+  }
+  static Term finite(std::size_t offset, const Real& value) {
+    return in_range(offset, number(value));
   }
 
   Term primary() {
