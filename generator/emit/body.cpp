@@ -30,6 +30,7 @@ class Writer {
         words_(words),
         target_(target),
         statements_(function, words, target, level),
+        workspace_(statements_.array_name("w")),
         loaded_in_(function.graph.size(), 0) {}
 
   Body write();
@@ -49,6 +50,7 @@ class Writer {
   const Vocabulary& words_;
   Target target_;
   Statements statements_;
+  std::string workspace_;
   std::vector<std::size_t> loaded_in_;  ///< by node: the last part that took it from the workspace
 };
 
@@ -84,7 +86,7 @@ std::string Writer::right_side(const Statement& statement) const {
 /// in software.
 std::string Writer::pair(const Statement& statement) const {
   const std::string& sine = statements_.name(statement.value);
-  const std::string both = "p_" + sine;
+  const std::string both = statements_.array_name("p_" + sine);
   const std::string call = fmt::format("{}({});", kSineCosine,
                                        statements_.atom(std::abs(graph_.node(statement.value).a)));
   const std::string left = fmt::format("const auto {} =", both);
@@ -168,8 +170,9 @@ void Writer::load(const Statement& statement, Part& part, Body& body) {
     if (statements_.is_elsewhere(value, statement.part) && loaded != statement.part) {
       loaded = statement.part;
       part.uses_workspace = true;
-      part.lines.push_back(fmt::format("const {} {} = w[{}];", target_.number,
-                                       statements_.name(value), statements_.slot(value)));
+      part.lines.push_back(fmt::format("const {} {} = {}[{}];", target_.number,
+                                       statements_.name(value), workspace_,
+                                       statements_.slot(value)));
       ++body.statements;
     }
   });
@@ -180,7 +183,7 @@ void Writer::share(Ref value, Part& part, Body& body) const {
   if (statements_.is_shared(value)) {
     part.uses_workspace = true;
     part.lines.push_back(
-        fmt::format("w[{}] = {};", statements_.slot(value), statements_.name(value)));
+        fmt::format("{}[{}] = {};", workspace_, statements_.slot(value), statements_.name(value)));
     ++body.statements;
   }
 }
@@ -189,6 +192,7 @@ Body Writer::write() {
   Body result;
   result.workspace = statements_.slots();
   result.number = target_.number;
+  result.workspace_name = workspace_;
   const std::map<std::size_t, std::string> comments = step_comments(function_, statements_, words_);
   for (std::size_t at = 0; at < statements_.all().size(); ++at) {
     const Statement& statement = statements_.all()[at];

@@ -25,6 +25,7 @@ struct Body {
   Part zeros;          ///< outputs that are zero, in a function of their own; no line: none
   int workspace = 0;   ///< elements for values that one part computes and another needs
   std::string number;  ///< the type of values
+  std::string workspace_name;
   std::vector<std::size_t> stages;   ///< of a single part: where stages 1, 2, .. begin
   std::size_t angle_statements = 0;  ///< those of several angles together
   int statements = 0;

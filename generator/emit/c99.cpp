@@ -38,6 +38,11 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
   return text;
 }
 
+/// Names may begin with the word.
+std::string without_noexcept(std::string text) {
+  return replaced(replaced(std::move(text), " noexcept;", ";"), " noexcept {", " {");
+}
+
 /// The rest of a line behind `start`; empty if it starts otherwise.
 std::string_view behind(std::string_view line, std::string_view start) {
   return line.starts_with(start) ? line.substr(start.size()) : std::string_view{};
@@ -213,7 +218,7 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
 }
 
 std::string Translator::header(const std::string& text) {
-  const Lines lines = lines_of(replaced(text, " noexcept", ""));
+  const Lines lines = lines_of(without_noexcept(text));
   Lines result;
   bool in_list = false;
   std::string list;
@@ -284,11 +289,14 @@ std::set<std::string> Translator::function(const std::string& line, bool is_loca
       }
     }
   }
+  const bool is_prefixed = functions_.contains(word);
   const std::string head =
       fmt::format("{}{}{}{}", is_local ? "static " : "", is_noinline ? "NOINLINE " : "",
-                  parts.head.substr(0, name), functions_.contains(word) ? prefixed(word) : word);
+                  parts.head.substr(0, name), is_prefixed ? prefixed(word) : word);
+  std::size_t done = is_prefixed ? head.size() : 0;  // another function may have that name
   for (const std::string& part : lines_of(declaration(head, parts.arguments, parts.ending))) {
-    result.push_back(is_prototype ? part : words(part));
+    result.push_back(is_prototype ? part : part.substr(0, done) + words(part.substr(done)));
+    done = 0;
   }
   result.insert(result.end(), unused.begin(), unused.end());
   return references;
@@ -349,7 +357,7 @@ bool Translator::frame(const std::string& line, bool& is_local, Lines& result) c
 
 /// What C has no word for: one struct for two, no template of a function.
 std::string in_plain_words(std::string text, const std::string& type) {
-  text = replaced(text, " noexcept", "");
+  text = without_noexcept(std::move(text));
   text = replaced(
       text,
       "template <class Number>\nstruct SineCosine {\n  Number sine;\n  Number "

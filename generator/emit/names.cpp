@@ -169,7 +169,8 @@ LocalNames::LocalNames(const program::Function& function, const Vocabulary& word
   for (const program::Array& array : function.signature.outputs) {
     taken_.insert(array.name);
   }
-  taken_.insert("w");  // the workspace
+  taken_.insert("w");                             // the workspace
+  taken_.insert(function.signature.name + "_0");  // what stores zeros
   if (words.constants) {
     const std::vector<std::string> constants = words.constants->names();
     taken_.insert(constants.begin(), constants.end());

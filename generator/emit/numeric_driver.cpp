@@ -14,14 +14,14 @@ std::string probe(const std::string& name, const program::Signature& signature) 
   std::string result = fmt::format("\nvoid probe_{}() {{\n", signature.name);
   std::vector<std::string> names;
   for (const program::Array& array : signature.inputs) {
-    result += fmt::format("  Scalar {}[{}];\n  fill({}, {});\n", array.name, array.size, array.name,
-                          array.size);
+    result += fmt::format("  Scalar {}[{}];\n  ::fill({}, {});\n", array.name, array.size,
+                          array.name, array.size);
     names.push_back(array.name);
   }
   std::string printing;
   for (const program::Array& array : signature.outputs) {
     result += fmt::format("  Scalar {}[{}];\n", array.name, array.size);
-    printing += fmt::format("  print(\"{}\", {}, {});\n", signature.name, array.name, array.size);
+    printing += fmt::format("  ::print(\"{}\", {}, {});\n", signature.name, array.name, array.size);
     names.push_back(array.name);
   }
   return result + fmt::format("  {}::{}({});\n{}}}\n", name, signature.name, fmt::join(names, ", "),

@@ -62,7 +62,8 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
   const std::vector<std::string> names = names_of_arrays(signature);
   SplitText text;
   text.used.assign(all.size(), false);
-  const std::string workspace = fmt::format("{} w[{}]", body.number, body.workspace);
+  const std::string workspace =
+      fmt::format("{} {}[{}]", body.number, body.workspace_name, body.workspace);
   if (body.workspace > 0) {
     text.declaration = workspace + ";";
   }
@@ -73,7 +74,7 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
     std::vector<std::string> passed = chosen(names, names, part);
     if (part.uses_workspace) {
       declared.push_back(workspace);
-      passed.emplace_back("w");
+      passed.push_back(body.workspace_name);
     }
     text.parts += "\n";
     text.parts += declaration(part_head(name), declared, " noexcept {") + block(part.lines);

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -32,13 +33,14 @@ class Tables {
       list += fmt::format("{}{}", k == 0 ? "" : ", ", literal(Real(values[k]), scalar_));
     }
     auto& known = names_[stem];
-    for (std::size_t k = 0; k < known.size(); ++k) {
-      if (known[k] == list) {
-        return numbered(stem, k);
-      }
+    if (const auto found = known.find(list); found != known.end()) {
+      return found->second;
     }
-    known.push_back(list);
-    std::string name = numbered(stem, known.size() - 1);
+    std::string name = stem;
+    for (int n = 2; !taken_.insert(name).second; ++n) {
+      name = fmt::format("{}_{}", stem, n);
+    }
+    known.emplace(list, name);
     std::string lines = wrapped(list + "};", "    ");
     lines.pop_back();
     text_ += fmt::format("static const Scalar {}[{}] = {{\n{}\n", name, values.size(), lines);
@@ -47,12 +49,9 @@ class Tables {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  static std::string numbered(const std::string& stem, std::size_t k) {
-    return k == 0 ? stem : fmt::format("{}_{}", stem, k + 1);
-  }
-
   Scalar scalar_;
-  std::map<std::string, std::vector<std::string>> names_;
+  std::map<std::string, std::map<std::string, std::string>> names_;  ///< by stem and list
+  std::set<std::string> taken_;
   std::string text_;
 };
 
@@ -64,10 +63,18 @@ std::string bound_text(double bound, Scalar scalar) {
   return literal(Real(fmt::format("{:.2g}", std::max(bound, least * 2))), scalar);
 }
 
+/// What calls a function. Its name alone may be that of a variable there.
+std::string called(const program::Signature& signature, const Unit& unit) {
+  static const std::set<std::string> kVariables = {"state", "wrong", "place", "error"};
+  const bool hidden = unit.language == Language::kCpp && kVariables.contains(signature.name);
+  return (hidden ? unit.space() + "::" : "") + signature.name;
+}
+
 /// The call of one function at a state and the comparison of its outputs, the first of which has
 /// `number`.
-std::string comparison(const program::Function& function, int number, Scalar scalar,
+std::string comparison(const program::Function& function, int number, const Unit& unit,
                        Tables& tables) {
+  const Scalar scalar = unit.target.scalar;
   const program::Signature& signature = function.signature;
   const program::KnownAnswers known =
       program::known_answers(function, kStates, scalar == Scalar::kFloat);
@@ -94,7 +101,7 @@ std::string comparison(const program::Function& function, int number, Scalar sca
                 "\n";
   }
   return fmt::format("    {{\n{}      {}\n{}    }}\n", text,
-                     declaration(signature.name, passed, ";"), compared);
+                     declaration(called(signature, unit), passed, ";"), compared);
 }
 
 }  // namespace
@@ -125,7 +132,7 @@ std::string self_test_text(const Unit& unit) {
   std::string calls;
   int number = 1;
   for (const program::Function& function : unit.functions) {
-    calls += comparison(function, number, unit.target.scalar, tables);
+    calls += comparison(function, number, unit, tables);
     number += static_cast<int>(function.signature.outputs.size());
   }
   return fill(template_text("self_test.cpp"),

@@ -87,6 +87,7 @@ Vocabulary words_of(const Unit& unit) {
     for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
       for (const program::Array& array : *arrays) {
         taken.insert(array.name);
+        taken.insert("known_" + array.name);  // of the self-test
       }
     }
   };

@@ -10,6 +10,9 @@
 #include "description/equation_list.hpp"
 #include "description/read.hpp"
 #include "emit/names.hpp"
+#include "emit/run_time.hpp"
+#include "emit/self_test.hpp"
+#include "emit/taken_names.hpp"
 #include "equations/scene_table.hpp"
 #include "equations/table.hpp"
 #include "formulate/scene_functions.hpp"
@@ -20,11 +23,40 @@ namespace {
 
 constexpr std::size_t kLongestText = 400;  // of an equation in a comment
 
-/// Siblings are functions, too, whether they were asked for or not.
-bool is_sibling(const std::string& name) {
-  constexpr std::string_view kEnding = "_checked";
-  return name.ends_with(kEnding) &&
-         equations::divides_by_pivots(name.substr(0, name.size() - kEnding.size()));
+/// The functions of generated code but for those of users, whether they were asked for or not.
+const std::vector<std::string>& our_functions() {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names = {emit::kUpdate, emit::kSelfTest};
+    for (const std::string& name : formulate::function_names()) {
+      names.push_back(name);
+      if (equations::divides_by_pivots(name)) {
+        names.push_back(name + "_checked");
+      }
+    }
+    for (const equations::SceneFunctionInfo& info : equations::scene_function_infos()) {
+      names.emplace_back(info.name);
+    }
+    return names;
+  }();
+  return kNames;
+}
+
+/// Functions of a phase, or of one contact of several: `impact_landing`.
+bool is_of_scene(std::string_view name) {
+  return std::ranges::any_of(equations::scene_function_infos(), [&](const auto& info) {
+    return info.name != "step" && name.starts_with(fmt::format("{}_", info.name));
+  });
+}
+
+/// What C99 calls the indices of joints and points: `joint_elbow` behind the prefix.
+bool is_index(std::string_view name, const model::Tree& tree,
+              const std::vector<model::Point>& points) {
+  return std::ranges::any_of(
+             tree.links,
+             [&](const model::Link& link) { return name == "joint_" + link.joint.identifier; }) ||
+         std::ranges::any_of(points, [&](const model::Point& point) {
+           return name == "point_" + point.identifier;
+         });
 }
 
 bool is_function(const std::string& name) {
@@ -33,12 +65,30 @@ bool is_function(const std::string& name) {
          std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void check_name(const std::string& name, const Location& where, const char* what) {
-  const std::vector<std::string> ours = {"joint", "point", "Scalar", "kDof", "kPoints"};
-  if (is_function(name) || is_sibling(name) || is_reserved(name) ||
-      std::find(ours.begin(), ours.end(), name) != ours.end()) {
-    throw InputError(where, fmt::format("{} '{}' has a name that is taken; expected another one",
-                                        what, shown(name)));
+/// Names of generated code, which of them there are depends on options.
+bool is_ours(const std::string& name) {
+  return is_reserved(name) || emit::is_own_name(name) || is_of_scene(name) ||
+         std::ranges::any_of(our_functions(), [&](const std::string& function) {
+           return name == function || emit::is_part_of(name, function);
+         });
+}
+
+/// In generated code names of equations and inputs stand beside others, or hide them.
+void check_names(const std::vector<model::EquationText>& texts, const model::Tree& tree,
+                 const std::vector<model::Point>& points) {
+  const auto require_free = [&](const char* what, const std::string& name, const Location& where) {
+    const bool is_part = std::ranges::any_of(
+        texts, [&](const model::EquationText& text) { return emit::is_part_of(name, text.name); });
+    if (is_part || is_ours(name) || is_index(name, tree, points)) {
+      throw InputError(where, fmt::format("{} '{}' has a name that is taken; expected another one",
+                                          what, shown(name)));
+    }
+  };
+  for (const model::EquationText& text : texts) {
+    require_free("equation", text.name, text.where);
+    for (const model::InputText& input : text.inputs) {
+      require_free("input", input.name, input.where);
+    }
   }
 }
 
@@ -107,12 +157,7 @@ UserFunctions read_user_equations(const Request& request, const std::string& tre
     const auto more = description::equations_of_file(*text, file);
     texts.insert(texts.end(), more.begin(), more.end());
   }
-  for (const model::EquationText& text : texts) {
-    check_name(text.name, text.where, "equation");
-    for (const model::InputText& input : text.inputs) {
-      check_name(input.name, input.where, "input");
-    }
-  }
+  check_names(texts, tree, points);
   UserFunctions result;
   for (const equations::UserEquation& equation : equations::read_equations(texts, tree, points)) {
     check_points(equation, points.empty());

@@ -86,20 +86,6 @@ emit::Processor processor_of(const accuracy::Core& core, const emit::Unit& unit)
   return result;
 }
 
-/// \throws InputError if a function has the name of one of the self-test
-void require_free_names(const emit::Unit& unit, const Request& request) {
-  for (const program::Function& function : unit.functions) {
-    const std::string& name = function.signature.name;
-    if (unit.self_test &&
-        (name == "self_test" || name == "compare" || name.starts_with("known_"))) {
-      throw InputError({request.scene.value_or(request.model), 0, 0},
-                       fmt::format("function '{}' has a name that --self-test needs; expected "
-                                   "another one",
-                                   name));
-    }
-  }
-}
-
 /// \throws InputError for a self-test of nothing
 void require_tested(const emit::Unit& unit, const Request& request) {
   if (unit.self_test && unit.functions.empty()) {
@@ -147,7 +133,6 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
   if (request.checked) {
     unit.checked = checked_siblings(model, unit.functions);
   }
-  require_free_names(unit, request);
   if (const accuracy::Core* const core = accuracy::find_core(request.core)) {
     unit.processor = processor_of(*core, unit);
   }

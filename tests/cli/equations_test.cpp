@@ -1,5 +1,8 @@
 // Equations of users, as a user meets them.
 #include <algorithm>
+#include <regex>
+#include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -103,6 +106,107 @@ TEST_F(Cli, TellsReservedNamesOfEquations) {
   expect_usage_error(
       treedyn({"generate", kModel, "--equations", equations, "--functions", "class", "-o", out()}),
       "class is a reserved word and no name of a function");
+}
+
+/// Equations with this name, or with an input of this name.
+std::string equations_named(const std::string& name, bool is_input) {
+  return is_input ? "equations:\n  - {name: foo, value: " + name +
+                        " * T(ones) * m_d * r, inputs: [{name: " + name + "}]}\n"
+                  : "equations:\n  - {name: foo, value: A}\n  - {name: " + name + ", value: A}\n";
+}
+
+TEST_F(Cli, RefusesNamesThatGeneratedCodeHasWithSomeOptions) {
+  const std::string equations = scratch("names.yaml");
+  std::istringstream names(
+      "kDigest kStep kMassMatrixRow kLanes Scalar two_link_Scalar status phase "
+      "joint_shoulder point_tip status_rank_lost sine_cosine sines_cosines sine check "
+      "known_q self_test update_parameters Parameters derived forward_dynamics_checked "
+      "mass_matrix_1 foo_0 impact_landing step h TWO_LINK_DIGEST NOINLINE");
+  for (std::string name; names >> name;) {
+    for (const bool is_input : {false, true}) {
+      write_file(equations, equations_named(name, is_input));
+      const Outcome outcome =
+          treedyn({"generate", kModel, "--equations", equations, "--effort", "0", "-o", out()});
+      EXPECT_EQ(outcome.status, 1) << name;
+      EXPECT_THAT(outcome.err, HasSubstr((is_input ? "input '" : "equation '") + name +
+                                         "' has a name that is taken; expected another one\n"));
+    }
+  }
+}
+
+/// Every function, type, namespace and constant of the source, but for those of the model.
+std::set<std::string> names_at_begin_of_lines(const std::string& text) {
+  static const std::regex kNamed(
+      "\n(?:template <.*>\n)?(?:\\[\\[.*\\]\\] )?"
+      "(?:(?:inline|constexpr|static|const|using|struct) )*(?:[A-Za-z<>]+ )?"
+      "([A-Za-z_0-9]+)(?:\\(|\\[| = | \\{|;)");
+  static const std::regex kOfModel(".*_[kmlhIgwGp][0-9]+");
+  std::set<std::string> names;
+  for (std::sregex_iterator at(text.begin(), text.end(), kNamed); at != std::sregex_iterator();
+       ++at) {
+    const std::string name = (*at)[1];
+    if (!std::regex_match(name, kOfModel)) {
+      names.insert(name);
+    }
+  }
+  return names;
+}
+
+/// A step with contact, events and an implicit method has nearly all helpers.
+TEST_F(Cli, RefusesWhatGeneratedCodeDefines) {
+  const std::string equations = scratch("names.yaml");
+  const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/compass_walk.yaml";
+  ASSERT_EQ(treedyn({"generate", "--scene", scene, "--integrator", "sdirk2", "--effort", "0",
+                     "--sincos", "pair", "-o", out()})
+                .status,
+            0);
+  std::set<std::string> names = names_at_begin_of_lines(read_file(file("compass_walk.cpp")));
+  names.erase("compass_walk");  // the namespace
+  EXPECT_GT(names.size(), 50U);
+  EXPECT_EQ(names.count("find_event") + names.count("sine_cosine") + names.count("kTurns"), 3U);
+  for (const std::string& name : names) {
+    write_file(equations, equations_named(name, false));
+    const Outcome outcome =
+        treedyn({"info", kModel, "--equations", equations, "--derivation", "foo"});
+    EXPECT_THAT(outcome.err, HasSubstr("has a name that is taken")) << name;
+  }
+}
+
+/// Names of locals give way, those of functions in C get a prefix.
+TEST_F(Cli, CompilesOddNamesThatAreFree) {
+  const std::vector<std::string> names = {
+      "error", "state",    "place",       "wrong",   "noexcept_x",  "w",   "p_s_shoulder",
+      "sines", "cosines",  "p_s_elbow",   "s_elbow", "neg_value",   "t_1", "two_link_x",
+      "x",     "two_link", "link1_I1",    "limb_1",  "q_next",      "kP",  "trunk",
+      "fill",  "value_0",  "joint_power", "F_N",     "step_length", "a",   "a_b"};
+  std::string text = "equations:\n";
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string& first = names[(k + 5) % names.size()];
+    const std::string& second = names[(k + 11) % names.size()];
+    text += "  - {name: " + names[k] + ", value: " + first + " * " + second +
+            " * T(ones) * m_d * J_v * qd, inputs: [{name: " + first + "}, {name: " + second +
+            "}]}\n";
+  }
+  const std::string equations = scratch("odd.yaml");
+  write_file(equations, text);
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--checked", "--self-test"},
+                                             {"--layout", "packed"},
+                                             {"--lanes", "4"},
+                                             {"--sincos", "pair"},
+                                             {"--language", "c99", "--self-test", "--checked"}}) {
+    std::vector<std::string> command = {"generate", kModel, "--equations", equations,
+                                        "--effort", "0",    "-o",          out()};
+    command.insert(command.end(), options.begin(), options.end());
+    const Outcome outcome = treedyn(command);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const bool c = options[1] == "c99";
+    const Outcome compiled = c ? support::run({TREEDYN_CXX, "-x", "c", "-std=c99", "-fsyntax-only",
+                                               file("two_link.c").string()})
+                               : support::run({TREEDYN_CXX, "-std=c++17", "-Wno-psabi",
+                                               "-fsyntax-only", file("two_link.cpp").string()});
+    EXPECT_EQ(compiled.status, 0) << options[0] << compiled.err;
+  }
 }
 
 TEST_F(Cli, ShowsTheRatesOfSymbols) {

@@ -77,7 +77,7 @@ TEST_F(SelfTest, NeedsFunctionsOfTheModel) {
                       "equations:\n  - {name: known_q, value: T(ones) * m_d * J_v * qd, doc: x}\n");
   generate({kPuma, "--equations", at() + "/e.yaml", "--functions", "known_q"});
   EXPECT_EQ(outcome_.status, 1);
-  EXPECT_THAT(outcome_.err, HasSubstr("a name that --self-test needs"));
+  EXPECT_THAT(outcome_.err, HasSubstr("equation 'known_q' has a name that is taken"));
   generate({kPuma, "--lanes", "4"});
   EXPECT_EQ(outcome_.status, 2);
 }
