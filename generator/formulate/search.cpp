@@ -418,34 +418,25 @@ constexpr int kWorthwhile = 10;
 /// reader.
 constexpr int kWorthAUnit = 2;
 
-/// What a search found, and the variant that it chose.
-struct Found {
-  program::Function function;
-  Variant variant;
-};
-
-Found found(const model::Tree& tree, const Recipe& recipe, const Options& options,
-            const Variant& start) {
+/// The cheapest found from `start` on, in another unit of length than the metre only if it pays.
+program::Function found(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                        const Variant& start) {
   Search search(tree, recipe, options, start);
   program::Function function = search.run();
-  return {std::move(function), search.best()};
-}
-
-/// `found`, in another unit of length than the metre only if it pays.
-program::Function in_metres(const model::Tree& tree, const Recipe& recipe, Options options,
-                            Found found) {
-  if (found.function.unit.link < 0 || found.function.outputs.empty()) {
-    return std::move(found.function);
+  if (function.unit.link < 0 || function.outputs.empty()) {
+    return function;
   }
-  options.metres = true;
-  found.variant.unit_length = 0;
-  program::Function plain = Search(tree, recipe, options, found.variant).run();
+  Options metres = options;
+  metres.metres = true;
+  Variant plain_start = search.best();
+  plain_start.unit_length = 0;
+  program::Function plain = Search(tree, recipe, metres, plain_start).run();
   if (plain.outputs.empty()) {
-    return std::move(found.function);
+    return function;
   }
   const int operations = program::cost(plain).total();
-  const int saved = operations - program::cost(found.function).total();
-  return std::move(100 * saved < kWorthAUnit * operations ? plain : found.function);
+  const int saved = operations - program::cost(function).total();
+  return 100 * saved < kWorthAUnit * operations ? plain : function;
 }
 
 /// True if float loses much with `taken` and not with `left`. Where one of them has no limbs to
@@ -468,7 +459,7 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
   Variant articulated = factor;
   articulated.articulated = true;
   const auto search = [&](const Variant& start) {
-    return in_metres(tree, recipe, options, found(tree, recipe, options, start));
+    return found(tree, recipe, options, start);
   };
   if (!recipe.freedom.articulated || options.forward_dynamics == ForwardDynamics::kFactor) {
     return search(factor);
@@ -480,21 +471,18 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
       plain_cost(factor) > kHopeless * plain_cost(articulated)) {
     return search(articulated);
   }
-  std::vector<Found> both = results_of<Found>({[&] { return found(tree, recipe, options, factor); },
-                                               [&] {
-                                                 return found(tree, recipe, options, articulated);
-                                               }});
-  const auto cost = [](const Found& method) {
-    return weight(program::cost(method.function));
-  };
+  std::vector<program::Function> both =
+      results_of<program::Function>({[&] { return search(factor); },
+                                     [&] {
+                                       return search(articulated);
+                                     }});
+  program::Function& function = both.front();
+  program::Function& other = both.back();
   const int least = options.scene != nullptr ? kWorthwhile : 0;
-  if (100 * cost(both.back()) < (100 - least) * cost(both.front())) {
-    std::swap(both.front(), both.back());
+  if (100 * weight(program::cost(other)) < (100 - least) * weight(program::cost(function))) {
+    std::swap(function, other);
   }
-  program::Function function = in_metres(tree, recipe, options, std::move(both.front()));
-  return loses(function, both.back().function)
-             ? in_metres(tree, recipe, options, std::move(both.back()))
-             : function;
+  return loses(function, other) ? other : function;
 }
 
 program::Function searched(const model::Tree& tree, const Recipe& recipe, const Options& options) {
