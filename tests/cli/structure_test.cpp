@@ -80,8 +80,10 @@ class Structure : public Cli, public testing::WithParamInterface<Robot> {
     EXPECT_NE(before[1], after[1]);
   }
 
+  /// With an equation that divides by a sum of masses.
   static std::string model() {
-    return read_file(fmt::format("{}/models/{}.yaml", TREEDYN_SOURCE_DIR, GetParam().name));
+    return read_file(fmt::format("{}/models/{}.yaml", TREEDYN_SOURCE_DIR, GetParam().name)) +
+           "equations:\n  - {name: centre, value: T(ones) * m_d * r / (T(ones) * m_d * ones)}\n";
   }
 };
 
