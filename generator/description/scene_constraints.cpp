@@ -89,7 +89,23 @@ void SceneEffects::refuse_contradictions(const SceneFields& root) const {
                               "motion, or one of them",
                               shown(second.name), shown(first.name), shown(phase.name)));
       }
+      refuse_friction_at_rest(root, second);
     }
+  }
+}
+
+/// Which of the two holds the joint nothing decides.
+void SceneEffects::refuse_friction_at_rest(const SceneFields& root,
+                                           const model::Constraint& constraint) const {
+  const auto sticks = [&](const model::JointFriction& friction) {
+    return friction.joint == constraint.joint && friction.slip_speed == 0;
+  };
+  if (constraint.pinned && constraint.kind == ConstraintKind::kJoint &&
+      std::ranges::any_of(context_.scene().frictions, sticks)) {
+    root.fail(places_.at(constraint.name),
+              fmt::format("constraint '{}' locks a joint that dry friction without slip_speed "
+                          "holds as well; expected a slip_speed, or one of them",
+                          shown(constraint.name)));
   }
 }
 

@@ -22,7 +22,8 @@ class SceneEffects {
   [[nodiscard]] bool is_off(const std::string& constraint) const {
     return constraints_off_.count(constraint) > 0;
   }
-  /// \throws InputError if two rows that act in one phase want different motions of one thing.
+  /// \throws InputError if two rows that act in one phase want different motions of one thing, or a
+  /// lock and dry friction hold one joint.
   void refuse_contradictions(const SceneFields& root) const;
 
  private:
@@ -60,6 +61,7 @@ class SceneEffects {
   void read_directions(const SceneFields& fields, model::Constraint& constraint) const;
   void read_accelerations(const SceneFields& fields, model::Constraint& constraint) const;
   void add(const SceneFields& fields, model::Constraint constraint);
+  void refuse_friction_at_rest(const SceneFields& root, const model::Constraint& constraint) const;
   void refuse_second(const SceneFields& fields, const std::string& name) const;
   model::Scene& scene() { return context_.scene(); }
 

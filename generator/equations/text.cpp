@@ -148,7 +148,7 @@ class Parser {
     if (++depth_ > kDeepest) {
       fail(at_, fmt::format("is nested more than {} deep", kDeepest));
     }
-    const Term result = read();
+    Term result = read();
     --depth_;
     return result;
   }

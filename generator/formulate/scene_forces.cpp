@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "common/error.hpp"
 #include "common/index.hpp"
 #include "formulate/derived.hpp"
 #include "formulate/scene_drift.hpp"
@@ -83,8 +86,13 @@ AppliedLoad SceneForces::load(const model::PointLoad& load, bool is_moment) cons
     }
   };
   AppliedLoad result{load.point, is_moment, {}};
-  for (std::size_t n = 0; n < 3; ++n) {
-    result.value[n] = value_of(task_.kinematics.graph(), load.value[n], meaning);
+  try {
+    for (std::size_t n = 0; n < 3; ++n) {
+      result.value[n] = value_of(task_.kinematics.graph(), load.value[n], meaning);
+    }
+  } catch (const InputError& error) {
+    throw InputError({}, fmt::format("force at point '{}': {}",
+                                     scene_.points[to_index(load.point)].name, error.message()));
   }
   return result;
 }

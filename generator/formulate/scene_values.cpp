@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "common/error.hpp"
+
 namespace treedyn::formulate {
 
 namespace {
@@ -17,7 +19,15 @@ struct Term {
   friend Term operator+(const Term& a, const Term& b) { return {a.graph, a.value + b.value}; }
   friend Term operator-(const Term& a, const Term& b) { return {a.graph, a.value - b.value}; }
   friend Term operator*(const Term& a, const Term& b) { return {a.graph, a.value * b.value}; }
-  friend Term operator/(const Term& a, const Term& b) { return {a.graph, a.value / b.value}; }
+  /// \throws InputError if b is zero in every position
+  friend Term operator/(const Term& a, const Term& b) {
+    if (b.value.is_zero()) {
+      throw InputError({},
+                       "an expression or a law of the scene divides by what is zero in every "
+                       "position, like the length of a spring; expected another one");
+    }
+    return {a.graph, a.value / b.value};
+  }
   friend Term sqrt(const Term& a) { return {a.graph, {*a.graph, a.graph->sqrt(a.value.ref())}}; }
   friend Term sin(const Term& a) { return {a.graph, {*a.graph, a.graph->sin(a.value.ref())}}; }
   friend Term cos(const Term& a) { return {a.graph, {*a.graph, a.graph->cos(a.value.ref())}}; }

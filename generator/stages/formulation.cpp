@@ -110,6 +110,11 @@ program::Programs formulate_model(const Model& model, const Request& request, co
     return formulated(model, request, trace);
   } catch (const std::range_error& error) {
     refuse_decades(model.tree, error.what());
+  } catch (const InputError& error) {
+    if (!request.scene || !error.where().file.empty()) {
+      throw;
+    }
+    throw InputError({*request.scene, 0, 0}, error.message());
   }
 }
 

@@ -264,12 +264,15 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
   const Values moved = solved(equations.inertia(), reaction).x;
   const Values K = inverse_weights(equations, rows);
   const Real most = largest(K);
+  if (most <= Real("1e-60")) {  // no motion reaches any row
+    return Values(rows.size());
+  }
   // rows that depend on each other nearly: the solution leaves out what is between
   const bool nearly =
       program::rank_of(K, static_cast<int>(rows.size())) > staged.solves.front().rank;
   const Real left_out =
       nearly ? Real(largest(error) * dependent_part(equations, rows, most)) : Real(0);
-  for (std::size_t k = 0; k < rows.size() && most > 0; ++k) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
     const Real part = dot(rows[k].J, moved) / most;
     error[k] = abs(part) > left_out ? part : Real(0);
   }
@@ -423,6 +426,14 @@ bool check_contact(const model::Scene& scene, const program::Staged& press, std:
   return true;
 }
 
+void check_contacts(const model::Scene& scene, const program::Staged& staged, Source& source) {
+  for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
+    const program::Staged& press = staged.contacts[c];
+    at_some_state(scene, press.function.signature, source,
+                  [&](State& state) { return check_contact(scene, press, c, state); });
+  }
+}
+
 }  // namespace
 
 void check_scene_at_states(const model::Scene& scene, const program::Programs& programs,
@@ -437,11 +448,7 @@ void check_scene_at_states(const model::Scene& scene, const program::Programs& p
     if (staged.signature.name.starts_with("constrained_dynamics")) {
       at_some_state(scene, staged.function.signature, source,
                     [&](State& state) { return check_constrained(scene, staged, state); });
-      for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
-        const program::Staged& press = staged.contacts[c];
-        at_some_state(scene, press.function.signature, source,
-                      [&](State& state) { return check_contact(scene, press, c, state); });
-      }
+      check_contacts(scene, staged, source);
     } else if (staged.signature.name.starts_with("constrained_inverse")) {
       at_some_state(scene, staged.function.signature, source,
                     [&](State& state) { return check_inverse(scene, staged, state); });

@@ -78,6 +78,52 @@ TEST(Effects, RootsAreTakenOfDifferences) {
   }
 }
 
+/// Reactions of a locked joint that is driven help no other joint: tau is that of free motion.
+TEST(Effects, RowsThatReachNoPassiveJointLeaveTheirDrivesAlone) {
+  const SceneCode locked(fmt::format(
+      "scene: s\nmodel: {}/models/two_link.yaml\nactuated: [shoulder]\neffects:\n  gravity: [0, 0, "
+      "-9.81]\n  locked_joint: [{{joint: shoulder, name: brake}}]\nduration: 1\n",
+      TREEDYN_SOURCE_DIR));
+  const ArmScene plain("");
+  const Vector result = locked.code().call("constrained_inverse_dynamics", {kq, kqd, {0.3, -0.7}});
+  const Vector qdd = plain.code().call("constrained_dynamics", {kq, kqd, {result[0], result[1]}});
+  EXPECT_NEAR(qdd[0], 0.3, 1e-12);
+  EXPECT_NEAR(qdd[1], -0.7, 1e-12);
+  EXPECT_EQ(result[2], 0);
+}
+
+/// A link that turns about y alone cannot follow errors about x and z.
+TEST(Effects, RowsThatNoMotionReachesAreGenerated) {
+  const std::string rows =
+      "  orientation_constraint:\n    - {name: level, point: hand, along: [x, z]}\n"
+      "  stabilisation: {method: baumgarte, rate: 10}\n";
+  const ArmScene held(rows);
+  const ArmScene plain("");
+  const Vector qdd =
+      held.code().call("constrained_dynamics", {kq, kqd, ktau, {1, 0, 0, 0, 1, 0, 0, 0, 1}});
+  const Vector expected = plain.code().call("constrained_dynamics", {kq, kqd, ktau});
+  EXPECT_NEAR(qdd[0], expected[0], 1e-12);
+  EXPECT_NEAR(qdd[1], expected[1], 1e-12);
+}
+
+TEST(Effects, SpringsWithoutADirectionAreRefused) {
+  const TemporaryFolder folder;
+  const std::string scene = (folder.path() / "scene.yaml").string();
+  write_file(scene,
+             fmt::format("scene: s\nmodel: {}/models/two_link.yaml\npoints:\n  - {{name: hook, "
+                         "link: ground, at: [1, 0, 0]}}\neffects:\n  point_spring:\n    - "
+                         "{{point: hook, anchor: [1, 0, 0], stiffness: 3, rest_length: 1}}\n"
+                         "duration: 1\n",
+                         TREEDYN_SOURCE_DIR));
+  const Outcome outcome = run({TREEDYN_EXECUTABLE, "generate", "--scene", scene, "--effort", "0",
+                               "-o", (folder.path() / "out").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            scene +
+                ": force at point 'hook': an expression or a law of the scene divides by what is "
+                "zero in every position, like the length of a spring; expected another one\n");
+}
+
 TEST(Effects, SwitchedOffLeavesTheCodeOfTheSceneWithout) {  // E1, byte for byte
   const std::string with =
       std::string(kHeld) + "  joint_spring:\n    - {joint: elbow, stiffness: 30, damping: 2}\n";
