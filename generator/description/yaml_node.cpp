@@ -32,18 +32,43 @@ Place place_of_byte(const std::string& text, std::size_t offset) {
   return {static_cast<int>(line) + 1, to_int(column) + 1};
 }
 
-/// Where the characters of a folded value stand, from `start` on: white space may be others there.
-/// The last place is that of the end.
-std::vector<Place> places_of(std::string_view value, std::string_view text, Place start) {
-  std::size_t at = 0;
-  for (int line = 1; line < start.line; ++line) {
-    at = text.find('\n', at) + 1;
+/// Finds lines of a text, asked for in ascending order. Linear in all.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : text_(text) {}
+
+  /// The bytes from the beginning of line `first` to the end of line `last`.
+  std::string_view between(int first, int last) {
+    while (line_ < first) {
+      start_ = after(start_);
+      ++line_;
+    }
+    std::size_t end = start_;
+    for (int line = first; line <= last; ++line) {
+      end = after(end);
+    }
+    return text_.substr(start_, end - start_);
   }
-  at += static_cast<std::size_t>(start.column - 1);
+
+ private:
+  [[nodiscard]] std::size_t after(std::size_t start) const {
+    const std::size_t end = text_.find('\n', start);
+    return end == std::string_view::npos ? text_.size() : end + 1;
+  }
+
+  std::string_view text_;
+  int line_ = 1;
+  std::size_t start_ = 0;
+};
+
+/// Where the characters of a folded value stand in the lines from that of `start` on: white space
+/// may be others there. The last place is that of the end.
+std::vector<Place> places_of(std::string_view value, std::string_view lines, Place start) {
+  auto at = static_cast<std::size_t>(start.column - 1);
   std::vector<Place> places;
   for (const char c : value) {
-    while (!is_blank(c) && at + 1 < text.size() && text[at] != c) {
-      start = text[at++] == '\n' ? Place{start.line + 1, 1} : Place{start.line, start.column + 1};
+    while (!is_blank(c) && at < lines.size() && lines[at] != c) {
+      start = lines[at++] == '\n' ? Place{start.line + 1, 1} : Place{start.line, start.column + 1};
     }
     places.push_back(start);
     if (!is_blank(c)) {
@@ -111,7 +136,7 @@ class Events {
 /// Makes nodes of events with a stack of its own: no recursion.
 class NodeBuilder {
  public:
-  NodeBuilder(const std::string& text, const std::string& file) : text_(text), file_(file) {}
+  NodeBuilder(const std::string& text, const std::string& file) : lines_(text), file_(file) {}
 
   void add(const yaml_event_t& event) {
     switch (event.type) {
@@ -176,8 +201,8 @@ class NodeBuilder {
       const bool is_block =
           scalar.style == YAML_LITERAL_SCALAR_STYLE || scalar.style == YAML_FOLDED_SCALAR_STYLE;
       const Place first = is_block ? Place{node.where.line + 1, 1} : node.where;
-      node.where.characters =
-          std::make_shared<const std::vector<Place>>(places_of(text, text_, first));
+      node.where.characters = std::make_shared<const std::vector<Place>>(
+          places_of(text, lines_.between(first.line, to_int(event.end_mark.line) + 1), first));
     }
     attach(std::move(node));
   }
@@ -241,7 +266,7 @@ class NodeBuilder {
     }
   }
 
-  const std::string& text_;
+  Lines lines_;
   const std::string& file_;
   std::vector<Node> open_;
   Node root_;

@@ -49,7 +49,8 @@ class Engine {
   /// name or inputs of wrong number or size.
   std::vector<Scalar> evaluate(std::string_view function,
                                const std::vector<std::vector<Scalar>>& inputs);
-  /// The same without allocation; the result is valid until the next call. \pre sizes fit.
+  /// The same without allocation; the result is valid until the next call. \pre there is such a
+  /// function, sizes fit
   std::span<const Scalar> evaluate(std::string_view function,
                                    std::span<const std::span<const Scalar>> inputs);
 

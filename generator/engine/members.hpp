@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/error.hpp"
 #include "engine/engine.hpp"
 #include "engine/implementation.hpp"
 
@@ -65,7 +66,9 @@ std::vector<std::span<const Scalar>> checked(const Output* found, std::string_vi
 template <class Scalar>
 std::span<const Scalar> Engine<Scalar>::evaluate(std::string_view function,
                                                  std::span<const std::span<const Scalar>> inputs) {
-  return implementation_->evaluate(*implementation_->find(function), inputs);
+  const Output* found = implementation_->find(function);
+  TREEDYN_EXPECT(found != nullptr);
+  return implementation_->evaluate(*found, inputs);
 }
 
 template <class Scalar>
