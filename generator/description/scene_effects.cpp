@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "common/decimal.hpp"
+#include "common/index.hpp"
 #include "model/effects.hpp"
 
 namespace treedyn::description {
@@ -285,6 +286,12 @@ void SceneEffects::moment(const SceneFields& fields) {
 void SceneEffects::ground_contact(const SceneFields& fields) {
   model::GroundContact contact;
   contact.point = context_.point(fields);
+  if (scene().points[to_index(contact.point)].link == model::kGround) {
+    fields.fail(fields.get("point").where,
+                fmt::format("'{}' is fixed to the ground, a contact there moves nothing; expected "
+                            "a point of a link that moves",
+                            shown(fields.text("point").text)));
+  }
   contact.plane = {
       fields.find("normal") == nullptr ? model::Vector3{0, 0, 1} : fields.direction("normal"),
       fields.number_or("height", 0)};
