@@ -26,6 +26,8 @@ constexpr double kPowerSteps = 100;
 constexpr int kFirstSteps = 10;
 /// The part of the speeds that a row adds up that counts as a speed of its own.
 constexpr double kOwnSpeed = 1e-3;
+/// Speeds that roundings leave of an impact or of a stop, 1/s or sizes of the mechanism a second.
+constexpr double kNoSpeed = 1e-11;
 
 bool is_length(const model::Scene& scene, const model::Constraint& constraint) {
   if (constraint.kind == model::ConstraintKind::kJoint) {
@@ -159,11 +161,12 @@ void Monitor::speeds(System& system, double t, const Vector& q, const Vector& qd
   system.constraints().velocities(t, wanted);
   for (int k = 0; k < J.rows(); ++k) {
     const double off = std::fabs(J.row(k).dot(qd) - wanted[k]);
-    const double bound = kOwnSpeed * (J.row(k).cwiseAbs().dot(moving) + std::fabs(wanted[k]));
+    const Row row = this->row(system.constraints(), k);
+    const double bound =
+        kNoSpeed * row.scale + kOwnSpeed * (J.row(k).cwiseAbs().dot(moving) + std::fabs(wanted[k]));
     if (!system.constraints().is_held(k) || !(off > bound)) {
       continue;
     }
-    const Row row = this->row(system.constraints(), k);
     const char* const unit = row.scale == size_ ? "m/s" : "1/s";
     note({"speed", names_[row.name], t, off, bound, 0, 0, unit,
           fmt::format(

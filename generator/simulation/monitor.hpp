@@ -35,8 +35,8 @@ Bounds unbounded();
 
 /// A warning: what was noticed first, and the worst of it.
 struct Notice {
-  std::string kind;  ///< drift, residual, energy, guard, position, speed, branch, step
-  std::string name;  ///< the row, the event, the integrator
+  std::string kind;  ///< drift, residual, energy, guard, position, speed, branch, step, below
+  std::string name;  ///< the row, the event, the integrator, the point
   double time = 0;   ///< s, when it was first beyond its bound
   double value = 0;  ///< then
   double bound = 0;

@@ -126,7 +126,27 @@ double Simulator::settle() {
   build_watches();
   monitor_.restart_energy(system_, position, velocity);
   monitor_.positions(system_, t_, position);
+  note_points_below();
   return (y_ - before).cwiseAbs().maxCoeff();
+}
+
+/// Points that begin below a plane from which they would rebound.
+void Simulator::note_points_below() {
+  for (const Watch& watch : watches_) {
+    if (watch.kind != Watch::Kind::kEvent || watch.side > 0 || !watch.event->impact ||
+        watch.event->impact->restitution == 0) {
+      continue;
+    }
+    const double depth = -watch.value(system_, t_, y_);
+    if (depth > kOnPlane) {
+      const std::string& name = scene_.points[static_cast<std::size_t>(watch.point)].name;
+      monitor_.note({"below", name, t_, depth, kOnPlane, 0, 0, "m",
+                     fmt::format("point '{}' begins {:.3g} m below the plane of its touch_down, "
+                                 "which waits until it has been above; a generated step lets it "
+                                 "touch down as soon as it falls",
+                                 name, depth)});
+    }
+  }
 }
 
 /// Where the next step ends at the latest: the next t0 + k step, or the end.

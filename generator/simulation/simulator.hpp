@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -135,6 +136,7 @@ class Simulator {
 
   void start_phase(int phase, const std::vector<int>& active);
   void build_watches();
+  void note_points_below();
   void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
                  const model::Plane& plane);
   std::optional<Crossing> first_crossing(double h);
@@ -149,7 +151,7 @@ class Simulator {
   [[nodiscard]] const model::Event& event_at(std::size_t event) const;
   [[nodiscard]] std::string name_of(std::size_t event) const;
   bool strike(const model::Event& event, EventRecord& record);
-  void guard_against_pile();
+  void guard_against_pile(const Watch& watch);
 
   const model::Scene& scene_;
   Settings settings_;
@@ -169,7 +171,8 @@ class Simulator {
   int phase_ = 0;
   double phase_start_ = 0;
   Cost cost_;
-  int pile_ = 0;
+  int pile_ = 0;  ///< of events at the instant of the last one
+  double happened_ = -std::numeric_limits<double>::infinity();  ///< s, the last one
   double trial_start_ = 0;
   double show_step_ = 0;
   long shown_ = 0;

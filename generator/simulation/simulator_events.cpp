@@ -17,8 +17,8 @@ namespace {
 
 using Kind = Watch::Kind;
 
-/// Events at the same instant before it is called a pile, and how long an instant is: a part of the
-/// time, or s.
+/// Events at the same instant, beyond one of each kind, before it is called a pile, and how long an
+/// instant is: a part of the time, or s.
 constexpr int kMaxPile = 100;
 constexpr double kPile = 1e-10;
 
@@ -201,6 +201,7 @@ double Simulator::refine(const Watch& watch, double low, double high, double h) 
 }
 
 void Simulator::happen(Watch& watch) {
+  guard_against_pile(watch);
   switch (watch.kind) {
     case Kind::kEvent:
     case Kind::kReaction:
@@ -295,7 +296,6 @@ void Simulator::lift_off(const LiftOff& rest) {
 }
 
 void Simulator::fire(std::size_t index) {
-  guard_against_pile();
   const model::Event event = event_at(index);
   EventRecord record{t_, phase_, name_of(index), event.then, q(), qd(), qd(), {}};
   const std::size_t own = scene_.phases[static_cast<std::size_t>(phase_)].until.size();
@@ -335,14 +335,22 @@ void Simulator::fire(std::size_t index) {
   events_.push_back(std::move(record));
 }
 
-void Simulator::guard_against_pile() {
-  const bool same =
-      !events_.empty() && t_ - events_.back().time <= kPile * std::max(1.0, std::fabs(t_));
+/// What happens again and again at one instant would never end.
+void Simulator::guard_against_pile(const Watch& watch) {
+  const bool same = t_ - happened_ <= kPile * std::max(1.0, std::fabs(t_));
   pile_ = same ? pile_ + 1 : 0;
-  if (pile_ > kMaxPile) {
-    throw std::runtime_error(
-        fmt::format("events pile up at t = {} s; expected rest_below at the impact", t_));
+  happened_ = t_;
+  if (pile_ <= kMaxPile + static_cast<int>(watches_.size())) {
+    return;
   }
+  if (watch.kind == Watch::Kind::kSlip || watch.kind == Watch::Kind::kStick) {
+    const int joint = system_.frictions()[watch.index].joint;
+    throw std::runtime_error(fmt::format(
+        "joint '{}' sticks and slips to and fro at t = {} s: its friction needs a slip_speed",
+        joint_name(scene_.tree, joint), t_));
+  }
+  throw std::runtime_error(
+      fmt::format("events pile up at t = {} s: the impact needs rest_below", t_));
 }
 
 }  // namespace treedyn::simulation

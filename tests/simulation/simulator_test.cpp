@@ -89,6 +89,68 @@ TEST(Impact, ComesToRestAfterAllItsRebounds) {
   EXPECT_NEAR(run.simulator.solution().lambda[0], 10, 1e-12);  // m g
 }
 
+TEST(Impact, OfAPointThatBeginsBelowThePlaneIsWarnedOf) {
+  const std::string above = "initial:\n  q: {height: 1.25}";
+  std::string text = kBall;
+  text.replace(text.find(above), above.size(), "initial:\n  q: {height: -0.25}");
+  const Running run(scene_of(text));
+  const std::vector<Notice> notices = run.simulator.monitor().notices();
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_EQ(notices[0].kind, "below");
+  EXPECT_EQ(notices[0].name, "ball");
+  EXPECT_EQ(notices[0].value, 0.25);
+  EXPECT_TRUE(Running(scene_of(kBall)).simulator.monitor().notices().empty());
+}
+
+TEST(Friction, ThatSticksAndSlipsWithoutEndEndsTheMotion) {
+  Running run(scene_of(R"yaml(
+scene: nailed
+model: ../two_link.yaml
+effects:
+  gravity: [0, 0, -9.81]
+  coulomb_friction: [{joint: elbow, force: 0.3}]
+  point_constraint: [{name: nail, point: tip, along: [x, z]}]
+initial: {q: {shoulder: 0.3, elbow: 0.4}}
+duration: 0.02
+stepping: {integrator: rk4, step: 0.001}
+)yaml"));
+  try {
+    run.advance_to(0.02);
+    FAIL() << "both rows hold the elbow, so its friction has nothing left to hold";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()).find("joint 'elbow' sticks and slips to and fro"), 0U);
+  }
+}
+
+/// Kinds of what is said of a body that moves at a speed when a lock begins to hold it.
+std::vector<std::string> notices_of_lock(const std::string& speed) {
+  Running run(scene_of(R"yaml(
+scene: caught
+model: drop.model.yaml
+effects:
+  locked_joint:
+    - {name: hook, joint: height}
+phases:
+  - name: free
+    until:
+      - {time: 0.25, then: held}
+  - name: held
+    active: [hook]
+initial: {qd: {height: )yaml" +
+                       speed + "}}\nduration: 1\n"));
+  run.advance_to(0.25);
+  std::vector<std::string> kinds;
+  for (const Notice& notice : run.simulator.monitor().notices()) {
+    kinds.push_back(notice.kind);
+  }
+  return kinds;
+}
+
+TEST(Warnings, OfSpeedsThatNoImpactHasTakenLeaveOutRoundings) {
+  EXPECT_EQ(notices_of_lock("1e-3"), std::vector<std::string>{"speed"});
+  EXPECT_TRUE(notices_of_lock("1e-15").empty());
+}
+
 TEST(Impact, CanBeSwitchedOff) {
   model::Scene scene = scene_of(kBall + "use: {impact: off}\n");
   EXPECT_FALSE(scene.phases.front().until.front().impact.has_value());
