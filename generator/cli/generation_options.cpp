@@ -416,8 +416,8 @@ void add_target(CLI::App& command, Request& request) {
       .add_option_function<std::string>(
           "--layout",
           [&request](const std::string& layout) { request.target.packed = layout == "packed"; },
-          "of A: N x N, or its structural nonzeros on and below the diagonal with index tables in "
-          "the header; default dense")
+          "of A and of matrices of users: dense, or the structural nonzeros, of A on and below the "
+          "diagonal, with index tables in the header; default dense")
       ->check(one_of({"dense", "packed"}))
       ->type_name("dense|packed");
 }

@@ -63,6 +63,7 @@ class Translator {
   }
   [[nodiscard]] std::string words(const std::string& line) const;
   [[nodiscard]] std::string word(const std::string& word, bool called) const;
+  [[nodiscard]] std::string with_tables(std::string line) const;
   bool header_frame(const std::string& line, Lines& result) const;
   void header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list);
   void constant(const std::string& line, bool in_list, Lines& result) const;
@@ -94,7 +95,7 @@ Translator::Translator(const Unit& unit) : unit_(unit) {
 
 /// One word of code.
 std::string Translator::word(const std::string& word, bool called) const {
-  static const std::set<std::string> kConstants = {"kPoints", "kMassMatrixNonzeros"};
+  static const std::set<std::string> kConstants = {"kPoints"};
   static const std::set<std::string> kOfLibrary = {"sqrt", "pow", "sin", "cos"};
   if (called && functions_.contains(word)) {
     return prefixed(word);
@@ -174,6 +175,17 @@ bool Translator::header_frame(const std::string& line, Lines& result) const {
   return true;
 }
 
+/// A comment with the tables of packed matrices as C calls them.
+std::string Translator::with_tables(std::string line) const {
+  for (const PackedMatrix& matrix : unit_.packed) {
+    for (const char* const table : {"Row", "Column"}) {
+      const std::string name = matrix.constants + table;
+      line = replaced(std::move(line), name + "[", macro(name) + "[");
+    }
+  }
+  return line;
+}
+
 void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list) {
   static const std::string kInteger = "constexpr int ";
   const std::string step_start =
@@ -213,7 +225,7 @@ void Translator::header_line(const Lines& lines, std::size_t& at, Lines& result,
   } else if (line.starts_with("void ") || line.starts_with("int ")) {
     function(gathered(lines, at, ';'), false, false, result);
   } else {
-    result.push_back(in_list && line.starts_with("///") ? "  " + line : line);
+    result.push_back(in_list && line.starts_with("///") ? "  " + line : with_tables(line));
   }
 }
 

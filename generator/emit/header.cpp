@@ -143,27 +143,33 @@ std::string index_table(const std::string& name, const std::vector<int>& values)
   return result + "\n   " + line + "};\n";
 }
 
-/// Where the values of a packed A belong; nothing if A is dense.
+/// Where the values of packed matrices belong; nothing if all are dense.
 std::string packing_tables(const Unit& unit) {
-  if (!unit.target.packed) {
-    return {};
+  std::string result;
+  for (const PackedMatrix& matrix : unit.packed) {
+    const std::string& name = matrix.constants;
+    result += "\n" +
+              wrapped(fmt::format("Value k of {} is entry ({}Row[k], {}Column[k]){}; other entries "
+                                  "are zero in every state.",
+                                  matrix.what, name, name,
+                                  matrix.packing.mirrored ? " and its mirror image" : ""),
+                      "/// ") +
+              fmt::format("constexpr int {}Nonzeros = {};\n", name, matrix.packing.size()) +
+              index_table(name + "Row", matrix.packing.row) +
+              index_table(name + "Column", matrix.packing.column);
   }
-  return fmt::format(
-             "\n/// Value k of A is entry (kMassMatrixRow[k], kMassMatrixColumn[k]) and its mirror "
-             "image;\n/// other entries are zero in every state.\n"
-             "constexpr int kMassMatrixNonzeros = {};\n",
-             unit.packing.size()) +
-         index_table("kMassMatrixRow", unit.packing.row) +
-         index_table("kMassMatrixColumn", unit.packing.column);
+  return result;
 }
 
 std::string arrays_comment(const Unit& unit) {
+  const char* const packed = unit.packed.empty()       ? ""
+                             : unit.packed.size() == 1 ? ", A excepted"
+                                                       : ", but for those with tables of places";
   return wrapped(
       fmt::format("Arrays are dense{}, matrices row-major; SI units and radians. Outputs "
                   "are written completely and must not overlap inputs. Nothing is "
                   "allocated, thrown or kept between calls.{}",
-                  unit.target.packed ? ", A excepted" : "",
-                  has_sincos(unit) ? " " + sincos_comment(unit.target) : ""),
+                  packed, has_sincos(unit) ? " " + sincos_comment(unit.target) : ""),
       "// ");
 }
 

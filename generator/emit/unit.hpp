@@ -25,6 +25,13 @@ struct Processor {
   std::vector<std::pair<std::string, double>> cycles;  ///< of a call, by function
 };
 
+/// Where the values of a packed matrix belong, as the header says it.
+struct PackedMatrix {
+  std::string what;       ///< A, or a function of the user
+  std::string constants;  ///< begin of the names of its tables: kMassMatrix
+  program::Packing packing;
+};
+
 /// Everything that the generated files say.
 struct Unit {
   std::string name;  ///< file stem
@@ -42,7 +49,7 @@ struct Unit {
   std::vector<program::Stepper> steppers;  ///< behind `staged`
   Target target;
   bool self_test = false;            ///< known answers of `functions`, and what compares with them
-  program::Packing packing;          ///< of A, if the target is packed
+  std::vector<PackedMatrix> packed;  ///< if the target is packed; A first
   std::vector<std::string> command;  ///< program and arguments that reproduce the files
   std::string tool;                  ///< "treedyn 0.1.0", for the manifest only
   std::string model_file;            ///< base name, "-" for standard input

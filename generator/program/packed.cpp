@@ -3,6 +3,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "common/error.hpp"
 #include "program/limb_code.hpp"
 
@@ -10,16 +12,37 @@ namespace treedyn::program {
 
 namespace {
 
-/// How the description of a function calls a dense matrix.
-constexpr std::string_view kDense = "N x N, row-major";
+/// How the description of a function calls a dense matrix, and what it is called when packed.
+void say_packed(std::string& brief, const Packing& packing) {
+  const std::string_view packed = packing.mirrored ? "packed lower triangle" : "packed";
+  const std::string of_user = fmt::format("{} x {}, ", packing.rows, packing.columns);
+  constexpr std::string_view kDense = "row-major";
+  for (const auto& [size, kept] : {std::pair<std::string, std::string>{"N x N, ", ""},
+                                   std::pair<std::string, std::string>{of_user, of_user}}) {
+    const std::string dense = fmt::format("{}{}", size, kDense);
+    if (const auto at = brief.rfind(dense); at != std::string::npos) {
+      brief.replace(at, dense.size(), fmt::format("{}{}", kept, packed));
+      return;
+    }
+  }
+}
 
 }  // namespace
 
-Packing lower_triangle(const Function& dense, int n) {
-  Packing packing;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      if (dense.outputs[static_cast<std::size_t>(i * n + j)] != 0) {
+Packing stored_entries(const Function& dense, int rows, int columns) {
+  const auto entry = [&](int i, int j) {
+    return dense.outputs[static_cast<std::size_t>(i * columns + j)];
+  };
+  Packing packing{.rows = rows, .columns = columns, .mirrored = rows == columns};
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < i && packing.mirrored; ++j) {
+      packing.mirrored = entry(i, j) == entry(j, i);
+    }
+  }
+  for (int i = 0; i < rows; ++i) {
+    const int end = packing.mirrored ? i + 1 : columns;
+    for (int j = 0; j < end; ++j) {
+      if (entry(i, j) != 0) {
         packing.row.push_back(i);
         packing.column.push_back(j);
       }
@@ -28,23 +51,21 @@ Packing lower_triangle(const Function& dense, int n) {
   return packing;
 }
 
-Function packed(Function function, const std::string& matrix, int n, const Packing& packing) {
+Function packed(Function function, const std::string& matrix, const Packing& packing) {
   std::vector<Ref> outputs;
   std::size_t begin = 0;
   for (Array& array : function.signature.outputs) {
     const auto size = static_cast<std::size_t>(array.size);
     if (array.name == matrix) {
-      TREEDYN_EXPECT(array.size == n * n);
+      TREEDYN_EXPECT(array.size == packing.rows * packing.columns);
       for (int k = 0; k < packing.size(); ++k) {
         const auto at = static_cast<std::size_t>(k);
-        outputs.push_back(function.outputs[begin + static_cast<std::size_t>(packing.row[at] * n +
-                                                                            packing.column[at])]);
+        outputs.push_back(
+            function.outputs[begin + static_cast<std::size_t>(packing.row[at] * packing.columns +
+                                                              packing.column[at])]);
       }
       array.size = packing.size();
-      std::string& brief = function.signature.brief;
-      if (const auto at = brief.find(kDense); at != std::string::npos) {
-        brief.replace(at, kDense.size(), "packed lower triangle");
-      }
+      say_packed(function.signature.brief, packing);
     } else {
       for (std::size_t k = 0; k < size; ++k) {
         outputs.push_back(function.outputs[begin + k]);
@@ -55,7 +76,7 @@ Function packed(Function function, const std::string& matrix, int n, const Packi
   function.outputs = std::move(outputs);
   if (function.limb_code) {
     LimbCode code = *function.limb_code;
-    code.trunk = packed(std::move(code.trunk), matrix, n, packing);
+    code.trunk = packed(std::move(code.trunk), matrix, packing);
     function.limb_code = std::make_shared<const LimbCode>(std::move(code));
   }
   return function;

@@ -1,4 +1,4 @@
-// A symmetric matrix without what is zero in every state and above the diagonal.
+// A matrix without what is zero in every state and, if it is symmetric, above the diagonal.
 #pragma once
 
 #include <string>
@@ -8,21 +8,23 @@
 
 namespace treedyn::program {
 
-/// The places of a symmetric matrix that are stored: value k is entry (row[k], column[k]),
-/// column[k] <= row[k], row by row.
+/// The places of a matrix that are stored: value k is entry (row[k], column[k]), row by row.
 struct Packing {
-  std::vector<int> row;
-  std::vector<int> column;
+  int rows = 0;
+  int columns = 0;
+  bool mirrored = false;  ///< symmetric: column[k] <= row[k]
+  std::vector<int> row = {};
+  std::vector<int> column = {};
 
   [[nodiscard]] int size() const { return static_cast<int>(row.size()); }
 };
 
-/// The places on and below the diagonal at which `dense`, a function whose first output is an
-/// n x n matrix, is not structurally zero.
-Packing lower_triangle(const Function& dense, int n);
+/// The places at which `dense`, a function whose first output is a rows x columns matrix, is not
+/// structurally zero; of a matrix whose entries are those of its transpose on and below the
+/// diagonal.
+Packing stored_entries(const Function& dense, int rows, int columns);
 
-/// The same function with the entries of `packing` alone in every output array called `matrix`,
-/// which holds n x n values.
-Function packed(Function function, const std::string& matrix, int n, const Packing& packing);
+/// The same function with the entries of `packing` alone in every output array called `matrix`.
+Function packed(Function function, const std::string& matrix, const Packing& packing);
 
 }  // namespace treedyn::program

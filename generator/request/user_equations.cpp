@@ -92,10 +92,10 @@ void check_names(const std::vector<model::EquationText>& texts, const model::Tre
   }
 }
 
-std::string count_text(const block::Side& side, int links, int points) {
-  return std::to_string(side.size * (side.set == block::Set::kLinks    ? links
-                                     : side.set == block::Set::kPoints ? points
-                                                                       : 1));
+int count_of(const block::Side& side, int links, int points) {
+  return side.size * (side.set == block::Set::kLinks    ? links
+                      : side.set == block::Set::kPoints ? points
+                                                        : 1);
 }
 
 /// Arrays over no points have no size.
@@ -209,16 +209,20 @@ program::Signature signature_of(const formulate::Derived& function, int dof, int
                                                 : emit::for_comment(equation.doc, kLongestText);
   signature.brief =
       fmt::format("{}{} value: {} x {}{}.", what, what.ends_with('.') ? "" : ".",
-                  count_text(shape.rows, dof, points), count_text(shape.cols, dof, points),
+                  count_of(shape.rows, dof, points), count_of(shape.cols, dof, points),
                   shape.cols == block::Side{} ? "" : ", row-major");
   for (const equations::UserArgument& argument : equation.arguments) {
     signature.inputs.push_back(
-        array(argument.name, std::stoi(count_text(argument.side, dof, points)), argument.unit));
+        array(argument.name, count_of(argument.side, dof, points), argument.unit));
   }
-  const int rows = std::stoi(count_text(shape.rows, dof, points));
-  const int cols = std::stoi(count_text(shape.cols, dof, points));
-  signature.outputs = {array("value", rows * cols, equation.unit)};
+  const auto [rows, columns] = size_of(function, dof, points);
+  signature.outputs = {array("value", rows * columns, equation.unit)};
   return signature;
+}
+
+std::pair<int, int> size_of(const formulate::Derived& function, int dof, int points) {
+  const block::Shape& shape = function.equation.expression.shape();
+  return {count_of(shape.rows, dof, points), count_of(shape.cols, dof, points)};
 }
 
 }  // namespace treedyn

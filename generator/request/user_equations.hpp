@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formulate/derived.hpp"
@@ -27,5 +28,8 @@ UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& w
 
 /// What the header says of it.
 program::Signature signature_of(const formulate::Derived& function, int dof, int points);
+
+/// Rows and columns of its value.
+std::pair<int, int> size_of(const formulate::Derived& function, int dof, int points);
 
 }  // namespace treedyn

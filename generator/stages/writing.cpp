@@ -1,12 +1,17 @@
 #include "stages/writing.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <limits>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "accuracy/core.hpp"
 #include "common/decimal.hpp"
+#include "formulate/derived.hpp"
 #include "formulate/functions.hpp"
 #include "formulate/stand_ins.hpp"
 #include "stages/checked_siblings.hpp"
@@ -19,22 +24,61 @@ namespace treedyn {
 
 namespace {
 
-/// The places of A that the plain formulation does not find zero: the same whatever the search and
-/// the passes make of it.
-program::Packing packing_of(const Model& model, const Request& request) {
+/// The places of a matrix that the plain formulation does not find zero: the same whatever the
+/// search and the passes make of it.
+program::Packing packing_of(const Model& model, const Request& request,
+                            const formulate::Recipe& recipe, std::pair<int, int> size) {
   formulate::Options options = formulate_options(model, request);
   options.without.clear();
   options.share_limbs = false;
   const formulate::Seen seen = formulate::with_stand_ins(model.tree, options);
-  return program::lower_triangle(
-      formulate::build(seen.tree, formulate::recipe_of("mass_matrix"), seen.options,
-                       formulate::plain_variant(seen.tree)),
-      model.tree.dof());
+  return program::stored_entries(
+      formulate::build(seen.tree, recipe, seen.options, formulate::plain_variant(seen.tree)),
+      size.first, size.second);
 }
 
-}  // namespace
+/// Names of constants begin so: kMassMatrix for mass_matrix.
+std::string constants_of(const std::string& function) {
+  std::string result = "k";
+  bool capital = true;
+  for (const char c : function) {
+    if (c != '_') {
+      result += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    capital = c == '_';
+  }
+  return result;
+}
 
-namespace {
+/// A, and what users have that is a matrix with zeros or symmetric.
+/// \throws InputError for two of which tables would have one name
+std::vector<emit::PackedMatrix> packed_matrices(const Model& model, const Request& request) {
+  const int dof = model.tree.dof();
+  std::vector<emit::PackedMatrix> result = {
+      {"A", constants_of("mass_matrix"),
+       packing_of(model, request, formulate::recipe_of("mass_matrix"), {dof, dof})}};
+  std::set<std::string> names = {result.front().constants};
+  for (const auto& function : model.equations) {
+    const auto [rows, columns] = size_of(*function, dof, static_cast<int>(model.points.size()));
+    if (rows == 1 || columns == 1) {
+      continue;
+    }
+    program::Packing packing =
+        packing_of(model, request, formulate::derived_recipe(function), {rows, columns});
+    if (packing.size() == 0 || packing.size() == rows * columns) {
+      continue;
+    }
+    const std::string& name = function->equation.name;
+    if (!names.insert(constants_of(name)).second) {
+      throw InputError(function->equation.where,
+                       fmt::format("equation '{}': with --layout packed another matrix has a table "
+                                   "{}Row, too; expected another name",
+                                   name, constants_of(name)));
+    }
+    result.push_back({name, constants_of(name), std::move(packing)});
+  }
+  return result;
+}
 
 /// The length of a step as a number of full precision in the scalar.
 void require_length(const Real& step, const Request& request) {
@@ -125,9 +169,13 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
     unit.errors = measured_errors(model, request, unit.functions);
   }
   if (request.target.packed) {
-    unit.packing = packing_of(model, request);
+    unit.packed = packed_matrices(model, request);
     for (program::Function& function : unit.functions) {
-      function = program::packed(std::move(function), "A", model.tree.dof(), unit.packing);
+      const auto of_user =
+          std::ranges::find(unit.packed, function.signature.name, &emit::PackedMatrix::what);
+      function = of_user == unit.packed.end()
+                     ? program::packed(std::move(function), "A", unit.packed.front().packing)
+                     : program::packed(std::move(function), "value", of_user->packing);
     }
   }
   if (request.checked) {

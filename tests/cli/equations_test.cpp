@@ -209,6 +209,28 @@ TEST_F(Cli, CompilesOddNamesThatAreFree) {
   }
 }
 
+TEST_F(Cli, NamesPackedMatricesOnce) {
+  const std::string equations = scratch("matrices.yaml");
+  write_file(equations,
+             "equations:\n  - {name: of_lefts, value: J_v}\n  - {name: ofLefts, value: J_v}\n");
+  const std::vector<std::string> command = {"generate", kModel, "--equations", equations,
+                                            "--effort", "0",    "-o",          out()};
+  EXPECT_EQ(treedyn(command).status, 0);
+  std::vector<std::string> packed = command;
+  packed.insert(packed.end(), {"--layout", "packed"});
+  const Outcome refused = treedyn(packed);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err,
+              HasSubstr("matrices.yaml:3:12: equation 'ofLefts': with --layout packed "
+                        "another matrix has a table kOfLeftsRow, too; expected another name\n"));
+  packed.insert(packed.end(), {"--functions", "ofLefts", "--language", "c99"});
+  ASSERT_EQ(treedyn(packed).status, 0);
+  EXPECT_THAT(read_file(file("two_link.h")),
+              HasSubstr("static const int TWO_LINK_OF_LEFTS_ROW[6] = {"));
+  EXPECT_THAT(read_file(file("two_link.h")),
+              HasSubstr("(TWO_LINK_OF_LEFTS_ROW[k], TWO_LINK_OF_LEFTS_COLUMN[k])"));
+}
+
 TEST_F(Cli, ShowsTheRatesOfSymbols) {
   const std::string coriolis = TREEDYN_SOURCE_DIR "/models/equations/coriolis.yaml";
   const Outcome outcome =

@@ -83,6 +83,54 @@ TEST(Packed, AppliesToTheMatrixOfDynamicsTerms) {
   EXPECT_EQ(g, expected_g);
 }
 
+/// A matrix from stored values, zero elsewhere.
+template <std::size_t kSize, std::size_t kStored>
+std::array<double, kSize> unpacked(const double (&values)[kStored], const int (&row)[kStored],
+                                   const int (&column)[kStored], bool mirrored) {
+  constexpr int kColumns = kN;
+  std::array<double, kSize> result{};
+  for (std::size_t k = 0; k < kStored; ++k) {
+    result[static_cast<std::size_t>(row[k] * kColumns + column[k])] = values[k];
+    if (mirrored) {
+      result[static_cast<std::size_t>(column[k] * kColumns + row[k])] = values[k];
+    }
+  }
+  return result;
+}
+
+// The dense functions have the same statements, and store zeros as well.
+TEST(Packed, HoldsMatricesOfUsers) {
+  const Vector q = state(2);
+  const Vector qd = state(4);
+  Dense expected;
+  double inertia[packed::kSlidingInertiaNonzeros];
+  dense::sliding_inertia(q.data(), expected.data());
+  packed::sliding_inertia(q.data(), inertia);
+  EXPECT_EQ(
+      unpacked<kN * kN>(inertia, packed::kSlidingInertiaRow, packed::kSlidingInertiaColumn, true),
+      expected);
+  EXPECT_LE(packed::kSlidingInertiaNonzeros, 135);
+  double rate[packed::kMassMatrixRateNonzeros];
+  dense::mass_matrix_rate(q.data(), qd.data(), expected.data());
+  packed::mass_matrix_rate(q.data(), qd.data(), rate);
+  EXPECT_EQ(
+      unpacked<kN * kN>(rate, packed::kMassMatrixRateRow, packed::kMassMatrixRateColumn, false),
+      expected);
+  std::array<double, std::size_t{3} * kN * kN> all;
+  double spins[packed::kSpinsNonzeros];
+  dense::spins(q.data(), all.data());
+  packed::spins(q.data(), spins);
+  EXPECT_EQ(
+      (unpacked<std::size_t{3} * kN * kN>(spins, packed::kSpinsRow, packed::kSpinsColumn, false)),
+      all);
+  EXPECT_LT(packed::kSpinsNonzeros, 3 * kN * kN / 3);
+  std::array<double, std::size_t{3} * kN> sums;
+  std::array<double, std::size_t{3} * kN> same;
+  dense::sums(q.data(), sums.data());
+  packed::sums(q.data(), same.data());
+  EXPECT_EQ(sums, same);
+}
+
 // `--trig late` moves statements and changes none.
 TEST(LateTrigonometry, LeavesEveryBitOfTheResult) {
   for (int k = 0; k < 20; ++k) {
