@@ -271,6 +271,11 @@ Ref NetworkBuilder::function(Kind kind, Ref a, int position) {
   if (a == 0) {
     return kind == Kind::kCos ? constant(1) : 0;
   }
+  if (network_.is_constant(a)) {  // made so by terms that cancelled
+    const Real& magnitude = network_.magnitude(a);
+    const Real x = a < 0 ? Real(-magnitude) : magnitude;
+    return constant(kind == Kind::kSin ? sin(x) : kind == Kind::kCos ? cos(x) : sqrt(x));
+  }
   const bool even = kind == Kind::kCos;
   const bool odd = kind == Kind::kSin;
   const Ref operand = even || odd ? std::abs(a) : a;

@@ -139,6 +139,14 @@ TEST_F(Resubstitute, TakesTheSquareOfASmallTiltForNoZero) {
   EXPECT_EQ(left({plus(b_, -times(cosine, b_))}), 2);
 }
 
+TEST_F(Resubstitute, TakesFunctionsOfConstantsForWhatTheyAre) {
+  // A length that does not change, as a turned frame has it: 0.3 (s^2 + c^2).
+  const Ref length = times(graph_.constant(Real("0.3")), plus(square(sine_), square(cosine_)));
+  const Ref load = times(graph_.constant(Real("0.7")), graph_.sin(plus(length, length)));
+  const Ref whole = plus(load, graph_.constant(Real("0.1")));
+  EXPECT_GT(left({times(whole, b_), plus(length, c_)}), 0);
+}
+
 TEST(ResubstituteAtRandom, KeepsTheValues) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const Function before = random_function(seed, 90);
