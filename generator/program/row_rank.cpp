@@ -153,13 +153,15 @@ int rank_of_rows(Values J, std::size_t n, const Values& sizes) {
   return rank;
 }
 
-/// Norms of the rows, the largest of some states.
+/// Norms of the rows, the largest of some states; of rows that are rounding zero.
 Values sizes_of(const ConstraintRows& rows, const std::vector<Values>& states, const Values& reach,
                 const std::vector<bool>& counts) {
   Values sizes(to_index(rows.rows));
   const std::size_t n = to_index(rows.columns);
+  double longest = 0;
   for (const Values& q : states) {
     const Sample at = sample(rows, q, reach);
+    longest = std::max(longest, norm(at.J.data(), at.J.size()));
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       double sum = 0;
       for (std::size_t k = 0; k < n; ++k) {
@@ -168,6 +170,8 @@ Values sizes_of(const ConstraintRows& rows, const std::vector<Values>& states, c
       sizes[i] = std::max(sizes[i], std::sqrt(sum));
     }
   }
+  std::ranges::replace_if(
+      sizes, [&](double size) { return size <= kShortest * longest; }, 0);
   return sizes;
 }
 
