@@ -76,8 +76,7 @@ model::Inertia resolve_inertia(const RawTree& raw, const RawLink& link, const Nu
                      fmt::format("{}: mass {} is negative; expected 0 or more", name,
                                  treedyn::shown(written.mass.text)));
   }
-  const Vector3 com = numbers.vector(written.pose.xyz, name + ": com");
-  result.com = result.mass == 0 ? Vector3{} : com;
+  result.com = numbers.vector(written.pose.xyz, name + ": com");
   if (written.tensor) {
     const Matrix3 tensor = numbers.tensor(*written.tensor, name + ": inertia");
     check_moments(raw, link, tensor, warnings);
@@ -100,7 +99,7 @@ model::Inertia moved(const model::Inertia& inertia, const Matrix3& rotation,
     result.about_com = rotation * inertia.about_com * transposed(rotation);
     tidy(result.about_com);
   }
-  result.com = inertia.mass == 0 ? Vector3{} : origin + rotation * inertia.com;
+  result.com = origin + rotation * inertia.com;
   return result;
 }
 

@@ -23,7 +23,7 @@ enum class JointType { kRevolute, kPrismatic };
 /// Mass properties of one link, everything fixed to it included.
 struct Inertia {
   Real mass = 0;        ///< kg
-  Vector3 com{};        ///< centre of mass from the link's origin, link frame, m; zero if massless
+  Vector3 com{};        ///< centre of mass from the link's origin, link frame, m
   Matrix3 about_com{};  ///< symmetric inertia tensor about the centre of mass, link frame, kg m^2
 };
 
