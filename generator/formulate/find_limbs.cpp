@@ -53,10 +53,11 @@ class Finder {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  [[nodiscard]] bool is_driven_itself(int i) const {
+  /// True if the joint is its coordinate, and no other joint moves with it.
+  [[nodiscard]] bool moves_alone(int i) const {
     const model::Drive& drive = tree_.drives[index(i)];
     return drive.multiplier == 1 && drive.offset == 0 &&
-           tree_.coordinates[index(drive.coordinate)] == i;
+           std::ranges::count(tree_.drives, drive.coordinate, &model::Drive::coordinate) == 1;
   }
 
   /// Classes among `brothers`; what is in none is searched further out.
@@ -65,13 +66,17 @@ class Finder {
     for (const int i : brothers) {
       std::vector<int> links;
       append(i, links);
-      if (std::ranges::all_of(links, [&](int k) { return is_driven_itself(k); })) {
+      if (std::ranges::all_of(links, [&](int k) { return moves_alone(k); })) {
         classes[shapes_[index(i)]].push_back(links);
       }
     }
     for (const int i : brothers) {
       const auto found = classes.find(shapes_[index(i)]);
-      if (found == classes.end() || found->second.size() < 2) {
+      const bool is_one = found != classes.end() && found->second.size() > 1 &&
+                          std::ranges::any_of(found->second, [&](const std::vector<int>& links) {
+                            return links.front() == i;
+                          });
+      if (!is_one) {
         search(sons_[index(i)]);
       } else if (found->second.front().front() == i) {
         result_.push_back(found->second);

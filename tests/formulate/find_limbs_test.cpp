@@ -40,6 +40,15 @@ TEST(FindLimbs, FindsNothingInAChainAndLeavesMimicJointsOut) {
   EXPECT_TRUE(find_limbs(robot).empty());
 }
 
+TEST(FindLimbs, LeavesOutWhoseJointsMoveOthers) {
+  model::Tree robot = tree({-1, 0, 0, 0}, "RRRR");
+  robot.drives[3] = {1, Real(1), Real(3) / 10};  // limb 3 follows limb 1
+  EXPECT_TRUE(find_limbs(robot).empty());
+  robot = tree({-1, 0, 0, 0, 0}, "RRRRR");
+  robot.drives[4] = {1, Real(1), Real(3) / 10};
+  EXPECT_EQ(find_limbs(robot), (std::vector<LimbLinks>{{{2}, {3}}}));
+}
+
 Values evaluate(const program::Function& function, const program::Signature& signature) {
   std::vector<Values> inputs;
   int k = 0;
