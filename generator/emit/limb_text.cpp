@@ -429,7 +429,8 @@ bool has_angles_of_limbs_alone(const program::Function& function, const Target& 
   return cost.sin + cost.cos == 0;
 }
 
-std::string limb_vectors(const std::vector<program::Function>& functions, const Target& target) {
+std::string limb_vectors(const std::vector<program::Function>& functions, const Target& target,
+                         const std::string& text) {
   std::map<int, bool> has_angles;
   for (const program::Function& function : functions) {
     if (!function.limb_code || !in_lanes(function, target)) {
@@ -449,7 +450,7 @@ std::string limb_vectors(const std::vector<program::Function>& functions, const 
     result += fmt::format(
         "\n/// One value of {0} limbs that are equal but for their numbers.\n"
         "using {1} [[gnu::vector_size({0} * sizeof(Scalar))]] = Scalar;\n{2}",
-        count, numbers.number, angles ? '\n' + sincos_of_limbs(numbers) : "");
+        count, numbers.number, angles ? '\n' + sincos_of_limbs(numbers, text) : "");
   }
   return result.empty() ? result : "\nnamespace {\n" + result + "\n}  // namespace\n";
 }

@@ -18,7 +18,8 @@ bool has_angles_of_limbs_alone(const program::Function& function, const Target& 
 
 /// The types of what the limbs have together, and their sines and cosines; empty if no limbs are
 /// lanes of vectors.
-std::string limb_vectors(const std::vector<program::Function>& functions, const Target& target);
+std::string limb_vectors(const std::vector<program::Function>& functions, const Target& target,
+                         const std::string& text);
 
 /// The constants of the limbs, a function for each phase, and the function that calls them, for
 /// every limb or with the limbs as the lanes of vectors.

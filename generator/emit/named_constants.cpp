@@ -181,9 +181,9 @@ std::string source_text(const Provenance& source, const Vocabulary& words) {
 /// "forearm_p", in front of a count.
 std::string stem_of(const Provenance& source, const Vocabulary& words) {
   const int link = owner(source);
-  return fmt::format(
-      "{}_{}", link == kNoLink ? std::string("base") : words.bodies[static_cast<std::size_t>(link)],
-      letter_of(source.dimension));
+  const std::string body = link == kNoLink ? "base" : words.bodies[static_cast<std::size_t>(link)];
+  return fmt::format("{}{}_{}", is_digit(body.front()) ? "n" : "", body,
+                     letter_of(source.dimension));
 }
 
 }  // namespace

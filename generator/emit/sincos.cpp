@@ -55,11 +55,14 @@ const Approximation& approximation(Scalar scalar) {
   return scalar == Scalar::kFloat ? for_float : for_double;
 }
 
-/// What an angle is. Of a single state not Scalar: another type may stand for that.
+/// Of a single state not Scalar: another type may stand for that.
+std::string number_type(const Target& target) {
+  return target.lanes == 1 ? type_name(target.scalar) : target.number;
+}
+
+/// What an angle is.
 std::string type(const Target& target) {
-  return target.takes_vectors() ? "Angle"
-         : target.lanes == 1    ? type_name(target.scalar)
-                                : target.number;
+  return target.takes_vectors() ? "Angle" : number_type(target);
 }
 
 /// Horner's rule in z, a statement a coefficient.
@@ -127,14 +130,16 @@ bool calls(const std::string& text, const std::string& name) {
   return false;
 }
 
-/// `sin` and `cos`, of those the called ones.
-std::string singles(const Target& target, const std::string& functions) {
+/// `sin` and `cos`, of those the called ones; where limbs and numbers have their own, one of both
+/// may be called alone.
+std::string singles(const Target& target, const std::string& functions,
+                    const std::string& argument) {
   std::string text;
+  const char* const unused = target.limb_lanes ? "[[gnu::unused]] " : "";
   for (const auto& [name, member] : {std::pair("sin", "sine"), std::pair("cos", "cosine")}) {
     if (calls(functions, name)) {
-      text +=
-          fmt::format("\ninline {0} {1}({0} x) noexcept {{ return sine_cosine(x).{2}; }}",
-                      target.lanes == 1 ? type_name(target.scalar) : target.number, name, member);
+      text += fmt::format("\n{0}inline {1} {2}({3} x) noexcept {{ return sine_cosine(x).{4}; }}",
+                          unused, number_type(target), name, argument, member);
     }
   }
   return text;
@@ -297,7 +302,7 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
   const std::string head =
       target.takes_vectors() ? fmt::format("template <class Angle>\n{}", kInline) : kCalled;
   std::string pair = has_numbers ? pair_text(target, head, type(target)) : "";
-  std::string others = singles(target, functions);
+  std::string others = has_numbers ? singles(target, functions, number_type(target)) : "";
   if (target.takes_vectors()) {
     const std::size_t most = most_angles(target.scalar);
     pair += fmt::format(
@@ -320,8 +325,13 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
                                             {"others", others}});
 }
 
-std::string sincos_of_limbs(const Target& target) {
-  return pair_text(target, kInline, fmt::format("const {}&", type(target)));
+std::string sincos_of_limbs(const Target& target, const std::string& functions) {
+  const std::string argument = fmt::format("const {}&", type(target));
+  std::string both = pair_text(target, kInline, argument);
+  if (const std::string one = singles(target, functions, argument); !one.empty()) {
+    both += one + '\n';
+  }
+  return both;
 }
 
 StatedSines stated_sines(Scalar scalar) {

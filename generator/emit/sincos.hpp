@@ -23,7 +23,7 @@ bool has_sincos(const Unit& unit);
 std::string sincos_text(Target target, const std::string& functions, bool has_numbers);
 /// The same for `target.number`, a vector that is passed by reference; inline, as a processor works
 /// on a limb's angles side by side.
-std::string sincos_of_limbs(const Target& target);
+std::string sincos_of_limbs(const Target& target, const std::string& functions);
 
 /// What the source's `sine_cosine` returns for float and double, bit by bit.
 template <class T>

@@ -71,7 +71,7 @@ std::string mathematics(const Unit& unit, const std::string& functions) {
   });
   const bool others = !unit.checked.empty() || !unit.staged.empty() || !unit.steppers.empty();
   result += has_sincos(unit) ? sincos_text(unit.target, functions, numbers || others) : "";
-  return result + limb_vectors(unit.functions, unit.target);
+  return result + limb_vectors(unit.functions, unit.target, functions);
 }
 
 /// The zeros of functions that have many, in functions that stand before what tells g++ not to

@@ -36,6 +36,7 @@ class EventWriter {
   [[nodiscard]] Lines advance() const;
   [[nodiscard]] std::string clocks() const;
   [[nodiscard]] Lines stuck_lines() const;
+  [[nodiscard]] std::string beginnings() const;
   [[nodiscard]] std::string sticking() const;
   [[nodiscard]] bool goes_on() const;
   [[nodiscard]] Lines due_lines(const StepPhase& phase) const;
@@ -177,28 +178,31 @@ bool EventWriter::goes_on() const {
   });
 }
 
-/// What tells how joints slip, and which events begin a phase of the scene.
+/// What tells which events begin a phase of the scene.
+std::string EventWriter::beginnings() const {
+  if (!counts() || !goes_on()) {
+    return {};
+  }
+  Lines begins;
+  for (const StepPhase& phase : stepper_.phases) {
+    for (const StepEvent& event : phase.events) {
+      begins.emplace_back(event.goes_on ? "false" : "true");
+    }
+  }
+  return fmt::format(
+      "\n/// Events behind which a phase lasts anew: not those of sticking and slipping.\n"
+      "constexpr bool kBegins[] = {{{}}};\n",
+      fmt::join(begins, ", "));
+}
+
+/// What tells how joints slip.
 std::string EventWriter::sticking() const {
   if (stepper_.sticking.empty()) {
     return {};
   }
-  std::string result =
-      "\n/// How a joint slips: 0 it does not, 1 forth, 2 back.\n"
-      "[[maybe_unused]] int way(Scalar speed) noexcept {\n"
-      "  return speed > Scalar(0) ? 1 : speed < Scalar(0) ? 2 : 0;\n}\n";
-  if (counts()) {
-    Lines begins;
-    for (const StepPhase& phase : stepper_.phases) {
-      for (const StepEvent& event : phase.events) {
-        begins.emplace_back(event.goes_on ? "false" : "true");
-      }
-    }
-    result += fmt::format(
-        "\n/// Events behind which a phase lasts anew: not those of sticking and slipping.\n"
-        "constexpr bool kBegins[] = {{{}}};\n",
-        fmt::join(begins, ", "));
-  }
-  return result;
+  return "\n/// How a joint slips: 0 it does not, 1 forth, 2 back.\n"
+         "[[maybe_unused]] int way(Scalar speed) noexcept {\n"
+         "  return speed > Scalar(0) ? 1 : speed < Scalar(0) ? 2 : 0;\n}\n";
 }
 
 /// What happens because time goes by.
@@ -237,7 +241,7 @@ std::string EventWriter::functions() const {
                {"moment", joined(moment(), "  ")},
                {"advance", joined(advance(), "  ")},
                {"watch", guards_ > 0 ? search_text(stepper_, scalar_) : ""},
-               {"clocks", clocks() + sticking()},
+               {"clocks", clocks() + sticking() + beginnings()},
                {"happen", joined(effect_lines(stepper_, scalar_), "  ")}});
 }
 

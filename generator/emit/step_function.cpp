@@ -51,8 +51,13 @@ std::string dispatch(const Stepper& stepper) {
                                          fmt::format("const Scalar qd[{}]", n),
                                          fmt::format("const Scalar tau[{}]", n)};
   for (const program::Array& array : stepper.signature.inputs) {
-    if (array.name == "t" || array.name == "anchor") {
-      parameters.push_back(fmt::format("const Scalar {}[{}]", array.name, array.size));
+    const bool is_time = array.name == "t";
+    if (is_time || array.name == "anchor") {
+      const bool used = std::ranges::any_of(stepper.phases, [&](const StepPhase& phase) {
+        return is_time ? phase.takes_time : phase.takes_anchor;
+      });
+      parameters.push_back(fmt::format("{}const Scalar {}[{}]", used ? "" : "[[maybe_unused]] ",
+                                       array.name, array.size));
     }
   }
   if (stepper.takes_derived) {

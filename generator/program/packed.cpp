@@ -48,6 +48,10 @@ Packing stored_entries(const Function& dense, int rows, int columns) {
       }
     }
   }
+  if (packing.row.empty()) {  // C++ and C have no arrays of nothing
+    packing.row.push_back(0);
+    packing.column.push_back(0);
+  }
   return packing;
 }
 

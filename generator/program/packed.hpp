@@ -21,7 +21,7 @@ struct Packing {
 
 /// The places at which `dense`, a function whose first output is a rows x columns matrix, is not
 /// structurally zero; of a matrix whose entries are those of its transpose on and below the
-/// diagonal.
+/// diagonal. At least one.
 Packing stored_entries(const Function& dense, int rows, int columns);
 
 /// The same function with the entries of `packing` alone in every output array called `matrix`.

@@ -65,7 +65,7 @@ std::vector<emit::PackedMatrix> packed_matrices(const Model& model, const Reques
     }
     program::Packing packing =
         packing_of(model, request, formulate::derived_recipe(function), {rows, columns});
-    if (packing.size() == 0 || packing.size() == rows * columns) {
+    if (packing.size() == rows * columns) {
       continue;
     }
     const std::string& name = function->equation.name;

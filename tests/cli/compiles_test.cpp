@@ -1,0 +1,97 @@
+// What is generated compiles, without a warning: models and scenes in which only some of what
+// functions usually need is there.
+#include <string>
+#include <vector>
+
+#include "cli/cli.hpp"
+
+namespace treedyn {
+namespace {
+
+const std::string kBall =
+    "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: height, type: "
+    "prismatic, axis: [0, 0, 1]}\n    mass: 1\n";
+
+class Compiles : public Cli {
+ protected:
+  /// Generates NAME.cpp and compiles it.
+  void expect_compiles(std::vector<std::string> command, const std::string& name) {
+    command.insert(command.begin(), "generate");
+    command.insert(command.end(), {"-q", "--effort", "0", "-o", out()});
+    const Outcome outcome = treedyn(command);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome compiled =
+        support::run({TREEDYN_CXX, "-std=c++11", "-Wall", "-Wextra", "-Wshadow", "-Wconversion",
+                      "-Werror", "-Wno-psabi", "-fsyntax-only", file(name + ".cpp").string()});
+    EXPECT_EQ(compiled.status, 0) << compiled.err;
+  }
+  [[nodiscard]] std::string scene_of_ball(const std::string& lines) const {
+    write_file(scratch("ball.yaml"), kBall);
+    write_file(scratch("s.yaml"), "scene: s\nmodel: ball.yaml\n" + lines);
+    return scratch("s.yaml");
+  }
+};
+
+TEST_F(Compiles, LinksWhoseNamesBeginWithDigits) {
+  write_file(scratch("m.yaml"),
+             "name: m\nlinks:\n  - name: 1st\n    father: ground\n    joint: {name: a, type: "
+             "revolute, axis: [0, 1, 0]}\n    mass: 2\n    com: [0.5, 0, 0]\n"
+             "  - name: \"2\"\n    father: 1st\n    joint: {name: b, type: revolute, axis: [0, 1, "
+             "0], offset: [1, 0, 0]}\n    mass: 3\n    com: [0.4, 0, 0]\n");
+  expect_compiles({scratch("m.yaml")}, "m");
+  expect_compiles({scratch("m.yaml"), "--runtime", "2.mass"}, "m");
+}
+
+TEST_F(Compiles, LimbLanesThatTakeOneOfSineAndCosine) {
+  std::string text = "name: arms\nlinks:\n";
+  for (const char* const arm : {"left", "right"}) {
+    const std::string name = arm;
+    text +=
+        "  - name: upper_" + name + "\n    father: ground\n    joint: {name: u_" + name +
+        ", type: revolute, axis: [0, 1, 0]}\n    mass: 2\n    com: [0.5, 0, 0]\n  - name: lower_" +
+        name + "\n    father: upper_" + name + "\n    joint: {name: l_" + name +
+        ", type: revolute, axis: [0, 1, 0], offset: [1, 0, 0]}\n    mass: 3\n    com: [0.4, 0, "
+        "0]\n";
+  }
+  write_file(scratch("arms.yaml"), text);
+  for (const char* const function : {"mass_matrix", "gravity_force", "inverse_dynamics"}) {
+    expect_compiles({scratch("arms.yaml"), "--limb-lanes", "--functions", function}, "arms");
+  }
+}
+
+TEST_F(Compiles, MassMatricesOfNothing) {
+  write_file(
+      scratch("m.yaml"),
+      "name: m\nlinks:\n  - name: a\n    father: ground\n    joint: {name: j, type: revolute, "
+      "axis: [0, 1, 0]}\n    mass: 0\n");
+  expect_compiles({scratch("m.yaml"), "--layout", "packed", "--functions", "mass_matrix"}, "m");
+  EXPECT_THAT(read_file(file("m.hpp")), HasSubstr("constexpr int kMassMatrixNonzeros = 1;"));
+}
+
+TEST_F(Compiles, PhasesThatReboundsAndTimeEnd) {
+  const std::string begin =
+      "effects:\n  gravity: [0, 0, -9.81]\n  point_constraint: [{name: floor, point: ball, along: "
+      "[z]}]\nphases:\n  - name: fly\n    active: []\n    until:\n      - touch_down: {point: "
+      "ball}\n        impact: {constraints: [floor], restitution: 0.5}\n        then: fly\n";
+  const std::string end =
+      "initial: {q: {height: 1}}\nduration: 1\nstepping: {integrator: rk4, step: 0.001}\n";
+  expect_compiles({"--scene", scene_of_ball(begin + "      - {time: 0.3, then: fly}\n" + end)},
+                  "s");
+  expect_compiles({"--scene", scene_of_ball(begin + "        not_before: 0.1\n" + end)}, "s");
+}
+
+TEST_F(Compiles, EventsThatAloneTakeTheTime) {
+  expect_compiles(
+      {"--scene",
+       scene_of_ball(
+           "effects:\n  gravity: [0, 0, -9.81]\n  locked_joint: [{name: hook, joint: "
+           "height}]\nphases:\n  - name: fall\n    active: []\n    until:\n      - {expression: "
+           "\"q[height] - sin(5*t)\", then: hang, impact: {constraints: [hook]}}\n  - name: hang\n "
+           " "
+           "  active: [hook]\n    until: [{time: 0.2, then: fall}]\ninitial: {q: {height: "
+           "1}}\nduration: 1\nstepping: {integrator: rk4, step: 0.001}\n")},
+      "s");
+}
+
+}  // namespace
+}  // namespace treedyn
