@@ -98,7 +98,9 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
   std::string condition = fmt::format("to.guard[{}] < Scalar(0)", event.guard);
   std::string part = fmt::format("chord(from.guard[{0}], to.guard[{0}])", event.guard);
   Lines inner;
-  if (event.cause == StepCause::kCross) {
+  if (event.cause == StepCause::kCross && event.outcome.stops >= 0) {
+    // a joint that runs against the way that its friction has stops, whatever was before
+  } else if (event.cause == StepCause::kCross) {
     condition += fmt::format(" && !(from.guard[{}] < Scalar(0))", event.guard);
   } else if (event.cause == StepCause::kFall) {
     condition += fmt::format(" && to.guard[{}] < Scalar(0)", approach);

@@ -23,7 +23,8 @@ struct PhaseState {
 /// one for each of their ways, in the order of those of the scene.
 std::vector<PhaseState> phase_states(const model::Scene& scene, bool at_rest);
 
-/// An event whose impact would strike constraints that act already does not happen.
+/// A touch-down whose impact would strike constraints that act already does not happen, nor does
+/// what waits for the reaction of one that does not act.
 bool is_watched(const model::Event& event, const std::vector<int>& active);
 /// True if its impact gives speed back; true if it may come to rest as well; true if that is not
 /// said of it, but a step takes small rebounds of a point that loses speed back: then the point

@@ -311,7 +311,8 @@ program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
   result.step = scene_.stepping.step;
   result.cuts = scene_.stepping.cuts;
   result.parts = scene_.stepping.parts;
-  result.events = scene_.stepping.events;
+  const int of_sticking = 1 + 2 * static_cast<int>(scene_.sticking.size());
+  result.events = scene_.stepping.events > 0 ? scene_.stepping.events : std::max(3, of_sticking);
   result.compensated = scene_.stepping.compensated;
   bool renews = false;
   for (std::size_t state = 0; state < states_.size(); ++state) {

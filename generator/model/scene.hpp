@@ -191,8 +191,10 @@ struct Stepping {
   std::string integrator = "fehlberg78";
   Location where;            ///< of the integrator's name
   Real step = Real("1e-3");  ///< s, methods with fixed steps
-  int cuts = 3;    ///< generated steps: shorter steps that look for an event; 0: at the end
-  int events = 3;  ///< generated steps: events of one step, at most
+  int cuts = 3;  ///< generated steps: shorter steps that look for an event; 0: at the end
+  /// Generated steps: events of one step, at most; 0: 3, and 1 + 2 n if n > 1 joints may stick,
+  /// each of which stops and slips before the others have found their ways.
+  int events = 0;
   int parts = 64;  ///< generated steps: of one in which the angles of a free body turn far, at most
   /// Generated steps: what rounding takes from the state is kept and added in the next step.
   bool compensated = false;

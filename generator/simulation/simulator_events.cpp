@@ -76,7 +76,8 @@ void Simulator::build_watches() {
   const std::vector<int>& active = system_.constraints().active();
   for (std::size_t k = 0; k < events.size(); ++k) {
     const auto& impact = events[k].impact;
-    const bool rests = impact && !impact->constraints.empty() &&
+    const bool rests = events[k].kind == model::EventKind::kHeight && impact &&
+                       !impact->constraints.empty() &&
                        std::includes(active.begin(), active.end(), impact->constraints.begin(),
                                      impact->constraints.end());
     if (!rests) {
