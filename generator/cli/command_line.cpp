@@ -1,6 +1,7 @@
 #include "cli/command_line.hpp"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -35,8 +36,12 @@ void require_output(const Settings& settings) {
   if (settings.output.empty()) {
     throw CLI::RequiredError("-o DIR");
   }
-  if (settings.numeric && settings.request.target.lanes > 1) {
-    throw CLI::ValidationError("--numeric", "compares functions of one state; expected --lanes 1");
+  const Request& request = settings.request;
+  const bool other = request.language == emit::Language::kC99 || request.target.packed;
+  if (settings.numeric && (request.target.lanes > 1 || other)) {
+    throw CLI::ValidationError("--numeric",
+                               "compares functions of one state, in C++, with dense matrices; "
+                               "expected --lanes 1, no --language c99, no --layout packed");
   }
 }
 
@@ -150,9 +155,12 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
         "expected a MODEL and 1 lane",
         kUsage);
   }
-  if (request.target.limb_lanes && request.target.sincos == emit::Sincos::kLibm) {
+  const bool lanes = request.target.lanes > 1;
+  if ((request.target.limb_lanes || lanes) && request.target.sincos == emit::Sincos::kLibm) {
     throw CLI::ParseError(
-        "--limb-lanes: <cmath> has no sines of vectors; expected no --sincos libm", kUsage);
+        fmt::format("--{}lanes: <cmath> has no sines of vectors; expected no --sincos libm",
+                    lanes ? "" : "limb-"),
+        kUsage);
   }
   if (request.checked && (request.share_limbs || request.target.lanes > 1)) {
     throw CLI::ParseError(
@@ -271,11 +279,12 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", fmt::format("treedyn {}", kVersion));
   app.require_subcommand(1);
   add_commands(app, result.settings);
+  std::map<std::string, Location> places;  // of options in files of --settings
   try {
     const CLI::App* const command = find_command(app, argc > 1 ? argv[1] : "");
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     if (command != nullptr && command->get_option_no_throw("--settings") != nullptr) {
-      words = with_settings(words, *command);
+      words = with_settings(words, *command, places);
     }
     result.settings.accuracy.command = without_plan(argc > 0 ? argv[0] : "treedyn", words);
     std::reverse(words.begin(), words.end());
@@ -294,9 +303,17 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   } catch (const InputError& error) {  // of --settings
     result.status = kFailure;
     result.error = fmt::format("treedyn: {}\n", error.what());
-  } catch (const CLI::ParseError& error) {
+  } catch (const CLI::ExtrasError&) {
     result.status = kUsage;
-    result.error = fmt::format("treedyn: {}; see treedyn --help\n", error.what());
+    result.error = fmt::format("treedyn: not expected: {}; see treedyn --help\n",
+                               fmt::join(app.remaining(true), " "));
+  } catch (const CLI::ParseError& error) {
+    const std::string what = error.what();
+    const auto place = places.find(what.substr(0, what.find(':')));
+    result.status = place == places.end() ? kUsage : kFailure;
+    result.error = place == places.end()
+                       ? fmt::format("treedyn: {}; see treedyn --help\n", what)
+                       : fmt::format("{}\n", InputError(place->second, what).what());
   }
   return result;
 }

@@ -259,11 +259,6 @@ void add_stepping(CLI::App& command, StepChoice& stepping) {
           "compensated: the step keeps what rounding takes from the state; default plain")
       ->check(one_of({"plain", "compensated"}))
       ->type_name("plain|compensated");
-  command
-      .add_option_function<std::string>(
-          "--settings", [](const std::string& /*file*/) {},
-          "a file with options of this list, a line each: step = 0.01; `accuracy` writes one")
-      ->type_name("FILE");
 }
 
 }  // namespace
@@ -294,7 +289,8 @@ bool is_given(const CLI::Option& option, const std::vector<std::string>& words) 
 
 /// The options of a settings file that are not given on the command line.
 std::vector<std::string> settings_words(const std::string& file, const CLI::App& command,
-                                        const std::vector<std::string>& given) {
+                                        const std::vector<std::string>& given,
+                                        std::map<std::string, Location>& places) {
   std::vector<std::string> result;
   std::istringstream text(description::read_text(file));
   int at = 0;
@@ -319,6 +315,7 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
       }
       if (!is_given(*option, given)) {
         result.push_back(fmt::format("--{}={}", item.name, fmt::join(item.inputs, ",")));
+        places["--" + item.name] = {file, at, 0};
       }
     }
   }
@@ -328,14 +325,22 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
 }  // namespace
 
 std::vector<std::string> with_settings(const std::vector<std::string>& words,
-                                       const CLI::App& command) {
+                                       const CLI::App& command,
+                                       std::map<std::string, Location>& places) {
+  constexpr std::string_view kOption = "--settings";
   std::vector<std::string> result;
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (words[k] != "--settings" || k + 1 == words.size()) {
-      result.push_back(words[k]);
+    result.push_back(words[k]);
+    const std::string_view word = words[k];
+    const bool has_value = word.starts_with(kOption) && word.substr(kOption.size(), 1) == "=";
+    if (!has_value && (word != kOption || k + 1 == words.size())) {
       continue;
     }
-    const std::vector<std::string> more = settings_words(words[++k], command, words);
+    const std::string file(has_value ? word.substr(kOption.size() + 1) : words[k + 1]);
+    const std::vector<std::string> more = settings_words(file, command, words, places);
+    if (!has_value) {
+      result.push_back(words[++k]);
+    }
     result.insert(result.end(), more.begin(), more.end());
   }
   return result;
@@ -495,6 +500,11 @@ void add_generation(CLI::App& command, Request& request) {
   add_checked(command, request);
   add_runtime(command, request);
   add_stepping(command, request.stepping);
+  command
+      .add_option_function<std::string>(
+          "--settings", [&request](const std::string& file) { request.settings.push_back(file); },
+          "a file with options of this list, a line each: step = 0.01; `accuracy` writes one")
+      ->type_name("FILE");
   command.get_option("MODEL")->required(false);
   command
       .add_option_function<std::string>(

@@ -2,11 +2,13 @@
 // scene_commands and in command_line.cpp only.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "common/error.hpp"
 #include "request/request.hpp"
 
 namespace treedyn {
@@ -30,10 +32,12 @@ void add_generation(CLI::App& command, Request& request);
 /// \throws CLI::ValidationError for `--sincos vector` where there is none
 void settle_vectors(Request& request);
 
-/// The words of a command line, with `--settings FILE` replaced by the options that stand in FILE
-/// and are not among the words. \param command  whose options they are
+/// The words of a command line, behind `--settings FILE` the options that stand in FILE and are not
+/// among the words. \param command  whose options they are
+/// \param places  gets where these options stand
 /// \throws InputError for a file that cannot be read, and for lines that are none of them
 std::vector<std::string> with_settings(const std::vector<std::string>& words,
-                                       const CLI::App& command);
+                                       const CLI::App& command,
+                                       std::map<std::string, Location>& places);
 
 }  // namespace treedyn

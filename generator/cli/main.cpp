@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <new>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@
 #include "cli/numeric.hpp"
 #include "cli/simulate.hpp"
 #include "cli/vet.hpp"
+#include "common/decimal.hpp"
 #include "pipeline.hpp"
 #include "stages/function_accuracy.hpp"
 #include "stages/in_scalar.hpp"
@@ -114,6 +116,24 @@ class FunctionsDone {
   Progress progress_;
 };
 
+/// Files are read and written as different ones. \throws UsageError for one that is both, or that
+/// is written twice
+void refuse_overwriting(const std::vector<std::string>& read,
+                        const std::vector<std::string>& written) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  std::set<fs::path> taken;
+  for (const std::string& file : read) {
+    taken.insert(fs::weakly_canonical(file, ignored));
+  }
+  for (const std::string& file : written) {
+    if (!taken.insert(fs::weakly_canonical(file, ignored)).second) {
+      throw UsageError(fmt::format(
+          "{}: would be overwritten by another file; expected another path", shown(file)));
+    }
+  }
+}
+
 int run_generate(const Settings& settings) {
   if (!settings.dump.empty()) {
     print(dump(settings.request, settings.dump));
@@ -121,13 +141,20 @@ int run_generate(const Settings& settings) {
   }
   const auto start = std::chrono::steady_clock::now();
   const Model model = read(settings.request);
+  const std::vector<std::string> places = paths(settings, model.name);
+  std::vector<std::string> written = places;
+  for (const std::string& file : {settings.depfile, settings.stamp}) {
+    if (!file.empty()) {
+      written.push_back(file);
+    }
+  }
+  refuse_overwriting(input_files(model, settings.request), written);
   print_warnings(settings, warnings_of(model, settings.request));
   FunctionsDone done(settings, model);
   const std::vector<emit::File> files =
       generate(model, settings.request, std::ref(done), warn_of(settings));
   done.end();
   std::vector<OutputFile> outputs;
-  const std::vector<std::string> places = paths(settings, model.name);
   for (std::size_t k = 0; k < files.size(); ++k) {
     outputs.push_back({places[k], files[k].text});
   }
@@ -168,7 +195,7 @@ int run_check(const Settings& settings) {
   }
   print(report);
   if (settings.numeric) {
-    print(numeric_report(model, files, settings.output));
+    print(numeric_report(model, settings.request, files, settings.output));
   }
   print(fmt::format("to update: {}\n", update_command(settings.request, settings.output)));
   return kFailure;

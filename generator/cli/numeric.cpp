@@ -23,12 +23,13 @@ using NamedValues = std::map<std::string, std::vector<double>>;
 
 /// The values of the functions in `folder`; empty if something does not compile or run.
 NamedValues values_of(std::vector<std::string> command, const std::string& name,
-                      const fs::path& folder, const std::vector<program::Signature>& functions) {
+                      const std::string& space, const fs::path& folder,
+                      const std::vector<program::Signature>& functions) {
   const TemporaryFolder scratch;
   const std::string driver = (scratch.path() / "driver.cpp").string();
   const std::string program = (scratch.path() / "driver").string();
   const std::string printed = (scratch.path() / "values").string();
-  write_files({{driver, emit::numeric_driver(name, functions)}});
+  write_files({{driver, emit::numeric_driver(name, space, functions)}});
   command.insert(command.end(), {"-std=c++17", "-O1", "-I", fs::absolute(folder).string(), driver,
                                  fs::absolute(folder / (name + ".cpp")).string(), "-o", program});
   if (!succeeds(command, printed) || !succeeds({program}, printed)) {
@@ -59,13 +60,17 @@ std::string distance_line(const std::string& function, const std::vector<double>
 
 }  // namespace
 
-std::string numeric_report(const Model& model, const std::vector<emit::File>& files,
-                           const std::string& folder) {
+std::string numeric_report(const Model& model, const Request& request,
+                           const std::vector<emit::File>& files, const std::string& folder) {
   const TemporaryFolder fresh;
-  const std::vector<std::string> compiler = find_compiler((fresh.path() / "version").string());
+  std::vector<std::string> compiler = find_compiler((fresh.path() / "version").string());
   if (compiler.empty()) {
     return "numeric: no C++ compiler found ($CXX, c++, g++, clang++)\n";
   }
+  if (!request.section.empty()) {
+    compiler.push_back(fmt::format("-D{}=", request.section));
+  }
+  const std::string space = request.space.value_or(model.name);
   for (const emit::File& file : files) {
     write_files({{(fresh.path() / file.name).string(), file.text}});
   }
@@ -90,8 +95,8 @@ std::string numeric_report(const Model& model, const std::vector<emit::File>& fi
       report += fmt::format("numeric: {}: not in the old files\n", signature.name);
     }
   }
-  const NamedValues old_values = values_of(compiler, model.name, folder, common);
-  const NamedValues new_values = values_of(compiler, model.name, fresh.path(), common);
+  const NamedValues old_values = values_of(compiler, model.name, space, folder, common);
+  const NamedValues new_values = values_of(compiler, model.name, space, fresh.path(), common);
   for (const program::Signature& signature : common) {
     report += old_values.contains(signature.name) && new_values.contains(signature.name)
                   ? distance_line(signature.name, old_values.at(signature.name),

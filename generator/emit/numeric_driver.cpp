@@ -10,7 +10,7 @@ namespace treedyn::emit {
 namespace {
 
 /// A function that fills the inputs, calls and prints.
-std::string probe(const std::string& name, const program::Signature& signature) {
+std::string probe(const std::string& space, const program::Signature& signature) {
   std::string result = fmt::format("\nvoid probe_{}() {{\n", signature.name);
   std::vector<std::string> names;
   for (const program::Array& array : signature.inputs) {
@@ -24,8 +24,8 @@ std::string probe(const std::string& name, const program::Signature& signature) 
     printing += fmt::format("  ::print(\"{}\", {}, {});\n", signature.name, array.name, array.size);
     names.push_back(array.name);
   }
-  return result + fmt::format("  {}::{}({});\n{}}}\n", name, signature.name, fmt::join(names, ", "),
-                              printing);
+  return result + fmt::format("  {}::{}({});\n{}}}\n", space, signature.name,
+                              fmt::join(names, ", "), printing);
 }
 
 }  // namespace
@@ -35,15 +35,16 @@ std::string declaration_text(const program::Signature& signature) {
   return declaration(returned(signature), parameters(signature, all), " noexcept;");
 }
 
-std::string numeric_driver(const std::string& name,
+std::string numeric_driver(const std::string& name, const std::string& space,
                            const std::vector<program::Signature>& functions) {
   std::string probes;
   std::string calls;
   for (const program::Signature& signature : functions) {
-    probes += probe(name, signature);
+    probes += probe(space, signature);
     calls += fmt::format("    probe_{}();\n", signature.name);
   }
-  return fill(template_text("numeric.cpp"), {{"name", name}, {"probes", probes}, {"calls", calls}});
+  return fill(template_text("numeric.cpp"),
+              {{"name", name}, {"space", space}, {"probes", probes}, {"calls", calls}});
 }
 
 }  // namespace treedyn::emit

@@ -161,7 +161,8 @@ void check_step(const Model& model) {
                                  shown(model.scene->stepping.integrator),
                                  fmt::join(model::step_method_names(), ", ")));
   }
-  if (asked && model.scene->stepping.compensated && model.scene->stepping.integrator == "sdirk2") {
+  const bool made = asked || wanted.empty();
+  if (made && model.scene->stepping.compensated && model.scene->stepping.integrator == "sdirk2") {
     throw InputError(model.scene->stepping.where,
                      "function 'step': sdirk2 keeps no compensated state; expected rk4, "
                      "dopri5-fixed or semi-implicit-euler");
@@ -358,6 +359,7 @@ std::vector<std::string> input_files(const Model& model, const Request& request)
     files.push_back(request.model);
   }
   files.insert(files.end(), request.equations.begin(), request.equations.end());
+  files.insert(files.end(), request.settings.begin(), request.settings.end());
   return files;
 }
 

@@ -40,6 +40,7 @@ struct Request {
   std::optional<std::string> points;   ///< --points; default: the model's own
   std::vector<std::string> functions;  ///< empty: the default set
   std::vector<std::string> equations;  ///< files with equations of the user
+  std::vector<std::string> settings;   ///< files of options that have been taken in
   model::Vector3 gravity = {0, 0, Real("-9.81")};
   emit::Target target;
   std::optional<bool> vectors;  ///< of angles, instead of where they can be (`room_for_vectors`)

@@ -168,6 +168,56 @@ TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
   EXPECT_THAT(outcome.out, HasSubstr("numeric: bias_force: largest distance 0,"));
 }
 
+TEST_F(Cli, ComparesValuesInNamespacesAndSectionsOfTheUser) {
+  const std::vector<std::string> options = {"--namespace", "arm", "--section", "RAM",
+                                            "--effort",    "0",   "-o",        out()};
+  std::vector<std::string> command = {"generate", kModel, "--functions", "mass_matrix"};
+  command.insert(command.end(), options.begin(), options.end());
+  treedyn(command);
+  std::string source = read_file(file("two_link.cpp"));
+  const std::size_t at = source.find("forearm_p1 = 22.5;");
+  ASSERT_NE(at, std::string::npos);
+  write_file(file("two_link.cpp"), source.replace(at, 18, "forearm_p1 = 23.0;"));
+  command.front() = "check";
+  command.emplace_back("--numeric");
+  EXPECT_THAT(treedyn(command).out, HasSubstr("numeric: mass_matrix: largest distance 0.5,"));
+  expect_usage_error(treedyn({"check", kModel, "-o", out(), "--numeric", "--layout", "packed"}),
+                     "--numeric: compares functions of one state, in C++, with dense matrices");
+}
+
+TEST_F(Cli, OverwritesNothingThatItReads) {
+  const std::string text =
+      R"({"name": "arm", "links": [{"name": "l", "father": "ground", "joint": {"name": "j", "type": )"
+      R"("revolute", "axis": [0, 1, 0]}, "mass": 1}]})";
+  write_file(scratch("arm.json"), text);
+  const std::string here = fs::path(scratch("arm.json")).parent_path().string();
+  expect_usage_error(treedyn({"generate", scratch("arm.json"), "-o", here}),
+                     "arm.json: would be overwritten by another file; expected another path");
+  expect_usage_error(
+      treedyn({"generate", scratch("arm.json"), "-o", out(), "--stamp", scratch("arm.json")}),
+      "would be overwritten");
+  expect_usage_error(
+      treedyn({"generate", scratch("arm.json"), "-o", out(), "--depfile", out() + "/arm.cpp"}),
+      "would be overwritten");
+  EXPECT_EQ(read_file(scratch("arm.json")), text);
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Cli, DependsOnItsSettingsAndNamesTheirLines) {
+  write_file(scratch("s.txt"), "scalar = float\neffort = 0\n");
+  ASSERT_EQ(treedyn({"generate", kModel, "-o", out(), "--settings=" + scratch("s.txt"), "--depfile",
+                     scratch("d.d")})
+                .status,
+            0);
+  EXPECT_THAT(read_file(scratch("d.d")), HasSubstr(scratch("s.txt")));
+  EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("using Scalar = float;"));
+  write_file(scratch("s.txt"), "effort = 0\nscalar = half\n");
+  const Outcome refused =
+      treedyn({"generate", kModel, "-o", out(), "--settings", scratch("s.txt")});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, StartsWith(scratch("s.txt") + ":2: --scalar: half"));
+}
+
 TEST_F(Cli, VetsInThreeFormats) {
   EXPECT_EQ(treedyn({"vet", kModel}).status, 0);
   const std::string model = scratch("bad.yaml");

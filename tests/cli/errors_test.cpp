@@ -174,5 +174,19 @@ TEST_F(Cli, RefusesToShareLimbsAmongLanesAndInScenes) {
       "--share-limbs");
 }
 
+TEST_F(Cli, RefusesSinesOfALibraryForVectors) {
+  for (const std::vector<std::string>& lanes :
+       {std::vector<std::string>{"--lanes", "4"}, std::vector<std::string>{"--limb-lanes"}}) {
+    std::vector<std::string> command = {"generate", kModel, "-o", out(), "--sincos", "libm"};
+    command.insert(command.end(), lanes.begin(), lanes.end());
+    expect_usage_error(treedyn(command), "<cmath> has no sines of vectors");
+  }
+}
+
+TEST_F(Cli, NamesWhatIsNotExpectedInItsOrder) {
+  expect_usage_error(treedyn({"outputs", kModel, "-o", out(), "--stamp", "s", "--depfile", "d"}),
+                     "not expected: --stamp s --depfile d");
+}
+
 }  // namespace
 }  // namespace treedyn

@@ -60,6 +60,52 @@ TEST_F(Cli, StatesTheGravityAndBaseOfAScene) {
               HasSubstr("base axes"));
 }
 
+/// A scene of an arm of links with these joints, one on the other.
+std::string scene_of_arm(const std::string& folder, const std::vector<std::string>& joints,
+                         const std::string& lines) {
+  std::string model = "name: arm\nlinks:\n";
+  std::string father = "ground";
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const std::string name = "l" + std::to_string(k);
+    model += "  - name: " + name + "\n    father: " + father + "\n    joint: {name: j" +
+             std::to_string(k) + ", type: revolute, " + joints[k] +
+             "}\n    mass: 1\n    com: [0, 0.1, 0.2]\n    inertia: [1, 0, 0, 1, 0, 1]\n";
+    father = name;
+  }
+  write_file(folder + "arm.yaml", model);
+  write_file(folder + "s.yaml", "scene: s\nmodel: arm.yaml\n" + lines + "duration: 1\n");
+  return folder + "s.yaml";
+}
+
+// The height of a link's origin on a joint's axis is a constant in every frame of the link.
+TEST_F(Cli, TakesSinesOfHeightsThatDoNotChange) {
+  const std::string scene = scene_of_arm(
+      scratch(""),
+      {"axis: [-0.029, 1, 1], offset: [0, 0, -0.301]", "axis: [0, 1, 0], offset: [0, 0, -0.36]"},
+      "effects:\n  moment: [{point: l0, value: [sin(2*z), 0, z]}]\n");
+  const Outcome outcome = treedyn({"generate", "--scene", scene, "--effort", "0", "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+// The last joint does not move its own link's origin, whatever rounding leaves of that.
+TEST_F(Cli, KnowsJointsThatAHeldPointLeavesFree) {
+  const std::string scene = scene_of_arm(
+      scratch(""),
+      {"axis: [0, 0, 1]", "axis: [0, 0, 1], offset: [0, 1, 0]",
+       "axis: [1, 1, -0.75], offset: [0, 1, 0], rotation: {rpy: [0, 0, 1]}"},
+      "effects:\n  drive: [{joint: j0, kp: 0, target: 0}]\n  point_constraint: [{point: l2}]\n");
+  const Outcome outcome = treedyn({"generate", "--scene", scene, "--effort", "0", "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST_F(Cli, RefusesAStateThatSdirk2DoesNotCompensate) {
+  const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
+  const Outcome outcome = treedyn({"generate", "--scene", scene, "--integrator", "sdirk2",
+                                   "--state", "compensated", "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("sdirk2 keeps no compensated state"));
+}
+
 TEST_F(Cli, RefusesAnUnknownIntegratorOfAScene) {
   write_file(scratch("s.yaml"),
              "scene: s\nmodel: " + kModel + "\nduration: 1\nstepping: {integrator: nonsense}\n");
