@@ -177,14 +177,16 @@ void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first
 }
 
 /// The length of the step that ends where the watch changes its side, to the resolution of time:
-/// between two parts of it; -1 if the motion does not get there.
+/// between two parts of it, and not before the watch is looked at; -1 if the motion does not get
+/// there.
 double Simulator::refine(const Watch& watch, double low, double high, double h) {
   const std::function<double(double)> g = [&](double step) {
     integrator_->step(rate_, t_, step, y_, trial_, trial_error_);
     return watch.value(system_, t_ + step, trial_);
   };
-  double from = low * h;
-  double to = high * h;
+  const double earliest = watch.armed ? 0 : watch.until - t_;
+  double from = std::max(low * h, earliest);
+  double to = std::max(high * h, earliest);
   if (!(watch.side * g(to) < 0)) {  // the motion is a little behind its polynomial
     to = std::min(h, to + (to - from));
     if (!(watch.side * g(to) < 0)) {
@@ -194,8 +196,8 @@ double Simulator::refine(const Watch& watch, double low, double high, double h) 
       return -1;
     }
   }
-  if (from > 0 && watch.side * g(from) < 0) {
-    from = 0;
+  if (from > earliest && watch.side * g(from) < 0) {
+    from = earliest;
   }
   const double resolution = std::numeric_limits<double>::epsilon() * (std::fabs(t_) + to) / 8;
   return far_side(g, watch.side, from, to, resolution);

@@ -201,9 +201,10 @@ duration: 1
   EXPECT_NEAR(run.simulator.events()[1].time, 5.0 / 6.0, 1e-10);  // 5 t - 5 t^2 = t^2
 }
 
-/// A mass held on the floor and pulled up by 2 t: it leaves when the pull exceeds its weight.
-TEST(Events, OfLiftOffComeWhenTheReactionWouldPull) {
-  Running run(scene_of(R"yaml(
+/// A mass held on the floor and pulled up by 20 t: it leaves when the pull exceeds its weight.
+/// \param more  of the event
+model::Scene pulled(const std::string& more) {
+  return scene_of(R"yaml(
 scene: pulled
 model: drop.model.yaml
 effects:
@@ -216,15 +217,39 @@ phases:
   - name: standing
     active: [floor]
     until:
-      - {lift_off: {constraint: floor}, then: flying}
+      - {lift_off: {constraint: floor}, )yaml" +
+                  more + R"yaml(then: flying}
   - name: flying
 duration: 1
-)yaml"));
+)yaml");
+}
+
+TEST(Events, OfLiftOffComeWhenTheReactionWouldPull) {
+  Running run(pulled(""));
   run.advance_to(1);
   ASSERT_EQ(run.simulator.events().size(), 1U);
   EXPECT_NEAR(run.simulator.events()[0].time, 0.5, 1e-12);  // 20 t = m g
   // z'' = 20 (t - 1/2): z = 10/3 (t - 1/2)^3
   EXPECT_NEAR(run.simulator.q()[0], 10.0 / 24.0, 1e-9);
+}
+
+/// The floor pulls from t = 0.5 s on; steps begin before `not_before`, and end at it or behind.
+TEST(Events, OfLiftOffWaitForTheirTime) {
+  for (const char* const integrator : {"fehlberg78", "dopri5", "rk4", "semi-implicit-euler"}) {
+    for (const double step : {0.4, 0.25, 0.01}) {
+      model::Scene scene = pulled("not_before: 0.75, ");
+      scene.stepping.integrator = integrator;
+      scene.stepping.step = Real(step);
+      Running run(scene);
+      run.advance_to(1);
+      ASSERT_EQ(run.simulator.events().size(), 1U) << integrator << step;
+      EXPECT_NEAR(run.simulator.events()[0].time, 0.75, 1e-15) << integrator << step;  // rounding
+    }
+  }
+  Running run(pulled("not_before: 0.25, "));
+  run.advance_to(1);
+  ASSERT_EQ(run.simulator.events().size(), 1U);
+  EXPECT_NEAR(run.simulator.events()[0].time, 0.5, 1e-12);  // 20 t = m g
 }
 
 TEST(Contact, OfSdirk2SettlesAtTheStaticDepth) {
