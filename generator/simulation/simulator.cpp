@@ -123,6 +123,7 @@ double Simulator::settle() {
   if (system_.speed_violation(t_, position, velocity) > kSettledSpeed) {
     throw std::runtime_error("no velocity meets the constraints at the initial state");
   }
+  watches_.clear();  // contacts are open or closed by where their points are now
   build_watches();
   monitor_.restart_energy(system_, position, velocity);
   monitor_.positions(system_, t_, position);

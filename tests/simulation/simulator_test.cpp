@@ -252,6 +252,25 @@ TEST(Events, OfLiftOffWaitForTheirTime) {
   EXPECT_NEAR(run.simulator.events()[0].time, 0.5, 1e-12);  // 20 t = m g
 }
 
+/// A tip above a plane that the lock of the elbow takes below it before the motion begins, and
+/// one that it takes above.
+TEST(Contact, IsOpenOrClosedByTheStateThatTheMotionBeginsWith) {
+  for (const double height : {0.06, -0.45}) {
+    Running run(
+        scene_of("scene: s\nmodel: ../two_link.yaml\neffects:\n  gravity: [0, 0, -9.81]\n"
+                 "  ground_contact: [{point: tip, stiffness: 1e4, height: " +
+                 std::to_string(height) + "}]\n  locked_joint: [{joint: elbow, at: " +
+                 (height > 0 ? "-0.5" : "0") + "}]\ninitial: {q: {shoulder: " +
+                 (height > 0 ? "0.2, elbow: -0.3" : "0, elbow: -0.5") + "}}\nduration: 0.01\n"));
+    const Vector q = run.simulator.q();
+    const double depth = height - std::sin(q[0]) - std::sin(q[0] + q[1]);
+    ASSERT_EQ(depth > 0, height > 0);
+    const Recording recording = run.record(0.01);
+    const double force = 1e4 * std::max(depth, 0.0);
+    EXPECT_NEAR(column(recording, "F[tip.z]").front(), force, 1e-11);  // 1e4 times roundings
+  }
+}
+
 TEST(Contact, OfSdirk2SettlesAtTheStaticDepth) {
   Settings settings;
   settings.integrator = "sdirk2";
