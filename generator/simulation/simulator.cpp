@@ -125,6 +125,13 @@ double Simulator::settle() {
   }
   watches_.clear();  // contacts are open or closed by where their points are now
   build_watches();
+  for (std::size_t k = 0; k < system_.frictions().size(); ++k) {  // joints may turn back now
+    const DryFriction& friction = system_.frictions()[k];
+    double& speed = y_[system_.dof() + friction.joint];
+    speed = friction.direction == 0 ? 0 : speed;
+    stick_or_slip(k);
+  }
+  build_watches();
   monitor_.restart_energy(system_, position, velocity);
   monitor_.positions(system_, t_, position);
   note_points_below();

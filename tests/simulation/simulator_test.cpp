@@ -355,6 +355,23 @@ TEST(Friction, WithASlipSpeedLeavesStickingToOtherJoints) {
               slip_integral(1.5, 0.3) - 2 * 0.1 / inertia, 1e-9);
 }
 
+/// A tip that is led such that the elbow turns back at 2 rad/s and the shoulder rests.
+TEST(Friction, IsAgainstTheSpeedThatTheMotionBeginsWith) {
+  for (const char* const speed : {"0.1", "0", "-2"}) {
+    Running run(
+        scene_of("scene: led\nmodel: ../two_link.yaml\neffects:\n"
+                 "  coulomb_friction: [{joint: elbow, force: 5}]\n  point_constraint:\n"
+                 "    - {point: tip, along: [x, z], curve: [cos(0.3) + cos(1.3 - 2*t), 0, "
+                 "sin(0.3) + sin(1.3 - 2*t)]}\n"
+                 "initial: {q: {shoulder: 0.3, elbow: 1}, qd: {elbow: " +
+                 std::string(speed) + "}}\nduration: 0.1\n"));
+    const Recording recording = run.record(0.1);
+    EXPECT_EQ(recording.stopped, "") << speed;
+    EXPECT_EQ(run.simulator.system().frictions()[0].direction, -1) << speed;
+    EXPECT_NEAR(run.simulator.q()[1], 0.8, 1e-14) << speed;  // roundings of positions of size 1
+  }
+}
+
 /// A carriage that its friction holds, and on it an inclined guide: the ball on it strikes the
 /// floor and the carriage slides from there.
 TEST(Friction, ThatSticksLetsAnImpactMoveTheJoint) {
