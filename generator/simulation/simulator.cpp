@@ -322,19 +322,30 @@ void Simulator::show_now(double end) {
   t_ = now;
 }
 
-/// Adaptive steps that would never arrive.
+/// Steps that would never arrive: adaptive ones, and those of any method that events cut short.
 void Simulator::guard_against_standstill(double end) {
-  if (integrator_->error_order() == 0 || cost_.steps % kTrial != 0) {
+  if (cost_.steps % kTrial != 0) {
     return;
   }
   const double advance = t_ - trial_start_;
+  const std::size_t ended = events_.size() - trial_events_;
   trial_start_ = t_;
-  const std::vector<Notice> notices = monitor_.notices();
-  const bool stuck = std::any_of(notices.begin(), notices.end(),
+  trial_events_ = events_.size();
+  const std::vector<Notice>& notices = monitor_.notices();
+  const bool stuck = integrator_->error_order() > 0 &&
+                     std::any_of(notices.begin(), notices.end(),
                                  [](const Notice& notice) { return notice.kind == "position"; });
   const double most =
       stuck ? std::min(kHopelessWhereStuck, settings_.most_steps) : settings_.most_steps;
   if (advance * (most / static_cast<double>(kTrial)) < end - t_) {
+    if (2 * ended > static_cast<std::size_t>(kTrial)) {
+      const model::Phase& phase = scene_.phases[static_cast<std::size_t>(events_.back().phase)];
+      throw std::runtime_error(fmt::format(
+          "events hardly let time advance: {} of them in {} steps, {:.2g} s in all, '{}' of phase "
+          "'{}' the last, at t = {} s; more than {:.2g} steps for the rest (phases that last "
+          "longer, or --max-steps)",
+          ended, kTrial, advance, events_.back().name, phase.name, t_, most));
+    }
     throw std::runtime_error(fmt::format(
         "steps hardly advance time: {} of them, {:.2g} s in all, at t = {} s; more than {:.2g} for "
         "the rest (a stiff scene: --integrator sdirk2; or --max-steps)",

@@ -23,7 +23,7 @@ struct Settings {
   double longest = 0;        ///< s, adaptive methods; 0: as long as the tolerance allows
   double tolerance = 1e-10;  ///< error of a step, relative and absolute, adaptive methods
   double most_steps =
-      1e7;  ///< beyond which a motion is not begun or gone on with, adaptive methods
+      1e7;  ///< beyond which a motion is not begun or gone on with, those that events end included
   Drift drift = Drift::kProjection;
   double stabilisation = 20;  ///< alpha of Baumgarte, 1/s
   Bounds bounds;
@@ -33,8 +33,8 @@ struct Settings {
 /// by less than kTurns times this.
 inline constexpr double kTurn = 0.5;
 inline constexpr int kTurns = 64;
-/// Steps of an adaptive method after which a motion that would need Settings::most_steps more of
-/// them, at their length, ends.
+/// Steps after which a motion that would need Settings::most_steps more of them, at their length,
+/// ends.
 inline constexpr long kTrial = 1000;
 /// Steps instead of Settings::most_steps for a constraint that no joint moves where it begins to
 /// act.
@@ -174,6 +174,7 @@ class Simulator {
   int pile_ = 0;  ///< of events at the instant of the last one
   double happened_ = -std::numeric_limits<double>::infinity();  ///< s, the last one
   double trial_start_ = 0;
+  std::size_t trial_events_ = 0;
   double show_step_ = 0;
   long shown_ = 0;
   Show show_;

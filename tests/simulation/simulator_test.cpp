@@ -252,6 +252,38 @@ TEST(Events, OfLiftOffWaitForTheirTime) {
   EXPECT_NEAR(run.simulator.events()[0].time, 0.5, 1e-12);  // 20 t = m g
 }
 
+TEST(Events, ThatHardlyLetTimeAdvanceEndTheMotion) {
+  for (const char* const integrator : {"fehlberg78", "rk4"}) {
+    model::Scene scene = scene_of(
+        "scene: restless\nmodel: drop.model.yaml\neffects: {gravity: [0, 0, -10]}\nphases:\n"
+        "  - {name: ever, until: [{time: 1e-9, then: ever}]}\nduration: 1\n");
+    scene.stepping.integrator = integrator;
+    Running run(scene);
+    const Recording recording = run.record(0.01);
+    EXPECT_EQ(recording.stopped.find("events hardly let time advance: 999 of them in 1000 steps"),
+              0U)
+        << integrator << ": " << recording.stopped;
+    EXPECT_NE(recording.stopped.find("'time' of phase 'ever'"), std::string::npos);
+    EXPECT_EQ(recording.cost.steps, kTrial);
+  }
+}
+
+TEST(Events, CountAgainstTheStepsThatTheUserAllows) {
+  Settings settings;
+  settings.integrator = "rk4";
+  settings.step = 0.01;
+  const auto stopped = [&](double most_steps) {
+    settings.most_steps = most_steps;
+    Running run(scene_of("scene: s\nmodel: drop.model.yaml\neffects: {gravity: [0, 0, -10]}\n"
+                         "phases:\n  - {name: a, until: [{time: 1/4096, then: a}]}\n"
+                         "duration: 1\n"),
+                &settings);
+    return run.record(0.5).stopped;
+  };
+  EXPECT_EQ(stopped(5000), "");  // 4096 events and 100 steps
+  EXPECT_NE(stopped(3000), "");
+}
+
 /// A tip above a plane that the lock of the elbow takes below it before the motion begins, and
 /// one that it takes above.
 TEST(Contact, IsOpenOrClosedByTheStateThatTheMotionBeginsWith) {
