@@ -63,6 +63,24 @@ simulation::Settings settings_of(const SimulateRequest& request, const model::St
   return result;
 }
 
+/// A time so far from zero has no room for the motion between two numbers.
+void check_time(const SimulateRequest& request, const model::Scene& scene, bool is_fixed) {
+  const auto start = static_cast<double>(scene.t0);
+  const double least = simulation::least_step(start);
+  const auto refuse = [&](const char* what, double length) {
+    throw InputError({request.scene, 0, 0},
+                     fmt::format("a {} of {:.3g} s does not advance time at t = {:.6g} s; expected "
+                                 "more than {:.2g} s, or a beginning nearer to zero",
+                                 what, length, start, least));
+  };
+  if (const auto duration = static_cast<double>(scene.duration); !(duration > least)) {
+    refuse("duration", duration);
+  }
+  if (const auto step = static_cast<double>(scene.stepping.step); is_fixed && !(step > least)) {
+    refuse("step", step);
+  }
+}
+
 void check(const SimulateRequest& request, const model::Scene& scene) {
   simulation::require_integrator(scene.stepping);
   require_size(scene.tree, scene.points, {request.scene, 0, 0});
@@ -82,6 +100,7 @@ void check(const SimulateRequest& request, const model::Scene& scene) {
                                  static_cast<double>(scene.duration), static_cast<double>(most),
                                  static_cast<double>(scene.stepping.step)));
   }
+  check_time(request, scene, is_fixed);
 }
 
 double output_step(const model::Scene& scene) {

@@ -59,6 +59,9 @@ struct Cost {
   long evaluations = 0;  ///< of the accelerations, those in between for events and rows included
 };
 
+/// What advances the time t at all, s.
+double least_step(double t);
+
 /// Steps are those of the dynamics: neither the end of the motion nor rows of a table change them,
 /// but for the last one. Methods with fixed steps stop at t0 + k step, and at events in between.
 class Simulator {

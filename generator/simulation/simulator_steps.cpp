@@ -24,7 +24,7 @@ constexpr double kFirstTurn = 0.1;
 constexpr double kResolved = 1e-2;
 /// How many times the tolerance an error across the rows may be, which the projection takes away.
 constexpr double kAcross = 1e3;
-/// A fixed step below this many roundings of the time does not advance it.
+/// A step below this many roundings of the time does not advance it.
 constexpr double kRoundingsOfTime = 16;
 /// How often a fixed step is halved when it does not lead anywhere.
 constexpr int kHalvings = 20;
@@ -51,10 +51,11 @@ double Simulator::error_ratio(double h) {
   return std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity();
 }
 
-/// What advances time at all.
-double Simulator::least_step() const {
-  return kRoundingsOfTime * std::numeric_limits<double>::epsilon() * std::fabs(t_);
+double least_step(double t) {
+  return kRoundingsOfTime * std::numeric_limits<double>::epsilon() * std::fabs(t);
 }
+
+double Simulator::least_step() const { return simulation::least_step(t_); }
 
 /// `next_` after a step of a method without error estimate. \return its length
 double Simulator::fixed_step(double longest) {
@@ -149,7 +150,7 @@ double Simulator::adaptive_step(double longest) {
   const int order = integrator_->error_order();
   const double given = settings_.longest > 0 ? settings_.longest : longest;
   for (double h = longest_step(std::min({suggested_, given, longest}));;) {
-    if (!(t_ + h > t_)) {
+    if (!(t_ + h > t_) || (h < least_step() && h < longest)) {
       throw std::runtime_error(
           next_.size() == 0 || next_.allFinite()
               ? fmt::format("no step that advances time meets the tolerance of {} at t = {} s",

@@ -310,6 +310,35 @@ TEST_F(Simulate, RefusesStepsThatNeverArrive) {
             1);
 }
 
+TEST_F(Simulate, RefusesTimesThatDoNotAdvance) {
+  const std::string file = scratch("s.yaml").string();
+  const auto begins_at = [&](const std::string& t) {
+    write_file(file, "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                     "/models/two_link.yaml\nduration: 0.1\neffects:\n"
+                     "  gravity: [0, 0, -9.81]\ninitial: {t: " +
+                         t + "}\n");
+  };
+  begins_at("1e18");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {file}, {file, "--integrator", "rk4", "--step", "0.01"}, {file, "--as-generated"}}) {
+    const Outcome outcome = treedyn(words);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err,
+                HasSubstr("s.yaml: a duration of 0.1 s does not advance time at t = 1e+18 s; "
+                          "expected more than 3.6e+03 s"));
+  }
+  begins_at("1e13");
+  const Outcome fixed = treedyn({file, "--integrator", "rk4", "--step", "0.01"});
+  EXPECT_EQ(fixed.status, 1);
+  EXPECT_THAT(fixed.err, HasSubstr("a step of 0.01 s does not advance time at t = 1e+13 s"));
+  begins_at("1e14");
+  EXPECT_THAT(treedyn({file, "--duration", "1"}).err,
+              HasSubstr("no step that advances time meets the tolerance of 1e-10 at t = "));
+  begins_at("1e9");  // numbers are 1.2e-7 apart
+  EXPECT_EQ(treedyn({file}).status, 0);
+}
+
 TEST_F(Simulate, LandsWithoutAWordWhereAnImpactTakesAllSpeed) {
   write_file(scratch("s.yaml"),
              "scene: s\nmodel: " TREEDYN_SOURCE_DIR
