@@ -1,5 +1,7 @@
 #include "simulation/constraints.hpp"
 
+#include <Eigen/QR>
+
 namespace treedyn::simulation {
 
 namespace {
@@ -17,11 +19,25 @@ Eigen::Vector3d turn(const Eigen::Matrix3d& to, const Eigen::Matrix3d& from) {
   return 0.5 * Eigen::Vector3d(E(2, 1) - E(1, 2), E(0, 2) - E(2, 0), E(1, 0) - E(0, 1));
 }
 
+/// What a constraint asks for is the rate of a position; of an orientation only if its directions
+/// span the space.
+bool is_rate_of_position(const model::Constraint& c) {
+  if (c.kind != ConstraintKind::kOrientation) {
+    return true;
+  }
+  Eigen::Matrix3Xd directions(3, static_cast<Eigen::Index>(c.rows()));
+  for (Eigen::Index k = 0; k < directions.cols(); ++k) {
+    directions.col(k) = vector_of(c.directions[static_cast<std::size_t>(k)]);
+  }
+  return directions.colPivHouseholderQr().rank() == 3;
+}
+
 }  // namespace
 
 Constraints::Constraints(const model::Scene& scene) {
   for (const model::Constraint& c : scene.constraints) {
     Item item{c.pinned,
+              is_rate_of_position(c),
               c.kind,
               c.point,
               c.other,
@@ -109,7 +125,7 @@ void Constraints::jacobian(const Terms& terms, Matrix& J) const {
 void Constraints::errors(const Terms& terms, double t, const Vector& q, Vector& phi) const {
   phi.setZero(rows());
   for (int k = 0; k < rows(); ++k) {
-    if (!is_held(k)) {
+    if (!has_position(k)) {
       continue;
     }
     const Item& c = item(at(k).item);

@@ -25,8 +25,13 @@ class Constraints {
   [[nodiscard]] int constraint(int row) const { return at(row).item; }
   /// Which of its constraint's rows it is.
   [[nodiscard]] std::size_t number(int row) const { return at(row).number; }
-  /// False for rows that state their acceleration: they have no position.
+  /// False for rows that state their acceleration: neither their speed nor their position is told.
   [[nodiscard]] bool is_held(int row) const { return item(at(row).item).accelerations.empty(); }
+  /// False as well for rows that tell a speed only: omega d = 0 is the rate of no angle unless it
+  /// holds in all directions.
+  [[nodiscard]] bool has_position(int row) const {
+    return is_held(row) && item(at(row).item).has_position;
+  }
 
   /// True for rows that hold wherever they begin to act.
   [[nodiscard]] bool begins_anywhere(int row) const {
@@ -42,7 +47,7 @@ class Constraints {
 
   /// J, r x N.
   void jacobian(const Terms& terms, Matrix& J) const;
-  /// Position errors, m or rad; 0 where a row is not held.
+  /// Position errors, m or rad; 0 where a row has no position.
   void errors(const Terms& terms, double t, const Vector& q, Vector& phi) const;
   /// Wanted J qd: the velocity of the curves; 0 where a row is not held.
   void velocities(double t, Vector& rate) const;
@@ -54,6 +59,7 @@ class Constraints {
  private:
   struct Item {
     bool pinned;
+    bool has_position;
     model::ConstraintKind kind;
     int point, other, joint;
     std::vector<Eigen::Vector3d> directions;

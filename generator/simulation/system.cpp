@@ -156,7 +156,7 @@ void System::factor_inertia(double t) {
   }
 }
 
-/// Zeros where a row has no position.
+/// Zeros where a row tells no speed.
 void System::keep_held(Vector& rows) const {
   for (int k = 0; k < constraints_.rows(); ++k) {
     if (!constraints_.is_held(k)) {
@@ -327,11 +327,14 @@ void System::remove_normal(double t, const Vector& y, Vector& error) {
   }
   const int n = dof();
   factor_rows(t, y.head(n), y.tail(n));
-  for (const Eigen::Index from : {Eigen::Index{0}, static_cast<Eigen::Index>(n)}) {
-    rate_ = J_ * error.segment(from, n);
-    keep_held(rate_);
-    error.segment(from, n) -= A_.matrixU().solve(solve_.preimage(rate_));
+  phi_ = J_ * error.head(n);
+  for (int k = 0; k < constraints_.rows(); ++k) {
+    phi_[k] = constraints_.has_position(k) ? phi_[k] : 0;
   }
+  error.head(n) -= A_.matrixU().solve(solve_.preimage(phi_));
+  rate_ = J_ * error.tail(n);
+  keep_held(rate_);
+  error.tail(n) -= A_.matrixU().solve(solve_.preimage(rate_));
 }
 
 /// Zeros for the rows of sticking joints.

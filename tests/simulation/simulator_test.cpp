@@ -520,6 +520,46 @@ TEST(InitialState, IsRefusedWhereNoStateMeetsTheConstraints) {
             "no velocity meets the constraints at the initial state");
 }
 
+/// A free body without forces whose angular velocity has no part along some directions.
+std::string leaned(const std::string& along) {
+  return "scene: s\nmodel: ../../tests/scenes/models/free_body.yaml\nbase: axes\neffects:\n"
+         "  orientation_constraint: [{point: body, along: [" +
+         along + "]}]\ninitial: {qd: {base_rx: 1, base_ry: 0.7}}\nduration: 1\n";
+}
+
+/// omega d = 0 does no work, and it is the rate of no angle: nothing may turn the body back.
+TEST(Orientation, InOneDirectionIsALawOfSpeeds) {
+  Settings settings;
+  settings.drift = model::Drift::kNone;
+  Running free(scene_of(leaned("z")), &settings);
+  free.advance_to(1);
+  Running run(scene_of(leaned("z")));
+  const Recording recording = run.record(0.1);
+  EXPECT_TRUE(recording.notices.empty());
+  EXPECT_EQ(recording.drift, 0);
+  const double steps = static_cast<double>(recording.cost.steps);
+  const double bound = steps * settings.tolerance * 10;  // joint speeds, up to ten of the body's
+  EXPECT_LT((run.simulator.q() - free.simulator.q()).cwiseAbs().maxCoeff(), bound);
+  for (const double energy : column(recording, "energy")) {
+    EXPECT_NEAR(energy, (1 + 2 * 0.7 * 0.7) / 2, bound);
+  }
+  const double speed =
+      run.simulator.system().speed_violation(1, run.simulator.q(), run.simulator.qd());
+  EXPECT_LT(speed, 1e-15);  // a few roundings of speeds of size 1
+}
+
+TEST(Orientation, HasAPositionWhereItsDirectionsSpanTheSpace) {
+  const auto has_position = [](const std::string& along) {
+    Constraints constraints(scene_of(leaned(along)));
+    constraints.activate({0});
+    return constraints.has_position(0);
+  };
+  EXPECT_TRUE(has_position("x, y, z"));
+  EXPECT_TRUE(has_position("[1, 1, 0], [1, -1, 0], [1, 1, 1]"));
+  EXPECT_FALSE(has_position("x, y"));
+  EXPECT_FALSE(has_position("[1, 1, 0], [1, -1, 0], x"));
+}
+
 TEST(Rows, MayStateTheirAcceleration) {
   Running run(scene_of(R"yaml(
 scene: stated
