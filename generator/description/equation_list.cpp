@@ -119,7 +119,7 @@ std::vector<model::EquationText> equations_of_tree(const std::string& text,
 
 std::vector<model::EquationText> equations_of_file(const std::string& text,
                                                    const std::string& file) {
-  const Node root = parse_yaml_node(text, file);
+  const Node root = parse_yaml_node(text, file, "equations");
   const Fields fields(file, root, "file of equations", {"equations", "parameters"});
   static_cast<void>(fields.get("equations"));  // it has to be there
   return read_all(root, file);

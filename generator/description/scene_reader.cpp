@@ -361,7 +361,7 @@ class SceneReader {
 
 model::Scene parse_scene(const std::string& text, const std::string& file,
                          const TextReader& model_text, const AtRunTime& at_run_time) {
-  const Node root = parse_yaml_node(text, file);
+  const Node root = parse_yaml_node(text, file, "a scene");
   return is_case(root) ? SceneReader(file, root).run()
                        : read_scene_yaml(root, file, model_text, at_run_time);
 }

@@ -277,7 +277,7 @@ class NodeBuilder {
 
 }  // namespace
 
-Node parse_yaml_node(const std::string& text, const std::string& file) {
+Node parse_yaml_node(const std::string& text, const std::string& file, const std::string& what) {
   Events events(text, file);
   NodeBuilder builder(text, file);
   int documents = 0;
@@ -293,7 +293,7 @@ Node parse_yaml_node(const std::string& text, const std::string& file) {
     builder.add(event);
   }
   if (documents == 0) {
-    throw InputError({file, 1, 1}, "file is empty; expected a tree description");
+    throw InputError({file, 1, 1}, "file is empty; expected " + what);
   }
   return builder.take_root();
 }

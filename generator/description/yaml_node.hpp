@@ -22,7 +22,10 @@ struct Node {
 /// Reads one YAML document; keys of a mapping are scalars and different.
 ///
 /// Anchors, aliases and tags are refused; nesting and the number of values are bounded. Linear (n
-/// log n in the keys of one mapping). \throws InputError
-Node parse_yaml_node(const std::string& text, const std::string& file);
+/// log n in the keys of one mapping).
+/// \param what  is expected of a file that is empty
+/// \throws InputError
+Node parse_yaml_node(const std::string& text, const std::string& file,
+                     const std::string& what = "a tree description");
 
 }  // namespace treedyn::description
