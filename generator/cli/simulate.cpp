@@ -81,6 +81,18 @@ void check_time(const SimulateRequest& request, const model::Scene& scene, bool 
   }
 }
 
+void check_rows(const SimulateRequest& request, const model::Scene& scene) {
+  const Real& step = scene.stepping.output_step;
+  if (step > 0 && scene.duration > Real(kMostRows) * step) {
+    const auto duration = static_cast<double>(scene.duration);
+    throw InputError(
+        {request.scene, 0, 0},
+        fmt::format("{:.3g} s are more than {:.3g} rows of {:.3g} s; expected an "
+                    "output_step of {:.3g} s or more, or a shorter duration",
+                    duration, kMostRows, static_cast<double>(step), duration / kMostRows));
+  }
+}
+
 void check(const SimulateRequest& request, const model::Scene& scene) {
   simulation::require_integrator(scene.stepping);
   require_size(scene.tree, scene.points, {request.scene, 0, 0});
@@ -101,12 +113,12 @@ void check(const SimulateRequest& request, const model::Scene& scene) {
                                  static_cast<double>(scene.stepping.step)));
   }
   check_time(request, scene, is_fixed);
+  check_rows(request, scene);
 }
 
 double output_step(const model::Scene& scene) {
-  const auto duration = static_cast<double>(scene.duration);
   const auto step = static_cast<double>(scene.stepping.output_step);
-  return std::max(step > 0 ? step : duration / kRows, duration / kMostRows);
+  return step > 0 ? step : static_cast<double>(scene.duration) / kRows;
 }
 
 std::unique_ptr<simulation::Dynamics> dynamics_of(const SimulateRequest& request,

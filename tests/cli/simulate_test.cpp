@@ -339,6 +339,17 @@ TEST_F(Simulate, RefusesTimesThatDoNotAdvance) {
   EXPECT_EQ(treedyn({file}).status, 0);
 }
 
+TEST_F(Simulate, RefusesATableOfMoreRowsThanItMayHave) {
+  write_file(scratch("s.yaml"), "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                                "/models/scenes/drop.model.yaml\nduration: 0.5\n"
+                                "stepping: {output_step: 1e-12}\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("0.5 s are more than 1e+06 rows of 1e-12 s; expected an "
+                                     "output_step of 5e-07 s or more"));
+}
+
 TEST_F(Simulate, LandsWithoutAWordWhereAnImpactTakesAllSpeed) {
   write_file(scratch("s.yaml"),
              "scene: s\nmodel: " TREEDYN_SOURCE_DIR
