@@ -271,12 +271,16 @@ std::vector<std::string> between(const Staged& staged, std::size_t level, const 
                       program::kRightArray, program::kMultiplierArray)};
 }
 
-/// The solution of rows that no value behind takes is asked for all the same: it tells a status.
-void append_unused_solve(const Staged& staged, std::size_t stages_done, const Solves& all,
+/// The solution of rows that no value behind takes is asked for all the same: it tells a status. A
+/// contact that presses on what no joint moves has a law and nothing behind it.
+void append_unused_gates(const Staged& staged, std::size_t stages_done, const Solves& all,
                          const Target& target, std::vector<std::string>& lines) {
   for (std::size_t level = stages_done + 1; level <= staged.gates.size(); ++level) {
     if (staged.gates[level - 1] == program::Gate::kSolve) {
       append(lines, between(staged, level, all, target));
+    } else if (staged.gates[level - 1] == program::Gate::kClamp) {
+      append(lines, {fmt::format("(void){};", program::kLawArray),
+                     fmt::format("(void){};", program::kNormalArray)});
     }
   }
 }
@@ -320,7 +324,7 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
       }
       lines.push_back(part.lines[at]);
     }
-    append_unused_solve(staged, stage, all, target, lines);
+    append_unused_gates(staged, stage, all, target, lines);
     used = part.uses;
   } else {
     const SplitText split = split_text(staged.function.signature, text);
@@ -335,7 +339,7 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
       }
       lines.push_back(split.calls[k]);
     }
-    append_unused_solve(staged, static_cast<std::size_t>(stage), all, target, lines);
+    append_unused_gates(staged, static_cast<std::size_t>(stage), all, target, lines);
     used = split.used;
   }
   if (!staged.pivots.empty()) {

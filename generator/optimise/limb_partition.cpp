@@ -1,6 +1,7 @@
 #include "optimise/limb_partition.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 
 namespace treedyn::optimise {
@@ -11,13 +12,26 @@ namespace {
 
 constexpr int kMostJoints = 1 << 12;  ///< of a limb, for its keys
 
+/// Equal for numbers of 35 equal digits: tilts of 1e-17 are no zeros.
+Key key_of_digits(const Digits& x) {
+  const auto leading = static_cast<double>(x);
+  const Key key = residue::key_of(leading);
+  if (leading == 0) {
+    return key;
+  }
+  const Digits rest = ldexp(Digits((x - Digits(leading)) / x), 116);  // below 2^63
+  const auto further = static_cast<std::int64_t>(round(rest));
+  return further == 0 ? key
+                      : residue::sum(key, residue::key_of(static_cast<int>(further >> 32),
+                                                          static_cast<int>(further)));
+}
+
 /// Equal for numbers that are equal as they are and as they are seen.
 Key key_of_number(const Real& x) {
-  const Key seen = residue::key_of(static_cast<double>(x.seen()));
+  const Key seen = key_of_digits(x.seen());
   return x.seen() == x.digits()
              ? seen
-             : residue::sum(seen,
-                            residue::odd(residue::key_of(static_cast<double>(x)), Kind::kConstant));
+             : residue::sum(seen, residue::odd(key_of_digits(x.digits()), Kind::kConstant));
 }
 
 }  // namespace

@@ -73,9 +73,12 @@ std::vector<Warning> warnings_of(const program::Programs& programs, const Reques
     const program::Rounding& rounding = function.rounding;
     if (rounding.refused > 0) {
       result.push_back(
-          {where, fmt::format("function '{}' is generated without {}: rounding errors would grow "
-                              "{:.2g} times by it",
-                              name, fmt::join(rounding.left_out, ", "), rounding.refused)});
+          {where, fmt::format(
+                      "function '{}' is generated without {}: {} by it", name,
+                      fmt::join(rounding.left_out, ", "),
+                      std::isfinite(rounding.refused)
+                          ? fmt::format("rounding errors would grow {:.2g} times", rounding.refused)
+                          : "values that are exact would be rounded")});
     }
   });
   const std::vector<Warning> lost = float_warnings(programs, request.target.scalar, where);

@@ -111,7 +111,10 @@ void at_some_state(const model::Scene& scene, const program::Signature& signatur
       return;
     }
   }
-  throw std::domain_error("an expression of the scene has no value where the scene starts");
+  throw std::domain_error(
+      fmt::format("function '{}': an expression of the scene has no value where the scene starts, "
+                  "at t = {} s; expected one that is finite there",
+                  signature.name, static_cast<double>(scene.t0)));
 }
 
 /// \param sizes  of what is added up to it, the largest sum

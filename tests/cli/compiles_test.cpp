@@ -1,6 +1,7 @@
 // What is generated compiles, without a warning: models and scenes in which only some of what
 // functions usually need is there.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/cli.hpp"
@@ -59,6 +60,28 @@ TEST_F(Compiles, LimbLanesThatTakeOneOfSineAndCosine) {
   }
 }
 
+// Angles of 15 digits leave tilts of 1e-16 and cosines that differ from 1 by 1e-32: to the proof
+// they are no zeros, so code that limbs share may not take them for such.
+TEST_F(Compiles, LimbsBehindTiltsOfRounding) {
+  std::string text =
+      "name: m\nlinks:\n  - name: base\n    father: ground\n    joint: {name: j0, type: prismatic, "
+      "axis: [0.7, -0.246, 1.187549652], offset: [-0.2, 0.439991672, 0.1], rotation: {rpy: [0, "
+      "3.141592653589793, 3.141592653589793]}}\n    mass: 0.7\n    com: [0.0135, 0, 0]\n";
+  for (const auto& [name, place] :
+       {std::pair<std::string, std::string>{"a", "[-0.348, 0.29, 0]"},
+        std::pair<std::string, std::string>{"b", "[-0.353054693, -0.613569403, 0]"}}) {
+    text += "  - name: " + name + "\n    father: base\n    joint: {name: j_" + name +
+            ", type: revolute, axis: [0, 0, 1], offset: " + place +
+            "}\n    mass: 4.45\n    inertia: [0.5, 0, 0, 0.5, 0, 0.5]\n";
+  }
+  write_file(scratch("m.yaml"),
+             text +
+                 "points:\n  - {name: pa, link: a, at: [-0.6, 0.53, 0.974]}\n  - {name: pb, link: "
+                 "b, at: [0, -0.3, 0]}\n");
+  expect_compiles(
+      {scratch("m.yaml"), "--snap", "0", "--share-limbs", "--functions", "point_rotations"}, "m");
+}
+
 TEST_F(Compiles, MassMatricesOfNothing) {
   write_file(
       scratch("m.yaml"),
@@ -78,6 +101,16 @@ TEST_F(Compiles, PhasesThatReboundsAndTimeEnd) {
   expect_compiles({"--scene", scene_of_ball(begin + "      - {time: 0.3, then: fly}\n" + end)},
                   "s");
   expect_compiles({"--scene", scene_of_ball(begin + "        not_before: 0.1\n" + end)}, "s");
+}
+
+TEST_F(Compiles, ContactsOfWhatNoJointMoves) {
+  write_file(scratch("rod.yaml"),
+             "name: rod\nlinks:\n  - name: rod\n    father: ground\n    joint: {name: pivot, type: "
+             "revolute, axis: [0, 1, 0]}\n    mass: 1\n    com: [0, 0, -1]\n");
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: rod.yaml\neffects:\n  ground_contact: [{point: rod, stiffness: 100, "
+             "height: 0.1}]\nduration: 1\n");
+  expect_compiles({"--scene", scratch("s.yaml")}, "s");
 }
 
 TEST_F(Compiles, EventsThatAloneTakeTheTime) {
