@@ -179,8 +179,8 @@ bool Translator::header_frame(const std::string& line, Lines& result) const {
 std::string Translator::with_tables(std::string line) const {
   for (const PackedMatrix& matrix : unit_.packed) {
     for (const char* const table : {"Row", "Column"}) {
-      const std::string name = matrix.constants + table;
-      line = replaced(std::move(line), name + "[", macro(name) + "[");
+      const std::string name = fmt::format("{}{}", matrix.constants, table);
+      line = replaced(std::move(line), fmt::format("{}[", name), fmt::format("{}[", macro(name)));
     }
   }
   return line;
