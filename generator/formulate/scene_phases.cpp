@@ -96,12 +96,9 @@ void add_resting(const Scene& scene, int phase, const std::vector<int>& rests,
 }  // namespace
 
 bool is_watched(const Event& event, const std::vector<int>& active) {
-  const bool rests = event.kind == EventKind::kHeight && event.impact &&
-                     !event.impact->constraints.empty() &&
-                     std::ranges::includes(active, event.impact->constraints);
   const bool reacts = event.kind != EventKind::kReaction ||
                       std::find(active.begin(), active.end(), event.constraint) != active.end();
-  return !rests && reacts;
+  return !strikes_what_acts(event, active) && reacts;
 }
 
 bool rebounds(const Event& event) {

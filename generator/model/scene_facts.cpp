@@ -103,4 +103,9 @@ std::vector<int> passive_joints(const Scene& scene) {
   return result;
 }
 
+bool strikes_what_acts(const Event& event, const std::vector<int>& active) {
+  return event.kind == EventKind::kHeight && event.impact && !event.impact->constraints.empty() &&
+         std::ranges::includes(active, event.impact->constraints);
+}
+
 }  // namespace treedyn::model

@@ -37,4 +37,8 @@ bool has_anchor(const Scene& scene, const std::vector<int>& constraints);
 /// joints but theirs; else the six joints of a free base.
 std::vector<int> passive_joints(const Scene& scene);
 
+/// True for a touch-down whose impact would strike constraints that act already: it does not
+/// happen. \param active  ascending
+bool strikes_what_acts(const Event& event, const std::vector<int>& active);
+
 }  // namespace treedyn::model

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/scene_facts.hpp"
 #include "simulation/column_names.hpp"
 #include "simulation/sign_changes.hpp"
 #include "simulation/simulator.hpp"
@@ -75,12 +76,7 @@ void Simulator::build_watches() {
   const std::vector<model::Event>& events = scene_.phases[static_cast<std::size_t>(phase_)].until;
   const std::vector<int>& active = system_.constraints().active();
   for (std::size_t k = 0; k < events.size(); ++k) {
-    const auto& impact = events[k].impact;
-    const bool rests = events[k].kind == model::EventKind::kHeight && impact &&
-                       !impact->constraints.empty() &&
-                       std::includes(active.begin(), active.end(), impact->constraints.begin(),
-                                     impact->constraints.end());
-    if (!rests) {
+    if (!model::strikes_what_acts(events[k], active)) {
       add_watch(before, kind_of(events[k].kind), k, events[k].point, events[k].plane);
     }
   }

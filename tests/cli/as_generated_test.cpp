@@ -30,54 +30,47 @@ std::vector<double> last_state(const Json& result, std::size_t count) {
   return values;
 }
 
-/// Last rows of both, which have to be the same phase by phase and near each other.
-void expect_the_same_end(const std::string& text, std::size_t count, double near) {
+/// Ends of the motion of a scene of the two-link arm: of generated code and of the simulator.
+std::vector<Json> both_ends(const std::string& lines) {
   const TemporaryFolder folder;
   const std::string scene = (folder.path() / "s.yaml").string();
-  std::string whole = text;
-  const std::string model = "MODEL";
-  whole.replace(whole.find(model), model.size(),
-                std::string(TREEDYN_SOURCE_DIR) + "/models/two_link.yaml");
-  write_file(scene, whole);
-  const Outcome ours = simulated(scene, {"--as-generated"});
-  const Outcome theirs = simulated(scene, {});
-  ASSERT_EQ(ours.status, 0) << ours.err;
-  ASSERT_EQ(theirs.status, 0) << theirs.err;
-  const std::vector<double> a = last_state(Json::parse(ours.out), count);
-  const std::vector<double> b = last_state(Json::parse(theirs.out), count);
-  for (std::size_t k = 0; k < count; ++k) {
-    EXPECT_NEAR(a[k], b[k], near) << k;
+  write_file(scene, "scene: s\nmodel: " + std::string(TREEDYN_SOURCE_DIR) +
+                        "/models/two_link.yaml\n" + lines);
+  std::vector<Json> result;
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--as-generated"}, std::vector<std::string>{}}) {
+    const Outcome outcome = simulated(scene, options);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    result.push_back(outcome.status == 0 ? Json::parse(outcome.out) : Json());
   }
+  return result;
 }
 
 // Where the shoulder stops both joints could stick, and find their ways one after the other, all
 // within one step. Of rk4 at 1 ms some 3000 steps are left: 3000 * (1 ms * 10/s)^5 = 3e-7.
 TEST(AsGenerated, FindsTheWaysOfTwoJointsThatStick) {
-  expect_the_same_end(
-      "scene: s\nmodel: MODEL\neffects:\n  gravity: [0, 0, -9.81]\n  coulomb_friction: [{joint: "
-      "elbow, force: 150}, {joint: shoulder, force: 300}]\n  drive: [{joint: shoulder, torque: "
-      "\"735 + 400*sin(3*t)\"}]\ninitial: {q: {shoulder: 0.3, elbow: 0.5}}\nduration: "
-      "3\nstepping: {integrator: rk4, step: 0.001}\n",
-      4, 3e-7);
+  const std::vector<Json> ends = both_ends(
+      "effects:\n  gravity: [0, 0, -9.81]\n  coulomb_friction: [{joint: elbow, force: 150}, "
+      "{joint: "
+      "shoulder, force: 300}]\n  drive: [{joint: shoulder, torque: \"735 + "
+      "400*sin(3*t)\"}]\ninitial: {q: {shoulder: 0.3, elbow: 0.5}}\nduration: 3\nstepping: "
+      "{integrator: rk4, step: 0.001}\n");
+  const std::vector<double> ours = last_state(ends[0], 4);
+  const std::vector<double> theirs = last_state(ends[1], 4);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(ours[k], theirs[k], 3e-7) << k;
+  }
 }
 
 TEST(AsGenerated, LeavesPhasesByImpactsThatTakeNothing) {
-  const std::string text =
-      "scene: s\nmodel: MODEL\neffects:\n  gravity: [0, 0, -9.81]\n  point_constraint: [{name: "
-      "c1, point: tip, along: [x]}]\nphases:\n  - name: A\n    active: [c1]\n    until: [{time: "
-      "0.1, then: C, impact: {constraints: [c1]}}]\n  - name: C\n    active: [c1]\n    until: "
-      "[{time: 0.15, then: B}]\n  - name: B\n    active: []\n    until: []\ninitial: {q: "
-      "{shoulder: 0.3, elbow: 0.5}}\nduration: 0.5\nstepping: {integrator: rk4, step: 0.001}\n";
-  const TemporaryFolder folder;
-  const std::string scene = (folder.path() / "s.yaml").string();
-  std::string whole = text;
-  whole.replace(whole.find("MODEL"), 5, std::string(TREEDYN_SOURCE_DIR) + "/models/two_link.yaml");
-  write_file(scene, whole);
-  for (const std::vector<std::string>& options :
-       {std::vector<std::string>{}, std::vector<std::string>{"--as-generated"}}) {
-    const Outcome outcome = simulated(scene, options);
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(Json::parse(outcome.out).at("rows").back().at(1), "B");
+  for (const Json& end : both_ends(
+           "effects:\n  gravity: [0, 0, -9.81]\n  point_constraint: [{name: c1, point: tip, along: "
+           "[x]}]\nphases:\n  - name: A\n    active: [c1]\n    until: [{time: 0.1, then: C, "
+           "impact: "
+           "{constraints: [c1]}}]\n  - name: C\n    active: [c1]\n    until: [{time: 0.15, then: "
+           "B}]\n  - name: B\n    active: []\n    until: []\ninitial: {q: {shoulder: 0.3, elbow: "
+           "0.5}}\nduration: 0.5\nstepping: {integrator: rk4, step: 0.001}\n")) {
+    EXPECT_EQ(end.at("rows").back().at(1), "B");
   }
 }
 
