@@ -46,16 +46,17 @@ std::vector<std::size_t> places(const std::vector<std::string>& joints, const Js
   return result;
 }
 
+/// \param snapped  the robot on a fixed base is searched as users do, other runs are short
 Robot make_robot(const std::filesystem::path& file, const Json& data, bool snapped) {
+  const bool fixed = data.at("base").get<std::string>() == "fixed";
   const std::vector<double> g = support::flat(data.at("gravity"));
   std::string points;
   for (const Json& frame : data.at("frames")) {
     points += (points.empty() ? "" : ",") + frame.at("name").get<std::string>();
   }
-  std::vector<std::string> options{
-      "--mimic",   "independent",
-      "--gravity", fmt::format("{},{},{}", g[0], g[1], g[2]),
-      "--base",    data.at("base").get<std::string>() == "fixed" ? "fixed" : "axes"};
+  std::vector<std::string> options{"--mimic",   "independent",
+                                   "--gravity", fmt::format("{},{},{}", g[0], g[1], g[2]),
+                                   "--base",    fixed ? "fixed" : "axes"};
   std::string functions = "mass_matrix,bias_force,gravity_force,inverse_dynamics,forward_dynamics";
   if (!points.empty()) {
     functions +=
@@ -65,8 +66,10 @@ Robot make_robot(const std::filesystem::path& file, const Json& data, bool snapp
   }
   options.insert(options.end(), {"--functions", functions});
   if (!snapped) {
-    options.insert(options.end(),
-                   {"--snap", "0", "--effort", "100"});  // the snapped run searches as users do
+    options.insert(options.end(), {"--snap", "0"});
+  }
+  if (!snapped || !fixed) {
+    options.insert(options.end(), {"--effort", "100"});
   }
   CompiledModel code = support::generate_and_compile(
       file.parent_path() / data.at("urdf").get<std::string>(), options);
