@@ -114,8 +114,14 @@ std::string recursion_text(const formulate::Derived& function,
 
 using Derived = std::shared_ptr<const formulate::Derived>;
 
+/// True for the rate of what is derived, not of the text.
+bool is_rate(const formulate::Derived& function) {
+  return function.derivation.values.acted().contains(derive::Rule::kValueRates);
+}
+
 std::string derived_text(const Model& model, const Request& request, const Derived& function) {
-  return rules_text(function->derivation.values.acted(), function->equation.rates) +
+  return rules_text(function->derivation.values.acted(),
+                    is_rate(*function) ? Rates{} : function->equation.rates) +
          recursion_text(*function, formulate::costs_of_values(model.tree, function,
                                                               formulate_options(model, request)));
 }
@@ -162,7 +168,10 @@ std::string derivation_text(const Model& model, const Request& request, const st
   }
   const bool is_own = own != model.equations.end();
   const block::Expression& e = is_own ? (*own)->equation.expression : *ours->expression;
-  std::string result = equation_text(name, e, is_own ? nullptr : ours) + words_text(e);
+  const bool of_rate = is_own && is_rate(**own);
+  std::string result = equation_text(name, e, is_own ? nullptr : ours) +
+                       (of_rate ? "\nof X in dot(X)" + words_text(*(*own)->equation.rate_of)
+                                : words_text(e));
   const bool is_solved = !is_own && !ours->unknown.empty();
   const bool by_trunk = is_solved && formulate::recipe_of(name).freedom.articulated &&
                         formulate::has_trunk(model.tree);

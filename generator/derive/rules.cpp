@@ -5,9 +5,12 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 30> kRows = {{
+  static constexpr std::array<RuleRow, 31> kRows = {{
       {Rule::kRates, "R11",
        "dot: (X Y)' = X' Y + X Y', D, σ, m are constant, vectors of links turn, s has the slide"},
+      {Rule::kValueRates, "R11'",
+       "dot of what is derived, in frames of links: y = D^T a + N^T b: y' = D^T a' + N^T (b' + "
+       "w×y), w = σ q̇ z"},
       {Rule::kDistribute, "R0", "products distribute over sums, transposes go down to the symbols"},
       {Rule::kSums, "R1",
        "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},

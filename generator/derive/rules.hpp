@@ -9,6 +9,7 @@ namespace treedyn::derive {
 /// EQUATIONS.md's block expressions become recursions by these and nothing else. N = D - E.
 enum class Rule {
   kRates,
+  kValueRates,
   kDistribute,
   kSums,
   kTransposes,

@@ -43,8 +43,9 @@ class Reader {
   const std::vector<model::EquationText>& texts_;
   const model::Tree& tree_;
   std::span<const model::Point> points_;
-  std::vector<const model::EquationText*> open_;  ///< that are being read
-  int uses_ = 0;                                  ///< of other equations
+  std::vector<const model::EquationText*> open_;                ///< that are being read
+  int uses_ = 0;                                                ///< of other equations
+  std::optional<std::pair<Expression, Expression>> last_rate_;  ///< X, dot(X)
 };
 
 void Reader::check_names() const {
@@ -73,7 +74,11 @@ UserEquation Reader::read(const model::EquationText& text) {
     reading.add_input(input);
   }
   uses_ = 0;
+  last_rate_.reset();
   const Expression e = expand(text, reading);
+  if (last_rate_ && &last_rate_->second.node() == &e.node()) {
+    reading.made.rate_of = last_rate_->first;
+  }
   reading.finish(e);
   return reading.made;
 }
@@ -93,6 +98,7 @@ Expression Reader::expand(const model::EquationText& text, Reading& reading) {
   scope.dot = [&](const Expression& e) {
     Expression result = dot(e, reading.rates);
     reading.made.rates.merge(leaf_rates(e, reading.rates));
+    last_rate_ = {e, result};
     return result;
   };
   scope.reciprocal = [&](const Expression& e) {

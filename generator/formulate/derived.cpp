@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "common/index.hpp"
+#include "derive/rate.hpp"
 #include "derive/words.hpp"
 #include "equations/table.hpp"
 #include "formulate/lowering.hpp"
@@ -170,12 +171,30 @@ Recipe recipe_for(const std::shared_ptr<const Derived>& function) {
   return derived_recipe(function);
 }
 
+/// The rate of a matrix that derives to composites; nothing for others.
+std::optional<Derived> rate_of_symmetric(const equations::UserEquation& equation) {
+  const block::Expression& matrix = *equation.rate_of;
+  const bool keeps_joints = derive::refers_to_places(matrix);
+  const derive::Derivation derivation = derive::derive(matrix, false, keeps_joints);
+  std::optional<derive::Derivation> rate;
+  if (derivation.symmetric) {
+    rate = derive::rate(derivation);
+  }
+  return rate ? std::optional(Derived{equation, *std::move(rate), std::nullopt, keeps_joints})
+              : std::nullopt;
+}
+
 }  // namespace
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
                                        int points, bool keeps_joints) {
   const block::Shape& shape = equation.expression.shape();
   const bool by_rows = count(shape.rows, links, points) < count(shape.cols, links, points);
+  if (equation.rate_of) {
+    if (std::optional<Derived> rate = rate_of_symmetric(equation)) {
+      return std::make_shared<const Derived>(*std::move(rate));
+    }
+  }
   Derived result{equation, derive::derive(equation.expression, by_rows, keeps_joints), std::nullopt,
                  keeps_joints};
   if (shape.rows.set == Set::kPoints && shape.cols == block::Side{}) {

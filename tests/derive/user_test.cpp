@@ -120,6 +120,19 @@ INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                                          "dot(dot(r))", "dot(m_d) * qd", "dot(qd_d) * qd",
                                          "dot(R(link2))", "dot(B)"));
 
+TEST(Rates, OfTheMassMatrixTakeItsComposites) {
+  const TreeShape chain = {{-1, 0, 1, 2, 3, 4, 5, 6}, "RRRRRRRR"};
+  UserRobot robot(chain);
+  const auto equation = robot.read("dot(A)");
+  ASSERT_TRUE(equation.rate_of.has_value());
+  const auto derived = formulate::derived(equation, 8, 2);
+  EXPECT_TRUE(derived->derivation.values.acted().contains(derive::Rule::kValueRates));
+  const int A = program::cost(robot.derived(robot.read("A"), formulate::Way::kInLinks)).total();
+  const int rate = program::cost(robot.derived(equation, formulate::Way::kInLinks)).total();
+  EXPECT_LT(rate, 4 * A);
+  EXPECT_FALSE(robot.read("dot(A) * qd").rate_of.has_value());
+}
+
 TEST(Derived, TakesColumnsOfTheUser) {
   UserRobot robot(shapes()[1]);
   const auto equation = robot.read(
