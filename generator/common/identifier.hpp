@@ -11,6 +11,9 @@ bool is_digit(char c);      ///< [0-9]
 bool is_letter(char c);     ///< [A-Za-z_]
 bool is_word_byte(char c);  ///< [A-Za-z0-9_]
 
+/// True if `word` stands in `text`, not as a part of a longer word.
+bool has_word(std::string_view text, std::string_view word);
+
 /// True for what no identifier may be: keywords of C, C++ and the GNU modes of their compilers,
 /// names that C headers or the compiler's environment define as macros (`NULL`, `NAN`, `linux`),
 /// and `std`.

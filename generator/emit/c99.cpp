@@ -250,11 +250,6 @@ std::string Translator::header(const std::string& text) {
 
 /// `const Scalar /*q*/[6]` -> `const Scalar q[6]`. \return the name of what may not be used
 std::string give_name(std::string& argument) {
-  constexpr std::string_view kUnused = "[[maybe_unused]] ";
-  if (argument.starts_with(kUnused)) {
-    argument.erase(0, kUnused.size());
-    return argument.substr(argument.find_last_of("& ") + 1);
-  }
   const std::size_t begin = argument.find("/*");
   const std::size_t end = argument.find("*/");
   if (begin == std::string::npos) {
@@ -324,6 +319,8 @@ void Translator::statement(const Lines& lines, std::size_t& at, Lines& result) c
     result.push_back(fmt::format("{}const SineCosine {}", blank, both));
   } else if (const auto member = behind(code, "const Scalar& "); !member.empty()) {
     result.push_back(fmt::format("{}const Scalar {}", blank, member));
+  } else if (const auto unused = behind(code, "static_cast<void>"); !unused.empty()) {
+    result.push_back(words(fmt::format("{}(void){}", blank, unused)));
   } else if (const auto integer = behind(code, "constexpr int "); !integer.empty()) {
     result.push_back(
         words(fmt::format("{}enum {{ {} }};", blank, integer.substr(0, integer.size() - 1))));

@@ -258,7 +258,7 @@ std::vector<std::string> between(const Staged& staged, std::size_t level, const 
     case program::Gate::kReturn:
       return return_lines(staged);
     case program::Gate::kClamp:
-      return {fmt::format("{0}[0] = {1}[0] > Scalar(0) ? {1}[0] : Scalar(0);",
+      return {fmt::format("{0}[0] = {1}[0] < Scalar(0) ? Scalar(0) : {1}[0];",
                           program::kNormalArray, program::kLawArray)};
     case program::Gate::kPower:
       return {fmt::format("{}[0] = pow({}[{}], {});", program::kPowerArray, program::kDepthArray,

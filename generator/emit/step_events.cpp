@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "common/identifier.hpp"
 #include "emit/layout.hpp"
 #include "emit/run_time.hpp"
 #include "emit/step_effects.hpp"
@@ -37,7 +38,7 @@ class EventWriter {
   [[nodiscard]] std::string clocks() const;
   [[nodiscard]] Lines stuck_lines() const;
   [[nodiscard]] std::string beginnings() const;
-  [[nodiscard]] std::string sticking() const;
+  static std::string sticking(const std::string& effects);
   [[nodiscard]] bool goes_on() const;
   [[nodiscard]] Lines due_lines(const StepPhase& phase) const;
   [[nodiscard]] Lines clock_lines(const StepPhase& phase) const;
@@ -196,12 +197,13 @@ std::string EventWriter::beginnings() const {
 }
 
 /// What tells how joints slip.
-std::string EventWriter::sticking() const {
-  if (stepper_.sticking.empty()) {
+/// \param effects  text of all effects of events
+std::string EventWriter::sticking(const std::string& effects) {
+  if (effects.find("way(") == std::string::npos) {
     return {};
   }
   return "\n/// How a joint slips: 0 it does not, 1 forth, 2 back.\n"
-         "[[maybe_unused]] int way(Scalar speed) noexcept {\n"
+         "int way(Scalar speed) noexcept {\n"
          "  return speed > Scalar(0) ? 1 : speed < Scalar(0) ? 2 : 0;\n}\n";
 }
 
@@ -227,6 +229,12 @@ std::string EventWriter::clocks() const {
 }
 
 std::string EventWriter::functions() const {
+  Lines effects = effect_lines(stepper_, scalar_);
+  for (const char* const argument : {"now", "motion"}) {
+    if (!has_word(joined(effects, ""), argument)) {
+      effects.insert(effects.begin(), fmt::format("static_cast<void>({});", argument));
+    }
+  }
   const std::string constant = guards_ > 0 ? fmt::format(
                                                  "/// Guards and approaches of a phase, at most.\n"
                                                  "constexpr int kGuards = {};\n",
@@ -241,8 +249,8 @@ std::string EventWriter::functions() const {
                {"moment", joined(moment(), "  ")},
                {"advance", joined(advance(), "  ")},
                {"watch", guards_ > 0 ? search_text(stepper_, scalar_) : ""},
-               {"clocks", clocks() + sticking() + beginnings()},
-               {"happen", joined(effect_lines(stepper_, scalar_), "  ")}});
+               {"clocks", clocks() + sticking(joined(effects, "")) + beginnings()},
+               {"happen", joined(effects, "  ")}});
 }
 
 Lines EventWriter::turn_lines() const {

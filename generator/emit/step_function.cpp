@@ -56,8 +56,8 @@ std::string dispatch(const Stepper& stepper) {
       const bool used = std::ranges::any_of(stepper.phases, [&](const StepPhase& phase) {
         return is_time ? phase.takes_time : phase.takes_anchor;
       });
-      parameters.push_back(fmt::format("{}const Scalar {}[{}]", used ? "" : "[[maybe_unused]] ",
-                                       array.name, array.size));
+      parameters.push_back(fmt::format("const Scalar {}{}{}[{}]", used ? "" : "/*", array.name,
+                                       used ? "" : "*/", array.size));
     }
   }
   if (stepper.takes_derived) {

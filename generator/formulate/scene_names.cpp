@@ -1,6 +1,7 @@
 #include "formulate/scene_names.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -60,11 +61,12 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
       }
     }
   }
-  for (std::size_t k = 0; k < result.size(); ++k) {
-    const auto same =
-        std::count_if(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(k),
-                      [&](const ImpactName& other) { return other.name == result[k].name; });
-    result[k].name += same > 0 ? fmt::format("_{}", same + 1) : "";
+  std::set<std::string> taken;
+  for (ImpactName& impact : result) {
+    const std::string name = impact.name;
+    for (int k = 2; !taken.insert(impact.name).second; ++k) {
+      impact.name = fmt::format("{}_{}", name, k);
+    }
   }
   return result;
 }

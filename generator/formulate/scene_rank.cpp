@@ -29,9 +29,9 @@ program::Function function_of(const model::Scene& scene, const char* name) {
 
 }  // namespace
 
-/// p (3 P), C and H (N x 3 P).
+/// p (3 P), C and H (N x 3 P), R (9 P).
 struct ScenePositions::Place {
-  Doubles q, p, C, H;
+  Doubles q, p, C, H, R;
 };
 
 ScenePositions::ScenePositions(const model::Scene& scene)
@@ -40,17 +40,17 @@ ScenePositions::ScenePositions(const model::Scene& scene)
                  [](const Real& x) { return x.convert_to<double>(); });
   q0_.resize(to_index(scene.tree.dof()));
   if (!scene.points.empty()) {
-    for (const char* name :
-         {"point_positions", "force_jacobian_transpose", "moment_jacobian_transpose"}) {
+    for (const char* name : {"point_positions", "force_jacobian_transpose",
+                             "moment_jacobian_transpose", "point_rotations"}) {
       functions_.push_back(function_of(scene, name));
     }
   }
 }
 
 ScenePositions::Place ScenePositions::place(const Doubles& q) const {
-  Place result{q, {}, {}, {}};
+  Place result{q, {}, {}, {}, {}};
   const std::vector<std::span<const double>> inputs = {q};
-  const std::array<Doubles*, 3> arrays = {&result.p, &result.C, &result.H};
+  const std::array<Doubles*, 4> arrays = {&result.p, &result.C, &result.H, &result.R};
   for (std::size_t k = 0; k < functions_.size(); ++k) {
     *arrays[k] = program::interpret<double>(functions_[k], inputs);
   }
@@ -63,7 +63,20 @@ double ScenePositions::curve(const model::Expression& of_time) const {
       [&](const model::Variable&) { return scene_.t0.convert_to<double>(); });
 }
 
-/// Position error and J of one row.
+/// Component n of the angles from `start` to `at`, in the base frame, as long as they are small.
+double ScenePositions::turned(int point, std::size_t n, const Place& at, const Place& start) {
+  const std::size_t first = 9 * to_index(point);
+  const std::size_t i = (n + 2) % 3;
+  const std::size_t j = (n + 1) % 3;
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {  // (R R_0^T)_ij - (R R_0^T)_ji
+    sum += at.R[first + 3 * i + k] * start.R[first + 3 * j + k] -
+           at.R[first + 3 * j + k] * start.R[first + 3 * i + k];
+  }
+  return sum / 2;
+}
+
+/// Position error and J of one row. Rows about one or two directions have no angle to return to.
 void ScenePositions::add_row(const model::Constraint& c, std::size_t row, const Place& at,
                              const Place& start, double& phi, double* J) const {
   const bool held = c.accelerations.empty();
@@ -83,7 +96,9 @@ void ScenePositions::add_row(const model::Constraint& c, std::size_t row, const 
     for (std::size_t i = 0; i < at.q.size(); ++i) {
       J[i] += d * (map[i * width + column] - (joined ? map[i * width + other] : 0));
     }
-    if (held && c.kind != ConstraintKind::kOrientation) {
+    if (held && c.kind == ConstraintKind::kOrientation) {
+      phi += c.rows() == 3 ? d * turned(c.point, n, at, start) : 0;
+    } else if (held) {
       const double goal = joined     ? at.p[other]
                           : c.pinned ? start.p[column]
                                      : curve(c.curve.position[n]);

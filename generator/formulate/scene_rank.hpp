@@ -23,12 +23,13 @@ class ScenePositions {
  private:
   struct Place;
   [[nodiscard]] Place place(const std::vector<double>& q) const;
+  static double turned(int point, std::size_t n, const Place& at, const Place& start);
   void add_row(const model::Constraint& constraint, std::size_t row, const Place& at,
                const Place& start, double& phi, double* J) const;
   [[nodiscard]] double curve(const model::Expression& of_time) const;
 
   const model::Scene& scene_;
-  std::vector<program::Function> functions_;  ///< p, C, H of all points
+  std::vector<program::Function> functions_;  ///< p, C, H, R of all points
   std::vector<double> q0_;
   std::vector<double> reach_;
 };

@@ -14,7 +14,8 @@ struct EffectRow {
 /// What `treedyn list effects` prints, in the order of the equations of motion.
 inline constexpr std::array<EffectRow, 18> kEffects = {{
     {"gravity", "uniform field, G(q)"},
-    {"velocity_products", "Coriolis and centrifugal terms, B(q, qd); on unless switched off"},
+    {"velocity_products",
+     "Coriolis and centrifugal terms: B(q, qd), and gamma of constraint rows; on unless off"},
     {"viscous_friction", "joint: -d qd"},
     {"coulomb_friction", "joint: exact sticking, or -f qd/sqrt(qd^2 + vs^2)"},
     {"stribeck_friction", "joint: from a static to a sliding force as speed grows"},

@@ -33,7 +33,7 @@ Eigen::Vector3d ContactLaw::force(const Eigen::Vector3d& p, const Eigen::Vector3
   }
   const Eigen::Vector3d& normal = plane_.normal();
   const double vn = normal.dot(v);
-  const double press = std::max(0.0, normal_law_.evaluate([&](const model::Variable& variable) {
+  const double law = normal_law_.evaluate([&](const model::Variable& variable) {
     switch (variable.quantity) {
       case model::Quantity::kDepth:
         return d;
@@ -42,7 +42,8 @@ Eigen::Vector3d ContactLaw::force(const Eigen::Vector3d& p, const Eigen::Vector3
       default:
         return vn;
     }
-  }));
+  });
+  const double press = law < 0 ? 0 : law;  // a law without a value stays no number
   return force_.evaluate([&](const model::Variable& variable) {
     return variable.quantity == model::Quantity::kPress         ? press
            : variable.quantity == model::Quantity::kNormalSpeed ? vn

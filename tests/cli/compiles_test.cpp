@@ -1,5 +1,6 @@
 // What is generated compiles, without a warning: models and scenes in which only some of what
 // functions usually need is there.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,9 +22,11 @@ class Compiles : public Cli {
     command.insert(command.end(), {"-q", "--effort", "0", "-o", out()});
     const Outcome outcome = treedyn(command);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const bool is_c = std::ranges::find(command, "c99") != command.end();
     const Outcome compiled =
-        support::run({TREEDYN_CXX, "-std=c++11", "-Wall", "-Wextra", "-Wshadow", "-Wconversion",
-                      "-Werror", "-Wno-psabi", "-fsyntax-only", file(name + ".cpp").string()});
+        support::run({TREEDYN_CXX, is_c ? "-std=c99" : "-std=c++11", "-x", is_c ? "c" : "c++",
+                      "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror",
+                      "-Wno-psabi", "-fsyntax-only", file(name + (is_c ? ".c" : ".cpp")).string()});
     EXPECT_EQ(compiled.status, 0) << compiled.err;
   }
   [[nodiscard]] std::string scene_of_ball(const std::string& lines) const {
@@ -101,6 +104,32 @@ TEST_F(Compiles, PhasesThatReboundsAndTimeEnd) {
   expect_compiles({"--scene", scene_of_ball(begin + "      - {time: 0.3, then: fly}\n" + end)},
                   "s");
   expect_compiles({"--scene", scene_of_ball(begin + "        not_before: 0.1\n" + end)}, "s");
+}
+
+/// Two impacts that differ in their constraints, behind that of coming to rest.
+TEST_F(Compiles, ThreeImpactsOfOnePhase) {
+  expect_compiles(
+      {"--scene",
+       scene_of_ball(
+           "effects:\n  gravity: [0, 0, -9.81]\n  point_constraint:\n    - {name: floor, point: "
+           "ball, along: [z]}\n    - {name: ceiling, point: ball, along: [z]}\nphases:\n  - name: "
+           "fly\n    active: []\n    until:\n      - touch_down: {point: ball}\n        impact: "
+           "{constraints: [floor], restitution: 0.5, rest_below: 0.05}\n        then: fly\n      - "
+           "time: 1.5\n        impact: {constraints: [ceiling]}\n        then: fly\n      - "
+           "touch_down: {point: ball, normal: [0, 0, -1], height: -2}\n        impact: "
+           "{constraints: [ceiling], restitution: 0.5}\n        then: fly\ninitial: {q: {height: "
+           "1}}\nduration: 1\nstepping: {integrator: rk4, step: 0.001}\n")},
+      "s");
+}
+
+TEST_F(Compiles, PhasesThatTimeAloneEnds) {
+  const std::string scene = scene_of_ball(
+      "effects:\n  gravity: [0, 0, -9.81]\nphases:\n  - {name: up, until: [{time: 0.3, then: "
+      "down}]}\n  - {name: down, until: [{time: 0.2, then: up}]}\nduration: 1\nstepping: "
+      "{integrator: rk4, step: 0.001}\n");
+  expect_compiles({"--scene", scene}, "s");
+  EXPECT_THAT(read_file(file("s.cpp")), Not(HasSubstr("[[")));  // attributes are not of C++11
+  expect_compiles({"--scene", scene, "--language", "c99"}, "s");
 }
 
 TEST_F(Compiles, ContactsOfWhatNoJointMoves) {

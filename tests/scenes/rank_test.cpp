@@ -33,6 +33,18 @@ const std::string kCrane = scene("crane",
                                  "    - {joint: slew, acceleration: -0.3*sin(t)}\n"
                                  "    - {joint: pan}\n");
 
+const std::string kTurntable =
+    scene("turntable",
+          "points:\n  - {name: ce, link: coupler, at: [0.5, 0, 0]}\n"
+          "  - {name: re, link: rocker, at: [0.4, 0, 0]}\n"
+          "  - {name: hand, link: a2, at: [0.05, 0, 0.02]}\n"
+          "effects:\n  gravity: [0, 0, -9.81]\n"
+          "  joined_constraint: [{name: loop, point: ce, other: re}]\n"
+          "  point_constraint: [{name: place, point: hand, along: [x, y, z]}]\n"
+          "  orientation_constraint: [{name: turn, point: hand}]\n"
+          "initial: {q: {j_table: 0.3999999999999415, j_crank: 1.669334733522869, j_coupler: "
+          "-1.3187123918215478, j_rocker: 1.955452649925002, j_a0: 0.3, j_a1: 0.3, j_a2: 0.3}}\n");
+
 Measurement called(const SceneCode& code, const CompiledModel::Inputs& inputs) {
   return code.code().measure("constrained_dynamics", inputs);
 }
@@ -69,6 +81,20 @@ TEST_P(InScalar, ACraneIsLedBesideALockedCamera) {
   EXPECT_EQ(led.status, 0);
   EXPECT_NEAR(led.values[0], -0.3 * std::sin(t), rounding());
   EXPECT_NEAR(led.values[1], 0, rounding());
+}
+
+/// The hand is held in six rows by three joints: they say where the loop is asked for its rank.
+TEST_P(InScalar, ALoopBesideAHandThatIsHeldTurnsOn) {
+  const SceneCode held = code(kTurntable);
+  const std::vector<double> q = {
+      0.3999999999999415, 1.669334733522869, -1.3187123918215478, 1.955452649925002, 0.3, 0.3, 0.3};
+  const std::vector<double> qd = {
+      1, 0.20215144454861966, -0.2249859567279937, 0.09793791409053748, 0, 0, 0};
+  std::vector<double> drifted = q;
+  drifted[3] += 1e-6;
+  const double exact = called(held, {q, qd, std::vector<double>(7)}).values[0];
+  EXPECT_GT(std::abs(exact), 0.1);
+  EXPECT_NEAR(called(held, {drifted, qd, std::vector<double>(7)}).values[0], exact, 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rank, InScalar, ::testing::Values("double", "float"),

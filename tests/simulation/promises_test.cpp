@@ -220,6 +220,17 @@ TEST(Guards, ThatAreNotANumberEndTheMotionWhereTheyCeaseToBe) {
   EXPECT_LE(recording.rows.back().t, 0.25);
 }
 
+/// sqrt(0.01 - d) deeper than 10 mm; no force had been taken there.
+TEST(Contacts, WhoseLawIsNotANumberEndTheMotion) {
+  Running run(
+      falling_ball("effects:\n  gravity: [0, 0, -9.81]\n  ground_contact: [{point: ball, "
+                   "law: \"1000*sqrt(0.01-d)\"}]\ninitial: {q: {height: 0.1}}\nduration: "
+                   "0.4\nstepping: {integrator: rk4, step: 0.001}\n"));
+  const Recording recording = run.record(0.05);
+  EXPECT_NE(recording.stopped.find("the motion is not finite"), std::string::npos)
+      << recording.stopped;
+}
+
 TEST(Guards, AreNotAskedBeforeTheirTime) {
   Running run(falling_ball(guarded("2 + sqrt(t - 1/4)", ", not_before: 0.3")));
   EXPECT_EQ(run.record(0.01).stopped, "");
