@@ -296,6 +296,9 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
   int at = 0;
   for (std::string line; std::getline(text, line);) {
     ++at;
+    if (at == 1 && line.starts_with("\xEF\xBB\xBF")) {  // a byte order mark
+      line.erase(0, 3);
+    }
     const auto refuse = [&](const std::string& what) {
       throw InputError({file, at, 0}, "settings: " + what);
     };
@@ -306,9 +309,11 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
                            shown(line)));
       }
       const CLI::Option* const option = command.get_option_no_throw("--" + item.name);
-      if (option == nullptr || item.name == "settings") {
-        refuse(fmt::format("--{} is no option of {} that may stand here", shown(item.name),
-                           command.get_name()));
+      if (option == nullptr || item.name == "settings" || item.name == "help") {
+        refuse(
+            fmt::format("--{0} is no option of {1} that may stand here; expected one of "
+                        "treedyn {1} --help",
+                        shown(item.name), command.get_name()));
       }
       if (is_given(*option, result)) {
         refuse(fmt::format("--{} stands here twice; expected it once", item.name));

@@ -52,6 +52,10 @@ std::string arrays_json(const std::vector<program::Array>& arrays) {
     std::vector<std::pair<std::string, std::string>> fields = {{"name", json_string(array.name)},
                                                                {"size", std::to_string(array.size)},
                                                                {"unit", json_string(array.unit)}};
+    if (array.rows > 0) {
+      fields.emplace_back("rows", std::to_string(array.rows));
+      fields.emplace_back("columns", std::to_string(array.columns));
+    }
     if (!array.type.empty()) {
       fields.emplace_back("type", json_string(array.type));
     }

@@ -20,6 +20,8 @@ struct Array {
   std::vector<std::string> fields = {};  ///< of the struct; empty: one array `value`
   std::string number = {};               ///< type of an element; empty: Scalar
   int lane = -1;                         ///< elements are vectors, of which this lane; -1: numbers
+  int rows = 0;  ///< of a matrix of a user, as it is when dense; 0: not said
+  int columns = 0;
 };
 
 /// What the header, the manifest and `treedyn list` say of a function.

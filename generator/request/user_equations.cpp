@@ -217,6 +217,8 @@ program::Signature signature_of(const formulate::Derived& function, int dof, int
   }
   const auto [rows, columns] = size_of(function, dof, points);
   signature.outputs = {array("value", rows * columns, equation.unit)};
+  signature.outputs.front().rows = rows;
+  signature.outputs.front().columns = columns;
   return signature;
 }
 
