@@ -169,9 +169,9 @@ std::string derivation_text(const Model& model, const Request& request, const st
   const bool is_own = own != model.equations.end();
   const block::Expression& e = is_own ? (*own)->equation.expression : *ours->expression;
   const bool of_rate = is_own && is_rate(**own);
-  std::string result = equation_text(name, e, is_own ? nullptr : ours) +
-                       (of_rate ? "\nof X in dot(X)" + words_text(*(*own)->equation.rate_of)
-                                : words_text(e));
+  std::string result =
+      equation_text(name, e, is_own ? nullptr : ours) +
+      (of_rate ? "\nof X in dot(X)" + words_text(*(*own)->equation.rate_of) : words_text(e));
   const bool is_solved = !is_own && !ours->unknown.empty();
   const bool by_trunk = is_solved && formulate::recipe_of(name).freedom.articulated &&
                         formulate::has_trunk(model.tree);
