@@ -1,7 +1,10 @@
 #include "derive/rate.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <set>
+#include <string>
 
 #include "derive/columns.hpp"
 #include "equations/symbols.hpp"
@@ -72,6 +75,16 @@ class Rates {
     }
   }
 
+  /// Sums of what is symmetric in every link.
+  [[nodiscard]] bool is_symmetric(int S) const {
+    const Value& v = values_[S];
+    const bool of_symmetric = v.op == Op::kSubtree || v.op == Op::kScale || v.op == Op::kLinear;
+    return v.type == Type::kScalar || v.op == Op::kComposite || v.name == "I^d" ||
+           v.name == "J_c^d" ||
+           (of_symmetric &&
+            std::ranges::all_of(v.operands, [this](int x) { return is_symmetric(x); }));
+  }
+
   /// w×x, or Λ(w) S - S Λ(w) of a symmetric S.
   int turning(int x) {
     const Value v = values_[x];
@@ -83,6 +96,9 @@ class Rates {
       case Type::kTensor:
         break;
     }
+    if (!is_symmetric(x)) {
+      throw NoRate{};
+    }
     return values_.intern({Op::kLever, v.set, v.type, {}, 0, {w_, x, x}, {}});
   }
 
@@ -90,14 +106,17 @@ class Rates {
     return algebra_.linear({{kPlus, from_link}, {kPlus, turning(x)}});
   }
 
-  /// s rests in the frame of the father but for the slide; the others in that of the link.
+  /// s rests in the frame of the father but for the slide (l = 0: F1); the others in that of the
+  /// link.
   int of_leaf(int x, const Value& v, Seen seen) {
     if (v.name == "s^d") {
       return seen == Seen::kFromFather
                  ? slide_
                  : algebra_.linear({{kPlus, slide_}, {kMinus, algebra_.cross(w_, x)}});
     }
-    if (v.name == "q̇" || v.name == "q̈" || v.name == "g") {
+    static const std::set<std::string> kConstant = {"m^d", "h^d",   "c^d", "I^d",
+                                                    "z^d", "J_c^d", "σ",   "E-σ"};
+    if (!kConstant.contains(v.name)) {
       throw NoRate{};
     }
     const int zero = algebra_.zero(v.set, v.type);
@@ -181,6 +200,9 @@ class Rates {
 }  // namespace
 
 std::optional<Derivation> rate(const Derivation& derivation) {
+  if (derivation.values.choices().keeps_joints) {  // slides are in l or in the sons' s
+    return std::nullopt;
+  }
   Derivation result = derivation;
   Rates rates(result.values);
   result.values.note(Rule::kValueRates);

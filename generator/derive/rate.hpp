@@ -7,8 +7,9 @@
 
 namespace treedyn::derive {
 
-/// The rate along q̇ of what is derived, its own values beside their rates. Nothing if it is made of
-/// others than constants of links, sums over subtrees and products.
+/// The rate along q̇ of what is derived, its own values beside their rates. Nothing if places of
+/// joints are asked for, or if it is made of others than constants of links, sums over subtrees and
+/// products.
 std::optional<Derivation> rate(const Derivation& derivation);
 
 }  // namespace treedyn::derive

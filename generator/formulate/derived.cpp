@@ -174,14 +174,13 @@ Recipe recipe_for(const std::shared_ptr<const Derived>& function) {
 /// The rate of a matrix that derives to composites; nothing for others.
 std::optional<Derived> rate_of_symmetric(const equations::UserEquation& equation) {
   const block::Expression& matrix = *equation.rate_of;
-  const bool keeps_joints = derive::refers_to_places(matrix);
-  const derive::Derivation derivation = derive::derive(matrix, false, keeps_joints);
+  const derive::Derivation derivation =
+      derive::derive(matrix, false, derive::refers_to_places(matrix));
   std::optional<derive::Derivation> rate;
   if (derivation.symmetric) {
     rate = derive::rate(derivation);
   }
-  return rate ? std::optional(Derived{equation, *std::move(rate), std::nullopt, keeps_joints})
-              : std::nullopt;
+  return rate ? std::optional(Derived{equation, *std::move(rate), std::nullopt}) : std::nullopt;
 }
 
 }  // namespace

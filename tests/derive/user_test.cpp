@@ -120,6 +120,16 @@ INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                                          "dot(dot(r))", "dot(m_d) * qd", "dot(qd_d) * qd",
                                          "dot(R(link2))", "dot(B)"));
 
+INSTANTIATE_TEST_SUITE_P(RatesOfSymmetricMatrices, Derived,
+                         testing::Values("dot(diagb(qd) * A * diagb(qd))", "dot(T(l_d) * l_d)",
+                                         "dot(T(s_d) * s_d)", "dot(T(s_d + l_d) * (s_d + l_d))",
+                                         "dot(T(s_d * D) * m_d * s_d * D)",
+                                         "dot(sigma * A * sigma)", "dot(T(J_v) * m_d * J_v)",
+                                         "dot(T(J_w) * J_d * J_w)", "dot(T(D) * m_d * D)",
+                                         "dot(T(z_d) * J_d * z_d)",
+                                         "dot(T(J_v - J_v * sigma) * m_d * J_v * (E - sigma))",
+                                         "dot(3 * A)", "dot(-A)", "dot(dot(A))"));
+
 TEST(Rates, OfTheMassMatrixTakeItsComposites) {
   const TreeShape chain = {{-1, 0, 1, 2, 3, 4, 5, 6}, "RRRRRRRR"};
   UserRobot robot(chain);
