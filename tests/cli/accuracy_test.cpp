@@ -619,6 +619,7 @@ TEST_F(Accuracy, WritesSettingsThatGenerateTakes) {
   EXPECT_THAT(read_file(file("pendulum.cpp")), HasSubstr("constexpr float h = 0.05f"));
   for (const auto& [line, what] :
        {std::pair("stepp = 0.02", "--stepp is no option of generate that may stand here"),
+        std::pair("help = true", "--help is no option of generate that may stand here"),
         std::pair("foo", "'foo' is not usable; expected a line like scalar = \"float\""),
         std::pair("[x]", "'[x]' is not usable"),
         std::pair("step = 0.03", "--step stands here twice; expected it once")}) {

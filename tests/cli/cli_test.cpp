@@ -204,7 +204,7 @@ TEST_F(Cli, OverwritesNothingThatItReads) {
 }
 
 TEST_F(Cli, DependsOnItsSettingsAndNamesTheirLines) {
-  write_file(scratch("s.txt"), "scalar = float\neffort = 0\n");
+  write_file(scratch("s.txt"), "\xEF\xBB\xBFscalar = float\neffort = 0\n");
   ASSERT_EQ(treedyn({"generate", kModel, "-o", out(), "--settings=" + scratch("s.txt"), "--depfile",
                      scratch("d.d")})
                 .status,

@@ -27,7 +27,8 @@ TEST_F(Cli, GeneratesEquationsOfItsUser) {
   EXPECT_THAT(header, HasSubstr("void mass_matrix("));  // beside the default functions
   arguments[0] = "check";
   EXPECT_EQ(treedyn(arguments).status, 0);
-  EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"unit\": \"kg m/s\""));
+  EXPECT_THAT(read_file(file("two_link.json")),
+              HasSubstr("\"unit\": \"kg m/s\", \"rows\": 3, \"columns\": 1"));
 }
 
 /// A pendulum of 2 kg on a rod of 0.5 m about z: p = m l qd (-sin q, cos q, 0).

@@ -19,12 +19,15 @@ target_link_libraries(consumer PRIVATE arm)
 enable_testing()
 treedyn_generate(swing SCENE swing.yaml NAME swing OPTIONS --effort 0 CONTRACTION off)
 target_link_libraries(consumer PRIVATE swing)
-treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --language c99 --functions mass_matrix --effort 0 CONTRACTION on)
+treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --language c99 --equations own.yaml --settings=own.txt
+                 --functions mass_matrix,own CONTRACTION on)
 target_link_libraries(consumer PRIVATE in_c)
 treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_BINARY_DIR}/swing OPTIONS --effort 0)
 treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
               OPTIONS --scalar float --functions gravity_force)
 ]])
+file(WRITE ${scratch}/project/own.yaml "equations: [{name: own, value: T(ones) * m_d * ones}]\n")
+file(WRITE ${scratch}/project/own.txt "effort = 0\n")
 file(WRITE ${scratch}/project/main.cpp [[
 #include "in_c.h"
 #include "swing.hpp"
