@@ -20,8 +20,8 @@ class Columns {
   /// The same for a wide x; nothing if some block would be neither of a kind nor one row.
   std::optional<int> wide(const block::Expression& e, bool transposed, int x);
   /// x^T e c for a wide x and a column c: rows come from the left as far as their blocks have a
-  /// kind, columns from the right.
-  int meet(const block::Expression& e, int x, int c);
+  /// kind, columns from the right; nothing if they do not meet.
+  std::optional<int> meet(const block::Expression& e, int x, int c);
   /// The column e.
   int column(const block::Expression& e) { return narrow(e, Set::kOne); }
   Algebra& algebra() { return algebra_; }
@@ -48,6 +48,7 @@ class Columns {
   int wide_skew(const block::Expression& Y, bool transposed, int x);
   int multiple_of_identity(int x);
   int apply_narrow(const block::Expression& e, int x);
+  int met(const block::Expression& e, int x, int c);
   int contract(int x, int c);
   int contract_skew(int r, int c);
   void require_narrow() const;

@@ -37,20 +37,28 @@ int Columns::apply_narrow(const Expression& e, int x) {
 
 int Columns::narrow(const Expression& e, Set ones) { return apply_narrow(e, algebra_.ones(ones)); }
 
-int Columns::meet(const Expression& e, int x, int c) {
+std::optional<int> Columns::meet(const Expression& e, int x, int c) {
+  try {
+    return met(e, x, c);
+  } catch (const NoKind&) {
+    return std::nullopt;
+  }
+}
+
+int Columns::met(const Expression& e, int x, int c) {
   if (const std::optional<int> rows = wide(e, true, x)) {
     return contract(*rows, c);
   }
   std::vector<Expression> factors = e.operands();
   switch (e.kind()) {
     case block::Kind::kNamed:
-      return meet(factors.front(), x, c);
+      return met(factors.front(), x, c);
     case block::Kind::kScaled:
-      return algebra_.linear({{e.node().factor, meet(factors.front(), x, c)}});
+      return algebra_.linear({{e.node().factor, met(factors.front(), x, c)}});
     case block::Kind::kSum: {
       Terms terms;
       for (const Expression& term : factors) {
-        terms.emplace_back(Ratio{}, meet(term, x, c));
+        terms.emplace_back(Ratio{}, met(term, x, c));
       }
       return algebra_.linear(terms);
     }
@@ -68,7 +76,7 @@ int Columns::meet(const Expression& e, int x, int c) {
         c = apply_narrow(factors.back(), c);
         factors.pop_back();
       }
-      return meet(*first, x, c);
+      return met(*first, x, c);
     }
     default:
       algebra_.note(Rule::kMeet);

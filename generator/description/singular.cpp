@@ -354,8 +354,10 @@ std::vector<Warning> joints_without_inertia(const model::Tree& tree,
                                             const std::vector<Real>& armature) {
   std::vector<Warning> result;
   for (const Movement& movement : free_movements(tree, armature)) {
-    result.push_back({tree.links[movement.front()].joint.where,
-                      description_of(tree, movement) + "; forward dynamics has no solution"});
+    result.push_back(
+        {tree.links[movement.front()].joint.where,
+         fmt::format("{}{}; forward dynamics has no solution", description_of(tree, movement),
+                     tree.parameters.empty() ? "" : ", with its nominal values")});
   }
   return result;
 }

@@ -15,7 +15,9 @@ namespace treedyn::emit {
 
 namespace {
 
-constexpr std::size_t kLongestMeaning = 90;
+/// Of all fields: none may have its name.
+constexpr std::string_view kTheirType = "Scalar";
+constexpr std::size_t kLongestMeaning = 1000;
 /// With `p.` in front two of them fit into a statement.
 constexpr std::size_t kLongestField = 25;
 
@@ -72,7 +74,7 @@ std::string nominal_values(const Unit& unit) {
 std::vector<std::string> field_names(const model::Tree& tree) {
   std::vector<std::string> identifiers;
   for (const model::Parameter& parameter : tree.parameters) {
-    identifiers.push_back(parameter.identifier);
+    identifiers.push_back(parameter.identifier + (parameter.identifier == kTheirType ? "_" : ""));
   }
   return shortened(identifiers, kLongestField);
 }

@@ -248,7 +248,7 @@ int Lowering::home(Set set, int e) const {
   if (frames_.in_base() || set == Set::kOne) {
     return kBase;
   }
-  if (trunk_ && set == Set::kLinks && e < kTrunkLink) {
+  if (trunk_ && set == Set::kLinks && e != kBase && e < kTrunkLink) {
     return task_.kinematics.link(e).revolute ? kTrunkLink : kBase;
   }
   return set == Set::kLinks ? e : task_.options.points[to_index(e)].link;

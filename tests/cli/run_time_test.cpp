@@ -16,34 +16,35 @@ const std::string kWarnings =
     "-Wunused -ffp-contract=off -O1";
 
 /// A number of the model and what it is at run time.
-struct Change {
+struct ParameterChange {
   std::string from;   ///< in the model or scene
   std::string to;     ///< in that which other code is generated from
   std::string field;  ///< of Parameters; "": none
   std::string value;
 };
 
-struct Robot {
+struct RunTimeRobot {
   std::string name;
   const char* model;
   std::string runtime;
-  std::vector<Change> changes;
+  std::vector<ParameterChange> changes;
   std::vector<std::string> options;
   double epsilon;
   std::vector<std::string> others = {};  ///< options of the changed model alone
   std::string scene = {};                ///< of tests/data/run_time
-  std::vector<Change> declared = {};     ///< in the model whose numbers are known at run time only
+  std::vector<ParameterChange> declared =
+      {};  ///< in the model whose numbers are known at run time only
 };
 
 /// In the names of tests.
-void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.name; }
+void PrintTo(const RunTimeRobot& robot, std::ostream* out) { *out << robot.name; }
 
 /// The texts of a model and its scene.
 struct Texts {
   std::string model;
   std::string scene;
 
-  void apply(const Change& change) {
+  void apply(const ParameterChange& change) {
     std::string& text = scene.find(change.from) != std::string::npos ? scene : model;
     const std::size_t at = text.find(change.from);
     EXPECT_NE(at, std::string::npos) << change.from;
@@ -158,20 +159,20 @@ std::string motion(const FunctionInfo& step, const std::string& space, const std
                     count, space, arguments, next);
 }
 
-class RunTime : public Cli, public testing::WithParamInterface<Robot> {
+class RunTime : public Cli, public testing::WithParamInterface<RunTimeRobot> {
  protected:
   void SetUp() override {
-    const Robot& robot = GetParam();
+    const RunTimeRobot& robot = GetParam();
     Texts texts{read_file(fmt::format("{}/models/{}", TREEDYN_SOURCE_DIR, robot.model)), ""};
     if (!robot.scene.empty()) {
       texts.scene =
           read_file(fmt::format("{}/tests/data/run_time/{}", TREEDYN_SOURCE_DIR, robot.scene));
     }
     Texts nominal = texts;
-    for (const Change& change : robot.declared) {
+    for (const ParameterChange& change : robot.declared) {
       nominal.apply(change);
     }
-    for (const Change& change : robot.changes) {
+    for (const ParameterChange& change : robot.changes) {
       texts.apply(change);
     }
     write("nominal", nominal);
@@ -225,7 +226,7 @@ class RunTime : public Cli, public testing::WithParamInterface<Robot> {
 
   static std::string changed_fields(const std::string& object) {
     std::string set;
-    for (const Change& change : GetParam().changes) {
+    for (const ParameterChange& change : GetParam().changes) {
       set += change.field.empty() ? ""
                                   : fmt::format("  {}.{} = static_cast<Scalar>({});\n", object,
                                                 change.field, change.value);
@@ -310,7 +311,7 @@ const std::string kFunctions =
     "mass_matrix,bias_force,gravity_force,inverse_dynamics,forward_dynamics,kinetic_energy,"
     "potential_energy,mass_matrix_factor,mass_matrix_solve,mass_matrix_inverse,dynamics_terms,"
     "joint_to_com_vectors";
-const std::vector<Change> kOfPuma = {
+const std::vector<ParameterChange> kOfPuma = {
     {"mass: 4.8", "mass: 6.3125", "link3_mass", "6.3125"},
     {"com: [0, -0.070, 0.014]", "com: [0.03, 0.05, -0.02]", "link3_com_x", "0.03"},
     {"[0.03, 0.05", "[0.03, 0.05", "link3_com_y", "0.05"},
@@ -323,7 +324,7 @@ const std::vector<Change> kOfPuma = {
     {"-2e-5, 0.4e-3", "-2e-5, 0.4e-3", "link6_inertia_yy", "0.4e-3"},
     {"0.4e-3, 3e-5", "0.4e-3, 3e-5", "link6_inertia_yz", "3e-5"},
     {"3e-5, 0.5e-3", "3e-5, 0.5e-3", "link6_inertia_zz", "0.5e-3"}};
-const std::vector<Change> kOfBiped = {
+const std::vector<ParameterChange> kOfBiped = {
     {"com: [0.502*foot, 0.034*foot, 0.01 - 0.199*foot]", "com: [0.04, -0.01, -0.03]",
      "left_foot_com_x", "0.04"},
     {"[0.04, -0.01", "[0.04, -0.01", "left_foot_com_y", "-0.01"},
@@ -337,95 +338,95 @@ const std::vector<Change> kOfBiped = {
     {"0.003, 0.04", "0.003, 0.04", "left_foot_inertia_zz", "0.04"}};
 const std::string kRuntimeOfPuma = "link3.mass,link3.com,link6.mass,link6.inertia";
 
-const Robot kPuma = {
+const RunTimeRobot kPuma = {
     "Puma", "puma560.yaml", kRuntimeOfPuma, kOfPuma, {"--effort", "20", "--functions", kFunctions},
     2.3e-16};
 /// The same robot and changes with other options.
-Robot with_options(Robot robot, std::string name, std::vector<std::string> options,
-                   double epsilon) {
+RunTimeRobot with_options(RunTimeRobot robot, std::string name, std::vector<std::string> options,
+                          double epsilon) {
   robot.name = std::move(name);
   robot.options = std::move(options);
   robot.epsilon = epsilon;
   return robot;
 }
 
-const Robot kPlainPuma =
+const RunTimeRobot kPlainPuma =
     with_options(kPuma, "PumaPlain",
                  {"--effort", "0", "--functions", kFunctions, "--layout", "packed"}, 2.3e-16);
-const Robot kPumaByMasses = with_options(
+const RunTimeRobot kPumaByMasses = with_options(
     kPuma, "PumaDividesByMasses",
     {"--effort", "0", "--equations", TREEDYN_SOURCE_DIR "/models/equations/centre_of_mass.yaml",
      "--functions", "centre_of_mass,centre_of_mass_jacobian,centre_of_mass_bias"},
     2.3e-16);
-const Robot kPumaInFloat = with_options(kPuma, "PumaInFloat",
-                                        {"--effort", "0", "--scalar", "float", "--functions",
-                                         "mass_matrix,inverse_dynamics,gravity_force"},
-                                        1.2e-7);
-const Robot kFreeBiped = {"FreeBiped",
-                          "biped.yaml",
-                          "left_foot.com,left_foot.inertia",
-                          kOfBiped,
-                          {"--effort", "0", "--base", "axes", "--functions",
-                           "mass_matrix,inverse_dynamics,forward_dynamics"},
-                          2.3e-16};
-const Robot kPolar = {"Polar",
-                      "polar.yaml",
-                      "boom.mass,boom.com",
-                      {{"mass: m3", "mass: 5.5", "boom_mass", "5.5"},
-                       {"com: [0, 0, -c3]", "com: [0.01, 0.02, -0.4]", "boom_com_x", "0.01"},
-                       {"[0.01, 0.02", "[0.01, 0.02", "boom_com_y", "0.02"},
-                       {"0.02, -0.4]", "0.02, -0.4]", "boom_com_z", "-0.4"}},
-                      {"--effort", "20"},
-                      2.3e-16};
+const RunTimeRobot kPumaInFloat = with_options(kPuma, "PumaInFloat",
+                                               {"--effort", "0", "--scalar", "float", "--functions",
+                                                "mass_matrix,inverse_dynamics,gravity_force"},
+                                               1.2e-7);
+const RunTimeRobot kFreeBiped = {"FreeBiped",
+                                 "biped.yaml",
+                                 "left_foot.com,left_foot.inertia",
+                                 kOfBiped,
+                                 {"--effort", "0", "--base", "axes", "--functions",
+                                  "mass_matrix,inverse_dynamics,forward_dynamics"},
+                                 2.3e-16};
+const RunTimeRobot kPolar = {"Polar",
+                             "polar.yaml",
+                             "boom.mass,boom.com",
+                             {{"mass: m3", "mass: 5.5", "boom_mass", "5.5"},
+                              {"com: [0, 0, -c3]", "com: [0.01, 0.02, -0.4]", "boom_com_x", "0.01"},
+                              {"[0.01, 0.02", "[0.01, 0.02", "boom_com_y", "0.02"},
+                              {"0.02, -0.4]", "0.02, -0.4]", "boom_com_z", "-0.4"}},
+                             {"--effort", "20"},
+                             2.3e-16};
 /// A robot on a slope, with a load.
-const Robot kTilted = {"Tilted",
-                       "puma560.yaml",
-                       "gravity,link6.mass",
-                       {{"name: puma560", "name: puma560", "gravity_x", "1.5"},
-                        {"name: puma560", "name: puma560", "gravity_y", "-2.25"},
-                        {"name: puma560", "name: puma560", "gravity_z", "-9.0"},
-                        {"mass: 0.09\n", "mass: 0.5\n", "link6_mass", "0.5"}},
-                       {"--effort", "20", "--functions",
-                        "gravity_force,inverse_dynamics,forward_dynamics,potential_energy"},
-                       2.3e-16,
-                       {"--gravity", "1.5,-2.25,-9"}};
-const Robot kTiltedPolar = {"TiltedPolar",
-                            "polar.yaml",
-                            "gravity",
-                            {{"name: polar", "name: polar", "gravity_x", "1.5"},
-                             {"name: polar", "name: polar", "gravity_y", "-2.25"},
-                             {"name: polar", "name: polar", "gravity_z", "0"}},
-                            {"--effort", "0", "--layout", "packed"},
-                            2.3e-16,
-                            {"--gravity", "1.5,-2.25,0"}};
-const Robot kTiltedBiped = {"TiltedBiped",
-                            "biped.yaml",
-                            "gravity",
-                            {{"name: biped", "name: biped", "gravity_x", "1.5"},
-                             {"name: biped", "name: biped", "gravity_y", "-2.25"}},
-                            {"--effort", "0", "--base", "axes", "--functions",
-                             "inverse_dynamics,forward_dynamics,gravity_force"},
-                            2.3e-16,
-                            {"--gravity", "1.5,-2.25,-9.81"}};
+const RunTimeRobot kTilted = {"Tilted",
+                              "puma560.yaml",
+                              "gravity,link6.mass",
+                              {{"name: puma560", "name: puma560", "gravity_x", "1.5"},
+                               {"name: puma560", "name: puma560", "gravity_y", "-2.25"},
+                               {"name: puma560", "name: puma560", "gravity_z", "-9.0"},
+                               {"mass: 0.09\n", "mass: 0.5\n", "link6_mass", "0.5"}},
+                              {"--effort", "20", "--functions",
+                               "gravity_force,inverse_dynamics,forward_dynamics,potential_energy"},
+                              2.3e-16,
+                              {"--gravity", "1.5,-2.25,-9"}};
+const RunTimeRobot kTiltedPolar = {"TiltedPolar",
+                                   "polar.yaml",
+                                   "gravity",
+                                   {{"name: polar", "name: polar", "gravity_x", "1.5"},
+                                    {"name: polar", "name: polar", "gravity_y", "-2.25"},
+                                    {"name: polar", "name: polar", "gravity_z", "0"}},
+                                   {"--effort", "0", "--layout", "packed"},
+                                   2.3e-16,
+                                   {"--gravity", "1.5,-2.25,0"}};
+const RunTimeRobot kTiltedBiped = {"TiltedBiped",
+                                   "biped.yaml",
+                                   "gravity",
+                                   {{"name: biped", "name: biped", "gravity_x", "1.5"},
+                                    {"name: biped", "name: biped", "gravity_y", "-2.25"}},
+                                   {"--effort", "0", "--base", "axes", "--functions",
+                                    "inverse_dynamics,forward_dynamics,gravity_force"},
+                                   2.3e-16,
+                                   {"--gravity", "1.5,-2.25,-9.81"}};
 
 /// Lengths: joint 3 of the PUMA turns about an axis parallel to that of joint 2.
-const std::vector<Change> kLengthsOfPuma = {
+const std::vector<ParameterChange> kLengthsOfPuma = {
     {"offset: [0.4318, 0, -0.0934]", "offset: [0.5, 0.02, -0.1]", "link3_offset_x", "0.5"},
     {"[0.5, 0.02", "[0.5, 0.02", "link3_offset_y", "0.02"},
     {"0.02, -0.1]", "0.02, -0.1]", "link3_offset_z", "-0.1"},
     {"offset: [-0.0203, -0.4331, 0]", "offset: [-0.0203, -0.4, 0]", "link4_offset_y", "-0.4"},
     {"com: [0, -0.070, 0.014]", "com: [0, 0.05, 0.014]", "link3_com_y", "0.05"}};
 const std::string kRuntimeLengthsOfPuma = "link3.offset,link4.offset.y,link3.com.y";
-const Robot kLongerPuma = {"LongerPuma",
-                           "puma560.yaml",
-                           kRuntimeLengthsOfPuma,
-                           kLengthsOfPuma,
-                           {"--effort", "20", "--functions", kFunctions},
-                           2.3e-16};
-const Robot kLongerPlainPuma = with_options(kLongerPuma, "LongerPumaPlain",
-                                            {"--effort", "0", "--functions", kFunctions}, 2.3e-16);
+const RunTimeRobot kLongerPuma = {"LongerPuma",
+                                  "puma560.yaml",
+                                  kRuntimeLengthsOfPuma,
+                                  kLengthsOfPuma,
+                                  {"--effort", "20", "--functions", kFunctions},
+                                  2.3e-16};
+const RunTimeRobot kLongerPlainPuma = with_options(
+    kLongerPuma, "LongerPumaPlain", {"--effort", "0", "--functions", kFunctions}, 2.3e-16);
 /// A tool, and a forearm that another one has taken the place of.
-const Robot kOtherTool = {
+const RunTimeRobot kOtherTool = {
     "OtherTool",
     "two_link.yaml",
     "tip.at,forearm.offset.x,forearm.mass",
@@ -435,7 +436,7 @@ const Robot kOtherTool = {
      {"offset: [a1, 0, 0]", "offset: [0.9, 0, 0]", "forearm_offset_x", "0.9"}},
     {"--effort", "20"},
     2.3e-16};
-const Robot kLongerPolar = {
+const RunTimeRobot kLongerPolar = {
     "LongerPolar",
     "polar.yaml",
     "boom.offset",
@@ -444,7 +445,7 @@ const Robot kLongerPolar = {
      {"0.3, -0.1]", "0.3, -0.1]", "boom_offset_z", "-0.1"}},
     {"--effort", "0", "--layout", "packed"},
     2.3e-16};
-const Robot kWiderBiped = {
+const RunTimeRobot kWiderBiped = {
     "WiderBiped",
     "biped.yaml",
     "left_hip_block.offset.y,left_toe.at.x",
@@ -457,48 +458,49 @@ const Robot kWiderBiped = {
      "mass_matrix,inverse_dynamics,forward_dynamics,point_positions,force_jacobian_transpose"},
     2.3e-16};
 
-Change of_parameter(const std::string& name, const std::string& from, const std::string& to) {
+ParameterChange of_parameter(const std::string& name, const std::string& from,
+                             const std::string& to) {
   return {name + ": " + from, name + ": " + to, name, to};
 }
 
-const Change kNothingAtRunTime = {
+const ParameterChange kNothingAtRunTime = {
     "runtime: [g, slope, kp, kd, target, amplitude, omega, viscous, dry, creep, rotor, k, damping, "
     "rest, anchor_x, push, height,\n  ground, loss, mu, slip]\n",
     "", "", ""};
-const Robot kEveryNumber = {"EveryNumber",
-                            "two_link.yaml",
-                            "",
-                            {kNothingAtRunTime,
-                             of_parameter("g", "9.81", "3.7"),
-                             of_parameter("slope", "0.05", "-0.4"),
-                             of_parameter("kp", "120", "200"),
-                             of_parameter("kd", "8", "2.5"),
-                             of_parameter("target", "0.4", "-0.7"),
-                             of_parameter("amplitude", "0.3", "0.9"),
-                             of_parameter("omega", "2", "5"),
-                             of_parameter("viscous", "1.5", "0.5"),
-                             of_parameter("dry", "2.5", "4"),
-                             of_parameter("creep", "0.1", "0.3"),
-                             of_parameter("rotor", "0.75", "0.25"),
-                             of_parameter("k", "90", "35"),
-                             of_parameter("damping", "4", "7.5"),
-                             of_parameter("rest", "0.2", "-0.1"),
-                             of_parameter("anchor_x", "0.5", "-0.8"),
-                             of_parameter("push", "6", "13"),
-                             of_parameter("height", "-0.25", "0.3"),
-                             of_parameter("ground", "5000", "900"),
-                             of_parameter("loss", "0.5", "0.2"),
-                             of_parameter("mu", "0.6", "0.9"),
-                             of_parameter("slip", "0.05", "0.2")},
-                            {"--effort", "20"},
-                            2.3e-16,
-                            {},
-                            "every_number.yaml"};
-const Robot kEveryPlainNumber =
+const RunTimeRobot kEveryNumber = {"EveryNumber",
+                                   "two_link.yaml",
+                                   "",
+                                   {kNothingAtRunTime,
+                                    of_parameter("g", "9.81", "3.7"),
+                                    of_parameter("slope", "0.05", "-0.4"),
+                                    of_parameter("kp", "120", "200"),
+                                    of_parameter("kd", "8", "2.5"),
+                                    of_parameter("target", "0.4", "-0.7"),
+                                    of_parameter("amplitude", "0.3", "0.9"),
+                                    of_parameter("omega", "2", "5"),
+                                    of_parameter("viscous", "1.5", "0.5"),
+                                    of_parameter("dry", "2.5", "4"),
+                                    of_parameter("creep", "0.1", "0.3"),
+                                    of_parameter("rotor", "0.75", "0.25"),
+                                    of_parameter("k", "90", "35"),
+                                    of_parameter("damping", "4", "7.5"),
+                                    of_parameter("rest", "0.2", "-0.1"),
+                                    of_parameter("anchor_x", "0.5", "-0.8"),
+                                    of_parameter("push", "6", "13"),
+                                    of_parameter("height", "-0.25", "0.3"),
+                                    of_parameter("ground", "5000", "900"),
+                                    of_parameter("loss", "0.5", "0.2"),
+                                    of_parameter("mu", "0.6", "0.9"),
+                                    of_parameter("slip", "0.05", "0.2")},
+                                   {"--effort", "20"},
+                                   2.3e-16,
+                                   {},
+                                   "every_number.yaml"};
+const RunTimeRobot kEveryPlainNumber =
     with_options(kEveryNumber, "EveryPlainNumber", {"--effort", "0"}, 2.3e-16);
-const Robot kEveryNumberInFloat =
+const RunTimeRobot kEveryNumberInFloat =
     with_options(kEveryNumber, "EveryNumberInFloat", {"--scalar", "float"}, 1.2e-7);
-const Robot kLed = {
+const RunTimeRobot kLed = {
     "Led",
     "polar.yaml",
     "",
@@ -525,20 +527,20 @@ const Robot kLed = {
     {{"    com: [0, 0, -c3]\n", "    com: [0, 0, -c3]\n    runtime: [mass, com, offset]\n", "", ""},
      {"link: boom}", "link: boom, runtime: [at]}", "", ""}}};
 
-const Robot kBounce = {"Bounce",
-                       "scenes/drop.model.yaml",
-                       "",
-                       {{"runtime: [floor, g, pull, low]\n", "", "", ""},
-                        of_parameter("floor", "0.1", "0.25"),
-                        of_parameter("g", "9.81", "3.7"),
-                        of_parameter("pull", "1", "0.5"),
-                        of_parameter("low", "-1.2", "-1.1")},
-                       {},
-                       2.3e-16,
-                       {},
-                       "bounce.yaml"};
+const RunTimeRobot kBounce = {"Bounce",
+                              "scenes/drop.model.yaml",
+                              "",
+                              {{"runtime: [floor, g, pull, low]\n", "", "", ""},
+                               of_parameter("floor", "0.1", "0.25"),
+                               of_parameter("g", "9.81", "3.7"),
+                               of_parameter("pull", "1", "0.5"),
+                               of_parameter("low", "-1.2", "-1.1")},
+                              {},
+                              2.3e-16,
+                              {},
+                              "bounce.yaml"};
 
-std::string name_of(const testing::TestParamInfo<Robot>& of) { return of.param.name; }
+std::string name_of(const testing::TestParamInfo<RunTimeRobot>& of) { return of.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RunTime,
                          testing::Values(kPuma, kPlainPuma, kPumaByMasses, kPumaInFloat, kFreeBiped,
@@ -683,6 +685,29 @@ TEST_F(RunTimeCli, SaysWhatEachCosts) {
   EXPECT_THAT(outcome.out, HasSubstr("price of every run-time parameter"));
   EXPECT_THAT(outcome.out, HasSubstr("  forearm.com   "));
   EXPECT_THAT(outcome.out, HasSubstr("  update_parameters "));
+}
+
+/// The type of all fields is no name of one; nor is a comment cut before names differ.
+TEST_F(RunTimeCli, NamesOfParametersCompile) {
+  write_file(scratch("model.yaml"), declared("mass: 2\n    inertia: [1, 0, 0, 1, 0, 1]"));
+  write_file(scratch("scene.yaml"),
+             "scene: s\nmodel: model.yaml\nduration: 1\nparameters: {Scalar: 2, c: 1}\n"
+             "runtime: [Scalar, c]\neffects: {joint_spring: [{joint: j, stiffness: Scalar, "
+             "damping: c}]}\n");
+  const Outcome outcome =
+      treedyn({"generate", "-q", "--scene", scratch("scene.yaml"), "-o", out()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome compiled =
+      support::run({TREEDYN_CXX, "-std=c++11", "-Wall", "-Werror", "-fsyntax-only", file("s.cpp")});
+  EXPECT_EQ(compiled.status, 0) << compiled.err;
+
+  const std::string name(80, 'n');
+  std::string model = declared("mass: 2\n    com: [1, 0, 0]\n    runtime: [com]");
+  model.replace(model.find("name: a\n"), 7, "name: " + name + "e");
+  write_file(scratch("model.yaml"), model);
+  const Outcome long_name = treedyn({"generate", "-q", scratch("model.yaml"), "-o", out()});
+  ASSERT_EQ(long_name.status, 0) << long_name.err;
+  EXPECT_THAT(read_file(file("one.hpp")), HasSubstr(name + "e, m\n"));
 }
 
 /// Of what functions take every field says what it is made of, and code reads it by its name.

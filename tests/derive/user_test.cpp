@@ -88,7 +88,9 @@ INSTANTIATE_TEST_SUITE_P(
         "D_P * Lam(diagb(omega)) * J_d * omega", "D_P * LamT(LamT(s_d) * N * z_d * sigma) * omega",
         "T(W) * diagb(D * sigma * qd) * (LamT(c_d) * D * Lam(diagb(N * omega)) * omega)",
         "T(T(D) * omega) * J_d * T(D) * omega", "T(omega) * LamT(c_d) * T(D) * omega",
-        "T(tau) * sigma * T(z_d) * Lam(s_d) * J_d * T(N) * omega"));
+        "T(tau) * sigma * T(z_d) * Lam(s_d) * J_d * T(N) * omega", "T(W) * Lam(c_fD) * W * p",
+        "Lam(diagb(v)) * D_P * W * n_b", "D_P * Lam(z_d) * W * p",
+        "D_P * Lam(Lam(diagb(r)) * c_fD) * W * gamma_f", "T(W) * D * Lam(c_fD) * W * p"));
 
 INSTANTIATE_TEST_SUITE_P(
     NumbersOfVectorsTimesVectors, DerivedOfTurningJoints,
