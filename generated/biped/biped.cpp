@@ -9,7 +9,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0xf391c237e794c1e9ULL, "header and source are of different runs");
+static_assert(kDigest == 0x8e6ae4d81c1b39c4ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -294,14 +294,11 @@ namespace {
 // above each its unit and the numbers of the model that it is made of, but for those that are
 // exactly 0 or 1. Other literals are numbers of the equations.
 
-// m/s^2: gravity
-constexpr double base_g1 = 9.81;
-
 // m: offset y of left_hip_block, right_hip_block
 constexpr double left_hip_block_l1 = 0.08064;
 // m: offset z of left_hip_block, left_hip_fork, right_hip_block, right_hip_fork; offset y of
 //     left_thigh, right_thigh
-constexpr double left_hip_block_l2 = 0.114;
+constexpr double left_hip_block_l2 = -0.114;
 // kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x z,
 //     inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz
 //     of left_thigh, right_thigh; mass, com x z, inertia xx yy zz, offset z of left_shank,
@@ -320,31 +317,27 @@ constexpr double left_hip_block_I3 = 0.00432900664;
 
 // ratio: offset x of left_hip_fork, right_hip_fork; offset z of left_shank, left_foot, right_shank,
 //     right_foot
-constexpr double left_hip_fork_k1 = 43.2;
+constexpr double left_hip_fork_k1 = -43.2;
 // ratio: offset x of left_hip_fork, right_hip_fork; offset z of left_ankle_cross, left_foot,
 //     right_ankle_cross, right_foot
-constexpr double left_hip_fork_k2 = 43.3;
+constexpr double left_hip_fork_k2 = -43.3;
 // ratio: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; offset z
 //     of left_foot, right_foot
-constexpr double left_hip_fork_k3 = 2.0;
-// m: offset x of left_hip_fork, right_hip_fork; offset z of left_foot, right_foot
-constexpr double left_hip_fork_l1 = 0.01;
+constexpr double left_hip_fork_k3 = -2.0;
 // m: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh
-constexpr double left_hip_fork_l2 = 0.02;
+constexpr double left_hip_fork_l1 = -0.02;
 // m: offset x of left_hip_fork, right_hip_fork; offset z of left_foot, right_foot
-constexpr double left_hip_fork_l3 = 0.02;
-// m: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh
-constexpr double left_hip_fork_l4 = 0.04;
+constexpr double left_hip_fork_l2 = 0.01;
 // kg m^2: mass, com x y, offset x z of left_hip_fork, right_hip_fork; mass, com y, offset y of
 //     left_thigh, right_thigh; mass, com y of left_shank, left_ankle_cross, right_shank,
 //     right_ankle_cross; mass, offset z of left_foot, right_foot
-constexpr double left_hip_fork_I1 = 0.0042631913856;
+constexpr double left_hip_fork_I1 = -0.0042631913856;
+// kg m^2: mass, com y z of left_hip_fork, right_hip_fork
+constexpr double left_hip_fork_I2 = -0.00016159248;
 // kg m^2: mass, com x z, offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xz yz of
 //     left_thigh, left_shank, right_thigh, right_shank; mass, com x z of left_ankle_cross,
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
-constexpr double left_hip_fork_I2 = 0.03467671360129536;
-// kg m^2: mass, com y z of left_hip_fork, right_hip_fork
-constexpr double left_hip_fork_I3 = 0.00016159248;
+constexpr double left_hip_fork_I3 = -0.03467671360129536;
 // kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y
 //     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz,
 //     offset z of left_shank, left_ankle_cross, left_foot, right_shank, right_ankle_cross,
@@ -352,8 +345,8 @@ constexpr double left_hip_fork_I3 = 0.00016159248;
 constexpr double left_hip_fork_I4 = 1.6921112099106208;
 // kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y
 //     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz,
-//     offset z of left_shank, right_shank; mass, com, inertia xx yy zz, offset z of
-//     left_ankle_cross, left_foot, right_ankle_cross, right_foot
+//     offset z of left_shank, left_ankle_cross, left_foot, right_shank, right_ankle_cross,
+//     right_foot
 constexpr double left_hip_fork_I5 = 1.6313524106132014;
 // kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
 //     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
@@ -361,14 +354,14 @@ constexpr double left_hip_fork_I5 = 1.6313524106132014;
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_I6 = 0.02931050006032736;
 // kg m^2: mass, com y z of left_hip_fork, right_hip_fork
-constexpr double left_hip_fork_I7 = 8.079624e-05;
-// kg m^2: mass, com x z, offset x of left_hip_fork, right_hip_fork; offset z of left_foot,
-//     right_foot
-constexpr double left_hip_fork_I8 = 0.00011406528;
+constexpr double left_hip_fork_I7 = -8.079624e-05;
 // kg m^2: mass, com x y, offset x z of left_hip_fork, right_hip_fork; mass, com y, offset y of
 //     left_thigh, right_thigh; mass, com y of left_shank, right_shank; mass, com y z of
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
-constexpr double left_hip_fork_I9 = 0.0040738553856;
+constexpr double left_hip_fork_I8 = 0.0040738553856;
+// kg m^2: mass, com x z, offset x of left_hip_fork, right_hip_fork; offset z of left_foot,
+//     right_foot
+constexpr double left_hip_fork_I9 = -0.00011406528;
 // kg m^2: mass, com z, inertia xx yy zz of left_hip_fork, right_hip_fork
 constexpr double left_hip_fork_I10 = 0.00026615232;
 // kg m^2: mass, com y, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y,
@@ -376,30 +369,40 @@ constexpr double left_hip_fork_I10 = 0.00026615232;
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_I11 = 0.02957665238032736;
-// kg m^2: mass, com y z, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y
-//     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz,
-//     offset z of left_shank, right_shank; mass, com y, inertia xx yy zz of left_ankle_cross,
-//     right_ankle_cross; mass of left_foot, right_foot
-constexpr double left_hip_fork_I12 = 0.00053230464;
-// kg m^2: mass, com y z, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y
-//     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz,
-//     offset z of left_shank, right_shank; mass, com y, inertia xx yy zz of left_ankle_cross,
-//     right_ankle_cross; mass of left_foot, right_foot
+// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
+//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+//     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
+//     right_ankle_cross; offset z of left_foot, right_foot
+constexpr double left_hip_fork_I12 = 0.02984280470032736;
+// kg m^2: mass, com y, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+//     left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_hip_fork_I13 = 0.05991064876065472;
+// kg m^2: mass, com z, inertia xx yy zz of left_hip_fork, right_hip_fork
+constexpr double left_hip_fork_I14 = 0.00053230464;
 // kg m^2: mass, com y z, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
 //     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass of left_foot, right_foot
-constexpr double left_hip_fork_I14 = 0.02968917206032736;
+constexpr double left_hip_fork_I15 = 0.02968917206032736;
 // kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
 //     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz of
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com, inertia xx xy xz yy zz, offset z of left_foot, right_foot
-constexpr double left_hip_fork_I15 = 0.326079188015558;
+//     left_foot, right_ankle_cross, right_foot
+constexpr double left_hip_fork_I16 = 0.38683510045270975;
 // kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
 //     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz of
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com, inertia xx xy xz yy zz, offset z of left_foot, right_foot
-constexpr double left_hip_fork_I16 = 0.38683221359244196;
+//     left_foot, right_ankle_cross, right_foot
+constexpr double left_hip_fork_I17 = 0.3260763011552903;
+// kg m^2: mass, com z, inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z,
+//     inertia xx yy zz of left_shank, right_shank; mass, com z, inertia xx yy zz, offset z of
+//     left_ankle_cross, right_ankle_cross; mass, offset z of left_foot, right_foot
+constexpr double left_hip_fork_I18 = 0.356455700804;
+// kg m^2: mass, com y, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+//     left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass, com y z, inertia xx yy zz
+//     of left_foot, right_foot
+constexpr double left_hip_fork_I19 = 0.030379399648709733;
 // N m: gravity; mass, com y, offset z of left_hip_fork, right_hip_fork; mass, com y, offset y of
 //     left_thigh, right_thigh; mass, com y of left_shank, left_ankle_cross, right_shank,
 //     right_ankle_cross; mass of left_foot, right_foot
@@ -411,29 +414,20 @@ constexpr double left_hip_fork_G2 = 0.0466241832;
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_G3 = 3.8115095399136;
 // s^-2: gravity; offset x of left_hip_fork, right_hip_fork; offset z of left_foot, right_foot
-constexpr double left_hip_fork_p1 = 981.0;
+constexpr double left_hip_fork_p1 = -981.0;
 
-// kg m: mass, com x of left_thigh, right_thigh
-constexpr double left_thigh_h1 = 0.14731530912;
-// kg m: offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, left_ankle_cross,
-//     right_thigh, right_ankle_cross; mass, offset z of left_shank, right_shank; offset z of
-//     left_foot, right_foot
-constexpr double left_thigh_h2 = 3.21901540128;
-// kg m: mass, com z of left_thigh, right_thigh; mass, offset z of left_shank, right_shank; mass of
-//     left_ankle_cross, left_foot, right_ankle_cross, right_foot
-constexpr double left_thigh_h3 = 3.62798116128;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh; mass,
 //     offset z of left_shank, left_foot, right_shank, right_foot; mass of left_ankle_cross,
 //     right_ankle_cross
-constexpr double left_thigh_I1 = 0.0362798116128;
+constexpr double left_thigh_I1 = -0.0362798116128;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x of left_thigh, right_thigh; offset
 //     z of left_foot, right_foot
-constexpr double left_thigh_I2 = 0.0014731530912;
+constexpr double left_thigh_I2 = -0.0014731530912;
+// kg m^2: mass, com x z, inertia xz yz of left_thigh, right_thigh
+constexpr double left_thigh_I3 = 0.03939173998083072;
 // kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; mass, offset z of left_shank,
 //     right_shank; mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
-constexpr double left_thigh_I3 = 1.2800687125653505;
-// kg m^2: mass, com x z, inertia xz yz of left_thigh, right_thigh
-constexpr double left_thigh_I4 = 0.03939173998083072;
+constexpr double left_thigh_I4 = 1.2800687125653505;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; mass, com y z, inertia xz yz, offset y of
 //     left_thigh, right_thigh; mass, com y, offset z of left_shank, right_shank; mass, com y of
 //     left_ankle_cross, right_ankle_cross; mass of left_foot, right_foot
@@ -462,52 +456,48 @@ constexpr double left_thigh_I10 = 1.1280459976898918;
 constexpr double left_thigh_I11 = 0.02465049344454144;
 // kg m^2: mass, com x z, inertia xz yz of left_thigh, right_thigh
 constexpr double left_thigh_I12 = 0.01969586999041536;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, left_ankle_cross,
+//     right_thigh, right_ankle_cross; mass, offset z of left_shank, right_shank; offset z of
+//     left_foot, right_foot
+constexpr double left_thigh_I13 = -0.0321901540128;
 // kg m^2: mass, com z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
 //     right_shank
-constexpr double left_thigh_I13 = 0.26256865566306814;
+constexpr double left_thigh_I14 = -0.26256865566306814;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh; mass,
 //     com z, offset z of left_shank, right_shank; offset z of left_ankle_cross, left_foot,
 //     right_ankle_cross, right_foot
-constexpr double left_thigh_I14 = 0.000584786454;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
-//     right_shank
-constexpr double left_thigh_I15 = 0.2379181622185267;
+constexpr double left_thigh_I15 = 0.000584786454;
 // kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
 //     right_shank
 constexpr double left_thigh_I16 = 0.2872191491076096;
+// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
+//     right_shank
+constexpr double left_thigh_I17 = -0.2379181622185267;
 // kg m^2: mass, com z, inertia xx yy zz of left_thigh, right_thigh; mass, offset z of left_shank,
 //     right_shank; mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
-constexpr double left_thigh_I17 = 1.3047192060098918;
-// N m: gravity; mass, com x of left_thigh, right_thigh
-constexpr double left_thigh_G1 = 1.4451631824672;
+constexpr double left_thigh_I18 = 1.3047192060098918;
 // N m: gravity; mass, com z of left_thigh, right_thigh; mass, offset z of left_shank, right_shank;
 //     mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
-constexpr double left_thigh_G2 = 35.5904951921568;
+constexpr double left_thigh_G1 = 35.5904951921568;
+// N m: gravity; mass, com x of left_thigh, right_thigh
+constexpr double left_thigh_G2 = 1.4451631824672;
 
 // m: offset z of left_shank, right_shank
-constexpr double left_shank_l1 = 0.432;
-// kg m: offset x of left_hip_fork, right_hip_fork; mass, com z of left_shank, right_shank; mass,
-//     com z, offset z of left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
-constexpr double left_shank_h1 = 0.69434148;
-// kg m: mass, com x of left_shank, right_shank
-constexpr double left_shank_h2 = 0.080309376;
-// kg m: mass, com z of left_shank, right_shank; mass, offset z of left_ankle_cross,
-//     right_ankle_cross; mass of left_foot, right_foot
-constexpr double left_shank_h3 = 1.10425392;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x of left_shank, right_shank; offset
-//     z of left_foot, right_foot
-constexpr double left_shank_I1 = 0.00080309376;
+constexpr double left_shank_l1 = -0.432;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_shank, right_shank; mass,
 //     offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
-constexpr double left_shank_I2 = 0.0110425392;
-// kg m^2: mass, com x z, inertia xz yz of left_shank, right_shank
-constexpr double left_shank_I3 = 0.03083291102976;
+constexpr double left_shank_I1 = -0.0110425392;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x of left_shank, right_shank; offset
+//     z of left_foot, right_foot
+constexpr double left_shank_I2 = -0.00080309376;
 // kg m^2: mass, com x z, inertia xx yy zz of left_shank, right_shank; mass, offset z of
 //     left_ankle_cross, right_ankle_cross; mass of left_foot, right_foot
-constexpr double left_shank_I4 = 0.350779421733216;
-// kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z, inertia xz yz of left_shank, right_shank; mass, com y, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, offset z of left_foot, right_foot
+constexpr double left_shank_I3 = 0.350779421733216;
+// kg m^2: mass, com x z, inertia xz yz of left_shank, right_shank
+constexpr double left_shank_I4 = -0.03083291102976;
+// kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
+//     y z, inertia xz yz of left_shank, right_shank; mass, com y, offset z of left_ankle_cross,
+//     right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_shank_I5 = 0.02565802580712;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
 //     x y, inertia xy of left_shank, right_shank
@@ -521,65 +511,64 @@ constexpr double left_shank_I7 = 0.36901678842571844;
 //     left_foot, right_foot
 constexpr double left_shank_I8 = 0.173287335213216;
 // kg m^2: mass, com x z, inertia xz yz of left_shank, right_shank
-constexpr double left_shank_I9 = 0.01541645551488;
+constexpr double left_shank_I9 = -0.01541645551488;
 // kg m^2: mass, com x, inertia xx yy zz of left_shank, right_shank
 constexpr double left_shank_I10 = 0.005291437550784;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
 //     com y z, inertia xz yz of left_shank, right_shank; mass, com y z, offset z of
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_shank_I11 = 0.01745977700712;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_shank, right_shank; mass,
+//     com z, offset z of left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
+constexpr double left_shank_I12 = -0.0069434148;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of left_shank,
 //     right_shank; mass, com z, offset z of left_ankle_cross, right_ankle_cross; offset z of
 //     left_foot, right_foot
-constexpr double left_shank_I12 = 0.178578772764;
-// kg m^2: mass, com z, inertia xx yy zz of left_shank, right_shank; offset z of left_ankle_cross,
-//     right_ankle_cross
-constexpr double left_shank_I13 = 0.122071088076;
+constexpr double left_shank_I13 = 0.178578772764;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of left_shank,
+//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+constexpr double left_shank_I14 = 0.122071088076;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_shank, right_shank; mass,
 //     com z, offset z of left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
-constexpr double left_shank_I14 = 0.000160356;
-// kg m^2: mass, com x z, inertia xx yy zz of left_shank, right_shank; offset z of left_ankle_cross,
-//     right_ankle_cross
-constexpr double left_shank_I15 = 0.127362525626784;
-// kg m^2: mass, com x z, inertia xx yy zz of left_shank, right_shank; offset z of left_ankle_cross,
-//     right_ankle_cross
-constexpr double left_shank_I16 = 0.116779650525216;
+constexpr double left_shank_I15 = 0.000160356;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
+//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+constexpr double left_shank_I16 = 0.127362525626784;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
+//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+constexpr double left_shank_I17 = -0.116779650525216;
 // kg m^2: mass, com z, inertia xx yy zz of left_shank, right_shank; mass, offset z of
 //     left_ankle_cross, right_ankle_cross; mass of left_foot, right_foot
-constexpr double left_shank_I17 = 0.356070859284;
+constexpr double left_shank_I18 = 0.356070859284;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
 //     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
 //     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
-constexpr double left_shank_I18 = 0.3684598849776992;
-// N m: gravity; mass, com x of left_shank, right_shank
-constexpr double left_shank_G1 = 0.78783497856;
+constexpr double left_shank_I19 = 0.3439192119903008;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
+//     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
+//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
+constexpr double left_shank_I20 = 0.3684598849776992;
 // N m: gravity; mass, com z of left_shank, right_shank; mass, offset z of left_ankle_cross,
 //     right_ankle_cross; mass of left_foot, right_foot
-constexpr double left_shank_G2 = 10.8327309552;
+constexpr double left_shank_G1 = 10.8327309552;
+// N m: gravity; mass, com x of left_shank, right_shank
+constexpr double left_shank_G2 = 0.78783497856;
 
-// kg: offset x of left_hip_fork, right_hip_fork; mass, com z of left_ankle_cross,
-//     right_ankle_cross; mass, offset z of left_foot, right_foot
-constexpr double left_ankle_cross_m1 = 0.94668;
 // m: offset z of left_ankle_cross, right_ankle_cross
-constexpr double left_ankle_cross_l1 = 0.433;
-// kg m: mass, com x of left_ankle_cross, left_foot, right_ankle_cross, right_foot
-constexpr double left_ankle_cross_h1 = 0.0550836384;
-// kg m: offset x of left_hip_fork, right_hip_fork; mass, com z of left_ankle_cross,
-//     right_ankle_cross; mass, offset z of left_foot, right_foot
-constexpr double left_ankle_cross_h2 = 0.0094668;
+constexpr double left_ankle_cross_l1 = -0.433;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_ankle_cross,
 //     right_ankle_cross; mass, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I1 = 9.4668e-05;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
 //     x y of left_ankle_cross, right_ankle_cross; mass, com x of left_foot, right_foot
-constexpr double left_ankle_cross_I2 = 0.001106309568;
+constexpr double left_ankle_cross_I2 = -0.001106309568;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x of left_ankle_cross,
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I3 = 0.000550836384;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
 //     com y z of left_ankle_cross, right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of
 //     left_foot, right_foot
-constexpr double left_ankle_cross_I4 = 0.00016012430367330226;
+constexpr double left_ankle_cross_I4 = -0.00016012430367330226;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
 //     right_foot
@@ -598,7 +587,7 @@ constexpr double left_ankle_cross_I8 = 0.000549677184;
 //     right_foot
 constexpr double left_ankle_cross_I9 = 0.0069788989429152;
 // kg m^2: mass, com y z of left_ankle_cross, right_ankle_cross
-constexpr double left_ankle_cross_I10 = 6.9552e-06;
+constexpr double left_ankle_cross_I10 = -6.9552e-06;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I11 = 2.40212e-05;
@@ -610,49 +599,40 @@ constexpr double left_ankle_cross_I12 = 0.0069548777429152;
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr double left_ankle_cross_I13 = 0.0070029201429152;
-// kg m^2: mass, com x, offset z of left_ankle_cross, right_ankle_cross; mass, com x of left_foot,
-//     right_foot
-constexpr double left_ankle_cross_I14 = 0.0238512154272;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
-constexpr double left_ankle_cross_I15 = 0.0068602097429152;
+constexpr double left_ankle_cross_I14 = 0.0068602097429152;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
-constexpr double left_ankle_cross_I16 = 0.0070975881429152;
+constexpr double left_ankle_cross_I15 = 0.0070975881429152;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
 //     com y z of left_ankle_cross, right_ankle_cross; mass, offset z of left_foot, right_foot
-constexpr double left_ankle_cross_I17 = 0.0001962912;
+constexpr double left_ankle_cross_I16 = -0.0001962912;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; mass, offset z of left_foot, right_foot
-constexpr double left_ankle_cross_I18 = 0.0001186892;
-// kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z of left_ankle_cross, right_ankle_cross; mass, com, inertia xx xy xz yy zz, offset z
-//     of left_foot, right_foot
-constexpr double left_ankle_cross_I19 = 0.00016602151163904981;
+constexpr double left_ankle_cross_I17 = 0.0001186892;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x, offset z of left_ankle_cross,
+//     left_foot, right_ankle_cross, right_foot
+constexpr double left_ankle_cross_I18 = -0.0238512154272;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x, offset z of left_ankle_cross,
+//     left_foot, right_ankle_cross, right_foot
+constexpr double left_ankle_cross_I19 = -0.0477024308544;
 // N m: gravity; mass, com x of left_ankle_cross, left_foot, right_ankle_cross, right_foot
-constexpr double left_ankle_cross_G1 = 0.540370492704;
+constexpr double left_ankle_cross_G1 = -0.540370492704;
 // N m: gravity; offset x of left_hip_fork, right_hip_fork; mass, com z of left_ankle_cross,
 //     right_ankle_cross; mass, offset z of left_foot, right_foot
-constexpr double left_ankle_cross_G2 = 0.092869308;
+constexpr double left_ankle_cross_G2 = -0.092869308;
 
 // ratio: mass, com y z of left_foot, right_foot
 constexpr double left_foot_k1 = 0.2614691411136524;
-// ratio: mass, com, inertia xy xz of left_foot, right_foot
-constexpr double left_foot_k2 = 0.3048946933659078;
 // m: points of left_foot, right_foot
-constexpr double left_foot_l1 = 0.06;
+constexpr double left_foot_l1 = -0.06;
 // m: points of left_foot, right_foot
-constexpr double left_foot_l2 = 0.05903;
+constexpr double left_foot_l2 = -0.05903;
 // m: points of left_foot, right_foot
 constexpr double left_foot_l3 = 0.20904;
-// kg m: mass, com y z of left_foot, right_foot
-constexpr double left_foot_h1 = 0.014128635491404699;
-// kg m: mass, com, inertia xy xz of left_foot, right_foot
-constexpr double left_foot_h2 = 0.0006133509823399522;
-// kg m: mass, com, inertia xy xz of left_foot, right_foot
-constexpr double left_foot_h3 = 0.01411531584561405;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
 //     right_foot
 constexpr double left_foot_I1 = 0.00014128635491404698;
@@ -661,45 +641,32 @@ constexpr double left_foot_I2 = 6.298136129784905e-05;
 // kg m^2: mass, com, inertia xy xz of left_foot, right_foot
 constexpr double left_foot_I3 = 0.0014494177603079786;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
-constexpr double left_foot_I4 = 7.233379265339546e-05;
+constexpr double left_foot_I4 = 0.00013282817963685661;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
-constexpr double left_foot_I5 = 0.00013282817963685661;
-// kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z, offset z of left_foot, right_foot
+constexpr double left_foot_I5 = -7.233379265339546e-05;
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
+//     right_foot
 constexpr double left_foot_I6 = 0.00028257270982809396;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
 //     com y z, offset z of left_foot, right_foot
-constexpr double left_foot_I7 = 0.0005651454196561879;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
-//     right_foot
-constexpr double left_foot_I8 = 0.00028257270982809396;
+constexpr double left_foot_I7 = -0.0005651454196561879;
+// kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
+//     com y z, offset z of left_foot, right_foot
+constexpr double left_foot_I8 = -0.00028257270982809396;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
 constexpr double left_foot_I9 = 0.0009809787164016;
+// kg m^2: offset z of left_ankle_cross, right_ankle_cross; mass, com y z of left_foot, right_foot
+constexpr double left_foot_I10 = -0.006117699167778235;
 // kg m^2: offset z of left_shank, right_shank; mass, com y z of left_foot, right_foot
-constexpr double left_foot_I10 = 0.00610357053228683;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com y z, offset z of left_foot, right_foot
-constexpr double left_foot_I11 = 0.006117699167778235;
+constexpr double left_foot_I11 = -0.00610357053228683;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
-constexpr double left_foot_I12 = 0.0005569034480192284;
+constexpr double left_foot_I12 = 0.0004240752683823717;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
-constexpr double left_foot_I13 = 0.0004240752683823717;
+constexpr double left_foot_I13 = -3.616689632669773e-05;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
-constexpr double left_foot_I14 = 3.616689632669773e-05;
-// kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
-constexpr double left_foot_I15 = 0.0001386019001723616;
-// kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
-constexpr double left_foot_I16 = 6.053937672190036e-05;
-// kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
-constexpr double left_foot_I17 = 0.0005597903082869808;
-// kg m^2: mass, com, inertia xy xz of left_foot, right_foot
-constexpr double left_foot_I18 = 0.001450785475446707;
-// kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
-constexpr double left_foot_I19 = 0.0004211884081146192;
-// kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
-constexpr double left_foot_I20 = 3.026968836095018e-05;
+constexpr double left_foot_I14 = 0.0005569034480192284;
 // N m: gravity; mass, com y z of left_foot, right_foot
-constexpr double left_foot_G1 = 0.1386019141706801;
+constexpr double left_foot_G1 = -0.1386019141706801;
 
 }  // namespace
 
@@ -739,18 +706,18 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar c_q8_q9 = cosines[8];
   const Scalar s_right_foot = sines[9];
   const Scalar c_right_foot = cosines[9];
-  const Scalar neg_s_left_shank_y = left_hip_fork_k1 * s_left_hip_pitch;
-  const Scalar neg_s_left_shank_x = left_hip_fork_k1 * c_left_hip_pitch;
-  const Scalar neg_s_left_ankle_cross_y = left_hip_fork_k2 * s_q2_q3;
-  const Scalar neg_s_left_ankle_cross_x = left_hip_fork_k2 * c_q2_q3;
-  const Scalar neg_s_right_shank_x = left_hip_fork_k1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_hip_fork_k1 * s_right_hip_pitch;
-  const Scalar neg_s_righ_ankl_cros_y = left_hip_fork_k2 * s_q8_q9;
-  const Scalar neg_s_righ_ankl_cros_x = left_hip_fork_k2 * c_q8_q9;
+  const Scalar s_left_shank_y = left_hip_fork_k1 * s_left_hip_pitch;
+  const Scalar s_left_shank_x = left_hip_fork_k1 * c_left_hip_pitch;
+  const Scalar s_left_ankle_cross_x = left_hip_fork_k2 * c_q2_q3;
+  const Scalar s_left_ankle_cross_y = left_hip_fork_k2 * s_q2_q3;
+  const Scalar s_right_shank_y = left_hip_fork_k1 * s_right_hip_pitch;
+  const Scalar s_right_shank_x = left_hip_fork_k1 * c_right_hip_pitch;
+  const Scalar s_righ_ankl_cros_x = left_hip_fork_k2 * c_q8_q9;
+  const Scalar s_righ_ankl_cros_y = left_hip_fork_k2 * s_q8_q9;
   // right_foot: first moment h, A of (2)
   const Scalar t_right_foot_1 = left_foot_I1 * c_right_foot;
   const Scalar neg_h_righ_ankl_cros_z = left_foot_I1 * s_right_foot;
-  const Scalar t_right_foot_2 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
+  const Scalar t_right_foot_2 = left_foot_I4 * s_right_foot - left_foot_I5 * c_right_foot;
   const Scalar t_right_foot_3 = s_right_foot * t_right_foot_2;
   const Scalar t_right_foot_4 = left_foot_I2 * s_right_foot - left_foot_I3 * c_right_foot;
   const Scalar A_131 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
@@ -762,265 +729,269 @@ void mass_matrix(const Scalar q[12], Scalar A[144]) noexcept {
   const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + c_q8_q9_q10 * h_righ_ankl_cros_x;
   const Scalar t_righ_ankl_cros_3 = left_ankle_cross_I3 * c_q8_q9_q10;
   const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 - s_q8_q9_q10 * h_righ_ankl_cros_x;
-  const Scalar t_righ_ankl_cros_5 = left_ankle_cross_I4 + neg_h_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_6 = left_foot_I6 + t_right_foot_2;
-  const Scalar neg_E_righ_ankl_cros_xz = t_righ_ankl_cros_5 + c_right_foot * t_righ_ankl_cros_6;
-  const Scalar E_righ_ankl_cros_yz = left_ankle_cross_I2 + A_131;
-  const Scalar neg_A_94 = s_q8_q9_q10 * neg_E_righ_ankl_cros_xz - c_q8_q9_q10 * E_righ_ankl_cros_yz;
+  const Scalar h_right_shank_y_1 = t_righ_ankl_cros_4 + left_shank_I1 * s_q8_q9;
+  const Scalar h_right_shank_y = h_right_shank_y_1 + left_shank_I2 * c_q8_q9;
+  const Scalar E_righ_ankl_cros_xz_1 = left_ankle_cross_I4 - neg_h_righ_ankl_cros_z;
+  const Scalar E_righ_ankl_cros_xz_2 = left_foot_I8 - t_right_foot_2;
+  const Scalar E_righ_ankl_cros_xz = E_righ_ankl_cros_xz_1 + c_right_foot * E_righ_ankl_cros_xz_2;
+  const Scalar neg_E_righ_ankl_cros_yz = left_ankle_cross_I2 - A_131;
+  const Scalar neg_A_94 = c_q8_q9_q10 * neg_E_righ_ankl_cros_yz - s_q8_q9_q10 * E_righ_ankl_cros_xz;
   A[94] = -neg_A_94;
   A[127] = A[94];
-  const Scalar t_righ_ankl_cros_7 = neg_s_righ_ankl_cros_x * t_righ_ankl_cros_2;
-  const Scalar t_righ_ankl_cros_8 = neg_s_righ_ankl_cros_y * t_righ_ankl_cros_4;
-  const Scalar t_righ_ankl_cros_9 = 2.0 * t_righ_ankl_cros_8;
-  const Scalar t_righ_ankl_cros_10 = t_right_foot_3 - left_foot_I8 * c_right_foot;
-  const Scalar A_130 = left_ankle_cross_I6 - t_righ_ankl_cros_10;
+  const Scalar t_righ_ankl_cros_5 = s_righ_ankl_cros_x * t_righ_ankl_cros_2;
+  const Scalar t_righ_ankl_cros_6 = s_righ_ankl_cros_y * t_righ_ankl_cros_4;
+  const Scalar t_righ_ankl_cros_7 = 2.0 * t_righ_ankl_cros_6;
+  const Scalar t_righ_ankl_cros_8 = t_right_foot_3 - left_foot_I6 * c_right_foot;
+  const Scalar A_130 = left_ankle_cross_I6 - t_righ_ankl_cros_8;
   A[130] = A_130;
   // right_shank: pseudo-inertia E, A of (2)
-  const Scalar t_right_shank_1 = left_shank_I5 + left_foot_I11 * s_right_foot;
-  const Scalar E_right_shank_yz = neg_A_94 + left_shank_I6 * c_q8_q9 + s_q8_q9 * t_right_shank_1;
+  const Scalar t_right_shank_1 = left_foot_I10 * s_right_foot;
+  const Scalar t_right_shank_2 = left_shank_I5 - t_right_shank_1;
+  const Scalar E_right_shank_yz = neg_A_94 + left_shank_I6 * c_q8_q9 + s_q8_q9 * t_right_shank_2;
   A[93] = -E_right_shank_yz;
   A[115] = A[93];
-  const Scalar t_right_shank_2 = t_righ_ankl_cros_10 - 2.0 * t_righ_ankl_cros_7;
-  const Scalar neg_A_117 = t_right_shank_2 - (left_shank_I7 - t_righ_ankl_cros_9);
+  const Scalar t_right_shank_3 = t_righ_ankl_cros_8 + 2.0 * t_righ_ankl_cros_5;
+  const Scalar neg_A_117 = t_right_shank_3 - (left_shank_I7 + t_righ_ankl_cros_7);
   A[117] = -neg_A_117;
-  const Scalar neg_h_right_shank_x_1 = t_righ_ankl_cros_2 - left_shank_I1 * s_q8_q9;
-  const Scalar neg_h_right_shank_x = neg_h_right_shank_x_1 + left_shank_I2 * c_q8_q9;
-  const Scalar t_right_shank_3 = neg_s_right_shank_x * neg_h_right_shank_x;
-  const Scalar t_right_thigh_1 = left_thigh_I5 + left_foot_I10 * s_right_foot;
-  const Scalar t_righ_ankl_cros_11 = c_q8_q9_q10 * neg_E_righ_ankl_cros_xz;
-  const Scalar t_righ_ankl_cros_12 = s_q8_q9_q10 * E_righ_ankl_cros_yz + t_righ_ankl_cros_11;
-  const Scalar E_right_shank_xz_1 = t_righ_ankl_cros_12 - left_shank_I6 * s_q8_q9;
-  const Scalar E_right_shank_xz = E_right_shank_xz_1 + c_q8_q9 * t_right_shank_1;
+  const Scalar neg_h_right_shank_x_1 = t_righ_ankl_cros_2 - left_shank_I1 * c_q8_q9;
+  const Scalar neg_h_right_shank_x = neg_h_right_shank_x_1 + left_shank_I2 * s_q8_q9;
+  const Scalar t_right_shank_4 = s_right_shank_x * neg_h_right_shank_x;
+  const Scalar t_right_shank_5 = s_right_shank_y * h_right_shank_y;
+  const Scalar t_right_shank_6 = s_right_shank_x * neg_h_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_9 = s_q8_q9_q10 * neg_E_righ_ankl_cros_yz;
+  const Scalar t_righ_ankl_cros_10 = c_q8_q9_q10 * E_righ_ankl_cros_xz + t_righ_ankl_cros_9;
+  const Scalar neg_E_right_shank_xz_1 = t_righ_ankl_cros_10 + left_shank_I6 * s_q8_q9;
+  const Scalar neg_E_right_shank_xz = neg_E_right_shank_xz_1 - c_q8_q9 * t_right_shank_2;
   // right_thigh: pseudo-inertia E, A of (2)
-  const Scalar E_right_thigh_xz_1 = E_right_shank_xz - left_thigh_I6 * s_right_hip_pitch;
-  const Scalar E_right_thigh_xz = E_right_thigh_xz_1 + c_right_hip_pitch * t_right_thigh_1;
-  const Scalar E_right_thigh_yz_1 = E_right_shank_yz + left_thigh_I6 * c_right_hip_pitch;
-  const Scalar E_right_thigh_yz = E_right_thigh_yz_1 + s_right_hip_pitch * t_right_thigh_1;
+  const Scalar neg_E_right_thigh_xz_1 = t_right_shank_6 + neg_E_right_shank_xz;
+  const Scalar neg_E_right_thigh_xz_2 = neg_E_right_thigh_xz_1 - left_thigh_I5 * c_right_hip_pitch;
+  const Scalar neg_E_right_thigh_xz = neg_E_right_thigh_xz_2 + left_thigh_I6 * s_right_hip_pitch;
+  const Scalar E_right_thigh_yz_1 = left_thigh_I5 - left_foot_I11 * s_right_foot;
+  const Scalar E_right_thigh_yz_2 = E_right_shank_yz + left_thigh_I6 * c_right_hip_pitch;
+  const Scalar E_right_thigh_yz = E_right_thigh_yz_2 + s_right_hip_pitch * E_right_thigh_yz_1;
   A[92] = -E_right_thigh_yz;
   A[103] = A[92];
-  const Scalar t_right_thigh_2 = t_right_shank_2 - 2.0 * t_right_shank_3;
-  // right_shank: first moment h, A of (2)
-  const Scalar h_right_shank_y_1 = t_righ_ankl_cros_4 - left_shank_I2 * s_q8_q9;
-  const Scalar h_right_shank_y = h_right_shank_y_1 - left_shank_I1 * c_q8_q9;
-  const Scalar t_right_shank_4 = neg_s_right_shank_y * h_right_shank_y;
-  // right_thigh: A of (2)
-  const Scalar t_right_thigh_3 = t_righ_ankl_cros_9 + t_right_thigh_2;
-  const Scalar t_right_thigh_4 = t_right_thigh_3 + 2.0 * t_right_shank_4;
-  const Scalar A_104 = left_thigh_I7 - t_right_thigh_4;
+  const Scalar t_right_thigh_1 = t_right_shank_3 + 2.0 * t_right_shank_4;
+  const Scalar t_right_thigh_2 = t_righ_ankl_cros_7 - t_right_thigh_1;
+  const Scalar t_right_thigh_3 = t_right_thigh_2 + 2.0 * t_right_shank_5;
+  const Scalar A_104 = left_thigh_I7 + t_right_thigh_3;
   A[104] = A_104;
-  const Scalar t_right_shank_5 = left_thigh_I3 * s_right_hip_pitch;
-  const Scalar t_right_shank_6 = t_right_shank_5 + left_thigh_I4 * c_right_hip_pitch;
+  const Scalar t_righ_ankl_cros_11 = left_shank_I3 * s_q8_q9 - left_shank_I4 * c_q8_q9;
+  const Scalar t_right_shank_7 = left_thigh_I3 * c_right_hip_pitch;
+  const Scalar t_right_shank_8 = t_right_shank_7 + left_thigh_I4 * s_right_hip_pitch;
   // right_ankle_cross
-  const Scalar t_righ_ankl_cros_13 = c_q8_q9_q10 * t_right_foot_4;
-  const Scalar t_righ_ankl_cros_14 = left_ankle_cross_I7 * c_q8_q9_q10;
-  const Scalar t_righ_ankl_cros_15 = t_righ_ankl_cros_14 - 2.0 * t_righ_ankl_cros_13;
-  const Scalar t_righ_ankl_cros_16 = left_ankle_cross_I5 + t_righ_ankl_cros_10;
-  const Scalar t_righ_ankl_cros_17 = t_righ_ankl_cros_15 + s_q8_q9_q10 * t_righ_ankl_cros_16;
-  const Scalar t_right_hip_fork_1 = left_hip_fork_I1 + neg_h_righ_ankl_cros_z;
-  const Scalar t_right_hip_fork_2 = left_thigh_I1 - t_right_shank_6;
-  const Scalar t_righ_ankl_cros_18 = left_shank_I3 * c_q8_q9 + left_shank_I4 * s_q8_q9;
+  const Scalar t_righ_ankl_cros_12 = c_q8_q9_q10 * (left_ankle_cross_I7 - 2.0 * t_right_foot_4);
+  const Scalar t_righ_ankl_cros_13 = left_ankle_cross_I5 + t_righ_ankl_cros_8;
+  const Scalar t_righ_ankl_cros_14 = t_righ_ankl_cros_12 + s_q8_q9_q10 * t_righ_ankl_cros_13;
   // right_hip_fork: pseudo-inertia E, A of (2)
-  const Scalar t_right_hip_fork_3 = left_hip_fork_I2 + t_right_foot_4 + neg_h_right_shank_x;
-  const Scalar t_right_hip_fork_4 = t_right_hip_fork_2 + left_hip_fork_k1 * h_right_shank_y;
-  const Scalar t_right_hip_fork_5 = t_right_hip_fork_3 + c_q8_q9_q10 * t_righ_ankl_cros_17;
-  const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 + c_right_hip_pitch * t_right_hip_fork_4;
-  const Scalar t_right_hip_fork_7 = t_right_hip_fork_6 - c_q8_q9 * t_righ_ankl_cros_18;
+  const Scalar t_right_hip_fork_1 = left_thigh_I1 + t_right_shank_8;
+  const Scalar t_right_hip_fork_2 = left_hip_fork_I1 - neg_h_righ_ankl_cros_z;
+  const Scalar t_right_hip_fork_3 = t_righ_ankl_cros_11 + left_hip_fork_k2 * t_righ_ankl_cros_4;
+  const Scalar t_right_hip_fork_4 = neg_h_right_shank_x - (left_hip_fork_I3 - t_right_foot_4);
+  const Scalar t_right_hip_fork_5 = t_right_hip_fork_4 - c_q8_q9 * t_right_hip_fork_3;
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_1 + left_hip_fork_k1 * h_right_shank_y;
+  const Scalar t_right_hip_fork_7 = t_right_hip_fork_5 + c_q8_q9_q10 * t_righ_ankl_cros_14;
   const Scalar t_right_hip_fork_8 = left_thigh_I2 + left_hip_fork_k1 * neg_h_right_shank_x;
-  const Scalar t_right_hip_fork_9 =
-      t_right_hip_fork_7 + neg_s_righ_ankl_cros_x * t_righ_ankl_cros_4;
-  const Scalar t_right_hip_fork_10 = t_right_hip_fork_9 - s_right_hip_pitch * t_right_hip_fork_8;
+  const Scalar t_right_hip_fork_9 = t_right_hip_fork_7 - c_right_hip_pitch * t_right_hip_fork_6;
+  const Scalar t_right_hip_fork_10 = t_right_hip_fork_9 + s_right_hip_pitch * t_right_hip_fork_8;
   const Scalar neg_E_right_hip_fork_xz =
-      t_right_hip_fork_10 - neg_s_righ_ankl_cros_y * t_righ_ankl_cros_2;
-  const Scalar neg_A_79_1 = s_right_hip_roll * (E_right_thigh_yz - t_right_hip_fork_1);
+      t_right_hip_fork_10 + s_righ_ankl_cros_y * t_righ_ankl_cros_2;
+  const Scalar neg_A_79_1 = s_right_hip_roll * (E_right_thigh_yz + t_right_hip_fork_2);
   A[79] = c_right_hip_roll * neg_E_right_hip_fork_xz - neg_A_79_1;
   A[90] = A[79];
-  const Scalar t_right_hip_fork_11 = t_right_foot_3 + left_foot_I7 * s_right_foot;
-  const Scalar t_right_hip_fork_12 = t_right_thigh_2 - s_q8_q9_q10 * t_righ_ankl_cros_17;
-  const Scalar t_right_hip_fork_13 = t_right_hip_fork_12 + s_right_hip_pitch * t_right_shank_6;
-  const Scalar t_right_hip_fork_14 = t_right_hip_fork_13 + s_q8_q9 * t_righ_ankl_cros_18;
-  A[91] = left_hip_fork_I4 + t_right_hip_fork_11 - t_right_hip_fork_14;
-  const Scalar A_78_1 = t_right_hip_fork_14 - (left_hip_fork_I5 - t_right_hip_fork_11);
-  const Scalar A_78_2 = s_right_hip_roll * (left_hip_fork_I3 + 2.0 * E_right_thigh_xz);
-  const Scalar h_right_thigh_y_1 = h_right_shank_y - left_thigh_I1 * s_right_hip_pitch;
-  const Scalar h_right_thigh_y = h_right_thigh_y_1 - left_thigh_I2 * c_right_hip_pitch;
-  // right_hip_block: A of (2)
-  const Scalar A_78_3 = left_hip_block_I1 - t_right_thigh_4;
-  const Scalar A_78_4 = A_78_3 + c_right_hip_roll * (c_right_hip_roll * A_78_1 - A_78_2);
-  A[78] = A_78_4 + 2.0 * h_right_thigh_y;
+  const Scalar t_right_hip_fork_11 = t_right_thigh_1 + s_q8_q9 * t_righ_ankl_cros_11;
+  const Scalar t_right_hip_fork_12 = t_right_hip_fork_11 + s_right_hip_pitch * t_right_shank_8;
+  const Scalar t_right_hip_fork_13 = t_right_hip_fork_12 - s_q8_q9_q10 * t_righ_ankl_cros_14;
+  const Scalar t_right_hip_fork_14 = t_right_foot_3 - left_foot_I7 * s_right_foot;
+  A[91] = left_hip_fork_I4 - t_right_hip_fork_13 + t_right_hip_fork_14;
+  const Scalar A_78_1 = t_right_hip_fork_14 - (left_hip_fork_I5 - t_right_hip_fork_13);
+  const Scalar A_78_2 = s_right_hip_roll * (left_hip_fork_I2 + 2.0 * neg_E_right_thigh_xz);
+  const Scalar h_right_thigh_y_1 = h_right_shank_y + left_thigh_I1 * s_right_hip_pitch;
+  const Scalar h_right_thigh_y = h_right_thigh_y_1 + left_thigh_I2 * c_right_hip_pitch;
+  const Scalar A_78_3 = left_hip_block_I1 + t_right_thigh_3 + 2.0 * h_right_thigh_y;
+  A[78] = A_78_3 + c_right_hip_roll * (A_78_2 + c_right_hip_roll * A_78_1);
   const Scalar t_left_foot_1 = left_foot_I1 * c_left_foot;
+  const Scalar h_left_ankle_cross_x = left_ankle_cross_I1 + t_left_foot_1;
   const Scalar h_left_ankle_cross_z = left_foot_I1 * s_left_foot;
   // left_foot: A of (2)
-  const Scalar t_left_foot_2 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
+  const Scalar t_left_foot_2 = left_foot_I5 * c_left_foot - left_foot_I4 * s_left_foot;
   const Scalar t_left_foot_3 = s_left_foot * t_left_foot_2;
-  const Scalar neg_A_53 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
+  const Scalar t_left_foot_4 = left_foot_I2 * s_left_foot - left_foot_I3 * c_left_foot;
+  const Scalar neg_A_53 = left_foot_I3 * s_left_foot + left_foot_I2 * c_left_foot;
   A[53] = -neg_A_53;
   A[64] = A[53];
-  const Scalar t_left_foot_4 = left_foot_I3 * c_left_foot - left_foot_I2 * s_left_foot;
-  // left_ankle_cross: first moment h, A, pseudo-inertia E of (2)
-  const Scalar h_left_ankle_cross_x = left_ankle_cross_I1 + t_left_foot_1;
   const Scalar t_left_ankle_cross_1 = s_q2_q3_q4 * h_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_2 = left_ankle_cross_I3 * c_q2_q3_q4 - t_left_ankle_cross_1;
+  const Scalar h_left_shank_y_1 = t_left_ankle_cross_2 + left_shank_I2 * c_q2_q3;
+  const Scalar h_left_shank_y = h_left_shank_y_1 + left_shank_I1 * s_q2_q3;
+  // left_ankle_cross: A, pseudo-inertia E of (2)
   const Scalar t_left_ankle_cross_3 = c_q2_q3_q4 * h_left_ankle_cross_x;
   const Scalar t_left_ankle_cross_4 = left_ankle_cross_I3 * s_q2_q3_q4 + t_left_ankle_cross_3;
-  const Scalar t_left_ankle_cross_5 = left_ankle_cross_I4 + h_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_6 = left_foot_I6 + t_left_foot_2;
-  const Scalar E_left_ankle_cross_xz = t_left_ankle_cross_5 + c_left_foot * t_left_ankle_cross_6;
-  const Scalar t_left_ankle_cross_7 = left_ankle_cross_I2 + neg_A_53;
-  const Scalar A_16 = s_q2_q3_q4 * E_left_ankle_cross_xz - c_q2_q3_q4 * t_left_ankle_cross_7;
+  const Scalar t_left_ankle_cross_5 = left_ankle_cross_I4 - h_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_6 = left_foot_I8 + t_left_foot_2;
+  const Scalar t_left_ankle_cross_7 = t_left_ankle_cross_5 + c_left_foot * t_left_ankle_cross_6;
+  const Scalar E_left_ankle_cross_yz = left_ankle_cross_I2 - neg_A_53;
+  const Scalar A_16 = c_q2_q3_q4 * E_left_ankle_cross_yz - s_q2_q3_q4 * t_left_ankle_cross_7;
   A[16] = A_16;
   A[49] = A[16];
-  const Scalar t_left_ankle_cross_8 = neg_s_left_ankle_cross_y * t_left_ankle_cross_2;
-  const Scalar t_left_ankle_cross_9 = neg_s_left_ankle_cross_x * t_left_ankle_cross_4;
-  const Scalar t_left_ankle_cross_10 = t_left_foot_3 - left_foot_I8 * c_left_foot;
-  const Scalar A_52 = left_ankle_cross_I6 - t_left_ankle_cross_10;
+  const Scalar t_left_ankle_cross_8 = left_hip_fork_k2 * t_left_ankle_cross_2;
+  const Scalar t_left_ankle_cross_9 = s_q2_q3 * t_left_ankle_cross_8;
+  const Scalar t_left_ankle_cross_10 = 2.0 * t_left_ankle_cross_9;
+  const Scalar t_left_ankle_cross_11 = s_left_ankle_cross_x * t_left_ankle_cross_4;
+  const Scalar t_left_ankle_cross_12 = t_left_foot_3 + left_foot_I6 * c_left_foot;
+  const Scalar A_52 = left_ankle_cross_I6 + t_left_ankle_cross_12;
   A[52] = A_52;
-  // left_shank: pseudo-inertia E, A, first moment h of (2)
-  const Scalar t_left_shank_1 = left_shank_I5 + left_foot_I11 * s_left_foot;
-  const Scalar neg_E_left_shank_yz = A_16 + left_shank_I6 * c_q2_q3 + s_q2_q3 * t_left_shank_1;
+  // left_shank: pseudo-inertia E, A of (2)
+  const Scalar t_left_shank_1 = left_foot_I10 * s_left_foot;
+  const Scalar t_left_shank_2 = left_shank_I5 - t_left_shank_1;
+  const Scalar neg_E_left_shank_yz = A_16 + left_shank_I6 * c_q2_q3 + s_q2_q3 * t_left_shank_2;
   A[15] = neg_E_left_shank_yz;
   A[37] = A[15];
-  const Scalar t_left_shank_2 = t_left_ankle_cross_10 - 2.0 * t_left_ankle_cross_9;
-  const Scalar t_left_shank_3 = t_left_shank_2 + 2.0 * t_left_ankle_cross_8;
-  const Scalar A_39 = left_shank_I7 - t_left_shank_3;
+  const Scalar t_left_shank_3 = t_left_ankle_cross_12 - 2.0 * t_left_ankle_cross_11;
+  const Scalar A_39 = left_shank_I7 + t_left_ankle_cross_10 + t_left_shank_3;
   A[39] = A_39;
-  const Scalar neg_h_left_shank_x_1 = t_left_ankle_cross_4 - left_shank_I1 * s_q2_q3;
-  const Scalar neg_h_left_shank_x = neg_h_left_shank_x_1 + left_shank_I2 * c_q2_q3;
-  const Scalar t_left_shank_4 = neg_s_left_shank_x * neg_h_left_shank_x;
-  const Scalar t_left_shank_5 = 2.0 * t_left_shank_4;
-  const Scalar h_left_shank_y_1 = t_left_ankle_cross_2 - left_shank_I2 * s_q2_q3;
-  const Scalar h_left_shank_y = h_left_shank_y_1 - left_shank_I1 * c_q2_q3;
-  const Scalar t_left_shank_6 = neg_s_left_shank_y * h_left_shank_y;
-  const Scalar t_left_thigh_1 = left_thigh_I5 + left_foot_I10 * s_left_foot;
-  const Scalar t_left_ankle_cross_11 = s_q2_q3_q4 * t_left_ankle_cross_7;
-  const Scalar t_left_ankle_cross_12 = c_q2_q3_q4 * E_left_ankle_cross_xz + t_left_ankle_cross_11;
-  const Scalar neg_E_left_shank_xz_1 = t_left_ankle_cross_12 - left_shank_I6 * s_q2_q3;
-  const Scalar neg_E_left_shank_xz = neg_E_left_shank_xz_1 + c_q2_q3 * t_left_shank_1;
+  const Scalar t_left_shank_4 = s_left_shank_y * h_left_shank_y;
+  const Scalar neg_h_left_shank_x_1 = t_left_ankle_cross_4 + left_shank_I2 * s_q2_q3;
+  const Scalar neg_h_left_shank_x = neg_h_left_shank_x_1 - left_shank_I1 * c_q2_q3;
+  const Scalar t_left_shank_5 = left_hip_fork_k1 * neg_h_left_shank_x;
+  const Scalar t_left_shank_6 = c_left_hip_pitch * t_left_shank_5;
+  const Scalar t_left_shank_7 = left_foot_I11 * s_left_foot;
+  const Scalar t_left_shank_8 = c_left_hip_pitch * t_left_shank_7;
   // left_thigh: pseudo-inertia E, A of (2)
-  const Scalar neg_E_left_thigh_xz_1 = neg_E_left_shank_xz - left_thigh_I6 * s_left_hip_pitch;
-  const Scalar neg_E_left_thigh_xz = neg_E_left_thigh_xz_1 + c_left_hip_pitch * t_left_thigh_1;
   const Scalar neg_E_left_thigh_yz_1 = neg_E_left_shank_yz + left_thigh_I6 * c_left_hip_pitch;
-  const Scalar neg_E_left_thigh_yz = neg_E_left_thigh_yz_1 + s_left_hip_pitch * t_left_thigh_1;
+  const Scalar neg_E_left_thigh_yz_2 = left_thigh_I5 - t_left_shank_7;
+  const Scalar neg_E_left_thigh_yz =
+      neg_E_left_thigh_yz_1 + s_left_hip_pitch * neg_E_left_thigh_yz_2;
   A[14] = neg_E_left_thigh_yz;
   A[25] = A[14];
-  const Scalar t_left_thigh_2 = t_left_shank_3 - t_left_shank_5 + 2.0 * t_left_shank_6;
-  const Scalar A_26 = left_thigh_I7 - t_left_thigh_2;
+  const Scalar t_left_thigh_1 = t_left_shank_3 - 2.0 * t_left_shank_6;
+  const Scalar t_left_thigh_2 = t_left_ankle_cross_10 + t_left_thigh_1;
+  const Scalar t_left_thigh_3 = t_left_thigh_2 + 2.0 * t_left_shank_4;
+  const Scalar A_26 = left_thigh_I7 + t_left_thigh_3;
   A[26] = A_26;
-  const Scalar t_left_ankle_cross_13 = left_shank_I3 * c_q2_q3 + left_shank_I4 * s_q2_q3;
-  const Scalar E_left_hip_fork_yz = neg_E_left_thigh_yz - (left_hip_fork_I1 + h_left_ankle_cross_z);
+  const Scalar t_left_ankle_cross_13 = c_q2_q3_q4 * t_left_ankle_cross_7;
+  const Scalar t_left_ankle_cross_14 = t_left_ankle_cross_13 + s_q2_q3_q4 * E_left_ankle_cross_yz;
+  const Scalar E_left_shank_xz_1 = t_left_ankle_cross_14 + left_shank_I6 * s_q2_q3;
+  const Scalar E_left_shank_xz = E_left_shank_xz_1 - c_q2_q3 * t_left_shank_2;
+  const Scalar E_left_thigh_xz_1 = t_left_shank_8 + E_left_shank_xz;
+  const Scalar E_left_thigh_xz_2 = E_left_thigh_xz_1 + left_thigh_I6 * s_left_hip_pitch;
+  const Scalar E_left_thigh_xz = E_left_thigh_xz_2 - left_thigh_I5 * c_left_hip_pitch;
+  const Scalar t_left_ankle_cross_15 = left_shank_I4 * c_q2_q3 - left_shank_I3 * s_q2_q3;
+  const Scalar t_left_shank_9 = left_thigh_I4 * s_left_hip_pitch;
+  const Scalar t_left_shank_10 = t_left_shank_9 + left_thigh_I3 * c_left_hip_pitch;
+  const Scalar t_left_hip_fork_1 = left_thigh_I1 + t_left_shank_10;
   // left_ankle_cross
-  const Scalar t_left_ankle_cross_14 = s_q2_q3_q4 * (left_ankle_cross_I5 + t_left_ankle_cross_10);
-  const Scalar t_left_ankle_cross_15 = left_ankle_cross_I7 + 2.0 * t_left_foot_4;
-  const Scalar t_left_ankle_cross_16 = t_left_ankle_cross_14 + c_q2_q3_q4 * t_left_ankle_cross_15;
-  const Scalar t_left_shank_7 = left_thigh_I4 * c_left_hip_pitch;
-  const Scalar t_left_shank_8 = t_left_shank_7 + left_thigh_I3 * s_left_hip_pitch;
+  const Scalar t_left_ankle_cross_16 = s_q2_q3_q4 * (left_ankle_cross_I5 - t_left_ankle_cross_12);
+  const Scalar t_left_ankle_cross_17 = left_ankle_cross_I7 - 2.0 * t_left_foot_4;
+  const Scalar t_left_ankle_cross_18 = c_q2_q3_q4 * t_left_ankle_cross_17 + t_left_ankle_cross_16;
   // left_hip_fork: pseudo-inertia E, A of (2)
-  const Scalar t_left_hip_fork_1 = left_hip_fork_I2 - t_left_foot_4 + neg_h_left_shank_x;
-  const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + c_q2_q3_q4 * t_left_ankle_cross_16;
-  const Scalar t_left_hip_fork_3 = left_thigh_I2 + left_hip_fork_k1 * neg_h_left_shank_x;
-  const Scalar t_left_hip_fork_4 = t_left_hip_fork_2 + neg_s_left_shank_x * h_left_shank_y;
-  const Scalar t_left_hip_fork_5 = t_left_ankle_cross_13 - left_hip_fork_k2 * t_left_ankle_cross_2;
-  const Scalar t_left_hip_fork_6 = t_left_hip_fork_4 - s_left_hip_pitch * t_left_hip_fork_3;
-  const Scalar t_left_hip_fork_7 = t_left_hip_fork_6 - c_q2_q3 * t_left_hip_fork_5;
-  const Scalar t_left_hip_fork_8 = left_thigh_I1 - t_left_shank_8;
-  const Scalar t_left_hip_fork_9 = t_left_hip_fork_7 + c_left_hip_pitch * t_left_hip_fork_8;
-  const Scalar neg_E_left_hip_fork_xz =
-      t_left_hip_fork_9 - neg_s_left_ankle_cross_y * t_left_ankle_cross_4;
-  A[1] = s_left_hip_roll * E_left_hip_fork_yz + c_left_hip_roll * neg_E_left_hip_fork_xz;
+  const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + left_hip_fork_k1 * h_left_shank_y;
+  const Scalar t_left_hip_fork_3 = neg_h_left_shank_x - (left_hip_fork_I3 - t_left_foot_4);
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 - c_left_hip_pitch * t_left_hip_fork_2;
+  const Scalar t_left_hip_fork_5 = t_left_ankle_cross_8 - t_left_ankle_cross_15;
+  const Scalar t_left_hip_fork_6 = t_left_hip_fork_4 - c_q2_q3 * t_left_hip_fork_5;
+  const Scalar t_left_hip_fork_7 = left_thigh_I2 + t_left_shank_5;
+  const Scalar t_left_hip_fork_8 = t_left_hip_fork_6 + s_left_hip_pitch * t_left_hip_fork_7;
+  const Scalar t_left_hip_fork_9 = t_left_hip_fork_8 + s_left_ankle_cross_y * t_left_ankle_cross_4;
+  const Scalar E_left_hip_fork_yz = left_hip_fork_I1 - h_left_ankle_cross_z + neg_E_left_thigh_yz;
+  const Scalar neg_E_left_hip_fork_xz = t_left_hip_fork_9 + c_q2_q3_q4 * t_left_ankle_cross_18;
+  A[1] = c_left_hip_roll * neg_E_left_hip_fork_xz + s_left_hip_roll * E_left_hip_fork_yz;
   A[12] = A[1];
-  const Scalar t_left_hip_fork_10 = t_left_foot_3 + left_foot_I7 * s_left_foot;
-  const Scalar t_left_hip_fork_11 = t_left_shank_2 - t_left_shank_5;
-  const Scalar t_left_hip_fork_12 = t_left_hip_fork_11 + s_left_hip_pitch * t_left_shank_8;
-  const Scalar t_left_hip_fork_13 = t_left_hip_fork_12 - s_q2_q3_q4 * t_left_ankle_cross_16;
-  const Scalar t_left_hip_fork_14 = t_left_hip_fork_13 + s_q2_q3 * t_left_ankle_cross_13;
-  A[13] = left_hip_fork_I4 + t_left_hip_fork_10 - t_left_hip_fork_14;
-  const Scalar h_left_thigh_y_1 = h_left_shank_y - left_thigh_I1 * s_left_hip_pitch;
-  const Scalar h_left_thigh_y = h_left_thigh_y_1 - left_thigh_I2 * c_left_hip_pitch;
-  const Scalar A_0_1 = t_left_hip_fork_14 - (left_hip_fork_I5 - t_left_hip_fork_10);
-  const Scalar A_0_2 = s_left_hip_roll * (left_hip_fork_I3 + 2.0 * neg_E_left_thigh_xz);
-  const Scalar A_0_3 = left_hip_block_I1 - t_left_thigh_2 + 2.0 * h_left_thigh_y;
-  A[0] = A_0_3 + c_left_hip_roll * (A_0_2 + c_left_hip_roll * A_0_1);
+  const Scalar t_left_hip_fork_10 = t_left_thigh_1 - s_left_hip_pitch * t_left_shank_10;
+  const Scalar t_left_hip_fork_11 = t_left_hip_fork_10 + s_q2_q3 * t_left_ankle_cross_15;
+  const Scalar t_left_hip_fork_12 = t_left_hip_fork_11 + s_q2_q3_q4 * t_left_ankle_cross_18;
+  const Scalar t_left_hip_fork_13 = t_left_foot_3 + left_foot_I7 * s_left_foot;
+  A[13] = left_hip_fork_I4 + t_left_hip_fork_12 - t_left_hip_fork_13;
+  const Scalar h_left_thigh_y_1 = h_left_shank_y + left_thigh_I2 * c_left_hip_pitch;
+  const Scalar h_left_thigh_y = h_left_thigh_y_1 + left_thigh_I1 * s_left_hip_pitch;
+  const Scalar A_0_1 = left_hip_fork_I5 + t_left_hip_fork_12 + t_left_hip_fork_13;
+  const Scalar A_0_2 = s_left_hip_roll * (left_hip_fork_I2 + 2.0 * E_left_thigh_xz);
+  const Scalar A_0_3 = left_hip_block_I1 + t_left_thigh_3 + 2.0 * h_left_thigh_y;
+  A[0] = A_0_3 - c_left_hip_roll * (A_0_2 + c_left_hip_roll * A_0_1);
+  const Scalar t_right_foot_5 = left_foot_I9 + t_right_foot_1 - left_foot_I8 * s_right_foot;
   // right_ankle_cross: A of (2)
-  const Scalar t_righ_ankl_cros_19 = c_q8_q9_q10 * neg_h_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_20 = s_q8_q9_q10 * neg_h_righ_ankl_cros_z;
-  const Scalar A_119_1 = A_131 - neg_s_righ_ankl_cros_y * t_righ_ankl_cros_19;
-  const Scalar A_119 = A_119_1 + neg_s_righ_ankl_cros_x * t_righ_ankl_cros_20;
+  const Scalar t_righ_ankl_cros_15 = c_q8_q9_q10 * neg_h_righ_ankl_cros_z;
+  const Scalar A_119_1 = A_131 - s_q8_q9_q10 * c_q8_q9 * t_right_shank_1;
+  const Scalar A_119 = A_119_1 + s_righ_ankl_cros_y * t_righ_ankl_cros_15;
   A[119] = A_119;
   A[141] = A[119];
-  const Scalar t_right_foot_5 = left_foot_I9 + t_right_foot_1 + left_foot_I6 * s_right_foot;
   // right_shank: A of (2)
-  const Scalar A_95_1 = t_right_foot_1 * (neg_s_right_shank_x + neg_s_righ_ankl_cros_x);
-  A[95] = c_q8_q9_q10 * t_right_foot_5 + A_95_1 - s_q8_q9_q10 * t_right_foot_4;
+  const Scalar A_95_1 = t_right_foot_1 * (s_right_shank_x + s_righ_ankl_cros_x);
+  A[95] = c_q8_q9_q10 * t_right_foot_5 - A_95_1 - s_q8_q9_q10 * t_right_foot_4;
   A[139] = A[95];
-  const Scalar A_107_1 = A_119 + neg_s_right_shank_x * t_righ_ankl_cros_20;
-  const Scalar A_107 = A_107_1 - neg_s_right_shank_y * t_righ_ankl_cros_19;
+  const Scalar A_107_1 = A_119 + s_right_shank_y * t_righ_ankl_cros_15;
+  const Scalar A_107 = A_107_1 - s_q8_q9_q10 * t_right_shank_6;
   A[107] = A_107;
   A[140] = A[107];
-  const Scalar neg_A_83_1 = neg_s_righ_ankl_cros_y - (1.0 - neg_s_right_shank_y);
-  const Scalar neg_A_83_2 = t_righ_ankl_cros_13 + s_q8_q9_q10 * t_right_foot_5;
-  const Scalar neg_A_83_3 = c_right_hip_roll * (neg_A_83_2 + t_right_foot_1 * neg_A_83_1);
-  A[83] = s_right_hip_roll * (t_righ_ankl_cros_19 + A_107) - neg_A_83_3;
+  const Scalar A_83_1 = s_q8_q9_q10 * t_right_foot_5 + c_q8_q9_q10 * t_right_foot_4;
+  const Scalar A_83_2 = 1.0 + s_right_shank_y + s_righ_ankl_cros_y;
+  const Scalar A_83_3 = c_right_hip_roll * (A_83_1 - t_right_foot_1 * A_83_2);
+  A[83] = s_right_hip_roll * (t_righ_ankl_cros_15 + A_107) - A_83_3;
   A[138] = A[83];
-  const Scalar A_118 = t_righ_ankl_cros_7 - t_righ_ankl_cros_8 + A_130;
+  const Scalar A_118 = A_130 - (t_righ_ankl_cros_5 - t_righ_ankl_cros_6);
   A[118] = A_118;
   A[129] = A[118];
-  const Scalar A_106_1 = A_118 - neg_s_right_shank_y * t_righ_ankl_cros_4;
-  const Scalar A_106 = A_106_1 + neg_s_right_shank_x * t_righ_ankl_cros_2;
+  const Scalar A_106_1 = A_118 - s_right_shank_x * t_righ_ankl_cros_2;
+  const Scalar A_106 = A_106_1 + s_right_shank_y * t_righ_ankl_cros_4;
   A[106] = A_106;
   A[128] = A[106];
-  const Scalar neg_A_82_1 = s_right_hip_roll * (t_righ_ankl_cros_4 + A_106);
-  A[82] = neg_A_82_1 - c_right_hip_roll * t_righ_ankl_cros_12;
+  const Scalar A_82_1 = s_right_hip_roll * (t_righ_ankl_cros_4 + A_106);
+  A[82] = c_right_hip_roll * t_righ_ankl_cros_10 + A_82_1;
   A[126] = A[82];
-  const Scalar neg_A_105 = neg_A_117 - t_right_shank_3 + t_right_shank_4;
-  A[105] = -neg_A_105;
+  const Scalar A_105 = t_right_shank_5 - (neg_A_117 + t_right_shank_4);
+  A[105] = A_105;
   A[116] = A[105];
-  A[81] = s_right_hip_roll * (h_right_shank_y - neg_A_105) - c_right_hip_roll * E_right_shank_xz;
+  A[81] = c_right_hip_roll * neg_E_right_shank_xz + s_right_hip_roll * (h_right_shank_y + A_105);
   A[114] = A[81];
-  A[80] = s_right_hip_roll * (A_104 + h_right_thigh_y) - c_right_hip_roll * E_right_thigh_xz;
+  A[80] = s_right_hip_roll * (A_104 + h_right_thigh_y) + c_right_hip_roll * neg_E_right_thigh_xz;
   A[102] = A[80];
   // left_ankle_cross: A of (2)
-  const Scalar t_left_ankle_cross_17 = s_q2_q3_q4 * h_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_18 = c_q2_q3_q4 * h_left_ankle_cross_z;
-  const Scalar neg_A_41_1 = neg_A_53 + neg_s_left_ankle_cross_x * t_left_ankle_cross_17;
-  const Scalar neg_A_41 = neg_A_41_1 - neg_s_left_ankle_cross_y * t_left_ankle_cross_18;
+  const Scalar t_left_ankle_cross_19 = c_q2_q3_q4 * h_left_ankle_cross_z;
+  const Scalar neg_A_41_1 = neg_A_53 + s_left_ankle_cross_y * t_left_ankle_cross_19;
+  const Scalar neg_A_41 = neg_A_41_1 - s_q2_q3_q4 * c_q2_q3 * t_left_shank_1;
   A[41] = -neg_A_41;
   A[63] = A[41];
-  const Scalar t_left_foot_5 = left_foot_I9 + t_left_foot_1 + left_foot_I6 * s_left_foot;
-  const Scalar A_17_1 = c_q2_q3_q4 * t_left_foot_5 + s_q2_q3_q4 * t_left_foot_4;
+  const Scalar t_left_foot_5 = left_foot_I9 + t_left_foot_1 - left_foot_I8 * s_left_foot;
+  const Scalar A_17_1 = c_q2_q3_q4 * t_left_foot_5 - s_q2_q3_q4 * t_left_foot_4;
   // left_shank: A of (2)
-  A[17] = A_17_1 + t_left_foot_1 * (neg_s_left_shank_x + neg_s_left_ankle_cross_x);
+  A[17] = A_17_1 - t_left_foot_1 * (s_left_shank_x + s_left_ankle_cross_x);
   A[61] = A[17];
-  const Scalar neg_A_29_1 = neg_A_41 - neg_s_left_shank_y * t_left_ankle_cross_18;
-  const Scalar neg_A_29 = neg_A_29_1 + neg_s_left_shank_x * t_left_ankle_cross_17;
+  const Scalar neg_A_29_1 = neg_A_41 + s_left_shank_y * t_left_ankle_cross_19;
+  const Scalar neg_A_29 = neg_A_29_1 - s_q2_q3_q4 * t_left_shank_8;
   A[29] = -neg_A_29;
   A[62] = A[29];
-  const Scalar neg_A_5_1 = neg_s_left_ankle_cross_y - (1.0 - neg_s_left_shank_y);
-  const Scalar neg_A_5_2 = c_q2_q3_q4 * t_left_foot_4 - s_q2_q3_q4 * t_left_foot_5;
-  const Scalar neg_A_5_3 = c_left_hip_roll * (neg_A_5_2 - t_left_foot_1 * neg_A_5_1);
-  A[5] = neg_A_5_3 - s_left_hip_roll * (t_left_ankle_cross_18 + neg_A_29);
+  const Scalar neg_A_5_1 = t_left_foot_1 * (1.0 + s_left_shank_y + s_left_ankle_cross_y);
+  const Scalar neg_A_5_2 = s_q2_q3_q4 * t_left_foot_5 - neg_A_5_1;
+  const Scalar neg_A_5_3 = c_left_hip_roll * (neg_A_5_2 + c_q2_q3_q4 * t_left_foot_4);
+  A[5] = -(neg_A_5_3 + s_left_hip_roll * (t_left_ankle_cross_19 + neg_A_29));
   A[60] = A[5];
-  const Scalar A_40 = A_52 - (t_left_ankle_cross_8 - t_left_ankle_cross_9);
+  const Scalar A_40 = t_left_ankle_cross_9 - t_left_ankle_cross_11 + A_52;
   A[40] = A_40;
   A[51] = A[40];
-  const Scalar A_28_1 = A_40 - neg_s_left_shank_y * t_left_ankle_cross_2;
-  const Scalar A_28 = A_28_1 + neg_s_left_shank_x * t_left_ankle_cross_4;
+  const Scalar A_28_1 = A_40 + s_left_shank_y * t_left_ankle_cross_2;
+  const Scalar A_28 = A_28_1 - s_left_shank_x * t_left_ankle_cross_4;
   A[28] = A_28;
   A[50] = A[28];
   const Scalar A_4_1 = s_left_hip_roll * (t_left_ankle_cross_2 + A_28);
-  A[4] = A_4_1 + c_left_hip_roll * t_left_ankle_cross_12;
+  A[4] = A_4_1 - c_left_hip_roll * t_left_ankle_cross_14;
   A[48] = A[4];
   const Scalar neg_A_27 = t_left_shank_6 - (A_39 + t_left_shank_4);
   A[27] = -neg_A_27;
   A[38] = A[27];
   // left_hip_fork: A of (2)
-  A[3] = c_left_hip_roll * neg_E_left_shank_xz + s_left_hip_roll * (h_left_shank_y - neg_A_27);
+  A[3] = s_left_hip_roll * (h_left_shank_y - neg_A_27) - c_left_hip_roll * E_left_shank_xz;
   A[36] = A[3];
-  A[2] = s_left_hip_roll * (A_26 + h_left_thigh_y) + c_left_hip_roll * neg_E_left_thigh_xz;
+  A[2] = s_left_hip_roll * (A_26 + h_left_thigh_y) - c_left_hip_roll * E_left_thigh_xz;
   A[24] = A[2];
   A[65] = left_foot_I9;
   A[143] = left_foot_I9;
   mass_matrix_0(A);
 }
 
+// Lengths inside are in units of L, a distance between left_hip_roll and left_hip_pitch:
+//   L = 0.01 m
+// Names: vectors F_ in N m/L, a_ in L/s^2, s_ in L; all others are of values in SI units; numbered
+// ones (t_) by what they are made of. Arguments and results are in SI units.
 void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept {
   const Scalar q_q3_q4 = q[3] + q[4];
   const Scalar q_q2_q3_q4 = q[2] + q_q3_q4;
@@ -1053,14 +1024,14 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar c_left_foot = cosines[8];
   const Scalar s_right_foot = sines[9];
   const Scalar c_right_foot = cosines[9];
-  const Scalar neg_s_left_shank_y = left_shank_l1 * s_q3_q4;
-  const Scalar s_left_shank_x = left_shank_l1 * c_q3_q4;
-  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_left_ankle_pitch;
-  const Scalar s_left_ankle_cross_x = left_ankle_cross_l1 * c_left_ankle_pitch;
-  const Scalar neg_s_right_shank_y = left_shank_l1 * s_q9_q10;
-  const Scalar s_right_shank_x = left_shank_l1 * c_q9_q10;
-  const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_right_ankle_pitch;
-  const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_right_ankle_pitch;
+  const Scalar s_left_shank_y = left_hip_fork_k1 * s_q3_q4;
+  const Scalar neg_s_left_shank_x = left_hip_fork_k1 * c_q3_q4;
+  const Scalar neg_s_left_ankle_cross_x = left_hip_fork_k2 * c_left_ankle_pitch;
+  const Scalar s_left_ankle_cross_y = left_hip_fork_k2 * s_left_ankle_pitch;
+  const Scalar s_right_shank_y = left_hip_fork_k1 * s_q9_q10;
+  const Scalar neg_s_right_shank_x = left_hip_fork_k1 * c_q9_q10;
+  const Scalar neg_s_righ_ankl_cros_x = left_hip_fork_k2 * c_right_ankle_pitch;
+  const Scalar s_righ_ankl_cros_y = left_hip_fork_k2 * s_right_ankle_pitch;
   // left_thigh: angular velocity omega, Omega, angular acceleration alpha of (3)
   const Scalar t_left_thigh_1 = s_q2_q3_q4 * qd[1];
   const Scalar t_left_thigh_2 = c_left_hip_roll * qd[0];
@@ -1088,514 +1059,533 @@ void bias_force(const Scalar q[12], const Scalar qd[12], Scalar B[12]) noexcept 
   const Scalar alpha_left_thigh_z = qd[1] * t_left_thigh_2;
   const Scalar Omega_left_thigh_yx = t_left_thigh_11 + alpha_left_thigh_z;
   const Scalar Omega_left_thigh_xy = t_left_thigh_11 - alpha_left_thigh_z;
-  const Scalar t_left_thigh_12 = qd[0] * qd[0] * left_hip_fork_l1;
-  const Scalar a_left_thigh_y = c_q2_q3_q4 * t_left_thigh_12;
-  const Scalar a_left_thigh_x = s_q2_q3_q4 * t_left_thigh_12;
-  const Scalar t_left_thigh_13 = left_thigh_I8 * c_q3_q4 + left_thigh_I6 * s_q3_q4;
-  const Scalar t_left_thigh_14 = left_thigh_I9 * s_q3_q4 - left_thigh_I4 * c_q3_q4;
-  const Scalar t_left_thigh_15 = s_q3_q4 * t_left_thigh_14;
+  const Scalar neg_Omega_left_thigh_yy = t_left_thigh_3 + t_left_thigh_7;
+  const Scalar t_left_hip_block_1 = qd[0] * qd[0];
+  const Scalar a_left_thigh_y = c_q2_q3_q4 * t_left_hip_block_1;
+  const Scalar a_left_thigh_x = s_q2_q3_q4 * t_left_hip_block_1;
+  const Scalar t_left_thigh_12 = left_thigh_I6 * s_q3_q4 + left_thigh_I8 * c_q3_q4;
+  const Scalar t_left_thigh_13 = left_thigh_I9 * s_q3_q4 - left_thigh_I3 * c_q3_q4;
+  const Scalar t_left_thigh_14 = s_q3_q4 * t_left_thigh_13;
+  const Scalar t_left_thigh_15 = left_thigh_I10 - t_left_thigh_14;
   const Scalar t_left_thigh_16 = left_thigh_I8 * s_q3_q4 - left_thigh_I6 * c_q3_q4;
-  const Scalar t_left_thigh_17 = t_left_thigh_3 - t_left_thigh_5;
-  const Scalar t_left_thigh_18 = left_thigh_I12 + c_q3_q4 * t_left_thigh_14;
-  const Scalar t_left_thigh_19 = left_thigh_h1 * c_q3_q4 - left_thigh_h2 * s_q3_q4;
-  const Scalar t_left_thigh_20 = left_thigh_h2 * c_q3_q4 + left_thigh_h1 * s_q3_q4;
-  // left_shank: angular velocity omega, Omega, moment M of (3)
+  const Scalar t_left_thigh_17 = neg_Omega_left_thigh_xx - neg_Omega_left_thigh_yy;
+  const Scalar t_left_thigh_18 = left_thigh_I12 + c_q3_q4 * t_left_thigh_13;
+  const Scalar t_left_thigh_19 = left_thigh_I2 * c_q3_q4 - left_thigh_I13 * s_q3_q4;
+  const Scalar t_left_thigh_20 = left_thigh_I2 * s_q3_q4 + left_thigh_I13 * c_q3_q4;
+  // left_shank: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
   const Scalar t_left_shank_1 = 2.0 * neg_omega_left_thigh_y;
   const Scalar Omega_left_shank_zy = neg_Omega_left_thigh_yz - omega_left_shank_z * t_left_shank_1;
   const Scalar t_left_shank_2 = 2.0 * neg_omega_left_thigh_x;
   const Scalar Omega_left_shank_zx = neg_Omega_left_foot_xy - omega_left_shank_z * t_left_shank_2;
+  const Scalar a_left_shank_z_1 = neg_s_left_shank_x * neg_Omega_left_thigh_zx;
+  const Scalar a_left_shank_z = a_left_shank_z_1 - s_left_shank_y * neg_Omega_left_thigh_zy;
   const Scalar t_left_shank_3 = omega_left_shank_z * omega_left_shank_z;
   const Scalar neg_Omega_left_shank_xx = t_left_thigh_5 + t_left_shank_3;
-  const Scalar t_left_shank_4 = left_shank_I3 * c_left_ankle_pitch;
-  const Scalar t_left_shank_5 = t_left_shank_4 - left_shank_I8 * s_left_ankle_pitch;
+  const Scalar neg_Omega_left_shank_yy = t_left_thigh_3 + t_left_shank_3;
+  const Scalar t_left_shank_4 = left_shank_I8 * s_left_ankle_pitch;
+  const Scalar t_left_shank_5 = t_left_shank_4 + left_shank_I4 * c_left_ankle_pitch;
   const Scalar t_left_shank_6 = left_shank_I9 - c_left_ankle_pitch * t_left_shank_5;
   const Scalar t_left_shank_7 = s_left_ankle_pitch * t_left_shank_5;
-  const Scalar t_left_shank_8 = left_shank_I11 * c_left_ankle_pitch;
-  const Scalar t_left_shank_9 = t_left_shank_8 + left_shank_I6 * s_left_ankle_pitch;
-  const Scalar t_left_shank_10 = left_shank_I11 * s_left_ankle_pitch;
-  const Scalar t_left_shank_11 = t_left_shank_10 - left_shank_I6 * c_left_ankle_pitch;
-  const Scalar t_left_shank_12 = left_shank_h1 * s_left_ankle_pitch;
-  const Scalar t_left_shank_13 = t_left_shank_12 - left_shank_h2 * c_left_ankle_pitch;
-  const Scalar t_left_shank_14 = left_shank_I12 + t_left_shank_7;
-  const Scalar t_left_shank_15 = left_shank_h1 * c_left_ankle_pitch;
-  const Scalar t_left_shank_16 = t_left_shank_15 + left_shank_h2 * s_left_ankle_pitch;
+  const Scalar t_left_shank_8 = left_shank_I10 + t_left_shank_7;
+  const Scalar t_left_shank_9 = left_shank_I11 * c_left_ankle_pitch;
+  const Scalar t_left_shank_10 = t_left_shank_9 + left_shank_I6 * s_left_ankle_pitch;
+  const Scalar t_left_shank_11 = left_shank_I11 * s_left_ankle_pitch;
+  const Scalar t_left_shank_12 = t_left_shank_11 - left_shank_I6 * c_left_ankle_pitch;
+  const Scalar t_left_shank_13 = left_shank_I12 * s_left_ankle_pitch;
+  const Scalar t_left_shank_14 = left_shank_I2 * c_left_ankle_pitch - t_left_shank_13;
+  const Scalar t_left_shank_15 = left_shank_I13 - t_left_shank_7;
+  const Scalar t_left_shank_16 = left_shank_I12 * c_left_ankle_pitch;
+  const Scalar t_left_shank_17 = left_shank_I2 * s_left_ankle_pitch + t_left_shank_16;
   // left_ankle_cross: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[4];
   const Scalar t_left_ankle_cross_1 = Omega_left_shank_zy - t_left_shank_1 * qd[4];
   const Scalar t_left_ankle_cross_2 = Omega_left_shank_zx - t_left_shank_2 * qd[4];
   const Scalar t_left_ankle_cross_3 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
-  const Scalar a_left_shank_z_1 = neg_s_left_shank_y * neg_Omega_left_thigh_zy;
-  const Scalar a_left_shank_z = a_left_shank_z_1 - s_left_shank_x * neg_Omega_left_thigh_zx;
-  const Scalar a_left_ankle_cross_z_1 = a_left_shank_z + s_left_ankle_cross_x * Omega_left_shank_zx;
+  const Scalar t_left_ankle_cross_4 = t_left_thigh_3 - t_left_ankle_cross_3;
+  const Scalar a_left_ankle_cross_z_1 = a_left_shank_z + s_left_ankle_cross_y * Omega_left_shank_zy;
   const Scalar a_left_ankle_cross_z =
-      a_left_ankle_cross_z_1 - neg_s_left_ankle_cross_y * Omega_left_shank_zy;
-  const Scalar a_left_foot_y_1 = a_left_ankle_cross_z - left_hip_fork_l2 * neg_Omega_left_thigh_zz;
-  const Scalar a_left_foot_y = a_left_foot_y_1 + left_hip_fork_l1 * t_left_ankle_cross_2;
-  const Scalar a_left_shank_x_1 = a_left_thigh_x - s_left_shank_x * neg_Omega_left_thigh_xx;
-  const Scalar a_left_shank_x = a_left_shank_x_1 - neg_s_left_shank_y * Omega_left_thigh_xy;
-  const Scalar a_left_ankle_cross_x_1 =
-      a_left_shank_x - s_left_ankle_cross_x * neg_Omega_left_shank_xx;
-  const Scalar a_left_ankle_cross_x =
-      a_left_ankle_cross_x_1 - neg_s_left_ankle_cross_y * Omega_left_thigh_xy;
-  const Scalar a_left_foot_x_1 = a_left_ankle_cross_x - left_hip_fork_l2 * neg_Omega_left_foot_xy;
-  const Scalar a_left_foot_x_2 = t_left_thigh_5 + t_left_ankle_cross_3;
-  const Scalar a_left_foot_x = a_left_foot_x_1 - left_hip_fork_l1 * a_left_foot_x_2;
-  const Scalar neg_Omega_left_thigh_yy = t_left_thigh_3 + t_left_thigh_7;
-  const Scalar a_left_shank_y_1 = a_left_thigh_y + neg_s_left_shank_y * neg_Omega_left_thigh_yy;
-  const Scalar a_left_shank_y = a_left_shank_y_1 + s_left_shank_x * Omega_left_thigh_yx;
-  const Scalar t_left_foot_1 = left_hip_fork_l1 + s_left_ankle_cross_x;
-  const Scalar neg_Omega_left_shank_yy = t_left_thigh_3 + t_left_shank_3;
+      a_left_ankle_cross_z_1 - neg_s_left_ankle_cross_x * Omega_left_shank_zx;
   // left_foot: acceleration a, angular velocity omega, Omega of (3)
-  const Scalar neg_a_left_foot_z_1 = a_left_shank_y - left_hip_fork_l2 * neg_Omega_left_thigh_yz;
-  const Scalar neg_a_left_foot_z_2 =
-      neg_a_left_foot_z_1 + neg_s_left_ankle_cross_y * neg_Omega_left_shank_yy;
-  const Scalar neg_a_left_foot_z = neg_a_left_foot_z_2 + Omega_left_thigh_yx * t_left_foot_1;
+  const Scalar a_left_foot_y_1 = t_left_ankle_cross_2 + a_left_ankle_cross_z;
+  const Scalar a_left_foot_y = a_left_foot_y_1 + left_hip_fork_k3 * neg_Omega_left_thigh_zz;
   const Scalar omega_left_foot_z = neg_omega_left_thigh_y + qd[5];
   const Scalar Omega_left_foot_zy_1 = omega_left_ankle_cross_z * omega_left_foot_z;
   const Scalar Omega_left_foot_zy = t_left_ankle_cross_1 + 2.0 * Omega_left_foot_zy_1;
-  const Scalar t_left_foot_2 = omega_left_foot_z * omega_left_foot_z;
+  const Scalar a_left_shank_x_1 = a_left_thigh_x + s_left_shank_y * Omega_left_thigh_xy;
+  const Scalar a_left_shank_x = a_left_shank_x_1 + neg_s_left_shank_x * neg_Omega_left_thigh_xx;
+  // left_ankle_cross: acceleration a, Omega of (3)
+  const Scalar a_left_ankle_cross_x_1 = a_left_shank_x + s_left_ankle_cross_y * Omega_left_thigh_xy;
+  const Scalar a_left_ankle_cross_x =
+      a_left_ankle_cross_x_1 + neg_s_left_ankle_cross_x * neg_Omega_left_shank_xx;
+  const Scalar a_left_foot_x_1 = t_left_thigh_5 + t_left_ankle_cross_3;
+  const Scalar a_left_foot_x_2 = a_left_ankle_cross_x - a_left_foot_x_1;
+  const Scalar a_left_foot_x = a_left_foot_x_2 + left_hip_fork_k3 * neg_Omega_left_foot_xy;
+  const Scalar a_left_shank_y_1 = a_left_thigh_y - neg_s_left_shank_x * Omega_left_thigh_yx;
+  const Scalar a_left_shank_y = a_left_shank_y_1 - s_left_shank_y * neg_Omega_left_thigh_yy;
+  // left_foot: acceleration a, moment M, Omega of (3)
+  const Scalar neg_a_left_foot_z_1 = Omega_left_thigh_yx + a_left_shank_y;
+  const Scalar neg_a_left_foot_z_2 =
+      neg_a_left_foot_z_1 + left_hip_fork_k3 * neg_Omega_left_thigh_yz;
+  const Scalar neg_a_left_foot_z_3 =
+      neg_a_left_foot_z_2 - neg_s_left_ankle_cross_x * Omega_left_thigh_yx;
+  const Scalar neg_a_left_foot_z =
+      neg_a_left_foot_z_3 - s_left_ankle_cross_y * neg_Omega_left_shank_yy;
+  const Scalar t_left_foot_1 = omega_left_foot_z * omega_left_foot_z;
   const Scalar Omega_left_foot_zx = Omega_left_thigh_xy - t_left_shank_2 * omega_left_foot_z;
-  const Scalar t_left_foot_3 = left_foot_h1 * c_left_foot;
-  const Scalar t_left_foot_4 = left_foot_h1 * s_left_foot;
-  const Scalar t_left_foot_5 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
-  const Scalar t_left_foot_6 = s_left_foot * t_left_foot_5;
-  const Scalar t_left_foot_7 = left_foot_I12 - t_left_foot_6;
-  const Scalar t_left_foot_8 = left_foot_I3 * c_left_foot - left_foot_I2 * s_left_foot;
-  const Scalar t_left_foot_9 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
-  const Scalar t_left_foot_10 = left_foot_I13 + t_left_foot_6;
-  const Scalar t_left_foot_11 = left_foot_I14 - c_left_foot * t_left_foot_5;
-  const Scalar t_left_ankle_cross_4 = t_left_thigh_3 - t_left_ankle_cross_3;
-  const Scalar M_left_foot_z_1 = neg_Omega_left_foot_xy * t_left_foot_10;
-  const Scalar M_left_foot_z_2 = a_left_foot_y * t_left_foot_3 + M_left_foot_z_1;
-  const Scalar M_left_foot_z_3 = M_left_foot_z_2 + t_left_foot_11 * t_left_ankle_cross_4;
-  const Scalar M_left_foot_z_4 = M_left_foot_z_3 + Omega_left_thigh_xy * t_left_foot_9;
-  const Scalar M_left_foot_z_5 = M_left_foot_z_4 - a_left_foot_x * t_left_foot_4;
-  const Scalar M_left_foot_z_6 = M_left_foot_z_5 + t_left_ankle_cross_2 * t_left_foot_7;
-  const Scalar M_left_foot_z = M_left_foot_z_6 - t_left_ankle_cross_1 * t_left_foot_8;
-  B[5] = M_left_foot_z;
-  const Scalar neg_F_left_foot_z_1 = left_ankle_cross_m1 * neg_a_left_foot_z;
-  const Scalar neg_F_left_foot_z_2 = neg_F_left_foot_z_1 - Omega_left_foot_zx * t_left_foot_3;
-  const Scalar neg_F_left_foot_z = neg_F_left_foot_z_2 - Omega_left_foot_zy * t_left_foot_4;
+  const Scalar t_left_foot_2 = left_foot_I5 * c_left_foot - left_foot_I4 * s_left_foot;
+  const Scalar t_left_foot_3 = s_left_foot * t_left_foot_2;
+  const Scalar t_left_foot_4 = left_foot_I13 - c_left_foot * t_left_foot_2;
+  const Scalar t_left_foot_5 = left_foot_I2 * s_left_foot - left_foot_I3 * c_left_foot;
+  const Scalar t_left_foot_6 = left_foot_I1 * s_left_foot;
+  const Scalar t_left_foot_7 = left_foot_I14 + t_left_foot_3;
+  const Scalar t_left_foot_8 = left_foot_I1 * c_left_foot;
+  const Scalar t_left_foot_9 = left_foot_I12 - t_left_foot_3;
+  const Scalar t_left_foot_10 = left_foot_I3 * s_left_foot + left_foot_I2 * c_left_foot;
+  const Scalar neg_M_left_foot_z_1 = t_left_ankle_cross_4 * t_left_foot_4;
+  const Scalar neg_M_left_foot_z_2 = neg_M_left_foot_z_1 - a_left_foot_y * t_left_foot_8;
+  const Scalar neg_M_left_foot_z_3 = neg_M_left_foot_z_2 - t_left_ankle_cross_1 * t_left_foot_5;
+  const Scalar neg_M_left_foot_z_4 = neg_M_left_foot_z_3 - neg_Omega_left_foot_xy * t_left_foot_9;
+  const Scalar neg_M_left_foot_z_5 = neg_M_left_foot_z_4 + a_left_foot_x * t_left_foot_6;
+  const Scalar neg_M_left_foot_z_6 = neg_M_left_foot_z_5 - Omega_left_thigh_xy * t_left_foot_10;
+  const Scalar neg_M_left_foot_z = neg_M_left_foot_z_6 - t_left_ankle_cross_2 * t_left_foot_7;
+  B[5] = -neg_M_left_foot_z;
+  const Scalar t_right_hip_block_1 = qd[6] * qd[6];
+  // right_hip_fork: moment M, angular acceleration alpha of (3)
   const Scalar t_right_hip_fork_1 = left_hip_fork_I6 * c_right_hip_roll;
-  const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 - left_hip_fork_I3 * s_right_hip_roll;
-  // right_thigh: angular velocity omega, Omega, angular acceleration alpha of (3)
-  const Scalar t_right_thigh_1 = s_q8_q9_q10 * qd[7];
-  const Scalar t_right_thigh_2 = c_right_hip_roll * qd[6];
-  const Scalar neg_omega_right_thigh_x = t_right_thigh_1 + c_q8_q9_q10 * t_right_thigh_2;
-  const Scalar t_right_thigh_3 = s_right_hip_roll * qd[6];
-  const Scalar omega_right_thigh_z = qd[8] + t_right_thigh_3;
-  const Scalar t_right_thigh_4 = neg_omega_right_thigh_x * omega_right_thigh_z;
-  const Scalar t_right_thigh_5 = t_right_thigh_1 * t_right_thigh_3;
-  const Scalar neg_alpha_right_thigh_y = t_right_thigh_5 - neg_omega_right_thigh_x * qd[8];
-  const Scalar neg_Omega_right_foot_xy = t_right_thigh_4 + neg_alpha_right_thigh_y;
-  const Scalar t_right_thigh_6 = c_q8_q9_q10 * qd[7];
-  const Scalar neg_omega_right_thigh_y = t_right_thigh_6 - s_q8_q9_q10 * t_right_thigh_2;
-  const Scalar t_right_thigh_7 = omega_right_thigh_z * neg_omega_right_thigh_y;
-  const Scalar alpha_right_thigh_x_1 = t_right_thigh_3 * t_right_thigh_6;
-  const Scalar alpha_right_thigh_x = alpha_right_thigh_x_1 - qd[8] * neg_omega_right_thigh_y;
-  const Scalar neg_Omega_right_thigh_yz = t_right_thigh_7 + alpha_right_thigh_x;
-  const Scalar t_right_thigh_8 = neg_omega_right_thigh_y * neg_omega_right_thigh_y;
-  const Scalar t_right_thigh_9 = neg_omega_right_thigh_x * neg_omega_right_thigh_x;
-  const Scalar neg_Omega_right_thigh_zz = t_right_thigh_8 + t_right_thigh_9;
-  const Scalar t_right_thigh_10 = omega_right_thigh_z * omega_right_thigh_z;
-  const Scalar neg_Omega_right_thigh_xx = t_right_thigh_8 + t_right_thigh_10;
-  const Scalar neg_Omega_right_thigh_zx = t_right_thigh_4 - neg_alpha_right_thigh_y;
-  const Scalar neg_Omega_right_thigh_zy = t_right_thigh_7 - alpha_right_thigh_x;
-  const Scalar neg_Omega_right_thigh_yy = t_right_thigh_9 + t_right_thigh_10;
-  const Scalar t_right_thigh_11 = neg_omega_right_thigh_x * neg_omega_right_thigh_y;
-  const Scalar alpha_right_thigh_z = qd[7] * t_right_thigh_2;
-  const Scalar Omega_right_thigh_xy = t_right_thigh_11 - alpha_right_thigh_z;
-  const Scalar Omega_right_thigh_yx = t_right_thigh_11 + alpha_right_thigh_z;
-  const Scalar t_right_thigh_12 = qd[6] * qd[6] * left_hip_fork_l1;
-  const Scalar a_right_thigh_x = s_q8_q9_q10 * t_right_thigh_12;
-  const Scalar a_right_thigh_y = c_q8_q9_q10 * t_right_thigh_12;
-  const Scalar t_right_thigh_13 = left_thigh_I6 * s_q9_q10 + left_thigh_I8 * c_q9_q10;
-  const Scalar t_right_thigh_14 = left_thigh_I9 * s_q9_q10 - left_thigh_I4 * c_q9_q10;
-  const Scalar t_right_thigh_15 = s_q9_q10 * t_right_thigh_14;
-  const Scalar t_right_thigh_16 = left_thigh_I8 * s_q9_q10 - left_thigh_I6 * c_q9_q10;
-  const Scalar t_right_thigh_17 = left_thigh_I11 + t_right_thigh_15;
-  const Scalar t_right_shank_1 = t_right_thigh_8 - t_right_thigh_9;
-  const Scalar t_right_thigh_18 = left_thigh_I12 + c_q9_q10 * t_right_thigh_14;
-  const Scalar t_right_thigh_19 = left_thigh_h2 * s_q9_q10 - left_thigh_h1 * c_q9_q10;
-  const Scalar t_right_thigh_20 = left_thigh_h2 * c_q9_q10 + left_thigh_h1 * s_q9_q10;
+  const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 + left_hip_fork_I2 * s_right_hip_roll;
+  const Scalar t_right_hip_fork_3 = left_hip_fork_I7 - s_right_hip_roll * t_right_hip_fork_2;
+  const Scalar alpha_right_hip_fork_x = qd[6] * qd[7];
+  // right_thigh: angular velocity omega, angular acceleration alpha, Omega of (3)
+  const Scalar t_right_thigh_1 = c_right_hip_roll * qd[6];
+  const Scalar neg_omega_right_thigh_x = s_q8_q9_q10 * qd[7] + c_q8_q9_q10 * t_right_thigh_1;
+  const Scalar t_right_thigh_2 = s_right_hip_roll * alpha_right_hip_fork_x;
+  const Scalar omega_right_thigh_z = qd[8] + s_right_hip_roll * qd[6];
+  const Scalar t_right_thigh_3 = neg_omega_right_thigh_x * omega_right_thigh_z;
+  const Scalar t_right_thigh_4 = s_q8_q9_q10 * t_right_thigh_2;
+  const Scalar neg_alpha_right_thigh_y = t_right_thigh_4 - neg_omega_right_thigh_x * qd[8];
+  const Scalar neg_Omega_right_foot_xy = t_right_thigh_3 + neg_alpha_right_thigh_y;
+  const Scalar omega_right_thigh_y = s_q8_q9_q10 * t_right_thigh_1 - c_q8_q9_q10 * qd[7];
+  const Scalar t_right_thigh_5 = omega_right_thigh_z * omega_right_thigh_y;
+  const Scalar alpha_right_thigh_x = c_q8_q9_q10 * t_right_thigh_2 + qd[8] * omega_right_thigh_y;
+  const Scalar Omega_right_thigh_yz = t_right_thigh_5 - alpha_right_thigh_x;
+  const Scalar t_right_thigh_6 = omega_right_thigh_y * omega_right_thigh_y;
+  const Scalar t_right_thigh_7 = neg_omega_right_thigh_x * neg_omega_right_thigh_x;
+  const Scalar neg_Omega_right_thigh_zz = t_right_thigh_6 + t_right_thigh_7;
+  const Scalar t_right_thigh_8 = omega_right_thigh_z * omega_right_thigh_z;
+  const Scalar neg_Omega_right_thigh_xx = t_right_thigh_6 + t_right_thigh_8;
+  const Scalar neg_Omega_right_thigh_zx = t_right_thigh_3 - neg_alpha_right_thigh_y;
+  const Scalar Omega_right_thigh_zy = t_right_thigh_5 + alpha_right_thigh_x;
+  const Scalar neg_Omega_right_thigh_yy = t_right_thigh_7 + t_right_thigh_8;
+  const Scalar t_right_thigh_9 = neg_omega_right_thigh_x * omega_right_thigh_y;
+  const Scalar alpha_right_thigh_z = qd[7] * t_right_thigh_1;
+  const Scalar Omega_right_foot_xz = t_right_thigh_9 + alpha_right_thigh_z;
+  const Scalar neg_Omega_right_thigh_yx = t_right_thigh_9 - alpha_right_thigh_z;
+  const Scalar a_right_thigh_y = c_q8_q9_q10 * t_right_hip_block_1;
+  const Scalar a_right_thigh_x = s_q8_q9_q10 * t_right_hip_block_1;
+  const Scalar t_right_thigh_10 = left_thigh_I8 * c_q9_q10 + left_thigh_I6 * s_q9_q10;
+  const Scalar t_right_thigh_11 = left_thigh_I9 * s_q9_q10 - left_thigh_I3 * c_q9_q10;
+  const Scalar t_right_thigh_12 = s_q9_q10 * t_right_thigh_11;
+  const Scalar t_right_thigh_13 = left_thigh_I10 - t_right_thigh_12;
+  const Scalar t_right_thigh_14 = left_thigh_I8 * s_q9_q10 - left_thigh_I6 * c_q9_q10;
+  const Scalar t_right_shank_1 = neg_Omega_right_thigh_xx - neg_Omega_right_thigh_yy;
+  const Scalar t_right_thigh_15 = left_thigh_I12 + c_q9_q10 * t_right_thigh_11;
+  const Scalar t_right_thigh_16 = left_thigh_I13 * s_q9_q10 - left_thigh_I2 * c_q9_q10;
+  const Scalar t_right_thigh_17 = left_thigh_I13 * c_q9_q10 + left_thigh_I2 * s_q9_q10;
   // right_shank: angular velocity omega, Omega, acceleration a of (3)
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[9];
-  const Scalar Omega_right_shank_zy_1 = neg_omega_right_thigh_y * omega_right_shank_z;
-  const Scalar Omega_right_shank_zy = neg_Omega_right_thigh_yz - 2.0 * Omega_right_shank_zy_1;
-  const Scalar t_right_shank_2 = 2.0 * neg_omega_right_thigh_x;
+  const Scalar t_right_shank_2 = 2.0 * omega_right_thigh_y;
+  const Scalar neg_Omega_right_shank_zy =
+      Omega_right_thigh_yz - omega_right_shank_z * t_right_shank_2;
+  const Scalar a_right_shank_z_1 = neg_s_right_shank_x * neg_Omega_right_thigh_zx;
+  const Scalar a_right_shank_z = a_right_shank_z_1 + s_right_shank_y * Omega_right_thigh_zy;
+  const Scalar t_right_shank_3 = 2.0 * neg_omega_right_thigh_x;
   const Scalar Omega_right_shank_zx =
-      neg_Omega_right_foot_xy - omega_right_shank_z * t_right_shank_2;
-  const Scalar neg_a_right_shank_z_1 = neg_s_right_shank_y * neg_Omega_right_thigh_zy;
-  const Scalar neg_a_right_shank_z =
-      s_right_shank_x * neg_Omega_right_thigh_zx - neg_a_right_shank_z_1;
-  const Scalar t_right_shank_3 = omega_right_shank_z * omega_right_shank_z;
-  const Scalar neg_Omega_right_shank_xx = t_right_thigh_8 + t_right_shank_3;
-  const Scalar neg_Omega_right_shank_yy = t_right_thigh_9 + t_right_shank_3;
-  const Scalar t_right_shank_4 = left_shank_I8 * s_right_ankle_pitch;
-  const Scalar t_right_shank_5 = t_right_shank_4 - left_shank_I3 * c_right_ankle_pitch;
-  const Scalar t_right_shank_6 = left_shank_I9 + c_right_ankle_pitch * t_right_shank_5;
-  const Scalar t_right_shank_7 = left_shank_I11 * s_right_ankle_pitch;
-  const Scalar t_right_shank_8 = t_right_shank_7 - left_shank_I6 * c_right_ankle_pitch;
-  const Scalar t_right_shank_9 = s_right_ankle_pitch * t_right_shank_5;
-  const Scalar t_right_shank_10 = left_shank_I12 - t_right_shank_9;
+      neg_Omega_right_foot_xy - omega_right_shank_z * t_right_shank_3;
+  const Scalar t_right_shank_4 = omega_right_shank_z * omega_right_shank_z;
+  const Scalar neg_Omega_right_shank_xx = t_right_thigh_6 + t_right_shank_4;
+  const Scalar neg_Omega_right_shank_yy = t_right_thigh_7 + t_right_shank_4;
+  const Scalar t_right_shank_5 = left_shank_I4 * c_right_ankle_pitch;
+  const Scalar t_right_shank_6 = t_right_shank_5 + left_shank_I8 * s_right_ankle_pitch;
+  const Scalar t_right_shank_7 = left_shank_I9 - c_right_ankle_pitch * t_right_shank_6;
+  const Scalar t_right_shank_8 = left_shank_I11 * s_right_ankle_pitch;
+  const Scalar t_right_shank_9 = t_right_shank_8 - left_shank_I6 * c_right_ankle_pitch;
+  const Scalar t_right_shank_10 = s_right_ankle_pitch * t_right_shank_6;
   const Scalar t_right_shank_11 = left_shank_I11 * c_right_ankle_pitch;
-  const Scalar t_right_shank_12 = t_right_shank_11 + left_shank_I6 * s_right_ankle_pitch;
-  const Scalar t_right_shank_13 = left_shank_h2 * s_right_ankle_pitch;
-  const Scalar t_right_shank_14 = t_right_shank_13 + left_shank_h1 * c_right_ankle_pitch;
-  const Scalar t_right_shank_15 = left_shank_h2 * c_right_ankle_pitch;
-  const Scalar t_right_shank_16 = t_right_shank_15 - left_shank_h1 * s_right_ankle_pitch;
-  // right_ankle_cross: angular velocity omega, Omega, acceleration a of (3)
+  const Scalar t_right_shank_12 = left_shank_I6 * s_right_ankle_pitch + t_right_shank_11;
+  const Scalar t_right_shank_13 = left_shank_I12 * c_right_ankle_pitch;
+  const Scalar t_right_shank_14 = left_shank_I2 * s_right_ankle_pitch + t_right_shank_13;
+  const Scalar t_right_shank_15 = left_shank_I12 * s_right_ankle_pitch;
+  const Scalar t_right_shank_16 = left_shank_I2 * c_right_ankle_pitch - t_right_shank_15;
   const Scalar omega_righ_ankl_cros_z = omega_right_shank_z + qd[10];
-  const Scalar t_righ_ankl_cros_1 = 2.0 * omega_righ_ankl_cros_z;
-  const Scalar Omega_righ_ankl_cros_zy =
-      neg_Omega_right_thigh_yz - neg_omega_right_thigh_y * t_righ_ankl_cros_1;
-  const Scalar Omega_righ_ankl_cros_zx = Omega_right_shank_zx - t_right_shank_2 * qd[10];
-  const Scalar t_righ_ankl_cros_2 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_3 = t_right_thigh_8 + t_righ_ankl_cros_2;
-  const Scalar t_righ_ankl_cros_4 = neg_Omega_right_thigh_zz - t_righ_ankl_cros_3;
-  const Scalar t_righ_ankl_cros_5 =
-      neg_a_right_shank_z + neg_s_righ_ankl_cros_y * Omega_right_shank_zy;
-  const Scalar neg_a_righ_ankl_cros_z =
-      t_righ_ankl_cros_5 - s_righ_ankl_cros_x * Omega_right_shank_zx;
-  const Scalar neg_a_right_foot_y_1 =
-      neg_a_righ_ankl_cros_z - left_hip_fork_l2 * neg_Omega_right_thigh_zz;
-  const Scalar neg_a_right_foot_y =
-      neg_a_right_foot_y_1 - left_hip_fork_l1 * Omega_righ_ankl_cros_zx;
-  const Scalar a_right_shank_x_1 = a_right_thigh_x - neg_s_right_shank_y * Omega_right_thigh_xy;
-  const Scalar a_right_shank_x = a_right_shank_x_1 - s_right_shank_x * neg_Omega_right_thigh_xx;
-  const Scalar a_righ_ankl_cros_x_1 =
-      a_right_shank_x - neg_s_righ_ankl_cros_y * Omega_right_thigh_xy;
-  const Scalar a_righ_ankl_cros_x =
-      a_righ_ankl_cros_x_1 - s_righ_ankl_cros_x * neg_Omega_right_shank_xx;
-  const Scalar a_right_foot_x_1 = a_righ_ankl_cros_x - left_hip_fork_l1 * t_righ_ankl_cros_3;
-  const Scalar a_right_foot_x = a_right_foot_x_1 + left_hip_fork_l2 * neg_Omega_right_foot_xy;
-  const Scalar a_right_shank_y_1 = a_right_thigh_y + s_right_shank_x * Omega_right_thigh_yx;
-  const Scalar a_right_shank_y = a_right_shank_y_1 + neg_s_right_shank_y * neg_Omega_right_thigh_yy;
+  const Scalar Omega_right_foot_yz = neg_Omega_right_shank_zy - t_right_shank_2 * qd[10];
+  // right_ankle_cross: Omega, acceleration a of (3)
+  const Scalar Omega_righ_ankl_cros_zx = Omega_right_shank_zx - t_right_shank_3 * qd[10];
+  const Scalar t_righ_ankl_cros_1 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
+  const Scalar a_righ_ankl_cros_z_1 =
+      a_right_shank_z - s_righ_ankl_cros_y * neg_Omega_right_shank_zy;
+  const Scalar a_righ_ankl_cros_z =
+      a_righ_ankl_cros_z_1 - neg_s_righ_ankl_cros_x * Omega_right_shank_zx;
+  const Scalar a_right_foot_y_1 = Omega_righ_ankl_cros_zx + a_righ_ankl_cros_z;
+  const Scalar a_right_foot_y = a_right_foot_y_1 - left_hip_fork_k3 * neg_Omega_right_thigh_zz;
+  const Scalar a_right_shank_y_1 = a_right_thigh_y + neg_s_right_shank_x * neg_Omega_right_thigh_yx;
+  const Scalar a_right_shank_y = a_right_shank_y_1 - s_right_shank_y * neg_Omega_right_thigh_yy;
   // right_foot: acceleration a, angular velocity omega, Omega of (3)
-  const Scalar neg_a_right_foot_z_1 = a_right_shank_y + left_hip_fork_l2 * neg_Omega_right_thigh_yz;
-  const Scalar neg_a_right_foot_z_2 = left_hip_fork_l1 + s_righ_ankl_cros_x;
-  const Scalar neg_a_right_foot_z_3 =
-      neg_a_right_foot_z_1 + neg_s_righ_ankl_cros_y * neg_Omega_right_shank_yy;
-  const Scalar neg_a_right_foot_z =
-      neg_a_right_foot_z_3 + Omega_right_thigh_yx * neg_a_right_foot_z_2;
-  const Scalar omega_right_foot_z = neg_omega_right_thigh_y + qd[11];
-  const Scalar Omega_right_foot_zy =
-      Omega_righ_ankl_cros_zy + t_righ_ankl_cros_1 * omega_right_foot_z;
-  const Scalar t_right_foot_1 = omega_right_foot_z * omega_right_foot_z;
-  const Scalar Omega_right_foot_zx = Omega_right_thigh_xy - t_right_shank_2 * omega_right_foot_z;
-  const Scalar t_right_foot_2 = left_foot_h1 * c_right_foot;
-  const Scalar t_right_foot_3 = left_foot_h1 * s_right_foot;
-  const Scalar t_right_foot_4 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
-  const Scalar t_right_foot_5 = s_right_foot * t_right_foot_4;
-  const Scalar t_right_foot_6 = left_foot_I12 - t_right_foot_5;
-  const Scalar t_right_foot_7 = left_foot_I2 * s_right_foot - left_foot_I3 * c_right_foot;
-  const Scalar t_right_foot_8 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
-  const Scalar t_right_foot_9 = left_foot_I13 + t_right_foot_5;
-  const Scalar t_right_foot_10 = left_foot_I14 - c_right_foot * t_right_foot_4;
-  const Scalar neg_M_right_foot_z_1 = t_righ_ankl_cros_4 * t_right_foot_10;
-  const Scalar neg_M_right_foot_z_2 = neg_a_right_foot_y * t_right_foot_2 + neg_M_right_foot_z_1;
-  const Scalar neg_M_right_foot_z_3 = neg_M_right_foot_z_2 - a_right_foot_x * t_right_foot_3;
-  const Scalar neg_M_right_foot_z_4 = neg_M_right_foot_z_3 + Omega_right_thigh_xy * t_right_foot_8;
-  const Scalar neg_M_right_foot_z_5 =
-      neg_M_right_foot_z_4 - neg_Omega_right_foot_xy * t_right_foot_9;
-  const Scalar neg_M_right_foot_z_6 =
-      neg_M_right_foot_z_5 - Omega_righ_ankl_cros_zy * t_right_foot_7;
-  const Scalar neg_M_right_foot_z = neg_M_right_foot_z_6 - Omega_righ_ankl_cros_zx * t_right_foot_6;
-  B[11] = -neg_M_right_foot_z;
-  const Scalar neg_F_right_foot_z_1 = Omega_right_foot_zy * t_right_foot_3;
-  const Scalar neg_F_right_foot_z_2 = neg_F_right_foot_z_1 - Omega_right_foot_zx * t_right_foot_2;
-  const Scalar neg_F_right_foot_z = neg_F_right_foot_z_2 + left_ankle_cross_m1 * neg_a_right_foot_z;
-  const Scalar t_right_foot_11 = left_ankle_cross_I2 + t_right_foot_8;
-  const Scalar t_righ_ankl_cros_6 = left_ankle_cross_I8 * t_right_shank_1;
-  const Scalar t_right_foot_12 = t_righ_ankl_cros_6 - neg_a_right_foot_z * t_right_foot_2;
-  const Scalar t_right_foot_13 = t_right_foot_12 - left_ankle_cross_h1 * a_righ_ankl_cros_x;
-  const Scalar t_right_foot_14 = t_right_foot_13 - left_hip_fork_l1 * neg_F_right_foot_z;
-  const Scalar t_right_foot_15 = t_right_foot_14 - left_ankle_cross_I10 * neg_Omega_right_thigh_yz;
-  const Scalar t_right_foot_16 = t_right_foot_15 + Omega_right_foot_zx * t_right_foot_6;
-  const Scalar t_right_foot_17 = t_right_foot_16 - neg_Omega_right_foot_xy * t_right_foot_11;
-  const Scalar t_right_foot_18 = t_right_thigh_9 - t_right_foot_1;
-  const Scalar t_right_foot_19 = t_right_foot_17 + t_right_foot_7 * t_right_foot_18;
-  const Scalar t_right_foot_20 = t_right_foot_19 + left_ankle_cross_I9 * Omega_right_thigh_xy;
-  const Scalar t_right_foot_21 = t_right_foot_20 + Omega_right_foot_zy * t_right_foot_10;
-  const Scalar neg_M_righ_ankl_cros_z =
-      t_right_foot_21 - left_ankle_cross_I11 * Omega_right_thigh_yx;
-  B[10] = -neg_M_righ_ankl_cros_z;
-  const Scalar neg_Omega_right_foot_yy = t_right_thigh_9 + t_right_foot_1;
-  const Scalar neg_F_right_foot_y_1 = Omega_righ_ankl_cros_zx * t_right_foot_2;
-  const Scalar neg_F_right_foot_y_2 =
-      left_ankle_cross_m1 * neg_a_right_foot_y - neg_F_right_foot_y_1;
-  const Scalar neg_F_right_foot_y = neg_F_right_foot_y_2 - t_right_foot_3 * neg_Omega_right_foot_yy;
-  const Scalar neg_F_righ_ankl_cros_z =
-      neg_F_right_foot_y + left_ankle_cross_h1 * Omega_righ_ankl_cros_zy;
-  const Scalar t_righ_ankl_cros_7 = t_right_thigh_9 + t_righ_ankl_cros_2;
-  const Scalar t_right_shank_17 = left_shank_I10 + t_right_shank_9;
-  const Scalar F_right_foot_x_1 = t_right_foot_2 * (t_righ_ankl_cros_2 + t_right_foot_1);
-  const Scalar F_right_foot_x_2 = left_ankle_cross_m1 * a_right_foot_x - F_right_foot_x_1;
-  const Scalar F_right_foot_x = F_right_foot_x_2 + neg_Omega_right_foot_xy * t_right_foot_3;
-  // right_ankle_cross: force F, moment M of (3)
-  const Scalar F_righ_ankl_cros_x = F_right_foot_x - left_ankle_cross_h1 * Omega_right_thigh_xy;
-  const Scalar F_righ_ankl_cros_y = neg_F_right_foot_z + left_ankle_cross_h1 * t_righ_ankl_cros_7;
-  const Scalar neg_M_right_shank_z_1 = neg_M_righ_ankl_cros_z + t_right_shank_1 * t_right_shank_6;
-  const Scalar neg_M_right_shank_z_2 =
-      neg_M_right_shank_z_1 - neg_Omega_right_thigh_yz * t_right_shank_12;
-  const Scalar neg_M_right_shank_z_3 =
-      neg_M_right_shank_z_2 - neg_s_righ_ankl_cros_y * F_righ_ankl_cros_x;
-  const Scalar neg_M_right_shank_z_4 =
-      neg_M_right_shank_z_3 - neg_Omega_right_foot_xy * t_right_shank_8;
-  const Scalar neg_M_right_shank_z_5 =
-      neg_M_right_shank_z_4 + Omega_right_thigh_xy * t_right_shank_17;
-  const Scalar neg_M_right_shank_z_6 = neg_M_right_shank_z_5 + t_right_shank_16 * a_right_shank_x;
-  const Scalar neg_M_right_shank_z_7 =
-      neg_M_right_shank_z_6 - s_righ_ankl_cros_x * F_righ_ankl_cros_y;
-  const Scalar neg_M_right_shank_z_8 =
-      neg_M_right_shank_z_7 - Omega_right_thigh_yx * t_right_shank_10;
-  const Scalar neg_M_right_shank_z = neg_M_right_shank_z_8 - t_right_shank_14 * a_right_shank_y;
-  B[9] = -neg_M_right_shank_z;
-  const Scalar neg_F_right_shank_z_1 =
-      neg_F_righ_ankl_cros_z - Omega_right_shank_zx * t_right_shank_14;
-  const Scalar neg_F_right_shank_z =
-      neg_F_right_shank_z_1 - Omega_right_shank_zy * t_right_shank_16;
-  // right_thigh: moment M of (3)
-  const Scalar t_right_thigh_21 = left_ankle_cross_I2 + t_right_thigh_16 + t_right_shank_8;
-  const Scalar t_right_thigh_22 = left_thigh_I10 - t_right_thigh_15;
-  const Scalar M_right_thigh_y_1 = t_right_thigh_9 - t_right_thigh_10;
-  const Scalar M_right_thigh_y_2 =
-      neg_M_right_foot_z - left_ankle_cross_I11 * Omega_righ_ankl_cros_zx;
-  const Scalar M_right_thigh_y_3 = M_right_thigh_y_2 - left_hip_fork_l2 * F_right_foot_x;
-  const Scalar M_right_thigh_y_4 = M_right_thigh_y_3 + left_hip_fork_l1 * neg_F_right_foot_y;
-  const Scalar M_right_thigh_y_5 =
-      M_right_thigh_y_4 + left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
-  const Scalar M_right_thigh_y_6 = M_right_thigh_y_5 - neg_Omega_right_thigh_zy * t_right_thigh_18;
-  const Scalar M_right_thigh_y_7 = M_right_thigh_y_6 - left_ankle_cross_I10 * t_righ_ankl_cros_4;
-  const Scalar M_right_thigh_y_8 = neg_Omega_right_thigh_zz - neg_Omega_right_shank_xx;
-  const Scalar M_right_thigh_y_9 = M_right_thigh_y_7 + neg_Omega_right_thigh_zx * t_right_thigh_22;
-  const Scalar M_right_thigh_y_10 = M_right_thigh_y_9 - t_right_shank_12 * M_right_thigh_y_8;
-  const Scalar M_right_thigh_y_11 = M_right_thigh_y_10 + Omega_right_thigh_xy * t_right_thigh_21;
-  const Scalar M_right_thigh_y_12 = M_right_thigh_y_11 + Omega_right_shank_zy * t_right_shank_6;
-  const Scalar M_right_thigh_y_13 = M_right_thigh_y_12 + s_right_shank_x * neg_F_right_shank_z;
-  const Scalar M_right_thigh_y_14 =
-      M_right_thigh_y_13 + s_righ_ankl_cros_x * neg_F_righ_ankl_cros_z;
-  const Scalar M_right_thigh_y_15 = M_right_thigh_y_14 + neg_a_right_shank_z * t_right_shank_14;
-  const Scalar M_right_thigh_y_16 = M_right_thigh_y_15 - Omega_right_shank_zx * t_right_shank_10;
-  const Scalar M_right_thigh_y = M_right_thigh_y_16 - t_right_thigh_13 * M_right_thigh_y_1;
-  const Scalar M_right_thigh_x_1 = left_ankle_cross_I10 + t_right_thigh_13 + t_right_shank_12;
-  const Scalar M_right_thigh_x_2 = Omega_right_shank_zy * t_right_shank_17;
-  const Scalar M_right_thigh_x_3 = M_right_thigh_x_2 - neg_a_right_shank_z * t_right_shank_16;
-  const Scalar M_right_thigh_x_4 = M_right_thigh_x_3 + neg_Omega_right_shank_yy * t_right_shank_8;
-  const Scalar M_right_thigh_x_5 = M_right_thigh_x_4 - Omega_right_shank_zx * t_right_shank_6;
-  const Scalar M_right_thigh_x_6 = M_right_thigh_x_5 + t_right_foot_11 * t_righ_ankl_cros_7;
-  const Scalar M_right_thigh_x_7 =
-      M_right_thigh_x_6 + neg_s_righ_ankl_cros_y * neg_F_righ_ankl_cros_z;
-  const Scalar M_right_thigh_x_8 = M_right_thigh_x_7 + left_ankle_cross_h1 * neg_a_righ_ankl_cros_z;
-  const Scalar M_right_thigh_x_9 = M_right_thigh_x_8 + neg_s_right_shank_y * neg_F_right_shank_z;
-  const Scalar M_right_thigh_x_10 = left_ankle_cross_I8 - t_right_foot_7;
-  const Scalar M_right_thigh_x_11 = M_right_thigh_x_9 - t_right_foot_8 * neg_Omega_right_foot_yy;
-  const Scalar M_right_thigh_x_12 =
-      M_right_thigh_x_11 - Omega_righ_ankl_cros_zx * M_right_thigh_x_10;
-  const Scalar M_right_thigh_x_13 =
-      M_right_thigh_x_12 - neg_Omega_right_thigh_zz * t_right_thigh_21;
-  const Scalar M_right_thigh_x_14 =
-      M_right_thigh_x_13 + neg_Omega_right_thigh_yy * t_right_thigh_16;
-  const Scalar M_right_thigh_x_15 =
-      M_right_thigh_x_14 + left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
-  const Scalar M_right_thigh_x_16 = M_right_thigh_x_15 + left_hip_fork_l2 * neg_F_right_foot_z;
-  const Scalar M_right_thigh_x_17 = M_right_thigh_x_16 + neg_a_right_foot_z * t_right_foot_3;
-  const Scalar M_right_thigh_x_18 = M_right_thigh_x_17 + Omega_right_foot_zy * t_right_foot_9;
-  const Scalar M_right_thigh_x_19 = M_right_thigh_x_18 + Omega_right_foot_zx * t_right_foot_10;
-  const Scalar M_right_thigh_x_20 = M_right_thigh_x_19 + Omega_right_thigh_yx * M_right_thigh_x_1;
-  const Scalar M_right_thigh_x_21 =
-      M_right_thigh_x_20 + neg_Omega_right_thigh_zx * t_right_thigh_18;
-  const Scalar M_right_thigh_x = M_right_thigh_x_21 - neg_Omega_right_thigh_zy * t_right_thigh_17;
-  // right_shank: force F, moment M of (3)
-  const Scalar F_right_shank_y_1 = F_righ_ankl_cros_y + Omega_right_thigh_yx * t_right_shank_14;
-  const Scalar F_right_shank_y = F_right_shank_y_1 - neg_Omega_right_shank_yy * t_right_shank_16;
-  const Scalar F_right_shank_x_1 = F_righ_ankl_cros_x - neg_Omega_right_shank_xx * t_right_shank_14;
-  const Scalar F_right_shank_x = F_right_shank_x_1 + Omega_right_thigh_xy * t_right_shank_16;
-  const Scalar neg_M_right_thigh_z_1 =
-      neg_M_right_shank_z - neg_Omega_right_thigh_yz * t_right_thigh_13;
-  const Scalar neg_M_right_thigh_z_2 = neg_M_right_thigh_z_1 + t_right_shank_1 * t_right_thigh_18;
-  const Scalar neg_M_right_thigh_z_3 = neg_M_right_thigh_z_2 - s_right_shank_x * F_right_shank_y;
-  const Scalar neg_M_right_thigh_z_4 = neg_M_right_thigh_z_3 - a_right_thigh_y * t_right_thigh_20;
-  const Scalar neg_M_right_thigh_z_5 =
-      neg_M_right_thigh_z_4 - neg_Omega_right_foot_xy * t_right_thigh_16;
-  const Scalar neg_M_right_thigh_z_6 = neg_M_right_thigh_z_5 - a_right_thigh_x * t_right_thigh_19;
-  const Scalar neg_M_right_thigh_z_7 =
-      neg_M_right_thigh_z_6 - neg_s_right_shank_y * F_right_shank_x;
-  const Scalar neg_M_right_thigh_z_8 =
-      neg_M_right_thigh_z_7 - Omega_right_thigh_yx * t_right_thigh_22;
-  const Scalar neg_M_right_thigh_z =
-      neg_M_right_thigh_z_8 + Omega_right_thigh_xy * t_right_thigh_17;
-  B[8] = -neg_M_right_thigh_z;
-  // right_hip_fork
-  const Scalar t_right_hip_fork_3 = left_hip_fork_I7 + s_right_hip_roll * t_right_hip_fork_2;
-  const Scalar t_right_hip_fork_4 = qd[6] * t_right_hip_fork_3;
-  const Scalar t_right_hip_fork_5 = left_hip_fork_I9 * c_right_hip_roll;
-  const Scalar t_right_hip_fork_6 = t_right_hip_fork_5 - left_hip_fork_I8 * s_right_hip_roll;
-  const Scalar neg_F_right_thigh_z_1 =
-      neg_F_right_shank_z + neg_Omega_right_thigh_zx * t_right_thigh_20;
-  const Scalar neg_F_right_thigh_z =
-      neg_F_right_thigh_z_1 - neg_Omega_right_thigh_zy * t_right_thigh_19;
+  const Scalar a_right_foot_z_1 = neg_Omega_right_thigh_yx - a_right_shank_y;
+  const Scalar a_right_foot_z_2 =
+      a_right_foot_z_1 - neg_s_righ_ankl_cros_x * neg_Omega_right_thigh_yx;
+  const Scalar a_right_foot_z_3 = a_right_foot_z_2 - left_hip_fork_k3 * Omega_right_thigh_yz;
+  const Scalar a_right_foot_z = a_right_foot_z_3 + s_righ_ankl_cros_y * neg_Omega_right_shank_yy;
+  const Scalar t_righ_ankl_cros_2 = t_right_thigh_6 + t_righ_ankl_cros_1;
+  const Scalar a_right_shank_x_1 = a_right_thigh_x + neg_s_right_shank_x * neg_Omega_right_thigh_xx;
+  const Scalar a_right_shank_x = a_right_shank_x_1 - s_right_shank_y * Omega_right_foot_xz;
+  const Scalar a_righ_ankl_cros_x_1 = a_right_shank_x - s_righ_ankl_cros_y * Omega_right_foot_xz;
+  const Scalar a_righ_ankl_cros_x =
+      a_righ_ankl_cros_x_1 + neg_s_righ_ankl_cros_x * neg_Omega_right_shank_xx;
+  const Scalar neg_a_right_foot_x_1 = t_righ_ankl_cros_2 - a_righ_ankl_cros_x;
+  const Scalar neg_a_right_foot_x =
+      neg_a_right_foot_x_1 + left_hip_fork_k3 * neg_Omega_right_foot_xy;
+  const Scalar neg_omega_right_foot_z = omega_right_thigh_y - qd[11];
+  const Scalar t_right_foot_1 = 2.0 * neg_omega_right_foot_z;
+  const Scalar neg_Omega_right_foot_zy =
+      Omega_right_foot_yz + omega_righ_ankl_cros_z * t_right_foot_1;
+  const Scalar t_right_foot_2 = neg_omega_right_foot_z * neg_omega_right_foot_z;
+  const Scalar t_right_foot_3 = left_foot_I1 * c_right_foot;
+  const Scalar t_right_foot_4 = left_foot_I1 * s_right_foot;
+  const Scalar t_right_foot_5 = left_foot_I4 * s_right_foot - left_foot_I5 * c_right_foot;
+  const Scalar t_right_foot_6 = s_right_foot * t_right_foot_5;
+  const Scalar t_right_foot_7 = left_foot_I14 - t_right_foot_6;
+  const Scalar t_right_foot_8 = left_foot_I2 * s_right_foot - left_foot_I3 * c_right_foot;
+  const Scalar t_right_foot_9 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
+  const Scalar t_right_foot_10 = left_foot_I12 + t_right_foot_6;
+  const Scalar t_right_foot_11 = left_foot_I13 + c_right_foot * t_right_foot_5;
+  const Scalar t_righ_ankl_cros_3 = neg_Omega_right_thigh_zz - t_righ_ankl_cros_2;
+  const Scalar M_right_foot_z_1 = Omega_righ_ankl_cros_zx * t_right_foot_7;
+  const Scalar M_right_foot_z_2 = a_right_foot_y * t_right_foot_3 + M_right_foot_z_1;
+  const Scalar M_right_foot_z_3 = M_right_foot_z_2 + Omega_right_foot_xz * t_right_foot_9;
+  const Scalar M_right_foot_z_4 = M_right_foot_z_3 - Omega_right_foot_yz * t_right_foot_8;
+  const Scalar M_right_foot_z_5 = M_right_foot_z_4 + neg_Omega_right_foot_xy * t_right_foot_10;
+  const Scalar M_right_foot_z_6 = M_right_foot_z_5 + t_right_foot_11 * t_righ_ankl_cros_3;
+  const Scalar M_right_foot_z = M_right_foot_z_6 - neg_a_right_foot_x * t_right_foot_4;
+  B[11] = M_right_foot_z;
+  const Scalar neg_Omega_right_foot_zx =
+      Omega_right_foot_xz - neg_omega_right_thigh_x * t_right_foot_1;
+  const Scalar neg_F_right_foot_z_1 = t_right_foot_3 * neg_Omega_right_foot_zx;
+  const Scalar neg_F_right_foot_z_2 = neg_F_right_foot_z_1 - left_ankle_cross_I1 * a_right_foot_z;
+  const Scalar neg_F_right_foot_z = neg_F_right_foot_z_2 - neg_Omega_right_foot_zy * t_right_foot_4;
+  const Scalar neg_Omega_right_foot_xx = t_righ_ankl_cros_1 + t_right_foot_2;
+  const Scalar neg_F_right_foot_x_1 = t_right_foot_3 * neg_Omega_right_foot_xx;
+  const Scalar neg_F_right_foot_x_2 =
+      left_ankle_cross_I1 * neg_a_right_foot_x + neg_F_right_foot_x_1;
+  const Scalar neg_F_right_foot_x = neg_F_right_foot_x_2 - neg_Omega_right_foot_xy * t_right_foot_4;
+  // right_ankle_cross: moment M of (3)
+  const Scalar M_righ_ankl_cros_z_1 =
+      neg_F_right_foot_z + left_ankle_cross_I13 * alpha_right_thigh_z;
+  const Scalar M_righ_ankl_cros_z_2 =
+      M_righ_ankl_cros_z_1 - neg_Omega_right_foot_zy * t_right_foot_11;
+  const Scalar M_righ_ankl_cros_z_3 =
+      M_righ_ankl_cros_z_2 + left_ankle_cross_I10 * Omega_right_thigh_yz;
+  const Scalar M_righ_ankl_cros_z_4 =
+      M_righ_ankl_cros_z_3 + left_ankle_cross_I3 * a_righ_ankl_cros_x;
+  const Scalar M_righ_ankl_cros_z_5 = M_righ_ankl_cros_z_4 - left_ankle_cross_I8 * t_right_shank_1;
+  const Scalar M_righ_ankl_cros_z_6 = M_righ_ankl_cros_z_5 + left_ankle_cross_I12 * t_right_thigh_9;
+  const Scalar M_righ_ankl_cros_z_7 = t_right_thigh_7 - t_right_foot_2;
+  const Scalar M_righ_ankl_cros_z_8 = M_righ_ankl_cros_z_6 - t_right_foot_8 * M_righ_ankl_cros_z_7;
+  const Scalar M_righ_ankl_cros_z_9 =
+      M_righ_ankl_cros_z_8 + t_right_foot_7 * neg_Omega_right_foot_zx;
+  const Scalar M_righ_ankl_cros_z_10 = left_ankle_cross_I2 - t_right_foot_9;
+  const Scalar M_righ_ankl_cros_z_11 = M_righ_ankl_cros_z_9 - a_right_foot_z * t_right_foot_3;
+  const Scalar M_righ_ankl_cros_z =
+      M_righ_ankl_cros_z_11 - neg_Omega_right_foot_xy * M_righ_ankl_cros_z_10;
+  B[10] = M_righ_ankl_cros_z;
+  // right_foot: force F, Omega of (3)
+  const Scalar F_right_foot_y_1 = Omega_righ_ankl_cros_zx * t_right_foot_3;
+  const Scalar F_right_foot_y_2 = F_right_foot_y_1 + left_ankle_cross_I1 * a_right_foot_y;
+  const Scalar neg_Omega_right_foot_yy = t_right_thigh_7 + t_right_foot_2;
+  const Scalar F_right_foot_y = F_right_foot_y_2 + t_right_foot_4 * neg_Omega_right_foot_yy;
+  // right_ankle_cross: force F, Omega of (3)
+  const Scalar F_righ_ankl_cros_z = F_right_foot_y + left_ankle_cross_I3 * Omega_right_foot_yz;
+  const Scalar F_righ_ankl_cros_y_1 = t_right_thigh_7 + t_righ_ankl_cros_1;
+  const Scalar F_righ_ankl_cros_y = neg_F_right_foot_z + left_ankle_cross_I3 * F_righ_ankl_cros_y_1;
+  const Scalar neg_F_righ_ankl_cros_x =
+      neg_F_right_foot_x - left_ankle_cross_I3 * Omega_right_foot_xz;
+  // right_shank: moment M, force F of (3)
+  const Scalar t_right_shank_17 = left_shank_I10 + t_right_shank_10;
+  const Scalar t_right_shank_18 = left_shank_I13 - t_right_shank_10;
+  const Scalar M_right_shank_z_1 = M_righ_ankl_cros_z - t_right_shank_14 * a_right_shank_y;
+  const Scalar M_right_shank_z_2 = M_right_shank_z_1 + t_right_shank_1 * t_right_shank_7;
+  const Scalar M_right_shank_z_3 = M_right_shank_z_2 + t_right_shank_16 * a_right_shank_x;
+  const Scalar M_right_shank_z_4 = M_right_shank_z_3 - neg_s_righ_ankl_cros_x * F_righ_ankl_cros_y;
+  const Scalar M_right_shank_z_5 = M_right_shank_z_4 - Omega_right_thigh_yz * t_right_shank_12;
+  const Scalar M_right_shank_z_6 = M_right_shank_z_5 + s_righ_ankl_cros_y * neg_F_righ_ankl_cros_x;
+  const Scalar M_right_shank_z_7 = M_right_shank_z_6 + neg_Omega_right_foot_xy * t_right_shank_9;
+  const Scalar M_right_shank_z_8 = M_right_shank_z_7 + Omega_right_foot_xz * t_right_shank_17;
+  const Scalar M_right_shank_z = M_right_shank_z_8 - neg_Omega_right_thigh_yx * t_right_shank_18;
+  B[9] = M_right_shank_z;
+  const Scalar neg_M_right_thigh_y_1 = neg_Omega_right_thigh_zz - neg_Omega_right_shank_xx;
+  const Scalar F_right_shank_z_1 = F_righ_ankl_cros_z - Omega_right_shank_zx * t_right_shank_14;
+  const Scalar F_right_shank_z = F_right_shank_z_1 + neg_Omega_right_shank_zy * t_right_shank_16;
+  const Scalar neg_M_right_thigh_y_2 = left_ankle_cross_I2 - t_right_thigh_14;
+  const Scalar neg_M_right_thigh_y_3 = t_right_thigh_7 - t_right_thigh_8;
+  const Scalar neg_M_right_thigh_y_4 = M_right_foot_z + F_right_foot_y;
+  const Scalar neg_M_right_thigh_y_5 =
+      neg_M_right_thigh_y_4 - neg_Omega_right_shank_zy * t_right_shank_7;
+  const Scalar neg_M_right_thigh_y_6 =
+      neg_M_right_thigh_y_5 + left_ankle_cross_I8 * Omega_right_foot_yz;
+  const Scalar neg_M_right_thigh_y_7 =
+      neg_M_right_thigh_y_6 + left_ankle_cross_I11 * Omega_righ_ankl_cros_zx;
+  const Scalar neg_M_right_thigh_y_8 =
+      neg_M_right_thigh_y_7 - neg_s_right_shank_x * F_right_shank_z;
+  const Scalar neg_M_right_thigh_y_9 =
+      neg_M_right_thigh_y_8 - left_ankle_cross_I10 * t_righ_ankl_cros_3;
+  const Scalar neg_M_right_thigh_y_10 =
+      neg_M_right_thigh_y_9 + left_hip_fork_k3 * neg_F_right_foot_x;
+  const Scalar neg_M_right_thigh_y_11 =
+      neg_M_right_thigh_y_10 - neg_Omega_right_thigh_zx * t_right_thigh_13;
+  const Scalar neg_M_right_thigh_y_12 =
+      neg_M_right_thigh_y_11 - Omega_right_thigh_zy * t_right_thigh_15;
+  const Scalar neg_M_right_thigh_y_13 = t_right_shank_9 - neg_M_right_thigh_y_2;
+  const Scalar neg_M_right_thigh_y_14 = neg_M_right_thigh_y_12 - a_right_shank_z * t_right_shank_14;
+  const Scalar neg_M_right_thigh_y_15 =
+      neg_M_right_thigh_y_14 + Omega_right_foot_xz * neg_M_right_thigh_y_13;
+  const Scalar neg_M_right_thigh_y_16 =
+      neg_M_right_thigh_y_15 + t_right_shank_12 * neg_M_right_thigh_y_1;
+  const Scalar neg_M_right_thigh_y_17 =
+      neg_M_right_thigh_y_16 + Omega_right_shank_zx * t_right_shank_18;
+  const Scalar neg_M_right_thigh_y_18 =
+      neg_M_right_thigh_y_17 + t_right_thigh_10 * neg_M_right_thigh_y_3;
+  const Scalar neg_M_right_thigh_y =
+      neg_M_right_thigh_y_18 - neg_s_righ_ankl_cros_x * F_righ_ankl_cros_z;
+  const Scalar neg_M_right_thigh_x_1 = left_ankle_cross_I10 - t_right_thigh_10;
+  const Scalar neg_M_right_thigh_x_2 = neg_Omega_right_thigh_zz - neg_Omega_right_shank_yy;
+  const Scalar t_right_thigh_18 = left_thigh_I11 + t_right_thigh_12;
+  const Scalar neg_M_right_thigh_x_3 = t_right_thigh_6 - t_right_thigh_8;
+  const Scalar neg_M_right_thigh_x_4 = t_righ_ankl_cros_1 - t_right_foot_2;
+  const Scalar neg_M_right_thigh_x_5 = left_ankle_cross_I9 * Omega_right_foot_yz;
+  const Scalar neg_M_right_thigh_x_6 = left_ankle_cross_I8 - t_right_foot_8;
+  const Scalar neg_M_right_thigh_x_7 =
+      left_hip_fork_k3 * neg_F_right_foot_z + neg_M_right_thigh_x_5;
+  const Scalar neg_M_right_thigh_x_8 =
+      neg_M_right_thigh_x_7 + Omega_righ_ankl_cros_zx * neg_M_right_thigh_x_6;
+  const Scalar neg_M_right_thigh_x_9 = t_right_shank_12 - neg_M_right_thigh_x_1;
+  const Scalar neg_M_right_thigh_x_10 = neg_M_right_thigh_x_8 + a_right_shank_z * t_right_shank_16;
+  const Scalar neg_M_right_thigh_x_11 =
+      neg_M_right_thigh_x_10 + neg_Omega_right_thigh_yx * neg_M_right_thigh_x_9;
+  const Scalar neg_M_right_thigh_x_12 =
+      neg_M_right_thigh_x_11 + neg_Omega_right_foot_zy * t_right_foot_10;
+  const Scalar neg_M_right_thigh_x_13 = t_right_thigh_6 - t_righ_ankl_cros_1;
+  const Scalar neg_M_right_thigh_x_14 =
+      neg_M_right_thigh_x_12 - Omega_right_thigh_zy * t_right_thigh_18;
+  const Scalar neg_M_right_thigh_x_15 =
+      neg_M_right_thigh_x_14 - left_ankle_cross_I2 * neg_M_right_thigh_x_13;
+  const Scalar neg_M_right_thigh_x_16 =
+      neg_M_right_thigh_x_15 - t_right_foot_11 * neg_Omega_right_foot_zx;
+  const Scalar neg_M_right_thigh_x_17 =
+      neg_M_right_thigh_x_16 + neg_Omega_right_shank_zy * t_right_shank_17;
+  const Scalar neg_M_right_thigh_x_18 =
+      neg_M_right_thigh_x_17 - neg_Omega_right_thigh_zx * t_right_thigh_15;
+  const Scalar neg_M_right_thigh_x_19 =
+      neg_M_right_thigh_x_18 + t_right_shank_9 * neg_M_right_thigh_x_2;
+  const Scalar neg_M_right_thigh_x_20 =
+      neg_M_right_thigh_x_19 + left_ankle_cross_I3 * a_righ_ankl_cros_z;
+  const Scalar neg_M_right_thigh_x_21 = neg_M_right_thigh_x_20 - s_right_shank_y * F_right_shank_z;
+  const Scalar neg_M_right_thigh_x_22 =
+      neg_M_right_thigh_x_21 - Omega_right_shank_zx * t_right_shank_7;
+  const Scalar neg_M_right_thigh_x_23 =
+      neg_M_right_thigh_x_22 - s_righ_ankl_cros_y * F_righ_ankl_cros_z;
+  const Scalar neg_M_right_thigh_x_24 = neg_M_right_thigh_x_23 + a_right_foot_z * t_right_foot_4;
+  const Scalar neg_M_right_thigh_x_25 =
+      neg_M_right_thigh_x_24 + t_right_thigh_14 * neg_M_right_thigh_x_3;
+  const Scalar neg_M_right_thigh_x =
+      neg_M_right_thigh_x_25 - t_right_foot_9 * neg_M_right_thigh_x_4;
+  const Scalar neg_F_right_shank_x_1 =
+      neg_F_righ_ankl_cros_x - neg_Omega_right_shank_xx * t_right_shank_14;
+  const Scalar neg_F_right_shank_x = neg_F_right_shank_x_1 - Omega_right_foot_xz * t_right_shank_16;
+  const Scalar F_right_shank_y_1 = F_righ_ankl_cros_y + neg_Omega_right_thigh_yx * t_right_shank_14;
+  const Scalar F_right_shank_y = F_right_shank_y_1 + neg_Omega_right_shank_yy * t_right_shank_16;
   // right_thigh: moment M, force F of (3)
-  const Scalar t_right_thigh_23 = left_hip_fork_l1 * neg_F_right_thigh_z;
-  const Scalar t_right_thigh_24 = s_q8_q9_q10 * M_right_thigh_y - t_right_thigh_23;
-  const Scalar F_right_thigh_x_1 = F_right_shank_x - Omega_right_thigh_xy * t_right_thigh_19;
-  const Scalar F_right_thigh_x = F_right_thigh_x_1 - neg_Omega_right_thigh_xx * t_right_thigh_20;
-  const Scalar F_right_thigh_y_1 = F_right_shank_y + neg_Omega_right_thigh_yy * t_right_thigh_19;
-  const Scalar F_right_thigh_y = F_right_thigh_y_1 + Omega_right_thigh_yx * t_right_thigh_20;
-  const Scalar t_right_thigh_25 = c_q8_q9_q10 * F_right_thigh_x - s_q8_q9_q10 * F_right_thigh_y;
-  const Scalar t_right_hip_fork_7 = 2.0 * t_right_hip_fork_4 - qd[7] * t_right_hip_fork_6;
-  const Scalar t_right_thigh_26 = t_right_thigh_24 - c_q8_q9_q10 * M_right_thigh_x;
-  const Scalar t_right_thigh_27 = c_right_hip_roll * t_right_thigh_26;
-  const Scalar t_right_thigh_28 = neg_M_right_thigh_z - left_hip_fork_l1 * t_right_thigh_25;
-  B[6] = -(qd[7] * t_right_hip_fork_7 - t_right_thigh_27 + s_right_hip_roll * t_right_thigh_28);
-  const Scalar t_right_thigh_29 = c_q8_q9_q10 * M_right_thigh_y + s_q8_q9_q10 * M_right_thigh_x;
-  B[7] = qd[6] * t_right_hip_fork_4 - t_right_thigh_29;
-  const Scalar M_left_ankle_cross_z_1 = t_left_foot_8 * (t_left_thigh_3 - t_left_foot_2);
-  // left_ankle_cross: moment M, Omega of (3)
-  const Scalar M_left_ankle_cross_z_2 = left_ankle_cross_I2 + t_left_foot_9;
-  const Scalar M_left_ankle_cross_z_3 =
-      left_hip_fork_l1 * neg_F_left_foot_z + M_left_ankle_cross_z_1;
-  const Scalar M_left_ankle_cross_z_4 =
-      M_left_ankle_cross_z_3 - neg_Omega_left_foot_xy * M_left_ankle_cross_z_2;
-  const Scalar M_left_ankle_cross_z_5 = M_left_ankle_cross_z_4 - Omega_left_foot_zx * t_left_foot_7;
-  const Scalar M_left_ankle_cross_z_6 =
-      M_left_ankle_cross_z_5 - left_ankle_cross_I12 * t_left_thigh_11;
-  const Scalar M_left_ankle_cross_z_7 =
-      M_left_ankle_cross_z_6 - left_ankle_cross_I10 * neg_Omega_left_thigh_yz;
-  const Scalar M_left_ankle_cross_z_8 = M_left_ankle_cross_z_7 + neg_a_left_foot_z * t_left_foot_3;
-  const Scalar M_left_ankle_cross_z_9 =
-      M_left_ankle_cross_z_8 + left_ankle_cross_I8 * t_left_thigh_17;
-  const Scalar M_left_ankle_cross_z_10 =
-      M_left_ankle_cross_z_9 + left_ankle_cross_h1 * a_left_ankle_cross_x;
-  const Scalar M_left_ankle_cross_z_11 =
-      M_left_ankle_cross_z_10 + left_ankle_cross_I13 * alpha_left_thigh_z;
-  const Scalar M_left_ankle_cross_z = M_left_ankle_cross_z_11 + Omega_left_foot_zy * t_left_foot_11;
-  B[4] = M_left_ankle_cross_z;
+  const Scalar M_right_thigh_z_1 = M_right_shank_z - neg_s_right_shank_x * F_right_shank_y;
+  const Scalar M_right_thigh_z_2 = M_right_thigh_z_1 - t_right_shank_1 * t_right_thigh_15;
+  const Scalar M_right_thigh_z_3 = M_right_thigh_z_2 - neg_Omega_right_thigh_yx * t_right_thigh_13;
+  const Scalar M_right_thigh_z_4 = M_right_thigh_z_3 + s_right_shank_y * neg_F_right_shank_x;
+  const Scalar M_right_thigh_z_5 = M_right_thigh_z_4 + Omega_right_foot_xz * t_right_thigh_18;
+  const Scalar M_right_thigh_z_6 = M_right_thigh_z_5 - a_right_thigh_x * t_right_thigh_16;
+  const Scalar M_right_thigh_z_7 = M_right_thigh_z_6 - a_right_thigh_y * t_right_thigh_17;
+  const Scalar M_right_thigh_z_8 = M_right_thigh_z_7 - Omega_right_thigh_yz * t_right_thigh_10;
+  const Scalar M_right_thigh_z = M_right_thigh_z_8 + neg_Omega_right_foot_xy * t_right_thigh_14;
+  B[8] = M_right_thigh_z;
+  const Scalar F_right_thigh_y_1 = F_right_shank_y + neg_Omega_right_thigh_yx * t_right_thigh_17;
+  const Scalar F_right_thigh_y = F_right_thigh_y_1 - neg_Omega_right_thigh_yy * t_right_thigh_16;
+  const Scalar M_right_hip_fork_y_1 = qd[7] * qd[7];
+  const Scalar neg_F_right_thigh_x_1 = neg_F_right_shank_x + Omega_right_foot_xz * t_right_thigh_16;
+  const Scalar neg_F_right_thigh_x =
+      neg_F_right_thigh_x_1 - neg_Omega_right_thigh_xx * t_right_thigh_17;
+  // right_hip_fork: moment M of (3)
+  const Scalar M_right_hip_fork_y_2 = M_right_thigh_z + left_hip_fork_I9 * M_right_hip_fork_y_1;
+  const Scalar M_right_hip_fork_y_3 = M_right_hip_fork_y_2 - c_q8_q9_q10 * neg_F_right_thigh_x;
+  const Scalar M_right_hip_fork_y_4 = F_right_shank_z + left_hip_fork_I8 * M_right_hip_fork_y_1;
+  const Scalar M_right_hip_fork_y_5 = M_right_hip_fork_y_4 + c_q8_q9_q10 * neg_M_right_thigh_x;
+  const Scalar M_right_hip_fork_y_6 =
+      M_right_hip_fork_y_5 + Omega_right_thigh_zy * t_right_thigh_16;
+  const Scalar M_right_hip_fork_y_7 = M_right_hip_fork_y_6 - s_q8_q9_q10 * neg_M_right_thigh_y;
+  const Scalar M_right_hip_fork_y_8 = M_right_hip_fork_y_3 - s_q8_q9_q10 * F_right_thigh_y;
+  const Scalar M_right_hip_fork_y_9 = t_right_hip_fork_3 * alpha_right_hip_fork_x * 2.0;
+  const Scalar M_right_hip_fork_y_10 =
+      M_right_hip_fork_y_7 + neg_Omega_right_thigh_zx * t_right_thigh_17;
+  const Scalar M_right_hip_fork_y_11 =
+      M_right_hip_fork_y_9 + s_right_hip_roll * M_right_hip_fork_y_8;
+  B[6] = M_right_hip_fork_y_11 + c_right_hip_roll * M_right_hip_fork_y_10;
+  const Scalar M_right_hip_fork_z_1 = c_q8_q9_q10 * neg_M_right_thigh_y;
+  const Scalar M_right_hip_fork_z_2 = M_right_hip_fork_z_1 + s_q8_q9_q10 * neg_M_right_thigh_x;
+  B[7] = M_right_hip_fork_z_2 - t_right_hip_block_1 * t_right_hip_fork_3;
+  // left_foot: force F, moment M, Omega of (3)
+  const Scalar F_left_foot_z_1 = left_ankle_cross_I1 * neg_a_left_foot_z;
+  const Scalar F_left_foot_z_2 = Omega_left_foot_zx * t_left_foot_8 - F_left_foot_z_1;
+  const Scalar F_left_foot_z = F_left_foot_z_2 + Omega_left_foot_zy * t_left_foot_6;
+  const Scalar t_left_foot_11 = F_left_foot_z - left_ankle_cross_I13 * alpha_left_thigh_z;
+  const Scalar t_left_foot_12 = t_left_foot_11 - left_ankle_cross_I10 * neg_Omega_left_thigh_yz;
+  const Scalar t_left_foot_13 = t_left_foot_12 + left_ankle_cross_I12 * t_left_thigh_11;
+  const Scalar t_left_foot_14 = t_left_foot_13 - neg_a_left_foot_z * t_left_foot_8;
+  const Scalar t_left_foot_15 = t_left_foot_14 + Omega_left_foot_zy * t_left_foot_4;
+  const Scalar t_left_foot_16 = t_left_thigh_3 - t_left_foot_1;
+  const Scalar t_left_foot_17 = t_left_foot_15 + t_left_foot_5 * t_left_foot_16;
+  const Scalar t_left_foot_18 = t_left_foot_17 + left_ankle_cross_I8 * t_left_thigh_17;
+  const Scalar t_left_foot_19 = left_ankle_cross_I2 - t_left_foot_10;
+  const Scalar t_left_foot_20 = t_left_foot_18 - neg_Omega_left_foot_xy * t_left_foot_19;
+  const Scalar t_left_foot_21 = t_left_foot_20 + Omega_left_foot_zx * t_left_foot_7;
+  const Scalar neg_M_left_ankle_cross_z =
+      t_left_foot_21 - left_ankle_cross_I3 * a_left_ankle_cross_x;
+  B[4] = -neg_M_left_ankle_cross_z;
+  const Scalar neg_F_left_foot_y_1 = t_left_foot_6 * (t_left_thigh_3 + t_left_foot_1);
+  const Scalar neg_F_left_foot_y_2 = neg_F_left_foot_y_1 - left_ankle_cross_I1 * a_left_foot_y;
+  const Scalar neg_F_left_foot_y = neg_F_left_foot_y_2 - t_left_ankle_cross_2 * t_left_foot_8;
+  const Scalar neg_F_left_ankle_cross_z =
+      neg_F_left_foot_y + left_ankle_cross_I3 * t_left_ankle_cross_1;
+  const Scalar neg_F_left_foot_x_1 = neg_Omega_left_foot_xy * t_left_foot_6;
+  const Scalar neg_F_left_foot_x_2 = neg_F_left_foot_x_1 - left_ankle_cross_I1 * a_left_foot_x;
+  const Scalar neg_Omega_left_foot_xx = t_left_ankle_cross_3 + t_left_foot_1;
+  const Scalar neg_F_left_foot_x = neg_F_left_foot_x_2 + t_left_foot_8 * neg_Omega_left_foot_xx;
+  const Scalar neg_F_left_ankle_cross_x =
+      neg_F_left_foot_x + left_ankle_cross_I3 * Omega_left_thigh_xy;
   const Scalar t_left_ankle_cross_5 = t_left_thigh_3 + t_left_ankle_cross_3;
-  // left_foot: force F of (3)
-  const Scalar F_left_foot_x_1 = t_left_foot_3 * (t_left_ankle_cross_3 + t_left_foot_2);
-  const Scalar F_left_foot_x_2 = left_ankle_cross_m1 * a_left_foot_x - F_left_foot_x_1;
-  const Scalar F_left_foot_x = F_left_foot_x_2 - neg_Omega_left_foot_xy * t_left_foot_4;
-  const Scalar F_left_ankle_cross_x = F_left_foot_x - left_ankle_cross_h1 * Omega_left_thigh_xy;
-  const Scalar t_left_shank_17 = left_shank_I10 - t_left_shank_7;
-  const Scalar F_left_ankle_cross_y =
-      neg_F_left_foot_z + left_ankle_cross_h1 * t_left_ankle_cross_5;
-  // left_shank: moment M of (3)
-  const Scalar M_left_shank_z_1 =
-      M_left_ankle_cross_z + s_left_ankle_cross_x * F_left_ankle_cross_y;
-  const Scalar M_left_shank_z_2 = M_left_shank_z_1 + t_left_shank_16 * a_left_shank_y;
-  const Scalar M_left_shank_z_3 = M_left_shank_z_2 + t_left_thigh_17 * t_left_shank_6;
-  const Scalar M_left_shank_z_4 =
-      M_left_shank_z_3 + neg_s_left_ankle_cross_y * F_left_ankle_cross_x;
-  const Scalar M_left_shank_z_5 = M_left_shank_z_4 - neg_Omega_left_thigh_yz * t_left_shank_9;
-  const Scalar M_left_shank_z_6 = M_left_shank_z_5 + t_left_shank_13 * a_left_shank_x;
-  const Scalar M_left_shank_z_7 = M_left_shank_z_6 - neg_Omega_left_foot_xy * t_left_shank_11;
-  const Scalar M_left_shank_z_8 = M_left_shank_z_7 - Omega_left_thigh_xy * t_left_shank_17;
-  const Scalar M_left_shank_z = M_left_shank_z_8 + Omega_left_thigh_yx * t_left_shank_14;
-  B[3] = M_left_shank_z;
-  // left_foot: Omega, force F of (3)
-  const Scalar neg_Omega_left_foot_yy = t_left_thigh_3 + t_left_foot_2;
-  const Scalar F_left_foot_y_1 = t_left_foot_4 * neg_Omega_left_foot_yy;
-  const Scalar F_left_foot_y_2 = left_ankle_cross_m1 * a_left_foot_y - F_left_foot_y_1;
-  const Scalar F_left_foot_y = F_left_foot_y_2 + t_left_ankle_cross_2 * t_left_foot_3;
-  const Scalar F_left_ankle_cross_z = F_left_foot_y - left_ankle_cross_h1 * t_left_ankle_cross_1;
-  const Scalar F_left_shank_z_1 = F_left_ankle_cross_z - Omega_left_shank_zy * t_left_shank_13;
-  const Scalar F_left_shank_z = F_left_shank_z_1 + Omega_left_shank_zx * t_left_shank_16;
-  const Scalar t_left_thigh_21 = left_thigh_I10 - t_left_thigh_15;
-  // left_shank: moment M, force F of (3)
-  const Scalar neg_M_left_thigh_y_1 =
-      left_ankle_cross_I8 + left_ankle_cross_I14 * c_left_ankle_pitch;
-  const Scalar neg_M_left_thigh_y_2 = neg_Omega_left_thigh_zz - neg_Omega_left_shank_xx;
-  const Scalar neg_M_left_thigh_y_3 = M_left_foot_z - t_left_shank_9 * neg_M_left_thigh_y_2;
-  const Scalar neg_M_left_thigh_y_4 = neg_M_left_thigh_y_3 - Omega_left_shank_zy * t_left_shank_6;
-  const Scalar neg_M_left_thigh_y_5 =
-      neg_M_left_thigh_y_4 + neg_Omega_left_thigh_zy * t_left_thigh_18;
-  const Scalar neg_M_left_thigh_y_6 =
-      neg_M_left_thigh_y_5 + left_ankle_cross_I11 * t_left_ankle_cross_2;
-  const Scalar neg_M_left_thigh_y_7 = left_ankle_cross_I2 + t_left_thigh_16 + t_left_shank_11;
-  const Scalar neg_M_left_thigh_y_8 = neg_M_left_thigh_y_6 + Omega_left_shank_zx * t_left_shank_14;
-  const Scalar neg_M_left_thigh_y_9 =
-      neg_M_left_thigh_y_8 + Omega_left_thigh_xy * neg_M_left_thigh_y_7;
-  const Scalar neg_M_left_thigh_y_10 = neg_M_left_thigh_y_9 + t_left_foot_1 * F_left_foot_y;
-  const Scalar neg_M_left_thigh_y_11 =
-      neg_M_left_thigh_y_10 - neg_Omega_left_thigh_zx * t_left_thigh_21;
-  const Scalar neg_M_left_thigh_y_12 = neg_M_left_thigh_y_11 - left_hip_fork_l2 * F_left_foot_x;
-  const Scalar neg_M_left_thigh_y_13 = neg_M_left_thigh_y_12 + t_left_shank_16 * a_left_shank_z;
-  const Scalar neg_M_left_thigh_y_14 = neg_Omega_left_thigh_zz - neg_Omega_left_thigh_xx;
-  const Scalar neg_M_left_thigh_y_15 =
-      neg_M_left_thigh_y_13 - left_ankle_cross_I10 * t_left_ankle_cross_4;
-  const Scalar neg_M_left_thigh_y_16 =
-      neg_M_left_thigh_y_15 - t_left_thigh_13 * neg_M_left_thigh_y_14;
-  const Scalar neg_M_left_thigh_y_17 =
-      neg_M_left_thigh_y_16 - t_left_ankle_cross_1 * neg_M_left_thigh_y_1;
-  const Scalar neg_M_left_thigh_y = neg_M_left_thigh_y_17 + s_left_shank_x * F_left_shank_z;
-  const Scalar F_left_shank_y_1 = F_left_ankle_cross_y + t_left_shank_13 * neg_Omega_left_shank_yy;
-  const Scalar F_left_shank_y = F_left_shank_y_1 + Omega_left_thigh_yx * t_left_shank_16;
-  const Scalar F_left_shank_x_1 = F_left_ankle_cross_x - neg_Omega_left_shank_xx * t_left_shank_16;
-  const Scalar F_left_shank_x = F_left_shank_x_1 - Omega_left_thigh_xy * t_left_shank_13;
-  // left_thigh: moment M, force F of (3)
-  const Scalar t_left_thigh_22 = left_thigh_I11 + t_left_thigh_15;
-  const Scalar M_left_thigh_z_1 = M_left_shank_z + neg_s_left_shank_y * F_left_shank_x;
-  const Scalar M_left_thigh_z_2 = M_left_thigh_z_1 - neg_Omega_left_thigh_yz * t_left_thigh_13;
-  const Scalar M_left_thigh_z_3 = M_left_thigh_z_2 + a_left_thigh_y * t_left_thigh_20;
-  const Scalar M_left_thigh_z_4 = M_left_thigh_z_3 + s_left_shank_x * F_left_shank_y;
-  const Scalar M_left_thigh_z_5 = M_left_thigh_z_4 + t_left_thigh_17 * t_left_thigh_18;
-  const Scalar M_left_thigh_z_6 = M_left_thigh_z_5 - a_left_thigh_x * t_left_thigh_19;
-  const Scalar M_left_thigh_z_7 = M_left_thigh_z_6 + Omega_left_thigh_yx * t_left_thigh_21;
-  const Scalar M_left_thigh_z_8 = M_left_thigh_z_7 - Omega_left_thigh_xy * t_left_thigh_22;
-  const Scalar M_left_thigh_z = M_left_thigh_z_8 - neg_Omega_left_foot_xy * t_left_thigh_16;
-  B[2] = M_left_thigh_z;
-  const Scalar M_left_thigh_x_1 = t_left_ankle_cross_5 - neg_Omega_left_foot_yy;
-  const Scalar M_left_thigh_x_2 = t_left_thigh_5 - t_left_ankle_cross_3;
-  const Scalar M_left_thigh_x_3 = left_ankle_cross_I9 * t_left_ankle_cross_1;
-  const Scalar M_left_thigh_x_4 = M_left_thigh_x_3 + Omega_left_shank_zy * t_left_shank_17;
-  const Scalar M_left_thigh_x_5 = M_left_thigh_x_4 + neg_Omega_left_thigh_zx * t_left_thigh_18;
-  const Scalar M_left_thigh_x_6 = t_left_thigh_5 - t_left_thigh_7;
-  const Scalar M_left_thigh_x_7 = left_ankle_cross_I10 + t_left_thigh_13 + t_left_shank_9;
-  const Scalar M_left_thigh_x_8 = M_left_thigh_x_5 + t_left_thigh_16 * M_left_thigh_x_6;
-  const Scalar M_left_thigh_x_9 = neg_Omega_left_thigh_zz - neg_Omega_left_shank_yy;
-  const Scalar M_left_thigh_x_10 = M_left_thigh_x_8 - Omega_left_thigh_yx * M_left_thigh_x_7;
-  const Scalar M_left_thigh_x_11 = M_left_thigh_x_10 + t_left_shank_11 * M_left_thigh_x_9;
-  const Scalar M_left_thigh_x_12 = M_left_thigh_x_11 - neg_Omega_left_thigh_zy * t_left_thigh_22;
-  const Scalar M_left_thigh_x_13 = M_left_thigh_x_12 - left_ankle_cross_h1 * a_left_ankle_cross_z;
-  const Scalar M_left_thigh_x_14 = M_left_thigh_x_13 - Omega_left_foot_zx * t_left_foot_11;
-  const Scalar M_left_thigh_x_15 = left_ankle_cross_I8 + t_left_foot_8;
-  const Scalar M_left_thigh_x_16 = M_left_thigh_x_14 - neg_a_left_foot_z * t_left_foot_4;
-  const Scalar M_left_thigh_x_17 = M_left_thigh_x_16 - t_left_ankle_cross_2 * M_left_thigh_x_15;
-  const Scalar M_left_thigh_x_18 = M_left_thigh_x_17 + Omega_left_foot_zy * t_left_foot_10;
-  const Scalar M_left_thigh_x_19 = M_left_thigh_x_18 - t_left_shank_13 * a_left_shank_z;
-  const Scalar M_left_thigh_x_20 = M_left_thigh_x_19 - t_left_foot_9 * M_left_thigh_x_1;
-  const Scalar M_left_thigh_x_21 = M_left_thigh_x_20 - Omega_left_shank_zx * t_left_shank_6;
-  const Scalar M_left_thigh_x_22 = M_left_thigh_x_21 - neg_s_left_shank_y * F_left_shank_z;
-  const Scalar M_left_thigh_x_23 = M_left_thigh_x_22 + left_ankle_cross_I2 * M_left_thigh_x_2;
-  const Scalar M_left_thigh_x_24 = M_left_thigh_x_23 - left_hip_fork_l2 * neg_F_left_foot_z;
-  const Scalar M_left_thigh_x = M_left_thigh_x_24 - neg_s_left_ankle_cross_y * F_left_ankle_cross_z;
-  const Scalar t_left_hip_fork_1 = left_hip_fork_I6 * c_left_hip_roll;
-  const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + left_hip_fork_I3 * s_left_hip_roll;
-  const Scalar F_left_thigh_z_1 = F_left_shank_z - neg_Omega_left_thigh_zx * t_left_thigh_20;
-  const Scalar F_left_thigh_z = F_left_thigh_z_1 - neg_Omega_left_thigh_zy * t_left_thigh_19;
-  const Scalar F_left_thigh_x_1 = F_left_shank_x - neg_Omega_left_thigh_xx * t_left_thigh_20;
-  const Scalar F_left_thigh_x = F_left_thigh_x_1 + Omega_left_thigh_xy * t_left_thigh_19;
-  const Scalar F_left_thigh_y_1 = F_left_shank_y + Omega_left_thigh_yx * t_left_thigh_20;
-  const Scalar F_left_thigh_y = F_left_thigh_y_1 - t_left_thigh_19 * neg_Omega_left_thigh_yy;
-  const Scalar t_left_thigh_23 = c_q2_q3_q4 * F_left_thigh_x - s_q2_q3_q4 * F_left_thigh_y;
-  // left_hip_fork: moment M of (3)
-  const Scalar t_left_hip_fork_3 = left_hip_fork_I8 * s_left_hip_roll;
-  const Scalar t_left_hip_fork_4 = left_hip_fork_I7 - s_left_hip_roll * t_left_hip_fork_2;
-  const Scalar t_left_hip_fork_5 = qd[0] * t_left_hip_fork_4;
-  const Scalar t_left_hip_fork_6 = t_left_hip_fork_3 + left_hip_fork_I9 * c_left_hip_roll;
-  const Scalar t_left_thigh_24 = left_hip_fork_l1 * F_left_thigh_z;
-  const Scalar t_left_thigh_25 = t_left_thigh_24 - s_q2_q3_q4 * neg_M_left_thigh_y;
-  const Scalar t_left_hip_fork_7 = qd[1] * t_left_hip_fork_6 - 2.0 * t_left_hip_fork_5;
+  const Scalar neg_F_left_ankle_cross_y =
+      F_left_foot_z - left_ankle_cross_I3 * t_left_ankle_cross_5;
+  // left_ankle_cross: moment M, force F of (3)
+  const Scalar neg_M_left_shank_z_1 = neg_M_left_ankle_cross_z - t_left_thigh_17 * t_left_shank_6;
+  const Scalar neg_M_left_shank_z_2 =
+      neg_M_left_shank_z_1 - s_left_ankle_cross_y * neg_F_left_ankle_cross_x;
+  const Scalar neg_M_left_shank_z_3 =
+      neg_M_left_shank_z_2 + neg_Omega_left_foot_xy * t_left_shank_12;
+  const Scalar neg_M_left_shank_z_4 = neg_M_left_shank_z_3 - Omega_left_thigh_yx * t_left_shank_15;
+  const Scalar neg_M_left_shank_z_5 =
+      neg_M_left_shank_z_4 + neg_Omega_left_thigh_yz * t_left_shank_10;
+  const Scalar neg_M_left_shank_z_6 = neg_M_left_shank_z_5 + t_left_shank_17 * a_left_shank_y;
+  const Scalar neg_M_left_shank_z_7 = neg_M_left_shank_z_6 + Omega_left_thigh_xy * t_left_shank_8;
+  const Scalar neg_M_left_shank_z_8 = neg_M_left_shank_z_7 - t_left_shank_14 * a_left_shank_x;
+  const Scalar neg_M_left_shank_z =
+      neg_M_left_shank_z_8 - neg_s_left_ankle_cross_x * neg_F_left_ankle_cross_y;
+  B[3] = -neg_M_left_shank_z;
+  const Scalar neg_F_left_shank_z_1 =
+      neg_F_left_ankle_cross_z + Omega_left_shank_zy * t_left_shank_14;
+  const Scalar neg_F_left_shank_z = neg_F_left_shank_z_1 + Omega_left_shank_zx * t_left_shank_17;
+  const Scalar t_left_thigh_21 = left_thigh_I11 + t_left_thigh_14;
+  const Scalar M_left_thigh_x_1 = t_left_ankle_cross_3 - t_left_foot_1;
+  const Scalar M_left_thigh_x_2 = left_ankle_cross_I8 - t_left_foot_5;
+  const Scalar M_left_thigh_x_3 = neg_Omega_left_thigh_zz - neg_Omega_left_shank_yy;
+  const Scalar M_left_thigh_x_4 = neg_Omega_left_thigh_zz - t_left_ankle_cross_5;
+  const Scalar M_left_thigh_x_5 = left_ankle_cross_I9 * t_left_ankle_cross_1;
   // left_thigh: moment M of (3)
-  const Scalar t_left_thigh_26 = M_left_thigh_z + left_hip_fork_l1 * t_left_thigh_23;
-  const Scalar t_left_thigh_27 = t_left_thigh_25 - c_q2_q3_q4 * M_left_thigh_x;
-  const Scalar t_left_thigh_28 = qd[1] * t_left_hip_fork_7 - s_left_hip_roll * t_left_thigh_26;
-  B[0] = c_left_hip_roll * t_left_thigh_27 - t_left_thigh_28;
-  const Scalar M_left_hip_fork_z_1 = c_q2_q3_q4 * neg_M_left_thigh_y;
+  const Scalar M_left_thigh_x_6 = M_left_thigh_x_5 + Omega_left_foot_zy * t_left_foot_9;
+  const Scalar M_left_thigh_x_7 = M_left_thigh_x_6 - left_hip_fork_k3 * F_left_foot_z;
+  const Scalar M_left_thigh_x_8 = t_left_thigh_5 - t_left_thigh_7;
+  const Scalar M_left_thigh_x_9 = M_left_thigh_x_7 + t_left_thigh_16 * M_left_thigh_x_8;
+  const Scalar M_left_thigh_x_10 = M_left_thigh_x_9 + Omega_left_foot_zx * t_left_foot_4;
+  const Scalar M_left_thigh_x_11 = M_left_thigh_x_10 + neg_Omega_left_thigh_zx * t_left_thigh_18;
+  const Scalar M_left_thigh_x_12 =
+      M_left_thigh_x_11 - s_left_ankle_cross_y * neg_F_left_ankle_cross_z;
+  const Scalar M_left_thigh_x_13 = M_left_thigh_x_12 - s_left_shank_y * neg_F_left_shank_z;
+  const Scalar M_left_thigh_x_14 = t_left_shank_10 - (left_ankle_cross_I10 - t_left_thigh_12);
+  const Scalar M_left_thigh_x_15 = M_left_thigh_x_13 - neg_Omega_left_thigh_zy * t_left_thigh_21;
+  const Scalar M_left_thigh_x_16 = M_left_thigh_x_15 - Omega_left_thigh_yx * M_left_thigh_x_14;
+  const Scalar M_left_thigh_x_17 = M_left_thigh_x_16 + Omega_left_shank_zx * t_left_shank_6;
+  const Scalar M_left_thigh_x_18 = M_left_thigh_x_17 - t_left_foot_10 * M_left_thigh_x_1;
+  const Scalar M_left_thigh_x_19 = M_left_thigh_x_18 - t_left_ankle_cross_2 * M_left_thigh_x_2;
+  const Scalar M_left_thigh_x_20 = M_left_thigh_x_19 - neg_a_left_foot_z * t_left_foot_6;
+  const Scalar M_left_thigh_x_21 = M_left_thigh_x_20 - left_ankle_cross_I3 * a_left_ankle_cross_z;
+  const Scalar M_left_thigh_x_22 = M_left_thigh_x_21 + Omega_left_shank_zy * t_left_shank_8;
+  const Scalar M_left_thigh_x_23 = M_left_thigh_x_22 - a_left_shank_z * t_left_shank_14;
+  const Scalar M_left_thigh_x_24 = M_left_thigh_x_23 + t_left_shank_12 * M_left_thigh_x_3;
+  const Scalar M_left_thigh_x = M_left_thigh_x_24 - left_ankle_cross_I2 * M_left_thigh_x_4;
+  // left_ankle_cross: force F of (3)
+  const Scalar neg_F_left_shank_y_1 =
+      neg_F_left_ankle_cross_y + Omega_left_thigh_yx * t_left_shank_17;
+  const Scalar neg_F_left_shank_y =
+      neg_F_left_shank_y_1 - neg_Omega_left_shank_yy * t_left_shank_14;
+  const Scalar neg_F_left_shank_x_1 =
+      neg_F_left_ankle_cross_x - neg_Omega_left_shank_xx * t_left_shank_17;
+  const Scalar neg_F_left_shank_x = neg_F_left_shank_x_1 + Omega_left_thigh_xy * t_left_shank_14;
+  // left_shank: moment M of (3)
+  const Scalar neg_M_left_thigh_z_1 =
+      neg_M_left_shank_z + neg_Omega_left_thigh_yz * t_left_thigh_12;
+  const Scalar neg_M_left_thigh_z_2 = neg_M_left_thigh_z_1 - Omega_left_thigh_yx * t_left_thigh_15;
+  const Scalar neg_M_left_thigh_z_3 =
+      neg_M_left_thigh_z_2 + neg_Omega_left_foot_xy * t_left_thigh_16;
+  const Scalar neg_M_left_thigh_z_4 = neg_M_left_thigh_z_3 - a_left_thigh_x * t_left_thigh_19;
+  const Scalar neg_M_left_thigh_z_5 = neg_M_left_thigh_z_4 + a_left_thigh_y * t_left_thigh_20;
+  const Scalar neg_M_left_thigh_z_6 = neg_M_left_thigh_z_5 - s_left_shank_y * neg_F_left_shank_x;
+  const Scalar neg_M_left_thigh_z_7 = neg_M_left_thigh_z_6 + Omega_left_thigh_xy * t_left_thigh_21;
+  const Scalar neg_M_left_thigh_z_8 =
+      neg_M_left_thigh_z_7 - neg_s_left_shank_x * neg_F_left_shank_y;
+  const Scalar neg_M_left_thigh_z = neg_M_left_thigh_z_8 + t_left_thigh_17 * t_left_thigh_18;
+  B[2] = -neg_M_left_thigh_z;
+  // left_thigh: moment M of (3)
+  const Scalar M_left_thigh_y_1 = neg_M_left_foot_z + neg_F_left_foot_y;
+  const Scalar M_left_thigh_y_2 = M_left_thigh_y_1 + left_ankle_cross_I8 * t_left_ankle_cross_1;
+  const Scalar M_left_thigh_y_3 = M_left_thigh_y_2 - left_ankle_cross_I10 * t_left_ankle_cross_4;
+  const Scalar M_left_thigh_y_4 = M_left_thigh_y_3 + left_hip_fork_k3 * neg_F_left_foot_x;
+  const Scalar M_left_thigh_y_5 = t_left_shank_12 - (left_ankle_cross_I2 - t_left_thigh_16);
+  const Scalar M_left_thigh_y_6 = M_left_thigh_y_4 + neg_Omega_left_thigh_zx * t_left_thigh_15;
+  const Scalar M_left_thigh_y_7 = M_left_thigh_y_6 - Omega_left_thigh_xy * M_left_thigh_y_5;
+  const Scalar M_left_thigh_y_8 = M_left_thigh_y_7 - neg_Omega_left_thigh_zy * t_left_thigh_18;
+  const Scalar M_left_thigh_y_9 = M_left_thigh_y_8 - Omega_left_shank_zy * t_left_shank_6;
+  const Scalar M_left_thigh_y_10 = t_left_thigh_3 - t_left_shank_3;
+  const Scalar M_left_thigh_y_11 = M_left_thigh_y_9 + t_left_shank_10 * M_left_thigh_y_10;
+  const Scalar M_left_thigh_y_12 = neg_Omega_left_thigh_zz - neg_Omega_left_thigh_xx;
+  const Scalar M_left_thigh_y_13 = M_left_thigh_y_11 - left_ankle_cross_I11 * t_left_ankle_cross_2;
+  const Scalar M_left_thigh_y_14 = M_left_thigh_y_13 + t_left_thigh_12 * M_left_thigh_y_12;
+  const Scalar M_left_thigh_y_15 = M_left_thigh_y_14 - Omega_left_shank_zx * t_left_shank_15;
+  const Scalar M_left_thigh_y_16 = M_left_thigh_y_15 + a_left_shank_z * t_left_shank_17;
+  const Scalar M_left_thigh_y_17 = M_left_thigh_y_16 - neg_s_left_shank_x * neg_F_left_shank_z;
+  const Scalar M_left_thigh_y =
+      M_left_thigh_y_17 - neg_s_left_ankle_cross_x * neg_F_left_ankle_cross_z;
+  // left_hip_fork
+  const Scalar t_left_hip_fork_1 = left_hip_fork_I8 * c_left_hip_roll;
+  const Scalar t_left_hip_fork_2 = left_hip_fork_I2 * s_left_hip_roll;
+  const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 - left_hip_fork_I6 * c_left_hip_roll;
+  const Scalar t_left_hip_fork_4 = left_hip_fork_I7 - s_left_hip_roll * t_left_hip_fork_3;
+  const Scalar t_left_hip_fork_5 = qd[0] * t_left_hip_fork_4;
+  const Scalar t_left_hip_fork_6 = t_left_hip_fork_1 - left_hip_fork_I9 * s_left_hip_roll;
+  // left_shank: force F of (3)
+  const Scalar neg_F_left_thigh_y_1 =
+      neg_F_left_shank_y - neg_Omega_left_thigh_yy * t_left_thigh_19;
+  const Scalar neg_F_left_thigh_x_1 = neg_F_left_shank_x + Omega_left_thigh_xy * t_left_thigh_19;
+  const Scalar neg_F_left_thigh_y = neg_F_left_thigh_y_1 + Omega_left_thigh_yx * t_left_thigh_20;
+  const Scalar neg_F_left_thigh_x =
+      neg_F_left_thigh_x_1 - neg_Omega_left_thigh_xx * t_left_thigh_20;
+  const Scalar t_left_thigh_22 = neg_M_left_thigh_z - s_q2_q3_q4 * neg_F_left_thigh_y;
+  const Scalar neg_F_left_thigh_z_1 =
+      neg_F_left_shank_z - neg_Omega_left_thigh_zy * t_left_thigh_19;
+  const Scalar neg_F_left_thigh_z =
+      neg_F_left_thigh_z_1 - neg_Omega_left_thigh_zx * t_left_thigh_20;
+  const Scalar t_left_thigh_23 = neg_F_left_thigh_z - s_q2_q3_q4 * M_left_thigh_y;
+  const Scalar t_left_hip_fork_7 = qd[1] * t_left_hip_fork_6 + 2.0 * t_left_hip_fork_5;
+  // left_thigh: moment M of (3)
+  const Scalar t_left_thigh_24 = t_left_thigh_22 + c_q2_q3_q4 * neg_F_left_thigh_x;
+  const Scalar t_left_thigh_25 = t_left_thigh_23 + c_q2_q3_q4 * M_left_thigh_x;
+  const Scalar t_left_thigh_26 = qd[1] * t_left_hip_fork_7 + s_left_hip_roll * t_left_thigh_24;
   // left_hip_fork: moment M of (3)
-  B[1] = M_left_hip_fork_z_1 - s_q2_q3_q4 * M_left_thigh_x - qd[0] * t_left_hip_fork_5;
+  B[0] = -(t_left_thigh_26 + c_left_hip_roll * t_left_thigh_25);
+  B[1] = qd[0] * t_left_hip_fork_5 - (s_q2_q3_q4 * M_left_thigh_x + c_q2_q3_q4 * M_left_thigh_y);
 }
 
 void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
@@ -1633,47 +1623,45 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   // right_foot: G of 6.5
   const Scalar t_right_foot_1 = left_foot_G1 * s_right_foot;
   const Scalar t_right_foot_2 = left_foot_G1 * c_right_foot;
-  const Scalar neg_G_11_1 = c_right_hip_roll * c_q8_q9_q10 * t_right_foot_1;
-  G[11] = s_right_hip_roll * t_right_foot_2 - neg_G_11_1;
+  const Scalar G_11_1 = c_right_hip_roll * c_q8_q9_q10 * t_right_foot_1;
+  G[11] = G_11_1 - s_right_hip_roll * t_right_foot_2;
   // right_ankle_cross: G of 6.5
   const Scalar t_righ_ankl_cros_1 = left_ankle_cross_G2 + t_right_foot_2;
-  const Scalar neg_G_10_1 = s_q8_q9_q10 * t_righ_ankl_cros_1;
-  const Scalar neg_G_10 = c_right_hip_roll * (left_ankle_cross_G1 * c_q8_q9_q10 - neg_G_10_1);
-  G[10] = -neg_G_10;
-  const Scalar neg_G_9_1 = left_shank_G1 * c_q8_q9 + left_shank_G2 * s_q8_q9;
-  const Scalar neg_G_9 = neg_G_10 - c_right_hip_roll * neg_G_9_1;
-  G[9] = -neg_G_9;
-  const Scalar neg_G_8_1 = left_thigh_G1 * c_right_hip_pitch + left_thigh_G2 * s_right_hip_pitch;
-  G[8] = c_right_hip_roll * neg_G_8_1 - neg_G_9;
+  const Scalar G_10_1 = left_ankle_cross_G1 * c_q8_q9_q10 - s_q8_q9_q10 * t_righ_ankl_cros_1;
+  const Scalar G_10 = c_right_hip_roll * G_10_1;
+  G[10] = G_10;
+  const Scalar G_9 = G_10 + c_right_hip_roll * (left_shank_G1 * s_q8_q9 + left_shank_G2 * c_q8_q9);
+  G[9] = G_9;
+  const Scalar G_8_1 = left_thigh_G1 * s_right_hip_pitch + left_thigh_G2 * c_right_hip_pitch;
+  G[8] = G_9 + c_right_hip_roll * G_8_1;
   // right_hip_fork: G of 6.5
-  const Scalar G_7_1 = left_hip_fork_G2 + left_ankle_cross_G1 * s_q8_q9_q10;
-  const Scalar G_7_2 = G_7_1 - left_shank_G1 * s_q8_q9 + left_shank_G2 * c_q8_q9;
-  const Scalar G_7_3 = G_7_2 - left_thigh_G1 * s_right_hip_pitch;
-  const Scalar G_7_4 = G_7_3 + left_thigh_G2 * c_right_hip_pitch;
-  const Scalar G_7_5 = s_right_hip_roll * (G_7_4 + c_q8_q9_q10 * t_righ_ankl_cros_1);
-  G[7] = G_7_5 - c_right_hip_roll * (left_hip_fork_G1 + t_right_foot_1);
+  const Scalar G_7_1 = left_hip_fork_G2 - left_ankle_cross_G1 * s_q8_q9_q10;
+  const Scalar G_7_2 = G_7_1 - left_shank_G2 * s_q8_q9 + left_shank_G1 * c_q8_q9;
+  const Scalar G_7_3 = G_7_2 - left_thigh_G2 * s_right_hip_pitch;
+  const Scalar G_7_4 = G_7_3 + left_thigh_G1 * c_right_hip_pitch;
+  const Scalar G_7_5 = s_right_hip_roll * (G_7_4 - c_q8_q9_q10 * t_righ_ankl_cros_1);
+  G[7] = G_7_5 - c_right_hip_roll * (left_hip_fork_G1 - t_right_foot_1);
   // left_foot: G of 6.5
   const Scalar t_left_foot_1 = left_foot_G1 * s_left_foot;
   const Scalar t_left_foot_2 = c_left_hip_roll * c_q2_q3_q4;
   const Scalar t_left_foot_3 = left_foot_G1 * c_left_foot;
-  G[5] = t_left_foot_1 * t_left_foot_2 + s_left_hip_roll * t_left_foot_3;
+  G[5] = -(t_left_foot_1 * t_left_foot_2 + s_left_hip_roll * t_left_foot_3);
   // left_ankle_cross: G of 6.5
   const Scalar t_left_ankle_cross_1 = left_ankle_cross_G2 + t_left_foot_3;
-  const Scalar neg_G_4_1 = c_left_hip_roll * s_q2_q3_q4 * t_left_ankle_cross_1;
-  const Scalar neg_G_4 = left_ankle_cross_G1 * t_left_foot_2 - neg_G_4_1;
-  G[4] = -neg_G_4;
-  const Scalar neg_G_3_1 = left_shank_G1 * c_q2_q3 + left_shank_G2 * s_q2_q3;
-  const Scalar neg_G_3 = neg_G_4 - c_left_hip_roll * neg_G_3_1;
-  G[3] = -neg_G_3;
-  const Scalar neg_G_2_1 = left_thigh_G2 * s_left_hip_pitch + left_thigh_G1 * c_left_hip_pitch;
-  G[2] = c_left_hip_roll * neg_G_2_1 - neg_G_3;
+  const Scalar G_4_1 = c_left_hip_roll * s_q2_q3_q4 * t_left_ankle_cross_1;
+  const Scalar G_4 = left_ankle_cross_G1 * t_left_foot_2 - G_4_1;
+  G[4] = G_4;
+  const Scalar G_3 = G_4 + c_left_hip_roll * (left_shank_G2 * c_q2_q3 + left_shank_G1 * s_q2_q3);
+  G[3] = G_3;
+  const Scalar G_2_1 = left_thigh_G1 * s_left_hip_pitch + left_thigh_G2 * c_left_hip_pitch;
+  G[2] = G_3 + c_left_hip_roll * G_2_1;
   // left_hip_fork: G of 6.5
-  const Scalar G_1_1 = left_hip_fork_G2 + left_ankle_cross_G1 * s_q2_q3_q4;
-  const Scalar G_1_2 = G_1_1 - left_shank_G1 * s_q2_q3 + left_shank_G2 * c_q2_q3;
-  const Scalar G_1_3 = G_1_2 - left_thigh_G1 * s_left_hip_pitch;
-  const Scalar G_1_4 = G_1_3 + left_thigh_G2 * c_left_hip_pitch;
-  const Scalar G_1_5 = s_left_hip_roll * (G_1_4 + c_q2_q3_q4 * t_left_ankle_cross_1);
-  G[1] = c_left_hip_roll * (left_hip_fork_G1 + t_left_foot_1) + G_1_5;
+  const Scalar G_1_1 = left_hip_fork_G2 - left_ankle_cross_G1 * s_q2_q3_q4;
+  const Scalar G_1_2 = G_1_1 + left_shank_G1 * c_q2_q3 - left_shank_G2 * s_q2_q3;
+  const Scalar G_1_3 = G_1_2 - left_thigh_G2 * s_left_hip_pitch;
+  const Scalar G_1_4 = G_1_3 + left_thigh_G1 * c_left_hip_pitch;
+  const Scalar G_1_5 = s_left_hip_roll * (G_1_4 - c_q2_q3_q4 * t_left_ankle_cross_1);
+  G[1] = c_left_hip_roll * (left_hip_fork_G1 - t_left_foot_1) + G_1_5;
   G[0] = 0.0;
   G[6] = 0.0;
 }
@@ -1717,151 +1705,151 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_left_hip_fork_1 = omega_left_hip_fork_x * qd[1];
   const Scalar t_left_hip_fork_2 = s_left_hip_roll * qdd[0];
   const Scalar t_left_hip_fork_3 = t_left_hip_fork_1 + t_left_hip_fork_2;
+  const Scalar Omega_left_hip_fork_zx = t_left_hip_fork_1 + t_left_hip_fork_3;
   const Scalar t_left_hip_fork_4 = omega_left_hip_fork_x * omega_left_hip_fork_x;
   const Scalar t_left_hip_fork_5 = qd[1] * qd[1];
   const Scalar t_left_hip_fork_6 = s_left_hip_roll * qd[0];
   const Scalar t_left_hip_fork_7 = c_left_hip_roll * qdd[0];
   const Scalar Omega_left_hip_fork_zy = t_left_hip_fork_7 - qd[1] * t_left_hip_fork_6 * 2.0;
   const Scalar t_left_hip_fork_8 = omega_left_hip_fork_x * t_left_hip_fork_6;
-  const Scalar t_left_hip_fork_9 = t_left_hip_fork_8 - qdd[1];
-  const Scalar t_left_hip_fork_10 = t_left_hip_fork_8 + qdd[1];
-  const Scalar t_left_hip_fork_11 = t_left_hip_fork_4 + t_left_hip_fork_5;
+  const Scalar t_left_hip_fork_9 = t_left_hip_fork_8 + qdd[1];
+  const Scalar t_left_hip_fork_10 = t_left_hip_fork_4 + t_left_hip_fork_5;
   // left_thigh: Omega, angular velocity omega, angular acceleration alpha of (1)
   const Scalar t_left_thigh_1 = s_left_hip_pitch * Omega_left_hip_fork_zy;
-  const Scalar neg_Omega_left_thigh_xz = c_left_hip_pitch * t_left_hip_fork_10 - t_left_thigh_1;
-  const Scalar t_left_thigh_2 = c_left_hip_pitch * omega_left_hip_fork_x;
-  const Scalar neg_omega_left_thigh_x = t_left_thigh_2 + s_left_hip_pitch * qd[1];
+  const Scalar neg_Omega_left_thigh_xz = t_left_thigh_1 - c_left_hip_pitch * t_left_hip_fork_9;
+  const Scalar omega_left_thigh_x_1 = c_left_hip_pitch * omega_left_hip_fork_x;
+  const Scalar omega_left_thigh_x = omega_left_thigh_x_1 + s_left_hip_pitch * qd[1];
   const Scalar omega_left_thigh_z = t_left_hip_fork_6 + qd[2];
-  const Scalar t_left_thigh_3 = 2.0 * omega_left_thigh_z;
-  const Scalar Omega_left_thigh_zx =
-      neg_Omega_left_thigh_xz - neg_omega_left_thigh_x * t_left_thigh_3;
-  const Scalar Omega_left_thigh_yz_1 = c_left_hip_pitch * Omega_left_hip_fork_zy;
-  const Scalar Omega_left_thigh_yz = s_left_hip_pitch * t_left_hip_fork_10 + Omega_left_thigh_yz_1;
-  const Scalar omega_left_thigh_y_1 = s_left_hip_pitch * omega_left_hip_fork_x;
-  const Scalar omega_left_thigh_y = omega_left_thigh_y_1 - c_left_hip_pitch * qd[1];
-  const Scalar neg_Omega_left_thigh_zy = Omega_left_thigh_yz - t_left_thigh_3 * omega_left_thigh_y;
-  const Scalar t_left_thigh_4 = neg_omega_left_thigh_x * neg_omega_left_thigh_x;
-  const Scalar t_left_thigh_5 = omega_left_thigh_z * omega_left_thigh_z;
-  const Scalar t_left_thigh_6 = neg_omega_left_thigh_x * omega_left_thigh_y;
+  const Scalar t_left_thigh_2 = 2.0 * omega_left_thigh_z;
+  const Scalar Omega_left_thigh_zx = neg_Omega_left_thigh_xz + omega_left_thigh_x * t_left_thigh_2;
+  const Scalar t_left_thigh_3 = c_left_hip_pitch * Omega_left_hip_fork_zy;
+  const Scalar neg_Omega_left_thigh_yz = t_left_thigh_3 + s_left_hip_pitch * t_left_hip_fork_9;
+  const Scalar t_left_thigh_4 = s_left_hip_pitch * omega_left_hip_fork_x;
+  const Scalar neg_omega_left_thigh_y = t_left_thigh_4 - c_left_hip_pitch * qd[1];
+  const Scalar Omega_left_thigh_zy =
+      neg_Omega_left_thigh_yz - t_left_thigh_2 * neg_omega_left_thigh_y;
+  const Scalar t_left_thigh_5 = omega_left_thigh_x * omega_left_thigh_x;
+  const Scalar t_left_thigh_6 = omega_left_thigh_z * omega_left_thigh_z;
+  const Scalar t_left_thigh_7 = omega_left_thigh_x * neg_omega_left_thigh_y;
   const Scalar alpha_left_thigh_z = t_left_hip_fork_3 + qdd[2];
-  const Scalar neg_Omega_left_thigh_yx = t_left_thigh_6 - alpha_left_thigh_z;
-  const Scalar t_left_thigh_7 = t_left_hip_fork_2 - left_hip_fork_p1 * c_left_hip_roll;
-  const Scalar t_left_thigh_8 = t_left_thigh_4 - t_left_thigh_5;
-  const Scalar neg_Omega_left_thigh_xx = t_left_hip_fork_11 - t_left_thigh_8;
-  const Scalar a_left_thigh_x_1 = s_left_hip_pitch * t_left_hip_block_1;
-  const Scalar a_left_thigh_x = a_left_thigh_x_1 + c_left_hip_pitch * t_left_thigh_7;
-  const Scalar a_left_thigh_y_1 = c_left_hip_pitch * t_left_hip_block_1;
-  const Scalar a_left_thigh_y = a_left_thigh_y_1 - s_left_hip_pitch * t_left_thigh_7;
-  // left_shank: acceleration a, Omega, angular velocity omega of (1)
-  const Scalar t_left_shank_1 = a_left_thigh_y - left_hip_fork_k1 * neg_Omega_left_thigh_yx;
-  const Scalar Omega_left_shank_yz_1 = s_left_knee * neg_Omega_left_thigh_xz;
-  const Scalar Omega_left_shank_yz = Omega_left_shank_yz_1 + c_left_knee * Omega_left_thigh_yz;
-  const Scalar omega_left_shank_y_1 = s_left_knee * neg_omega_left_thigh_x;
-  const Scalar omega_left_shank_y = omega_left_shank_y_1 + c_left_knee * omega_left_thigh_y;
+  const Scalar neg_Omega_left_thigh_xy = t_left_thigh_7 + alpha_left_thigh_z;
+  const Scalar neg_Omega_left_thigh_yx = t_left_thigh_7 - alpha_left_thigh_z;
+  const Scalar t_left_thigh_8 = t_left_hip_fork_2 + left_hip_fork_p1 * c_left_hip_roll;
+  // left_shank: Omega, angular velocity omega of (1)
+  const Scalar t_left_shank_1 = c_left_knee * neg_Omega_left_thigh_yz;
+  const Scalar neg_Omega_left_shank_yz = t_left_shank_1 - s_left_knee * neg_Omega_left_thigh_xz;
+  const Scalar t_left_shank_2 = c_left_knee * neg_omega_left_thigh_y;
+  const Scalar neg_omega_left_shank_y = t_left_shank_2 + s_left_knee * omega_left_thigh_x;
   const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
-  const Scalar t_left_shank_2 = 2.0 * omega_left_shank_z;
-  const Scalar neg_Omega_left_shank_zy = Omega_left_shank_yz - omega_left_shank_y * t_left_shank_2;
-  const Scalar Omega_left_shank_xz_1 = c_left_knee * neg_Omega_left_thigh_xz;
-  const Scalar Omega_left_shank_xz = s_left_knee * Omega_left_thigh_yz - Omega_left_shank_xz_1;
-  const Scalar omega_left_shank_x_1 = c_left_knee * neg_omega_left_thigh_x;
-  const Scalar omega_left_shank_x = s_left_knee * omega_left_thigh_y - omega_left_shank_x_1;
-  const Scalar neg_Omega_left_shank_zx = Omega_left_shank_xz - t_left_shank_2 * omega_left_shank_x;
-  const Scalar a_left_thigh_z = t_left_hip_fork_7 + left_hip_fork_p1 * s_left_hip_roll;
+  const Scalar t_left_shank_3 = 2.0 * omega_left_shank_z;
+  const Scalar Omega_left_shank_zy =
+      neg_Omega_left_shank_yz - neg_omega_left_shank_y * t_left_shank_3;
+  const Scalar t_left_shank_4 = c_left_knee * neg_Omega_left_thigh_xz;
+  const Scalar neg_Omega_left_shank_xz = t_left_shank_4 + s_left_knee * neg_Omega_left_thigh_yz;
+  const Scalar t_left_shank_5 = s_left_knee * neg_omega_left_thigh_y;
+  const Scalar neg_omega_left_shank_x = t_left_shank_5 - c_left_knee * omega_left_thigh_x;
+  const Scalar Omega_left_shank_zx =
+      neg_Omega_left_shank_xz - t_left_shank_3 * neg_omega_left_shank_x;
+  // left_thigh: acceleration a, Omega of (1)
+  const Scalar neg_a_left_thigh_x_1 = s_left_hip_pitch * t_left_hip_block_1;
+  const Scalar neg_a_left_thigh_x = neg_a_left_thigh_x_1 + c_left_hip_pitch * t_left_thigh_8;
+  const Scalar t_left_thigh_9 = t_left_thigh_5 - t_left_thigh_6;
+  const Scalar neg_Omega_left_thigh_xx = t_left_hip_fork_10 - t_left_thigh_9;
+  const Scalar t_left_shank_6 = neg_a_left_thigh_x + left_hip_fork_k1 * neg_Omega_left_thigh_xx;
+  const Scalar neg_a_left_thigh_y_1 = c_left_hip_pitch * t_left_hip_block_1;
+  const Scalar neg_a_left_thigh_y = neg_a_left_thigh_y_1 - s_left_hip_pitch * t_left_thigh_8;
+  const Scalar t_left_shank_7 = neg_a_left_thigh_y + left_hip_fork_k1 * neg_Omega_left_thigh_yx;
+  const Scalar a_left_thigh_z = t_left_hip_fork_7 - left_hip_fork_p1 * s_left_hip_roll;
+  // left_shank: acceleration a, Omega, angular acceleration alpha of (1)
   const Scalar a_left_shank_z = a_left_thigh_z + left_hip_fork_k1 * Omega_left_thigh_zx;
-  const Scalar t_left_shank_3 = a_left_thigh_x - left_hip_fork_k1 * neg_Omega_left_thigh_xx;
-  const Scalar a_left_shank_x = c_left_knee * t_left_shank_3 + s_left_knee * t_left_shank_1;
-  const Scalar t_left_shank_4 = omega_left_shank_x * omega_left_shank_x;
-  const Scalar t_left_shank_5 = omega_left_shank_z * omega_left_shank_z;
-  const Scalar t_left_shank_6 = omega_left_shank_y * omega_left_shank_x;
+  const Scalar neg_a_left_shank_x = c_left_knee * t_left_shank_6 + s_left_knee * t_left_shank_7;
+  const Scalar t_left_shank_8 = neg_omega_left_shank_x * neg_omega_left_shank_x;
+  const Scalar t_left_shank_9 = omega_left_shank_z * omega_left_shank_z;
+  const Scalar t_left_shank_10 = neg_omega_left_shank_y * neg_omega_left_shank_x;
   const Scalar alpha_left_shank_z = alpha_left_thigh_z + qdd[3];
-  const Scalar Omega_left_shank_xy = t_left_shank_6 - alpha_left_shank_z;
-  const Scalar Omega_left_shank_yx = t_left_shank_6 + alpha_left_shank_z;
-  const Scalar t_left_shank_7 = t_left_shank_4 - t_left_shank_5;
-  const Scalar neg_Omega_left_shank_xx = t_left_hip_fork_11 - t_left_shank_7;
-  const Scalar t_left_ankle_cross_1 = a_left_shank_x - left_hip_fork_k2 * neg_Omega_left_shank_xx;
-  const Scalar a_left_shank_y = c_left_knee * t_left_shank_1 - s_left_knee * t_left_shank_3;
+  const Scalar Omega_left_shank_xy = t_left_shank_10 - alpha_left_shank_z;
+  const Scalar Omega_left_shank_yx = t_left_shank_10 + alpha_left_shank_z;
+  const Scalar neg_a_left_shank_y = c_left_knee * t_left_shank_7 - s_left_knee * t_left_shank_6;
+  const Scalar t_left_ankle_cross_1 = neg_a_left_shank_y - left_hip_fork_k2 * Omega_left_shank_yx;
+  const Scalar t_left_shank_11 = t_left_shank_8 - t_left_shank_9;
+  const Scalar neg_Omega_left_shank_xx = t_left_hip_fork_10 - t_left_shank_11;
   // left_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar t_left_ankle_cross_2 = a_left_shank_y + left_hip_fork_k2 * Omega_left_shank_yx;
-  const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[4];
-  const Scalar t_left_ankle_cross_3 = s_left_ankle_pitch * omega_left_shank_x;
-  const Scalar t_left_ankle_cross_4 =
-      t_left_ankle_cross_3 - c_left_ankle_pitch * omega_left_shank_y;
-  const Scalar t_left_ankle_cross_5 = s_left_ankle_pitch * Omega_left_shank_xz;
-  const Scalar t_left_ankle_cross_6 =
-      t_left_ankle_cross_5 - c_left_ankle_pitch * Omega_left_shank_yz;
-  const Scalar t_left_ankle_cross_7 = 2.0 * omega_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_8 =
-      t_left_ankle_cross_6 - t_left_ankle_cross_4 * t_left_ankle_cross_7;
-  const Scalar t_left_ankle_cross_9 = c_left_ankle_pitch * Omega_left_shank_xz;
-  const Scalar t_left_ankle_cross_10 =
-      t_left_ankle_cross_9 + s_left_ankle_pitch * Omega_left_shank_yz;
-  const Scalar t_left_ankle_cross_11 = c_left_ankle_pitch * omega_left_shank_x;
-  const Scalar omega_left_ankle_cross_x =
-      t_left_ankle_cross_11 + s_left_ankle_pitch * omega_left_shank_y;
-  const Scalar t_left_ankle_cross_12 = t_left_ankle_cross_7 * omega_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_13 = t_left_ankle_cross_10 - t_left_ankle_cross_12;
-  const Scalar a_left_ankle_cross_z = a_left_shank_z - left_hip_fork_k2 * neg_Omega_left_shank_zx;
-  const Scalar t_left_ankle_cross_14 = omega_left_ankle_cross_x * omega_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_15 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_16 = t_left_ankle_cross_14 - t_left_ankle_cross_15;
-  const Scalar t_left_ankle_cross_17 = t_left_ankle_cross_4 * omega_left_ankle_cross_x;
-  const Scalar alpha_left_ankle_cross_z = alpha_left_shank_z + qdd[4];
-  const Scalar Omega_left_foot_xz = t_left_ankle_cross_17 + alpha_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_18 = t_left_ankle_cross_17 - alpha_left_ankle_cross_z;
-  // left_foot: angular velocity omega, Omega, acceleration a of (1)
-  const Scalar omega_left_foot_z = t_left_ankle_cross_4 + qd[5];
-  const Scalar t_left_foot_1 = 2.0 * omega_left_foot_z;
-  const Scalar Omega_left_foot_zy = t_left_ankle_cross_8 + omega_left_ankle_cross_z * t_left_foot_1;
-  const Scalar t_left_ankle_cross_19 = s_left_ankle_pitch * t_left_ankle_cross_1;
-  const Scalar neg_a_left_ankle_cross_y =
-      t_left_ankle_cross_19 - c_left_ankle_pitch * t_left_ankle_cross_2;
-  const Scalar a_left_foot_z_1 = t_left_ankle_cross_18 + neg_a_left_ankle_cross_y;
-  const Scalar a_left_foot_z = a_left_foot_z_1 + left_hip_fork_k3 * t_left_ankle_cross_6;
-  const Scalar neg_a_left_foot_y_1 = t_left_ankle_cross_13 - a_left_ankle_cross_z;
-  const Scalar neg_a_left_foot_y = neg_a_left_foot_y_1 + left_hip_fork_k3 * t_left_hip_fork_11;
-  // left_ankle_cross: acceleration a, Omega of (1)
-  const Scalar a_left_ankle_cross_x_1 = s_left_ankle_pitch * t_left_ankle_cross_2;
+  const Scalar t_left_ankle_cross_2 =
+      neg_a_left_shank_x + left_hip_fork_k2 * neg_Omega_left_shank_xx;
+  const Scalar a_left_ankle_cross_x_1 = c_left_ankle_pitch * t_left_ankle_cross_2;
   const Scalar a_left_ankle_cross_x =
-      a_left_ankle_cross_x_1 + c_left_ankle_pitch * t_left_ankle_cross_1;
-  const Scalar a_left_foot_x_1 = t_left_hip_fork_11 - t_left_ankle_cross_16;
+      a_left_ankle_cross_x_1 + s_left_ankle_pitch * t_left_ankle_cross_1;
+  const Scalar t_left_ankle_cross_3 = c_left_ankle_pitch * neg_omega_left_shank_y;
+  const Scalar omega_left_ankle_cross_y =
+      t_left_ankle_cross_3 - s_left_ankle_pitch * neg_omega_left_shank_x;
+  const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[4];
+  const Scalar t_left_ankle_cross_4 = 2.0 * omega_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_5 = s_left_ankle_pitch * neg_Omega_left_shank_xz;
+  const Scalar t_left_ankle_cross_6 =
+      t_left_ankle_cross_5 - c_left_ankle_pitch * neg_Omega_left_shank_yz;
+  const Scalar t_left_ankle_cross_7 =
+      t_left_ankle_cross_6 + omega_left_ankle_cross_y * t_left_ankle_cross_4;
+  const Scalar t_left_ankle_cross_8 = c_left_ankle_pitch * neg_Omega_left_shank_xz;
+  const Scalar t_left_ankle_cross_9 =
+      t_left_ankle_cross_8 + s_left_ankle_pitch * neg_Omega_left_shank_yz;
+  const Scalar t_left_ankle_cross_10 = s_left_ankle_pitch * neg_omega_left_shank_y;
+  const Scalar omega_left_ankle_cross_x =
+      t_left_ankle_cross_10 + c_left_ankle_pitch * neg_omega_left_shank_x;
+  const Scalar t_left_ankle_cross_11 =
+      t_left_ankle_cross_9 - t_left_ankle_cross_4 * omega_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_12 = omega_left_ankle_cross_x * omega_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_13 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_14 = t_left_ankle_cross_12 - t_left_ankle_cross_13;
+  const Scalar t_left_ankle_cross_15 = omega_left_ankle_cross_y * omega_left_ankle_cross_x;
+  const Scalar alpha_left_ankle_cross_z = alpha_left_shank_z + qdd[4];
+  const Scalar t_left_ankle_cross_16 = t_left_ankle_cross_15 - alpha_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_17 = t_left_ankle_cross_15 + alpha_left_ankle_cross_z;
+  const Scalar neg_omega_left_foot_z = omega_left_ankle_cross_y - qd[5];
+  const Scalar Omega_left_foot_zy = t_left_ankle_cross_6 + t_left_ankle_cross_4 * qd[5];
+  const Scalar a_left_ankle_cross_z = a_left_shank_z + left_hip_fork_k2 * Omega_left_shank_zx;
+  const Scalar neg_a_left_foot_y_1 = t_left_ankle_cross_11 - a_left_ankle_cross_z;
+  const Scalar neg_a_left_foot_y = neg_a_left_foot_y_1 - left_hip_fork_k3 * t_left_hip_fork_10;
+  const Scalar t_left_ankle_cross_18 = s_left_ankle_pitch * t_left_ankle_cross_2;
+  const Scalar neg_a_left_ankle_cross_y =
+      t_left_ankle_cross_18 - c_left_ankle_pitch * t_left_ankle_cross_1;
+  const Scalar neg_a_left_foot_z_1 = t_left_ankle_cross_17 - neg_a_left_ankle_cross_y;
+  const Scalar neg_a_left_foot_z = neg_a_left_foot_z_1 + left_hip_fork_k3 * t_left_ankle_cross_6;
+  const Scalar t_left_ankle_cross_19 = t_left_hip_fork_10 - t_left_ankle_cross_14;
   // left_foot: acceleration a, Omega, moment M of (1)
-  const Scalar a_left_foot_x_2 = a_left_ankle_cross_x - a_left_foot_x_1;
-  const Scalar a_left_foot_x = a_left_foot_x_2 + left_hip_fork_k3 * t_left_ankle_cross_10;
-  const Scalar Omega_left_foot_xy = t_left_ankle_cross_10 - qdd[5];
-  const Scalar Omega_left_foot_yx = t_left_ankle_cross_12 - Omega_left_foot_xy;
-  const Scalar neg_Omega_left_foot_zx =
-      Omega_left_foot_xz - omega_left_ankle_cross_x * t_left_foot_1;
-  const Scalar t_left_foot_2 = omega_left_foot_z * omega_left_foot_z;
-  const Scalar t_left_foot_3 = left_foot_I4 * c_left_foot + left_foot_I5 * s_left_foot;
-  const Scalar t_left_foot_4 = left_foot_I14 - c_left_foot * t_left_foot_3;
-  const Scalar t_left_foot_5 = left_foot_I2 * c_left_foot + left_foot_I3 * s_left_foot;
-  const Scalar t_left_foot_6 = s_left_foot * t_left_foot_3;
-  const Scalar t_left_foot_7 = left_foot_I3 * c_left_foot - left_foot_I2 * s_left_foot;
+  const Scalar a_left_foot_x_1 = a_left_ankle_cross_x - t_left_ankle_cross_19;
+  const Scalar a_left_foot_x = a_left_foot_x_1 - left_hip_fork_k3 * t_left_ankle_cross_9;
+  const Scalar Omega_left_foot_xy = t_left_ankle_cross_9 - qdd[5];
+  const Scalar Omega_left_foot_zx_1 = omega_left_ankle_cross_x * neg_omega_left_foot_z;
+  const Scalar Omega_left_foot_zx = t_left_ankle_cross_16 - 2.0 * Omega_left_foot_zx_1;
+  const Scalar t_left_foot_1 = neg_omega_left_foot_z * neg_omega_left_foot_z;
+  const Scalar t_left_foot_2 = left_foot_I5 * c_left_foot - left_foot_I4 * s_left_foot;
+  const Scalar t_left_foot_3 = s_left_foot * t_left_foot_2;
+  const Scalar t_left_foot_4 = left_foot_I14 + t_left_foot_3;
+  const Scalar t_left_foot_5 = left_foot_I2 * s_left_foot - left_foot_I3 * c_left_foot;
+  const Scalar t_left_foot_6 = left_foot_I3 * s_left_foot + left_foot_I2 * c_left_foot;
+  const Scalar t_left_foot_7 = left_foot_I13 - c_left_foot * t_left_foot_2;
   const Scalar t_left_foot_8 = left_foot_I1 * c_left_foot;
-  const Scalar t_left_foot_9 = left_foot_I13 + t_left_foot_6;
-  const Scalar t_left_foot_10 = left_foot_I1 * s_left_foot;
-  const Scalar t_left_foot_11 = left_foot_I12 - t_left_foot_6;
-  const Scalar neg_M_left_foot_z_1 = t_left_ankle_cross_16 * t_left_foot_4;
-  const Scalar neg_M_left_foot_z_2 = a_left_foot_x * t_left_foot_10 - neg_M_left_foot_z_1;
-  const Scalar neg_M_left_foot_z_3 = neg_M_left_foot_z_2 + Omega_left_foot_xz * t_left_foot_5;
+  const Scalar t_left_foot_9 = left_foot_I1 * s_left_foot;
+  const Scalar neg_Omega_left_foot_yx = t_left_ankle_cross_11 - qdd[5];
+  const Scalar t_left_foot_10 = left_foot_I12 - t_left_foot_3;
+  const Scalar neg_M_left_foot_z_1 = t_left_foot_4 * neg_Omega_left_foot_yx;
+  const Scalar neg_M_left_foot_z_2 = neg_M_left_foot_z_1 + a_left_foot_x * t_left_foot_9;
+  const Scalar neg_M_left_foot_z_3 = neg_M_left_foot_z_2 + Omega_left_foot_xy * t_left_foot_10;
   const Scalar neg_M_left_foot_z_4 = neg_M_left_foot_z_3 + neg_a_left_foot_y * t_left_foot_8;
-  const Scalar neg_M_left_foot_z_5 = neg_M_left_foot_z_4 + Omega_left_foot_xy * t_left_foot_9;
-  const Scalar neg_M_left_foot_z_6 = neg_M_left_foot_z_5 + t_left_ankle_cross_8 * t_left_foot_7;
-  const Scalar neg_M_left_foot_z = neg_M_left_foot_z_6 - Omega_left_foot_yx * t_left_foot_11;
+  const Scalar neg_M_left_foot_z_5 = neg_M_left_foot_z_4 - t_left_ankle_cross_7 * t_left_foot_5;
+  const Scalar neg_M_left_foot_z_6 = neg_M_left_foot_z_5 - t_left_ankle_cross_16 * t_left_foot_6;
+  const Scalar neg_M_left_foot_z = neg_M_left_foot_z_6 + t_left_ankle_cross_14 * t_left_foot_7;
   tau[5] = -neg_M_left_foot_z;
-  const Scalar neg_F_left_foot_z_1 = neg_Omega_left_foot_zx * t_left_foot_8;
-  const Scalar neg_F_left_foot_z_2 = neg_F_left_foot_z_1 - left_ankle_cross_I1 * a_left_foot_z;
-  const Scalar neg_F_left_foot_z = neg_F_left_foot_z_2 - Omega_left_foot_zy * t_left_foot_10;
-  const Scalar F_left_foot_x_1 = Omega_left_foot_xy * t_left_foot_10;
-  const Scalar F_left_foot_x_2 = F_left_foot_x_1 + left_ankle_cross_I1 * a_left_foot_x;
-  const Scalar neg_Omega_left_foot_xx = t_left_ankle_cross_15 + t_left_foot_2;
-  const Scalar F_left_foot_x = F_left_foot_x_2 - t_left_foot_8 * neg_Omega_left_foot_xx;
+  const Scalar F_left_foot_z_1 = Omega_left_foot_zy * t_left_foot_9;
+  const Scalar F_left_foot_z_2 = F_left_foot_z_1 + Omega_left_foot_zx * t_left_foot_8;
+  const Scalar F_left_foot_z = F_left_foot_z_2 - left_ankle_cross_I1 * neg_a_left_foot_z;
   const Scalar t_right_hip_block_1 = qd[6] * qd[6];
   // right_hip_fork: angular velocity omega, angular acceleration alpha, Omega of (1)
   const Scalar omega_right_hip_fork_x = c_right_hip_roll * qd[6];
   const Scalar t_right_hip_fork_1 = omega_right_hip_fork_x * qd[7];
   const Scalar t_right_hip_fork_2 = s_right_hip_roll * qdd[6];
   const Scalar t_right_hip_fork_3 = t_right_hip_fork_1 + t_right_hip_fork_2;
+  const Scalar Omega_right_hip_fork_zx = t_right_hip_fork_1 + t_right_hip_fork_3;
   const Scalar t_right_hip_fork_4 = s_right_hip_roll * qd[6];
   const Scalar t_right_hip_fork_5 = c_right_hip_roll * qdd[6];
   const Scalar Omega_right_hip_fork_zy = t_right_hip_fork_5 - qd[7] * t_right_hip_fork_4 * 2.0;
@@ -1871,1555 +1859,1551 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
   const Scalar t_right_hip_fork_9 = t_right_hip_fork_8 + qdd[7];
   const Scalar t_right_hip_fork_10 = t_right_hip_fork_6 + t_right_hip_fork_7;
   // right_thigh: Omega, angular velocity omega, angular acceleration alpha of (1)
-  const Scalar Omega_right_thigh_xz_1 = s_right_hip_pitch * Omega_right_hip_fork_zy;
-  const Scalar Omega_right_thigh_xz =
-      Omega_right_thigh_xz_1 - c_right_hip_pitch * t_right_hip_fork_9;
-  const Scalar t_right_thigh_1 = c_right_hip_pitch * omega_right_hip_fork_x;
-  const Scalar neg_omega_right_thigh_x = t_right_thigh_1 + s_right_hip_pitch * qd[7];
+  const Scalar t_right_thigh_1 = s_right_hip_pitch * Omega_right_hip_fork_zy;
+  const Scalar neg_Omega_right_thigh_xz = t_right_thigh_1 - c_right_hip_pitch * t_right_hip_fork_9;
+  const Scalar omega_right_thigh_x_1 = c_right_hip_pitch * omega_right_hip_fork_x;
+  const Scalar omega_right_thigh_x = omega_right_thigh_x_1 + s_right_hip_pitch * qd[7];
   const Scalar omega_right_thigh_z = t_right_hip_fork_4 + qd[8];
   const Scalar t_right_thigh_2 = 2.0 * omega_right_thigh_z;
-  const Scalar neg_Omega_right_thigh_zx =
-      Omega_right_thigh_xz + neg_omega_right_thigh_x * t_right_thigh_2;
-  const Scalar Omega_right_thigh_yz_1 = c_right_hip_pitch * Omega_right_hip_fork_zy;
-  const Scalar Omega_right_thigh_yz =
-      s_right_hip_pitch * t_right_hip_fork_9 + Omega_right_thigh_yz_1;
-  const Scalar omega_right_thigh_y_1 = s_right_hip_pitch * omega_right_hip_fork_x;
-  const Scalar omega_right_thigh_y = omega_right_thigh_y_1 - c_right_hip_pitch * qd[7];
-  const Scalar neg_Omega_right_thigh_zy =
-      Omega_right_thigh_yz - t_right_thigh_2 * omega_right_thigh_y;
-  const Scalar t_right_thigh_3 = neg_omega_right_thigh_x * neg_omega_right_thigh_x;
-  const Scalar t_right_thigh_4 = omega_right_thigh_z * omega_right_thigh_z;
-  const Scalar t_right_thigh_5 = neg_omega_right_thigh_x * omega_right_thigh_y;
+  const Scalar Omega_right_thigh_zx =
+      neg_Omega_right_thigh_xz + omega_right_thigh_x * t_right_thigh_2;
+  const Scalar t_right_thigh_3 = c_right_hip_pitch * Omega_right_hip_fork_zy;
+  const Scalar neg_Omega_right_thigh_yz = t_right_thigh_3 + s_right_hip_pitch * t_right_hip_fork_9;
+  const Scalar t_right_thigh_4 = s_right_hip_pitch * omega_right_hip_fork_x;
+  const Scalar neg_omega_right_thigh_y = t_right_thigh_4 - c_right_hip_pitch * qd[7];
+  const Scalar Omega_right_thigh_zy =
+      neg_Omega_right_thigh_yz - t_right_thigh_2 * neg_omega_right_thigh_y;
+  const Scalar t_right_thigh_5 = omega_right_thigh_x * omega_right_thigh_x;
+  const Scalar t_right_thigh_6 = omega_right_thigh_z * omega_right_thigh_z;
+  const Scalar t_right_thigh_7 = omega_right_thigh_x * neg_omega_right_thigh_y;
   const Scalar alpha_right_thigh_z = t_right_hip_fork_3 + qdd[8];
-  const Scalar neg_Omega_right_thigh_yx = t_right_thigh_5 - alpha_right_thigh_z;
-  const Scalar neg_Omega_right_thigh_xy = t_right_thigh_5 + alpha_right_thigh_z;
-  const Scalar t_right_thigh_6 = t_right_hip_fork_2 - left_hip_fork_p1 * c_right_hip_roll;
-  const Scalar a_right_thigh_z = t_right_hip_fork_5 + left_hip_fork_p1 * s_right_hip_roll;
-  const Scalar a_right_thigh_y_1 = c_right_hip_pitch * t_right_hip_block_1;
-  const Scalar a_right_thigh_y = a_right_thigh_y_1 - s_right_hip_pitch * t_right_thigh_6;
-  const Scalar t_right_shank_1 = a_right_thigh_y - left_hip_fork_k1 * neg_Omega_right_thigh_yx;
-  const Scalar a_right_thigh_x_1 = s_right_hip_pitch * t_right_hip_block_1;
-  const Scalar a_right_thigh_x = a_right_thigh_x_1 + c_right_hip_pitch * t_right_thigh_6;
-  const Scalar t_right_thigh_7 = t_right_thigh_3 - t_right_thigh_4;
-  const Scalar neg_Omega_right_thigh_xx = t_right_hip_fork_10 - t_right_thigh_7;
+  const Scalar neg_Omega_right_thigh_yx = t_right_thigh_7 - alpha_right_thigh_z;
+  const Scalar neg_Omega_right_thigh_xy = t_right_thigh_7 + alpha_right_thigh_z;
+  const Scalar t_right_thigh_8 = t_right_hip_fork_2 + left_hip_fork_p1 * c_right_hip_roll;
+  const Scalar t_right_thigh_9 = t_right_thigh_5 - t_right_thigh_6;
+  const Scalar neg_a_right_thigh_x_1 = s_right_hip_pitch * t_right_hip_block_1;
+  const Scalar neg_a_right_thigh_x = neg_a_right_thigh_x_1 + c_right_hip_pitch * t_right_thigh_8;
+  const Scalar neg_Omega_right_thigh_xx = t_right_hip_fork_10 - t_right_thigh_9;
   // right_shank: acceleration a, Omega, angular velocity omega of (1)
-  const Scalar t_right_shank_2 = a_right_thigh_x - left_hip_fork_k1 * neg_Omega_right_thigh_xx;
-  const Scalar a_right_shank_x_1 = c_right_knee * t_right_shank_2;
-  const Scalar a_right_shank_x = a_right_shank_x_1 + s_right_knee * t_right_shank_1;
-  const Scalar t_right_shank_3 = s_right_knee * Omega_right_thigh_xz;
-  const Scalar neg_Omega_right_shank_yz = t_right_shank_3 - c_right_knee * Omega_right_thigh_yz;
-  const Scalar omega_right_shank_y_1 = s_right_knee * neg_omega_right_thigh_x;
-  const Scalar omega_right_shank_y = c_right_knee * omega_right_thigh_y + omega_right_shank_y_1;
+  const Scalar t_right_shank_1 = neg_a_right_thigh_x + left_hip_fork_k1 * neg_Omega_right_thigh_xx;
+  const Scalar t_right_shank_2 = left_hip_fork_k1 * neg_Omega_right_thigh_yx;
+  const Scalar t_right_shank_3 = c_right_hip_pitch * t_right_hip_block_1 + t_right_shank_2;
+  const Scalar t_right_shank_4 = t_right_shank_3 - s_right_hip_pitch * t_right_thigh_8;
+  const Scalar t_right_shank_5 = c_right_knee * neg_Omega_right_thigh_yz;
+  const Scalar neg_Omega_right_shank_yz = t_right_shank_5 - s_right_knee * neg_Omega_right_thigh_xz;
+  const Scalar t_right_shank_6 = c_right_knee * neg_omega_right_thigh_y;
+  const Scalar neg_omega_right_shank_y = s_right_knee * omega_right_thigh_x + t_right_shank_6;
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[9];
-  const Scalar t_right_shank_4 = 2.0 * omega_right_shank_z;
+  const Scalar t_right_shank_7 = 2.0 * omega_right_shank_z;
   const Scalar Omega_right_shank_zy =
-      neg_Omega_right_shank_yz + omega_right_shank_y * t_right_shank_4;
-  const Scalar a_right_shank_z = a_right_thigh_z - left_hip_fork_k1 * neg_Omega_right_thigh_zx;
-  const Scalar Omega_right_shank_xz_1 = s_right_knee * Omega_right_thigh_yz;
-  const Scalar Omega_right_shank_xz = Omega_right_shank_xz_1 + c_right_knee * Omega_right_thigh_xz;
-  const Scalar omega_right_shank_x_1 = c_right_knee * neg_omega_right_thigh_x;
-  const Scalar omega_right_shank_x = s_right_knee * omega_right_thigh_y - omega_right_shank_x_1;
-  const Scalar t_right_shank_5 = omega_right_shank_x * omega_right_shank_x;
-  const Scalar t_right_shank_6 = omega_right_shank_z * omega_right_shank_z;
-  const Scalar t_right_shank_7 = omega_right_shank_y * omega_right_shank_x;
+      neg_Omega_right_shank_yz - neg_omega_right_shank_y * t_right_shank_7;
+  const Scalar t_right_shank_8 = s_right_knee * neg_Omega_right_thigh_yz;
+  const Scalar neg_Omega_right_shank_xz = t_right_shank_8 + c_right_knee * neg_Omega_right_thigh_xz;
+  const Scalar omega_right_shank_x_1 = s_right_knee * neg_omega_right_thigh_y;
+  const Scalar omega_right_shank_x = c_right_knee * omega_right_thigh_x - omega_right_shank_x_1;
+  const Scalar Omega_right_shank_zx =
+      neg_Omega_right_shank_xz + t_right_shank_7 * omega_right_shank_x;
+  const Scalar a_right_thigh_z = t_right_hip_fork_5 - left_hip_fork_p1 * s_right_hip_roll;
+  const Scalar a_right_shank_z = a_right_thigh_z + left_hip_fork_k1 * Omega_right_thigh_zx;
+  const Scalar t_right_shank_9 = omega_right_shank_x * omega_right_shank_x;
+  const Scalar t_right_shank_10 = omega_right_shank_z * omega_right_shank_z;
+  const Scalar t_right_shank_11 = neg_omega_right_shank_y * omega_right_shank_x;
   const Scalar alpha_right_shank_z = alpha_right_thigh_z + qdd[9];
-  const Scalar Omega_right_shank_xy = t_right_shank_7 - alpha_right_shank_z;
-  const Scalar Omega_right_shank_yx = t_right_shank_7 + alpha_right_shank_z;
-  const Scalar neg_Omega_right_shank_yy = t_right_shank_5 + t_right_shank_6;
-  const Scalar t_right_shank_8 = t_right_shank_5 - t_right_shank_6;
-  const Scalar neg_Omega_right_shank_xx = t_right_hip_fork_10 - t_right_shank_8;
-  const Scalar t_righ_ankl_cros_1 = a_right_shank_x - left_hip_fork_k2 * neg_Omega_right_shank_xx;
-  const Scalar a_right_shank_y_1 = c_right_knee * t_right_shank_1;
-  const Scalar a_right_shank_y = a_right_shank_y_1 - s_right_knee * t_right_shank_2;
+  const Scalar neg_Omega_right_shank_xy = t_right_shank_11 + alpha_right_shank_z;
+  const Scalar neg_Omega_right_shank_yx = t_right_shank_11 - alpha_right_shank_z;
+  const Scalar t_right_shank_12 = t_right_shank_9 - t_right_shank_10;
+  const Scalar neg_a_right_shank_x_1 = c_right_knee * t_right_shank_1;
+  const Scalar neg_a_right_shank_x = neg_a_right_shank_x_1 + s_right_knee * t_right_shank_4;
+  const Scalar neg_Omega_right_shank_xx = t_right_hip_fork_10 - t_right_shank_12;
+  const Scalar t_righ_ankl_cros_1 =
+      neg_a_right_shank_x + left_hip_fork_k2 * neg_Omega_right_shank_xx;
+  const Scalar a_right_shank_y_1 = s_right_knee * t_right_shank_1;
+  const Scalar a_right_shank_y = a_right_shank_y_1 - c_right_knee * t_right_shank_4;
   // right_ankle_cross: acceleration a, Omega, angular velocity omega of (1)
-  const Scalar t_righ_ankl_cros_2 = a_right_shank_y + left_hip_fork_k2 * Omega_right_shank_yx;
+  const Scalar t_righ_ankl_cros_2 = a_right_shank_y - left_hip_fork_k2 * neg_Omega_right_shank_yx;
   const Scalar a_righ_ankl_cros_x_1 = c_right_ankle_pitch * t_righ_ankl_cros_1;
-  const Scalar a_righ_ankl_cros_x = a_righ_ankl_cros_x_1 + s_right_ankle_pitch * t_righ_ankl_cros_2;
-  const Scalar neg_Omega_right_shank_zx =
-      Omega_right_shank_xz - t_right_shank_4 * omega_right_shank_x;
-  const Scalar a_righ_ankl_cros_z = a_right_shank_z - left_hip_fork_k2 * neg_Omega_right_shank_zx;
+  const Scalar a_righ_ankl_cros_x = a_righ_ankl_cros_x_1 - s_right_ankle_pitch * t_righ_ankl_cros_2;
   const Scalar t_righ_ankl_cros_3 = s_right_ankle_pitch * neg_Omega_right_shank_yz;
-  const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 - c_right_ankle_pitch * Omega_right_shank_xz;
-  const Scalar t_righ_ankl_cros_5 = c_right_ankle_pitch * omega_right_shank_x;
-  const Scalar omega_righ_ankl_cros_x =
-      t_righ_ankl_cros_5 + s_right_ankle_pitch * omega_right_shank_y;
+  const Scalar Omega_righ_ankl_cros_xz =
+      t_righ_ankl_cros_3 + c_right_ankle_pitch * neg_Omega_right_shank_xz;
+  const Scalar t_righ_ankl_cros_4 = s_right_ankle_pitch * neg_omega_right_shank_y;
+  const Scalar t_righ_ankl_cros_5 = c_right_ankle_pitch * omega_right_shank_x - t_righ_ankl_cros_4;
   const Scalar omega_righ_ankl_cros_z = omega_right_shank_z + qd[10];
-  const Scalar t_righ_ankl_cros_6 = 2.0 * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_7 = omega_righ_ankl_cros_x * t_righ_ankl_cros_6;
-  const Scalar Omega_righ_ankl_cros_zx = t_righ_ankl_cros_4 + t_righ_ankl_cros_7;
-  const Scalar t_righ_ankl_cros_8 = s_right_ankle_pitch * omega_right_shank_x;
-  const Scalar t_righ_ankl_cros_9 = t_righ_ankl_cros_8 - c_right_ankle_pitch * omega_right_shank_y;
-  const Scalar t_righ_ankl_cros_10 = c_right_ankle_pitch * neg_Omega_right_shank_yz;
-  const Scalar t_righ_ankl_cros_11 =
-      t_righ_ankl_cros_10 + s_right_ankle_pitch * Omega_right_shank_xz;
+  const Scalar t_righ_ankl_cros_6 = 2.0 * t_righ_ankl_cros_5;
+  const Scalar t_righ_ankl_cros_7 = omega_righ_ankl_cros_z * t_righ_ankl_cros_6;
+  const Scalar t_righ_ankl_cros_8 = Omega_righ_ankl_cros_xz + t_righ_ankl_cros_7;
+  const Scalar a_righ_ankl_cros_z = a_right_shank_z + left_hip_fork_k2 * Omega_right_shank_zx;
+  const Scalar t_righ_ankl_cros_9 = s_right_ankle_pitch * neg_Omega_right_shank_xz;
+  const Scalar t_righ_ankl_cros_10 =
+      t_righ_ankl_cros_9 - c_right_ankle_pitch * neg_Omega_right_shank_yz;
+  const Scalar t_righ_ankl_cros_11 = c_right_ankle_pitch * neg_omega_right_shank_y;
+  const Scalar omega_righ_ankl_cros_y =
+      t_righ_ankl_cros_11 + s_right_ankle_pitch * omega_right_shank_x;
+  const Scalar t_righ_ankl_cros_12 = 2.0 * omega_righ_ankl_cros_z;
   const Scalar Omega_righ_ankl_cros_zy =
-      t_righ_ankl_cros_11 - t_righ_ankl_cros_6 * t_righ_ankl_cros_9;
-  const Scalar t_righ_ankl_cros_12 = omega_righ_ankl_cros_x * omega_righ_ankl_cros_x;
-  const Scalar t_righ_ankl_cros_13 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_14 = t_righ_ankl_cros_12 - t_righ_ankl_cros_13;
-  const Scalar t_righ_ankl_cros_15 = omega_righ_ankl_cros_x * t_righ_ankl_cros_9;
+      t_righ_ankl_cros_10 + omega_righ_ankl_cros_y * t_righ_ankl_cros_12;
+  const Scalar t_righ_ankl_cros_13 = t_righ_ankl_cros_5 * t_righ_ankl_cros_5;
+  const Scalar t_righ_ankl_cros_14 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_15 = t_righ_ankl_cros_13 - t_righ_ankl_cros_14;
+  const Scalar t_righ_ankl_cros_16 = t_righ_ankl_cros_5 * omega_righ_ankl_cros_y;
   const Scalar alpha_righ_ankl_cros_z = alpha_right_shank_z + qdd[10];
-  const Scalar Omega_right_foot_xz = t_righ_ankl_cros_15 + alpha_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_16 = t_righ_ankl_cros_15 - alpha_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_17 = s_right_ankle_pitch * t_righ_ankl_cros_1;
-  const Scalar neg_a_righ_ankl_cros_y =
-      t_righ_ankl_cros_17 - c_right_ankle_pitch * t_righ_ankl_cros_2;
-  // right_foot: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar a_right_foot_z_1 = t_righ_ankl_cros_16 + neg_a_righ_ankl_cros_y;
-  const Scalar a_right_foot_z = a_right_foot_z_1 - left_hip_fork_k3 * t_righ_ankl_cros_11;
-  const Scalar a_right_foot_y_1 = a_righ_ankl_cros_z + Omega_righ_ankl_cros_zx;
-  const Scalar a_right_foot_y = a_right_foot_y_1 + left_hip_fork_k3 * t_right_hip_fork_10;
-  const Scalar omega_right_foot_z = t_righ_ankl_cros_9 + qd[11];
-  const Scalar t_right_foot_1 = 2.0 * omega_right_foot_z;
+  // right_foot: Omega, angular velocity omega, acceleration a of (1)
+  const Scalar Omega_right_foot_xz = t_righ_ankl_cros_16 + alpha_righ_ankl_cros_z;
+  const Scalar neg_omega_right_foot_z = omega_righ_ankl_cros_y - qd[11];
   const Scalar Omega_right_foot_zy =
-      Omega_righ_ankl_cros_zy + omega_righ_ankl_cros_z * t_right_foot_1;
-  const Scalar a_right_foot_x_1 = t_right_hip_fork_10 - a_righ_ankl_cros_x;
-  const Scalar a_right_foot_x_2 = t_righ_ankl_cros_14 - a_right_foot_x_1;
-  const Scalar a_right_foot_x = a_right_foot_x_2 + left_hip_fork_k3 * t_righ_ankl_cros_4;
-  const Scalar neg_Omega_right_foot_xy = t_righ_ankl_cros_4 + qdd[11];
-  const Scalar Omega_right_foot_yx = t_righ_ankl_cros_7 + neg_Omega_right_foot_xy;
-  const Scalar t_right_foot_2 = omega_right_foot_z * omega_right_foot_z;
+      Omega_righ_ankl_cros_zy - t_righ_ankl_cros_12 * neg_omega_right_foot_z;
+  const Scalar neg_a_right_foot_y_1 = t_righ_ankl_cros_8 - a_righ_ankl_cros_z;
+  const Scalar neg_a_right_foot_y = neg_a_right_foot_y_1 + left_hip_fork_k3 * t_right_hip_fork_10;
+  // right_ankle_cross: Omega, acceleration a of (1)
+  const Scalar t_righ_ankl_cros_17 = t_righ_ankl_cros_16 - alpha_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_18 = c_right_ankle_pitch * t_righ_ankl_cros_2;
+  const Scalar neg_a_righ_ankl_cros_y =
+      t_righ_ankl_cros_18 + s_right_ankle_pitch * t_righ_ankl_cros_1;
+  const Scalar a_right_foot_z_1 = t_righ_ankl_cros_17 + neg_a_righ_ankl_cros_y;
+  const Scalar a_right_foot_z = a_right_foot_z_1 + left_hip_fork_k3 * t_righ_ankl_cros_10;
+  const Scalar t_righ_ankl_cros_19 = t_right_hip_fork_10 - t_righ_ankl_cros_15;
+  // right_foot: acceleration a, Omega, moment M of (1)
+  const Scalar a_right_foot_x_1 = a_righ_ankl_cros_x - t_righ_ankl_cros_19;
+  const Scalar a_right_foot_x = a_right_foot_x_1 + left_hip_fork_k3 * Omega_righ_ankl_cros_xz;
+  const Scalar Omega_right_foot_xy = Omega_righ_ankl_cros_xz - qdd[11];
+  const Scalar neg_Omega_right_foot_yx = t_righ_ankl_cros_7 + Omega_right_foot_xy;
+  const Scalar t_right_foot_1 = neg_omega_right_foot_z * neg_omega_right_foot_z;
   const Scalar neg_Omega_right_foot_zx =
-      Omega_right_foot_xz - omega_righ_ankl_cros_x * t_right_foot_1;
-  const Scalar t_right_foot_3 = left_foot_I4 * c_right_foot + left_foot_I5 * s_right_foot;
-  const Scalar t_right_foot_4 = s_right_foot * t_right_foot_3;
-  const Scalar t_right_foot_5 = left_foot_I14 - c_right_foot * t_right_foot_3;
+      Omega_right_foot_xz - t_righ_ankl_cros_6 * neg_omega_right_foot_z;
+  const Scalar t_right_foot_2 = left_foot_I4 * s_right_foot - left_foot_I5 * c_right_foot;
+  const Scalar t_right_foot_3 = s_right_foot * t_right_foot_2;
+  const Scalar t_right_foot_4 = left_foot_I12 + t_right_foot_3;
+  const Scalar t_right_foot_5 = left_foot_I13 + c_right_foot * t_right_foot_2;
   const Scalar t_right_foot_6 = left_foot_I2 * s_right_foot - left_foot_I3 * c_right_foot;
   const Scalar t_right_foot_7 = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
   const Scalar t_right_foot_8 = left_foot_I1 * s_right_foot;
-  const Scalar t_right_foot_9 = left_foot_I1 * c_right_foot;
-  const Scalar t_right_foot_10 = left_foot_I13 + t_right_foot_4;
-  const Scalar t_right_foot_11 = left_foot_I12 - t_right_foot_4;
-  const Scalar M_right_foot_z_1 = neg_Omega_right_foot_xy * t_right_foot_10;
-  const Scalar M_right_foot_z_2 = M_right_foot_z_1 + a_right_foot_y * t_right_foot_9;
+  const Scalar t_right_foot_9 = left_foot_I14 - t_right_foot_3;
+  const Scalar t_right_foot_10 = left_foot_I1 * c_right_foot;
+  const Scalar M_right_foot_z_1 = neg_Omega_right_foot_yx * t_right_foot_9;
+  const Scalar M_right_foot_z_2 = Omega_right_foot_xz * t_right_foot_7 - M_right_foot_z_1;
   const Scalar M_right_foot_z_3 = M_right_foot_z_2 + a_right_foot_x * t_right_foot_8;
-  const Scalar M_right_foot_z_4 = M_right_foot_z_3 - t_righ_ankl_cros_14 * t_right_foot_5;
-  const Scalar M_right_foot_z_5 = M_right_foot_z_4 + Omega_right_foot_yx * t_right_foot_11;
-  const Scalar M_right_foot_z_6 = M_right_foot_z_5 + Omega_right_foot_xz * t_right_foot_7;
+  const Scalar M_right_foot_z_4 = M_right_foot_z_3 - Omega_right_foot_xy * t_right_foot_4;
+  const Scalar M_right_foot_z_5 = M_right_foot_z_4 - neg_a_right_foot_y * t_right_foot_10;
+  const Scalar M_right_foot_z_6 = M_right_foot_z_5 + t_righ_ankl_cros_15 * t_right_foot_5;
   const Scalar M_right_foot_z = M_right_foot_z_6 + Omega_righ_ankl_cros_zy * t_right_foot_6;
   tau[11] = M_right_foot_z;
-  const Scalar neg_F_right_foot_z_1 = neg_Omega_right_foot_zx * t_right_foot_9;
-  const Scalar neg_F_right_foot_z_2 = neg_F_right_foot_z_1 + Omega_right_foot_zy * t_right_foot_8;
-  const Scalar neg_F_right_foot_z = neg_F_right_foot_z_2 - left_ankle_cross_I1 * a_right_foot_z;
-  const Scalar F_right_foot_x_1 = t_right_foot_9 * (t_righ_ankl_cros_13 + t_right_foot_2);
-  const Scalar F_right_foot_x_2 = left_ankle_cross_I1 * a_right_foot_x - F_right_foot_x_1;
-  const Scalar F_right_foot_x = F_right_foot_x_2 + neg_Omega_right_foot_xy * t_right_foot_8;
-  // right_ankle_cross: Omega, moment M of (1)
-  const Scalar t_righ_ankl_cros_18 = t_righ_ankl_cros_12 + t_righ_ankl_cros_13;
-  const Scalar t_righ_ankl_cros_19 = t_right_hip_fork_10 - t_righ_ankl_cros_18;
-  const Scalar t_righ_ankl_cros_20 = left_ankle_cross_I3 * a_righ_ankl_cros_z;
-  // right_foot: moment M of (1)
-  const Scalar t_right_foot_12 = t_righ_ankl_cros_20 - Omega_right_foot_yx * t_right_foot_6;
-  const Scalar t_right_foot_13 = t_right_foot_12 + left_ankle_cross_I10 * t_righ_ankl_cros_16;
-  const Scalar t_right_foot_14 = t_right_foot_13 + a_right_foot_z * t_right_foot_8;
-  const Scalar t_right_foot_15 = t_right_foot_14 + left_ankle_cross_I2 * t_righ_ankl_cros_19;
-  const Scalar t_right_foot_16 = t_right_foot_15 - left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
-  const Scalar t_right_foot_17 = t_right_foot_16 - left_hip_fork_k3 * neg_F_right_foot_z;
-  const Scalar t_right_foot_18 = t_right_foot_17 - Omega_right_foot_zy * t_right_foot_10;
-  const Scalar t_right_foot_19 = t_righ_ankl_cros_13 - t_right_foot_2;
-  const Scalar t_right_foot_20 = t_right_foot_18 - t_right_foot_7 * t_right_foot_19;
-  const Scalar t_right_foot_21 = t_right_foot_20 + neg_Omega_right_foot_zx * t_right_foot_5;
-  const Scalar neg_M_righ_ankl_cros_x =
-      t_right_foot_21 + left_ankle_cross_I8 * Omega_righ_ankl_cros_zx;
-  const Scalar M_righ_ankl_cros_z_1 =
-      neg_F_right_foot_z + left_ankle_cross_I12 * t_righ_ankl_cros_15;
-  const Scalar M_righ_ankl_cros_z_2 = t_righ_ankl_cros_12 - t_right_foot_2;
-  // right_ankle_cross: moment M of (1)
-  const Scalar M_righ_ankl_cros_z_3 =
-      M_righ_ankl_cros_z_1 + left_ankle_cross_I3 * a_righ_ankl_cros_x;
-  const Scalar M_righ_ankl_cros_z_4 = M_righ_ankl_cros_z_3 - t_right_foot_6 * M_righ_ankl_cros_z_2;
-  const Scalar M_righ_ankl_cros_z_5 = M_righ_ankl_cros_z_4 - a_right_foot_z * t_right_foot_9;
-  const Scalar M_righ_ankl_cros_z_6 = t_righ_ankl_cros_14 - t_righ_ankl_cros_19;
-  const Scalar M_righ_ankl_cros_z_7 =
-      M_righ_ankl_cros_z_5 + left_ankle_cross_I2 * t_righ_ankl_cros_4;
+  const Scalar neg_F_right_foot_z_1 = Omega_right_foot_zy * t_right_foot_8;
+  const Scalar neg_F_right_foot_z_2 = neg_F_right_foot_z_1 - left_ankle_cross_I1 * a_right_foot_z;
+  const Scalar neg_F_right_foot_z =
+      neg_F_right_foot_z_2 + neg_Omega_right_foot_zx * t_right_foot_10;
+  const Scalar neg_F_right_foot_x_1 = Omega_right_foot_xy * t_right_foot_8;
+  const Scalar neg_Omega_right_foot_xx = t_righ_ankl_cros_14 + t_right_foot_1;
+  const Scalar neg_F_right_foot_x_2 = neg_F_right_foot_x_1 - left_ankle_cross_I1 * a_right_foot_x;
+  const Scalar neg_F_right_foot_x =
+      neg_F_right_foot_x_2 + t_right_foot_10 * neg_Omega_right_foot_xx;
+  const Scalar t_righ_ankl_cros_20 = t_righ_ankl_cros_13 + t_righ_ankl_cros_14;
+  const Scalar M_righ_ankl_cros_x_1 = left_ankle_cross_I10 * t_righ_ankl_cros_17;
+  const Scalar M_righ_ankl_cros_x_2 = t_righ_ankl_cros_14 - t_right_foot_1;
+  // right_ankle_cross: moment M, force F of (1)
+  const Scalar M_righ_ankl_cros_x_3 = M_righ_ankl_cros_x_1 - left_hip_fork_k3 * neg_F_right_foot_z;
+  const Scalar M_righ_ankl_cros_x_4 = t_right_hip_fork_10 - t_righ_ankl_cros_20;
+  const Scalar M_righ_ankl_cros_x_5 = M_righ_ankl_cros_x_3 + t_right_foot_7 * M_righ_ankl_cros_x_2;
+  const Scalar M_righ_ankl_cros_x_6 =
+      M_righ_ankl_cros_x_5 + left_ankle_cross_I2 * M_righ_ankl_cros_x_4;
+  const Scalar M_righ_ankl_cros_x_7 =
+      M_righ_ankl_cros_x_6 + left_ankle_cross_I8 * t_righ_ankl_cros_8;
+  const Scalar M_righ_ankl_cros_x_8 =
+      M_righ_ankl_cros_x_7 - left_ankle_cross_I3 * a_righ_ankl_cros_z;
+  const Scalar M_righ_ankl_cros_x_9 =
+      M_righ_ankl_cros_x_8 + left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
+  const Scalar M_righ_ankl_cros_x_10 = M_righ_ankl_cros_x_9 + Omega_right_foot_zy * t_right_foot_4;
+  const Scalar M_righ_ankl_cros_x_11 = M_righ_ankl_cros_x_10 - a_right_foot_z * t_right_foot_8;
+  const Scalar M_righ_ankl_cros_x_12 =
+      M_righ_ankl_cros_x_11 - neg_Omega_right_foot_yx * t_right_foot_6;
+  const Scalar M_righ_ankl_cros_x =
+      M_righ_ankl_cros_x_12 + neg_Omega_right_foot_zx * t_right_foot_5;
+  const Scalar M_righ_ankl_cros_z_1 = neg_F_right_foot_z + left_ankle_cross_I3 * a_righ_ankl_cros_x;
+  const Scalar M_righ_ankl_cros_z_2 = t_righ_ankl_cros_19 - t_righ_ankl_cros_20;
+  const Scalar M_righ_ankl_cros_z_3 = M_righ_ankl_cros_z_1 - Omega_right_foot_xy * t_right_foot_7;
+  const Scalar M_righ_ankl_cros_z_4 =
+      M_righ_ankl_cros_z_3 - left_ankle_cross_I8 * M_righ_ankl_cros_z_2;
+  const Scalar M_righ_ankl_cros_z_5 =
+      M_righ_ankl_cros_z_4 + left_ankle_cross_I12 * t_righ_ankl_cros_16;
+  const Scalar M_righ_ankl_cros_z_6 =
+      M_righ_ankl_cros_z_5 - left_ankle_cross_I10 * t_righ_ankl_cros_10;
+  const Scalar M_righ_ankl_cros_z_7 = M_righ_ankl_cros_z_6 + Omega_right_foot_zy * t_right_foot_5;
   const Scalar M_righ_ankl_cros_z_8 =
-      M_righ_ankl_cros_z_7 + left_ankle_cross_I8 * M_righ_ankl_cros_z_6;
-  const Scalar M_righ_ankl_cros_z_9 =
-      M_righ_ankl_cros_z_8 + neg_Omega_right_foot_xy * t_right_foot_7;
+      M_righ_ankl_cros_z_7 + left_ankle_cross_I13 * alpha_righ_ankl_cros_z;
+  const Scalar M_righ_ankl_cros_z_9 = t_righ_ankl_cros_13 - t_right_foot_1;
   const Scalar M_righ_ankl_cros_z_10 =
-      M_righ_ankl_cros_z_9 + neg_Omega_right_foot_zx * t_right_foot_11;
+      M_righ_ankl_cros_z_8 + left_ankle_cross_I2 * Omega_righ_ankl_cros_xz;
   const Scalar M_righ_ankl_cros_z_11 =
-      M_righ_ankl_cros_z_10 + left_ankle_cross_I10 * t_righ_ankl_cros_11;
-  const Scalar M_righ_ankl_cros_z_12 = M_righ_ankl_cros_z_11 - Omega_right_foot_zy * t_right_foot_5;
+      M_righ_ankl_cros_z_10 - t_right_foot_6 * M_righ_ankl_cros_z_9;
+  const Scalar M_righ_ankl_cros_z_12 = M_righ_ankl_cros_z_11 - a_right_foot_z * t_right_foot_10;
   const Scalar M_righ_ankl_cros_z =
-      M_righ_ankl_cros_z_12 + left_ankle_cross_I13 * alpha_righ_ankl_cros_z;
+      M_righ_ankl_cros_z_12 + neg_Omega_right_foot_zx * t_right_foot_9;
   tau[10] = M_righ_ankl_cros_z;
-  // right_foot: force F of (1)
-  const Scalar F_right_foot_y_1 = t_right_foot_8 * (t_righ_ankl_cros_12 + t_right_foot_2);
-  const Scalar F_right_foot_y_2 = Omega_right_foot_yx * t_right_foot_9 + F_right_foot_y_1;
-  const Scalar F_right_foot_y = F_right_foot_y_2 + left_ankle_cross_I1 * a_right_foot_y;
-  // right_ankle_cross: force F of (1)
-  const Scalar F_righ_ankl_cros_z_1 = F_right_foot_y + left_shank_I14 * a_righ_ankl_cros_z;
-  const Scalar F_righ_ankl_cros_z =
-      F_righ_ankl_cros_z_1 - left_ankle_cross_I3 * Omega_righ_ankl_cros_zy;
-  const Scalar F_righ_ankl_cros_x_1 = F_right_foot_x + left_shank_I14 * a_righ_ankl_cros_x;
-  const Scalar F_righ_ankl_cros_x =
-      F_righ_ankl_cros_x_1 + left_ankle_cross_I3 * Omega_right_foot_xz;
-  const Scalar F_righ_ankl_cros_y_1 = neg_F_right_foot_z - left_shank_I14 * neg_a_righ_ankl_cros_y;
-  const Scalar F_righ_ankl_cros_y =
-      F_righ_ankl_cros_y_1 + left_ankle_cross_I3 * t_righ_ankl_cros_18;
-  const Scalar t_righ_ankl_cros_21 = s_right_ankle_pitch * F_righ_ankl_cros_x;
-  const Scalar t_righ_ankl_cros_22 = t_righ_ankl_cros_21 + c_right_ankle_pitch * F_righ_ankl_cros_y;
-  const Scalar t_right_shank_9 = t_right_hip_fork_10 - neg_Omega_right_shank_yy;
-  const Scalar M_right_shank_z_1 = M_righ_ankl_cros_z + left_hip_fork_k2 * t_righ_ankl_cros_22;
-  // right_shank: moment M of (1)
-  const Scalar M_right_shank_z_2 = M_right_shank_z_1 + left_shank_I6 * Omega_right_shank_xz;
-  const Scalar M_right_shank_z_3 = M_right_shank_z_2 - left_shank_I13 * Omega_right_shank_yx;
-  const Scalar M_right_shank_z_4 = M_right_shank_z_3 - left_shank_I1 * a_right_shank_x;
-  const Scalar M_right_shank_z_5 = M_right_shank_z_4 - left_shank_I10 * Omega_right_shank_xy;
-  const Scalar M_right_shank_z_6 = M_right_shank_z_5 + left_shank_I11 * neg_Omega_right_shank_yz;
-  const Scalar M_right_shank_z_7 = t_right_shank_8 - t_right_shank_9;
-  const Scalar M_right_shank_z = M_right_shank_z_6 - left_shank_I9 * M_right_shank_z_7;
-  tau[9] = M_right_shank_z;
-  // right_foot: moment M of (1)
-  const Scalar t_right_foot_22 = M_right_foot_z + F_right_foot_y;
-  const Scalar t_right_foot_23 = t_right_foot_22 + left_hip_fork_k3 * F_right_foot_x;
-  const Scalar t_right_foot_24 = t_right_foot_23 + left_ankle_cross_I11 * Omega_righ_ankl_cros_zx;
-  const Scalar t_right_foot_25 = t_right_foot_24 + left_ankle_cross_I10 * t_righ_ankl_cros_14;
-  const Scalar t_right_foot_26 = t_right_foot_25 + left_ankle_cross_I2 * Omega_right_foot_xz;
+  const Scalar F_righ_ankl_cros_y_1 =
+      neg_F_right_foot_z + left_ankle_cross_I3 * t_righ_ankl_cros_20;
+  const Scalar F_righ_ankl_cros_y = F_righ_ankl_cros_y_1 - left_shank_I15 * neg_a_righ_ankl_cros_y;
+  // right_foot: force F, Omega, moment M of (1)
+  const Scalar t_right_foot_11 = neg_F_right_foot_x - left_ankle_cross_I3 * Omega_right_foot_xz;
+  const Scalar neg_F_righ_ankl_cros_x = t_right_foot_11 - left_shank_I15 * a_righ_ankl_cros_x;
+  const Scalar neg_Omega_right_foot_yy = t_righ_ankl_cros_13 + t_right_foot_1;
+  const Scalar neg_F_right_foot_y_1 = t_right_foot_8 * neg_Omega_right_foot_yy;
+  const Scalar neg_F_right_foot_y_2 =
+      left_ankle_cross_I1 * neg_a_right_foot_y - neg_F_right_foot_y_1;
+  const Scalar neg_F_right_foot_y =
+      neg_F_right_foot_y_2 + neg_Omega_right_foot_yx * t_right_foot_10;
+  const Scalar t_right_foot_12 = M_right_foot_z - neg_F_right_foot_y;
+  const Scalar t_right_foot_13 = t_right_foot_12 + left_hip_fork_k3 * neg_F_right_foot_x;
+  const Scalar t_right_foot_14 = t_right_foot_13 - left_ankle_cross_I11 * t_righ_ankl_cros_8;
+  const Scalar t_right_foot_15 = t_right_foot_14 - left_ankle_cross_I2 * Omega_right_foot_xz;
+  const Scalar t_right_foot_16 = t_right_foot_15 - left_ankle_cross_I10 * t_righ_ankl_cros_15;
   const Scalar neg_M_righ_ankl_cros_y =
-      t_right_foot_26 - left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
-  const Scalar F_right_shank_z_1 = F_righ_ankl_cros_z + left_shank_I1 * Omega_right_shank_zy;
-  const Scalar F_right_shank_z = F_right_shank_z_1 + left_thigh_I14 * a_right_shank_z;
-  // right_ankle_cross: moment M of (1)
-  const Scalar neg_M_right_shank_x_1 = c_right_ankle_pitch * neg_M_righ_ankl_cros_x;
+      t_right_foot_16 - left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
+  const Scalar neg_Omega_right_shank_yy = t_right_shank_9 + t_right_shank_10;
+  const Scalar t_right_shank_13 = t_right_hip_fork_10 - neg_Omega_right_shank_yy;
+  // right_ankle_cross: moment M, force F of (1)
+  const Scalar neg_M_right_shank_x_1 = c_right_ankle_pitch * M_righ_ankl_cros_x;
   const Scalar neg_M_right_shank_x_2 =
-      neg_M_right_shank_x_1 - s_right_ankle_pitch * neg_M_righ_ankl_cros_y;
+      neg_M_right_shank_x_1 - left_shank_I10 * Omega_right_shank_zy;
   const Scalar neg_M_right_shank_x_3 =
-      neg_M_right_shank_x_2 - left_shank_I10 * Omega_right_shank_zy;
-  const Scalar neg_M_right_shank_x_4 = neg_M_right_shank_x_3 - left_shank_I6 * t_right_shank_9;
-  const Scalar neg_M_right_shank_x_5 =
-      neg_M_right_shank_x_4 - left_shank_I11 * Omega_right_shank_yx;
-  const Scalar neg_M_right_shank_x_6 = neg_M_right_shank_x_5 - left_shank_I1 * a_right_shank_z;
-  const Scalar neg_M_right_shank_x =
-      neg_M_right_shank_x_6 + left_shank_I9 * neg_Omega_right_shank_zx;
-  const Scalar neg_M_right_shank_y_1 = s_right_ankle_pitch * neg_M_righ_ankl_cros_x;
-  const Scalar neg_M_right_shank_y_2 = neg_M_right_shank_y_1 + left_shank_I11 * t_right_shank_8;
+      neg_M_right_shank_x_2 + s_right_ankle_pitch * neg_M_righ_ankl_cros_y;
+  const Scalar neg_M_right_shank_x_4 = neg_M_right_shank_x_3 - left_shank_I2 * a_right_shank_z;
+  const Scalar neg_M_right_shank_x_5 = neg_M_right_shank_x_4 + left_shank_I6 * t_right_shank_13;
+  const Scalar neg_M_right_shank_x_6 =
+      neg_M_right_shank_x_5 - left_shank_I11 * neg_Omega_right_shank_yx;
+  const Scalar neg_M_right_shank_x = neg_M_right_shank_x_6 + left_shank_I9 * Omega_right_shank_zx;
+  const Scalar t_righ_ankl_cros_21 = s_right_ankle_pitch * neg_F_righ_ankl_cros_x;
+  const Scalar t_righ_ankl_cros_22 = c_right_ankle_pitch * F_righ_ankl_cros_y - t_righ_ankl_cros_21;
+  // right_shank: moment M of (1)
+  const Scalar M_right_shank_z_1 = t_right_shank_12 - t_right_shank_13;
+  const Scalar M_right_shank_z_2 = M_righ_ankl_cros_z + left_shank_I9 * M_right_shank_z_1;
+  const Scalar M_right_shank_z_3 = M_right_shank_z_2 - left_shank_I11 * neg_Omega_right_shank_yz;
+  const Scalar M_right_shank_z_4 = M_right_shank_z_3 + left_shank_I2 * neg_a_right_shank_x;
+  const Scalar M_right_shank_z_5 = M_right_shank_z_4 + left_shank_I6 * neg_Omega_right_shank_xz;
+  const Scalar M_right_shank_z_6 = M_right_shank_z_5 + left_shank_I10 * neg_Omega_right_shank_xy;
+  const Scalar M_right_shank_z_7 = M_right_shank_z_6 + left_shank_I14 * neg_Omega_right_shank_yx;
+  const Scalar M_right_shank_z = M_right_shank_z_7 - left_hip_fork_k2 * t_righ_ankl_cros_22;
+  tau[9] = M_right_shank_z;
+  const Scalar neg_F_right_shank_y_1 =
+      t_righ_ankl_cros_22 + left_shank_I2 * neg_Omega_right_shank_yy;
+  const Scalar neg_F_right_shank_y = neg_F_right_shank_y_1 - left_thigh_I15 * a_right_shank_y;
+  const Scalar t_right_foot_17 = neg_F_right_foot_y - left_shank_I15 * a_righ_ankl_cros_z;
+  const Scalar neg_F_righ_ankl_cros_z =
+      t_right_foot_17 + left_ankle_cross_I3 * Omega_righ_ankl_cros_zy;
+  // right_ankle_cross: moment M, force F of (1)
+  const Scalar neg_M_right_shank_y_1 = left_hip_fork_k2 * neg_F_righ_ankl_cros_z;
+  const Scalar neg_M_right_shank_y_2 =
+      s_right_ankle_pitch * M_righ_ankl_cros_x - neg_M_right_shank_y_1;
   const Scalar neg_M_right_shank_y_3 =
-      neg_M_right_shank_y_2 + c_right_ankle_pitch * neg_M_righ_ankl_cros_y;
-  const Scalar neg_M_right_shank_y_4 = neg_M_right_shank_y_3 + left_shank_I9 * Omega_right_shank_zy;
-  const Scalar neg_M_right_shank_y_5 = neg_M_right_shank_y_4 + left_shank_I6 * Omega_right_shank_xy;
+      neg_M_right_shank_y_2 - c_right_ankle_pitch * neg_M_righ_ankl_cros_y;
+  const Scalar neg_M_right_shank_y_4 =
+      neg_M_right_shank_y_3 + left_shank_I6 * neg_Omega_right_shank_xy;
+  const Scalar neg_M_right_shank_y_5 = neg_M_right_shank_y_4 - left_shank_I9 * Omega_right_shank_zy;
   const Scalar neg_M_right_shank_y_6 =
-      neg_M_right_shank_y_5 + left_hip_fork_k2 * F_righ_ankl_cros_z;
-  const Scalar neg_M_right_shank_y =
-      neg_M_right_shank_y_6 + left_shank_I13 * neg_Omega_right_shank_zx;
+      neg_M_right_shank_y_5 - left_shank_I14 * Omega_right_shank_zx;
+  const Scalar neg_M_right_shank_y = neg_M_right_shank_y_6 - left_shank_I11 * t_right_shank_12;
+  const Scalar neg_Omega_right_thigh_yy = t_right_thigh_5 + t_right_thigh_6;
+  const Scalar neg_F_right_shank_x_1 = left_shank_I2 * neg_Omega_right_shank_xy;
+  const Scalar neg_F_right_shank_x_2 =
+      neg_F_right_shank_x_1 - s_right_ankle_pitch * F_righ_ankl_cros_y;
+  const Scalar neg_F_right_shank_x_3 =
+      neg_F_right_shank_x_2 - c_right_ankle_pitch * neg_F_righ_ankl_cros_x;
+  const Scalar neg_F_right_shank_x = neg_F_right_shank_x_3 + left_thigh_I15 * neg_a_right_shank_x;
+  const Scalar t_right_shank_14 = c_right_knee * neg_F_right_shank_y;
+  const Scalar t_right_shank_15 = t_right_shank_14 + s_right_knee * neg_F_right_shank_x;
   // right_thigh: moment M of (1)
-  const Scalar M_right_thigh_y_1 = left_thigh_I12 * neg_Omega_right_thigh_zy;
-  const Scalar M_right_thigh_y_2 = M_right_thigh_y_1 + left_thigh_I6 * neg_Omega_right_thigh_xy;
-  const Scalar M_right_thigh_y_3 = M_right_thigh_y_2 - left_thigh_I13 * neg_Omega_right_thigh_zx;
-  const Scalar M_right_thigh_y_4 = M_right_thigh_y_3 - left_hip_fork_k1 * F_right_shank_z;
-  const Scalar M_right_thigh_y_5 = M_right_thigh_y_4 - s_right_knee * neg_M_right_shank_x;
-  const Scalar M_right_thigh_y_6 = M_right_thigh_y_5 - left_thigh_I8 * t_right_thigh_7;
-  const Scalar M_right_thigh_y = M_right_thigh_y_6 - c_right_knee * neg_M_right_shank_y;
-  const Scalar F_right_shank_x_1 = c_right_ankle_pitch * F_righ_ankl_cros_x;
-  // right_shank: force F of (1)
-  const Scalar F_right_shank_x_2 = F_right_shank_x_1 + left_thigh_I14 * a_right_shank_x;
-  const Scalar F_right_shank_x_3 = F_right_shank_x_2 + left_shank_I1 * Omega_right_shank_xy;
-  const Scalar F_right_shank_x = F_right_shank_x_3 - s_right_ankle_pitch * F_righ_ankl_cros_y;
-  const Scalar F_right_shank_y_1 = t_righ_ankl_cros_22 + left_thigh_I14 * a_right_shank_y;
-  const Scalar F_right_shank_y = F_right_shank_y_1 - left_shank_I1 * neg_Omega_right_shank_yy;
-  const Scalar t_right_shank_10 = s_right_knee * F_right_shank_x + c_right_knee * F_right_shank_y;
-  const Scalar neg_Omega_right_thigh_yy = t_right_thigh_3 + t_right_thigh_4;
-  const Scalar M_right_thigh_z_1 = M_right_shank_z + left_hip_fork_k1 * t_right_shank_10;
-  // right_thigh: moment M of (1)
-  const Scalar M_right_thigh_z_2 = M_right_thigh_z_1 - left_thigh_I2 * a_right_thigh_x;
-  const Scalar M_right_thigh_z_3 = M_right_thigh_z_2 - left_thigh_I8 * Omega_right_thigh_yz;
-  const Scalar M_right_thigh_z_4 = M_right_thigh_z_3 + left_thigh_I11 * neg_Omega_right_thigh_xy;
-  const Scalar M_right_thigh_z_5 = neg_Omega_right_thigh_xx - neg_Omega_right_thigh_yy;
-  const Scalar M_right_thigh_z_6 = M_right_thigh_z_4 + left_thigh_I6 * Omega_right_thigh_xz;
-  const Scalar M_right_thigh_z_7 = M_right_thigh_z_6 + left_thigh_I12 * M_right_thigh_z_5;
-  const Scalar M_right_thigh_z = M_right_thigh_z_7 + left_thigh_I13 * neg_Omega_right_thigh_yx;
+  const Scalar M_right_thigh_z_1 = M_right_shank_z + left_thigh_I16 * t_right_thigh_7;
+  const Scalar M_right_thigh_z_2 = M_right_thigh_z_1 + left_thigh_I6 * neg_Omega_right_thigh_xz;
+  const Scalar M_right_thigh_z_3 = neg_Omega_right_thigh_xx - neg_Omega_right_thigh_yy;
+  const Scalar M_right_thigh_z_4 = M_right_thigh_z_2 - left_thigh_I8 * neg_Omega_right_thigh_yz;
+  const Scalar M_right_thigh_z_5 = M_right_thigh_z_4 + left_thigh_I12 * M_right_thigh_z_3;
+  const Scalar M_right_thigh_z_6 = M_right_thigh_z_5 + left_thigh_I2 * neg_a_right_thigh_x;
+  const Scalar M_right_thigh_z_7 = M_right_thigh_z_6 + left_thigh_I17 * alpha_right_thigh_z;
+  const Scalar M_right_thigh_z = M_right_thigh_z_7 - left_hip_fork_k1 * t_right_shank_15;
   tau[8] = M_right_thigh_z;
-  // right_hip_fork: moment M, Omega of (1)
-  const Scalar t_right_hip_fork_11 = t_right_hip_fork_6 - t_right_hip_fork_7;
-  const Scalar t_right_hip_fork_12 = t_right_hip_block_1 - t_right_hip_fork_10;
-  const Scalar t_right_hip_fork_13 = t_right_hip_fork_8 - qdd[7];
+  const Scalar M_right_hip_fork_z_1 = left_hip_fork_G2 + left_hip_fork_I8 * qdd[6];
+  const Scalar M_right_thigh_x_1 = s_right_knee * neg_M_right_shank_y;
+  const Scalar M_right_thigh_x_2 = t_right_hip_fork_10 - neg_Omega_right_thigh_yy;
+  const Scalar M_right_thigh_x_3 = left_thigh_I2 * a_right_thigh_z + M_right_thigh_x_1;
+  const Scalar M_right_thigh_x_4 = M_right_thigh_x_3 - left_thigh_I6 * M_right_thigh_x_2;
+  const Scalar M_right_thigh_x_5 = M_right_thigh_x_4 + left_thigh_I8 * neg_Omega_right_thigh_yx;
+  const Scalar M_right_thigh_x_6 = M_right_thigh_x_5 - c_right_knee * neg_M_right_shank_x;
+  const Scalar M_right_thigh_x_7 = M_right_thigh_x_6 + left_thigh_I11 * Omega_right_thigh_zy;
+  const Scalar M_right_thigh_x = M_right_thigh_x_7 + left_thigh_I12 * Omega_right_thigh_zx;
+  const Scalar M_right_hip_fork_z_2 = left_hip_fork_G3 + left_hip_fork_I9 * qdd[6];
+  const Scalar t_right_hip_fork_11 = t_right_hip_fork_8 - qdd[7];
+  const Scalar neg_F_right_shank_z_1 = neg_F_righ_ankl_cros_z - left_thigh_I15 * a_right_shank_z;
+  const Scalar neg_F_right_shank_z = neg_F_right_shank_z_1 - left_shank_I2 * Omega_right_shank_zy;
+  const Scalar M_right_thigh_y_1 = left_hip_fork_k1 * neg_F_right_shank_z;
+  const Scalar M_right_thigh_y_2 = M_right_thigh_y_1 + left_thigh_I8 * t_right_thigh_9;
+  const Scalar M_right_thigh_y_3 = M_right_thigh_y_2 - left_thigh_I12 * Omega_right_thigh_zy;
+  const Scalar M_right_thigh_y_4 = M_right_thigh_y_3 - left_thigh_I6 * neg_Omega_right_thigh_xy;
+  const Scalar M_right_thigh_y_5 = M_right_thigh_y_4 - c_right_knee * neg_M_right_shank_y;
+  const Scalar M_right_thigh_y_6 = M_right_thigh_y_5 - s_right_knee * neg_M_right_shank_x;
+  const Scalar M_right_thigh_y = M_right_thigh_y_6 - left_thigh_I14 * Omega_right_thigh_zx;
+  // right_hip_fork: moment M of (1)
+  const Scalar t_right_hip_fork_12 = t_right_hip_fork_6 - t_right_hip_fork_7;
+  const Scalar t_right_hip_fork_13 = t_right_hip_block_1 - t_right_hip_fork_10;
+  const Scalar M_right_hip_fork_z_3 = s_right_hip_roll * M_right_hip_fork_z_1;
+  const Scalar M_right_hip_fork_z_4 = M_right_hip_fork_z_3 + s_right_hip_pitch * M_right_thigh_x;
+  const Scalar M_right_hip_fork_z_5 =
+      M_right_hip_fork_z_4 - c_right_hip_roll * M_right_hip_fork_z_2;
+  const Scalar M_right_hip_fork_z_6 = M_right_hip_fork_z_5 + left_hip_fork_I11 * t_right_hip_fork_9;
+  const Scalar M_right_hip_fork_z_7 =
+      M_right_hip_fork_z_6 - left_hip_fork_I10 * t_right_hip_fork_11;
+  const Scalar M_right_hip_fork_z_8 = t_right_hip_fork_12 - t_right_hip_fork_13;
+  const Scalar M_right_hip_fork_z_9 = M_right_hip_fork_z_7 + c_right_hip_pitch * M_right_thigh_y;
+  tau[7] = M_right_hip_fork_z_9 - left_hip_fork_I7 * M_right_hip_fork_z_8;
+  const Scalar neg_F_right_thigh_x_1 = left_thigh_I2 * neg_Omega_right_thigh_xy;
+  const Scalar neg_F_right_thigh_x_2 = neg_F_right_thigh_x_1 - s_right_knee * neg_F_right_shank_y;
   // right_thigh: moment M of (1)
-  const Scalar M_right_thigh_x_1 = left_thigh_I11 * neg_Omega_right_thigh_zy;
-  const Scalar M_right_thigh_x_2 = left_thigh_I2 * a_right_thigh_z - M_right_thigh_x_1;
-  const Scalar M_right_thigh_x_3 = M_right_thigh_x_2 - left_thigh_I12 * neg_Omega_right_thigh_zx;
-  const Scalar M_right_thigh_x_4 = M_right_thigh_x_3 - c_right_knee * neg_M_right_shank_x;
-  const Scalar M_right_thigh_x_5 = M_right_thigh_x_4 - left_thigh_I8 * neg_Omega_right_thigh_yx;
-  const Scalar M_right_thigh_x_6 = t_right_hip_fork_10 - neg_Omega_right_thigh_yy;
-  const Scalar M_right_thigh_x_7 = M_right_thigh_x_5 + s_right_knee * neg_M_right_shank_y;
-  const Scalar M_right_thigh_x = M_right_thigh_x_7 + left_thigh_I6 * M_right_thigh_x_6;
-  const Scalar t_right_thigh_8 = left_hip_fork_G3 - left_hip_fork_I8 * qdd[6];
-  const Scalar t_right_thigh_9 = c_right_hip_roll * t_right_thigh_8;
-  const Scalar t_right_hip_fork_14 = t_right_hip_fork_11 - t_right_hip_fork_12;
-  const Scalar t_right_thigh_10 = c_right_hip_pitch * M_right_thigh_y + t_right_thigh_9;
-  const Scalar t_right_thigh_11 = t_right_thigh_10 - left_hip_fork_I7 * t_right_hip_fork_14;
-  const Scalar t_right_thigh_12 = left_hip_fork_G2 + left_hip_fork_I9 * qdd[6];
-  const Scalar t_right_thigh_13 = t_right_thigh_11 + left_hip_fork_I10 * t_right_hip_fork_13;
-  const Scalar t_right_thigh_14 = t_right_thigh_13 - s_right_hip_roll * t_right_thigh_12;
-  const Scalar t_right_thigh_15 = t_right_thigh_14 - left_hip_fork_I11 * t_right_hip_fork_9;
-  // right_hip_fork: moment M, Omega of (1)
-  tau[7] = -(t_right_thigh_15 + s_right_hip_pitch * M_right_thigh_x);
-  const Scalar Omega_right_hip_fork_zx = t_right_hip_fork_1 + t_right_hip_fork_3;
-  const Scalar M_right_hip_fork_x_1 = F_right_shank_z - left_hip_fork_I8 * t_right_hip_fork_13;
-  const Scalar M_right_hip_fork_x_2 = M_right_hip_fork_x_1 - left_hip_fork_I9 * t_right_hip_fork_12;
-  const Scalar M_right_hip_fork_x_3 =
-      M_right_hip_fork_x_2 - left_thigh_I2 * neg_Omega_right_thigh_zy;
-  const Scalar M_right_hip_fork_x_4 = M_right_hip_fork_x_3 + s_right_hip_pitch * M_right_thigh_y;
-  const Scalar M_right_hip_fork_x_5 =
-      M_right_hip_fork_x_4 - left_hip_fork_I7 * Omega_right_hip_fork_zx;
-  const Scalar M_right_hip_fork_x_6 = M_right_hip_fork_x_5 - c_right_hip_pitch * M_right_thigh_x;
-  const Scalar M_right_hip_fork_x =
-      M_right_hip_fork_x_6 + left_hip_fork_I11 * Omega_right_hip_fork_zy;
-  const Scalar F_right_thigh_y = t_right_shank_10 - left_thigh_I2 * neg_Omega_right_thigh_yy;
-  const Scalar F_right_thigh_x_1 = c_right_knee * F_right_shank_x;
-  const Scalar F_right_thigh_x_2 = F_right_thigh_x_1 - s_right_knee * F_right_shank_y;
-  // right_thigh: force F, moment M of (1)
-  const Scalar F_right_thigh_x = F_right_thigh_x_2 - left_thigh_I2 * neg_Omega_right_thigh_xy;
-  const Scalar t_right_thigh_16 = M_right_thigh_z + left_hip_fork_I9 * t_right_hip_fork_9;
-  const Scalar t_right_thigh_17 = t_right_thigh_16 - s_right_hip_pitch * F_right_thigh_y;
-  const Scalar t_right_thigh_18 = t_right_thigh_17 + c_right_hip_pitch * F_right_thigh_x;
-  const Scalar t_right_thigh_19 = t_right_thigh_18 + left_hip_fork_I10 * Omega_right_hip_fork_zx;
-  const Scalar t_right_thigh_20 = t_right_thigh_19 + left_hip_fork_I8 * t_right_hip_fork_11;
-  const Scalar M_right_hip_block_z_1 = c_right_hip_roll * M_right_hip_fork_x;
-  const Scalar neg_M_right_hip_fork_y =
-      t_right_thigh_20 - left_hip_fork_I7 * Omega_right_hip_fork_zy;
+  const Scalar t_right_thigh_10 = M_right_thigh_z + left_hip_fork_I10 * Omega_right_hip_fork_zx;
+  const Scalar t_right_thigh_11 = t_right_thigh_10 + left_hip_fork_I7 * Omega_right_hip_fork_zy;
+  const Scalar t_right_thigh_12 = t_right_thigh_11 + left_hip_fork_I8 * t_right_hip_fork_9;
+  const Scalar neg_F_right_thigh_x = neg_F_right_thigh_x_2 + c_right_knee * neg_F_right_shank_x;
+  const Scalar t_right_thigh_13 = t_right_thigh_12 - left_hip_fork_I9 * t_right_hip_fork_12;
+  const Scalar neg_F_right_thigh_y = t_right_shank_15 + left_thigh_I2 * neg_Omega_right_thigh_yy;
+  const Scalar t_right_thigh_14 = t_right_thigh_13 + c_right_hip_pitch * neg_F_right_thigh_x;
+  const Scalar t_right_thigh_15 = neg_F_right_shank_z + s_right_hip_pitch * M_right_thigh_y;
+  const Scalar t_right_thigh_16 = t_right_thigh_15 + left_hip_fork_I8 * t_right_hip_fork_13;
+  const Scalar t_right_thigh_17 = t_right_thigh_16 - left_hip_fork_I11 * Omega_right_hip_fork_zy;
+  const Scalar t_right_thigh_18 = t_right_thigh_17 - c_right_hip_pitch * M_right_thigh_x;
+  const Scalar t_right_thigh_19 = t_right_thigh_18 - left_thigh_I2 * Omega_right_thigh_zy;
+  const Scalar t_right_thigh_20 = t_right_thigh_19 - left_hip_fork_I9 * t_right_hip_fork_11;
+  const Scalar neg_M_right_hip_fork_y = t_right_thigh_14 - s_right_hip_pitch * neg_F_right_thigh_y;
+  const Scalar M_right_hip_block_z_1 = s_right_hip_roll * neg_M_right_hip_fork_y;
+  const Scalar neg_M_right_hip_fork_x =
+      t_right_thigh_20 - left_hip_fork_I7 * Omega_right_hip_fork_zx;
   const Scalar M_right_hip_block_z_2 = left_hip_block_I2 * qdd[6] + M_right_hip_block_z_1;
-  tau[6] = M_right_hip_block_z_2 + s_right_hip_roll * neg_M_right_hip_fork_y;
-  const Scalar t_left_ankle_cross_20 = t_left_ankle_cross_14 + t_left_ankle_cross_15;
-  const Scalar neg_Omega_left_foot_yy = t_left_ankle_cross_14 + t_left_foot_2;
-  // left_ankle_cross: moment M of (1)
-  const Scalar t_left_ankle_cross_21 = t_left_hip_fork_11 - t_left_ankle_cross_20;
-  const Scalar M_left_ankle_cross_x_1 = left_ankle_cross_I10 * t_left_ankle_cross_18;
-  const Scalar M_left_ankle_cross_x_2 =
-      left_ankle_cross_I8 * t_left_ankle_cross_13 + M_left_ankle_cross_x_1;
-  const Scalar M_left_ankle_cross_x_3 =
-      M_left_ankle_cross_x_2 + neg_Omega_left_foot_zx * t_left_foot_4;
-  const Scalar M_left_ankle_cross_x_4 =
-      M_left_ankle_cross_x_3 - left_ankle_cross_I3 * a_left_ankle_cross_z;
-  const Scalar M_left_ankle_cross_x_5 =
-      M_left_ankle_cross_x_4 - left_hip_fork_k3 * neg_F_left_foot_z;
-  const Scalar M_left_ankle_cross_x_6 = t_left_ankle_cross_20 - neg_Omega_left_foot_yy;
-  const Scalar M_left_ankle_cross_x_7 = M_left_ankle_cross_x_5 + Omega_left_foot_zy * t_left_foot_9;
-  const Scalar M_left_ankle_cross_x_8 =
-      M_left_ankle_cross_x_7 - t_left_foot_5 * M_left_ankle_cross_x_6;
-  const Scalar M_left_ankle_cross_x_9 = M_left_ankle_cross_x_8 + a_left_foot_z * t_left_foot_10;
-  const Scalar M_left_ankle_cross_x_10 =
-      M_left_ankle_cross_x_9 + left_ankle_cross_I9 * t_left_ankle_cross_8;
-  const Scalar M_left_ankle_cross_x_11 =
-      M_left_ankle_cross_x_10 + left_ankle_cross_I2 * t_left_ankle_cross_21;
-  const Scalar M_left_ankle_cross_x = M_left_ankle_cross_x_11 - Omega_left_foot_yx * t_left_foot_7;
+  tau[6] = M_right_hip_block_z_2 - c_right_hip_roll * neg_M_right_hip_fork_x;
   // left_foot: force F of (1)
-  const Scalar neg_F_left_foot_y_1 = t_left_foot_10 * neg_Omega_left_foot_yy;
-  const Scalar neg_F_left_foot_y_2 = neg_F_left_foot_y_1 - Omega_left_foot_yx * t_left_foot_8;
+  const Scalar neg_F_left_foot_x_1 = t_left_foot_8 * (t_left_ankle_cross_13 + t_left_foot_1);
+  const Scalar neg_F_left_foot_x_2 = neg_F_left_foot_x_1 - Omega_left_foot_xy * t_left_foot_9;
+  const Scalar neg_F_left_foot_x = neg_F_left_foot_x_2 - left_ankle_cross_I1 * a_left_foot_x;
+  const Scalar neg_F_left_foot_y_1 = t_left_foot_9 * (t_left_ankle_cross_12 + t_left_foot_1);
+  const Scalar neg_F_left_foot_y_2 = neg_F_left_foot_y_1 + t_left_foot_8 * neg_Omega_left_foot_yx;
   const Scalar neg_F_left_foot_y = neg_F_left_foot_y_2 + left_ankle_cross_I1 * neg_a_left_foot_y;
-  // left_ankle_cross: moment M, force F of (1)
+  // left_ankle_cross: moment M, Omega of (1)
   const Scalar M_left_ankle_cross_y_1 = neg_M_left_foot_z + neg_F_left_foot_y;
   const Scalar M_left_ankle_cross_y_2 =
-      M_left_ankle_cross_y_1 + left_ankle_cross_I2 * Omega_left_foot_xz;
+      M_left_ankle_cross_y_1 + left_ankle_cross_I8 * t_left_ankle_cross_7;
   const Scalar M_left_ankle_cross_y_3 =
-      M_left_ankle_cross_y_2 + left_ankle_cross_I10 * t_left_ankle_cross_16;
+      M_left_ankle_cross_y_2 + left_ankle_cross_I2 * t_left_ankle_cross_16;
   const Scalar M_left_ankle_cross_y_4 =
-      M_left_ankle_cross_y_3 + left_ankle_cross_I11 * t_left_ankle_cross_13;
-  const Scalar M_left_ankle_cross_y_5 = M_left_ankle_cross_y_4 + left_hip_fork_k3 * F_left_foot_x;
+      M_left_ankle_cross_y_3 + left_hip_fork_k3 * neg_F_left_foot_x;
+  const Scalar M_left_ankle_cross_y_5 =
+      M_left_ankle_cross_y_4 + left_ankle_cross_I11 * t_left_ankle_cross_11;
   const Scalar M_left_ankle_cross_y =
-      M_left_ankle_cross_y_5 + left_ankle_cross_I8 * t_left_ankle_cross_8;
-  const Scalar M_left_ankle_cross_z_1 =
-      neg_F_left_foot_z + left_ankle_cross_I3 * a_left_ankle_cross_x;
-  const Scalar M_left_ankle_cross_z_2 =
-      M_left_ankle_cross_z_1 + neg_Omega_left_foot_zx * t_left_foot_11;
-  const Scalar M_left_ankle_cross_z_3 = M_left_ankle_cross_z_2 - a_left_foot_z * t_left_foot_8;
-  const Scalar M_left_ankle_cross_z_4 =
-      M_left_ankle_cross_z_3 + left_ankle_cross_I9 * Omega_left_foot_xz;
-  const Scalar M_left_ankle_cross_z_5 = t_left_ankle_cross_14 - t_left_foot_2;
-  const Scalar M_left_ankle_cross_z_6 =
-      M_left_ankle_cross_z_4 - left_ankle_cross_I11 * t_left_ankle_cross_18;
-  const Scalar M_left_ankle_cross_z_7 = t_left_ankle_cross_16 - t_left_ankle_cross_21;
-  const Scalar M_left_ankle_cross_z_8 =
-      M_left_ankle_cross_z_6 + t_left_foot_7 * M_left_ankle_cross_z_5;
-  const Scalar M_left_ankle_cross_z_9 =
-      M_left_ankle_cross_z_8 + left_ankle_cross_I8 * M_left_ankle_cross_z_7;
-  const Scalar M_left_ankle_cross_z_10 =
-      M_left_ankle_cross_z_9 + left_ankle_cross_I2 * t_left_ankle_cross_10;
-  const Scalar M_left_ankle_cross_z_11 =
-      M_left_ankle_cross_z_10 + Omega_left_foot_zy * t_left_foot_4;
-  const Scalar M_left_ankle_cross_z_12 =
-      M_left_ankle_cross_z_11 - left_ankle_cross_I10 * t_left_ankle_cross_6;
-  const Scalar M_left_ankle_cross_z = M_left_ankle_cross_z_12 + Omega_left_foot_xy * t_left_foot_5;
-  tau[4] = M_left_ankle_cross_z;
-  const Scalar F_left_ankle_cross_y_1 =
-      neg_F_left_foot_z - left_shank_I14 * neg_a_left_ankle_cross_y;
-  const Scalar F_left_ankle_cross_y =
-      F_left_ankle_cross_y_1 + left_ankle_cross_I3 * t_left_ankle_cross_20;
-  const Scalar F_left_ankle_cross_x_1 = F_left_foot_x + left_shank_I14 * a_left_ankle_cross_x;
-  const Scalar F_left_ankle_cross_x =
-      F_left_ankle_cross_x_1 + left_ankle_cross_I3 * Omega_left_foot_xz;
-  const Scalar neg_Omega_left_shank_yy = t_left_shank_4 + t_left_shank_5;
-  const Scalar t_left_ankle_cross_22 = s_left_ankle_pitch * F_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_23 =
-      t_left_ankle_cross_22 + c_left_ankle_pitch * F_left_ankle_cross_y;
-  // left_shank: moment M, force F of (1)
-  const Scalar M_left_shank_z_1 = M_left_ankle_cross_z - left_shank_I6 * Omega_left_shank_xz;
-  const Scalar M_left_shank_z_2 = M_left_shank_z_1 - left_shank_I15 * t_left_shank_6;
-  const Scalar M_left_shank_z_3 = neg_Omega_left_shank_xx - neg_Omega_left_shank_yy;
-  const Scalar M_left_shank_z_4 = M_left_shank_z_2 + left_shank_I11 * Omega_left_shank_yz;
-  const Scalar M_left_shank_z_5 = M_left_shank_z_4 + left_shank_I9 * M_left_shank_z_3;
-  const Scalar M_left_shank_z_6 = M_left_shank_z_5 - left_shank_I16 * alpha_left_shank_z;
-  const Scalar M_left_shank_z_7 = M_left_shank_z_6 - left_shank_I1 * a_left_shank_x;
-  const Scalar M_left_shank_z = M_left_shank_z_7 + left_hip_fork_k2 * t_left_ankle_cross_23;
-  tau[3] = M_left_shank_z;
-  const Scalar F_left_shank_y_1 = t_left_ankle_cross_23 - left_shank_I1 * neg_Omega_left_shank_yy;
-  const Scalar F_left_shank_y = F_left_shank_y_1 + left_thigh_I14 * a_left_shank_y;
-  const Scalar t_left_foot_12 = neg_F_left_foot_y + left_ankle_cross_I3 * t_left_ankle_cross_8;
-  const Scalar neg_F_left_ankle_cross_z = t_left_foot_12 - left_shank_I14 * a_left_ankle_cross_z;
-  const Scalar neg_Omega_left_thigh_xy = t_left_thigh_6 + alpha_left_thigh_z;
-  const Scalar M_left_shank_y_1 = s_left_ankle_pitch * M_left_ankle_cross_x;
-  const Scalar M_left_shank_y_2 = M_left_shank_y_1 + left_shank_I6 * Omega_left_shank_xy;
-  const Scalar M_left_shank_y_3 = M_left_shank_y_2 + left_shank_I11 * t_left_shank_7;
-  const Scalar M_left_shank_y_4 = M_left_shank_y_3 + left_hip_fork_k2 * neg_F_left_ankle_cross_z;
-  const Scalar M_left_shank_y_5 = M_left_shank_y_4 - left_shank_I13 * neg_Omega_left_shank_zx;
-  const Scalar M_left_shank_y_6 = M_left_shank_y_5 + left_shank_I9 * neg_Omega_left_shank_zy;
-  const Scalar M_left_shank_y = M_left_shank_y_6 + c_left_ankle_pitch * M_left_ankle_cross_y;
-  // left_ankle_cross: force F of (1)
-  const Scalar neg_F_left_shank_z_1 = neg_F_left_ankle_cross_z - left_thigh_I14 * a_left_shank_z;
-  const Scalar neg_F_left_shank_z = neg_F_left_shank_z_1 + left_shank_I1 * neg_Omega_left_shank_zy;
-  const Scalar M_left_shank_x_1 = c_left_ankle_pitch * M_left_ankle_cross_x;
+      M_left_ankle_cross_y_5 - left_ankle_cross_I10 * t_left_ankle_cross_14;
+  const Scalar t_left_ankle_cross_20 = t_left_ankle_cross_12 + t_left_ankle_cross_13;
+  // left_foot: moment M, force F of (1)
+  const Scalar t_left_foot_11 = F_left_foot_z - left_ankle_cross_I10 * t_left_ankle_cross_6;
+  const Scalar t_left_foot_12 = t_left_foot_11 + Omega_left_foot_zy * t_left_foot_7;
+  const Scalar t_left_foot_13 = t_left_foot_12 - neg_a_left_foot_z * t_left_foot_8;
+  const Scalar t_left_foot_14 = t_left_foot_13 + Omega_left_foot_zx * t_left_foot_4;
+  const Scalar t_left_foot_15 = t_left_foot_14 + left_ankle_cross_I9 * t_left_ankle_cross_16;
+  const Scalar t_left_foot_16 = t_left_foot_15 - left_ankle_cross_I3 * a_left_ankle_cross_x;
+  const Scalar t_left_foot_17 = t_left_ankle_cross_12 - t_left_foot_1;
+  const Scalar t_left_foot_18 = t_left_foot_16 + t_left_foot_5 * t_left_foot_17;
+  const Scalar t_left_foot_19 = t_left_foot_18 + left_ankle_cross_I2 * t_left_ankle_cross_9;
+  const Scalar t_left_ankle_cross_21 = t_left_ankle_cross_19 - t_left_ankle_cross_20;
+  const Scalar t_left_foot_20 = t_left_foot_19 - Omega_left_foot_xy * t_left_foot_6;
+  const Scalar t_left_foot_21 = t_left_foot_20 + left_ankle_cross_I8 * t_left_ankle_cross_21;
+  const Scalar neg_M_left_ankle_cross_z =
+      t_left_foot_21 - left_ankle_cross_I11 * t_left_ankle_cross_17;
+  tau[4] = -neg_M_left_ankle_cross_z;
+  const Scalar t_left_foot_22 = t_left_foot_6 * (t_left_ankle_cross_13 - t_left_foot_1);
+  const Scalar t_left_foot_23 = t_left_foot_22 - left_ankle_cross_I8 * t_left_ankle_cross_11;
+  const Scalar t_left_foot_24 = t_left_foot_23 - Omega_left_foot_zx * t_left_foot_7;
+  const Scalar t_left_foot_25 = t_left_foot_24 + neg_a_left_foot_z * t_left_foot_9;
+  const Scalar t_left_foot_26 = t_left_foot_25 + t_left_foot_5 * neg_Omega_left_foot_yx;
+  const Scalar t_left_foot_27 = t_left_foot_26 + left_hip_fork_k3 * F_left_foot_z;
+  const Scalar t_left_foot_28 = t_left_foot_27 - left_ankle_cross_I9 * t_left_ankle_cross_7;
+  const Scalar t_left_foot_29 = t_left_foot_28 - left_ankle_cross_I10 * t_left_ankle_cross_17;
+  const Scalar t_left_ankle_cross_22 = t_left_hip_fork_10 - t_left_ankle_cross_20;
+  const Scalar t_left_foot_30 = t_left_foot_29 - Omega_left_foot_zy * t_left_foot_10;
+  const Scalar t_left_foot_31 = t_left_foot_30 + left_ankle_cross_I2 * t_left_ankle_cross_22;
+  const Scalar neg_M_left_ankle_cross_x =
+      t_left_foot_31 + left_ankle_cross_I3 * a_left_ankle_cross_z;
+  const Scalar t_left_foot_32 = F_left_foot_z + left_shank_I15 * neg_a_left_ankle_cross_y;
+  const Scalar neg_F_left_ankle_cross_y =
+      t_left_foot_32 - left_ankle_cross_I3 * t_left_ankle_cross_20;
+  const Scalar t_left_foot_33 = neg_F_left_foot_x + left_ankle_cross_I3 * t_left_ankle_cross_16;
+  const Scalar neg_F_left_ankle_cross_x = t_left_foot_33 - left_shank_I15 * a_left_ankle_cross_x;
+  const Scalar t_left_foot_34 = neg_F_left_foot_y + left_ankle_cross_I3 * t_left_ankle_cross_7;
+  const Scalar neg_F_left_ankle_cross_z = t_left_foot_34 - left_shank_I15 * a_left_ankle_cross_z;
+  const Scalar M_left_shank_y_1 = s_left_ankle_pitch * neg_M_left_ankle_cross_x;
+  // left_shank: moment M, Omega of (1)
+  const Scalar M_left_shank_y_2 = M_left_shank_y_1 - left_shank_I6 * Omega_left_shank_xy;
+  const Scalar M_left_shank_y_3 = M_left_shank_y_2 - c_left_ankle_pitch * M_left_ankle_cross_y;
+  const Scalar M_left_shank_y_4 = M_left_shank_y_3 - left_shank_I11 * t_left_shank_11;
+  const Scalar M_left_shank_y_5 = M_left_shank_y_4 + left_shank_I14 * Omega_left_shank_zx;
+  const Scalar M_left_shank_y_6 = M_left_shank_y_5 + left_shank_I9 * Omega_left_shank_zy;
+  const Scalar M_left_shank_y = M_left_shank_y_6 + left_hip_fork_k2 * neg_F_left_ankle_cross_z;
+  const Scalar neg_Omega_left_shank_yy = t_left_shank_8 + t_left_shank_9;
+  const Scalar M_left_shank_x_1 = c_left_ankle_pitch * neg_M_left_ankle_cross_x;
+  const Scalar M_left_shank_x_2 = M_left_shank_x_1 + left_shank_I11 * Omega_left_shank_yx;
+  const Scalar M_left_shank_x_3 = M_left_shank_x_2 + s_left_ankle_pitch * M_left_ankle_cross_y;
+  const Scalar M_left_shank_x_4 = t_left_hip_fork_10 - neg_Omega_left_shank_yy;
+  const Scalar M_left_shank_x_5 = M_left_shank_x_3 + left_shank_I6 * M_left_shank_x_4;
+  const Scalar M_left_shank_x_6 = M_left_shank_x_5 + left_shank_I2 * a_left_shank_z;
+  const Scalar M_left_shank_x_7 = M_left_shank_x_6 + left_shank_I10 * Omega_left_shank_zy;
+  const Scalar M_left_shank_x = M_left_shank_x_7 - left_shank_I9 * Omega_left_shank_zx;
+  // left_ankle_cross: moment M, force F of (1)
+  const Scalar t_left_ankle_cross_23 = s_left_ankle_pitch * neg_F_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_24 =
+      t_left_ankle_cross_23 + c_left_ankle_pitch * neg_F_left_ankle_cross_y;
+  const Scalar neg_M_left_shank_z_1 = neg_M_left_ankle_cross_z + left_shank_I16 * t_left_shank_10;
+  const Scalar neg_M_left_shank_z_2 = neg_Omega_left_shank_xx - neg_Omega_left_shank_yy;
+  const Scalar neg_M_left_shank_z_3 =
+      neg_M_left_shank_z_1 - left_shank_I11 * neg_Omega_left_shank_yz;
+  const Scalar neg_M_left_shank_z_4 = neg_M_left_shank_z_3 + left_shank_I9 * neg_M_left_shank_z_2;
+  const Scalar neg_M_left_shank_z_5 =
+      neg_M_left_shank_z_4 + left_shank_I6 * neg_Omega_left_shank_xz;
+  const Scalar neg_M_left_shank_z_6 = neg_M_left_shank_z_5 - left_shank_I17 * alpha_left_shank_z;
+  const Scalar neg_M_left_shank_z_7 =
+      neg_M_left_shank_z_6 - left_hip_fork_k2 * t_left_ankle_cross_24;
+  const Scalar neg_M_left_shank_z = neg_M_left_shank_z_7 - left_shank_I2 * neg_a_left_shank_x;
+  tau[3] = -neg_M_left_shank_z;
+  const Scalar neg_F_left_shank_x_1 = left_thigh_I15 * neg_a_left_shank_x;
+  const Scalar neg_F_left_shank_x_2 = neg_F_left_shank_x_1 - left_shank_I2 * Omega_left_shank_xy;
+  const Scalar neg_F_left_shank_x_3 =
+      neg_F_left_shank_x_2 + s_left_ankle_pitch * neg_F_left_ankle_cross_y;
+  const Scalar neg_F_left_shank_x =
+      neg_F_left_shank_x_3 - c_left_ankle_pitch * neg_F_left_ankle_cross_x;
+  const Scalar F_left_shank_y_1 = t_left_ankle_cross_24 - left_shank_I2 * neg_Omega_left_shank_yy;
+  const Scalar F_left_shank_y = F_left_shank_y_1 - left_thigh_I15 * neg_a_left_shank_y;
+  const Scalar neg_Omega_left_thigh_yy = t_left_thigh_5 + t_left_thigh_6;
+  const Scalar t_left_thigh_10 = t_left_hip_fork_10 - neg_Omega_left_thigh_yy;
+  const Scalar t_left_shank_12 = s_left_knee * neg_F_left_shank_x - c_left_knee * F_left_shank_y;
+  const Scalar neg_M_left_thigh_z_1 = neg_M_left_shank_z - left_thigh_I2 * neg_a_left_thigh_x;
+  const Scalar neg_M_left_thigh_z_2 = t_left_thigh_9 - t_left_thigh_10;
   // left_shank: moment M of (1)
-  const Scalar M_left_shank_x_2 = M_left_shank_x_1 - left_shank_I10 * neg_Omega_left_shank_zy;
-  const Scalar M_left_shank_x_3 = t_left_hip_fork_11 - neg_Omega_left_shank_yy;
-  const Scalar M_left_shank_x_4 = M_left_shank_x_2 - left_shank_I6 * M_left_shank_x_3;
-  const Scalar M_left_shank_x_5 = M_left_shank_x_4 - left_shank_I11 * Omega_left_shank_yx;
-  const Scalar M_left_shank_x_6 = M_left_shank_x_5 - left_shank_I9 * neg_Omega_left_shank_zx;
-  const Scalar M_left_shank_x_7 = M_left_shank_x_6 + left_shank_I1 * a_left_shank_z;
-  const Scalar M_left_shank_x = M_left_shank_x_7 - s_left_ankle_pitch * M_left_ankle_cross_y;
-  const Scalar neg_M_left_thigh_y_1 = left_thigh_I12 * neg_Omega_left_thigh_zy;
-  const Scalar neg_M_left_thigh_y_2 =
-      left_thigh_I6 * neg_Omega_left_thigh_xy - neg_M_left_thigh_y_1;
-  const Scalar neg_M_left_thigh_y_3 = neg_M_left_thigh_y_2 - c_left_knee * M_left_shank_y;
-  const Scalar neg_M_left_thigh_y_4 = neg_M_left_thigh_y_3 - left_thigh_I13 * Omega_left_thigh_zx;
-  const Scalar neg_M_left_thigh_y_5 = neg_M_left_thigh_y_4 - left_hip_fork_k1 * neg_F_left_shank_z;
-  const Scalar neg_M_left_thigh_y_6 = neg_M_left_thigh_y_5 - left_thigh_I8 * t_left_thigh_8;
-  const Scalar neg_M_left_thigh_y = neg_M_left_thigh_y_6 - s_left_knee * M_left_shank_x;
-  // left_thigh: Omega, moment M of (1)
-  const Scalar neg_Omega_left_thigh_yy = t_left_thigh_4 + t_left_thigh_5;
-  const Scalar t_left_thigh_9 = t_left_hip_fork_11 - neg_Omega_left_thigh_yy;
-  const Scalar M_left_thigh_x_1 = left_thigh_I6 * t_left_thigh_9;
-  const Scalar M_left_thigh_x_2 = left_thigh_I2 * a_left_thigh_z - M_left_thigh_x_1;
-  const Scalar M_left_thigh_x_3 = M_left_thigh_x_2 - left_thigh_I11 * neg_Omega_left_thigh_zy;
-  const Scalar M_left_thigh_x_4 = M_left_thigh_x_3 + c_left_knee * M_left_shank_x;
-  const Scalar M_left_thigh_x_5 = M_left_thigh_x_4 + left_thigh_I12 * Omega_left_thigh_zx;
-  const Scalar M_left_thigh_x_6 = M_left_thigh_x_5 - s_left_knee * M_left_shank_y;
-  const Scalar M_left_thigh_x = M_left_thigh_x_6 + left_thigh_I8 * neg_Omega_left_thigh_yx;
-  const Scalar F_left_shank_x_1 = c_left_ankle_pitch * F_left_ankle_cross_x;
-  // left_shank: force F of (1)
-  const Scalar F_left_shank_x_2 = left_thigh_I14 * a_left_shank_x + F_left_shank_x_1;
-  const Scalar F_left_shank_x_3 = F_left_shank_x_2 - s_left_ankle_pitch * F_left_ankle_cross_y;
-  const Scalar F_left_shank_x = F_left_shank_x_3 + left_shank_I1 * Omega_left_shank_xy;
-  const Scalar t_left_shank_8 = c_left_knee * F_left_shank_y + s_left_knee * F_left_shank_x;
+  const Scalar neg_M_left_thigh_z_3 = neg_M_left_thigh_z_1 + left_thigh_I12 * neg_M_left_thigh_z_2;
+  const Scalar neg_M_left_thigh_z_4 =
+      neg_M_left_thigh_z_3 + left_thigh_I14 * neg_Omega_left_thigh_yx;
+  const Scalar neg_M_left_thigh_z_5 = neg_M_left_thigh_z_4 + left_hip_fork_k1 * t_left_shank_12;
+  const Scalar neg_M_left_thigh_z_6 =
+      neg_M_left_thigh_z_5 + left_thigh_I6 * neg_Omega_left_thigh_xz;
+  const Scalar neg_M_left_thigh_z_7 =
+      neg_M_left_thigh_z_6 - left_thigh_I11 * neg_Omega_left_thigh_xy;
+  const Scalar neg_M_left_thigh_z = neg_M_left_thigh_z_7 - left_thigh_I8 * neg_Omega_left_thigh_yz;
+  tau[2] = -neg_M_left_thigh_z;
+  const Scalar t_left_hip_fork_11 = t_left_hip_fork_4 - t_left_hip_fork_5;
+  const Scalar neg_F_left_shank_z_1 = neg_F_left_ankle_cross_z - left_thigh_I15 * a_left_shank_z;
+  const Scalar neg_F_left_shank_z = neg_F_left_shank_z_1 - left_shank_I2 * Omega_left_shank_zy;
   // left_thigh: moment M of (1)
-  const Scalar M_left_thigh_z_1 = M_left_shank_z + left_thigh_I6 * neg_Omega_left_thigh_xz;
-  const Scalar M_left_thigh_z_2 = M_left_thigh_z_1 + left_thigh_I16 * t_left_thigh_6;
-  const Scalar M_left_thigh_z_3 = t_left_thigh_8 - t_left_thigh_9;
-  const Scalar M_left_thigh_z_4 = M_left_thigh_z_2 - left_thigh_I12 * M_left_thigh_z_3;
-  const Scalar M_left_thigh_z_5 = M_left_thigh_z_4 + left_thigh_I8 * Omega_left_thigh_yz;
-  const Scalar M_left_thigh_z_6 = M_left_thigh_z_5 + left_hip_fork_k1 * t_left_shank_8;
-  const Scalar M_left_thigh_z_7 = M_left_thigh_z_6 - left_thigh_I15 * alpha_left_thigh_z;
-  const Scalar M_left_thigh_z = M_left_thigh_z_7 - left_thigh_I2 * a_left_thigh_x;
-  tau[2] = M_left_thigh_z;
+  const Scalar M_left_thigh_y_1 = left_thigh_I6 * neg_Omega_left_thigh_xy;
+  const Scalar M_left_thigh_y_2 = s_left_knee * M_left_shank_x + M_left_thigh_y_1;
+  const Scalar M_left_thigh_y_3 = M_left_thigh_y_2 + c_left_knee * M_left_shank_y;
+  const Scalar M_left_thigh_y_4 = M_left_thigh_y_3 + left_hip_fork_k1 * neg_F_left_shank_z;
+  const Scalar M_left_thigh_y_5 = M_left_thigh_y_4 - left_thigh_I12 * Omega_left_thigh_zy;
+  const Scalar M_left_thigh_y_6 = M_left_thigh_y_5 - left_thigh_I8 * t_left_thigh_9;
+  const Scalar M_left_thigh_y = M_left_thigh_y_6 - left_thigh_I14 * Omega_left_thigh_zx;
+  const Scalar M_left_thigh_x_1 = left_thigh_I2 * a_left_thigh_z - s_left_knee * M_left_shank_y;
+  const Scalar M_left_thigh_x_2 = M_left_thigh_x_1 + left_thigh_I6 * t_left_thigh_10;
+  const Scalar M_left_thigh_x_3 = M_left_thigh_x_2 - left_thigh_I8 * neg_Omega_left_thigh_yx;
+  const Scalar M_left_thigh_x_4 = M_left_thigh_x_3 + left_thigh_I11 * Omega_left_thigh_zy;
+  const Scalar M_left_thigh_x_5 = M_left_thigh_x_4 + c_left_knee * M_left_shank_x;
+  const Scalar M_left_thigh_x = M_left_thigh_x_5 + left_thigh_I12 * Omega_left_thigh_zx;
   // left_hip_fork: moment M, Omega of (1)
-  const Scalar t_left_hip_fork_12 = t_left_hip_fork_4 - t_left_hip_fork_5;
-  const Scalar t_left_hip_fork_13 = t_left_hip_block_1 - t_left_hip_fork_11;
-  const Scalar M_left_hip_fork_z_1 = left_hip_fork_G2 - left_hip_fork_I9 * qdd[0];
-  const Scalar M_left_hip_fork_z_2 = s_left_hip_roll * M_left_hip_fork_z_1;
-  const Scalar M_left_hip_fork_z_3 = M_left_hip_fork_z_2 + left_hip_fork_I11 * t_left_hip_fork_10;
-  const Scalar M_left_hip_fork_z_4 = M_left_hip_fork_z_3 + c_left_hip_pitch * neg_M_left_thigh_y;
-  const Scalar M_left_hip_fork_z_5 = t_left_hip_fork_12 - t_left_hip_fork_13;
-  const Scalar M_left_hip_fork_z_6 = M_left_hip_fork_z_4 - left_hip_fork_I10 * t_left_hip_fork_9;
-  const Scalar M_left_hip_fork_z_7 = left_hip_fork_G3 + left_hip_fork_I8 * qdd[0];
-  const Scalar M_left_hip_fork_z_8 = M_left_hip_fork_z_6 - left_hip_fork_I7 * M_left_hip_fork_z_5;
-  const Scalar M_left_hip_fork_z_9 = M_left_hip_fork_z_8 + c_left_hip_roll * M_left_hip_fork_z_7;
-  tau[1] = M_left_hip_fork_z_9 - s_left_hip_pitch * M_left_thigh_x;
-  const Scalar F_left_thigh_y = t_left_shank_8 - left_thigh_I2 * neg_Omega_left_thigh_yy;
+  const Scalar t_left_hip_fork_12 = t_left_hip_block_1 - t_left_hip_fork_10;
+  const Scalar M_left_hip_fork_z_1 = left_hip_fork_I6 * t_left_hip_fork_8;
+  const Scalar M_left_hip_fork_z_2 = left_hip_fork_I12 * qdd[1] + M_left_hip_fork_z_1;
+  const Scalar M_left_hip_fork_z_3 = M_left_hip_fork_z_2 + c_left_hip_pitch * M_left_thigh_y;
+  const Scalar M_left_hip_fork_z_4 = left_hip_fork_G3 - left_hip_fork_I9 * qdd[0];
+  const Scalar M_left_hip_fork_z_5 = M_left_hip_fork_z_3 + s_left_hip_pitch * M_left_thigh_x;
+  const Scalar M_left_hip_fork_z_6 = left_hip_fork_G2 - left_hip_fork_I8 * qdd[0];
+  const Scalar M_left_hip_fork_z_7 = M_left_hip_fork_z_5 + c_left_hip_roll * M_left_hip_fork_z_4;
+  const Scalar M_left_hip_fork_z_8 = t_left_hip_fork_11 - t_left_hip_fork_12;
+  const Scalar M_left_hip_fork_z_9 = M_left_hip_fork_z_7 + s_left_hip_roll * M_left_hip_fork_z_6;
+  tau[1] = M_left_hip_fork_z_9 + left_hip_fork_I7 * M_left_hip_fork_z_8;
   const Scalar neg_F_left_thigh_x_1 = left_thigh_I2 * neg_Omega_left_thigh_xy;
   const Scalar neg_F_left_thigh_x_2 = neg_F_left_thigh_x_1 + s_left_knee * F_left_shank_y;
-  const Scalar Omega_left_hip_fork_zx = t_left_hip_fork_1 + t_left_hip_fork_3;
-  const Scalar t_left_thigh_10 = M_left_thigh_z + left_hip_fork_I8 * t_left_hip_fork_12;
-  const Scalar t_left_thigh_11 = t_left_thigh_10 - s_left_hip_pitch * F_left_thigh_y;
-  const Scalar neg_F_left_thigh_x = neg_F_left_thigh_x_2 - c_left_knee * F_left_shank_x;
+  const Scalar neg_F_left_thigh_x = neg_F_left_thigh_x_2 + c_left_knee * neg_F_left_shank_x;
+  const Scalar M_left_hip_fork_y_1 =
+      neg_M_left_thigh_z - left_hip_fork_I10 * Omega_left_hip_fork_zx;
+  const Scalar neg_F_left_thigh_y = t_left_shank_12 + left_thigh_I2 * neg_Omega_left_thigh_yy;
+  const Scalar M_left_hip_fork_y_2 = M_left_hip_fork_y_1 - c_left_hip_pitch * neg_F_left_thigh_x;
+  const Scalar M_left_hip_fork_y_3 = M_left_hip_fork_y_2 + s_left_hip_pitch * neg_F_left_thigh_y;
+  const Scalar M_left_hip_fork_y_4 = M_left_hip_fork_y_3 + left_hip_fork_I9 * t_left_hip_fork_11;
+  const Scalar M_left_hip_fork_y_5 =
+      M_left_hip_fork_y_4 + left_hip_fork_I7 * Omega_left_hip_fork_zy;
+  const Scalar M_left_hip_fork_y = M_left_hip_fork_y_5 + left_hip_fork_I8 * t_left_hip_fork_9;
+  const Scalar t_left_hip_fork_13 = t_left_hip_fork_8 - qdd[1];
   // left_thigh: moment M of (1)
-  const Scalar t_left_thigh_12 = t_left_thigh_11 - left_hip_fork_I9 * t_left_hip_fork_10;
-  const Scalar t_left_thigh_13 = t_left_thigh_12 - c_left_hip_pitch * neg_F_left_thigh_x;
-  const Scalar t_left_thigh_14 = t_left_thigh_13 + left_hip_fork_I7 * Omega_left_hip_fork_zy;
-  const Scalar t_left_thigh_15 = neg_F_left_shank_z - left_hip_fork_I9 * t_left_hip_fork_13;
-  const Scalar t_left_thigh_16 = t_left_thigh_15 + c_left_hip_pitch * M_left_thigh_x;
-  const Scalar t_left_thigh_17 = t_left_thigh_16 + left_hip_fork_I8 * t_left_hip_fork_9;
-  const Scalar t_left_thigh_18 = t_left_thigh_17 - left_hip_fork_I11 * Omega_left_hip_fork_zy;
-  const Scalar t_left_thigh_19 = t_left_thigh_18 - left_hip_fork_I7 * Omega_left_hip_fork_zx;
-  const Scalar t_left_thigh_20 = t_left_thigh_19 + left_thigh_I2 * neg_Omega_left_thigh_zy;
-  const Scalar neg_M_left_hip_fork_y = t_left_thigh_14 + left_hip_fork_I10 * Omega_left_hip_fork_zx;
-  const Scalar M_left_hip_block_z_1 = s_left_hip_roll * neg_M_left_hip_fork_y;
-  const Scalar neg_M_left_hip_fork_x = t_left_thigh_20 + s_left_hip_pitch * neg_M_left_thigh_y;
+  const Scalar t_left_thigh_11 = neg_F_left_shank_z - left_hip_fork_I9 * t_left_hip_fork_13;
+  const Scalar t_left_thigh_12 = t_left_thigh_11 - left_thigh_I2 * Omega_left_thigh_zy;
+  const Scalar t_left_thigh_13 = t_left_thigh_12 + left_hip_fork_I7 * Omega_left_hip_fork_zx;
+  const Scalar t_left_thigh_14 = t_left_thigh_13 - left_hip_fork_I11 * Omega_left_hip_fork_zy;
+  const Scalar t_left_thigh_15 = t_left_thigh_14 + s_left_hip_pitch * M_left_thigh_y;
+  const Scalar t_left_thigh_16 = t_left_thigh_15 - c_left_hip_pitch * M_left_thigh_x;
+  const Scalar M_left_hip_block_z_1 = s_left_hip_roll * M_left_hip_fork_y;
+  const Scalar neg_M_left_hip_fork_x = t_left_thigh_16 - left_hip_fork_I8 * t_left_hip_fork_12;
   // left_hip_block: moment M of (1)
-  const Scalar M_left_hip_block_z_2 = left_hip_block_I2 * qdd[0] + M_left_hip_block_z_1;
+  const Scalar M_left_hip_block_z_2 = left_hip_block_I2 * qdd[0] - M_left_hip_block_z_1;
   tau[0] = M_left_hip_block_z_2 - c_left_hip_roll * neg_M_left_hip_fork_x;
 }
 
+// Lengths inside are in units of L, a distance between left_hip_roll and left_hip_pitch:
+//   L = 0.01 m
+// Names: vectors F_ in N m/L, a_ in L/s^2, h_ in kg m^2/L, s_ in L; all others are of values in SI
+// units; numbered ones (t_) by what they are made of. Arguments and results are in SI units.
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept {
-  const Scalar q_q2_q3 = q[2] + q[3];
-  const Scalar q_q2_q3_q4 = q_q2_q3 + q[4];
-  const Scalar q_q8_q9 = q[8] + q[9];
-  const Scalar q_q8_q9_q10 = q_q8_q9 + q[10];
-  const Scalar angle_left_foot = left_foot_k2 + q[5];
-  const Scalar angle_right_foot = left_foot_k2 - q[11];
+  const Scalar q_q2_q3_q4 = q[2] + q[3] + q[4];
+  const Scalar q_q8_q9_q10 = q[8] + q[9] + q[10];
+  const Scalar angle_left_foot = left_foot_k1 + q[5];
+  const Scalar angle_right_foot = left_foot_k1 - q[11];
   Scalar sines[12];
   Scalar cosines[12];
-  sines_cosines(sines, cosines, q[1], q[2], q_q2_q3_q4, q_q2_q3);
-  sines_cosines(sines + 4, cosines + 4, q[7], q[8], q_q8_q9_q10, q_q8_q9);
+  sines_cosines(sines, cosines, q[1], q_q2_q3_q4, q[2], q[4]);
+  sines_cosines(sines + 4, cosines + 4, q[7], q_q8_q9_q10, q[8], q[10]);
   sines_cosines(sines + 8, cosines + 8, angle_left_foot, angle_right_foot);
   const Scalar s_left_hip_roll = sines[0];
   const Scalar c_left_hip_roll = cosines[0];
-  const Scalar s_left_hip_pitch = sines[1];
-  const Scalar c_left_hip_pitch = cosines[1];
-  const Scalar s_q2_q3_q4 = sines[2];
-  const Scalar c_q2_q3_q4 = cosines[2];
-  const Scalar s_q2_q3 = sines[3];
-  const Scalar c_q2_q3 = cosines[3];
+  const Scalar s_q2_q3_q4 = sines[1];
+  const Scalar c_q2_q3_q4 = cosines[1];
+  const Scalar s_left_hip_pitch = sines[2];
+  const Scalar c_left_hip_pitch = cosines[2];
+  const Scalar s_left_ankle_pitch = sines[3];
+  const Scalar c_left_ankle_pitch = cosines[3];
   const Scalar s_right_hip_roll = sines[4];
   const Scalar c_right_hip_roll = cosines[4];
-  const Scalar s_right_hip_pitch = sines[5];
-  const Scalar c_right_hip_pitch = cosines[5];
-  const Scalar s_q8_q9_q10 = sines[6];
-  const Scalar c_q8_q9_q10 = cosines[6];
-  const Scalar s_q8_q9 = sines[7];
-  const Scalar c_q8_q9 = cosines[7];
+  const Scalar s_q8_q9_q10 = sines[5];
+  const Scalar c_q8_q9_q10 = cosines[5];
+  const Scalar s_right_hip_pitch = sines[6];
+  const Scalar c_right_hip_pitch = cosines[6];
+  const Scalar s_right_ankle_pitch = sines[7];
+  const Scalar c_right_ankle_pitch = cosines[7];
   const Scalar s_left_foot = sines[8];
   const Scalar c_left_foot = cosines[8];
   const Scalar s_right_foot = sines[9];
   const Scalar c_right_foot = cosines[9];
-  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
-  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
-  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
-  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
-  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
-  const Scalar neg_s_righ_ankl_cros_x = left_ankle_cross_l1 * c_q8_q9;
-  const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_q8_q9;
-  // left_hip_fork: angular velocity omega, Omega of (1)
+  const Scalar s_left_shank_y = left_hip_fork_k1 * s_left_hip_pitch;
+  const Scalar s_left_shank_x = left_hip_fork_k1 * c_left_hip_pitch;
+  const Scalar neg_s_left_ankle_cross_x = left_hip_fork_k2 * c_left_ankle_pitch;
+  const Scalar s_left_ankle_cross_y = left_hip_fork_k2 * s_left_ankle_pitch;
+  const Scalar s_right_shank_y = left_hip_fork_k1 * s_right_hip_pitch;
+  const Scalar s_right_shank_x = left_hip_fork_k1 * c_right_hip_pitch;
+  const Scalar neg_s_righ_ankl_cros_x = left_hip_fork_k2 * c_right_ankle_pitch;
+  const Scalar s_righ_ankl_cros_y = left_hip_fork_k2 * s_right_ankle_pitch;
+  const Scalar t_left_hip_block_1 = qd[0] * qd[0];
+  // left_hip_fork: angular velocity omega, moment M, Omega of (1)
   const Scalar omega_left_hip_fork_x = c_left_hip_roll * qd[0];
   const Scalar t_left_hip_fork_1 = omega_left_hip_fork_x * omega_left_hip_fork_x;
-  const Scalar t_left_hip_fork_2 = s_left_hip_roll * qd[0];
-  const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 * t_left_hip_fork_2;
-  const Scalar t_left_hip_fork_4 = qd[1] * qd[1];
-  const Scalar t_left_hip_fork_5 = t_left_hip_fork_1 + t_left_hip_fork_4;
-  // left_thigh: angular acceleration alpha, Omega, acceleration a of (1)
+  const Scalar t_left_hip_fork_2 = qd[1] * qd[1];
+  const Scalar t_left_hip_fork_3 = t_left_hip_fork_1 - t_left_hip_fork_2;
+  const Scalar t_left_hip_fork_4 = s_left_hip_roll * qd[0];
+  const Scalar t_left_hip_fork_5 = t_left_hip_fork_1 + t_left_hip_fork_2;
   const Scalar alpha_left_thigh_z = omega_left_hip_fork_x * qd[1];
-  const Scalar Omega_left_thigh_xz = omega_left_hip_fork_x * t_left_hip_fork_2;
-  const Scalar a_left_thigh_z = base_g1 * s_left_hip_roll;
-  const Scalar a_left_hip_fork_x = base_g1 * c_left_hip_roll;
-  const Scalar t_left_shank_1 = t_left_hip_fork_1 - t_left_hip_fork_4;
-  const Scalar omega_left_thigh_z = t_left_hip_fork_2 + qd[2];
-  const Scalar t_left_hip_fork_6 = t_left_hip_fork_2 * qd[1];
+  const Scalar Omega_left_thigh_xz = omega_left_hip_fork_x * t_left_hip_fork_4;
+  const Scalar neg_a_left_hip_fork_x = left_hip_fork_p1 * c_left_hip_roll;
+  const Scalar a_left_hip_fork_y = left_hip_fork_p1 * s_left_hip_roll;
+  const Scalar t_left_hip_fork_6 = qd[1] * t_left_hip_fork_4;
+  // left_thigh: angular velocity omega, Omega, moment M of (1)
+  const Scalar omega_left_thigh_z = t_left_hip_fork_4 + qd[2];
   const Scalar Omega_left_thigh_yz = 2.0 * t_left_hip_fork_6;
-  const Scalar t_left_thigh_1 = 2.0 * qd[1];
-  const Scalar Omega_left_thigh_zy = qd[2] * t_left_thigh_1;
+  const Scalar t_left_thigh_1 = 2.0 * omega_left_thigh_z;
+  const Scalar neg_Omega_left_thigh_zy = Omega_left_thigh_yz - qd[1] * t_left_thigh_1;
   const Scalar t_left_thigh_2 = omega_left_thigh_z * omega_left_thigh_z;
-  const Scalar neg_Omega_left_thigh_xx = t_left_hip_fork_4 + t_left_thigh_2;
-  const Scalar t_left_thigh_3 = 2.0 * omega_left_hip_fork_x;
-  const Scalar neg_Omega_left_thigh_zx = Omega_left_thigh_xz - omega_left_thigh_z * t_left_thigh_3;
-  const Scalar neg_a_left_thigh_y_1 = t_left_hip_fork_1 + t_left_hip_fork_3;
-  const Scalar neg_a_left_thigh_y = left_hip_fork_l1 * neg_a_left_thigh_y_1;
-  const Scalar t_left_thigh_4 = left_thigh_I4 * c_left_hip_pitch;
-  const Scalar t_left_thigh_5 = t_left_thigh_4 + left_thigh_I3 * s_left_hip_pitch;
-  const Scalar t_left_thigh_6 = c_left_hip_pitch * t_left_thigh_5;
-  const Scalar t_left_thigh_7 = left_thigh_I12 - t_left_thigh_6;
-  const Scalar t_left_thigh_8 = s_left_hip_pitch * t_left_thigh_5;
-  const Scalar t_left_thigh_9 = left_thigh_I6 * s_left_hip_pitch;
-  const Scalar t_left_thigh_10 = t_left_thigh_9 - left_thigh_I5 * c_left_hip_pitch;
-  const Scalar Omega_left_hip_fork_zx = qd[1] * t_left_thigh_3;
-  const Scalar t_left_thigh_11 = left_thigh_I5 * s_left_hip_pitch;
-  const Scalar t_left_thigh_12 = t_left_thigh_11 + left_thigh_I6 * c_left_hip_pitch;
-  const Scalar t_left_thigh_13 = left_thigh_h3 * s_left_hip_pitch;
-  const Scalar t_left_thigh_14 = t_left_thigh_13 + left_thigh_h1 * c_left_hip_pitch;
-  const Scalar t_left_thigh_15 = left_thigh_h1 * s_left_hip_pitch;
-  const Scalar t_left_thigh_16 = t_left_thigh_15 - left_thigh_h3 * c_left_hip_pitch;
-  const Scalar t_left_thigh_17 = left_thigh_I17 - t_left_thigh_8;
-  // left_shank: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar a_left_shank_z_1 = a_left_thigh_z - neg_s_left_shank_y * Omega_left_thigh_zy;
-  const Scalar a_left_shank_z = a_left_shank_z_1 + neg_s_left_shank_x * neg_Omega_left_thigh_zx;
-  const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
-  const Scalar neg_Omega_left_shank_zx = neg_Omega_left_thigh_zx - t_left_thigh_3 * qd[3];
-  const Scalar neg_Omega_left_shank_zy = Omega_left_thigh_yz - t_left_thigh_1 * omega_left_shank_z;
-  const Scalar t_left_shank_2 = omega_left_shank_z * omega_left_shank_z;
-  const Scalar t_left_shank_3 = left_shank_I3 * c_q2_q3 + left_shank_I4 * s_q2_q3;
-  const Scalar t_left_shank_4 = s_q2_q3 * t_left_shank_3;
-  const Scalar t_left_shank_5 = c_q2_q3 * t_left_shank_3;
-  const Scalar t_left_shank_6 = left_shank_I9 - t_left_shank_5;
-  const Scalar t_left_shank_7 = left_shank_I6 * s_q2_q3 - left_shank_I5 * c_q2_q3;
-  const Scalar t_left_shank_8 = left_shank_I6 * c_q2_q3 + left_shank_I5 * s_q2_q3;
-  const Scalar t_left_shank_9 = left_shank_h2 * c_q2_q3 + left_shank_h3 * s_q2_q3;
-  const Scalar t_left_shank_10 = left_shank_I17 - t_left_shank_4;
-  const Scalar t_left_shank_11 = left_shank_h2 * s_q2_q3 - left_shank_h3 * c_q2_q3;
-  const Scalar neg_Omega_left_shank_yy = t_left_hip_fork_1 + t_left_shank_2;
+  const Scalar t_left_thigh_3 = t_left_hip_fork_1 - t_left_thigh_2;
+  const Scalar neg_Omega_left_thigh_xx = t_left_hip_fork_5 - t_left_thigh_3;
+  const Scalar neg_Omega_left_thigh_zx =
+      Omega_left_thigh_xz - omega_left_hip_fork_x * t_left_thigh_1;
+  const Scalar t_left_thigh_4 = left_thigh_I4 * s_left_hip_pitch;
+  const Scalar t_left_thigh_5 = t_left_thigh_4 + left_thigh_I3 * c_left_hip_pitch;
+  const Scalar t_left_thigh_6 = left_thigh_I12 - c_left_hip_pitch * t_left_thigh_5;
+  const Scalar t_left_thigh_7 = s_left_hip_pitch * t_left_thigh_5;
+  const Scalar t_left_thigh_8 = left_thigh_I6 * s_left_hip_pitch;
+  const Scalar t_left_thigh_9 = t_left_thigh_8 - left_thigh_I5 * c_left_hip_pitch;
   const Scalar neg_Omega_left_thigh_yy = t_left_hip_fork_1 + t_left_thigh_2;
-  const Scalar neg_a_left_shank_y_1 =
-      neg_a_left_thigh_y + neg_s_left_shank_x * Omega_left_hip_fork_zx;
-  const Scalar neg_a_left_shank_y =
-      neg_a_left_shank_y_1 - neg_s_left_shank_y * neg_Omega_left_thigh_yy;
+  const Scalar t_left_thigh_10 = left_thigh_I6 * c_left_hip_pitch;
+  const Scalar t_left_thigh_11 = t_left_thigh_10 + left_thigh_I5 * s_left_hip_pitch;
+  const Scalar t_left_thigh_12 = left_thigh_I2 * c_left_hip_pitch;
+  const Scalar t_left_thigh_13 = t_left_thigh_12 + left_thigh_I1 * s_left_hip_pitch;
+  const Scalar t_left_thigh_14 = left_thigh_I18 - t_left_thigh_7;
+  const Scalar t_left_thigh_15 = left_thigh_I2 * s_left_hip_pitch;
+  const Scalar t_left_thigh_16 = t_left_thigh_15 - left_thigh_I1 * c_left_hip_pitch;
+  const Scalar t_left_shank_1 = neg_a_left_hip_fork_x + s_left_shank_x * neg_Omega_left_thigh_xx;
+  const Scalar Omega_left_hip_fork_zx = 2.0 * alpha_left_thigh_z;
+  // left_shank: acceleration a, angular velocity omega, Omega of (1)
+  const Scalar t_left_shank_2 = t_left_hip_block_1 - s_left_shank_x * Omega_left_hip_fork_zx;
+  const Scalar t_left_shank_3 = t_left_shank_2 + s_left_shank_y * neg_Omega_left_thigh_yy;
+  const Scalar t_left_shank_4 = s_q2_q3_q4 * omega_left_hip_fork_x;
+  const Scalar omega_left_shank_y = t_left_shank_4 - c_q2_q3_q4 * qd[1];
+  const Scalar omega_left_shank_z = omega_left_thigh_z + qd[3];
+  const Scalar t_left_shank_5 = t_left_hip_fork_4 * t_left_shank_4;
+  const Scalar neg_Omega_left_shank_yz = c_q2_q3_q4 * Omega_left_thigh_yz - t_left_shank_5;
+  const Scalar t_left_shank_6 = 2.0 * omega_left_shank_y;
+  const Scalar Omega_left_shank_zy = neg_Omega_left_shank_yz + omega_left_shank_z * t_left_shank_6;
+  const Scalar neg_omega_left_shank_x = s_q2_q3_q4 * qd[1] + c_q2_q3_q4 * omega_left_hip_fork_x;
+  const Scalar t_left_shank_7 = s_q2_q3_q4 * Omega_left_thigh_yz;
+  const Scalar neg_Omega_left_shank_xz = t_left_shank_7 + c_q2_q3_q4 * Omega_left_thigh_xz;
+  const Scalar t_left_shank_8 = 2.0 * neg_omega_left_shank_x;
+  const Scalar Omega_left_shank_zx = neg_Omega_left_shank_xz - omega_left_shank_z * t_left_shank_8;
+  const Scalar t_left_shank_9 = neg_omega_left_shank_x * neg_omega_left_shank_x;
+  const Scalar t_left_shank_10 = omega_left_shank_z * omega_left_shank_z;
+  const Scalar t_left_shank_11 = t_left_hip_fork_5 - t_left_shank_9;
+  const Scalar t_left_shank_12 = omega_left_shank_y * neg_omega_left_shank_x;
+  const Scalar Omega_left_shank_yx = alpha_left_thigh_z - t_left_shank_12;
+  const Scalar Omega_left_foot_xz = alpha_left_thigh_z + t_left_shank_12;
+  const Scalar neg_Omega_left_shank_yy = t_left_shank_9 + t_left_shank_10;
+  const Scalar t_left_shank_13 = left_shank_I3 * s_left_ankle_pitch;
+  const Scalar t_left_shank_14 = t_left_shank_13 + left_shank_I4 * c_left_ankle_pitch;
+  const Scalar t_left_shank_15 = s_left_ankle_pitch * t_left_shank_14;
+  const Scalar t_left_shank_16 = left_shank_I5 * c_left_ankle_pitch;
+  const Scalar t_left_shank_17 = t_left_shank_16 + left_shank_I6 * s_left_ankle_pitch;
+  const Scalar t_left_shank_18 = left_shank_I5 * s_left_ankle_pitch;
+  const Scalar t_left_shank_19 = t_left_shank_18 - left_shank_I6 * c_left_ankle_pitch;
+  const Scalar t_left_shank_20 = left_shank_I10 + t_left_shank_15;
+  const Scalar t_left_shank_21 = left_shank_I9 - c_left_ankle_pitch * t_left_shank_14;
+  const Scalar t_left_shank_22 = left_shank_I2 * c_left_ankle_pitch;
+  const Scalar t_left_shank_23 = t_left_shank_22 - left_shank_I1 * s_left_ankle_pitch;
+  const Scalar t_left_shank_24 = left_shank_I2 * s_left_ankle_pitch;
+  const Scalar t_left_shank_25 = t_left_shank_24 + left_shank_I1 * c_left_ankle_pitch;
+  const Scalar neg_a_left_shank_z_1 = a_left_hip_fork_y + s_left_shank_y * neg_Omega_left_thigh_zy;
+  const Scalar neg_a_left_shank_z = neg_a_left_shank_z_1 + s_left_shank_x * neg_Omega_left_thigh_zx;
+  // left_ankle_cross: acceleration a, angular velocity omega, moment M of (1)
   const Scalar t_left_ankle_cross_1 =
-      neg_a_left_shank_y + neg_s_left_ankle_cross_x * Omega_left_hip_fork_zx;
-  const Scalar t_left_ankle_cross_2 =
-      t_left_ankle_cross_1 - neg_s_left_ankle_cross_y * neg_Omega_left_shank_yy;
-  const Scalar neg_Omega_left_shank_xx = t_left_hip_fork_4 + t_left_shank_2;
-  const Scalar a_left_shank_x = a_left_hip_fork_x + neg_s_left_shank_x * neg_Omega_left_thigh_xx;
-  // left_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar t_left_ankle_cross_3 =
-      a_left_shank_x + neg_s_left_ankle_cross_x * neg_Omega_left_shank_xx;
-  const Scalar t_left_ankle_cross_4 =
-      a_left_shank_z + neg_s_left_ankle_cross_y * neg_Omega_left_shank_zy;
-  const Scalar a_left_ankle_cross_z =
-      t_left_ankle_cross_4 + neg_s_left_ankle_cross_x * neg_Omega_left_shank_zx;
+      neg_a_left_shank_z + neg_s_left_ankle_cross_x * Omega_left_shank_zx;
+  const Scalar neg_a_left_ankle_cross_z =
+      t_left_ankle_cross_1 - s_left_ankle_cross_y * Omega_left_shank_zy;
   const Scalar omega_left_ankle_cross_z = omega_left_shank_z + qd[4];
-  const Scalar t_left_ankle_cross_5 = s_q2_q3_q4 * omega_left_hip_fork_x;
-  const Scalar omega_left_ankle_cross_y = t_left_ankle_cross_5 - c_q2_q3_q4 * qd[1];
-  const Scalar t_left_ankle_cross_6 = t_left_hip_fork_2 * t_left_ankle_cross_5;
-  const Scalar t_left_ankle_cross_7 = c_q2_q3_q4 * Omega_left_thigh_yz - t_left_ankle_cross_6;
-  const Scalar t_left_ankle_cross_8 = 2.0 * omega_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_9 =
-      t_left_ankle_cross_7 + omega_left_ankle_cross_y * t_left_ankle_cross_8;
-  const Scalar t_left_ankle_cross_10 = c_q2_q3_q4 * omega_left_hip_fork_x;
-  const Scalar t_left_ankle_cross_11 = t_left_ankle_cross_10 + s_q2_q3_q4 * qd[1];
-  const Scalar t_left_ankle_cross_12 = t_left_hip_fork_2 * t_left_ankle_cross_10;
-  const Scalar t_left_ankle_cross_13 = s_q2_q3_q4 * Omega_left_thigh_yz + t_left_ankle_cross_12;
-  const Scalar t_left_ankle_cross_14 =
-      t_left_ankle_cross_13 - t_left_ankle_cross_8 * t_left_ankle_cross_11;
-  const Scalar t_left_ankle_cross_15 = t_left_ankle_cross_11 * t_left_ankle_cross_11;
-  const Scalar t_left_ankle_cross_16 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_17 = t_left_ankle_cross_15 - t_left_ankle_cross_16;
-  const Scalar t_left_ankle_cross_18 = t_left_hip_fork_5 - t_left_ankle_cross_17;
-  const Scalar t_left_ankle_cross_19 = omega_left_ankle_cross_y * t_left_ankle_cross_11;
-  const Scalar t_left_ankle_cross_20 = alpha_left_thigh_z - t_left_ankle_cross_19;
-  const Scalar Omega_left_foot_xz = alpha_left_thigh_z + t_left_ankle_cross_19;
-  const Scalar t_left_ankle_cross_21 = t_left_ankle_cross_15 + t_left_ankle_cross_16;
-  // left_foot: angular velocity omega, Omega, first moment h of (1)
-  const Scalar neg_omega_left_foot_z = omega_left_ankle_cross_y - qd[5];
-  const Scalar Omega_left_foot_zy =
-      t_left_ankle_cross_9 - t_left_ankle_cross_8 * neg_omega_left_foot_z;
+  const Scalar t_left_ankle_cross_2 = omega_left_ankle_cross_z * omega_left_ankle_cross_z;
+  const Scalar t_left_ankle_cross_3 = t_left_shank_9 - t_left_ankle_cross_2;
+  const Scalar t_left_ankle_cross_4 = Omega_left_shank_zy + t_left_shank_6 * qd[4];
+  const Scalar t_left_ankle_cross_5 = t_left_shank_8 * qd[4];
+  const Scalar t_left_ankle_cross_6 = Omega_left_shank_zx - t_left_ankle_cross_5;
+  const Scalar a_left_shank_y = c_q2_q3_q4 * t_left_shank_3 - s_q2_q3_q4 * t_left_shank_1;
+  const Scalar t_left_ankle_cross_7 =
+      a_left_shank_y - neg_s_left_ankle_cross_x * Omega_left_shank_yx;
+  const Scalar a_left_ankle_cross_y =
+      t_left_ankle_cross_7 - s_left_ankle_cross_y * neg_Omega_left_shank_yy;
+  // left_foot: acceleration a, angular velocity omega, Omega of (1)
+  const Scalar neg_a_left_foot_z_1 = Omega_left_shank_yx + a_left_ankle_cross_y;
+  const Scalar neg_a_left_foot_z = neg_a_left_foot_z_1 + left_hip_fork_k3 * neg_Omega_left_shank_yz;
+  const Scalar neg_omega_left_foot_z = omega_left_shank_y - qd[5];
+  const Scalar Omega_left_foot_zy_1 = omega_left_ankle_cross_z * neg_omega_left_foot_z;
+  const Scalar Omega_left_foot_zy = t_left_ankle_cross_4 - 2.0 * Omega_left_foot_zy_1;
   const Scalar t_left_foot_1 = neg_omega_left_foot_z * neg_omega_left_foot_z;
-  const Scalar t_left_foot_2 = t_left_ankle_cross_11 * neg_omega_left_foot_z;
-  const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - 2.0 * t_left_foot_2;
-  const Scalar neg_h_left_foot_y = left_foot_h2 * c_left_foot - left_foot_h3 * s_left_foot;
-  const Scalar h_left_foot_x = left_foot_h3 * c_left_foot + left_foot_h2 * s_left_foot;
-  const Scalar t_left_foot_3 = left_foot_I15 * s_left_foot + left_foot_I16 * c_left_foot;
+  const Scalar neg_Omega_left_foot_zx = Omega_left_foot_xz - t_left_shank_8 * neg_omega_left_foot_z;
+  const Scalar h_left_foot_x = left_foot_I1 * c_left_foot;
+  const Scalar t_left_foot_2 = t_left_ankle_cross_6 * h_left_foot_x;
+  const Scalar h_left_foot_y = left_foot_I1 * s_left_foot;
+  const Scalar t_left_foot_3 = left_foot_I5 * c_left_foot - left_foot_I4 * s_left_foot;
   const Scalar t_left_foot_4 = s_left_foot * t_left_foot_3;
-  const Scalar E_left_foot_xx = left_foot_I17 - t_left_foot_4;
-  const Scalar E_left_foot_xz = left_foot_I18 * c_left_foot;
-  const Scalar E_left_foot_yz = left_foot_I18 * s_left_foot;
+  const Scalar E_left_foot_xx = left_foot_I14 + t_left_foot_4;
+  const Scalar neg_E_left_foot_xz = left_foot_I2 * s_left_foot - left_foot_I3 * c_left_foot;
+  const Scalar E_left_foot_yz = left_foot_I3 * s_left_foot + left_foot_I2 * c_left_foot;
+  const Scalar E_left_foot_yy = left_foot_I12 - t_left_foot_4;
   const Scalar t_left_foot_5 = c_left_foot * t_left_foot_3;
-  const Scalar neg_E_left_foot_xy = left_foot_I20 - t_left_foot_5;
-  const Scalar t_left_foot_6 = left_hip_fork_l2 * neg_h_left_foot_y;
-  const Scalar neg_F_left_foot_z_1 = Omega_left_foot_zy * neg_h_left_foot_y;
-  const Scalar neg_F_left_foot_z = neg_F_left_foot_z_1 + neg_Omega_left_foot_zx * h_left_foot_x;
+  const Scalar E_left_foot_xy = left_foot_I13 - t_left_foot_5;
+  const Scalar neg_M_left_shank_y_1 = t_left_shank_9 - t_left_shank_10;
+  const Scalar neg_Omega_left_shank_xx = t_left_shank_10 + t_left_shank_11;
+  const Scalar neg_F_left_foot_z_1 = neg_Omega_left_foot_zx * h_left_foot_x;
+  const Scalar neg_F_left_foot_z = neg_F_left_foot_z_1 - Omega_left_foot_zy * h_left_foot_y;
+  const Scalar t_right_hip_block_1 = qd[6] * qd[6];
+  // right_hip_fork: angular velocity omega, Omega, angular acceleration alpha of (1)
   const Scalar omega_right_hip_fork_x = c_right_hip_roll * qd[6];
+  const Scalar t_right_hip_fork_1 = omega_right_hip_fork_x * omega_right_hip_fork_x;
+  const Scalar t_right_hip_fork_2 = qd[7] * qd[7];
+  const Scalar t_right_hip_fork_3 = t_right_hip_fork_1 - t_right_hip_fork_2;
   const Scalar alpha_right_thigh_z = omega_right_hip_fork_x * qd[7];
-  // right_hip_fork: angular velocity omega, Omega, acceleration a of (1)
-  const Scalar t_right_hip_fork_1 = s_right_hip_roll * qd[6];
-  const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 * t_right_hip_fork_1;
-  const Scalar t_right_hip_fork_3 = omega_right_hip_fork_x * omega_right_hip_fork_x;
-  const Scalar t_right_hip_fork_4 = qd[7] * qd[7];
-  const Scalar t_right_hip_fork_5 = t_right_hip_fork_3 + t_right_hip_fork_4;
-  const Scalar Omega_right_thigh_xz = omega_right_hip_fork_x * t_right_hip_fork_1;
-  const Scalar a_right_hip_fork_x = base_g1 * c_right_hip_roll;
-  const Scalar a_right_thigh_z = base_g1 * s_right_hip_roll;
-  const Scalar t_right_shank_1 = t_right_hip_fork_3 - t_right_hip_fork_4;
-  // right_thigh: angular velocity omega, Omega, acceleration a of (1)
-  const Scalar omega_right_thigh_z = t_right_hip_fork_1 + qd[8];
+  const Scalar t_right_hip_fork_4 = s_right_hip_roll * qd[6];
+  const Scalar t_right_hip_fork_5 = qd[7] * t_right_hip_fork_4;
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_1 + t_right_hip_fork_2;
+  const Scalar Omega_right_thigh_xz = omega_right_hip_fork_x * t_right_hip_fork_4;
+  const Scalar neg_a_right_hip_fork_x = left_hip_fork_p1 * c_right_hip_roll;
+  const Scalar a_right_hip_fork_y = left_hip_fork_p1 * s_right_hip_roll;
+  // right_thigh: angular velocity omega, Omega, moment M of (1)
+  const Scalar omega_right_thigh_z = t_right_hip_fork_4 + qd[8];
   const Scalar t_right_thigh_1 = omega_right_thigh_z * omega_right_thigh_z;
-  const Scalar t_right_thigh_2 = t_right_hip_fork_3 - t_right_thigh_1;
-  const Scalar neg_Omega_right_thigh_xx = t_right_hip_fork_4 + t_right_thigh_1;
-  const Scalar t_right_thigh_3 = 2.0 * omega_right_hip_fork_x;
+  const Scalar t_right_thigh_2 = 2.0 * omega_right_thigh_z;
   const Scalar neg_Omega_right_thigh_zx =
-      Omega_right_thigh_xz - omega_right_thigh_z * t_right_thigh_3;
-  const Scalar t_right_hip_fork_6 = qd[7] * t_right_hip_fork_1;
-  const Scalar Omega_right_thigh_yz = 2.0 * t_right_hip_fork_6;
-  const Scalar t_right_thigh_4 = 2.0 * qd[7];
-  const Scalar Omega_right_thigh_zy = qd[8] * t_right_thigh_4;
-  const Scalar neg_a_right_thigh_y_1 = t_right_hip_fork_2 + t_right_hip_fork_3;
-  const Scalar neg_a_right_thigh_y = left_hip_fork_l1 * neg_a_right_thigh_y_1;
-  const Scalar t_right_thigh_5 = left_thigh_I3 * s_right_hip_pitch;
-  const Scalar t_right_thigh_6 = t_right_thigh_5 + left_thigh_I4 * c_right_hip_pitch;
-  const Scalar t_right_thigh_7 = s_right_hip_pitch * t_right_thigh_6;
-  const Scalar t_right_thigh_8 = c_right_hip_pitch * t_right_thigh_6;
-  const Scalar t_right_thigh_9 = left_thigh_I12 - t_right_thigh_8;
-  const Scalar t_right_thigh_10 = left_thigh_I5 * c_right_hip_pitch;
-  const Scalar t_right_thigh_11 = t_right_thigh_10 - left_thigh_I6 * s_right_hip_pitch;
+      Omega_right_thigh_xz - omega_right_hip_fork_x * t_right_thigh_2;
+  const Scalar Omega_right_thigh_yz = 2.0 * t_right_hip_fork_5;
+  const Scalar neg_Omega_right_thigh_zy = Omega_right_thigh_yz - qd[7] * t_right_thigh_2;
+  const Scalar t_right_thigh_3 = left_thigh_I3 * c_right_hip_pitch;
+  const Scalar t_right_thigh_4 = t_right_thigh_3 + left_thigh_I4 * s_right_hip_pitch;
+  const Scalar t_right_thigh_5 = s_right_hip_pitch * t_right_thigh_4;
+  const Scalar t_right_thigh_6 = left_thigh_I12 - c_right_hip_pitch * t_right_thigh_4;
+  const Scalar t_right_thigh_7 = left_thigh_I5 * c_right_hip_pitch;
+  const Scalar t_right_thigh_8 = t_right_thigh_7 - left_thigh_I6 * s_right_hip_pitch;
+  const Scalar t_right_thigh_9 = left_thigh_I18 - t_right_thigh_5;
+  const Scalar t_right_thigh_10 = left_thigh_I1 * c_right_hip_pitch;
+  const Scalar t_right_thigh_11 = t_right_thigh_10 - left_thigh_I2 * s_right_hip_pitch;
   const Scalar Omega_right_hip_fork_zx = 2.0 * alpha_right_thigh_z;
-  const Scalar t_right_thigh_12 = left_thigh_I5 * s_right_hip_pitch;
-  const Scalar t_right_thigh_13 = t_right_thigh_12 + left_thigh_I6 * c_right_hip_pitch;
-  const Scalar t_right_thigh_14 = left_thigh_h1 * c_right_hip_pitch;
-  const Scalar t_right_thigh_15 = t_right_thigh_14 + left_thigh_h3 * s_right_hip_pitch;
-  const Scalar t_right_thigh_16 = left_thigh_I17 - t_right_thigh_7;
-  const Scalar t_right_thigh_17 = left_thigh_h1 * s_right_hip_pitch;
-  const Scalar t_right_thigh_18 = t_right_thigh_17 - left_thigh_h3 * c_right_hip_pitch;
+  const Scalar t_right_shank_1 = t_right_hip_block_1 - s_right_shank_x * Omega_right_hip_fork_zx;
+  const Scalar neg_Omega_right_thigh_yy = t_right_hip_fork_1 + t_right_thigh_1;
+  const Scalar t_right_shank_2 = t_right_shank_1 + s_right_shank_y * neg_Omega_right_thigh_yy;
+  const Scalar t_right_thigh_12 = t_right_hip_fork_1 - t_right_thigh_1;
+  const Scalar neg_Omega_right_thigh_xx = t_right_hip_fork_6 - t_right_thigh_12;
   // right_shank: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar a_right_shank_z_1 = a_right_thigh_z - neg_s_right_shank_y * Omega_right_thigh_zy;
-  const Scalar a_right_shank_z = a_right_shank_z_1 + neg_s_right_shank_x * neg_Omega_right_thigh_zx;
+  const Scalar t_right_shank_3 =
+      neg_a_right_hip_fork_x + s_right_shank_x * neg_Omega_right_thigh_xx;
+  const Scalar neg_a_right_shank_z_1 =
+      a_right_hip_fork_y + s_right_shank_x * neg_Omega_right_thigh_zx;
+  const Scalar neg_a_right_shank_z =
+      neg_a_right_shank_z_1 + s_right_shank_y * neg_Omega_right_thigh_zy;
+  const Scalar omega_right_shank_y = s_q8_q9_q10 * omega_right_hip_fork_x - c_q8_q9_q10 * qd[7];
   const Scalar omega_right_shank_z = omega_right_thigh_z + qd[9];
-  const Scalar neg_Omega_right_shank_zx = neg_Omega_right_thigh_zx - t_right_thigh_3 * qd[9];
-  const Scalar neg_Omega_right_shank_zy =
-      Omega_right_thigh_yz - t_right_thigh_4 * omega_right_shank_z;
-  const Scalar t_right_shank_2 = omega_right_shank_z * omega_right_shank_z;
-  const Scalar neg_Omega_right_shank_xx = t_right_hip_fork_4 + t_right_shank_2;
-  const Scalar neg_Omega_right_shank_yy = t_right_hip_fork_3 + t_right_shank_2;
-  const Scalar t_right_shank_3 = left_shank_I3 * c_q8_q9 + left_shank_I4 * s_q8_q9;
-  const Scalar t_right_shank_4 = s_q8_q9 * t_right_shank_3;
-  const Scalar t_right_shank_5 = c_q8_q9 * t_right_shank_3;
-  const Scalar t_right_shank_6 = left_shank_I9 - t_right_shank_5;
-  const Scalar t_right_shank_7 = left_shank_I5 * c_q8_q9 - left_shank_I6 * s_q8_q9;
-  const Scalar t_right_shank_8 = left_shank_I6 * c_q8_q9 + left_shank_I5 * s_q8_q9;
-  const Scalar t_right_shank_9 = left_shank_h2 * c_q8_q9 + left_shank_h3 * s_q8_q9;
-  const Scalar t_right_shank_10 = left_shank_h2 * s_q8_q9 - left_shank_h3 * c_q8_q9;
-  const Scalar t_right_shank_11 = left_shank_I17 - t_right_shank_4;
-  const Scalar a_right_shank_x =
-      a_right_hip_fork_x + neg_s_right_shank_x * neg_Omega_right_thigh_xx;
-  const Scalar t_righ_ankl_cros_1 =
-      a_right_shank_x + neg_s_righ_ankl_cros_x * neg_Omega_right_shank_xx;
-  const Scalar neg_Omega_right_thigh_yy = t_right_hip_fork_3 + t_right_thigh_1;
-  const Scalar neg_a_right_shank_y_1 =
-      neg_a_right_thigh_y + neg_s_right_shank_x * Omega_right_hip_fork_zx;
-  const Scalar neg_a_right_shank_y =
-      neg_a_right_shank_y_1 - neg_s_right_shank_y * neg_Omega_right_thigh_yy;
-  // right_ankle_cross: acceleration a, angular velocity omega, Omega of (1)
-  const Scalar t_righ_ankl_cros_2 =
-      neg_a_right_shank_y + neg_s_righ_ankl_cros_x * Omega_right_hip_fork_zx;
-  const Scalar t_righ_ankl_cros_3 =
-      t_righ_ankl_cros_2 - neg_s_righ_ankl_cros_y * neg_Omega_right_shank_yy;
-  const Scalar t_righ_ankl_cros_4 = c_q8_q9_q10 * t_righ_ankl_cros_1;
-  const Scalar neg_a_righ_ankl_cros_x = t_righ_ankl_cros_4 - s_q8_q9_q10 * t_righ_ankl_cros_3;
-  const Scalar a_righ_ankl_cros_z_1 =
-      a_right_shank_z + neg_s_righ_ankl_cros_x * neg_Omega_right_shank_zx;
-  const Scalar a_righ_ankl_cros_z =
-      a_righ_ankl_cros_z_1 + neg_s_righ_ankl_cros_y * neg_Omega_right_shank_zy;
-  const Scalar t_righ_ankl_cros_5 = s_q8_q9_q10 * qd[7] + c_q8_q9_q10 * omega_right_hip_fork_x;
+  const Scalar t_right_shank_4 = c_q8_q9_q10 * Omega_right_thigh_yz;
+  const Scalar neg_Omega_right_shank_yz = t_right_shank_4 - s_q8_q9_q10 * Omega_right_thigh_xz;
+  const Scalar t_right_shank_5 = 2.0 * omega_right_shank_z;
+  const Scalar Omega_right_shank_zy =
+      neg_Omega_right_shank_yz + omega_right_shank_y * t_right_shank_5;
+  const Scalar t_right_shank_6 = c_q8_q9_q10 * omega_right_hip_fork_x;
+  const Scalar neg_omega_right_shank_x = t_right_shank_6 + s_q8_q9_q10 * qd[7];
+  const Scalar t_right_shank_7 = neg_omega_right_shank_x * neg_omega_right_shank_x;
+  const Scalar t_right_shank_8 = omega_right_shank_z * omega_right_shank_z;
+  const Scalar t_right_shank_9 = t_right_hip_fork_4 * t_right_shank_6;
+  const Scalar neg_Omega_right_foot_xy = s_q8_q9_q10 * Omega_right_thigh_yz + t_right_shank_9;
+  const Scalar Omega_right_shank_zx =
+      neg_Omega_right_foot_xy - t_right_shank_5 * neg_omega_right_shank_x;
+  const Scalar t_right_shank_10 = omega_right_shank_y * neg_omega_right_shank_x;
+  const Scalar Omega_right_shank_yx = alpha_right_thigh_z - t_right_shank_10;
+  const Scalar neg_Omega_right_shank_yy = t_right_shank_7 + t_right_shank_8;
+  const Scalar Omega_right_foot_xz = alpha_right_thigh_z + t_right_shank_10;
+  const Scalar t_right_shank_11 = left_shank_I4 * c_right_ankle_pitch;
+  const Scalar t_right_shank_12 = t_right_shank_11 + left_shank_I3 * s_right_ankle_pitch;
+  const Scalar t_right_shank_13 = left_shank_I9 - c_right_ankle_pitch * t_right_shank_12;
+  const Scalar t_right_shank_14 = s_right_ankle_pitch * t_right_shank_12;
+  const Scalar t_right_shank_15 = left_shank_I6 * s_right_ankle_pitch;
+  const Scalar t_right_shank_16 = t_right_shank_15 + left_shank_I5 * c_right_ankle_pitch;
+  const Scalar t_right_shank_17 = left_shank_I5 * s_right_ankle_pitch;
+  const Scalar t_right_shank_18 = t_right_shank_17 - left_shank_I6 * c_right_ankle_pitch;
+  const Scalar t_right_shank_19 = left_shank_I1 * s_right_ankle_pitch;
+  const Scalar t_right_shank_20 = t_right_shank_19 - left_shank_I2 * c_right_ankle_pitch;
+  const Scalar t_right_shank_21 = left_shank_I18 - t_right_shank_14;
+  const Scalar t_right_shank_22 = t_right_shank_7 - t_right_shank_8;
+  const Scalar neg_Omega_right_shank_xx = t_right_hip_fork_6 - t_right_shank_22;
+  const Scalar t_right_shank_23 = t_right_hip_fork_6 - neg_Omega_right_shank_yy;
+  const Scalar t_righ_ankl_cros_1 = t_right_shank_22 - t_right_shank_23;
+  const Scalar t_right_shank_24 = left_shank_I1 * c_right_ankle_pitch;
+  const Scalar t_right_shank_25 = t_right_shank_24 + left_shank_I2 * s_right_ankle_pitch;
+  const Scalar t_righ_ankl_cros_2 = neg_a_right_shank_z - s_righ_ankl_cros_y * Omega_right_shank_zy;
+  const Scalar neg_a_righ_ankl_cros_z =
+      t_righ_ankl_cros_2 + neg_s_righ_ankl_cros_x * Omega_right_shank_zx;
+  const Scalar a_right_shank_x_1 = c_q8_q9_q10 * t_right_shank_3;
+  const Scalar a_right_shank_x = a_right_shank_x_1 + s_q8_q9_q10 * t_right_shank_2;
+  // right_ankle_cross: angular velocity omega, Omega of (1)
   const Scalar omega_righ_ankl_cros_z = omega_right_shank_z + qd[10];
-  const Scalar t_righ_ankl_cros_6 = s_q8_q9_q10 * Omega_right_thigh_yz;
-  const Scalar neg_Omega_right_foot_xy = t_righ_ankl_cros_6 + c_q8_q9_q10 * Omega_right_thigh_xz;
-  const Scalar t_righ_ankl_cros_7 = 2.0 * omega_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_3 = 2.0 * omega_righ_ankl_cros_z;
   const Scalar Omega_righ_ankl_cros_zx =
-      neg_Omega_right_foot_xy - t_righ_ankl_cros_5 * t_righ_ankl_cros_7;
-  const Scalar t_righ_ankl_cros_8 = t_righ_ankl_cros_5 * t_righ_ankl_cros_5;
-  const Scalar t_righ_ankl_cros_9 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
-  const Scalar t_righ_ankl_cros_10 = t_righ_ankl_cros_8 - t_righ_ankl_cros_9;
-  const Scalar t_righ_ankl_cros_11 = t_right_hip_fork_5 - t_righ_ankl_cros_10;
-  const Scalar t_righ_ankl_cros_12 = c_q8_q9_q10 * Omega_right_thigh_yz;
-  const Scalar t_righ_ankl_cros_13 = t_righ_ankl_cros_12 - s_q8_q9_q10 * Omega_right_thigh_xz;
-  const Scalar omega_righ_ankl_cros_y = s_q8_q9_q10 * omega_right_hip_fork_x - c_q8_q9_q10 * qd[7];
+      neg_Omega_right_foot_xy - neg_omega_right_shank_x * t_righ_ankl_cros_3;
+  const Scalar t_righ_ankl_cros_4 = omega_righ_ankl_cros_z * omega_righ_ankl_cros_z;
+  const Scalar t_righ_ankl_cros_5 = t_right_shank_7 - t_righ_ankl_cros_4;
   const Scalar Omega_righ_ankl_cros_zy =
-      t_righ_ankl_cros_13 + t_righ_ankl_cros_7 * omega_righ_ankl_cros_y;
-  const Scalar t_righ_ankl_cros_14 = t_righ_ankl_cros_5 * omega_righ_ankl_cros_y;
-  const Scalar Omega_righ_ankl_cros_yx = alpha_right_thigh_z - t_righ_ankl_cros_14;
-  const Scalar Omega_right_foot_xz = alpha_right_thigh_z + t_righ_ankl_cros_14;
-  const Scalar t_righ_ankl_cros_15 = t_righ_ankl_cros_8 + t_righ_ankl_cros_9;
-  // right_foot: angular velocity omega, Omega, pseudo-inertia E of (1)
-  const Scalar neg_omega_right_foot_z = omega_righ_ankl_cros_y - qd[11];
+      neg_Omega_right_shank_yz + omega_right_shank_y * t_righ_ankl_cros_3;
+  // right_foot: angular velocity omega, Omega, first moment h of (1)
+  const Scalar neg_omega_right_foot_z = omega_right_shank_y - qd[11];
   const Scalar Omega_right_foot_zy =
-      Omega_righ_ankl_cros_zy - t_righ_ankl_cros_7 * neg_omega_right_foot_z;
+      Omega_righ_ankl_cros_zy - t_righ_ankl_cros_3 * neg_omega_right_foot_z;
   const Scalar t_right_foot_1 = neg_omega_right_foot_z * neg_omega_right_foot_z;
-  const Scalar t_right_foot_2 = t_righ_ankl_cros_8 - t_right_foot_1;
-  const Scalar t_right_foot_3 = t_righ_ankl_cros_5 * neg_omega_right_foot_z;
-  const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - 2.0 * t_right_foot_3;
-  const Scalar t_right_foot_4 = left_foot_I16 * c_right_foot + left_foot_I15 * s_right_foot;
-  const Scalar t_right_foot_5 = c_right_foot * t_right_foot_4;
-  const Scalar E_right_foot_xy = left_foot_I20 - t_right_foot_5;
-  const Scalar neg_E_right_foot_yz = left_foot_I18 * s_right_foot;
-  const Scalar t_right_foot_6 = s_right_foot * t_right_foot_4;
-  const Scalar E_right_foot_xx = left_foot_I17 - t_right_foot_6;
-  const Scalar E_right_foot_xz = left_foot_I18 * c_right_foot;
-  const Scalar h_right_foot_x = left_foot_h2 * s_right_foot + left_foot_h3 * c_right_foot;
-  const Scalar E_right_foot_yy = left_foot_I19 + t_right_foot_6;
-  const Scalar h_right_foot_y = left_foot_h2 * c_right_foot - left_foot_h3 * s_right_foot;
-  const Scalar F_right_foot_z_1 = neg_Omega_right_foot_zx * h_right_foot_x;
-  const Scalar F_right_foot_z = Omega_right_foot_zy * h_right_foot_y - F_right_foot_z_1;
-  const Scalar a_righ_ankl_cros_y_1 = c_q8_q9_q10 * t_righ_ankl_cros_3;
-  const Scalar a_righ_ankl_cros_y = a_righ_ankl_cros_y_1 + s_q8_q9_q10 * t_righ_ankl_cros_1;
-  const Scalar neg_a_right_foot_z_1 =
-      a_righ_ankl_cros_y + left_hip_fork_l1 * Omega_righ_ankl_cros_yx;
-  const Scalar neg_a_right_foot_z = neg_a_right_foot_z_1 + left_hip_fork_l2 * t_righ_ankl_cros_13;
-  const Scalar neg_E_righ_ankl_cros_xy = left_ankle_cross_I8 + E_right_foot_xz;
-  const Scalar t_right_foot_7 = Omega_right_foot_zy * E_right_foot_yy;
-  // right_ankle_cross: pseudo-inertia E of (1)
-  const Scalar t_righ_ankl_cros_16 = t_right_hip_fork_5 - t_righ_ankl_cros_15;
-  const Scalar t_righ_ankl_cros_17 = left_hip_fork_l2 * F_right_foot_z - t_right_foot_7;
-  const Scalar t_righ_ankl_cros_18 =
-      t_righ_ankl_cros_17 + left_ankle_cross_I2 * t_righ_ankl_cros_16;
-  const Scalar t_right_foot_8 = t_righ_ankl_cros_9 - t_right_foot_1;
-  const Scalar t_righ_ankl_cros_19 =
-      t_righ_ankl_cros_18 + neg_Omega_right_foot_zx * E_right_foot_xy;
-  const Scalar t_righ_ankl_cros_20 = t_righ_ankl_cros_19 - neg_E_right_foot_yz * t_right_foot_8;
-  const Scalar t_righ_ankl_cros_21 =
-      t_righ_ankl_cros_20 - left_ankle_cross_I17 * Omega_righ_ankl_cros_yx;
-  const Scalar t_righ_ankl_cros_22 =
-      t_righ_ankl_cros_21 - left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
-  const Scalar t_righ_ankl_cros_23 = t_righ_ankl_cros_22 + h_right_foot_y * neg_a_right_foot_z;
-  const Scalar t_righ_ankl_cros_24 =
-      t_righ_ankl_cros_23 + Omega_righ_ankl_cros_zx * neg_E_righ_ankl_cros_xy;
-  const Scalar neg_M_righ_ankl_cros_x =
-      t_righ_ankl_cros_24 + left_ankle_cross_h1 * a_righ_ankl_cros_z;
-  const Scalar t_right_foot_9 = left_hip_fork_l1 * h_right_foot_x;
-  const Scalar E_righ_ankl_cros_yz = left_ankle_cross_I2 + neg_E_right_foot_yz;
-  const Scalar t_righ_ankl_cros_25 = F_right_foot_z - left_ankle_cross_h2 * Omega_righ_ankl_cros_yx;
-  // right_foot: force F, Omega, moment M of (1)
-  const Scalar neg_F_righ_ankl_cros_y =
-      t_righ_ankl_cros_25 - left_ankle_cross_h1 * t_righ_ankl_cros_15;
-  const Scalar neg_Omega_right_foot_xx = t_righ_ankl_cros_15 - t_right_foot_2;
-  const Scalar neg_F_right_foot_x_1 = h_right_foot_x * neg_Omega_right_foot_xx;
-  const Scalar neg_F_right_foot_x = neg_F_right_foot_x_1 + neg_Omega_right_foot_xy * h_right_foot_y;
-  const Scalar t_righ_ankl_cros_26 = neg_F_right_foot_x - left_ankle_cross_h1 * Omega_right_foot_xz;
-  const Scalar neg_F_righ_ankl_cros_x =
-      t_righ_ankl_cros_26 + left_ankle_cross_h2 * t_righ_ankl_cros_11;
-  const Scalar t_righ_ankl_cros_27 = s_q8_q9_q10 * neg_F_righ_ankl_cros_y;
-  const Scalar t_righ_ankl_cros_28 = t_righ_ankl_cros_27 - c_q8_q9_q10 * neg_F_righ_ankl_cros_x;
-  const Scalar neg_Omega_right_foot_yy = t_righ_ankl_cros_8 + t_right_foot_1;
-  const Scalar neg_F_right_foot_y_1 = h_right_foot_y * neg_Omega_right_foot_yy;
-  const Scalar neg_F_right_foot_y = neg_F_right_foot_y_1 - Omega_righ_ankl_cros_zx * h_right_foot_x;
-  const Scalar t_righ_ankl_cros_29 =
-      neg_F_right_foot_y - left_ankle_cross_h2 * Omega_righ_ankl_cros_zx;
-  const Scalar neg_F_righ_ankl_cros_z =
-      t_righ_ankl_cros_29 + left_ankle_cross_h1 * Omega_righ_ankl_cros_zy;
-  const Scalar neg_F_right_shank_z_1 =
-      neg_F_righ_ankl_cros_z + neg_Omega_right_shank_zx * t_right_shank_10;
-  const Scalar neg_F_right_shank_z =
-      neg_F_right_shank_z_1 - neg_Omega_right_shank_zy * t_right_shank_9;
-  const Scalar t_right_thigh_19 = t_right_thigh_11 + t_right_shank_7;
-  const Scalar t_right_hip_fork_7 = t_right_hip_fork_2 - t_right_hip_fork_4;
-  const Scalar neg_F_right_thigh_z_1 =
-      neg_F_right_shank_z + Omega_right_thigh_zy * t_right_thigh_15;
-  const Scalar neg_F_right_thigh_z =
-      neg_F_right_thigh_z_1 + neg_Omega_right_thigh_zx * t_right_thigh_18;
-  const Scalar t_right_foot_10 = E_right_foot_xx + t_right_foot_9;
-  const Scalar neg_a_right_foot_x_1 =
-      neg_a_righ_ankl_cros_x - left_hip_fork_l2 * neg_Omega_right_foot_xy;
-  const Scalar M_right_foot_z_1 = neg_Omega_right_foot_xy * E_right_foot_yy;
-  const Scalar M_right_foot_z_2 = M_right_foot_z_1 + Omega_right_foot_xz * neg_E_right_foot_yz;
-  const Scalar M_right_foot_z_3 = a_righ_ankl_cros_z + left_hip_fork_l2 * t_right_hip_fork_5;
-  const Scalar M_right_foot_z_4 = M_right_foot_z_2 - t_righ_ankl_cros_10 * E_right_foot_xy;
-  const Scalar M_right_foot_z_5 = M_right_foot_z_4 + h_right_foot_x * M_right_foot_z_3;
-  const Scalar M_right_foot_z_6 = M_right_foot_z_5 - Omega_righ_ankl_cros_zy * E_right_foot_xz;
-  const Scalar neg_a_right_foot_x = neg_a_right_foot_x_1 + left_hip_fork_l1 * t_righ_ankl_cros_11;
-  const Scalar M_right_foot_z_7 = M_right_foot_z_6 + Omega_righ_ankl_cros_zx * t_right_foot_10;
-  const Scalar M_right_foot_z = M_right_foot_z_7 + h_right_foot_y * neg_a_right_foot_x;
-  const Scalar t_right_foot_11 = M_right_foot_z + left_ankle_cross_I2 * Omega_right_foot_xz;
-  const Scalar t_right_foot_12 = t_right_foot_11 + left_ankle_cross_h2 * a_righ_ankl_cros_z;
-  const Scalar t_right_foot_13 = t_right_foot_12 + left_ankle_cross_I17 * t_righ_ankl_cros_10;
-  const Scalar t_right_foot_14 = t_right_foot_13 - left_hip_fork_l2 * neg_F_right_foot_x;
-  const Scalar t_right_foot_15 = t_right_foot_14 - left_hip_fork_l1 * neg_F_right_foot_y;
-  const Scalar t_right_foot_16 = t_right_foot_15 + left_ankle_cross_I18 * Omega_righ_ankl_cros_zx;
-  const Scalar neg_M_righ_ankl_cros_y =
-      t_right_foot_16 - left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
-  const Scalar t_right_thigh_20 = t_right_hip_fork_5 - neg_Omega_right_thigh_yy;
-  const Scalar t_right_shank_12 = t_right_hip_fork_5 - neg_Omega_right_shank_yy;
-  const Scalar t_right_thigh_21 = left_thigh_I11 + t_right_thigh_7;
-  const Scalar t_right_hip_fork_8 = left_hip_fork_I8 * Omega_right_thigh_xz;
-  // right_thigh: moment M of (1)
-  const Scalar t_right_thigh_22 = t_right_hip_fork_8 - c_q8_q9_q10 * neg_M_righ_ankl_cros_x;
-  const Scalar t_right_thigh_23 = t_right_thigh_22 + left_hip_fork_I13 * t_right_hip_fork_6;
-  const Scalar t_right_thigh_24 = t_right_thigh_23 + left_hip_fork_I1 * t_right_hip_fork_7;
-  const Scalar t_right_shank_13 = left_shank_I10 + t_right_shank_4;
-  const Scalar t_right_thigh_25 = t_right_thigh_24 - neg_Omega_right_shank_zx * t_right_shank_6;
-  const Scalar t_right_thigh_26 = t_right_thigh_25 + neg_Omega_right_shank_zy * t_right_shank_13;
-  const Scalar t_right_thigh_27 = t_right_thigh_26 + left_hip_fork_I3 * alpha_right_thigh_z;
-  const Scalar t_right_thigh_28 = t_right_thigh_27 + Omega_right_hip_fork_zx * t_right_thigh_19;
-  const Scalar t_right_thigh_29 = t_right_thigh_28 + left_hip_fork_l1 * neg_F_right_thigh_z;
-  const Scalar t_right_thigh_30 = t_right_thigh_29 + a_right_thigh_z * t_right_thigh_15;
-  const Scalar t_right_thigh_31 = t_right_thigh_30 - neg_s_right_shank_y * neg_F_right_shank_z;
-  const Scalar t_right_thigh_32 =
-      t_right_thigh_31 - neg_s_righ_ankl_cros_y * neg_F_righ_ankl_cros_z;
-  const Scalar t_right_thigh_33 = t_right_thigh_32 + s_q8_q9_q10 * neg_M_righ_ankl_cros_y;
-  const Scalar t_right_thigh_34 = t_right_thigh_33 + t_right_thigh_13 * t_right_thigh_20;
-  const Scalar t_right_thigh_35 = t_right_thigh_34 + t_right_shank_8 * t_right_shank_12;
-  const Scalar t_right_thigh_36 = t_right_thigh_35 - neg_Omega_right_thigh_zx * t_right_thigh_9;
-  const Scalar t_right_thigh_37 = t_right_thigh_36 - Omega_right_thigh_zy * t_right_thigh_21;
-  const Scalar neg_M_right_hip_fork_x = t_right_thigh_37 + a_right_shank_z * t_right_shank_9;
-  const Scalar t_left_ankle_cross_22 = s_q2_q3_q4 * t_left_ankle_cross_3;
-  const Scalar a_left_ankle_cross_y = t_left_ankle_cross_22 + c_q2_q3_q4 * t_left_ankle_cross_2;
-  const Scalar E_left_foot_yy = left_foot_I19 + t_left_foot_4;
-  const Scalar t_left_ankle_cross_23 = left_ankle_cross_I8 + E_left_foot_xz;
-  const Scalar neg_a_left_foot_z_1 = a_left_ankle_cross_y - left_hip_fork_l2 * t_left_ankle_cross_7;
-  const Scalar neg_a_left_foot_z = neg_a_left_foot_z_1 + left_hip_fork_l1 * t_left_ankle_cross_20;
-  // left_ankle_cross: moment M, pseudo-inertia E, acceleration a of (1)
-  const Scalar t_left_ankle_cross_24 = t_left_hip_fork_5 - t_left_ankle_cross_21;
-  const Scalar t_left_ankle_cross_25 = left_ankle_cross_I17 * t_left_ankle_cross_20;
-  const Scalar t_left_ankle_cross_26 =
-      left_ankle_cross_I2 * t_left_ankle_cross_24 - t_left_ankle_cross_25;
-  const Scalar t_left_ankle_cross_27 =
-      t_left_ankle_cross_26 + neg_h_left_foot_y * neg_a_left_foot_z;
-  const Scalar t_left_foot_7 = t_left_ankle_cross_16 - t_left_foot_1;
-  const Scalar t_left_ankle_cross_28 = t_left_ankle_cross_27 - E_left_foot_yz * t_left_foot_7;
-  const Scalar t_left_ankle_cross_29 =
-      t_left_ankle_cross_28 + left_ankle_cross_I9 * t_left_ankle_cross_9;
-  const Scalar t_left_ankle_cross_30 =
-      t_left_ankle_cross_29 + neg_Omega_left_foot_zx * neg_E_left_foot_xy;
-  const Scalar t_left_ankle_cross_31 = t_left_ankle_cross_30 + Omega_left_foot_zy * E_left_foot_yy;
-  const Scalar t_left_ankle_cross_32 =
-      t_left_ankle_cross_31 - left_ankle_cross_h1 * a_left_ankle_cross_z;
-  const Scalar t_left_ankle_cross_33 =
-      t_left_ankle_cross_32 - t_left_ankle_cross_14 * t_left_ankle_cross_23;
-  const Scalar M_left_ankle_cross_x = t_left_ankle_cross_33 - left_hip_fork_l2 * neg_F_left_foot_z;
-  const Scalar t_left_ankle_cross_34 = left_ankle_cross_I2 + E_left_foot_yz;
-  const Scalar t_left_ankle_cross_35 = c_q2_q3_q4 * t_left_ankle_cross_3;
-  const Scalar neg_a_left_ankle_cross_x = t_left_ankle_cross_35 - s_q2_q3_q4 * t_left_ankle_cross_2;
-  // left_foot: Omega, force F, moment M of (1)
-  const Scalar t_left_foot_8 = t_left_ankle_cross_15 - t_left_foot_1;
-  const Scalar neg_Omega_left_foot_yy = t_left_ankle_cross_15 + t_left_foot_1;
-  const Scalar F_left_foot_y_1 = neg_h_left_foot_y * neg_Omega_left_foot_yy;
-  const Scalar F_left_foot_y = t_left_ankle_cross_14 * h_left_foot_x + F_left_foot_y_1;
-  const Scalar t_left_foot_9 = left_hip_fork_l2 * h_left_foot_x;
-  const Scalar M_left_foot_z_1 = t_left_ankle_cross_13 * (t_left_foot_6 - E_left_foot_yy);
-  const Scalar M_left_foot_z_2 =
-      neg_a_left_ankle_cross_x + left_hip_fork_l1 * t_left_ankle_cross_18;
-  const Scalar M_left_foot_z_3 = t_left_ankle_cross_17 * neg_E_left_foot_xy - M_left_foot_z_1;
-  const Scalar M_left_foot_z_4 = M_left_foot_z_3 - neg_h_left_foot_y * M_left_foot_z_2;
-  const Scalar M_left_foot_z_5 = M_left_foot_z_4 + t_left_ankle_cross_14 * E_left_foot_xx;
-  const Scalar M_left_foot_z_6 = M_left_foot_z_5 - t_left_ankle_cross_9 * E_left_foot_xz;
-  const Scalar M_left_foot_z_7 = M_left_foot_z_6 - Omega_left_foot_xz * E_left_foot_yz;
-  const Scalar M_left_foot_z_8 = a_left_ankle_cross_z + left_hip_fork_l1 * t_left_ankle_cross_14;
-  const Scalar M_left_foot_z_9 = M_left_foot_z_7 - t_left_hip_fork_5 * t_left_foot_9;
-  const Scalar M_left_foot_z = M_left_foot_z_9 + h_left_foot_x * M_left_foot_z_8;
-  const Scalar F_left_foot_x_1 = h_left_foot_x * (t_left_ankle_cross_21 - t_left_foot_8);
-  const Scalar F_left_foot_x = t_left_ankle_cross_13 * neg_h_left_foot_y - F_left_foot_x_1;
-  const Scalar t_left_foot_10 = M_left_foot_z - left_ankle_cross_I2 * Omega_left_foot_xz;
-  const Scalar t_left_foot_11 = t_left_foot_10 + left_hip_fork_l1 * F_left_foot_y;
-  const Scalar t_left_foot_12 = t_left_foot_11 - left_ankle_cross_I8 * t_left_ankle_cross_9;
-  const Scalar t_left_foot_13 = t_left_foot_12 + left_ankle_cross_h2 * a_left_ankle_cross_z;
-  const Scalar t_left_foot_14 = t_left_foot_13 + left_ankle_cross_I18 * t_left_ankle_cross_14;
-  const Scalar t_left_foot_15 = t_left_foot_14 - left_ankle_cross_I17 * t_left_ankle_cross_17;
-  const Scalar neg_M_left_ankle_cross_y = t_left_foot_15 - left_hip_fork_l2 * F_left_foot_x;
-  const Scalar t_left_foot_16 = neg_F_left_foot_z + left_ankle_cross_h1 * t_left_ankle_cross_21;
-  const Scalar F_left_ankle_cross_y = t_left_foot_16 + left_ankle_cross_h2 * t_left_ankle_cross_20;
-  const Scalar t_left_foot_17 = F_left_foot_x - left_ankle_cross_h2 * t_left_ankle_cross_18;
-  // left_ankle_cross: force F of (1)
-  const Scalar F_left_ankle_cross_x = t_left_foot_17 + left_ankle_cross_h1 * Omega_left_foot_xz;
-  const Scalar t_left_ankle_cross_36 = F_left_foot_y - left_ankle_cross_h1 * t_left_ankle_cross_9;
+  const Scalar t_right_foot_2 = neg_omega_right_shank_x * neg_omega_right_foot_z;
+  const Scalar neg_Omega_right_foot_zx = Omega_right_foot_xz - 2.0 * t_right_foot_2;
+  const Scalar h_right_foot_x = left_foot_I1 * c_right_foot;
+  const Scalar t_right_foot_3 = Omega_righ_ankl_cros_zx * h_right_foot_x;
+  const Scalar neg_h_right_foot_y = left_foot_I1 * s_right_foot;
+  const Scalar neg_E_right_foot_xz = left_foot_I2 * s_right_foot - left_foot_I3 * c_right_foot;
+  const Scalar t_right_foot_4 = left_foot_I4 * s_right_foot - left_foot_I5 * c_right_foot;
+  const Scalar t_right_foot_5 = s_right_foot * t_right_foot_4;
+  const Scalar E_right_foot_xx = left_foot_I14 - t_right_foot_5;
+  const Scalar neg_E_right_foot_yz = left_foot_I3 * s_right_foot + left_foot_I2 * c_right_foot;
+  const Scalar t_right_foot_6 = c_right_foot * t_right_foot_4;
+  const Scalar neg_E_right_foot_xy = left_foot_I13 + t_right_foot_6;
+  const Scalar neg_F_right_foot_z_1 = Omega_right_foot_zy * neg_h_right_foot_y;
+  const Scalar neg_F_right_foot_z = neg_F_right_foot_z_1 + neg_Omega_right_foot_zx * h_right_foot_x;
+  const Scalar neg_E_righ_ankl_cros_yz = left_ankle_cross_I2 - neg_E_right_foot_yz;
+  const Scalar t_righ_ankl_cros_6 = t_right_shank_7 + t_righ_ankl_cros_4;
+  const Scalar t_right_foot_7 = t_right_shank_7 - t_right_foot_1;
+  const Scalar F_right_foot_x_1 = h_right_foot_x * (t_righ_ankl_cros_6 - t_right_foot_7);
+  const Scalar F_right_foot_x = neg_Omega_right_foot_xy * neg_h_right_foot_y - F_right_foot_x_1;
+  const Scalar neg_Omega_right_foot_yy = t_right_shank_7 + t_right_foot_1;
+  const Scalar F_right_foot_y = t_right_foot_3 + neg_h_right_foot_y * neg_Omega_right_foot_yy;
+  const Scalar F_righ_ankl_cros_z_1 =
+      F_right_foot_y + left_ankle_cross_I1 * Omega_righ_ankl_cros_zx;
+  const Scalar F_righ_ankl_cros_z =
+      F_righ_ankl_cros_z_1 - left_ankle_cross_I3 * Omega_righ_ankl_cros_zy;
+  const Scalar a_right_shank_y_1 = c_q8_q9_q10 * t_right_shank_2;
+  const Scalar a_right_shank_y = a_right_shank_y_1 - s_q8_q9_q10 * t_right_shank_3;
+  const Scalar a_righ_ankl_cros_y_1 =
+      a_right_shank_y - neg_s_righ_ankl_cros_x * Omega_right_shank_yx;
+  const Scalar a_righ_ankl_cros_y =
+      a_righ_ankl_cros_y_1 - s_righ_ankl_cros_y * neg_Omega_right_shank_yy;
+  const Scalar neg_a_right_foot_z_1 = Omega_right_shank_yx + a_righ_ankl_cros_y;
+  const Scalar neg_a_right_foot_z =
+      neg_a_right_foot_z_1 - left_hip_fork_k3 * neg_Omega_right_shank_yz;
+  const Scalar t_right_shank_26 = left_shank_I10 + t_right_shank_14;
+  const Scalar neg_E_righ_ankl_cros_xy = left_ankle_cross_I8 - neg_E_right_foot_xz;
+  const Scalar E_right_foot_yy = left_foot_I12 + t_right_foot_5;
+  // right_ankle_cross: moment M, acceleration a, Omega of (1)
+  const Scalar neg_M_right_shank_x_1 = left_ankle_cross_I16 - t_right_shank_16;
+  const Scalar neg_M_right_shank_x_2 = Omega_right_shank_yx * neg_M_right_shank_x_1;
+  const Scalar neg_M_right_shank_x_3 = t_right_hip_fork_6 - t_righ_ankl_cros_6;
+  const Scalar neg_M_right_shank_x_4 =
+      left_hip_fork_k3 * neg_F_right_foot_z + neg_M_right_shank_x_2;
+  const Scalar neg_M_right_shank_x_5 =
+      neg_M_right_shank_x_4 - left_ankle_cross_I2 * neg_M_right_shank_x_3;
+  const Scalar neg_M_right_shank_x_6 =
+      neg_M_right_shank_x_5 - Omega_right_foot_zy * E_right_foot_yy;
+  const Scalar neg_M_right_shank_x_7 =
+      neg_M_right_shank_x_6 - left_ankle_cross_I9 * Omega_righ_ankl_cros_zy;
+  const Scalar neg_M_right_shank_x_8 = neg_M_right_shank_x_7 + t_right_shank_18 * t_right_shank_23;
+  const Scalar neg_M_right_shank_x_9 = t_righ_ankl_cros_4 - t_right_foot_1;
+  const Scalar neg_M_right_shank_x_10 =
+      neg_M_right_shank_x_8 - neg_h_right_foot_y * neg_a_right_foot_z;
+  const Scalar neg_M_right_shank_x_11 =
+      neg_M_right_shank_x_10 - neg_E_right_foot_yz * neg_M_right_shank_x_9;
+  const Scalar neg_M_right_shank_x_12 =
+      neg_M_right_shank_x_11 - Omega_right_shank_zx * t_right_shank_13;
+  const Scalar neg_M_right_shank_x_13 =
+      neg_M_right_shank_x_12 + Omega_righ_ankl_cros_zx * neg_E_righ_ankl_cros_xy;
+  const Scalar neg_M_right_shank_x_14 =
+      neg_M_right_shank_x_13 - s_righ_ankl_cros_y * F_righ_ankl_cros_z;
+  const Scalar neg_M_right_shank_x_15 =
+      neg_M_right_shank_x_14 - neg_Omega_right_foot_zx * neg_E_right_foot_xy;
+  const Scalar neg_M_right_shank_x_16 =
+      neg_M_right_shank_x_15 - Omega_right_shank_zy * t_right_shank_26;
+  const Scalar neg_M_right_shank_x_17 =
+      neg_M_right_shank_x_16 - left_ankle_cross_I3 * neg_a_righ_ankl_cros_z;
+  const Scalar neg_M_right_shank_x =
+      neg_M_right_shank_x_17 + neg_a_right_shank_z * t_right_shank_20;
+  const Scalar a_righ_ankl_cros_x_1 = a_right_shank_x - s_righ_ankl_cros_y * Omega_right_foot_xz;
+  const Scalar a_righ_ankl_cros_x =
+      a_righ_ankl_cros_x_1 + neg_s_righ_ankl_cros_x * neg_Omega_right_shank_xx;
+  const Scalar t_righ_ankl_cros_7 = t_right_hip_fork_6 - t_righ_ankl_cros_5;
+  // right_foot: acceleration a, moment M of (1)
+  const Scalar a_right_foot_x_1 = a_righ_ankl_cros_x - t_righ_ankl_cros_7;
+  const Scalar a_right_foot_x = a_right_foot_x_1 - left_hip_fork_k3 * neg_Omega_right_foot_xy;
+  const Scalar M_right_foot_z_1 = t_right_foot_3 + Omega_right_foot_xz * neg_E_right_foot_yz;
+  const Scalar M_right_foot_z_2 = neg_a_righ_ankl_cros_z + left_hip_fork_k3 * t_right_hip_fork_6;
+  const Scalar M_right_foot_z_3 = M_right_foot_z_1 + Omega_righ_ankl_cros_zy * neg_E_right_foot_xz;
+  const Scalar M_right_foot_z_4 = M_right_foot_z_3 - h_right_foot_x * M_right_foot_z_2;
+  const Scalar M_right_foot_z_5 = M_right_foot_z_4 + Omega_righ_ankl_cros_zx * E_right_foot_xx;
+  const Scalar M_right_foot_z_6 = M_right_foot_z_5 + neg_Omega_right_foot_xy * E_right_foot_yy;
+  const Scalar M_right_foot_z_7 = M_right_foot_z_6 + neg_h_right_foot_y * a_right_foot_x;
+  const Scalar M_right_foot_z = M_right_foot_z_7 + t_righ_ankl_cros_5 * neg_E_right_foot_xy;
+  // right_ankle_cross: moment M, force F of (1)
+  const Scalar t_righ_ankl_cros_8 = left_ankle_cross_I2 - t_right_shank_18;
+  const Scalar neg_M_right_shank_y_1 = F_right_foot_y + M_right_foot_z;
+  const Scalar neg_M_right_shank_y_2 =
+      neg_M_right_shank_y_1 - left_ankle_cross_I1 * neg_a_righ_ankl_cros_z;
+  const Scalar neg_M_right_shank_y_3 = neg_M_right_shank_y_2 - left_hip_fork_k3 * F_right_foot_x;
+  const Scalar neg_M_right_shank_y_4 =
+      neg_M_right_shank_y_3 - Omega_right_foot_xz * t_righ_ankl_cros_8;
+  const Scalar neg_M_right_shank_y_5 =
+      neg_M_right_shank_y_4 - left_ankle_cross_I16 * t_righ_ankl_cros_5;
+  const Scalar neg_M_right_shank_y_6 =
+      neg_M_right_shank_y_5 + neg_a_right_shank_z * t_right_shank_25;
+  const Scalar neg_M_right_shank_y_7 =
+      neg_M_right_shank_y_6 - left_ankle_cross_I8 * Omega_righ_ankl_cros_zy;
+  const Scalar neg_M_right_shank_y_8 =
+      neg_M_right_shank_y_7 + Omega_right_shank_zx * t_right_shank_21;
+  const Scalar neg_M_right_shank_y_9 =
+      neg_M_right_shank_y_8 + Omega_right_shank_zy * t_right_shank_13;
+  const Scalar neg_M_right_shank_y_10 =
+      neg_M_right_shank_y_9 - neg_s_righ_ankl_cros_x * F_righ_ankl_cros_z;
+  const Scalar neg_M_right_shank_y_11 =
+      neg_M_right_shank_y_10 + t_right_shank_16 * t_right_shank_22;
+  const Scalar neg_M_right_shank_y =
+      neg_M_right_shank_y_11 + left_ankle_cross_I17 * Omega_righ_ankl_cros_zx;
+  const Scalar F_righ_ankl_cros_y_1 =
+      neg_F_right_foot_z + left_ankle_cross_I1 * Omega_right_shank_yx;
+  const Scalar F_righ_ankl_cros_y = F_righ_ankl_cros_y_1 + left_ankle_cross_I3 * t_righ_ankl_cros_6;
+  const Scalar F_right_shank_y_1 = F_righ_ankl_cros_y - neg_Omega_right_shank_yy * t_right_shank_20;
+  const Scalar F_right_shank_y = F_right_shank_y_1 - Omega_right_shank_yx * t_right_shank_25;
+  const Scalar F_righ_ankl_cros_x_1 = F_right_foot_x + left_ankle_cross_I3 * Omega_right_foot_xz;
+  const Scalar F_righ_ankl_cros_x = F_righ_ankl_cros_x_1 - left_ankle_cross_I1 * t_righ_ankl_cros_7;
+  const Scalar F_right_shank_x_1 = F_righ_ankl_cros_x - Omega_right_foot_xz * t_right_shank_20;
+  const Scalar F_right_shank_x = F_right_shank_x_1 + neg_Omega_right_shank_xx * t_right_shank_25;
+  // right_thigh: first moment h, pseudo-inertia E of (1)
+  const Scalar t_right_thigh_13 = left_thigh_I11 + t_right_thigh_5;
+  const Scalar t_right_thigh_14 = left_thigh_I1 * s_right_hip_pitch;
+  const Scalar t_right_thigh_15 = t_right_thigh_14 + left_thigh_I2 * c_right_hip_pitch;
+  const Scalar M_right_hip_fork_x_1 = t_right_thigh_13 + t_right_thigh_15;
+  const Scalar t_right_hip_fork_7 = t_right_thigh_6 - t_right_thigh_11;
+  const Scalar t_right_thigh_16 = left_thigh_I6 * c_right_hip_pitch;
+  const Scalar t_right_thigh_17 = t_right_thigh_16 + left_thigh_I5 * s_right_hip_pitch;
+  const Scalar t_right_hip_fork_8 = t_right_hip_block_1 - t_right_hip_fork_6;
+  const Scalar F_right_shank_z_1 = F_righ_ankl_cros_z + Omega_right_shank_zy * t_right_shank_20;
+  const Scalar F_right_shank_z = F_right_shank_z_1 - Omega_right_shank_zx * t_right_shank_25;
+  // right_hip_fork: moment M of (1)
+  const Scalar M_right_hip_fork_x_2 = F_right_shank_z - left_hip_fork_I13 * t_right_hip_fork_5;
+  const Scalar M_right_hip_fork_x_3 =
+      M_right_hip_fork_x_2 + left_hip_fork_I9 * Omega_right_thigh_xz;
+  const Scalar M_right_hip_fork_x_4 = M_right_hip_fork_x_3 - s_q8_q9_q10 * neg_M_right_shank_y;
+  const Scalar M_right_hip_fork_x_5 = M_right_hip_fork_x_4 + c_q8_q9_q10 * neg_M_right_shank_x;
+  const Scalar M_right_hip_fork_x_6 =
+      M_right_hip_fork_x_5 - t_right_thigh_8 * Omega_right_hip_fork_zx;
+  const Scalar M_right_hip_fork_x_7 = M_right_hip_fork_x_6 - a_right_hip_fork_y * t_right_thigh_15;
+  const Scalar M_right_hip_fork_x_8 = M_right_hip_fork_x_7 + left_hip_fork_I2 * alpha_right_thigh_z;
+  const Scalar M_right_hip_fork_x_9 = t_right_hip_fork_2 - t_right_thigh_1;
+  const Scalar M_right_hip_fork_x_10 = M_right_hip_fork_x_8 + left_hip_fork_I1 * t_right_hip_fork_8;
+  const Scalar M_right_hip_fork_x_11 =
+      M_right_hip_fork_x_10 - t_right_thigh_17 * M_right_hip_fork_x_9;
+  const Scalar M_right_hip_fork_x_12 =
+      M_right_hip_fork_x_11 + neg_Omega_right_thigh_zx * t_right_hip_fork_7;
+  const Scalar M_right_hip_fork_x_13 =
+      M_right_hip_fork_x_12 - neg_Omega_right_thigh_zy * M_right_hip_fork_x_1;
+  const Scalar M_right_hip_fork_x = M_right_hip_fork_x_13 + s_right_shank_y * F_right_shank_z;
+  const Scalar E_left_ankle_cross_yz = left_ankle_cross_I2 - E_left_foot_yz;
+  const Scalar neg_Omega_left_foot_yy = t_left_shank_9 + t_left_foot_1;
+  const Scalar t_left_ankle_cross_8 = t_left_shank_9 + t_left_ankle_cross_2;
+  const Scalar F_left_foot_y = t_left_foot_2 - h_left_foot_y * neg_Omega_left_foot_yy;
+  // left_ankle_cross: force F, pseudo-inertia E of (1)
+  const Scalar t_left_ankle_cross_9 = F_left_foot_y + left_ankle_cross_I1 * t_left_ankle_cross_6;
   const Scalar F_left_ankle_cross_z =
-      t_left_ankle_cross_36 + left_ankle_cross_h2 * t_left_ankle_cross_14;
-  const Scalar F_left_shank_z_1 = F_left_ankle_cross_z + neg_Omega_left_shank_zy * t_left_shank_9;
-  const Scalar F_left_shank_z = F_left_shank_z_1 - neg_Omega_left_shank_zx * t_left_shank_11;
-  // left_thigh: moment M of (1)
-  const Scalar t_left_thigh_18 = t_left_thigh_10 + t_left_shank_7;
-  const Scalar t_left_thigh_19 = left_hip_fork_l1 * t_left_thigh_16;
-  const Scalar t_left_thigh_20 = left_hip_fork_l1 - neg_s_left_shank_y;
-  const Scalar t_left_shank_12 = t_left_hip_fork_4 - t_left_shank_2;
-  const Scalar t_left_thigh_21 = left_hip_fork_I3 - 2.0 * t_left_thigh_18;
-  const Scalar t_left_thigh_22 = left_thigh_I11 + t_left_thigh_8;
-  const Scalar t_left_shank_13 = left_shank_I10 + t_left_shank_4;
-  const Scalar t_left_thigh_23 = t_left_thigh_7 - t_left_thigh_19;
-  const Scalar t_left_hip_fork_7 = left_hip_fork_I8 * Omega_left_thigh_xz;
-  const Scalar t_left_hip_fork_8 = t_left_hip_fork_3 - t_left_hip_fork_4;
-  const Scalar t_left_thigh_24 = t_left_hip_fork_7 + c_q2_q3_q4 * M_left_ankle_cross_x;
-  const Scalar t_left_thigh_25 = a_left_thigh_z + left_hip_fork_l1 * Omega_left_thigh_zy;
-  const Scalar t_left_thigh_26 = t_left_thigh_24 - left_hip_fork_I1 * t_left_hip_fork_8;
-  const Scalar t_left_thigh_27 = t_left_thigh_26 + t_left_thigh_14 * t_left_thigh_25;
-  const Scalar t_left_thigh_28 = t_left_thigh_27 - F_left_shank_z * t_left_thigh_20;
-  const Scalar t_left_thigh_29 = t_left_thigh_28 - Omega_left_thigh_zy * t_left_thigh_22;
-  const Scalar t_left_thigh_30 = t_left_thigh_29 - neg_Omega_left_shank_zx * t_left_shank_6;
-  const Scalar t_left_thigh_31 = t_left_thigh_30 + neg_s_left_ankle_cross_y * F_left_ankle_cross_z;
-  const Scalar t_left_thigh_32 = t_left_thigh_31 + left_hip_fork_I13 * t_left_hip_fork_6;
-  const Scalar t_left_thigh_33 = t_left_hip_fork_4 - t_left_thigh_2;
-  const Scalar t_left_thigh_34 = t_left_thigh_32 - t_left_thigh_12 * t_left_thigh_33;
-  const Scalar t_left_thigh_35 = t_left_thigh_34 - t_left_shank_8 * t_left_shank_12;
-  const Scalar t_left_thigh_36 = t_left_thigh_35 - alpha_left_thigh_z * t_left_thigh_21;
-  const Scalar t_left_thigh_37 = t_left_thigh_36 + s_q2_q3_q4 * neg_M_left_ankle_cross_y;
-  const Scalar t_left_thigh_38 = t_left_thigh_37 + neg_Omega_left_shank_zy * t_left_shank_13;
-  const Scalar t_left_thigh_39 = t_left_thigh_38 + a_left_shank_z * t_left_shank_9;
-  const Scalar neg_M_left_hip_fork_x = t_left_thigh_39 - neg_Omega_left_thigh_zx * t_left_thigh_23;
-  const Scalar t_left_hip_block_1 = M_right_foot_z - tau[11];
-  const Scalar h_righ_ankl_cros_x = left_ankle_cross_h2 + h_right_foot_x;
-  const Scalar t_right_foot_17 = E_right_foot_xx + E_right_foot_yy;
-  const Scalar t_right_foot_18 = left_hip_fork_l1 * h_right_foot_y;
+      t_left_ankle_cross_9 - left_ankle_cross_I3 * t_left_ankle_cross_4;
+  const Scalar t_left_ankle_cross_10 = left_ankle_cross_I8 - neg_E_left_foot_xz;
+  const Scalar t_left_shank_26 = t_left_shank_21 - t_left_ankle_cross_10;
+  const Scalar M_left_shank_x_1 = neg_Omega_left_foot_yy - t_left_ankle_cross_8;
+  const Scalar M_left_shank_x_2 = E_left_foot_yz * M_left_shank_x_1;
+  const Scalar M_left_shank_x_3 = M_left_shank_x_2 + left_hip_fork_k3 * neg_F_left_foot_z;
+  const Scalar M_left_shank_x_4 = t_left_shank_11 - t_left_ankle_cross_2;
+  // left_shank: moment M, acceleration a of (1)
+  const Scalar M_left_shank_x_5 = M_left_shank_x_3 + left_ankle_cross_I3 * neg_a_left_ankle_cross_z;
+  const Scalar M_left_shank_x_6 = left_ankle_cross_I16 - t_left_shank_17;
+  const Scalar M_left_shank_x_7 = M_left_shank_x_5 - left_ankle_cross_I2 * M_left_shank_x_4;
+  const Scalar M_left_shank_x_8 = M_left_shank_x_7 + Omega_left_shank_yx * M_left_shank_x_6;
+  const Scalar M_left_shank_x_9 = M_left_shank_x_8 - neg_a_left_foot_z * h_left_foot_y;
+  const Scalar M_left_shank_x_10 = t_left_shank_10 - t_left_shank_11;
+  const Scalar M_left_shank_x_11 = M_left_shank_x_9 - t_left_shank_19 * M_left_shank_x_10;
+  const Scalar M_left_shank_x_12 = M_left_shank_x_11 + t_left_shank_23 * neg_a_left_shank_z;
+  const Scalar M_left_shank_x_13 = M_left_shank_x_12 + left_ankle_cross_I9 * t_left_ankle_cross_4;
+  const Scalar M_left_shank_x_14 = M_left_shank_x_13 + Omega_left_foot_zy * E_left_foot_yy;
+  const Scalar M_left_shank_x_15 = M_left_shank_x_14 + Omega_left_shank_zy * t_left_shank_20;
+  const Scalar M_left_shank_x_16 = M_left_shank_x_15 - neg_Omega_left_foot_zx * E_left_foot_xy;
+  const Scalar M_left_shank_x_17 = M_left_shank_x_16 + s_left_ankle_cross_y * F_left_ankle_cross_z;
+  const Scalar M_left_shank_x_18 = M_left_shank_x_17 + t_left_ankle_cross_5 * t_left_ankle_cross_10;
+  const Scalar M_left_shank_x = M_left_shank_x_18 + Omega_left_shank_zx * t_left_shank_26;
+  const Scalar a_left_shank_x = c_q2_q3_q4 * t_left_shank_1 + s_q2_q3_q4 * t_left_shank_3;
+  // left_ankle_cross: acceleration a, moment M of (1)
+  const Scalar t_left_ankle_cross_11 =
+      a_left_shank_x + neg_s_left_ankle_cross_x * neg_Omega_left_shank_xx;
+  const Scalar a_left_ankle_cross_x =
+      t_left_ankle_cross_11 - s_left_ankle_cross_y * Omega_left_foot_xz;
+  const Scalar t_left_ankle_cross_12 = left_ankle_cross_I2 - t_left_shank_19;
+  // left_foot: Omega, force F, acceleration a of (1)
+  const Scalar neg_Omega_left_foot_xx = t_left_ankle_cross_2 + t_left_foot_1;
+  const Scalar neg_F_left_foot_x_1 = neg_Omega_left_shank_xz * h_left_foot_y;
+  const Scalar neg_F_left_foot_x = h_left_foot_x * neg_Omega_left_foot_xx + neg_F_left_foot_x_1;
+  const Scalar t_left_shank_27 = left_shank_I18 - t_left_shank_15;
+  const Scalar t_left_ankle_cross_13 = t_left_shank_11 + t_left_ankle_cross_2;
+  const Scalar a_left_foot_x_1 = a_left_ankle_cross_x - t_left_ankle_cross_13;
+  const Scalar a_left_foot_x = a_left_foot_x_1 + left_hip_fork_k3 * neg_Omega_left_shank_xz;
+  const Scalar M_left_foot_z_1 = neg_a_left_ankle_cross_z - left_hip_fork_k3 * t_left_hip_fork_5;
+  const Scalar M_left_foot_z_2 = t_left_foot_2 - h_left_foot_x * M_left_foot_z_1;
+  const Scalar M_left_foot_z_3 = M_left_foot_z_2 + t_left_ankle_cross_4 * neg_E_left_foot_xz;
+  const Scalar M_left_foot_z_4 = M_left_foot_z_3 + t_left_ankle_cross_6 * E_left_foot_xx;
+  const Scalar M_left_foot_z_5 = M_left_foot_z_4 - Omega_left_foot_xz * E_left_foot_yz;
+  const Scalar M_left_foot_z_6 = M_left_foot_z_5 - t_left_ankle_cross_3 * E_left_foot_xy;
+  const Scalar M_left_foot_z_7 = M_left_foot_z_6 - h_left_foot_y * a_left_foot_x;
+  const Scalar M_left_foot_z = M_left_foot_z_7 + neg_Omega_left_shank_xz * E_left_foot_yy;
+  // left_ankle_cross: moment M, force F of (1)
+  const Scalar neg_M_left_shank_y_2 = F_left_foot_y + M_left_foot_z;
+  const Scalar neg_M_left_shank_y_3 =
+      neg_M_left_shank_y_2 - left_ankle_cross_I1 * neg_a_left_ankle_cross_z;
+  const Scalar neg_M_left_shank_y_4 =
+      neg_M_left_shank_y_3 + left_ankle_cross_I17 * t_left_ankle_cross_6;
+  const Scalar neg_M_left_shank_y_5 = neg_M_left_shank_y_4 - t_left_shank_17 * neg_M_left_shank_y_1;
+  const Scalar neg_M_left_shank_y_6 = neg_M_left_shank_y_5 - left_hip_fork_k3 * neg_F_left_foot_x;
+  const Scalar neg_M_left_shank_y_7 =
+      neg_M_left_shank_y_6 - left_ankle_cross_I8 * t_left_ankle_cross_4;
+  const Scalar neg_M_left_shank_y_8 =
+      neg_M_left_shank_y_7 + Omega_left_foot_xz * t_left_ankle_cross_12;
+  const Scalar neg_M_left_shank_y_9 = neg_M_left_shank_y_8 + Omega_left_shank_zy * t_left_shank_21;
+  const Scalar neg_M_left_shank_y_10 =
+      neg_M_left_shank_y_9 - neg_s_left_ankle_cross_x * F_left_ankle_cross_z;
+  const Scalar neg_M_left_shank_y_11 = neg_M_left_shank_y_10 + t_left_shank_25 * neg_a_left_shank_z;
+  const Scalar neg_M_left_shank_y_12 =
+      neg_M_left_shank_y_11 + Omega_left_shank_zx * t_left_shank_27;
+  const Scalar neg_M_left_shank_y =
+      neg_M_left_shank_y_12 + left_ankle_cross_I16 * t_left_ankle_cross_3;
+  const Scalar t_left_ankle_cross_14 =
+      neg_F_left_foot_z + left_ankle_cross_I3 * t_left_ankle_cross_8;
+  const Scalar F_left_ankle_cross_y =
+      t_left_ankle_cross_14 + left_ankle_cross_I1 * Omega_left_shank_yx;
+  const Scalar F_left_shank_y_1 = F_left_ankle_cross_y + neg_Omega_left_shank_yy * t_left_shank_23;
+  const Scalar F_left_shank_y = F_left_shank_y_1 - Omega_left_shank_yx * t_left_shank_25;
+  const Scalar t_left_foot_6 = neg_F_left_foot_x + left_ankle_cross_I1 * t_left_ankle_cross_13;
+  const Scalar neg_F_left_ankle_cross_x = t_left_foot_6 - left_ankle_cross_I3 * Omega_left_foot_xz;
+  const Scalar neg_F_left_shank_x_1 =
+      neg_F_left_ankle_cross_x - t_left_shank_25 * neg_Omega_left_shank_xx;
+  const Scalar neg_F_left_shank_x = neg_F_left_shank_x_1 - Omega_left_foot_xz * t_left_shank_23;
+  const Scalar t_left_hip_fork_7 = t_left_thigh_6 + t_left_thigh_16;
+  const Scalar t_left_hip_fork_8 = t_left_hip_block_1 - t_left_hip_fork_5;
+  const Scalar F_left_shank_z_1 = F_left_ankle_cross_z - Omega_left_shank_zx * t_left_shank_25;
+  const Scalar F_left_shank_z = F_left_shank_z_1 - Omega_left_shank_zy * t_left_shank_23;
+  const Scalar t_left_thigh_17 = left_thigh_I11 + t_left_thigh_7;
+  // left_hip_fork: moment M of (1)
+  const Scalar M_left_hip_fork_x_1 = F_left_shank_z - left_hip_fork_I13 * t_left_hip_fork_6;
+  const Scalar M_left_hip_fork_x_2 = M_left_hip_fork_x_1 + left_hip_fork_I9 * Omega_left_thigh_xz;
+  const Scalar M_left_hip_fork_x_3 = M_left_hip_fork_x_2 - c_q2_q3_q4 * M_left_shank_x;
+  const Scalar M_left_hip_fork_x_4 = t_left_hip_fork_5 - neg_Omega_left_thigh_yy;
+  const Scalar M_left_hip_fork_x_5 = M_left_hip_fork_x_3 - s_q2_q3_q4 * neg_M_left_shank_y;
+  const Scalar M_left_hip_fork_x_6 = M_left_hip_fork_x_5 + t_left_thigh_11 * M_left_hip_fork_x_4;
+  const Scalar M_left_hip_fork_x_7 = M_left_hip_fork_x_6 - left_hip_fork_I1 * t_left_hip_fork_8;
+  const Scalar M_left_hip_fork_x_8 = left_hip_fork_I2 + 2.0 * t_left_thigh_9;
+  const Scalar M_left_hip_fork_x_9 = M_left_hip_fork_x_7 + s_left_shank_y * F_left_shank_z;
+  const Scalar M_left_hip_fork_x_10 =
+      M_left_hip_fork_x_9 - alpha_left_thigh_z * M_left_hip_fork_x_8;
+  const Scalar M_left_hip_fork_x_11 = t_left_thigh_13 + t_left_thigh_17;
+  const Scalar M_left_hip_fork_x_12 = M_left_hip_fork_x_10 - a_left_hip_fork_y * t_left_thigh_13;
+  const Scalar M_left_hip_fork_x_13 =
+      M_left_hip_fork_x_12 - neg_Omega_left_thigh_zy * M_left_hip_fork_x_11;
+  const Scalar M_left_hip_fork_x =
+      M_left_hip_fork_x_13 + neg_Omega_left_thigh_zx * t_left_hip_fork_7;
+  const Scalar t_left_hip_block_2 = M_right_foot_z - tau[11];
+  const Scalar h_righ_ankl_cros_x = left_ankle_cross_I1 + h_right_foot_x;
+  const Scalar t_right_foot_8 = E_right_foot_xx + E_right_foot_yy;
   // right_ankle_cross: first moment h, pseudo-inertia E of (1)
-  const Scalar t_righ_ankl_cros_30 = t_right_foot_9 + t_right_foot_10;
-  const Scalar t_righ_ankl_cros_31 = left_ankle_cross_h1 * s_q8_q9_q10;
-  const Scalar t_righ_ankl_cros_32 = t_righ_ankl_cros_31 + c_q8_q9_q10 * h_righ_ankl_cros_x;
-  const Scalar h_right_shank_x = t_right_shank_10 - t_righ_ankl_cros_32;
-  const Scalar t_righ_ankl_cros_33 = left_ankle_cross_h1 * c_q8_q9_q10;
-  const Scalar t_righ_ankl_cros_34 = t_righ_ankl_cros_33 - s_q8_q9_q10 * h_righ_ankl_cros_x;
-  const Scalar neg_h_right_shank_y = t_right_shank_9 - t_righ_ankl_cros_34;
-  const Scalar E_righ_ankl_cros_xz_1 = left_ankle_cross_I19 + t_right_foot_5;
-  const Scalar E_righ_ankl_cros_xz_2 = t_right_foot_18 - E_righ_ankl_cros_xz_1;
-  const Scalar E_righ_ankl_cros_xz = E_righ_ankl_cros_xz_2 - left_hip_fork_l2 * h_right_foot_x;
-  const Scalar t_righ_ankl_cros_35 = s_q8_q9_q10 * (left_ankle_cross_I15 - t_righ_ankl_cros_30);
-  const Scalar t_righ_ankl_cros_36 = c_q8_q9_q10 * neg_E_righ_ankl_cros_xy;
-  const Scalar t_righ_ankl_cros_37 = t_righ_ankl_cros_35 + 2.0 * t_righ_ankl_cros_36;
-  const Scalar t_righ_ankl_cros_38 = neg_s_righ_ankl_cros_x * t_righ_ankl_cros_32;
-  const Scalar t_righ_ankl_cros_39 = neg_s_righ_ankl_cros_y * t_righ_ankl_cros_34;
-  const Scalar t_righ_ankl_cros_40 = neg_s_righ_ankl_cros_y * h_right_foot_y;
-  // right_shank: first moment h of (1)
-  const Scalar neg_h_right_thigh_y = t_right_thigh_15 + neg_h_right_shank_y;
-  const Scalar t_right_shank_14 = neg_s_right_shank_y * neg_h_right_shank_y;
-  const Scalar t_right_shank_15 = neg_s_right_shank_x * h_right_shank_x;
-  // right_ankle_cross
-  const Scalar t_righ_ankl_cros_41 = c_q8_q9_q10 * E_righ_ankl_cros_xz;
-  const Scalar t_righ_ankl_cros_42 = t_righ_ankl_cros_41 - s_q8_q9_q10 * E_righ_ankl_cros_yz;
-  const Scalar t_righ_ankl_cros_43 = neg_s_righ_ankl_cros_x * h_right_foot_y;
-  const Scalar t_right_shank_16 = neg_s_right_shank_x * h_right_foot_y;
-  const Scalar t_right_shank_17 = t_righ_ankl_cros_30 + 2.0 * t_righ_ankl_cros_38;
-  const Scalar t_right_thigh_38 = t_right_thigh_16 - 2.0 * t_right_shank_15;
-  const Scalar t_right_shank_18 = left_shank_I18 + t_right_shank_17;
-  const Scalar t_right_shank_19 = t_right_shank_18 - 2.0 * t_righ_ankl_cros_39;
-  const Scalar t_right_thigh_39 = t_right_thigh_21 + t_right_thigh_38 + t_right_shank_19;
-  const Scalar t_right_thigh_40 = t_right_thigh_39 + 2.0 * t_right_shank_14;
-  const Scalar t_right_shank_20 = t_right_shank_7 - t_righ_ankl_cros_42;
-  const Scalar neg_E_right_shank_xz = t_righ_ankl_cros_43 - t_right_shank_20;
-  const Scalar t_right_thigh_41 = t_right_thigh_11 - t_right_shank_16;
-  const Scalar neg_E_right_thigh_xz = neg_E_right_shank_xz - t_right_thigh_41;
-  // right_hip_fork: pseudo-inertia E of (1)
-  const Scalar E_right_hip_fork_xz_1 = left_hip_fork_I2 - t_right_thigh_8;
-  const Scalar E_right_hip_fork_xz_2 = t_right_shank_5 - E_right_hip_fork_xz_1;
-  const Scalar E_right_hip_fork_xz_3 = E_right_foot_xz + E_right_hip_fork_xz_2;
-  const Scalar E_right_hip_fork_xz_4 = left_hip_fork_l1 - neg_s_right_shank_y;
-  const Scalar E_right_hip_fork_xz_5 =
-      E_right_hip_fork_xz_3 - neg_s_righ_ankl_cros_x * t_righ_ankl_cros_34;
-  const Scalar E_right_hip_fork_xz_6 =
-      E_right_hip_fork_xz_5 + h_right_shank_x * E_right_hip_fork_xz_4;
-  const Scalar E_right_hip_fork_xz_7 = E_right_hip_fork_xz_6 + left_hip_fork_l1 * t_right_thigh_18;
-  const Scalar E_right_hip_fork_xz_8 = E_right_hip_fork_xz_7 - c_q8_q9_q10 * t_righ_ankl_cros_37;
-  const Scalar E_right_hip_fork_xz_9 =
-      E_right_hip_fork_xz_8 + neg_s_right_shank_x * neg_h_right_shank_y;
-  const Scalar E_right_hip_fork_xz =
-      E_right_hip_fork_xz_9 + neg_s_righ_ankl_cros_y * t_righ_ankl_cros_32;
-  const Scalar t_right_shank_21 = neg_s_right_shank_y * h_right_foot_y;
-  const Scalar h_left_ankle_cross_x = left_ankle_cross_h2 + h_left_foot_x;
-  const Scalar t_left_foot_18 = left_hip_fork_l1 * neg_h_left_foot_y;
+  const Scalar neg_h_right_shank_x = t_right_shank_25 - h_righ_ankl_cros_x;
+  const Scalar t_righ_ankl_cros_9 = left_ankle_cross_I4 - neg_h_right_foot_y;
+  const Scalar t_righ_ankl_cros_10 = t_right_foot_6 - t_righ_ankl_cros_9;
+  const Scalar neg_E_righ_ankl_cros_xz = t_righ_ankl_cros_10 - left_foot_I8 * c_right_foot;
+  const Scalar t_righ_ankl_cros_11 = neg_s_righ_ankl_cros_x * h_righ_ankl_cros_x;
+  const Scalar t_righ_ankl_cros_12 = left_ankle_cross_I19 * s_right_ankle_pitch;
+  const Scalar neg_h_right_shank_y = left_ankle_cross_I3 - t_right_shank_20;
+  // right_shank: pseudo-inertia E of (1)
+  const Scalar t_right_shank_27 = s_q8_q9_q10 * neg_h_right_shank_y;
+  const Scalar t_right_shank_28 = t_right_shank_27 - c_q8_q9_q10 * neg_h_right_shank_x;
+  const Scalar t_right_shank_29 = s_q8_q9_q10 * neg_h_right_shank_x;
+  const Scalar t_right_shank_30 = t_right_shank_29 + c_q8_q9_q10 * neg_h_right_shank_y;
+  const Scalar t_right_shank_31 = t_right_shank_16 + neg_E_righ_ankl_cros_xz;
+  const Scalar neg_E_right_shank_xz =
+      t_right_shank_31 - neg_s_righ_ankl_cros_x * neg_h_right_foot_y;
+  const Scalar t_righ_ankl_cros_13 = neg_E_right_foot_yz - s_righ_ankl_cros_y * neg_h_right_foot_y;
+  const Scalar neg_E_right_shank_yz = t_righ_ankl_cros_8 - t_righ_ankl_cros_13;
+  const Scalar t_righ_ankl_cros_14 = E_right_foot_xx + left_foot_I6 * c_right_foot;
+  const Scalar t_right_shank_32 = t_righ_ankl_cros_14 - 2.0 * t_righ_ankl_cros_11;
+  const Scalar t_right_shank_33 = t_right_shank_14 - t_right_shank_32;
+  const Scalar E_right_shank_xy_1 = t_right_shank_13 - neg_E_righ_ankl_cros_xy;
+  const Scalar E_right_shank_xy_2 = E_right_shank_xy_1 + left_ankle_cross_I18 * c_right_ankle_pitch;
+  const Scalar E_right_shank_xy = E_right_shank_xy_2 + s_righ_ankl_cros_y * h_righ_ankl_cros_x;
+  const Scalar t_right_shank_34 = s_right_shank_y * t_right_shank_30;
+  const Scalar t_right_shank_35 = s_right_shank_x * t_right_shank_28;
+  const Scalar t_right_shank_36 = s_right_shank_x * neg_h_right_foot_y;
+  const Scalar t_right_shank_37 = s_right_shank_y * neg_h_right_foot_y;
+  const Scalar t_right_shank_38 = s_q8_q9_q10 * neg_E_right_shank_yz;
+  const Scalar t_right_shank_39 = t_right_shank_38 - c_q8_q9_q10 * neg_E_right_shank_xz;
+  const Scalar t_right_thigh_18 = t_right_thigh_8 - t_right_shank_36;
+  const Scalar neg_E_right_thigh_xz = t_right_shank_39 - t_right_thigh_18;
+  const Scalar qdd_6_1 = left_hip_fork_I2 + 2.0 * neg_E_right_thigh_xz;
   // left_ankle_cross: first moment h, pseudo-inertia E of (1)
-  const Scalar t_left_ankle_cross_37 = s_q2_q3_q4 * h_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_38 = left_ankle_cross_h1 * c_q2_q3_q4 - t_left_ankle_cross_37;
-  const Scalar neg_h_left_shank_y = t_left_shank_9 - t_left_ankle_cross_38;
-  const Scalar t_left_ankle_cross_39 = c_q2_q3_q4 * h_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_40 = left_ankle_cross_h1 * s_q2_q3_q4 + t_left_ankle_cross_39;
-  const Scalar t_left_ankle_cross_41 = left_ankle_cross_I19 + t_left_foot_5 + t_left_foot_9;
-  const Scalar t_left_ankle_cross_42 = t_left_foot_18 - t_left_ankle_cross_41;
-  const Scalar t_left_ankle_cross_43 = neg_s_left_ankle_cross_x * t_left_ankle_cross_40;
-  const Scalar t_left_ankle_cross_44 = neg_s_left_ankle_cross_y * t_left_ankle_cross_38;
-  const Scalar t_left_ankle_cross_45 = neg_s_left_ankle_cross_x * neg_h_left_foot_y;
-  const Scalar neg_h_left_thigh_y = t_left_thigh_14 + neg_h_left_shank_y;
-  const Scalar t_left_ankle_cross_46 = E_left_foot_xx + left_hip_fork_l3 * h_left_foot_x;
-  // left_shank: first moment h, pseudo-inertia E of (1)
-  const Scalar t_left_shank_14 = neg_s_left_shank_y * neg_h_left_shank_y;
-  const Scalar h_left_shank_x = t_left_shank_11 - t_left_ankle_cross_40;
-  const Scalar t_left_shank_15 = neg_s_left_shank_x * h_left_shank_x;
-  const Scalar t_left_shank_16 = neg_s_left_shank_x * neg_h_left_foot_y;
-  const Scalar t_left_ankle_cross_47 = s_q2_q3_q4 * t_left_ankle_cross_34;
-  const Scalar t_left_ankle_cross_48 = t_left_ankle_cross_47 - c_q2_q3_q4 * t_left_ankle_cross_42;
-  const Scalar t_left_thigh_40 = t_left_ankle_cross_45 - t_left_ankle_cross_48;
-  const Scalar E_left_thigh_xz = t_left_thigh_18 + t_left_shank_16 + t_left_thigh_40;
-  const Scalar E_left_shank_xz = t_left_shank_7 + t_left_thigh_40;
-  // left_ankle_cross
-  const Scalar t_left_ankle_cross_49 = left_ankle_cross_I15 - t_left_ankle_cross_46;
-  const Scalar t_left_ankle_cross_50 = c_q2_q3_q4 * t_left_ankle_cross_23 * 2.0;
-  const Scalar t_left_ankle_cross_51 = t_left_ankle_cross_50 + s_q2_q3_q4 * t_left_ankle_cross_49;
+  const Scalar h_left_ankle_cross_x = left_ankle_cross_I1 + h_left_foot_x;
+  const Scalar neg_h_left_shank_y = left_ankle_cross_I3 + t_left_shank_23;
+  const Scalar t_left_ankle_cross_15 = left_ankle_cross_I4 - h_left_foot_y + t_left_foot_5;
+  const Scalar t_left_ankle_cross_16 = t_left_ankle_cross_15 + left_foot_I8 * c_left_foot;
+  const Scalar t_left_ankle_cross_17 = neg_s_left_ankle_cross_x * h_left_ankle_cross_x;
+  const Scalar neg_h_left_shank_x = t_left_shank_25 - h_left_ankle_cross_x;
+  // left_shank: pseudo-inertia E of (1)
+  const Scalar t_left_shank_28 = s_q2_q3_q4 * neg_h_left_shank_y;
+  const Scalar t_left_shank_29 = t_left_shank_28 - c_q2_q3_q4 * neg_h_left_shank_x;
+  const Scalar t_left_shank_30 = c_q2_q3_q4 * neg_h_left_shank_y;
+  const Scalar t_left_shank_31 = t_left_shank_30 + s_q2_q3_q4 * neg_h_left_shank_x;
+  const Scalar E_left_shank_xz_1 = t_left_shank_17 - t_left_ankle_cross_16;
+  const Scalar E_left_shank_xz = E_left_shank_xz_1 - neg_s_left_ankle_cross_x * h_left_foot_y;
+  const Scalar t_left_ankle_cross_18 = E_left_foot_yz - s_left_ankle_cross_y * h_left_foot_y;
+  const Scalar E_left_shank_yz = t_left_ankle_cross_12 - t_left_ankle_cross_18;
+  const Scalar E_left_shank_xy_1 = t_left_shank_26 + s_left_ankle_cross_y * h_left_ankle_cross_x;
+  const Scalar E_left_shank_xy = E_left_shank_xy_1 + left_ankle_cross_I18 * c_left_ankle_pitch;
+  const Scalar t_left_ankle_cross_19 = E_left_foot_xx + left_foot_I6 * c_left_foot;
+  const Scalar t_left_shank_32 = t_left_shank_15 - t_left_ankle_cross_19;
+  const Scalar t_left_shank_33 = t_left_shank_32 + 2.0 * t_left_ankle_cross_17;
+  const Scalar t_left_shank_34 = t_left_shank_15 - left_ankle_cross_I19 * s_left_ankle_pitch;
+  const Scalar t_left_shank_35 = t_left_shank_34 - (left_shank_I19 - t_left_shank_33);
+  const Scalar t_left_shank_36 = c_q2_q3_q4 * E_left_shank_xy * 2.0;
+  const Scalar t_left_shank_37 = t_left_shank_36 - s_q2_q3_q4 * t_left_shank_35;
+  const Scalar t_left_shank_38 = s_left_shank_y * t_left_shank_31;
+  const Scalar t_left_shank_39 = s_left_shank_x * t_left_shank_29;
+  const Scalar t_left_shank_40 = s_left_shank_y * h_left_foot_y;
+  const Scalar t_left_shank_41 = s_left_shank_x * h_left_foot_y;
+  const Scalar t_left_shank_42 = c_q2_q3_q4 * E_left_shank_xz - s_q2_q3_q4 * E_left_shank_yz;
+  const Scalar neg_E_left_thigh_xz = t_left_shank_42 - (t_left_thigh_9 + t_left_shank_41);
   // left_hip_fork: pseudo-inertia E of (1)
-  const Scalar E_left_hip_fork_xz_1 = t_left_shank_5 - (left_hip_fork_I2 - t_left_thigh_6);
-  const Scalar E_left_hip_fork_xz_2 = E_left_foot_xz + E_left_hip_fork_xz_1;
-  const Scalar E_left_hip_fork_xz_3 = t_left_thigh_19 + E_left_hip_fork_xz_2;
-  const Scalar E_left_hip_fork_xz_4 = E_left_hip_fork_xz_3 - c_q2_q3_q4 * t_left_ankle_cross_51;
-  const Scalar E_left_hip_fork_xz_5 = E_left_hip_fork_xz_4 + t_left_thigh_20 * h_left_shank_x;
-  const Scalar E_left_hip_fork_xz_6 =
-      E_left_hip_fork_xz_5 + neg_s_left_ankle_cross_y * t_left_ankle_cross_40;
-  const Scalar E_left_hip_fork_xz_7 =
-      E_left_hip_fork_xz_6 + neg_s_left_shank_x * neg_h_left_shank_y;
-  const Scalar E_left_hip_fork_xz =
-      E_left_hip_fork_xz_7 - neg_s_left_ankle_cross_x * t_left_ankle_cross_38;
-  const Scalar t_left_ankle_cross_52 = neg_s_left_ankle_cross_y * neg_h_left_foot_y;
-  const Scalar t_left_shank_17 = neg_s_left_shank_y * neg_h_left_foot_y;
-  const Scalar t_right_foot_19 = t_right_foot_9 + t_right_foot_17;
-  const Scalar t_right_foot_20 = t_right_foot_19 - left_hip_fork_l2 * h_right_foot_y;
-  // right_ankle_cross
-  const Scalar t_righ_ankl_cros_44 = neg_E_right_foot_yz - s_q8_q9_q10 * t_righ_ankl_cros_43;
-  const Scalar t_righ_ankl_cros_45 = t_righ_ankl_cros_44 + c_q8_q9_q10 * t_righ_ankl_cros_40;
-  const Scalar t_righ_ankl_cros_46 = c_q8_q9_q10 * t_right_foot_20;
-  const Scalar t_righ_ankl_cros_47 = s_q8_q9_q10 * E_right_foot_xz + t_righ_ankl_cros_46;
+  const Scalar E_left_hip_fork_yy_1 = left_hip_fork_I19 - t_left_foot_4;
+  const Scalar E_left_hip_fork_yy = E_left_hip_fork_yy_1 - left_foot_I7 * s_left_foot;
+  const Scalar t_left_hip_fork_9 = t_left_thigh_14 - t_left_shank_33;
+  const Scalar t_left_hip_fork_10 = t_left_hip_fork_9 - 2.0 * t_left_shank_39;
+  const Scalar E_left_hip_fork_xx_1 = left_hip_fork_I18 + t_left_hip_fork_10;
+  const Scalar E_left_hip_fork_xx = E_left_hip_fork_xx_1 - s_q2_q3_q4 * t_left_shank_37;
+  const Scalar qdd_0_1 = E_left_hip_fork_yy - E_left_hip_fork_xx;
+  const Scalar t_right_foot_9 = h_right_foot_x + t_right_foot_8 - left_foot_I8 * s_right_foot;
+  const Scalar t_righ_ankl_cros_15 = t_right_foot_9 - neg_s_righ_ankl_cros_x * h_right_foot_x;
+  const Scalar t_righ_ankl_cros_16 = neg_E_right_foot_xz + s_righ_ankl_cros_y * h_right_foot_x;
   // right_shank
-  const Scalar t_right_shank_22 = neg_s_right_shank_x + neg_s_righ_ankl_cros_x;
-  const Scalar t_right_shank_23 = t_righ_ankl_cros_47 + h_right_foot_x * t_right_shank_22;
-  const Scalar t_right_shank_24 = t_righ_ankl_cros_45 + c_q8_q9_q10 * t_right_shank_21;
-  const Scalar t_right_shank_25 = t_right_shank_24 - s_q8_q9_q10 * t_right_shank_16;
+  const Scalar t_right_shank_40 = c_q8_q9_q10 * t_righ_ankl_cros_15;
+  const Scalar t_right_shank_41 = s_right_shank_x * h_right_foot_x - t_right_shank_40;
+  const Scalar t_right_shank_42 = t_right_shank_41 + s_q8_q9_q10 * t_righ_ankl_cros_16;
+  const Scalar t_right_shank_43 = t_righ_ankl_cros_13 + c_q8_q9_q10 * t_right_shank_37;
+  const Scalar t_right_shank_44 = t_right_shank_43 - s_q8_q9_q10 * t_right_shank_36;
   // right_thigh
-  const Scalar t_right_thigh_42 = t_right_foot_9 - s_q8_q9_q10 * t_right_foot_20;
-  const Scalar t_right_thigh_43 = t_right_thigh_42 + c_q8_q9_q10 * E_right_foot_xz;
-  const Scalar t_right_thigh_44 = neg_s_right_shank_y + neg_s_righ_ankl_cros_y;
-  const Scalar t_right_thigh_45 = t_right_thigh_43 - h_right_foot_x * t_right_thigh_44;
-  const Scalar t_right_thigh_46 = t_right_shank_25 - c_q8_q9_q10 * t_right_foot_18;
-  const Scalar t_right_hip_fork_9 = c_right_hip_roll * t_right_thigh_45;
-  const Scalar t_right_hip_fork_10 = t_right_hip_fork_9 + s_right_hip_roll * t_right_thigh_46;
-  const Scalar t_left_foot_19 = left_hip_fork_l1 * h_left_foot_x;
-  const Scalar t_left_foot_20 = t_left_foot_19 - (t_left_foot_6 - t_right_foot_17);
-  const Scalar t_left_ankle_cross_53 = E_left_foot_yz + c_q2_q3_q4 * t_left_ankle_cross_52;
-  const Scalar t_left_ankle_cross_54 = t_left_ankle_cross_53 - s_q2_q3_q4 * t_left_ankle_cross_45;
-  const Scalar t_left_shank_18 = t_left_ankle_cross_54 - s_q2_q3_q4 * t_left_shank_16;
-  const Scalar t_left_shank_19 = t_left_shank_18 + c_q2_q3_q4 * t_left_shank_17;
+  const Scalar t_right_thigh_19 = h_right_foot_x - c_q8_q9_q10 * t_righ_ankl_cros_16;
+  const Scalar t_right_thigh_20 = t_right_thigh_19 + s_right_shank_y * h_right_foot_x;
+  const Scalar t_right_thigh_21 = t_right_shank_44 + c_q8_q9_q10 * neg_h_right_foot_y;
+  const Scalar t_right_thigh_22 = t_right_thigh_20 - s_q8_q9_q10 * t_righ_ankl_cros_15;
+  const Scalar t_right_hip_fork_9 = s_right_hip_roll * t_right_thigh_21;
+  const Scalar t_right_hip_fork_10 = t_right_hip_fork_9 + c_right_hip_roll * t_right_thigh_22;
+  const Scalar t_left_ankle_cross_20 = neg_E_left_foot_xz + s_left_ankle_cross_y * h_left_foot_x;
+  const Scalar t_left_foot_7 = h_left_foot_x + t_right_foot_8 - left_foot_I8 * s_left_foot;
+  const Scalar t_left_ankle_cross_21 = t_left_foot_7 - neg_s_left_ankle_cross_x * h_left_foot_x;
+  // left_shank
+  const Scalar t_left_shank_43 = s_q2_q3_q4 * t_left_ankle_cross_20;
+  const Scalar t_left_shank_44 = s_left_shank_x * h_left_foot_x + t_left_shank_43;
+  const Scalar t_left_shank_45 = t_left_shank_44 - c_q2_q3_q4 * t_left_ankle_cross_21;
+  const Scalar t_left_shank_46 = t_left_ankle_cross_18 + c_q2_q3_q4 * t_left_shank_40;
+  const Scalar t_left_shank_47 = t_left_shank_46 - s_q2_q3_q4 * t_left_shank_41;
   // left_thigh
-  const Scalar t_left_thigh_41 = t_left_foot_19 + c_q2_q3_q4 * E_left_foot_xz;
-  const Scalar t_left_thigh_42 = t_left_thigh_41 - s_q2_q3_q4 * t_left_foot_20;
-  const Scalar t_left_thigh_43 = neg_s_left_shank_y + neg_s_left_ankle_cross_y;
-  const Scalar t_left_thigh_44 = t_left_shank_19 - c_q2_q3_q4 * t_left_foot_18;
-  const Scalar t_left_thigh_45 = t_left_thigh_42 - h_left_foot_x * t_left_thigh_43;
-  const Scalar t_left_hip_fork_9 = s_left_hip_roll * t_left_thigh_44;
-  const Scalar t_left_hip_fork_10 = t_left_hip_fork_9 - c_left_hip_roll * t_left_thigh_45;
+  const Scalar t_left_thigh_18 = h_left_foot_x - c_q2_q3_q4 * t_left_ankle_cross_20;
+  const Scalar t_left_thigh_19 = t_left_thigh_18 + s_left_shank_y * h_left_foot_x;
+  const Scalar t_left_thigh_20 = t_left_thigh_19 - s_q2_q3_q4 * t_left_ankle_cross_21;
+  const Scalar t_left_thigh_21 = t_left_shank_47 + c_q2_q3_q4 * h_left_foot_y;
+  const Scalar t_left_hip_fork_11 = c_left_hip_roll * t_left_thigh_20;
+  const Scalar t_left_hip_fork_12 = t_left_hip_fork_11 - s_left_hip_roll * t_left_thigh_21;
+  const Scalar t_left_shank_48 = s_q2_q3_q4 * h_left_ankle_cross_x;
+  const Scalar t_left_shank_49 = left_ankle_cross_I3 * c_q2_q3_q4 - t_left_shank_48;
+  const Scalar t_left_ankle_cross_22 = left_ankle_cross_I15 + t_left_ankle_cross_19;
+  const Scalar t_left_shank_50 = c_q2_q3_q4 * h_left_ankle_cross_x;
+  const Scalar t_left_shank_51 = left_ankle_cross_I3 * s_q2_q3_q4 + t_left_shank_50;
   // right_foot: 1/pivot of (1)
-  const Scalar inverse_pivot_right_foot = 1.0 / t_right_foot_17;
-  const Scalar t_right_foot_21 = t_right_hip_fork_10 * inverse_pivot_right_foot;
-  const Scalar t_right_foot_22 = t_right_shank_25 * inverse_pivot_right_foot;
-  const Scalar t_right_foot_23 = neg_E_right_foot_yz * inverse_pivot_right_foot;
-  // right_ankle_cross
-  const Scalar t_righ_ankl_cros_48 = left_ankle_cross_I16 + t_righ_ankl_cros_30;
-  const Scalar t_righ_ankl_cros_49 = t_righ_ankl_cros_38 - t_righ_ankl_cros_39;
-  const Scalar t_righ_ankl_cros_50 = t_righ_ankl_cros_48 + t_righ_ankl_cros_49;
-  const Scalar t_right_shank_26 = t_righ_ankl_cros_50 + neg_s_right_shank_x * t_righ_ankl_cros_32;
-  const Scalar t_right_shank_27 = t_right_shank_26 - neg_s_right_shank_y * t_righ_ankl_cros_34;
-  const Scalar t_right_thigh_47 = t_right_shank_27 + left_hip_fork_l1 * t_righ_ankl_cros_34;
-  const Scalar t_right_hip_fork_11 = c_right_hip_roll * t_righ_ankl_cros_42;
-  const Scalar t_right_hip_fork_12 = t_right_hip_fork_11 + s_right_hip_roll * t_right_thigh_47;
-  const Scalar t_right_foot_24 = t_right_hip_fork_12 - t_right_hip_fork_10 * t_right_foot_23;
-  const Scalar t_right_foot_25 = t_right_shank_23 * inverse_pivot_right_foot;
-  const Scalar t_righ_ankl_cros_51 = c_q8_q9_q10 * E_righ_ankl_cros_yz;
-  const Scalar t_righ_ankl_cros_52 = t_righ_ankl_cros_51 + s_q8_q9_q10 * E_righ_ankl_cros_xz;
-  // right_foot
-  const Scalar t_right_foot_26 = t_righ_ankl_cros_52 - neg_E_right_foot_yz * t_right_foot_25;
-  const Scalar t_right_foot_27 = t_right_shank_27 - neg_E_right_foot_yz * t_right_foot_22;
-  const Scalar t_right_foot_28 = t_righ_ankl_cros_45 * inverse_pivot_right_foot;
-  const Scalar t_right_foot_29 = t_righ_ankl_cros_50 - t_righ_ankl_cros_45 * t_right_foot_23;
-  const Scalar t_right_foot_30 = t_righ_ankl_cros_48 - neg_E_right_foot_yz * t_right_foot_23;
-  // right_ankle_cross: 1/pivot of (1)
-  const Scalar t_righ_ankl_cros_53 = 1.0 / t_right_foot_30;
-  const Scalar t_righ_ankl_cros_54 = t_right_foot_27 * t_righ_ankl_cros_53;
-  const Scalar t_righ_ankl_cros_55 = t_right_foot_29 * t_righ_ankl_cros_53;
-  const Scalar t_right_shank_28 = t_right_shank_14 - t_right_shank_15 + t_right_shank_19;
-  const Scalar t_righ_ankl_cros_56 = t_right_foot_24 * t_righ_ankl_cros_53;
-  const Scalar t_right_thigh_48 = t_right_shank_28 - left_hip_fork_l1 * neg_h_right_shank_y;
-  const Scalar t_right_hip_fork_13 = c_right_hip_roll * neg_E_right_shank_xz;
-  const Scalar t_right_hip_fork_14 = s_right_hip_roll * t_right_thigh_48 + t_right_hip_fork_13;
-  const Scalar t_righ_ankl_cros_57 = t_right_hip_fork_14 - t_right_foot_24 * t_righ_ankl_cros_55;
-  const Scalar t_righ_ankl_cros_58 = t_righ_ankl_cros_57 - t_righ_ankl_cros_45 * t_right_foot_21;
-  const Scalar t_right_foot_31 = t_right_shank_28 - t_right_shank_25 * t_right_foot_28;
-  const Scalar t_righ_ankl_cros_59 = t_right_foot_31 - t_right_foot_29 * t_righ_ankl_cros_54;
-  const Scalar t_right_foot_32 = t_right_shank_19 - t_righ_ankl_cros_45 * t_right_foot_28;
-  const Scalar t_righ_ankl_cros_60 = t_right_foot_26 * t_righ_ankl_cros_53;
-  const Scalar t_right_shank_29 = t_right_shank_8 - t_righ_ankl_cros_40;
-  const Scalar neg_E_right_shank_yz = t_righ_ankl_cros_52 - t_right_shank_29;
-  const Scalar t_right_foot_33 = neg_E_right_shank_yz - t_righ_ankl_cros_45 * t_right_foot_25;
-  const Scalar t_righ_ankl_cros_61 = t_right_foot_33 - t_right_foot_29 * t_righ_ankl_cros_60;
-  const Scalar t_righ_ankl_cros_62 = t_right_foot_32 - t_right_foot_29 * t_righ_ankl_cros_55;
-  const Scalar t_right_shank_30 = 1.0 / t_righ_ankl_cros_62;
-  const Scalar t_right_shank_31 = t_righ_ankl_cros_58 * t_right_shank_30;
-  const Scalar t_right_hip_fork_15 = c_right_hip_roll * neg_E_right_thigh_xz;
-  const Scalar t_right_thigh_49 = t_right_thigh_40 - left_hip_fork_l1 * neg_h_right_thigh_y;
-  const Scalar t_right_foot_34 = t_right_hip_fork_15 - t_right_shank_25 * t_right_foot_21;
-  const Scalar t_right_foot_35 = t_right_foot_34 + s_right_hip_roll * t_right_thigh_49;
-  const Scalar t_righ_ankl_cros_63 = t_right_foot_35 - t_right_foot_24 * t_righ_ankl_cros_54;
-  const Scalar t_right_shank_32 = t_righ_ankl_cros_63 - t_righ_ankl_cros_59 * t_right_shank_31;
-  const Scalar t_right_shank_33 = t_righ_ankl_cros_59 * t_right_shank_30;
-  const Scalar t_right_foot_36 = t_right_thigh_40 - t_right_shank_25 * t_right_foot_22;
-  const Scalar t_righ_ankl_cros_64 = t_right_foot_36 - t_right_foot_27 * t_righ_ankl_cros_54;
-  const Scalar t_right_thigh_50 = t_right_thigh_13 - t_right_shank_21;
-  const Scalar neg_E_right_thigh_yz = neg_E_right_shank_yz - t_right_thigh_50;
+  const Scalar inverse_pivot_right_foot = 1.0 / t_right_foot_8;
+  const Scalar t_right_foot_10 = t_right_hip_fork_10 * inverse_pivot_right_foot;
+  const Scalar t_right_foot_11 = neg_E_right_foot_yz * inverse_pivot_right_foot;
   // right_shank
-  const Scalar t_right_shank_34 = neg_E_right_thigh_yz - t_righ_ankl_cros_61 * t_right_shank_33;
-  const Scalar t_right_shank_35 = t_right_shank_34 - t_right_foot_27 * t_righ_ankl_cros_60;
-  const Scalar t_right_shank_36 = t_right_shank_35 - t_right_shank_25 * t_right_foot_25;
-  const Scalar t_right_shank_37 = t_righ_ankl_cros_64 - t_righ_ankl_cros_59 * t_right_shank_33;
-  const Scalar t_right_thigh_51 = 1.0 / t_right_shank_37;
-  const Scalar t_right_thigh_52 = t_right_shank_32 * t_right_thigh_51;
-  const Scalar E_right_hip_fork_yz = left_hip_fork_I1 - t_right_foot_18 + neg_E_right_thigh_yz;
-  const Scalar t_righ_ankl_cros_65 = t_right_foot_26 * t_righ_ankl_cros_56;
+  const Scalar t_right_shank_45 = c_q8_q9_q10 * neg_E_righ_ankl_cros_xz;
+  const Scalar t_right_shank_46 = left_ankle_cross_I3 * c_q8_q9_q10;
+  const Scalar t_right_shank_47 = t_right_shank_46 - s_q8_q9_q10 * h_righ_ankl_cros_x;
+  const Scalar t_right_shank_48 = left_ankle_cross_I3 * s_q8_q9_q10;
+  // right_ankle_cross
+  const Scalar t_righ_ankl_cros_17 = left_ankle_cross_I15 + t_righ_ankl_cros_14;
+  const Scalar t_righ_ankl_cros_18 = t_righ_ankl_cros_11 - t_righ_ankl_cros_17;
+  const Scalar t_righ_ankl_cros_19 =
+      t_righ_ankl_cros_18 + left_ankle_cross_I18 * s_right_ankle_pitch;
+  // right_shank
+  const Scalar t_right_shank_49 = t_right_shank_48 + c_q8_q9_q10 * h_righ_ankl_cros_x;
+  const Scalar t_right_shank_50 = t_righ_ankl_cros_19 + s_right_shank_x * t_right_shank_49;
+  const Scalar t_right_shank_51 = t_right_shank_50 - s_right_shank_y * t_right_shank_47;
+  const Scalar t_right_shank_52 = t_right_shank_45 - s_q8_q9_q10 * neg_E_righ_ankl_cros_yz;
+  const Scalar t_right_hip_fork_11 = s_right_hip_roll * (t_right_shank_47 - t_right_shank_51);
+  const Scalar t_right_hip_fork_12 = c_right_hip_roll * t_right_shank_52 - t_right_hip_fork_11;
+  // right_foot
+  const Scalar t_right_foot_12 = t_right_hip_fork_12 + t_right_hip_fork_10 * t_right_foot_11;
+  const Scalar t_right_foot_13 = t_righ_ankl_cros_13 * inverse_pivot_right_foot;
+  const Scalar t_right_foot_14 = t_right_shank_42 * inverse_pivot_right_foot;
+  const Scalar t_right_shank_53 = c_q8_q9_q10 * neg_E_righ_ankl_cros_yz;
+  const Scalar t_right_shank_54 = t_right_shank_53 + s_q8_q9_q10 * neg_E_righ_ankl_cros_xz;
+  const Scalar t_right_foot_15 = t_right_shank_54 - t_right_shank_42 * t_right_foot_11;
+  const Scalar t_right_foot_16 = t_righ_ankl_cros_19 + t_righ_ankl_cros_13 * t_right_foot_11;
+  const Scalar t_right_foot_17 = t_right_shank_44 * inverse_pivot_right_foot;
+  const Scalar t_right_foot_18 = t_right_shank_51 + t_right_shank_44 * t_right_foot_11;
+  const Scalar t_right_foot_19 = t_righ_ankl_cros_17 - neg_E_right_foot_yz * t_right_foot_11;
+  // right_ankle_cross: 1/pivot of (1)
+  const Scalar t_righ_ankl_cros_20 = 1.0 / t_right_foot_19;
+  const Scalar t_righ_ankl_cros_21 = t_right_foot_15 * t_righ_ankl_cros_20;
+  const Scalar t_righ_ankl_cros_22 = t_right_foot_16 * t_righ_ankl_cros_20;
+  const Scalar t_right_shank_55 = left_shank_I20 - t_righ_ankl_cros_12 + t_right_shank_32;
+  const Scalar t_right_shank_56 = t_right_shank_34 - t_right_shank_35 + t_right_shank_55;
+  const Scalar t_righ_ankl_cros_23 = t_right_foot_12 * t_righ_ankl_cros_20;
+  const Scalar t_right_hip_fork_13 = s_right_hip_roll * (t_right_shank_30 + t_right_shank_56);
+  const Scalar t_right_hip_fork_14 = t_right_hip_fork_13 + c_right_hip_roll * t_right_shank_39;
+  const Scalar t_right_foot_20 = t_right_hip_fork_14 - t_righ_ankl_cros_13 * t_right_foot_10;
+  const Scalar t_righ_ankl_cros_24 = t_right_foot_20 - t_right_foot_12 * t_righ_ankl_cros_22;
+  const Scalar t_right_shank_57 = c_q8_q9_q10 * neg_E_right_shank_yz;
+  const Scalar t_right_shank_58 = t_right_shank_57 + s_q8_q9_q10 * neg_E_right_shank_xz;
+  const Scalar t_righ_ankl_cros_25 = t_right_shank_58 + t_right_foot_15 * t_righ_ankl_cros_22;
+  const Scalar t_righ_ankl_cros_26 = t_righ_ankl_cros_25 - t_right_shank_42 * t_right_foot_13;
+  const Scalar t_righ_ankl_cros_27 = t_right_shank_56 - t_right_foot_18 * t_righ_ankl_cros_22;
+  const Scalar t_righ_ankl_cros_28 = t_righ_ankl_cros_27 - t_righ_ankl_cros_13 * t_right_foot_17;
+  const Scalar t_right_foot_21 = t_right_shank_55 - t_righ_ankl_cros_13 * t_right_foot_13;
+  const Scalar t_righ_ankl_cros_29 = t_right_foot_21 - t_right_foot_16 * t_righ_ankl_cros_22;
+  const Scalar t_right_shank_59 = 1.0 / t_righ_ankl_cros_29;
+  const Scalar t_right_shank_60 = t_righ_ankl_cros_28 * t_right_shank_59;
+  // right_thigh: first moment h of (1)
+  const Scalar h_right_thigh_y = t_right_thigh_15 + t_right_shank_30;
+  const Scalar t_right_thigh_23 = t_right_thigh_9 - 2.0 * t_right_shank_35;
+  const Scalar t_right_thigh_24 = t_right_thigh_13 + t_right_shank_55 + t_right_thigh_23;
+  const Scalar t_right_thigh_25 = t_right_thigh_24 + 2.0 * t_right_shank_34;
+  const Scalar t_right_hip_fork_15 = s_right_hip_roll * (h_right_thigh_y + t_right_thigh_25);
+  const Scalar t_right_hip_fork_16 = c_right_hip_roll * neg_E_right_thigh_xz + t_right_hip_fork_15;
+  const Scalar t_right_foot_22 = t_right_hip_fork_16 - t_right_hip_fork_10 * t_right_foot_17;
+  const Scalar t_righ_ankl_cros_30 = t_right_foot_22 - t_right_foot_18 * t_righ_ankl_cros_23;
+  const Scalar t_right_shank_61 = t_righ_ankl_cros_30 - t_righ_ankl_cros_24 * t_right_shank_60;
+  const Scalar t_righ_ankl_cros_31 = t_right_foot_18 * t_righ_ankl_cros_20;
+  // right_shank
+  const Scalar t_right_shank_62 = t_right_thigh_25 - t_righ_ankl_cros_28 * t_right_shank_60;
+  const Scalar t_right_shank_63 = t_right_shank_62 - t_right_shank_44 * t_right_foot_17;
+  const Scalar t_right_shank_64 = t_righ_ankl_cros_26 * t_right_shank_59;
+  const Scalar E_right_thigh_yz = t_right_thigh_17 - t_right_shank_37 + t_right_shank_58;
+  const Scalar t_right_shank_65 = E_right_thigh_yz + t_right_foot_18 * t_righ_ankl_cros_21;
+  const Scalar t_right_shank_66 = t_right_shank_65 - t_righ_ankl_cros_28 * t_right_shank_64;
+  const Scalar t_right_shank_67 = t_right_shank_66 - t_right_shank_44 * t_right_foot_14;
+  const Scalar t_right_shank_68 = t_right_shank_63 - t_right_foot_18 * t_righ_ankl_cros_31;
+  const Scalar t_right_thigh_26 = 1.0 / t_right_shank_68;
+  const Scalar t_right_thigh_27 = t_right_shank_67 * t_right_thigh_26;
+  const Scalar t_right_shank_69 = left_shank_I19 - t_right_shank_14 + t_righ_ankl_cros_12;
+  const Scalar t_right_shank_70 = s_q8_q9_q10 * (t_right_shank_33 - t_right_shank_69);
+  const Scalar t_right_shank_71 = c_q8_q9_q10 * E_right_shank_xy * 2.0 - t_right_shank_70;
+  // right_hip_fork: pseudo-inertia E of (1)
+  const Scalar t_right_hip_fork_17 = left_hip_fork_I9 - t_right_hip_fork_7;
+  const Scalar t_right_hip_fork_18 = t_right_shank_28 - t_right_hip_fork_17;
+  const Scalar t_right_hip_fork_19 = E_right_shank_xy + t_right_hip_fork_18;
+  const Scalar t_right_hip_fork_20 = t_right_hip_fork_19 - s_right_shank_x * t_right_shank_30;
+  const Scalar t_right_hip_fork_21 = t_right_hip_fork_20 - c_q8_q9_q10 * t_right_shank_71;
+  const Scalar t_right_thigh_28 = t_right_shank_61 * t_right_thigh_26;
+  const Scalar neg_E_right_hip_fork_xz = t_right_hip_fork_21 + s_right_shank_y * t_right_shank_28;
+  const Scalar t_right_hip_fork_22 = c_right_hip_roll * neg_E_right_hip_fork_xz;
+  const Scalar neg_E_right_hip_fork_yz = left_hip_fork_I1 - neg_h_right_foot_y + E_right_thigh_yz;
+  const Scalar t_right_foot_23 = t_right_hip_fork_22 + t_right_shank_42 * t_right_foot_10;
+  const Scalar t_right_foot_24 = t_right_foot_23 - s_right_hip_roll * neg_E_right_hip_fork_yz;
   // right_thigh
-  const Scalar t_right_thigh_53 = c_right_hip_roll * E_right_hip_fork_xz + t_righ_ankl_cros_65;
-  const Scalar t_right_thigh_54 = t_right_thigh_53 + t_right_hip_fork_10 * t_right_foot_25;
-  const Scalar t_right_thigh_55 = t_right_thigh_54 + t_right_shank_36 * t_right_thigh_52;
-  const Scalar t_right_thigh_56 = t_right_thigh_55 - s_right_hip_roll * E_right_hip_fork_yz;
-  const Scalar t_right_thigh_57 = t_right_thigh_56 + t_righ_ankl_cros_61 * t_right_shank_31;
-  const Scalar t_right_shank_38 = t_righ_ankl_cros_61 * t_right_shank_30;
+  const Scalar t_right_thigh_29 = t_right_foot_24 + t_right_shank_67 * t_right_thigh_28;
+  const Scalar t_right_thigh_30 = t_right_thigh_29 - t_right_foot_15 * t_righ_ankl_cros_23;
+  const Scalar t_right_thigh_31 = t_right_thigh_30 + t_righ_ankl_cros_24 * t_right_shank_64;
+  // right_hip_fork
+  const Scalar t_right_hip_fork_23 = t_right_foot_5 - left_foot_I7 * s_right_foot;
+  const Scalar t_right_hip_fork_24 = t_right_shank_33 - t_right_thigh_23;
+  const Scalar t_right_hip_fork_25 = t_right_hip_fork_24 + s_q8_q9_q10 * t_right_shank_71;
+  const Scalar t_right_hip_fork_26 = left_hip_fork_I16 + t_right_hip_fork_23;
+  const Scalar t_right_hip_fork_27 = t_right_hip_fork_25 - t_right_hip_fork_26;
+  // right_thigh
+  const Scalar t_right_thigh_32 = t_right_hip_fork_27 + t_right_foot_15 * t_righ_ankl_cros_21;
+  const Scalar t_right_thigh_33 = t_right_thigh_32 + t_right_shank_67 * t_right_thigh_27;
+  const Scalar t_right_thigh_34 = t_right_thigh_33 + t_righ_ankl_cros_26 * t_right_shank_64;
+  const Scalar t_right_thigh_35 = t_right_thigh_34 + t_right_shank_42 * t_right_foot_14;
   // right_hip_fork: 1/pivot of (1)
-  const Scalar t_right_hip_fork_16 = t_right_foot_6 - left_hip_fork_l4 * h_right_foot_y;
-  const Scalar t_right_hip_fork_17 = t_right_shank_4 - t_right_shank_17;
-  const Scalar t_right_hip_fork_18 = t_right_thigh_38 - t_right_hip_fork_17;
-  const Scalar t_right_hip_fork_19 = t_right_hip_fork_18 + s_q8_q9_q10 * t_righ_ankl_cros_37;
-  const Scalar t_right_thigh_58 = t_right_shank_36 * t_right_thigh_51;
-  const Scalar t_right_hip_fork_20 = left_hip_fork_I16 + t_right_hip_fork_16;
-  const Scalar t_right_hip_fork_21 = t_right_hip_fork_19 + t_right_hip_fork_20;
-  const Scalar t_right_foot_37 = t_right_hip_fork_21 - t_right_shank_23 * t_right_foot_25;
-  const Scalar t_right_shank_39 = t_right_foot_37 - t_righ_ankl_cros_61 * t_right_shank_38;
-  const Scalar t_right_shank_40 = t_right_shank_39 - t_right_foot_26 * t_righ_ankl_cros_60;
-  const Scalar t_right_thigh_59 = t_right_shank_40 - t_right_shank_36 * t_right_thigh_58;
-  const Scalar t_right_hip_fork_22 = 1.0 / t_right_thigh_59;
-  const Scalar qdd_6_1 = left_hip_fork_I15 - t_right_hip_fork_16 + t_right_hip_fork_19;
-  const Scalar qdd_6_2 = s_right_hip_roll * (left_hip_fork_I3 - 2.0 * neg_E_right_thigh_xz);
-  const Scalar t_right_hip_fork_23 = t_right_thigh_57 * t_right_hip_fork_22;
-  const Scalar qdd_6_3 = left_hip_block_I3 + t_right_thigh_40;
-  const Scalar qdd_6_4 = qdd_6_2 + c_right_hip_roll * qdd_6_1;
-  const Scalar qdd_6_5 = qdd_6_3 - c_right_hip_roll * qdd_6_4;
-  const Scalar qdd_6_6 = qdd_6_5 - left_hip_fork_l3 * neg_h_right_thigh_y;
-  const Scalar qdd_6_7 = qdd_6_6 - t_right_foot_24 * t_righ_ankl_cros_56;
-  const Scalar qdd_6_8 = qdd_6_7 - t_right_shank_32 * t_right_thigh_52;
-  const Scalar qdd_6_9 = qdd_6_8 - t_right_thigh_57 * t_right_hip_fork_23;
-  const Scalar qdd_6_10 = qdd_6_9 - t_righ_ankl_cros_58 * t_right_shank_31;
-  const Scalar qdd_6_11 = 1.0 / (qdd_6_10 - t_right_hip_fork_10 * t_right_foot_21);
-  const Scalar t_left_ankle_cross_55 = c_q2_q3_q4 * t_left_foot_20;
-  const Scalar t_left_ankle_cross_56 = s_q2_q3_q4 * E_left_foot_xz + t_left_ankle_cross_55;
-  const Scalar t_left_shank_20 = neg_s_left_shank_x + neg_s_left_ankle_cross_x;
-  const Scalar t_left_shank_21 = t_left_ankle_cross_56 + h_left_foot_x * t_left_shank_20;
+  const Scalar t_right_hip_fork_28 = 1.0 / t_right_thigh_35;
+  const Scalar qdd_6_2 = t_right_hip_fork_25 - (left_hip_fork_I17 - t_right_hip_fork_23);
+  const Scalar t_right_hip_fork_29 = t_right_thigh_31 * t_right_hip_fork_28;
+  const Scalar t_right_shank_72 = t_righ_ankl_cros_24 * t_right_shank_59;
+  const Scalar qdd_6_3 = s_right_hip_roll * qdd_6_1 + c_right_hip_roll * qdd_6_2;
+  const Scalar qdd_6_4 = left_hip_block_I3 + t_right_thigh_25 + c_right_hip_roll * qdd_6_3;
+  const Scalar qdd_6_5 = qdd_6_4 + 2.0 * h_right_thigh_y;
+  const Scalar qdd_6_6 = qdd_6_5 - t_right_foot_12 * t_righ_ankl_cros_23;
+  const Scalar qdd_6_7 = qdd_6_6 - t_right_hip_fork_10 * t_right_foot_10;
+  const Scalar qdd_6_8 = qdd_6_7 + t_right_thigh_31 * t_right_hip_fork_29;
+  const Scalar qdd_6_9 = qdd_6_8 - t_righ_ankl_cros_24 * t_right_shank_72;
+  const Scalar qdd_6_10 = 1.0 / (qdd_6_9 - t_right_shank_61 * t_right_thigh_28);
+  const Scalar t_left_foot_8 = t_left_shank_45 * inverse_pivot_right_foot;
+  const Scalar t_left_foot_9 = t_left_shank_47 * inverse_pivot_right_foot;
+  const Scalar t_left_ankle_cross_23 = t_left_ankle_cross_17 - t_left_ankle_cross_22;
+  const Scalar t_left_ankle_cross_24 =
+      t_left_ankle_cross_23 + left_ankle_cross_I18 * s_left_ankle_pitch;
+  const Scalar t_left_shank_52 = t_left_ankle_cross_24 - s_left_shank_y * t_left_shank_49;
+  const Scalar t_left_shank_53 = t_left_shank_52 + s_left_shank_x * t_left_shank_51;
+  const Scalar t_left_foot_10 = E_left_foot_yz * inverse_pivot_right_foot;
+  const Scalar t_left_foot_11 = t_left_hip_fork_12 * inverse_pivot_right_foot;
+  const Scalar t_left_shank_54 = c_q2_q3_q4 * t_left_ankle_cross_16;
+  const Scalar t_left_hip_fork_13 = s_left_hip_roll * (t_left_shank_49 - t_left_shank_53);
+  const Scalar t_left_shank_55 = t_left_shank_54 + s_q2_q3_q4 * E_left_ankle_cross_yz;
   // left_foot
-  const Scalar t_left_foot_21 = inverse_pivot_right_foot * t_left_shank_21;
-  const Scalar t_left_foot_22 = t_left_ankle_cross_54 * inverse_pivot_right_foot;
-  const Scalar t_left_foot_23 = E_left_foot_yz * inverse_pivot_right_foot;
-  const Scalar t_left_foot_24 = t_left_hip_fork_10 * inverse_pivot_right_foot;
-  // left_ankle_cross
-  const Scalar t_left_ankle_cross_57 = left_ankle_cross_I16 + t_left_ankle_cross_46;
-  const Scalar t_left_ankle_cross_58 = t_left_ankle_cross_43 - t_left_ankle_cross_44;
-  const Scalar t_left_ankle_cross_59 = t_left_ankle_cross_57 + t_left_ankle_cross_58;
-  const Scalar t_left_shank_22 = t_left_ankle_cross_59 - neg_s_left_shank_y * t_left_ankle_cross_38;
-  const Scalar t_left_shank_23 = t_left_shank_22 + neg_s_left_shank_x * t_left_ankle_cross_40;
-  const Scalar t_left_hip_fork_11 = c_left_hip_roll * t_left_ankle_cross_48;
-  const Scalar t_left_thigh_46 = t_left_shank_23 + left_hip_fork_l1 * t_left_ankle_cross_38;
-  const Scalar t_left_foot_25 = t_left_hip_fork_11 - E_left_foot_yz * t_left_foot_24;
-  const Scalar t_left_foot_26 = t_left_foot_25 + s_left_hip_roll * t_left_thigh_46;
-  const Scalar t_left_ankle_cross_60 = c_q2_q3_q4 * t_left_ankle_cross_34;
-  const Scalar t_left_ankle_cross_61 = t_left_ankle_cross_60 + s_q2_q3_q4 * t_left_ankle_cross_42;
-  // left_foot
-  const Scalar t_left_foot_27 = t_left_ankle_cross_61 - t_left_shank_21 * t_left_foot_23;
-  const Scalar t_left_foot_28 = t_left_shank_23 - t_left_shank_19 * t_left_foot_23;
-  const Scalar t_left_foot_29 = t_left_ankle_cross_59 - t_left_ankle_cross_54 * t_left_foot_23;
-  const Scalar t_left_foot_30 = t_left_ankle_cross_57 - E_left_foot_yz * t_left_foot_23;
-  // left_ankle_cross: 1/pivot of (1)
-  const Scalar t_left_ankle_cross_62 = 1.0 / t_left_foot_30;
-  const Scalar t_left_ankle_cross_63 = t_left_foot_26 * t_left_ankle_cross_62;
-  const Scalar t_left_ankle_cross_64 = t_left_foot_28 * t_left_ankle_cross_62;
+  const Scalar t_left_foot_12 = t_left_hip_fork_13 + t_left_hip_fork_12 * t_left_foot_10;
+  const Scalar t_left_foot_13 = t_left_foot_12 - c_left_hip_roll * t_left_shank_55;
+  const Scalar t_left_foot_14 = t_left_ankle_cross_18 * inverse_pivot_right_foot;
+  const Scalar t_left_shank_56 = s_q2_q3_q4 * t_left_ankle_cross_16;
+  const Scalar t_left_shank_57 = t_left_shank_56 - c_q2_q3_q4 * E_left_ankle_cross_yz;
+  const Scalar t_left_foot_15 = t_left_shank_57 + E_left_foot_yz * t_left_foot_8;
+  const Scalar t_left_foot_16 = t_left_shank_53 + E_left_foot_yz * t_left_foot_9;
+  const Scalar t_left_foot_17 = t_left_ankle_cross_24 + E_left_foot_yz * t_left_foot_14;
+  const Scalar t_left_foot_18 = t_left_ankle_cross_22 - E_left_foot_yz * t_left_foot_10;
+  const Scalar t_left_ankle_cross_25 = 1.0 / t_left_foot_18;
+  const Scalar t_left_ankle_cross_26 = t_left_foot_16 * t_left_ankle_cross_25;
   // left_shank
-  const Scalar t_left_shank_24 = left_shank_I18 - 2.0 * t_left_ankle_cross_44;
-  const Scalar t_left_shank_25 = t_left_ankle_cross_46 + 2.0 * t_left_ankle_cross_43;
-  const Scalar t_left_shank_26 = t_left_shank_24 + t_left_shank_25;
-  const Scalar t_left_shank_27 = t_left_shank_14 - t_left_shank_15 + t_left_shank_26;
-  const Scalar t_left_ankle_cross_65 = t_left_foot_29 * t_left_ankle_cross_63;
-  const Scalar t_left_thigh_47 = t_left_shank_27 - left_hip_fork_l1 * neg_h_left_shank_y;
+  const Scalar t_left_shank_58 = left_shank_I20 + t_left_shank_34;
+  const Scalar t_left_shank_59 = t_left_shank_33 - t_left_shank_58;
+  const Scalar t_left_shank_60 = t_left_shank_59 - (t_left_shank_38 - t_left_shank_39);
+  const Scalar t_left_ankle_cross_27 = t_left_foot_17 * t_left_ankle_cross_25;
+  const Scalar t_left_ankle_cross_28 = t_left_foot_13 * t_left_ankle_cross_25;
+  const Scalar t_left_hip_fork_14 = s_left_hip_roll * (t_left_shank_31 - t_left_shank_60);
+  const Scalar t_left_hip_fork_15 = c_left_hip_roll * t_left_shank_42 + t_left_hip_fork_14;
+  const Scalar t_left_foot_19 = t_left_hip_fork_15 + t_left_ankle_cross_18 * t_left_foot_11;
+  const Scalar t_left_ankle_cross_29 = t_left_foot_19 + t_left_foot_13 * t_left_ankle_cross_27;
+  const Scalar t_left_shank_61 = s_q2_q3_q4 * E_left_shank_xz + c_q2_q3_q4 * E_left_shank_yz;
   // left_ankle_cross
-  const Scalar t_left_ankle_cross_66 = c_left_hip_roll * E_left_shank_xz + t_left_ankle_cross_65;
-  const Scalar t_left_ankle_cross_67 = t_left_ankle_cross_66 - s_left_hip_roll * t_left_thigh_47;
-  const Scalar t_left_ankle_cross_68 =
-      t_left_ankle_cross_67 + t_left_ankle_cross_54 * t_left_foot_24;
-  const Scalar t_left_ankle_cross_69 = t_left_shank_27 - t_left_foot_29 * t_left_ankle_cross_64;
-  const Scalar t_left_ankle_cross_70 = t_left_ankle_cross_69 - t_left_shank_19 * t_left_foot_22;
-  const Scalar t_left_ankle_cross_71 = t_left_foot_29 * t_left_ankle_cross_62;
-  const Scalar t_left_foot_31 = t_left_shank_26 - t_left_ankle_cross_54 * t_left_foot_22;
-  const Scalar t_left_ankle_cross_72 = t_left_foot_27 * t_left_ankle_cross_62;
-  const Scalar E_left_shank_yz_1 = t_left_shank_8 - t_left_ankle_cross_52;
-  const Scalar E_left_shank_yz = t_left_ankle_cross_61 - E_left_shank_yz_1;
-  const Scalar t_left_foot_32 = E_left_shank_yz - t_left_ankle_cross_54 * t_left_foot_21;
-  const Scalar t_left_ankle_cross_73 = t_left_foot_32 - t_left_foot_29 * t_left_ankle_cross_72;
-  const Scalar t_left_ankle_cross_74 = t_left_foot_31 - t_left_foot_29 * t_left_ankle_cross_71;
+  const Scalar t_left_ankle_cross_30 = t_left_shank_61 - t_left_foot_15 * t_left_ankle_cross_27;
+  const Scalar t_left_ankle_cross_31 = t_left_ankle_cross_30 - t_left_shank_45 * t_left_foot_14;
+  const Scalar t_left_ankle_cross_32 = t_left_foot_15 * t_left_ankle_cross_25;
+  const Scalar t_left_foot_20 = t_left_shank_59 + t_left_ankle_cross_18 * t_left_foot_14;
+  const Scalar t_left_foot_21 = t_left_shank_60 + t_left_shank_47 * t_left_foot_14;
+  const Scalar t_left_ankle_cross_33 = t_left_foot_21 + t_left_foot_16 * t_left_ankle_cross_27;
+  const Scalar t_left_ankle_cross_34 = t_left_foot_20 + t_left_foot_17 * t_left_ankle_cross_27;
   // left_shank: 1/pivot of (1)
-  const Scalar inverse_pivot_left_shank = 1.0 / t_left_ankle_cross_74;
-  const Scalar t_left_shank_28 = t_left_ankle_cross_68 * inverse_pivot_left_shank;
-  const Scalar t_left_shank_29 = t_left_ankle_cross_70 * inverse_pivot_left_shank;
-  // left_thigh
-  const Scalar t_left_thigh_48 = t_left_thigh_17 + t_left_shank_25 - 2.0 * t_left_shank_15;
-  const Scalar t_left_thigh_49 = t_left_thigh_22 + t_left_shank_24 + t_left_thigh_48;
-  const Scalar t_left_thigh_50 = t_left_thigh_49 + 2.0 * t_left_shank_14;
-  const Scalar t_left_thigh_51 = t_left_thigh_50 - left_hip_fork_l1 * neg_h_left_thigh_y;
-  const Scalar t_left_hip_fork_12 = s_left_hip_roll * t_left_thigh_51;
-  const Scalar t_left_hip_fork_13 = c_left_hip_roll * E_left_thigh_xz - t_left_hip_fork_12;
+  const Scalar t_left_shank_62 = 1.0 / t_left_ankle_cross_34;
+  const Scalar t_left_shank_63 = t_left_ankle_cross_29 * t_left_shank_62;
+  const Scalar t_left_shank_64 = t_left_ankle_cross_33 * t_left_shank_62;
+  // left_thigh: first moment h, pseudo-inertia E of (1)
+  const Scalar h_left_thigh_y = t_left_thigh_13 + t_left_shank_31;
+  const Scalar t_left_thigh_22 = t_left_thigh_17 + t_left_hip_fork_10 + t_left_shank_58;
+  const Scalar t_left_thigh_23 = t_left_thigh_22 + 2.0 * t_left_shank_38;
+  const Scalar t_left_hip_fork_16 = s_left_hip_roll * (h_left_thigh_y + t_left_thigh_23);
+  const Scalar t_left_hip_fork_17 = c_left_hip_roll * neg_E_left_thigh_xz + t_left_hip_fork_16;
+  const Scalar t_left_foot_22 = t_left_hip_fork_17 + t_left_hip_fork_12 * t_left_foot_9;
+  const Scalar t_left_shank_65 = t_left_foot_22 - t_left_ankle_cross_29 * t_left_shank_64;
+  const Scalar t_left_shank_66 = t_left_shank_65 + t_left_foot_13 * t_left_ankle_cross_26;
+  const Scalar t_left_ankle_cross_35 = t_left_thigh_23 - t_left_foot_16 * t_left_ankle_cross_26;
+  const Scalar t_left_ankle_cross_36 = t_left_ankle_cross_35 - t_left_shank_47 * t_left_foot_9;
+  const Scalar neg_E_left_thigh_yz = t_left_thigh_11 - t_left_shank_40 + t_left_shank_61;
   // left_shank
-  const Scalar t_left_shank_30 = t_left_hip_fork_13 + t_left_foot_28 * t_left_ankle_cross_63;
-  const Scalar t_left_shank_31 = t_left_shank_30 - t_left_ankle_cross_68 * t_left_shank_29;
-  const Scalar t_left_shank_32 = t_left_shank_31 + t_left_shank_19 * t_left_foot_24;
-  const Scalar t_left_foot_33 = t_left_shank_19 * inverse_pivot_right_foot;
-  const Scalar t_left_shank_33 = t_left_thigh_50 - t_left_foot_28 * t_left_ankle_cross_64;
-  const Scalar t_left_shank_34 = t_left_shank_33 - t_left_ankle_cross_70 * t_left_shank_29;
-  const Scalar E_left_thigh_yz = E_left_shank_yz - (t_left_thigh_12 - t_left_shank_17);
-  const Scalar t_left_shank_35 = E_left_thigh_yz - t_left_ankle_cross_73 * t_left_shank_29;
-  const Scalar t_left_shank_36 = t_left_shank_35 - t_left_shank_19 * t_left_foot_21;
-  const Scalar t_left_shank_37 = t_left_shank_36 - t_left_foot_27 * t_left_ankle_cross_64;
-  const Scalar t_left_shank_38 = t_left_shank_34 - t_left_shank_19 * t_left_foot_33;
-  const Scalar inverse_pivot_left_thigh = 1.0 / t_left_shank_38;
-  const Scalar t_left_thigh_52 = t_left_shank_32 * inverse_pivot_left_thigh;
+  const Scalar t_left_shank_67 = neg_E_left_thigh_yz - t_left_ankle_cross_31 * t_left_shank_64;
+  const Scalar t_left_shank_68 = t_left_shank_67 - t_left_foot_16 * t_left_ankle_cross_32;
+  const Scalar t_left_shank_69 = t_left_shank_68 - t_left_shank_45 * t_left_foot_9;
+  const Scalar t_left_shank_70 = t_left_ankle_cross_36 + t_left_ankle_cross_33 * t_left_shank_64;
+  const Scalar inverse_pivot_left_thigh = 1.0 / t_left_shank_70;
+  const Scalar t_left_thigh_24 = t_left_shank_69 * inverse_pivot_left_thigh;
   // left_hip_fork: pseudo-inertia E of (1)
-  const Scalar neg_E_left_hip_fork_yz = left_hip_fork_I1 - t_left_foot_18 + E_left_thigh_yz;
-  const Scalar t_left_hip_fork_14 = s_left_hip_roll * neg_E_left_hip_fork_yz;
-  const Scalar t_left_hip_fork_15 = c_left_hip_roll * E_left_hip_fork_xz + t_left_hip_fork_14;
-  // left_shank
-  const Scalar t_left_shank_39 = t_left_hip_fork_15 - t_left_foot_26 * t_left_ankle_cross_72;
-  const Scalar t_left_shank_40 = t_left_shank_39 + t_left_ankle_cross_73 * t_left_shank_28;
-  const Scalar t_left_shank_41 = t_left_shank_40 - t_left_hip_fork_10 * t_left_foot_21;
-  const Scalar t_left_thigh_53 = t_left_shank_41 + t_left_shank_37 * t_left_thigh_52;
-  const Scalar t_left_hip_fork_16 = t_left_foot_4 - left_hip_fork_l4 * neg_h_left_foot_y;
-  const Scalar t_left_shank_42 = t_left_ankle_cross_73 * inverse_pivot_left_shank;
-  const Scalar t_left_thigh_54 = t_left_shank_37 * inverse_pivot_left_thigh;
-  // left_hip_fork
-  const Scalar t_left_hip_fork_17 = t_left_shank_4 - t_left_thigh_48;
-  const Scalar t_left_hip_fork_18 = t_left_hip_fork_17 - s_q2_q3_q4 * t_left_ankle_cross_51;
-  const Scalar t_left_hip_fork_19 = left_hip_fork_I16 + t_left_hip_fork_16;
-  const Scalar t_left_hip_fork_20 = t_left_hip_fork_18 - t_left_hip_fork_19;
+  const Scalar E_left_hip_fork_yz = left_hip_fork_I1 - h_left_foot_y + neg_E_left_thigh_yz;
+  const Scalar t_left_hip_fork_18 = t_left_shank_29 - (left_hip_fork_I9 - t_left_hip_fork_7);
+  const Scalar t_left_hip_fork_19 = E_left_shank_xy + t_left_hip_fork_18;
+  const Scalar t_left_hip_fork_20 = t_left_hip_fork_19 - c_q2_q3_q4 * t_left_shank_37;
+  const Scalar t_left_hip_fork_21 = t_left_hip_fork_20 - s_left_shank_x * t_left_shank_31;
   // left_thigh
-  const Scalar t_left_thigh_55 = t_left_hip_fork_20 + t_left_ankle_cross_73 * t_left_shank_42;
-  const Scalar t_left_thigh_56 = t_left_thigh_55 + t_left_shank_21 * t_left_foot_21;
-  const Scalar t_left_thigh_57 = t_left_thigh_56 + t_left_shank_37 * t_left_thigh_54;
-  const Scalar t_left_thigh_58 = t_left_thigh_57 + t_left_foot_27 * t_left_ankle_cross_72;
-  // left_hip_fork: 1/pivot of (1)
-  const Scalar t_left_hip_fork_21 = 1.0 / t_left_thigh_58;
-  const Scalar t_left_hip_fork_22 = t_left_thigh_53 * t_left_hip_fork_21;
-  const Scalar qdd_0_1 = t_left_hip_fork_18 - (left_hip_fork_I15 - t_left_hip_fork_16);
-  const Scalar qdd_0_2 = s_left_hip_roll * (left_hip_fork_I3 - 2.0 * E_left_thigh_xz);
-  const Scalar qdd_0_3 = left_hip_block_I3 + t_left_thigh_50;
-  const Scalar qdd_0_4 = qdd_0_3 - t_left_ankle_cross_68 * t_left_shank_28;
-  const Scalar qdd_0_5 = qdd_0_4 - t_left_foot_26 * t_left_ankle_cross_63;
-  const Scalar qdd_0_6 = qdd_0_2 + c_left_hip_roll * qdd_0_1;
-  const Scalar qdd_0_7 = qdd_0_5 + c_left_hip_roll * qdd_0_6;
-  const Scalar qdd_0_8 = qdd_0_7 - t_left_hip_fork_10 * t_left_foot_24;
-  const Scalar qdd_0_9 = qdd_0_8 + t_left_thigh_53 * t_left_hip_fork_22;
-  const Scalar qdd_0_10 = qdd_0_9 - left_hip_fork_l3 * neg_h_left_thigh_y;
-  const Scalar qdd_0_11 = 1.0 / (qdd_0_10 - t_left_shank_32 * t_left_thigh_52);
-  const Scalar t_left_hip_block_2 = t_left_hip_block_1 * inverse_pivot_right_foot;
+  const Scalar t_left_thigh_25 = t_left_shank_66 * t_left_thigh_24;
+  const Scalar t_left_thigh_26 = s_left_hip_roll * E_left_hip_fork_yz - t_left_thigh_25;
+  const Scalar t_left_thigh_27 = t_left_thigh_26 + t_left_foot_15 * t_left_ankle_cross_28;
+  const Scalar t_left_thigh_28 = t_left_thigh_27 + t_left_shank_45 * t_left_foot_11;
+  const Scalar neg_E_left_hip_fork_xz = t_left_hip_fork_21 + s_left_shank_y * t_left_shank_29;
+  const Scalar t_left_thigh_29 = t_left_thigh_28 + t_left_ankle_cross_31 * t_left_shank_63;
+  const Scalar t_left_thigh_30 = t_left_thigh_29 + c_left_hip_roll * neg_E_left_hip_fork_xz;
+  const Scalar t_left_shank_71 = t_left_ankle_cross_31 * t_left_shank_62;
+  const Scalar t_left_hip_fork_22 = E_left_hip_fork_yy + E_left_hip_fork_xx;
+  const Scalar t_left_thigh_31 = t_left_hip_fork_22 - t_left_foot_15 * t_left_ankle_cross_32;
+  const Scalar t_left_thigh_32 = t_left_thigh_31 + t_left_ankle_cross_31 * t_left_shank_71;
+  const Scalar t_left_thigh_33 = t_left_thigh_32 - t_left_shank_69 * t_left_thigh_24;
+  const Scalar t_left_thigh_34 = t_left_thigh_33 - t_left_shank_45 * t_left_foot_8;
+  const Scalar t_left_hip_fork_23 = 1.0 / t_left_thigh_34;
+  const Scalar t_left_hip_fork_24 = t_left_thigh_30 * t_left_hip_fork_23;
+  const Scalar t_left_thigh_35 = t_left_shank_66 * inverse_pivot_left_thigh;
+  // left_hip_fork
+  const Scalar qdd_0_2 = s_left_hip_roll * (left_hip_fork_I2 - 2.0 * neg_E_left_thigh_xz);
+  const Scalar qdd_0_3 = left_hip_block_I3 + t_left_thigh_23 + 2.0 * h_left_thigh_y;
+  const Scalar qdd_0_4 = qdd_0_3 - t_left_thigh_30 * t_left_hip_fork_24;
+  const Scalar qdd_0_5 = qdd_0_4 - t_left_hip_fork_12 * t_left_foot_11;
+  const Scalar qdd_0_6 = qdd_0_5 + t_left_ankle_cross_29 * t_left_shank_63;
+  const Scalar qdd_0_7 = qdd_0_6 - t_left_foot_13 * t_left_ankle_cross_28;
+  const Scalar qdd_0_8 = qdd_0_7 - t_left_shank_66 * t_left_thigh_35;
+  const Scalar qdd_0_9 = c_left_hip_roll * qdd_0_1 - qdd_0_2;
+  const Scalar qdd_0_10 = 1.0 / (qdd_0_8 + c_left_hip_roll * qdd_0_9);
   // right_ankle_cross: moment M of (1)
-  const Scalar M_righ_ankl_cros_z_1 = left_ankle_cross_I15 * t_righ_ankl_cros_14;
+  const Scalar M_righ_ankl_cros_z_1 = neg_F_right_foot_z + left_ankle_cross_I14 * t_right_shank_10;
   const Scalar M_righ_ankl_cros_z_2 =
-      M_righ_ankl_cros_z_1 + left_ankle_cross_I16 * alpha_right_thigh_z;
+      M_righ_ankl_cros_z_1 + left_ankle_cross_I15 * alpha_right_thigh_z;
   const Scalar M_righ_ankl_cros_z_3 =
-      M_righ_ankl_cros_z_2 + left_ankle_cross_I7 * t_righ_ankl_cros_8;
+      M_righ_ankl_cros_z_2 + left_ankle_cross_I3 * a_righ_ankl_cros_x;
   const Scalar M_righ_ankl_cros_z_4 =
-      M_righ_ankl_cros_z_3 - left_ankle_cross_h1 * neg_a_righ_ankl_cros_x;
-  const Scalar M_righ_ankl_cros_z_5 = M_righ_ankl_cros_z_4 - left_hip_fork_l1 * F_right_foot_z;
+      M_righ_ankl_cros_z_3 - neg_Omega_right_foot_xy * neg_E_righ_ankl_cros_yz;
+  const Scalar M_righ_ankl_cros_z_5 = M_righ_ankl_cros_z_4 + h_right_foot_x * neg_a_right_foot_z;
   const Scalar M_righ_ankl_cros_z_6 =
-      M_righ_ankl_cros_z_5 + left_ankle_cross_I17 * t_righ_ankl_cros_13;
+      M_righ_ankl_cros_z_5 + left_ankle_cross_I8 * t_righ_ankl_cros_1;
   const Scalar M_righ_ankl_cros_z_7 =
-      M_righ_ankl_cros_z_6 - left_ankle_cross_I8 * t_right_hip_fork_5;
-  const Scalar M_righ_ankl_cros_z_8 = M_righ_ankl_cros_z_7 - Omega_right_foot_zy * E_right_foot_xy;
-  const Scalar M_righ_ankl_cros_z_9 =
-      M_righ_ankl_cros_z_8 + neg_Omega_right_foot_xy * E_righ_ankl_cros_yz;
+      M_righ_ankl_cros_z_6 + left_ankle_cross_I1 * a_righ_ankl_cros_y;
+  const Scalar M_righ_ankl_cros_z_8 =
+      M_righ_ankl_cros_z_7 + neg_Omega_right_foot_zx * E_right_foot_xx;
+  const Scalar M_righ_ankl_cros_z_9 = M_righ_ankl_cros_z_8 - neg_E_right_foot_xz * t_right_foot_7;
   const Scalar M_righ_ankl_cros_z_10 =
-      M_righ_ankl_cros_z_9 + neg_Omega_right_foot_zx * E_right_foot_xx;
-  const Scalar M_righ_ankl_cros_z_11 =
-      M_righ_ankl_cros_z_10 + left_ankle_cross_h2 * a_righ_ankl_cros_y;
-  const Scalar M_righ_ankl_cros_z_12 = M_righ_ankl_cros_z_11 + t_right_foot_2 * E_right_foot_xz;
-  const Scalar M_righ_ankl_cros_z = M_righ_ankl_cros_z_12 + h_right_foot_x * neg_a_right_foot_z;
+      M_righ_ankl_cros_z_9 - left_ankle_cross_I16 * neg_Omega_right_shank_yz;
+  const Scalar M_righ_ankl_cros_z =
+      M_righ_ankl_cros_z_10 + Omega_right_foot_zy * neg_E_right_foot_xy;
   const Scalar t_left_hip_block_3 = tau[10] - M_righ_ankl_cros_z;
-  const Scalar t_left_hip_block_4 = t_left_hip_block_3 + neg_E_right_foot_yz * t_left_hip_block_2;
-  const Scalar t_righ_ankl_cros_66 = c_q8_q9_q10 * neg_F_righ_ankl_cros_y;
-  const Scalar t_righ_ankl_cros_67 = t_righ_ankl_cros_66 + s_q8_q9_q10 * neg_F_righ_ankl_cros_x;
+  const Scalar t_left_hip_block_4 = t_left_hip_block_3 + t_left_hip_block_2 * t_right_foot_11;
   // right_shank: moment M of (1)
-  const Scalar M_right_shank_z_1 = M_righ_ankl_cros_z + Omega_right_thigh_yz * t_right_shank_7;
-  const Scalar M_right_shank_z_2 = M_right_shank_z_1 - neg_s_righ_ankl_cros_x * t_righ_ankl_cros_67;
-  const Scalar M_right_shank_z_3 = M_right_shank_z_2 + t_right_shank_1 * t_right_shank_6;
-  const Scalar M_right_shank_z_4 = M_right_shank_z_3 - Omega_right_thigh_xz * t_right_shank_8;
-  const Scalar M_right_shank_z_5 = M_right_shank_z_4 + Omega_right_hip_fork_zx * t_right_shank_11;
-  const Scalar M_right_shank_z_6 = M_right_shank_z_5 - neg_s_righ_ankl_cros_y * t_righ_ankl_cros_28;
-  const Scalar M_right_shank_z_7 = M_right_shank_z_6 - t_right_shank_10 * neg_a_right_shank_y;
-  const Scalar M_right_shank_z = M_right_shank_z_7 + t_right_shank_9 * a_right_shank_x;
+  const Scalar M_right_shank_z_1 = M_righ_ankl_cros_z - t_right_shank_20 * a_right_shank_x;
+  const Scalar M_right_shank_z_2 = M_right_shank_z_1 + neg_Omega_right_foot_xy * t_right_shank_18;
+  const Scalar M_right_shank_z_3 = M_right_shank_z_2 - neg_s_righ_ankl_cros_x * F_righ_ankl_cros_y;
+  const Scalar M_right_shank_z_4 = M_right_shank_z_3 + neg_Omega_right_shank_yz * t_right_shank_16;
+  const Scalar M_right_shank_z_5 = M_right_shank_z_4 + Omega_right_foot_xz * t_right_shank_26;
+  const Scalar M_right_shank_z_6 = M_right_shank_z_5 + Omega_right_shank_yx * t_right_shank_21;
+  const Scalar M_right_shank_z_7 = M_right_shank_z_6 - t_right_shank_25 * a_right_shank_y;
+  const Scalar M_right_shank_z_8 = M_right_shank_z_7 - s_righ_ankl_cros_y * F_righ_ankl_cros_x;
+  const Scalar M_right_shank_z = M_right_shank_z_8 - t_right_shank_13 * t_righ_ankl_cros_1;
   // left_hip_block: qdd of (1)
   const Scalar t_left_hip_block_5 = tau[9] - M_right_shank_z;
-  const Scalar t_left_hip_block_6 = t_left_hip_block_5 + t_left_hip_block_1 * t_right_foot_28;
-  const Scalar t_left_hip_block_7 = t_left_hip_block_6 - t_righ_ankl_cros_55 * t_left_hip_block_4;
-  const Scalar t_right_hip_fork_24 = t_right_hip_fork_2 - t_right_hip_fork_3;
-  const Scalar neg_F_right_shank_x =
-      t_righ_ankl_cros_28 + neg_Omega_right_shank_xx * t_right_shank_10;
-  const Scalar F_right_shank_y_1 = t_righ_ankl_cros_67 + Omega_right_hip_fork_zx * t_right_shank_10;
-  const Scalar F_right_shank_y = F_right_shank_y_1 + neg_Omega_right_shank_yy * t_right_shank_9;
+  const Scalar t_left_hip_block_6 = t_left_hip_block_5 + t_righ_ankl_cros_22 * t_left_hip_block_4;
+  const Scalar t_left_hip_block_7 = t_left_hip_block_6 + t_left_hip_block_2 * t_right_foot_13;
+  const Scalar t_left_hip_block_8 = t_righ_ankl_cros_20 * t_left_hip_block_4;
+  const Scalar t_right_shank_73 = c_q8_q9_q10 * F_right_shank_x - s_q8_q9_q10 * F_right_shank_y;
+  const Scalar M_right_thigh_z_1 = c_q8_q9_q10 * F_right_shank_y + s_q8_q9_q10 * F_right_shank_x;
   // right_thigh: moment M of (1)
-  const Scalar M_right_thigh_z_1 = M_right_shank_z + a_right_hip_fork_x * t_right_thigh_15;
-  const Scalar M_right_thigh_z_2 = M_right_thigh_z_1 + Omega_right_thigh_yz * t_right_thigh_11;
-  const Scalar M_right_thigh_z_3 = M_right_thigh_z_2 - neg_a_right_thigh_y * t_right_thigh_18;
-  const Scalar M_right_thigh_z_4 = M_right_thigh_z_3 - Omega_right_thigh_xz * t_right_thigh_13;
-  const Scalar M_right_thigh_z_5 = M_right_thigh_z_4 + t_right_shank_1 * t_right_thigh_9;
-  const Scalar M_right_thigh_z_6 = M_right_thigh_z_5 - neg_s_right_shank_x * F_right_shank_y;
-  const Scalar M_right_thigh_z_7 = M_right_thigh_z_6 + Omega_right_hip_fork_zx * t_right_thigh_16;
-  const Scalar M_right_thigh_z = M_right_thigh_z_7 - neg_s_right_shank_y * neg_F_right_shank_x;
+  const Scalar M_right_thigh_z_2 = M_right_shank_z + Omega_right_thigh_yz * t_right_thigh_8;
+  const Scalar M_right_thigh_z_3 = M_right_thigh_z_2 - s_right_shank_x * M_right_thigh_z_1;
+  const Scalar M_right_thigh_z_4 = M_right_thigh_z_3 - t_right_hip_block_1 * t_right_thigh_11;
+  const Scalar M_right_thigh_z_5 = M_right_thigh_z_4 + t_right_hip_fork_3 * t_right_thigh_6;
+  const Scalar M_right_thigh_z_6 = M_right_thigh_z_5 + t_right_thigh_9 * Omega_right_hip_fork_zx;
+  const Scalar M_right_thigh_z_7 = M_right_thigh_z_6 - Omega_right_thigh_xz * t_right_thigh_17;
+  const Scalar M_right_thigh_z_8 = M_right_thigh_z_7 + neg_a_right_hip_fork_x * t_right_thigh_15;
+  const Scalar M_right_thigh_z = M_right_thigh_z_8 + s_right_shank_y * t_right_shank_73;
   // left_hip_block: qdd of (1)
-  const Scalar t_left_hip_block_8 = tau[8] - M_right_thigh_z;
-  const Scalar t_left_hip_block_9 = t_left_hip_block_8 - t_right_shank_33 * t_left_hip_block_7;
-  const Scalar t_left_hip_block_10 = t_left_hip_block_9 - t_righ_ankl_cros_54 * t_left_hip_block_4;
-  const Scalar t_left_hip_block_11 = t_left_hip_block_10 + t_left_hip_block_1 * t_right_foot_22;
-  const Scalar t_right_shank_41 = t_right_hip_fork_5 - neg_Omega_right_shank_xx;
-  const Scalar t_left_hip_block_12 = tau[7] + left_hip_fork_G1 * c_right_hip_roll;
-  const Scalar t_left_hip_block_13 = t_left_hip_block_12 - s_q8_q9_q10 * neg_M_righ_ankl_cros_x;
-  const Scalar t_left_hip_block_14 = t_left_hip_block_13 - left_hip_fork_I14 * Omega_right_thigh_xz;
-  const Scalar t_left_hip_block_15 =
-      t_left_hip_block_14 - neg_Omega_right_shank_zx * t_right_shank_11;
-  const Scalar t_left_hip_block_16 = t_left_hip_block_15 + left_hip_fork_I7 * t_right_hip_fork_24;
-  const Scalar t_left_hip_block_17 = left_hip_fork_G2 - base_g1 * t_right_thigh_18;
-  const Scalar t_left_hip_block_18 = t_left_hip_block_16 - t_right_thigh_2 * t_right_thigh_11;
-  const Scalar t_left_hip_block_19 = t_left_hip_block_18 - s_right_hip_roll * t_left_hip_block_17;
-  const Scalar t_left_hip_block_20 = t_left_hip_block_19 - t_right_thigh_58 * t_left_hip_block_11;
-  const Scalar t_left_hip_block_21 = t_left_hip_block_20 - t_right_shank_38 * t_left_hip_block_7;
+  const Scalar t_left_hip_block_9 = tau[8] - M_right_thigh_z;
+  const Scalar t_left_hip_block_10 = t_left_hip_block_9 + t_right_foot_18 * t_left_hip_block_8;
+  const Scalar t_left_hip_block_11 = t_left_hip_block_10 - t_right_shank_60 * t_left_hip_block_7;
+  const Scalar t_left_hip_block_12 = t_left_hip_block_11 + t_left_hip_block_2 * t_right_foot_17;
+  const Scalar t_left_hip_block_13 = t_right_shank_59 * t_left_hip_block_7;
+  const Scalar t_left_hip_block_14 = tau[7] + left_hip_fork_G1 * c_right_hip_roll;
+  const Scalar t_left_hip_block_15 = t_left_hip_block_14 - s_q8_q9_q10 * neg_M_right_shank_x;
+  const Scalar t_left_hip_block_16 = t_left_hip_block_15 - c_q8_q9_q10 * neg_M_right_shank_y;
+  const Scalar t_right_hip_fork_30 = t_right_hip_fork_3 - t_right_hip_fork_8;
+  const Scalar t_left_hip_block_17 = t_left_hip_block_16 - left_hip_fork_I15 * Omega_right_thigh_xz;
+  const Scalar t_left_hip_block_18 = t_left_hip_block_17 + left_hip_fork_I7 * t_right_hip_fork_30;
+  const Scalar t_left_hip_block_19 = t_left_hip_block_18 + t_right_thigh_27 * t_left_hip_block_12;
+  const Scalar t_left_hip_block_20 = t_left_hip_block_19 - t_left_hip_block_2 * t_right_foot_14;
+  const Scalar t_left_hip_block_21 =
+      t_left_hip_block_20 + neg_Omega_right_thigh_zy * t_right_thigh_6;
   const Scalar t_left_hip_block_22 =
-      t_left_hip_block_21 + neg_s_right_shank_x * neg_F_right_shank_z;
-  const Scalar t_left_hip_block_23 = t_left_hip_block_22 - Omega_right_thigh_zy * t_right_thigh_9;
-  const Scalar t_left_hip_block_24 = t_left_hip_block_23 - c_q8_q9_q10 * neg_M_righ_ankl_cros_y;
-  const Scalar t_left_hip_block_25 = t_left_hip_block_24 - t_righ_ankl_cros_60 * t_left_hip_block_4;
-  const Scalar t_left_hip_block_26 = t_left_hip_block_25 + t_left_hip_block_1 * t_right_foot_25;
-  const Scalar t_left_hip_block_27 =
-      t_left_hip_block_26 + neg_Omega_right_shank_zy * t_right_shank_6;
-  const Scalar t_left_hip_block_28 = t_left_hip_block_27 + a_right_shank_z * t_right_shank_10;
-  const Scalar t_left_hip_block_29 = t_left_hip_block_28 - t_right_shank_7 * t_right_shank_41;
-  const Scalar t_left_hip_block_30 =
-      t_left_hip_block_29 + neg_s_righ_ankl_cros_x * neg_F_righ_ankl_cros_z;
-  const Scalar neg_F_right_thigh_x =
-      neg_F_right_shank_x + neg_Omega_right_thigh_xx * t_right_thigh_18;
+      t_left_hip_block_21 + t_righ_ankl_cros_26 * t_left_hip_block_13;
+  const Scalar t_left_hip_block_23 = left_hip_fork_G2 + left_hip_fork_p1 * t_right_thigh_11;
+  const Scalar t_left_hip_block_24 = t_left_hip_block_22 - t_right_thigh_8 * t_right_thigh_12;
+  const Scalar t_left_hip_block_25 = t_left_hip_block_24 - s_right_hip_roll * t_left_hip_block_23;
+  const Scalar t_left_hip_block_26 = t_left_hip_block_25 + t_right_foot_15 * t_left_hip_block_8;
+  const Scalar t_left_hip_block_27 = t_left_hip_block_26 + s_right_shank_x * F_right_shank_z;
+  const Scalar t_left_hip_block_28 =
+      t_left_hip_block_27 - neg_Omega_right_thigh_zx * t_right_thigh_9;
+  const Scalar t_left_hip_block_29 = t_right_hip_fork_28 * t_left_hip_block_28;
   // right_thigh: moment M of (1)
-  const Scalar t_right_thigh_60 = M_right_thigh_z + left_hip_fork_I3 * t_right_hip_fork_6;
-  const Scalar t_right_thigh_61 = t_right_thigh_60 + left_hip_fork_l1 * neg_F_right_thigh_x;
-  const Scalar t_right_thigh_62 = t_right_thigh_61 + left_hip_fork_I8 * t_right_shank_1;
-  const Scalar t_right_thigh_63 = t_right_thigh_62 + left_hip_fork_I1 * Omega_right_thigh_xz;
-  const Scalar t_left_hip_block_31 =
-      t_left_hip_block_30 - neg_Omega_right_thigh_zx * t_right_thigh_16;
-  const Scalar t_left_hip_block_32 = t_right_hip_fork_22 * t_left_hip_block_31;
-  const Scalar neg_M_right_hip_fork_y = t_right_thigh_63 + left_hip_fork_I12 * alpha_right_thigh_z;
+  const Scalar t_right_thigh_36 = t_right_shank_73 + M_right_thigh_z;
+  const Scalar t_right_thigh_37 = t_right_thigh_36 - left_hip_fork_I1 * Omega_right_thigh_xz;
+  const Scalar t_right_thigh_38 = t_right_thigh_37 + left_hip_fork_I14 * alpha_right_thigh_z;
+  const Scalar t_right_thigh_39 = t_right_thigh_38 - left_hip_fork_I2 * t_right_hip_fork_5;
+  const Scalar t_right_thigh_40 = t_right_thigh_39 - left_hip_fork_I9 * t_right_hip_fork_3;
   // left_hip_block: qdd of (1)
-  const Scalar qdd_6_12 = tau[6] - s_right_hip_roll * neg_M_right_hip_fork_y;
-  const Scalar qdd_6_13 = qdd_6_12 - t_right_thigh_52 * t_left_hip_block_11;
-  const Scalar qdd_6_14 = qdd_6_13 + t_right_thigh_57 * t_left_hip_block_32;
-  const Scalar qdd_6_15 = qdd_6_14 + t_left_hip_block_1 * t_right_foot_21;
-  const Scalar qdd_6_16 = qdd_6_15 - t_righ_ankl_cros_56 * t_left_hip_block_4;
-  const Scalar qdd_6_17 = qdd_6_16 - t_right_shank_31 * t_left_hip_block_7;
-  const Scalar qdd_6 = qdd_6_11 * (qdd_6_17 + c_right_hip_roll * neg_M_right_hip_fork_x);
+  const Scalar qdd_6_11 = tau[6] - c_right_hip_roll * M_right_hip_fork_x;
+  const Scalar qdd_6_12 = qdd_6_11 + t_right_thigh_31 * t_left_hip_block_29;
+  const Scalar qdd_6_13 = qdd_6_12 - t_right_thigh_28 * t_left_hip_block_12;
+  const Scalar qdd_6_14 = qdd_6_13 - t_righ_ankl_cros_24 * t_left_hip_block_13;
+  const Scalar neg_M_right_hip_fork_y =
+      t_right_thigh_40 + t_right_thigh_11 * neg_Omega_right_thigh_xx;
+  const Scalar qdd_6_15 = qdd_6_14 + t_right_foot_12 * t_left_hip_block_8;
+  const Scalar qdd_6_16 = qdd_6_15 - s_right_hip_roll * neg_M_right_hip_fork_y;
+  const Scalar qdd_6 = qdd_6_10 * (qdd_6_16 + t_left_hip_block_2 * t_right_foot_10);
   qdd[6] = qdd_6;
-  const Scalar qdd_7 = t_left_hip_block_32 + t_right_hip_fork_23 * qdd_6;
-  qdd[7] = qdd_7;
-  const Scalar qdd_8_1 = t_left_hip_block_11 - t_right_shank_32 * qdd_6;
-  const Scalar qdd_8 = t_right_thigh_51 * (qdd_8_1 - t_right_shank_36 * qdd_7);
+  const Scalar neg_qdd_7 = t_left_hip_block_29 - t_right_hip_fork_29 * qdd_6;
+  qdd[7] = -neg_qdd_7;
+  const Scalar qdd_8_1 = t_left_hip_block_12 - t_right_shank_61 * qdd_6;
+  const Scalar qdd_8 = t_right_thigh_26 * qdd_8_1 - t_right_thigh_27 * neg_qdd_7;
   qdd[8] = qdd_8;
-  const Scalar qdd_9_1 = t_left_hip_block_7 - t_righ_ankl_cros_58 * qdd_6;
-  const Scalar qdd_9_2 = qdd_9_1 - t_righ_ankl_cros_59 * qdd_8;
-  const Scalar qdd_9 = t_right_shank_30 * (qdd_9_2 - t_righ_ankl_cros_61 * qdd_7);
+  const Scalar qdd_9_1 = t_left_hip_block_13 - t_right_shank_72 * qdd_6;
+  const Scalar qdd_9 = qdd_9_1 - t_right_shank_64 * neg_qdd_7 - t_right_shank_60 * qdd_8;
   qdd[9] = qdd_9;
-  const Scalar qdd_10_1 = t_left_hip_block_4 - t_right_foot_24 * qdd_6;
-  const Scalar qdd_10_2 = qdd_10_1 - t_right_foot_26 * qdd_7 - t_right_foot_27 * qdd_8;
-  const Scalar qdd_10 = t_righ_ankl_cros_53 * (qdd_10_2 - t_right_foot_29 * qdd_9);
+  const Scalar qdd_10_1 = t_left_hip_block_8 + t_righ_ankl_cros_23 * qdd_6;
+  const Scalar qdd_10_2 = qdd_10_1 - t_righ_ankl_cros_21 * neg_qdd_7;
+  const Scalar qdd_10 = qdd_10_2 + t_righ_ankl_cros_22 * qdd_9 + t_righ_ankl_cros_31 * qdd_8;
   qdd[10] = qdd_10;
-  const Scalar neg_qdd_11_1 = t_left_hip_block_2 + t_right_foot_21 * qdd_6;
-  const Scalar neg_qdd_11_2 = neg_qdd_11_1 + t_right_foot_25 * qdd_7;
-  const Scalar neg_qdd_11_3 = neg_qdd_11_2 + t_right_foot_22 * qdd_8;
-  qdd[11] = -(neg_qdd_11_3 + t_right_foot_23 * qdd_10 + t_right_foot_28 * qdd_9);
-  const Scalar t_left_hip_block_33 = M_left_foot_z - tau[5];
-  const Scalar t_left_hip_block_34 = inverse_pivot_right_foot * t_left_hip_block_33;
+  const Scalar neg_qdd_11_1 = t_left_hip_block_2 + t_righ_ankl_cros_13 * qdd_9;
+  const Scalar neg_qdd_11_2 = neg_qdd_11_1 + t_right_hip_fork_10 * qdd_6;
+  const Scalar neg_qdd_11_3 = neg_qdd_11_2 + t_right_shank_42 * neg_qdd_7;
+  const Scalar neg_qdd_11_4 = neg_qdd_11_3 + t_right_shank_44 * qdd_8;
+  qdd[11] = -inverse_pivot_right_foot * (neg_qdd_11_4 + neg_E_right_foot_yz * qdd_10);
+  const Scalar t_left_hip_block_30 = M_left_foot_z - tau[5];
+  const Scalar t_left_hip_block_31 = inverse_pivot_right_foot * t_left_hip_block_30;
   // left_ankle_cross: moment M of (1)
-  const Scalar t_left_ankle_cross_75 = left_ankle_cross_I15 * t_left_ankle_cross_19;
-  const Scalar t_left_ankle_cross_76 =
-      t_left_ankle_cross_75 + left_ankle_cross_I16 * alpha_left_thigh_z;
-  const Scalar t_left_ankle_cross_77 =
-      t_left_ankle_cross_76 + left_ankle_cross_I7 * t_left_ankle_cross_15;
-  const Scalar t_left_ankle_cross_78 =
-      t_left_ankle_cross_77 + left_ankle_cross_h2 * a_left_ankle_cross_y;
-  const Scalar t_left_ankle_cross_79 =
-      t_left_ankle_cross_78 - left_ankle_cross_h1 * neg_a_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_80 =
-      t_left_ankle_cross_79 - t_left_ankle_cross_13 * t_left_ankle_cross_34;
-  const Scalar t_left_ankle_cross_81 = t_left_ankle_cross_80 + h_left_foot_x * neg_a_left_foot_z;
-  const Scalar t_left_ankle_cross_82 = t_left_ankle_cross_81 + E_left_foot_xz * t_left_foot_8;
-  const Scalar t_left_ankle_cross_83 =
-      t_left_ankle_cross_82 - left_ankle_cross_I17 * t_left_ankle_cross_7;
-  const Scalar t_left_ankle_cross_84 =
-      t_left_ankle_cross_83 - left_ankle_cross_I8 * t_left_hip_fork_5;
-  const Scalar t_left_ankle_cross_85 =
-      t_left_ankle_cross_84 + Omega_left_foot_zy * neg_E_left_foot_xy;
-  const Scalar t_left_ankle_cross_86 =
-      t_left_ankle_cross_85 + neg_Omega_left_foot_zx * E_left_foot_xx;
-  const Scalar M_left_ankle_cross_z = t_left_ankle_cross_86 + left_hip_fork_l1 * neg_F_left_foot_z;
-  const Scalar t_left_hip_block_35 = tau[4] - M_left_ankle_cross_z;
-  const Scalar t_left_hip_block_36 = t_left_hip_block_35 - t_left_foot_23 * t_left_hip_block_33;
-  const Scalar t_left_ankle_cross_87 = s_q2_q3_q4 * F_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_88 = t_left_ankle_cross_87 + c_q2_q3_q4 * F_left_ankle_cross_y;
-  const Scalar t_left_ankle_cross_89 = s_q2_q3_q4 * F_left_ankle_cross_y;
-  const Scalar t_left_ankle_cross_90 = t_left_ankle_cross_89 - c_q2_q3_q4 * F_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_37 = t_left_shank_9 - t_left_shank_11;
+  const Scalar t_left_ankle_cross_38 = neg_F_left_foot_z + left_ankle_cross_I14 * t_left_shank_12;
+  const Scalar t_left_ankle_cross_39 =
+      t_left_ankle_cross_38 + left_ankle_cross_I15 * alpha_left_thigh_z;
+  const Scalar t_left_ankle_cross_40 =
+      t_left_ankle_cross_39 + left_ankle_cross_I1 * a_left_ankle_cross_y;
+  const Scalar t_left_ankle_cross_41 =
+      t_left_ankle_cross_40 + left_ankle_cross_I3 * a_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_42 =
+      t_left_ankle_cross_41 + neg_Omega_left_foot_zx * E_left_foot_xx;
+  const Scalar t_left_ankle_cross_43 = t_left_ankle_cross_42 - Omega_left_foot_zy * E_left_foot_xy;
+  const Scalar t_left_ankle_cross_44 =
+      t_left_ankle_cross_43 + left_ankle_cross_I16 * neg_Omega_left_shank_yz;
+  const Scalar t_left_ankle_cross_45 =
+      t_left_ankle_cross_44 + left_ankle_cross_I8 * t_left_ankle_cross_37;
+  const Scalar t_left_ankle_cross_46 =
+      t_left_ankle_cross_45 + neg_Omega_left_shank_xz * E_left_ankle_cross_yz;
+  const Scalar t_left_foot_23 = t_left_shank_9 - t_left_foot_1;
+  const Scalar t_left_ankle_cross_47 = t_left_ankle_cross_46 - neg_E_left_foot_xz * t_left_foot_23;
+  const Scalar M_left_ankle_cross_z = t_left_ankle_cross_47 + neg_a_left_foot_z * h_left_foot_x;
+  const Scalar t_left_hip_block_32 = tau[4] - M_left_ankle_cross_z;
+  const Scalar t_left_hip_block_33 = t_left_hip_block_32 - E_left_foot_yz * t_left_hip_block_31;
   // left_shank: moment M of (1)
-  const Scalar M_left_shank_z_1 = M_left_ankle_cross_z + Omega_left_thigh_yz * t_left_shank_7;
-  const Scalar M_left_shank_z_2 =
-      M_left_shank_z_1 + neg_s_left_ankle_cross_x * t_left_ankle_cross_88;
-  const Scalar M_left_shank_z_3 = M_left_shank_z_2 + Omega_left_hip_fork_zx * t_left_shank_10;
-  const Scalar M_left_shank_z_4 = M_left_shank_z_3 + Omega_left_thigh_xz * t_left_shank_8;
-  const Scalar M_left_shank_z_5 = M_left_shank_z_4 + t_left_shank_9 * a_left_shank_x;
+  const Scalar M_left_shank_z_1 = M_left_ankle_cross_z - neg_Omega_left_shank_xz * t_left_shank_19;
+  const Scalar M_left_shank_z_2 = M_left_shank_z_1 - t_left_shank_25 * a_left_shank_y;
+  const Scalar M_left_shank_z_3 = M_left_shank_z_2 - t_left_shank_21 * t_left_ankle_cross_37;
+  const Scalar M_left_shank_z_4 =
+      M_left_shank_z_3 - neg_s_left_ankle_cross_x * F_left_ankle_cross_y;
+  const Scalar M_left_shank_z_5 = M_left_shank_z_4 + Omega_left_foot_xz * t_left_shank_20;
   const Scalar M_left_shank_z_6 =
-      M_left_shank_z_5 + neg_s_left_ankle_cross_y * t_left_ankle_cross_90;
-  const Scalar M_left_shank_z_7 = M_left_shank_z_6 + t_left_shank_1 * t_left_shank_6;
-  const Scalar M_left_shank_z = M_left_shank_z_7 - t_left_shank_11 * neg_a_left_shank_y;
+      M_left_shank_z_5 + s_left_ankle_cross_y * neg_F_left_ankle_cross_x;
+  const Scalar M_left_shank_z_7 = M_left_shank_z_6 + Omega_left_shank_yx * t_left_shank_27;
+  const Scalar M_left_shank_z_8 = M_left_shank_z_7 - neg_Omega_left_shank_yz * t_left_shank_17;
+  const Scalar M_left_shank_z = M_left_shank_z_8 + t_left_shank_23 * a_left_shank_x;
   // left_hip_block: qdd of (1)
-  const Scalar t_left_hip_block_37 = t_left_ankle_cross_62 * t_left_hip_block_36;
-  const Scalar t_left_hip_block_38 = tau[3] - M_left_shank_z;
-  const Scalar t_left_hip_block_39 =
-      t_left_hip_block_38 - t_left_ankle_cross_54 * t_left_hip_block_34;
-  const Scalar t_left_hip_block_40 = t_left_hip_block_39 - t_left_foot_29 * t_left_hip_block_37;
-  const Scalar F_left_shank_x = t_left_ankle_cross_90 - t_left_shank_11 * neg_Omega_left_shank_xx;
-  const Scalar t_left_hip_fork_23 = t_left_hip_fork_1 - t_left_hip_fork_3;
-  const Scalar t_left_hip_block_41 = left_hip_fork_G2 - base_g1 * t_left_thigh_16;
-  const Scalar t_left_shank_43 = t_left_hip_fork_1 - t_left_shank_2;
-  const Scalar t_left_thigh_59 = t_left_hip_fork_1 - t_left_thigh_2;
-  const Scalar neg_F_left_shank_y_1 =
-      t_left_ankle_cross_88 - Omega_left_hip_fork_zx * t_left_shank_11;
+  const Scalar t_left_hip_block_34 = tau[3] - M_left_shank_z;
+  const Scalar t_left_hip_block_35 =
+      t_left_hip_block_34 + t_left_ankle_cross_27 * t_left_hip_block_33;
+  const Scalar t_left_hip_block_36 = t_left_hip_block_35 - t_left_foot_14 * t_left_hip_block_30;
+  const Scalar t_left_shank_72 = s_q2_q3_q4 * F_left_shank_y + c_q2_q3_q4 * neg_F_left_shank_x;
   // left_thigh: moment M of (1)
-  const Scalar M_left_thigh_z_1 = M_left_shank_z - neg_a_left_thigh_y * t_left_thigh_16;
-  const Scalar M_left_thigh_z_2 = M_left_thigh_z_1 + t_left_shank_1 * t_left_thigh_7;
-  const Scalar M_left_thigh_z_3 = M_left_thigh_z_2 + neg_s_left_shank_y * F_left_shank_x;
-  const Scalar M_left_thigh_z_4 = M_left_thigh_z_3 + Omega_left_thigh_xz * t_left_thigh_12;
-  const Scalar M_left_thigh_z_5 = M_left_thigh_z_4 + Omega_left_hip_fork_zx * t_left_thigh_17;
-  const Scalar M_left_thigh_z_6 = M_left_thigh_z_5 + Omega_left_thigh_yz * t_left_thigh_10;
-  const Scalar neg_F_left_shank_y = neg_F_left_shank_y_1 - t_left_shank_9 * neg_Omega_left_shank_yy;
-  const Scalar M_left_thigh_z_7 = M_left_thigh_z_6 + a_left_hip_fork_x * t_left_thigh_14;
-  const Scalar M_left_thigh_z = M_left_thigh_z_7 + neg_s_left_shank_x * neg_F_left_shank_y;
+  const Scalar M_left_thigh_z_1 = M_left_shank_z + t_left_hip_block_1 * t_left_thigh_16;
+  const Scalar M_left_thigh_z_2 = M_left_thigh_z_1 + neg_a_left_hip_fork_x * t_left_thigh_13;
+  const Scalar M_left_thigh_z_3 = M_left_thigh_z_2 + Omega_left_thigh_xz * t_left_thigh_11;
+  const Scalar M_left_thigh_z_4 = M_left_thigh_z_3 + Omega_left_thigh_yz * t_left_thigh_9;
+  const Scalar M_left_thigh_z_5 = c_q2_q3_q4 * F_left_shank_y - s_q2_q3_q4 * neg_F_left_shank_x;
+  const Scalar M_left_thigh_z_6 = M_left_thigh_z_4 + t_left_hip_fork_3 * t_left_thigh_6;
+  const Scalar M_left_thigh_z_7 = M_left_thigh_z_6 - s_left_shank_x * M_left_thigh_z_5;
+  const Scalar M_left_thigh_z_8 = M_left_thigh_z_7 - s_left_shank_y * t_left_shank_72;
+  const Scalar M_left_thigh_z = M_left_thigh_z_8 + t_left_thigh_14 * Omega_left_hip_fork_zx;
   // left_hip_block: qdd of (1)
-  const Scalar t_left_hip_block_42 = tau[2] - M_left_thigh_z;
-  const Scalar t_left_hip_block_43 = t_left_hip_block_42 - t_left_foot_33 * t_left_hip_block_33;
-  const Scalar t_left_hip_block_44 = t_left_hip_block_43 - t_left_shank_29 * t_left_hip_block_40;
-  const Scalar t_left_hip_block_45 =
-      t_left_hip_block_44 - t_left_ankle_cross_64 * t_left_hip_block_36;
-  const Scalar t_left_hip_block_46 = inverse_pivot_left_thigh * t_left_hip_block_45;
-  const Scalar t_left_hip_block_47 = tau[1] - left_hip_fork_G1 * c_left_hip_roll;
-  const Scalar t_left_hip_block_48 = t_left_hip_block_47 + s_q2_q3_q4 * M_left_ankle_cross_x;
-  const Scalar t_left_hip_block_49 = t_left_hip_block_48 + t_left_foot_21 * t_left_hip_block_33;
-  const Scalar t_left_hip_block_50 =
-      t_left_hip_block_49 - neg_Omega_left_thigh_zx * t_left_thigh_17;
-  const Scalar t_left_hip_block_51 = t_left_hip_block_50 + neg_Omega_left_shank_zy * t_left_shank_6;
-  const Scalar t_left_hip_block_52 = t_left_hip_block_51 + left_hip_fork_I7 * t_left_hip_fork_23;
-  const Scalar t_left_hip_block_53 = t_left_hip_block_52 + a_left_shank_z * t_left_shank_11;
-  const Scalar t_left_hip_block_54 =
-      t_left_hip_block_53 - neg_s_left_ankle_cross_x * F_left_ankle_cross_z;
-  const Scalar t_left_hip_block_55 = t_left_hip_block_54 - neg_s_left_shank_x * F_left_shank_z;
-  const Scalar t_left_hip_block_56 = t_left_hip_block_55 - s_left_hip_roll * t_left_hip_block_41;
-  const Scalar t_left_hip_block_57 = t_left_hip_block_56 - t_left_shank_7 * t_left_shank_43;
-  const Scalar t_left_hip_block_58 =
-      t_left_hip_block_57 - neg_Omega_left_shank_zx * t_left_shank_10;
-  const Scalar t_left_hip_block_59 = t_left_hip_block_58 - left_hip_fork_I14 * Omega_left_thigh_xz;
-  const Scalar t_left_hip_block_60 = t_left_hip_block_59 - t_left_thigh_10 * t_left_thigh_59;
-  const Scalar t_left_hip_block_61 = t_left_hip_block_60 - c_q2_q3_q4 * neg_M_left_ankle_cross_y;
-  const Scalar t_left_hip_block_62 = t_left_hip_block_61 + t_left_shank_37 * t_left_hip_block_46;
-  const Scalar t_left_hip_block_63 = t_left_hip_block_62 + t_left_shank_42 * t_left_hip_block_40;
-  const Scalar t_left_hip_block_64 = t_left_hip_block_63 - Omega_left_thigh_zy * t_left_thigh_7;
-  const Scalar t_left_hip_block_65 =
-      t_left_hip_block_64 + t_left_ankle_cross_72 * t_left_hip_block_36;
-  // left_thigh: force F, moment M of (1)
-  const Scalar F_left_thigh_x = F_left_shank_x - neg_Omega_left_thigh_xx * t_left_thigh_16;
-  const Scalar t_left_thigh_60 = M_left_thigh_z - left_hip_fork_I3 * t_left_hip_fork_6;
-  const Scalar t_left_thigh_61 = t_left_thigh_60 - left_hip_fork_l1 * F_left_thigh_x;
-  const Scalar t_left_thigh_62 = t_left_thigh_61 - left_hip_fork_I1 * Omega_left_thigh_xz;
-  const Scalar t_left_thigh_63 = t_left_thigh_62 + left_hip_fork_I12 * alpha_left_thigh_z;
-  const Scalar neg_M_left_hip_fork_y = t_left_thigh_63 + left_hip_fork_I8 * t_left_shank_1;
+  const Scalar t_left_hip_block_37 = tau[2] - M_left_thigh_z;
+  const Scalar t_left_hip_block_38 =
+      t_left_hip_block_37 + t_left_ankle_cross_26 * t_left_hip_block_33;
+  const Scalar t_left_hip_block_39 = t_left_hip_block_38 - t_left_shank_64 * t_left_hip_block_36;
+  const Scalar t_left_hip_block_40 = t_left_hip_block_39 - t_left_foot_9 * t_left_hip_block_30;
+  const Scalar t_left_hip_block_41 = left_hip_fork_G2 - left_hip_fork_p1 * t_left_thigh_16;
+  const Scalar t_left_hip_block_42 = tau[1] - left_hip_fork_G1 * c_left_hip_roll;
+  const Scalar t_left_hip_block_43 = t_left_hip_block_42 + s_q2_q3_q4 * M_left_shank_x;
+  const Scalar t_left_hip_fork_25 = t_left_hip_fork_3 - t_left_hip_fork_8;
+  const Scalar t_left_hip_block_44 = t_left_hip_block_43 - c_q2_q3_q4 * neg_M_left_shank_y;
+  const Scalar t_left_hip_block_45 = t_left_hip_block_44 - left_hip_fork_I7 * t_left_hip_fork_25;
+  const Scalar t_left_hip_block_46 = t_left_hip_block_45 - left_hip_fork_I15 * Omega_left_thigh_xz;
+  const Scalar t_left_hip_block_47 =
+      t_left_hip_block_46 - neg_Omega_left_thigh_zx * t_left_thigh_14;
+  const Scalar t_left_hip_block_48 = t_left_hip_block_47 + t_left_shank_71 * t_left_hip_block_36;
+  const Scalar t_left_hip_block_49 =
+      t_left_hip_block_48 + t_left_ankle_cross_32 * t_left_hip_block_33;
+  const Scalar t_left_hip_block_50 = t_left_hip_block_49 + neg_Omega_left_thigh_zy * t_left_thigh_6;
+  const Scalar t_left_hip_block_51 = t_left_hip_block_50 - t_left_thigh_3 * t_left_thigh_9;
+  const Scalar t_left_hip_block_52 = t_left_hip_block_51 - t_left_thigh_24 * t_left_hip_block_40;
+  const Scalar t_left_hip_block_53 = t_left_hip_block_52 + s_left_shank_x * F_left_shank_z;
+  const Scalar t_left_hip_block_54 = t_left_hip_block_53 - s_left_hip_roll * t_left_hip_block_41;
+  const Scalar t_left_hip_block_55 = t_left_hip_block_54 - t_left_foot_8 * t_left_hip_block_30;
+  // left_hip_fork: moment M of (1)
+  const Scalar M_left_hip_fork_y_1 = t_left_shank_72 - M_left_thigh_z;
+  const Scalar M_left_hip_fork_y_2 = M_left_hip_fork_y_1 + left_hip_fork_I9 * t_left_hip_fork_3;
+  const Scalar M_left_hip_fork_y_3 = M_left_hip_fork_y_2 - left_hip_fork_I14 * alpha_left_thigh_z;
+  const Scalar M_left_hip_fork_y_4 =
+      M_left_hip_fork_y_3 + neg_Omega_left_thigh_xx * t_left_thigh_16;
+  const Scalar M_left_hip_fork_y_5 = M_left_hip_fork_y_4 - left_hip_fork_I2 * t_left_hip_fork_6;
+  const Scalar M_left_hip_fork_y = M_left_hip_fork_y_5 - left_hip_fork_I1 * Omega_left_thigh_xz;
   // left_hip_block: qdd of (1)
-  const Scalar qdd_0_12 = tau[0] - s_left_hip_roll * neg_M_left_hip_fork_y;
-  const Scalar qdd_0_13 = qdd_0_12 + c_left_hip_roll * neg_M_left_hip_fork_x;
-  const Scalar qdd_0_14 = qdd_0_13 - t_left_ankle_cross_63 * t_left_hip_block_36;
-  const Scalar qdd_0_15 = qdd_0_14 + t_left_thigh_52 * t_left_hip_block_45;
-  const Scalar qdd_0_16 = qdd_0_15 - t_left_hip_fork_22 * t_left_hip_block_65;
-  const Scalar qdd_0_17 = qdd_0_16 - t_left_foot_24 * t_left_hip_block_33;
-  const Scalar qdd_0 = qdd_0_11 * (qdd_0_17 + t_left_shank_28 * t_left_hip_block_40);
+  const Scalar qdd_0_11 = tau[0] + s_left_hip_roll * M_left_hip_fork_y;
+  const Scalar qdd_0_12 = qdd_0_11 - t_left_ankle_cross_28 * t_left_hip_block_33;
+  const Scalar qdd_0_13 = qdd_0_12 - t_left_thigh_35 * t_left_hip_block_40;
+  const Scalar qdd_0_14 = qdd_0_13 + t_left_shank_63 * t_left_hip_block_36;
+  const Scalar qdd_0_15 = qdd_0_14 - c_left_hip_roll * M_left_hip_fork_x;
+  const Scalar qdd_0_16 = qdd_0_15 + t_left_foot_11 * t_left_hip_block_30;
+  const Scalar qdd_0 = qdd_0_10 * (qdd_0_16 - t_left_hip_fork_24 * t_left_hip_block_55);
   qdd[0] = qdd_0;
-  const Scalar neg_qdd_1_1 = t_left_hip_fork_21 * t_left_hip_block_65;
-  const Scalar neg_qdd_1 = neg_qdd_1_1 + t_left_hip_fork_22 * qdd_0;
-  qdd[1] = -neg_qdd_1;
-  const Scalar qdd_2_1 = t_left_hip_block_46 + t_left_thigh_52 * qdd_0;
-  const Scalar qdd_2 = qdd_2_1 - t_left_thigh_54 * neg_qdd_1;
-  qdd[2] = qdd_2;
-  const Scalar neg_qdd_3_1 = t_left_hip_block_40 + t_left_ankle_cross_68 * qdd_0;
-  const Scalar neg_qdd_3_2 = neg_qdd_3_1 - t_left_ankle_cross_73 * neg_qdd_1;
-  const Scalar neg_qdd_3 = t_left_shank_29 * qdd_2 - inverse_pivot_left_shank * neg_qdd_3_2;
+  const Scalar qdd_1 = t_left_hip_fork_23 * t_left_hip_block_55 - t_left_hip_fork_24 * qdd_0;
+  qdd[1] = qdd_1;
+  const Scalar neg_qdd_2_1 = t_left_thigh_24 * qdd_1 + t_left_thigh_35 * qdd_0;
+  const Scalar neg_qdd_2 = neg_qdd_2_1 - inverse_pivot_left_thigh * t_left_hip_block_40;
+  qdd[2] = -neg_qdd_2;
+  const Scalar neg_qdd_3_1 = t_left_shank_62 * t_left_hip_block_36;
+  const Scalar neg_qdd_3_2 = neg_qdd_3_1 - t_left_shank_71 * qdd_1;
+  const Scalar neg_qdd_3_3 = neg_qdd_3_2 - t_left_shank_64 * neg_qdd_2;
+  const Scalar neg_qdd_3 = neg_qdd_3_3 - t_left_shank_63 * qdd_0;
   qdd[3] = -neg_qdd_3;
-  const Scalar qdd_4_1 = t_left_hip_block_37 - t_left_ankle_cross_63 * qdd_0;
-  const Scalar qdd_4_2 = qdd_4_1 + t_left_ankle_cross_71 * neg_qdd_3;
-  const Scalar qdd_4_3 = qdd_4_2 - t_left_ankle_cross_72 * neg_qdd_1;
-  const Scalar qdd_4 = qdd_4_3 - t_left_ankle_cross_64 * qdd_2;
-  qdd[4] = qdd_4;
-  const Scalar neg_qdd_5_1 = t_left_hip_block_34 - t_left_foot_24 * qdd_0;
-  const Scalar neg_qdd_5_2 = neg_qdd_5_1 - t_left_foot_21 * neg_qdd_1;
-  const Scalar neg_qdd_5_3 = neg_qdd_5_2 + t_left_foot_22 * neg_qdd_3;
-  qdd[5] = t_left_foot_23 * qdd_4 - (neg_qdd_5_3 - t_left_foot_33 * qdd_2);
+  const Scalar neg_qdd_4_1 = t_left_hip_block_33 - t_left_foot_13 * qdd_0;
+  const Scalar neg_qdd_4_2 = t_left_ankle_cross_26 * neg_qdd_2;
+  const Scalar neg_qdd_4_3 = neg_qdd_4_1 + t_left_foot_15 * qdd_1;
+  const Scalar neg_qdd_4_4 = neg_qdd_4_2 + t_left_ankle_cross_27 * neg_qdd_3;
+  const Scalar neg_qdd_4 = neg_qdd_4_4 - t_left_ankle_cross_25 * neg_qdd_4_3;
+  qdd[4] = -neg_qdd_4;
+  const Scalar neg_qdd_5_1 = t_left_hip_block_31 + t_left_foot_11 * qdd_0;
+  const Scalar neg_qdd_5_2 = neg_qdd_5_1 + t_left_foot_9 * neg_qdd_2;
+  const Scalar neg_qdd_5_3 = neg_qdd_5_2 - t_left_foot_8 * qdd_1;
+  qdd[5] = -(neg_qdd_5_3 + t_left_foot_10 * neg_qdd_4 + t_left_foot_14 * neg_qdd_3);
 }
 
 void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
@@ -3457,62 +3441,63 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar s_right_ankle_roll = sines[11];
   const Scalar c_right_ankle_roll = cosines[11];
   // left_shank
-  const Scalar t_left_shank_1 = left_hip_fork_l1 + left_shank_l1 * c_q3_q4;
-  const Scalar t_left_shank_2 = t_left_shank_1 + left_ankle_cross_l1 * c_left_ankle_pitch;
-  const Scalar t_left_shank_3 = t_left_shank_2 + left_foot_l2 * c_left_ankle_roll;
+  const Scalar t_left_shank_1 = left_hip_fork_l2 - left_shank_l1 * c_q3_q4;
+  const Scalar t_left_shank_2 = t_left_shank_1 - left_ankle_cross_l1 * c_left_ankle_pitch;
+  const Scalar t_left_shank_3 = t_left_shank_2 - left_foot_l2 * c_left_ankle_roll;
   const Scalar t_left_thigh_1 = c_q2_q3_q4 * t_left_shank_3;
-  const Scalar t_left_thigh_2 = left_hip_fork_l2 + left_foot_l2 * s_left_ankle_roll;
+  const Scalar t_left_thigh_2 = left_hip_fork_l1 + left_foot_l2 * s_left_ankle_roll;
   const Scalar t_left_hip_fork_1 = c_left_hip_roll * t_left_thigh_2;
-  const Scalar s_left_ankle_cross_y = left_ankle_cross_l1 * s_left_ankle_pitch;
-  const Scalar t_left_shank_4 = left_shank_l1 * s_q3_q4 + s_left_ankle_cross_y;
+  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_left_ankle_pitch;
+  const Scalar t_left_shank_4 = left_shank_l1 * s_q3_q4 + neg_s_left_ankle_cross_y;
   const Scalar t_left_shank_5 = left_foot_l1 - t_left_shank_4;
-  const Scalar t_left_thigh_3 = t_left_thigh_1 - s_q2_q3_q4 * t_left_shank_5;
+  const Scalar t_left_thigh_3 = t_left_thigh_1 + s_q2_q3_q4 * t_left_shank_5;
   // left_hip_fork
-  const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 + s_left_hip_roll * t_left_thigh_3;
-  const Scalar t_left_hip_fork_3 = left_hip_fork_l1 - s_q2_q3_q4 * t_left_shank_3;
-  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 - c_q2_q3_q4 * t_left_shank_5;
+  const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 - s_left_hip_roll * t_left_thigh_3;
+  const Scalar t_left_hip_fork_3 = left_hip_fork_l2 - s_q2_q3_q4 * t_left_shank_3;
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 + c_q2_q3_q4 * t_left_shank_5;
   // left_hip_block: p of 1.2
-  const Scalar p_1_1 = left_hip_block_l1 + c_left_hip_yaw * t_left_hip_fork_2;
+  const Scalar p_1_1 = left_hip_block_l1 - c_left_hip_yaw * t_left_hip_fork_2;
   p[1] = p_1_1 + s_left_hip_yaw * t_left_hip_fork_4;
-  p[0] = c_left_hip_yaw * t_left_hip_fork_4 - s_left_hip_yaw * t_left_hip_fork_2;
+  p[0] = c_left_hip_yaw * t_left_hip_fork_4 + s_left_hip_yaw * t_left_hip_fork_2;
   const Scalar t_left_hip_block_1 = left_hip_block_l2 - s_left_hip_roll * t_left_thigh_2;
-  p[2] = -(t_left_hip_block_1 + c_left_hip_roll * t_left_thigh_3);
-  const Scalar t_left_shank_6 = left_foot_l3 + t_left_shank_4;
+  p[2] = t_left_hip_block_1 - c_left_hip_roll * t_left_thigh_3;
+  const Scalar t_left_shank_6 = left_foot_l3 - t_left_shank_4;
   const Scalar t_left_thigh_4 = t_left_thigh_1 + s_q2_q3_q4 * t_left_shank_6;
-  const Scalar t_left_hip_fork_5 = t_left_hip_fork_1 + s_left_hip_roll * t_left_thigh_4;
+  const Scalar t_left_hip_fork_5 = t_left_hip_fork_1 - s_left_hip_roll * t_left_thigh_4;
   const Scalar t_left_hip_fork_6 = t_left_hip_fork_3 + c_q2_q3_q4 * t_left_shank_6;
-  const Scalar p_4_1 = left_hip_block_l1 + c_left_hip_yaw * t_left_hip_fork_5;
+  const Scalar p_4_1 = left_hip_block_l1 - c_left_hip_yaw * t_left_hip_fork_5;
   p[4] = p_4_1 + s_left_hip_yaw * t_left_hip_fork_6;
-  p[3] = c_left_hip_yaw * t_left_hip_fork_6 - s_left_hip_yaw * t_left_hip_fork_5;
-  p[5] = -(t_left_hip_block_1 + c_left_hip_roll * t_left_thigh_4);
+  p[3] = s_left_hip_yaw * t_left_hip_fork_5 + c_left_hip_yaw * t_left_hip_fork_6;
+  p[5] = t_left_hip_block_1 - c_left_hip_roll * t_left_thigh_4;
   // right_shank
-  const Scalar t_right_shank_1 = left_hip_fork_l1 + left_shank_l1 * c_q9_q10;
-  const Scalar t_right_shank_2 = t_right_shank_1 + left_ankle_cross_l1 * c_right_ankle_pitch;
-  const Scalar t_right_shank_3 = t_right_shank_2 + left_foot_l2 * c_right_ankle_roll;
+  const Scalar t_right_shank_1 = left_hip_fork_l2 - left_shank_l1 * c_q9_q10;
+  const Scalar t_right_shank_2 = t_right_shank_1 - left_ankle_cross_l1 * c_right_ankle_pitch;
+  const Scalar t_right_shank_3 = t_right_shank_2 - left_foot_l2 * c_right_ankle_roll;
   const Scalar t_right_thigh_1 = c_q8_q9_q10 * t_right_shank_3;
-  const Scalar t_right_thigh_2 = left_hip_fork_l2 - left_foot_l2 * s_right_ankle_roll;
+  const Scalar t_right_thigh_2 = left_hip_fork_l1 - left_foot_l2 * s_right_ankle_roll;
   const Scalar t_right_hip_fork_1 = c_right_hip_roll * t_right_thigh_2;
-  const Scalar t_right_hip_fork_2 = left_hip_fork_l1 - s_q8_q9_q10 * t_right_shank_3;
-  const Scalar s_righ_ankl_cros_y = left_ankle_cross_l1 * s_right_ankle_pitch;
-  const Scalar t_right_shank_4 = left_shank_l1 * s_q9_q10 + s_righ_ankl_cros_y;
+  const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_right_ankle_pitch;
+  const Scalar t_right_shank_4 = left_shank_l1 * s_q9_q10 + neg_s_righ_ankl_cros_y;
   const Scalar t_right_shank_5 = left_foot_l1 - t_right_shank_4;
-  const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - c_q8_q9_q10 * t_right_shank_5;
-  const Scalar t_right_thigh_3 = t_right_thigh_1 - s_q8_q9_q10 * t_right_shank_5;
-  const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 - s_right_hip_roll * t_right_thigh_3;
+  const Scalar t_right_thigh_3 = t_right_thigh_1 + s_q8_q9_q10 * t_right_shank_5;
+  // right_hip_fork
+  const Scalar t_right_hip_fork_2 = t_right_hip_fork_1 + s_right_hip_roll * t_right_thigh_3;
+  const Scalar t_right_hip_fork_3 = left_hip_fork_l2 - s_q8_q9_q10 * t_right_shank_3;
+  const Scalar t_right_hip_fork_4 = t_right_hip_fork_3 + c_q8_q9_q10 * t_right_shank_5;
   // right_hip_block: p of 1.2
-  const Scalar neg_p_7_1 = left_hip_block_l1 - s_right_hip_yaw * t_right_hip_fork_3;
-  p[7] = -(neg_p_7_1 + c_right_hip_yaw * t_right_hip_fork_4);
-  p[6] = c_right_hip_yaw * t_right_hip_fork_3 + s_right_hip_yaw * t_right_hip_fork_4;
+  const Scalar neg_p_7_1 = left_hip_block_l1 - c_right_hip_yaw * t_right_hip_fork_2;
+  p[7] = s_right_hip_yaw * t_right_hip_fork_4 - neg_p_7_1;
+  p[6] = c_right_hip_yaw * t_right_hip_fork_4 - s_right_hip_yaw * t_right_hip_fork_2;
   const Scalar t_right_hip_block_1 = left_hip_block_l2 + s_right_hip_roll * t_right_thigh_2;
-  p[8] = -(t_right_hip_block_1 + c_right_hip_roll * t_right_thigh_3);
-  const Scalar t_right_shank_6 = left_foot_l3 + t_right_shank_4;
+  p[8] = t_right_hip_block_1 - c_right_hip_roll * t_right_thigh_3;
+  const Scalar t_right_shank_6 = left_foot_l3 - t_right_shank_4;
+  const Scalar t_right_hip_fork_5 = t_right_hip_fork_3 + c_q8_q9_q10 * t_right_shank_6;
   const Scalar t_right_thigh_4 = t_right_thigh_1 + s_q8_q9_q10 * t_right_shank_6;
-  const Scalar t_right_hip_fork_5 = t_right_hip_fork_1 - s_right_hip_roll * t_right_thigh_4;
-  const Scalar t_right_hip_fork_6 = t_right_hip_fork_2 + c_q8_q9_q10 * t_right_shank_6;
-  const Scalar neg_p_10_1 = left_hip_block_l1 + c_right_hip_yaw * t_right_hip_fork_5;
-  p[10] = s_right_hip_yaw * t_right_hip_fork_6 - neg_p_10_1;
-  p[9] = s_right_hip_yaw * t_right_hip_fork_5 + c_right_hip_yaw * t_right_hip_fork_6;
-  p[11] = -(t_right_hip_block_1 + c_right_hip_roll * t_right_thigh_4);
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_1 + s_right_hip_roll * t_right_thigh_4;
+  const Scalar neg_p_10_1 = left_hip_block_l1 - s_right_hip_yaw * t_right_hip_fork_5;
+  p[10] = c_right_hip_yaw * t_right_hip_fork_6 - neg_p_10_1;
+  p[9] = c_right_hip_yaw * t_right_hip_fork_5 - s_right_hip_yaw * t_right_hip_fork_6;
+  p[11] = t_right_hip_block_1 - c_right_hip_roll * t_right_thigh_4;
 }
 
 void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
@@ -3549,165 +3534,182 @@ void force_jacobian_transpose(const Scalar q[12], Scalar C[144]) noexcept {
   const Scalar c_right_ankle_roll = cosines[10];
   const Scalar s_left_ankle_roll = sines[11];
   const Scalar c_left_ankle_roll = cosines[11];
-  const Scalar neg_s_left_shank_x = left_shank_l1 * c_left_hip_pitch;
-  const Scalar neg_s_left_shank_y = left_shank_l1 * s_left_hip_pitch;
-  const Scalar neg_s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
-  const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
-  const Scalar neg_s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
-  const Scalar neg_s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
-  const Scalar neg_s_righ_ankl_cros_x = left_ankle_cross_l1 * c_q8_q9;
-  const Scalar neg_s_righ_ankl_cros_y = left_ankle_cross_l1 * s_q8_q9;
-  const Scalar r_right_foot_x = left_foot_l2 * c_right_ankle_roll;
-  const Scalar r_left_foot_x = left_foot_l2 * c_left_ankle_roll;
-  const Scalar r_right_foot_y = left_foot_l2 * s_right_ankle_roll;
-  const Scalar r_left_foot_y = left_foot_l2 * s_left_ankle_roll;
-  const Scalar neg_r_left_ankle_cross_x = left_hip_fork_l1 + r_left_foot_x;
-  // left_ankle_cross: r of (9)
+  const Scalar s_left_ankle_cross_x = left_ankle_cross_l1 * c_q2_q3;
+  const Scalar s_left_ankle_cross_y = left_ankle_cross_l1 * s_q2_q3;
+  const Scalar s_right_shank_y = left_shank_l1 * s_right_hip_pitch;
+  const Scalar s_right_shank_x = left_shank_l1 * c_right_hip_pitch;
+  const Scalar s_righ_ankl_cros_x = left_ankle_cross_l1 * c_q8_q9;
+  const Scalar s_righ_ankl_cros_y = left_ankle_cross_l1 * s_q8_q9;
+  // left_hip_block: r of (9)
+  const Scalar neg_r_right_foot_y = left_foot_l2 * s_right_ankle_roll;
+  const Scalar neg_r_left_foot_y = left_foot_l2 * s_left_ankle_roll;
+  const Scalar neg_r_right_foot_x = left_foot_l2 * c_right_ankle_roll;
+  const Scalar neg_r_left_foot_x = left_foot_l2 * c_left_ankle_roll;
+  const Scalar neg_r_left_ankle_cross_x = left_hip_fork_l2 - neg_r_left_foot_x;
+  // left_ankle_cross
   const Scalar t_left_ankle_cross_1 = c_q2_q3_q4 * neg_r_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_2 = t_left_ankle_cross_1 - left_foot_l1 * s_q2_q3_q4;
-  const Scalar neg_r_left_shank_x = neg_s_left_ankle_cross_x + t_left_ankle_cross_2;
-  const Scalar t_left_ankle_cross_3 = s_q2_q3_q4 * neg_r_left_ankle_cross_x;
-  const Scalar t_left_ankle_cross_4 = t_left_ankle_cross_3 + left_foot_l1 * c_q2_q3_q4;
-  const Scalar neg_r_left_shank_y = neg_s_left_ankle_cross_y + t_left_ankle_cross_4;
-  const Scalar neg_r_left_thigh_y = neg_s_left_shank_y + neg_r_left_shank_y;
-  const Scalar neg_r_left_thigh_x = neg_s_left_shank_x + neg_r_left_shank_x;
+  const Scalar t_left_ankle_cross_2 = s_q2_q3_q4 * neg_r_left_ankle_cross_x;
+  const Scalar t_left_ankle_cross_3 = t_left_ankle_cross_2 - left_foot_l1 * c_q2_q3_q4;
+  const Scalar t_left_ankle_cross_4 = t_left_ankle_cross_1 + left_foot_l1 * s_q2_q3_q4;
+  // left_shank: r of (9)
+  const Scalar t_left_shank_1 = s_left_ankle_cross_x + left_shank_l1 * c_left_hip_pitch;
+  const Scalar neg_r_left_thigh_x = t_left_ankle_cross_4 - t_left_shank_1;
+  const Scalar t_left_shank_2 = s_left_ankle_cross_y + left_shank_l1 * s_left_hip_pitch;
+  const Scalar neg_r_left_thigh_y = t_left_ankle_cross_3 - t_left_shank_2;
+  const Scalar neg_r_left_hip_fork_x = left_hip_fork_l1 + neg_r_left_foot_y;
   // left_hip_fork: r of (9)
-  const Scalar r_left_hip_fork_x = left_hip_fork_l2 + r_left_foot_y;
-  const Scalar t_left_hip_fork_1 = s_left_hip_roll * r_left_hip_fork_x;
-  const Scalar t_left_hip_fork_2 = c_left_hip_roll * r_left_hip_fork_x;
+  const Scalar t_left_hip_fork_1 = s_left_hip_roll * neg_r_left_hip_fork_x;
+  const Scalar t_left_hip_fork_2 = c_left_hip_roll * neg_r_left_hip_fork_x;
+  const Scalar neg_r_left_hip_block_y = t_left_hip_fork_2 - s_left_hip_roll * neg_r_left_thigh_x;
+  C[14] = -neg_r_left_hip_block_y;
   // left_hip_block: r, C of (9)
-  const Scalar r_left_hip_block_y = t_left_hip_fork_2 + s_left_hip_roll * neg_r_left_thigh_x;
-  C[14] = r_left_hip_block_y;
-  const Scalar r_left_hip_block_x = left_hip_fork_l1 - neg_r_left_thigh_y;
-  C[1] = c_left_hip_yaw * r_left_hip_block_x - s_left_hip_yaw * r_left_hip_block_y;
-  C[0] = -(c_left_hip_yaw * r_left_hip_block_y + s_left_hip_yaw * r_left_hip_block_x);
-  const Scalar t_left_hip_fork_3 = t_left_hip_fork_1 - c_left_hip_roll * neg_r_left_thigh_x;
-  C[13] = -c_left_hip_yaw * t_left_hip_fork_3;
-  C[12] = s_left_hip_yaw * t_left_hip_fork_3;
-  const Scalar t_left_hip_block_1 = s_left_hip_yaw * s_left_hip_roll;
-  C[24] = neg_r_left_thigh_y * t_left_hip_block_1 - c_left_hip_yaw * neg_r_left_thigh_x;
-  const Scalar t_left_hip_block_2 = c_left_hip_yaw * s_left_hip_roll;
-  C[25] = -(s_left_hip_yaw * neg_r_left_thigh_x + neg_r_left_thigh_y * t_left_hip_block_2);
-  C[36] = neg_r_left_shank_y * t_left_hip_block_1 - c_left_hip_yaw * neg_r_left_shank_x;
-  C[37] = -(neg_r_left_shank_y * t_left_hip_block_2 + s_left_hip_yaw * neg_r_left_shank_x);
+  const Scalar r_left_hip_block_x = left_hip_fork_l2 - neg_r_left_thigh_y;
+  C[1] = s_left_hip_yaw * neg_r_left_hip_block_y + c_left_hip_yaw * r_left_hip_block_x;
+  C[0] = c_left_hip_yaw * neg_r_left_hip_block_y - s_left_hip_yaw * r_left_hip_block_x;
+  const Scalar t_left_hip_fork_3 = t_left_hip_fork_1 + c_left_hip_roll * neg_r_left_thigh_x;
+  C[13] = c_left_hip_yaw * t_left_hip_fork_3;
+  C[12] = -s_left_hip_yaw * t_left_hip_fork_3;
+  const Scalar t_left_hip_block_1 = c_left_hip_yaw * s_left_hip_roll;
+  C[25] = -(s_left_hip_yaw * neg_r_left_thigh_x + neg_r_left_thigh_y * t_left_hip_block_1);
+  const Scalar t_left_hip_block_2 = s_left_hip_yaw * s_left_hip_roll;
+  C[24] = neg_r_left_thigh_y * t_left_hip_block_2 - c_left_hip_yaw * neg_r_left_thigh_x;
+  const Scalar C_48_1 = t_left_ankle_cross_3 * t_left_hip_block_2;
+  const Scalar C_48 = C_48_1 - c_left_hip_yaw * t_left_ankle_cross_4;
+  C[48] = C_48;
+  const Scalar t_left_hip_block_3 = s_left_ankle_cross_y * t_left_hip_block_2;
+  const Scalar t_left_hip_block_4 = t_left_hip_block_3 - c_left_hip_yaw * s_left_ankle_cross_x;
+  C[36] = C_48 - t_left_hip_block_4;
+  const Scalar neg_C_49_1 = t_left_ankle_cross_3 * t_left_hip_block_1;
+  const Scalar neg_C_49 = neg_C_49_1 + s_left_hip_yaw * t_left_ankle_cross_4;
+  C[49] = -neg_C_49;
+  const Scalar t_left_hip_block_5 = s_left_ankle_cross_y * t_left_hip_block_1;
+  const Scalar t_left_hip_block_6 = t_left_hip_block_5 + s_left_hip_yaw * s_left_ankle_cross_x;
+  C[37] = t_left_hip_block_6 - neg_C_49;
   C[26] = c_left_hip_roll * neg_r_left_thigh_y;
-  const Scalar C_48_1 = t_left_ankle_cross_4 * t_left_hip_block_1;
-  C[48] = C_48_1 - c_left_hip_yaw * t_left_ankle_cross_2;
-  const Scalar t_left_hip_block_3 = c_q2_q3_q4 * r_left_foot_y;
-  const Scalar t_left_hip_block_4 = s_left_hip_roll * t_left_hip_block_3;
-  const Scalar t_left_hip_block_5 = t_left_hip_block_4 - c_left_hip_roll * r_left_foot_x;
-  const Scalar t_left_hip_block_6 = s_q2_q3_q4 * r_left_foot_y;
-  C[60] = c_left_hip_yaw * t_left_hip_block_6 + s_left_hip_yaw * t_left_hip_block_5;
-  C[63] = C[60];
-  C[61] = s_left_hip_yaw * t_left_hip_block_6 - c_left_hip_yaw * t_left_hip_block_5;
+  const Scalar t_left_hip_block_7 = c_q2_q3_q4 * neg_r_left_foot_y;
+  const Scalar t_left_hip_block_8 = s_q2_q3_q4 * neg_r_left_foot_y;
+  const Scalar t_left_hip_block_9 = s_left_hip_roll * t_left_hip_block_7;
+  const Scalar t_left_hip_block_10 = t_left_hip_block_9 - c_left_hip_roll * neg_r_left_foot_x;
+  C[61] = c_left_hip_yaw * t_left_hip_block_10 - s_left_hip_yaw * t_left_hip_block_8;
   C[64] = C[61];
-  const Scalar neg_C_49_1 = t_left_ankle_cross_4 * t_left_hip_block_2;
-  C[49] = -(neg_C_49_1 + s_left_hip_yaw * t_left_ankle_cross_2);
-  C[38] = c_left_hip_roll * neg_r_left_shank_y;
-  C[50] = c_left_hip_roll * t_left_ankle_cross_4;
-  C[62] = c_left_hip_roll * t_left_hip_block_3 + s_left_hip_roll * r_left_foot_x;
+  C[60] = -(c_left_hip_yaw * t_left_hip_block_8 + s_left_hip_yaw * t_left_hip_block_10);
+  C[63] = C[60];
+  const Scalar C_50 = c_left_hip_roll * t_left_ankle_cross_3;
+  C[50] = C_50;
+  const Scalar t_left_hip_block_11 = c_left_hip_roll * s_left_ankle_cross_y;
+  C[38] = C_50 - t_left_hip_block_11;
+  C[62] = -(c_left_hip_roll * t_left_hip_block_7 + s_left_hip_roll * neg_r_left_foot_x);
   C[65] = C[62];
-  // left_ankle_cross: r of (9)
-  const Scalar t_left_ankle_cross_5 = t_left_ankle_cross_3 - left_foot_l3 * c_q2_q3_q4;
-  const Scalar neg_r_left_shank_y_2 = neg_s_left_ankle_cross_y + t_left_ankle_cross_5;
-  const Scalar t_left_ankle_cross_6 = t_left_ankle_cross_1 + left_foot_l3 * s_q2_q3_q4;
-  const Scalar neg_r_left_shank_x_2 = neg_s_left_ankle_cross_x + t_left_ankle_cross_6;
-  const Scalar neg_r_left_thigh_x_2 = neg_s_left_shank_x + neg_r_left_shank_x_2;
-  const Scalar neg_r_left_thigh_y_2 = neg_s_left_shank_y + neg_r_left_shank_y_2;
-  // left_hip_block: r, C of (9)
-  const Scalar r_left_hip_block_y_2 = t_left_hip_fork_2 + s_left_hip_roll * neg_r_left_thigh_x_2;
-  C[17] = r_left_hip_block_y_2;
-  const Scalar r_left_hip_block_x_2 = left_hip_fork_l1 - neg_r_left_thigh_y_2;
-  C[4] = c_left_hip_yaw * r_left_hip_block_x_2 - s_left_hip_yaw * r_left_hip_block_y_2;
-  C[3] = -(c_left_hip_yaw * r_left_hip_block_y_2 + s_left_hip_yaw * r_left_hip_block_x_2);
-  const Scalar t_left_hip_fork_4 = t_left_hip_fork_1 - c_left_hip_roll * neg_r_left_thigh_x_2;
-  C[15] = s_left_hip_yaw * t_left_hip_fork_4;
-  C[16] = -c_left_hip_yaw * t_left_hip_fork_4;
-  C[28] = -(s_left_hip_yaw * neg_r_left_thigh_x_2 + t_left_hip_block_2 * neg_r_left_thigh_y_2);
-  C[27] = t_left_hip_block_1 * neg_r_left_thigh_y_2 - c_left_hip_yaw * neg_r_left_thigh_x_2;
-  C[39] = t_left_hip_block_1 * neg_r_left_shank_y_2 - c_left_hip_yaw * neg_r_left_shank_x_2;
-  C[40] = -(t_left_hip_block_2 * neg_r_left_shank_y_2 + s_left_hip_yaw * neg_r_left_shank_x_2);
-  C[29] = c_left_hip_roll * neg_r_left_thigh_y_2;
-  const Scalar C_51_1 = t_left_hip_block_1 * t_left_ankle_cross_5;
-  C[51] = C_51_1 - c_left_hip_yaw * t_left_ankle_cross_6;
-  const Scalar neg_C_52_1 = t_left_hip_block_2 * t_left_ankle_cross_5;
-  C[52] = -(s_left_hip_yaw * t_left_ankle_cross_6 + neg_C_52_1);
-  C[41] = c_left_hip_roll * neg_r_left_shank_y_2;
-  C[53] = c_left_hip_roll * t_left_ankle_cross_5;
-  const Scalar neg_r_righ_ankl_cros_x = left_hip_fork_l1 + r_right_foot_x;
-  // right_ankle_cross: r of (9)
-  const Scalar t_righ_ankl_cros_1 = s_q8_q9_q10 * neg_r_righ_ankl_cros_x;
-  const Scalar t_righ_ankl_cros_2 = t_righ_ankl_cros_1 + left_foot_l1 * c_q8_q9_q10;
-  const Scalar neg_r_right_shank_y = neg_s_righ_ankl_cros_y + t_righ_ankl_cros_2;
-  const Scalar t_righ_ankl_cros_3 = c_q8_q9_q10 * neg_r_righ_ankl_cros_x;
-  const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_3 - left_foot_l1 * s_q8_q9_q10;
-  const Scalar neg_r_right_shank_x = neg_s_righ_ankl_cros_x + t_righ_ankl_cros_4;
-  const Scalar neg_r_right_thigh_y = neg_s_right_shank_y + neg_r_right_shank_y;
-  const Scalar neg_r_right_thigh_x = neg_s_right_shank_x + neg_r_right_shank_x;
-  const Scalar neg_r_right_hip_fork_x = left_hip_fork_l2 - r_right_foot_y;
-  // right_hip_fork: r of (9)
-  const Scalar t_right_hip_fork_1 = s_right_hip_roll * neg_r_right_hip_fork_x;
-  const Scalar t_right_hip_fork_2 = c_right_hip_roll * neg_r_right_hip_fork_x;
-  const Scalar neg_r_right_hip_block_y =
-      t_right_hip_fork_2 - s_right_hip_roll * neg_r_right_thigh_x;
-  C[92] = -neg_r_right_hip_block_y;
-  const Scalar r_right_hip_block_x = left_hip_fork_l1 - neg_r_right_thigh_y;
-  C[79] = c_right_hip_yaw * r_right_hip_block_x + s_right_hip_yaw * neg_r_right_hip_block_y;
-  C[78] = c_right_hip_yaw * neg_r_right_hip_block_y - s_right_hip_yaw * r_right_hip_block_x;
-  const Scalar t_right_hip_fork_3 = t_right_hip_fork_1 + c_right_hip_roll * neg_r_right_thigh_x;
+  const Scalar t_left_ankle_cross_5 = t_left_ankle_cross_1 + left_foot_l3 * s_q2_q3_q4;
+  const Scalar t_left_ankle_cross_6 = t_left_ankle_cross_2 - left_foot_l3 * c_q2_q3_q4;
+  const Scalar r_left_thigh_x = t_left_shank_1 - t_left_ankle_cross_5;
+  const Scalar r_left_thigh_y = t_left_shank_2 - t_left_ankle_cross_6;
+  const Scalar neg_r_left_hip_block_y_2 = t_left_hip_fork_2 + s_left_hip_roll * r_left_thigh_x;
+  C[17] = -neg_r_left_hip_block_y_2;
+  const Scalar r_left_hip_block_x_2 = left_hip_fork_l2 + r_left_thigh_y;
+  C[3] = c_left_hip_yaw * neg_r_left_hip_block_y_2 - s_left_hip_yaw * r_left_hip_block_x_2;
+  C[4] = s_left_hip_yaw * neg_r_left_hip_block_y_2 + c_left_hip_yaw * r_left_hip_block_x_2;
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_1 - c_left_hip_roll * r_left_thigh_x;
+  C[15] = -s_left_hip_yaw * t_left_hip_fork_4;
+  C[16] = c_left_hip_yaw * t_left_hip_fork_4;
+  C[28] = s_left_hip_yaw * r_left_thigh_x + t_left_hip_block_1 * r_left_thigh_y;
+  C[27] = c_left_hip_yaw * r_left_thigh_x - t_left_hip_block_2 * r_left_thigh_y;
+  const Scalar neg_C_52_1 = t_left_hip_block_1 * t_left_ankle_cross_6;
+  const Scalar neg_C_52 = neg_C_52_1 + s_left_hip_yaw * t_left_ankle_cross_5;
+  C[52] = -neg_C_52;
+  C[40] = t_left_hip_block_6 - neg_C_52;
+  const Scalar neg_C_51_1 = t_left_hip_block_2 * t_left_ankle_cross_6;
+  const Scalar neg_C_51 = c_left_hip_yaw * t_left_ankle_cross_5 - neg_C_51_1;
+  C[51] = -neg_C_51;
+  C[39] = -(t_left_hip_block_4 + neg_C_51);
+  C[29] = -c_left_hip_roll * r_left_thigh_y;
+  const Scalar C_53 = c_left_hip_roll * t_left_ankle_cross_6;
+  C[53] = C_53;
+  C[41] = C_53 - t_left_hip_block_11;
+  const Scalar neg_r_righ_ankl_cros_x = left_hip_fork_l2 - neg_r_right_foot_x;
+  // right_ankle_cross
+  const Scalar t_righ_ankl_cros_1 = c_q8_q9_q10 * neg_r_righ_ankl_cros_x;
+  const Scalar t_righ_ankl_cros_2 = s_q8_q9_q10 * neg_r_righ_ankl_cros_x;
+  const Scalar t_righ_ankl_cros_3 = t_righ_ankl_cros_2 - left_foot_l1 * c_q8_q9_q10;
+  const Scalar t_righ_ankl_cros_4 = t_righ_ankl_cros_1 + left_foot_l1 * s_q8_q9_q10;
+  // right_shank: r of (9)
+  const Scalar t_right_shank_1 = s_right_shank_x + s_righ_ankl_cros_x;
+  const Scalar neg_r_right_thigh_x = t_righ_ankl_cros_4 - t_right_shank_1;
+  const Scalar t_right_shank_2 = s_right_shank_y + s_righ_ankl_cros_y;
+  const Scalar neg_r_right_thigh_y = t_righ_ankl_cros_3 - t_right_shank_2;
+  const Scalar r_right_hip_fork_x = left_hip_fork_l1 - neg_r_right_foot_y;
+  const Scalar t_right_hip_fork_1 = c_right_hip_roll * r_right_hip_fork_x;
+  const Scalar r_right_hip_block_y = t_right_hip_fork_1 + s_right_hip_roll * neg_r_right_thigh_x;
+  C[92] = r_right_hip_block_y;
+  const Scalar t_right_hip_fork_2 = s_right_hip_roll * r_right_hip_fork_x;
+  const Scalar r_right_hip_block_x = left_hip_fork_l2 - neg_r_right_thigh_y;
+  C[78] = -(c_right_hip_yaw * r_right_hip_block_y + s_right_hip_yaw * r_right_hip_block_x);
+  C[79] = c_right_hip_yaw * r_right_hip_block_x - s_right_hip_yaw * r_right_hip_block_y;
+  const Scalar t_right_hip_fork_3 = t_right_hip_fork_2 - c_right_hip_roll * neg_r_right_thigh_x;
   // left_hip_block: C of (9)
-  C[90] = -s_right_hip_yaw * t_right_hip_fork_3;
-  C[91] = c_right_hip_yaw * t_right_hip_fork_3;
-  const Scalar t_left_hip_block_7 = s_right_hip_yaw * s_right_hip_roll;
-  C[102] = neg_r_right_thigh_y * t_left_hip_block_7 - c_right_hip_yaw * neg_r_right_thigh_x;
-  const Scalar t_left_hip_block_8 = c_right_hip_yaw * s_right_hip_roll;
-  C[103] = -(s_right_hip_yaw * neg_r_right_thigh_x + neg_r_right_thigh_y * t_left_hip_block_8);
-  C[115] = -(s_right_hip_yaw * neg_r_right_shank_x + neg_r_right_shank_y * t_left_hip_block_8);
-  C[114] = neg_r_right_shank_y * t_left_hip_block_7 - c_right_hip_yaw * neg_r_right_shank_x;
+  C[90] = s_right_hip_yaw * t_right_hip_fork_3;
+  C[91] = -c_right_hip_yaw * t_right_hip_fork_3;
+  const Scalar t_left_hip_block_12 = s_right_hip_yaw * s_right_hip_roll;
+  C[102] = neg_r_right_thigh_y * t_left_hip_block_12 - c_right_hip_yaw * neg_r_right_thigh_x;
+  const Scalar t_left_hip_block_13 = c_right_hip_yaw * s_right_hip_roll;
+  const Scalar neg_C_127_1 = t_righ_ankl_cros_3 * t_left_hip_block_13;
+  const Scalar neg_C_127 = s_right_hip_yaw * t_righ_ankl_cros_4 + neg_C_127_1;
+  C[127] = -neg_C_127;
+  const Scalar t_left_hip_block_14 = s_righ_ankl_cros_y * t_left_hip_block_13;
+  const Scalar t_left_hip_block_15 = s_right_hip_yaw * s_righ_ankl_cros_x + t_left_hip_block_14;
+  const Scalar neg_C_115 = neg_C_127 - t_left_hip_block_15;
+  C[115] = -neg_C_115;
+  const Scalar t_left_hip_block_16 = s_right_shank_y * t_left_hip_block_13;
+  const Scalar t_left_hip_block_17 = t_left_hip_block_16 + s_right_hip_yaw * s_right_shank_x;
+  C[103] = t_left_hip_block_17 - neg_C_115;
+  const Scalar C_126_1 = t_righ_ankl_cros_3 * t_left_hip_block_12;
+  const Scalar C_126 = C_126_1 - c_right_hip_yaw * t_righ_ankl_cros_4;
+  C[126] = C_126;
+  const Scalar t_left_hip_block_18 = s_righ_ankl_cros_y * t_left_hip_block_12;
+  const Scalar t_left_hip_block_19 = t_left_hip_block_18 - c_right_hip_yaw * s_righ_ankl_cros_x;
+  C[114] = C_126 - t_left_hip_block_19;
   C[104] = c_right_hip_roll * neg_r_right_thigh_y;
-  const Scalar t_left_hip_block_9 = c_q8_q9_q10 * r_right_foot_y;
-  const Scalar t_left_hip_block_10 = s_right_hip_roll * t_left_hip_block_9;
-  const Scalar t_left_hip_block_11 = t_left_hip_block_10 - c_right_hip_roll * r_right_foot_x;
-  const Scalar t_left_hip_block_12 = s_q8_q9_q10 * r_right_foot_y;
-  C[139] = s_right_hip_yaw * t_left_hip_block_12 - c_right_hip_yaw * t_left_hip_block_11;
+  const Scalar t_left_hip_block_20 = c_q8_q9_q10 * neg_r_right_foot_y;
+  const Scalar t_left_hip_block_21 = s_q8_q9_q10 * neg_r_right_foot_y;
+  const Scalar t_left_hip_block_22 = s_right_hip_roll * t_left_hip_block_20;
+  const Scalar t_left_hip_block_23 = t_left_hip_block_22 - c_right_hip_roll * neg_r_right_foot_x;
+  C[139] = c_right_hip_yaw * t_left_hip_block_23 - s_right_hip_yaw * t_left_hip_block_21;
   C[142] = C[139];
-  C[126] = t_righ_ankl_cros_2 * t_left_hip_block_7 - c_right_hip_yaw * t_righ_ankl_cros_4;
-  C[138] = c_right_hip_yaw * t_left_hip_block_12 + s_right_hip_yaw * t_left_hip_block_11;
+  C[138] = -(c_right_hip_yaw * t_left_hip_block_21 + s_right_hip_yaw * t_left_hip_block_23);
   C[141] = C[138];
-  C[127] = -(s_right_hip_yaw * t_righ_ankl_cros_4 + t_righ_ankl_cros_2 * t_left_hip_block_8);
-  C[116] = c_right_hip_roll * neg_r_right_shank_y;
-  C[128] = c_right_hip_roll * t_righ_ankl_cros_2;
-  C[140] = c_right_hip_roll * t_left_hip_block_9 + s_right_hip_roll * r_right_foot_x;
+  const Scalar C_128 = c_right_hip_roll * t_righ_ankl_cros_3;
+  C[128] = C_128;
+  const Scalar t_left_hip_block_24 = c_right_hip_roll * s_righ_ankl_cros_y;
+  C[116] = C_128 - t_left_hip_block_24;
+  C[140] = -(c_right_hip_roll * t_left_hip_block_20 + s_right_hip_roll * neg_r_right_foot_x);
   C[143] = C[140];
-  // right_ankle_cross: r of (9)
-  const Scalar t_righ_ankl_cros_5 = t_righ_ankl_cros_3 + left_foot_l3 * s_q8_q9_q10;
-  const Scalar neg_r_right_shank_x_2 = neg_s_righ_ankl_cros_x + t_righ_ankl_cros_5;
-  const Scalar t_righ_ankl_cros_6 = t_righ_ankl_cros_1 - left_foot_l3 * c_q8_q9_q10;
-  const Scalar neg_r_right_shank_y_2 = neg_s_righ_ankl_cros_y + t_righ_ankl_cros_6;
-  const Scalar neg_r_right_thigh_x_2 = neg_s_right_shank_x + neg_r_right_shank_x_2;
-  const Scalar neg_r_right_thigh_y_2 = neg_s_right_shank_y + neg_r_right_shank_y_2;
-  const Scalar neg_C_95 = t_right_hip_fork_2 - s_right_hip_roll * neg_r_right_thigh_x_2;
-  C[95] = -neg_C_95;
-  const Scalar r_right_hip_block_x_2 = left_hip_fork_l1 - neg_r_right_thigh_y_2;
-  C[81] = c_right_hip_yaw * neg_C_95 - s_right_hip_yaw * r_right_hip_block_x_2;
-  C[82] = c_right_hip_yaw * r_right_hip_block_x_2 + s_right_hip_yaw * neg_C_95;
-  const Scalar t_right_hip_fork_4 = t_right_hip_fork_1 + c_right_hip_roll * neg_r_right_thigh_x_2;
-  // left_hip_block: C of (9)
-  C[93] = -s_right_hip_yaw * t_right_hip_fork_4;
-  C[94] = c_right_hip_yaw * t_right_hip_fork_4;
-  const Scalar neg_C_106_1 = t_left_hip_block_8 * neg_r_right_thigh_y_2;
-  C[106] = -(neg_C_106_1 + s_right_hip_yaw * neg_r_right_thigh_x_2);
-  const Scalar C_105_1 = t_left_hip_block_7 * neg_r_right_thigh_y_2;
-  C[105] = C_105_1 - c_right_hip_yaw * neg_r_right_thigh_x_2;
-  const Scalar C_117_1 = t_left_hip_block_7 * neg_r_right_shank_y_2;
-  C[117] = C_117_1 - c_right_hip_yaw * neg_r_right_shank_x_2;
-  const Scalar neg_C_118_1 = t_left_hip_block_8 * neg_r_right_shank_y_2;
-  C[118] = -(neg_C_118_1 + s_right_hip_yaw * neg_r_right_shank_x_2);
-  C[107] = c_right_hip_roll * neg_r_right_thigh_y_2;
-  C[129] = t_left_hip_block_7 * t_righ_ankl_cros_6 - c_right_hip_yaw * t_righ_ankl_cros_5;
-  C[130] = -(t_left_hip_block_8 * t_righ_ankl_cros_6 + s_right_hip_yaw * t_righ_ankl_cros_5);
-  C[119] = c_right_hip_roll * neg_r_right_shank_y_2;
-  C[131] = c_right_hip_roll * t_righ_ankl_cros_6;
+  const Scalar t_righ_ankl_cros_5 = t_righ_ankl_cros_1 + left_foot_l3 * s_q8_q9_q10;
+  const Scalar r_right_thigh_x = t_right_shank_1 - t_righ_ankl_cros_5;
+  const Scalar t_righ_ankl_cros_6 = t_righ_ankl_cros_2 - left_foot_l3 * c_q8_q9_q10;
+  const Scalar r_right_thigh_y = t_right_shank_2 - t_righ_ankl_cros_6;
+  const Scalar r_right_hip_block_y_2 = t_right_hip_fork_1 - s_right_hip_roll * r_right_thigh_x;
+  C[95] = r_right_hip_block_y_2;
+  const Scalar r_right_hip_block_x_2 = left_hip_fork_l2 + r_right_thigh_y;
+  C[82] = c_right_hip_yaw * r_right_hip_block_x_2 - s_right_hip_yaw * r_right_hip_block_y_2;
+  C[81] = -(c_right_hip_yaw * r_right_hip_block_y_2 + s_right_hip_yaw * r_right_hip_block_x_2);
+  const Scalar t_right_hip_fork_4 = t_right_hip_fork_2 + c_right_hip_roll * r_right_thigh_x;
+  C[94] = -c_right_hip_yaw * t_right_hip_fork_4;
+  C[93] = s_right_hip_yaw * t_right_hip_fork_4;
+  const Scalar neg_C_130_1 = t_left_hip_block_13 * t_righ_ankl_cros_6;
+  const Scalar neg_C_130 = s_right_hip_yaw * t_righ_ankl_cros_5 + neg_C_130_1;
+  C[130] = -neg_C_130;
+  const Scalar C_118 = t_left_hip_block_15 - neg_C_130;
+  C[118] = C_118;
+  C[106] = t_left_hip_block_17 + C_118;
+  C[105] = c_right_hip_yaw * r_right_thigh_x - t_left_hip_block_12 * r_right_thigh_y;
+  const Scalar C_129_1 = t_left_hip_block_12 * t_righ_ankl_cros_6;
+  const Scalar C_129 = C_129_1 - c_right_hip_yaw * t_righ_ankl_cros_5;
+  C[129] = C_129;
+  C[117] = C_129 - t_left_hip_block_19;
+  C[107] = -c_right_hip_roll * r_right_thigh_y;
+  const Scalar C_131 = c_right_hip_roll * t_righ_ankl_cros_6;
+  C[131] = C_131;
+  C[119] = C_131 - t_left_hip_block_24;
   force_jacobian_transpose_0(C);
 }
 

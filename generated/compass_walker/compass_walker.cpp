@@ -9,7 +9,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0x5a7eb7bfa1a0846bULL, "header and source are of different runs");
+static_assert(kDigest == 0x7177ec61b6c24f23ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -161,17 +161,17 @@ namespace {
 // exactly 0 or 1. Other literals are numbers of the equations.
 
 // gravity
-constexpr double base_p1 = 9.81;
+constexpr double base_p1 = -9.81;
 
 // mass of hip, left_leg, right_leg
 constexpr double hip_p1 = 20.0;
 // gravity; mass of hip, left_leg, right_leg
-constexpr double hip_p2 = 196.2;
+constexpr double hip_p2 = -196.2;
 // mass of hip; mass, com z of left_leg, right_leg
 constexpr double hip_p3 = 10.0;
 
 // mass, com z of left_leg, right_leg
-constexpr double left_leg_p1 = 2.5;
+constexpr double left_leg_p1 = -2.5;
 // mass, com z of left_leg, right_leg
 constexpr double left_leg_p2 = 1.25;
 // gravity; mass, com z of left_leg, right_leg
@@ -179,9 +179,9 @@ constexpr double left_leg_p3 = 24.525;
 // mass, com z of left_leg, right_leg
 constexpr double left_leg_p4 = 0.8;
 // mass, com z of left_leg, right_leg
-constexpr double left_leg_p5 = 2.0;
+constexpr double left_leg_p5 = 5.0;
 // mass, com z of left_leg, right_leg
-constexpr double left_leg_p6 = 5.0;
+constexpr double left_leg_p6 = -2.0;
 // gravity; mass, com z of left_leg, right_leg
 constexpr double left_leg_p7 = 19.62;
 
@@ -195,15 +195,15 @@ void mass_matrix(const Scalar q[4], Scalar A[16]) noexcept {
   const Scalar c_left_hip = cosines[0];
   const Scalar s_right_hip = sines[1];
   const Scalar c_right_hip = cosines[1];
-  A[7] = left_leg_p1 * s_right_hip;
-  A[13] = A[7];
-  A[3] = -left_leg_p1 * c_right_hip;
+  A[3] = left_leg_p1 * c_right_hip;
   A[12] = A[3];
+  A[7] = -left_leg_p1 * s_right_hip;
+  A[13] = A[7];
   // left_leg: A of (2)
-  A[2] = -left_leg_p1 * c_left_hip;
-  A[8] = A[2];
-  A[6] = left_leg_p1 * s_left_hip;
+  A[6] = -left_leg_p1 * s_left_hip;
   A[9] = A[6];
+  A[2] = left_leg_p1 * c_left_hip;
+  A[8] = A[2];
   A[0] = hip_p1;
   A[5] = hip_p1;
   A[10] = left_leg_p2;
@@ -224,11 +224,11 @@ void bias_force(const Scalar q[4], const Scalar qd[4], Scalar B[4]) noexcept {
   const Scalar c_right_hip = cosines[1];
   const Scalar neg_Omega_right_leg_xx = qd[3] * qd[3];
   const Scalar neg_Omega_left_leg_xx = qd[2] * qd[2];
+  const Scalar neg_F_hip_z_1 = c_right_hip * neg_Omega_right_leg_xx;
+  B[1] = -left_leg_p1 * (neg_F_hip_z_1 + c_left_hip * neg_Omega_left_leg_xx);
+  const Scalar neg_F_hip_x_1 = s_right_hip * neg_Omega_right_leg_xx;
   // hip: force F of (3)
-  const Scalar F_hip_z_1 = c_right_hip * neg_Omega_right_leg_xx;
-  B[1] = left_leg_p1 * (F_hip_z_1 + c_left_hip * neg_Omega_left_leg_xx);
-  const Scalar F_hip_x_1 = s_right_hip * neg_Omega_right_leg_xx;
-  B[0] = left_leg_p1 * (F_hip_x_1 + s_left_hip * neg_Omega_left_leg_xx);
+  B[0] = -left_leg_p1 * (neg_F_hip_x_1 + s_left_hip * neg_Omega_left_leg_xx);
   B[2] = 0.0;
   B[3] = 0.0;
 }
@@ -239,7 +239,7 @@ void gravity_force(const Scalar q[4], Scalar G[4]) noexcept {
   G[3] = left_leg_p3 * s_right_hip;
   // left_leg: G of 6.5
   G[2] = left_leg_p3 * s_left_hip;
-  G[1] = hip_p2;
+  G[1] = -hip_p2;
   G[0] = 0.0;
 }
 
@@ -252,24 +252,24 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
   const Scalar c_left_hip = cosines[0];
   const Scalar s_right_hip = sines[1];
   const Scalar c_right_hip = cosines[1];
-  const Scalar a_hip_z = base_p1 + qdd[1];
+  const Scalar neg_a_hip_z = base_p1 - qdd[1];
   // left_leg: moment M, Omega of (1)
   const Scalar t_left_leg_1 = left_leg_p1 * c_left_hip;
   const Scalar t_left_leg_2 = left_leg_p1 * s_left_hip;
-  tau[2] = left_leg_p2 * qdd[2] - (qdd[0] * t_left_leg_1 - a_hip_z * t_left_leg_2);
+  tau[2] = qdd[0] * t_left_leg_1 + neg_a_hip_z * t_left_leg_2 + left_leg_p2 * qdd[2];
   const Scalar neg_Omega_left_leg_xx = qd[2] * qd[2];
   // right_leg: moment M, Omega of (1)
   const Scalar t_right_leg_1 = left_leg_p1 * c_right_hip;
   const Scalar t_right_leg_2 = left_leg_p1 * s_right_hip;
-  tau[3] = left_leg_p2 * qdd[3] - (qdd[0] * t_right_leg_1 - a_hip_z * t_right_leg_2);
+  tau[3] = qdd[0] * t_right_leg_1 + neg_a_hip_z * t_right_leg_2 + left_leg_p2 * qdd[3];
   const Scalar neg_Omega_right_leg_xx = qd[3] * qd[3];
   // hip: force F of (1)
-  const Scalar F_hip_z_1 = hip_p1 * a_hip_z + qdd[2] * t_left_leg_2;
-  const Scalar F_hip_z_2 = F_hip_z_1 + t_left_leg_1 * neg_Omega_left_leg_xx;
-  tau[1] = F_hip_z_2 + t_right_leg_1 * neg_Omega_right_leg_xx + qdd[3] * t_right_leg_2;
-  const Scalar F_hip_x_1 = hip_p1 * qdd[0] + t_left_leg_2 * neg_Omega_left_leg_xx;
-  const Scalar F_hip_x_2 = F_hip_x_1 - qdd[2] * t_left_leg_1 - qdd[3] * t_right_leg_1;
-  tau[0] = F_hip_x_2 + t_right_leg_2 * neg_Omega_right_leg_xx;
+  const Scalar F_hip_x_1 = hip_p1 * qdd[0] - t_left_leg_2 * neg_Omega_left_leg_xx;
+  const Scalar F_hip_x_2 = F_hip_x_1 + qdd[2] * t_left_leg_1;
+  tau[0] = F_hip_x_2 - t_right_leg_2 * neg_Omega_right_leg_xx + qdd[3] * t_right_leg_1;
+  const Scalar neg_F_hip_z_1 = hip_p1 * neg_a_hip_z + qdd[2] * t_left_leg_2;
+  const Scalar neg_F_hip_z_2 = neg_F_hip_z_1 + t_left_leg_1 * neg_Omega_left_leg_xx;
+  tau[1] = -(neg_F_hip_z_2 + qdd[3] * t_right_leg_2 + t_right_leg_1 * neg_Omega_right_leg_xx);
 }
 
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
@@ -281,33 +281,33 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   const Scalar c_left_hip = cosines[0];
   const Scalar s_right_hip = sines[1];
   const Scalar c_right_hip = cosines[1];
-  const Scalar t_left_leg_1 = left_leg_p6 * (c_right_hip * c_right_hip + c_left_hip * c_left_hip);
+  const Scalar t_left_leg_1 = left_leg_p5 * (c_right_hip * c_right_hip + c_left_hip * c_left_hip);
   const Scalar t_left_leg_2 = hip_p3 + t_left_leg_1;
   const Scalar inverse_pivot_hip = 1.0 / t_left_leg_2;
-  const Scalar t_left_leg_3 = left_leg_p6 * (c_right_hip * s_right_hip + c_left_hip * s_left_hip);
+  const Scalar t_left_leg_3 = left_leg_p5 * (c_right_hip * s_right_hip + c_left_hip * s_left_hip);
   const Scalar t_hip_1 = inverse_pivot_hip * t_left_leg_3;
   const Scalar inverse_pivot_slide = 1.0 / (hip_p1 - t_left_leg_1 - t_left_leg_3 * t_hip_1);
   const Scalar t_right_leg_1 = qd[3] * qd[3];
   const Scalar t_left_leg_4 = qd[2] * qd[2];
   // hip: joint force u of (1)
   const Scalar u_hip_1 = c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4;
-  const Scalar u_hip_2 = tau[1] - left_leg_p1 * u_hip_1;
-  const Scalar u_hip = u_hip_2 - left_leg_p5 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
+  const Scalar u_hip_2 = tau[1] + left_leg_p1 * u_hip_1;
+  const Scalar u_hip = u_hip_2 + left_leg_p6 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
   // slide: joint force u, qdd of (1)
   const Scalar u_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4;
-  const Scalar u_slide_2 = tau[0] - left_leg_p1 * u_slide_1 - t_hip_1 * u_hip;
-  const Scalar u_slide = u_slide_2 + left_leg_p5 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
+  const Scalar u_slide_2 = tau[0] + left_leg_p1 * u_slide_1 - t_hip_1 * u_hip;
+  const Scalar u_slide = u_slide_2 - left_leg_p6 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
   const Scalar qdd_0 = inverse_pivot_slide * u_slide;
   qdd[0] = qdd_0;
-  const Scalar qdd_1_1 = u_hip - t_left_leg_3 * qdd_0 - base_p1 * t_left_leg_2;
+  const Scalar qdd_1_1 = u_hip - t_left_leg_3 * qdd_0 + base_p1 * t_left_leg_2;
   const Scalar qdd_1 = inverse_pivot_hip * qdd_1_1;
   qdd[1] = qdd_1;
   // left_leg: qdd of (1)
-  const Scalar t_left_leg_5 = left_leg_p5 * qdd_0;
-  const Scalar t_left_leg_6 = left_leg_p7 + left_leg_p5 * qdd_1;
-  qdd[2] = left_leg_p4 * tau[2] + c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
+  const Scalar t_left_leg_5 = left_leg_p6 * qdd_0;
+  const Scalar t_left_leg_6 = left_leg_p7 - left_leg_p6 * qdd_1;
+  qdd[2] = left_leg_p4 * tau[2] - c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
   // right_leg: qdd of (1)
-  qdd[3] = left_leg_p4 * tau[3] + c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;
+  qdd[3] = left_leg_p4 * tau[3] - c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;
 }
 
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {

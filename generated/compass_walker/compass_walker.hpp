@@ -27,7 +27,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x5a7eb7bfa1a0846bULL;
+constexpr unsigned long long kDigest = 0x7177ec61b6c24f23ULL;
 
 /// Index of every joint.
 namespace joint {

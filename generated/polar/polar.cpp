@@ -9,7 +9,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0x5fa743061038e270ULL, "header and source are of different runs");
+static_assert(kDigest == 0x2e643b2106e30168ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -81,7 +81,7 @@ namespace {
 // exactly 0 or 1. Other literals are numbers of the equations.
 
 // m/s^2: gravity
-constexpr double base_g1 = 9.81;
+constexpr double base_g1 = -9.81;
 
 // kg m^2: inertia xx yy zz of shoulder_link; mass, com z, inertia xx yy zz of boom
 constexpr double shoulder_I1 = 2.528;
@@ -90,16 +90,16 @@ constexpr double shoulder_I1 = 2.528;
 constexpr double boom_m1 = 4.25;
 // kg: mass of boom
 constexpr double boom_m2 = 8.5;
-// m: com z of boom
-constexpr double boom_l1 = 0.6447;
+// m: mass, com z of boom
+constexpr double boom_l1 = -0.6447;
 // m: offset y of boom
 constexpr double boom_l2 = 0.154;
 // kg m: mass, com z of boom
-constexpr double boom_h1 = 5.47995;
+constexpr double boom_h1 = -5.47995;
 // kg m: mass, com z of boom
-constexpr double boom_h2 = 2.739975;
+constexpr double boom_h2 = -2.739975;
 // N: gravity; mass of boom
-constexpr double boom_w1 = 41.6925;
+constexpr double boom_w1 = -41.6925;
 // N m: gravity; mass, com z of boom
 constexpr double boom_G1 = 26.87915475;
 // kg^-1: mass of boom
@@ -109,26 +109,26 @@ constexpr double boom_p1 = 0.23529411764705882;
 
 void mass_matrix(const Scalar q[2], Scalar A[4]) noexcept {
   // shoulder_link: A of (2)
-  A[0] = shoulder_I1 - q[1] * (boom_h1 - boom_m1 * q[1]);
+  A[0] = shoulder_I1 + q[1] * (boom_h1 + boom_m1 * q[1]);
   A[3] = boom_m1;
   A[1] = 0.0;
   A[2] = 0.0;
 }
 
 void bias_force(const Scalar q[2], const Scalar qd[2], Scalar B[2]) noexcept {
-  const Scalar t_boom_1 = qd[0] * (boom_h1 - boom_m2 * q[1]);
-  B[1] = qd[0] * t_boom_1 * 0.5;
+  const Scalar t_shoulder_1 = qd[0] * (boom_h1 + boom_m2 * q[1]);
+  B[1] = -qd[0] * t_shoulder_1 * 0.5;
   // shoulder_link: moment M of (3)
-  B[0] = -qd[1] * t_boom_1;
+  B[0] = qd[1] * t_shoulder_1;
 }
 
 void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
-  G[1] = boom_w1 * c_shoulder;
+  G[1] = -boom_w1 * c_shoulder;
   // shoulder_link: G of 6.5
-  G[0] = s_shoulder * (boom_G1 - boom_w1 * q[1]);
+  G[0] = s_shoulder * (boom_G1 + boom_w1 * q[1]);
 }
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
@@ -136,13 +136,12 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
-  // boom: force F of (1)
-  const Scalar t_boom_1 = boom_m1 * q[1];
-  const Scalar t_boom_2 = boom_h2 - t_boom_1;
-  tau[1] = boom_w1 * c_shoulder + boom_m1 * qdd[1] + qd[0] * qd[0] * t_boom_2;
+  const Scalar t_shoulder_1 = boom_m1 * q[1];
+  const Scalar t_shoulder_2 = boom_h2 + t_shoulder_1;
+  tau[1] = -(boom_w1 * c_shoulder - boom_m1 * qdd[1] + qd[0] * qd[0] * t_shoulder_2);
   // shoulder_link: moment M of (1)
-  const Scalar M_shoulder_z_1 = t_boom_2 * (base_g1 * s_shoulder - qd[0] * qd[1] * 2.0);
-  tau[0] = qdd[0] * (shoulder_I1 - q[1] * (boom_h1 - t_boom_1)) + M_shoulder_z_1;
+  const Scalar M_shoulder_z_1 = t_shoulder_2 * (qd[0] * qd[1] * 2.0 + base_g1 * s_shoulder);
+  tau[0] = M_shoulder_z_1 + qdd[0] * (shoulder_I1 + q[1] * (boom_h1 + t_shoulder_1));
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
@@ -150,13 +149,13 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
-  const Scalar inverse_pivot_shoulder = 1.0 / (shoulder_I1 - q[1] * (boom_h1 - boom_m1 * q[1]));
-  const Scalar t_boom_1 = boom_l1 - q[1];
+  const Scalar inverse_pivot_shoulder = 1.0 / (shoulder_I1 + q[1] * (boom_h1 + boom_m1 * q[1]));
+  const Scalar t_boom_1 = boom_l1 + q[1];
   const Scalar t_boom_2 = qd[0] * t_boom_1;
-  const Scalar qdd_0_1 = tau[0] - s_shoulder * t_boom_1 * boom_w1 + qd[1] * t_boom_2 * boom_m2;
+  const Scalar qdd_0_1 = tau[0] - s_shoulder * t_boom_1 * boom_w1 - qd[1] * t_boom_2 * boom_m2;
   qdd[0] = inverse_pivot_shoulder * qdd_0_1;
   // boom: qdd of (1)
-  qdd[1] = -(base_g1 * c_shoulder - boom_p1 * tau[1] + qd[0] * t_boom_2);
+  qdd[1] = base_g1 * c_shoulder + boom_p1 * tau[1] + qd[0] * t_boom_2;
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {

@@ -9,7 +9,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0x29b7c49418b9b5c6ULL, "header and source are of different runs");
+static_assert(kDigest == 0x3b3517857e538a34ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -134,26 +134,29 @@ namespace {
 // above each its unit and the numbers of the model that it is made of, but for those that are
 // exactly 0 or 1. Other literals are numbers of the equations.
 
-// kg m^2: inertia zz of link1; mass, com x z, inertia xx yy zz, offset y of link2; mass, com z,
-//     inertia xx yy zz, offset x z of link3; mass, inertia zz, offset x of link4; mass, inertia xx
-//     yy zz of link5, link6
-constexpr double link1_I1 = 3.155122265;
+// m/s^2: gravity
+constexpr double base_g1 = -9.81;
+
+// kg m^2: inertia zz of link1; mass, com, inertia xx yy zz, offset y of link2; mass, com y z,
+//     inertia xx yy zz, offset x z of link3; mass, com z, inertia xx yy zz, offset x y of link4;
+//     mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link1_I1 = 3.453599449;
 // kg m^2: inertia zz of link1; mass, com x z, inertia xx yy zz, offset y of link2; mass, com z,
 //     inertia xx yy zz, offset x z of link3
 constexpr double link1_I2 = 2.88549059;
+// kg m^2: inertia zz of link1; mass, com x z, inertia xx yy zz, offset y of link2; mass, com z,
+//     inertia xx yy zz, offset x z of link3; mass, inertia xx yy zz, offset x of link4; mass,
+//     inertia xx yy zz of link5, link6
+constexpr double link1_I3 = 3.155122265;
 
 // ratio: offset y of link2; offset z of link3; offset x of link4
-constexpr double link2_k1 = 14.788177339901479;
+constexpr double link2_k1 = -14.788177339901479;
 // ratio: offset y of link2; offset z of link3; offset x of link4
-constexpr double link2_k2 = 7.394088669950739;
-// ratio: offset y of link2, link4; offset z of link3
-constexpr double link2_k3 = 0.3465712306626645;
-// ratio: offset y of link2; offset x z of link3
-constexpr double link2_k4 = 0.3476146364057434;
-// ratio: offset y of link2; offset x z of link3
-constexpr double link2_k5 = 0.6952292728114868;
+constexpr double link2_k2 = -7.394088669950739;
 // m: offset y of link2; offset z of link3
 constexpr double link2_l1 = 0.1501;
+// m: offset y of link2; offset z of link3
+constexpr double link2_l2 = 0.3002;
 // kg m^2: mass, com y z, offset y of link2
 constexpr double link2_I1 = 0.023751;
 // kg m^2: mass, com x z, offset y of link2; mass, com z, offset x z of link3; mass, offset x of
@@ -172,134 +175,115 @@ constexpr double link2_I5 = 1.601861202;
 constexpr double link2_I6 = 0.0070992;
 // kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3
 constexpr double link2_I7 = 1.368797152;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3
-constexpr double link2_I8 = 1.515049952;
 // kg m^2: mass, com x z, offset y of link2; mass, com z, offset x z of link3
-constexpr double link2_I9 = 0.609298224;
+constexpr double link2_I8 = 0.609298224;
+// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3
+constexpr double link2_I9 = 1.515049952;
 // N m: gravity; mass, com x of link2; mass, offset x of link3; mass of link4, link5, link6
-constexpr double link2_G1 = 37.2347379;
+constexpr double link2_G1 = -37.2347379;
 // N m: gravity; mass, com y of link2
-constexpr double link2_G2 = 1.024164;
-// N m: gravity; mass, com x of link2; mass, offset x of link3; offset y of link4
-constexpr double link2_G3 = 31.9397904;
+constexpr double link2_G2 = -1.024164;
+// N m: gravity; mass, com x of link2; mass, offset x of link3
+constexpr double link2_G3 = -31.9397904;
 
 // ratio: offset x of link3, link4
-constexpr double link3_k1 = 21.27093596059113;
-// ratio: offset x of link3; offset y of link4
-constexpr double link3_k2 = 0.9969983837450935;
-// ratio: offset x of link3; offset y of link4
-constexpr double link3_k3 = 1.0030106530801297;
-// ratio: offset x of link3, link4
-constexpr double link3_k4 = 0.04701250578971746;
+constexpr double link3_k1 = -21.27093596059113;
 // m: offset x of link3
 constexpr double link3_l1 = 0.4318;
 // kg m: mass, com y of link3; mass, com z, offset y of link4; mass of link5, link6
-constexpr double link3_h1 = 0.861795;
-// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
-//     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
-constexpr double link3_I1 = 0.298477184;
+constexpr double link3_h1 = -0.861795;
+// kg m: mass, com y of link3; mass, com z of link4
+constexpr double link3_h2 = 0.32042;
+// kg m^2: mass, com y z of link3
+constexpr double link3_I1 = -0.004704;
 // kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
 //     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link3_I2 = 0.313747409;
 // kg m^2: mass, com y of link3; mass, com z, offset x y of link4; mass of link5, link6
 constexpr double link3_I3 = 0.0174944385;
-// kg m^2: mass, com y z of link3
-constexpr double link3_I4 = 0.004704;
-// kg m^2: mass, com y, offset x of link3; mass, com z, offset y of link4; mass of link5, link6
-constexpr double link3_I5 = 0.372123081;
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
+//     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link3_I4 = 0.298477184;
 // kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
 //     link4; mass of link5, link6
-constexpr double link3_I6 = 0.299575024;
-// kg m^2: mass, com y of link3; mass, com z, offset y of link4
-constexpr double link3_I7 = 0.138773902;
+constexpr double link3_I5 = -0.299575024;
+// kg m^2: inertia xx yy zz of link3
+constexpr double link3_I6 = 0.00625;
 // kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
-constexpr double link3_I8 = 0.065620624;
+constexpr double link3_I7 = 0.071870624;
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
+constexpr double link3_I8 = -0.065620624;
 // kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
 constexpr double link3_I9 = 0.078120624;
-// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
-constexpr double link3_I10 = 0.071870624;
-// kg m^2: inertia xx yy zz of link3
-constexpr double link3_I11 = 0.00625;
 // N m: gravity; mass, com y of link3; mass, com z, offset y of link4; mass of link5, link6
 constexpr double link3_G1 = 8.45420895;
-// s^-2: gravity; offset x of link3
-constexpr double link3_p1 = 22.71885132005558;
 
-// ratio: offset x y of link4
-constexpr double link4_k1 = 0.04687139228815516;
-// m: offset y of link4
-constexpr double link4_l1 = 0.4331;
+// kg: mass of link4, link5, link6
+constexpr double link4_m1 = 1.25;
 // m: offset x of link4
-constexpr double link4_l2 = 0.0203;
+constexpr double link4_l1 = -0.0203;
+// m: offset y of link4
+constexpr double link4_l2 = -0.4331;
 // kg m: mass, offset x of link4; mass of link5, link6
-constexpr double link4_h1 = 0.025375;
+constexpr double link4_h1 = -0.025375;
 // kg m^2: mass, com z, offset x y of link4; mass of link5, link6
 constexpr double link4_I1 = 0.021347277;
-// kg m^2: inertia zz of link4; inertia xx yy zz of link5, link6
+// kg m^2: inertia xx yy zz of link4, link5, link6
 constexpr double link4_I2 = 0.00164;
+// kg m^2: mass, com z, inertia xx yy zz, offset y of link4; mass, inertia xx yy zz of link5; mass,
+//     com z, inertia xx yy zz of link6
+constexpr double link4_I3 = -0.0001;
 // kg m^2: mass, offset x of link4; mass of link5, link6
-constexpr double link4_I3 = 0.0005151125;
-// kg m^2: inertia zz of link4
-constexpr double link4_I4 = 0.0013;
-// kg m^2: offset x of link3; mass, offset x of link4; mass of link5, link6
-constexpr double link4_I5 = 0.010956925;
+constexpr double link4_I4 = 0.0005151125;
+// kg m^2: inertia xx yy zz of link4
+constexpr double link4_I5 = 0.0013;
 // kg m^2: mass, com z, offset x y of link4; mass of link5, link6
 constexpr double link4_I6 = 0.0106736385;
-// kg m^2: mass, offset y of link4; mass of link5, link6
-constexpr double link4_I7 = 0.2344695125;
-// kg m^2: mass, com z, offset x y of link4
-constexpr double link4_I8 = 0.000316274;
-// kg m^2: inertia zz of link4; inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
-constexpr double link4_I9 = 0.00109784;
+// kg m^2: mass, com z, offset x of link4
+constexpr double link4_I7 = 0.000316274;
+// kg m^2: inertia xx yy zz of link4, link5; mass, com z, inertia xx yy zz of link6
+constexpr double link4_I8 = -0.00109784;
 // N m: gravity; mass, offset x of link4; mass of link5, link6
 constexpr double link4_G1 = 0.24892875;
-// s^-2: gravity; offset y of link4
-constexpr double link4_p1 = 22.650658046640498;
 
 // kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link5_I1 = 0.00064216;
 // kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
-constexpr double link5_I2 = 0.0001;
+constexpr double link5_I2 = 0.00020216;
 // kg m^2: inertia xx yy zz of link5
 constexpr double link5_I3 = 0.0003;
 // kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
-constexpr double link5_I4 = 0.00034216;
+constexpr double link5_I4 = 0.00024216;
 // kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link5_I5 = 0.00054216;
+// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+constexpr double link5_I6 = 0.00034216;
 // kg^-1 m^-2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link5_p1 = 1557.2443004858603;
 
-// ratio: offset x of link3; mass, com z, inertia xx yy zz of link6
-constexpr double link6_k1 = 31.0896;
-// ratio: offset x of link3; mass, com z, inertia xx yy zz of link6
-constexpr double link6_k2 = 62.1792;
 // kg m: mass, com z of link6
 constexpr double link6_h1 = 0.00288;
 // kg m^2: inertia xx yy zz of link6
 constexpr double link6_I1 = 4e-05;
-// kg m^2: mass, com z, inertia xx yy zz of link6
-constexpr double link6_I2 = 0.00040432;
 // kg m^2: offset x y of link4; mass, com z of link6
-constexpr double link6_I3 = 0.001247328;
+constexpr double link6_I2 = -0.001247328;
 // kg m^2: offset x of link4; mass, com z of link6
-constexpr double link6_I4 = 5.8464e-05;
-// kg m^2: mass, com z, inertia xx yy zz of link6
-constexpr double link6_I5 = 0.00020216;
+constexpr double link6_I3 = -5.8464e-05;
 // kg m^2: offset x y of link4; mass, com z of link6
-constexpr double link6_I6 = 0.002494656;
-// kg m^2: mass, com z, inertia xx yy zz of link6
-constexpr double link6_I7 = 0.00024216;
-// kg m^2: offset x of link3; mass, com z of link6
-constexpr double link6_I8 = 0.001243584;
+constexpr double link6_I4 = -0.002494656;
 // N m: gravity; mass, com z of link6
-constexpr double link6_G1 = 0.0282528;
+constexpr double link6_G1 = -0.0282528;
 // kg^-1 m^-2: inertia xx yy zz of link6
 constexpr double link6_p1 = 25000.0;
+// m^-1: mass, com z, inertia xx yy zz of link6
+constexpr double link6_p2 = 72.0;
+// m^-1: mass, com z, inertia xx yy zz of link6
+constexpr double link6_p3 = 144.0;
 
 }  // namespace
 
 // Lengths inside are in units of L, a distance between joint3 and joint4:
-//   L = 0.0203 m
+//   L = -0.0203 m
 // Names: vectors h_ in kg m^2/L, s_ in L; all others are of values in SI units; numbered ones (t_)
 // by what they are made of. Arguments and results are in SI units.
 void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
@@ -316,83 +300,80 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   const Scalar s_joint5 = sines[3];
   const Scalar c_joint5 = cosines[3];
   const Scalar neg_s_link3_x = link3_k1 * c_joint2;
-  const Scalar h_link4_z = link6_I4 * c_joint5;
-  const Scalar h_link4_x = link6_I4 * s_joint5;
-  // link5
-  const Scalar t_link5_1 = s_joint5 * s_joint5;
-  const Scalar t_link5_2 = link6_I5 * t_link5_1;
-  const Scalar t_link5_3 = link6_I6 * c_joint5;
-  const Scalar t_link4_1 = c_joint4 * h_link4_x;
-  const Scalar h_link3_z = s_joint4 * h_link4_x;
-  // link4: inertia I, A of (2)
-  const Scalar I_link4_zz = link4_I2 + t_link5_2;
+  const Scalar neg_h_link4_x = link6_I3 * s_joint5;
+  const Scalar h_link4_z = link6_I3 * c_joint5;
+  const Scalar t_link5_1 = s_joint5 * s_joint5 * link5_I2;
+  const Scalar t_link5_2 = link6_I4 * c_joint5;
+  const Scalar t_link4_1 = c_joint4 * neg_h_link4_x;
+  const Scalar h_link3_z = s_joint4 * neg_h_link4_x;
+  // link4: inertia I, A, first moment h of (2)
+  const Scalar I_link4_zz = link4_I2 + t_link5_1;
   A[21] = I_link4_zz;
-  const Scalar t_link4_2 = s_joint4 * (link5_I2 + t_link5_2);
-  const Scalar neg_I_link4_xz = s_joint5 * (link6_I3 + link6_I5 * c_joint5);
-  const Scalar t_link4_3 = c_joint4 * neg_I_link4_xz;
-  const Scalar neg_A_15 = s_joint4 * neg_I_link4_xz;
-  A[15] = -neg_A_15;
+  const Scalar t_link4_2 = s_joint4 * (link4_I3 - t_link5_1);
+  const Scalar t_link4_3 = s_joint4 * t_link4_2;
+  const Scalar neg_I_link4_xz = s_joint5 * (link6_I2 - link5_I2 * c_joint5);
+  const Scalar A_15 = s_joint4 * neg_I_link4_xz;
+  A[15] = A_15;
   A[20] = A[15];
   const Scalar t_link4_4 = 2.0 * t_link4_1;
-  // link3: inertia I, way s to the joint, A of (2)
-  const Scalar t_link3_1 = t_link4_4 + s_joint4 * t_link4_2;
-  const Scalar t_link3_2 = t_link5_3 - t_link3_1;
-  const Scalar I_link3_zz = link3_I2 + t_link3_2;
+  const Scalar t_link3_1 = t_link4_4 - (t_link5_2 - t_link4_3);
+  const Scalar I_link3_zz = link3_I2 + t_link3_1;
   A[14] = I_link3_zz;
-  const Scalar neg_h_link3_x = link4_I3 - t_link4_1;
-  const Scalar neg_h_link3_y = link3_I3 + h_link4_z;
+  const Scalar neg_h_link3_y = link4_I4 + t_link4_1;
+  // link3: A, first moment h, way s to the joint of (2)
+  const Scalar t_link3_2 = c_joint2_joint3 * neg_s_link3_x;
+  const Scalar t_link3_3 = s_joint2_joint3 * neg_s_link3_x;
+  const Scalar h_link3_x = link3_I3 - h_link4_z;
+  const Scalar t_link3_4 = t_link3_3 * h_link3_x - neg_h_link3_y * t_link3_2;
+  const Scalar t_link3_5 = 2.0 * t_link3_4;
+  const Scalar t_link3_6 = c_joint2_joint3 * h_link3_x + s_joint2_joint3 * neg_h_link3_y;
   const Scalar neg_s_link3_y = link3_k1 * s_joint2;
-  const Scalar t_link3_3 = s_joint2_joint3 * neg_h_link3_x + c_joint2_joint3 * neg_h_link3_y;
-  const Scalar t_link3_4 = neg_s_link3_y * t_link3_3;
-  const Scalar t_link3_5 = s_joint2_joint3 * neg_s_link3_x;
-  const Scalar t_link3_6 = c_joint2_joint3 * neg_s_link3_x;
-  const Scalar t_link3_7 = neg_h_link3_y * t_link3_5 - neg_h_link3_x * t_link3_6;
-  const Scalar t_link3_8 = 2.0 * t_link3_7;
-  const Scalar I_link3_yz = link3_I4 + neg_A_15;
-  const Scalar I_link3_xz = h_link3_z - c_joint4 * t_link4_2;
-  const Scalar neg_A_2_1 = c_joint2_joint3 * I_link3_yz + link2_k2 * t_link3_3;
-  const Scalar neg_A_2 = neg_A_2_1 + s_joint2_joint3 * I_link3_xz;
-  A[2] = -neg_A_2;
+  const Scalar t_link3_7 = t_link3_6 * neg_s_link3_y;
+  const Scalar I_link3_yz = h_link3_z - c_joint4 * t_link4_2;
+  const Scalar A_2_1 = s_joint2_joint3 * I_link3_yz + c_joint2_joint3 * (link3_I1 + A_15);
+  const Scalar A_2 = A_2_1 + link2_k2 * t_link3_6;
+  A[2] = A_2;
   A[12] = A[2];
-  A[1] = h_link3_z * neg_s_link3_y - (neg_A_2 - link2_I1 * c_joint2 - link2_I2 * s_joint2);
+  A[1] = A_2 + link2_I1 * c_joint2 + link2_I2 * s_joint2 + h_link3_z * neg_s_link3_y;
   A[6] = A[1];
-  A[7] = link2_I3 + t_link3_2 + t_link3_8 - 2.0 * t_link3_4;
-  const Scalar I_link1_zz_1 = link3_I1 + t_link5_3 + t_link3_1 - link6_I2 * t_link5_1;
-  const Scalar I_link1_zz_2 = c_joint2_joint3 * (link4_I1 + 2.0 * (h_link4_z - t_link4_3));
-  const Scalar I_link1_zz_3 = t_link3_8 - (t_link4_4 - (link1_I1 + t_link5_2));
-  const Scalar I_link1_zz_4 = s_joint2_joint3 * I_link1_zz_1 - I_link1_zz_2;
-  // link1: inertia I of (2)
-  const Scalar I_link1_zz_5 = I_link1_zz_3 + link2_k1 * h_link3_z;
-  const Scalar I_link1_zz_6 = I_link1_zz_5 + s_joint2_joint3 * I_link1_zz_4;
-  A[0] = I_link1_zz_6 - s_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
+  A[7] = 2.0 * t_link3_7 - (t_link3_5 - (link2_I3 + t_link3_1));
+  const Scalar t_link4_5 = c_joint4 * neg_I_link4_xz;
+  const Scalar neg_I_link1_zz_1 = t_link5_1 + t_link5_2 + t_link4_3;
+  const Scalar neg_I_link1_zz_2 = t_link4_4 - (link3_I4 - t_link5_1) + neg_I_link1_zz_1;
+  const Scalar neg_I_link1_zz_3 = s_joint2_joint3 * (link4_I1 - 2.0 * (h_link4_z - t_link4_5));
+  const Scalar neg_I_link1_zz_4 = neg_I_link1_zz_1 - (link1_I1 - t_link3_5);
+  const Scalar neg_I_link1_zz_5 = neg_I_link1_zz_4 - link2_k1 * h_link3_z;
+  const Scalar neg_I_link1_zz_6 = link2_I4 * c_joint2 + link2_I5 * s_joint2;
+  const Scalar neg_I_link1_zz_7 = neg_I_link1_zz_3 - c_joint2_joint3 * neg_I_link1_zz_2;
+  const Scalar neg_I_link1_zz_8 = neg_I_link1_zz_5 + s_joint2 * neg_I_link1_zz_6;
+  A[0] = -(neg_I_link1_zz_8 + c_joint2_joint3 * neg_I_link1_zz_7);
   const Scalar A_23 = link6_I1 * c_joint5;
   A[23] = A_23;
   A[33] = A[23];
-  const Scalar t_link5_4 = link6_I1 * s_joint5;
-  A[11] = s_joint4 * t_link5_4;
+  const Scalar t_link5_3 = link6_I1 * s_joint5;
+  A[11] = s_joint4 * t_link5_3;
   A[17] = A[11];
   A[31] = A[11];
   A[32] = A[11];
-  A[5] = c_joint2_joint3 * A_23 - s_joint2_joint3 * c_joint4 * t_link5_4;
+  A[5] = c_joint2_joint3 * A_23 - s_joint2_joint3 * c_joint4 * t_link5_3;
   A[30] = A[5];
-  const Scalar t_link5_5 = link5_I1 + link6_I3 * c_joint5;
-  const Scalar neg_A_16 = h_link4_x - c_joint4 * t_link5_5;
-  A[16] = -neg_A_16;
+  const Scalar t_link5_4 = link5_I1 - link6_I2 * c_joint5;
+  const Scalar A_16 = neg_h_link4_x + c_joint4 * t_link5_4;
+  A[16] = A_16;
   A[26] = A[16];
-  const Scalar t_link4_5 = c_joint4 * h_link4_z;
-  // link3: A of (2)
-  const Scalar t_link3_9 = c_joint2_joint3 - neg_s_link3_x;
-  const Scalar t_link3_10 = c_joint2_joint3 * t_link4_5 - s_joint2_joint3 * h_link4_x;
-  const Scalar A_4_1 = s_joint4 * (s_joint2_joint3 * t_link5_5 - h_link4_z * t_link3_9);
-  A[4] = A_4_1 - link2_k2 * t_link3_10;
-  A[24] = A[4];
-  const Scalar neg_A_10_1 = neg_A_16 - t_link3_5 * t_link4_5 - h_link4_x * t_link3_6;
-  A[10] = -(neg_A_10_1 + neg_s_link3_y * t_link3_10);
+  const Scalar t_link4_6 = c_joint4 * h_link4_z;
+  const Scalar t_link3_8 = c_joint2_joint3 * t_link4_6 - s_joint2_joint3 * neg_h_link4_x;
+  const Scalar A_10_1 = A_16 + t_link3_3 * t_link4_6 + neg_h_link4_x * t_link3_2;
+  A[10] = A_10_1 - neg_s_link3_y * t_link3_8;
   A[25] = A[10];
-  const Scalar A_3_1 = s_joint2_joint3 * t_link4_3 - t_link4_1 * t_link3_9;
-  A[3] = A_3_1 + c_joint2_joint3 * (I_link4_zz + link2_k2 * h_link3_z);
+  const Scalar t_link3_9 = c_joint2_joint3 + neg_s_link3_x;
+  const Scalar A_4_1 = s_joint4 * (s_joint2_joint3 * t_link5_4 + h_link4_z * t_link3_9);
+  A[4] = A_4_1 - link2_k2 * t_link3_8;
+  A[24] = A[4];
+  const Scalar neg_A_3_1 = s_joint2_joint3 * t_link4_5 - t_link4_1 * t_link3_9;
+  A[3] = c_joint2_joint3 * (I_link4_zz + link2_k2 * h_link3_z) - neg_A_3_1;
   A[18] = A[3];
-  A[9] = -(neg_A_15 + h_link3_z * (t_link3_5 - c_joint2_joint3 * neg_s_link3_y));
+  A[9] = A_15 - h_link3_z * (t_link3_3 - c_joint2_joint3 * neg_s_link3_y);
   A[19] = A[9];
   A[8] = I_link3_zz - t_link3_4 + t_link3_7;
   A[13] = A[8];
@@ -417,109 +398,116 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar c_joint4 = cosines[2];
   const Scalar s_joint5 = sines[3];
   const Scalar c_joint5 = cosines[3];
-  const Scalar s_link4_y = link4_l1 * c_joint2_joint3 + link4_l2 * s_joint2_joint3;
-  const Scalar neg_Omega_link1_xx = qd[0] * qd[0];
-  const Scalar neg_Omega_link2_yy = qd[1] * qd[1];
   const Scalar neg_s_link3_y = link3_l1 * s_joint2;
+  const Scalar neg_s_link3_x = link3_l1 * c_joint2;
+  const Scalar neg_s_link4_y = link4_l2 * c_joint2_joint3 + link4_l1 * s_joint2_joint3;
+  const Scalar neg_Omega_link1_xx = qd[0] * qd[0];
+  // link2: Omega of (3)
+  const Scalar neg_Omega_link2_yy = qd[1] * qd[1];
   const Scalar t_link2_1 = 2.0 * qd[0];
   const Scalar Omega_link2_zy = qd[1] * t_link2_1;
-  // link3: way s to the joint, angular velocity omega, Omega of (3)
-  const Scalar neg_s_link3_x = link3_l1 * c_joint2;
+  // link3: angular velocity omega, Omega, moment M of (3)
   const Scalar omega_link3_z = qd[1] + qd[2];
   const Scalar neg_Omega_link3_yy = omega_link3_z * omega_link3_z;
   const Scalar t_link3_1 = link3_h1 * s_joint2_joint3 - link4_h1 * c_joint2_joint3;
-  const Scalar neg_Omega_link3_xx = neg_Omega_link1_xx + neg_Omega_link3_yy;
   // link4: angular velocity omega, angular acceleration alpha, acceleration a of (3)
   const Scalar t_link4_1 = s_joint2_joint3 * qd[0];
-  const Scalar t_link4_2 = c_joint2_joint3 * qd[0];
-  const Scalar t_link4_3 = c_joint4 * omega_link3_z;
+  const Scalar t_link4_2 = c_joint4 * omega_link3_z;
+  const Scalar t_link4_3 = c_joint2_joint3 * qd[0];
   const Scalar t_link4_4 = s_joint4 * omega_link3_z;
   const Scalar omega_link4_x = t_link4_4 - c_joint4 * t_link4_1;
-  const Scalar omega_link4_z = qd[3] + t_link4_2;
+  const Scalar omega_link4_z = qd[3] + t_link4_3;
   const Scalar neg_alpha_link4_z = omega_link3_z * t_link4_1;
   const Scalar neg_omega_link5_y = c_joint5 * omega_link4_z + s_joint5 * omega_link4_x;
-  const Scalar omega_link4_y = t_link4_3 + s_joint4 * t_link4_1;
+  const Scalar omega_link4_y = t_link4_2 + s_joint4 * t_link4_1;
   const Scalar omega_link5_z = qd[4] + omega_link4_y;
   const Scalar omega_link5_x = c_joint5 * omega_link4_x - s_joint5 * omega_link4_z;
   const Scalar neg_alpha_link4_x = t_link4_2 * t_link4_3 - qd[3] * omega_link4_y;
-  const Scalar alpha_link5_y_1 = c_joint5 * neg_alpha_link4_z + s_joint5 * neg_alpha_link4_x;
-  const Scalar alpha_link5_y = alpha_link5_y_1 - qd[4] * omega_link5_x;
+  const Scalar alpha_link5_y_1 = c_joint5 * neg_alpha_link4_z - qd[4] * omega_link5_x;
+  const Scalar alpha_link5_y = alpha_link5_y_1 + s_joint5 * neg_alpha_link4_x;
   const Scalar neg_M_link6_z = link6_I1 * alpha_link5_y;
   B[5] = -neg_M_link6_z;
-  const Scalar t_link4_5 = neg_Omega_link2_yy * neg_s_link3_y - s_link4_y * neg_Omega_link3_yy;
-  const Scalar neg_s_link4_x = link4_l1 * s_joint2_joint3 - link4_l2 * c_joint2_joint3;
-  const Scalar a_link3_x = neg_s_link3_x * (neg_Omega_link1_xx + neg_Omega_link2_yy);
-  const Scalar t_link4_6 = a_link3_x + neg_Omega_link3_xx * neg_s_link4_x;
-  const Scalar t_link4_7 = s_joint2_joint3 * t_link4_5 + c_joint2_joint3 * t_link4_6;
-  const Scalar Omega_link3_zy = t_link2_1 * omega_link3_z;
   const Scalar neg_a_link3_z = neg_s_link3_y * Omega_link2_zy + link2_l1 * neg_Omega_link1_xx;
-  const Scalar t_link4_8 = neg_a_link3_z - s_link4_y * Omega_link3_zy;
-  const Scalar a_link4_z = c_joint2_joint3 * t_link4_5 - s_joint2_joint3 * t_link4_6;
-  const Scalar neg_a_link5_x_1 = c_joint5 * (c_joint4 * t_link4_7 + s_joint4 * t_link4_8);
-  const Scalar alpha_link4_y = t_link4_2 * t_link4_4 - qd[3] * omega_link4_x;
+  const Scalar Omega_link3_zy = t_link2_1 * omega_link3_z;
+  const Scalar t_link4_5 = neg_a_link3_z + neg_s_link4_y * Omega_link3_zy;
+  const Scalar a_link3_y = neg_s_link3_y * neg_Omega_link2_yy;
+  const Scalar t_link4_6 = a_link3_y + neg_s_link4_y * neg_Omega_link3_yy;
+  const Scalar neg_Omega_link3_xx = neg_Omega_link1_xx + neg_Omega_link3_yy;
+  const Scalar neg_s_link4_x = link4_l1 * c_joint2_joint3 - link4_l2 * s_joint2_joint3;
+  const Scalar a_link3_x = neg_s_link3_x * (neg_Omega_link1_xx + neg_Omega_link2_yy);
+  const Scalar t_link4_7 = a_link3_x + neg_Omega_link3_xx * neg_s_link4_x;
+  const Scalar t_link4_8 = s_joint2_joint3 * t_link4_6 + c_joint2_joint3 * t_link4_7;
+  const Scalar alpha_link4_y = t_link4_3 * t_link4_4 - qd[3] * omega_link4_x;
   const Scalar omega_link6_z = neg_omega_link5_y + qd[5];
-  const Scalar t_link6_1 = link6_I1 * omega_link6_z;
-  const Scalar neg_M_link5_z_1 = link6_h1 * (neg_a_link5_x_1 + s_joint5 * a_link4_z);
+  const Scalar t_link5_1 = link6_I1 * omega_link6_z;
+  const Scalar neg_a_link4_z = s_joint2_joint3 * t_link4_7 - c_joint2_joint3 * t_link4_6;
+  // link5: acceleration a, moment M, angular acceleration alpha of (3)
+  const Scalar neg_a_link5_x_1 = c_joint5 * (s_joint4 * t_link4_5 + c_joint4 * t_link4_8);
+  const Scalar M_link5_z_1 = omega_link5_x * (t_link5_1 - link5_I4 * neg_omega_link5_y);
+  const Scalar M_link5_z_2 = link5_I1 * alpha_link4_y - M_link5_z_1;
+  const Scalar neg_a_link5_x = neg_a_link5_x_1 - s_joint5 * neg_a_link4_z;
+  const Scalar M_link5_z = M_link5_z_2 - link6_h1 * neg_a_link5_x;
+  B[4] = M_link5_z;
+  const Scalar a_link4_y = s_joint4 * t_link4_8 - c_joint4 * t_link4_5;
+  const Scalar alpha_link5_x_1 = s_joint5 * neg_alpha_link4_z - c_joint5 * neg_alpha_link4_x;
+  const Scalar alpha_link5_x = alpha_link5_x_1 - neg_omega_link5_y * qd[4];
   // link6: moment M of (3)
-  const Scalar neg_M_link5_z_2 = neg_M_link5_z_1 - link5_I1 * alpha_link4_y;
-  const Scalar neg_M_link5_z_3 = t_link6_1 - link6_I7 * neg_omega_link5_y;
-  const Scalar neg_M_link5_z = neg_M_link5_z_2 + omega_link5_x * neg_M_link5_z_3;
-  B[4] = -neg_M_link5_z;
+  const Scalar neg_M_link5_x_1 = link6_h1 * a_link4_y - link5_I5 * alpha_link5_x;
+  const Scalar neg_M_link5_x_2 = t_link5_1 - link5_I6 * neg_omega_link5_y;
+  const Scalar neg_M_link5_x = neg_M_link5_x_1 - omega_link5_z * neg_M_link5_x_2;
+  // link5: moment M, Omega of (3)
   const Scalar M_link5_y_1 = neg_M_link6_z + link5_I3 * alpha_link5_y;
-  const Scalar M_link5_y = M_link5_y_1 - omega_link5_z * omega_link5_x * link5_I2;
-  const Scalar a_link4_y = s_joint4 * t_link4_7 - c_joint4 * t_link4_8;
-  // link5: moment M, angular acceleration alpha, Omega of (3)
-  const Scalar t_link5_1 = neg_omega_link5_y * omega_link5_z;
-  const Scalar alpha_link5_x_1 = s_joint5 * neg_alpha_link4_z - neg_omega_link5_y * qd[4];
-  const Scalar alpha_link5_x = alpha_link5_x_1 - c_joint5 * neg_alpha_link4_x;
-  const Scalar M_link5_x_1 = omega_link5_z * t_link6_1 - link6_h1 * a_link4_y;
-  const Scalar M_link5_x = M_link5_x_1 - link5_I4 * t_link5_1 + link5_I5 * alpha_link5_x;
-  const Scalar neg_M_link4_z_1 = link4_I4 * neg_alpha_link4_z + c_joint5 * M_link5_y;
-  const Scalar neg_M_link4_z = neg_M_link4_z_1 + s_joint5 * M_link5_x;
+  const Scalar M_link5_y = M_link5_y_1 + omega_link5_z * omega_link5_x * link4_I3;
+  const Scalar neg_M_link4_z_1 = link4_I5 * neg_alpha_link4_z - s_joint5 * neg_M_link5_x;
+  const Scalar neg_M_link4_z = neg_M_link4_z_1 + c_joint5 * M_link5_y;
   B[3] = -neg_M_link4_z;
-  const Scalar neg_Omega_link5_yy = omega_link5_z * omega_link5_z + omega_link5_x * omega_link5_x;
   const Scalar Omega_link6_xz = alpha_link4_y + neg_omega_link5_y * omega_link5_x;
-  const Scalar t_link4_9 = s_joint5 * Omega_link6_xz + c_joint5 * neg_Omega_link5_yy;
-  const Scalar t_link4_10 = s_joint5 * neg_Omega_link5_yy - c_joint5 * Omega_link6_xz;
-  const Scalar Omega_link6_yz = t_link5_1 - alpha_link5_x;
-  // link4: moment M of (3)
-  const Scalar t_link4_11 = c_joint4 * t_link4_10 + s_joint4 * Omega_link6_yz;
-  const Scalar t_link4_12 = s_joint2_joint3 * t_link4_11 - c_joint2_joint3 * t_link4_9;
+  const Scalar neg_Omega_link5_yy = omega_link5_x * omega_link5_x + omega_link5_z * omega_link5_z;
+  const Scalar t_link4_9 = c_joint5 * Omega_link6_xz - s_joint5 * neg_Omega_link5_yy;
+  const Scalar Omega_link5_zy = alpha_link5_x - neg_omega_link5_y * omega_link5_z;
+  // link4: force F, moment M of (3)
+  const Scalar t_link4_10 = s_joint4 * Omega_link5_zy + c_joint4 * t_link4_9;
+  const Scalar t_link4_11 = s_joint5 * Omega_link6_xz + c_joint5 * neg_Omega_link5_yy;
+  const Scalar t_link4_12 = c_joint2_joint3 * t_link4_11 + s_joint2_joint3 * t_link4_10;
   const Scalar t_link4_13 = link6_h1 * t_link4_12;
-  const Scalar t_link4_14 = link4_I4 * omega_link4_z;
-  const Scalar M_link4_x_1 = c_joint5 * M_link5_x - s_joint5 * M_link5_y;
-  const Scalar M_link4_x = M_link4_x_1 + omega_link4_y * t_link4_14;
-  const Scalar t_link4_15 = s_joint2_joint3 * t_link4_9 + c_joint2_joint3 * t_link4_11;
+  const Scalar t_link4_14 = link4_I5 * omega_link4_z;
+  const Scalar M_link4_y = M_link5_z - omega_link4_x * t_link4_14;
+  const Scalar neg_M_link4_x_1 = s_joint5 * M_link5_y + c_joint5 * neg_M_link5_x;
+  const Scalar neg_M_link4_x = neg_M_link4_x_1 - omega_link4_y * t_link4_14;
+  const Scalar t_link4_15 = c_joint2_joint3 * t_link4_10 - s_joint2_joint3 * t_link4_11;
   const Scalar t_link4_16 = link6_h1 * t_link4_15;
-  const Scalar neg_M_link4_y = neg_M_link5_z + omega_link4_x * t_link4_14;
-  const Scalar t_link4_17 = c_joint2 * (link3_I5 * c_joint2_joint3 + link4_I5 * s_joint2_joint3);
-  const Scalar t_link3_2 = link4_I1 * s_joint2_joint3 + link3_I6 * c_joint2_joint3;
-  const Scalar t_link4_18 = link4_I6 - t_link4_17 - s_joint2_joint3 * t_link3_2;
-  const Scalar neg_M_link3_z_1 = neg_s_link4_x * t_link4_13 - s_joint4 * M_link4_x;
-  const Scalar neg_M_link3_z_2 = neg_M_link3_z_1 + s_link4_y * t_link4_16;
-  const Scalar neg_M_link3_z_3 = neg_M_link3_z_2 + c_joint4 * neg_M_link4_y;
-  const Scalar neg_M_link3_z_4 = neg_M_link3_z_3 - neg_Omega_link1_xx * t_link4_18;
-  const Scalar neg_M_link3_z_5 = t_link4_17 + neg_s_link3_y * t_link3_1;
-  const Scalar neg_M_link3_z = neg_M_link3_z_4 + neg_Omega_link2_yy * neg_M_link3_z_5;
-  B[2] = -neg_M_link3_z;
+  // link3: moment M of (3)
+  const Scalar t_link3_2 = link3_h1 * c_joint2_joint3 + link4_h1 * s_joint2_joint3;
+  const Scalar t_link3_3 = neg_s_link3_x * t_link3_2;
+  const Scalar t_link3_4 = link3_I5 * c_joint2_joint3 - link4_I1 * s_joint2_joint3;
+  const Scalar t_link3_5 = link4_I6 + t_link3_3 + s_joint2_joint3 * t_link3_4;
+  // link4
+  const Scalar M_link3_z_1 = neg_s_link4_x * t_link4_13 + c_joint4 * M_link4_y;
+  const Scalar M_link3_z_2 = M_link3_z_1 - s_joint4 * neg_M_link4_x;
+  const Scalar M_link3_z_3 = M_link3_z_2 - neg_s_link4_y * t_link4_16;
+  // link3: moment M of (3)
+  const Scalar M_link3_z_4 = M_link3_z_3 + neg_Omega_link1_xx * t_link3_5;
+  const Scalar M_link3_z_5 = t_link3_3 + neg_s_link3_y * t_link3_1;
+  const Scalar M_link3_z = M_link3_z_4 + neg_Omega_link2_yy * M_link3_z_5;
+  B[2] = M_link3_z;
   const Scalar t_link2_2 = link2_I6 - c_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
-  // link3: force F, moment M of (3)
-  const Scalar F_link3_x = t_link4_16 + t_link3_1 * neg_Omega_link3_xx;
-  const Scalar neg_M_link2_y_1 = link3_I4 * neg_Omega_link3_yy - c_joint4 * M_link4_x;
-  const Scalar neg_M_link2_y_2 = c_joint4 * Omega_link6_yz - s_joint4 * t_link4_10;
-  const Scalar neg_M_link2_y_3 = (neg_s_link3_x + neg_s_link4_x) * neg_M_link2_y_2 * link6_h1;
-  const Scalar neg_M_link2_y_4 = c_joint2_joint3 * neg_M_link4_z - neg_M_link2_y_3;
-  const Scalar neg_M_link2_y_5 = link2_I1 * s_joint2 - link2_I2 * c_joint2;
-  const Scalar neg_M_link2_y_6 = neg_M_link2_y_4 + neg_Omega_link2_yy * neg_M_link2_y_5;
-  const Scalar neg_M_link2_y_7 = neg_M_link2_y_6 - link2_l1 * F_link3_x;
-  const Scalar neg_M_link2_y_8 = neg_M_link2_y_7 - Omega_link2_zy * t_link2_2;
-  const Scalar neg_M_link2_y_9 = neg_M_link2_y_8 + Omega_link3_zy * t_link4_18;
-  const Scalar neg_M_link2_y_10 = neg_M_link2_y_9 + t_link3_1 * neg_a_link3_z;
-  B[0] = s_joint2_joint3 * (neg_M_link2_y_1 - s_joint4 * neg_M_link4_y) - neg_M_link2_y_10;
-  const Scalar M_link1_y_1 = neg_M_link3_z + neg_s_link3_x * t_link4_13;
-  const Scalar M_link1_y_2 = M_link1_y_1 + neg_Omega_link1_xx * t_link2_2;
+  const Scalar neg_F_link3_x = t_link4_16 + t_link3_1 * neg_Omega_link3_xx;
+  const Scalar neg_M_link2_y_1 = s_joint4 * M_link4_y - link3_I1 * neg_Omega_link3_yy;
+  const Scalar neg_M_link2_y_2 = s_joint4 * t_link4_9 - c_joint4 * Omega_link5_zy;
+  const Scalar neg_M_link2_y_3 = c_joint2_joint3 * neg_M_link4_z - Omega_link2_zy * t_link2_2;
+  const Scalar neg_M_link2_y_4 = neg_M_link2_y_2 * (neg_s_link3_x + neg_s_link4_x);
+  const Scalar neg_M_link2_y_5 = neg_M_link2_y_3 - link6_h1 * neg_M_link2_y_4;
+  const Scalar neg_M_link2_y_6 = neg_M_link2_y_5 - t_link3_1 * neg_a_link3_z;
+  const Scalar neg_M_link2_y_7 = neg_M_link2_y_6 + link2_l1 * neg_F_link3_x;
+  const Scalar neg_M_link2_y_8 = neg_M_link2_y_1 + c_joint4 * neg_M_link4_x;
+  const Scalar neg_M_link2_y_9 = neg_M_link2_y_7 - s_joint2_joint3 * neg_M_link2_y_8;
+  const Scalar neg_M_link2_y_10 = link2_I2 * c_joint2 - link2_I1 * s_joint2;
+  const Scalar neg_M_link2_y_11 = neg_M_link2_y_9 - neg_Omega_link2_yy * neg_M_link2_y_10;
+  B[0] = -(neg_M_link2_y_11 + Omega_link3_zy * t_link3_5);
+  const Scalar M_link2_z_1 = M_link3_z - neg_Omega_link1_xx * t_link2_2;
+  const Scalar neg_F_link3_y = t_link4_13 - neg_Omega_link3_yy * t_link3_2;
   // link2: moment M of (3)
-  B[1] = neg_s_link3_y * F_link3_x - (M_link1_y_2 - neg_Omega_link3_yy * t_link4_17);
+  B[1] = M_link2_z_1 + neg_s_link3_x * neg_F_link3_y - neg_s_link3_y * neg_F_link3_x;
 }
 
 void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
@@ -539,183 +527,165 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
   const Scalar t_link5_1 = s_joint2_joint3 * c_joint5 * link6_G1;
   const Scalar t_link5_2 = link6_G1 * s_joint5;
   const Scalar t_link5_3 = c_joint2_joint3 * t_link5_2;
-  G[4] = -(t_link5_3 + c_joint4 * t_link5_1);
-  G[3] = s_joint2_joint3 * s_joint4 * t_link5_2;
-  const Scalar neg_G_2_1 = t_link5_1 + link3_G1 * s_joint2_joint3 - link4_G1 * c_joint2_joint3;
-  const Scalar neg_G_2 = neg_G_2_1 + c_joint4 * t_link5_3;
-  G[2] = -neg_G_2;
+  G[4] = t_link5_3 + c_joint4 * t_link5_1;
+  G[3] = -s_joint2_joint3 * s_joint4 * t_link5_2;
+  const Scalar G_2_1 = t_link5_1 - link3_G1 * s_joint2_joint3 + link4_G1 * c_joint2_joint3;
+  const Scalar G_2 = G_2_1 + c_joint4 * t_link5_3;
+  G[2] = G_2;
   // link2: G of 6.5
-  G[1] = link2_G2 * s_joint2 - (neg_G_2 + link2_G1 * c_joint2);
+  G[1] = G_2 + link2_G1 * c_joint2 - link2_G2 * s_joint2;
   G[0] = 0.0;
   G[5] = 0.0;
 }
 
-// Lengths inside are in units of L, a distance between joint4 and joint5:
-//   L = 0.4331 m
-// Names: vectors F_ in N m/L, a_ in L/s^2, s_ in L; all others are of values in SI units; numbered
-// ones (t_) by what they are made of. Arguments and results are in SI units.
 void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6],
                       Scalar tau[6]) noexcept {
   const Scalar q_joint2_joint3 = q[1] + q[2];
   Scalar sines[4];
   Scalar cosines[4];
-  sines_cosines(sines, cosines, q_joint2_joint3, q[1], q[3], q[4]);
+  sines_cosines(sines, cosines, q_joint2_joint3, q[1], q[4], q[3]);
   const Scalar s_joint2_joint3 = sines[0];
   const Scalar c_joint2_joint3 = cosines[0];
   const Scalar s_joint2 = sines[1];
   const Scalar c_joint2 = cosines[1];
-  const Scalar s_joint4 = sines[2];
-  const Scalar c_joint4 = cosines[2];
-  const Scalar s_joint5 = sines[3];
-  const Scalar c_joint5 = cosines[3];
-  const Scalar neg_s_link3_x = link3_k2 * c_joint2;
+  const Scalar s_joint5 = sines[2];
+  const Scalar c_joint5 = cosines[2];
+  const Scalar s_joint4 = sines[3];
+  const Scalar c_joint4 = cosines[3];
+  const Scalar neg_s_link3_x = link3_l1 * c_joint2;
   const Scalar neg_Omega_link1_xx = qd[0] * qd[0];
   const Scalar neg_Omega_link2_yy = qd[1] * qd[1];
-  // link3: way s to the joint, angular velocity omega, Omega of (1)
-  const Scalar neg_s_link3_y = link3_k2 * s_joint2;
-  const Scalar omega_link3_x = c_joint2_joint3 * qd[0];
-  const Scalar t_link3_1 = omega_link3_x * omega_link3_x;
-  const Scalar omega_link3_z = qd[1] + qd[2];
-  const Scalar t_link3_2 = omega_link3_z * omega_link3_z;
-  const Scalar Omega_link3_zx = s_joint2_joint3 * qdd[0] + omega_link3_x * omega_link3_z * 2.0;
-  const Scalar neg_omega_link3_y = s_joint2_joint3 * qd[0];
-  const Scalar t_link3_3 = omega_link3_z * neg_omega_link3_y;
-  const Scalar neg_Omega_link3_yz = c_joint2_joint3 * qdd[0];
-  const Scalar neg_alpha_link3_x = t_link3_3 - neg_Omega_link3_yz;
-  const Scalar neg_Omega_link3_zy = t_link3_3 + neg_alpha_link3_x;
-  const Scalar t_link3_4 = omega_link3_x * neg_omega_link3_y;
-  const Scalar alpha_link3_z = qdd[1] + qdd[2];
-  const Scalar neg_Omega_link3_yx = t_link3_4 - alpha_link3_z;
-  const Scalar alpha_link2_x = qd[0] * qd[1];
-  const Scalar Omega_link2_zy = 2.0 * alpha_link2_x;
-  const Scalar t_link3_5 = qdd[1] * neg_s_link3_y + link2_k3 * qdd[0];
+  const Scalar neg_s_link3_y = link3_l1 * s_joint2;
+  const Scalar t_link3_1 = qdd[1] * neg_s_link3_y + link2_l1 * qdd[0];
   const Scalar neg_Omega_link2_xx = neg_Omega_link1_xx + neg_Omega_link2_yy;
-  const Scalar t_link3_6 = t_link3_5 + neg_s_link3_x * neg_Omega_link2_xx;
-  const Scalar t_link3_7 = link4_p1 + neg_Omega_link2_yy * neg_s_link3_y - neg_s_link3_x * qdd[1];
-  const Scalar neg_a_link3_y = s_joint2_joint3 * t_link3_7 + c_joint2_joint3 * t_link3_6;
-  const Scalar neg_Omega_link3_yy = t_link3_1 + t_link3_2;
-  const Scalar t_link4_1 = neg_Omega_link3_yx + neg_a_link3_y - link4_k1 * neg_Omega_link3_yy;
+  // link3: acceleration a, angular velocity omega, Omega of (1)
+  const Scalar t_link3_2 = t_link3_1 + neg_s_link3_x * neg_Omega_link2_xx;
+  const Scalar neg_omega_link3_x = c_joint2_joint3 * qd[0];
+  const Scalar t_link3_3 = neg_omega_link3_x * neg_omega_link3_x;
+  const Scalar omega_link3_z = qd[1] + qd[2];
+  const Scalar t_link3_4 = omega_link3_z * omega_link3_z;
+  // link4: Omega of (1)
+  const Scalar t_link4_1 = 2.0 * qd[0];
+  const Scalar Omega_link4_yz_1 = c_joint2_joint3 * omega_link3_z * t_link4_1;
+  const Scalar Omega_link4_yz = s_joint2_joint3 * qdd[0] + Omega_link4_yz_1;
+  // link3: angular velocity omega, angular acceleration alpha, Omega of (1)
+  const Scalar omega_link3_y = s_joint2_joint3 * qd[0];
+  const Scalar t_link3_5 = omega_link3_z * omega_link3_y;
+  const Scalar Omega_link3_yz = c_joint2_joint3 * qdd[0];
+  const Scalar alpha_link3_x = t_link3_5 - Omega_link3_yz;
+  const Scalar Omega_link3_zy = t_link3_5 + alpha_link3_x;
+  const Scalar Omega_link2_zy = qd[1] * t_link4_1;
+  const Scalar t_link3_6 = neg_omega_link3_x * omega_link3_y;
+  const Scalar alpha_link3_z = qdd[1] + qdd[2];
+  const Scalar neg_Omega_link3_yx = t_link3_6 - alpha_link3_z;
   const Scalar neg_a_link3_z_1 = neg_s_link3_y * Omega_link2_zy - neg_s_link3_x * qdd[0];
-  const Scalar neg_a_link3_z = neg_a_link3_z_1 + link2_k3 * neg_Omega_link1_xx;
-  // link4: acceleration a, angular velocity omega, moment M of (1)
-  const Scalar t_link4_2 = Omega_link3_zx - neg_a_link3_z + link4_k1 * neg_Omega_link3_zy;
-  const Scalar omega_link4_z = omega_link3_x + qd[3];
-  const Scalar neg_omega_link4_x = c_joint4 * neg_omega_link3_y - s_joint4 * omega_link3_z;
-  const Scalar t_link4_3 = omega_link4_z * neg_omega_link4_x;
-  const Scalar t_link3_8 = t_link3_1 - t_link3_2;
-  const Scalar neg_Omega_link3_xx = neg_Omega_link1_xx - t_link3_8;
-  const Scalar neg_a_link4_z_1 = neg_Omega_link3_xx - link4_k1 * (t_link3_4 + alpha_link3_z);
-  const Scalar neg_a_link4_z_2 = neg_a_link4_z_1 + s_joint2_joint3 * t_link3_6;
-  const Scalar neg_a_link4_z = neg_a_link4_z_2 - c_joint2_joint3 * t_link3_7;
-  const Scalar omega_link4_y = s_joint4 * neg_omega_link3_y + c_joint4 * omega_link3_z;
-  const Scalar t_link4_4 = omega_link4_z * omega_link4_y;
-  // link5: angular velocity omega of (1)
-  const Scalar neg_omega_link5_y = c_joint5 * omega_link4_z - s_joint5 * neg_omega_link4_x;
-  const Scalar omega_link5_z = omega_link4_y + qd[4];
-  const Scalar neg_omega_link5_x = s_joint5 * omega_link4_z + c_joint5 * neg_omega_link4_x;
-  // link4: angular acceleration alpha of (1)
-  const Scalar neg_alpha_link4_z = neg_alpha_link3_x - qdd[3];
-  const Scalar alpha_link4_x_1 = t_link4_4 - c_joint4 * Omega_link3_zx;
-  const Scalar alpha_link4_x = alpha_link4_x_1 - s_joint4 * neg_Omega_link3_yx;
+  const Scalar neg_a_link3_z = neg_a_link3_z_1 + link2_l1 * neg_Omega_link1_xx;
+  const Scalar neg_a_link4_y_1 = neg_a_link3_z + link4_l1 * Omega_link3_zy;
+  const Scalar neg_a_link4_y = neg_a_link4_y_1 + link4_l2 * Omega_link4_yz;
+  const Scalar t_link3_7 = t_link3_3 - t_link3_4;
+  const Scalar neg_Omega_link3_xx = neg_Omega_link1_xx - t_link3_7;
+  const Scalar t_link3_8 = base_g1 + neg_s_link3_x * qdd[1] - neg_Omega_link2_yy * neg_s_link3_y;
+  // link4: acceleration a, angular velocity omega, angular acceleration alpha of (1)
+  const Scalar neg_a_link4_z_1 = link4_l1 * (t_link3_6 + alpha_link3_z);
+  const Scalar neg_a_link4_z_2 = s_joint2_joint3 * t_link3_2 + neg_a_link4_z_1;
+  const Scalar neg_a_link4_z_3 = neg_a_link4_z_2 - link4_l2 * neg_Omega_link3_xx;
+  const Scalar neg_a_link4_z = neg_a_link4_z_3 + c_joint2_joint3 * t_link3_8;
+  const Scalar neg_a_link3_y = s_joint2_joint3 * t_link3_8 - c_joint2_joint3 * t_link3_2;
+  const Scalar neg_Omega_link3_yy = t_link3_3 + t_link3_4;
+  const Scalar a_link4_x_1 = neg_a_link3_y + link4_l2 * neg_Omega_link3_yx;
+  const Scalar a_link4_x = a_link4_x_1 - link4_l1 * neg_Omega_link3_yy;
+  const Scalar omega_link4_z = neg_omega_link3_x + qd[3];
+  const Scalar t_link4_2 = omega_link3_z * omega_link4_z;
+  const Scalar neg_alpha_link4_z = alpha_link3_x - qdd[3];
+  const Scalar t_link4_3 = omega_link3_y * omega_link4_z;
+  // link5: angular velocity omega, angular acceleration alpha, acceleration a of (1)
+  const Scalar t_link5_1 = c_joint4 * omega_link3_y - s_joint4 * omega_link3_z;
+  const Scalar omega_link5_y = s_joint5 * t_link5_1 - c_joint5 * omega_link4_z;
+  const Scalar omega_link5_z = qd[4] + s_joint4 * omega_link3_y + c_joint4 * omega_link3_z;
+  const Scalar neg_omega_link5_x = c_joint5 * t_link5_1 + s_joint5 * omega_link4_z;
+  const Scalar neg_alpha_link4_x = Omega_link4_yz - t_link4_2;
+  const Scalar neg_alpha_link4_y = neg_Omega_link3_yx - t_link4_3;
+  const Scalar t_link5_2 = c_joint4 * neg_alpha_link4_x + s_joint4 * neg_alpha_link4_y;
   const Scalar alpha_link5_y_1 = c_joint5 * neg_alpha_link4_z + qd[4] * neg_omega_link5_x;
-  const Scalar alpha_link5_y = alpha_link5_y_1 - s_joint5 * alpha_link4_x;
-  // link6: angular acceleration alpha, moment M, angular velocity omega of (1)
+  const Scalar alpha_link5_y = alpha_link5_y_1 + s_joint5 * t_link5_2;
   const Scalar alpha_link6_z = qdd[5] - alpha_link5_y;
   const Scalar M_link6_z = link6_I1 * alpha_link6_z;
   tau[5] = M_link6_z;
-  const Scalar omega_link6_z = neg_omega_link5_y + qd[5];
-  const Scalar t_link5_1 = link6_I1 * omega_link6_z;
-  const Scalar neg_a_link4_x = c_joint4 * t_link4_1 - s_joint4 * t_link4_2;
-  // link5: angular acceleration alpha, moment M of (1)
-  const Scalar alpha_link5_z_1 = t_link4_3 + qdd[4] + s_joint4 * Omega_link3_zx;
-  const Scalar alpha_link5_z = alpha_link5_z_1 - c_joint4 * neg_Omega_link3_yx;
-  const Scalar t_link5_2 = link6_I3 * c_joint5;
-  const Scalar t_link5_3 = link6_I3 * s_joint5;
-  const Scalar M_link5_z_1 = link5_I1 * alpha_link5_z - neg_a_link4_x * t_link5_2;
-  const Scalar M_link5_z_2 = M_link5_z_1 + neg_a_link4_z * t_link5_3;
-  const Scalar M_link5_z_3 = t_link5_1 - link6_I7 * neg_omega_link5_y;
-  const Scalar M_link5_z = M_link5_z_2 + neg_omega_link5_x * M_link5_z_3;
+  const Scalar a_link5_x_1 = c_joint5 * (s_joint4 * neg_a_link4_y - c_joint4 * a_link4_x);
+  const Scalar a_link5_x = s_joint5 * neg_a_link4_z - a_link5_x_1;
+  const Scalar alpha_link5_z = qdd[4] + s_joint4 * neg_alpha_link4_x - c_joint4 * neg_alpha_link4_y;
+  const Scalar t_link5_3 = link6_I1 * (omega_link5_y - qd[5]);
+  const Scalar M_link5_z_1 = link6_h1 * a_link5_x + link5_I1 * alpha_link5_z;
+  const Scalar M_link5_z_2 = t_link5_3 - link5_I4 * omega_link5_y;
+  const Scalar M_link5_z = M_link5_z_1 - neg_omega_link5_x * M_link5_z_2;
   tau[4] = M_link5_z;
-  const Scalar neg_M_link5_y_1 = M_link6_z - link5_I3 * alpha_link5_y;
-  const Scalar neg_M_link5_y = neg_M_link5_y_1 - omega_link5_z * neg_omega_link5_x * link5_I2;
-  const Scalar a_link4_y = s_joint4 * t_link4_1 + c_joint4 * t_link4_2;
-  const Scalar alpha_link5_x_1 = s_joint5 * neg_alpha_link4_z - neg_omega_link5_y * qd[4];
-  const Scalar alpha_link5_x = alpha_link5_x_1 + c_joint5 * alpha_link4_x;
-  // link6: moment M of (1)
-  const Scalar neg_M_link5_x_1 = link6_I3 * a_link4_y - link5_I5 * alpha_link5_x;
-  const Scalar neg_M_link5_x_2 = t_link5_1 - link5_I4 * neg_omega_link5_y;
-  const Scalar neg_M_link5_x = neg_M_link5_x_1 - omega_link5_z * neg_M_link5_x_2;
-  const Scalar M_link4_z_1 = s_joint5 * neg_M_link5_x - link4_I4 * neg_alpha_link4_z;
-  const Scalar M_link4_z = M_link4_z_1 + c_joint5 * neg_M_link5_y;
-  tau[3] = M_link4_z;
-  const Scalar Omega_link5_zy = alpha_link5_x - neg_omega_link5_y * omega_link5_z;
-  const Scalar F_link4_y = link4_I7 * a_link4_y - link6_I3 * Omega_link5_zy;
-  // link5: Omega, force F of (1)
+  const Scalar neg_M_link5_y_1 = M_link6_z + omega_link5_z * neg_omega_link5_x * link4_I3;
+  const Scalar neg_M_link5_y = neg_M_link5_y_1 - link5_I3 * alpha_link5_y;
+  const Scalar t_link5_4 = link6_h1 * s_joint4;
+  const Scalar alpha_link5_x_1 = s_joint5 * neg_alpha_link4_z + omega_link5_y * qd[4];
+  const Scalar alpha_link5_x = alpha_link5_x_1 - c_joint5 * t_link5_2;
+  const Scalar t_link5_5 = link6_h1 * c_joint4;
+  const Scalar M_link5_x_1 = a_link4_x * t_link5_4 + link5_I5 * alpha_link5_x;
+  const Scalar M_link5_x_2 = M_link5_x_1 + neg_a_link4_y * t_link5_5;
+  const Scalar M_link5_x = M_link5_x_2 - omega_link5_z * (t_link5_3 - link5_I6 * omega_link5_y);
+  const Scalar neg_M_link4_z_1 = link4_I5 * neg_alpha_link4_z - c_joint5 * neg_M_link5_y;
+  const Scalar neg_M_link4_z = neg_M_link4_z_1 + s_joint5 * M_link5_x;
+  tau[3] = -neg_M_link4_z;
+  const Scalar Omega_link6_xz = alpha_link5_z + omega_link5_y * neg_omega_link5_x;
   const Scalar neg_Omega_link5_yy_1 = neg_omega_link5_x * neg_omega_link5_x;
-  const Scalar neg_Omega_link5_yy = neg_Omega_link5_yy_1 + omega_link5_z * omega_link5_z;
-  const Scalar neg_Omega_link5_xy = alpha_link5_z - neg_omega_link5_y * neg_omega_link5_x;
-  const Scalar neg_F_link4_x_1 = t_link5_3 * neg_Omega_link5_yy;
-  const Scalar neg_F_link4_x_2 = neg_F_link4_x_1 - t_link5_2 * neg_Omega_link5_xy;
-  const Scalar neg_F_link4_x = neg_F_link4_x_2 + link4_I7 * neg_a_link4_x;
-  const Scalar t_link4_5 = c_joint4 * neg_F_link4_x + s_joint4 * F_link4_y;
-  const Scalar neg_F_link4_z_1 = t_link5_2 * neg_Omega_link5_yy + link4_I7 * neg_a_link4_z;
-  const Scalar neg_F_link4_z = neg_F_link4_z_1 + t_link5_3 * neg_Omega_link5_xy;
-  // link4: moment M, force F of (1)
-  const Scalar M_link4_x_1 = link4_I4 * t_link4_4 - c_joint5 * neg_M_link5_x;
-  const Scalar M_link4_x = M_link4_x_1 + s_joint5 * neg_M_link5_y;
-  const Scalar M_link4_y = M_link5_z + link4_I4 * t_link4_3;
-  const Scalar neg_M_link3_z_1 = t_link4_5 + link3_I4 * neg_Omega_link3_yz;
-  const Scalar neg_M_link3_z_2 = neg_M_link3_z_1 + link4_k1 * neg_F_link4_z;
-  const Scalar neg_M_link3_z_3 = neg_M_link3_z_2 + link3_I8 * t_link3_4;
-  const Scalar neg_M_link3_z_4 = neg_M_link3_z_3 - link3_I9 * alpha_link3_z;
-  const Scalar neg_M_link3_z_5 = neg_M_link3_z_4 + link3_I7 * neg_a_link3_y;
-  const Scalar neg_M_link3_z_6 = neg_Omega_link3_yy - neg_Omega_link3_xx;
-  const Scalar neg_M_link3_z_7 = neg_M_link3_z_5 + link4_I8 * neg_M_link3_z_6;
-  const Scalar neg_M_link3_z = neg_M_link3_z_7 - s_joint4 * M_link4_x - c_joint4 * M_link4_y;
-  tau[2] = -neg_M_link3_z;
-  const Scalar neg_F_link3_y = t_link4_5 + link3_I7 * neg_Omega_link3_yx;
-  const Scalar neg_F_link3_x = neg_F_link4_z + link3_I7 * neg_Omega_link3_xx;
-  const Scalar neg_M_link2_z_1 = s_joint2_joint3 * neg_F_link3_y;
+  const Scalar neg_Omega_link5_yy = omega_link5_z * omega_link5_z + neg_Omega_link5_yy_1;
+  const Scalar t_link5_6 = c_joint5 * Omega_link6_xz - s_joint5 * neg_Omega_link5_yy;
+  const Scalar Omega_link5_zy = alpha_link5_x + omega_link5_y * omega_link5_z;
+  const Scalar neg_F_link4_y_1 = link4_m1 * neg_a_link4_y - t_link5_4 * t_link5_6;
+  const Scalar neg_F_link4_y = neg_F_link4_y_1 + t_link5_5 * Omega_link5_zy;
+  const Scalar neg_F_link4_z_1 = c_joint5 * neg_Omega_link5_yy + s_joint5 * Omega_link6_xz;
+  const Scalar neg_F_link4_z = link4_m1 * neg_a_link4_z + link6_h1 * neg_F_link4_z_1;
+  const Scalar F_link4_x_1 = link4_m1 * a_link4_x + t_link5_4 * Omega_link5_zy;
+  const Scalar F_link4_x = F_link4_x_1 + t_link5_5 * t_link5_6;
+  const Scalar t_link5_7 = s_joint5 * neg_M_link5_y + c_joint5 * M_link5_x;
+  // link3: moment M, force F of (1)
+  const Scalar M_link3_z_1 = link3_I1 * Omega_link3_yz + link4_I5 * t_link4_3;
+  const Scalar M_link3_z_2 = M_link3_z_1 - link4_l2 * F_link4_x + link3_I8 * t_link3_6;
+  const Scalar M_link3_z_3 = M_link3_z_2 + c_joint4 * M_link5_z + link4_l1 * neg_F_link4_z;
+  const Scalar M_link3_z_4 = M_link3_z_3 + link4_I7 * (neg_Omega_link3_xx - neg_Omega_link3_yy);
+  const Scalar M_link3_z_5 = M_link3_z_4 + link3_I9 * alpha_link3_z + s_joint4 * t_link5_7;
+  const Scalar M_link3_z = M_link3_z_5 + link3_h2 * neg_a_link3_y;
+  tau[2] = M_link3_z;
+  const Scalar neg_F_link3_y = F_link4_x - link3_h2 * neg_Omega_link3_yx;
+  const Scalar F_link3_x = neg_F_link4_z + link3_h2 * neg_Omega_link3_xx;
+  const Scalar t_link3_9 = c_joint2_joint3 * neg_F_link3_y - s_joint2_joint3 * F_link3_x;
+  const Scalar M_link2_z_1 = c_joint2_joint3 * F_link3_x + s_joint2_joint3 * neg_F_link3_y;
+  // link2: moment M of (1)
   const Scalar t_link2_1 = link2_I7 * s_joint2 + link2_I4 * c_joint2;
   const Scalar t_link2_2 = link2_I6 - c_joint2 * t_link2_1;
-  const Scalar t_link3_9 = c_joint2_joint3 * neg_F_link3_y + s_joint2_joint3 * neg_F_link3_x;
-  const Scalar t_link2_3 = link2_I9 * s_joint2 + link2_I1 * c_joint2;
+  const Scalar t_link2_3 = link2_I8 * s_joint2 + link2_I1 * c_joint2;
+  const Scalar M_link2_z_2 = M_link3_z + link2_I9 * qdd[1];
+  const Scalar M_link2_z_3 = M_link2_z_2 - s_joint2 * (link2_G2 + link3_l1 * t_link3_9);
+  const Scalar M_link2_z_4 = M_link2_z_3 + c_joint2 * (link2_G3 + link3_l1 * M_link2_z_1);
+  tau[1] = M_link2_z_4 - neg_Omega_link1_xx * t_link2_2 + qdd[0] * t_link2_3;
+  const Scalar M_link1_z_1 = link2_I8 * c_joint2 - link2_I1 * s_joint2;
   // link3: moment M of (1)
-  const Scalar neg_M_link2_z_2 = neg_M_link2_z_1 - c_joint2_joint3 * neg_F_link3_x;
-  const Scalar neg_M_link2_z_3 = neg_M_link3_z - link2_I8 * qdd[1] + link2_G3 * c_joint2;
-  const Scalar neg_M_link2_z_4 = neg_M_link2_z_3 + neg_s_link3_x * neg_M_link2_z_2;
-  const Scalar neg_M_link2_z_5 = neg_M_link2_z_4 + neg_Omega_link1_xx * t_link2_2;
-  const Scalar neg_M_link2_z_6 = link2_G2 + link3_k2 * t_link3_9;
-  tau[1] = qdd[0] * t_link2_3 - (neg_M_link2_z_5 - s_joint2 * neg_M_link2_z_6);
-  const Scalar M_link1_z_1 = link2_I9 * c_joint2 - link2_I1 * s_joint2;
-  const Scalar t_link4_6 = c_joint4 * F_link4_y - s_joint4 * neg_F_link4_x;
-  const Scalar M_link3_x_1 = M_link4_z + link4_I8 * Omega_link3_zx;
-  const Scalar M_link3_x_2 = M_link3_x_1 + link3_I4 * neg_Omega_link3_yx;
-  const Scalar M_link3_x = M_link3_x_2 - link3_I11 * neg_Omega_link3_zy - link4_k1 * t_link4_6;
+  const Scalar M_link3_x_1 = neg_M_link4_z + link3_I6 * Omega_link3_zy + link4_l1 * neg_F_link4_y;
+  const Scalar M_link3_x_2 = M_link3_x_1 - link4_I7 * Omega_link4_yz;
+  const Scalar M_link3_x = M_link3_x_2 + link3_I1 * neg_Omega_link3_yx;
   // link4: moment M of (1)
-  const Scalar neg_M_link3_y_1 = t_link4_6 - link3_I4 * t_link3_8;
-  const Scalar neg_M_link3_y_2 = neg_M_link3_y_1 - link4_I8 * neg_Omega_link3_zy;
-  const Scalar neg_M_link3_y_3 = neg_M_link3_y_2 + link3_I10 * Omega_link3_zx;
-  const Scalar neg_M_link3_y_4 = neg_M_link3_y_3 + s_joint4 * M_link4_y - c_joint4 * M_link4_x;
-  const Scalar F_link3_z = t_link4_6 + link3_I7 * Omega_link3_zx;
-  // link2
-  const Scalar M_link1_z_2 = qdd[1] * t_link2_3 + neg_Omega_link2_yy * M_link1_z_1;
-  const Scalar M_link1_z_3 = M_link1_z_2 + link2_k3 * t_link3_9;
-  const Scalar M_link1_z_4 = M_link1_z_3 + Omega_link2_zy * t_link2_2;
-  const Scalar M_link1_z_5 = M_link1_z_4 + c_joint2_joint3 * M_link3_x;
-  const Scalar M_link1_z_6 = M_link1_z_5 + qdd[0] * (link1_I2 - s_joint2 * t_link2_1);
-  const Scalar neg_M_link3_y = neg_M_link3_y_4 - link3_I7 * neg_a_link3_z;
+  const Scalar neg_M_link3_y_1 = link4_I5 * t_link4_2 + link4_I7 * Omega_link3_zy;
+  const Scalar neg_M_link3_y_2 = neg_M_link3_y_1 - link3_I1 * t_link3_7;
+  const Scalar neg_M_link3_y_3 = neg_M_link3_y_2 + link3_h2 * neg_a_link3_z;
+  const Scalar neg_M_link3_y_4 = neg_M_link3_y_3 - link3_I7 * Omega_link4_yz;
+  const Scalar neg_M_link3_y_5 = neg_M_link3_y_4 - link4_l2 * neg_F_link4_y;
+  const Scalar M_link1_z_2 = neg_Omega_link2_yy * M_link1_z_1 + Omega_link2_zy * t_link2_2;
+  const Scalar neg_M_link3_y = neg_M_link3_y_5 + c_joint4 * t_link5_7 - s_joint4 * M_link5_z;
   // link1: moment M of (1)
-  tau[0] = M_link1_z_6 + s_joint2_joint3 * neg_M_link3_y + neg_s_link3_x * F_link3_z;
+  const Scalar M_link1_z_3 = M_link1_z_2 - c_joint2_joint3 * M_link3_x;
+  const Scalar M_link1_z_4 = M_link1_z_3 - s_joint2_joint3 * neg_M_link3_y;
+  const Scalar M_link1_z_5 = M_link1_z_4 - link2_l1 * t_link3_9 + qdd[1] * t_link2_3;
+  const Scalar M_link1_z_6 = M_link1_z_5 + qdd[0] * (link1_I2 - s_joint2 * t_link2_1);
+  tau[0] = M_link1_z_6 - neg_s_link3_x * (neg_F_link4_y - link3_h2 * Omega_link4_yz);
 }
 
-// Lengths inside are in units of L, a distance between joint2 and joint3:
-//   L = 0.4318 m
-// Names: vectors F_ in N m/L, a_ in L/s^2, h_ in kg m^2/L, s_ in L; all others are of values in SI
-// units; numbered ones (t_) by what they are made of. Arguments and results are in SI units.
 void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6],
                       Scalar qdd[6]) noexcept {
-  // link4: way s to the joint of (1)
   const Scalar q_joint2_joint3 = q[1] + q[2];
   Scalar sines[4];
   Scalar cosines[4];
@@ -728,8 +698,10 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar c_joint4 = cosines[2];
   const Scalar s_joint5 = sines[3];
   const Scalar c_joint5 = cosines[3];
-  const Scalar neg_s_link4_x = link3_k3 * s_joint2_joint3 - link3_k4 * c_joint2_joint3;
-  const Scalar s_link4_y = link3_k4 * s_joint2_joint3 + link3_k3 * c_joint2_joint3;
+  const Scalar neg_s_link3_y = link3_l1 * s_joint2;
+  const Scalar neg_s_link3_x = link3_l1 * c_joint2;
+  const Scalar neg_s_link4_x = link4_l1 * c_joint2_joint3 - link4_l2 * s_joint2_joint3;
+  const Scalar neg_s_link4_y = link4_l2 * c_joint2_joint3 + link4_l1 * s_joint2_joint3;
   const Scalar neg_Omega_link1_xx = qd[0] * qd[0];
   // link2: Omega of (1)
   const Scalar neg_Omega_link2_yy = qd[1] * qd[1];
@@ -737,216 +709,215 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link2_2 = link2_I6 - c_joint2 * t_link2_1;
   const Scalar t_link2_3 = 2.0 * qd[0];
   const Scalar Omega_link2_zy = qd[1] * t_link2_3;
-  // link3: angular velocity omega, Omega, first moment h of (1)
+  // link3: angular velocity omega, Omega, force F of (1)
   const Scalar omega_link3_z = qd[1] + qd[2];
   const Scalar neg_Omega_link3_yy = omega_link3_z * omega_link3_z;
-  const Scalar t_link3_1 = link4_I5 * c_joint2_joint3 - link3_I5 * s_joint2_joint3;
-  const Scalar t_link3_2 = link4_I5 * s_joint2_joint3 + link3_I5 * c_joint2_joint3;
   const Scalar neg_Omega_link3_xx = neg_Omega_link1_xx + neg_Omega_link3_yy;
-  const Scalar a_link3_x = c_joint2 * (neg_Omega_link1_xx + neg_Omega_link2_yy);
-  const Scalar t_link4_1 = a_link3_x + neg_s_link4_x * neg_Omega_link3_xx;
-  const Scalar a_link3_y = link3_p1 + s_joint2 * neg_Omega_link2_yy;
+  const Scalar t_link3_1 = link3_h1 * s_joint2_joint3 - link4_h1 * c_joint2_joint3;
+  const Scalar neg_a_link3_y = base_g1 - neg_s_link3_y * neg_Omega_link2_yy;
+  const Scalar t_link4_1 = neg_a_link3_y - neg_s_link4_y * neg_Omega_link3_yy;
+  const Scalar a_link3_x = neg_s_link3_x * (neg_Omega_link1_xx + neg_Omega_link2_yy);
   // link4: acceleration a, angular velocity omega, angular acceleration alpha of (1)
-  const Scalar t_link4_2 = a_link3_y - s_link4_y * neg_Omega_link3_yy;
-  const Scalar t_link4_3 = c_joint2_joint3 * t_link4_1 + s_joint2_joint3 * t_link4_2;
+  const Scalar t_link4_2 = a_link3_x + neg_s_link4_x * neg_Omega_link3_xx;
+  const Scalar t_link4_3 = s_joint2_joint3 * t_link4_1 - c_joint2_joint3 * t_link4_2;
   const Scalar t_link4_4 = s_joint2_joint3 * qd[0];
   const Scalar t_link4_5 = c_joint4 * omega_link3_z;
-  const Scalar neg_omega_link4_y = t_link4_5 + s_joint4 * t_link4_4;
+  const Scalar omega_link4_y = t_link4_5 + s_joint4 * t_link4_4;
   const Scalar t_link4_6 = c_joint2_joint3 * qd[0];
   const Scalar t_link4_7 = s_joint4 * omega_link3_z;
-  const Scalar neg_omega_link4_x = t_link4_7 - c_joint4 * t_link4_4;
+  const Scalar omega_link4_x = t_link4_7 - c_joint4 * t_link4_4;
   const Scalar omega_link4_z = qd[3] + t_link4_6;
   const Scalar neg_alpha_link4_z = omega_link3_z * t_link4_4;
-  // link5: angular velocity omega, angular acceleration alpha, Omega of (1)
-  const Scalar neg_omega_link5_y = c_joint5 * omega_link4_z + s_joint5 * neg_omega_link4_x;
-  const Scalar omega_link5_z = neg_omega_link4_y + qd[4];
-  const Scalar neg_omega_link5_x = s_joint5 * omega_link4_z - c_joint5 * neg_omega_link4_x;
-  const Scalar alpha_link5_z = t_link4_6 * t_link4_7 - qd[3] * neg_omega_link4_x;
-  const Scalar t_link5_1 = neg_omega_link5_y * neg_omega_link5_x;
-  const Scalar neg_Omega_link5_xy = alpha_link5_z - t_link5_1;
-  const Scalar alpha_link4_x = t_link4_5 * t_link4_6 - neg_omega_link4_y * qd[3];
-  const Scalar alpha_link5_y_1 = c_joint5 * neg_alpha_link4_z + qd[4] * neg_omega_link5_x;
-  const Scalar alpha_link5_y = alpha_link5_y_1 + s_joint5 * alpha_link4_x;
+  // link5: angular velocity omega, angular acceleration alpha of (1)
+  const Scalar neg_omega_link5_y = s_joint5 * omega_link4_x + c_joint5 * omega_link4_z;
+  const Scalar omega_link5_z = omega_link4_y + qd[4];
+  const Scalar neg_omega_link5_x = s_joint5 * omega_link4_z - c_joint5 * omega_link4_x;
+  const Scalar neg_alpha_link4_x = t_link4_5 * t_link4_6 - omega_link4_y * qd[3];
+  const Scalar alpha_link5_y_1 = c_joint5 * neg_alpha_link4_z + s_joint5 * neg_alpha_link4_x;
+  const Scalar alpha_link5_y = alpha_link5_y_1 + qd[4] * neg_omega_link5_x;
   const Scalar neg_M_link6_z = link6_I1 * alpha_link5_y;
-  const Scalar omega_link6_z = neg_omega_link5_y + qd[5];
-  const Scalar t_link5_2 = link6_I1 * omega_link6_z;
-  const Scalar M_link5_x_1 = t_link5_2 - link5_I4 * neg_omega_link5_y;
+  const Scalar neg_a_link3_z = neg_s_link3_y * Omega_link2_zy + link2_l1 * neg_Omega_link1_xx;
   const Scalar Omega_link3_zy = t_link2_3 * omega_link3_z;
-  const Scalar neg_a_link3_z = s_joint2 * Omega_link2_zy + link2_k4 * neg_Omega_link1_xx;
-  const Scalar t_link4_8 = neg_a_link3_z - s_link4_y * Omega_link3_zy;
-  const Scalar alpha_link5_x_1 = s_joint5 * neg_alpha_link4_z - c_joint5 * alpha_link4_x;
-  const Scalar alpha_link5_x = alpha_link5_x_1 - neg_omega_link5_y * qd[4];
-  const Scalar h_link4_z = link6_I8 * c_joint5;
-  const Scalar neg_h_link4_x = link6_I8 * s_joint5;
+  // link4: acceleration a, first moment h, angular acceleration alpha of (1)
+  const Scalar t_link4_8 = neg_a_link3_z + neg_s_link4_y * Omega_link3_zy;
+  const Scalar h_link4_x = link6_h1 * s_joint5;
+  const Scalar t_link4_9 = c_joint2_joint3 * h_link4_x;
+  const Scalar h_link4_z = link6_h1 * c_joint5;
+  const Scalar t_link4_10 = s_joint2_joint3 * h_link4_x;
+  const Scalar alpha_link4_y = t_link4_6 * t_link4_7 - qd[3] * omega_link4_x;
+  // link5: Omega, force F, angular acceleration alpha of (1)
+  const Scalar neg_Omega_link5_xy = alpha_link4_y - neg_omega_link5_y * neg_omega_link5_x;
   const Scalar neg_Omega_link5_yy_1 = neg_omega_link5_x * neg_omega_link5_x;
   const Scalar neg_Omega_link5_yy = neg_Omega_link5_yy_1 + omega_link5_z * omega_link5_z;
+  const Scalar F_link4_x = h_link4_z * neg_Omega_link5_xy - h_link4_x * neg_Omega_link5_yy;
+  const Scalar neg_F_link4_z = h_link4_z * neg_Omega_link5_yy + h_link4_x * neg_Omega_link5_xy;
+  const Scalar alpha_link5_x_1 = s_joint5 * neg_alpha_link4_z - c_joint5 * neg_alpha_link4_x;
+  const Scalar alpha_link5_x = alpha_link5_x_1 - neg_omega_link5_y * qd[4];
   const Scalar Omega_link5_zy = alpha_link5_x - neg_omega_link5_y * omega_link5_z;
-  // link4: force F, acceleration a of (1)
-  const Scalar F_link4_y = link6_I8 * Omega_link5_zy;
-  const Scalar t_link4_9 = c_joint2_joint3 * neg_h_link4_x;
-  const Scalar a_link4_x = c_joint4 * t_link4_3 + s_joint4 * t_link4_8;
-  const Scalar t_link4_10 = s_joint2_joint3 * neg_h_link4_x;
-  const Scalar t_link1_1 = neg_M_link6_z + tau[5];
-  // link5
-  const Scalar t_link5_3 = link6_I5 * s_joint5;
-  const Scalar t_link5_4 = s_joint5 * t_link5_3;
-  const Scalar t_link5_5 = link6_I1 * c_joint5;
-  const Scalar t_link5_6 = link6_I1 * s_joint5;
-  const Scalar t_link4_11 = s_joint2_joint3 * c_joint4;
-  const Scalar t_link4_12 = c_joint2_joint3 * t_link5_5 - t_link5_6 * t_link4_11;
-  const Scalar h_link3_y = t_link3_2 + link6_k1 * t_link4_12;
-  const Scalar t_link4_13 = c_joint4 * neg_h_link4_x;
-  const Scalar t_link4_14 = s_joint2_joint3 * h_link4_z;
-  const Scalar h_link3_z = s_joint4 * neg_h_link4_x;
-  // link4: inertia I of (1)
-  const Scalar t_link4_15 = s_joint4 * (link5_I2 + t_link5_4);
-  const Scalar t_link4_16 = s_joint4 * t_link4_15;
-  const Scalar I_link4_xz = c_joint5 * t_link5_3;
-  const Scalar t_link4_17 = s_joint4 * I_link4_xz;
-  const Scalar t_link4_18 = t_link4_14 + c_joint2_joint3 * t_link4_13;
-  const Scalar t_link4_19 = neg_s_link4_x * t_link4_18 * 2.0;
+  const Scalar neg_F_link5_z = link6_h1 * Omega_link5_zy;
+  const Scalar t_link4_11 = s_joint4 * neg_F_link5_z + c_joint4 * F_link4_x;
+  const Scalar t_link4_12 = s_joint2_joint3 * neg_F_link4_z - c_joint2_joint3 * t_link4_11;
+  const Scalar F_link3_x = t_link4_12 - neg_Omega_link3_xx * t_link3_1;
+  const Scalar omega_link6_z = neg_omega_link5_y + qd[5];
+  const Scalar t_link5_1 = link6_I1 * omega_link6_z;
+  const Scalar a_link4_x = c_joint4 * t_link4_3 - s_joint4 * t_link4_8;
+  const Scalar M_link5_z_1 = neg_omega_link5_x * (t_link5_1 - link5_I4 * neg_omega_link5_y);
+  const Scalar M_link5_z_2 = link5_I1 * alpha_link4_y + M_link5_z_1 + h_link4_z * a_link4_x;
+  const Scalar M_link5_z = M_link5_z_2 + t_link4_1 * t_link4_9 + t_link4_2 * t_link4_10;
+  const Scalar t_link1_1 = tau[4] - M_link5_z;
+  const Scalar t_link1_2 = neg_M_link6_z + tau[5];
+  const Scalar t_link5_2 = link5_I2 * s_joint5;
+  const Scalar t_link5_3 = s_joint5 * t_link5_2;
+  const Scalar t_link4_13 = s_joint2_joint3 * h_link4_z;
+  const Scalar t_link5_4 = link6_I1 * c_joint5;
+  const Scalar t_link4_14 = s_joint2_joint3 * c_joint4;
+  const Scalar t_link5_5 = link6_I1 * s_joint5;
+  const Scalar t_link4_15 = c_joint2_joint3 * t_link5_4 - t_link4_14 * t_link5_5;
+  const Scalar t_link3_2 = link3_h1 * c_joint2_joint3 + link4_h1 * s_joint2_joint3;
+  // link4: first moment h of (1)
+  const Scalar neg_h_link3_y = t_link3_2 - link6_p2 * t_link4_15;
+  const Scalar t_link4_16 = s_joint4 * (link4_I3 - t_link5_3);
+  const Scalar t_link4_17 = s_joint4 * t_link4_16;
+  const Scalar t_link4_18 = s_joint4 * c_joint5;
+  const Scalar t_link4_19 = t_link5_2 * t_link4_18;
+  const Scalar t_link4_20 = t_link4_13 + c_joint4 * t_link4_9;
+  const Scalar t_link4_21 = neg_s_link4_x * t_link4_20 * 2.0;
   // link3: first moment h of (1)
-  const Scalar t_link3_3 = s_joint2 * h_link3_y;
-  const Scalar h_link3_x = t_link3_1 - t_link4_18;
-  const Scalar t_link3_4 = c_joint2 * h_link3_x;
+  const Scalar t_link3_3 = neg_s_link3_y * neg_h_link3_y;
+  const Scalar h_link3_x = t_link3_1 - t_link4_20;
+  const Scalar t_link3_4 = neg_s_link3_x * h_link3_x;
   const Scalar t_link3_5 = 2.0 * t_link3_4;
+  const Scalar h_link3_z = s_joint4 * h_link4_x;
   // link4
-  const Scalar t_link4_20 = s_joint4 * t_link5_6;
-  const Scalar t_link4_21 = c_joint2_joint3 * c_joint4;
-  const Scalar t_link4_22 = t_link4_10 - h_link4_z * t_link4_21;
-  const Scalar t_link4_23 = t_link4_9 + c_joint4 * t_link4_14;
-  const Scalar t_link4_24 = link5_I1 * c_joint4 - s_link4_y * t_link4_22;
-  const Scalar t_link4_25 = t_link4_24 + neg_s_link4_x * t_link4_23;
+  const Scalar t_link4_22 = t_link4_10 - c_joint2_joint3 * c_joint4 * h_link4_z;
+  const Scalar t_link4_23 = t_link4_9 + c_joint4 * t_link4_13;
+  const Scalar t_link4_24 = link5_I1 * c_joint4 + neg_s_link4_x * t_link4_23;
+  const Scalar t_link4_25 = t_link4_24 + neg_s_link4_y * t_link4_22;
   // link3
-  const Scalar t_link3_6 = c_joint2 * t_link4_23 + s_joint2 * t_link4_22;
+  const Scalar t_link3_6 = neg_s_link3_y * t_link4_22 + neg_s_link3_x * t_link4_23;
   const Scalar t_link3_7 = t_link4_25 + t_link3_6;
-  const Scalar t_link3_8 = c_joint2 + neg_s_link4_x;
+  const Scalar t_link3_8 = neg_s_link3_x + neg_s_link4_x;
   const Scalar t_link3_9 = s_joint4 * (link5_I1 * s_joint2_joint3 + h_link4_z * t_link3_8);
-  const Scalar t_link3_10 = t_link3_9 + link2_k4 * t_link4_22;
-  const Scalar I_link4_zz = link4_I2 + t_link5_4;
+  const Scalar t_link3_10 = t_link3_9 + link2_l1 * t_link4_22;
+  const Scalar t_link4_26 = s_joint4 * t_link5_5;
+  const Scalar t_link6_1 = link6_p1 * t_link4_26;
+  const Scalar t_link3_11 = neg_s_link3_x * s_joint2_joint3 - neg_s_link3_y * c_joint2_joint3;
+  const Scalar t_link3_12 = h_link3_z * t_link3_11;
   // link6
-  const Scalar t_link6_1 = c_joint2_joint3 * (I_link4_zz + link2_k4 * h_link3_z);
-  const Scalar t_link6_2 = t_link4_13 * t_link3_8 + t_link6_1;
-  const Scalar t_link6_3 = t_link6_2 - c_joint5 * (t_link4_12 - t_link5_3 * t_link4_11);
-  const Scalar t_link3_11 = h_link3_z * (c_joint2 * s_joint2_joint3 - s_joint2 * c_joint2_joint3);
-  const Scalar t_link6_4 = t_link4_17 + c_joint5 * t_link4_20 + link3_k3 * h_link3_z;
-  const Scalar t_link6_5 = t_link3_11 + t_link6_4;
-  const Scalar inverse_pivot_link4 = 1.0 / (I_link4_zz - c_joint5 * t_link5_5);
-  const Scalar t_link5_7 = link5_p1 * t_link4_25;
-  const Scalar t_link4_26 = t_link6_4 * inverse_pivot_link4;
-  const Scalar t_link6_6 = t_link4_16 - t_link4_19 + t_link4_20 * t_link4_20 * link6_p1;
-  const Scalar t_link6_7 = t_link6_6 - s_link4_y * t_link4_12 * link6_k2;
-  const Scalar t_link5_8 = link3_I2 - t_link6_7 - t_link4_25 * t_link5_7;
+  const Scalar t_link6_2 = t_link4_19 + t_link5_5 * t_link4_18 - link4_l2 * h_link3_z;
+  const Scalar t_link6_3 = t_link3_12 + t_link6_2;
+  const Scalar t_link6_4 = t_link5_2 * t_link4_14;
+  const Scalar I_link4_zz = link4_I2 + t_link5_3;
+  const Scalar t_link6_5 = c_joint5 * (t_link4_15 - t_link6_4);
+  const Scalar t_link6_6 = t_link6_5 - c_joint4 * h_link4_x * t_link3_8;
+  const Scalar t_link6_7 = t_link6_6 - c_joint2_joint3 * (I_link4_zz + link2_l1 * h_link3_z);
+  const Scalar inverse_pivot_link4 = 1.0 / (I_link4_zz - c_joint5 * t_link5_4);
+  const Scalar t_link5_6 = link5_p1 * t_link4_25;
+  const Scalar t_link4_27 = t_link6_2 * inverse_pivot_link4;
+  const Scalar t_link6_8 = t_link4_17 + t_link4_21 - t_link4_26 * t_link6_1;
+  const Scalar t_link6_9 = t_link6_8 - neg_s_link4_y * t_link4_15 * link6_p3;
   // link4
-  const Scalar t_link4_27 = t_link5_8 - t_link6_4 * t_link4_26;
-  const Scalar t_link4_28 = t_link4_27 - (t_link3_3 + t_link3_4) - t_link3_11 * t_link4_26;
-  const Scalar t_link4_29 = t_link4_28 - t_link3_6 * t_link5_7;
-  const Scalar t_link5_9 = link5_p1 * t_link3_10;
-  const Scalar t_link6_8 = link6_p1 * t_link4_12;
-  const Scalar t_link4_30 = t_link6_3 * inverse_pivot_link4;
-  const Scalar I_link3_yz_1 = c_joint2_joint3 * (link3_I4 + t_link4_17);
-  const Scalar I_link3_yz = t_link4_11 * t_link4_15 - I_link3_yz_1 - s_link4_y * h_link3_z;
-  const Scalar t_link4_31 = I_link3_yz - t_link4_20 * t_link6_8 - t_link3_10 * t_link5_7;
-  const Scalar t_link4_32 = t_link4_31 + t_link6_4 * t_link4_30 - link2_k4 * h_link3_y;
-  const Scalar inverse_pivot_link3 = 1.0 / t_link4_27;
-  const Scalar t_link5_10 = link5_p1 * t_link3_7;
-  const Scalar t_link3_12 = t_link4_29 * inverse_pivot_link3;
-  const Scalar t_link4_33 = t_link6_5 * inverse_pivot_link4;
-  const Scalar t_link6_9 = t_link6_7 - (link2_I3 - t_link3_5) + 2.0 * t_link3_3;
-  const Scalar t_link4_34 = t_link6_9 + t_link3_7 * t_link5_10 + t_link6_5 * t_link4_33;
-  const Scalar neg_inverse_pivot_link2 = 1.0 / (t_link4_34 + t_link4_29 * t_link3_12);
-  const Scalar t_link3_13 = link4_I1 * c_joint2_joint3 - link3_I6 * s_joint2_joint3;
-  const Scalar t_link2_4 = t_link3_13 - I_link4_xz * t_link4_21 * 2.0;
-  const Scalar t_link4_35 = link4_I9 - t_link4_16 + 2.0 * t_link5_4;
+  const Scalar t_link4_28 = link3_I2 + t_link6_9 - t_link6_2 * t_link4_27;
+  const Scalar t_link4_29 = t_link4_28 - t_link4_25 * t_link5_6;
+  const Scalar t_link4_30 = t_link3_3 - t_link3_4 + t_link4_29 - t_link3_12 * t_link4_27;
+  const Scalar t_link4_31 = t_link4_30 - t_link3_6 * t_link5_6;
+  const Scalar t_link6_10 = link6_p1 * t_link4_15;
+  const Scalar t_link4_32 = t_link6_7 * inverse_pivot_link4;
+  const Scalar t_link5_7 = link5_p1 * t_link3_10;
+  const Scalar t_link3_13 = t_link4_14 * t_link4_16 - c_joint2_joint3 * (link3_I1 - t_link4_19);
+  const Scalar t_link4_33 = t_link3_13 + t_link4_26 * t_link6_10 + t_link6_2 * t_link4_32;
+  const Scalar t_link4_34 = t_link4_33 - neg_s_link4_y * h_link3_z + t_link4_25 * t_link5_7;
+  const Scalar t_link4_35 = t_link4_34 - link2_l1 * neg_h_link3_y;
+  const Scalar inverse_pivot_link3 = 1.0 / t_link4_29;
+  const Scalar t_link4_36 = t_link6_3 * inverse_pivot_link4;
+  const Scalar t_link3_14 = t_link4_31 * inverse_pivot_link3;
+  const Scalar t_link5_8 = link5_p1 * t_link3_7;
+  const Scalar inverse_pivot_link2_1 = link2_I3 - t_link3_5 + t_link6_9 + 2.0 * t_link3_3;
   // link3
-  const Scalar t_link3_14 = t_link4_32 * inverse_pivot_link3;
-  const Scalar t_link3_15 = t_link4_32 + link2_I1 * c_joint2 - t_link3_6 * t_link5_9;
-  const Scalar t_link3_16 = t_link3_15 + t_link3_11 * t_link4_30 - t_link4_32 * t_link3_12;
-  const Scalar t_link3_17 = t_link3_16 + s_joint2 * (link2_I2 + h_link3_z);
+  const Scalar inverse_pivot_link2_2 = inverse_pivot_link2_1 - t_link4_31 * t_link3_14;
+  const Scalar inverse_pivot_link2_3 = inverse_pivot_link2_2 - t_link3_7 * t_link5_8;
+  const Scalar t_link3_15 = t_link4_35 * inverse_pivot_link3;
+  const Scalar t_link3_16 = t_link4_35 - link2_I1 * c_joint2 + t_link3_12 * t_link4_32;
+  const Scalar t_link3_17 = t_link3_16 - s_joint2 * (link2_I2 + link3_l1 * h_link3_z);
+  const Scalar t_link3_18 = t_link3_17 - t_link4_31 * t_link3_15 + t_link3_6 * t_link5_7;
+  const Scalar inverse_pivot_link2 = 1.0 / (inverse_pivot_link2_3 - t_link6_3 * t_link4_36);
+  const Scalar t_link3_19 = link4_I1 * c_joint2_joint3 + link3_I5 * s_joint2_joint3;
+  const Scalar t_link4_37 = link4_I8 - t_link4_17 - 2.0 * t_link5_3;
   // link2
-  const Scalar t_link2_5 = neg_inverse_pivot_link2 * t_link3_17;
-  const Scalar t_link2_6 = t_link3_5 - (link1_I1 + t_link5_4 + t_link4_19);
-  const Scalar t_link2_7 = t_link2_6 - link2_k5 * h_link3_z + t_link3_10 * t_link5_9;
-  const Scalar t_link2_8 = t_link2_7 + s_joint2 * t_link2_1;
-  const Scalar t_link2_9 = t_link2_4 + s_joint2_joint3 * t_link4_35;
+  const Scalar t_link2_4 = t_link3_18 * inverse_pivot_link2;
+  const Scalar t_link2_5 = t_link3_5 - (link1_I3 + t_link5_3 + t_link4_21);
+  const Scalar t_link2_6 = t_link2_5 - link2_l2 * h_link3_z;
+  const Scalar t_link2_7 = t_link2_6 - c_joint2_joint3 * c_joint5 * t_link6_4 * 2.0;
+  const Scalar t_link2_8 = t_link2_7 + t_link6_7 * t_link4_32;
+  const Scalar t_link2_9 = t_link3_19 - s_joint2_joint3 * t_link4_37;
   const Scalar t_link2_10 = t_link2_8 + s_joint2_joint3 * t_link2_9;
-  const Scalar t_link2_11 = t_link2_10 - t_link3_17 * t_link2_5 + t_link6_3 * t_link4_30;
-  const Scalar t_link2_12 = t_link2_11 + t_link4_32 * t_link3_14 + t_link4_12 * t_link6_8;
-  const Scalar neg_inverse_pivot_link1 = 1.0 / t_link2_12;
-  const Scalar a_link4_y = c_joint4 * t_link4_8 - s_joint4 * t_link4_3;
-  // link5: moment M, force F of (1)
-  const Scalar M_link5_x_2 = link5_I5 * alpha_link5_x + link6_I8 * a_link4_y;
-  const Scalar M_link5_x = M_link5_x_2 + omega_link5_z * M_link5_x_1;
+  const Scalar t_link2_11 = t_link2_10 + t_link4_15 * t_link6_10 + t_link3_10 * t_link5_7;
+  const Scalar t_link2_12 = t_link2_11 + t_link3_18 * t_link2_4 + t_link4_35 * t_link3_15;
+  const Scalar neg_inverse_pivot_link1 = 1.0 / (t_link2_12 + s_joint2 * t_link2_1);
   const Scalar M_link5_y_1 = neg_M_link6_z + link5_I3 * alpha_link5_y;
-  const Scalar M_link5_y = M_link5_y_1 + omega_link5_z * neg_omega_link5_x * link5_I2;
-  const Scalar neg_M_link4_z_1 = link4_I4 * neg_alpha_link4_z + s_joint5 * M_link5_x;
-  const Scalar neg_M_link4_z = neg_M_link4_z_1 + c_joint5 * M_link5_y;
-  const Scalar t_link1_2 = tau[3] + neg_M_link4_z - c_joint5 * t_link1_1;
-  const Scalar t_link1_3 = c_joint2 * t_link3_2;
-  const Scalar neg_F_link4_z = neg_Omega_link5_xy * neg_h_link4_x + h_link4_z * neg_Omega_link5_yy;
-  const Scalar neg_F_link4_x = neg_Omega_link5_xy * h_link4_z - neg_h_link4_x * neg_Omega_link5_yy;
-  const Scalar t_link4_36 = s_joint4 * F_link4_y + c_joint4 * neg_F_link4_x;
-  const Scalar t_link1_4 = link4_I6 + t_link1_3 - c_joint2_joint3 * t_link3_13;
-  // link6: moment M of (1)
-  const Scalar neg_M_link5_z_1 = h_link4_z * a_link4_x - link5_I1 * alpha_link5_z;
-  const Scalar neg_M_link5_z_2 = neg_M_link5_z_1 - t_link4_1 * t_link4_10;
-  const Scalar neg_M_link5_z_3 = neg_M_link5_z_2 + link6_I7 * t_link5_1;
-  const Scalar neg_M_link5_z_4 = neg_M_link5_z_3 - neg_omega_link5_x * t_link5_2;
-  const Scalar neg_M_link5_z = neg_M_link5_z_4 + t_link4_2 * t_link4_9;
-  const Scalar t_link1_5 = tau[4] + neg_M_link5_z;
-  const Scalar t_link1_6 = link5_p1 * t_link1_5;
-  // link4: moment M, force F of (1)
-  const Scalar t_link4_37 = link4_I4 * omega_link4_z;
-  const Scalar M_link4_y = neg_M_link5_z + neg_omega_link4_x * t_link4_37;
-  const Scalar t_link4_38 = c_joint2_joint3 * neg_F_link4_z + s_joint2_joint3 * t_link4_36;
-  const Scalar M_link4_x_1 = s_joint5 * M_link5_y - c_joint5 * M_link5_x;
-  const Scalar M_link4_x = M_link4_x_1 - neg_omega_link4_y * t_link4_37;
-  const Scalar t_link4_39 = c_joint2_joint3 * t_link4_36 - s_joint2_joint3 * neg_F_link4_z;
-  const Scalar neg_F_link3_x = t_link4_39 + t_link3_1 * neg_Omega_link3_xx;
+  const Scalar M_link5_y = M_link5_y_1 - omega_link5_z * neg_omega_link5_x * link4_I3;
+  const Scalar t_link4_38 = link4_I5 * omega_link4_z;
   // link1: qdd of (1)
-  const Scalar t_link1_7 = link2_G2 - neg_F_link3_x;
-  const Scalar t_link1_8 = link2_G1 - t_link4_38 - neg_Omega_link3_yy * t_link3_2;
-  const Scalar t_link1_9 = s_joint4 * (M_link4_x - s_joint5 * t_link1_1);
-  const Scalar t_link1_10 = neg_Omega_link2_yy * t_link1_3 + t_link1_9;
-  const Scalar t_link1_11 = t_link1_10 - neg_s_link4_x * t_link4_38;
-  const Scalar t_link1_12 = t_link1_11 + neg_Omega_link1_xx * t_link1_4;
-  const Scalar t_link1_13 = t_link1_12 - s_link4_y * t_link4_39 - t_link4_25 * t_link1_6;
-  const Scalar t_link1_14 = t_link1_13 + c_joint4 * M_link4_y - t_link3_1 * a_link3_y;
-  const Scalar t_link1_15 = tau[2] + t_link1_14 + t_link4_26 * t_link1_2;
-  const Scalar t_link1_16 = inverse_pivot_link4 * t_link1_2;
-  const Scalar neg_qdd_0_1 = c_joint4 * F_link4_y - s_joint4 * neg_F_link4_x;
-  const Scalar t_link1_17 = tau[1] + t_link1_14 - s_joint2 * t_link1_7 + c_joint2 * t_link1_8;
-  const Scalar t_link1_18 = t_link1_17 - t_link3_6 * t_link1_6;
+  const Scalar t_link1_3 = link6_p1 * t_link1_2;
+  const Scalar t_link1_4 = neg_s_link3_x * t_link3_2;
+  const Scalar t_link1_5 = link4_I6 - t_link1_4 - c_joint2_joint3 * t_link3_19;
+  // link5: moment M of (1)
+  const Scalar M_link5_x_1 = link6_h1 * (s_joint4 * t_link4_3 + c_joint4 * t_link4_8);
+  const Scalar M_link5_x_2 = link5_I5 * alpha_link5_x + M_link5_x_1;
+  const Scalar M_link5_x_3 = t_link5_1 - link5_I6 * neg_omega_link5_y;
+  const Scalar M_link5_x = M_link5_x_2 + omega_link5_z * M_link5_x_3;
+  const Scalar neg_M_link4_z_1 = link4_I5 * neg_alpha_link4_z + s_joint5 * M_link5_x;
+  const Scalar neg_M_link4_z = neg_M_link4_z_1 + c_joint5 * M_link5_y;
+  const Scalar t_link1_6 = tau[3] + neg_M_link4_z - c_joint5 * t_link1_2;
+  const Scalar t_link1_7 = inverse_pivot_link4 * t_link1_6;
+  const Scalar M_link4_y = M_link5_z - omega_link4_x * t_link4_38;
+  const Scalar neg_M_link4_x_1 = s_joint5 * M_link5_y - omega_link4_y * t_link4_38;
+  const Scalar neg_M_link4_x = neg_M_link4_x_1 - c_joint5 * M_link5_x;
+  const Scalar t_link4_39 = c_joint2_joint3 * neg_F_link4_z + s_joint2_joint3 * t_link4_11;
+  const Scalar t_link1_8 = link2_G1 + link3_l1 * (t_link4_39 - neg_Omega_link3_yy * t_link3_2);
+  const Scalar neg_qdd_0_1 = link2_I2 * c_joint2 - link2_I1 * s_joint2;
+  const Scalar neg_qdd_0_2 = c_joint4 * neg_F_link5_z - s_joint4 * F_link4_x;
+  // link1: qdd of (1)
+  const Scalar neg_qdd_0_3 = link3_I1 * neg_Omega_link3_yy - c_joint4 * neg_M_link4_x;
+  const Scalar neg_qdd_0_4 = neg_qdd_0_3 - s_joint4 * M_link4_y;
+  const Scalar t_link1_9 = s_joint4 * (neg_M_link4_x - t_link5_5 * t_link1_3);
+  const Scalar t_link1_10 = neg_Omega_link2_yy * t_link1_4 - t_link1_9;
+  const Scalar t_link1_11 = t_link1_10 + neg_s_link4_x * t_link4_39;
+  const Scalar t_link1_12 = t_link1_11 - neg_Omega_link1_xx * t_link1_5;
+  const Scalar t_link1_13 = t_link1_12 - t_link3_1 * neg_a_link3_y;
+  const Scalar t_link1_14 = t_link1_13 + neg_s_link4_y * t_link4_12 + c_joint4 * M_link4_y;
+  const Scalar t_link1_15 = t_link1_14 - t_link4_27 * t_link1_6;
+  const Scalar t_link1_16 = tau[2] - t_link1_15 - t_link1_1 * t_link5_6;
+  const Scalar t_link1_17 = tau[1] - t_link1_15 + s_joint2 * (link2_G2 - link3_l1 * F_link3_x);
+  const Scalar t_link1_18 = t_link1_17 - c_joint2 * t_link1_8;
   const Scalar t_link1_19 = t_link1_18 + neg_Omega_link1_xx * t_link2_2;
-  const Scalar t_link1_20 = t_link1_19 - t_link3_12 * t_link1_15 + t_link4_33 * t_link1_2;
-  const Scalar t_link1_21 = neg_inverse_pivot_link2 * t_link1_20;
-  const Scalar neg_qdd_0_2 = c_joint4 * M_link4_x + link3_I4 * neg_Omega_link3_yy;
-  const Scalar neg_qdd_0_3 = tau[0] - t_link3_1 * neg_a_link3_z - t_link5_9 * t_link1_5;
-  const Scalar neg_qdd_0_4 = neg_qdd_0_3 - t_link2_2 * Omega_link2_zy;
-  const Scalar neg_qdd_0_5 = neg_qdd_0_4 + t_link3_17 * t_link1_21;
-  const Scalar neg_qdd_0_6 = neg_qdd_0_5 + t_link3_8 * neg_qdd_0_1;
-  const Scalar neg_qdd_0_7 = neg_qdd_0_6 - t_link6_3 * t_link1_16;
+  const Scalar t_link1_20 = t_link1_19 + t_link3_12 * t_link1_7 - t_link3_14 * t_link1_16;
+  const Scalar t_link1_21 = t_link1_20 - t_link1_1 * t_link5_8;
+  const Scalar neg_qdd_0_5 = tau[0] - neg_Omega_link2_yy * neg_qdd_0_1;
+  const Scalar neg_qdd_0_6 = neg_qdd_0_5 - t_link2_2 * Omega_link2_zy;
+  const Scalar neg_qdd_0_7 = neg_qdd_0_6 - t_link3_1 * neg_a_link3_z;
   const Scalar neg_qdd_0_8 = neg_qdd_0_7 + c_joint2_joint3 * neg_M_link4_z;
-  const Scalar neg_qdd_0_9 = neg_qdd_0_8 - t_link1_1 * t_link6_8;
-  const Scalar neg_qdd_0_10 = link2_I1 * s_joint2 - link2_I2 * c_joint2;
-  const Scalar neg_qdd_0_11 = neg_qdd_0_9 + neg_Omega_link2_yy * neg_qdd_0_10;
-  const Scalar neg_qdd_0_12 = neg_qdd_0_11 + link2_k4 * neg_F_link3_x;
-  const Scalar neg_qdd_0_13 = neg_qdd_0_12 - Omega_link3_zy * t_link1_4;
-  const Scalar neg_qdd_0_14 = neg_qdd_0_2 - s_joint4 * M_link4_y;
-  const Scalar neg_qdd_0_15 = neg_qdd_0_13 - s_joint2_joint3 * neg_qdd_0_14;
-  const Scalar neg_qdd_0 = neg_inverse_pivot_link1 * (neg_qdd_0_15 - t_link3_14 * t_link1_15);
+  const Scalar neg_qdd_0_9 = neg_qdd_0_8 + t_link4_32 * t_link1_6;
+  const Scalar neg_qdd_0_10 = neg_qdd_0_9 - t_link1_2 * t_link6_10;
+  const Scalar neg_qdd_0_11 = neg_qdd_0_10 - Omega_link3_zy * t_link1_5;
+  const Scalar neg_qdd_0_12 = neg_qdd_0_11 + s_joint2_joint3 * neg_qdd_0_4;
+  const Scalar neg_qdd_0_13 = neg_qdd_0_12 + t_link3_8 * neg_qdd_0_2;
+  const Scalar neg_qdd_0_14 = neg_qdd_0_13 - t_link1_1 * t_link5_7 - link2_l1 * F_link3_x;
+  const Scalar neg_qdd_0_15 = neg_qdd_0_14 + t_link2_4 * t_link1_21;
+  const Scalar neg_qdd_0 = neg_inverse_pivot_link1 * (neg_qdd_0_15 + t_link3_15 * t_link1_16);
   qdd[0] = -neg_qdd_0;
-  const Scalar neg_qdd_1 = t_link1_21 + t_link2_5 * neg_qdd_0;
-  qdd[1] = -neg_qdd_1;
-  const Scalar qdd_2_1 = inverse_pivot_link3 * t_link1_15 + t_link3_14 * neg_qdd_0;
-  const Scalar qdd_2 = qdd_2_1 + t_link3_12 * neg_qdd_1;
+  const Scalar qdd_1 = inverse_pivot_link2 * (t_link1_21 - t_link3_18 * neg_qdd_0);
+  qdd[1] = qdd_1;
+  const Scalar qdd_2_1 = inverse_pivot_link3 * t_link1_16 - t_link3_15 * neg_qdd_0;
+  const Scalar qdd_2 = qdd_2_1 - t_link3_14 * qdd_1;
   qdd[2] = qdd_2;
-  const Scalar qdd_3_1 = t_link1_16 + t_link4_26 * qdd_2 + t_link4_30 * neg_qdd_0;
-  const Scalar qdd_3 = qdd_3_1 - t_link4_33 * neg_qdd_1;
+  const Scalar qdd_3_1 = t_link1_7 + t_link4_36 * qdd_1 - t_link4_32 * neg_qdd_0;
+  const Scalar qdd_3 = qdd_3_1 + t_link4_27 * qdd_2;
   qdd[3] = qdd_3;
-  const Scalar qdd_5_1 = t_link1_1 + t_link4_12 * neg_qdd_0;
-  qdd[5] = link6_p1 * (qdd_5_1 + t_link4_20 * (neg_qdd_1 - qdd_2)) - c_joint5 * qdd_3;
-  qdd[4] = t_link1_6 - t_link5_7 * qdd_2 + t_link5_9 * neg_qdd_0 + t_link5_10 * neg_qdd_1;
+  const Scalar qdd_5_1 = t_link1_3 - t_link6_1 * (qdd_1 + qdd_2) + t_link6_10 * neg_qdd_0;
+  qdd[5] = qdd_5_1 - c_joint5 * qdd_3;
+  const Scalar qdd_4_1 = link5_p1 * (t_link1_1 - t_link3_7 * qdd_1) - t_link5_6 * qdd_2;
+  qdd[4] = qdd_4_1 + t_link5_7 * neg_qdd_0;
 }
 
 }  // namespace puma560

@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x3503fd9effc227a3ULL;
+constexpr unsigned long long kDigest = 0xc7ef33515b45f4cbULL;
 
 /// Index of every joint.
 namespace joint {
@@ -96,7 +96,7 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept;
 /// \param      qd   12, rad/s|m/s
 /// \param      qdd  12, rad/s^2|m/s^2
 /// \param[out] tau  12, N m|N
-/// Equation (1). Cost: 202 mul, 141 add, 12 sin, 12 cos.
+/// Equation (1). Cost: 206 mul, 144 add, 12 sin, 12 cos.
 void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[12],
                       Scalar tau[12]) noexcept;
 

@@ -9,7 +9,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x2d3e48db1e275ba4ULL, "header and source are of different runs");
+static_assert(kDigest == 0x3432de7610120f1fULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -137,12 +137,12 @@ namespace {
 // exactly 0 or 1. Other literals are numbers of the equations.
 
 // gravity
-constexpr double base_p1 = 9.81;
+constexpr double base_p1 = -9.81;
 
 // mass, com x, inertia yy zz of upper_arm, forearm
 constexpr double upper_arm_p1 = 95.0;
 // gravity; mass, com x of upper_arm; mass of forearm
-constexpr double upper_arm_p2 = 735.75;
+constexpr double upper_arm_p2 = -735.75;
 // mass, com x, inertia yy zz of upper_arm; mass of forearm
 constexpr double upper_arm_p3 = 72.5;
 // mass, com x of upper_arm; mass of forearm
@@ -155,7 +155,7 @@ constexpr double forearm_p2 = 25.0;
 // mass, com x of forearm
 constexpr double forearm_p3 = 50.0;
 // gravity; mass, com x of forearm
-constexpr double forearm_p4 = 245.25;
+constexpr double forearm_p4 = -245.25;
 // mass, com x, inertia yy zz of forearm
 constexpr double forearm_p5 = 0.044444444444444446;
 // mass, com x, inertia yy zz of forearm
@@ -190,10 +190,10 @@ void gravity_force(const Scalar q[2], Scalar G[2]) noexcept {
   const Scalar q_shoulder_elbow = q[0] + q[1];
   const Scalar c_shoulder = cos(q[0]);
   const Scalar c_shoulder_elbow = cos(q_shoulder_elbow);
-  const Scalar G_1 = forearm_p4 * c_shoulder_elbow;
-  G[1] = G_1;
+  const Scalar neg_G_1 = forearm_p4 * c_shoulder_elbow;
+  G[1] = -neg_G_1;
   // upper_arm: G of 6.5
-  G[0] = G_1 + upper_arm_p2 * c_shoulder;
+  G[0] = -(neg_G_1 + upper_arm_p2 * c_shoulder);
 }
 
 void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2],
@@ -208,13 +208,13 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   // forearm: angular velocity omega, angular acceleration alpha, acceleration a of (1)
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar alpha_forearm_z = qdd[0] + qdd[1];
-  const Scalar a_forearm_y_1 = s_elbow * (base_p1 * s_shoulder - qd[0] * qd[0]);
-  const Scalar a_forearm_y = c_elbow * (qdd[0] + base_p1 * c_shoulder) - a_forearm_y_1;
+  const Scalar a_forearm_y_1 = s_elbow * (base_p1 * s_shoulder + qd[0] * qd[0]);
+  const Scalar a_forearm_y = c_elbow * (qdd[0] - base_p1 * c_shoulder) + a_forearm_y_1;
   const Scalar M_forearm_z = forearm_p1 * alpha_forearm_z + forearm_p2 * a_forearm_y;
   tau[1] = M_forearm_z;
   const Scalar M_upper_arm_z_1 = s_elbow * omega_forearm_z * omega_forearm_z;
   // upper_arm: moment M of (1)
-  const Scalar M_upper_arm_z_2 = M_forearm_z + upper_arm_p2 * c_shoulder + upper_arm_p3 * qdd[0];
+  const Scalar M_upper_arm_z_2 = M_forearm_z - upper_arm_p2 * c_shoulder + upper_arm_p3 * qdd[0];
   tau[0] = M_upper_arm_z_2 + forearm_p2 * (c_elbow * alpha_forearm_z - M_upper_arm_z_1);
 }
 
@@ -234,14 +234,14 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar t_forearm_2 = forearm_p2 * s_elbow;
   const Scalar t_forearm_3 = forearm_p6 * c_elbow;
   // upper_arm: qdd of (1)
-  const Scalar t_upper_arm_2 = tau[1] - t_forearm_2 * (qd[0] * qd[0] - base_p1 * s_shoulder);
-  const Scalar neg_qdd_0_1 = tau[1] - tau[0] + (upper_arm_p4 - t_forearm_1) * t_upper_arm_1;
+  const Scalar t_upper_arm_2 = tau[1] - t_forearm_2 * (qd[0] * qd[0] + base_p1 * s_shoulder);
+  const Scalar neg_qdd_0_1 = tau[1] - tau[0] - (upper_arm_p4 - t_forearm_1) * t_upper_arm_1;
   const Scalar neg_qdd_0_2 = neg_qdd_0_1 + t_forearm_3 * t_upper_arm_2;
   const Scalar neg_qdd_0_3 = neg_qdd_0_2 - omega_forearm_z * omega_forearm_z * t_forearm_2;
   const Scalar neg_qdd_0 = inverse_pivot_upper_arm * neg_qdd_0_3;
   qdd[0] = -neg_qdd_0;
   // forearm: qdd of (1)
-  qdd[1] = neg_qdd_0 + forearm_p5 * t_upper_arm_2 - t_forearm_3 * (t_upper_arm_1 - neg_qdd_0);
+  qdd[1] = neg_qdd_0 + forearm_p5 * t_upper_arm_2 + t_forearm_3 * (t_upper_arm_1 + neg_qdd_0);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {

@@ -233,9 +233,11 @@ bool is_literal(std::string_view word) {
 std::string without_literals(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const std::string_view word = text.substr(0, end_of_word(text, 0));
-    result += is_literal(word) ? std::string_view("#") : word;
-    text.remove_prefix(word.size());
+    const std::size_t sign = text.front() == '-' && text.size() > 1 && is_digit(text[1]) ? 1 : 0;
+    const std::size_t end = end_of_word(text, sign);
+    const std::string_view word = text.substr(0, end);
+    result += is_literal(word.substr(sign)) ? std::string_view("#") : word;
+    text.remove_prefix(end);
   }
   return result;
 }

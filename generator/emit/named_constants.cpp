@@ -294,7 +294,11 @@ std::string ConstantNames::table(const Vocabulary& words, Scalar scalar) const {
 
 std::string number_text(const Vocabulary& words, const Real& constant, Scalar scalar) {
   const std::string* const name = words.constants ? words.constants->find(constant) : nullptr;
-  return name != nullptr ? *name : literal(constant, scalar);
+  if (name != nullptr) {
+    return *name;
+  }
+  const std::string number = literal(constant, scalar);
+  return number.front() == '-' ? fmt::format("({})", number) : number;
 }
 
 std::string signed_number_text(const Vocabulary& words, const Real& constant, Scalar scalar) {

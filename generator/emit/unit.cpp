@@ -91,6 +91,9 @@ Vocabulary words_of(const Unit& unit) {
       }
     }
   };
+  for (const DescribedNumber& field : described(unit.derived, words)) {
+    taken.insert(field.name);
+  }
   std::vector<Real> of_tables;
   for (const program::Function& function : unit.functions) {
     take(function.signature);

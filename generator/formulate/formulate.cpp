@@ -7,7 +7,6 @@
 #include "formulate/gate.hpp"
 #include "formulate/search.hpp"
 #include "formulate/stand_ins.hpp"
-#include "program/signs.hpp"
 
 namespace treedyn::formulate {
 
@@ -46,7 +45,7 @@ program::Function cheapest_seen(const model::Tree& tree, const Recipe& recipe,
   const Seen seen = with_stand_ins(tree, options);
   program::Function function = cheapest(seen.tree, recipe, seen.options);
   if (holds(function, tree, recipe, options)) {
-    return program::with_positive_constants(function);
+    return function;
   }
   const Seen own = with_parameters(tree, options);
   return cheapest(own.tree, recipe, own.options);

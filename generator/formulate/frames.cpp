@@ -112,7 +112,7 @@ void Workbench::turn(int i, const Turn& t) {
   l.rotation = clean(multiply(l.rotation, q));
   l.moment = multiply_transposed(q, l.moment);
   l.pseudo = congruence(transpose(q), l.pseudo);
-  l.to_normal = multiply(transpose(q), l.to_normal);
+  l.to_normal = clean(multiply(transpose(q), l.to_normal));
   for (const int son : l.sons) {
     link(son).rotation = clean(multiply(transpose(q), link(son).rotation));
     link(son).offset = multiply_transposed(q, link(son).offset);
@@ -126,7 +126,7 @@ void Workbench::turn_half(int i) {
   l.rotation = clean(multiply(l.rotation, q));
   l.moment = multiply(q, l.moment);
   l.pseudo = congruence(q, l.pseudo);
-  l.to_normal = multiply(q, l.to_normal);
+  l.to_normal = clean(multiply(q, l.to_normal));
   l.sign = -l.sign;
   for (const int son : l.sons) {
     link(son).rotation = clean(multiply(q, link(son).rotation));
@@ -153,12 +153,6 @@ void Workbench::slide(int i, const Real& distance) {
 
 bool is_nearly_parallel(const Real& sine2) {
   return sine2 < kNearlyParallel || sine2.plain() < kNearlyParallel;
-}
-
-/// True if the numbers are the same at run time.
-template <class Array>
-bool is_fixed(const Array& values) {
-  return std::ranges::all_of(values, [](const Real& x) { return x.recipe() == 0; });
 }
 
 /// Distance along z_i to the foot of the common normal with the father's axis.

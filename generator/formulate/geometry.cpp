@@ -27,6 +27,12 @@ Real clean(const Real& x) {
 
 Turn clean(const Turn& turn) { return {clean(turn.c), clean(turn.s)}; }
 
+/// Zero where the numbers cancel but for rounding, which would be a constant of the code else.
+Real sum_or_zero(const Real& a, const Real& b) {
+  const Real total = a + b;
+  return negligible(total, larger(a, b)) ? Real(0) : total;
+}
+
 template <class Array, class Operation>
 Array map(const Array& a, const Array& b, Operation operation) {
   Array result;
@@ -38,21 +44,23 @@ Array map(const Array& a, const Array& b, Operation operation) {
 
 }  // namespace
 
-Vector3 operator+(const Vector3& a, const Vector3& b) {
-  return map(a, b, [](const Real& x, const Real& y) { return Real(x + y); });
-}
+Vector3 operator+(const Vector3& a, const Vector3& b) { return map(a, b, sum_or_zero); }
 Vector3 operator-(const Vector3& a, const Vector3& b) {
-  return map(a, b, [](const Real& x, const Real& y) { return Real(x - y); });
+  return map(a, b, [](const Real& x, const Real& y) { return sum_or_zero(x, -y); });
 }
 Vector3 operator*(const Real& s, const Vector3& a) { return {s * a[0], s * a[1], s * a[2]}; }
-Real dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Real dot(const Vector3& a, const Vector3& b) {
+  return sum_or_zero(sum_or_zero(a[0] * b[0], a[1] * b[1]), a[2] * b[2]);
+}
 Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const auto component = [&](std::size_t i, std::size_t k) {
+    return sum_or_zero(a[i] * b[k], -(a[k] * b[i]));
+  };
+  return {component(1, 2), component(2, 0), component(0, 1)};
 }
 
 Vector3 multiply(const Matrix3& m, const Vector3& v) {
-  return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
-          m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
+  return {dot({m[0], m[1], m[2]}, v), dot({m[3], m[4], m[5]}, v), dot({m[6], m[7], m[8]}, v)};
 }
 
 Vector3 multiply_transposed(const Matrix3& m, const Vector3& v) {
@@ -63,7 +71,7 @@ Matrix3 multiply(const Matrix3& a, const Matrix3& b) {
   Matrix3 result;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      result[3 * i + k] = a[3 * i] * b[k] + a[3 * i + 1] * b[3 + k] + a[3 * i + 2] * b[6 + k];
+      result[3 * i + k] = dot({a[3 * i], a[3 * i + 1], a[3 * i + 2]}, {b[k], b[3 + k], b[6 + k]});
     }
   }
   return result;
@@ -85,14 +93,16 @@ Matrix3 outer(const Vector3& a, const Vector3& b) {
   return result;
 }
 
-Matrix3 operator+(const Matrix3& a, const Matrix3& b) {
-  return map(a, b, [](const Real& x, const Real& y) { return Real(x + y); });
-}
+Matrix3 operator+(const Matrix3& a, const Matrix3& b) { return map(a, b, sum_or_zero); }
 Matrix3 operator-(const Matrix3& a, const Matrix3& b) {
-  return map(a, b, [](const Real& x, const Real& y) { return Real(x - y); });
+  return map(a, b, [](const Real& x, const Real& y) { return sum_or_zero(x, -y); });
 }
 Matrix3 operator*(const Real& s, const Matrix3& a) {
   return map(a, a, [&](const Real& x, const Real&) { return Real(s * x); });
+}
+
+bool is_fixed(std::span<const Real> numbers) {
+  return std::ranges::all_of(numbers, [](const Real& x) { return x.recipe() == 0; });
 }
 
 Vector3 plain(const Vector3& v) { return {v[0].plain(), v[1].plain(), v[2].plain()}; }

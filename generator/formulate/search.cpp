@@ -13,7 +13,6 @@
 #include "formulate/stand_ins.hpp"
 #include "optimise/limb_sharing.hpp"
 #include "program/rounding.hpp"
-#include "program/signs.hpp"
 
 namespace treedyn::formulate {
 
@@ -157,6 +156,9 @@ class Search {
   program::Function run();
   /// What `run` has chosen.
   [[nodiscard]] const Variant& best() const { return best_; }
+  /// The variant of another search in that unit of length in which it costs least, if that is less
+  /// than `run` has found; it is the best one then.
+  std::optional<program::Function> in_units_of_length(Variant other);
 
  private:
   using Cache = std::map<Variant, int>;
@@ -195,6 +197,7 @@ class Search {
   Formulations formulations_;  ///< with stand-ins alone
   std::vector<Choice> choices_;
   Variant best_;
+  int best_cost_ = 0;
   int moves_ = 0;
   std::mt19937_64 generator_{20110602};
   Cache raw_;
@@ -375,7 +378,21 @@ program::Function Search::run() {
     descend(best, cost, 0, optimised);
   }
   best_ = best;
+  best_cost_ = cost;
   return finished(best);
+}
+
+std::optional<program::Function> Search::in_units_of_length(Variant other) {
+  const int before = best_cost_;
+  const std::size_t lengths = unit_lengths(tree_).size();
+  for (std::size_t k = 0; k < lengths; ++k) {
+    ++other.unit_length;
+    if (const int cost = optimised_cost(other); cost < best_cost_) {
+      best_cost_ = cost;
+      best_ = other;
+    }
+  }
+  return best_cost_ < before ? std::optional(finished(best_)) : std::nullopt;
 }
 
 /// The formulation after the algebraic passes; with `share_limbs` empty if nothing can be shared.
@@ -430,9 +447,14 @@ program::Function found(const model::Tree& tree, const Recipe& recipe, const Opt
   metres.metres = true;
   Variant plain_start = search.best();
   plain_start.unit_length = 0;
-  program::Function plain = Search(tree, recipe, metres, plain_start).run();
+  Search in_metres(tree, recipe, metres, plain_start);
+  program::Function plain = in_metres.run();
   if (plain.outputs.empty()) {
     return function;
+  }
+  std::optional<program::Function> other = search.in_units_of_length(in_metres.best());
+  if (other && !other->outputs.empty()) {
+    function = *std::move(other);
   }
   const int operations = program::cost(plain).total();
   const int saved = operations - program::cost(function).total();
@@ -507,7 +529,7 @@ program::Function cheapest_by_structure(const model::Tree& tree, const Recipe& r
                                         const Options& options) {
   program::Function function = cheapest(tree, recipe, options);
   const Seen own = numbers_alone(tree, options);
-  return holds(function, own.tree, recipe, own.options) ? program::with_positive_constants(function)
+  return holds(function, own.tree, recipe, own.options) ? function
                                                         : cheapest(own.tree, recipe, own.options);
 }
 

@@ -21,7 +21,7 @@ constexpr double kShort = 1e-6;
 /// Angles below this one are nearly zero: their decades matter.
 constexpr double kSmall = 1e-3;
 /// Any set of stand-ins does; with this one the models of the repository cost least among a few.
-constexpr std::uint64_t kSet = 3;
+constexpr std::uint64_t kSet = 8;
 
 bool same(const Digits& a, const Digits& b) {
   return abs(a - b) <= (abs(a) + abs(b)) * Digits("1e-38");
@@ -125,8 +125,7 @@ Real StandInNumbers::number(StandIn quantity, const Real& x) {
   if (magnitude == 0 || magnitude == 1) {
     return x;
   }
-  const Digits stand_in = of_magnitude(quantity, magnitude, place);
-  return Real::seen_as(x.digits(), x.digits() < 0 ? Digits(-stand_in) : stand_in);
+  return Real::seen_as(x.digits(), of_value(quantity, x.digits(), place));
 }
 
 Digits StandInNumbers::of_angle(const Digits& angle, int place, int& changed) {
@@ -137,20 +136,19 @@ Digits StandInNumbers::of_angle(const Digits& angle, int place, int& changed) {
   ++changed;
   const Digits quarters = 6 * twelfth * round(Digits(angle / (6 * twelfth)));
   const Digits rest = angle - quarters;
-  const Digits stand_in = of_magnitude(StandIn::kAngle, abs(rest), place);
-  return rest < 0 ? quarters - stand_in : quarters + stand_in;
+  return quarters + of_value(StandIn::kAngle, rest, place);
 }
 
-Digits StandInNumbers::of_magnitude(StandIn quantity, const Digits& magnitude, int place) {
+Digits StandInNumbers::of_value(StandIn quantity, const Digits& value, int place) {
   std::vector<Known>& known = known_[static_cast<std::size_t>(quantity)];
   const bool of_robot = quantity == StandIn::kAngle || quantity == StandIn::kOffset;
   const int group = of_robot ? 0 : group_;
   for (const Known& k : known) {
-    if (k.group == group && same(k.magnitude, magnitude)) {
-      return k.stand_in;
+    if (k.group == group && same(abs(k.value), abs(value))) {
+      return (k.value < 0) == (value < 0) ? k.stand_in : Digits(-k.stand_in);
     }
   }
-  known.push_back({group, magnitude, scale(quantity, magnitude) * generic(quantity, place)});
+  known.push_back({group, value, scale(quantity, abs(value)) * generic(quantity, place)});
   return known.back().stand_in;
 }
 

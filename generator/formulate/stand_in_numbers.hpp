@@ -15,8 +15,9 @@ inline constexpr std::size_t kStandIns = 7;
 /// A number with 50 digits that nothing but its place decides.
 Digits generic(StandIn quantity, int place);
 
-/// What all numbers of one quantity and magnitude are seen as. Equal numbers of links that are not
-/// alike are no structure, but for angles and distances of joints.
+/// What all numbers of one quantity and magnitude are seen as: the first of equal and opposite ones
+/// as a positive number, so that no sign decides. Equal numbers of links that are not alike are no
+/// structure, but for angles and distances of joints.
 class StandInNumbers {
  public:
   /// Those of the numbers that follow; each place has one number. Groups tell equal numbers apart:
@@ -38,10 +39,10 @@ class StandInNumbers {
  private:
   struct Known {
     int group;
-    Digits magnitude;
+    Digits value;
     Digits stand_in;
   };
-  Digits of_magnitude(StandIn quantity, const Digits& magnitude, int place);
+  Digits of_value(StandIn quantity, const Digits& value, int place);
   /// Multiples of pi/12 are seen as such, the others in their eighth of a turn.
   Digits of_angle(const Digits& angle, int place, int& changed);
 

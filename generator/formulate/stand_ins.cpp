@@ -7,6 +7,7 @@
 
 #include "common/recipe.hpp"
 #include "formulate/find_limbs.hpp"
+#include "formulate/geometry.hpp"
 #include "formulate/origins.hpp"
 #include "formulate/scene_numbers.hpp"
 #include "formulate/stand_in_numbers.hpp"
@@ -29,10 +30,6 @@ void see(model::Link& link, StandInNumbers& all) {
   link.inertia.mass = all.number(StandIn::kMass, link.inertia.mass);
   link.inertia.com = all.vector(StandIn::kCom, link.inertia.com);
   link.inertia.about_com = all.symmetric(link.inertia.about_com);
-}
-
-bool is_fixed(std::span<const Real> numbers) {
-  return std::ranges::all_of(numbers, [](const Real& number) { return number.recipe() == 0; });
 }
 
 void see(model::Point& point, StandInNumbers& all) {

@@ -9,14 +9,12 @@
 #include <fmt/format.h>
 
 #include "cli/cli.hpp"
+#include "cli/pendulum_study.hpp"
 
 namespace treedyn {
 namespace {
 
 using Json = nlohmann::json;
-
-const std::string kPendulum = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
-constexpr double kGravity = 9.81;
 
 class AccuracyErrors : public Cli {
  protected:
@@ -216,15 +214,6 @@ TEST_F(AccuracyErrors, PointsMoveByTheAngle) {
   EXPECT_NEAR(value(bob, "point_errors"), chord, 1e-14);
   const Json far = points({"--points", "far=rod:0,0,-3"});
   EXPECT_NEAR(value(far, "point_errors"), 3 * chord, 1e-14);
-}
-
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> result;
-  std::istringstream in(line.substr(0, line.find('\r')));
-  for (std::string field; std::getline(in, field, ',');) {
-    result.push_back(field);
-  }
-  return result;
 }
 
 /// Of the pendulum in float nothing is linked: flash is about that of the object file; the stack

@@ -43,6 +43,7 @@ TEST(WithoutLiterals, KeepsNamesIndicesAndCounts) {
   EXPECT_EQ(without_literals("kDigest == 0x12abULL, \"" + std::string(64, 'a') + "\""),
             "kDigest == #, \"#\"");
   EXPECT_NE(without_literals("a + 2.0"), without_literals("a - 2.0"));
+  EXPECT_EQ(without_literals("x = -0.5;"), without_literals("x = 2.5e-3;"));
 }
 
 TEST(ChangedLines, CountsThoseOfTheTextThatHasMore) {

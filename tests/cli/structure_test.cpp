@@ -1,4 +1,5 @@
-// Robots of one structure have one text: a changed number changes literals and nothing else.
+// Robots of one structure have one text: a changed number changes literals and nothing else, a sign
+// too.
 #include <algorithm>
 #include <sstream>
 
@@ -223,10 +224,13 @@ const Robot kRobots[] = {
       {"0.006, -0.016", "0.0055, -0.016"},
       {"0.006, -0.016", "0.006, -0.0163"},
       {"[0, -0.070", "[0, -0.071"},
+      {"[0, -0.070", "[0, 0.070"},
+      {"com: [0.068", "com: [-0.068"},
       {"-0.070, 0.014", "-0.070, 0.0123456789"},
       {"0.2435", "0.244"},
       {"0.4318", "0.44"},
       {"-0.0934", "-0.1"},
+      {"-0.0203", "0.0203"},
       {"-0.0203", "-0.0197"},
       {"-0.4331", "-0.4339"},
       {"0.35]", "0.36]"},
@@ -247,6 +251,7 @@ const Robot kRobots[] = {
       {"0.036", "0.0357"},
       {"0.016", "0.017"},
       {"-0.061", "-0.0625"},
+      {"-0.02]", "0.02]"},
       {"1.5*u", "1.6*u"},
       {"408*u", "410*u"},
       {"381*u", "390*u"},
@@ -274,6 +279,7 @@ const Robot kRobots[] = {
       {"29^2*J_thigh", "29.5^2*J_thigh"},
       {"15^2*J_thigh", "15.2^2*J_thigh"},
       {"-0.429*thigh", "-0.43*thigh"},
+      {"-0.429*thigh", "0.429*thigh"},
       {"10^2*J_shank", "11^2*J_shank"},
       {"48^2*J_foot", "47^2*J_foot"}}},
 };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/models_folder.hpp"
 #include "support/process.hpp"
 
 namespace treedyn {
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using support::Outcome;
 
-struct Case {
+struct TextCase {
   const char* name;
   const char* extension;
   const char* language;  ///< of the compiler
@@ -33,7 +34,7 @@ std::string with_literals(const std::string& source, int& names) {
   for (std::string line; std::getline(stream, line);) {
     std::smatch match;
     if (std::regex_match(line, match, definition)) {
-      literals[match[1]] = match[2];
+      literals[match[1]] = "(" + match[2].str() + ")";
       ++names;
       line.clear();
     }
@@ -53,7 +54,7 @@ std::string with_literals(const std::string& source, int& names) {
   return result;
 }
 
-class Constants : public testing::TestWithParam<Case> {};
+class Constants : public testing::TestWithParam<TextCase> {};
 
 TEST_P(Constants, CostNothing) {
   const support::TemporaryFolder folder;
@@ -82,24 +83,22 @@ TEST_P(Constants, CostNothing) {
   EXPECT_TRUE(objects[folder.path()] == objects[other]);
 }
 
-const std::string kModels = TREEDYN_SOURCE_DIR "/models/";
-
 INSTANTIATE_TEST_SUITE_P(
     Texts, Constants,
     testing::Values(
-        Case{"double", "cpp", "-std=c++17", {kModels + "puma560.yaml"}},
-        Case{"float",
-             "cpp",
-             "-std=c++17",
-             {kModels + "biped.yaml", "--scalar", "float", "--layout", "packed"}},
-        Case{
+        TextCase{"double", "cpp", "-std=c++17", {kModels + "puma560.yaml"}},
+        TextCase{"float",
+                 "cpp",
+                 "-std=c++17",
+                 {kModels + "biped.yaml", "--scalar", "float", "--layout", "packed"}},
+        TextCase{
             "c99", "c", "-x c -std=c99 -pedantic", {kModels + "puma560.yaml", "--language", "c99"}},
-        Case{"lanes", "cpp", "-std=c++17", {kModels + "puma560.yaml", "--lanes", "2"}},
-        Case{"limbs", "cpp", "-std=c++17", {kModels + "quadruped.yaml", "--share-limbs"}},
-        Case{"parameters",
-             "cpp",
-             "-std=c++17",
-             {kModels + "puma560.yaml", "--runtime", "link3.mass"}}),
+        TextCase{"lanes", "cpp", "-std=c++17", {kModels + "puma560.yaml", "--lanes", "2"}},
+        TextCase{"limbs", "cpp", "-std=c++17", {kModels + "quadruped.yaml", "--share-limbs"}},
+        TextCase{"parameters",
+                 "cpp",
+                 "-std=c++17",
+                 {kModels + "puma560.yaml", "--runtime", "link3.mass"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 /// Numbers that passes make of others, ratios and roots among them, keep their sources: what stands

@@ -28,13 +28,13 @@ constexpr description::Base kFixed = description::Base::kFixed;
 constexpr description::Base kAxes = description::Base::kAxes;
 
 const Target kTargets[] = {
-    {"puma560", "puma560.yaml", kFixed, 116, 255, 205, 429, 19, 4},
-    {"ur5", "ur5_robot.urdf", kFixed, 73, 196, 141, 294, 7, 5},
-    {"panda", "panda.yaml", kFixed, 286, 522, 457, 989, 70, 6},
-    {"kinova", "kinova.urdf", kFixed, 174, 303, 269, 616, 35, 5},
-    {"hyq_fixed", "hyq_no_sensors.urdf", kFixed, 136, 435, 200, 472, 72, 12},
-    {"hyq_axes", "hyq_no_sensors.urdf", kAxes, 793, 1300, 1197, 2834, 134, 15},
-    {"bolt_axes", "bolt.urdf", kAxes, 393, 670, 613, 1439, 70, 9},
+    {"puma560", "puma560.yaml", kFixed, 116, 260, 205, 435, 19, 4},
+    {"ur5", "ur5_robot.urdf", kFixed, 72, 194, 141, 292, 7, 5},
+    {"panda", "panda.yaml", kFixed, 286, 511, 457, 985, 70, 6},
+    {"kinova", "kinova.urdf", kFixed, 178, 309, 271, 613, 35, 5},
+    {"hyq_fixed", "hyq_no_sensors.urdf", kFixed, 136, 440, 200, 472, 72, 12},
+    {"hyq_axes", "hyq_no_sensors.urdf", kAxes, 794, 1301, 1196, 2836, 132, 15},
+    {"bolt_axes", "bolt.urdf", kAxes, 395, 670, 613, 1433, 68, 9},
 };
 
 std::string path_of(const Target& target) {
