@@ -35,6 +35,10 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+bool is_known(std::string_view word, const std::vector<std::string_view>& known) {
+  return std::ranges::find(known, word) != known.end();
+}
+
 std::string closest(std::string_view word, const std::vector<std::string_view>& known) {
   std::string result;
   std::size_t least = word.size() <= 4 ? 2 : 3;

@@ -7,6 +7,8 @@
 
 namespace treedyn {
 
+bool is_known(std::string_view word, const std::vector<std::string_view>& known);
+
 /// The known word that differs from `word` by at most two letters that are wrong, missing, added or
 /// exchanged with their neighbour (one in words of up to four letters); the first of the closest;
 /// empty if there is none. Words of more than 64 bytes resemble none.

@@ -12,10 +12,6 @@ namespace treedyn::description {
 
 namespace {
 
-bool contains(const Keys& keys, const std::string& word) {
-  return std::find(keys.begin(), keys.end(), word) != keys.end();
-}
-
 std::string_view kind(const Node& node) {
   switch (node.kind) {
     case NodeKind::kSequence:
@@ -36,7 +32,7 @@ Fields::Fields(const std::string& file, const Node& node, std::string what, cons
     fail(node.where, fmt::format("is no mapping; expected the keys {}", fmt::join(keys, ", ")));
   }
   for (const Node& item : node.items) {
-    if (!contains(keys, item.key.text) && !contains(ignored, item.key.text)) {
+    if (!is_known(item.key.text, keys) && !is_known(item.key.text, ignored)) {
       fail(item.key.where,
            fmt::format("unknown key '{}'{}; expected one of {}", shown(item.key.text),
                        did_you_mean(item.key.text, keys), fmt::join(keys, ", ")));

@@ -157,10 +157,6 @@ const std::vector<KnownRow>& known_rows() {
   return rows;
 }
 
-bool contains(const std::vector<std::string_view>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 /// What an element holds that nobody reads and that looks like a slip: `<orgin>`, `ryp=`. Other
 /// unknown elements, and those of namespaces, belong to other programs.
 void vet_element(const Part& part, std::vector<Warning>& findings) {
@@ -176,7 +172,7 @@ void vet_element(const Part& part, std::vector<Warning>& findings) {
   };
   for (const Text& stray : element.strays) {
     const std::string meant =
-        contains(row->children, stray.text) ? "" : did_you_mean(stray.text, row->children);
+        is_known(stray.text, row->children) ? "" : did_you_mean(stray.text, row->children);
     if (!meant.empty()) {
       find(stray.where, fmt::format("<{}>{}", shown(stray.text), meant));
     }
@@ -184,7 +180,7 @@ void vet_element(const Part& part, std::vector<Warning>& findings) {
   const bool leaf = row->children.empty();  // others carry what belongs to other programs
   for (const auto& [name, value] : element.attributes) {
     const std::string meant = did_you_mean(name, row->attributes);
-    if (!contains(row->attributes, name) && name.find(':') == std::string::npos &&
+    if (!is_known(name, row->attributes) && name.find(':') == std::string::npos &&
         (leaf || !meant.empty())) {
       find(element.where,
            fmt::format("attribute '{}' of <{}>{}", shown(name), element.name, meant));

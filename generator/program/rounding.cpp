@@ -35,12 +35,12 @@ std::vector<double> values_at(const Function& function, int state) {
 /// Error bounds of the outputs.
 template <class Target>
 std::vector<double> errors_at(const Function& function, const std::vector<double>& values) {
-  using Number = Rounded<double, Target>;
+  using Value = Rounded<double, Target>;
   const Graph& graph = function.graph;
   std::vector<double> errors(graph.size(), 0);
   const auto of = [&](Ref a) {
     const auto k = node_index(a);
-    return Number(a < 0 ? -values[k] : values[k], errors[k]);
+    return Value(a < 0 ? -values[k] : values[k], errors[k]);
   };
   for (const Ref k : reachable(graph, function.outputs)) {
     const Node& node = graph.node(k);
@@ -59,9 +59,9 @@ std::vector<double> errors_at(const Function& function, const std::vector<double
             case Kind::kSin:
             case Kind::kCos:
             case Kind::kSqrt:
-              return Number::function(node.kind, of(node.a), values[static_cast<std::size_t>(k)]);
+              return Value::function(node.kind, of(node.a), values[static_cast<std::size_t>(k)]);
           }
-          return Number(values[static_cast<std::size_t>(k)]);
+          return Value(values[static_cast<std::size_t>(k)]);
         }()
             .error;
   }

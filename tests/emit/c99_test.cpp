@@ -34,12 +34,12 @@ void compile(const std::string& options) {
 const support::Program kC = {"#include \"m.h\"", "p_", "c_"};
 const support::Program kCpp = {"#include \"m.hpp\"", "space::", "cpp_"};
 
-struct Case {
+struct C99Case {
   const char* name;
   std::vector<std::string> options;
 };
 
-class C99 : public testing::TestWithParam<Case> {};
+class C99 : public testing::TestWithParam<C99Case> {};
 
 TEST_P(C99, HasTheBitsOfTheCppFunctions) {
   const support::TemporaryFolder folder;
@@ -74,22 +74,23 @@ TEST_P(C99, HasTheBitsOfTheCppFunctions) {
 INSTANTIATE_TEST_SUITE_P(
     Texts, C99,
     testing::Values(
-        Case{"puma560", {"puma560.yaml", "--checked", "--self-test"}},
-        Case{"biped", {"biped.yaml", "--base", "axes", "--scalar", "float", "--points", "all"}},
-        Case{"libm", {"panda.yaml", "--scalar", "float", "--sincos", "libm"}},
-        Case{"packed", {"quadruped.yaml", "--layout", "packed", "--trig", "late"}},
-        Case{"rows", {"scenes/biped_double_support.yaml", "--functions", "constrained_dynamics"}},
-        Case{"contacts", {"scenes/drop.yaml", "--scalar", "float"}},
-        Case{"rk4",
-             {"scenes/four_bar.yaml", "--functions", "step", "--integrator", "rk4", "--step",
-              "0.001", "--state", "compensated"}},
-        Case{"events",
-             {"scenes/compass_walk.yaml", "--functions", "step", "--integrator", "rk4", "--step",
-              "0.02"}},
-        Case{"sdirk2",
-             {"scenes/pendulum.yaml", "--functions", "step", "--integrator", "sdirk2", "--step",
-              "0.001", "--scalar", "float"}}),
-    [](const testing::TestParamInfo<Case>& param) { return std::string(param.param.name); });
+        C99Case{"puma560", {"puma560.yaml", "--checked", "--self-test"}},
+        C99Case{"biped", {"biped.yaml", "--base", "axes", "--scalar", "float", "--points", "all"}},
+        C99Case{"libm", {"panda.yaml", "--scalar", "float", "--sincos", "libm"}},
+        C99Case{"packed", {"quadruped.yaml", "--layout", "packed", "--trig", "late"}},
+        C99Case{"rows",
+                {"scenes/biped_double_support.yaml", "--functions", "constrained_dynamics"}},
+        C99Case{"contacts", {"scenes/drop.yaml", "--scalar", "float"}},
+        C99Case{"rk4",
+                {"scenes/four_bar.yaml", "--functions", "step", "--integrator", "rk4", "--step",
+                 "0.001", "--state", "compensated"}},
+        C99Case{"events",
+                {"scenes/compass_walk.yaml", "--functions", "step", "--integrator", "rk4", "--step",
+                 "0.02"}},
+        C99Case{"sdirk2",
+                {"scenes/pendulum.yaml", "--functions", "step", "--integrator", "sdirk2", "--step",
+                 "0.001", "--scalar", "float"}}),
+    [](const testing::TestParamInfo<C99Case>& param) { return std::string(param.param.name); });
 
 TEST(C99Refuses, WhatItHasNoWordsFor) {
   const support::TemporaryFolder folder;

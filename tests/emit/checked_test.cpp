@@ -60,15 +60,15 @@ std::vector<Sample> states_of(const CompiledModel& model, std::size_t count) {
                           model.manifest().points.size(), count, 3);
 }
 
-struct Case {
+struct CheckedCase {
   const char* name;
   const char* model;
   std::vector<std::string> options;
 };
 
-class Checked : public testing::TestWithParam<Case> {};
+class Checked : public testing::TestWithParam<CheckedCase> {};
 
-CompiledModel compiled(const Case& of) {
+CompiledModel compiled(const CheckedCase& of) {
   std::vector<std::string> options = {"--checked", "-q"};
   options.insert(options.end(), of.options.begin(), of.options.end());
   return support::generate_and_compile(fs::path(TREEDYN_SOURCE_DIR) / "models" / of.model, options);
@@ -109,17 +109,18 @@ TEST_P(Checked, FindsEveryArgumentThatIsNoNumber) {
 INSTANTIATE_TEST_SUITE_P(
     Models, Checked,
     testing::Values(
-        Case{"TwoLink", "two_link.yaml", {"--functions", kFunctions}},
-        Case{"Polar", "polar.yaml", {"--functions", kFunctions, "--sincos", "libm"}},
-        Case{"Puma", "puma560.yaml", {"--functions", kFunctions, "--trig", "late"}},
-        Case{"PumaInFloat", "puma560.yaml", {"--functions", kFunctions, "--scalar", "float"}},
-        Case{"BipedInFloat",
-             "biped.yaml",
-             {"--functions", "mass_matrix,forward_dynamics", "--scalar", "float", "--effort", "0",
-              "--layout", "packed"}},
-        Case{"FreeBiped",
-             "biped.yaml",
-             {"--functions", "forward_dynamics", "--base", "axes", "--effort", "0"}}),
+        CheckedCase{"TwoLink", "two_link.yaml", {"--functions", kFunctions}},
+        CheckedCase{"Polar", "polar.yaml", {"--functions", kFunctions, "--sincos", "libm"}},
+        CheckedCase{"Puma", "puma560.yaml", {"--functions", kFunctions, "--trig", "late"}},
+        CheckedCase{
+            "PumaInFloat", "puma560.yaml", {"--functions", kFunctions, "--scalar", "float"}},
+        CheckedCase{"BipedInFloat",
+                    "biped.yaml",
+                    {"--functions", "mass_matrix,forward_dynamics", "--scalar", "float", "--effort",
+                     "0", "--layout", "packed"}},
+        CheckedCase{"FreeBiped",
+                    "biped.yaml",
+                    {"--functions", "forward_dynamics", "--base", "axes", "--effort", "0"}}),
     [](const auto& of) { return of.param.name; });
 
 /// A point mass at the end of two massless links: A is singular where they are in line, and only

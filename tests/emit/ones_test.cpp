@@ -1,4 +1,6 @@
 // Factors that the scalar type rounds to one are neither written nor counted.
+#include <nlohmann/json.hpp>
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +19,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// Two links whose masses and lengths are `one`.
-std::string robot(const std::string& one) {
+std::string arm(const std::string& one) {
   return fmt::format(R"(name: robot
 links:
   - {{name: a, father: ground, joint: {{name: j, type: revolute, axis: [0, 0, 1]}}, mass: {0}, com: [{0}, 0, 0],
@@ -28,18 +30,18 @@ links:
                      one);
 }
 
-struct Case {
+struct NearOne {
   const char* one;
   const char* scalar;
 };
 
-class Ones : public testing::TestWithParam<Case> {
+class Ones : public testing::TestWithParam<NearOne> {
  protected:
   std::string model() const { return folder_.path() / "robot.yaml"; }
   std::string scene() const { return folder_.path() / "scene.yaml"; }
   std::string file(const char* name) const { return folder_.path() / name; }
   void SetUp() override {
-    support::write_file(model(), robot(GetParam().one));
+    support::write_file(model(), arm(GetParam().one));
     support::write_file(scene(),
                         "scene: s\nmodel: robot.yaml\neffects:\n  gravity: [0, 0, -9.81]\n"
                         "  locked_joint: [{joint: k}]\nduration: 1\n"
@@ -94,9 +96,9 @@ TEST_P(Ones, AreNotWrittenInFunctionsOfScenes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Numbers, Ones,
-                         testing::Values(Case{"0.99999999999999999", "double"},
-                                         Case{"1.0000000000000001", "double"},
-                                         Case{"1.000000001", "float"}, Case{"1", "double"}),
+                         testing::Values(NearOne{"0.99999999999999999", "double"},
+                                         NearOne{"1.0000000000000001", "double"},
+                                         NearOne{"1.000000001", "float"}, NearOne{"1", "double"}),
                          [](const auto& of) { return fmt::format("Case{}", of.index); });
 
 }  // namespace

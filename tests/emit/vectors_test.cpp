@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/driver.hpp"
+#include "support/models_folder.hpp"
 #include "support/process.hpp"
 
 namespace treedyn {
@@ -36,9 +37,7 @@ std::vector<std::string> compilers() {
   return {"g++" + kOnlyGnu, "clang++"};
 }
 
-const std::string kModels = TREEDYN_SOURCE_DIR "/models/";
-
-struct Case {
+struct VectorCase {
   const char* name;
   std::string options;
   std::string single = "--sincos pair";
@@ -63,7 +62,7 @@ std::string three_arms() {
   return text;
 }
 
-class Vectors : public testing::TestWithParam<Case> {};
+class Vectors : public testing::TestWithParam<VectorCase> {};
 
 TEST_P(Vectors, HaveTheBitsOfNumbersOneByOne) {
   const support::TemporaryFolder folder;
@@ -98,25 +97,26 @@ TEST_P(Vectors, HaveTheBitsOfNumbersOneByOne) {
 
 INSTANTIATE_TEST_SUITE_P(
     Texts, Vectors,
-    testing::Values(Case{"puma560", kModels + "puma560.yaml --checked --self-test"},
-                    Case{"quadruped", kModels + "quadruped.yaml --scalar float --layout packed"},
-                    Case{"limbs",
-                         kModels + "quadruped.yaml --share-limbs --functions inverse_dynamics"},
-                    Case{"rows", "--scene " + kModels +
-                                     "scenes/biped_double_support.yaml --functions "
-                                     "constrained_dynamics"},
-                    Case{"contacts", "--scene " + kModels + "scenes/drop.yaml --scalar float"}),
-    [](const testing::TestParamInfo<Case>& param) { return std::string(param.param.name); });
+    testing::Values(
+        VectorCase{"puma560", kModels + "puma560.yaml --checked --self-test"},
+        VectorCase{"quadruped", kModels + "quadruped.yaml --scalar float --layout packed"},
+        VectorCase{"limbs", kModels + "quadruped.yaml --share-limbs --functions inverse_dynamics"},
+        VectorCase{"rows", "--scene " + kModels +
+                               "scenes/biped_double_support.yaml --functions "
+                               "constrained_dynamics"},
+        VectorCase{"contacts", "--scene " + kModels + "scenes/drop.yaml --scalar float"}),
+    [](const testing::TestParamInfo<VectorCase>& param) { return std::string(param.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Limbs, Vectors,
     testing::Values(
-        Case{"quadruped", kModels + "quadruped.yaml", "--share-limbs", "--limb-lanes"},
-        Case{"floating", kModels + "quadruped.yaml --base axes --scalar float --layout packed",
-             "--share-limbs", "--limb-lanes"},
-        Case{"humanoid", kModels + "biped.yaml --base axes", "--share-limbs", "--limb-lanes"},
-        Case{"three", "", "--share-limbs", "--limb-lanes", three_arms()}),
-    [](const testing::TestParamInfo<Case>& param) { return std::string(param.param.name); });
+        VectorCase{"quadruped", kModels + "quadruped.yaml", "--share-limbs", "--limb-lanes"},
+        VectorCase{"floating",
+                   kModels + "quadruped.yaml --base axes --scalar float --layout packed",
+                   "--share-limbs", "--limb-lanes"},
+        VectorCase{"humanoid", kModels + "biped.yaml --base axes", "--share-limbs", "--limb-lanes"},
+        VectorCase{"three", "", "--share-limbs", "--limb-lanes", three_arms()}),
+    [](const testing::TestParamInfo<VectorCase>& param) { return std::string(param.param.name); });
 
 }  // namespace
 }  // namespace treedyn

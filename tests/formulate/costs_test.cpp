@@ -9,12 +9,12 @@
 namespace treedyn::formulate {
 namespace {
 
-struct Case {
+struct CostCase {
   const char* model;
   const char* function;
 };
 
-class Costs : public testing::TestWithParam<Case> {};
+class Costs : public testing::TestWithParam<CostCase> {};
 
 TEST_P(Costs, OfLinesAddUpToThoseOfThePlainFormulation) {
   const std::string path = std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam().model + ".yaml";
@@ -39,10 +39,12 @@ TEST_P(Costs, OfLinesAddUpToThoseOfThePlainFormulation) {
 
 INSTANTIATE_TEST_SUITE_P(
     Functions, Costs,
-    testing::Values(Case{"puma560", "mass_matrix"}, Case{"panda", "mass_matrix"},
-                    Case{"quadruped", "mass_matrix"}, Case{"puma560", "force_jacobian_transpose"},
-                    Case{"panda", "force_jacobian_transpose"}, Case{"puma560", "bias_force"},
-                    Case{"polar", "inverse_dynamics"}, Case{"polar", "joint_to_link_vectors"}),
+    testing::Values(CostCase{"puma560", "mass_matrix"}, CostCase{"panda", "mass_matrix"},
+                    CostCase{"quadruped", "mass_matrix"},
+                    CostCase{"puma560", "force_jacobian_transpose"},
+                    CostCase{"panda", "force_jacobian_transpose"},
+                    CostCase{"puma560", "bias_force"}, CostCase{"polar", "inverse_dynamics"},
+                    CostCase{"polar", "joint_to_link_vectors"}),
     [](const auto& row) { return std::string(row.param.model) + "_" + row.param.function; });
 
 TEST(Costs, OfEquationsOfUsersAddUp) {

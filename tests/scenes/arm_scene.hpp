@@ -89,6 +89,23 @@ inline const Vector kq = {0.4, -0.9};
 inline const Vector kqd = {0.7, 1.1};
 inline const Vector ktau = {20, -3};
 
+/// q and qd one semi-implicit Euler step of 1 ms later.
+inline Vector stepped(const ArmScene& scene, const Vector& q) {
+  constexpr double kStep = 1e-3;
+  const Vector qdd = scene.code().call("constrained_dynamics", {q, kqd, ktau});
+  Vector result;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    result.push_back(kqd[i] + kStep * qdd[i]);
+    result.push_back(q[i] + kStep * result.back());
+  }
+  return result;
+}
+
+/// A model of tests/scenes/models/.
+inline std::string model_path(const std::string& name) {
+  return fmt::format("{}/tests/scenes/models/{}.yaml", TREEDYN_SOURCE_DIR, name);
+}
+
 inline bool has(const std::string& text, const std::string& word) {
   return text.find(word) != std::string::npos;
 }

@@ -222,18 +222,6 @@ double ulps(const Vector& a, const Vector& b) {
   return largest;
 }
 
-/// q and qd one semi-implicit Euler step of 1 ms later.
-Vector stepped(const ArmScene& scene, const Vector& q) {
-  constexpr double kStep = 1e-3;
-  const Vector qdd = scene.code().call("constrained_dynamics", {q, kqd, ktau});
-  Vector result;
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    result.push_back(kqd[i] + kStep * qdd[i]);
-    result.push_back(q[i] + kStep * result.back());
-  }
-  return result;
-}
-
 TEST(Effects, ZeroStrengthChangesNoStep) {  // E5
   const ArmScene limp(
       "  force:\n    - {point: hand, value: [0, 0, 0]}\n"

@@ -16,10 +16,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-std::string model_path(const std::string& name) {
-  return fmt::format("{}/tests/scenes/models/{}.yaml", TREEDYN_SOURCE_DIR, name);
-}
-
 std::string bennett_scene(const std::string& effects, const std::string& more) {
   return fmt::format(
       "scene: bennett\nmodel: {}\neffects:\n  gravity: [0, -9.81, 0]\n  joint_spring:\n"

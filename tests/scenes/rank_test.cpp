@@ -13,10 +13,6 @@
 namespace treedyn::support {
 namespace {
 
-std::string model_path(const std::string& name) {
-  return fmt::format("{}/tests/scenes/models/{}.yaml", TREEDYN_SOURCE_DIR, name);
-}
-
 std::string scene(const std::string& model, const std::string& rest) {
   return fmt::format("scene: rank\nmodel: {}\n{}duration: 1\n", model_path(model), rest);
 }

@@ -73,10 +73,10 @@ TEST(WithinAStep, WithoutCutsAPassedEventIsMissed) {
 }
 
 TEST(WithinAStep, WithoutCutsAnEventIsLate) {
-  constexpr int kLate = 64;
+  constexpr int kCutLate = 64;
   const BallCode scene(short_dip("integrator: rk4, cuts: 0"));
   const Measurement step = scene.code().measure("step", {{1e-3}, {-1}, {0}, {0}});
-  EXPECT_EQ(step.status, kLate);
+  EXPECT_EQ(step.status, kCutLate);
   EXPECT_EQ(step.values.at(2), 1);
   EXPECT_EQ(scene.code().measure("step", {{1}, {-1}, {0}, {0}}).status, 0);
   EXPECT_NE(scene.header().find("event_late, "), std::string::npos);
