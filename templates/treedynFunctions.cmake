@@ -1,5 +1,7 @@
 # Functions for projects that use treedyn::treedyn, by find_package(treedyn) or add_subdirectory.
 
+cmake_policy(VERSION 3.20)  # at least; of depfiles (CMP0116), whatever the project asks for
+
 # Sets `arguments` to the model or scene of a call as the program wants it, `subject` to its file.
 function(_treedyn_subject call)
   if(ARG_UNPARSED_ARGUMENTS OR ARG_KEYWORDS_MISSING_VALUES OR (NOT ARG_MODEL AND NOT ARG_SCENE) OR (ARG_MODEL AND ARG_SCENE))
@@ -14,12 +16,19 @@ function(_treedyn_subject call)
     list(APPEND arguments --name "${ARG_NAME}")
   endif()
   set(before "")
+  set(settings "")
   foreach(option IN LISTS ARG_OPTIONS)  # files are those of the folder of the call
     if(before MATCHES "^--(equations|settings)$")
       get_filename_component(option "${option}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
+      if(before STREQUAL "--settings")
+        list(APPEND settings "${option}")
+      endif()
     elseif(option MATCHES "^(--equations|--settings)=(.+)$")
       set(key "${CMAKE_MATCH_1}")
       get_filename_component(option "${CMAKE_MATCH_2}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
+      if(key STREQUAL "--settings")
+        list(APPEND settings "${option}")
+      endif()
       set(option "${key}=${option}")
     endif()
     list(APPEND arguments "${option}")
@@ -27,12 +36,31 @@ function(_treedyn_subject call)
   endforeach()
   set(arguments ${arguments} PARENT_SCOPE)
   set(subject "${subject}" PARENT_SCOPE)
+  set(settings "${settings}" PARENT_SCOPE)
+endfunction()
+
+# Sets `language` to the one that the options or, if they name none, the files `settings` choose.
+function(_treedyn_language settings)
+  set(language "c++")
+  if("${ARGN}" MATCHES "(^|;)--language[;=]([^;]*)")
+    set(language "${CMAKE_MATCH_2}")
+  else()
+    foreach(file IN LISTS settings)
+      file(STRINGS "${file}" lines REGEX "^[ \t]*language[ \t]*=[ \t\"']*c99")
+      if(lines)
+        set(language "c99")
+      endif()
+    endforeach()
+  endif()
+  set(language "${language}" PARENT_SCOPE)
 endfunction()
 
 # Sets `files` to what `treedyn generate ${arguments} -o ${folder}` writes. Without a NAME it stands in the model or
 # scene, and the program is asked while the project is configured: it has to be there.
-function(_treedyn_files name folder subject)
-  if(name AND "${ARGN}" MATCHES "(^|;)--language(;|=)c99(;|$)")
+function(_treedyn_files name folder subject settings)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${settings})
+  _treedyn_language("${settings}" ${ARGN})
+  if(name AND language STREQUAL "c99")
     set(files "${folder}/${name}.h" "${folder}/${name}.c" "${folder}/${name}.json")
   elseif(name)
     set(files "${folder}/${name}.hpp" "${folder}/${name}.cpp" "${folder}/${name}.json")
@@ -65,11 +93,11 @@ function(treedyn_generate target)
     set(ARG_FOLDER "${CMAKE_CURRENT_BINARY_DIR}/${target}")
   endif()
   get_filename_component(folder "${ARG_FOLDER}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
-  _treedyn_files("${ARG_NAME}" "${folder}" "${subject}" ${arguments})
+  _treedyn_files("${ARG_NAME}" "${folder}" "${subject}" "${settings}" ${arguments})
   set(depfile "${CMAKE_CURRENT_BINARY_DIR}/${target}.treedyn.d")
   add_custom_command(OUTPUT ${files}
                      COMMAND treedyn::treedyn generate ${arguments} -o "${folder}" --depfile "${depfile}"
-                     COMMAND "${CMAKE_COMMAND}" -E touch ${files}  # unchanged files keep their time else
+                     COMMAND "${CMAKE_COMMAND}" -E touch_nocreate ${files}  # unchanged files keep their time else
                      DEPENDS "${subject}" treedyn::treedyn "$<TARGET_FILE:treedyn::treedyn>" DEPFILE "${depfile}"
                      COMMENT "treedyn generate ${ARG_MODEL}${ARG_SCENE}" VERBATIM)
   add_library(${target} STATIC ${files})

@@ -25,13 +25,26 @@ bool has_mark(const std::string& text) {
          start.find("\"tool\": \"treedyn ") != std::string_view::npos;
 }
 
-/// The line that names the model file in a manifest: equal lines, equal model file.
-std::string model_file_of(const std::string& manifest) {
-  const std::size_t start = manifest.find("\"model\": {\"file\": ");
-  const std::size_t end = manifest.find(", \"sha256\"", start);
-  return start == std::string::npos || end == std::string::npos
+/// The text of a manifest from `start` up to `end`, empty if it has none.
+std::string between(const std::string& manifest, std::string_view start, std::string_view end) {
+  const std::size_t first = manifest.find(start);
+  const std::size_t last = manifest.find(end, first);
+  return first == std::string::npos || last == std::string::npos
              ? std::string()
-             : manifest.substr(start, end - start);
+             : manifest.substr(first, last - first);
+}
+
+/// What a manifest says of the model file, of options and of the names of all that is there: equal
+/// texts, the same thing under two names.
+std::string source_of(const std::string& manifest) {
+  std::string source = between(manifest, "\"model\": {\"file\": ", ", \"sha256\"") +
+                       between(manifest, "\"options\": {", "\n");
+  constexpr std::string_view kName = "{\"name\": ";
+  for (std::size_t at = manifest.find(kName); at != std::string::npos;
+       at = manifest.find(kName, at + 1)) {
+    source += manifest.substr(at, manifest.find('"', at + kName.size() + 1) - at);
+  }
+  return source;
 }
 
 /// The content of what is a file: others, like pipes, could be waited for without end.
@@ -40,11 +53,10 @@ std::optional<std::string> content(const fs::path& path) {
   return fs::is_regular_file(path, ignored) ? read_file(path.string()) : std::nullopt;
 }
 
-/// True if `stem` is a complete set of files of another model.
-bool belongs_to_other_model(const fs::path& folder, const std::string& stem,
-                            const std::string& our_model) {
+/// True if `stem` is a complete set of files of another model, or of the model with other options.
+bool is_another(const fs::path& folder, const std::string& stem, const std::string& our_source) {
   const std::optional<std::string> manifest = content(folder / (stem + ".json"));
-  return manifest && has_mark(*manifest) && model_file_of(*manifest) != our_model &&
+  return manifest && has_mark(*manifest) && source_of(*manifest) != our_source &&
          ((fs::exists(folder / (stem + ".hpp")) && fs::exists(folder / (stem + ".cpp"))) ||
           (fs::exists(folder / (stem + ".h")) && fs::exists(folder / (stem + ".c"))));
 }
@@ -64,17 +76,24 @@ std::set<std::string> surplus_files(const std::vector<emit::File>& files, const 
     }
     const std::optional<std::string> text = content(entry.path());
     if (text && has_mark(*text) &&
-        !belongs_to_other_model(folder, entry.path().stem().string(),
-                                model_file_of(files.back().text))) {
+        !is_another(folder, entry.path().stem().string(), source_of(files.back().text))) {
       result.insert(entry.path().string());
     }
   }
   return result;
 }
 
+std::string without_returns(std::string text) {
+  std::erase(text, '\r');
+  return text;
+}
+
 /// What a reader wants to know before the diff.
 std::string verdict(const std::string& old_text, const std::string& new_text,
                     const std::string& path) {
+  if (std::ranges::count(old_text, '\r') > 0 && without_returns(old_text) == new_text) {
+    return fmt::format("{}: lines end in \\r\\n and are the same else\n", path);
+  }
   const bool constants = without_literals(old_text) == without_literals(new_text);
   const int lines = changed_lines(old_text, new_text);
   return fmt::format("{}: {}, {} line{}\n", path, constants ? "constants only" : "structure", lines,
@@ -93,7 +112,9 @@ std::string check_files(const std::vector<emit::File>& files, const std::string&
       report += fmt::format("missing: {}\n", path);
     } else if (*present != file.text) {
       report += verdict(*present, file.text, path);
-      diffs += unified_diff(*present, file.text, path, path + " (generated)");
+      diffs += without_returns(*present) == file.text
+                   ? ""
+                   : unified_diff(*present, file.text, path, path + " (generated)");
     }
   }
   for (const std::string& path : surplus_files(files, folder)) {

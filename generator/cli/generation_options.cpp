@@ -232,7 +232,8 @@ void add_runtime(CLI::App& command, Request& request) {
             }
           },
           "numbers that are known at run time only, comma-separated LINK.mass, LINK.com, "
-          "LINK.inertia, gravity: fields of a struct Parameters; info prints what each costs")
+          "LINK.inertia, LINK.offset, POINT.at, one of their components (LINK.com.x), gravity: "
+          "fields of a struct Parameters; info prints what each costs")
       ->type_name("LIST");
 }
 

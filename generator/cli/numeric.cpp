@@ -92,7 +92,9 @@ std::string numeric_report(const Model& model, const Request& request,
     if (header.find(emit::declaration_text(signature)) != std::string::npos) {
       common.push_back(signature);
     } else {
-      report += fmt::format("numeric: {}: not in the old files\n", signature.name);
+      const bool other = header.find(fmt::format("void {}(", signature.name)) != std::string::npos;
+      report += fmt::format("numeric: {}: {} in the old files\n", signature.name,
+                            other ? "has other arguments" : "not");
     }
   }
   const NamedValues old_values = values_of(compiler, model.name, space, folder, common);

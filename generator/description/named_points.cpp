@@ -38,17 +38,16 @@ model::Point on_frame(const std::string& name, const model::Frame& frame, const 
 }
 
 /// "a, b, c", shortened.
-std::string some_names(const FrameIndex& frames) {
+std::string some_names(std::vector<std::string_view> all) {
   constexpr std::size_t kMost = 8;
-  std::string result;
-  std::size_t count = 0;
-  for (const auto& [name, frame] : frames) {
-    if (count++ == kMost) {
-      return result + ", ..";
-    }
-    result += fmt::format("{}{}", result.empty() ? "" : ", ", shown(name));
+  std::ranges::sort(all);
+  const bool more = all.size() > kMost;
+  all.resize(std::min(all.size(), kMost));
+  std::vector<std::string> names;
+  for (const std::string_view name : all) {
+    names.push_back(shown(name));
   }
-  return result;
+  return fmt::format("{}{}", fmt::join(names, ", "), more ? ", .." : "");
 }
 
 /// The elements of `--points`, one at a time.
@@ -88,7 +87,7 @@ class PointList {
     if (found == nullptr) {
       fail(fmt::format("point '{}': link '{}' is unknown{}; expected one of {}", shown(point),
                        shown(name), did_you_mean(name, names_of(tree_.frames)),
-                       some_names(frames_)));
+                       some_names(names_of(tree_.frames))));
     }
     return *found;
   }
@@ -131,7 +130,7 @@ class PointList {
       const std::vector<std::string_view> links = names_of(tree_.frames);
       known.insert(known.end(), links.begin(), links.end());
       fail(fmt::format("'{}' is neither a point nor a link of the model{}; expected one of {}",
-                       shown(name), did_you_mean(name, known), some_names(frames_)));
+                       shown(name), did_you_mean(name, known), some_names(known)));
     }
   }
 
@@ -181,7 +180,6 @@ std::vector<model::Point> resolve_points(const model::Tree& tree, const std::str
 }
 
 void resolve_named_points(const RawTree& raw, const NumberReader& numbers, model::Tree& tree) {
-  const FrameIndex frames = frames_by_name(tree);
   std::vector<Named> names;
   for (const RawPoint& point : raw.points) {
     const std::string what = fmt::format("point '{}'", shown(point.name.text));
@@ -191,7 +189,7 @@ void resolve_named_points(const RawTree& raw, const NumberReader& numbers, model
           location(raw, point.link.where),
           fmt::format("{}: link '{}' is unknown{}; expected one of {}", what,
                       shown(point.link.text), did_you_mean(point.link.text, names_of(tree.frames)),
-                      some_names(frames)));
+                      some_names(names_of(tree.frames))));
     }
     const Vector3 at = numbers.vector(point.at, what + ": at");
     tree.points.push_back(on_frame(point.name.text, *frame, at));

@@ -330,7 +330,8 @@ void Translator::statement(const Lines& lines, std::size_t& at, Lines& result) c
   } else if (const auto table = behind(code, "static constexpr "); !table.empty()) {
     result.push_back(words(fmt::format("{}static const {}", blank, table)));
   } else if (const auto values = behind(code, "return {"); !values.empty()) {
-    result.push_back(words(fmt::format("{}return (SineCosine){{{}", blank, values)));
+    result.push_back(words(fmt::format("{}const SineCosine pair = {{{}", blank, values)));
+    result.push_back(words(fmt::format("{}return pair;", blank)));
   } else if (const auto single = behind(code, "inline "); !single.empty()) {
     result.push_back(words(fmt::format("{}static {}", blank, single)));
   } else {

@@ -162,9 +162,7 @@ std::string packing_tables(const Unit& unit) {
 }
 
 std::string arrays_comment(const Unit& unit) {
-  const char* const packed = unit.packed.empty()       ? ""
-                             : unit.packed.size() == 1 ? ", A excepted"
-                                                       : ", but for those with tables of places";
+  const char* const packed = unit.packed.empty() ? "" : ", but for those with tables of places";
   return wrapped(
       fmt::format("Arrays are dense{}, matrices row-major; SI units and radians. Outputs "
                   "are written completely and must not overlap inputs. Nothing is "

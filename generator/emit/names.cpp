@@ -74,15 +74,37 @@ std::string identifier_part(std::string_view text) {
   return result;
 }
 
+namespace {
+
+/// True if a comment can hold character `k` of a text: it ends no comment and begins none, joins no
+/// lines, and is no command or tag of tools that read comments.
+bool is_harmless(std::string_view text, std::size_t k) {
+  constexpr std::string_view kAlways = "_.,:;+-/()[]{}=^%!|&~#'\">";
+  const char c = text[k];
+  const char before = k > 0 ? text[k - 1] : '\0';
+  const char after = k + 1 < text.size() ? text[k + 1] : '\0';
+  switch (c) {
+    case ' ':
+      return before != '\0' && after != '\0' && after != ' ';
+    case '*':
+      return before != '/' && after != '/';
+    case '?':
+      return before != '?' && after != '?';
+    case '<':
+      return after == ' ' || after == '=';
+    default:
+      return is_alphanumeric(c) || kAlways.find(c) != std::string_view::npos;
+  }
+}
+
+}  // namespace
+
 std::string for_comment(std::string_view text, std::size_t longest) {
-  constexpr std::string_view kHarmless = "_.,:+-/()";
   std::string result(text);
   for (std::size_t k = 0; k < text.size(); ++k) {
-    const bool inner = k > 0 && k + 1 < text.size();
-    const bool space = text[k] == ' ' && inner && text[k + 1] != ' ';
-    const bool harmless =
-        space || is_alphanumeric(text[k]) || kHarmless.find(text[k]) != std::string_view::npos;
-    result[k] = harmless ? text[k] : '_';
+    if (!is_harmless(text, k)) {
+      result[k] = '_';
+    }
   }
   if (result.size() > longest) {
     result = result.substr(0, longest - 3) + "...";

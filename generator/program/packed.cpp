@@ -1,11 +1,13 @@
 #include "program/packed.hpp"
 
+#include <cstdlib>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "program/fingerprint.hpp"
 #include "program/limb_code.hpp"
 
 namespace treedyn::program {
@@ -27,9 +29,32 @@ void say_packed(std::string& brief, const Packing& packing) {
   }
 }
 
+/// True for the outputs that are zero in every state: at a point without pattern nothing is left of
+/// them in 50 digits but rounding.
+std::vector<bool> zeros(const Function& function) {
+  const std::vector<Real> values = node_values<Real>(
+      function.graph, function.outputs,
+      [](int array, int element) { return Real(sample_input(array, element, 1)); },
+      [](Kind kind, const Real& a) {
+        return kind == Kind::kSin ? sin(a) : kind == Kind::kCos ? cos(a) : sqrt(abs(a));
+      },
+      Numbers::kSeen);
+  Real largest = 0;
+  for (const Real& value : values) {
+    largest = larger(largest, abs(value));
+  }
+  std::vector<bool> result;
+  for (const Ref output : function.outputs) {
+    const Real& value = values[static_cast<std::size_t>(std::abs(output))];
+    result.push_back(abs(value) <= Real("1e-40") * largest);
+  }
+  return result;
+}
+
 }  // namespace
 
 Packing stored_entries(const Function& dense, int rows, int columns) {
+  const std::vector<bool> is_zero = zeros(dense);
   const auto entry = [&](int i, int j) {
     return dense.outputs[static_cast<std::size_t>(i * columns + j)];
   };
@@ -42,7 +67,7 @@ Packing stored_entries(const Function& dense, int rows, int columns) {
   for (int i = 0; i < rows; ++i) {
     const int end = packing.mirrored ? i + 1 : columns;
     for (int j = 0; j < end; ++j) {
-      if (entry(i, j) != 0) {
+      if (!is_zero[static_cast<std::size_t>(i * columns + j)]) {
         packing.row.push_back(i);
         packing.column.push_back(j);
       }

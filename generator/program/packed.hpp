@@ -20,8 +20,8 @@ struct Packing {
 };
 
 /// The places at which `dense`, a function whose first output is a rows x columns matrix, is not
-/// structurally zero; of a matrix whose entries are those of its transpose on and below the
-/// diagonal. At least one.
+/// zero in every state; of a matrix whose entries are made as those of its transpose on and below
+/// the diagonal. At least one.
 Packing stored_entries(const Function& dense, int rows, int columns);
 
 /// The same function with the entries of `packing` alone in every output array called `matrix`.

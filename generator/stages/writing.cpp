@@ -24,8 +24,7 @@ namespace treedyn {
 
 namespace {
 
-/// The places of a matrix that the plain formulation does not find zero: the same whatever the
-/// search and the passes make of it.
+/// The places of a matrix that are not zero in every state, whatever search and passes make of it.
 program::Packing packing_of(const Model& model, const Request& request,
                             const formulate::Recipe& recipe, std::pair<int, int> size) {
   formulate::Options options = formulate_options(model, request);
@@ -50,7 +49,7 @@ std::string constants_of(const std::string& function) {
   return result;
 }
 
-/// A, and what users have that is a matrix with zeros or symmetric.
+/// A, and the matrices of users with more than one row and column.
 /// \throws InputError for two of which tables would have one name
 std::vector<emit::PackedMatrix> packed_matrices(const Model& model, const Request& request) {
   const int dof = model.tree.dof();
@@ -63,11 +62,6 @@ std::vector<emit::PackedMatrix> packed_matrices(const Model& model, const Reques
     if (rows == 1 || columns == 1) {
       continue;
     }
-    program::Packing packing =
-        packing_of(model, request, formulate::derived_recipe(function), {rows, columns});
-    if (packing.size() == rows * columns) {
-      continue;
-    }
     const std::string& name = function->equation.name;
     if (!names.insert(constants_of(name)).second) {
       throw InputError(function->equation.where,
@@ -75,9 +69,16 @@ std::vector<emit::PackedMatrix> packed_matrices(const Model& model, const Reques
                                    "{}Row, too; expected another name",
                                    name, constants_of(name)));
     }
-    result.push_back({name, constants_of(name), std::move(packing)});
+    result.push_back(
+        {name, constants_of(name),
+         packing_of(model, request, formulate::derived_recipe(function), {rows, columns})});
   }
   return result;
+}
+
+bool has_mass_matrix(const program::Function& function) {
+  return std::ranges::find(function.signature.outputs, "A", &program::Array::name) !=
+         function.signature.outputs.end();
 }
 
 /// The length of a step as a number of full precision in the scalar.
@@ -176,6 +177,9 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
       function = of_user == unit.packed.end()
                      ? program::packed(std::move(function), "A", unit.packed.front().packing)
                      : program::packed(std::move(function), "value", of_user->packing);
+    }
+    if (std::ranges::none_of(unit.functions, has_mass_matrix)) {
+      unit.packed.erase(unit.packed.begin());
     }
   }
   if (request.checked) {

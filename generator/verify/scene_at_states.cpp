@@ -37,7 +37,7 @@ Real largest(const Values& values) {
 }
 
 /// What arguments are filled with.
-struct Source {
+struct StateSource {
   program::Random random = program::Random(7);
   const Values& derived;  ///< of run-time parameters
 };
@@ -45,7 +45,7 @@ struct Source {
 /// Arrays by name, filled with pseudo-random numbers.
 class State {
  public:
-  State(const program::Signature& signature, Source& source) {
+  State(const program::Signature& signature, StateSource& source) {
     for (const program::Array& array : signature.inputs) {
       names_.push_back(array.name);
       values_.emplace_back();
@@ -100,8 +100,8 @@ bool is_finite(const Values& values) {
 /// \param judged  State -> true, or false where the equations have no value
 /// \throws std::domain_error if they have none at the start
 template <class Judged>
-void at_some_state(const model::Scene& scene, const program::Signature& signature, Source& source,
-                   Judged judged) {
+void at_some_state(const model::Scene& scene, const program::Signature& signature,
+                   StateSource& source, Judged judged) {
   for (const double part : {1.0, 0.5, 0.5, 0.5, 0.5, 0.1, 0.1, 0.1, 0.01, 0.01, 0.0}) {
     State state(signature, source);
     if (part < 1) {
@@ -143,7 +143,8 @@ Matrix symmetric(const Values& lower, std::size_t n) {
   return result;
 }
 
-void check_plain(const model::Scene& scene, const program::Function& function, Source& source) {
+void check_plain(const model::Scene& scene, const program::Function& function,
+                 StateSource& source) {
   State state(function.signature, source);
   const Values ours = state.evaluate(function);
   const Values at_rest(state.at("q").size());
@@ -282,7 +283,7 @@ Values reachable_error(const program::Staged& staged, const SceneEquations& equa
   return error;
 }
 
-void check_impact(const model::Scene& scene, const program::Staged& staged, Source& source) {
+void check_impact(const model::Scene& scene, const program::Staged& staged, StateSource& source) {
   State state(staged.function.signature, source);
   const auto [values, least] = solved_values(staged, state);
   const std::size_t r = to_index(staged.solves.front().rows);
@@ -429,7 +430,7 @@ bool check_contact(const model::Scene& scene, const program::Staged& press, std:
   return true;
 }
 
-void check_contacts(const model::Scene& scene, const program::Staged& staged, Source& source) {
+void check_contacts(const model::Scene& scene, const program::Staged& staged, StateSource& source) {
   for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
     const program::Staged& press = staged.contacts[c];
     at_some_state(scene, press.function.signature, source,
@@ -441,7 +442,7 @@ void check_contacts(const model::Scene& scene, const program::Staged& staged, So
 
 void check_scene_at_states(const model::Scene& scene, const program::Programs& programs,
                            const std::vector<Real>& derived) {
-  Source source{.derived = derived};
+  StateSource source{.derived = derived};
   for (const program::Function& function : programs.functions) {
     if (equations::is_scene_function(function.signature.name)) {
       check_plain(scene, function, source);

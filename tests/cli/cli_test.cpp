@@ -149,10 +149,37 @@ TEST_F(Cli, ShowsWhatDiffersWhatIsMissingAndWhatIsSurplus) {
   EXPECT_EQ(read_file(file("two_link.cpp")), source + "// edited\n");
 }
 
+TEST_F(Cli, SaysThatOnlyEndsOfLinesDiffer) {
+  treedyn({"generate", kModel, "-o", out()});
+  std::string text = read_file(file("two_link.hpp"));
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) {
+    text.insert(at, 1, '\r');
+  }
+  write_file(file("two_link.hpp"), text);
+  const Outcome outcome = treedyn({"check", kModel, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr(file("two_link.hpp").string() +
+                                     ": lines end in \\r\\n and are the same else\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("---")));
+}
+
 TEST_F(Cli, LetsModelsShareAFolder) {
   treedyn({"generate", kModel, "-o", out()});
   treedyn({"generate", TREEDYN_SOURCE_DIR "/models/polar.yaml", "-o", out()});
   EXPECT_EQ(treedyn({"check", kModel, "-o", out()}).status, 0);
+}
+
+TEST_F(Cli, LetsVariantsOfAModelShareAFolder) {
+  treedyn({"generate", kModel, "-o", out()});
+  treedyn({"generate", kModel, "-o", out(), "--name", "quick", "--scalar", "float"});
+  treedyn({"generate", kModel, "-o", out(), "--name", "points", "--functions", "point_positions"});
+  treedyn({"generate", kModel, "-o", out(), "--name", "massless", "--runtime", "forearm.mass"});
+  EXPECT_EQ(treedyn({"check", kModel, "-o", out()}).status, 0);
+  treedyn({"generate", kModel, "-o", out(), "--name", "old_name"});
+  const Outcome outcome = treedyn({"check", kModel, "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("surplus: " + file("old_name.hpp").string() + "\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("quick")));
 }
 
 TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {

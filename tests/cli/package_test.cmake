@@ -10,7 +10,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${scratch}/
 file(RENAME ${scratch}/first ${scratch}/second)
 
 file(WRITE ${scratch}/project/CMakeLists.txt [[
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.16)  # with policies that the package does not share
 project(consumer C CXX)
 find_package(treedyn 0.1 REQUIRED)
 treedyn_generate(arm MODEL arm.yaml OPTIONS --scalar float --functions gravity_force)
@@ -19,15 +19,14 @@ target_link_libraries(consumer PRIVATE arm)
 enable_testing()
 treedyn_generate(swing SCENE swing.yaml NAME swing OPTIONS --effort 0 CONTRACTION off)
 target_link_libraries(consumer PRIVATE swing)
-treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --language c99 --equations own.yaml --settings=own.txt
-                 --functions mass_matrix,own CONTRACTION on)
+treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --equations own.yaml --settings=own.txt --functions mass_matrix,own CONTRACTION on)
 target_link_libraries(consumer PRIVATE in_c)
 treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_BINARY_DIR}/swing OPTIONS --effort 0)
 treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
               OPTIONS --scalar float --functions gravity_force)
 ]])
 file(WRITE ${scratch}/project/own.yaml "equations: [{name: own, value: T(ones) * m_d * ones}]\n")
-file(WRITE ${scratch}/project/own.txt "effort = 0\n")
+file(WRITE ${scratch}/project/own.txt "effort = 0\nlanguage = c99\n")
 file(WRITE ${scratch}/project/main.cpp [[
 #include "in_c.h"
 #include "swing.hpp"
@@ -101,6 +100,20 @@ run(${CMAKE_COMMAND} --build ${build})
 if(changed STREQUAL model OR NOT output MATCHES "treedyn generate swing.yaml")
   message(FATAL_ERROR "the model of a scene changed, and it was not generated again:\n${output}")
 endif()
+
+# Settings that choose the other language change what is built.
+file(WRITE ${scratch}/project/own.txt "effort = 0\nlanguage = c++\n")
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} OUTPUT_VARIABLE output RESULT_VARIABLE status)
+if(status EQUAL 0 OR NOT output MATCHES "in_c\\.cpp")  # the consumer wants C
+  message(FATAL_ERROR "the language of settings changed, and files of the other one were built:\n${output}")
+endif()
+file(WRITE ${scratch}/project/own.txt "effort = 0\nlanguage = c99\n")
+
+# The package that is found is the one that runs, also in a build that found another one before.
+file(RENAME ${scratch}/second ${scratch}/third)
+run(${CMAKE_COMMAND} -S ${scratch}/project -B ${build} -DCMAKE_PREFIX_PATH=${scratch}/third -Dtreedyn_DIR=)
+run(${CMAKE_COMMAND} --build ${build})
+file(RENAME ${scratch}/third ${scratch}/second)
 
 file(READ ${scratch}/project/CMakeLists.txt project)
 string(REPLACE "CONTRACTION on" "CONTRACTION fast" wrong "${project}")

@@ -85,13 +85,13 @@ TEST(NamedPoints, MayStandOnTheGround) {
 
 TEST(ResolvePoints, NameTheMistake) {
   EXPECT_EQ(error_of("knee"),
-            "--points: 'knee' is neither a point nor a link of the model; expected one of ns:foot, "
-            "shank, table");
+            "--points: 'knee' is neither a point nor a link of the model; expected one of ankle, "
+            "heel, ns:foot, shank, table");
   EXPECT_EQ(error_of("a=b"),
             "--points: point 'a': link 'b' is unknown; expected one of ns:foot, shank, table");
   EXPECT_EQ(error_of("hell"),
             "--points: 'hell' is neither a point nor a link of the model (did you mean 'heel'?); "
-            "expected one of ns:foot, shank, table");
+            "expected one of ankle, heel, ns:foot, shank, table");
   EXPECT_EQ(error_of("a=shnk"),
             "--points: point 'a': link 'shnk' is unknown (did you mean 'shank'?); expected one of "
             "ns:foot, shank, table");

@@ -2,12 +2,16 @@
 // gain moves the ceiling. The targets of tests/benchmark/README.md lie above. Columns: mass_matrix,
 // inverse_dynamics, bias_force, forward_dynamics, gravity_force, pairs of sine and cosine of the
 // dearest of these.
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "description/read.hpp"
 #include "formulate/formulate.hpp"
+#include "support/process.hpp"
 
 namespace treedyn::formulate {
 namespace {
@@ -63,6 +67,26 @@ TEST_P(Targets, AreMetByTheDefaultOptions) {
     EXPECT_LE(cost.total(), limit) << function;
     EXPECT_LE(std::max(cost.sin, cost.cos), target.pairs) << function;
   }
+}
+
+/// The rows of README.md's table are these ceilings.
+TEST(Readme, ShowsTheCountsOfTargets) {
+  const std::string readme = support::read_file(TREEDYN_SOURCE_DIR "/README.md");
+  const auto row_of = [](const char* name) {
+    return *std::ranges::find(kTargets, std::string_view(name), &Target::name);
+  };
+  const std::string three = "mass_matrix / inverse_dynamics / bias_force";
+  const auto expect_row = [&](const char* title, const Target& robot) {
+    const std::string row =
+        fmt::format("| {} | {} | {} / {} / {} |", title, three, robot.mass_matrix,
+                    robot.inverse_dynamics, robot.bias_force);
+    EXPECT_NE(readme.find(row), std::string::npos) << row;
+  };
+  expect_row("UR5", row_of("ur5"));
+  expect_row("HyQ, `--base axes`", row_of("hyq_axes"));
+  const std::string row =
+      fmt::format("| UR5 | forward_dynamics | {} |", row_of("ur5").forward_dynamics);
+  EXPECT_NE(readme.find(row), std::string::npos) << row;
 }
 
 std::vector<Target> available_targets() {
