@@ -9,7 +9,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x0c1408e4d9f3409bULL, "header and source are of different runs");
+static_assert(kDigest == 0x8f62b525ae06994bULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -1629,33 +1629,33 @@ void gravity_force(const Scalar q[12], Scalar G[12]) noexcept {
   const Scalar G_8_1 = left_thigh_G1 * s_right_hip_pitch + left_thigh_G2 * c_right_hip_pitch;
   G[8] = G_9 + c_right_hip_roll * G_8_1;
   // right_hip_fork: G of 6.5
-  const Scalar G_7_1 = left_hip_fork_G2 - left_ankle_cross_G1 * s_q8_q9_q10;
-  const Scalar G_7_2 = G_7_1 - left_shank_G2 * s_q8_q9 + left_shank_G1 * c_q8_q9;
-  const Scalar G_7_3 = G_7_2 - left_thigh_G2 * s_right_hip_pitch;
-  const Scalar G_7_4 = G_7_3 + left_thigh_G1 * c_right_hip_pitch;
-  const Scalar G_7_5 = s_right_hip_roll * (G_7_4 - c_q8_q9_q10 * t_righ_ankl_cros_1);
-  G[7] = G_7_5 - c_right_hip_roll * (left_hip_fork_G1 - t_right_foot_1);
+  const Scalar neg_G_7_1 = left_hip_fork_G2 - left_ankle_cross_G1 * s_q8_q9_q10;
+  const Scalar neg_G_7_2 = neg_G_7_1 - left_shank_G2 * s_q8_q9 + left_shank_G1 * c_q8_q9;
+  const Scalar neg_G_7_3 = neg_G_7_2 - left_thigh_G2 * s_right_hip_pitch;
+  const Scalar neg_G_7_4 = neg_G_7_3 + left_thigh_G1 * c_right_hip_pitch;
+  const Scalar neg_G_7_5 = s_right_hip_roll * (neg_G_7_4 - c_q8_q9_q10 * t_righ_ankl_cros_1);
+  G[7] = neg_G_7_5 - c_right_hip_roll * (left_hip_fork_G1 - t_right_foot_1);
   // left_foot: G of 6.5
   const Scalar t_left_foot_1 = left_foot_G1 * s_left_foot;
-  const Scalar t_left_foot_2 = c_left_hip_roll * c_q2_q3_q4;
-  const Scalar t_left_foot_3 = left_foot_G1 * c_left_foot;
-  G[5] = -(t_left_foot_1 * t_left_foot_2 + s_left_hip_roll * t_left_foot_3);
+  const Scalar t_left_foot_2 = left_foot_G1 * c_left_foot;
+  G[5] = -(c_left_hip_roll * c_q2_q3_q4 * t_left_foot_1 + s_left_hip_roll * t_left_foot_2);
   // left_ankle_cross: G of 6.5
-  const Scalar t_left_ankle_cross_1 = left_ankle_cross_G2 + t_left_foot_3;
-  const Scalar G_4_1 = c_left_hip_roll * s_q2_q3_q4 * t_left_ankle_cross_1;
-  const Scalar G_4 = left_ankle_cross_G1 * t_left_foot_2 - G_4_1;
-  G[4] = G_4;
-  const Scalar G_3 = G_4 + c_left_hip_roll * (left_shank_G2 * c_q2_q3 + left_shank_G1 * s_q2_q3);
-  G[3] = G_3;
-  const Scalar G_2_1 = left_thigh_G1 * s_left_hip_pitch + left_thigh_G2 * c_left_hip_pitch;
-  G[2] = G_3 + c_left_hip_roll * G_2_1;
+  const Scalar t_left_ankle_cross_1 = left_ankle_cross_G2 + t_left_foot_2;
+  const Scalar neg_G_4_1 = s_q2_q3_q4 * t_left_ankle_cross_1 - left_ankle_cross_G1 * c_q2_q3_q4;
+  const Scalar neg_G_4 = c_left_hip_roll * neg_G_4_1;
+  G[4] = -neg_G_4;
+  const Scalar neg_G_3_1 = left_shank_G2 * c_q2_q3 + left_shank_G1 * s_q2_q3;
+  const Scalar neg_G_3 = neg_G_4 - c_left_hip_roll * neg_G_3_1;
+  G[3] = -neg_G_3;
+  const Scalar neg_G_2_1 = left_thigh_G1 * s_left_hip_pitch + left_thigh_G2 * c_left_hip_pitch;
+  G[2] = c_left_hip_roll * neg_G_2_1 - neg_G_3;
   // left_hip_fork: G of 6.5
   const Scalar G_1_1 = left_hip_fork_G2 - left_ankle_cross_G1 * s_q2_q3_q4;
   const Scalar G_1_2 = G_1_1 + left_shank_G1 * c_q2_q3 - left_shank_G2 * s_q2_q3;
   const Scalar G_1_3 = G_1_2 - left_thigh_G2 * s_left_hip_pitch;
   const Scalar G_1_4 = G_1_3 + left_thigh_G1 * c_left_hip_pitch;
   const Scalar G_1_5 = s_left_hip_roll * (G_1_4 - c_q2_q3_q4 * t_left_ankle_cross_1);
-  G[1] = c_left_hip_roll * (left_hip_fork_G1 - t_left_foot_1) + G_1_5;
+  G[1] = G_1_5 + c_left_hip_roll * (left_hip_fork_G1 - t_left_foot_1);
   G[0] = 0.0f;
   G[6] = 0.0f;
 }
@@ -3441,24 +3441,23 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar neg_s_left_ankle_cross_y = left_ankle_cross_l1 * s_left_ankle_pitch;
   const Scalar t_left_shank_4 = left_shank_l1 * s_q3_q4 + neg_s_left_ankle_cross_y;
   const Scalar t_left_shank_5 = left_foot_l1 - t_left_shank_4;
+  const Scalar t_left_hip_fork_2 = left_hip_fork_l2 - s_q2_q3_q4 * t_left_shank_3;
+  const Scalar t_left_hip_fork_3 = t_left_hip_fork_2 + c_q2_q3_q4 * t_left_shank_5;
   const Scalar t_left_thigh_3 = t_left_thigh_1 + s_q2_q3_q4 * t_left_shank_5;
-  // left_hip_fork
-  const Scalar t_left_hip_fork_2 = t_left_hip_fork_1 - s_left_hip_roll * t_left_thigh_3;
-  const Scalar t_left_hip_fork_3 = left_hip_fork_l2 - s_q2_q3_q4 * t_left_shank_3;
-  const Scalar t_left_hip_fork_4 = t_left_hip_fork_3 + c_q2_q3_q4 * t_left_shank_5;
+  const Scalar t_left_hip_fork_4 = t_left_hip_fork_1 - s_left_hip_roll * t_left_thigh_3;
   // left_hip_block: p of 1.2
-  const Scalar p_1_1 = left_hip_block_l1 - c_left_hip_yaw * t_left_hip_fork_2;
-  p[1] = p_1_1 + s_left_hip_yaw * t_left_hip_fork_4;
-  p[0] = c_left_hip_yaw * t_left_hip_fork_4 + s_left_hip_yaw * t_left_hip_fork_2;
+  const Scalar p_1_1 = left_hip_block_l1 + s_left_hip_yaw * t_left_hip_fork_3;
+  p[1] = p_1_1 - c_left_hip_yaw * t_left_hip_fork_4;
+  p[0] = c_left_hip_yaw * t_left_hip_fork_3 + s_left_hip_yaw * t_left_hip_fork_4;
   const Scalar t_left_hip_block_1 = left_hip_block_l2 - s_left_hip_roll * t_left_thigh_2;
   p[2] = t_left_hip_block_1 - c_left_hip_roll * t_left_thigh_3;
   const Scalar t_left_shank_6 = left_foot_l3 - t_left_shank_4;
   const Scalar t_left_thigh_4 = t_left_thigh_1 + s_q2_q3_q4 * t_left_shank_6;
   const Scalar t_left_hip_fork_5 = t_left_hip_fork_1 - s_left_hip_roll * t_left_thigh_4;
-  const Scalar t_left_hip_fork_6 = t_left_hip_fork_3 + c_q2_q3_q4 * t_left_shank_6;
+  const Scalar t_left_hip_fork_6 = t_left_hip_fork_2 + c_q2_q3_q4 * t_left_shank_6;
   const Scalar p_4_1 = left_hip_block_l1 - c_left_hip_yaw * t_left_hip_fork_5;
   p[4] = p_4_1 + s_left_hip_yaw * t_left_hip_fork_6;
-  p[3] = s_left_hip_yaw * t_left_hip_fork_5 + c_left_hip_yaw * t_left_hip_fork_6;
+  p[3] = c_left_hip_yaw * t_left_hip_fork_6 + s_left_hip_yaw * t_left_hip_fork_5;
   p[5] = t_left_hip_block_1 - c_left_hip_roll * t_left_thigh_4;
   // right_shank
   const Scalar t_right_shank_1 = left_hip_fork_l2 - left_shank_l1 * c_q9_q10;
@@ -3482,12 +3481,12 @@ void point_positions(const Scalar q[12], Scalar p[12]) noexcept {
   const Scalar t_right_hip_block_1 = left_hip_block_l2 + s_right_hip_roll * t_right_thigh_2;
   p[8] = t_right_hip_block_1 - c_right_hip_roll * t_right_thigh_3;
   const Scalar t_right_shank_6 = left_foot_l3 - t_right_shank_4;
-  const Scalar t_right_hip_fork_5 = t_right_hip_fork_3 + c_q8_q9_q10 * t_right_shank_6;
   const Scalar t_right_thigh_4 = t_right_thigh_1 + s_q8_q9_q10 * t_right_shank_6;
-  const Scalar t_right_hip_fork_6 = t_right_hip_fork_1 + s_right_hip_roll * t_right_thigh_4;
-  const Scalar neg_p_10_1 = left_hip_block_l1 - s_right_hip_yaw * t_right_hip_fork_5;
-  p[10] = c_right_hip_yaw * t_right_hip_fork_6 - neg_p_10_1;
-  p[9] = c_right_hip_yaw * t_right_hip_fork_5 - s_right_hip_yaw * t_right_hip_fork_6;
+  const Scalar t_right_hip_fork_5 = t_right_hip_fork_1 + s_right_hip_roll * t_right_thigh_4;
+  const Scalar t_right_hip_fork_6 = t_right_hip_fork_3 + c_q8_q9_q10 * t_right_shank_6;
+  const Scalar neg_p_10_1 = left_hip_block_l1 - c_right_hip_yaw * t_right_hip_fork_5;
+  p[10] = s_right_hip_yaw * t_right_hip_fork_6 - neg_p_10_1;
+  p[9] = c_right_hip_yaw * t_right_hip_fork_6 - s_right_hip_yaw * t_right_hip_fork_5;
   p[11] = t_right_hip_block_1 - c_right_hip_roll * t_right_thigh_4;
 }
 

@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x0c1408e4d9f3409bULL;
+constexpr unsigned long long kDigest = 0x8f62b525ae06994bULL;
 
 /// Index of every joint.
 namespace joint {

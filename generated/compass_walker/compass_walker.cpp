@@ -9,7 +9,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0x7177ec61b6c24f23ULL, "header and source are of different runs");
+static_assert(kDigest == 0x8436f01a48791fcaULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -281,33 +281,37 @@ void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4]
   const Scalar c_left_hip = cosines[0];
   const Scalar s_right_hip = sines[1];
   const Scalar c_right_hip = cosines[1];
-  const Scalar t_left_leg_1 = left_leg_p5 * (c_right_hip * c_right_hip + c_left_hip * c_left_hip);
-  const Scalar t_left_leg_2 = hip_p3 + t_left_leg_1;
-  const Scalar inverse_pivot_hip = 1.0 / t_left_leg_2;
-  const Scalar t_left_leg_3 = left_leg_p5 * (c_right_hip * s_right_hip + c_left_hip * s_left_hip);
-  const Scalar t_hip_1 = inverse_pivot_hip * t_left_leg_3;
-  const Scalar inverse_pivot_slide = 1.0 / (hip_p1 - t_left_leg_1 - t_left_leg_3 * t_hip_1);
-  const Scalar t_right_leg_1 = qd[3] * qd[3];
-  const Scalar t_left_leg_4 = qd[2] * qd[2];
+  const Scalar t_right_leg_1 = left_leg_p5 * c_right_hip;
+  // left_leg
+  const Scalar t_left_leg_1 = left_leg_p5 * c_left_hip;
+  const Scalar t_left_leg_2 = c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_1;
+  const Scalar t_left_leg_3 = hip_p3 + t_left_leg_2;
+  const Scalar inverse_pivot_hip = 1.0 / t_left_leg_3;
+  const Scalar t_left_leg_4 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_1;
+  const Scalar t_hip_1 = inverse_pivot_hip * t_left_leg_4;
+  const Scalar inverse_pivot_slide = 1.0 / (hip_p1 - t_left_leg_2 - t_left_leg_4 * t_hip_1);
+  const Scalar t_right_leg_2 = qd[3] * qd[3];
+  const Scalar t_left_leg_5 = qd[2] * qd[2];
   // hip: joint force u of (1)
-  const Scalar u_hip_1 = c_right_hip * t_right_leg_1 + c_left_hip * t_left_leg_4;
+  const Scalar u_hip_1 = c_right_hip * t_right_leg_2 + c_left_hip * t_left_leg_5;
   const Scalar u_hip_2 = tau[1] + left_leg_p1 * u_hip_1;
   const Scalar u_hip = u_hip_2 + left_leg_p6 * (s_right_hip * tau[3] + s_left_hip * tau[2]);
   // slide: joint force u, qdd of (1)
-  const Scalar u_slide_1 = s_right_hip * t_right_leg_1 + s_left_hip * t_left_leg_4;
-  const Scalar u_slide_2 = tau[0] + left_leg_p1 * u_slide_1 - t_hip_1 * u_hip;
-  const Scalar u_slide = u_slide_2 - left_leg_p6 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
+  const Scalar u_slide_1 = tau[0] - t_hip_1 * u_hip;
+  const Scalar u_slide_2 = s_right_hip * t_right_leg_2 + s_left_hip * t_left_leg_5;
+  const Scalar u_slide_3 = u_slide_1 - left_leg_p6 * (c_right_hip * tau[3] + c_left_hip * tau[2]);
+  const Scalar u_slide = u_slide_3 + left_leg_p1 * u_slide_2;
   const Scalar qdd_0 = inverse_pivot_slide * u_slide;
   qdd[0] = qdd_0;
-  const Scalar qdd_1_1 = u_hip - t_left_leg_3 * qdd_0 + base_p1 * t_left_leg_2;
+  const Scalar qdd_1_1 = u_hip + base_p1 * t_left_leg_3 - t_left_leg_4 * qdd_0;
   const Scalar qdd_1 = inverse_pivot_hip * qdd_1_1;
   qdd[1] = qdd_1;
   // left_leg: qdd of (1)
-  const Scalar t_left_leg_5 = left_leg_p6 * qdd_0;
-  const Scalar t_left_leg_6 = left_leg_p7 - left_leg_p6 * qdd_1;
-  qdd[2] = left_leg_p4 * tau[2] - c_left_hip * t_left_leg_5 - s_left_hip * t_left_leg_6;
+  const Scalar t_left_leg_6 = left_leg_p6 * qdd_0;
+  const Scalar t_left_leg_7 = left_leg_p7 - left_leg_p6 * qdd_1;
+  qdd[2] = left_leg_p4 * tau[2] - c_left_hip * t_left_leg_6 - s_left_hip * t_left_leg_7;
   // right_leg: qdd of (1)
-  qdd[3] = left_leg_p4 * tau[3] - c_right_hip * t_left_leg_5 - s_right_hip * t_left_leg_6;
+  qdd[3] = left_leg_p4 * tau[3] - c_right_hip * t_left_leg_6 - s_right_hip * t_left_leg_7;
 }
 
 void point_positions(const Scalar q[4], Scalar p[6]) noexcept {

@@ -27,7 +27,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x7177ec61b6c24f23ULL;
+constexpr unsigned long long kDigest = 0x8436f01a48791fcaULL;
 
 /// Index of every joint.
 namespace joint {

@@ -9,7 +9,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0x2886cbaf66001cf4ULL, "header and source are of different runs");
+static_assert(kDigest == 0x58e73ba1c48d6a8eULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -906,23 +906,23 @@ void gravity_force(const Scalar q[7], Scalar G[7]) noexcept {
   const Scalar t_link7_4 = c_joint4 * t_link7_2 - s_joint4 * t_link7_3;
   const Scalar t_link7_5 = s_joint3 * t_link7_1;
   const Scalar t_link7_6 = s_joint5 * t_link7_5 - c_joint5 * t_link7_4;
-  const Scalar t_link7_7 = s_joint4 * t_link7_2 + c_joint4 * t_link7_3;
-  const Scalar t_link7_8 = c_joint5 * t_link7_5 + s_joint5 * t_link7_4;
-  G[6] = h_link7_y * (c_joint6 * t_link7_6 + s_joint6 * t_link7_7) + h_link7_x * t_link7_8;
+  const Scalar t_link7_7 = c_joint5 * t_link7_5 + s_joint5 * t_link7_4;
+  const Scalar t_link7_8 = s_joint4 * t_link7_2 + c_joint4 * t_link7_3;
+  G[6] = h_link7_x * t_link7_7 + h_link7_y * (c_joint6 * t_link7_6 + s_joint6 * t_link7_8);
   const Scalar t_link6_1 = link6_h2 + h_link7_x;
   const Scalar h_link6_x = link6_h1 * s_joint6 + c_joint6 * t_link6_1;
   const Scalar h_link5_x = link5_h1 + h_link6_x;
   const Scalar h_link5_y = link5_h2 - h_link7_y;
   const Scalar neg_h_link6_y = link6_h1 * c_joint6 - s_joint6 * t_link6_1;
-  G[5] = -(t_link7_6 * neg_h_link6_y + t_link7_7 * h_link6_x);
-  const Scalar h_link4_x = link4_h1 + s_joint5 * h_link5_y - c_joint5 * h_link5_x;
+  G[5] = -(t_link7_8 * h_link6_x + t_link7_6 * neg_h_link6_y);
+  const Scalar h_link4_x = link4_h1 - c_joint5 * h_link5_x + s_joint5 * h_link5_y;
   const Scalar neg_h_link4_y = link4_h2 - neg_h_link6_y;
-  G[4] = t_link7_6 * h_link5_y - t_link7_8 * h_link5_x;
-  G[3] = t_link7_7 * h_link4_x - t_link7_4 * neg_h_link4_y;
+  G[4] = t_link7_6 * h_link5_y - t_link7_7 * h_link5_x;
+  G[3] = t_link7_8 * h_link4_x - t_link7_4 * neg_h_link4_y;
+  const Scalar h_link3_x = link3_h1 - s_joint4 * neg_h_link4_y - c_joint4 * h_link4_x;
   const Scalar neg_h_link3_y = link3_h2 - c_joint5 * h_link5_y - s_joint5 * h_link5_x;
-  const Scalar h_link3_x = link3_h1 - c_joint4 * h_link4_x - s_joint4 * neg_h_link4_y;
-  const Scalar h_link2_x = link2_h1 + s_joint3 * neg_h_link3_y + c_joint3 * h_link3_x;
-  const Scalar h_link2_y = link2_h2 - c_joint4 * neg_h_link4_y + s_joint4 * h_link4_x;
+  const Scalar h_link2_x = link2_h1 + c_joint3 * h_link3_x + s_joint3 * neg_h_link3_y;
+  const Scalar h_link2_y = link2_h2 + s_joint4 * h_link4_x - c_joint4 * neg_h_link4_y;
   G[2] = t_link7_2 * neg_h_link3_y - t_link7_5 * h_link3_x;
   // link2: G of 6.5
   G[1] = t_link7_3 * h_link2_x - t_link7_1 * h_link2_y;
@@ -1769,17 +1769,17 @@ void point_positions(const Scalar q[7], Scalar p[3]) noexcept {
   const Scalar c_joint6 = cosines[5];
   const Scalar t_link6_1 = link7_l1 * c_joint6 + link7_l2 * s_joint6;
   const Scalar t_link5_1 = s_joint5 * t_link6_1;
-  const Scalar t_link5_2 = link4_l1 - c_joint5 * t_link6_1;
   const Scalar t_link6_2 = link5_l1 - link7_l2 * c_joint6 + link7_l1 * s_joint6;
-  const Scalar t_link4_1 = link4_l1 - c_joint4 * t_link5_2 - s_joint4 * t_link6_2;
-  const Scalar t_link3_1 = c_joint3 * t_link5_1 + s_joint3 * t_link4_1;
-  const Scalar t_link3_2 = s_joint3 * t_link5_1 - c_joint3 * t_link4_1;
-  const Scalar t_link4_2 = link3_l1 + s_joint4 * t_link5_2 - c_joint4 * t_link6_2;
-  const Scalar t_link2_1 = s_joint2 * t_link4_2 + c_joint2 * t_link3_2;
+  const Scalar t_link5_2 = link4_l1 - c_joint5 * t_link6_1;
+  const Scalar t_link4_1 = link4_l1 - s_joint4 * t_link6_2 - c_joint4 * t_link5_2;
+  const Scalar t_link4_2 = link3_l1 - c_joint4 * t_link6_2 + s_joint4 * t_link5_2;
+  const Scalar t_link3_1 = s_joint3 * t_link5_1 - c_joint3 * t_link4_1;
+  const Scalar t_link2_1 = s_joint2 * t_link4_2 + c_joint2 * t_link3_1;
+  const Scalar t_link3_2 = c_joint3 * t_link5_1 + s_joint3 * t_link4_1;
   // link1: p of 1.2
-  p[0] = -(c_joint1 * t_link2_1 + s_joint1 * t_link3_1);
-  p[1] = c_joint1 * t_link3_1 - s_joint1 * t_link2_1;
-  p[2] = link1_l1 + s_joint2 * t_link3_2 - c_joint2 * t_link4_2;
+  p[0] = -(s_joint1 * t_link3_2 + c_joint1 * t_link2_1);
+  p[1] = c_joint1 * t_link3_2 - s_joint1 * t_link2_1;
+  p[2] = link1_l1 - c_joint2 * t_link4_2 + s_joint2 * t_link3_1;
 }
 
 void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
@@ -1799,35 +1799,32 @@ void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
   const Scalar c_joint5 = cosines[4];
   const Scalar s_joint6 = sines[5];
   const Scalar c_joint6 = cosines[5];
-  // link6: r of (9)
   const Scalar r_link6_x = link7_l1 * c_joint6 + link7_l2 * s_joint6;
   const Scalar neg_r_link5_x = c_joint5 * r_link6_x;
-  const Scalar r_link6_y = link7_l1 * s_joint6 - link7_l2 * c_joint6;
-  const Scalar r_link5_z = link5_l1 + r_link6_y;
   const Scalar r_link4_x = link4_l1 - neg_r_link5_x;
-  const Scalar t_link4_1 = s_joint4 * r_link5_z + c_joint4 * r_link4_x;
-  // link3: r of (9)
-  const Scalar r_link3_x = link4_l1 - t_link4_1;
+  const Scalar r_link6_y = link7_l1 * s_joint6 - link7_l2 * c_joint6;
   const Scalar t_link3_1 = s_joint3 * s_joint5;
-  const Scalar t_link3_2 = r_link6_x * t_link3_1;
-  const Scalar t_link3_3 = t_link3_2 - c_joint3 * r_link3_x;
-  const Scalar t_link4_2 = c_joint4 * r_link5_z - s_joint4 * r_link4_x;
-  const Scalar neg_r_link3_z = link3_l1 - t_link4_2;
-  const Scalar r_link2_x = c_joint2 * t_link3_3 + s_joint2 * neg_r_link3_z;
+  const Scalar r_link5_z = link5_l1 + r_link6_y;
+  const Scalar t_link4_1 = s_joint4 * r_link5_z + c_joint4 * r_link4_x;
+  const Scalar r_link3_x = link4_l1 - t_link4_1;
+  const Scalar t_link3_2 = r_link6_x * t_link3_1 - c_joint3 * r_link3_x;
+  const Scalar t_link4_2 = s_joint4 * r_link4_x - c_joint4 * r_link5_z;
+  const Scalar neg_r_link3_z = link3_l1 + t_link4_2;
+  const Scalar r_link2_x = s_joint2 * neg_r_link3_z + c_joint2 * t_link3_2;
   C[5] = r_link2_x;
-  const Scalar t_link3_4 = c_joint3 * s_joint5;
+  const Scalar t_link3_3 = c_joint3 * s_joint5;
   // link2: r of (9)
-  const Scalar r_link2_z = r_link6_x * t_link3_4 + s_joint3 * r_link3_x;
+  const Scalar r_link2_z = r_link6_x * t_link3_3 + s_joint3 * r_link3_x;
   const Scalar t_link2_1 = s_joint1 * r_link2_z;
   C[1] = -(t_link2_1 + c_joint1 * r_link2_x);
   const Scalar t_link2_2 = c_joint1 * r_link2_z;
   C[0] = s_joint1 * r_link2_x - t_link2_2;
-  const Scalar neg_r_link2_y = c_joint2 * neg_r_link3_z - s_joint2 * t_link3_3;
+  const Scalar r_link2_y = s_joint2 * t_link3_2 - c_joint2 * neg_r_link3_z;
   // link1: C of (9)
-  C[4] = -s_joint1 * neg_r_link2_y;
-  C[3] = -c_joint1 * neg_r_link2_y;
-  C[6] = s_joint1 * t_link3_3 - c_joint2 * t_link2_2;
-  C[7] = -(c_joint2 * t_link2_1 + c_joint1 * t_link3_3);
+  C[4] = s_joint1 * r_link2_y;
+  C[3] = c_joint1 * r_link2_y;
+  C[6] = s_joint1 * t_link3_2 - c_joint2 * t_link2_2;
+  C[7] = -(c_joint2 * t_link2_1 + c_joint1 * t_link3_2);
   const Scalar t_link1_1 = c_joint5 * r_link6_y;
   const Scalar t_link1_2 = s_joint4 * r_link6_x;
   const Scalar t_link1_3 = t_link1_2 + c_joint4 * t_link1_1;
@@ -1835,23 +1832,23 @@ void force_jacobian_transpose(const Scalar q[7], Scalar C[21]) noexcept {
   const Scalar t_link1_5 = c_joint4 * r_link6_x;
   const Scalar t_link1_6 = t_link1_5 - s_joint4 * t_link1_1;
   const Scalar t_link1_7 = c_joint2 * t_link1_4 - s_joint2 * t_link1_6;
-  const Scalar t_link1_8 = r_link6_y * t_link3_4 + s_joint3 * t_link1_3;
+  const Scalar t_link1_8 = s_joint3 * t_link1_3 + r_link6_y * t_link3_3;
   C[15] = s_joint1 * t_link1_8 - c_joint1 * t_link1_7;
   const Scalar t_link1_9 = c_joint3 * t_link4_2;
   const Scalar t_link1_10 = s_joint3 * t_link4_2;
-  const Scalar t_link1_11 = c_joint2 * t_link1_9 + s_joint2 * t_link4_1;
-  C[9] = s_joint1 * t_link1_10 - c_joint1 * t_link1_11;
-  C[16] = -(s_joint1 * t_link1_7 + c_joint1 * t_link1_8);
-  C[10] = -(c_joint1 * t_link1_10 + s_joint1 * t_link1_11);
+  const Scalar t_link1_11 = c_joint2 * t_link1_9 - s_joint2 * t_link4_1;
+  C[9] = c_joint1 * t_link1_11 - s_joint1 * t_link1_10;
+  C[16] = -(c_joint1 * t_link1_8 + s_joint1 * t_link1_7);
+  C[10] = c_joint1 * t_link1_10 + s_joint1 * t_link1_11;
   C[8] = s_joint2 * r_link2_z;
   const Scalar t_link1_12 = s_joint5 * t_link1_2;
-  const Scalar t_link1_13 = t_link3_4 * t_link1_5 + s_joint3 * neg_r_link5_x;
+  const Scalar t_link1_13 = t_link3_3 * t_link1_5 + s_joint3 * neg_r_link5_x;
   const Scalar t_link1_14 = s_joint2 * t_link1_12 + c_joint2 * t_link1_13;
-  const Scalar t_link1_15 = c_joint4 * t_link3_2 - c_joint3 * neg_r_link5_x;
+  const Scalar t_link1_15 = t_link3_1 * t_link1_5 - c_joint3 * neg_r_link5_x;
   C[12] = s_joint1 * t_link1_15 - c_joint1 * t_link1_14;
-  C[13] = -(c_joint1 * t_link1_15 + s_joint1 * t_link1_14);
-  C[17] = c_joint2 * t_link1_6 + s_joint2 * t_link1_4;
-  C[11] = s_joint2 * t_link1_9 - c_joint2 * t_link4_1;
+  C[13] = -(s_joint1 * t_link1_14 + c_joint1 * t_link1_15);
+  C[17] = s_joint2 * t_link1_4 + c_joint2 * t_link1_6;
+  C[11] = -(s_joint2 * t_link1_9 + c_joint2 * t_link4_1);
   C[14] = s_joint2 * t_link1_13 - c_joint2 * t_link1_12;
   C[2] = 0.0;
   C[18] = 0.0;

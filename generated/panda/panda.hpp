@@ -29,7 +29,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x2886cbaf66001cf4ULL;
+constexpr unsigned long long kDigest = 0x58e73ba1c48d6a8eULL;
 
 /// Index of every joint.
 namespace joint {

@@ -9,7 +9,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0x2e643b2106e30168ULL, "header and source are of different runs");
+static_assert(kDigest == 0xda46c01971f1b743ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -141,7 +141,7 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   tau[1] = -(boom_w1 * c_shoulder - boom_m1 * qdd[1] + qd[0] * qd[0] * t_shoulder_2);
   // shoulder_link: moment M of (1)
   const Scalar M_shoulder_z_1 = t_shoulder_2 * (qd[0] * qd[1] * 2.0 + base_g1 * s_shoulder);
-  tau[0] = M_shoulder_z_1 + qdd[0] * (shoulder_I1 + q[1] * (boom_h1 + t_shoulder_1));
+  tau[0] = qdd[0] * (shoulder_I1 + q[1] * (boom_h1 + t_shoulder_1)) + M_shoulder_z_1;
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
@@ -149,13 +149,13 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const auto p_s_shoulder = sine_cosine(q[0]);
   const Scalar& s_shoulder = p_s_shoulder.sine;
   const Scalar& c_shoulder = p_s_shoulder.cosine;
+  // shoulder_link: 1/pivot, qdd of (1)
   const Scalar inverse_pivot_shoulder = 1.0 / (shoulder_I1 + q[1] * (boom_h1 + boom_m1 * q[1]));
-  const Scalar t_boom_1 = boom_l1 + q[1];
-  const Scalar t_boom_2 = qd[0] * t_boom_1;
-  const Scalar qdd_0_1 = tau[0] - s_shoulder * t_boom_1 * boom_w1 - qd[1] * t_boom_2 * boom_m2;
+  const Scalar t_shoulder_1 = boom_l1 + q[1];
+  const Scalar qdd_0_1 = tau[0] - t_shoulder_1 * (boom_w1 * s_shoulder + qd[0] * qd[1] * boom_m2);
   qdd[0] = inverse_pivot_shoulder * qdd_0_1;
   // boom: qdd of (1)
-  qdd[1] = base_g1 * c_shoulder + boom_p1 * tau[1] + qd[0] * t_boom_2;
+  qdd[1] = base_g1 * c_shoulder + boom_p1 * tau[1] + qd[0] * qd[0] * t_shoulder_1;
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {

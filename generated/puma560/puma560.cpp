@@ -9,7 +9,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0x3b3517857e538a34ULL, "header and source are of different runs");
+static_assert(kDigest == 0x2d4b8fbc336364c3ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -159,18 +159,18 @@ constexpr double link2_l1 = 0.1501;
 constexpr double link2_l2 = 0.3002;
 // kg m^2: mass, com y z, offset y of link2
 constexpr double link2_I1 = 0.023751;
+// kg m^2: mass, com x y of link2
+constexpr double link2_I2 = 0.0141984;
+// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3; mass of link4, link5,
+//     link6
+constexpr double link2_I3 = 1.601861202;
 // kg m^2: mass, com x z, offset y of link2; mass, com z, offset x z of link3; mass, offset x of
 //     link4; mass of link5, link6
-constexpr double link2_I2 = 0.690314699;
+constexpr double link2_I4 = 0.690314699;
 // kg m^2: mass, com x y, inertia xx yy zz of link2; mass, com y, inertia xx yy zz, offset x of
 //     link3; mass, com z, inertia xx yy zz, offset x y of link4; mass, inertia xx yy zz of link5;
 //     mass, com z, inertia xx yy zz of link6
-constexpr double link2_I3 = 2.061861411;
-// kg m^2: mass, com x y of link2
-constexpr double link2_I4 = 0.0141984;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3; mass of link4, link5,
-//     link6
-constexpr double link2_I5 = 1.601861202;
+constexpr double link2_I5 = 2.061861411;
 // kg m^2: mass, com x y of link2
 constexpr double link2_I6 = 0.0070992;
 // kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3
@@ -194,13 +194,13 @@ constexpr double link3_l1 = 0.4318;
 constexpr double link3_h1 = -0.861795;
 // kg m: mass, com y of link3; mass, com z of link4
 constexpr double link3_h2 = 0.32042;
-// kg m^2: mass, com y z of link3
-constexpr double link3_I1 = -0.004704;
 // kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
 //     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
-constexpr double link3_I2 = 0.313747409;
+constexpr double link3_I1 = 0.313747409;
 // kg m^2: mass, com y of link3; mass, com z, offset x y of link4; mass of link5, link6
-constexpr double link3_I3 = 0.0174944385;
+constexpr double link3_I2 = 0.0174944385;
+// kg m^2: mass, com y z of link3
+constexpr double link3_I3 = -0.004704;
 // kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
 //     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link3_I4 = 0.298477184;
@@ -306,7 +306,7 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   const Scalar t_link5_2 = link6_I4 * c_joint5;
   const Scalar t_link4_1 = c_joint4 * neg_h_link4_x;
   const Scalar h_link3_z = s_joint4 * neg_h_link4_x;
-  // link4: inertia I, A, first moment h of (2)
+  // link4: inertia I, A of (2)
   const Scalar I_link4_zz = link4_I2 + t_link5_1;
   A[21] = I_link4_zz;
   const Scalar t_link4_2 = s_joint4 * (link4_I3 - t_link5_1);
@@ -315,38 +315,39 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   const Scalar A_15 = s_joint4 * neg_I_link4_xz;
   A[15] = A_15;
   A[20] = A[15];
-  const Scalar t_link4_4 = 2.0 * t_link4_1;
-  const Scalar t_link3_1 = t_link4_4 - (t_link5_2 - t_link4_3);
-  const Scalar I_link3_zz = link3_I2 + t_link3_1;
+  const Scalar t_link4_4 = c_joint4 * neg_I_link4_xz;
+  const Scalar t_link4_5 = 2.0 * t_link4_1;
+  // link3: inertia I, A, first moment h of (2)
+  const Scalar t_link3_1 = t_link4_5 - (t_link5_2 - t_link4_3);
+  const Scalar I_link3_zz = link3_I1 + t_link3_1;
   A[14] = I_link3_zz;
+  const Scalar neg_I_link1_zz_1 = h_link4_z - t_link4_4;
   const Scalar neg_h_link3_y = link4_I4 + t_link4_1;
-  // link3: A, first moment h, way s to the joint of (2)
   const Scalar t_link3_2 = c_joint2_joint3 * neg_s_link3_x;
+  const Scalar h_link3_x = link3_I2 - h_link4_z;
   const Scalar t_link3_3 = s_joint2_joint3 * neg_s_link3_x;
-  const Scalar h_link3_x = link3_I3 - h_link4_z;
-  const Scalar t_link3_4 = t_link3_3 * h_link3_x - neg_h_link3_y * t_link3_2;
+  const Scalar t_link3_4 = h_link3_x * t_link3_3 - neg_h_link3_y * t_link3_2;
   const Scalar t_link3_5 = 2.0 * t_link3_4;
-  const Scalar t_link3_6 = c_joint2_joint3 * h_link3_x + s_joint2_joint3 * neg_h_link3_y;
   const Scalar neg_s_link3_y = link3_k1 * s_joint2;
-  const Scalar t_link3_7 = t_link3_6 * neg_s_link3_y;
+  const Scalar t_link3_6 = s_joint2_joint3 * neg_h_link3_y + c_joint2_joint3 * h_link3_x;
+  const Scalar t_link3_7 = neg_s_link3_y * t_link3_6;
   const Scalar I_link3_yz = h_link3_z - c_joint4 * t_link4_2;
-  const Scalar A_2_1 = s_joint2_joint3 * I_link3_yz + c_joint2_joint3 * (link3_I1 + A_15);
+  const Scalar A_2_1 = c_joint2_joint3 * (link3_I3 + A_15) + s_joint2_joint3 * I_link3_yz;
   const Scalar A_2 = A_2_1 + link2_k2 * t_link3_6;
   A[2] = A_2;
   A[12] = A[2];
-  A[1] = A_2 + link2_I1 * c_joint2 + link2_I2 * s_joint2 + h_link3_z * neg_s_link3_y;
+  A[1] = A_2 + link2_I1 * c_joint2 + s_joint2 * (link2_I4 + link3_k1 * h_link3_z);
   A[6] = A[1];
-  A[7] = 2.0 * t_link3_7 - (t_link3_5 - (link2_I3 + t_link3_1));
-  const Scalar t_link4_5 = c_joint4 * neg_I_link4_xz;
-  const Scalar neg_I_link1_zz_1 = t_link5_1 + t_link5_2 + t_link4_3;
-  const Scalar neg_I_link1_zz_2 = t_link4_4 - (link3_I4 - t_link5_1) + neg_I_link1_zz_1;
-  const Scalar neg_I_link1_zz_3 = s_joint2_joint3 * (link4_I1 - 2.0 * (h_link4_z - t_link4_5));
-  const Scalar neg_I_link1_zz_4 = neg_I_link1_zz_1 - (link1_I1 - t_link3_5);
-  const Scalar neg_I_link1_zz_5 = neg_I_link1_zz_4 - link2_k1 * h_link3_z;
-  const Scalar neg_I_link1_zz_6 = link2_I4 * c_joint2 + link2_I5 * s_joint2;
-  const Scalar neg_I_link1_zz_7 = neg_I_link1_zz_3 - c_joint2_joint3 * neg_I_link1_zz_2;
-  const Scalar neg_I_link1_zz_8 = neg_I_link1_zz_5 + s_joint2 * neg_I_link1_zz_6;
-  A[0] = -(neg_I_link1_zz_8 + c_joint2_joint3 * neg_I_link1_zz_7);
+  A[7] = 2.0 * t_link3_7 - (t_link3_5 - (link2_I5 + t_link3_1));
+  const Scalar neg_I_link1_zz_2 = t_link5_1 + t_link5_2 + t_link4_3;
+  const Scalar neg_I_link1_zz_3 = t_link4_5 - (link3_I4 - t_link5_1) + neg_I_link1_zz_2;
+  const Scalar neg_I_link1_zz_4 = s_joint2_joint3 * (link4_I1 - 2.0 * neg_I_link1_zz_1);
+  const Scalar neg_I_link1_zz_5 = neg_I_link1_zz_2 - (link1_I1 - t_link3_5);
+  const Scalar neg_I_link1_zz_6 = neg_I_link1_zz_4 - c_joint2_joint3 * neg_I_link1_zz_3;
+  // link1: inertia I of (2)
+  const Scalar neg_I_link1_zz_7 = neg_I_link1_zz_5 - link2_k1 * h_link3_z;
+  const Scalar neg_I_link1_zz_8 = neg_I_link1_zz_7 + c_joint2_joint3 * neg_I_link1_zz_6;
+  A[0] = -(neg_I_link1_zz_8 + s_joint2 * (link2_I2 * c_joint2 + link2_I3 * s_joint2));
   const Scalar A_23 = link6_I1 * c_joint5;
   A[23] = A_23;
   A[33] = A[23];
@@ -362,15 +363,16 @@ void mass_matrix(const Scalar q[6], Scalar A[36]) noexcept {
   A[16] = A_16;
   A[26] = A[16];
   const Scalar t_link4_6 = c_joint4 * h_link4_z;
+  // link3: A of (2)
   const Scalar t_link3_8 = c_joint2_joint3 * t_link4_6 - s_joint2_joint3 * neg_h_link4_x;
   const Scalar A_10_1 = A_16 + t_link3_3 * t_link4_6 + neg_h_link4_x * t_link3_2;
   A[10] = A_10_1 - neg_s_link3_y * t_link3_8;
   A[25] = A[10];
   const Scalar t_link3_9 = c_joint2_joint3 + neg_s_link3_x;
-  const Scalar A_4_1 = s_joint4 * (s_joint2_joint3 * t_link5_4 + h_link4_z * t_link3_9);
-  A[4] = A_4_1 - link2_k2 * t_link3_8;
+  const Scalar neg_A_4_1 = s_joint4 * (s_joint2_joint3 * t_link5_4 + h_link4_z * t_link3_9);
+  A[4] = neg_A_4_1 - link2_k2 * t_link3_8;
   A[24] = A[4];
-  const Scalar neg_A_3_1 = s_joint2_joint3 * t_link4_5 - t_link4_1 * t_link3_9;
+  const Scalar neg_A_3_1 = s_joint2_joint3 * t_link4_4 - t_link4_1 * t_link3_9;
   A[3] = c_joint2_joint3 * (I_link4_zz + link2_k2 * h_link3_z) - neg_A_3_1;
   A[18] = A[3];
   A[9] = A_15 - h_link3_z * (t_link3_3 - c_joint2_joint3 * neg_s_link3_y);
@@ -490,9 +492,9 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar M_link3_z_5 = t_link3_3 + neg_s_link3_y * t_link3_1;
   const Scalar M_link3_z = M_link3_z_4 + neg_Omega_link2_yy * M_link3_z_5;
   B[2] = M_link3_z;
-  const Scalar t_link2_2 = link2_I6 - c_joint2 * (link2_I4 * c_joint2 + link2_I5 * s_joint2);
+  const Scalar t_link2_2 = link2_I6 - c_joint2 * (link2_I2 * c_joint2 + link2_I3 * s_joint2);
   const Scalar neg_F_link3_x = t_link4_16 + t_link3_1 * neg_Omega_link3_xx;
-  const Scalar neg_M_link2_y_1 = s_joint4 * M_link4_y - link3_I1 * neg_Omega_link3_yy;
+  const Scalar neg_M_link2_y_1 = s_joint4 * M_link4_y - link3_I3 * neg_Omega_link3_yy;
   const Scalar neg_M_link2_y_2 = s_joint4 * t_link4_9 - c_joint4 * Omega_link5_zy;
   const Scalar neg_M_link2_y_3 = c_joint2_joint3 * neg_M_link4_z - Omega_link2_zy * t_link2_2;
   const Scalar neg_M_link2_y_4 = neg_M_link2_y_2 * (neg_s_link3_x + neg_s_link4_x);
@@ -501,7 +503,7 @@ void bias_force(const Scalar q[6], const Scalar qd[6], Scalar B[6]) noexcept {
   const Scalar neg_M_link2_y_7 = neg_M_link2_y_6 + link2_l1 * neg_F_link3_x;
   const Scalar neg_M_link2_y_8 = neg_M_link2_y_1 + c_joint4 * neg_M_link4_x;
   const Scalar neg_M_link2_y_9 = neg_M_link2_y_7 - s_joint2_joint3 * neg_M_link2_y_8;
-  const Scalar neg_M_link2_y_10 = link2_I2 * c_joint2 - link2_I1 * s_joint2;
+  const Scalar neg_M_link2_y_10 = link2_I4 * c_joint2 - link2_I1 * s_joint2;
   const Scalar neg_M_link2_y_11 = neg_M_link2_y_9 - neg_Omega_link2_yy * neg_M_link2_y_10;
   B[0] = -(neg_M_link2_y_11 + Omega_link3_zy * t_link3_5);
   const Scalar M_link2_z_1 = M_link3_z - neg_Omega_link1_xx * t_link2_2;
@@ -526,11 +528,10 @@ void gravity_force(const Scalar q[6], Scalar G[6]) noexcept {
   // link5: G of 6.5
   const Scalar t_link5_1 = s_joint2_joint3 * c_joint5 * link6_G1;
   const Scalar t_link5_2 = link6_G1 * s_joint5;
-  const Scalar t_link5_3 = c_joint2_joint3 * t_link5_2;
-  G[4] = t_link5_3 + c_joint4 * t_link5_1;
+  G[4] = c_joint4 * t_link5_1 + c_joint2_joint3 * t_link5_2;
   G[3] = -s_joint2_joint3 * s_joint4 * t_link5_2;
-  const Scalar G_2_1 = t_link5_1 - link3_G1 * s_joint2_joint3 + link4_G1 * c_joint2_joint3;
-  const Scalar G_2 = G_2_1 + c_joint4 * t_link5_3;
+  const Scalar G_2_1 = t_link5_1 - link3_G1 * s_joint2_joint3;
+  const Scalar G_2 = G_2_1 + c_joint2_joint3 * (link4_G1 + c_joint4 * t_link5_2);
   G[2] = G_2;
   // link2: G of 6.5
   G[1] = G_2 + link2_G1 * c_joint2 - link2_G2 * s_joint2;
@@ -644,7 +645,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar F_link4_x = F_link4_x_1 + t_link5_5 * t_link5_6;
   const Scalar t_link5_7 = s_joint5 * neg_M_link5_y + c_joint5 * M_link5_x;
   // link3: moment M, force F of (1)
-  const Scalar M_link3_z_1 = link3_I1 * Omega_link3_yz + link4_I5 * t_link4_3;
+  const Scalar M_link3_z_1 = link3_I3 * Omega_link3_yz + link4_I5 * t_link4_3;
   const Scalar M_link3_z_2 = M_link3_z_1 - link4_l2 * F_link4_x + link3_I8 * t_link3_6;
   const Scalar M_link3_z_3 = M_link3_z_2 + c_joint4 * M_link5_z + link4_l1 * neg_F_link4_z;
   const Scalar M_link3_z_4 = M_link3_z_3 + link4_I7 * (neg_Omega_link3_xx - neg_Omega_link3_yy);
@@ -656,7 +657,7 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   const Scalar t_link3_9 = c_joint2_joint3 * neg_F_link3_y - s_joint2_joint3 * F_link3_x;
   const Scalar M_link2_z_1 = c_joint2_joint3 * F_link3_x + s_joint2_joint3 * neg_F_link3_y;
   // link2: moment M of (1)
-  const Scalar t_link2_1 = link2_I7 * s_joint2 + link2_I4 * c_joint2;
+  const Scalar t_link2_1 = link2_I7 * s_joint2 + link2_I2 * c_joint2;
   const Scalar t_link2_2 = link2_I6 - c_joint2 * t_link2_1;
   const Scalar t_link2_3 = link2_I8 * s_joint2 + link2_I1 * c_joint2;
   const Scalar M_link2_z_2 = M_link3_z + link2_I9 * qdd[1];
@@ -667,10 +668,10 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
   // link3: moment M of (1)
   const Scalar M_link3_x_1 = neg_M_link4_z + link3_I6 * Omega_link3_zy + link4_l1 * neg_F_link4_y;
   const Scalar M_link3_x_2 = M_link3_x_1 - link4_I7 * Omega_link4_yz;
-  const Scalar M_link3_x = M_link3_x_2 + link3_I1 * neg_Omega_link3_yx;
+  const Scalar M_link3_x = M_link3_x_2 + link3_I3 * neg_Omega_link3_yx;
   // link4: moment M of (1)
   const Scalar neg_M_link3_y_1 = link4_I5 * t_link4_2 + link4_I7 * Omega_link3_zy;
-  const Scalar neg_M_link3_y_2 = neg_M_link3_y_1 - link3_I1 * t_link3_7;
+  const Scalar neg_M_link3_y_2 = neg_M_link3_y_1 - link3_I3 * t_link3_7;
   const Scalar neg_M_link3_y_3 = neg_M_link3_y_2 + link3_h2 * neg_a_link3_z;
   const Scalar neg_M_link3_y_4 = neg_M_link3_y_3 - link3_I7 * Omega_link4_yz;
   const Scalar neg_M_link3_y_5 = neg_M_link3_y_4 - link4_l2 * neg_F_link4_y;
@@ -705,7 +706,7 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar neg_Omega_link1_xx = qd[0] * qd[0];
   // link2: Omega of (1)
   const Scalar neg_Omega_link2_yy = qd[1] * qd[1];
-  const Scalar t_link2_1 = link2_I4 * c_joint2 + link2_I5 * s_joint2;
+  const Scalar t_link2_1 = link2_I2 * c_joint2 + link2_I3 * s_joint2;
   const Scalar t_link2_2 = link2_I6 - c_joint2 * t_link2_1;
   const Scalar t_link2_3 = 2.0 * qd[0];
   const Scalar Omega_link2_zy = qd[1] * t_link2_3;
@@ -817,14 +818,14 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link6_8 = t_link4_17 + t_link4_21 - t_link4_26 * t_link6_1;
   const Scalar t_link6_9 = t_link6_8 - neg_s_link4_y * t_link4_15 * link6_p3;
   // link4
-  const Scalar t_link4_28 = link3_I2 + t_link6_9 - t_link6_2 * t_link4_27;
+  const Scalar t_link4_28 = link3_I1 + t_link6_9 - t_link6_2 * t_link4_27;
   const Scalar t_link4_29 = t_link4_28 - t_link4_25 * t_link5_6;
   const Scalar t_link4_30 = t_link3_3 - t_link3_4 + t_link4_29 - t_link3_12 * t_link4_27;
   const Scalar t_link4_31 = t_link4_30 - t_link3_6 * t_link5_6;
   const Scalar t_link6_10 = link6_p1 * t_link4_15;
   const Scalar t_link4_32 = t_link6_7 * inverse_pivot_link4;
   const Scalar t_link5_7 = link5_p1 * t_link3_10;
-  const Scalar t_link3_13 = t_link4_14 * t_link4_16 - c_joint2_joint3 * (link3_I1 - t_link4_19);
+  const Scalar t_link3_13 = t_link4_14 * t_link4_16 - c_joint2_joint3 * (link3_I3 - t_link4_19);
   const Scalar t_link4_33 = t_link3_13 + t_link4_26 * t_link6_10 + t_link6_2 * t_link4_32;
   const Scalar t_link4_34 = t_link4_33 - neg_s_link4_y * h_link3_z + t_link4_25 * t_link5_7;
   const Scalar t_link4_35 = t_link4_34 - link2_l1 * neg_h_link3_y;
@@ -832,13 +833,13 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar t_link4_36 = t_link6_3 * inverse_pivot_link4;
   const Scalar t_link3_14 = t_link4_31 * inverse_pivot_link3;
   const Scalar t_link5_8 = link5_p1 * t_link3_7;
-  const Scalar inverse_pivot_link2_1 = link2_I3 - t_link3_5 + t_link6_9 + 2.0 * t_link3_3;
+  const Scalar inverse_pivot_link2_1 = link2_I5 - t_link3_5 + t_link6_9 + 2.0 * t_link3_3;
   // link3
   const Scalar inverse_pivot_link2_2 = inverse_pivot_link2_1 - t_link4_31 * t_link3_14;
   const Scalar inverse_pivot_link2_3 = inverse_pivot_link2_2 - t_link3_7 * t_link5_8;
   const Scalar t_link3_15 = t_link4_35 * inverse_pivot_link3;
   const Scalar t_link3_16 = t_link4_35 - link2_I1 * c_joint2 + t_link3_12 * t_link4_32;
-  const Scalar t_link3_17 = t_link3_16 - s_joint2 * (link2_I2 + link3_l1 * h_link3_z);
+  const Scalar t_link3_17 = t_link3_16 - s_joint2 * (link2_I4 + link3_l1 * h_link3_z);
   const Scalar t_link3_18 = t_link3_17 - t_link4_31 * t_link3_15 + t_link3_6 * t_link5_7;
   const Scalar inverse_pivot_link2 = 1.0 / (inverse_pivot_link2_3 - t_link6_3 * t_link4_36);
   const Scalar t_link3_19 = link4_I1 * c_joint2_joint3 + link3_I5 * s_joint2_joint3;
@@ -875,10 +876,10 @@ void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6]
   const Scalar neg_M_link4_x = neg_M_link4_x_1 - c_joint5 * M_link5_x;
   const Scalar t_link4_39 = c_joint2_joint3 * neg_F_link4_z + s_joint2_joint3 * t_link4_11;
   const Scalar t_link1_8 = link2_G1 + link3_l1 * (t_link4_39 - neg_Omega_link3_yy * t_link3_2);
-  const Scalar neg_qdd_0_1 = link2_I2 * c_joint2 - link2_I1 * s_joint2;
+  const Scalar neg_qdd_0_1 = link2_I4 * c_joint2 - link2_I1 * s_joint2;
   const Scalar neg_qdd_0_2 = c_joint4 * neg_F_link5_z - s_joint4 * F_link4_x;
   // link1: qdd of (1)
-  const Scalar neg_qdd_0_3 = link3_I1 * neg_Omega_link3_yy - c_joint4 * neg_M_link4_x;
+  const Scalar neg_qdd_0_3 = link3_I3 * neg_Omega_link3_yy - c_joint4 * neg_M_link4_x;
   const Scalar neg_qdd_0_4 = neg_qdd_0_3 - s_joint4 * M_link4_y;
   const Scalar t_link1_9 = s_joint4 * (neg_M_link4_x - t_link5_5 * t_link1_3);
   const Scalar t_link1_10 = neg_Omega_link2_yy * t_link1_4 - t_link1_9;

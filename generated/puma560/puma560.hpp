@@ -25,7 +25,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x3b3517857e538a34ULL;
+constexpr unsigned long long kDigest = 0x2d4b8fbc336364c3ULL;
 
 /// Index of every joint.
 namespace joint {

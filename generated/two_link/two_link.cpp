@@ -9,7 +9,7 @@
 
 namespace two_link {
 
-static_assert(kDigest == 0x3432de7610120f1fULL, "header and source are of different runs");
+static_assert(kDigest == 0x9a7ea41bfae178dfULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -209,13 +209,13 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar alpha_forearm_z = qdd[0] + qdd[1];
   const Scalar a_forearm_y_1 = s_elbow * (base_p1 * s_shoulder + qd[0] * qd[0]);
-  const Scalar a_forearm_y = c_elbow * (qdd[0] - base_p1 * c_shoulder) + a_forearm_y_1;
-  const Scalar M_forearm_z = forearm_p1 * alpha_forearm_z + forearm_p2 * a_forearm_y;
+  const Scalar a_forearm_y = a_forearm_y_1 + c_elbow * (qdd[0] - base_p1 * c_shoulder);
+  const Scalar M_forearm_z = forearm_p2 * a_forearm_y + forearm_p1 * alpha_forearm_z;
   tau[1] = M_forearm_z;
   const Scalar M_upper_arm_z_1 = s_elbow * omega_forearm_z * omega_forearm_z;
   // upper_arm: moment M of (1)
   const Scalar M_upper_arm_z_2 = M_forearm_z - upper_arm_p2 * c_shoulder + upper_arm_p3 * qdd[0];
-  tau[0] = M_upper_arm_z_2 + forearm_p2 * (c_elbow * alpha_forearm_z - M_upper_arm_z_1);
+  tau[0] = M_upper_arm_z_2 - forearm_p2 * (M_upper_arm_z_1 - c_elbow * alpha_forearm_z);
 }
 
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
@@ -230,18 +230,18 @@ void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2]
   const Scalar omega_forearm_z = qd[0] + qd[1];
   const Scalar t_forearm_1 = c_elbow * c_elbow * forearm_p7;
   const Scalar inverse_pivot_upper_arm = 1.0 / (upper_arm_p3 - t_forearm_1);
-  const Scalar t_upper_arm_1 = base_p1 * c_shoulder;
   const Scalar t_forearm_2 = forearm_p2 * s_elbow;
+  const Scalar t_upper_arm_1 = tau[1] - t_forearm_2 * (qd[0] * qd[0] + base_p1 * s_shoulder);
+  const Scalar t_upper_arm_2 = base_p1 * c_shoulder;
   const Scalar t_forearm_3 = forearm_p6 * c_elbow;
   // upper_arm: qdd of (1)
-  const Scalar t_upper_arm_2 = tau[1] - t_forearm_2 * (qd[0] * qd[0] + base_p1 * s_shoulder);
-  const Scalar neg_qdd_0_1 = tau[1] - tau[0] - (upper_arm_p4 - t_forearm_1) * t_upper_arm_1;
-  const Scalar neg_qdd_0_2 = neg_qdd_0_1 + t_forearm_3 * t_upper_arm_2;
+  const Scalar neg_qdd_0_1 = tau[1] - tau[0] + t_upper_arm_1 * t_forearm_3;
+  const Scalar neg_qdd_0_2 = neg_qdd_0_1 - (upper_arm_p4 - t_forearm_1) * t_upper_arm_2;
   const Scalar neg_qdd_0_3 = neg_qdd_0_2 - omega_forearm_z * omega_forearm_z * t_forearm_2;
   const Scalar neg_qdd_0 = inverse_pivot_upper_arm * neg_qdd_0_3;
   qdd[0] = -neg_qdd_0;
   // forearm: qdd of (1)
-  qdd[1] = neg_qdd_0 + forearm_p5 * t_upper_arm_2 + t_forearm_3 * (t_upper_arm_1 + neg_qdd_0);
+  qdd[1] = neg_qdd_0 + forearm_p5 * t_upper_arm_1 + t_forearm_3 * (t_upper_arm_2 + neg_qdd_0);
 }
 
 void point_positions(const Scalar q[2], Scalar p[3]) noexcept {

@@ -24,7 +24,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x3432de7610120f1fULL;
+constexpr unsigned long long kDigest = 0x9a7ea41bfae178dfULL;
 
 /// Index of every joint.
 namespace joint {

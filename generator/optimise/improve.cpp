@@ -17,6 +17,8 @@ constexpr std::array<std::string_view, 5> kOrders = {"fsp", "sfp", "sp", "fps", 
 constexpr int kMostExpansions = 4;
 constexpr int kWindow = 80;
 constexpr int kMovesPerWindow = 20;
+/// In a function of few operations more moves find nothing.
+constexpr int kMovesPerOperation = 20;
 
 /// \param guard  null: of a window, which is held to the rounding of the whole
 Network improve_whole(Network network, int moves, const RoundingGuard* guard, Random& random) {
@@ -48,6 +50,7 @@ Network improve_window(const Network& network, int moves, const RoundingGuard& g
 
 Network improve(Network network, int moves, const RoundingGuard& guard, std::uint64_t seed) {
   Random random(seed);
+  moves = std::min(moves, kMovesPerOperation * operations(network));
   for (int left = moves; left > 0; left -= kMovesPerWindow) {
     const int now = std::min(left, kMovesPerWindow);
     const int count = operations(network);

@@ -44,8 +44,8 @@ TEST_F(Cli, DoesNotTouchFilesThatWouldNotChange) {
 /// mass_matrix of the arm: 2 mul, 2 add and a pair of 78 cycles.
 TEST_F(Cli, SaysHowToCompileForAProcessorAndWhatACallCosts) {
   const auto generated = [&](std::vector<std::string> more) {
-    more.insert(more.begin(),
-                {"generate", kModel, "--scalar", "float", "--self-test", "-o", out()});
+    more.insert(more.begin(), {"generate", kModel, "--scalar", "float", "--self-test", "--effort",
+                               "100", "-o", out()});
     const Outcome outcome = treedyn(more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return read_file(file(fs::exists(file("two_link.h")) ? "two_link.h" : "two_link.hpp"));
@@ -63,10 +63,10 @@ TEST_F(Cli, SaysHowToCompileForAProcessorAndWhatACallCosts) {
   EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"cycles\": {\"mass_matrix\": 88, "));
   EXPECT_THAT(read_file(file("two_link.cpp")),
               HasSubstr("optimize(\"no-tree-slp-vectorize\", \"no-schedule-insns\")\n"));
-  EXPECT_EQ(
-      treedyn({"check", kModel, "--scalar", "float", "--self-test", "--core", "m4f", "-o", out()})
-          .status,
-      0);
+  EXPECT_EQ(treedyn({"check", kModel, "--scalar", "float", "--self-test", "--core", "m4f",
+                     "--effort", "100", "-o", out()})
+                .status,
+            0);
   EXPECT_EQ(generated({"--core", "m4"}), generated({"--core", "m4f"}));
   EXPECT_THAT(generated({"--core", "host"}), HasSubstr("About"));
   EXPECT_THAT(generated({"--core", "host", "--limb-lanes"}), Not(HasSubstr("About")));
@@ -164,19 +164,22 @@ TEST_F(Cli, SaysThatOnlyEndsOfLinesDiffer) {
 }
 
 TEST_F(Cli, LetsModelsShareAFolder) {
-  treedyn({"generate", kModel, "-o", out()});
-  treedyn({"generate", TREEDYN_SOURCE_DIR "/models/polar.yaml", "-o", out()});
-  EXPECT_EQ(treedyn({"check", kModel, "-o", out()}).status, 0);
+  treedyn({"generate", kModel, "-o", out(), "--effort", "0"});
+  treedyn({"generate", TREEDYN_SOURCE_DIR "/models/polar.yaml", "-o", out(), "--effort", "0"});
+  EXPECT_EQ(treedyn({"check", kModel, "-o", out(), "--effort", "0"}).status, 0);
 }
 
 TEST_F(Cli, LetsVariantsOfAModelShareAFolder) {
-  treedyn({"generate", kModel, "-o", out()});
-  treedyn({"generate", kModel, "-o", out(), "--name", "quick", "--scalar", "float"});
-  treedyn({"generate", kModel, "-o", out(), "--name", "points", "--functions", "point_positions"});
-  treedyn({"generate", kModel, "-o", out(), "--name", "massless", "--runtime", "forearm.mass"});
-  EXPECT_EQ(treedyn({"check", kModel, "-o", out()}).status, 0);
-  treedyn({"generate", kModel, "-o", out(), "--name", "old_name"});
-  const Outcome outcome = treedyn({"check", kModel, "-o", out()});
+  treedyn({"generate", kModel, "-o", out(), "--effort", "0"});
+  treedyn(
+      {"generate", kModel, "-o", out(), "--name", "quick", "--scalar", "float", "--effort", "0"});
+  treedyn({"generate", kModel, "-o", out(), "--name", "points", "--functions", "point_positions",
+           "--effort", "0"});
+  treedyn({"generate", kModel, "-o", out(), "--name", "massless", "--runtime", "forearm.mass",
+           "--effort", "0"});
+  EXPECT_EQ(treedyn({"check", kModel, "-o", out(), "--effort", "0"}).status, 0);
+  treedyn({"generate", kModel, "-o", out(), "--name", "old_name", "--effort", "0"});
+  const Outcome outcome = treedyn({"check", kModel, "-o", out(), "--effort", "0"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr("surplus: " + file("old_name.hpp").string() + "\n"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("quick")));
