@@ -16,7 +16,7 @@
 //   joint7  link7  6      revolute  rad
 //
 //   point   link    index  at (link frame, m)
-//   flange  flange  0      0, 0, 0.107
+//   flange  flange  0      0, 0, 0
 
 #pragma once
 
@@ -29,7 +29,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x58e73ba1c48d6a8eULL;
+constexpr unsigned long long kDigest = 0xc78c42d326a1d99aULL;
 
 /// Index of every joint.
 namespace joint {

@@ -68,16 +68,28 @@ void add_commands(CLI::App& app, Settings& settings) {
   CLI::App* info = app.add_subcommand("info", "joints, D, masses, snapped constants, costs");
   add_generation(*info, settings.request);
   add_talk(*info, settings);
-  info->add_flag("--json", settings.json, "as JSON");
-  info->add_flag("--passes", settings.passes, "operations of every function, pass by pass");
-  info->add_flag("--accuracy", settings.errors,
-                 "largest errors of every function in float and double beside its operations, "
-                 "option by option");
-  info->add_option("--derivation", settings.derivation,
-                   "how the code of a function comes about: equation, rules, recursion, cost")
-      ->type_name("FUNCTION");
+  CLI::Option* const json = info->add_flag("--json", settings.json, "as JSON, all and --accuracy");
+  CLI::Option* const passes =
+      info->add_flag("--passes", settings.passes, "operations of every function, pass by pass")
+          ->excludes(json);
+  CLI::Option* const errors =
+      info->add_flag("--accuracy", settings.errors,
+                     "largest errors of every function in float and double beside its operations, "
+                     "option by option")
+          ->excludes(passes);
+  CLI::Option* const derivation =
+      info->add_option("--derivation", settings.derivation,
+                       "how the code of a function comes about: equation, rules, recursion, cost")
+          ->type_name("FUNCTION")
+          ->excludes(json)
+          ->excludes(passes)
+          ->excludes(errors);
   info->add_flag("--base-parameters", settings.base_parameters,
-                 "what of masses, first moments and inertias motions and joint forces can tell");
+                 "what of masses, first moments and inertias motions and joint forces can tell")
+      ->excludes(json)
+      ->excludes(passes)
+      ->excludes(errors)
+      ->excludes(derivation);
 
   CLI::App* vet = app.add_subcommand("vet", "report what looks wrong in a model");
   add_model(*vet, settings.request);

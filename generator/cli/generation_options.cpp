@@ -270,7 +270,8 @@ void settle_vectors(Request& request) {
   if (request.target.vectors && !room) {
     throw CLI::ValidationError("--sincos vector",
                                "all angles of one state first, in C++; expected 1 lane, no "
-                               "--trig late, no --core of a microcontroller and no --language c99");
+                               "--trig late, no --core of a microcontroller, no --section and no "
+                               "--language c99");
   }
 }
 
@@ -419,7 +420,7 @@ void add_target(CLI::App& command, Request& request) {
           "sine and cosine by one branch-free function in the source, without contraction the same "
           "bits everywhere: for several angles of a function at once, as many as the processor's "
           "vectors hold, or one by one (builtin: pair); or of the C library; default vector, and "
-          "pair in C, with --trig late and for several lanes")
+          "pair in C, with --trig late, --section and for several lanes")
       ->check(one_of({"vector", "pair", "libm", "builtin"}))
       ->type_name("vector|pair|libm");
   add_core(command, request);

@@ -126,9 +126,10 @@ std::string point_table(const Model& model) {
   Rows rows = {{"index", "point", "link", "at/m"}};
   for (std::size_t k = 0; k < model.points.size(); ++k) {
     const model::Point& point = model.points[k];
+    const model::Vector3 at = model::place_in_frame(model.tree, point);
     rows.push_back({std::to_string(k), shown(point.name), shown(point.link_name),
-                    fmt::format("{}, {}, {}", emit::decimal(point.at[0]),
-                                emit::decimal(point.at[1]), emit::decimal(point.at[2]))});
+                    fmt::format("{}, {}, {}", emit::decimal(at[0]), emit::decimal(at[1]),
+                                emit::decimal(at[2]))});
   }
   return "\npoints\n" + table(rows);
 }
@@ -287,7 +288,7 @@ std::vector<std::string> points_json(const Model& model) {
     result.push_back(json_object({{"name", json_string(point.name)},
                                   {"identifier", json_string(point.identifier)},
                                   {"link", json_string(point.link_name)},
-                                  {"at", vector_json(point.at)}}));
+                                  {"at", vector_json(model::place_in_frame(model.tree, point))}}));
   }
   return result;
 }

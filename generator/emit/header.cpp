@@ -54,18 +54,18 @@ std::string joint_table(const model::Tree& tree) {
   return comment_table(rows);
 }
 
-std::string point_table(const std::vector<model::Point>& points) {
+std::string point_table(const model::Tree& tree, const std::vector<model::Point>& points) {
   if (points.empty()) {
     return {};
   }
   std::vector<std::vector<std::string>> rows = {{"point", "link", "index", "at (link frame, m)"}};
   for (std::size_t k = 0; k < points.size(); ++k) {
     const model::Point& point = points[k];
-    rows.push_back(
-        {for_comment(point.name, kLongestCell), for_comment(point.link_name, kLongestCell),
-         std::to_string(k),
-         fmt::format("{:.6g}, {:.6g}, {:.6g}", point.at[0].convert_to<double>(),
-                     point.at[1].convert_to<double>(), point.at[2].convert_to<double>())});
+    const model::Vector3 at = model::place_in_frame(tree, point);
+    rows.push_back({for_comment(point.name, kLongestCell),
+                    for_comment(point.link_name, kLongestCell), std::to_string(k),
+                    fmt::format("{:.6g}, {:.6g}, {:.6g}", at[0].convert_to<double>(),
+                                at[1].convert_to<double>(), at[2].convert_to<double>())});
   }
   return "//\n" + comment_table(rows);
 }
@@ -335,7 +335,7 @@ std::string header_text(const Unit& unit) {
                {"model", for_comment(tree.name, kLongestCell * 2)},
                {"command", command_comment(unit.command) + processor_comment(unit)},
                {"joints", joint_table(tree)},
-               {"points", point_table(unit.points)},
+               {"points", point_table(*unit.tree, unit.points)},
                {"scalar", scalar_declaration(unit.target)},
                {"dof", std::to_string(tree.dof())},
                {"point_count", std::to_string(unit.points.size())},

@@ -320,9 +320,15 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
               {"short", elements(most / 2)}});
     others.pop_back();
   }
-  return fill(template_text("sincos.cpp"), {{"finite", needs_no_numbers(target) ? kFiniteMath : ""},
-                                            {"pair", pair},
-                                            {"others", others}});
+  const std::string order = order_of_sums(
+      "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is",
+      needs_no_numbers(target) ? kFiniteMath : "");
+  return fill(template_text("sincos.cpp"),
+              {{"order_of_sums", order}, {"pair", pair}, {"others", others}});
+}
+
+std::string order_of_sums(const std::string& error, const std::string& finite) {
+  return fill(template_text("order_of_sums.cpp"), {{"finite", finite}, {"error", error}});
 }
 
 std::string sincos_of_limbs(const Target& target, const std::string& functions) {

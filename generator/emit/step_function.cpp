@@ -7,6 +7,7 @@
 
 #include "emit/layout.hpp"
 #include "emit/parts.hpp"
+#include "emit/sincos.hpp"
 #include "emit/staged_text.hpp"
 #include "emit/step_events.hpp"
 #include "emit/step_integrate.hpp"
@@ -107,7 +108,12 @@ std::string local_text(const Stepper& stepper, const Vocabulary& words, const Ta
   if (stepper.ends()) {
     result += event_functions(stepper, target.scalar);
   }
-  return result.empty() ? result : "namespace {\n" + result + "\n}  // namespace\n\n";
+  const bool guarded = stepper.compensated && target.takes_libm();  // the pair has that guard
+  return result.empty() ? result
+                        : (guarded ? order_of_sums("a compensated state is what sums round away: "
+                                                   "not for -ffast-math; --state plain is")
+                                   : "") +
+                              "namespace {\n" + result + "\n}  // namespace\n\n";
 }
 
 }  // namespace

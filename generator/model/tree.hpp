@@ -76,6 +76,10 @@ struct Point {
   Matrix3 rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
+struct Tree;
+/// Where a point is in the frame of the link that it names, m: numbers alone. O(frames)
+Vector3 place_in_frame(const Tree& tree, const Point& point);
+
 /// Joint coordinate i as a function of the independent coordinates u: q_i = multiplier *
 /// u[coordinate] + offset.
 struct Drive {

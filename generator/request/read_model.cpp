@@ -169,6 +169,20 @@ void check_step(const Model& model) {
   }
 }
 
+/// Options of a step that is not generated would change nothing.
+void refuse_step_options(const StepChoice& choice, const model::Scene& scene,
+                         const std::string& file) {
+  const bool given = choice.step || choice.cuts || choice.compensated;
+  const model::Stepping& stepping = scene.stepping;
+  if (given && !model::step_method(scene)) {
+    throw InputError(
+        stepping.where.file.empty() ? Location{file, 0, 0} : stepping.where,
+        fmt::format("integrator '{}' is not for generated code, and --step, --cuts "
+                    "and --state are of its step; expected --integrator with {}",
+                    shown(stepping.integrator), fmt::join(model::step_method_names(), ", ")));
+  }
+}
+
 void check_impact(const model::Scene& scene, const model::Phase& phase,
                   const std::vector<int>& constraints, const Location& where) {
   for (const int c : constraints) {
@@ -305,6 +319,7 @@ Model read_scene_model(const Request& request) {
   check_functions(model, {*request.scene, 0, 0});
   check_inertia(model);
   check_step(model);
+  refuse_step_options(request.stepping, *model.scene, *request.scene);
   check_impacts(model, {*request.scene, 0, 0});
   formulate::settle_loops(*model.scene);
   refuse_lengths_of_loops(*model.scene, *request.scene);

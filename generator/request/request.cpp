@@ -86,7 +86,8 @@ bool room_for_vectors(const Request& request) {
   const emit::Target& target = request.target;
   return target.sincos == emit::Sincos::kPair && target.lanes == 1 &&
          target.trigonometry == program::Trigonometry::kEarly &&
-         request.language == emit::Language::kCpp;
+         request.language == emit::Language::kCpp &&
+         request.section.empty();  // g++ before 14 takes no section for templates
 }
 
 std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {

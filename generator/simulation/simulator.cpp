@@ -324,6 +324,9 @@ void Simulator::show_now(double end) {
 
 /// Steps that would never arrive: adaptive ones, and those of any method that events cut short.
 void Simulator::guard_against_standstill(double end) {
+  if (static_cast<double>(cost_.steps) >= settings_.most_steps && t_ < end) {
+    throw std::runtime_error(fmt::format("{} steps are made (--max-steps)", cost_.steps));
+  }
   if (cost_.steps % kTrial != 0) {
     return;
   }

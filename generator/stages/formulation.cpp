@@ -69,6 +69,24 @@ std::vector<program::Function> in_parallel(std::vector<std::pair<std::string, Ta
   return functions;
 }
 
+/// \throws InputError for a function that was asked for and that the scene has no use for
+void require_scene_functions(const Model& model, const program::Programs& programs,
+                             const std::string& file) {
+  const auto has = [](const auto& functions, const std::string& name) {
+    return std::ranges::any_of(
+        functions, [&](const auto& function) { return function.signature.name == name; });
+  };
+  for (const std::string& name : model.scene_functions) {
+    if (!has(programs.functions, name) && !has(programs.staged, name) &&
+        !has(programs.steppers, name)) {
+      throw InputError({file, 0, 0},
+                       fmt::format("function '{}': the scene has nothing for it; expected "
+                                   "--functions without it",
+                                   name));
+    }
+  }
+}
+
 program::Programs formulated(const Model& model, const Request& request, const Trace& trace) {
   program::Programs programs;
   const formulate::Options options = formulate_options(model, request);
@@ -99,6 +117,7 @@ program::Programs formulated(const Model& model, const Request& request, const T
       programs.staged.push_back(std::move(staged));
     }
     programs.steppers = std::move(scene.steppers);
+    require_scene_functions(model, programs, *request.scene);
   }
   return programs;
 }

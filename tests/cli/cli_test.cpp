@@ -290,6 +290,38 @@ TEST_F(Cli, TellsAboutAModel) {
   EXPECT_THAT(text.out, HasSubstr("  x.  upper_arm\n  xx  forearm\n"));
   EXPECT_THAT(treedyn({"info", kModel, "--json"}).out, HasSubstr("\"dof\": 2"));
   EXPECT_THAT(treedyn({"info", kModel, "--equations"}).out, HasSubstr("c_fD = l_D + c^d D"));
+  expect_usage_error(treedyn({"info", kModel, "--passes", "--json"}), "--json excludes --passes");
+  expect_usage_error(treedyn({"info", kModel, "--accuracy", "--base-parameters"}),
+                     "excludes --base-parameters");
+}
+
+TEST_F(Cli, StatesPointsInTheFrameOfTheirLink) {
+  write_file(
+      scratch("m.yaml"),
+      "name: m\nlinks:\n  - {name: arm, father: ground, mass: 1, joint: {name: j, type: "
+      "revolute, axis: [0, 0, 1]}}\n"
+      "  - {name: tool, father: arm, joint: {name: f, type: fixed, offset: [1, 0, 0], rotation: "
+      "{rpy: [0, 0, pi/2]}}}\n"
+      "points:\n  - {name: tcp, link: tool, at: [0.5, 0, 0.25]}\n");
+  const Outcome outcome = treedyn({"generate", scratch("m.yaml"), "--name", "m", "--functions",
+                                   "point_positions", "--points", "tcp,tool", "-o", out()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read_file(file("m.hpp")),
+              testing::ContainsRegex("//   tcp +tool +0 +0\\.5, 0, 0\\.25\n"));
+  EXPECT_THAT(read_file(file("m.hpp")), testing::ContainsRegex("//   tool +tool +1 +0, 0, 0\n"));
+  EXPECT_THAT(treedyn({"info", scratch("m.yaml"), "--functions", "point_positions", "--json"}).out,
+              HasSubstr("\"at\": [0.5, 0, 0.25]"));
+}
+
+TEST_F(Cli, TakesNoTemplatesIntoSections) {
+  ASSERT_EQ(
+      treedyn({"generate", kModel, "--section", "RAM_CODE", "--effort", "0", "-o", out()}).status,
+      0);
+  EXPECT_THAT(read_file(file("two_link.cpp")), Not(HasSubstr("RAM_CODE template")));
+  EXPECT_THAT(read_file(file("two_link.json")), HasSubstr("\"sincos\": \"pair\""));
+  expect_usage_error(
+      treedyn({"generate", kModel, "--section", "RAM_CODE", "--sincos", "vector", "-o", out()}),
+      "no --section");
 }
 
 /// Khalil and Dombre, Modeling, Identification and Control of Robots (2002): in the plane a link

@@ -15,6 +15,36 @@ TEST_F(Cli, AScenesFilesDependOnSceneAndModel) {
               HasSubstr("to update: treedyn generate --scene " + scene + " -o " + out()));
 }
 
+TEST_F(Cli, RefusesWhatASceneHasNothingFor) {
+  const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";  // of no fixed step
+  for (const auto& [option, value] :
+       {std::pair{"--step", "0.5"}, {"--cuts", "7"}, {"--state", "compensated"}}) {
+    const Outcome outcome =
+        treedyn({"generate", "--scene", scene, option, value, "--effort", "0", "-o", out()});
+    EXPECT_EQ(outcome.status, 1) << option;
+    EXPECT_THAT(outcome.err, HasSubstr("'fehlberg78' is not for generated code, and --step"));
+  }
+  const Outcome outcome =
+      treedyn({"generate", "--scene", scene, "--functions", "constrained_dynamics,contact_force",
+               "--effort", "0", "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("function 'contact_force': the scene has nothing for it"));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Cli, GuardsACompensatedStateWithoutThePair) {
+  const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";
+  const auto source = [&](const std::string& sincos) {
+    EXPECT_EQ(treedyn({"generate", "--scene", scene, "--functions", "step", "--integrator", "rk4",
+                       "--state", "compensated", "--sincos", sincos, "--effort", "0", "-o", out()})
+                  .status,
+              0);
+    return read_file(file("pendulum.cpp"));
+  };
+  EXPECT_THAT(source("libm"), HasSubstr("#error \"a compensated state is what sums round away"));
+  EXPECT_THAT(source("pair"), Not(HasSubstr("a compensated state")));
+}
+
 TEST_F(Cli, RefusesBesideASceneWhatTheSceneSays) {
   const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/double_pendulum.yaml";
   const std::vector<std::string> generate = {"generate", "--scene",     scene,  "--effort", "0",

@@ -293,6 +293,9 @@ TEST_F(Simulate, RefusesAMotionOfMoreStepsThanTheUserWants) {
   const std::string stiff = scratch("s.yaml").string();
   EXPECT_EQ(treedyn({stiff, "--duration", "1e-6", "-q"}).status, 0);
   EXPECT_EQ(treedyn({stiff, "--duration", "1e-6", "--max-steps", "1500"}).status, 1);
+  const Outcome few = treedyn({TREEDYN_SOURCE_DIR "/models/scenes/drop.yaml", "--max-steps", "30"});
+  EXPECT_EQ(few.status, 1);
+  EXPECT_THAT(few.err, HasSubstr("30 steps are made (--max-steps)"));
 }
 
 TEST_F(Simulate, RefusesStepsThatNeverArrive) {
