@@ -45,26 +45,8 @@ void require_output(const Settings& settings) {
   }
 }
 
-void add_commands(CLI::App& app, Settings& settings) {
-  CLI::App* generate = add_output_command(
-      app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder", settings);
-  generate->add_option("--depfile", settings.depfile, "also write a Make-style dependency file")
-      ->type_name("FILE");
-  generate
-      ->add_option("--stamp", settings.stamp,
-                   "also write this empty file, at every run: what Make waits for, as unchanged "
-                   "files keep their time")
-      ->type_name("FILE");
-  generate
-      ->add_option("--dump", settings.dump, "print what leaves a stage instead of writing files")
-      ->check(one_of(stages()))
-      ->type_name(fmt::format("{}", fmt::join(stages(), "|")));
-  CLI::App* check = add_output_command(
-      app, "check", "compare a folder with what generate would write; 1 if it differs", settings);
-  check->add_flag("--numeric", settings.numeric,
-                  "compile old and new functions and compare values");
-  add_output_command(app, "outputs", "print the paths that generate would write", settings);
-
+/// Reports that would drop another one, or have no JSON, refuse it.
+void add_info(CLI::App& app, Settings& settings) {
   CLI::App* info = app.add_subcommand("info", "joints, D, masses, snapped constants, costs");
   add_generation(*info, settings.request);
   add_talk(*info, settings);
@@ -90,6 +72,29 @@ void add_commands(CLI::App& app, Settings& settings) {
       ->excludes(passes)
       ->excludes(errors)
       ->excludes(derivation);
+}
+
+void add_commands(CLI::App& app, Settings& settings) {
+  CLI::App* generate = add_output_command(
+      app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder", settings);
+  generate->add_option("--depfile", settings.depfile, "also write a Make-style dependency file")
+      ->type_name("FILE");
+  generate
+      ->add_option("--stamp", settings.stamp,
+                   "also write this empty file, at every run: what Make waits for, as unchanged "
+                   "files keep their time")
+      ->type_name("FILE");
+  generate
+      ->add_option("--dump", settings.dump, "print what leaves a stage instead of writing files")
+      ->check(one_of(stages()))
+      ->type_name(fmt::format("{}", fmt::join(stages(), "|")));
+  CLI::App* check = add_output_command(
+      app, "check", "compare a folder with what generate would write; 1 if it differs", settings);
+  check->add_flag("--numeric", settings.numeric,
+                  "compile old and new functions and compare values");
+  add_output_command(app, "outputs", "print the paths that generate would write", settings);
+
+  add_info(app, settings);
 
   CLI::App* vet = app.add_subcommand("vet", "report what looks wrong in a model");
   add_model(*vet, settings.request);

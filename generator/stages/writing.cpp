@@ -139,6 +139,21 @@ void require_tested(const emit::Unit& unit, const Request& request) {
   }
 }
 
+/// Packs the matrices of the functions, and keeps the tables that some function needs.
+void pack(const Model& model, const Request& request, emit::Unit& unit) {
+  unit.packed = packed_matrices(model, request);
+  for (program::Function& function : unit.functions) {
+    const auto of_user =
+        std::ranges::find(unit.packed, function.signature.name, &emit::PackedMatrix::what);
+    function = of_user == unit.packed.end()
+                   ? program::packed(std::move(function), "A", unit.packed.front().packing)
+                   : program::packed(std::move(function), "value", of_user->packing);
+  }
+  if (std::ranges::none_of(unit.functions, has_mass_matrix)) {
+    unit.packed.erase(unit.packed.begin());
+  }
+}
+
 }  // namespace
 
 std::vector<emit::File> emit_files(const Model& model, const Request& request,
@@ -170,17 +185,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
     unit.errors = measured_errors(model, request, unit.functions);
   }
   if (request.target.packed) {
-    unit.packed = packed_matrices(model, request);
-    for (program::Function& function : unit.functions) {
-      const auto of_user =
-          std::ranges::find(unit.packed, function.signature.name, &emit::PackedMatrix::what);
-      function = of_user == unit.packed.end()
-                     ? program::packed(std::move(function), "A", unit.packed.front().packing)
-                     : program::packed(std::move(function), "value", of_user->packing);
-    }
-    if (std::ranges::none_of(unit.functions, has_mass_matrix)) {
-      unit.packed.erase(unit.packed.begin());
-    }
+    pack(model, request, unit);
   }
   if (request.checked) {
     unit.checked = checked_siblings(model, unit.functions);
