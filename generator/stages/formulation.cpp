@@ -73,8 +73,10 @@ std::vector<program::Function> in_parallel(std::vector<std::pair<std::string, Ta
 void require_scene_functions(const Model& model, const program::Programs& programs,
                              const std::string& file) {
   const auto has = [](const auto& functions, const std::string& name) {
-    return std::ranges::any_of(
-        functions, [&](const auto& function) { return function.signature.name == name; });
+    return std::ranges::any_of(functions, [&](const auto& function) {
+      const std::string& made = function.signature.name;
+      return made == name || made.starts_with(name + "_");  // one of a phase, an impact of an event
+    });
   };
   for (const std::string& name : model.scene_functions) {
     if (!has(programs.functions, name) && !has(programs.staged, name) &&
