@@ -8,18 +8,15 @@ Vector3 place_in_frame(const Tree& tree, const Point& point) {
   const auto frame = std::ranges::find_if(tree.frames, [&](const Frame& f) {
     return f.name == point.link_name && f.link == point.link;
   });
+  const Vector3 origin = frame == tree.frames.end() ? Vector3{} : frame->origin;
   Vector3 at;
   for (std::size_t k = 0; k < 3; ++k) {
     Real sum = 0;
     Real scale = 0;
     for (std::size_t n = 0; n < 3; ++n) {
-      const bool found = frame != tree.frames.end();
       const Real turn = point.rotation[3 * n + k].plain();
-      const Real from =
-          found ? Real(point.at[n].plain() - frame->origin[n].plain()) : point.at[n].plain();
-      sum += turn * from;
-      scale += abs(turn) *
-               (abs(point.at[n].plain()) + (found ? abs(frame->origin[n].plain()) : Real(0)));
+      sum += turn * Real(point.at[n].plain() - origin[n].plain());
+      scale += abs(turn) * Real(abs(point.at[n].plain()) + abs(origin[n].plain()));
     }
     at[k] = negligible(sum, scale) ? Real(0) : sum;
   }

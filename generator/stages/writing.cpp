@@ -49,14 +49,22 @@ std::string constants_of(const std::string& function) {
   return result;
 }
 
-/// A, and the matrices of users with more than one row and column.
+bool has_mass_matrix(const program::Function& function) {
+  return std::ranges::find(function.signature.outputs, "A", &program::Array::name) !=
+         function.signature.outputs.end();
+}
+
+/// A, if a function has it, and the matrices of users with more than one row and column.
 /// \throws InputError for two of which tables would have one name
-std::vector<emit::PackedMatrix> packed_matrices(const Model& model, const Request& request) {
+std::vector<emit::PackedMatrix> packed_matrices(const Model& model, const Request& request,
+                                                const std::vector<program::Function>& functions) {
   const int dof = model.tree.dof();
-  std::vector<emit::PackedMatrix> result = {
-      {"A", constants_of("mass_matrix"),
-       packing_of(model, request, formulate::recipe_of("mass_matrix"), {dof, dof})}};
-  std::set<std::string> names = {result.front().constants};
+  std::vector<emit::PackedMatrix> result;
+  if (std::ranges::any_of(functions, has_mass_matrix)) {
+    result.push_back({"A", constants_of("mass_matrix"),
+                      packing_of(model, request, formulate::recipe_of("mass_matrix"), {dof, dof})});
+  }
+  std::set<std::string> names = {constants_of("mass_matrix")};
   for (const auto& function : model.equations) {
     const auto [rows, columns] = size_of(*function, dof, static_cast<int>(model.points.size()));
     if (rows == 1 || columns == 1) {
@@ -74,11 +82,6 @@ std::vector<emit::PackedMatrix> packed_matrices(const Model& model, const Reques
          packing_of(model, request, formulate::derived_recipe(function), {rows, columns})});
   }
   return result;
-}
-
-bool has_mass_matrix(const program::Function& function) {
-  return std::ranges::find(function.signature.outputs, "A", &program::Array::name) !=
-         function.signature.outputs.end();
 }
 
 /// The length of a step as a number of full precision in the scalar.
@@ -139,18 +142,16 @@ void require_tested(const emit::Unit& unit, const Request& request) {
   }
 }
 
-/// Packs the matrices of the functions, and keeps the tables that some function needs.
+/// Packs the matrices of the functions.
 void pack(const Model& model, const Request& request, emit::Unit& unit) {
-  unit.packed = packed_matrices(model, request);
+  unit.packed = packed_matrices(model, request, unit.functions);
   for (program::Function& function : unit.functions) {
-    const auto of_user =
-        std::ranges::find(unit.packed, function.signature.name, &emit::PackedMatrix::what);
-    function = of_user == unit.packed.end()
-                   ? program::packed(std::move(function), "A", unit.packed.front().packing)
-                   : program::packed(std::move(function), "value", of_user->packing);
-  }
-  if (std::ranges::none_of(unit.functions, has_mass_matrix)) {
-    unit.packed.erase(unit.packed.begin());
+    const bool mass_matrix = has_mass_matrix(function);
+    const auto matrix = std::ranges::find(unit.packed, mass_matrix ? "A" : function.signature.name,
+                                          &emit::PackedMatrix::what);
+    if (matrix != unit.packed.end()) {
+      function = program::packed(std::move(function), mass_matrix ? "A" : "value", matrix->packing);
+    }
   }
 }
 
