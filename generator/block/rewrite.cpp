@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace treedyn::block {
 namespace {
@@ -37,6 +38,44 @@ Expression push_transpose(const Expression& e) {
     default:
       return transpose(e);
   }
+}
+
+namespace {
+
+class Replacing {
+ public:
+  explicit Replacing(const std::map<std::string, Expression>& others) : others_(others) {}
+
+  Expression operator()(const Expression& e) {
+    if (e.operands().empty()) {
+      return e;
+    }
+    if (const auto found = known_.find(&e.node()); found != known_.end()) {
+      return found->second;
+    }
+    const auto other = e.kind() == Kind::kNamed ? others_.find(e.node().name) : others_.end();
+    const Expression result = other == others_.end() ? of_operands(e) : other->second;
+    known_.emplace(&e.node(), result);
+    return result;
+  }
+
+ private:
+  Expression of_operands(const Expression& e) {
+    Node node = e.node();
+    for (Expression& operand : node.operands) {
+      operand = (*this)(operand);
+    }
+    return Expression(std::move(node));
+  }
+
+  const std::map<std::string, Expression>& others_;
+  std::map<const Node*, Expression> known_;
+};
+
+}  // namespace
+
+Expression replaced(const Expression& e, const std::map<std::string, Expression>& others) {
+  return Replacing(others)(e);
 }
 
 bool constant_expression(const Expression& e) {

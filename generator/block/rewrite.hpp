@@ -1,7 +1,9 @@
 // Expressions in the form that a plan wants.
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "block/block.hpp"
@@ -21,6 +23,9 @@ bool is_of_numbers(const Expression& e);
 /// True if in the product of `factors` with blocks `size` high numbers made of vectors meet
 /// vectors: by the size rule these factors are multiplied before they are blown up.
 bool blows_up(std::span<const Expression> factors, int size);
+
+/// e with other expressions in place of named ones. \param others  of the same shape, by name
+Expression replaced(const Expression& e, const std::map<std::string, Expression>& others);
 
 /// Appends the factors of a product, names and nested products opened, to `factors` and multiplies
 /// `factor` by the rational factors.

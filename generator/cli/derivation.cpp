@@ -77,7 +77,9 @@ std::string rules_text(std::set<derive::Rule> acted, const Rates& rates = {}) {
   for (const derive::Rule rule : acted) {
     result += fmt::format("  {:4} {}\n", derive::row_of(rule).name, derive::row_of(rule).text);
     for (const auto& [symbol, rate] : rule == derive::Rule::kRates ? rates : Rates{}) {
-      result += fmt::format("       dot({}) = {}\n", symbol, block::print(rate));
+      result += fmt::format(
+          "       dot({}) = {}\n", symbol,
+          block::print(rate.kind() == block::Kind::kNamed ? rate.operands().front() : rate));
     }
   }
   return result;

@@ -39,20 +39,27 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
   if (drifts != nullptr) {
     drifts->begin(static_cast<double>(t0), start.q);
   }
+  const auto argument = [&](const char* name) {
+    return step.has(name) ? &step.at(name) : nullptr;
+  };
+  const Values& q = step.at("q");
+  const Values& qd = step.at("qd");
+  Values* const time = argument("t");
+  const Values* const number = argument("phase");
   const auto phase = [&] {
-    return step.has("phase") ? static_cast<std::size_t>(step.at("phase")[0]) : std::size_t{0};
+    return number != nullptr ? static_cast<std::size_t>((*number)[0]) : std::size_t{0};
   };
   const long of_event = scene.stepping.cuts > 0 ? scene.stepping.cuts + 1 : 0;
   for (long k = 0; k < every * subject.times; ++k) {
     motion.steps.resize(std::max(motion.steps.size(), phase() + 1));
     program::StepCount& steps = motion.steps[phase()];
-    if (step.has("t")) {
-      step.at("t")[0] = t0 + static_cast<long double>(k) * h;
+    if (time != nullptr) {
+      (*time)[0] = t0 + static_cast<long double>(k) * h;
     }
     motion.status |= step.call();
     steps +=
         {1 + of_event * static_cast<long>(step.events().size()), step.repeated(), step.repeated()};
-    if (!is_finite(step.at("q"))) {
+    if (!is_finite(q)) {
       break;
     }
     for (const SteppedEvent& event : step.events()) {
@@ -60,15 +67,14 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
     }
     const auto now = static_cast<double>(t0 + static_cast<long double>(k + 1) * h);
     if (drifts != nullptr && !step.events().empty()) {
-      const int state =
-          step.has("phase") ? static_cast<int>(step.at("phase")[0]) : scene.start_phase;
-      drifts->change(state, now, vector_of(step.at("q")));
+      const int state = number != nullptr ? static_cast<int>(phase()) : scene.start_phase;
+      drifts->change(state, now, vector_of(q));
     }
     if (drifts != nullptr && (k + 1) % looks == 0) {
-      drifts->look(now, vector_of(step.at("q")), vector_of(step.at("qd")));
+      drifts->look(now, vector_of(q), vector_of(qd));
     }
     if ((k + 1) % every == 0) {
-      motion.note(step.at("q"), step.at("qd"));
+      motion.note(q, qd);
     }
   }
   motion.off = drifts == nullptr ? OffRows{} : drifts->largest();

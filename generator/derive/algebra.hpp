@@ -46,8 +46,8 @@ class Algebra {
   int on_way_to_root(int x);
   int assemble(const std::vector<int>& components);
   /// Steps of links as blocks: a number y stands for y E, a vector a for Λ(a). a b; -1: E.
-  /// \throws NoComposites for what is of no such kind
   int product_of_steps(int a, int b);
+  int block_of(int step) { return value(step).type == Type::kVector ? skew(step) : step; }
   int step(int X, int y);
 
   [[nodiscard]] const Value& value(int id) const { return values_[id]; }
@@ -86,6 +86,7 @@ class Algebra {
     Terms rest;
   };
   void open_paths(const Ratio& factor, int X, int x, Opened& opened);
+  void join(std::vector<Opened::Path>& paths);
   [[nodiscard]] bool has_sum(int x) const;
   int of_composites(Op op, int x);
 
@@ -96,6 +97,7 @@ class Algebra {
   void merge_skews(Terms& terms);
   void merge_factors(Terms& terms);
   void merge_skew_products(Terms& terms);
+  void merge_levers(Terms& terms, std::size_t common);
   void merge_seconds(Terms& terms);
   void merge_applied(Terms& terms);
   /// Replaces the terms for which `key` is the same, if there are several, by `merged` of them.

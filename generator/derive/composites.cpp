@@ -14,10 +14,10 @@ int Algebra::product_of_steps(int a, int b) {
   if (left == Type::kScalar || right == Type::kScalar) {
     return scale(left == Type::kScalar ? a : b, left == Type::kScalar ? b : a);
   }
-  if (left != Type::kVector || right != Type::kVector) {
-    throw NoComposites{};
+  if (left == Type::kVector && right == Type::kVector) {
+    return skew_product(a, b);
   }
-  return skew_product(a, b);
+  return bilinear(Op::kProduct, Type::kTensor, block_of(a), block_of(b));
 }
 
 int Algebra::step(int X, int y) {
@@ -80,10 +80,40 @@ void Algebra::open_paths(const Ratio& factor, int X, int x, Opened& opened) {
   opened.rest.emplace_back(factor, step(X, x));
 }
 
+/// Terms of one y take one step where it is a block for one of them: a×y is Λ(a) y then.
+void Algebra::join(std::vector<Opened::Path>& paths) {
+  const auto type = [this](const Opened::Path& path) {
+    return path.step < 0 ? Type::kScalar : value(path.step).type;
+  };
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const Opened::Path path = paths[k];
+    const auto of_same = [&](const Opened::Path& other) {
+      return other.y == path.y && other.strict == path.strict && type(other) != Type::kScalar;
+    };
+    const bool blocks = std::ranges::any_of(paths, [&](const Opened::Path& other) {
+      return of_same(other) && type(other) == Type::kTensor;
+    });
+    if (!blocks || type(path) == Type::kScalar) {
+      continue;
+    }
+    Terms terms;
+    for (const Opened::Path& other : paths) {
+      if (of_same(other)) {
+        terms.emplace_back(other.factor, block_of(other.step));
+      }
+    }
+    std::erase_if(paths, of_same);
+    paths.insert(paths.begin() + static_cast<std::ptrdiff_t>(k),
+                 {kPlus, linear(terms), path.y, path.strict});
+  }
+}
+
 /// True for what the subtree decides, not the link alone.
 bool Algebra::has_sum(int x) const {
   const Value& v = value(x);
-  return (v.op >= Op::kPath && v.op <= Op::kCollect) ||
+  const bool of_subtree = v.op == Op::kSubtree || v.op == Op::kSubtreeStrict ||
+                          v.op == Op::kBackward || v.op == Op::kSons || v.op == Op::kCollect;
+  return of_subtree ||
          std::any_of(v.operands.begin(), v.operands.end(), [this](int y) { return has_sum(y); });
 }
 
@@ -98,6 +128,7 @@ int Algebra::of_composites(Op op, int x) {
     return -1;
   }
   note(Rule::kComposites);
+  join(opened.paths);
   Terms terms;
   for (const auto& [factor, y] : opened.rest) {
     terms.emplace_back(factor, sum_along(op, Set::kLinks, y));

@@ -213,6 +213,7 @@ class Printer {
       case Op::kSkewProduct:
         return first(value) == last(value) ? fmt::format("Λ({})²", first(value))
                                            : fmt::format("Λ({}) Λ({})", first(value), last(value));
+      case Op::kProduct:
       case Op::kApply:
         return fmt::format("{} {}", first(value), last(value));
       case Op::kApplyTranspose:
@@ -225,6 +226,8 @@ class Printer {
         return fmt::format("vee({} E)", first(value));
       case Op::kSquare:
         return fmt::format("-tr(Λ({})² E)", first(value));
+      case Op::kPseudo:
+        return fmt::format("½ tr({0}) - {0}", first(value));
       case Op::kComponent:
         return fmt::format("{}_{}", first(value), "xyz"[value.component]);
       case Op::kAtLink:

@@ -5,7 +5,9 @@
 #include "derive/columns.hpp"
 #include "derive/forms.hpp"
 #include "derive/places.hpp"
+#include "derive/relative.hpp"
 #include "derive/transpose.hpp"
+#include "equations/dot.hpp"
 
 namespace treedyn::derive {
 namespace {
@@ -79,6 +81,23 @@ bool derive_symmetric(const block::Expression& expression, Derivation& result) {
   return true;
 }
 
+/// The same of any matrix of numbers between links, all rows of a column.
+bool derive_composites(const block::Expression& expression, Derivation& result) {
+  const block::Side joints{Set::kLinks, 1};
+  if (result.shape != block::Shape{joints, joints}) {
+    return false;
+  }
+  Choices choices = result.values.choices();
+  choices.composites = true;
+  Values values(choices);
+  values.note(Rule::kUnits);
+  Columns columns(values);
+  result.roots = {
+      columns.apply(expression, false, columns.algebra().unit(Set::kLinks, Type::kScalar))};
+  result.values = std::move(values);
+  return true;
+}
+
 /// The columns (or rows) one by one.
 void derive_unit(const block::Expression& expression, Derivation& result) {
   const block::Side& side = result.by_rows ? result.shape.rows : result.shape.cols;
@@ -97,8 +116,8 @@ Derivation derive_with(const block::Expression& expression, bool by_rows, const 
   const bool one_row = result.shape.rows.set == Set::kOne;
   const bool column = result.shape.cols == block::Side{};
   result.by_units = !one_col && !one_row;
-  if (result.by_units &&
-      (derive_wide(expression, result) || derive_symmetric(expression, result))) {
+  if (result.by_units && (derive_wide(expression, result) || derive_symmetric(expression, result) ||
+                          derive_composites(expression, result))) {
     return result;
   }
   result.by_rows = one_row && !column ? true : one_col ? false : by_rows;
@@ -128,7 +147,12 @@ auto sums(const Derivation& derivation) {
 
 Derivation with_forms(Derivation derivation) {
   derivation.values = with_forms(derivation.values, derivation.roots);
+  derivation.values = with_relative_speeds(derivation.values, derivation.roots);
   return derivation;
+}
+
+block::Expression places_of(const block::Expression& e, bool keeps_joints) {
+  return keeps_joints ? e : equations::with_free_places(e);
 }
 
 /// Numbers alone can be transposed.
@@ -144,17 +168,21 @@ Derivation transposed(Derivation derivation) {
 
 }  // namespace
 
-std::optional<Derivation> derive_rows(const block::Expression& column) {
+std::optional<Derivation> derive_rows(const block::Expression& column, bool keeps_joints) {
   Derivation result;
+  result.values = Values({.keeps_joints = keeps_joints});
   result.shape = column.shape();
   result.by_rows = true;
-  return derive_wide(column, result) ? std::optional(with_forms(std::move(result))) : std::nullopt;
+  return derive_wide(places_of(column, keeps_joints), result)
+             ? std::optional(with_forms(std::move(result)))
+             : std::nullopt;
 }
 
 Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_joints) {
+  const block::Expression seen = places_of(expression, keeps_joints);
   std::optional<Derivation> best;
   for (const bool common_leaves : {true, false}) {
-    const Derivation plain = derive_with(expression, by_rows, {keeps_joints, common_leaves});
+    const Derivation plain = derive_with(seen, by_rows, {keeps_joints, common_leaves});
     for (const bool transposes : {false, true}) {
       Derivation next = with_forms(transposes ? transposed(plain) : plain);
       if (!best || sums(next) < sums(*best)) {

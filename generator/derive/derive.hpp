@@ -40,7 +40,7 @@ struct Derivation {
 Derivation derive(const block::Expression& expression, bool by_rows, bool keeps_joints = true);
 
 /// The rows of a single column, three at once; nothing of numbers.
-std::optional<Derivation> derive_rows(const block::Expression& column);
+std::optional<Derivation> derive_rows(const block::Expression& column, bool keeps_joints = true);
 
 /// The numbers of links x for which `system`, a column A x + b, is zero, by R9. Nothing if A is not
 /// symmetric or if joints do not either turn or slide.

@@ -78,6 +78,7 @@ class Forms {
         return path;
       }
       gather_moment(value);
+      gather_turned(value);
       if (value.operands.size() == 1 && value.factors[0] == kPlus) {
         return value.operands[0];
       }
@@ -150,6 +151,52 @@ class Forms {
         sum.factors.erase(sum.factors.begin() + static_cast<std::ptrdiff_t>(b));
         return;
       }
+    }
+  }
+
+  /// F8: f (Λ(ω) J_c - J_c Λ(ω) - Λ(J_c ω)) - 2 f Λ(c) Λ(ω×h) among the terms is -2 f Λ(ω) E.
+  void gather_turned(Value& sum) {
+    for (std::size_t k = 0; k < sum.operands.size(); ++k) {
+      const Value& first = new_[sum.operands[k]];
+      if (first.op != Op::kProduct || new_[first.operands[0]].op != Op::kSkew ||
+          new_[first.operands[1]].name != "J_c^d") {
+        continue;
+      }
+      const int J = first.operands[1];
+      const int omega = new_[first.operands[0]].operands[0];
+      const Ratio f = sum.factors[k];
+      const Ratio minus = multiply(kMinus, f);
+      const Ratio twice = multiply({-2, 1}, f);
+      const int c = algebra_.leaf("c^d", sum.set, Type::kVector);
+      const int h = algebra_.leaf("h^d", sum.set, Type::kVector);
+      const Terms wanted = {
+          {f, sum.operands[k]},
+          {minus,
+           new_.intern({Op::kProduct, sum.set, sum.type, {}, 0, {J, first.operands[0]}, {}})},
+          {minus, algebra_.skew(algebra_.apply(J, omega))},
+          {twice, algebra_.skew_product(c, algebra_.cross(omega, h))}};
+      Terms rest;
+      for (std::size_t n = 0; n < sum.operands.size(); ++n) {
+        const std::pair<Ratio, int> term = {sum.factors[n], sum.operands[n]};
+        if (std::ranges::find(wanted, term) == wanted.end()) {
+          rest.push_back(term);
+        }
+      }
+      if (rest.size() + wanted.size() != sum.operands.size()) {
+        continue;
+      }
+      const int I = algebra_.leaf("I^d", sum.set, Type::kTensor);
+      const int E = new_.intern({Op::kPseudo, sum.set, sum.type, {}, 0, {I}, {}});
+      rest.emplace_back(
+          twice, noted(Rule::kTurned,
+                       {Op::kProduct, sum.set, sum.type, {}, 0, {first.operands[0], E}, {}}));
+      sum.operands.clear();
+      sum.factors.clear();
+      for (const auto& [factor, x] : rest) {
+        sum.factors.push_back(factor);
+        sum.operands.push_back(x);
+      }
+      return;
     }
   }
 

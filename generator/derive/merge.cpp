@@ -251,6 +251,24 @@ void Algebra::merge_skew_products(Terms& terms) {
       });
 }
 
+/// Λ(a)Λ(x) + Λ(b)Λ(x) = Λ(a + b)Λ(x), or Λ(x)Λ(a + b), of any x.
+void Algebra::merge_levers(Terms& terms, std::size_t common) {
+  merge(
+      terms,
+      [common](const Value& v) {
+        return v.op == Op::kSkewProduct ? std::vector<int>{v.operands[common]} : std::vector<int>{};
+      },
+      [&](const Terms& group) {
+        Terms inner;
+        for (const auto& [factor, x] : group) {
+          inner.emplace_back(factor, value(x).operands[1 - common]);
+        }
+        const int x = value(group.front().second).operands[common];
+        const int sum = linear(inner);
+        return common == 0 ? skew_product(x, sum) : skew_product(sum, x);
+      });
+}
+
 /// D^T a + N^T b: sons hand on b and their own sum.
 void Algebra::merge_backward(Terms& terms) {
   const auto find = [&](Op op) {
@@ -285,6 +303,10 @@ int Algebra::linear(const Terms& terms) {
     merge_applied(rest);
     merge_factors(rest);
     merge_skew_products(rest);
+    if (values_.choices().composites) {
+      merge_levers(rest, 1);
+      merge_levers(rest, 0);
+    }
     merge_backward(rest);
   }
   if (rest.empty()) {

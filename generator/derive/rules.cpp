@@ -5,7 +5,7 @@
 namespace treedyn::derive {
 
 std::span<const RuleRow> rules() {
-  static constexpr std::array<RuleRow, 31> kRows = {{
+  static constexpr std::array<RuleRow, 34> kRows = {{
       {Rule::kRates, "R11",
        "dot: (X Y)' = X' Y + X Y', D, σ, m are constant, vectors of links turn, s has the slide"},
       {Rule::kValueRates, "R11'",
@@ -46,6 +46,12 @@ std::span<const RuleRow> rules() {
        "-Λ(h)Λ(s) - Λ(s)Λ(h + m s) = tr(F) - F, F = h s^T + s h^T + m s s^T: symmetric"},
       {Rule::kSquare, "F6", "ω·(I ω) = -tr(Λ(ω)² E): squares and products of ω, each once"},
       {Rule::kTwice, "F7", "D^T a + N^T (a + 2 b) = a + 2 N^T (a + b)"},
+      {Rule::kTurned, "F8",
+       "½ (Λ(ω) J_c - J_c Λ(ω) - Λ(J_c ω)) - Λ(c) Λ(ω×h) = -Λ(ω) E, I = tr(E) - E"},
+      {Rule::kRelative, "F9",
+       "D^T ω×h + N^T m (ω_f×s + v) = ω_f×h^c + D^T w×h^c + N^T m v: what turns with the father "
+       "does not travel"},
+      {Rule::kMomentum, "F9'", "I^c (ω_f×x) - Λ(ω_f) E^c x = (E^c ω_f)×x"},
       {Rule::kElimination, "R9",
        "A x = r: U = K b, d = b·U, x = (u - U·y)/d; fathers take K' = K - U U^T/d, p' = p + U u/d"},
       {Rule::kYields, "R9'", "K' b = 0 and b·p' = r: a joint hands on nothing along its axis"},

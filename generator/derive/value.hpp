@@ -37,11 +37,13 @@ enum class Op {
   kCross,           ///< a×b
   kSkew,            ///< Λ(a)
   kSkewProduct,     ///< Λ(a) Λ(b)
+  kProduct,         ///< S T of blocks
   kApply,           ///< S v
   kApplyTranspose,  ///< S^T v
   kComposite,       ///< D^T I - N^T (Λ(h)Λ(s) + Λ(s)Λ(h + m s)) of m, h, s
   kMoment,          ///< vee(Ω E) of Ω, α, ω: I α + ω×I ω by the pseudo-inertia E
   kSquare,          ///< -tr(Λ(ω)² E) of ω: ω·(I ω) by the pseudo-inertia E
+  kPseudo,          ///< the pseudo-inertia E of I = tr(E) - E
   kPath,            ///< D x, or a + D x where a second operand a is the same for all links
   kPathStrict,      ///< N x
   kSubtree,         ///< D^T x

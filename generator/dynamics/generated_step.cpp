@@ -48,6 +48,15 @@ std::string adapter(const std::string& name, const program::Signature& signature
                      {"after", after}});
 }
 
+using Pointers = std::vector<long double*>;
+
+Pointers pointers(const std::vector<GeneratedStep::Values*>& arrays) {
+  Pointers result(arrays.size());
+  std::ranges::transform(arrays, result.begin(),
+                         [](GeneratedStep::Values* array) { return array->data(); });
+  return result;
+}
+
 }  // namespace
 
 /// A shared library; its file may vanish while it is in use.
@@ -123,6 +132,15 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
       values_[array.name].resize(static_cast<std::size_t>(array.size));
     }
   }
+  for (const program::Array& array : stepper_.signature.inputs) {
+    in_.push_back(&at(array.name));
+    if (has(array.name + "_next")) {
+      carried_.emplace_back(&at(array.name + "_next"), in_.back());
+    }
+  }
+  for (const program::Array& array : stepper_.signature.outputs) {
+    out_.push_back(&at(array.name));
+  }
 }
 
 GeneratedStep::~GeneratedStep() = default;
@@ -135,18 +153,10 @@ GeneratedStep::Values& GeneratedStep::at(const std::string& name) {
   return found->second;
 }
 
-std::vector<const long double*> GeneratedStep::inputs() {
-  std::vector<const long double*> result;
-  for (const program::Array& array : stepper_.signature.inputs) {
-    result.push_back(at(array.name).data());
-  }
-  return result;
-}
-
 double GeneratedStep::seconds() {
   constexpr double kBatch = 2e-3;  // s
   constexpr int kBatches = 10;
-  const std::vector<const long double*> in = inputs();
+  const Pointers in = pointers(in_);
   const auto time = [&](long count) {
     const auto start = std::chrono::steady_clock::now();
     library_->repeat()(in.data(), count);
@@ -164,12 +174,7 @@ double GeneratedStep::seconds() {
 }
 
 int GeneratedStep::call() {
-  const std::vector<const long double*> in = inputs();
-  std::vector<long double*> out;
-  for (const program::Array& array : stepper_.signature.outputs) {
-    out.push_back(at(array.name).data());
-  }
-  const int status = library_->step()(in.data(), out.data());
+  const int status = library_->step()(pointers(in_).data(), pointers(out_).data());
   for (std::size_t what = 0; what < repeated_.size(); ++what) {
     repeated_[what] = library_->repeated()(static_cast<int>(what));
   }
@@ -178,10 +183,8 @@ int GeneratedStep::call() {
   while ((event.number = library_->events()(static_cast<int>(events_.size()), &event.at)) >= 0) {
     events_.push_back(event);
   }
-  for (const program::Array& array : stepper_.signature.inputs) {
-    if (has(array.name + "_next")) {
-      at(array.name) = at(array.name + "_next");
-    }
+  for (const auto& [from, to] : carried_) {
+    *to = *from;
   }
   return status;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "emit/unit.hpp"
@@ -46,10 +47,11 @@ class GeneratedStep {
  private:
   class Library;
 
-  [[nodiscard]] std::vector<const long double*> inputs();
-
   program::Stepper stepper_;
   std::map<std::string, Values> values_;
+  std::vector<Values*> in_;                           ///< of values_, in the order of the call
+  std::vector<Values*> out_;                          ///< likewise
+  std::vector<std::pair<Values*, Values*>> carried_;  ///< from a result to the next call
   std::vector<SteppedEvent> events_;
   program::Repetitions repeated_ = {};
   std::unique_ptr<Library> library_;

@@ -1,5 +1,6 @@
 #include "equations/dot.hpp"
 
+#include "block/rewrite.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::equations {
@@ -27,10 +28,11 @@ const std::map<std::string, Rate>& known_rates() {
     const Expression Lam = skew(diagb(omega));
     std::map<std::string, Rate> rates;
     rates.emplace("z^d", turning(omega_f, z_d));
-    rates.emplace("s^d", turning(omega_f, s_d) + diagb(Pi * slide));
-    rates.emplace("l^d", turning(omega_f, l_d) + diagb(slide));
+    rates.emplace("s^d", block::named("dot(s^d)", turning(omega_f, s_d) + diagb(Pi * slide)));
+    rates.emplace("l^d", block::named("dot(l^d)", turning(omega_f, l_d) + diagb(slide)));
     rates.emplace("c^d", turning(omega, c_d));
-    rates.emplace("t^d", turning(of_points, t_d) + diagb(transpose(W) * slide));
+    rates.emplace("t^d",
+                  block::named("dot(t^d)", turning(of_points, t_d) + diagb(transpose(W) * slide)));
     rates.emplace("J_c^d", Lam * J_d - J_d * Lam);
     rates.emplace("q̇", qdd);
     rates.emplace("q̇^d", diagb(qdd));
@@ -119,6 +121,17 @@ std::map<std::string, Expression> leaf_rates(const Expression& e, const Rates& r
     result.merge(leaf_rates(operand, rates));
   }
   return result;
+}
+
+Expression with_free_places(const Expression& e) {
+  static const std::map<std::string, Expression> kRates = [] {
+    const Expression w = z_d * sigma * qd;
+    return std::map<std::string, Expression>{
+        {"dot(s^d)", turning((D - E) * w, s_d) + diagb(z_d * (E - sigma) * qd)},
+        {"dot(l^d)", 0 * l_d},
+        {"dot(t^d)", turning(transpose(W) * D * w, t_d)}};
+  }();
+  return block::replaced(e, kRates);
 }
 
 Expression dot(const Expression& e, const Rates& rates) {

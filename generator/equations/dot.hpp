@@ -26,6 +26,10 @@ using Rates = std::map<std::string, std::optional<block::Expression>>;
 /// \throws NoRate
 block::Expression dot(const block::Expression& e, const Rates& rates = {});
 
+/// dX/dt where P_i of a sliding joint may be anywhere on its axis (F1): l = 0, s has the own slide.
+/// \param e  with what `dot` has made of s, l and t
+block::Expression with_free_places(const block::Expression& e);
+
 /// The rates of the leaves of e that are not constant. \throws NoRate
 std::map<std::string, block::Expression> leaf_rates(const block::Expression& e, const Rates& rates);
 

@@ -1,6 +1,7 @@
 #include "equations/user.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include <fmt/format.h>
@@ -17,6 +18,14 @@ namespace {
 
 constexpr int kMostNestedUses = 50;  // equations that use each other
 constexpr int kMostUses = 2000;      // of other equations in one, those within them included
+
+/// True for what has P_i in it. Jacobians and what is made of them hold wherever on its axis P_i
+/// is.
+bool of_places(const std::string& name) {
+  constexpr std::array<std::string_view, 8> kOfPlaces = {"s_d", "l_d",  "t_d",  "c_d",
+                                                         "l_D", "c_fD", "t_fD", "K"};
+  return std::ranges::find(kOfPlaces, name) != kOfPlaces.end();
+}
 
 class Reader {
  public:
@@ -142,6 +151,7 @@ Term Reader::name(const std::string& name, const model::EquationText& text, Read
     return Number{pi(), std::nullopt};
   }
   if (known) {
+    reading.made.names_places |= of_places(name);
     return *known;
   }
   if (other == texts_.end()) {

@@ -186,10 +186,11 @@ std::optional<Derived> rate_of_symmetric(const equations::UserEquation& equation
 }  // namespace
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
-                                       int points, bool keeps_joints) {
+                                       int points) {
   const block::Shape& shape = equation.expression.shape();
+  const bool keeps_joints = equation.names_places || derive::refers_to_places(equation.expression);
   const bool by_rows = count(shape.rows, links, points) < count(shape.cols, links, points);
-  if (equation.rate_of) {
+  if (equation.rate_of && !equation.names_places) {
     if (std::optional<Derived> rate = rate_of_symmetric(equation)) {
       return std::make_shared<const Derived>(*std::move(rate));
     }
@@ -197,7 +198,7 @@ std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, 
   Derived result{equation, derive::derive(equation.expression, by_rows, keeps_joints), std::nullopt,
                  keeps_joints};
   if (shape.rows.set == Set::kPoints && shape.cols == block::Side{}) {
-    result.to_root = derive::derive_rows(equation.expression);
+    result.to_root = derive::derive_rows(equation.expression, keeps_joints);
   }
   return std::make_shared<const Derived>(std::move(result));
 }
@@ -229,8 +230,7 @@ std::shared_ptr<const Derived> derived(const std::string& name) {
 
 std::shared_ptr<const Derived> derived_part(const std::string& name,
                                             const block::Expression& expression) {
-  Derived made = *derived(equations::equation_of(name, expression), 1, 1,
-                          derive::refers_to_places(expression));
+  Derived made = *derived(equations::equation_of(name, expression), 1, 1);
   made.regroups = !needs_centres(made.derivation);
   return std::make_shared<const Derived>(std::move(made));
 }
@@ -284,7 +284,7 @@ Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
   return {places_of(inputs),
           {.any_way = turns,
            .way = turns ? Way::kToRoot : Way::kInBase,
-           .fixed_frames = true,
+           .fixed_frames = function->equation.names_places,
            .fixed_length = true,
            .own_code = true},
           [function, turns](const Task& task) {

@@ -27,7 +27,7 @@ struct Derived {
 using DerivedFunctions = std::vector<std::shared_ptr<const Derived>>;
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
-                                       int points, bool keeps_joints = true);
+                                       int points);
 
 /// The expressions of the function, row-major.
 /// \param frame  of vectors

@@ -307,12 +307,16 @@ Block Lowering::made(int id, const Value& v, int e) {
     case Op::kSkew:
     case Op::kSkewProduct:
       return product(v, e);
+    case Op::kProduct:
+      return tensor_product(v, e);
     case Op::kComposite:
       return composite(id, v, e);
     case Op::kMoment:
       return moment(v, e);
     case Op::kSquare:
       return square(v, e);
+    case Op::kPseudo:
+      return pseudo(v, e);
     case Op::kApply:
     case Op::kApplyTranspose:
       return applied(v, e);

@@ -88,8 +88,10 @@ class Lowering {
   [[nodiscard]] Block linear(const Value& v, int e) const;
   [[nodiscard]] Block scale(const Value& v, int e) const;
   [[nodiscard]] Block product(const Value& v, int e) const;
+  [[nodiscard]] Block tensor_product(const Value& v, int e) const;
   [[nodiscard]] Block applied(const Value& v, int e) const;
   [[nodiscard]] Block moment(const Value& v, int e) const;
+  [[nodiscard]] Block pseudo(const Value& v, int e) const;
   [[nodiscard]] Block square(const Value& v, int e) const;
   Block composite(int id, const Value& v, int i);
   [[nodiscard]] Block components(const Value& v, int e) const;
@@ -145,6 +147,7 @@ class Lowering {
   std::map<int, Blocks> totals_;                     ///< D x or D^T x, by value
   std::map<int, std::vector<Sum>> sums_;             ///< what the sons hand on, by value
   std::map<int, std::vector<TensorTerms>> tensors_;  ///< of composites, by value
+  std::map<int, std::vector<Mat3>> pseudo_;          ///< pseudo-inertias of composites, by value
   std::map<int, std::vector<Squares>> squares_;      ///< of turnings, by Ω
   std::vector<int> named_;                           ///< sums of the link that have no names yet
   std::vector<int> owners_;  ///< by node of the graph: the value for which it is written, or none

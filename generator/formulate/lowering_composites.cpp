@@ -65,6 +65,25 @@ void Lowering::hand_on(TensorTerms& father, Expr mass, const Vec3& h, const Vec3
   }
 }
 
+/// E of I = tr(E) - E: of a link, or of the composite at it.
+Block Lowering::pseudo(const Value& v, int e) const {
+  const int I = v.operands[0];
+  if (value(I).op != derive::Op::kComposite) {
+    return {{}, {}, {e, pseudo_inertia(e)}};
+  }
+  Mat3 E = of(I, e).tensor.value;
+  const auto sums = pseudo_.find(I);
+  if (sums != pseudo_.end()) {
+    return {{}, {}, {home(block::Set::kLinks, e), sums->second[to_index(e)]}};
+  }
+  const Expr half_trace = number(Real("0.5")) * (E[0][0] + E[1][1] + E[2][2]);
+  for (std::size_t k = 0; k < kSize; ++k) {
+    E[k] = -E[k];
+    E[k][k] += half_trace;
+  }
+  return {{}, {}, {home(block::Set::kLinks, e), E}};
+}
+
 /// I^c of m^c, h^c and s; sons first.
 Block Lowering::composite(int id, const Value& v, int i) {
   constexpr std::array<const char*, 9> kEntry = {"xx", "xy", "xz", "xy", "yy",
@@ -77,6 +96,10 @@ Block Lowering::composite(int id, const Value& v, int i) {
     graph().name(tensor[n / kSize][n % kSize].ref(), has_tensors() ? "I" : "E", i, kEntry[n]);
   }
   const int at = home(block::Set::kLinks, i);
+  if (!has_tensors()) {
+    pseudo_[id].resize(to_index(task_.tree.size()));
+    pseudo_[id][to_index(i)] = tensor;
+  }
   if (const int f = father(i); f != kBase) {
     const int above = home(block::Set::kLinks, f);
     const Vec3 h = frames_.moved(frames_.in(of(v.operands[1], i).vector, at), at, above);

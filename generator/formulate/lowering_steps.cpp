@@ -10,10 +10,6 @@ namespace {
 using derive::Op;
 using derive::Type;
 
-Mat3 skew(const Vec3& a) {
-  return {{{Expr(), -a[2], a[1]}, {a[2], Expr(), -a[0]}, {-a[1], a[0], Expr()}}};
-}
-
 }  // namespace
 
 /// True for a product with a number that the joint's kind makes zero.
@@ -56,6 +52,13 @@ int Lowering::meeting(const Value& v, int e) const {
   if (a.size() == 1 && b.size() == 1 && a[0].frame == b[0].frame) {
     return a[0].frame;
   }
+  if (v.op == Op::kSkewProduct && a.size() == 1 && b.size() == 1) {  // vectors go, blocks stay
+    for (const Parts& x : {a, b}) {
+      if (x[0].frame == father(e)) {
+        return father(e);
+      }
+    }
+  }
   for (const int operand : v.operands) {
     const Parts& parts = of(operand, e).vector;
     if (!frames_.in_base() && value(operand).name == "s^d" && !parts.empty()) {
@@ -80,6 +83,13 @@ Block Lowering::product(const Value& v, int e) const {
       return {
           {}, {}, {frame, v.operands[0] == v.operands[1] ? skew_squared(a) : skew(a) * skew(b)}};
   }
+}
+
+Block Lowering::tensor_product(const Value& v, int e) const {
+  const int frame = home(v.set, e);
+  const Mat3 a = frames_.moved(of(v.operands[0], e).tensor, frame).value;
+  const Mat3 b = frames_.moved(of(v.operands[1], e).tensor, frame).value;
+  return {{}, {}, {frame, a * b}};
 }
 
 Block Lowering::applied(const Value& v, int e) const {

@@ -49,6 +49,11 @@ inline Mat3 operator*(const Mat3& a, const Mat3& b) {
   return result;
 }
 
+/// Λ(a).
+inline Mat3 skew(const Vec3& a) {
+  return {{{Expr(), -a[2], a[1]}, {a[2], Expr(), -a[0]}, {-a[1], a[0], Expr()}}};
+}
+
 /// Lambda(w)^2 for the angular velocity w: the centrifugal part of Omega in EQUATIONS.md 7.2.
 inline Mat3 skew_squared(const Vec3& w) {
   const Expr xx = w[0] * w[0];

@@ -1,5 +1,6 @@
 // The rules of the derivation, one by one.
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -218,6 +219,57 @@ TEST(R7, MakesTwoSidedWordsComposites) {
   EXPECT_EQ(of_mass_matrix(Op::kComposite).size(), 1U);
 }
 
+/// A factor C of B = C q̇ for which dA/dt - 2 C is skew.
+Expression coriolis_matrix() {
+  const Expression J_v = velocity_jacobian(centres_of_mass());
+  const Expression J_w = angular_jacobian();
+  const Expression omega = D * w;
+  const Expression Lam = skew(diagb(omega));
+  return transpose(J_v) * m_d * dot(J_v) + transpose(J_w) * J_d * dot(J_w) +
+         block::Ratio{1, 2} *
+             (transpose(J_w) * (Lam * J_d - J_d * Lam - skew(diagb(J_d * omega))) * J_w);
+}
+
+/// How often an operation occurs whose values do, or do not, depend on the column.
+auto count_of_column(const Expression& e, Op op, bool of_column) {
+  const Derivation derivation = derive(e, false, false);
+  const std::vector<int> needed = derivation.values.needed(derivation.roots);
+  return std::ranges::count_if(needed, [&](int id) {
+    return derivation.values[id].op == op && derivation.values.of_unit(id) == of_column;
+  });
+}
+
+TEST(R7, TakesBothSidesOfMatricesThatAreNotSymmetric) {
+  const Derivation derivation = derive(coriolis_matrix(), false, false);
+  EXPECT_FALSE(derivation.symmetric);
+  EXPECT_TRUE(derivation.values.acted().contains(Rule::kComposites));
+  // up: the force and the moment of the column; down: z, its rate and what moves with them
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kSubtree, true), 1);
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kBackward, true), 1);
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kPathStrict, true), 3);
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kPath, true), 0);
+  // of all columns: m^c, h^c and I^c as in (2), the rates of h^c and of its moment
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kSubtree, false), 1);
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kBackward, false), 3);
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kComposite, false), 1);
+}
+
+TEST(F8, WritesTurningTensorsWithPseudoInertias) {
+  EXPECT_TRUE(derive(coriolis_matrix(), false, false).values.acted().contains(Rule::kTurned));
+  const Expression J_w = angular_jacobian();
+  const Expression Lam = skew(diagb(D * w));
+  const Expression half = transpose(J_w) * (Lam * J_d - J_d * Lam) * J_w;  // without Λ(J_c ω)
+  EXPECT_FALSE(derive(half, false, false).values.acted().contains(Rule::kTurned));
+}
+
+TEST(F9, LetsSpeedsBetweenLinksAloneTravelToTheRoot) {
+  const Derivation derivation = derive(coriolis_matrix(), false, false);
+  EXPECT_TRUE(derivation.values.acted().contains(Rule::kRelative));
+  EXPECT_TRUE(derivation.values.acted().contains(Rule::kMomentum));
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kPseudo, false), 1);   // E^c, no E of links
+  EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kProduct, false), 2);  // with w and ω_f
+}
+
 /// D, N and X on a forest, entry by entry.
 class Enclosed : public testing::TestWithParam<std::vector<int>> {
  protected:
@@ -286,6 +338,44 @@ TEST_P(Enclosed, SumsAreUpperAndLowerOnes) {
   EXPECT_EQ(product(product(NT, X_), D_), sum(sum(product(NT, whole), below), product(below, N_)));
 }
 
+/// F9 is bilinear in h, m s and w: that it holds for numbers of either is enough.
+TEST_P(Enclosed, RatesAreThoseOfSpeedsBetweenLinks) {
+  const auto times = [this](const Matrix& M, const std::vector<int>& x) {
+    std::vector<int> y(n_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t j = 0; j < n_; ++j) {
+        y[i] += M[i][j] * x[j];
+      }
+    }
+    return y;
+  };
+  const auto each = [this](const std::vector<int>& a, const std::vector<int>& b) {
+    std::vector<int> y(n_);
+    std::ranges::transform(a, b, y.begin(), std::multiplies());
+    return y;
+  };
+  const auto plus = [this](const std::vector<int>& a, const std::vector<int>& b) {
+    std::vector<int> y(n_);
+    std::ranges::transform(a, b, y.begin(), std::plus());
+    return y;
+  };
+  std::vector<int> h(n_);
+  std::vector<int> ms(n_);
+  std::vector<int> speeds(n_);
+  for (std::size_t i = 0; i < n_; ++i) {
+    const int k = static_cast<int>(i);
+    h[i] = 7 * k * k - 3 * k + 2;
+    ms[i] = 5 * k - 11;
+    speeds[i] = k * k * k - 13 * k + 4;
+  }
+  const Matrix DT = turned(D_);
+  const Matrix NT = turned(N_);
+  const std::vector<int> omega_f = times(N_, speeds);
+  const std::vector<int> h_c = plus(times(DT, h), times(NT, ms));
+  EXPECT_EQ(plus(times(DT, each(times(D_, speeds), h)), times(NT, each(omega_f, ms))),
+            plus(each(omega_f, h_c), times(DT, each(speeds, h_c))));
+}
+
 INSTANTIATE_TEST_SUITE_P(Forests, Enclosed,
                          testing::Values(std::vector<int>{-1, 0, 1, 2, 3},
                                          std::vector<int>{-1, 0, 0, 1, 1, 2, 4},
@@ -350,6 +440,23 @@ TEST(F1, PutsSlidingJointsIntoTheirLinks) {
   };
   EXPECT_TRUE(names(true).contains("l^d"));
   EXPECT_FALSE(names(false).contains("l^d"));
+}
+
+TEST(F1, TakesTheSlidesOfJointsIntoTheRatesOfTheirPlaces) {
+  const auto slides = [](bool keeps_joints) {
+    const Derivation derivation =
+        derive(dot(velocity_jacobian(centres_of_mass())) * qd, false, keeps_joints);
+    std::set<Op> result;
+    for (const int id : derivation.values.needed(derivation.roots)) {
+      const Value& v = derivation.values[id];
+      if (v.op == Op::kFather) {
+        result.insert(derivation.values[v.operands.front()].op);
+      }
+    }
+    return result;
+  };
+  EXPECT_TRUE(slides(true).contains(Op::kScale));    // s has the slide of the father
+  EXPECT_FALSE(slides(false).contains(Op::kScale));  // s has its own
 }
 
 /// Values of inverse dynamics with an operation.
@@ -509,6 +616,32 @@ TEST_F(Identities, OfF4) {
   const Matrix p = lambda(alpha_).add(lambda(omega_).mul(lambda(omega_))).mul(pseudo);
   const Matrix vee{{p(2, 1) - p(1, 2)}, {p(0, 2) - p(2, 0)}, {p(1, 0) - p(0, 1)}};
   EXPECT_TRUE(equal(I.mul(alpha_).add(cross(omega_, I.mul(omega_))), vee));
+}
+
+TEST_F(Identities, OfF8) {
+  const Matrix J_c = symmetric("J");
+  const Matrix I = J_c.add(steiner_);
+  const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Matrix pseudo = one.mul_scalar(I.trace() / 2).sub(I);
+  const Matrix L = lambda(omega_);
+  const Matrix turned = L.mul(J_c).sub(J_c.mul(L)).sub(lambda(J_c.mul(omega_)));
+  const Matrix lever = lambda(c_).mul(lambda(cross(omega_, c_.mul_scalar(m_))));
+  EXPECT_TRUE(
+      equal(turned.mul_scalar(GiNaC::numeric(1, 2)).sub(lever), L.mul(pseudo).mul_scalar(-1)));
+}
+
+TEST_F(Identities, OfF9) {
+  const Matrix h = vector("h");
+  const Matrix s = vector("s");
+  const Matrix rates =
+      lambda(s).mul(lambda(cross(omega_, h))).add(lambda(h).mul(lambda(cross(omega_, s))));
+  const Matrix both = h.mul(s.transpose()).add(s.mul(h.transpose()));
+  EXPECT_TRUE(equal(rates, lambda(omega_).mul(both)));
+  const Matrix pseudo = symmetric("E");
+  const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Matrix I = one.mul_scalar(pseudo.trace()).sub(pseudo);
+  EXPECT_TRUE(equal(I.mul(cross(omega_, c_)).sub(cross(omega_, pseudo.mul(c_))),
+                    cross(pseudo.mul(omega_), c_)));
 }
 
 TEST_F(Identities, OfF5) {

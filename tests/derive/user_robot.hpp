@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "derive/derive.hpp"
 #include "engine/user_function.hpp"
 #include "equations/user.hpp"
 #include "formulate/derived.hpp"
@@ -79,9 +80,10 @@ struct UserRobot {
   }
   /// The program that solves an equation, zero for q̈, by R9.
   [[nodiscard]] program::Function solved(const equations::UserEquation& equation) const {
-    const auto system = formulate::derived(equation, tree.size(), 0, false);
+    const formulate::Derived system{equation, derive::derive(equation.expression, false, false),
+                                    std::nullopt};
     const auto function =
-        std::make_shared<const formulate::Derived>(formulate::solved(*system, "q̈"));
+        std::make_shared<const formulate::Derived>(formulate::solved(system, "q̈"));
     return formulate::build(tree, formulate::derived_recipe(function), options(),
                             formulate::plain_variant(tree));
   }

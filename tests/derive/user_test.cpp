@@ -122,6 +122,19 @@ INSTANTIATE_TEST_SUITE_P(Rates, Derived,
                                          "dot(dot(r))", "dot(m_d) * qd", "dot(qd_d) * qd",
                                          "dot(R(link2))", "dot(B)"));
 
+/// Composites on both sides of what is not symmetric, with rates of places and without.
+INSTANTIATE_TEST_SUITE_P(
+    Enclosed, Derived,
+    testing::Values(
+        "T(J_v) * m_d * dot(J_v) + T(J_w) * J_d * dot(J_w) + 1/2 * T(J_w) * (Lam(diagb(omega)) * "
+        "J_d - J_d * Lam(diagb(omega)) - Lam(diagb(J_d * omega))) * J_w",
+        "T(dot(J_v)) * m_d * J_v + T(J_w) * Lam(diagb(omega)) * J_d * J_w",
+        "T(dot(J_v)) * m_d * dot(J_v)", "T(J_w) * J_d * Lam(diagb(omega)) * J_d * J_w",
+        "T(J_v) * m_d * Lam(diagb(J_v * qd)) * J_w",
+        "T(Lam(c_fD) * z_d * sigma) * m_d * dot(Lam(c_fD)) * z_d * sigma",
+        "T(J_v) * m_d * Lam(diagb(dot(s_d) * ones)) * J_w",
+        "T(J_w) * Lam(D * dot(s_d) * N) * m_d * J_w"));
+
 INSTANTIATE_TEST_SUITE_P(RatesOfSymmetricMatrices, Derived,
                          testing::Values("dot(diagb(qd) * A * diagb(qd))", "dot(T(l_d) * l_d)",
                                          "dot(T(s_d) * s_d)", "dot(T(s_d + l_d) * (s_d + l_d))",
