@@ -12,6 +12,7 @@
 #include "cli/generation_options.hpp"
 #include "cli/pages.hpp"
 #include "cli/scene_commands.hpp"
+#include "cli/settings_file.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "equations/scene_table.hpp"

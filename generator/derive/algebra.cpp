@@ -205,6 +205,14 @@ int Algebra::sum_along(Op op, Set set, int x) {
   return values_.intern({op, set, type, {}, 0, {x}, {}});
 }
 
+/// What all links or points have in common, for those of another set.
+int Algebra::common(int x, Set set) {
+  const Value v = value(x);
+  return v.op != Op::kSpread ? leaf(v.name, set, v.type)
+         : set == Set::kOne  ? v.operands.front()
+                             : sum_along(Op::kSpread, set, v.operands.front());
+}
+
 /// R3': from sums over subtrees or all links; numbers take D off what they multiply there. -1 if
 /// nothing is common.
 int Algebra::of_common(Op op, Set set, int x) {
@@ -218,15 +226,16 @@ int Algebra::of_common(Op op, Set set, int x) {
   const auto sum = [&](int y) {
     return sum_along(op, set, y);
   };
-  const int g = leaf("g", set, Type::kVector);
   if (is_common(last) && v.op == Op::kScale) {
-    return scale(sum(scaled(numbers, ones(v.set))), g);
+    return scale(sum(scaled(numbers, ones(v.set))), common(last, set));
   }
   if (is_common(last) && v.op == Op::kCross) {
-    return cross(sum(v.operands.front()), g);
+    return cross(sum(v.operands.front()), common(last, set));
   }
   if (v.op == Op::kDot && (is_common(last) || is_common(v.operands.front()))) {
-    return dot(g, sum(is_common(last) ? v.operands.front() : last));
+    const bool first = !is_common(last);
+    return dot(common(first ? v.operands.front() : last, set),
+               sum(first ? last : v.operands.front()));
   }
   return all ? of_weighed_paths(set, x) : -1;
 }

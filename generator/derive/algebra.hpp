@@ -65,8 +65,10 @@ class Algebra {
   int of_common(Op op, Set set, int x);
   int of_weighed_paths(Set set, int x);
   [[nodiscard]] bool is_common(int x) const {
-    return values_.choices().common_leaves && value(x).name == "g";
+    return values_.choices().common_leaves &&
+           (value(x).name == "g" || (value(x).op == Op::kSpread && !values_.of_unit(x)));
   }
+  int common(int x, Set set);
   [[nodiscard]] bool has_centre(int x) const;
   [[nodiscard]] bool has_mass(int x) const;
   [[nodiscard]] bool is_turning(int S) const;

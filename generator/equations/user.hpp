@@ -39,7 +39,7 @@ struct UserEquation {
   std::map<std::string, UserFrame> frames;               ///< leaves R(LINK)
   std::map<std::string, block::Expression> rates;        ///< of leaves, where `dot` took them: R11
   bool names_places = false;  ///< the text names what has P_i in it, not Jacobians and A alone
-  std::optional<block::Expression> rate_of;              ///< X where the whole text is dot(X)
+  std::optional<block::Expression> rate_of;  ///< X where the whole text is dot(X)
   Location where;
 };
 

@@ -405,6 +405,12 @@ TEST(R3, LetsWhatIsCommonLeaveSums) {
   EXPECT_EQ(std::count(U.begin(), U.end(), Op::kCollect), 1);
 }
 
+TEST(R3, LetsRowsOfAllLinksShareTheirSums) {
+  const Expression momentum = transpose(ones) * m_d * velocity_jacobian(centres_of_mass());
+  EXPECT_EQ(count_of_column(momentum, Op::kSubtree, false), 1);   // m^c of three rows
+  EXPECT_EQ(count_of_column(momentum, Op::kBackward, false), 1);  // h^c
+}
+
 TEST(R10, MakesMassesTimesCentresFirstMoments) {
   for (const Expression& e :
        {gravity_force(), potential_energy(), bias_force(), inverse_dynamics()}) {
