@@ -54,7 +54,7 @@ class Replacing {
       return found->second;
     }
     const auto other = e.kind() == Kind::kNamed ? others_.find(e.node().name) : others_.end();
-    const Expression result = other == others_.end() ? of_operands(e) : other->second;
+    Expression result = other == others_.end() ? of_operands(e) : other->second;
     known_.emplace(&e.node(), result);
     return result;
   }
