@@ -157,7 +157,7 @@ class Forms {
   /// F8: f (Λ(ω) J_c - J_c Λ(ω) - Λ(J_c ω)) - 2 f Λ(c) Λ(ω×h) among the terms is -2 f Λ(ω) E.
   void gather_turned(Value& sum) {
     for (std::size_t k = 0; k < sum.operands.size(); ++k) {
-      const Value& first = new_[sum.operands[k]];
+      const Value first = new_[sum.operands[k]];
       if (first.op != Op::kProduct || new_[first.operands[0]].op != Op::kSkew ||
           new_[first.operands[1]].name != "J_c^d") {
         continue;
