@@ -29,24 +29,11 @@ std::optional<Turning> turning(const Values& values, int Omega) {
 
 class Forms {
  public:
-  explicit Forms(const Values& values) : old_(values), new_(values.choices()), algebra_(new_) {
-    for (const Rule rule : values.acted()) {
-      new_.note(rule);
-    }
-  }
+  explicit Forms(const Values& values)
+      : old_(values), new_(values.choices(), values.acted()), algebra_(new_) {}
 
   Values run(std::vector<int>& roots) {
-    std::vector<int> place(static_cast<std::size_t>(old_.size()), -1);
-    for (const int id : old_.needed(roots)) {
-      Value value = old_[id];
-      for (int& operand : value.operands) {
-        operand = place[static_cast<std::size_t>(operand)];
-      }
-      place[static_cast<std::size_t>(id)] = replaced(std::move(value));
-    }
-    for (int& root : roots) {
-      root = place[static_cast<std::size_t>(root)];
-    }
+    remake(old_, roots, [this](Value value) { return replaced(std::move(value)); });
     return std::move(new_);
   }
 

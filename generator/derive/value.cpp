@@ -56,6 +56,20 @@ int Values::intern(Value value) {
   return place->second;
 }
 
+void remake(const Values& values, std::vector<int>& roots, const std::function<int(Value)>& made) {
+  std::vector<int> place(static_cast<std::size_t>(values.size()), -1);
+  for (const int id : values.needed(roots)) {
+    Value value = values[id];
+    for (int& operand : value.operands) {
+      operand = place[static_cast<std::size_t>(operand)];
+    }
+    place[static_cast<std::size_t>(id)] = made(std::move(value));
+  }
+  for (int& root : roots) {
+    root = place[static_cast<std::size_t>(root)];
+  }
+}
+
 std::vector<int> Values::needed(const std::vector<int>& roots) const {
   std::vector<bool> wanted(values_.size(), false);
   std::vector<int> open = roots;

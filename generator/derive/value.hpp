@@ -1,6 +1,7 @@
 // Columns of blocks as a graph: every value exists once, operands before their users.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -91,7 +92,8 @@ struct Choices {
 /// The values that a function is made of, and the rules that made them.
 class Values {
  public:
-  explicit Values(const Choices& choices = {}) : choices_(choices) {}
+  explicit Values(const Choices& choices = {}, std::set<Rule> acted = {})
+      : choices_(choices), acted_(std::move(acted)) {}
   [[nodiscard]] const Choices& choices() const { return choices_; }
 
   int intern(Value value);
@@ -121,6 +123,10 @@ class Values {
   std::map<int, int> definitions_;
   std::set<Rule> acted_;
 };
+
+/// Makes what `roots` need anew, operands before their users; `roots` follow.
+/// \param made  gets a value with its new operands
+void remake(const Values& values, std::vector<int>& roots, const std::function<int(Value)>& made);
 
 /// a * b in lowest terms.
 Ratio multiply(const Ratio& a, const Ratio& b);
