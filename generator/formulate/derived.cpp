@@ -10,6 +10,8 @@
 #include "derive/words.hpp"
 #include "equations/table.hpp"
 #include "formulate/lowering.hpp"
+#include "formulate/stand_ins.hpp"
+#include "program/rounding.hpp"
 
 namespace treedyn::formulate {
 namespace {
@@ -118,13 +120,33 @@ std::vector<Expr> dense(const Task& task, const SparseSymmetric& a) {
   return result;
 }
 
+template <class Fits>
+bool any_needed(const derive::Derivation& derivation, Fits fits) {
+  const std::vector<int> needed = derivation.values.needed(derivation.roots);
+  return std::ranges::any_of(needed, [&](int id) { return fits(derivation.values[id]); });
+}
+
 /// Regrouped parameters have no centres of mass.
 bool needs_centres(const derive::Derivation& derivation) {
-  const std::vector<int> needed = derivation.values.needed(derivation.roots);
-  return std::any_of(needed.begin(), needed.end(), [&](int id) {
-    const std::string& name = derivation.values[id].name;
-    return name == "c^d" || name == "J_c^d";
+  return any_needed(derivation, [](const derive::Value& v) {
+    return v.name == "c^d" || v.name == "J_c^d";
   });
+}
+
+bool has_turnings(const derive::Derivation& derivation) {
+  const std::vector<int> needed = derivation.values.needed(derivation.roots);
+  return !derive::turnings_about_axes(derivation.values, needed).empty();
+}
+
+bool has_inertia(const derive::Derivation& derivation) {
+  return any_needed(derivation, [](const derive::Value& v) {
+    return v.name == "m^d" || v.name == "h^d" || v.name == "I^d";
+  });
+}
+
+bool has_composites(const derive::Derivation& derivation) {
+  return any_needed(derivation,
+                    [](const derive::Value& v) { return v.op == derive::Op::kComposite; });
 }
 
 /// Vectors of links against joints: (6) and (7).
@@ -201,6 +223,33 @@ std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, 
     result.to_root = derive::derive_rows(equation.expression, keeps_joints);
   }
   return std::make_shared<const Derived>(std::move(result));
+}
+
+std::shared_ptr<const Derived> regrouped(const model::Tree& tree,
+                                         const std::shared_ptr<const Derived>& function,
+                                         const Options& options) {
+  if (function->regroups || !options.has(Pass::kRegrouping) ||
+      needs_centres(function->derivation) || !has_inertia(function->derivation)) {
+    return function;
+  }
+  auto result = std::make_shared<Derived>(*function);
+  result->regroups = true;
+  const Seen own = with_stand_ins(tree, options);
+  const Seen seen = stand_ins_alone(own.tree, own.options);
+  const auto formulated = [&](const std::shared_ptr<const Derived>& f, int unit_length) {
+    const Recipe recipe = derived_recipe(f);
+    Variant variant = plain_variant(tree);
+    variant.way = recipe.freedom.way;
+    variant.unit_length = unit_length;
+    return build(seen.tree, recipe, seen.options, variant);
+  };
+  const program::Function before = formulated(function, 0);
+  if (!program::same_results(formulated(result, 0), before)) {
+    return function;
+  }
+  result->fixed_length =
+      unit_lengths(tree).empty() || !program::same_results(formulated(result, 1), before);
+  return result;
 }
 
 Derived solved(const Derived& system, const std::string& unknown) {
@@ -282,10 +331,14 @@ Recipe derived_recipe(const std::shared_ptr<const Derived>& function) {
   }
   const bool turns = takes_q(*function);  // else nothing is known of frames but the base's
   return {places_of(inputs),
-          {.any_way = turns,
+          {.regrouping = function->regroups,
+           .moment_form = has_turnings(function->derivation),
+           .tensor_form = has_composites(function->derivation),
+           .trunk = function->derivation.symmetric,
+           .any_way = turns,
            .way = turns ? Way::kToRoot : Way::kInBase,
            .fixed_frames = function->equation.names_places,
-           .fixed_length = true,
+           .fixed_length = function->fixed_length,
            .own_code = true},
           [function, turns](const Task& task) {
             return build_derived(task, *function,

@@ -21,13 +21,19 @@ struct Derived {
   derive::Derivation derivation;
   std::optional<derive::Derivation> to_root;  ///< the same by the rows of points, read backwards
   bool keeps_joints = false;  ///< the result refers to the places P_i of sliding joints
-  bool regroups = false;      ///< of inertial parameters masses and first moments alone occur
+  bool regroups = false;      ///< inertial parameters may move to the father
+  bool fixed_length = true;   ///< lengths occur whose unit is the metre
 };
 
 using DerivedFunctions = std::vector<std::shared_ptr<const Derived>>;
 
 std::shared_ptr<const Derived> derived(const equations::UserEquation& equation, int links,
                                        int points);
+/// The same of regrouped parameters (EQUATIONS.md 8) if its results do not feel them in this tree,
+/// by 50 digits at random states; `function` else. Costs two formulations without search.
+std::shared_ptr<const Derived> regrouped(const model::Tree& tree,
+                                         const std::shared_ptr<const Derived>& function,
+                                         const Options& options);
 
 /// The expressions of the function, row-major.
 /// \param frame  of vectors

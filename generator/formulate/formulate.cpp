@@ -63,7 +63,8 @@ program::Function formulated(const model::Tree& tree, const std::string& name,
 program::Function formulated(const model::Tree& tree,
                              const std::shared_ptr<const Derived>& function,
                              const Options& options) {
-  program::Function result = cheapest_seen(tree, derived_recipe(function), options);
+  const Recipe recipe = derived_recipe(regrouped(tree, function, options));
+  program::Function result = cheapest_seen(tree, recipe, options);
   result.signature.name = function->equation.name;
   return result;
 }
