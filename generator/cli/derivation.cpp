@@ -179,10 +179,10 @@ std::string derivation_text(const Model& model, const Request& request, const st
                         formulate::has_trunk(model.tree);
   result += by_trunk ? trunk_text(model, request) : "";
   if (!is_solved || formulate::recipe_of(name).freedom.articulated) {
-    result += derived_text(model, request,
-                           is_own ? formulate::regrouped(model.tree, *own,
-                                                         formulate_options(model, request))
-                                  : formulate::derived(name));
+    result += derived_text(
+        model, request,
+        is_own ? formulate::regrouped(model.tree, *own, formulate_options(model, request))
+               : formulate::derived(name));
   }
   return is_solved ? result + factored_text(model, request, name) : result;
 }

@@ -57,10 +57,42 @@ int Algebra::cross(int a, int b) {
   if (value(x).name == "c^d" && has_mass(y)) {
     return linear({{factor, moment_about_joint(x, b)}});
   }
+  if (value(x).op == Op::kLinear && has_mass(y) &&
+      std::ranges::any_of(value(x).operands, [this](int t) { return value(t).name == "c^d"; })) {
+    return linear({{factor, of_terms(x, [this, b](int term) { return cross(term, b); })}});
+  }
+  if (const int known = turned_twice(x, y); known >= 0) {
+    return linear({{multiply(factor, split(b).first), known}});
+  }
   if (value(x).op != Op::kPathStrict && value(y).op == Op::kPathStrict) {
     return negative(bilinear(Op::kCross, Type::kVector, b, a));
   }
   return bilinear(Op::kCross, Type::kVector, a, b);
+}
+
+/// R2'': ω×(ω×x), or (ω×x)×ω with a minus, as Λ(ω)² x, of ω = D w or N w; -1 if no term is such.
+int Algebra::turned_twice(int a, int b) {
+  const auto turns = [this](int omega, int y) {
+    const Value& v = value(y);
+    return v.op == Op::kCross && v.operands[0] == omega &&
+           (value(omega).op == Op::kPath || value(omega).op == Op::kPathStrict);
+  };
+  if (turns(a, b) || turns(b, a)) {
+    note(Rule::kTwiceTurned);
+    const bool swapped = !turns(a, b);
+    const int omega = swapped ? b : a;
+    const int x = value(swapped ? a : b).operands[1];
+    const int result = apply(skew_product(omega, omega), x);
+    return swapped ? negative(result) : result;
+  }
+  const auto any = [&](int omega, int y) {
+    return value(y).op == Op::kLinear &&
+           std::ranges::any_of(value(y).operands, [&](int term) { return turns(omega, term); });
+  };
+  if (any(a, b)) {
+    return of_terms(b, [&](int term) { return cross(a, term); });
+  }
+  return any(b, a) ? of_terms(a, [&](int term) { return cross(term, b); }) : -1;
 }
 
 /// Λ(a)Λ(b), a leading minus of a sum in front.
@@ -232,12 +264,16 @@ int Algebra::of_common(Op op, Set set, int x) {
   if (is_common(last) && v.op == Op::kCross) {
     return cross(sum(v.operands.front()), common(last, set));
   }
+  if (is_common(v.operands.front()) && v.op == Op::kCross) {
+    return cross(common(v.operands.front(), set), sum(last));
+  }
   if (v.op == Op::kDot && (is_common(last) || is_common(v.operands.front()))) {
     const bool first = !is_common(last);
     return dot(common(first ? v.operands.front() : last, set),
                sum(first ? last : v.operands.front()));
   }
-  return all ? of_weighed_paths(set, x) : -1;
+  const int known = all ? of_levers(set, x) : -1;
+  return all && known < 0 ? of_weighed_paths(set, x) : known;
 }
 
 /// R3': 1^T y D x = 1^T (D^T y) x for numbers y; -1 if no term of x is y D x.
@@ -264,12 +300,40 @@ int Algebra::of_weighed_paths(Set set, int x) {
       std::none_of(inner.operands.begin(), inner.operands.end(), has_path)) {
     return -1;
   }
-  Terms terms;
-  for (std::size_t k = 0; k < inner.operands.size(); ++k) {
-    terms.emplace_back(inner.factors[k],
-                       sum_along(Op::kCollect, set, scaled_term(inner.operands[k])));
+  return of_terms(body, [&](int term) { return sum_along(Op::kCollect, set, scaled_term(term)); });
+}
+
+/// True for D s and for sums with it.
+bool Algebra::has_place(int x) const {
+  const Value& v = value(x);
+  return v.op == Op::kLinear
+             ? std::ranges::any_of(v.operands, [this](int y) { return has_place(y); })
+             : v.op == Op::kPath && value(v.operands.front()).op == Op::kLeaf;
+}
+
+/// R1': 1^T (D s × y) = 1^T (s × D^T y); -1 if no term of x is D s × y.
+int Algebra::of_levers(Set set, int x) {
+  const Value v = value(x);
+  const auto sum = [&](int y) {
+    return sum_along(Op::kCollect, set, y);
+  };
+  const auto is_moment = [this](int y) {
+    return value(y).op == Op::kCross && value(y).set == Set::kLinks &&
+           has_place(value(y).operands[0]);
+  };
+  if (v.op == Op::kLinear && std::ranges::any_of(v.operands, is_moment)) {
+    return of_terms(x, sum);
   }
-  return linear(terms);
+  if (!is_moment(x)) {
+    return -1;
+  }
+  const int lever = v.operands[0];
+  const int y = v.operands[1];
+  if (value(lever).op == Op::kLinear) {
+    return of_terms(lever, [&](int z) { return sum(cross(z, y)); });
+  }
+  note(Rule::kTransposes);
+  return sum(cross(value(lever).operands.front(), sum_along(Op::kSubtree, v.set, y)));
 }
 
 /// Sums of multiples of E and of skew blocks are such; -1 for other blocks and for points.

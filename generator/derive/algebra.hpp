@@ -28,6 +28,9 @@ class Algebra {
   /// Σ factor * value. \pre `terms` is not empty, all of one set and type.
   int linear(const Terms& terms);
   int negative(int x) { return linear({{{-1, 1}, x}}); }
+  /// The sum of what becomes of the terms of a sum. \pre x is kLinear
+  template <class Of>
+  int of_terms(int x, Of of);
   int scale(int number, int x);
   int dot(int a, int b) { return bilinear(Op::kDot, Type::kScalar, a, b); }
   int cross(int a, int b);
@@ -58,12 +61,15 @@ class Algebra {
   [[nodiscard]] Set set_of(int a, int b) const;
   /// The factor in front of x, and what it multiplies.
   [[nodiscard]] std::pair<Ratio, int> split(int x) const;
+  int turned_twice(int a, int b);
   int bilinear(Op op, Type type, int a, int b);
   int scaled(const std::vector<int>& numbers, int x);
   int telescoped(Op op, int x);
   int of_kind(Op op, Set set, int x);
   int of_common(Op op, Set set, int x);
   int of_weighed_paths(Set set, int x);
+  int of_levers(Set set, int x);
+  [[nodiscard]] bool has_place(int x) const;
   [[nodiscard]] bool is_common(int x) const {
     return values_.choices().common_leaves &&
            (value(x).name == "g" || (value(x).op == Op::kSpread && !values_.of_unit(x)));
@@ -71,9 +77,11 @@ class Algebra {
   int common(int x, Set set);
   [[nodiscard]] bool has_centre(int x) const;
   [[nodiscard]] bool has_mass(int x) const;
+  [[nodiscard]] bool is_moment(int x) const;
   [[nodiscard]] bool is_turning(int S) const;
   int with_moments(const std::vector<int>& numbers, int x);
   int moment_about_joint(int centre, int x);
+  int moment_about_joint(int centre, int x, int h);
   int moment_of_turning(int S);
 
   /// A sum of terms X (D y), X (N y) and others.
@@ -108,5 +116,15 @@ class Algebra {
 
   Values& values_;
 };
+
+template <class Of>
+int Algebra::of_terms(int x, Of of) {
+  const Value v = value(x);
+  Terms terms;
+  for (std::size_t k = 0; k < v.operands.size(); ++k) {
+    terms.emplace_back(v.factors[k], of(v.operands[k]));
+  }
+  return linear(terms);
+}
 
 }  // namespace treedyn::derive

@@ -31,6 +31,19 @@ bool Algebra::is_turning(int S) const {
                                              [this](int x) { return is_turning(x); }));
 }
 
+/// True for h, m x and sums of nothing else.
+bool Algebra::is_moment(int x) const {
+  const Value& v = value(x);
+  switch (v.op) {
+    case Op::kLinear:
+      return std::ranges::all_of(v.operands, [this](int y) { return is_moment(y); });
+    case Op::kScale:
+      return has_mass(x);
+    default:
+      return v.name == "h^d";
+  }
+}
+
 /// True for m x, Ω h, h×x, x×h and sums with such a term: what has a moment about c. Where l is
 /// asked for, c alone is no lever.
 bool Algebra::has_mass(int x) const {
@@ -38,9 +51,6 @@ bool Algebra::has_mass(int x) const {
   if (values_.choices().keeps_joints) {
     return false;
   }
-  const auto is_moment = [&](std::size_t k) {
-    return value(v.operands[k]).name == "h^d";
-  };
   switch (v.op) {
     case Op::kLinear:
       return std::any_of(v.operands.begin(), v.operands.end(),
@@ -49,9 +59,9 @@ bool Algebra::has_mass(int x) const {
       return std::any_of(v.operands.begin(), v.operands.end(),
                          [this](int y) { return value(y).name == "m^d"; });
     case Op::kApply:
-      return is_moment(1) && is_turning(v.operands[0]);
+      return value(v.operands[1]).name == "h^d" && is_turning(v.operands[0]);
     case Op::kCross:
-      return is_moment(0) || is_moment(1);
+      return is_moment(v.operands[0]) || is_moment(v.operands[1]);
     default:
       return false;
   }
@@ -66,11 +76,7 @@ int Algebra::with_moments(const std::vector<int>& numbers, int x) {
     return -1;
   }
   if (v.op == Op::kLinear) {
-    Terms terms;
-    for (std::size_t k = 0; k < v.operands.size(); ++k) {
-      terms.emplace_back(v.factors[k], scaled(numbers, v.operands[k]));
-    }
-    return linear(terms);
+    return of_terms(x, [&](int term) { return scaled(numbers, term); });
   }
   if (v.op == Op::kApply) {
     return apply(v.operands[0], scaled(numbers, v.operands[1]));
@@ -88,13 +94,8 @@ int Algebra::with_moments(const std::vector<int>& numbers, int x) {
 int Algebra::moment_about_joint(int centre, int x) {
   const Value v = value(x);
   switch (v.op) {
-    case Op::kLinear: {
-      Terms terms;
-      for (std::size_t k = 0; k < v.operands.size(); ++k) {
-        terms.emplace_back(v.factors[k], cross(centre, v.operands[k]));
-      }
-      return linear(terms);
-    }
+    case Op::kLinear:
+      return of_terms(x, [&](int term) { return cross(centre, term); });
     case Op::kScale: {
       const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
       return cross(scaled(numbers, centre), v.operands.back());
@@ -102,9 +103,23 @@ int Algebra::moment_about_joint(int centre, int x) {
     case Op::kApply:
       return moment_of_turning(v.operands[0]);
     default:
-      return value(v.operands[1]).name == "h^d" ? moment_of_turning(skew(v.operands[0]))
-                                                : negative(moment_of_turning(skew(v.operands[1])));
+      return is_moment(v.operands[1])
+                 ? moment_about_joint(centre, v.operands[0], v.operands[1])
+                 : negative(moment_about_joint(centre, v.operands[1], v.operands[0]));
   }
+}
+
+/// R10: c×(x×h) = (I - J_c) x, c×(x×(m y)) = h×(x×y). \pre is_moment(h)
+int Algebra::moment_about_joint(int centre, int x, int h) {
+  const Value v = value(h);
+  if (v.op == Op::kLinear) {
+    return of_terms(h, [&](int term) { return moment_about_joint(centre, x, term); });
+  }
+  if (v.op == Op::kScale) {
+    const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
+    return cross(scaled(numbers, centre), cross(x, v.operands.back()));
+  }
+  return moment_of_turning(skew(x));
 }
 
 /// R10: c×(S h) by I = J_c - m Λ(c)²: (I - J_c) α for S = Λ(α), ω×((I - J_c) ω) for S = Λ(ω)².
@@ -112,11 +127,7 @@ int Algebra::moment_about_joint(int centre, int x) {
 int Algebra::moment_of_turning(int S) {
   const Value v = value(S);
   if (v.op == Op::kLinear) {
-    Terms terms;
-    for (std::size_t k = 0; k < v.operands.size(); ++k) {
-      terms.emplace_back(v.factors[k], moment_of_turning(v.operands[k]));
-    }
-    return linear(terms);
+    return of_terms(S, [this](int term) { return moment_of_turning(term); });
   }
   note(Rule::kParameters);
   const int x = v.operands[0];

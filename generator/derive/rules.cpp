@@ -6,7 +6,7 @@ namespace treedyn::derive {
 
 namespace {
 
-constexpr std::array<RuleRow, 34> kRules = {{
+constexpr std::array<RuleRow, 35> kRules = {{
     {Rule::kRates, "R11",
      "dot: (X Y)' = X' Y + X Y', D, σ, m are constant, vectors of links turn, s has the slide"},
     {Rule::kValueRates, "R11'",
@@ -16,11 +16,12 @@ constexpr std::array<RuleRow, 34> kRules = {{
     {Rule::kSums, "R1",
      "D x, N x are sums along the path from the root, D^T x, N^T x over the subtree"},
     {Rule::kTransposes, "R1'",
-     "1^T (a·D^T y) = 1^T (D a·y), 1^T (N a×y) = 1^T (a×N^T y), a·(b×c) = b·(c×a)"},
+     "1^T (a·D^T y) = 1^T (D a·y), 1^T (D a×y) = 1^T (a×D^T y), so N, a·(b×c) = b·(c×a)"},
     {Rule::kSkewPasses, "R2", "Λ(D X) = D Λ(X), Λ(X D) = Λ(X) D"},
     {Rule::kMerge, "R3",
      "D x + D y = D (x + y), D^T y + N^T x is one recursion, a×b + a×c = a×(b+c)"},
     {Rule::kJacobi, "R2'", "(a×b)×c = a×(b×c) - b×(a×c)"},
+    {Rule::kTwiceTurned, "R2''", "ω×(ω×x) = Λ(ω)² x: with α×x it is Ω x"},
     {Rule::kCrossWords, "R4", "Λ^T(Λ^T(P) u) x = Σ Λ(x) Λ(u) P: sums of 3x3 blocks times s"},
     {Rule::kTelescope, "R5", "D (g - g of the father) = g"},
     {Rule::kComponents, "R4'", "Λ(Y) x = Σ (Y x_k) × e_k, component by component"},

@@ -16,6 +16,7 @@ enum class Rule {
   kSkewPasses,
   kMerge,
   kJacobi,
+  kTwiceTurned,
   kCrossWords,
   kTelescope,
   kComponents,

@@ -139,11 +139,7 @@ class Transposer {
   int product(int a, int x) {
     const Value v = values_[x];
     if (v.op == Op::kLinear) {
-      Terms terms;
-      for (std::size_t k = 0; k < v.operands.size(); ++k) {
-        terms.emplace_back(v.factors[k], product(a, v.operands[k]));
-      }
-      return algebra_.linear(terms);
+      return algebra_.of_terms(x, [&](int term) { return product(a, term); });
     }
     if (v.op != Op::kCross) {
       return v.type == Type::kVector ? algebra_.dot(a, x) : algebra_.scale(a, x);

@@ -98,13 +98,8 @@ int Columns::contract(int x, int c) {
       return algebra_.zero(Set::kOne, Type::kVector);
     case Op::kSkew:
       return sum(contract_skew(v.operands.front(), c));
-    case Op::kLinear: {
-      Terms terms;
-      for (std::size_t k = 0; k < v.operands.size(); ++k) {
-        terms.emplace_back(v.factors[k], contract(v.operands[k], c));
-      }
-      return algebra_.linear(terms);
-    }
+    case Op::kLinear:
+      return algebra_.of_terms(x, [&](int term) { return contract(term, c); });
     default:
       return sum(algebra_.scale(multiple_of_identity(x), c));
   }
@@ -137,13 +132,9 @@ int Columns::wide_diagonal(Type type, int blocks, bool transposed, int x) {
       return algebra_.zero(v.set, Type::kVector);
     case Op::kSkew:
       return algebra_.cross(blocks, v.operands.front());
-    case Op::kLinear: {
-      Terms terms;
-      for (std::size_t k = 0; k < v.operands.size(); ++k) {
-        terms.emplace_back(v.factors[k], wide_diagonal(type, blocks, true, v.operands[k]));
-      }
-      return algebra_.linear(terms);
-    }
+    case Op::kLinear:
+      return algebra_.of_terms(x,
+                               [&](int term) { return wide_diagonal(type, blocks, true, term); });
     default:
       return algebra_.scale(multiple_of_identity(x), blocks);
   }

@@ -128,9 +128,8 @@ bool any_needed(const derive::Derivation& derivation, Fits fits) {
 
 /// Regrouped parameters have no centres of mass.
 bool needs_centres(const derive::Derivation& derivation) {
-  return any_needed(derivation, [](const derive::Value& v) {
-    return v.name == "c^d" || v.name == "J_c^d";
-  });
+  return any_needed(derivation,
+                    [](const derive::Value& v) { return v.name == "c^d" || v.name == "J_c^d"; });
 }
 
 bool has_turnings(const derive::Derivation& derivation) {

@@ -72,6 +72,20 @@ TEST(R1, LetsPathsTakeOverFromSubtreesInSumsOverAllLinks) {
   EXPECT_TRUE(derive(kinetic_energy(), false).values.acted().contains(Rule::kTransposes));
 }
 
+/// Σ (P_i + c_i)×f_i: the moment about the base origin of a force on every centre of mass.
+Expression moment_of(const Expression& forces) {
+  return transpose(ones) * skew(block::diagb(D * s_d * ones + c_d * ones)) * forces;
+}
+
+TEST(R1, LetsSubtreesTakeOverFromPlacesInSumsOverAllLinks) {
+  const Expression moment = moment_of(m_d * D * z_d * qd);
+  EXPECT_TRUE(acts(moment, Rule::kTransposes));
+  EXPECT_EQ(count(moment, Op::kSubtree), 1);
+  EXPECT_EQ(count(moment, Op::kPath), 1);  // of z q̇, none of s
+  const Expression others = transpose(ones) * skew(block::diagb(D * qd_d * s_d * ones)) * w;
+  EXPECT_FALSE(acts(others, Rule::kTransposes));
+}
+
 TEST(R1, LeavesSubtreesInWhatIsNotLinearInThem) {
   const Expression x = transpose(D) * w;
   EXPECT_FALSE(acts(transpose(x) * x, Rule::kTransposes));
@@ -83,6 +97,16 @@ TEST(R2, LetsSkewPassReachability) {
   EXPECT_EQ(texts(skew(D * z_d * sigma)), (std::vector<std::string>{"D Λ(z^d) σ"}));
   EXPECT_TRUE(acts(skew(D * z_d * sigma) * g, Rule::kSkewPasses));
   EXPECT_EQ(count(skew(D * z_d * sigma) * g, Op::kCross), 1);
+}
+
+TEST(R2, TurnsTwiceByOneBlock) {
+  const Expression turns = skew(block::diagb(D * w));
+  for (const Expression& e : {turns * turns * c_d * qd, turns * (turns * c_d * qd + z_d * qdd)}) {
+    EXPECT_TRUE(acts(e, Rule::kTwiceTurned));
+    EXPECT_EQ(count(e, Op::kSkewProduct), 1);
+  }
+  EXPECT_FALSE(acts(skew(block::diagb(w)) * skew(block::diagb(w)) * c_d * qd, Rule::kTwiceTurned));
+  EXPECT_FALSE(acts(turns * skew(block::diagb(N * w)) * c_d * qd, Rule::kTwiceTurned));
 }
 
 TEST(R3, MeltsSumsIntoOne) {
@@ -422,6 +446,24 @@ TEST(R10, MakesMassesTimesCentresFirstMoments) {
   }
 }
 
+/// Angular momentum has no centres left, about any point.
+TEST(R10, MakesMomentsOfMomentaInertias) {
+  const Expression J_v = velocity_jacobian(centres_of_mass());
+  const Expression rest = J_d * (D * w);
+  const Expression mean = transpose(ones) * m_d * (D * s_d * ones + c_d * ones);
+  const Expression about_mean =
+      transpose(ones) * skew(block::diagb(D * s_d * ones + c_d * ones - ones * mean));
+  for (const Expression& e : {moment_of(m_d * J_v * qd) + transpose(ones) * rest,
+                              about_mean * m_d * J_v * qd + transpose(ones) * rest,
+                              about_mean * m_d * J_v + transpose(ones) * J_d * D * z_d * sigma}) {
+    const Derivation derivation = derive(e, false, false);
+    for (const int id : derivation.values.needed(derivation.roots)) {
+      EXPECT_NE(derivation.values[id].name, "c^d");
+      EXPECT_NE(derivation.values[id].name, "J_c^d");
+    }
+  }
+}
+
 TEST(R10, KeepsCentresWhoseTermsDoNotMakeUpAnInertia) {
   const Expression half = transpose(D) * skew(c_d) * (D * w) + transpose(D) * m_d * c_d * qd;
   EXPECT_EQ(count(half, Op::kCross), 1);
@@ -607,6 +649,14 @@ TEST_F(Identities, OfR10) {
   EXPECT_TRUE(equal(cross(c_, cross(alpha_, h)), steiner_.mul(alpha_)));
   EXPECT_TRUE(
       equal(cross(c_, cross(omega_, cross(omega_, h))), cross(omega_, steiner_.mul(omega_))));
+  EXPECT_TRUE(
+      equal(cross(c_, cross(alpha_, omega_.mul_scalar(m_))), cross(h, cross(alpha_, omega_))));
+}
+
+TEST_F(Identities, OfWhatTurnsTwice) {
+  const Matrix square = lambda(omega_).mul(lambda(omega_));
+  EXPECT_TRUE(equal(cross(omega_, cross(omega_, c_)), square.mul(c_)));
+  EXPECT_TRUE(equal(cross(cross(omega_, c_), omega_), square.mul(c_).mul_scalar(-1)));
 }
 
 TEST_F(Identities, OfJacobi) {

@@ -63,8 +63,8 @@ class EquationsOfUsers : public testing::TestWithParam<const char*> {};
 
 /// The same operations, whoever writes the equation.
 TEST_P(EquationsOfUsers, CostWhatOursCost) {
-  const model::Tree tree =
-      description::read_model(std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam() + ".yaml", {});
+  const model::Tree tree = description::read_model(
+      std::string(TREEDYN_SOURCE_DIR "/models/") + GetParam() + ".yaml", {});
   Options options;
   options.gravity = {0, 0, Real("-9.81")};
   options.points = tree.points;
