@@ -26,15 +26,18 @@ std::string content_hash(const std::string& text) {
   return fmt::format("{:016x}", hash);
 }
 
-std::vector<std::string> compiler_command(const fs::path& folder) {
-  return {TREEDYN_CXX,           "-std=c++17", "-O1",  "-fPIC", "-shared",
+/// What counts and bounds in every operation takes six times as long to optimise.
+std::vector<std::string> compiler_command(const fs::path& folder, Variant variant) {
+  const char* const level = variant == Variant::kMeasured ? "-O0" : "-O1";
+  return {TREEDYN_CXX,           "-std=c++17", level,  "-fPIC", "-shared",
           "-fvisibility=hidden", "-I",         folder, "-I",    TREEDYN_TESTS};
 }
 
 /// Compiles into `object` by way of a private name, so that parallel tests never load half a file.
-void compile(const fs::path& folder, const std::string& name, const fs::path& object) {
+void compile(const fs::path& folder, const std::string& name, Variant variant,
+             const fs::path& object) {
   const fs::path partial = object.string() + fmt::format(".{}", getpid());
-  std::vector<std::string> command = compiler_command(folder);
+  std::vector<std::string> command = compiler_command(folder, variant);
   command.insert(command.end(),
                  {folder / (name + ".cpp"), folder / "shim.cpp", "-o", partial.string()});
   const Outcome outcome = run(command);
@@ -51,7 +54,7 @@ fs::path shared_object(const fs::path& folder, const std::string& name, const Ma
   const std::string shim = shim_source(name, manifest, variant);
   const std::string measured = read_file(fs::path(TREEDYN_TESTS) / "support/measured.hpp");
   std::string key = header + source + shim + measured;
-  for (const std::string& word : compiler_command("")) {
+  for (const std::string& word : compiler_command("", variant)) {
     key += word;
   }
   const fs::path cache = TREEDYN_TEST_CACHE;
@@ -62,7 +65,7 @@ fs::path shared_object(const fs::path& folder, const std::string& name, const Ma
     write_file(work.path() / (name + ".hpp"), header);
     write_file(work.path() / (name + ".cpp"), source);
     write_file(work.path() / "shim.cpp", shim);
-    compile(work.path(), name, object);
+    compile(work.path(), name, variant, object);
   }
   return object;
 }
