@@ -220,8 +220,13 @@ int Algebra::sum_along(Op op, Set set, int x) {
       return known;
     }
   }
+  if (op == Op::kSubtree || op == Op::kSubtreeStrict || op == Op::kCollect) {
+    if (const int known = of_composites(op, set, x); known >= 0) {
+      return known;
+    }
+  }
   if (op == Op::kSubtree || op == Op::kSubtreeStrict) {
-    if (const int known = of_composites(op, x); known >= 0) {
+    if (const int known = of_places(op, x); known >= 0) {
       return known;
     }
   }
@@ -308,7 +313,7 @@ bool Algebra::has_place(int x) const {
   const Value& v = value(x);
   return v.op == Op::kLinear
              ? std::ranges::any_of(v.operands, [this](int y) { return has_place(y); })
-             : v.op == Op::kPath && value(v.operands.front()).op == Op::kLeaf;
+             : is_place(x);
 }
 
 /// R1': 1^T (D s × y) = 1^T (s × D^T y); -1 if no term of x is D s × y.

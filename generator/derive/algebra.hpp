@@ -98,7 +98,20 @@ class Algebra {
   void open_paths(const Ratio& factor, int X, int x, Opened& opened);
   void join(std::vector<Opened::Path>& paths);
   [[nodiscard]] bool has_sum(int x) const;
-  int of_composites(Op op, int x);
+  int of_composites(Op op, Set set, int x);
+  [[nodiscard]] bool is_place(int x) const {
+    return value(x).op == Op::kPath && value(value(x).operands.front()).op == Op::kLeaf;
+  }
+  /// X = a y or Λ(a) Y: a, what it multiplies, and the product with others in their place.
+  struct Lever {
+    int lever = -1;
+    int rest = -1;
+    Op op = Op::kScale;
+  };
+  [[nodiscard]] Lever lever_of(int x);
+  int product_of(const Lever& product);
+  int whole_of(int x);
+  int of_places(Op op, int x);
 
   Terms flattened(const Terms& terms);
   [[nodiscard]] int body_of(const Value& v) const;

@@ -111,15 +111,18 @@ void Algebra::join(std::vector<Opened::Path>& paths) {
 /// True for what the subtree decides, not the link alone.
 bool Algebra::has_sum(int x) const {
   const Value& v = value(x);
+  if (v.op == Op::kSpread) {  // the same for all links
+    return false;
+  }
   const bool of_subtree = v.op == Op::kSubtree || v.op == Op::kSubtreeStrict ||
                           v.op == Op::kBackward || v.op == Op::kSons || v.op == Op::kCollect;
   return of_subtree ||
          std::any_of(v.operands.begin(), v.operands.end(), [this](int y) { return has_sum(y); });
 }
 
-/// D^T x or N^T x by composites, all of its rows; -1 if x has no sum along paths in it.
-int Algebra::of_composites(Op op, int x) {
-  if (!values_.choices().composites || !values_.of_unit(x)) {
+/// D^T x, N^T x, all of its rows, or 1^T x by composites; -1 if x has no sum along paths in it.
+int Algebra::of_composites(Op op, Set set, int x) {
+  if (!values_.choices().composites || !values_.of_unit(x) || value(x).set != Set::kLinks) {
     return -1;
   }
   Opened opened;
@@ -127,20 +130,27 @@ int Algebra::of_composites(Op op, int x) {
   if (opened.paths.empty()) {
     return -1;
   }
-  note(Rule::kComposites);
+  if (op != Op::kCollect) {
+    note(Rule::kComposites);
+  }
   join(opened.paths);
   Terms terms;
   for (const auto& [factor, y] : opened.rest) {
-    terms.emplace_back(factor, sum_along(op, Set::kLinks, y));
+    terms.emplace_back(factor, sum_along(op, set, y));
   }
   for (const Opened::Path& path : opened.paths) {
     const int X = path.step < 0 ? ones(Set::kLinks) : path.step;
     const int below = sum_along(Op::kSubtreeStrict, Set::kLinks, X);
     const int whole =
         has_sum(X) ? linear({{kPlus, X}, {kPlus, below}}) : sum_along(Op::kSubtree, Set::kLinks, X);
+    const int first = path.strict ? step(below, path.y) : step(whole, path.y);
+    if (op == Op::kCollect) {
+      note(Rule::kPlaceSums);
+      terms.emplace_back(path.factor, sum_along(op, set, first));
+      continue;
+    }
     const int father = sum_along(Op::kPathStrict, Set::kLinks, path.y);
     const bool inclusive = op == Op::kSubtree;
-    const int first = path.strict ? step(below, path.y) : step(whole, path.y);
     terms.emplace_back(path.factor, sum_along(path.strict ? Op::kSubtree : op, Set::kLinks, first));
     if (!inclusive && !path.strict) {
       terms.emplace_back(path.factor, step(below, path.y));
@@ -148,6 +158,102 @@ int Algebra::of_composites(Op op, int x) {
     terms.emplace_back(path.factor, step(inclusive ? whole : below, father));
   }
   return linear(terms);
+}
+
+Algebra::Lever Algebra::lever_of(int x) {
+  const Value v = value(x);
+  switch (v.op) {
+    case Op::kScale: {
+      if (v.type != Type::kVector) {
+        return {};
+      }
+      const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
+      return {v.operands.back(), scaled(numbers, ones(v.set)), v.op};
+    }
+    case Op::kSkewProduct:
+    case Op::kCross: {
+      const Lever scaled_lever = lever_of(v.operands[0]);
+      return scaled_lever.op == Op::kScale && scaled_lever.lever >= 0
+                 ? Lever{scaled_lever.lever, scale(scaled_lever.rest, v.operands[1]), v.op}
+                 : Lever{v.operands[0], v.operands[1], v.op};
+    }
+    case Op::kProduct:
+      return value(v.operands[0]).op == Op::kSkew
+                 ? Lever{value(v.operands[0]).operands[0], v.operands[1], v.op}
+                 : Lever{};
+    default:
+      return {};
+  }
+}
+
+int Algebra::product_of(const Lever& product) {
+  switch (product.op) {
+    case Op::kScale:
+      return scale(product.rest, product.lever);
+    case Op::kCross:
+      return cross(product.lever, product.rest);
+    default:
+      return product_of_steps(product.lever, product.rest);
+  }
+}
+
+/// D^T x, of sums over subtrees as x + N^T x.
+int Algebra::whole_of(int x) {
+  if (value(x).op == Op::kLinear) {
+    return of_terms(x, [this](int term) { return whole_of(term); });
+  }
+  return has_sum(x) ? linear({{kPlus, x}, {kPlus, sum_along(Op::kSubtreeStrict, Set::kLinks, x)}})
+                    : sum_along(Op::kSubtree, Set::kLinks, x);
+}
+
+/// R7'' of places P = D s: D^T (P y) = P D^T y + N^T (s D^T y), and what all links have in common
+/// stays in front; -1 if no lever of x is such.
+int Algebra::of_places(Op op, int x) {
+  if (!values_.choices().composites || values_.of_unit(x)) {
+    return -1;
+  }
+  const auto sum = [&](int y) {
+    return sum_along(op, Set::kLinks, y);
+  };
+  const auto is_in_front = [this](int y) {
+    return is_place(y) || is_common(y);
+  };
+  if (value(x).op == Op::kLinear) {
+    const std::vector<int> operands = value(x).operands;
+    return std::ranges::any_of(operands, [&](int y) { return of_places(op, y) >= 0; })
+               ? of_terms(x, sum)
+               : -1;
+  }
+  const Lever product = lever_of(x);
+  if (product.lever < 0) {
+    return -1;
+  }
+  const auto with = [&](int lever, int rest) {
+    return product_of({lever, rest, product.op});
+  };
+  if (value(product.lever).op == Op::kLinear) {
+    const std::vector<int> levers = value(product.lever).operands;
+    const auto splits = [&](int y) {
+      return is_in_front(y) || of_places(op, with(y, product.rest)) >= 0;
+    };
+    return std::ranges::any_of(levers, splits)
+               ? of_terms(product.lever, [&](int y) { return sum(with(y, product.rest)); })
+               : -1;
+  }
+  if (!is_in_front(product.lever)) {
+    return -1;
+  }
+  const int rest = op == Op::kSubtree ? whole_of(product.rest) : sum(product.rest);
+  const int first = with(product.lever, rest);
+  if (is_common(product.lever)) {
+    note(Rule::kCommon);
+    return first;
+  }
+  note(Rule::kPlaceSums);
+  const int s = value(product.lever).operands.front();
+  const int whole = whole_of(product.rest);
+  return linear(
+      {{kPlus, first}, {kPlus, sum_along(Op::kSubtreeStrict, Set::kLinks, with(s, whole))}});
 }
 
 /// The rows of x on the way from the column that is asked for to the root: there N y is zero.
@@ -162,13 +268,8 @@ int Algebra::on_way_to_root(int x) {
         throw NoComposites{};
       }
       return zero(v.set, v.type);
-    case Op::kLinear: {
-      Terms terms;
-      for (std::size_t k = 0; k < v.operands.size(); ++k) {
-        terms.emplace_back(v.factors[k], on_way_to_root(v.operands[k]));
-      }
-      return linear(terms);
-    }
+    case Op::kLinear:
+      return of_terms(x, [this](int term) { return on_way_to_root(term); });
     case Op::kScale: {
       const int last = on_way_to_root(v.operands.back());
       const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);

@@ -98,6 +98,30 @@ bool derive_composites(const block::Expression& expression, Derivation& result) 
   return true;
 }
 
+/// Three numbers for each joint, a sum over all links: column by column by composites, if tensors
+/// would travel to the root for each of three rows.
+bool derive_sums(const block::Expression& expression, Derivation& result) {
+  if (result.shape != block::Shape{{Set::kOne, 3}, {Set::kLinks, 1}}) {
+    return false;
+  }
+  Choices choices = result.values.choices();
+  choices.composites = true;
+  Values values(choices);
+  values.note(Rule::kUnits);
+  Columns columns(values);
+  const int root =
+      columns.apply(expression, false, columns.algebra().unit(Set::kLinks, Type::kScalar));
+  const std::vector<int> needed = values.needed({root});
+  if (std::ranges::none_of(needed, [&](int id) { return values[id].name == "I^d"; })) {
+    return false;
+  }
+  result.roots = {root};
+  result.values = std::move(values);
+  result.by_units = true;
+  result.by_rows = false;
+  return true;
+}
+
 /// The columns (or rows) one by one.
 void derive_unit(const block::Expression& expression, Derivation& result) {
   const block::Side& side = result.by_rows ? result.shape.rows : result.shape.cols;
@@ -118,6 +142,9 @@ Derivation derive_with(const block::Expression& expression, bool by_rows, const 
   result.by_units = !one_col && !one_row;
   if (result.by_units && (derive_wide(expression, result) || derive_symmetric(expression, result) ||
                           derive_composites(expression, result))) {
+    return result;
+  }
+  if (derive_sums(expression, result)) {
     return result;
   }
   result.by_rows = one_row && !column ? true : one_col ? false : by_rows;

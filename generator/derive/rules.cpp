@@ -6,7 +6,7 @@ namespace treedyn::derive {
 
 namespace {
 
-constexpr std::array<RuleRow, 35> kRules = {{
+constexpr std::array<RuleRow, 36> kRules = {{
     {Rule::kRates, "R11",
      "dot: (X Y)' = X' Y + X Y', D, σ, m are constant, vectors of links turn, s has the slide"},
     {Rule::kValueRates, "R11'",
@@ -31,6 +31,8 @@ constexpr std::array<RuleRow, 35> kRules = {{
     {Rule::kSymmetric, "R6", "A e_j = A^T e_j: the rows from link j to the root are enough"},
     {Rule::kComposites, "R7",
      "D^T X D = D^T X^c + X^c N, N^T X N = D^T X^s + X^s N: composites X^c = D^T X, X^s = N^T X"},
+    {Rule::kPlaceSums, "R7''",
+     "1^T X D y = 1^T (D^T X) y; of places P = D s: D^T (P×y) = P×D^T y + N^T (s×D^T y)"},
     {Rule::kKinds, "R7'", "3x3 blocks keep their kind: D^T (y E) = (D^T y) E, D^T Λ(x) = Λ(D^T x)"},
     {Rule::kCommon, "R3'",
      "what is the same for all links leaves sums: D^T(y g) = (D^T y) g, D^T(x×g) = (D^T x)×g"},

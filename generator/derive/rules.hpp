@@ -25,6 +25,7 @@ enum class Rule {
   kMeet,
   kSymmetric,
   kComposites,
+  kPlaceSums,
   kKinds,
   kCommon,
   kParameters,

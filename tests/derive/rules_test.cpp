@@ -1,6 +1,7 @@
 // The rules of the derivation, one by one.
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -278,6 +279,31 @@ TEST(R7, TakesBothSidesOfMatricesThatAreNotSymmetric) {
   EXPECT_EQ(count_of_column(coriolis_matrix(), Op::kComposite, false), 1);
 }
 
+/// The centroidal momentum matrix, its lower half: I^c and h^c as for A, nothing else travels.
+TEST(R7, TakesSumsOverAllLinksByComposites) {
+  const Expression r = D * s_d * ones + c_d * ones;
+  const Expression J_v = velocity_jacobian(centres_of_mass());
+  const Expression J_w = D * z_d * sigma;
+  const Expression about_mean = skew(diagb(r - ones * (transpose(ones) * m_d * r)));
+  const Expression e = transpose(ones) * (about_mean * m_d * J_v + J_d * J_w);
+  const Derivation derivation = derive(e, false, false);
+  EXPECT_TRUE(derivation.by_units && !derivation.by_rows);
+  EXPECT_TRUE(derivation.values.acted().contains(Rule::kPlaceSums));
+  EXPECT_EQ(count_of_column(e, Op::kComposite, false), 1);
+  EXPECT_EQ(count_of_column(e, Op::kPath, false), 1);  // P
+  for (const Op op :
+       {Op::kPath, Op::kPathStrict, Op::kSubtree, Op::kSubtreeStrict, Op::kBackward}) {
+    EXPECT_EQ(count_of_column(e, op, true), 0);
+  }
+}
+
+TEST(R7, LeavesSumsWithoutTensorsToTheirRows) {
+  const Expression momentum = transpose(ones) * m_d * velocity_jacobian(centres_of_mass());
+  EXPECT_TRUE(derive(momentum, false, false).by_rows);
+  const Expression one_row = transpose(g) * J_d * D * z_d * sigma;
+  EXPECT_TRUE(derive(one_row, false, false).by_rows);
+}
+
 TEST(F8, WritesTurningTensorsWithPseudoInertias) {
   EXPECT_TRUE(derive(coriolis_matrix(), false, false).values.acted().contains(Rule::kTurned));
   const Expression J_w = angular_jacobian();
@@ -398,6 +424,41 @@ TEST_P(Enclosed, RatesAreThoseOfSpeedsBetweenLinks) {
   const std::vector<int> h_c = plus(times(DT, h), times(NT, ms));
   EXPECT_EQ(plus(times(DT, each(times(D_, speeds), h)), times(NT, each(omega_f, ms))),
             plus(each(omega_f, h_c), times(DT, each(speeds, h_c))));
+}
+
+/// R7'' is bilinear in s and y: that it holds for numbers is enough.
+TEST_P(Enclosed, SumsOfPlacesAreThoseOfLevers) {
+  const auto with = [this](const std::vector<int>& diagonal) {
+    Matrix m(n_, std::vector<int>(n_));
+    for (std::size_t i = 0; i < n_; ++i) {
+      m[i][i] = diagonal[i];
+    }
+    return m;
+  };
+  std::vector<int> s(n_);
+  std::vector<int> places(n_);
+  for (std::size_t i = 0; i < n_; ++i) {
+    s[i] = static_cast<int>(i * i) - 5 * static_cast<int>(i) + 3;
+  }
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (std::size_t j = 0; j < n_; ++j) {
+      places[i] += D_[i][j] * s[j];
+    }
+  }
+  const std::vector<int> ones(n_, 1);
+  const auto column = [&](const Matrix& m) {  // m 1
+    std::vector<int> y(n_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      y[i] = std::inner_product(m[i].begin(), m[i].end(), ones.begin(), 0);
+    }
+    return y;
+  };
+  const Matrix below = product(turned(N_), product(with(s), with(column(product(turned(D_), X_)))));
+  for (const Matrix& M : {D_, N_}) {
+    const Matrix moments = product(turned(M), product(with(places), X_));
+    const Matrix sums = product(with(places), with(column(product(turned(M), X_))));
+    EXPECT_EQ(column(moments), column(sum(sums, below)));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Forests, Enclosed,
