@@ -99,7 +99,7 @@ bool derive_composites(const block::Expression& expression, Derivation& result) 
 }
 
 /// Three numbers for each joint, a sum over all links: column by column by composites, if tensors
-/// would travel to the root for each of three rows.
+/// would travel to the root for each of three rows and nothing of a column travels.
 bool derive_sums(const block::Expression& expression, Derivation& result) {
   if (result.shape != block::Shape{{Set::kOne, 3}, {Set::kLinks, 1}}) {
     return false;
@@ -112,7 +112,11 @@ bool derive_sums(const block::Expression& expression, Derivation& result) {
   const int root =
       columns.apply(expression, false, columns.algebra().unit(Set::kLinks, Type::kScalar));
   const std::vector<int> needed = values.needed({root});
-  if (std::ranges::none_of(needed, [&](int id) { return values[id].name == "I^d"; })) {
+  const auto travels = [&](int id) {
+    return values.of_unit(id) && values[id].op >= Op::kPath && values[id].op <= Op::kSons;
+  };
+  if (std::ranges::none_of(needed, [&](int id) { return values[id].name == "I^d"; }) ||
+      std::ranges::any_of(needed, travels)) {
     return false;
   }
   result.roots = {root};
