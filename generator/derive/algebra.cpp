@@ -277,8 +277,11 @@ int Algebra::of_common(Op op, Set set, int x) {
     return dot(common(first ? v.operands.front() : last, set),
                sum(first ? last : v.operands.front()));
   }
-  const int known = all ? of_levers(set, x) : -1;
-  return all && known < 0 ? of_weighed_paths(set, x) : known;
+  if (!all) {
+    return -1;
+  }
+  const int known = of_levers(set, x);
+  return known >= 0 ? known : of_weighed_paths(set, x);
 }
 
 /// R3': 1^T y D x = 1^T (D^T y) x for numbers y; -1 if no term of x is y D x.

@@ -110,6 +110,7 @@ class Algebra {
   };
   [[nodiscard]] Lever lever_of(int x);
   int product_of(const Lever& product);
+  int with_links(int x, int below);
   int whole_of(int x);
   int of_places(Op op, int x);
 

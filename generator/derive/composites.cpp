@@ -120,6 +120,12 @@ bool Algebra::has_sum(int x) const {
          std::any_of(v.operands.begin(), v.operands.end(), [this](int y) { return has_sum(y); });
 }
 
+/// D^T x of N^T x; of what is a sum over subtrees itself x + N^T x.
+int Algebra::with_links(int x, int below) {
+  return has_sum(x) ? linear({{kPlus, x}, {kPlus, below}})
+                    : sum_along(Op::kSubtree, Set::kLinks, x);
+}
+
 /// D^T x, N^T x, all of its rows, or 1^T x by composites; -1 if x has no sum along paths in it.
 int Algebra::of_composites(Op op, Set set, int x) {
   if (!values_.choices().composites || !values_.of_unit(x) || value(x).set != Set::kLinks) {
@@ -141,8 +147,7 @@ int Algebra::of_composites(Op op, Set set, int x) {
   for (const Opened::Path& path : opened.paths) {
     const int X = path.step < 0 ? ones(Set::kLinks) : path.step;
     const int below = sum_along(Op::kSubtreeStrict, Set::kLinks, X);
-    const int whole =
-        has_sum(X) ? linear({{kPlus, X}, {kPlus, below}}) : sum_along(Op::kSubtree, Set::kLinks, X);
+    const int whole = with_links(X, below);
     const int first = path.strict ? step(below, path.y) : step(whole, path.y);
     if (op == Op::kCollect) {
       note(Rule::kPlaceSums);
@@ -197,13 +202,10 @@ int Algebra::product_of(const Lever& product) {
   }
 }
 
-/// D^T x, of sums over subtrees as x + N^T x.
+/// D^T x, term by term.
 int Algebra::whole_of(int x) {
-  if (value(x).op == Op::kLinear) {
-    return of_terms(x, [this](int term) { return whole_of(term); });
-  }
-  return has_sum(x) ? linear({{kPlus, x}, {kPlus, sum_along(Op::kSubtreeStrict, Set::kLinks, x)}})
-                    : sum_along(Op::kSubtree, Set::kLinks, x);
+  return value(x).op == Op::kLinear ? of_terms(x, [this](int term) { return whole_of(term); })
+                                    : with_links(x, sum_along(Op::kSubtreeStrict, Set::kLinks, x));
 }
 
 /// R7'' of places P = D s: D^T (P y) = P D^T y + N^T (s D^T y), and what all links have in common

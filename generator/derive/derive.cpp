@@ -81,20 +81,24 @@ bool derive_symmetric(const block::Expression& expression, Derivation& result) {
   return true;
 }
 
-/// The same of any matrix of numbers between links, all rows of a column.
+/// The columns of any matrix with one for each joint, all rows of a column by composites.
+void derive_by_composites(const block::Expression& expression, Derivation& result) {
+  Choices choices = result.values.choices();
+  choices.composites = true;
+  result.values = Values(choices);
+  result.values.note(Rule::kUnits);
+  Columns columns(result.values);
+  result.roots = {
+      columns.apply(expression, false, columns.algebra().unit(Set::kLinks, Type::kScalar))};
+}
+
+/// The same of a matrix of numbers between links.
 bool derive_composites(const block::Expression& expression, Derivation& result) {
   const block::Side joints{Set::kLinks, 1};
   if (result.shape != block::Shape{joints, joints}) {
     return false;
   }
-  Choices choices = result.values.choices();
-  choices.composites = true;
-  Values values(choices);
-  values.note(Rule::kUnits);
-  Columns columns(values);
-  result.roots = {
-      columns.apply(expression, false, columns.algebra().unit(Set::kLinks, Type::kScalar))};
-  result.values = std::move(values);
+  derive_by_composites(expression, result);
   return true;
 }
 
@@ -104,14 +108,10 @@ bool derive_sums(const block::Expression& expression, Derivation& result) {
   if (result.shape != block::Shape{{Set::kOne, 3}, {Set::kLinks, 1}}) {
     return false;
   }
-  Choices choices = result.values.choices();
-  choices.composites = true;
-  Values values(choices);
-  values.note(Rule::kUnits);
-  Columns columns(values);
-  const int root =
-      columns.apply(expression, false, columns.algebra().unit(Set::kLinks, Type::kScalar));
-  const std::vector<int> needed = values.needed({root});
+  Derivation sums = result;
+  derive_by_composites(expression, sums);
+  const Values& values = sums.values;
+  const std::vector<int> needed = values.needed(sums.roots);
   const auto travels = [&](int id) {
     return values.of_unit(id) && values[id].op >= Op::kPath && values[id].op <= Op::kSons;
   };
@@ -119,8 +119,7 @@ bool derive_sums(const block::Expression& expression, Derivation& result) {
       std::ranges::any_of(needed, travels)) {
     return false;
   }
-  result.roots = {root};
-  result.values = std::move(values);
+  result = std::move(sums);
   result.by_units = true;
   result.by_rows = false;
   return true;
