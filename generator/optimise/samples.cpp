@@ -7,7 +7,7 @@ SampleTable::SampleTable(const Network& network)
   for (int k = 1; k < network.size(); ++k) {
     append(k);
     table_.push_back({std::abs(fast_.back()[0]), k});
-    present_[bit_of(table_.back().magnitude)] = true;
+    present_[bit_of(leading_bits(table_.back().magnitude))] = true;
   }
   std::ranges::sort(table_, [](const Entry& a, const Entry& b) {
     return a.magnitude != b.magnitude ? a.magnitude < b.magnitude : a.item < b.item;

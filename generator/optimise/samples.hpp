@@ -74,9 +74,11 @@ class SampleTable {
   };
   /// Magnitudes that share their 22 leading bits, hashed: most searches end here.
   static constexpr std::size_t kBits = std::size_t{1} << 18U;
-  static std::size_t bit_of(double magnitude) {
-    return static_cast<std::size_t>(
-        (std::bit_cast<std::uint64_t>(magnitude) >> 30U) * 0x9E3779B97F4A7C15ULL >> 46U);
+  static std::uint64_t leading_bits(double magnitude) {
+    return std::bit_cast<std::uint64_t>(magnitude) >> 30U;
+  }
+  static std::size_t bit_of(std::uint64_t leading) {
+    return static_cast<std::size_t>(leading * 0x9E3779B97F4A7C15ULL >> 46U);
   }
   [[nodiscard]] Sample evaluate(int k) const;
   [[nodiscard]] double error_at(std::size_t point, int k) const;
@@ -96,7 +98,9 @@ template <class Accept>
 Ref SampleTable::find(double first, double second, Accept accept) const {
   const double least = std::abs(first) * (1 - 1e-13);
   const double most = std::abs(first) * (1 + 1e-13);
-  if (!present_[bit_of(least)] && !present_[bit_of(most)]) {
+  const std::uint64_t leading = leading_bits(least);
+  if (!present_[bit_of(leading)] &&
+      (leading_bits(most) == leading || !present_[bit_of(leading_bits(most))])) {
     return 0;
   }
   auto it = std::ranges::lower_bound(table_, least, {}, &Entry::magnitude);
