@@ -75,7 +75,7 @@ Parameters read_parameters(const std::string& file, const Node& node) {
     try {
       constants.define(item.key.text, item.text);
       result.emplace_back(item.key.text, constants.evaluate(item.key.text));
-    } catch (const expressions::ConstantError& problem) {
+    } catch (const TextError& problem) {
       throw InputError(located(file, item.where.at(problem.offset())),
                        fmt::format("parameter '{}': {}", shown(item.key.text), problem.what()));
     }

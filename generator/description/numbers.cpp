@@ -15,7 +15,7 @@ bool is_xacro(const std::string& text) {
 }
 
 [[noreturn]] void rethrow(const RawTree& raw, const Text& text, const std::string& what,
-                          const expressions::ConstantError& problem) {
+                          const TextError& problem) {
   const Place where = text.where.at(problem.offset());
   throw InputError(location(raw, where), fmt::format("{}: {}", what, problem.what()));
 }
@@ -26,7 +26,7 @@ NumberReader::NumberReader(const RawTree& raw) : raw_(raw) {
   for (const RawParameter& parameter : raw.parameters) {
     try {
       constants_.define(parameter.name.text, parameter.value.text);
-    } catch (const expressions::ConstantError& problem) {
+    } catch (const TextError& problem) {
       rethrow(raw, parameter.value, fmt::format("parameter '{}'", shown(parameter.name.text)),
               problem);
     }
@@ -51,7 +51,7 @@ Real NumberReader::number(const Text& text, const std::string& what) const {
   }
   try {
     return constants_.evaluate(text.text);
-  } catch (const expressions::ConstantError& problem) {
+  } catch (const TextError& problem) {
     rethrow(raw_, text, what, problem);
   }
 }

@@ -79,7 +79,7 @@ void SceneContext::define(const Node& item, const std::string& what, bool run_ti
     } else {
       constants_.define(item.key.text, item.text);
     }
-  } catch (const expressions::ConstantError& problem) {
+  } catch (const TextError& problem) {
     const Place where = item.where.at(problem.offset());
     throw InputError({file_, where.line, where.column},
                      fmt::format("{}: {}", what, problem.what()));
@@ -257,7 +257,7 @@ template <class Read>
 auto SceneContext::guarded(const SceneFields& fields, const Node& node, const Read& read) const {
   try {
     return read(fields.scalar(node).text);
-  } catch (const expressions::ConstantError& problem) {
+  } catch (const TextError& problem) {
     const Place where = node.where.at(problem.offset());
     fields.fail(where, fmt::format("{}: {}", described(node), problem.what()));
   }

@@ -36,7 +36,7 @@ Real SceneFields::number_of(const Node& node) const {
   try {
     const Real value = constants_->evaluate(text.text, numbers_ != Numbers::kFixed);
     return numbers_ == Numbers::kNominal ? value.plain() : value;
-  } catch (const expressions::ConstantError& problem) {
+  } catch (const TextError& problem) {
     const Place where = node.where.at(problem.offset());
     fail(where, fmt::format("{}: {}", described(node), problem.what()));
   }

@@ -5,19 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "common/decimal.hpp"
 #include "common/error.hpp"
-#include "common/identifier.hpp"
+#include "common/grammar.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::equations {
 namespace {
 
-constexpr int kDeepest = 100;            // brackets
+constexpr int kDeepest = 100;            // brackets and exponents
 constexpr std::size_t kLongest = 20000;  // bytes
 constexpr int kLargest = 1000;  // of a numerator or denominator that is kept: factors multiply
-
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 std::optional<block::Ratio> small(std::int64_t numerator, std::int64_t denominator) {
   const std::int64_t divisor = std::gcd(numerator, denominator) * (denominator < 0 ? -1 : 1);
@@ -39,7 +36,7 @@ Number number(const Real& value) {
   return {value, std::nullopt};
 }
 
-Number combined(char operation, const Number& a, const Number& b) {
+Number operated(char operation, const Number& a, const Number& b) {
   using Wide = std::int64_t;
   const bool exact = a.ratio && b.ratio;
   const Wide p = exact ? a.ratio->numerator : 0;
@@ -77,45 +74,14 @@ Expression product(const Expression& a, const Expression& b) {
   return a * b;
 }
 
-class Parser {
+class Parser : public Grammar<Term> {
  public:
-  Parser(std::string_view text, const Scope& scope) : text_(text), scope_(scope) {}
+  Parser(std::string_view text, const Scope& scope)
+      : Grammar(text, {kLongest, kDeepest}), scope_(scope) {}
 
-  Expression run() {
-    if (text_.size() > kLongest) {
-      throw TextError(0, fmt::format("is longer than {} bytes", kLongest));
-    }
-    const Term result = sum();
-    if (at_ < text_.size()) {
-      fail(at_, fmt::format("found {}; expected an operator or the end", next_text()));
-    }
-    return expression(result, 0);
-  }
+  Expression run() { return expression(whole(), 0); }
 
  private:
-  [[noreturn]] static void fail(std::size_t offset, const std::string& message) {
-    throw TextError(offset, message);
-  }
-
-  void skip() {
-    while (at_ < text_.size() && is_space(text_[at_])) {
-      ++at_;
-    }
-  }
-  char peek() {
-    skip();
-    return at_ < text_.size() ? text_[at_] : '\0';
-  }
-  std::string next_text() {
-    return peek() == '\0' ? "the end" : fmt::format("'{}'", shown(text_.substr(at_, 1)));
-  }
-  void expect(char c) {
-    if (peek() != c) {
-      fail(at_, fmt::format("found {}; expected '{}'", next_text(), c));
-    }
-    ++at_;
-  }
-
   /// Runs `make`; what it refuses is a mistake at `offset`.
   template <class Make>
   auto placed(std::size_t offset, const Make& make) {
@@ -143,32 +109,40 @@ class Parser {
     return e;
   }
 
-  template <class Read>
-  Term deeper(const Read& read) {
-    if (++depth_ > kDeepest) {
-      fail(at_, fmt::format("is nested more than {} deep", kDeepest));
+  Term combined(char operation, const Term& a, const Term& b, const Places& places) override {
+    switch (operation) {
+      case '*':
+        return multiply(places.sign, a, b);
+      case '/':
+        return divide(places.sign, a, b);
+      default:
+        return add(operation, places.sign, a, b);
     }
-    Term result = read();
-    --depth_;
-    return result;
   }
 
-  Term sum() {
-    return deeper([&] { return terms(); });
+  Term negative(const Term& x, std::size_t offset) override {
+    return multiply(offset, Number{-1, block::Ratio{-1, 1}}, x);
   }
 
-  Term terms() {
-    Term result = product();
-    for (char c = peek(); c == '+' || c == '-'; c = peek()) {
-      const std::size_t offset = at_++;
-      result = add(c, offset, result, product());
+  Term power(const Term& base, const Term& exponent, const Places& places) override {
+    if (!std::holds_alternative<Number>(base) || !std::holds_alternative<Number>(exponent)) {
+      fail(places.sign, "raises a block expression to a power; expected constants");
     }
-    return result;
+    return finite(places.sign, pow(std::get<Number>(base).value, std::get<Number>(exponent).value));
+  }
+
+  Term number(std::string_view /*written*/, const Real& value, std::size_t offset) override {
+    return finite(offset, value);
+  }
+
+  Term named(std::string_view word, std::size_t offset) override {
+    const std::string name(word);
+    return peek() == '(' ? call(name, offset) : placed(offset, [&] { return scope_.name(name); });
   }
 
   Term add(char operation, std::size_t offset, const Term& a, const Term& b) {
     if (std::holds_alternative<Number>(a) && std::holds_alternative<Number>(b)) {
-      return in_range(offset, combined(operation, std::get<Number>(a), std::get<Number>(b)));
+      return in_range(offset, operated(operation, std::get<Number>(a), std::get<Number>(b)));
     }
     return placed(offset, [&] {
       const Expression x = expression(a, offset);
@@ -181,16 +155,6 @@ class Parser {
     });
   }
 
-  Term product() {
-    Term result = factor();
-    for (char c = peek(); c == '*' || c == '/'; c = peek()) {
-      const std::size_t offset = at_++;
-      const Term right = factor();
-      result = c == '*' ? multiply(offset, result, right) : divide(offset, result, right);
-    }
-    return result;
-  }
-
   Term divide(std::size_t offset, const Term& a, const Term& b) {
     if (!std::holds_alternative<Number>(b)) {
       return multiply(offset, a,
@@ -200,14 +164,14 @@ class Parser {
       fail(offset, "divides by zero");
     }
     return multiply(
-        offset, a, in_range(offset, combined('/', Number{1, block::Ratio{}}, std::get<Number>(b))));
+        offset, a, in_range(offset, operated('/', Number{1, block::Ratio{}}, std::get<Number>(b))));
   }
 
   Term multiply(std::size_t offset, const Term& a, const Term& b) {
     const Number* const x = std::get_if<Number>(&a);
     const Number* const y = std::get_if<Number>(&b);
     if (x != nullptr && y != nullptr) {
-      return in_range(offset, combined('*', *x, *y));
+      return in_range(offset, operated('*', *x, *y));
     }
     return placed(offset, [&]() -> Term {
       if (x == nullptr && y == nullptr) {
@@ -220,26 +184,6 @@ class Parser {
     });
   }
 
-  Term factor() {
-    const char c = peek();
-    const std::size_t offset = at_;
-    if (c == '+' || c == '-') {
-      ++at_;
-      const Term inner = deeper([&] { return factor(); });
-      return c == '+' ? inner : multiply(offset, Number{-1, block::Ratio{-1, 1}}, inner);
-    }
-    Term base = primary();
-    if (peek() != '^') {
-      return base;
-    }
-    const std::size_t power = at_++;
-    const Term exponent = deeper([&] { return factor(); });
-    if (!std::holds_alternative<Number>(base) || !std::holds_alternative<Number>(exponent)) {
-      fail(power, "raises a block expression to a power; expected constants");
-    }
-    return finite(power, pow(std::get<Number>(base).value, std::get<Number>(exponent).value));
-  }
-
   static Number in_range(std::size_t offset, const Number& x) {
     if (!isfinite(x.value) || abs(x.value) > Real("1e300")) {
       fail(offset, "is no real number of at most 1e300");
@@ -250,50 +194,7 @@ class Parser {
     return x;
   }
   static Term finite(std::size_t offset, const Real& value) {
-    return in_range(offset, number(value));
-  }
-
-  Term primary() {
-    const char c = peek();
-    const std::size_t offset = at_;
-    if (c == '(') {
-      ++at_;
-      Term inner = sum();
-      expect(')');
-      return inner;
-    }
-    if (is_digit(c) || c == '.') {
-      return literal();
-    }
-    if (!is_letter(c)) {
-      fail(at_, fmt::format("found {}; expected a number, a name or '('", next_text()));
-    }
-    while (at_ < text_.size() && is_word_byte(text_[at_])) {
-      ++at_;
-    }
-    const std::string name(text_.substr(offset, at_ - offset));
-    return peek() == '(' ? call(name, offset) : placed(offset, [&] { return scope_.name(name); });
-  }
-
-  Term literal() {
-    const std::size_t offset = at_;
-    const auto accept = [&](auto wanted) {
-      while (at_ < text_.size() && wanted(text_[at_])) {
-        ++at_;
-      }
-    };
-    accept([](char c) { return is_digit(c) || c == '.'; });
-    if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
-      ++at_;
-      at_ += at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-') ? 1U : 0U;
-      accept(is_digit);
-    }
-    const std::string text(text_.substr(offset, at_ - offset));
-    const Decimal decimal = read_decimal(text);
-    if (!decimal) {
-      fail(offset, describe(decimal.error, text));
-    }
-    return finite(offset, decimal.value);
+    return in_range(offset, equations::number(value));
   }
 
   Term call(const std::string& name, std::size_t offset) {
@@ -302,9 +203,8 @@ class Parser {
         return placed(offset, [&] { return Term(scope_.of(name, raw_argument())); });
       }
     }
-    expect('(');
-    const Term argument = sum();
-    expect(')');
+    take('(');
+    const Term argument = parenthesis(at() - 1);
     if (const auto* const number = std::get_if<Number>(&argument)) {
       return of_number(name, *number, offset);
     }
@@ -313,20 +213,21 @@ class Parser {
 
   /// What stands in the brackets, as it is: names of links may hold any character.
   std::string raw_argument() {
-    expect('(');
-    peek();
+    take('(');
     const bool quoted = peek() == '"';
-    const std::size_t begin = at_ + (quoted ? 1 : 0);
-    const std::size_t end = text_.find(quoted ? '"' : ')', begin);
+    const std::size_t begin = at() + (quoted ? 1 : 0);
+    const std::size_t end = text().find(quoted ? '"' : ')', begin);
     if (end == std::string_view::npos) {
       fail(begin, fmt::format("found no end of the name; expected '{}'", quoted ? '"' : ')'));
     }
-    at_ = end + (quoted ? 1 : 0);
-    std::string name(text_.substr(begin, end - begin));
+    go_to(end + (quoted ? 1 : 0));
+    std::string name(text().substr(begin, end - begin));
     while (!quoted && !name.empty() && is_space(name.back())) {
       name.pop_back();
     }
-    expect(')');
+    if (!take(')')) {
+      fail(at(), "unexpected text behind a name in quotes; expected ')'");
+    }
     return name;
   }
 
@@ -372,10 +273,7 @@ class Parser {
         name));
   }
 
-  std::string_view text_;
   const Scope& scope_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
 };
 
 }  // namespace

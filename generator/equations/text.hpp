@@ -3,26 +3,15 @@
 
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "block/block.hpp"
 #include "common/real.hpp"
+#include "common/text_error.hpp"
 
 namespace treedyn::equations {
-
-/// A mistake `offset` bytes after the first character.
-class TextError : public std::runtime_error {
- public:
-  TextError(std::size_t offset, const std::string& message)
-      : std::runtime_error(message), offset_(offset) {}
-  [[nodiscard]] std::size_t offset() const { return offset_; }
-
- private:
-  std::size_t offset_;
-};
 
 /// A constant of a text; a small rational number stays one.
 struct Number {
@@ -44,10 +33,7 @@ struct Scope {
   std::function<void(const block::Expression& e)> check;  ///< units
 };
 
-/// sum     := product { ("+" | "-") product }
-/// product := factor { ("*" | "/") factor }
-/// factor  := { "+" | "-" } primary [ "^" factor ]
-/// primary := number | name | name "(" .. ")" | "(" sum ")"
+/// The grammar is that of common/grammar.hpp, a name followed by "(" is a function.
 /// \throws TextError
 block::Expression parse(std::string_view text, const Scope& scope);
 

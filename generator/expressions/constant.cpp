@@ -21,12 +21,11 @@ void Constants::check_name(const std::string& name) const {
   const bool identifier = !name.empty() && is_letter(name.front()) &&
                           std::all_of(name.begin(), name.end(), is_word_byte);
   if (!identifier) {
-    throw ConstantError(
-        0,
-        fmt::format("parameter name '{}' is no word; expected letters, digits and _", shown(name)));
+    throw TextError(0, fmt::format("parameter name '{}' is no word; expected letters, digits and _",
+                                   shown(name)));
   }
   if (name == "pi" || find_function(name) != nullptr || table_->names.count(name) > 0) {
-    throw ConstantError(0, fmt::format("parameter name '{}' is taken; expected a new name", name));
+    throw TextError(0, fmt::format("parameter name '{}' is taken; expected a new name", name));
   }
 }
 
@@ -52,7 +51,7 @@ Real Constants::evaluate(std::string_view text, bool run_time) const {
   const Precision precision;
   Real value = to_real(exact.value);
   if (value != 0 && (abs(value) > Real("1e300") || abs(value) < Real("1e-300"))) {
-    throw ConstantError(0, describe(DecimalError::kOutOfRange, text));
+    throw TextError(0, describe(DecimalError::kOutOfRange, text));
   }
   return value;
 }

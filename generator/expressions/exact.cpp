@@ -58,7 +58,7 @@ Real to_real(const GiNaC::ex& value) {
   const std::size_t e = digits.find('E');
   const long exponent = e == std::string::npos ? 0 : std::stol(digits.substr(e + 1));
   if (exponent > kLargestExponent) {
-    throw ConstantError(0, "value is out of range; expected 0 or a magnitude from 1e-300 to 1e300");
+    throw TextError(0, "value is out of range; expected 0 or a magnitude from 1e-300 to 1e300");
   }
   const Real result = exponent < -kLargestExponent ? Real(0) : Real(digits);
   return abs(result) < Real(kVanishing) ? Real(0) : result;

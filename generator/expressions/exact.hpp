@@ -23,7 +23,7 @@ class Precision {
 };
 
 /// The value in 50 digits, from an evaluation in 100; what is below 1e-80 is an exact zero.
-/// \throws ConstantError if it is beyond 1e1000.
+/// \throws TextError if it is beyond 1e1000.
 /// \pre `value` is real and has no symbol; a `Precision` is alive.
 Real to_real(const GiNaC::ex& value);
 

@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/closest.hpp"
-#include "common/decimal.hpp"
-#include "common/identifier.hpp"
+#include "common/grammar.hpp"
 #include "expressions/exact.hpp"
 
 namespace treedyn::expressions {
@@ -20,56 +19,12 @@ constexpr std::size_t kMaxSize = 5000;    // operations after substitution of pa
 constexpr std::size_t kMaxBits = 8000;    // numerator or denominator of an exact rational
 constexpr int kMaxExponent = 64;          // numerator or denominator of an exponent
 
-/// Recursive descent over one expression; the grammar is in constant.hpp.
-class Parser {
+class Parser : public Grammar<Exact> {
  public:
   Parser(std::string_view text, const Names& names, const Variables* variables)
-      : text_(text), names_(names), variables_(variables) {}
-
-  Exact whole() {
-    Exact result = sum();
-    skip_spaces();
-    if (at_ < text_.size()) {
-      fail(at_, fmt::format("unexpected '{}'; expected an operator or the end", rest()));
-    }
-    return result;
-  }
+      : Grammar(text, {kMaxLength, kMaxDepth}), names_(names), variables_(variables) {}
 
  private:
-  [[noreturn]] static void fail(std::size_t offset, const std::string& message) {
-    throw ConstantError(offset, message);
-  }
-
-  /// The next word or character, for messages.
-  [[nodiscard]] std::string rest() const {
-    std::size_t end = at_;
-    while (end < text_.size() && is_word_byte(text_[end])) {
-      ++end;
-    }
-    return shown(text_.substr(at_, std::max<std::size_t>(end - at_, 1)));
-  }
-
-  /// The text from `start` up to a space, an operator or a parenthesis.
-  [[nodiscard]] std::string_view word(std::size_t start) const {
-    return text_.substr(start,
-                        std::min(text_.find_first_of(" \t+-*/^()", start), text_.size()) - start);
-  }
-
-  void skip_spaces() {
-    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) {
-      ++at_;
-    }
-  }
-
-  bool take(char c) {
-    skip_spaces();
-    const bool found = at_ < text_.size() && text_[at_] == c;
-    if (found) {
-      ++at_;
-    }
-    return found;
-  }
-
   static void check_size(std::size_t start, std::size_t size) {
     if (size > kMaxSize) {
       fail(start, fmt::format("expression of {} operations is too large; expected at most {}", size,
@@ -89,38 +44,15 @@ class Parser {
     return {value, size};
   }
 
-  Exact sum() {
-    const std::size_t start = at_;
-    Exact left = product();
-    while (true) {
-      if (take('+')) {
-        const Exact right = product();
-        left = checked(start, left.value + right.value, left.size + right.size + 1);
-      } else if (take('-')) {
-        const Exact right = product();
-        left = checked(start, left.value - right.value, left.size + right.size + 1);
-      } else {
-        return left;
-      }
+  Exact combined(char operation, const Exact& a, const Exact& b, const Places& places) override {
+    if (operation == '/') {
+      expect_not_zero(places.right, b.value);
     }
-  }
-
-  Exact product() {
-    const std::size_t start = at_;
-    Exact left = factor();
-    while (true) {
-      if (take('*')) {
-        const Exact right = factor();
-        left = checked(start, left.value * right.value, left.size + right.size + 1);
-      } else if (take('/')) {
-        const std::size_t divisor = at_;
-        const Exact right = factor();
-        expect_not_zero(divisor, right.value);
-        left = checked(start, left.value / right.value, left.size + right.size + 1);
-      } else {
-        return left;
-      }
-    }
+    const GiNaC::ex value = operation == '+'   ? a.value + b.value
+                            : operation == '-' ? a.value - b.value
+                            : operation == '*' ? a.value * b.value
+                                               : a.value / b.value;
+    return checked(places.left, value, a.size + b.size + 1);
   }
 
   static void expect_not_zero(std::size_t start, const GiNaC::ex& divisor) {
@@ -129,41 +61,16 @@ class Parser {
     }
   }
 
-  Exact factor() {
-    bool negative = false;
-    while (true) {
-      if (take('-')) {
-        negative = !negative;
-      } else if (!take('+')) {
-        break;
-      }
-    }
-    Exact result = power();
-    if (negative) {
-      result.value = -result.value;
-    }
-    return result;
-  }
+  Exact negative(const Exact& x, std::size_t /*offset*/) override { return {-x.value, x.size}; }
 
-  Exact power() {
-    const std::size_t start = at_;
-    Exact base = primary();
-    if (!take('^')) {
-      return base;
-    }
-    if (is_constant(base.value)) {
-      base.value = tidied(base.value);
-    }
-    const std::size_t place = at_;
-    enter(place);
-    const Exact exponent = factor();
-    --depth_;
-    expect_power(start, place, base.value, exponent.value);
-    const std::size_t times =
-        is_constant(base.value) ? 1 : expect_variable_power(place, exponent.value);
-    check_size(start, base.size * times + exponent.size + 1);
-    return checked(start, GiNaC::pow(base.value, exponent.value),
-                   base.size * times + exponent.size + 1);
+  Exact power(const Exact& base, const Exact& exponent, const Places& places) override {
+    const bool constant = is_constant(base.value);
+    const GiNaC::ex value = constant ? tidied(base.value) : base.value;
+    expect_power(places.left, places.right, value, exponent.value);
+    const std::size_t times = constant ? 1 : expect_variable_power(places.right, exponent.value);
+    const std::size_t size = base.size * times + exponent.size + 1;
+    check_size(places.left, size);
+    return checked(places.left, GiNaC::pow(value, exponent.value), size);
   }
 
   static void expect_power(std::size_t start, std::size_t place, const GiNaC::ex& base,
@@ -199,80 +106,15 @@ class Parser {
     return static_cast<std::size_t>(abs(e.numer()).to_int()) + 1;
   }
 
-  void enter(std::size_t place) {
-    if (++depth_ > kMaxDepth) {
-      fail(place,
-           fmt::format("expression is nested too deeply; expected at most {} levels", kMaxDepth));
-    }
-  }
-
-  Exact primary() {
-    skip_spaces();
-    const std::size_t start = at_;
-    if (at_ == text_.size()) {
-      fail(start, "expression ends too early; expected a number, a name or '('");
-    }
-    if (is_digit(text_[at_]) || text_[at_] == '.') {
-      return number();
-    }
-    if (is_letter(text_[at_])) {
-      return name();
-    }
-    if (take('(')) {
-      return parenthesis(start);
-    }
-    fail(start, fmt::format("unexpected '{}'; expected a number, a name or '('", rest()));
-  }
-
-  /// What follows '(' up to and with ')'.
-  Exact parenthesis(std::size_t start) {
-    enter(start);
-    Exact inner = sum();
-    if (!take(')')) {
-      fail(start, "'(' is not closed; expected ')'");
-    }
-    --depth_;
-    return inner;
-  }
-
-  Exact number() {
-    const std::size_t start = at_;
-    const auto digits = [this] {
-      while (at_ < text_.size() && is_digit(text_[at_])) {
-        ++at_;
-      }
-    };
-    digits();
-    if (at_ < text_.size() && text_[at_] == '.') {
-      ++at_;
-      digits();
-    }
-    if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
-      ++at_;
-      if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) {
-        ++at_;
-      }
-      digits();
-    }
-    const std::string_view written = text_.substr(start, at_ - start);
-    const Decimal decimal = read_decimal(written);
-    if (!decimal) {
-      fail(start,
-           describe(decimal.error, decimal.error == DecimalError::kSyntax ? word(start) : written));
-    }
+  Exact number(std::string_view written, const Real& value, std::size_t offset) override {
     if (written.size() > kMaxDigits) {
-      fail(start, fmt::format("number of {} characters is too long; expected at most {}",
-                              written.size(), kMaxDigits));
+      fail(offset, fmt::format("number of {} characters is too long; expected at most {}",
+                               written.size(), kMaxDigits));
     }
-    return {decimal.value == 0 ? GiNaC::ex(0) : exact_decimal(written), 1};
+    return {value == 0 ? GiNaC::ex(0) : exact_decimal(written), 1};
   }
 
-  Exact name() {
-    const std::size_t start = at_;
-    while (at_ < text_.size() && is_word_byte(text_[at_])) {
-      ++at_;
-    }
-    const std::string_view word = text_.substr(start, at_ - start);
+  Exact named(std::string_view word, std::size_t start) override {
     if (const FunctionRow* function = find_function(word)) {
       return call(*function, start);
     }
@@ -293,17 +135,17 @@ class Parser {
   /// A name, or a name with an index in brackets.
   Exact variable(std::size_t start, std::string_view word) {
     std::optional<std::string_view> index;
-    if (at_ < text_.size() && text_[at_] == '[') {
-      const std::size_t end = text_.find(']', at_);
+    if (at() < text().size() && text()[at()] == '[') {
+      const std::size_t end = text().find(']', at());
       if (end == std::string_view::npos) {
-        fail(at_, "'[' is not closed; expected ']'");
+        fail(at(), "'[' is not closed; expected ']'");
       }
-      index = text_.substr(at_ + 1, end - at_ - 1);
-      at_ = end + 1;
+      index = text().substr(at() + 1, end - at() - 1);
+      go_to(end + 1);
     }
     const std::optional<GiNaC::ex> found = variables_->find(word, index);
     if (!found) {
-      const std::string_view written = text_.substr(start, at_ - start);
+      const std::string_view written = text().substr(start, at() - start);
       fail(start, fmt::format("'{}' is unknown{}; expected a parameter, pi, sqrt, sin, cos, tan{}",
                               shown(written), hint(written), variables_->expected()));
     }
@@ -328,7 +170,7 @@ class Parser {
     if (!take('(')) {
       fail(start, fmt::format("'{}' has no argument; expected '('", function.name));
     }
-    Exact argument = parenthesis(at_ - 1);
+    Exact argument = parenthesis(at() - 1);
     if (!is_constant(argument.value)) {
       if (!function.of_variables) {
         fail(start, fmt::format("{} of a variable is not available; expected sqrt, sin, cos or tan",
@@ -346,11 +188,8 @@ class Parser {
     return checked(start, function.apply(argument.value), argument.size + 1);
   }
 
-  std::string_view text_;
   const Names& names_;
   const Variables* variables_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
 };
 
 }  // namespace
@@ -361,24 +200,18 @@ bool is_constant(const GiNaC::ex& value) {
 }
 
 Exact parse(std::string_view text, const Names& names, const Variables* variables) {
-  if (text.size() > kMaxLength) {
-    throw ConstantError(
-        0, fmt::format("expression of {} characters is too long; expected at most {}", text.size(),
-                       kMaxLength));
-  }
   const Precision precision;
   try {
     return Parser(text, names, variables).whole();
-  } catch (const ConstantError&) {
+  } catch (const TextError&) {
     throw;
   } catch (const std::exception& problem) {  // GiNaC: poles; CLN: overflow
     throw unreadable(text, problem);
   }
 }
 
-ConstantError unreadable(std::string_view text, const std::exception& problem) {
-  return ConstantError(0,
-                       fmt::format("'{}' cannot be evaluated ({})", shown(text), problem.what()));
+TextError unreadable(std::string_view text, const std::exception& problem) {
+  return TextError(0, fmt::format("'{}' cannot be evaluated ({})", shown(text), problem.what()));
 }
 
 }  // namespace treedyn::expressions

@@ -1,4 +1,4 @@
-// Text of an expression to GiNaC, within limits; the grammar is in constant.hpp.
+// Text of an expression to GiNaC, within limits.
 #pragma once
 
 #include <functional>
@@ -38,10 +38,10 @@ class Variables {
 bool is_constant(const GiNaC::ex& value);
 
 /// \param variables  nullptr: constants only
-/// \throws ConstantError
+/// \throws TextError
 Exact parse(std::string_view text, const Names& names, const Variables* variables = nullptr);
 
 /// What GiNaC or CLN refused, as a mistake in the expression.
-ConstantError unreadable(std::string_view text, const std::exception& problem);
+TextError unreadable(std::string_view text, const std::exception& problem);
 
 }  // namespace treedyn::expressions

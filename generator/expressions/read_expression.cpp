@@ -66,9 +66,9 @@ class Symbols final : public Variables {
       return nullptr;
     }
     if (!names_.run_time) {
-      throw ConstantError(0, fmt::format("'{}' is known at run time only, which this is not; "
-                                         "expected numbers that the scene fixes",
-                                         found->name));
+      throw TextError(0, fmt::format("'{}' is known at run time only, which this is not; "
+                                     "expected numbers that the scene fixes",
+                                     found->name));
     }
     return &*found;
   }
@@ -231,9 +231,9 @@ class Converter {
     inverse = e.is_negative();
     const GiNaC::numeric size = abs(e);
     if (size.denom() > 2 || size.numer() > kMaxPower) {
-      throw ConstantError(0, fmt::format("a power of a variable is too high; expected multiples of "
-                                         "1/2 up to {}",
-                                         kMaxPower / 2));
+      throw TextError(0, fmt::format("a power of a variable is too high; expected multiples of "
+                                     "1/2 up to {}",
+                                     kMaxPower / 2));
     }
     const int times = size.numer().to_int();
     if (size.is_integer()) {
@@ -287,7 +287,7 @@ auto guarded(std::string_view text, const Read& read) {
   const Precision precision;
   try {
     return read();
-  } catch (const ConstantError&) {
+  } catch (const TextError&) {
     throw;
   } catch (const std::exception& problem) {
     throw unreadable(text, problem);
@@ -308,13 +308,13 @@ std::array<Expression, 3> read_motion(const Constants& constants, std::string_vi
   const Symbols symbols(constants, variables);
   const Exact exact = parse(text, constants.table().names, &symbols);
   if (exact.size > kMaxMotionSize) {
-    throw ConstantError(0, fmt::format("motion of {} operations is too large; expected at most {}",
-                                       exact.size, kMaxMotionSize));
+    throw TextError(0, fmt::format("motion of {} operations is too large; expected at most {}",
+                                   exact.size, kMaxMotionSize));
   }
   if (const double size = sizes_of(exact.value).second; size > kMaxDerivativeSize) {
-    throw ConstantError(0, fmt::format("second derivative of this motion may have {:.3g} "
-                                       "operations, which are too many; expected at most {}",
-                                       size, kMaxDerivativeSize));
+    throw TextError(0, fmt::format("second derivative of this motion may have {:.3g} "
+                                   "operations, which are too many; expected at most {}",
+                                   size, kMaxDerivativeSize));
   }
   return guarded(text, [&] {
     const Converter converter(symbols);

@@ -27,12 +27,12 @@ struct VariableNames {
 /// `variables` hides nothing, for parameters come first.
 ///
 /// The result does not depend on the order in which GiNaC keeps terms: sums and products are
-/// sorted by their text. \throws ConstantError
+/// sorted by their text. \throws TextError
 model::Expression read_expression(const Constants& constants, std::string_view text,
                                   const VariableNames& variables);
 
 /// The expression and its first and second derivatives in time. \pre its only variable is kTime
-/// \throws ConstantError
+/// \throws TextError
 std::array<model::Expression, 3> read_motion(const Constants& constants, std::string_view text,
                                              const VariableNames& variables);
 

@@ -15,7 +15,7 @@ Real evaluate(const std::string& text) { return Constants().evaluate(text); }
 std::string error(const Constants& constants, const std::string& text) {
   try {
     static_cast<void>(constants.evaluate(text));
-  } catch (const ConstantError& problem) {
+  } catch (const TextError& problem) {
     return fmt::format("{}: {}", problem.offset(), problem.what());
   }
   return "";
@@ -71,11 +71,11 @@ TEST(Constants, UseParametersDefinedBefore) {
   constants.define("H", "1.8");
   constants.define("thigh", "0.245*H");
   EXPECT_EQ(constants.evaluate("thigh*2"), Real(882) / 1000);
-  EXPECT_THROW(constants.define("H", "2"), ConstantError);
-  EXPECT_THROW(constants.define("pi", "3"), ConstantError);
-  EXPECT_THROW(constants.define("sin", "3"), ConstantError);
-  EXPECT_THROW(constants.define("a-b", "3"), ConstantError);
-  EXPECT_THROW(constants.define("x", "later"), ConstantError);
+  EXPECT_THROW(constants.define("H", "2"), TextError);
+  EXPECT_THROW(constants.define("pi", "3"), TextError);
+  EXPECT_THROW(constants.define("sin", "3"), TextError);
+  EXPECT_THROW(constants.define("a-b", "3"), TextError);
+  EXPECT_THROW(constants.define("x", "later"), TextError);
 }
 
 TEST(Constants, NameTheMistakeAndItsPlace) {
@@ -125,7 +125,7 @@ TEST(Constants, RefuseParametersThatGrowExponentially) {
   for (int k = 0; k < 60 && message.empty(); ++k) {
     try {
       constants.define(fmt::format("p{}", k + 1), fmt::format("p{0}*(1 + sqrt(p{0}))", k));
-    } catch (const ConstantError& problem) {
+    } catch (const TextError& problem) {
       message = problem.what();
     }
   }
@@ -142,7 +142,7 @@ TEST(Constants, RefuseExactNumbersThatGrowExponentially) {
           constants.define(fmt::format("p{}", k + 1), fmt::format("p{0}*p{0}", k));
         }
       },
-      ConstantError);
+      TextError);
 }
 
 }  // namespace

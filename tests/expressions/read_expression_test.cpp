@@ -108,10 +108,10 @@ TEST(Expressions, ThatAreHostileEndSoon) {
   for (int k = 2; k < 38; ++k) {
     product += "*sin(" + std::to_string(k) + "*t)";
   }
-  EXPECT_THROW(static_cast<void>(read_motion(Constants(), product, names())), ConstantError)
+  EXPECT_THROW(static_cast<void>(read_motion(Constants(), product, names())), TextError)
       << "its second derivative would have hundreds of thousands of operations";
   for (const std::string text : {"((t^64)^64)^64", "((1e90*t)^64)^64", "t^t", "1/0*t"}) {
-    EXPECT_THROW(static_cast<void>(read_expression(Constants(), text, names())), ConstantError)
+    EXPECT_THROW(static_cast<void>(read_expression(Constants(), text, names())), TextError)
         << text;
   }
   EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10);

@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const treedyn::Real value = constants.evaluate(text.substr(start));
     TREEDYN_EXPECT(abs(value) <= treedyn::Real(1.0000001e300));
-  } catch (const treedyn::expressions::ConstantError& error) {
+  } catch (const treedyn::TextError& error) {
     TREEDYN_EXPECT(error.offset() <= text.size());
   }
   const treedyn::Decimal decimal = treedyn::read_decimal(text);

@@ -24,7 +24,7 @@ template <class Read>
 void expect_value_or_place(const std::string& text, const Read& read) {
   try {
     read();
-  } catch (const treedyn::expressions::ConstantError& error) {
+  } catch (const treedyn::TextError& error) {
     TREEDYN_EXPECT(error.offset() <= text.size());
   }
 }
