@@ -92,7 +92,7 @@ class Parser : public Grammar<Exact> {
     if (value < 0 && !e.is_integer()) {
       fail(start, "negative base with a fractional exponent; expected a base that is not negative");
     }
-    if (value != 0 && abs(Real(log10(abs(value).digits())) * Real(e.to_double())) > 300) {
+    if (value != 0 && abs(log(abs(value)) * e.to_double()) > 300 * log(Real(10))) {
       fail(start, "power is out of range; expected a magnitude from 1e-300 to 1e300");
     }
   }
