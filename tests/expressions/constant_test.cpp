@@ -94,6 +94,9 @@ TEST(Constants, NameTheMistakeAndItsPlace) {
             "acos, atan");
   EXPECT_EQ(error("2pi"), "1: unexpected 'pi'; expected an operator or the end");
   EXPECT_EQ(error("(1+2"), "0: '(' is not closed; expected ')'");
+  EXPECT_EQ(evaluate("1 +\n 2"), Real(3));
+  EXPECT_EQ(error("(1 2)"), "3: unexpected '2'; expected an operator or ')'");
+  EXPECT_EQ(error("1 +\n$"), "4: unexpected '$'; expected a number, a name or '('");
   EXPECT_EQ(error("1+"), "2: expression ends too early; expected a number, a name or '('");
   EXPECT_EQ(error("1+*2"), "2: unexpected '*'; expected a number, a name or '('");
   EXPECT_EQ(error("sin 1"), "0: 'sin' has no argument; expected '('");
