@@ -74,14 +74,9 @@ class Grammar {
   void go_to(std::size_t offset) { at_ = offset; }
 
   /// The next character after spaces, '\0' at the end.
-  char peek() {
-    while (at_ < text_.size() && is_space(text_[at_])) {
-      ++at_;
-    }
-    return at_ < text_.size() ? text_[at_] : '\0';
-  }
+  char peek() { return at_end() ? '\0' : text_[at_]; }
   bool take(char c) {
-    const bool found = peek() == c && !at_end();
+    const bool found = !at_end() && text_[at_] == c;
     at_ += found ? 1 : 0;
     return found;
   }
@@ -101,6 +96,7 @@ class Grammar {
   }
 
  private:
+  /// True if nothing but spaces follows, which are skipped.
   bool at_end() {
     while (at_ < text_.size() && is_space(text_[at_])) {
       ++at_;
@@ -124,22 +120,16 @@ class Grammar {
     }
   }
 
-  Value sum() {
-    const std::size_t start = at_;
-    Value left = product();
-    for (char c = peek(); c == '+' || c == '-'; c = peek()) {
-      const std::size_t sign = at_++;
-      left = combined(c, left, product(), {start, sign, sign + 1});
-    }
-    return left;
-  }
+  Value sum() { return chain("+-", &Grammar::product); }
+  Value product() { return chain("*/", &Grammar::factor); }
 
-  Value product() {
+  /// Operands with one of the operations between them, from the left.
+  Value chain(std::string_view operations, Value (Grammar::*operand)()) {
     const std::size_t start = at_;
-    Value left = factor();
-    for (char c = peek(); c == '*' || c == '/'; c = peek()) {
+    Value left = (this->*operand)();
+    while (!at_end() && operations.find(text_[at_]) != std::string_view::npos) {
       const std::size_t sign = at_++;
-      left = combined(c, left, factor(), {start, sign, sign + 1});
+      left = combined(text_[sign], left, (this->*operand)(), {start, sign, sign + 1});
     }
     return left;
   }
