@@ -111,8 +111,7 @@ TEST(Expressions, ThatAreHostileEndSoon) {
   EXPECT_THROW(static_cast<void>(read_motion(Constants(), product, names())), TextError)
       << "its second derivative would have hundreds of thousands of operations";
   for (const std::string text : {"((t^64)^64)^64", "((1e90*t)^64)^64", "t^t", "1/0*t"}) {
-    EXPECT_THROW(static_cast<void>(read_expression(Constants(), text, names())), TextError)
-        << text;
+    EXPECT_THROW(static_cast<void>(read_expression(Constants(), text, names())), TextError) << text;
   }
   EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10);
 }
