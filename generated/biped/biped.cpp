@@ -9,7 +9,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x1f3a55f3789b4950ULL, "header and source are of different runs");
+static_assert(kDigest == 0x7f15d153a902fb88ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -299,20 +299,19 @@ constexpr double left_hip_block_l1 = 0.08064;
 // m: offset z of left_hip_block, left_hip_fork, right_hip_block, right_hip_fork; offset y of
 //     left_thigh, right_thigh
 constexpr double left_hip_block_l2 = -0.114;
-// kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x z,
-//     inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz
-//     of left_thigh, right_thigh; mass, com x z, inertia xx yy zz, offset z of left_shank,
-//     left_ankle_cross, right_shank, right_ankle_cross; mass, com, inertia xx yy zz, offset z of
-//     left_foot, right_foot
+// kg m^2: mass, com x y, inertia zz of left_hip_block, right_hip_block; mass, com x z, inertia yy,
+//     offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_thigh,
+//     right_thigh; mass, com x z, inertia xx yy, offset z of left_shank, right_shank; mass, com x
+//     z, inertia yy, offset z of left_ankle_cross, right_ankle_cross; mass, com, inertia yy zz,
+//     offset z of left_foot, right_foot
 constexpr double left_hip_block_I1 = 1.7027154945201517;
-// kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x, inertia
-//     xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh;
-//     offset z of left_shank, left_foot, right_shank, right_foot
+// kg m^2: mass, com x y, inertia zz of left_hip_block, right_hip_block; mass, com x, inertia xx yy
+//     zz, offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh; offset
+//     z of left_shank, left_foot, right_shank, right_foot
 constexpr double left_hip_block_I2 = 0.003223043866;
-// kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x z,
-//     inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass of left_thigh, left_shank,
-//     left_ankle_cross, right_thigh, right_shank, right_ankle_cross; mass, offset z of left_foot,
-//     right_foot
+// kg m^2: mass, com x y, inertia zz of left_hip_block, right_hip_block; mass, com x z, inertia yy,
+//     offset x of left_hip_fork, right_hip_fork; mass of left_thigh, left_shank, left_ankle_cross,
+//     right_thigh, right_shank, right_ankle_cross; mass, offset z of left_foot, right_foot
 constexpr double left_hip_block_I3 = 0.00432900664;
 
 // ratio: offset x of left_hip_fork, right_hip_fork; offset z of left_shank, left_foot, right_shank,
@@ -338,18 +337,18 @@ constexpr double left_hip_fork_I2 = -0.00016159248;
 //     left_thigh, left_shank, right_thigh, right_shank; mass, com x z of left_ankle_cross,
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
 constexpr double left_hip_fork_I3 = -0.03467671360129536;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y
-//     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz,
-//     offset z of left_shank, left_ankle_cross, left_foot, right_shank, right_ankle_cross,
-//     right_foot
+// kg m^2: mass, com y z, inertia xx, offset x z of left_hip_fork, right_hip_fork; mass, com y z,
+//     inertia xx, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy, offset z of
+//     left_shank, right_shank; mass, com y z, inertia xx, offset z of left_ankle_cross, left_foot,
+//     right_ankle_cross, right_foot
 constexpr double left_hip_fork_I4 = 1.6921112099106208;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y
-//     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz,
-//     offset z of left_shank, left_ankle_cross, left_foot, right_shank, right_ankle_cross,
-//     right_foot
+// kg m^2: mass, com y z, inertia yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y z,
+//     inertia yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz, offset z
+//     of left_shank, right_shank; mass, com y z, inertia yy zz, offset z of left_ankle_cross,
+//     left_foot, right_ankle_cross, right_foot
 constexpr double left_hip_fork_I5 = 1.6313524106132014;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+// kg m^2: mass, com y z, inertia yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_I6 = 0.02931050006032736;
@@ -369,8 +368,8 @@ constexpr double left_hip_fork_I10 = 0.00026615232;
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_I11 = 0.02957665238032736;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+// kg m^2: mass, com y z, inertia xx, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_I12 = 0.02984280470032736;
@@ -380,19 +379,19 @@ constexpr double left_hip_fork_I12 = 0.02984280470032736;
 constexpr double left_hip_fork_I13 = 0.05991064876065472;
 // kg m^2: mass, com z, inertia xx yy zz of left_hip_fork, right_hip_fork
 constexpr double left_hip_fork_I14 = 0.00053230464;
-// kg m^2: mass, com y z, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
+// kg m^2: mass, com y z, inertia yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
 //     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_hip_fork_I15 = 0.02968917206032736;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz of
-//     left_shank, right_shank; mass, com y z, inertia xx yy zz, offset z of left_ankle_cross,
-//     left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com y z, inertia xx, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy of
+//     left_shank, right_shank; mass, com y z, inertia xx, offset z of left_ankle_cross,
+//     right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr double left_hip_fork_I16 = 0.38683510045270975;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz of
-//     left_shank, right_shank; mass, com y z, inertia xx yy zz, offset z of left_ankle_cross,
-//     left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com y z, inertia yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz of
+//     left_shank, right_shank; mass, com y z, inertia yy zz, offset z of left_ankle_cross,
+//     right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr double left_hip_fork_I17 = 0.3260763011552903;
 // kg m^2: mass, com z, inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z,
 //     inertia xx yy zz of left_shank, right_shank; mass, com z, inertia xx yy zz, offset z of
@@ -425,7 +424,7 @@ constexpr double left_thigh_I1 = -0.0362798116128;
 constexpr double left_thigh_I2 = -0.0014731530912;
 // kg m^2: mass, com x z, inertia xz yz of left_thigh, right_thigh
 constexpr double left_thigh_I3 = 0.03939173998083072;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; mass, offset z of left_shank,
+// kg m^2: mass, com x z, inertia xx zz of left_thigh, right_thigh; mass, offset z of left_shank,
 //     right_shank; mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
 constexpr double left_thigh_I4 = 1.2800687125653505;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; mass, com y z, inertia xz yz, offset y of
@@ -435,16 +434,16 @@ constexpr double left_thigh_I5 = 0.09232168197063167;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; mass, com x y, inertia xy, offset y of
 //     left_thigh, right_thigh
 constexpr double left_thigh_I6 = 0.00442555309711872;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_thigh,
-//     right_thigh; mass, com x z, inertia xx yy zz, offset z of left_shank, left_ankle_cross,
-//     right_shank, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_thigh,
+//     right_thigh; mass, com x z, inertia xx yy, offset z of left_shank, right_shank; mass, com x
+//     z, inertia yy, offset z of left_ankle_cross, right_ankle_cross; mass, com, inertia yy zz,
+//     offset z of left_foot, right_foot
 constexpr double left_thigh_I7 = 1.6983864878801518;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; mass, com y z, inertia xz yz, offset y of
 //     left_thigh, right_thigh; mass, com y, offset z of left_shank, right_shank; mass, com y z of
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_thigh_I8 = 0.08414236677063168;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_thigh,
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of left_thigh,
 //     right_thigh; mass, offset z of left_shank, right_shank; mass, com z of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_thigh_I9 = 1.1033955042453505;
@@ -467,11 +466,10 @@ constexpr double left_thigh_I14 = -0.26256865566306814;
 //     com z, offset z of left_shank, right_shank; offset z of left_ankle_cross, left_foot,
 //     right_ankle_cross, right_foot
 constexpr double left_thigh_I15 = 0.000584786454;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
+// kg m^2: mass, com x z, inertia xx zz of left_thigh, right_thigh; offset z of left_shank,
 //     right_shank
 constexpr double left_thigh_I16 = 0.2872191491076096;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
-//     right_shank
+// kg m^2: mass, com x z, inertia yy of left_thigh, right_thigh; offset z of left_shank, right_shank
 constexpr double left_thigh_I17 = -0.2379181622185267;
 // kg m^2: mass, com z, inertia xx yy zz of left_thigh, right_thigh; mass, offset z of left_shank,
 //     right_shank; mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
@@ -502,9 +500,9 @@ constexpr double left_shank_I5 = 0.02565802580712;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
 //     x y, inertia xy of left_shank, right_shank
 constexpr double left_shank_I6 = 0.001559822240256;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot, right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy of left_shank,
+//     right_shank; mass, com x z, inertia yy, offset z of left_ankle_cross, right_ankle_cross;
+//     mass, com, inertia yy zz, offset z of left_foot, right_foot
 constexpr double left_shank_I7 = 0.36901678842571844;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
 //     right_shank; mass, com z, offset z of left_ankle_cross, right_ankle_cross; offset z of
@@ -525,28 +523,28 @@ constexpr double left_shank_I12 = -0.0069434148;
 //     right_shank; mass, com z, offset z of left_ankle_cross, right_ankle_cross; offset z of
 //     left_foot, right_foot
 constexpr double left_shank_I13 = 0.178578772764;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of left_shank,
-//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com z, inertia xx yy zz of left_shank, right_shank; offset z of left_ankle_cross,
+//     right_ankle_cross
 constexpr double left_shank_I14 = 0.122071088076;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_shank, right_shank; mass,
 //     com z, offset z of left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_shank_I15 = 0.000160356;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com x z, inertia xx yy zz of left_shank, right_shank; offset z of left_ankle_cross,
+//     right_ankle_cross
 constexpr double left_shank_I16 = 0.127362525626784;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com x z, inertia xx yy of left_shank, right_shank; offset z of left_ankle_cross,
+//     right_ankle_cross
 constexpr double left_shank_I17 = -0.116779650525216;
 // kg m^2: mass, com z, inertia xx yy zz of left_shank, right_shank; mass, offset z of
 //     left_ankle_cross, right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_shank_I18 = 0.356070859284;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
+//     right_shank; mass, com x z, inertia xx zz, offset z of left_ankle_cross, right_ankle_cross;
+//     mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr double left_shank_I19 = 0.3439192119903008;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy of left_shank,
+//     right_shank; mass, com x z, inertia yy, offset z of left_ankle_cross, right_ankle_cross;
+//     mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr double left_shank_I20 = 0.3684598849776992;
 // N m: gravity; mass, com z of left_shank, right_shank; mass, offset z of left_ankle_cross,
 //     right_ankle_cross; mass of left_foot, right_foot
@@ -566,16 +564,15 @@ constexpr double left_ankle_cross_I2 = -0.001106309568;
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I3 = 0.000550836384;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z of left_ankle_cross, right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of
+//     com y z of left_ankle_cross, right_ankle_cross; mass, com y z, inertia yy zz, offset z of
 //     left_foot, right_foot
 constexpr double left_ankle_cross_I4 = -0.00016012430367330226;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr double left_ankle_cross_I5 = 0.006303306294895972;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com, inertia yy zz, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I6 = 0.007654491590934428;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z of left_ankle_cross,
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
@@ -591,21 +588,19 @@ constexpr double left_ankle_cross_I10 = -6.9552e-06;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I11 = 2.40212e-05;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr double left_ankle_cross_I12 = 0.0069548777429152;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I13 = 0.0070029201429152;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr double left_ankle_cross_I14 = 0.0068602097429152;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I15 = 0.0070975881429152;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
 //     com y z of left_ankle_cross, right_ankle_cross; mass, offset z of left_foot, right_foot
@@ -613,11 +608,11 @@ constexpr double left_ankle_cross_I16 = -0.0001962912;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; mass, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I17 = 0.0001186892;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x, offset z of left_ankle_cross,
-//     left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com x, offset z of left_ankle_cross, right_ankle_cross; mass, com x of left_foot,
+//     right_foot
 constexpr double left_ankle_cross_I18 = -0.0238512154272;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x, offset z of left_ankle_cross,
-//     left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com x, offset z of left_ankle_cross, right_ankle_cross; mass, com x of left_foot,
+//     right_foot
 constexpr double left_ankle_cross_I19 = -0.0477024308544;
 // N m: gravity; mass, com x of left_ankle_cross, left_foot, right_ankle_cross, right_foot
 constexpr double left_ankle_cross_G1 = -0.540370492704;
@@ -625,7 +620,7 @@ constexpr double left_ankle_cross_G1 = -0.540370492704;
 //     right_ankle_cross; mass, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_G2 = -0.092869308;
 
-// ratio: mass, com y z of left_foot, right_foot
+// ratio: com y z of left_foot, right_foot
 constexpr double left_foot_k1 = 0.2614691411136524;
 // m: points of left_foot, right_foot
 constexpr double left_foot_l1 = -0.06;
@@ -636,32 +631,32 @@ constexpr double left_foot_l3 = 0.20904;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
 //     right_foot
 constexpr double left_foot_I1 = 0.00014128635491404698;
-// kg m^2: mass, com, inertia xy xz of left_foot, right_foot
+// kg m^2: com y z, inertia xy xz of left_foot, right_foot
 constexpr double left_foot_I2 = 6.298136129784905e-05;
 // kg m^2: mass, com, inertia xy xz of left_foot, right_foot
 constexpr double left_foot_I3 = 0.0014494177603079786;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: mass, com y z, inertia yy zz of left_foot, right_foot
 constexpr double left_foot_I4 = 0.00013282817963685661;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia yy zz of left_foot, right_foot
 constexpr double left_foot_I5 = -7.233379265339546e-05;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
 //     right_foot
 constexpr double left_foot_I6 = 0.00028257270982809396;
-// kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z, offset z of left_foot, right_foot
+// kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
+//     y z of left_foot, right_foot
 constexpr double left_foot_I7 = -0.0005651454196561879;
-// kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z, offset z of left_foot, right_foot
+// kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
+//     y z of left_foot, right_foot
 constexpr double left_foot_I8 = -0.00028257270982809396;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: mass, com y z, inertia xx of left_foot, right_foot
 constexpr double left_foot_I9 = 0.0009809787164016;
 // kg m^2: offset z of left_ankle_cross, right_ankle_cross; mass, com y z of left_foot, right_foot
 constexpr double left_foot_I10 = -0.006117699167778235;
 // kg m^2: offset z of left_shank, right_shank; mass, com y z of left_foot, right_foot
 constexpr double left_foot_I11 = -0.00610357053228683;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia xx yy zz of left_foot, right_foot
 constexpr double left_foot_I12 = 0.0004240752683823717;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia yy zz of left_foot, right_foot
 constexpr double left_foot_I13 = -3.616689632669773e-05;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
 constexpr double left_foot_I14 = 0.0005569034480192284;

@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x1f3a55f3789b4950ULL;
+constexpr unsigned long long kDigest = 0x7f15d153a902fb88ULL;
 
 /// Index of every joint.
 namespace joint {

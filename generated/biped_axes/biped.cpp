@@ -9,7 +9,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x074fe90f32e1e46aULL, "header and source are of different runs");
+static_assert(kDigest == 0xed546ce5d9d5f9e8ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -340,8 +340,7 @@ constexpr double base_rx_m2 = 63.86479092;
 constexpr double base_rx_m3 = 5.720071111041666;
 // kg: mass, com y of base_rx; offset y of left_hip_block, right_hip_block
 constexpr double base_rx_m4 = 51.81132434895834;
-// kg m: mass, com y of base_rx; mass, offset y of left_hip_block, right_hip_block; mass of
-//     left_hip_fork to right_foot (10 links)
+// kg m: mass, com y of base_rx
 constexpr double base_rx_h1 = 0.0494584755;
 // kg m: mass, com z of base_rx; mass, com z, offset z of left_hip_block, right_hip_block; mass,
 //     offset z of left_hip_fork, right_hip_fork; mass, offset y of left_thigh, right_thigh; mass of
@@ -369,18 +368,17 @@ constexpr double base_rx_h7 = 11.74447330271875;
 //     inertia xx yy zz, offset z of left_shank, left_ankle_cross, right_shank, right_ankle_cross;
 //     mass, com y z, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr double base_rx_I1 = 3.7285933231085773;
-// kg m^2: mass, com z, inertia xx yy zz of base_rx; mass, com y z, inertia xx yy zz, offset z of
+// kg m^2: mass, com z, inertia xx yy zz of base_rx; mass, com z, inertia xx yy zz, offset z of
 //     left_hip_block, right_hip_block; mass, com y, inertia xx yy zz, offset z of left_hip_fork,
 //     right_hip_fork; mass, com y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com
 //     y, inertia xx yy zz of left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass,
 //     com y z, inertia xx yy zz of left_foot, right_foot
 constexpr double base_rx_I2 = 5.214202433961874;
 // kg m^2: mass, com x, inertia xx yy zz of base_rx to right_ankle_cross (9 links); mass, com x,
-//     inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com, inertia xx yy zz,
+//     inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com x, inertia xx yy zz,
 //     offset z of left_foot, right_foot
 constexpr double base_rx_I3 = 0.22259776637311807;
-// kg m^2: mass, com y z, inertia yz of base_rx; mass, offset y z of left_hip_block,
-//     right_hip_block; mass of left_hip_fork to right_foot (10 links)
+// kg m^2: mass, com y z, inertia yz of base_rx
 constexpr double base_rx_I4 = 0.0119045769944955;
 // kg m^2: mass, com x z, inertia xz of base_rx
 constexpr double base_rx_I5 = 0.062513175334862;
@@ -408,30 +406,29 @@ constexpr double base_rx_I11 = 0.6512320135077433;
 //     left_hip_block, right_hip_block; mass, offset z of left_hip_fork, right_hip_fork; mass, com
 //     z, offset y of left_thigh, right_thigh; offset z of left_shank, right_shank
 constexpr double base_rx_I12 = 4.935160101460775;
-// kg m^2: mass, com y z, inertia yz of base_rx; mass, com z, offset y z of left_hip_block,
-//     right_hip_block; offset z of left_hip_fork, right_hip_fork; offset y of left_thigh,
-//     right_thigh
+// kg m^2: mass, com y z, inertia yz of base_rx; offset z of left_hip_block, left_hip_fork,
+//     right_hip_block, right_hip_fork; offset y of left_thigh, right_thigh
 constexpr double base_rx_I13 = -0.0175428432014955;
-// kg m^2: mass, com x y, inertia xx yy zz of base_rx; offset y of left_hip_block, right_hip_block
+// kg m^2: mass, com x y, inertia zz of base_rx; offset y of left_hip_block, right_hip_block
 constexpr double base_rx_I14 = 0.7271729410866306;
-// kg m^2: mass, com x y, inertia xx yy zz of base_rx; offset y of left_hip_block, right_hip_block
+// kg m^2: mass, com x y, inertia xx yy of base_rx; offset y of left_hip_block, right_hip_block
 constexpr double base_rx_I15 = -0.4185282896659585;
-// kg m^2: mass, com y z, inertia xx yy zz of base_rx; mass, com y z, inertia xx yy zz, offset y z
-//     of left_hip_block, right_hip_block; offset z of left_hip_fork, right_hip_fork; offset y of
+// kg m^2: mass, com y z, inertia xx of base_rx; mass, com y z, inertia xx, offset y z of
+//     left_hip_block, right_hip_block; offset z of left_hip_fork, right_hip_fork; offset y of
 //     left_thigh, right_thigh
 constexpr double base_rx_I16 = 5.352785456639811;
-// kg m^2: mass, com, inertia xx yy zz of base_rx; mass, com x z, inertia xx yy zz, offset y z of
+// kg m^2: mass, com, inertia yy of base_rx; mass, com x z, inertia yy, offset y z of
 //     left_hip_block, right_hip_block; mass, com x y, inertia xx yy zz, offset x z of
 //     left_hip_fork, right_hip_fork; mass, com y z, inertia xx yy zz, offset y of left_thigh,
 //     right_thigh; mass, com y, inertia xx yy zz, offset z of left_shank, right_shank; mass, com y,
 //     inertia xx yy zz of left_ankle_cross, right_ankle_cross; mass, offset z of left_foot,
 //     right_foot
 constexpr double base_rx_I17 = 4.967815396366181;
-// kg m^2: mass, com y z, inertia xx yy zz of base_rx; mass, com z, inertia xx yy zz, offset y z of
+// kg m^2: mass, com y z, inertia yy zz of base_rx; mass, com z, inertia xx yy zz, offset y z of
 //     left_hip_block, right_hip_block; offset z of left_hip_fork, right_hip_fork; offset y of
 //     left_thigh, right_thigh
 constexpr double base_rx_I18 = 4.205662634527222;
-// kg m^2: mass, com, inertia xx yy zz of base_rx; mass, com z, inertia xx yy zz, offset y z of
+// kg m^2: mass, com, inertia xx zz of base_rx; mass, com z, inertia xx yy zz, offset y z of
 //     left_hip_block, right_hip_block; offset z of left_hip_fork, right_hip_fork; offset y of
 //     left_thigh, right_thigh
 constexpr double base_rx_I19 = 4.624190924193181;
@@ -481,8 +478,8 @@ constexpr double left_hip_block_I3 = 1.662442605941911;
 // kg m^2: mass, com x y of left_hip_block, right_hip_block
 constexpr double left_hip_block_I4 = -0.00013941312;
 // kg m^2: mass, com x, inertia xx yy zz of left_hip_block to right_ankle_cross (8 links); mass, com
-//     x, inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com, inertia xx yy zz,
-//     offset z of left_foot, right_foot
+//     x, inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com x, inertia xx yy
+//     zz, offset z of left_foot, right_foot
 constexpr double left_hip_block_I5 = 0.04027288857824064;
 // kg m^2: mass, com x, inertia xx yy zz of left_hip_block, left_thigh, right_hip_block,
 //     right_thigh; mass, com x, inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass
@@ -525,22 +522,22 @@ constexpr double left_hip_block_I16 = 0.00027248928;
 //     yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh;
 //     offset z of left_shank, left_foot, right_shank, right_foot
 constexpr double left_hip_block_I17 = 0.002512248186;
-// kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x, inertia
-//     xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh;
+// kg m^2: mass, com x y, inertia xx yy of left_hip_block, right_hip_block; mass, com x, inertia xx
+//     yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh;
 //     offset z of left_shank, left_foot, right_shank, right_foot
 constexpr double left_hip_block_I18 = 0.001801452506;
-// kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x z,
-//     inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh,
-//     right_thigh; offset z of left_shank, left_foot, right_shank, right_foot
+// kg m^2: mass, com x y, inertia zz of left_hip_block, right_hip_block; mass, com x z, inertia yy,
+//     offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh; offset z
+//     of left_shank, left_foot, right_shank, right_foot
 constexpr double left_hip_block_I19 = 0.003489196186;
 // kg m^2: mass, com y z of left_hip_block, right_hip_block; mass, com y z, offset z of
 //     left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh
 constexpr double left_hip_block_I20 = 0.00019169304;
 // kg m^2: mass, com x, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x y, inertia
-//     xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y z, inertia xx yy zz,
-//     offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz, offset z of left_shank,
-//     right_shank; mass, com y, inertia xx yy zz of left_ankle_cross, right_ankle_cross; mass,
-//     offset z of left_foot, right_foot
+//     zz, offset x z of left_hip_fork, right_hip_fork; mass, com y z, inertia xx yy zz, offset y of
+//     left_thigh, right_thigh; mass, com y, inertia xx yy zz, offset z of left_shank, right_shank;
+//     mass, com y, inertia xx yy zz of left_ankle_cross, right_ankle_cross; mass, offset z of
+//     left_foot, right_foot
 constexpr double left_hip_block_I21 = 0.03246757256632736;
 // m^2: offset y of left_hip_block, right_hip_block
 constexpr double left_hip_block_p1 = 0.0065028096;
@@ -577,15 +574,15 @@ constexpr double left_hip_fork_I2 = -0.0042631913856;
 //     left_thigh, left_shank, right_thigh, right_shank; mass, com x z of left_ankle_cross,
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
 constexpr double left_hip_fork_I3 = -0.03467671360129536;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y
-//     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz,
-//     offset z of left_shank, left_ankle_cross, left_foot, right_shank, right_ankle_cross,
-//     right_foot
+// kg m^2: mass, com y z, inertia yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y z,
+//     inertia yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz, offset z
+//     of left_shank, right_shank; mass, com y z, inertia yy zz, offset z of left_ankle_cross,
+//     left_foot, right_ankle_cross, right_foot
 constexpr double left_hip_fork_I4 = 1.6313524106132014;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y
-//     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz,
-//     offset z of left_shank, left_ankle_cross, left_foot, right_shank, right_ankle_cross,
-//     right_foot
+// kg m^2: mass, com y z, inertia xx, offset x z of left_hip_fork, right_hip_fork; mass, com y z,
+//     inertia xx, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy, offset z of
+//     left_shank, right_shank; mass, com y z, inertia xx, offset z of left_ankle_cross, left_foot,
+//     right_ankle_cross, right_foot
 constexpr double left_hip_fork_I5 = 1.6921112099106208;
 // kg m^2: mass, com z, inertia xx yy zz of left_hip_fork, left_thigh, right_hip_fork, right_thigh;
 //     mass, offset z of left_shank, right_shank; mass of left_ankle_cross, left_foot,
@@ -612,13 +609,13 @@ constexpr double left_hip_fork_I11 = -0.00011406528;
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_I12 = 0.02957665238032736;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+// kg m^2: mass, com y z, inertia xx, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_I13 = 0.02984280470032736;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+// kg m^2: mass, com y z, inertia yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_hip_fork_I14 = 0.02931050006032736;
@@ -626,11 +623,11 @@ constexpr double left_hip_fork_I14 = 0.02931050006032736;
 //     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_hip_fork_I15 = 0.02995532438032736;
-// kg m^2: mass, com y z, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
+// kg m^2: mass, com y z, inertia xx, offset z of left_hip_fork, right_hip_fork; mass, com y,
 //     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_hip_fork_I16 = 0.03022147670032736;
-// kg m^2: mass, com y z, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
+// kg m^2: mass, com y z, inertia yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
 //     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_hip_fork_I17 = 0.02968917206032736;
@@ -640,12 +637,11 @@ constexpr double left_hip_fork_p1 = 0.0001;
 // kg: mass, com z of left_thigh, right_thigh; mass, com z, offset z of left_shank, right_shank;
 //     offset z of left_ankle_cross, right_ankle_cross
 constexpr double left_thigh_m1 = -5.84786454;
-// kg: mass, com z of left_thigh, right_thigh; mass, com z, offset z of left_shank, right_shank;
-//     mass, offset z of left_ankle_cross, right_ankle_cross; mass of left_foot, right_foot
+// kg: mass, com z of left_thigh, right_thigh; mass, offset z of left_shank, right_shank; mass of
+//     left_ankle_cross, left_foot, right_ankle_cross, right_foot
 constexpr double left_thigh_m2 = 8.39810454;
-// kg: mass, com z of left_thigh, right_thigh; mass, com z, offset z of left_shank, right_shank;
-//     mass, offset z of left_ankle_cross, right_ankle_cross; mass, com y z, inertia xx yy zz of
-//     left_foot, right_foot
+// kg: mass, com z of left_thigh, right_thigh; mass, offset z of left_shank, right_shank; mass of
+//     left_ankle_cross, right_ankle_cross; mass, com y z, inertia xx of left_foot, right_foot
 constexpr double left_thigh_m3 = 8.19461557789365;
 // kg m: mass, com x of left_thigh, right_thigh
 constexpr double left_thigh_h1 = -0.14731530912;
@@ -658,7 +654,7 @@ constexpr double left_thigh_h2 = -3.62798116128;
 constexpr double left_thigh_h3 = -3.21901540128;
 // kg m^2: mass, com x z, inertia xz yz of left_thigh, right_thigh
 constexpr double left_thigh_I1 = 0.03939173998083072;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; mass, offset z of left_shank,
+// kg m^2: mass, com x z, inertia xx zz of left_thigh, right_thigh; mass, offset z of left_shank,
 //     right_shank; mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
 constexpr double left_thigh_I2 = 1.2800687125653505;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; mass, com x y, inertia xy, offset y of
@@ -668,15 +664,15 @@ constexpr double left_thigh_I3 = 0.00442555309711872;
 //     left_thigh, right_thigh; mass, com y, offset z of left_shank, right_shank; mass, com y of
 //     left_ankle_cross, right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_thigh_I4 = 0.09232168197063167;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_thigh,
-//     right_thigh; mass, com x z, inertia xx yy zz, offset z of left_shank, left_ankle_cross,
-//     right_shank, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_thigh,
+//     right_thigh; mass, com x z, inertia xx yy, offset z of left_shank, right_shank; mass, com x
+//     z, inertia yy, offset z of left_ankle_cross, right_ankle_cross; mass, com, inertia yy zz,
+//     offset z of left_foot, right_foot
 constexpr double left_thigh_I5 = 1.6983864878801518;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; mass, offset z of left_shank,
+// kg m^2: mass, com x z, inertia yy of left_thigh, right_thigh; mass, offset z of left_shank,
 //     right_shank; mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
 constexpr double left_thigh_I6 = 1.3293696994544333;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_thigh,
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of left_thigh,
 //     right_thigh; mass, offset z of left_shank, right_shank; mass, com z of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_thigh_I7 = 1.1033955042453505;
@@ -695,7 +691,7 @@ constexpr double left_thigh_I11 = 0.02465049344454144;
 // kg m^2: mass, com z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
 //     right_shank
 constexpr double left_thigh_I12 = -0.26256865566306814;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
+// kg m^2: mass, com x z, inertia xx zz of left_thigh, right_thigh; offset z of left_shank,
 //     right_shank
 constexpr double left_thigh_I13 = 0.2872191491076096;
 
@@ -706,7 +702,7 @@ constexpr double left_shank_m1 = 1.60356;
 //     right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_shank_m2 = 2.55024;
 // kg: mass, com z of left_shank, right_shank; mass, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com y z, inertia xx yy zz of left_foot, right_foot
+//     right_ankle_cross; mass, com y z, inertia xx of left_foot, right_foot
 constexpr double left_shank_m3 = 2.3467510378936507;
 // m: offset z of left_shank, right_shank
 constexpr double left_shank_l1 = -0.432;
@@ -730,12 +726,12 @@ constexpr double left_shank_I3 = 0.001559822240256;
 //     y z, inertia xz yz of left_shank, right_shank; mass, com y, offset z of left_ankle_cross,
 //     right_ankle_cross; mass of left_foot, right_foot
 constexpr double left_shank_I4 = 0.02565802580712;
-// kg m^2: mass, com x, inertia xx yy zz of left_shank, left_ankle_cross, right_shank,
-//     right_ankle_cross; mass, com, inertia xx yy zz of left_foot, right_foot
+// kg m^2: mass, com x, inertia xx yy zz of left_shank, left_ankle_cross, left_foot, right_shank,
+//     right_ankle_cross, right_foot
 constexpr double left_shank_I5 = 0.0122703364936992;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot, right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy of left_shank,
+//     right_shank; mass, com x z, inertia yy, offset z of left_ankle_cross, right_ankle_cross;
+//     mass, com, inertia yy zz, offset z of left_foot, right_foot
 constexpr double left_shank_I6 = 0.36901678842571844;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of left_shank,
 //     right_shank; mass, com z, inertia xx yy zz, offset z of left_ankle_cross, right_ankle_cross;
@@ -781,29 +777,28 @@ constexpr double left_ankle_cross_l1 = -0.433;
 constexpr double left_ankle_cross_h1 = 0.0094668;
 // kg m: mass, com x of left_ankle_cross, left_foot, right_ankle_cross, right_foot
 constexpr double left_ankle_cross_h2 = 0.0550836384;
-// kg m: mass, com x of left_ankle_cross, right_ankle_cross; mass, com, inertia xx xy xz yy zz of
+// kg m: mass, com x of left_ankle_cross, right_ankle_cross; mass, com, inertia xx xy xz of
 //     left_foot, right_foot
 constexpr double left_ankle_cross_h3 = 0.034208266826926986;
 // kg m: offset x of left_hip_fork, right_hip_fork; mass, com z of left_ankle_cross,
-//     right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of left_foot, right_foot
+//     right_ankle_cross; mass, com y z, inertia xx, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_h4 = -0.007431910378936505;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
 //     x y of left_ankle_cross, right_ankle_cross; mass, com x of left_foot, right_foot
 constexpr double left_ankle_cross_I1 = -0.001106309568;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z of left_ankle_cross, right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of
+//     com y z of left_ankle_cross, right_ankle_cross; mass, com y z, inertia yy zz, offset z of
 //     left_foot, right_foot
 constexpr double left_ankle_cross_I2 = -0.00016012430367330226;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z of left_ankle_cross,
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I3 = 0.001099354368;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr double left_ankle_cross_I4 = -0.006303306294895972;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com, inertia yy zz, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I5 = 0.007654491590934428;
 // kg m^2: mass, com x, inertia xx yy zz of left_ankle_cross, left_foot, right_ankle_cross,
 //     right_foot
@@ -816,13 +811,12 @@ constexpr double left_ankle_cross_I8 = -6.9552e-06;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I9 = 2.40212e-05;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr double left_ankle_cross_I10 = -0.0069548777429152;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I11 = 0.0070029201429152;
 // kg m^2: mass, com x, offset z of left_ankle_cross, right_ankle_cross; mass, com x of left_foot,
 //     right_foot
@@ -833,21 +827,20 @@ constexpr double left_ankle_cross_I13 = 0.0001186892;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
 //     com y z of left_ankle_cross, right_ankle_cross; mass, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I14 = -0.0001962912;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com, inertia xx xy xz yy zz, offset z of
-//     left_foot, right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com, inertia xx xy xz yy zz, offset z of left_foot, right_foot
 constexpr double left_ankle_cross_I15 = 0.007650448025253941;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
 //     com y z of left_ankle_cross, right_ankle_cross; mass, com, inertia xx xy xz yy zz, offset z
 //     of left_foot, right_foot
 constexpr double left_ankle_cross_I16 = -6.706794872165769e-05;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr double left_ankle_cross_I17 = -0.0068602097429152;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com x y of left_ankle_cross, right_ankle_cross; mass, com, inertia xx xy xz yy zz, offset z
-//     of left_foot, right_foot
+//     com x y of left_ankle_cross, right_ankle_cross; mass, com, inertia xx xy xz, offset z of
+//     left_foot, right_foot
 constexpr double left_ankle_cross_I18 = -0.0006797311884980576;
 // kg m^2: mass, com x, inertia xx yy zz of left_ankle_cross, right_ankle_cross; mass, com, inertia
 //     xx xy xz yy zz of left_foot, right_foot
@@ -856,13 +849,13 @@ constexpr double left_ankle_cross_I19 = 0.005261427398128842;
 //     xx xy xz yy zz of left_foot, right_foot
 constexpr double left_ankle_cross_I20 = 0.012240326341044043;
 
-// ratio: mass, com y z of left_foot, right_foot
+// ratio: com y z of left_foot, right_foot
 constexpr double left_foot_k1 = 0.2614691411136524;
-// ratio: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
+// ratio: mass, com y z, inertia xx xy xz of left_foot, right_foot
 constexpr double left_foot_k2 = -0.06420257671733756;
-// ratio: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
+// ratio: mass, com, inertia xx xy xz of left_foot, right_foot
 constexpr double left_foot_k3 = 1.4775221277222959;
-// kg: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg: mass, com y z, inertia xx of left_foot, right_foot
 constexpr double left_foot_m1 = 0.20348896210634942;
 // m: points of left_foot, right_foot
 constexpr double left_foot_l1 = 0.20904;
@@ -872,14 +865,14 @@ constexpr double left_foot_l2 = -0.05903;
 constexpr double left_foot_l3 = -0.06;
 // kg m: mass, com y z of left_foot, right_foot
 constexpr double left_foot_h1 = 0.014128635491404699;
-// kg m: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
+// kg m: mass, com y z, inertia xx xy xz of left_foot, right_foot
 constexpr double left_foot_h2 = -0.0009070948040482083;
-// kg m: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
+// kg m: mass, com, inertia xx xy xz of left_foot, right_foot
 constexpr double left_foot_h3 = 0.020875371573073016;
-// kg m: offset x of left_hip_fork, right_hip_fork; mass, com y z, inertia xx yy zz, offset z of
+// kg m: offset x of left_hip_fork, right_hip_fork; mass, com y z, inertia xx, offset z of
 //     left_foot, right_foot
 constexpr double left_foot_h4 = 0.0020348896210634943;
-// kg m^2: mass, com, inertia xy xz of left_foot, right_foot
+// kg m^2: com y z, inertia xy xz of left_foot, right_foot
 constexpr double left_foot_I1 = -6.298136129784905e-05;
 // kg m^2: mass, com, inertia xy xz of left_foot, right_foot
 constexpr double left_foot_I2 = 0.0014494177603079786;
@@ -889,15 +882,15 @@ constexpr double left_foot_I3 = -0.00028257270982809396;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
 //     right_foot
 constexpr double left_foot_I4 = 0.00014128635491404698;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: mass, com y z, inertia xx of left_foot, right_foot
 constexpr double left_foot_I5 = 0.0009809787164016;
 // kg m^2: offset z of left_ankle_cross, right_ankle_cross; mass, com y z of left_foot, right_foot
 constexpr double left_foot_I6 = -0.006117699167778235;
 // kg m^2: offset z of left_shank, right_shank; mass, com y z of left_foot, right_foot
 constexpr double left_foot_I7 = -0.00610357053228683;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: mass, com y z, inertia yy zz of left_foot, right_foot
 constexpr double left_foot_I8 = 0.00013282817963685661;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia yy zz of left_foot, right_foot
 constexpr double left_foot_I9 = 7.233379265339546e-05;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
 //     right_foot
@@ -907,13 +900,13 @@ constexpr double left_foot_I10 = 0.00028257270982809396;
 constexpr double left_foot_I11 = -0.0005651454196561879;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
 constexpr double left_foot_I12 = 0.0005569034480192284;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia xx yy zz of left_foot, right_foot
 constexpr double left_foot_I13 = 0.0004240752683823717;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia yy zz of left_foot, right_foot
 constexpr double left_foot_I14 = 3.616689632669773e-05;
 // kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
 constexpr double left_foot_I15 = -0.00012922325127834232;
-// kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
+// kg m^2: mass, com y z, inertia xx xy xz yy zz of left_foot, right_foot
 constexpr double left_foot_I16 = 0.0005528598823387408;
 // kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
 constexpr double left_foot_I17 = 0.0017174715447863577;
@@ -921,9 +914,9 @@ constexpr double left_foot_I17 = 0.0017174715447863577;
 constexpr double left_foot_I18 = 0.0022703314271250983;
 // kg m^2: mass, com, inertia xx xy xz yy zz of left_foot, right_foot
 constexpr double left_foot_I19 = -0.00025844650255668465;
-// kg^-1 m^-2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg^-1 m^-2: mass, com y z, inertia xx of left_foot, right_foot
 constexpr double left_foot_p1 = 1019.3901083482966;
-// m^-1: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// m^-1: mass, com y z, inertia xx of left_foot, right_foot
 constexpr double left_foot_p2 = 14.402591264396625;
 
 }  // namespace

@@ -43,7 +43,7 @@ constexpr int kDof = 18;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x074fe90f32e1e46aULL;
+constexpr unsigned long long kDigest = 0xed546ce5d9d5f9e8ULL;
 
 /// Index of every joint.
 namespace joint {

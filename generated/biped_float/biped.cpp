@@ -9,7 +9,7 @@
 
 namespace biped {
 
-static_assert(kDigest == 0x8f62b525ae06994bULL, "header and source are of different runs");
+static_assert(kDigest == 0x46d186504d98e96dULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -294,20 +294,19 @@ constexpr float left_hip_block_l1 = 0.08064f;
 // m: offset z of left_hip_block, left_hip_fork, right_hip_block, right_hip_fork; offset y of
 //     left_thigh, right_thigh
 constexpr float left_hip_block_l2 = -0.114f;
-// kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x z,
-//     inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz
-//     of left_thigh, right_thigh; mass, com x z, inertia xx yy zz, offset z of left_shank,
-//     left_ankle_cross, right_shank, right_ankle_cross; mass, com, inertia xx yy zz, offset z of
-//     left_foot, right_foot
+// kg m^2: mass, com x y, inertia zz of left_hip_block, right_hip_block; mass, com x z, inertia yy,
+//     offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_thigh,
+//     right_thigh; mass, com x z, inertia xx yy, offset z of left_shank, right_shank; mass, com x
+//     z, inertia yy, offset z of left_ankle_cross, right_ankle_cross; mass, com, inertia yy zz,
+//     offset z of left_foot, right_foot
 constexpr float left_hip_block_I1 = 1.7027155f;
-// kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x, inertia
-//     xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh;
-//     offset z of left_shank, left_foot, right_shank, right_foot
+// kg m^2: mass, com x y, inertia zz of left_hip_block, right_hip_block; mass, com x, inertia xx yy
+//     zz, offset x of left_hip_fork, right_hip_fork; mass, com z of left_thigh, right_thigh; offset
+//     z of left_shank, left_foot, right_shank, right_foot
 constexpr float left_hip_block_I2 = 0.0032230439f;
-// kg m^2: mass, com x y, inertia xx yy zz of left_hip_block, right_hip_block; mass, com x z,
-//     inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass of left_thigh, left_shank,
-//     left_ankle_cross, right_thigh, right_shank, right_ankle_cross; mass, offset z of left_foot,
-//     right_foot
+// kg m^2: mass, com x y, inertia zz of left_hip_block, right_hip_block; mass, com x z, inertia yy,
+//     offset x of left_hip_fork, right_hip_fork; mass of left_thigh, left_shank, left_ankle_cross,
+//     right_thigh, right_shank, right_ankle_cross; mass, offset z of left_foot, right_foot
 constexpr float left_hip_block_I3 = 0.0043290067f;
 
 // ratio: offset x of left_hip_fork, right_hip_fork; offset z of left_shank, left_foot, right_shank,
@@ -333,18 +332,18 @@ constexpr float left_hip_fork_I2 = -0.00016159248f;
 //     left_thigh, left_shank, right_thigh, right_shank; mass, com x z of left_ankle_cross,
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
 constexpr float left_hip_fork_I3 = -0.034676712f;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y
-//     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz,
-//     offset z of left_shank, left_ankle_cross, left_foot, right_shank, right_ankle_cross,
-//     right_foot
+// kg m^2: mass, com y z, inertia xx, offset x z of left_hip_fork, right_hip_fork; mass, com y z,
+//     inertia xx, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy, offset z of
+//     left_shank, right_shank; mass, com y z, inertia xx, offset z of left_ankle_cross, left_foot,
+//     right_ankle_cross, right_foot
 constexpr float left_hip_fork_I4 = 1.6921113f;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y
-//     z, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz,
-//     offset z of left_shank, left_ankle_cross, left_foot, right_shank, right_ankle_cross,
-//     right_foot
+// kg m^2: mass, com y z, inertia yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y z,
+//     inertia yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz, offset z
+//     of left_shank, right_shank; mass, com y z, inertia yy zz, offset z of left_ankle_cross,
+//     left_foot, right_ankle_cross, right_foot
 constexpr float left_hip_fork_I5 = 1.6313524f;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+// kg m^2: mass, com y z, inertia yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr float left_hip_fork_I6 = 0.0293105f;
@@ -364,8 +363,8 @@ constexpr float left_hip_fork_I10 = 0.00026615232f;
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr float left_hip_fork_I11 = 0.029576652f;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
+// kg m^2: mass, com y z, inertia xx, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, right_shank; mass, com y z, inertia xx yy zz of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr float left_hip_fork_I12 = 0.029842805f;
@@ -375,19 +374,19 @@ constexpr float left_hip_fork_I12 = 0.029842805f;
 constexpr float left_hip_fork_I13 = 0.059910648f;
 // kg m^2: mass, com z, inertia xx yy zz of left_hip_fork, right_hip_fork
 constexpr float left_hip_fork_I14 = 0.00053230464f;
-// kg m^2: mass, com y z, inertia xx yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
+// kg m^2: mass, com y z, inertia yy zz, offset z of left_hip_fork, right_hip_fork; mass, com y,
 //     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y, inertia xx yy zz of
 //     left_shank, left_ankle_cross, right_shank, right_ankle_cross; mass of left_foot, right_foot
 constexpr float left_hip_fork_I15 = 0.029689172f;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz of
-//     left_shank, right_shank; mass, com y z, inertia xx yy zz, offset z of left_ankle_cross,
-//     left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com y z, inertia xx, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy of
+//     left_shank, right_shank; mass, com y z, inertia xx, offset z of left_ankle_cross,
+//     right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr float left_hip_fork_I16 = 0.3868351f;
-// kg m^2: mass, com y z, inertia xx yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com
-//     y, inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz of
-//     left_shank, right_shank; mass, com y z, inertia xx yy zz, offset z of left_ankle_cross,
-//     left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com y z, inertia yy zz, offset x z of left_hip_fork, right_hip_fork; mass, com y,
+//     inertia xx yy zz, offset y of left_thigh, right_thigh; mass, com y z, inertia xx yy zz of
+//     left_shank, right_shank; mass, com y z, inertia yy zz, offset z of left_ankle_cross,
+//     right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr float left_hip_fork_I17 = 0.3260763f;
 // kg m^2: mass, com z, inertia xx yy zz, offset x of left_hip_fork, right_hip_fork; mass, com z,
 //     inertia xx yy zz of left_shank, right_shank; mass, com z, inertia xx yy zz, offset z of
@@ -420,7 +419,7 @@ constexpr float left_thigh_I1 = -0.036279812f;
 constexpr float left_thigh_I2 = -0.0014731531f;
 // kg m^2: mass, com x z, inertia xz yz of left_thigh, right_thigh
 constexpr float left_thigh_I3 = 0.03939174f;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; mass, offset z of left_shank,
+// kg m^2: mass, com x z, inertia xx zz of left_thigh, right_thigh; mass, offset z of left_shank,
 //     right_shank; mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
 constexpr float left_thigh_I4 = 1.2800688f;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; mass, com y z, inertia xz yz, offset y of
@@ -430,16 +429,16 @@ constexpr float left_thigh_I5 = 0.09232168f;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; mass, com x y, inertia xy, offset y of
 //     left_thigh, right_thigh
 constexpr float left_thigh_I6 = 0.004425553f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_thigh,
-//     right_thigh; mass, com x z, inertia xx yy zz, offset z of left_shank, left_ankle_cross,
-//     right_shank, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_thigh,
+//     right_thigh; mass, com x z, inertia xx yy, offset z of left_shank, right_shank; mass, com x
+//     z, inertia yy, offset z of left_ankle_cross, right_ankle_cross; mass, com, inertia yy zz,
+//     offset z of left_foot, right_foot
 constexpr float left_thigh_I7 = 1.6983864f;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; mass, com y z, inertia xz yz, offset y of
 //     left_thigh, right_thigh; mass, com y, offset z of left_shank, right_shank; mass, com y z of
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr float left_thigh_I8 = 0.084142365f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_thigh,
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of left_thigh,
 //     right_thigh; mass, offset z of left_shank, right_shank; mass, com z of left_ankle_cross,
 //     right_ankle_cross; offset z of left_foot, right_foot
 constexpr float left_thigh_I9 = 1.1033955f;
@@ -462,11 +461,10 @@ constexpr float left_thigh_I14 = -0.26256865f;
 //     com z, offset z of left_shank, right_shank; offset z of left_ankle_cross, left_foot,
 //     right_ankle_cross, right_foot
 constexpr float left_thigh_I15 = 0.00058478647f;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
+// kg m^2: mass, com x z, inertia xx zz of left_thigh, right_thigh; offset z of left_shank,
 //     right_shank
 constexpr float left_thigh_I16 = 0.28721914f;
-// kg m^2: mass, com x z, inertia xx yy zz of left_thigh, right_thigh; offset z of left_shank,
-//     right_shank
+// kg m^2: mass, com x z, inertia yy of left_thigh, right_thigh; offset z of left_shank, right_shank
 constexpr float left_thigh_I17 = -0.23791817f;
 // kg m^2: mass, com z, inertia xx yy zz of left_thigh, right_thigh; mass, offset z of left_shank,
 //     right_shank; mass of left_ankle_cross, left_foot, right_ankle_cross, right_foot
@@ -497,9 +495,9 @@ constexpr float left_shank_I5 = 0.025658026f;
 // kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
 //     x y, inertia xy of left_shank, right_shank
 constexpr float left_shank_I6 = 0.0015598222f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot, right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy of left_shank,
+//     right_shank; mass, com x z, inertia yy, offset z of left_ankle_cross, right_ankle_cross;
+//     mass, com, inertia yy zz, offset z of left_foot, right_foot
 constexpr float left_shank_I7 = 0.3690168f;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
 //     right_shank; mass, com z, offset z of left_ankle_cross, right_ankle_cross; offset z of
@@ -520,28 +518,28 @@ constexpr float left_shank_I12 = -0.006943415f;
 //     right_shank; mass, com z, offset z of left_ankle_cross, right_ankle_cross; offset z of
 //     left_foot, right_foot
 constexpr float left_shank_I13 = 0.17857878f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of left_shank,
-//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com z, inertia xx yy zz of left_shank, right_shank; offset z of left_ankle_cross,
+//     right_ankle_cross
 constexpr float left_shank_I14 = 0.12207109f;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z of left_shank, right_shank; mass,
 //     com z, offset z of left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr float left_shank_I15 = 0.000160356f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com x z, inertia xx yy zz of left_shank, right_shank; offset z of left_ankle_cross,
+//     right_ankle_cross
 constexpr float left_shank_I16 = 0.12736252f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; offset z of left_ankle_cross, left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com x z, inertia xx yy of left_shank, right_shank; offset z of left_ankle_cross,
+//     right_ankle_cross
 constexpr float left_shank_I17 = -0.11677965f;
 // kg m^2: mass, com z, inertia xx yy zz of left_shank, right_shank; mass, offset z of
 //     left_ankle_cross, right_ankle_cross; mass of left_foot, right_foot
 constexpr float left_shank_I18 = 0.35607085f;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
+//     right_shank; mass, com x z, inertia xx zz, offset z of left_ankle_cross, right_ankle_cross;
+//     mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr float left_shank_I19 = 0.34391922f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of left_shank,
-//     right_shank; mass, com x z, inertia xx yy zz, offset z of left_ankle_cross,
-//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy of left_shank,
+//     right_shank; mass, com x z, inertia yy, offset z of left_ankle_cross, right_ankle_cross;
+//     mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr float left_shank_I20 = 0.36845988f;
 // N m: gravity; mass, com z of left_shank, right_shank; mass, offset z of left_ankle_cross,
 //     right_ankle_cross; mass of left_foot, right_foot
@@ -561,16 +559,15 @@ constexpr float left_ankle_cross_I2 = -0.0011063096f;
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
 constexpr float left_ankle_cross_I3 = 0.0005508364f;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z of left_ankle_cross, right_ankle_cross; mass, com y z, inertia xx yy zz, offset z of
+//     com y z of left_ankle_cross, right_ankle_cross; mass, com y z, inertia yy zz, offset z of
 //     left_foot, right_foot
 constexpr float left_ankle_cross_I4 = -0.0001601243f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr float left_ankle_cross_I5 = 0.006303306f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com, inertia yy zz, offset z of left_foot, right_foot
 constexpr float left_ankle_cross_I6 = 0.007654492f;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z of left_ankle_cross,
 //     right_ankle_cross; mass, com x, offset z of left_foot, right_foot
@@ -586,21 +583,19 @@ constexpr float left_ankle_cross_I10 = -6.9552e-06f;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; offset z of left_foot, right_foot
 constexpr float left_ankle_cross_I11 = 2.40212e-05f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr float left_ankle_cross_I12 = 0.0069548776f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr float left_ankle_cross_I13 = 0.00700292f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx zz of
 //     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
 //     right_foot
 constexpr float left_ankle_cross_I14 = 0.0068602096f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia xx yy zz of
-//     left_ankle_cross, right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot,
-//     right_foot
+// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x z, inertia yy of left_ankle_cross,
+//     right_ankle_cross; mass, com x, inertia xx yy zz, offset z of left_foot, right_foot
 constexpr float left_ankle_cross_I15 = 0.007097588f;
 // kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
 //     com y z of left_ankle_cross, right_ankle_cross; mass, offset z of left_foot, right_foot
@@ -608,11 +603,11 @@ constexpr float left_ankle_cross_I16 = -0.0001962912f;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com z, inertia xx yy zz of
 //     left_ankle_cross, right_ankle_cross; mass, offset z of left_foot, right_foot
 constexpr float left_ankle_cross_I17 = 0.0001186892f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x, offset z of left_ankle_cross,
-//     left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com x, offset z of left_ankle_cross, right_ankle_cross; mass, com x of left_foot,
+//     right_foot
 constexpr float left_ankle_cross_I18 = -0.023851216f;
-// kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com x, offset z of left_ankle_cross,
-//     left_foot, right_ankle_cross, right_foot
+// kg m^2: mass, com x, offset z of left_ankle_cross, right_ankle_cross; mass, com x of left_foot,
+//     right_foot
 constexpr float left_ankle_cross_I19 = -0.04770243f;
 // N m: gravity; mass, com x of left_ankle_cross, left_foot, right_ankle_cross, right_foot
 constexpr float left_ankle_cross_G1 = -0.54037046f;
@@ -620,7 +615,7 @@ constexpr float left_ankle_cross_G1 = -0.54037046f;
 //     right_ankle_cross; mass, offset z of left_foot, right_foot
 constexpr float left_ankle_cross_G2 = -0.09286931f;
 
-// ratio: mass, com y z of left_foot, right_foot
+// ratio: com y z of left_foot, right_foot
 constexpr float left_foot_k1 = 0.26146916f;
 // m: points of left_foot, right_foot
 constexpr float left_foot_l1 = -0.06f;
@@ -631,32 +626,32 @@ constexpr float left_foot_l3 = 0.20904f;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
 //     right_foot
 constexpr float left_foot_I1 = 0.00014128635f;
-// kg m^2: mass, com, inertia xy xz of left_foot, right_foot
+// kg m^2: com y z, inertia xy xz of left_foot, right_foot
 constexpr float left_foot_I2 = 6.298136e-05f;
 // kg m^2: mass, com, inertia xy xz of left_foot, right_foot
 constexpr float left_foot_I3 = 0.0014494178f;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: mass, com y z, inertia yy zz of left_foot, right_foot
 constexpr float left_foot_I4 = 0.00013282818f;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia yy zz of left_foot, right_foot
 constexpr float left_foot_I5 = -7.2333794e-05f;
 // kg m^2: offset x of left_hip_fork, right_hip_fork; mass, com y z, offset z of left_foot,
 //     right_foot
 constexpr float left_foot_I6 = 0.0002825727f;
-// kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z, offset z of left_foot, right_foot
+// kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
+//     y z of left_foot, right_foot
 constexpr float left_foot_I7 = -0.0005651454f;
-// kg m^2: offset x z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass,
-//     com y z, offset z of left_foot, right_foot
+// kg m^2: offset z of left_hip_fork, right_hip_fork; offset y of left_thigh, right_thigh; mass, com
+//     y z of left_foot, right_foot
 constexpr float left_foot_I8 = -0.0002825727f;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: mass, com y z, inertia xx of left_foot, right_foot
 constexpr float left_foot_I9 = 0.0009809787f;
 // kg m^2: offset z of left_ankle_cross, right_ankle_cross; mass, com y z of left_foot, right_foot
 constexpr float left_foot_I10 = -0.006117699f;
 // kg m^2: offset z of left_shank, right_shank; mass, com y z of left_foot, right_foot
 constexpr float left_foot_I11 = -0.0061035706f;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia xx yy zz of left_foot, right_foot
 constexpr float left_foot_I12 = 0.00042407526f;
-// kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
+// kg m^2: com y z, inertia yy zz of left_foot, right_foot
 constexpr float left_foot_I13 = -3.6166897e-05f;
 // kg m^2: mass, com y z, inertia xx yy zz of left_foot, right_foot
 constexpr float left_foot_I14 = 0.0005569034f;

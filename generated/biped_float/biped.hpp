@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x8f62b525ae06994bULL;
+constexpr unsigned long long kDigest = 0x46d186504d98e96dULL;
 
 /// Index of every joint.
 namespace joint {

@@ -9,7 +9,7 @@
 
 namespace compass_walker {
 
-static_assert(kDigest == 0x8436f01a48791fcaULL, "header and source are of different runs");
+static_assert(kDigest == 0xc24103f4a4dc633aULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -167,7 +167,7 @@ constexpr double base_p1 = -9.81;
 constexpr double hip_p1 = 20.0;
 // gravity; mass of hip, left_leg, right_leg
 constexpr double hip_p2 = -196.2;
-// mass of hip; mass, com z of left_leg, right_leg
+// mass of hip
 constexpr double hip_p3 = 10.0;
 
 // mass, com z of left_leg, right_leg
@@ -178,11 +178,11 @@ constexpr double left_leg_p2 = 1.25;
 constexpr double left_leg_p3 = 24.525;
 // mass, com z of left_leg, right_leg
 constexpr double left_leg_p4 = 0.8;
-// mass, com z of left_leg, right_leg
+// mass of left_leg, right_leg
 constexpr double left_leg_p5 = 5.0;
-// mass, com z of left_leg, right_leg
+// com z of left_leg, right_leg
 constexpr double left_leg_p6 = -2.0;
-// gravity; mass, com z of left_leg, right_leg
+// gravity; com z of left_leg, right_leg
 constexpr double left_leg_p7 = 19.62;
 
 }  // namespace

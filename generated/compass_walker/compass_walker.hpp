@@ -27,7 +27,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x8436f01a48791fcaULL;
+constexpr unsigned long long kDigest = 0xc24103f4a4dc633aULL;
 
 /// Index of every joint.
 namespace joint {

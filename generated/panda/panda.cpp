@@ -9,7 +9,7 @@
 
 namespace panda {
 
-static_assert(kDigest == 0xc78c42d326a1d99aULL, "header and source are of different runs");
+static_assert(kDigest == 0x571e0443085f3092ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -139,16 +139,14 @@ constexpr double base_g1 = -9.81;
 
 // m: offset z of link1
 constexpr double link1_l1 = 0.333;
-// kg m^2: mass, com x y, inertia xx yy zz of link1, link3; mass, com x z, inertia xx yy zz of
-//     link2; mass, com x z, inertia xx yy zz, offset x of link4; mass, com x, inertia xx yy zz,
-//     offset x of link5; mass, com x, inertia xx yy zz of link6; mass, com x y, inertia xx xy yy
-//     zz, offset x of link7
+// kg m^2: mass, com x y, inertia zz of link1, link3; mass, com x z, inertia yy of link2; mass, com
+//     x z, inertia yy, offset x of link4; mass, com x, inertia xx yy zz, offset x of link5; mass,
+//     com x, inertia xx yy zz of link6; mass, com x y, inertia xx xy yy zz, offset x of link7
 constexpr double link1_I1 = 0.18019050588928345;
-// kg m^2: mass, com x y, inertia xx yy zz of link1; mass, com z, inertia xx yy zz of link2
+// kg m^2: mass, com x y, inertia zz of link1; mass, com z, inertia xx yy zz of link2
 constexpr double link1_I2 = 0.014259565994474374;
-// kg m^2: mass, com x y, inertia xx yy zz of link1, link3; mass, com x z, inertia xx yy zz of
-//     link2; mass, com x z, inertia xx yy zz, offset x of link4; mass, offset x of link5; mass of
-//     link6, link7
+// kg m^2: mass, com x y, inertia zz of link1, link3; mass, com x z, inertia yy of link2; mass, com
+//     x z, inertia yy, offset x of link4; mass, offset x of link5; mass of link6, link7
 constexpr double link1_I3 = 0.16179265463762763;
 
 // kg m: mass, com x of link2
@@ -160,35 +158,35 @@ constexpr double link2_h2 = -3.104340043512;
 constexpr double link2_I1 = -0.010383014241958914;
 // kg m^2: mass, com y z, inertia yz of link2
 constexpr double link2_I2 = -0.0007689361029464;
-// kg m^2: mass, com x y, inertia xx yy zz of link2, link6; mass, com x z, inertia xx yy zz, offset
-//     y of link3; mass, com x y, inertia xx yy zz, offset x of link4; mass, com x z, inertia xx yy
-//     zz, offset x y of link5; mass, com, inertia xx xy yy zz, offset x of link7
+// kg m^2: mass, com x y, inertia zz of link2, link6; mass, com x z, inertia yy, offset y of link3;
+//     mass, com x y, inertia zz, offset x of link4; mass, com x z, inertia yy, offset x y of link5;
+//     mass, com, inertia xx xy yy, offset x of link7
 constexpr double link2_I3 = 1.6987581449384432;
-// kg m^2: mass, com x y, inertia xx yy zz of link2, link6; mass, com x z, inertia xx yy zz, offset
-//     y of link3; mass, com x y, inertia xx yy zz, offset x of link4; mass, com x z, inertia xx yy
-//     zz, offset x y of link5; mass, com, inertia xx xy yy zz, offset x of link7
+// kg m^2: mass, com x y, inertia xx yy of link2, link6; mass, com x z, inertia xx zz, offset y of
+//     link3; mass, com x y, inertia xx yy, offset x of link4; mass, com x z, inertia xx zz, offset
+//     x y of link5; mass, com, inertia xx xy yy zz, offset x of link7
 constexpr double link2_I4 = -1.4112525630785817;
 // kg m^2: mass, com x y, inertia xy of link2
 constexpr double link2_I5 = 0.00796671776787104;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, com z, inertia xx yy zz, offset y of
-//     link3; mass, com x, offset x of link4; offset x of link5
+// kg m^2: mass, com x y, inertia xx yy of link2; mass, com z, inertia xx yy zz, offset y of link3;
+//     mass, com x, offset x of link4; offset x of link5
 constexpr double link2_I6 = -0.34001233503451994;
 // kg m^2: mass, com x y, inertia xy of link2
 constexpr double link2_I7 = 0.00398335888393552;
 // kg m^2: mass, com x z, inertia xz of link2
 constexpr double link2_I8 = -0.01026110182100817;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, com z, inertia xx yy zz, offset y of
-//     link3; mass, com x, offset x of link4; offset x of link5
+// kg m^2: mass, com x y, inertia zz of link2; mass, com z, inertia xx yy zz, offset y of link3;
+//     mass, com x, offset x of link4; offset x of link5
 constexpr double link2_I9 = 0.3861681000243835;
 // kg m^2: mass, com x, inertia xx yy zz of link2
 constexpr double link2_I10 = 0.023077882494931805;
 // kg m^2: mass, com y, inertia xx yy zz of link2; mass, com z, inertia xx yy zz, offset y of link3;
 //     mass, com x, offset x of link4; offset x of link5
 constexpr double link2_I11 = 0.3630902175294517;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, com x z, inertia xx yy zz, offset y of
-//     link3; mass, com x, offset x of link4; mass, offset x of link5, link7; mass, com x of link6
+// kg m^2: mass, com x y, inertia zz of link2; mass, com x z, inertia yy, offset y of link3; mass,
+//     offset x of link4, link5; mass of link6, link7
 constexpr double link2_I12 = 1.0357790547533403;
-// N m: gravity; mass, com x of link2; offset x of link4, link5
+// N m: gravity; mass, com x of link2
 constexpr double link2_G1 = 0.01993386669246;
 // N m: gravity; mass, com y of link2; mass, com z, offset y of link3; mass, com x, offset x of
 //     link4; offset x of link5
@@ -204,9 +202,9 @@ constexpr double link3_l1 = -0.316;
 constexpr double link3_h1 = 0.684157959872;
 // kg m: mass, com y of link3; mass, com z of link4
 constexpr double link3_h2 = -0.028227094878;
-// kg m^2: mass, com x y, inertia xx yy zz of link3; mass, com x z, inertia xx yy zz, offset x of
-//     link4; mass, com x, inertia xx yy zz, offset x of link5; mass, com x, inertia xx yy zz of
-//     link6; mass, com x y, inertia xx xy yy zz, offset x of link7
+// kg m^2: mass, com x y, inertia xx yy of link3; mass, com x z, inertia xx zz, offset x of link4;
+//     mass, com x, inertia xx yy zz, offset x of link5; mass, com x, inertia xx yy zz of link6;
+//     mass, com x y, inertia xx xy yy zz, offset x of link7
 constexpr double link3_I1 = 0.0984967594701208;
 // kg m^2: mass, com x y, inertia xy of link3; mass, com z, offset x of link4; offset x of link5
 constexpr double link3_I2 = -0.000243824841901488;
@@ -215,19 +213,19 @@ constexpr double link3_I3 = -0.013297019103287584;
 // kg m^2: mass, com x z, inertia xz, offset y of link3; mass, com x y, inertia xy, offset x of
 //     link4; mass, com z, offset x y of link5; mass of link6, link7
 constexpr double link3_I4 = -0.3604456361115751;
-// kg m^2: mass, com x y, inertia xx yy zz of link3; mass, com x z, inertia xx yy zz, offset x of
-//     link4; mass, com x, inertia xx yy zz, offset x of link5; mass, com x, inertia xx yy zz of
-//     link6; mass, com x y, inertia xx xy yy zz, offset x of link7
+// kg m^2: mass, com x y, inertia zz of link3; mass, com x z, inertia yy, offset x of link4; mass,
+//     com x, inertia xx yy zz, offset x of link5; mass, com x, inertia xx yy zz of link6; mass, com
+//     x y, inertia xx xy yy zz, offset x of link7
 constexpr double link3_I5 = 0.14285305739987728;
 // kg m^2: mass, com x z, inertia xz, offset y of link3; mass, com x, offset x of link4; offset x of
 //     link5
 constexpr double link3_I6 = -0.06681619663671426;
 // kg m^2: mass, com x y, inertia xy of link3; mass, com z, offset x of link4; offset x of link5
 constexpr double link3_I7 = -0.000121912420950744;
-// kg m^2: mass, com x y, inertia xx yy zz of link3; mass, com x z, inertia xx yy zz, offset x of
-//     link4; offset x of link5
+// kg m^2: mass, com x y, inertia zz of link3; mass, com x z, inertia xx yy zz, offset x of link4;
+//     offset x of link5
 constexpr double link3_I8 = 0.03817619733278093;
-// kg m^2: mass, com x y, inertia xx yy zz of link3; mass, com x z, inertia xx yy zz, offset x of
+// kg m^2: mass, com x y, inertia xx yy of link3; mass, com x z, inertia xx yy zz, offset x of
 //     link4; offset x of link5
 constexpr double link3_I9 = -0.00618010059697554;
 // kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz of link4
@@ -238,20 +236,20 @@ constexpr double link3_I11 = 0.015998048367902695;
 constexpr double link3_I12 = -0.002328735327435;
 // kg m^2: mass, com x of link3; mass, com x, offset x of link4; offset x of link5
 constexpr double link3_I13 = 0.016011409030815;
-// kg m^2: mass, com x y, inertia xx yy zz of link3; mass, com x z, inertia xx yy zz, offset x of
-//     link4; mass, offset x of link5; mass of link6, link7
+// kg m^2: mass, com x y, inertia zz of link3; mass, com x z, inertia yy, offset x of link4; mass,
+//     offset x of link5; mass of link6, link7
 constexpr double link3_I14 = 0.12445520614822143;
-// kg m^2: mass, com x y, inertia xx yy zz, offset y of link3; mass, com, inertia xx yy zz, offset x
-//     of link4; mass, com y z, inertia xx yy zz, offset x y of link5; mass, com, inertia xx yy zz
-//     of link6; mass, com, inertia xx xy yy zz, offset x of link7
+// kg m^2: mass, com x, inertia xx yy zz, offset y of link3; mass, com x y, inertia xx yy, offset x
+//     of link4; mass, com y z, inertia xx, offset x y of link5; mass, com y z, inertia xx of link6;
+//     mass, com, inertia xx xy yy of link7
 constexpr double link3_I15 = -1.103283039275358;
-// kg m^2: mass, com x y, inertia xx yy zz, offset y of link3; mass, com, inertia xx yy zz, offset x
-//     of link4; mass, com y z, inertia xx yy zz, offset x y of link5; mass, com, inertia xx yy zz
-//     of link6; mass, com, inertia xx xy yy zz, offset x of link7
+// kg m^2: mass, com x y, inertia xx yy of link3; mass, com y z, inertia xx, offset x of link4;
+//     mass, com y z, inertia xx, offset x y of link5; mass, com y z, inertia xx of link6; mass,
+//     com, inertia xx xy yy of link7
 constexpr double link3_I16 = 0.5781272906946228;
 // N m: gravity; mass, com x of link3; mass, com x, offset x of link4; offset x of link5
 constexpr double link3_G1 = -1.90390209202782;
-// N m: gravity; mass, com y of link3; mass, com z, offset x of link4; offset x of link5
+// N m: gravity; mass, com y of link3; mass, com z of link4
 constexpr double link3_G2 = 0.27690780075318;
 
 // ratio: offset x of link4; offset x y of link5
@@ -266,9 +264,8 @@ constexpr double link4_l1 = 0.0825;
 constexpr double link4_h1 = 0.49008027465;
 // kg m: mass, com y of link4; mass, com z, offset y of link5; mass of link6, link7
 constexpr double link4_h2 = 1.720683553603;
-// kg m^2: mass, com x y, inertia xx yy zz, offset x of link4; mass, com x z, inertia xx yy zz,
-//     offset x y of link5; mass, com x y, inertia xx yy zz of link6; mass, com, inertia xx xy yy
-//     zz, offset x of link7
+// kg m^2: mass, com x y, inertia zz, offset x of link4; mass, com x z, inertia yy, offset x y of
+//     link5; mass, com x y, inertia zz of link6; mass, com, inertia xx xy yy, offset x of link7
 constexpr double link4_I1 = 0.662979090185103;
 // kg m^2: mass, com x, offset x of link4; mass, offset x of link5; mass of link6, link7
 constexpr double link4_I2 = 0.040431622658625;
@@ -277,9 +274,9 @@ constexpr double link4_I3 = 0.1419563931722475;
 // kg m^2: mass, com x y, inertia xy, offset x of link4; mass, com z, offset x y of link5; mass of
 //     link6, link7
 constexpr double link4_I4 = 0.2775281453709217;
-// kg m^2: mass, com x y, inertia xx yy zz, offset x of link4; mass, com x z, inertia xx yy zz,
-//     offset x y of link5; mass, com x y, inertia xx yy zz of link6; mass, com, inertia xx xy yy
-//     zz, offset x of link7
+// kg m^2: mass, com x y, inertia xx yy, offset x of link4; mass, com x z, inertia xx zz, offset x y
+//     of link5; mass, com x y, inertia xx yy of link6; mass, com, inertia xx xy yy zz, offset x of
+//     link7
 constexpr double link4_I5 = -0.5344886153681603;
 // kg m^2: mass, com x z, inertia xz of link4; mass, com x y, inertia xy of link5
 constexpr double link4_I6 = -0.00239011055294907;
@@ -301,15 +298,14 @@ constexpr double link4_I11 = 0.3087998849151318;
 constexpr double link4_I12 = 0.07937575371526084;
 // kg m^2: mass, com x, inertia xx yy zz, offset x of link4; offset x of link5
 constexpr double link4_I13 = 0.0054157634981905;
-// kg m^2: mass, com x y, inertia xx yy zz, offset x of link4; mass, com z, inertia xx yy zz, offset
-//     x y of link5; mass, com x of link6; offset x of link7
+// kg m^2: mass, com x y, inertia zz, offset x of link4; mass, com z, inertia xx yy zz, offset x y
+//     of link5; mass, com x of link6; offset x of link7
 constexpr double link4_I14 = 0.3142156484133223;
-// kg m^2: mass, com x y, inertia xx yy zz, offset x of link4; mass, com z, inertia xx yy zz, offset
-//     x y of link5; mass, com x of link6; offset x of link7
+// kg m^2: mass, com x y, inertia xx yy, offset x of link4; mass, com z, inertia xx yy zz, offset x
+//     y of link5; mass, com x of link6; offset x of link7
 constexpr double link4_I15 = 0.30338412141694127;
-// kg m^2: mass, com x y, inertia xx yy zz, offset x of link4; mass, com y z, inertia xx yy zz,
-//     offset x y of link5; mass, com, inertia xx yy zz of link6; mass, com, inertia xx xy yy zz,
-//     offset x of link7
+// kg m^2: mass, com x y, inertia xx yy, offset x of link4; mass, com y z, inertia xx, offset x y of
+//     link5; mass, com y z, inertia xx of link6; mass, com, inertia xx xy yy of link7
 constexpr double link4_I16 = 0.5665314265994568;
 // s^-2: gravity; offset x of link4, link5
 constexpr double link4_p1 = -118.9090909090909;
@@ -332,8 +328,8 @@ constexpr double link5_I3 = 0.00303048894665406;
 constexpr double link5_I4 = 0.004484246605646421;
 // kg m^2: offset x of link4; mass, com y, offset x of link5; mass, com z of link6
 constexpr double link5_I5 = 0.0055993270925625;
-// kg m^2: mass, com y, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6; mass, com
-//     x y, inertia xx xy yy zz of link7
+// kg m^2: mass, com y, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6; com x y,
+//     inertia xx xy yy zz of link7
 constexpr double link5_I6 = 0.013644959979640612;
 // kg m^2: mass, com y z, inertia yz, offset y of link5; mass, com z of link6
 constexpr double link5_I7 = 0.02389827041510187;
@@ -341,61 +337,55 @@ constexpr double link5_I7 = 0.02389827041510187;
 constexpr double link5_I8 = -0.001026787777028894;
 // kg m^2: mass, com y, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link5_I9 = 0.010045187828321245;
-// kg m^2: mass, com x y, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: mass, com x y, inertia xx yy of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link5_I10 = 0.00859403176329453;
 // kg m^2: mass, com x y, inertia xy of link5
 constexpr double link5_I11 = 0.00151524447332703;
 // kg m^2: mass, com x, inertia xx yy zz of link5
 constexpr double link5_I12 = 0.001451156065026714;
-// kg m^2: mass, com x y, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: mass, com x y, inertia zz of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link5_I13 = 0.011496343893347959;
-// kg m^2: mass, com x y, inertia xx yy zz of link5; mass, com x z, inertia xx yy zz of link6; mass,
-//     com x y, inertia xx xy yy zz, offset x of link7
+// kg m^2: mass, com x y, inertia xx yy of link5; mass, com x z, inertia xx zz of link6; mass, com x
+//     y, inertia xx xy yy, offset x of link7
 constexpr double link5_I14 = 0.004752891272015237;
-// kg m^2: mass, com x y, inertia xx yy zz of link5; mass, com x z, inertia xx yy zz of link6; mass,
-//     com x y, inertia xx yy zz, offset x of link7
+// kg m^2: mass, com x y, inertia zz of link5; mass, com x z, inertia yy of link6; mass, com x y,
+//     inertia zz, offset x of link7
 constexpr double link5_I15 = 0.03204281123129646;
 
 // kg m: mass, com y of link6; mass, com z of link7
 constexpr double link6_h1 = 0.068832705569;
 // kg m: mass, com x of link6; mass, offset x of link7
 constexpr double link6_h2 = 0.164967552695;
-// kg m^2: mass, com x y, inertia xx yy zz of link6; mass, com, inertia xx xy yy zz, offset x of
-//     link7
+// kg m^2: mass, com x y, inertia xx yy of link6; mass, com, inertia xx xy yy zz, offset x of link7
 constexpr double link6_I1 = 0.0034383574409692415;
-// kg m^2: offset x of link4, link5; mass, com x y, inertia xy of link6; mass, com z, offset x of
-//     link7
+// kg m^2: mass, com x y, inertia xy of link6; mass, com z, offset x of link7
 constexpr double link6_I2 = 0.01102206876535063;
 // kg m^2: offset x of link4, link5; mass, com y of link6; mass, com z of link7
 constexpr double link6_I3 = 0.0056786982094425;
-// kg m^2: mass, com x z, inertia xz of link6; mass, com x y, inertia xx xy yy zz of link7
+// kg m^2: mass, com x z, inertia xz of link6; com x y, inertia xx xy yy of link7
 constexpr double link6_I4 = 0.0006609405457638925;
 // kg m^2: mass, com y z, inertia yz of link6
 constexpr double link6_I5 = -9.3569097314605e-05;
-// kg m^2: mass, com x y, inertia xx yy zz of link6; mass, com, inertia xx xy yy zz, offset x of
-//     link7
+// kg m^2: mass, com x y, inertia zz of link6; mass, com, inertia xx xy yy, offset x of link7
 constexpr double link6_I6 = 0.030455032932289027;
 // kg m^2: offset x of link4, link5; mass, com x of link6; mass, offset x of link7
 constexpr double link6_I7 = 0.0136098230973375;
 // kg m^2: mass, com x z, inertia xz of link6
 constexpr double link6_I8 = 0.000103758917218685;
-// kg m^2: offset x of link4, link5; mass, com x y, inertia xy of link6; mass, com z, offset x of
-//     link7
+// kg m^2: mass, com x y, inertia xy of link6; mass, com z, offset x of link7
 constexpr double link6_I9 = 0.005511034382675315;
-// kg m^2: mass, com x y, inertia xx yy zz of link6; mass, com z, inertia xx yy zz, offset x of
-//     link7
+// kg m^2: mass, com x y, inertia zz of link6; mass, com z, inertia xx yy zz, offset x of link7
 constexpr double link6_I10 = 0.014628008479087448;
-// kg m^2: offset x of link4, link5; mass, com x y, inertia xx yy zz of link6; mass, com z, inertia
-//     xx yy zz, offset x of link7
+// kg m^2: mass, com x y, inertia xx yy of link6; mass, com z, inertia xx yy zz, offset x of link7
 constexpr double link6_I11 = 0.012388667012232337;
 // kg m^2: offset x of link4, link5; mass, com x of link6; mass, offset x of link7
 constexpr double link6_I12 = 0.012759209153753906;
 // kg m^2: mass, com y, inertia xx yy zz of link6; mass, com z, inertia xx yy zz of link7
 constexpr double link6_I13 = 0.013508337745659894;
-// kg m^2: offset x of link4, link5, link7; mass, com x, inertia xx yy zz of link6
+// kg m^2: mass, com x, inertia xx yy zz of link6; offset x of link7
 constexpr double link6_I14 = 0.001119670733427555;
 
-// ratio: mass, com x y of link7
+// ratio: com x y of link7
 constexpr double link7_k1 = -0.3842058806066518;
 // m: offset x of link7
 constexpr double link7_l1 = 0.088;
@@ -403,31 +393,31 @@ constexpr double link7_l1 = 0.088;
 constexpr double link7_l2 = 0.107;
 // kg m: mass, com x y of link7
 constexpr double link7_h1 = 0.008343776383464369;
-// kg m^2: mass, com x y, inertia xx yy zz of link7
+// kg m^2: mass, com x y, inertia zz of link7
 constexpr double link7_I1 = 0.004909651967360946;
-// kg m^2: offset x of link4, link5; mass, com x y, offset x of link7
+// kg m^2: mass, com x y, offset x of link7
 constexpr double link7_I2 = 0.0007342523217448644;
 // kg m^2: mass, com, inertia xz yz of link7
 constexpr double link7_I3 = 0.0013450149983408877;
-// kg m^2: mass, com, inertia xz yz of link7
+// kg m^2: com x y, inertia xz yz of link7
 constexpr double link7_I4 = 0.00113526676062776;
-// kg m^2: mass, com x y, inertia xx xy yy zz of link7
+// kg m^2: mass, com x y, inertia xx xy yy of link7
 constexpr double link7_I5 = -0.0022898923352777873;
-// kg m^2: mass, com x y, inertia xx xy yy zz of link7
+// kg m^2: com x y, inertia xx xy yy of link7
 constexpr double link7_I6 = -0.0011143632570904149;
-// kg m^2: offset x of link4, link5; mass, com x y, offset x of link7
+// kg m^2: mass, com x y, offset x of link7
 constexpr double link7_I7 = 0.0014685046434897288;
-// kg m^2: offset x of link4; offset x y of link5; mass, com x y of link7
+// kg m^2: offset y of link5; mass, com x y of link7
 constexpr double link7_I8 = 0.0032040101312503172;
 // kg m^2: offset x of link4, link5; mass, com x y of link7
 constexpr double link7_I9 = 0.0006883615516358103;
-// kg m^2: mass, com x y, inertia xx xy yy zz of link7
+// kg m^2: com x y, inertia xx xy yy zz of link7
 constexpr double link7_I10 = 0.0035997721513193665;
-// kg m^2: mass, com x y, inertia xx xy yy zz of link7
+// kg m^2: com x y, inertia xx xy yy of link7
 constexpr double link7_I11 = -0.0005571816285452074;
 // kg m^2: mass, com x y, inertia xx xy yy zz of link7
 constexpr double link7_I12 = 0.0013098798160415795;
-// kg^-1 m^-2: mass, com x y, inertia xx yy zz of link7
+// kg^-1 m^-2: mass, com x y, inertia zz of link7
 constexpr double link7_p1 = 203.68042513969144;
 
 }  // namespace

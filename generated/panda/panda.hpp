@@ -29,7 +29,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xc78c42d326a1d99aULL;
+constexpr unsigned long long kDigest = 0x571e0443085f3092ULL;
 
 /// Index of every joint.
 namespace joint {

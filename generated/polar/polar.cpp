@@ -9,7 +9,7 @@
 
 namespace polar {
 
-static_assert(kDigest == 0xda46c01971f1b743ULL, "header and source are of different runs");
+static_assert(kDigest == 0xf43bdd14b40d6cafULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -83,14 +83,14 @@ namespace {
 // m/s^2: gravity
 constexpr double base_g1 = -9.81;
 
-// kg m^2: inertia xx yy zz of shoulder_link; mass, com z, inertia xx yy zz of boom
+// kg m^2: inertia yy of shoulder_link; mass, com z, inertia xx yy of boom
 constexpr double shoulder_I1 = 2.528;
 
 // kg: mass of boom
 constexpr double boom_m1 = 4.25;
 // kg: mass of boom
 constexpr double boom_m2 = 8.5;
-// m: mass, com z of boom
+// m: com z of boom
 constexpr double boom_l1 = -0.6447;
 // m: offset y of boom
 constexpr double boom_l2 = 0.154;

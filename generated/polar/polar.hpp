@@ -24,7 +24,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xda46c01971f1b743ULL;
+constexpr unsigned long long kDigest = 0xf43bdd14b40d6cafULL;
 
 /// Index of every joint.
 namespace joint {

@@ -9,7 +9,7 @@
 
 namespace puma560 {
 
-static_assert(kDigest == 0x2d4b8fbc336364c3ULL, "header and source are of different runs");
+static_assert(kDigest == 0xb110384207c19ac7ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -137,16 +137,16 @@ namespace {
 // m/s^2: gravity
 constexpr double base_g1 = -9.81;
 
-// kg m^2: inertia zz of link1; mass, com, inertia xx yy zz, offset y of link2; mass, com y z,
-//     inertia xx yy zz, offset x z of link3; mass, com z, inertia xx yy zz, offset x y of link4;
-//     mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: inertia zz of link1; mass, com x z, inertia yy, offset y of link2; mass, com y z, inertia
+//     xx zz, offset x z of link3; mass, com z, inertia xx yy, offset y of link4; mass, inertia xx
+//     yy of link5; mass, com z, inertia xx yy of link6
 constexpr double link1_I1 = 3.453599449;
-// kg m^2: inertia zz of link1; mass, com x z, inertia xx yy zz, offset y of link2; mass, com z,
-//     inertia xx yy zz, offset x z of link3
+// kg m^2: inertia zz of link1; mass, com x z, inertia yy, offset y of link2; mass, com z, inertia
+//     xx yy zz, offset x z of link3
 constexpr double link1_I2 = 2.88549059;
-// kg m^2: inertia zz of link1; mass, com x z, inertia xx yy zz, offset y of link2; mass, com z,
-//     inertia xx yy zz, offset x z of link3; mass, inertia xx yy zz, offset x of link4; mass,
-//     inertia xx yy zz of link5, link6
+// kg m^2: inertia zz of link1; mass, com x z, inertia yy, offset y of link2; mass, com z, inertia
+//     xx yy zz, offset x z of link3; mass, inertia xx yy zz, offset x of link4; mass, inertia xx yy
+//     of link5; mass, inertia xx yy zz of link6
 constexpr double link1_I3 = 3.155122265;
 
 // ratio: offset y of link2; offset z of link3; offset x of link4
@@ -161,23 +161,23 @@ constexpr double link2_l2 = 0.3002;
 constexpr double link2_I1 = 0.023751;
 // kg m^2: mass, com x y of link2
 constexpr double link2_I2 = 0.0141984;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3; mass of link4, link5,
+// kg m^2: mass, com x y, inertia xx yy of link2; mass, offset x of link3; mass of link4, link5,
 //     link6
 constexpr double link2_I3 = 1.601861202;
-// kg m^2: mass, com x z, offset y of link2; mass, com z, offset x z of link3; mass, offset x of
-//     link4; mass of link5, link6
+// kg m^2: mass, com x z, offset y of link2; mass, com z, offset x z of link3; mass of link4, link5,
+//     link6
 constexpr double link2_I4 = 0.690314699;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, com y, inertia xx yy zz, offset x of
-//     link3; mass, com z, inertia xx yy zz, offset x y of link4; mass, inertia xx yy zz of link5;
-//     mass, com z, inertia xx yy zz of link6
+// kg m^2: mass, com x y, inertia zz of link2; mass, com y, inertia xx zz, offset x of link3; mass,
+//     com z, inertia xx yy, offset x y of link4; mass, inertia xx yy zz of link5; mass, com z,
+//     inertia xx yy of link6
 constexpr double link2_I5 = 2.061861411;
 // kg m^2: mass, com x y of link2
 constexpr double link2_I6 = 0.0070992;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3
+// kg m^2: mass, com x y, inertia xx yy of link2; mass, offset x of link3
 constexpr double link2_I7 = 1.368797152;
 // kg m^2: mass, com x z, offset y of link2; mass, com z, offset x z of link3
 constexpr double link2_I8 = 0.609298224;
-// kg m^2: mass, com x y, inertia xx yy zz of link2; mass, offset x of link3
+// kg m^2: mass, com x y, inertia zz of link2; mass, offset x of link3
 constexpr double link2_I9 = 1.515049952;
 // N m: gravity; mass, com x of link2; mass, offset x of link3; mass of link4, link5, link6
 constexpr double link2_G1 = -37.2347379;
@@ -194,26 +194,26 @@ constexpr double link3_l1 = 0.4318;
 constexpr double link3_h1 = -0.861795;
 // kg m: mass, com y of link3; mass, com z of link4
 constexpr double link3_h2 = 0.32042;
-// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
-//     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: mass, com y, inertia xx zz of link3; mass, com z, inertia xx yy, offset x y of link4;
+//     mass, inertia xx yy zz of link5; mass, com z, inertia xx yy of link6
 constexpr double link3_I1 = 0.313747409;
 // kg m^2: mass, com y of link3; mass, com z, offset x y of link4; mass of link5, link6
 constexpr double link3_I2 = 0.0174944385;
 // kg m^2: mass, com y z of link3
 constexpr double link3_I3 = -0.004704;
 // kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
-//     link4; mass, inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+//     link4; mass, inertia xx yy of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link3_I4 = 0.298477184;
-// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset x y of
-//     link4; mass of link5, link6
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy, offset x y of link4;
+//     mass of link5, link6
 constexpr double link3_I5 = -0.299575024;
 // kg m^2: inertia xx yy zz of link3
 constexpr double link3_I6 = 0.00625;
-// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy, offset y of link4
 constexpr double link3_I7 = 0.071870624;
-// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
+// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy, offset y of link4
 constexpr double link3_I8 = -0.065620624;
-// kg m^2: mass, com y, inertia xx yy zz of link3; mass, com z, inertia xx yy zz, offset y of link4
+// kg m^2: mass, com y, inertia xx zz of link3; mass, com z, inertia xx yy, offset y of link4
 constexpr double link3_I9 = 0.078120624;
 // N m: gravity; mass, com y of link3; mass, com z, offset y of link4; mass of link5, link6
 constexpr double link3_G1 = 8.45420895;
@@ -228,10 +228,9 @@ constexpr double link4_l2 = -0.4331;
 constexpr double link4_h1 = -0.025375;
 // kg m^2: mass, com z, offset x y of link4; mass of link5, link6
 constexpr double link4_I1 = 0.021347277;
-// kg m^2: inertia xx yy zz of link4, link5, link6
+// kg m^2: inertia xx yy zz of link4, link6; inertia xx yy of link5
 constexpr double link4_I2 = 0.00164;
-// kg m^2: mass, com z, inertia xx yy zz, offset y of link4; mass, inertia xx yy zz of link5; mass,
-//     com z, inertia xx yy zz of link6
+// kg m^2: inertia xx yy of link4, link6; inertia xx yy zz of link5
 constexpr double link4_I3 = -0.0001;
 // kg m^2: mass, offset x of link4; mass of link5, link6
 constexpr double link4_I4 = 0.0005151125;
@@ -241,35 +240,35 @@ constexpr double link4_I5 = 0.0013;
 constexpr double link4_I6 = 0.0106736385;
 // kg m^2: mass, com z, offset x of link4
 constexpr double link4_I7 = 0.000316274;
-// kg m^2: inertia xx yy zz of link4, link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: inertia xx yy zz of link4; inertia xx yy of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link4_I8 = -0.00109784;
 // N m: gravity; mass, offset x of link4; mass of link5, link6
 constexpr double link4_G1 = 0.24892875;
 
-// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy of link6
 constexpr double link5_I1 = 0.00064216;
-// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: inertia xx yy of link5; mass, com z, inertia xx yy zz of link6
 constexpr double link5_I2 = 0.00020216;
-// kg m^2: inertia xx yy zz of link5
+// kg m^2: inertia xx yy of link5
 constexpr double link5_I3 = 0.0003;
-// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: inertia xx yy of link5; mass, com z, inertia xx yy of link6
 constexpr double link5_I4 = 0.00024216;
-// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: inertia xx yy of link5; mass, com z, inertia xx yy of link6
 constexpr double link5_I5 = 0.00054216;
-// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg m^2: inertia xx yy zz of link5; mass, com z, inertia xx yy of link6
 constexpr double link5_I6 = 0.00034216;
-// kg^-1 m^-2: inertia xx yy zz of link5; mass, com z, inertia xx yy zz of link6
+// kg^-1 m^-2: inertia xx yy zz of link5; mass, com z, inertia xx yy of link6
 constexpr double link5_p1 = 1557.2443004858603;
 
 // kg m: mass, com z of link6
 constexpr double link6_h1 = 0.00288;
 // kg m^2: inertia xx yy zz of link6
 constexpr double link6_I1 = 4e-05;
-// kg m^2: offset x y of link4; mass, com z of link6
+// kg m^2: offset y of link4; mass, com z of link6
 constexpr double link6_I2 = -0.001247328;
 // kg m^2: offset x of link4; mass, com z of link6
 constexpr double link6_I3 = -5.8464e-05;
-// kg m^2: offset x y of link4; mass, com z of link6
+// kg m^2: offset y of link4; mass, com z of link6
 constexpr double link6_I4 = -0.002494656;
 // N m: gravity; mass, com z of link6
 constexpr double link6_G1 = -0.0282528;

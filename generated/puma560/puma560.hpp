@@ -25,7 +25,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x2d4b8fbc336364c3ULL;
+constexpr unsigned long long kDigest = 0xb110384207c19ac7ULL;
 
 /// Index of every joint.
 namespace joint {

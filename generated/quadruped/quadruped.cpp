@@ -9,7 +9,7 @@
 
 namespace quadruped {
 
-static_assert(kDigest == 0xc7ef33515b45f4cbULL, "header and source are of different runs");
+static_assert(kDigest == 0x866a09031a2efce5ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -370,10 +370,10 @@ namespace {
 constexpr double front_left_hip_l1 = 0.19;
 // m: offset y of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip
 constexpr double front_left_hip_l2 = 0.049;
-// kg m^2: mass, com y, inertia xx yy zz of front_left_hip, front_right_hip, hind_left_hip,
-//     hind_right_hip; mass, com y z, inertia xx yy zz, offset y of front_left_thigh,
-//     front_right_thigh, hind_left_thigh, hind_right_thigh; mass, com z, inertia xx yy zz, offset z
-//     of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
+// kg m^2: mass, com y, inertia xx of front_left_hip, front_right_hip, hind_left_hip,
+//     hind_right_hip; mass, com y z, inertia xx, offset y of front_left_thigh, front_right_thigh,
+//     hind_left_thigh, hind_right_thigh; mass, com z, inertia xx, offset z of front_left_shank,
+//     front_right_shank, hind_left_shank, hind_right_shank
 constexpr double front_left_hip_I1 = 0.01069944;
 // N m: gravity; mass, com y of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip;
 //     mass, com y, offset y of front_left_thigh, front_right_thigh, hind_left_thigh,
@@ -383,7 +383,7 @@ constexpr double front_left_hip_G1 = -0.7147566;
 
 // m: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
 constexpr double front_left_thigh_l1 = 0.062;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
+// kg m^2: mass, com z, inertia xx zz of front_left_thigh, front_right_thigh, hind_left_thigh,
 //     hind_right_thigh; mass, offset z of front_left_shank, front_right_shank, hind_left_shank,
 //     hind_right_shank
 constexpr double front_left_thigh_I1 = 0.004624184;
@@ -395,13 +395,13 @@ constexpr double front_left_thigh_I2 = 2.6e-05;
 constexpr double front_left_thigh_I3 = -0.001819852;
 // kg m^2: inertia xy of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
 constexpr double front_left_thigh_I4 = 0.000245;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
-//     hind_right_thigh; mass, com z, inertia xx yy zz, offset z of front_left_shank,
-//     front_right_shank, hind_left_shank, hind_right_shank
+// kg m^2: mass, com z, inertia yy of front_left_thigh, front_right_thigh, hind_left_thigh,
+//     hind_right_thigh; mass, com z, inertia yy, offset z of front_left_shank, front_right_shank,
+//     hind_left_shank, hind_right_shank
 constexpr double front_left_thigh_I5 = 0.005638328;
 // kg m^2: inertia xz of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh
 constexpr double front_left_thigh_I6 = 1.3e-05;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_thigh, front_right_thigh, hind_left_thigh,
+// kg m^2: mass, com z, inertia yy of front_left_thigh, front_right_thigh, hind_left_thigh,
 //     hind_right_thigh; mass, offset z of front_left_shank, front_right_shank, hind_left_shank,
 //     hind_right_shank
 constexpr double front_left_thigh_I7 = 0.005152184;
@@ -411,21 +411,19 @@ constexpr double front_left_thigh_I7 = 0.005152184;
 constexpr double front_left_thigh_G1 = 0.25560936;
 
 // ratio: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
-//     com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
-//     hind_right_shank
+//     com z, inertia yy of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
 constexpr double front_left_shank_k1 = -0.4978936282253818;
 // m: offset z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
 constexpr double front_left_shank_l1 = -0.209;
 // m: points of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
 constexpr double front_left_shank_l2 = -0.175;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
+// kg m^2: mass, com z, inertia yy of front_left_shank, front_right_shank, hind_left_shank,
 //     hind_right_shank
 constexpr double front_left_shank_I1 = 0.000486144;
 // kg m^2: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
 //     com z of front_left_shank, front_right_shank, hind_left_shank, hind_right_shank
 constexpr double front_left_shank_I2 = -0.000242048;
-// kg m^2: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
-//     com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
+// kg m^2: mass, com z, inertia xx zz of front_left_shank, front_right_shank, hind_left_shank,
 //     hind_right_shank
 constexpr double front_left_shank_I3 = 0.000477144;
 // kg m^2: mass, com z, offset z of front_left_shank, front_right_shank, hind_left_shank,
@@ -434,7 +432,7 @@ constexpr double front_left_shank_I4 = 0.001631872;
 // kg m^2: mass, com z, offset z of front_left_shank, front_right_shank, hind_left_shank,
 //     hind_right_shank
 constexpr double front_left_shank_I5 = 0.000815936;
-// kg m^2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank, hind_left_shank,
+// kg m^2: mass, com z, inertia xx zz of front_left_shank, front_right_shank, hind_left_shank,
 //     hind_right_shank
 constexpr double front_left_shank_I6 = 0.000954288;
 // kg m^2: offset y of front_left_thigh, front_right_thigh, hind_left_thigh, hind_right_thigh; mass,
@@ -444,8 +442,8 @@ constexpr double front_left_shank_I7 = 0.0005976581569246972;
 // N m: gravity; mass, com z of front_left_shank, front_right_shank, hind_left_shank,
 //     hind_right_shank
 constexpr double front_left_shank_G1 = 0.03829824;
-// kg^-1 m^-2: mass, com z, inertia xx yy zz of front_left_shank, front_right_shank,
-//     hind_left_shank, hind_right_shank
+// kg^-1 m^-2: mass, com z, inertia yy of front_left_shank, front_right_shank, hind_left_shank,
+//     hind_right_shank
 constexpr double front_left_shank_p1 = 2057.0036861506055;
 
 }  // namespace

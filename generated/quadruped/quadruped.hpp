@@ -37,7 +37,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xc7ef33515b45f4cbULL;
+constexpr unsigned long long kDigest = 0x866a09031a2efce5ULL;
 
 /// Index of every joint.
 namespace joint {

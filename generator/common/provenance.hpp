@@ -4,6 +4,7 @@
 #include <compare>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -86,9 +87,10 @@ struct Provenance {
   auto operator<=>(const Provenance&) const = default;
 };
 
-/// The source of a number that is seen as another one, or of its negative. Null: of the equations,
-/// or not known.
-const Provenance* provenance_of(const Real& number);
+/// The source of a number that is seen as another one, or of its negative. None: of the equations,
+/// or not known. What has cancelled is not in it: how a number changes with those of the robot is
+/// worked out from the operations that made it, at the stand-ins. O(n log n) for n operations
+std::optional<Provenance> provenance_of(const Real& number);
 
 /// All that a thread knows of numbers. What a task found out in another thread is learned when it
 /// is done (common/parallel.hpp).
@@ -96,18 +98,23 @@ class Sources;
 std::shared_ptr<Sources> copy_of_sources();
 /// \return those that the thread had
 std::shared_ptr<Sources> exchange_sources(std::shared_ptr<Sources> of_thread);
-/// Learns those of a task; of two of one number the one with less in it counts. Of another robot,
+/// Learns those of a task; of two ways to one number that of the caller counts. Of another robot,
 /// or of more of its numbers, those of the task replace what was known. O(n)
 void learn_sources(const Sources& of_task);
 
 /// The numbers of the robot that is worked on, and of its scene behind them, the same one twice if
 /// several parts share a stand-in. What is known of another robot is forgotten.
-void begin_provenance(const std::vector<std::pair<Real, Provenance>>& numbers);
+/// \param like  for each link the first one that is like it: what is equal in such links may
+/// cancel, of other equal numbers it is told that they once were there; empty: no link is like
+/// another
+void begin_provenance(const std::vector<std::pair<Real, Provenance>>& numbers,
+                      const std::vector<int>& like = {});
 
-/// What was made of two numbers.
+/// What was made of two numbers, by an operation with two operands.
 void note_result(RecipeKind kind, const Real& a, const Real& b, const Real& result);
-void note_root(const Real& of, const Real& result);
-/// A number without unit that was made of others.
+/// A root, sine or cosine.
+void note_result(RecipeKind kind, const Real& of, const Real& result);
+/// A number without unit that was made of others, nobody says how.
 void note_ratio(std::span<const Real> of, const Real& result);
 
 }  // namespace treedyn

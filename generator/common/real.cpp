@@ -20,6 +20,11 @@ void note_source(RecipeKind kind, const Real& a, const Real& b, const Real& resu
     note_result(kind, a, b, result);
   }
 }
+void note_source(RecipeKind kind, const Real& of, const Real& result) {
+  if (is_made_of_robot(result)) {
+    note_result(kind, of, result);
+  }
+}
 
 struct HashOfTwo {
   std::size_t operator()(const std::pair<Digits, Digits>& of) const {
@@ -150,9 +155,7 @@ Real sqrt(const Real& x) {
     result.seen_ = root(-x.seen());
   }
   result.recipe_ = recipe_of(RecipeKind::kSqrt, x);
-  if (is_made_of_robot(result)) {
-    note_root(x, result);
-  }
+  note_source(RecipeKind::kSqrt, x, result);
   return result;
 }
 Real sin(const Real& x) {
@@ -160,14 +163,16 @@ Real sin(const Real& x) {
     return remembered(a, [](const Digits& of) { return Digits(sin(of)); });
   });
   result.recipe_ = recipe_of(RecipeKind::kSin, x);
-  return ratio(x, result);
+  note_source(RecipeKind::kSin, x, result);
+  return result;
 }
 Real cos(const Real& x) {
   Real result = Real::map(x, [](const Digits& a) {
     return remembered(a, [](const Digits& of) { return Digits(cos(of)); });
   });
   result.recipe_ = recipe_of(RecipeKind::kCos, x);
-  return ratio(x, result);
+  note_source(RecipeKind::kCos, x, result);
+  return result;
 }
 Real tan(const Real& x) {
   return ratio(x, Real::map(x, [](const Digits& a) { return Digits(tan(a)); }));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -217,19 +218,18 @@ std::vector<DescribedNumber> described(const std::vector<Real>& numbers, const V
   std::vector<DescribedNumber> result;
   std::map<std::string, int> counts;
   for (const Real& number : numbers) {
-    const Provenance* const source = provenance_of(number);
-    const std::string stem = source == nullptr ? "n" : stem_of(*source, words);
-    result.push_back({fmt::format("{}{}", stem, ++counts[stem]),
-                      source == nullptr
-                          ? std::string()
-                          : unit_text(source->dimension) + source_text(*source, words)});
+    const std::optional<Provenance> source = provenance_of(number);
+    const std::string stem = !source ? "n" : stem_of(*source, words);
+    result.push_back(
+        {fmt::format("{}{}", stem, ++counts[stem]),
+         !source ? std::string() : unit_text(source->dimension) + source_text(*source, words)});
   }
   return result;
 }
 
 void ConstantNames::add(const Real& value, const Vocabulary& words) {
-  const Provenance* const source = provenance_of(value);
-  if (source == nullptr || value.recipe() != 0 || find(value) != nullptr) {
+  std::optional<Provenance> source = provenance_of(value);
+  if (!source || value.recipe() != 0 || find(value) != nullptr) {
     return;
   }
   const int link = owner(*source);
@@ -242,7 +242,7 @@ void ConstantNames::add(const Real& value, const Vocabulary& words) {
     name = fmt::format("{}{}", stem, number);
   } while (is_reserved(name) || !taken_.insert(name).second);
   by_value_.emplace(static_cast<double>(value.seen()), entries_.size());
-  entries_.push_back({value, source, link, letter, number, name});
+  entries_.push_back({value, *std::move(source), link, letter, number, name});
 }
 
 const std::string* ConstantNames::find(const Real& constant) const {
@@ -267,7 +267,7 @@ std::string ConstantNames::table(const Vocabulary& words, Scalar scalar) const {
     return {};
   }
   const bool has_scene = std::ranges::any_of(entries_, [](const Entry& entry) {
-    return std::ranges::any_of(entry.source->origins, [](const Origin& origin) {
+    return std::ranges::any_of(entry.source.origins, [](const Origin& origin) {
       return origin.part == ModelPart::kScene;
     });
   });
@@ -284,8 +284,8 @@ std::string ConstantNames::table(const Vocabulary& words, Scalar scalar) const {
   for (const Entry& entry : entries_) {
     result += entry.link != link ? "\n" : "";
     link = entry.link;
-    const std::string unit = unit_text(entry.source->dimension);
-    result += wrapped(unit + source_text(*entry.source, words), "// ", 4) +
+    const std::string unit = unit_text(entry.source.dimension);
+    result += wrapped(unit + source_text(entry.source, words), "// ", 4) +
               fmt::format("constexpr {} {} = {};\n", type_name(scalar), entry.name,
                           literal(entry.value, scalar));
   }

@@ -37,7 +37,7 @@ class ConstantNames {
  private:
   struct Entry {
     Real value;
-    const Provenance* source;
+    Provenance source;
     int link;
     char letter;
     int number;

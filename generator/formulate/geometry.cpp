@@ -122,9 +122,8 @@ Turn turn_to(const Real& x, const Real& y) {
     });
   };
   const Turn turn = {part(x, 1), part(y, 0)};
-  const std::array of = {x, y};
-  note_ratio(of, turn.c);
-  note_ratio(of, turn.s);
+  note_result(RecipeKind::kDivide, x, length, turn.c);
+  note_result(RecipeKind::kDivide, y, length, turn.s);
   return clean(turn);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/provenance.hpp"
+#include "formulate/find_limbs.hpp"
 #include "formulate/scene_numbers.hpp"
 
 namespace treedyn::formulate {
@@ -105,7 +106,13 @@ void note_provenance(const Seen& seen) {
       }
     });
   }
-  begin_provenance(std::move(all).numbers());
+  std::vector<int> like(seen.tree.links.size());
+  for (const std::vector<int>& links : similar_links(seen.tree)) {
+    for (const int link : links) {
+      like[static_cast<std::size_t>(link)] = links.front();
+    }
+  }
+  begin_provenance(std::move(all).numbers(), like);
 }
 
 }  // namespace treedyn::formulate

@@ -153,12 +153,17 @@ class Search {
     note(start, weight(program::cost(first)));
   }
 
-  program::Function run();
-  /// What `run` has chosen.
+  /// Compares variants.
+  void run();
+  /// What `run` has chosen, and what it costs before all algebraic passes have run.
   [[nodiscard]] const Variant& best() const { return best_; }
+  [[nodiscard]] int best_cost() const { return best_cost_; }
+  /// The best variant after the algebraic passes; with `share_limbs` empty if nothing can be
+  /// shared.
+  [[nodiscard]] program::Function result() const;
   /// The variant of another search in that unit of length in which it costs least, if that is less
-  /// than `run` has found; it is the best one then.
-  std::optional<program::Function> in_units_of_length(Variant other);
+  /// than `run` has found, is the best one then.
+  void try_units_of_length(Variant other);
 
  private:
   using Cache = std::map<Variant, int>;
@@ -168,7 +173,6 @@ class Search {
     std::iota(links.begin(), links.end(), 0);
     return links;
   }
-  [[nodiscard]] program::Function finished(const Variant& variant) const;
   /// With stand-ins alone: for its cost.
   [[nodiscard]] program::Function compared(const Variant& variant) {
     return formulations_.build(variant).function;
@@ -350,7 +354,7 @@ optimise::Effort Search::algebra_effort(const program::Function& function) const
   return effort;
 }
 
-program::Function Search::run() {
+void Search::run() {
   const auto raw = [this](const Variant& variant) {
     return raw_cost(variant);
   };
@@ -379,11 +383,9 @@ program::Function Search::run() {
   }
   best_ = best;
   best_cost_ = cost;
-  return finished(best);
 }
 
-std::optional<program::Function> Search::in_units_of_length(Variant other) {
-  const int before = best_cost_;
+void Search::try_units_of_length(Variant other) {
   const std::size_t lengths = unit_lengths(tree_).size();
   for (std::size_t k = 0; k < lengths; ++k) {
     ++other.unit_length;
@@ -392,12 +394,10 @@ std::optional<program::Function> Search::in_units_of_length(Variant other) {
       best_ = other;
     }
   }
-  return best_cost_ < before ? std::optional(finished(best_)) : std::nullopt;
 }
 
-/// The formulation after the algebraic passes; with `share_limbs` empty if nothing can be shared.
-program::Function Search::finished(const Variant& variant) const {
-  Built built = Formulations(tree_, recipe_, options_).build(variant);
+program::Function Search::result() const {
+  Built built = Formulations(tree_, recipe_, options_).build(best_);
   program::Function& function = built.function;
   std::optional<optimise::Effort> effort;
   if (options_.has(Pass::kAlgebra)) {
@@ -406,14 +406,14 @@ program::Function Search::finished(const Variant& variant) const {
   if (!options_.share_limbs) {
     program::Function result =
         effort ? optimise::optimised(function, *effort) : std::move(function);
-    result.unit = unit_of(tree_, variant);
+    result.unit = unit_of(tree_, best_);
     return result;
   }
   const std::size_t points = options_.points.size();
   function.signature = signature(recipe_.name, tree_.dof(), static_cast<int>(points));
   const auto code = optimise::limb_code(function, built.limbs, effort);
   program::Function result = code ? program::flat(code, function.signature) : program::Function{};
-  result.unit = unit_of(tree_, variant);
+  result.unit = unit_of(tree_, best_);
   return result;
 }
 
@@ -430,31 +430,30 @@ constexpr int kHopeless = 4;
 /// Percent that articulated bodies have to save in a scene: armatures and constraints rule them
 /// out, and what is not counted, moves and stores, must not make such an effect a gain.
 constexpr int kWorthwhile = 10;
+/// Percent that the algebraic passes do not make up for between two methods.
+constexpr int kFarBehind = 15;
 
 /// Percent of the operations that another unit of length has to save: its numbers say less to a
 /// reader.
 constexpr int kWorthAUnit = 2;
 
-/// The cheapest found from `start` on, in another unit of length than the metre only if it pays.
+/// What a search has found, in another unit of length than the metre only if it pays.
 program::Function found(const model::Tree& tree, const Recipe& recipe, const Options& options,
-                        const Variant& start) {
-  Search search(tree, recipe, options, start);
-  program::Function function = search.run();
-  if (function.unit.link < 0 || function.outputs.empty()) {
-    return function;
+                        Search& search) {
+  if (search.best().unit_length == 0) {
+    return search.result();
   }
   Options metres = options;
   metres.metres = true;
   Variant plain_start = search.best();
   plain_start.unit_length = 0;
   Search in_metres(tree, recipe, metres, plain_start);
-  program::Function plain = in_metres.run();
-  if (plain.outputs.empty()) {
+  in_metres.run();
+  search.try_units_of_length(in_metres.best());
+  program::Function function = search.result();
+  program::Function plain = in_metres.result();
+  if (function.outputs.empty() || plain.outputs.empty()) {
     return function;
-  }
-  std::optional<program::Function> other = search.in_units_of_length(in_metres.best());
-  if (other && !other->outputs.empty()) {
-    function = *std::move(other);
   }
   const int operations = program::cost(plain).total();
   const int saved = operations - program::cost(function).total();
@@ -471,8 +470,50 @@ bool loses(const program::Function& taken, const program::Function& left) {
   return error > kLost && program::float_error(left) < error / kBetter;
 }
 
-/// The cheaper of the methods that `options` leave open, or the one that float can do with. Of long
-/// chains A is not searched: it has N^2 entries.
+program::Function searched_from(const model::Tree& tree, const Recipe& recipe,
+                                const Options& options, const Variant& start) {
+  Search search(tree, recipe, options, start);
+  search.run();
+  return found(tree, recipe, options, search);
+}
+
+/// The cheaper of two methods, the second only if it saves `kWorthwhile` percent in a scene; the
+/// other one where float can do with that alone. What is far behind is not written for nothing.
+program::Function cheaper(const model::Tree& tree, const Recipe& recipe, const Options& options,
+                          Search& first, Search& second) {
+  run_all({[&] { first.run(); },
+           [&] {
+             second.run();
+           }});
+  const auto of = [&](Search& search) {
+    return [&] {
+      return found(tree, recipe, options, search);
+    };
+  };
+  const int least = options.scene != nullptr ? kWorthwhile : 0;
+  const auto is_far_ahead = [](const Search& a, const Search& b, int percent) {
+    return (100 + percent) * a.best_cost() < 100 * b.best_cost();
+  };
+  Search* const leader = is_far_ahead(first, second, kFarBehind)           ? &first
+                         : is_far_ahead(second, first, kFarBehind + least) ? &second
+                                                                           : nullptr;
+  if (leader != nullptr) {
+    program::Function function = of(*leader)();
+    if (program::float_error(function) <= kLost) {
+      return function;
+    }
+  }
+  std::vector<program::Function> both = results_of<program::Function>({of(first), of(second)});
+  program::Function& function = both.front();
+  program::Function& other = both.back();
+  if (100 * weight(program::cost(other)) < (100 - least) * weight(program::cost(function))) {
+    std::swap(function, other);
+  }
+  return loses(function, other) ? other : function;
+}
+
+/// The cheapest of the methods that `options` leave open. Of long chains A is not searched: it has
+/// N^2 entries.
 program::Function best_method(const model::Tree& tree, const Recipe& recipe,
                               const Options& options) {
   Variant factor = plain_variant(tree);
@@ -480,31 +521,19 @@ program::Function best_method(const model::Tree& tree, const Recipe& recipe,
   factor.way = recipe.freedom.way;
   Variant articulated = factor;
   articulated.articulated = true;
-  const auto search = [&](const Variant& start) {
-    return found(tree, recipe, options, start);
-  };
   if (!recipe.freedom.articulated || options.forward_dynamics == ForwardDynamics::kFactor) {
-    return search(factor);
+    return searched_from(tree, recipe, options, factor);
   }
   const auto plain_cost = [&](const Variant& start) {
     return weight(program::cost(build(tree, recipe, options, start)));
   };
   if (options.forward_dynamics == ForwardDynamics::kArticulated ||
       plain_cost(factor) > kHopeless * plain_cost(articulated)) {
-    return search(articulated);
+    return searched_from(tree, recipe, options, articulated);
   }
-  std::vector<program::Function> both =
-      results_of<program::Function>({[&] { return search(factor); },
-                                     [&] {
-                                       return search(articulated);
-                                     }});
-  program::Function& function = both.front();
-  program::Function& other = both.back();
-  const int least = options.scene != nullptr ? kWorthwhile : 0;
-  if (100 * weight(program::cost(other)) < (100 - least) * weight(program::cost(function))) {
-    std::swap(function, other);
-  }
-  return loses(function, other) ? other : function;
+  Search first(tree, recipe, options, factor);
+  Search second(tree, recipe, options, articulated);
+  return cheaper(tree, recipe, options, first, second);
 }
 
 program::Function searched(const model::Tree& tree, const Recipe& recipe, const Options& options) {

@@ -82,8 +82,8 @@ TEST(Parallel, TasksKnowTheNumbersOfTheCallerWhoLearnsTheirs) {
   };
   const std::vector<Real> made = results_of<Real>({once, twice});
   for (std::size_t k = 0; k < 2; ++k) {
-    const Provenance* known = provenance_of(made[k]);
-    ASSERT_NE(known, nullptr);
+    const std::optional<Provenance> known = provenance_of(made[k]);
+    ASSERT_TRUE(known);
     EXPECT_EQ(known->origins.size(), 2U);
     EXPECT_EQ(known->dimension.length, static_cast<int>(k) + 1);
   }
