@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "optimise/optimise.hpp"
 #include "program/canonical.hpp"
 
 namespace treedyn::formulate {
@@ -77,6 +78,59 @@ std::vector<LimbLinks> limbs_of(const model::Tree& tree, const Recipe& recipe,
 
 }  // namespace
 
+namespace {
+
+/// Two hashes at once.
+class Mixer {
+ public:
+  void add(std::uint64_t x) {
+    first_ = (first_ ^ x) * 0x9E3779B97F4A7C15ULL;
+    first_ ^= first_ >> 29U;
+    second_ = (second_ + x) * 0xD6E8FEB86659FD93ULL;
+    second_ ^= second_ >> 32U;
+  }
+  void add(const Real& x) { add(std::uint64_t{std::hash<Digits>()(x.seen())}); }
+  template <class Numbers>
+  void add_all(const Numbers& numbers) {
+    for (const Real& x : numbers) {
+      add(x);
+    }
+  }
+
+  [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> result() const { return {first_, second_}; }
+
+ private:
+  std::uint64_t first_ = 1;
+  std::uint64_t second_ = 2;
+};
+
+/// Of numbers and signs of the links, and of those choices that do not make them.
+std::pair<std::uint64_t, std::uint64_t> fingerprint(const Variant& used, const NormalTree& normal) {
+  Mixer all;
+  for (const NormalLink& link : normal.links) {
+    all.add((link.sign < 0 ? 1U : 0U) + (link.coordinate_sign < 0 ? 2U : 0U));
+    all.add_all(link.rotation);
+    all.add_all(link.offset);
+    all.add(link.mass);
+    all.add_all(link.moment);
+    all.add_all(link.pseudo);
+    all.add_all(link.to_normal);
+    all.add_all(link.origin);
+  }
+  all.add_all(normal.gravity);
+  all.add_all(normal.ground_moment);
+  all.add(normal.unit);
+  for (const LinkVariant& link : used.links) {
+    all.add((link.merge_parallel ? 1U : 0U) + (link.column_of_father ? 2U : 0U) +
+            (link.tensor_moment ? 4U : 0U) + 8U * link.cut);
+  }
+  all.add((used.add_angles ? 1U : 0U) + (used.inertia_tensor ? 2U : 0U) + (used.trunk ? 4U : 0U) +
+          (used.articulated ? 8U : 0U) + 16U * static_cast<unsigned>(used.way));
+  return all.result();
+}
+
+}  // namespace
+
 Formulations::Formulations(const model::Tree& tree, const Recipe& recipe, const Options& options)
     : tree_(tree),
       recipe_(recipe),
@@ -85,9 +139,35 @@ Formulations::Formulations(const model::Tree& tree, const Recipe& recipe, const 
       has_trunk_(recipe.freedom.trunk && has_trunk(tree)),
       forms_(tree, options.gravity, limbs_) {}
 
-Built Formulations::made(const Variant& variant, bool in_order) {
+Built Formulations::build(const Variant& variant) {
+  const Variant used = usable(recipe_, has_trunk_, variant);
+  return made(used, forms_.of(used), true);
+}
+
+template <class Value, class Make>
+Value Formulations::known(std::map<Fingerprint, Value>& values, const Variant& variant, Make make) {
   const Variant used = usable(recipe_, has_trunk_, variant);
   const NormalTree normal = forms_.of(used);
+  const Fingerprint key = fingerprint(used, normal);
+  const auto found = values.find(key);
+  return found != values.end() ? found->second
+                               : values.emplace(key, make(used, normal)).first->second;
+}
+
+program::Cost Formulations::cost(const Variant& variant) {
+  return known(costs_, variant, [&](const Variant& used, const NormalTree& normal) {
+    return program::cost(made(used, normal, false).function);
+  });
+}
+
+int Formulations::estimate(const Variant& variant) {
+  return known(estimates_, variant, [&](const Variant& used, const NormalTree& normal) {
+    const program::Function function = made(used, normal, true).function;
+    return optimise::estimate_operations(function.graph, function.outputs);
+  });
+}
+
+Built Formulations::made(const Variant& used, const NormalTree& normal, bool in_order) {
   if (limbs_.empty()) {
     program::Function function = written(tree_, normal, recipe_, options_, used, nullptr);
     return {in_order ? program::canonical(function) : std::move(function), {}};

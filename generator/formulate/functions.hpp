@@ -1,9 +1,12 @@
 // How each function is formulated.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "formulate/formulate.hpp"
@@ -71,14 +74,20 @@ class Formulations {
   Formulations(const model::Tree& tree, const Recipe& recipe, const Options& options);
 
   /// As it comes from the equations: no algebraic pass has run. Its nodes in canonical order.
-  Built build(const Variant& variant) { return made(variant, true); }
-  /// The operations of `build`.
-  program::Cost cost(const Variant& variant) {
-    return program::cost(made(variant, false).function);
-  }
+  Built build(const Variant& variant);
+  /// The operations of `build`. Variants often differ in what no expression sees: each of those
+  /// that come to the same numbers and choices is formulated once.
+  program::Cost cost(const Variant& variant);
+  /// Of them those that the algebraic passes leave, without a search.
+  int estimate(const Variant& variant);
 
  private:
-  Built made(const Variant& variant, bool in_order);
+  /// A hash of all that expressions see of a formulation.
+  using Fingerprint = std::pair<std::uint64_t, std::uint64_t>;
+
+  template <class Value, class Make>
+  Value known(std::map<Fingerprint, Value>& values, const Variant& variant, Make make);
+  Built made(const Variant& used, const NormalTree& normal, bool in_order);
 
   const model::Tree& tree_;
   const Recipe& recipe_;
@@ -86,6 +95,8 @@ class Formulations {
   std::vector<LimbLinks> limbs_;  ///< that share code
   bool has_trunk_;                ///< and the function has a choice
   NormalForms forms_;
+  std::map<Fingerprint, program::Cost> costs_;
+  std::map<Fingerprint, int> estimates_;
 };
 
 /// One formulation of a function, as it comes from the equations: no algebraic pass has run.

@@ -146,7 +146,7 @@ class Search {
         seen_(stand_ins_alone(tree, options)),
         formulations_(seen_.tree, recipe, seen_.options),
         choices_(choices_of(tree, recipe.freedom, options)) {
-    const program::Function first = compared(start);
+    const program::Function first = formulations_.build(start).function;
     const std::size_t size = std::max(first.graph.size(), kReferenceSize);
     moves_ = static_cast<int>(static_cast<std::size_t>(options.effort) * kReferenceSize / size);
     moves_ = std::max(moves_, std::min(options.effort, 2 * other_settings(choices_)));
@@ -172,10 +172,6 @@ class Search {
     std::vector<int> links(tree_.links.size());
     std::iota(links.begin(), links.end(), 0);
     return links;
-  }
-  /// With stand-ins alone: for its cost.
-  [[nodiscard]] program::Function compared(const Variant& variant) {
-    return formulations_.build(variant).function;
   }
   [[nodiscard]] optimise::Effort algebra_effort(const program::Function& function) const;
   void note(const Variant& variant, int cost);
@@ -236,11 +232,8 @@ int Search::optimised_cost(const Variant& variant) {
     return known->second;
   }
   moves_ -= kOptimisedMove;
-  const program::Function function = compared(variant);
-  const program::Cost raw = program::cost(function);
-  const int total = options_.has(Pass::kAlgebra)
-                        ? optimise::estimate_operations(function.graph, function.outputs)
-                        : raw.total();
+  const program::Cost raw = formulations_.cost(variant);
+  const int total = options_.has(Pass::kAlgebra) ? formulations_.estimate(variant) : raw.total();
   const int cost = weight(raw) - raw.total() + total;
   return optimised_.emplace(variant, cost).first->second;
 }
