@@ -135,6 +135,14 @@ bool operator==(const Real& a, const Real& b) {
   return Real::both(a, b, [](const Digits& x, const Digits& y) { return x == y; });
 }
 
+std::partial_ordering Real::compared_with_zero() const {
+  const Digits& x = seen();
+  return isnan(x)       ? std::partial_ordering::unordered
+         : x.is_zero()  ? std::partial_ordering::equivalent
+         : x.sign() < 0 ? std::partial_ordering::less
+                        : std::partial_ordering::greater;
+}
+
 std::partial_ordering operator<=>(const Real& a, const Real& b) {
   const Digits& x = a.seen();
   const Digits& y = b.seen();

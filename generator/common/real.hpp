@@ -120,6 +120,15 @@ class Real {
   }
   friend bool operator==(const Real& a, const Real& b);
   friend std::partial_ordering operator<=>(const Real& a, const Real& b);
+  /// The same, without a Real for the small number that most comparisons are with.
+  template <std::same_as<int> Integer>
+  friend bool operator==(const Real& a, Integer b) {
+    return b == 0 ? a.value_.is_zero() && a.seen().is_zero() : a == Real(b);
+  }
+  template <std::same_as<int> Integer>
+  friend std::partial_ordering operator<=>(const Real& a, Integer b) {
+    return b == 0 ? a.compared_with_zero() : a <=> Real(b);
+  }
 
  private:
   template <class T>
@@ -127,6 +136,7 @@ class Real {
       std::conditional_t<std::is_floating_point_v<T>, long double,
                          std::conditional_t<std::is_signed_v<T>, long long, unsigned long long>>;
 
+  [[nodiscard]] std::partial_ordering compared_with_zero() const;
   Real(const Digits& value, const Digits& seen, bool differs, int recipe = 0)
       : value_(value), seen_(seen), differs_(differs), recipe_(recipe) {}
   static Real from(long double value);

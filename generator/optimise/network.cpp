@@ -76,11 +76,18 @@ struct Workspace {
 
 /// Depth first below one root; everything that is not there yet takes the position of the root.
 void visit(const Network& network, int root, Workspace& w) {
-  const int position = network.item(root).position;
-  if (w.marks[program::node_index(root)] == 0) {
-    w.marks[program::node_index(root)] = 1;
-    w.stack.push_back({root, 0});
+  if (w.marks[program::node_index(root)] != 0) {
+    return;
   }
+  w.marks[program::node_index(root)] = 1;
+  const int position = network.item(root).position;
+  if (std::ranges::all_of(network.operands(root), [&](Ref operand) {
+        return w.marks[program::node_index(operand)] != 0;
+      })) {
+    w.order.push_back({root, position});
+    return;
+  }
+  w.stack.push_back({root, 0});
   while (!w.stack.empty()) {
     Frame& frame = w.stack.back();
     const auto operands = network.operands(frame.item);
@@ -173,15 +180,16 @@ Network without_duplicates(const Network& network) {
   NetworkBuilder builder(network.shared_constants(), w.order.size());
   w.image.assign(static_cast<std::size_t>(network.size()), 0);
   for (const Step& step : w.order) {
-    w.operands.clear();
-    for (const Ref operand : network.operands(step.item)) {
-      if (const Ref a = program::with_sign(w.image[program::node_index(operand)], operand);
-          a != 0 || network.item(step.item).kind != Kind::kAdd) {
-        w.operands.push_back(a);
-      }
+    const Item& item = network.item(step.item);
+    const auto operands = network.operands(step.item);
+    w.operands.assign(operands.begin(), operands.end());
+    for (Ref& operand : w.operands) {
+      operand = program::with_sign(w.image[program::node_index(operand)], operand);
     }
-    w.image[program::node_index(step.item)] =
-        rebuild(builder, network.item(step.item), w.operands, step.position);
+    if (item.kind == Kind::kAdd) {
+      std::erase(w.operands, 0);
+    }
+    w.image[program::node_index(step.item)] = rebuild(builder, item, w.operands, step.position);
   }
   return builder.finish(mapped(w.image, network.outputs()));
 }
@@ -235,11 +243,8 @@ void append_flat(const Network& network, Ref k, Workspace& w) {
 }
 
 /// Sums within sums and products within products become one, where nobody else needs them.
-Network flat(Network network) {
-  Workspace& w = kept_by_thread<Workspace>();
-  if (!mark_parts(network, w)) {
-    return network;
-  }
+/// \pre mark_parts(network, w)
+Network flat(const Network& network, Workspace& w) {
   NetworkBuilder builder(network.shared_constants(), static_cast<std::size_t>(network.size()));
   w.image.assign(static_cast<std::size_t>(network.size()), 0);
   for (int k = 1; k < network.size(); ++k) {
@@ -256,9 +261,8 @@ Network flat(Network network) {
   return builder.finish(mapped(w.image, network.outputs()));
 }
 
-bool has_unneeded_operations(const Network& network) {
-  std::vector<int>& count = kept_by_thread<Workspace>().count;
-  count_uses(network, count);
+/// \param count  of uses
+bool has_unneeded_operations(const Network& network, const std::vector<int>& count) {
   for (int k = 1; k < network.size(); ++k) {
     if (count[program::node_index(k)] == 0 && !network.operands(k).empty()) {
       return true;
@@ -270,11 +274,18 @@ bool has_unneeded_operations(const Network& network) {
 }  // namespace
 
 Network normalise(const Network& network) {
-  Network normal = flat(without_duplicates(network));
-  while (has_unneeded_operations(normal)) {  // terms cancelled when sums became one
-    normal = flat(without_duplicates(normal));
+  Workspace& w = kept_by_thread<Workspace>();
+  Network normal = without_duplicates(network);
+  for (;;) {
+    if (mark_parts(normal, w)) {
+      normal = flat(normal, w);
+      count_uses(normal, w.count);
+    }
+    if (!has_unneeded_operations(normal, w.count)) {
+      return normal;
+    }
+    normal = without_duplicates(normal);  // terms cancelled when sums became one
   }
-  return normal;
 }
 
 Network network_of(const Graph& graph, std::span<const Ref> outputs) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <utility>
 
 #include "common/error.hpp"
 #include "optimise/kept.hpp"
@@ -163,7 +164,16 @@ void NetworkBuilder::add_constants(std::vector<Ref>& terms) {
   }
 }
 
+/// Two terms of which nothing is to be merged, in order: most sums are such.
+bool NetworkBuilder::is_plain_pair(const std::vector<Ref>& terms) const {
+  return terms.size() == 2 && std::abs(terms[0]) < std::abs(terms[1]) && terms[0] != 0 &&
+         !(network_.is_constant(terms[0]) && network_.is_constant(terms[1]));
+}
+
 Ref NetworkBuilder::sum(std::vector<Ref>& terms, int position) {
+  if (is_plain_pair(terms)) {
+    return signed_sum(terms, position);
+  }
   std::ranges::sort(terms, by_magnitude);
   const bool repeats = std::ranges::adjacent_find(terms, [](Ref a, Ref b) {
                          return std::abs(a) == std::abs(b);
@@ -183,6 +193,11 @@ Ref NetworkBuilder::sum(std::vector<Ref>& terms, int position) {
   if (terms.size() < 2) {
     return terms.empty() ? 0 : terms.front();
   }
+  return signed_sum(terms, position);
+}
+
+/// Of terms in order, the first one positive.
+Ref NetworkBuilder::signed_sum(std::vector<Ref>& terms, int position) {
   const bool negative = terms.front() < 0;
   if (negative) {
     std::ranges::for_each(terms, [](Ref& term) { term = -term; });
@@ -238,6 +253,14 @@ Ref NetworkBuilder::product(std::vector<Ref>& factors, int position) {
     }
     negative = negative != (factor < 0);
     factor = std::abs(factor);
+  }
+  if (factors.size() == 2 && !network_.is_constant(factors[0]) &&
+      !network_.is_constant(factors[1])) {  // most products
+    if (factors[1] < factors[0]) {
+      std::swap(factors[0], factors[1]);
+    }
+    const Ref result = find_or_append(Kind::kMultiply, factors, position);
+    return negative ? -result : result;
   }
   if (!multiply_constants(factors) && factors.size() == 2 && unpack_scaled(factors)) {
     multiply_constants(factors);
