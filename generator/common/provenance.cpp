@@ -160,7 +160,7 @@ class Sources {
   /// \param other  that of a task
   void learn(const Sources& other) {
     if (robot_ != other.robot_) {
-      const std::size_t given = given_;
+      const std::size_t given = std::min(given_, other.given_);
       *this = other;
       given_ = given;
       return;

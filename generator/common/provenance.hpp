@@ -105,8 +105,8 @@ void learn_sources(const Sources& of_task);
 /// The numbers of the robot that is worked on, and of its scene behind them, the same one twice if
 /// several parts share a stand-in. What is known of another robot is forgotten.
 /// \param like  for each link the first one that is like it: what is equal in such links may
-/// cancel, of other equal numbers it is told that they once were there; empty: no link is like
-/// another
+/// cancel, as may equal lengths and angles; of other equal numbers it is told that they were there.
+/// Empty: no link is like another
 void begin_provenance(const std::vector<std::pair<Real, Provenance>>& numbers,
                       const std::vector<int>& like = {});
 
