@@ -4,6 +4,7 @@
 
 #include "optimise/optimise.hpp"
 #include "program/canonical.hpp"
+#include "program/random.hpp"
 
 namespace treedyn::formulate {
 
@@ -76,18 +77,12 @@ std::vector<LimbLinks> limbs_of(const model::Tree& tree, const Recipe& recipe,
                                                          : std::vector<LimbLinks>{};
 }
 
-}  // namespace
-
-namespace {
-
 /// Two hashes at once.
 class Mixer {
  public:
   void add(std::uint64_t x) {
-    first_ = (first_ ^ x) * 0x9E3779B97F4A7C15ULL;
-    first_ ^= first_ >> 29U;
-    second_ = (second_ + x) * 0xD6E8FEB86659FD93ULL;
-    second_ ^= second_ >> 32U;
+    first_ = program::scramble(first_ ^ x);
+    second_ = program::scramble(second_ ^ x);
   }
   void add(const Real& x) { add(std::uint64_t{std::hash<Digits>()(x.seen())}); }
   template <class Numbers>

@@ -479,30 +479,32 @@ program::Function cheaper(const model::Tree& tree, const Recipe& recipe, const O
              second.run();
            }});
   const auto of = [&](Search& search) {
-    return [&] {
-      return found(tree, recipe, options, search);
-    };
+    return found(tree, recipe, options, search);
+  };
+  const auto kept = [](program::Function& function, const program::Function& other) {
+    return loses(function, other) ? other : std::move(function);
   };
   const int least = options.scene != nullptr ? kWorthwhile : 0;
   const auto is_far_ahead = [](const Search& a, const Search& b, int percent) {
     return (100 + percent) * a.best_cost() < 100 * b.best_cost();
   };
-  Search* const leader = is_far_ahead(first, second, kFarBehind)           ? &first
-                         : is_far_ahead(second, first, kFarBehind + least) ? &second
-                                                                           : nullptr;
-  if (leader != nullptr) {
-    program::Function function = of(*leader)();
-    if (program::float_error(function) <= kLost) {
-      return function;
-    }
+  const bool second_leads = is_far_ahead(second, first, kFarBehind + least);
+  if (second_leads || is_far_ahead(first, second, kFarBehind)) {
+    program::Function function = of(second_leads ? second : first);
+    return program::float_error(function) <= kLost
+               ? function
+               : kept(function, of(second_leads ? first : second));
   }
-  std::vector<program::Function> both = results_of<program::Function>({of(first), of(second)});
+  std::vector<program::Function> both = results_of<program::Function>({[&] { return of(first); },
+                                                                       [&] {
+                                                                         return of(second);
+                                                                       }});
   program::Function& function = both.front();
   program::Function& other = both.back();
   if (100 * weight(program::cost(other)) < (100 - least) * weight(program::cost(function))) {
     std::swap(function, other);
   }
-  return loses(function, other) ? other : function;
+  return kept(function, other);
 }
 
 /// The cheapest of the methods that `options` leave open. Of long chains A is not searched: it has

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <utility>
 
 #include "common/error.hpp"
 #include "optimise/kept.hpp"
@@ -122,10 +121,9 @@ Ref NetworkBuilder::constant(const Real& value) {
   return value < 0 ? -leaf(item) : leaf(item);
 }
 
-/// x + x becomes 2 x, x - x vanishes. True if products were made (the order is lost then).
-bool NetworkBuilder::merge_equal_terms(std::vector<Ref>& terms) {
+/// x + x becomes 2 x, x - x vanishes.
+void NetworkBuilder::merge_equal_terms(std::vector<Ref>& terms) {
   std::size_t kept = 0;
-  bool made_products = false;
   for (std::size_t i = 0; i < terms.size();) {
     const Ref x = std::abs(terms[i]);
     int count = 0;
@@ -136,17 +134,15 @@ bool NetworkBuilder::merge_equal_terms(std::vector<Ref>& terms) {
     if (std::abs(count) > 1) {
       std::vector<Ref> factors{constant(Real(std::abs(count))), x};
       term = product(factors, kNoPosition);
-      made_products = true;
     }
     if (count != 0) {
       terms[kept++] = count < 0 ? -term : term;
     }
   }
   terms.resize(kept);
-  return made_products;
 }
 
-/// Replaces two or more constants by their sum.
+/// Replaces the constants by their sum.
 void NetworkBuilder::add_constants(std::vector<Ref>& terms) {
   Real total = 0;
   Real scale = 0;
@@ -164,40 +160,30 @@ void NetworkBuilder::add_constants(std::vector<Ref>& terms) {
   }
 }
 
-/// Two terms of which nothing is to be merged, in order: most sums are such.
-bool NetworkBuilder::is_plain_pair(const std::vector<Ref>& terms) const {
-  return terms.size() == 2 && std::abs(terms[0]) < std::abs(terms[1]) && terms[0] != 0 &&
-         !(network_.is_constant(terms[0]) && network_.is_constant(terms[1]));
+/// Of terms in order: true if nothing is to be merged.
+bool NetworkBuilder::are_canonical(const std::vector<Ref>& terms) const {
+  const auto is_constant = [&](Ref term) {
+    return network_.is_constant(term);
+  };
+  const auto are_equal = [](Ref a, Ref b) {
+    return std::abs(a) == std::abs(b);
+  };
+  return std::ranges::adjacent_find(terms, are_equal) == terms.end() &&
+         std::ranges::count_if(terms, is_constant) < 2;
 }
 
 Ref NetworkBuilder::sum(std::vector<Ref>& terms, int position) {
-  if (is_plain_pair(terms)) {
-    return signed_sum(terms, position);
-  }
-  std::ranges::sort(terms, by_magnitude);
-  const bool repeats = std::ranges::adjacent_find(terms, [](Ref a, Ref b) {
-                         return std::abs(a) == std::abs(b);
-                       }) != terms.end();
-  bool ordered = !(repeats && merge_equal_terms(terms));
-  if (std::ranges::count_if(terms, [&](Ref term) { return network_.is_constant(term); }) > 1) {
-    add_constants(terms);
-    ordered = false;
-  }
-  if (!ordered) {
+  if (!std::ranges::is_sorted(terms, by_magnitude)) {
     std::ranges::sort(terms, by_magnitude);
-    if (std::ranges::adjacent_find(
-            terms, [](Ref a, Ref b) { return std::abs(a) == std::abs(b); }) != terms.end()) {
-      return sum(terms, position);
-    }
+  }
+  while (!are_canonical(terms)) {
+    merge_equal_terms(terms);
+    add_constants(terms);
+    std::ranges::sort(terms, by_magnitude);
   }
   if (terms.size() < 2) {
     return terms.empty() ? 0 : terms.front();
   }
-  return signed_sum(terms, position);
-}
-
-/// Of terms in order, the first one positive.
-Ref NetworkBuilder::signed_sum(std::vector<Ref>& terms, int position) {
   const bool negative = terms.front() < 0;
   if (negative) {
     std::ranges::for_each(terms, [](Ref& term) { term = -term; });
@@ -254,15 +240,9 @@ Ref NetworkBuilder::product(std::vector<Ref>& factors, int position) {
     negative = negative != (factor < 0);
     factor = std::abs(factor);
   }
-  if (factors.size() == 2 && !network_.is_constant(factors[0]) &&
-      !network_.is_constant(factors[1])) {  // most products
-    if (factors[1] < factors[0]) {
-      std::swap(factors[0], factors[1]);
-    }
-    const Ref result = find_or_append(Kind::kMultiply, factors, position);
-    return negative ? -result : result;
-  }
-  if (!multiply_constants(factors) && factors.size() == 2 && unpack_scaled(factors)) {
+  const bool scaled =
+      std::ranges::any_of(factors, [&](Ref factor) { return network_.is_constant(factor); });
+  if (scaled && !multiply_constants(factors) && factors.size() == 2 && unpack_scaled(factors)) {
     multiply_constants(factors);
   }
   std::ranges::sort(factors);

@@ -34,9 +34,8 @@ class NetworkBuilder {
   Ref find(std::uint64_t hash, Equal equal, Append append);
   void grow();
   [[nodiscard]] std::uint64_t hash_of(Ref item) const;
-  [[nodiscard]] bool is_plain_pair(const std::vector<Ref>& terms) const;
-  Ref signed_sum(std::vector<Ref>& terms, int position);
-  bool merge_equal_terms(std::vector<Ref>& terms);
+  [[nodiscard]] bool are_canonical(const std::vector<Ref>& terms) const;
+  void merge_equal_terms(std::vector<Ref>& terms);
   void add_constants(std::vector<Ref>& terms);
   bool multiply_constants(std::vector<Ref>& factors);
   bool unpack_scaled(std::vector<Ref>& factors) const;

@@ -6,6 +6,7 @@
 
 #include "description/read.hpp"
 #include "formulate/functions.hpp"
+#include "optimise/optimise.hpp"
 #include "program/interpret.hpp"
 
 namespace treedyn::formulate {
@@ -100,6 +101,73 @@ TEST_P(Variants, HaveTheValuesOfThePlainFormulation) {
       const Values values = evaluate(build(tree, recipe, options, variant), recipe, tree);
       // 50 digits; some 1e4 operations and the condition of A take at most 15 of them
       EXPECT_LT(distance(plain, values), Real("1e-35")) << recipe.name << ", trial " << trial;
+    }
+  }
+}
+
+/// `variant` with one field of one link, or of the whole, as another one has it.
+Variant with_one_of(Variant variant, const Variant& other, std::mt19937_64& random) {
+  const std::size_t i = random() % variant.links.size();
+  LinkVariant& link = variant.links[i];
+  const LinkVariant& of = other.links[i];
+  switch (random() % 12) {
+    case 0:
+      link.slide = of.slide;
+      break;
+    case 1:
+      link.angle = of.angle;
+      break;
+    case 2:
+      link.mass = of.mass;
+      break;
+    case 3:
+      link.tensor = of.tensor;
+      break;
+    case 4:
+      link.cut = of.cut;
+      break;
+    case 5:
+      link.merge_parallel = of.merge_parallel;
+      break;
+    case 6:
+      link.column_of_father = of.column_of_father;
+      break;
+    case 7:
+      link.tensor_moment = of.tensor_moment;
+      break;
+    case 8:
+      variant.add_angles = other.add_angles;
+      break;
+    case 9:
+      variant.inertia_tensor = other.inertia_tensor;
+      break;
+    case 10:
+      variant.trunk = other.trunk;
+      break;
+    default:
+      variant.way = other.way;
+  }
+  return variant;
+}
+
+/// Costs are remembered by what expressions see of a variant: steps from one to the next that a
+/// field decides, each compared with a formulation of its own.
+TEST_P(Variants, CostWhatTheirFormulationCostsWhateverWasAskedBefore) {
+  const model::Tree tree = model_tree(GetParam().name, GetParam().base);
+  const Options options = some_options(tree);
+  std::mt19937_64 random(2);
+  for (const char* name : {"mass_matrix", "inverse_dynamics", "forward_dynamics"}) {
+    const Recipe& recipe = recipe_of(name);
+    Formulations formulations(tree, recipe, options);
+    Variant variant = random_variant(tree, random);
+    for (int trial = 0; trial < 40; ++trial) {
+      const program::Function own = build(tree, recipe, options, variant);
+      EXPECT_EQ(formulations.cost(variant).total(), program::cost(own).total())
+          << name << ", trial " << trial;
+      EXPECT_EQ(formulations.estimate(variant),
+                optimise::estimate_operations(own.graph, own.outputs))
+          << name << ", trial " << trial;
+      variant = with_one_of(variant, random_variant(tree, random), random);
     }
   }
 }
