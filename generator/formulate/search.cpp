@@ -481,30 +481,29 @@ program::Function cheaper(const model::Tree& tree, const Recipe& recipe, const O
   const auto of = [&](Search& search) {
     return found(tree, recipe, options, search);
   };
-  const auto kept = [](program::Function& function, const program::Function& other) {
-    return loses(function, other) ? other : std::move(function);
-  };
   const int least = options.scene != nullptr ? kWorthwhile : 0;
   const auto is_far_ahead = [](const Search& a, const Search& b, int percent) {
     return (100 + percent) * a.best_cost() < 100 * b.best_cost();
   };
   const bool second_leads = is_far_ahead(second, first, kFarBehind + least);
+  std::vector<program::Function> both;
   if (second_leads || is_far_ahead(first, second, kFarBehind)) {
-    program::Function function = of(second_leads ? second : first);
-    return program::float_error(function) <= kLost
-               ? function
-               : kept(function, of(second_leads ? first : second));
+    both.push_back(of(second_leads ? second : first));
+    if (program::float_error(both.front()) <= kLost) {
+      return both.front();
+    }
+    both.push_back(of(second_leads ? first : second));
+  } else {
+    both = results_of<program::Function>({[&] { return of(first); },
+                                          [&] {
+                                            return of(second);
+                                          }});
+    const int limit = (100 - least) * weight(program::cost(both.front()));
+    if (100 * weight(program::cost(both.back())) < limit) {
+      std::swap(both.front(), both.back());
+    }
   }
-  std::vector<program::Function> both = results_of<program::Function>({[&] { return of(first); },
-                                                                       [&] {
-                                                                         return of(second);
-                                                                       }});
-  program::Function& function = both.front();
-  program::Function& other = both.back();
-  if (100 * weight(program::cost(other)) < (100 - least) * weight(program::cost(function))) {
-    std::swap(function, other);
-  }
-  return kept(function, other);
+  return loses(both.front(), both.back()) ? both.back() : both.front();
 }
 
 /// The cheapest of the methods that `options` leave open. Of long chains A is not searched: it has
