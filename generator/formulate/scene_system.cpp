@@ -62,8 +62,8 @@ SceneSystem::SceneSystem(const Task& task, const SceneArrays& arrays, bool force
 
 void SceneSystem::add_armatures() {
   for (const model::Armature& armature : scene_.armatures) {
-    const int k = task_.tree.drives[static_cast<std::size_t>(armature.joint)].coordinate;
-    a_[{k, k}] += constant(task_.kinematics.graph(), armature.inertia / unit_);
+    a_[{armature.joint, armature.joint}] +=
+        constant(task_.kinematics.graph(), armature.inertia / unit_);
   }
 }
 

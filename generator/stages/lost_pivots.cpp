@@ -84,8 +84,7 @@ Joints::Joints(const Model& model, emit::Scalar scalar)
   const auto n = static_cast<std::size_t>(tree.dof());
   std::vector<double> rotors(n, 0);
   for (const model::Armature& armature : model.scene->armatures) {
-    const int k = tree.drives[static_cast<std::size_t>(armature.joint)].coordinate;
-    rotors[static_cast<std::size_t>(k)] += static_cast<double>(armature.inertia);
+    rotors[static_cast<std::size_t>(armature.joint)] += static_cast<double>(armature.inertia);
   }
   engine::Engine<double> engine(tree);
   for (const std::vector<double>& q : states_) {

@@ -92,6 +92,33 @@ TEST(Effects, RowsThatReachNoPassiveJointLeaveTheirDrivesAlone) {
   EXPECT_EQ(result[2], 0);
 }
 
+std::string urdf_joint(const std::string& name, const std::string& parent, const char* more) {
+  return fmt::format(
+      R"(<link name="{0}_link"><inertial><origin xyz="0.1 0 0"/><mass value="1"/>)"
+      R"(<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>)"
+      R"(<joint name="{0}" type="continuous"><parent link="{1}"/><child link="{0}_link"/>)"
+      R"(<axis xyz="0 0 1"/>{2}</joint>)",
+      name, parent, more);
+}
+
+/// The index of a coordinate is not that of a link there.
+TEST(Effects, AnArmatureBehindAMimicJointIsOnItsJoint) {
+  const TemporaryFolder folder;
+  const std::string model = (folder.path() / "three.urdf").string();
+  write_file(model, R"(<robot name="three"><link name="world"/>)" +
+                        urdf_joint("leader", "world", "") +
+                        urdf_joint("follower", "leader_link", R"(<mimic joint="leader"/>)") +
+                        urdf_joint("alone", "world", "") + "</robot>");
+  const SceneCode armed(fmt::format(
+      "scene: s\nmodel: {}\nduration: 1\neffects:\n  armature: [{{joint: alone, inertia: 0.3}}]\n",
+      model));
+  const SceneCode plain(fmt::format("scene: s\nmodel: {}\nduration: 1\n", model));
+  const std::vector<Vector> state = {{0.2, 0.5}, {0, 0}, {0.7, 1}};
+  const Vector qdd = armed.code().call("constrained_dynamics", state);
+  EXPECT_NEAR(qdd[1], 1 / (0.01 + 0.01 + 0.3), 1e-13);
+  EXPECT_NEAR(qdd[0], plain.code().call("constrained_dynamics", state)[0], 1e-12);
+}
+
 /// A link that turns about y alone cannot follow errors about x and z.
 TEST(Effects, RowsThatNoMotionReachesAreGenerated) {
   const std::string rows =
