@@ -11,6 +11,7 @@ std::vector<emit::File> generate(const Model& model, const Request& request, con
     warn(warning);
   }
   separate_parameters(model, request, programs);
+  require_use_of_parameters(model, request, programs);
   check_at_states(model, request, programs);
   return emit_files(model, request, std::move(programs));
 }

@@ -239,6 +239,7 @@ int run_info(const Settings& settings) {
   }
   program::Programs programs = formulate_model(model, settings.request, trace_of(settings));
   separate_parameters(model, settings.request, programs);
+  require_use_of_parameters(model, settings.request, programs);
   programs = in_scalar(std::move(programs), model, settings.request.target.scalar);
   print(settings.json ? info_json(model, settings.request, programs)
                       : info_text(model, settings.request, programs));

@@ -107,14 +107,19 @@ namespace {
 
 /// Where a declaration of the command line is split: in front of the quantity, and the component
 /// behind it. Nothing without a quantity.
-std::size_t split(const std::string& text) {
+std::size_t split(const std::string& text, const model::Tree& tree) {
   const std::size_t last = text.rfind('.');
   const std::size_t before =
       last == std::string::npos || last == 0 ? std::string::npos : text.rfind('.', last - 1);
-  if (before != std::string::npos && model::find_quantity(text.substr(before + 1))) {
-    return before;
+  if (before == std::string::npos) {
+    return last;
   }
-  return last;
+  const auto is_link = [&](std::size_t size) {
+    return std::ranges::count(tree.frames, text.substr(0, size), &model::Frame::name) > 0;
+  };
+  return model::find_quantity(text.substr(before + 1)) || (is_link(before) && !is_link(last))
+             ? before
+             : last;
 }
 
 }  // namespace
@@ -134,7 +139,7 @@ void resolve_parameters(const RawTree& raw, const std::vector<std::string>& list
   }
   for (const std::string& text : list) {
     const Location where{raw.file, 0, 0};
-    const std::size_t dot = split(text);
+    const std::size_t dot = split(text, tree);
     if (dot == std::string::npos || text.starts_with("gravity.")) {
       declarations.add(text, where);
       continue;

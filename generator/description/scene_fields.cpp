@@ -68,7 +68,8 @@ Real SceneFields::number_or(std::string_view key, const Real& fallback) const {
 Real SceneFields::amount(std::string_view key) const {
   Real value = number(key);
   if (value.plain() < 0) {
-    fail(get(key).where, fmt::format("'{}' is negative; expected 0 or more", key));
+    fail(get(key).where,
+         fmt::format("'{}' is {:.6g}; expected 0 or more", key, value.convert_to<double>()));
   }
   return value;
 }
@@ -80,7 +81,8 @@ Real SceneFields::amount_or(std::string_view key, const Real& fallback) const {
 Real SceneFields::positive(std::string_view key) const {
   Real value = number(key);
   if (value.plain() <= 0) {
-    fail(get(key).where, fmt::format("'{}' is not above zero; expected a positive number", key));
+    fail(get(key).where,
+         fmt::format("'{}' is {:.6g}; expected a number above 0", key, value.convert_to<double>()));
   }
   return value;
 }

@@ -95,30 +95,6 @@ class Argument {
   program::Array array_;
 };
 
-/// \throws InputError for a parameter of the scene that nothing depends on
-void require_use(const Model& model, const Request& request, const program::Function& update) {
-  if (!request.functions.empty()) {
-    return;
-  }
-  std::set<int> used;
-  for (const program::Ref k : program::reachable(update.graph, update.outputs)) {
-    const program::Node& node = update.graph.node(k);
-    if (node.kind == program::Kind::kInput) {
-      used.insert(node.b);
-    }
-  }
-  int index = 0;
-  for (const model::Parameter& parameter : model.tree.parameters) {
-    if (parameter.quantity == model::ParameterKind::kScene && !used.contains(index)) {
-      throw InputError({request.scene.value_or(request.model), 0, 0},
-                       fmt::format("runtime: no function that is generated depends on parameter "
-                                   "'{}'; expected one that an effect uses",
-                                   parameter.declared));
-    }
-    ++index;
-  }
-}
-
 }  // namespace
 
 void separate_parameters(const Model& model, const Request& request, program::Programs& programs) {
@@ -143,7 +119,6 @@ void separate_parameters(const Model& model, const Request& request, program::Pr
                (of_model && (lengths || is_weighed(function.signature)));
       });
   program::Function& update = separated.update;
-  require_use(model, request, update);
   update.signature.name = emit::kUpdate;
   update.signature.brief =
       "What the functions need of the run-time parameters: to be called before them and when a "
@@ -160,6 +135,31 @@ void separate_parameters(const Model& model, const Request& request, program::Pr
   }
   programs.update = std::move(separated.update);
   programs.derived = std::move(separated.numbers);
+}
+
+void require_use_of_parameters(const Model& model, const Request& request,
+                               const program::Programs& programs) {
+  if (!programs.update || !request.functions.empty()) {
+    return;
+  }
+  const program::Function& update = *programs.update;
+  std::set<int> used;
+  for (const program::Ref k : program::reachable(update.graph, update.outputs)) {
+    const program::Node& node = update.graph.node(k);
+    if (node.kind == program::Kind::kInput) {
+      used.insert(node.b);
+    }
+  }
+  int index = 0;
+  for (const model::Parameter& parameter : model.tree.parameters) {
+    if (parameter.quantity == model::ParameterKind::kScene && !used.contains(index)) {
+      throw InputError({request.scene.value_or(request.model), 0, 0},
+                       fmt::format("runtime: no function that is generated depends on parameter "
+                                   "'{}'; expected one of an effect that is on",
+                                   parameter.declared));
+    }
+    ++index;
+  }
 }
 
 }  // namespace treedyn

@@ -11,4 +11,8 @@ namespace treedyn {
 /// \throws InputError for a function of a user that has a name which the result needs
 void separate_parameters(const Model& model, const Request& request, program::Programs& programs);
 
+/// \throws InputError for a parameter of the scene that none of all its functions depends on
+void require_use_of_parameters(const Model& model, const Request& request,
+                               const program::Programs& programs);
+
 }  // namespace treedyn

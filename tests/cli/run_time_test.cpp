@@ -586,7 +586,8 @@ TEST_F(RunTimeCli, RefusesWhatItDoesNotTake) {
           "runtime: 'mass' cannot be known at run time only; expected gravity");
   refused({"--runtime", "nose.at"},
           "runtime: there is no point 'nose'; expected one of the model's");
-  refused({"--runtime", "forearm.com.w"}, "there is no link 'forearm.com'; expected one");
+  refused({"--runtime", "forearm.com.w"},
+          "link 'forearm': runtime: 'com.w' cannot be known at run time only; expected mass");
   refused({"--runtime", "forearm.at"}, "there is no point 'forearm'");
   refused({"--runtime", "gravity,gravity"}, "run-time parameter 'gravity' is defined twice");
   refused({"--runtime", "forearm.length"},
@@ -608,6 +609,19 @@ TEST_F(RunTimeCli, RefusesOptionsThatReportNumbers) {
       "--numeric");
   expect_usage_error(treedyn({"generate", "--scene", kScene, "--runtime", "a.mass", "-o", out()}),
                      "--runtime is for models");
+}
+
+/// A nominal zero takes its spring out of the scene that is priced, and what it was multiplied
+/// with.
+TEST_F(RunTimeCli, PricesParametersThatOthersOfNominalZeroNeed) {
+  write_file(scratch("model.yaml"), declared("mass: 2\n    inertia: [1, 0, 0, 1, 0, 1]"));
+  write_file(
+      scratch("scene.yaml"),
+      "scene: s\nmodel: model.yaml\nduration: 1\nparameters: {k: 0, rest: 0.1}\n"
+      "runtime: [k, rest]\neffects: {joint_spring: [{joint: j, stiffness: k, rest: rest}]}\n");
+  const Outcome outcome = treedyn({"info", "--scene", scratch("scene.yaml"), "--effort", "0"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\n  rest "));
 }
 
 TEST_F(RunTimeCli, ScenesRefuseWhatTheyDoNotTake) {
@@ -633,7 +647,7 @@ TEST_F(RunTimeCli, ScenesRefuseWhatTheyDoNotTake) {
   refused(
       "parameters: {k: 0}\nruntime: [k]\neffects: {coulomb_friction: [{joint: j, force: 1, "
       "slip_speed: k}]}\n",
-      "'slip_speed' is not above zero");
+      "'slip_speed' is 0; expected a number above 0");
   refused(k + "effects: {joint_spring: [{joint: j, stiffness: asin(k/4)}]}\n", "asin");
 }
 
