@@ -78,15 +78,19 @@ void add_info(CLI::App& app, Settings& settings) {
 void add_commands(CLI::App& app, Settings& settings) {
   CLI::App* generate = add_output_command(
       app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder", settings);
-  generate->add_option("--depfile", settings.depfile, "also write a Make-style dependency file")
-      ->type_name("FILE");
-  generate
-      ->add_option("--stamp", settings.stamp,
-                   "also write this empty file, at every run: what Make waits for, as unchanged "
-                   "files keep their time")
-      ->type_name("FILE");
+  CLI::Option* const depfile =
+      generate->add_option("--depfile", settings.depfile, "also write a Make-style dependency file")
+          ->type_name("FILE");
+  CLI::Option* const stamp =
+      generate
+          ->add_option("--stamp", settings.stamp,
+                       "also write this empty file, at every run: what Make waits for, as "
+                       "unchanged files keep their time")
+          ->type_name("FILE");
   generate
       ->add_option("--dump", settings.dump, "print what leaves a stage instead of writing files")
+      ->excludes(depfile)
+      ->excludes(stamp)
       ->check(one_of(stages()))
       ->type_name(fmt::format("{}", fmt::join(stages(), "|")));
   CLI::App* check = add_output_command(
@@ -320,7 +324,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     result.out = out.str();
   } catch (const InputError& error) {  // of --settings
     result.status = kFailure;
-    result.error = fmt::format("treedyn: {}\n", error.what());
+    result.error = fmt::format("{}\n", error.what());
   } catch (const CLI::ExtrasError&) {
     result.status = kUsage;
     result.error = fmt::format("treedyn: not expected: {}; see treedyn --help\n",
@@ -331,7 +335,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     result.status = place == places.end() ? kUsage : kFailure;
     result.error = place == places.end()
                        ? fmt::format("treedyn: {}; see treedyn --help\n", what)
-                       : fmt::format("{}\n", InputError(place->second, what).what());
+                       : fmt::format("{}\n", InputError(place->second, "settings: " + what).what());
   }
   return result;
 }

@@ -16,6 +16,7 @@
 #include "emit/run_time.hpp"
 #include "equations/scene_table.hpp"
 #include "formulate/scene_functions.hpp"
+#include "stages/checked_siblings.hpp"
 
 namespace treedyn {
 
@@ -160,7 +161,8 @@ struct Priced {
   }
 };
 
-std::vector<Priced> priced(const program::Programs& programs) {
+std::vector<Priced> priced(const Model& model, const Request& request,
+                           const program::Programs& programs) {
   std::vector<Priced> result;
   if (programs.update) {
     const program::Function& update = *programs.update;
@@ -168,6 +170,11 @@ std::vector<Priced> priced(const program::Programs& programs) {
   }
   for (const program::Function& function : programs.functions) {
     result.push_back({function.signature, program::cost(function)});
+  }
+  if (request.checked) {
+    for (const emit::Checked& checked : checked_siblings(model, programs.functions)) {
+      result.push_back({checked.signature, emit::cost(checked)});
+    }
   }
   for (const program::Staged& staged : programs.staged) {
     result.push_back({staged.signature, program::cost(staged)});
@@ -178,9 +185,10 @@ std::vector<Priced> priced(const program::Programs& programs) {
   return result;
 }
 
-std::string cost_table(const program::Programs& programs) {
+std::string cost_table(const Model& model, const Request& request,
+                       const program::Programs& programs) {
   Rows rows = {{"function", "equation", "values", "mul + add + div", "fused", "of these"}};
-  for (const Priced& function : priced(programs)) {
+  for (const Priced& function : priced(model, request, programs)) {
     rows.push_back({function.signature.name, function.signature.equation,
                     std::to_string(function.values()), std::to_string(function.cost.total()),
                     std::to_string(function.cost.fused), emit::cost_text(function.cost)});
@@ -338,9 +346,10 @@ std::string parameters_json(const Model& model, const Request& request,
          fmt::format(",\n  \"parameter_prices\": {}", emit::json_lines(prices, 4));
 }
 
-std::vector<std::string> functions_json(const program::Programs& programs) {
+std::vector<std::string> functions_json(const Model& model, const Request& request,
+                                        const program::Programs& programs) {
   std::vector<std::string> result;
-  for (const Priced& function : priced(programs)) {
+  for (const Priced& function : priced(model, request, programs)) {
     result.push_back(json_object({{"name", json_string(function.signature.name)},
                                   {"equation", json_string(function.signature.equation)},
                                   {"values", std::to_string(function.values())},
@@ -359,7 +368,7 @@ std::string info_text(const Model& model, const Request& request,
                      shown(model.tree.name), model.tree.dof(), model.tree.size(),
                      emit::decimal(total_mass(model.tree)), axes ? "axes" : "fixed") +
          joint_table(model) + mimic_lines(model) + reachability_text(model.tree) +
-         point_table(model) + snap_table(model.tree) + cost_table(programs) +
+         point_table(model) + snap_table(model.tree) + cost_table(model, request, programs) +
          parameter_table(model, request, programs) + price_table(model, request, programs);
 }
 
@@ -372,7 +381,8 @@ std::string info_json(const Model& model, const Request& request,
       json_string(model.tree.name), json_string(axes ? "axes" : "fixed"), model.tree.dof(),
       emit::decimal(total_mass(model.tree)), emit::json_lines(joints_json(model), 4),
       emit::json_lines(links_json(model.tree), 4), emit::json_lines(points_json(model), 4),
-      emit::json_lines(snaps_json(model.tree), 4), emit::json_lines(functions_json(programs), 4),
+      emit::json_lines(snaps_json(model.tree), 4),
+      emit::json_lines(functions_json(model, request, programs), 4),
       parameters_json(model, request, programs),
       model.scene ? fmt::format(",\n  \"prices\": {}",
                                 emit::json_lines(prices_json(model, request, programs), 4))

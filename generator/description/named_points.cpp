@@ -123,8 +123,8 @@ class PointList {
         const std::string& link = tree_.links[static_cast<std::size_t>(i)].name;
         result.push_back({link, to_identifier(link), link, i, {}});
       }
-    } else if (frames_.count(name) > 0) {
-      result.push_back(on_frame(std::string(name), *frames_.find(name)->second, {}));
+    } else if (const model::Frame* const frame = find_frame(tree_, name)) {
+      result.push_back(on_frame(std::string(name), *frame, {}));
     } else {
       std::vector<std::string_view> known = names_of(tree_.points);
       const std::vector<std::string_view> links = names_of(tree_.frames);

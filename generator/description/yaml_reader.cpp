@@ -101,7 +101,8 @@ void refuse_scene(const Node& root, const std::string& file) {
   for (const Node& item : root.items) {
     if (item.key.text == "scene") {
       throw InputError({file, item.key.where.line, item.key.where.column},
-                       "is a scene; expected a tree description, or --scene with this file");
+                       "is a scene; expected a tree description; generate, check, outputs and "
+                       "info take it as --scene");
     }
   }
 }

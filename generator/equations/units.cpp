@@ -82,6 +82,16 @@ Units product(const Units& a, const Units& b) {
   return result;
 }
 
+/// Of a zero, like dot(m_d): it fits every sum.
+Units any(Units a) {
+  for (auto& row : a) {
+    for (std::optional<Unit>& unit : row) {
+      unit = unit ? std::optional(Unit{.any = true}) : unit;
+    }
+  }
+  return a;
+}
+
 Units transposed(Units a) {
   std::swap(a[0][1], a[1][0]);
   return a;
@@ -231,6 +241,12 @@ Units UnitReader::of(const Expression& e) {
       break;
     case Kind::kTranspose:
       result = transposed(of(e.operands().front()));
+      break;
+    case Kind::kScaled:
+      result = of(e.operands().front());
+      if (e.node().factor.numerator == 0) {
+        result = any(result);
+      }
       break;
     case Kind::kDiagonal:
       result = diagonal(of(e.operands().front()));

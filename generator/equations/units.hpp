@@ -16,7 +16,7 @@ struct Unit {
   int kg = 0;
   int m = 0;
   int s = 0;
-  bool any = false;  ///< of an input of a user: fits everything
+  bool any = false;  ///< of an input of a user, or of a zero: fits everything
   friend bool operator==(const Unit&, const Unit&) = default;
 };
 Unit operator*(const Unit& a, const Unit& b);

@@ -245,7 +245,7 @@ TEST_F(Cli, DependsOnItsSettingsAndNamesTheirLines) {
   const Outcome refused =
       treedyn({"generate", kModel, "-o", out(), "--settings", scratch("s.txt")});
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.err, StartsWith(scratch("s.txt") + ":2: --scalar: half"));
+  EXPECT_THAT(refused.err, StartsWith(scratch("s.txt") + ":2: settings: --scalar: half"));
 }
 
 TEST_F(Cli, VetsInThreeFormats) {
@@ -289,8 +289,13 @@ TEST_F(Cli, TellsAboutAModel) {
   EXPECT_THAT(text.out, HasSubstr("two_link: 2 joints"));
   EXPECT_THAT(text.out, HasSubstr("  x.  upper_arm\n  xx  forearm\n"));
   EXPECT_THAT(treedyn({"info", kModel, "--json"}).out, HasSubstr("\"dof\": 2"));
+  EXPECT_THAT(text.out, testing::Not(HasSubstr("_checked")));
+  EXPECT_THAT(treedyn({"info", kModel, "--checked"}).out,
+              HasSubstr("\n  forward_dynamics_checked "));
   EXPECT_THAT(treedyn({"info", kModel, "--equations"}).out, HasSubstr("c_fD = l_D + c^d D"));
   expect_usage_error(treedyn({"info", kModel, "--passes", "--json"}), "--json excludes --passes");
+  expect_usage_error(treedyn({"generate", kModel, "--dump", "derive", "--stamp", scratch("s")}),
+                     "--stamp excludes --dump");
   expect_usage_error(treedyn({"info", kModel, "--accuracy", "--base-parameters"}),
                      "excludes --base-parameters");
 }

@@ -299,6 +299,9 @@ struct Refusal {
   const char* message;
 };
 
+/// In the names of tests.
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << '"' << refusal.value << '"'; }
+
 class Refused : public testing::TestWithParam<Refusal> {};
 
 TEST_P(Refused, WithThePlaceAndTheReason) {
@@ -366,6 +369,7 @@ TEST(Units, AreWorkedOutFromTheLeaves) {
   EXPECT_EQ(robot.read("1/2 * T(qd) * A * qd").unit, "J");
   EXPECT_EQ(robot.read("T(ones) * m_d * J_v * qd").unit, "kg m/s");
   EXPECT_EQ(robot.read("dot(J_v) * qd").unit, "m/s^2");
+  EXPECT_EQ(robot.read("dot(m_d) * r + m_d * J_v * qd").unit, "kg m/s");
   EXPECT_EQ(robot.read("J_v").unit, "m|1");
 }
 

@@ -77,10 +77,13 @@ TEST(NamedPoints, MayStandOnTheGround) {
   const model::Point wall = yaml(text).points.back();
   EXPECT_EQ(wall.link, model::kGround);
   EXPECT_THAT(wall.at, ElementsAre(Real(1), Real(2), Real(3)));
-  const std::vector<model::Point> points = resolve_points(yaml(kLeg), "a=ground,b=ground:0,0,1");
+  const std::vector<model::Point> points =
+      resolve_points(yaml(kLeg), "a=ground,b=ground:0,0,1,ground");
   EXPECT_EQ(points[0].link, model::kGround);
   EXPECT_EQ(points[1].link, model::kGround);
   EXPECT_EQ(points[1].at[2], 1);
+  EXPECT_EQ(points[2].name, "ground");
+  EXPECT_EQ(points[2].link, model::kGround);
 }
 
 TEST(ResolvePoints, NameTheMistake) {
