@@ -79,9 +79,7 @@ void require_removable(const Subject& subject, const std::string& effect,
   static constexpr std::array<std::string_view, 6> kDeciding = {
       "locked_joint",      "point_constraint", "orientation_constraint",
       "joined_constraint", "impact",           "stabilisation"};
-  const bool sticks = effect == "coulomb_friction" &&
-                      std::any_of(scene.frictions.begin(), scene.frictions.end(),
-                                  [](const auto& friction) { return friction.slip_speed == 0; });
+  const bool sticks = effect == "coulomb_friction" && !scene.frictions.empty();
   if (sticks || std::find(kDeciding.begin(), kDeciding.end(), effect) != kDeciding.end()) {
     throw UsageError(
         fmt::format("--without: {} decides which rows and events the step has; "

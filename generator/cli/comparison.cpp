@@ -51,11 +51,8 @@ Comparison::Comparison(const Subject& subject, std::vector<model::Point> points)
   const auto ends = [](const model::Phase& phase) {
     return !phase.until.empty();
   };
-  const auto sticks = [](const model::JointFriction& friction) {
-    return friction.slip_speed == 0;
-  };
-  happens_ = std::any_of(scene.phases.begin(), scene.phases.end(), ends) ||
-             std::any_of(scene.frictions.begin(), scene.frictions.end(), sticks);
+  happens_ =
+      std::any_of(scene.phases.begin(), scene.phases.end(), ends) || !scene.frictions.empty();
 }
 
 void Comparison::set_reference(std::vector<Motion> exact) {

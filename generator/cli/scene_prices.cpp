@@ -6,6 +6,7 @@
 
 #include "formulate/scene_sticking.hpp"
 #include "model/effects.hpp"
+#include "model/scene_facts.hpp"
 #include "stages/in_scalar.hpp"
 
 namespace treedyn {
@@ -67,6 +68,7 @@ void without_kind(Scene& scene) {
   remove_constraints(scene, kKind);
 }
 
+/// Of what is no law of a joint or a point.
 using Removal = std::function<void(Scene&)>;
 
 const std::map<std::string_view, Removal>& removals() {
@@ -79,20 +81,10 @@ const std::map<std::string_view, Removal>& removals() {
        [](Scene& s) {
          s.velocity_products = false;
        }},
-      {"viscous_friction", without_any<&Scene::viscous_frictions>},
       {"coulomb_friction", without_any<&Scene::frictions>},
-      {"stribeck_friction", without_any<&Scene::stribeck_frictions>},
       {"armature", without_any<&Scene::armatures>},
-      {"joint_spring", without_any<&Scene::joint_springs>},
-      {"point_spring", without_any<&Scene::point_springs>},
-      {"drive",
-       [](Scene& s) {
-         s.motors.clear();
-         s.tau.clear();
-       }},
+      {"drive", without_any<&Scene::tau>},
       {"locked_joint", without_kind<ConstraintKind::kJoint>},
-      {"force", without_any<&Scene::forces>},
-      {"moment", without_any<&Scene::torques>},
       {"point_constraint", without_kind<ConstraintKind::kPoint>},
       {"orientation_constraint", without_kind<ConstraintKind::kOrientation>},
       {"joined_constraint", without_kind<ConstraintKind::kJoined>},
@@ -102,18 +94,6 @@ const std::map<std::string_view, Removal>& removals() {
          s.stepping.drift = model::Drift::kNone;
        }}};
   return table;
-}
-
-bool has_impact(const Scene& scene) {
-  return std::any_of(scene.phases.begin(), scene.phases.end(), [](const model::Phase& phase) {
-    return std::any_of(phase.until.begin(), phase.until.end(),
-                       [](const model::Event& event) { return event.impact.has_value(); });
-  });
-}
-
-bool has_constraint(const Scene& scene, ConstraintKind kind) {
-  return std::any_of(scene.constraints.begin(), scene.constraints.end(),
-                     [&](const Constraint& constraint) { return constraint.kind == kind; });
 }
 
 std::map<std::string, program::Cost> costs_by_name(const program::Programs& programs) {
@@ -132,33 +112,21 @@ std::map<std::string, program::Cost> costs_by_name(const program::Programs& prog
 
 }  // namespace
 
-bool names_effect(const Scene& s, std::string_view effect) {
-  const std::map<std::string_view, bool> named = {
-      {"gravity", s.gravity != model::Vector3{}},
-      {"velocity_products", s.velocity_products},
-      {"viscous_friction", !s.viscous_frictions.empty()},
-      {"coulomb_friction", !s.frictions.empty()},
-      {"stribeck_friction", !s.stribeck_frictions.empty()},
-      {"armature", !s.armatures.empty()},
-      {"joint_spring", !s.joint_springs.empty()},
-      {"point_spring", !s.point_springs.empty()},
-      {"drive", !s.motors.empty() || !s.tau.empty()},
-      {"locked_joint", has_constraint(s, ConstraintKind::kJoint)},
-      {"force", !s.forces.empty()},
-      {"moment", !s.torques.empty()},
-      {"point_constraint", has_constraint(s, ConstraintKind::kPoint)},
-      {"orientation_constraint", has_constraint(s, ConstraintKind::kOrientation)},
-      {"joined_constraint", has_constraint(s, ConstraintKind::kJoined)},
-      {"ground_contact", !s.contacts.empty()},
-      {"impact", has_impact(s)},
-      {"stabilisation", s.stepping.drift == model::Drift::kBaumgarte && !s.constraints.empty()}};
-  const auto found = named.find(effect);
-  return found != named.end() && found->second;
+bool names_effect(const Scene& scene, std::string_view effect) {
+  return model::entries_of(scene, effect) > 0;
 }
 
 Scene without_effect(const Scene& scene, std::string_view effect) {
   Scene result = scene;
-  removals().at(effect)(result);
+  const auto is_its = [&](const auto& law) {
+    return law.effect == effect;
+  };
+  std::erase_if(result.joint_laws, is_its);
+  std::erase_if(result.point_laws, is_its);
+  const auto removal = removals().find(effect);
+  if (removal != removals().end()) {
+    removal->second(result);
+  }
   return result;
 }
 

@@ -1,13 +1,16 @@
 // The page of a simulation.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "cli/simulate.hpp"
 #include "emit/json.hpp"
 #include "emit/template_file.hpp"
+#include "model/effects.hpp"
 #include "model/scene_facts.hpp"
 #include "simulation/column_names.hpp"
 #include "version.hpp"
@@ -81,32 +84,16 @@ std::string events_json(const SimulateResult& result) {
 }
 
 std::string effects_of(const model::Scene& scene) {
+  static constexpr std::array<std::string_view, 3> kToldElsewhere = {"gravity", "impact",
+                                                                     "stabilisation"};
   std::vector<std::string> names;
-  const auto add = [&](std::size_t count, const char* name) {
-    if (count > 0) {
-      names.push_back(count > 1 ? fmt::format("{} {}", count, name) : std::string(name));
+  for (const model::EffectRow& effect : model::kEffects) {
+    const std::size_t count = model::entries_of(scene, effect.name);
+    if (count > 0 && std::ranges::count(kToldElsewhere, effect.name) == 0) {
+      names.push_back(count > 1 ? fmt::format("{} {}", count, effect.name)
+                                : std::string(effect.name));
     }
-  };
-  const auto kinds = [&](model::ConstraintKind kind) {
-    return static_cast<std::size_t>(
-        std::count_if(scene.constraints.begin(), scene.constraints.end(),
-                      [&](const model::Constraint& c) { return c.kind == kind; }));
-  };
-  add(scene.velocity_products ? 1 : 0, "velocity_products");
-  add(scene.viscous_frictions.size(), "viscous_friction");
-  add(scene.frictions.size(), "coulomb_friction");
-  add(scene.stribeck_frictions.size(), "stribeck_friction");
-  add(scene.armatures.size(), "armature");
-  add(scene.joint_springs.size(), "joint_spring");
-  add(scene.point_springs.size(), "point_spring");
-  add(scene.motors.size(), "drive");
-  add(kinds(model::ConstraintKind::kJoint), "locked_joint");
-  add(scene.forces.size(), "force");
-  add(scene.torques.size(), "moment");
-  add(kinds(model::ConstraintKind::kPoint), "point_constraint");
-  add(kinds(model::ConstraintKind::kOrientation), "orientation_constraint");
-  add(kinds(model::ConstraintKind::kJoined), "joined_constraint");
-  add(scene.contacts.size(), "ground_contact");
+  }
   return fmt::format("{}", fmt::join(names, ", "));
 }
 

@@ -27,43 +27,11 @@ enum class ModelPart : std::uint8_t {
   kScene
 };
 
-/// What a number of a scene is; those of expressions come first.
-enum class SceneNumber : std::uint8_t {
-  kDrive,
-  kLoad,
-  kCurve,
-  kLaw,
-  kEvent,
-  kDirection,
-  kStart,
-  kStiffness,
-  kDamping,
-  kRest,
-  kAnchor,
-  kGroundNormal,
-  kGroundHeight,
-  kGroundStiffness,
-  kDissipation,
-  kFriction,
-  kSlipSpeed,
-  kViscousFriction,
-  kDryFriction,
-  kStaticFriction,
-  kStribeckSpeed,
-  kArmature,
-  kJointForce,
-  kEventNormal,
-  kEventHeight,
-  kRestitution,
-  kStabilisation
-};
-inline constexpr SceneNumber kLastOfExpressions = SceneNumber::kEvent;
-
 /// One number of a robot.
 struct Origin {
   int link = -1;  ///< -1: of no link
   ModelPart part = ModelPart::kMass;
-  int component = 0;  ///< x y z; xx xy xz yy yz zz; of a scene a SceneNumber
+  int component = 0;  ///< x y z; xx xy xz yy yz zz; of a scene a model::SceneNumber
   // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a pointer in <=>
   auto operator<=>(const Origin&) const = default;
 };

@@ -97,11 +97,9 @@ void SceneEffects::refuse_contradictions(const SceneFields& root) const {
 /// Which of the two holds the joint nothing decides.
 void SceneEffects::refuse_friction_at_rest(const SceneFields& root,
                                            const model::Constraint& constraint) const {
-  const auto sticks = [&](const model::JointFriction& friction) {
-    return friction.joint == constraint.joint && friction.slip_speed == 0;
-  };
   if (constraint.pinned && constraint.kind == ConstraintKind::kJoint &&
-      std::ranges::any_of(context_.scene().frictions, sticks)) {
+      std::ranges::count(context_.scene().frictions, constraint.joint, &model::DryFriction::joint) >
+          0) {
     root.fail(places_.at(constraint.name),
               fmt::format("constraint '{}' locks a joint that dry friction without slip_speed "
                           "holds as well; expected a slip_speed, or one of them",

@@ -8,6 +8,7 @@
 #include "common/decimal.hpp"
 #include "common/index.hpp"
 #include "model/effects.hpp"
+#include "model/force_laws.hpp"
 
 namespace treedyn::description {
 
@@ -201,25 +202,31 @@ void SceneEffects::read_entries(const Row& row, const SceneFields& effects, cons
 }
 
 void SceneEffects::viscous_friction(const SceneFields& fields) {
-  scene().viscous_frictions.push_back({context_.joint(fields), fields.amount("coefficient")});
+  add(model::viscous_friction(context_.joint(fields), fields.amount("coefficient")));
 }
 
-/// Without slip_speed phases tell how it acts, which does not change at run time.
+/// Without slip_speed it sticks; phases tell how it acts then, which does not change at run time.
 void SceneEffects::coulomb_friction(const SceneFields& fields) {
+  const int joint = context_.joint(fields);
   const Real slip_speed = positive_at_run_time(fields, "slip_speed");
-  const SceneFields of_force = slip_speed == 0 ? fields.fixed() : fields;
-  scene().frictions.push_back({context_.joint(fields), of_force.amount("force"), slip_speed});
+  if (slip_speed == 0) {
+    scene().frictions.push_back({joint, fields.fixed().amount("force")});
+  } else {
+    add(model::coulomb_friction(joint, fields.amount("force"), slip_speed));
+  }
 }
 
 void SceneEffects::stribeck_friction(const SceneFields& fields) {
-  const model::StribeckFriction friction{
-      context_.joint(fields), fields.amount("force"), fields.amount("static_force"),
-      fields.positive("stribeck_speed"), fields.positive("slip_speed")};
-  if (friction.static_force.plain() < friction.force.plain()) {
+  const int joint = context_.joint(fields);
+  const Real force = fields.amount("force");
+  const Real static_force = fields.amount("static_force");
+  const Real stribeck_speed = fields.positive("stribeck_speed");
+  const Real slip_speed = fields.positive("slip_speed");
+  if (static_force.plain() < force.plain()) {
     fields.fail(fields.get("static_force").where,
                 "'static_force' is below 'force'; expected at least as much");
   }
-  scene().stribeck_frictions.push_back(friction);
+  add(model::stribeck_friction(joint, force, static_force, stribeck_speed, slip_speed));
 }
 
 void SceneEffects::armature(const SceneFields& fields) {
@@ -227,14 +234,19 @@ void SceneEffects::armature(const SceneFields& fields) {
 }
 
 void SceneEffects::joint_spring(const SceneFields& fields) {
-  scene().joint_springs.push_back({context_.joint(fields), fields.amount("stiffness"),
-                                   fields.amount_or("damping", 0), fields.number_or("rest", 0)});
+  const int joint = context_.joint(fields);
+  const Real stiffness = fields.amount("stiffness");
+  const Real damping = fields.amount_or("damping", 0);
+  add(model::joint_spring(joint, stiffness, damping, fields.number_or("rest", 0)));
 }
 
 void SceneEffects::point_spring(const SceneFields& fields) {
-  scene().point_springs.push_back({context_.point(fields), fields.vector("anchor"),
-                                   fields.amount("stiffness"), fields.amount_or("damping", 0),
-                                   fields.amount_or("rest_length", 0)});
+  const int point = context_.point(fields);
+  const model::Vector3 anchor = fields.vector("anchor");
+  const Real stiffness = fields.amount("stiffness");
+  const Real damping = fields.amount_or("damping", 0);
+  scene().point_laws.push_back(
+      model::point_spring(point, anchor, stiffness, damping, fields.amount_or("rest_length", 0)));
 }
 
 /// A torque, or kp (target - q) + kd (target' - qd), or their sum.
@@ -261,7 +273,7 @@ void SceneEffects::drive(const SceneFields& fields) {
     fields.fail(gain->key.where,
                 fmt::format("'{}' without a target; expected target too", gain->key.text));
   }
-  scene().motors.push_back({joint, torque});
+  add(model::drive(joint, torque));
 }
 
 model::VectorExpression SceneEffects::load(const SceneFields& fields) const {
@@ -275,12 +287,12 @@ model::VectorExpression SceneEffects::load(const SceneFields& fields) const {
 
 void SceneEffects::force(const SceneFields& fields) {
   const int point = context_.point(fields);
-  scene().forces.push_back({point, load(fields)});
+  scene().point_laws.push_back(model::point_force(point, load(fields)));
 }
 
 void SceneEffects::moment(const SceneFields& fields) {
   const int point = context_.point(fields);
-  scene().torques.push_back({point, load(fields)});
+  scene().point_laws.push_back(model::moment(point, load(fields)));
 }
 
 void SceneEffects::ground_contact(const SceneFields& fields) {

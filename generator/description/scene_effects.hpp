@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "description/scene_context.hpp"
 
@@ -60,6 +61,7 @@ class SceneEffects {
   [[nodiscard]] model::VectorExpression load(const SceneFields& fields) const;
   void read_directions(const SceneFields& fields, model::Constraint& constraint) const;
   void read_accelerations(const SceneFields& fields, model::Constraint& constraint) const;
+  void add(model::JointLaw law) { scene().joint_laws.push_back(std::move(law)); }
   void add(const SceneFields& fields, model::Constraint constraint);
   void refuse_friction_at_rest(const SceneFields& root, const model::Constraint& constraint) const;
   void refuse_second(const SceneFields& fields, const std::string& name) const;

@@ -123,8 +123,8 @@ class SceneReader {
 
   void read_joint_spring(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what, {"name", "joint", "k", "d", "q0"});
-    scene_.joint_springs.push_back(
-        {joint(fields), fields.number("k"), fields.number_or("d", 0), fields.number_or("q0", 0)});
+    scene_.joint_laws.push_back(model::joint_spring(
+        joint(fields), fields.number("k"), fields.number_or("d", 0), fields.number_or("q0", 0)));
   }
 
   void read_armature(const Node& node, const std::string& what) {
@@ -135,15 +135,16 @@ class SceneReader {
   void read_point_spring(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what,
                              {"name", "body", "point", "anchor", "k", "d", "rest_length"});
-    scene_.point_springs.push_back({point(fields), fields.vector("anchor"), fields.number("k"),
-                                    fields.number_or("d", 0), fields.amount_or("rest_length", 0)});
+    scene_.point_laws.push_back(model::point_spring(point(fields), fields.vector("anchor"),
+                                                    fields.number("k"), fields.number_or("d", 0),
+                                                    fields.amount_or("rest_length", 0)));
   }
 
   void read_torque(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what, {"name", "body", "torque"});
     const int at = point(fields, true);
     const model::Vector3 value = fields.vector("torque");
-    scene_.torques.push_back({at, {value[0], value[1], value[2]}});
+    scene_.point_laws.push_back(model::moment(at, {value[0], value[1], value[2]}));
   }
 
   void read_force(const Node& node, const std::string& what) {
@@ -152,7 +153,7 @@ class SceneReader {
                               "height", "k", "n", "c", "mu", "vs"});
     const std::string type = fields.text("type").text;
     if (type == "joint_coulomb") {
-      scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0), 0});
+      scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0)});
     } else if (type == "ground_point" || type == "ground_point_hc") {
       read_contact(fields, type == "ground_point_hc");
     } else {

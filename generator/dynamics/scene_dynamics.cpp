@@ -6,6 +6,7 @@
 
 #include "engine/engine.hpp"
 #include "formulate/functions.hpp"
+#include "model/force_laws.hpp"
 #include "program/combine.hpp"
 #include "simulation/tape_dynamics.hpp"
 
@@ -93,11 +94,11 @@ class EngineDynamics final : public simulation::Dynamics {
 simulation::Needs needs_of(const model::Scene& scene) {
   simulation::Needs needs;
   needs.points = !scene.points.empty();
-  needs.rotations =
-      !scene.torques.empty() || std::any_of(scene.constraints.begin(), scene.constraints.end(),
-                                            [](const model::Constraint& c) {
-                                              return c.kind == model::ConstraintKind::kOrientation;
-                                            });
+  needs.rotations = model::has_moments(scene) ||
+                    std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                                [](const model::Constraint& c) {
+                                  return c.kind == model::ConstraintKind::kOrientation;
+                                });
   return needs;
 }
 

@@ -13,6 +13,7 @@
 #include "common/identifier.hpp"
 #include "emit/layout.hpp"
 #include "emit/names.hpp"
+#include "model/scene_number.hpp"
 
 namespace treedyn::emit {
 
@@ -87,23 +88,6 @@ std::string components(const char* word, const std::vector<int>& which,
   return fmt::format("{} {}", word, fmt::join(chosen, " "));
 }
 
-/// Of SceneNumber.
-constexpr std::array<const char*, 27> kSceneWords = {"drive",          "load",
-                                                     "curve",          "law",
-                                                     "event",          "direction",
-                                                     "start",          "spring stiffness",
-                                                     "spring damping", "spring rest",
-                                                     "spring anchor",  "ground normal",
-                                                     "ground height",  "ground stiffness",
-                                                     "dissipation",    "friction coefficient",
-                                                     "slip speed",     "viscous friction",
-                                                     "dry friction",   "static friction",
-                                                     "stribeck speed", "armature",
-                                                     "joint force",    "event normal",
-                                                     "event height",   "restitution",
-                                                     "stabilisation"};
-static_assert(static_cast<std::size_t>(SceneNumber::kStabilisation) + 1 == kSceneWords.size());
-
 /// What of one link: "mass, com x y, inertia zz".
 std::string parts_text(const std::map<ModelPart, std::vector<int>>& parts) {
   constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
@@ -134,7 +118,7 @@ std::string parts_text(const std::map<ModelPart, std::vector<int>>& parts) {
         break;
       case ModelPart::kScene:
         for (const int what : which) {
-          words.emplace_back(kSceneWords[static_cast<std::size_t>(what)]);
+          words.emplace_back(model::row_of(static_cast<model::SceneNumber>(what)).word);
         }
         break;
     }

@@ -74,36 +74,33 @@ Vec3 SceneForces::velocity(int point) const {
                           {scene_.points[to_index(point)]}, Way::kToRoot));
 }
 
-AppliedLoad SceneForces::load(const model::PointLoad& load, bool is_moment) const {
+AppliedLoad SceneForces::load(const model::PointLaw& law) const {
   const Meaning meaning = [&](const model::Variable& v) {
     switch (v.quantity) {
       case Quantity::kPointPosition:
-        return position(load.point)[to_index(v.index)];
+        return position(law.point)[to_index(v.index)];
       case Quantity::kPointVelocity:
-        return velocity(load.point)[to_index(v.index)];
+        return velocity(law.point)[to_index(v.index)];
       default:
         return meaning_(v);
     }
   };
-  AppliedLoad result{load.point, is_moment, {}};
+  AppliedLoad result{law.point, law.is_moment, {}};
   try {
     for (std::size_t n = 0; n < 3; ++n) {
-      result.value[n] = value_of(task_.kinematics.graph(), load.value[n], meaning);
+      result.value[n] = value_of(task_.kinematics.graph(), law.value[n], meaning);
     }
   } catch (const InputError& error) {
     throw InputError({}, fmt::format("force at point '{}': {}",
-                                     scene_.points[to_index(load.point)].name, error.message()));
+                                     scene_.points[to_index(law.point)].name, error.message()));
   }
   return result;
 }
 
 std::vector<AppliedLoad> SceneForces::loads() const {
   std::vector<AppliedLoad> result;
-  for (const model::PointLoad& force : model::point_forces(scene_)) {
-    result.push_back(load(force, false));
-  }
-  for (const model::PointLoad& torque : scene_.torques) {
-    result.push_back(load(torque, true));
+  for (const model::PointLaw& law : scene_.point_laws) {
+    result.push_back(load(law));
   }
   return result;
 }
@@ -118,14 +115,11 @@ bool uses_time(const model::Scene& scene, const std::vector<int>& active) {
                : std::any_of(constraint.accelerations.begin(), constraint.accelerations.end(),
                              [](const model::Expression& e) { return of_time(e); });
   };
-  const auto load_uses = [](const model::PointLoad& load) {
-    return of_time(load.value);
-  };
   return std::any_of(active.begin(), active.end(), row_uses) ||
-         std::any_of(scene.motors.begin(), scene.motors.end(),
-                     [](const model::Motor& motor) { return of_time(motor.torque); }) ||
-         std::any_of(scene.forces.begin(), scene.forces.end(), load_uses) ||
-         std::any_of(scene.torques.begin(), scene.torques.end(), load_uses);
+         std::ranges::any_of(scene.joint_laws,
+                             [](const model::JointLaw& law) { return of_time(law.force); }) ||
+         std::ranges::any_of(scene.point_laws,
+                             [](const model::PointLaw& law) { return of_time(law.value); });
 }
 
 }  // namespace treedyn::formulate

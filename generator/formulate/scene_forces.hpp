@@ -42,7 +42,7 @@ class SceneForces {
 
  private:
   [[nodiscard]] Expr input(int array, int element) const;
-  [[nodiscard]] AppliedLoad load(const model::PointLoad& load, bool is_moment) const;
+  [[nodiscard]] AppliedLoad load(const model::PointLaw& law) const;
 
   const Task& task_;
   const model::Scene& scene_;

@@ -14,9 +14,9 @@ enum class NumberForm : std::uint8_t { kNumber, kAxis, kRotation };
 
 /// Numbers that belong together: one, three of a unit vector, nine of a rotation.
 struct SceneMeaning {
-  SceneNumber what = SceneNumber::kDrive;
+  model::SceneNumber what = model::SceneNumber::kDrive;
   int link = model::kGround;
-  Dimension dimension = {0, 0, 0, false};
+  Dimension dimension;
   NumberForm form = NumberForm::kNumber;
 };
 
@@ -28,7 +28,7 @@ void each_number(model::Scene& scene, const SeeNumbers& see);
 void each_number(model::Event& event, const SeeNumbers& see);
 
 /// Equal numbers of one group are one; those of all expressions are in one group.
-int group_of(SceneNumber what);
+int group_of(model::SceneNumber what);
 
 /// Replaces them by what they are seen as.
 void see(std::span<Real> numbers, NumberForm form, StandInNumbers& all);

@@ -58,9 +58,7 @@ ScenePositions::Place ScenePositions::place(const Doubles& q) const {
 }
 
 double ScenePositions::curve(const model::Expression& of_time) const {
-  return of_time.evaluate<double>(
-      [](const Real& x) { return x.convert_to<double>(); },
-      [&](const model::Variable&) { return scene_.t0.convert_to<double>(); });
+  return of_time.evaluate([&](const model::Variable&) { return scene_.t0.convert_to<double>(); });
 }
 
 /// Component n of the angles from `start` to `at`, in the base frame, as long as they are small.

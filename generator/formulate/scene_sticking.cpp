@@ -31,13 +31,10 @@ struct Sticking {
 
 std::vector<Sticking> sticking_joints(const Scene& scene) {
   std::vector<Sticking> result;
-  for (const model::JointFriction& friction : scene.frictions) {
+  for (const model::DryFriction& friction : scene.frictions) {
     const auto same = std::find_if(result.begin(), result.end(), [&](const Sticking& other) {
       return other.joint == friction.joint;
     });
-    if (friction.slip_speed > 0) {
-      continue;
-    }
     if (same == result.end()) {
       result.push_back({friction.joint, friction.force, 0});
     } else {

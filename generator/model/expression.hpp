@@ -4,12 +4,14 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "common/error.hpp"
 #include "common/real.hpp"
+#include "model/scene_number.hpp"
 
 namespace treedyn::model {
 
@@ -35,12 +37,19 @@ struct Variable {
 /// A value that depends on variables by + - * /, integer powers, sqrt, sin and cos.
 ///
 /// Immutable; a program in postfix order. Operations on constants, and with 0 and 1, are done at
-/// once, therefore a constant expression is one number.
+/// once, therefore a constant expression is one number. Numbers of an effect are no constants:
+/// they stand as what they are in every operation.
 class Expression {
  public:
   Expression() : Expression(Real(0)) {}
   Expression(const Real& constant)  // NOLINT(google-explicit-constructor): numbers are expressions
       : program_{{Operation::kConstant, constant, static_cast<double>(constant), {}, 0}} {}
+  /// A number of an effect; a constant if it is 0.
+  Expression(const Real& number, SceneNumber what) : Expression(number) {
+    if (number != 0) {
+      program_.front().what = what;
+    }
+  }
   explicit Expression(Variable variable) : program_{{Operation::kVariable, 0, 0, variable, 0}} {}
 
   Expression operator-() const;
@@ -61,7 +70,8 @@ class Expression {
   }
 
   [[nodiscard]] bool is_constant() const {
-    return program_.front().operation == Operation::kConstant && program_.size() == 1;
+    const Instruction& first = program_.front();
+    return first.operation == Operation::kConstant && !first.what && program_.size() == 1;
   }
   [[nodiscard]] bool is_zero() const { return is_constant() && value() == 0; }
   /// \pre is_constant()
@@ -74,12 +84,12 @@ class Expression {
   [[nodiscard]] std::vector<Variable> variables() const;
   [[nodiscard]] std::size_t size() const { return program_.size(); }
   /// Calls `change` for its numbers, in the order of its program.
-  /// \param change  Real& ->; zero and one have to stay
+  /// \param change  Real&, what it is of an effect ->; zero and one have to stay
   template <class Change>
   void change_constants(Change change) {
     for (Instruction& instruction : program_) {
       if (instruction.operation == Operation::kConstant) {
-        change(instruction.constant);
+        change(instruction.constant, instruction.what);
         instruction.rounded = static_cast<double>(instruction.constant);
       }
     }
@@ -87,7 +97,7 @@ class Expression {
 
   /// The value in a type with operators + - * / and, found by their arguments, sqrt, sin and cos:
   /// double, or the expressions of a program. Operations are done in the order of the program.
-  /// \param constant  Real -> Value
+  /// \param constant  Real -> Value, or double -> Value
   /// \param variable  Variable -> Value
   template <class Value, class OfConstant, class OfVariable>
   Value evaluate(const OfConstant& constant, const OfVariable& variable) const;
@@ -116,6 +126,7 @@ class Expression {
     double rounded = 0;  ///< the constant as double
     Variable variable;
     int exponent = 0;
+    std::optional<SceneNumber> what = {};
     bool operator==(const Instruction&) const = default;
   };
 
@@ -197,10 +208,10 @@ Value Expression::evaluate(const OfConstant& constant, const OfVariable& variabl
   std::vector<Value> stack;
   for (const Instruction& instruction : program_) {
     if (instruction.operation == Operation::kConstant) {
-      if constexpr (std::is_same_v<Value, double>) {
-        stack.push_back(instruction.rounded);
-      } else {
+      if constexpr (std::is_invocable_v<const OfConstant&, const Real&>) {
         stack.push_back(constant(instruction.constant));
+      } else {
+        stack.push_back(constant(instruction.rounded));
       }
     } else if (instruction.operation == Operation::kVariable) {
       stack.push_back(variable(instruction.variable));
@@ -214,7 +225,7 @@ Value Expression::evaluate(const OfConstant& constant, const OfVariable& variabl
 
 template <class OfVariable>
 double Expression::evaluate(const OfVariable& variable) const {
-  return evaluate<double>([](const Real& x) { return static_cast<double>(x); }, variable);
+  return evaluate<double>([](double x) { return x; }, variable);
 }
 
 }  // namespace treedyn::model

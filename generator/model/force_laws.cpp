@@ -21,57 +21,96 @@ Expression dot(const VectorExpression& a, const VectorExpression& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Springs and dampers of one joint act as one.
-struct Elastic {
-  Real at_zero = 0;  ///< its force at q = 0 at rest
-  Real stiffness = 0;
-  Real damping = 0;
-
-  void add(const JointSpring& spring) {
-    at_zero += spring.stiffness * spring.rest;
-    stiffness += spring.stiffness;
-    damping += spring.damping;
-  }
-  [[nodiscard]] Expression law(int joint) const {
-    return at_zero - stiffness * position(joint) - damping * velocity(joint);
-  }
-};
-
 /// -force qd / sqrt(qd^2 + slip_speed^2).
 Expression regularised(const Expression& force, const Real& slip_speed, int joint) {
   const Expression qd = velocity(joint);
-  return -(force * qd / sqrt(qd * qd + Real(slip_speed * slip_speed)));
-}
-
-Expression law(const StribeckFriction& friction) {
-  const Expression ratio = velocity(friction.joint) * Real(1 / friction.stribeck_speed);
-  const Expression more = Real(friction.static_force - friction.force) / (Real(1) + ratio * ratio);
-  return regularised(friction.force + more, friction.slip_speed, friction.joint);
+  const Expression least(slip_speed, SceneNumber::kSlipSpeed);
+  return -(force * qd / sqrt(qd * qd + least * least));
 }
 
 }  // namespace
 
-Expression law(const JointSpring& spring) {
-  Elastic alone;
-  alone.add(spring);
-  return alone.law(spring.joint);
+JointLaw joint_spring(int joint, const Real& stiffness, const Real& damping, const Real& rest) {
+  const Expression k(stiffness, SceneNumber::kStiffness);
+  const Expression at(rest, SceneNumber::kRest);
+  const Expression q = position(joint);
+  const Expression d(damping, SceneNumber::kDamping);
+  const Expression stretch = q - at;
+  return {"joint_spring", joint, k * at - k * q - d * velocity(joint),
+          Real(0.5) * k * stretch * stretch};
+}
+
+JointLaw viscous_friction(int joint, const Real& coefficient) {
+  const Expression d(coefficient, SceneNumber::kViscousFriction);
+  return {"viscous_friction", joint, -(d * velocity(joint)), {}};
+}
+
+JointLaw coulomb_friction(int joint, const Real& force, const Real& slip_speed) {
+  const Expression f(force, SceneNumber::kDryFriction);
+  return {"coulomb_friction", joint, regularised(f, slip_speed, joint), {}};
+}
+
+JointLaw stribeck_friction(int joint, const Real& force, const Real& static_force,
+                           const Real& stribeck_speed, const Real& slip_speed) {
+  const Expression f(force, SceneNumber::kDryFriction);
+  const Expression ratio =
+      velocity(joint) / Expression(stribeck_speed, SceneNumber::kStribeckSpeed);
+  const Expression more = Expression(static_force, SceneNumber::kStaticFriction) - f;
+  return {"stribeck_friction",
+          joint,
+          regularised(f + more / (Real(1) + ratio * ratio), slip_speed, joint),
+          {}};
+}
+
+JointLaw drive(int joint, const Expression& torque) { return {"drive", joint, torque, {}}; }
+
+std::vector<JointLaw> laws_of(const Scene& scene, std::string_view effect) {
+  std::vector<JointLaw> result;
+  std::ranges::copy_if(scene.joint_laws, std::back_inserter(result),
+                       [&](const JointLaw& law) { return law.effect == effect; });
+  return result;
 }
 
 /// -(k (l - rest) + c l') along the unit vector from the anchor, l l' = u . v with u = p - anchor.
-PointLoad law(const PointSpring& spring) {
+PointLaw point_spring(int point, const Vector3& anchor, const Real& stiffness, const Real& damping,
+                      const Real& rest_length) {
+  const Expression k(stiffness, SceneNumber::kStiffness);
+  const Expression c(damping, SceneNumber::kDamping);
+  const Expression rest(rest_length, SceneNumber::kRest);
   VectorExpression u = of_point(Quantity::kPointPosition);
   for (std::size_t n = 0; n < 3; ++n) {
-    u[n] = u[n] - spring.anchor[n];
+    u[n] = u[n] - Expression(anchor[n], SceneNumber::kAnchor);
   }
   const Expression squared = dot(u, u);
-  Expression factor = spring.stiffness;
-  if (spring.rest_length != 0) {
-    factor = factor - Real(spring.stiffness * spring.rest_length) / sqrt(squared);
+  const Expression length = sqrt(squared);
+  const Expression approach = c * dot(u, of_point(Quantity::kPointVelocity));
+  const Expression factor = k - k * rest / length + approach / squared;
+  const Expression stretch = length - rest;
+  PointLaw law{"point_spring",
+               point,
+               false,
+               {},
+               Real(0.5) * k * stretch * stretch,
+               k * stretch + approach / length};
+  for (std::size_t n = 0; n < 3; ++n) {
+    law.value[n] = -(factor * u[n]);
   }
-  if (spring.damping != 0) {
-    factor = factor + spring.damping * dot(u, of_point(Quantity::kPointVelocity)) / squared;
+  if (rest.is_zero()) {  // without a root, which has no rate at the anchor
+    law.energy = Real(0.5) * k * squared;
   }
-  return {spring.point, {-(factor * u[0]), -(factor * u[1]), -(factor * u[2])}};
+  return law;
+}
+
+PointLaw point_force(int point, const VectorExpression& value) {
+  return {"force", point, false, value, {}, {}};
+}
+
+PointLaw moment(int point, const VectorExpression& value) {
+  return {"moment", point, true, value, {}, {}};
+}
+
+bool has_moments(const Scene& scene) {
+  return std::ranges::any_of(scene.point_laws, &PointLaw::is_moment);
 }
 
 Expression normal_law(const GroundContact& contact) {
@@ -102,47 +141,16 @@ VectorExpression contact_force(const GroundContact& contact) {
   return force;
 }
 
-std::vector<PointLoad> point_forces(const Scene& scene) {
-  std::vector<PointLoad> result;
-  std::ranges::transform(scene.point_springs, std::back_inserter(result),
-                         [](const PointSpring& spring) { return law(spring); });
-  result.insert(result.end(), scene.forces.begin(), scene.forces.end());
-  return result;
-}
-
 std::vector<Expression> joint_forces(const Scene& scene, int joint) {
   std::vector<Expression> result;
-  const auto add = [&](const Expression& force) {
-    if (!force.is_zero()) {
-      result.push_back(force);
-    }
-  };
-  if (!scene.tau.empty()) {
-    add(scene.tau[to_index(joint)]);
+  if (!scene.tau.empty() && scene.tau[to_index(joint)] != 0) {
+    result.emplace_back(scene.tau[to_index(joint)]);
   }
-  for (const Motor& motor : scene.motors) {
-    add(motor.joint == joint ? motor.torque : Expression());
-  }
-  Elastic elastic;
-  for (const JointSpring& spring : scene.joint_springs) {
-    if (spring.joint == joint) {
-      elastic.add(spring);
+  for (const JointLaw& law : scene.joint_laws) {
+    if (law.joint == joint && !law.force.is_zero()) {
+      result.push_back(law.force);
     }
   }
-  for (const ViscousFriction& friction : scene.viscous_frictions) {
-    elastic.damping += friction.joint == joint ? friction.coefficient : Real(0);
-  }
-  add(elastic.law(joint));
-  Expression dry;
-  for (const JointFriction& friction : scene.frictions) {
-    if (friction.joint == joint && friction.slip_speed > 0) {
-      dry = dry + regularised(friction.force, friction.slip_speed, joint);
-    }
-  }
-  for (const StribeckFriction& friction : scene.stribeck_frictions) {
-    dry = friction.joint == joint ? dry + law(friction) : dry;
-  }
-  add(dry);
   return result;
 }
 

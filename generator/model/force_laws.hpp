@@ -3,26 +3,52 @@
 // simulator evaluate them.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "model/scene.hpp"
 
 namespace treedyn::model {
 
-/// -stiffness (q - rest) - damping qd, N m or N.
-Expression law(const JointSpring& spring);
+/// -stiffness (q - rest) - damping qd; stores stiffness/2 (q - rest)^2.
+JointLaw joint_spring(int joint, const Real& stiffness, const Real& damping, const Real& rest);
 
-/// What acts on the joint, N m or N, terms of a sum: the constant force of the scene, every drive,
-/// springs and dampers together, dry friction that does not stick. Without what phases add, and
-/// without the argument tau.
+/// -coefficient qd, N m s or N s/m.
+JointLaw viscous_friction(int joint, const Real& coefficient);
+
+/// -force qd / sqrt(qd^2 + slip_speed^2), which creeps instead of sticking.
+/// \param slip_speed  rad/s or m/s, positive
+JointLaw coulomb_friction(int joint, const Real& force, const Real& slip_speed);
+
+/// -(force + (static_force - force) / (1 + (qd/stribeck_speed)^2)) qd / sqrt(qd^2 + slip_speed^2).
+/// \param force  at high speed, N m or N
+/// \param static_force  at low speed
+/// \param stribeck_speed, slip_speed  rad/s or m/s, positive
+JointLaw stribeck_friction(int joint, const Real& force, const Real& static_force,
+                           const Real& stribeck_speed, const Real& slip_speed);
+
+/// A torque (force) of t, q, qd; controllers are expressions.
+JointLaw drive(int joint, const Expression& torque);
+
+/// The joints' laws of one effect, in the order of the scene.
+std::vector<JointLaw> laws_of(const Scene& scene, std::string_view effect);
+
+/// What acts on the joint, N m or N, terms of a sum: the constant force of the scene and its laws.
+/// Without dry friction that sticks, what phases add, and the argument tau.
 std::vector<Expression> joint_forces(const Scene& scene, int joint);
 
-/// Along the line from the anchor, N; of the position and the velocity of the point. Not a number
-/// at the anchor, but for springs without a length and without damping.
-PointLoad law(const PointSpring& spring);
+/// -stiffness (l - rest_length) - damping l' along the line from the anchor, l long; stores
+/// stiffness/2 (l - rest_length)^2. Not a number at the anchor, but for springs without a length
+/// and without damping.
+PointLaw point_spring(int point, const Vector3& anchor, const Real& stiffness, const Real& damping,
+                      const Real& rest_length);
 
-/// What acts at points, N: springs, then forces, in the order of the scene.
-std::vector<PointLoad> point_forces(const Scene& scene);
+/// What the scene says, base frame.
+PointLaw point_force(int point, const VectorExpression& value);
+PointLaw moment(int point, const VectorExpression& value);
+
+/// True if a moment acts on a link.
+bool has_moments(const Scene& scene);
 
 /// What presses the point off the plane below it, N, where it is not negative: k d^n (1 - c vn), or
 /// the contact's own law; of (raised) depth and normal speed.

@@ -49,12 +49,11 @@ bool joins_links(const Constraint& constraint) { return constraint.kind != Const
 bool is_empty(const Scene& scene, int link) {
   const Link& at = scene.tree.links[static_cast<std::size_t>(link)];
   const auto moves = [&](const auto& effect) {
-    return effect.joint == link;
+    return scene.tree.coordinates[static_cast<std::size_t>(effect.joint)] == link;
   };
   return at.inertia.mass == 0 && at.inertia.about_com == Matrix3{} &&
-         std::none_of(scene.motors.begin(), scene.motors.end(), moves) &&
-         std::none_of(scene.armatures.begin(), scene.armatures.end(), moves) &&
-         std::none_of(scene.joint_springs.begin(), scene.joint_springs.end(), moves);
+         std::ranges::none_of(scene.armatures, moves) &&
+         std::ranges::none_of(scene.joint_laws, moves);
 }
 
 /// Joints that carry a body to anywhere, first of all links: one without mass, or more, in a row

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/expression.hpp"
@@ -55,28 +56,23 @@ struct Constraint {
   }
 };
 
-/// tau = -stiffness (q - rest) - damping qd.
-struct JointSpring {
+/// What an effect does to one joint (model/force_laws.hpp), of t, q and qd.
+struct JointLaw {
+  std::string_view effect;  ///< of kEffects
   int joint = 0;
-  Real stiffness = 0;
-  Real damping = 0;
-  Real rest = 0;
+  Expression force;   ///< N m or N
+  Expression energy;  ///< J, that it stores, of q
 };
 
-/// Force along the line from an anchor, -stiffness (l - rest_length) - damping l'.
-struct PointSpring {
+/// A force at a point, or a moment on its link, by an effect (model/force_laws.hpp); of t, q, qd
+/// and the position and velocity of the point.
+struct PointLaw {
+  std::string_view effect;  ///< of kEffects
   int point = 0;
-  Vector3 anchor{};
-  Real stiffness = 0;
-  Real damping = 0;
-  Real rest_length = 0;
-};
-
-/// A moment on the link of a point, or a force at the point, base frame; of t, q, qd and the
-/// position and velocity of the point.
-struct PointLoad {
-  int point = 0;
-  VectorExpression value;
+  bool is_moment = false;
+  VectorExpression value;  ///< N or N m, base frame
+  Expression energy;       ///< J, that it stores, of the position
+  Expression tension;      ///< N, of a spring, towards its anchor
 };
 
 /// height(p) = normal . p - height.
@@ -98,41 +94,16 @@ struct GroundContact {
   std::optional<Expression> law;  ///< f of depth and normal speed instead; f >= 0 still
 };
 
-/// tau = -coefficient qd.
-struct ViscousFriction {
+/// Dry friction of a joint, exact: it sticks while the holding force is below `force`.
+struct DryFriction {
   int joint = 0;
-  Real coefficient = 0;  ///< N m s or N s/m
-};
-
-/// Dry friction of a joint. slip_speed > 0: tau = -force qd / sqrt(qd^2 + slip_speed^2), which
-/// creeps instead of sticking. slip_speed = 0: exact, sticks while the holding force is below
-/// `force`.
-struct JointFriction {
-  int joint = 0;
-  Real force = 0;       ///< N m or N
-  Real slip_speed = 0;  ///< rad/s or m/s
-};
-
-/// tau = -(force + (static_force - force) / (1 + (qd/stribeck_speed)^2))
-///       qd / sqrt(qd^2 + slip_speed^2).
-struct StribeckFriction {
-  int joint = 0;
-  Real force = 0;         ///< at high speed, N m or N
-  Real static_force = 0;  ///< at low speed
-  Real stribeck_speed = 0;
-  Real slip_speed = 0;  ///< positive
+  Real force = 0;  ///< N m or N
 };
 
 /// Reflected inertia of a rotor: A_jj grows by it.
 struct Armature {
   int joint = 0;
   Real inertia = 0;  ///< kg m^2 or kg
-};
-
-/// A torque (force) of t, q, qd; controllers are expressions.
-struct Motor {
-  int joint = 0;
-  Expression torque;
 };
 
 /// Velocities jump such that the rows of `constraints` move with -restitution times their speed.
@@ -218,22 +189,17 @@ struct Scene {
   Real duration = 0;
   std::vector<Point> points;  ///< where constraints, forces and events act
   std::vector<Constraint> constraints;
-  std::vector<JointSpring> joint_springs;
-  std::vector<PointSpring> point_springs;
-  std::vector<PointLoad> torques;
-  std::vector<PointLoad> forces;
+  std::vector<JointLaw> joint_laws;
+  std::vector<PointLaw> point_laws;
   std::vector<GroundContact> contacts;
-  std::vector<ViscousFriction> viscous_frictions;
-  std::vector<JointFriction> frictions;
-  std::vector<StribeckFriction> stribeck_frictions;
+  std::vector<DryFriction> frictions;
   std::vector<Armature> armatures;
-  std::vector<Motor> motors;
-  /// Joints with drives; nothing said: those of `motors`, or all but a free base.
+  /// Joints with drives; nothing said: those of the effect `drive`, or all but a free base.
   std::optional<std::vector<int>> actuated;
   std::vector<Phase> phases;  ///< at least one
   int start_phase = 0;
-  /// Joints whose exact friction is told by phases, which come in threes: at rest, forth, back;
-  /// those of the first joint are neighbours. Empty: friction without slip_speed is not told.
+  /// Joints whose dry friction is told by phases, which come in threes: at rest, forth, back;
+  /// those of the first joint are neighbours. Empty: it is not told.
   std::vector<int> sticking;
   /// Pivots of K = J A^-1 J^T below this multiple of their own diagonal entry count as zero; 0:
   /// what rounding makes uncertain.

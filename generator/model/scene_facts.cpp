@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "common/index.hpp"
+#include "model/force_laws.hpp"
 
 namespace treedyn::model {
 
@@ -88,15 +92,42 @@ bool has_anchor(const Scene& scene, const std::vector<int>& constraints) {
                      [&](int c) { return anchor_size(scene, c) > 0; });
 }
 
+std::size_t entries_of(const Scene& scene, std::string_view effect) {
+  const auto constraints = [&](ConstraintKind kind) {
+    return std::ranges::count(scene.constraints, kind, &Constraint::kind);
+  };
+  const auto strikes = [](const Phase& phase) {
+    return std::ranges::any_of(phase.until, [](const Event& e) { return e.impact.has_value(); });
+  };
+  const std::map<std::string_view, std::ptrdiff_t> others = {
+      {"gravity", scene.gravity != Vector3{} ? 1 : 0},
+      {"velocity_products", scene.velocity_products ? 1 : 0},
+      {"coulomb_friction", std::ssize(scene.frictions)},
+      {"armature", std::ssize(scene.armatures)},
+      {"drive", scene.tau.empty() ? 0 : 1},
+      {"locked_joint", constraints(ConstraintKind::kJoint)},
+      {"point_constraint", constraints(ConstraintKind::kPoint)},
+      {"orientation_constraint", constraints(ConstraintKind::kOrientation)},
+      {"joined_constraint", constraints(ConstraintKind::kJoined)},
+      {"ground_contact", std::ssize(scene.contacts)},
+      {"impact", std::ranges::count_if(scene.phases, strikes)},
+      {"stabilisation",
+       scene.stepping.drift == Drift::kBaumgarte && !scene.constraints.empty() ? 1 : 0}};
+  const auto other = others.find(effect);
+  return to_index(static_cast<int>(std::ranges::count(scene.joint_laws, effect, &JointLaw::effect) +
+                                   std::ranges::count(scene.point_laws, effect, &PointLaw::effect) +
+                                   (other == others.end() ? 0 : other->second)));
+}
+
 std::vector<int> passive_joints(const Scene& scene) {
   std::vector<int> result;
+  const std::vector<JointLaw> drives = laws_of(scene, "drive");
   for (int i = 0; i < scene.tree.dof(); ++i) {
-    const bool driven = std::any_of(scene.motors.begin(), scene.motors.end(),
-                                    [&](const Motor& motor) { return motor.joint == i; });
+    const bool driven = std::ranges::count(drives, i, &JointLaw::joint) > 0;
     const bool in_base = i < 6 && has_free_base(scene.tree);
     const bool chosen = scene.actuated && std::find(scene.actuated->begin(), scene.actuated->end(),
                                                     i) != scene.actuated->end();
-    if (scene.actuated ? !chosen : scene.motors.empty() ? in_base : !driven) {
+    if (scene.actuated ? !chosen : drives.empty() ? in_base : !driven) {
       result.push_back(i);
     }
   }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/step_method.hpp"
@@ -32,6 +33,9 @@ int anchor_size(const Scene& scene, int constraint);
 int anchor_offset(const Scene& scene, int constraint);
 /// True if one of the constraints has an anchor.
 bool has_anchor(const Scene& scene, const std::vector<int>& constraints);
+
+/// How many of an effect (model/effects.hpp) the scene names.
+std::size_t entries_of(const Scene& scene, std::string_view effect);
 
 /// Joints without a drive: all that the scene does not call actuated; where it names drives, all
 /// joints but theirs; else the six joints of a free base.

@@ -128,9 +128,9 @@ void check_inertia(const Model& model) {
 
 /// Friction that sticks is told by phases, which only steps change.
 void check_scene(const model::Scene& scene, const Location& where) {
-  for (const model::JointFriction& friction : scene.frictions) {
-    if (friction.slip_speed > 0 || !scene.sticking.empty()) {
-      continue;
+  for (const model::DryFriction& friction : scene.frictions) {
+    if (!scene.sticking.empty()) {
+      return;
     }
     const std::string& joint =
         scene.tree.links[static_cast<std::size_t>(friction.joint)].joint.name;

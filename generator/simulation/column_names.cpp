@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "model/force_laws.hpp"
+
 namespace treedyn::simulation {
 
 namespace {
@@ -73,16 +75,16 @@ void add_reactions(const model::Scene& scene, std::vector<Column>& result) {
 
 /// In the order of Forces::append_forces.
 void add_forces(const model::Scene& scene, std::vector<Column>& result) {
-  for (const model::Motor& motor : scene.motors) {
-    result.push_back({fmt::format("drive[{}]", joint_name(scene.tree, motor.joint)),
-                      turns(scene.tree, motor.joint) ? "N m" : "N"});
+  for (const auto& [effect, name] : {std::pair("drive", "drive"), {"joint_spring", "spring"}}) {
+    for (const model::JointLaw& law : model::laws_of(scene, effect)) {
+      result.push_back({fmt::format("{}[{}]", name, joint_name(scene.tree, law.joint)),
+                        turns(scene.tree, law.joint) ? "N m" : "N"});
+    }
   }
-  for (const model::JointSpring& spring : scene.joint_springs) {
-    result.push_back({fmt::format("spring[{}]", joint_name(scene.tree, spring.joint)),
-                      turns(scene.tree, spring.joint) ? "N m" : "N"});
-  }
-  for (const model::PointSpring& spring : scene.point_springs) {
-    result.push_back({fmt::format("spring[{}]", point_name(scene, spring.point)), "N"});
+  for (const model::PointLaw& law : scene.point_laws) {
+    if (law.effect == "point_spring") {
+      result.push_back({fmt::format("spring[{}]", point_name(scene, law.point)), "N"});
+    }
   }
   for (const model::GroundContact& contact : scene.contacts) {
     for (const char axis : {'x', 'y', 'z'}) {

@@ -11,6 +11,23 @@ namespace {
 
 double value(const Real& x) { return static_cast<double>(x); }
 
+/// A value and its time derivative.
+struct Moving {
+  double x = 0;
+  double rate = 0;
+
+  Moving operator-() const { return {-x, -rate}; }
+  friend Moving operator+(Moving a, Moving b) { return {a.x + b.x, a.rate + b.rate}; }
+  friend Moving operator-(Moving a, Moving b) { return a + -b; }
+  friend Moving operator*(Moving a, Moving b) { return {a.x * b.x, a.rate * b.x + a.x * b.rate}; }
+  friend Moving operator/(Moving a, Moving b) {
+    return {a.x / b.x, (a.rate - a.x / b.x * b.rate) / b.x};
+  }
+  friend Moving sqrt(Moving a) { return {std::sqrt(a.x), a.rate / (2 * std::sqrt(a.x))}; }
+  friend Moving sin(Moving a) { return {std::sin(a.x), std::cos(a.x) * a.rate}; }
+  friend Moving cos(Moving a) { return {std::cos(a.x), -std::sin(a.x) * a.rate}; }
+};
+
 }  // namespace
 
 Eigen::Vector3d vector_of(const model::Vector3& x) {
@@ -67,22 +84,22 @@ Forces::Forces(const model::Scene& scene) {
       joint_forces_.push_back({joint, force});
     }
   }
-  for (const model::Motor& motor : scene.motors) {
-    drives_.push_back(motor.torque);
+  for (const char* const effect : {"drive", "joint_spring"}) {
+    for (const model::JointLaw& law : model::laws_of(scene, effect)) {
+      shown_.push_back({-1, law.force});
+    }
   }
-  for (const model::JointSpring& s : scene.joint_springs) {
-    joint_springs_.push_back({s.joint, value(s.stiffness), value(s.rest), model::law(s)});
+  for (const model::JointLaw& law : scene.joint_laws) {
+    energies_.push_back({-1, law.energy});
   }
-  for (const model::PointSpring& s : scene.point_springs) {
-    point_springs_.push_back(
-        {s.point, vector_of(s.anchor), value(s.stiffness), value(s.rest_length)});
+  for (const model::PointLaw& law : scene.point_laws) {
+    (law.is_moment ? torques_ : loads_).push_back({law.point, VectorValue(law.value)});
+    energies_.push_back({law.point, law.energy});
+    if (law.effect == "point_spring") {
+      shown_.push_back({law.point, law.tension});
+    }
   }
-  for (const model::PointLoad& load : scene.torques) {
-    torques_.push_back({load.point, VectorValue(load.value)});
-  }
-  for (const model::PointLoad& load : model::point_forces(scene)) {
-    loads_.push_back({load.point, VectorValue(load.value)});
-  }
+  std::erase_if(energies_, [](const OfPoint& stored) { return stored.value.is_zero(); });
   for (const model::GroundContact& contact : scene.contacts) {
     contacts_.emplace_back(contact);
     touching_.push_back(true);
@@ -115,17 +132,22 @@ void Forces::generalized(const Terms& terms, const State& state, Vector& Q) {
   }
 }
 
+double Forces::value_at(int point, const model::Variable& variable, const Terms& terms,
+                        const State& state) const {
+  const Eigen::Index at = 3 * point + variable.index;
+  switch (variable.quantity) {
+    case model::Quantity::kPointPosition:
+      return terms.p()[at];
+    case model::Quantity::kPointVelocity:
+      return v_[at];
+    default:
+      return value_in(state, variable);
+  }
+}
+
 Eigen::Vector3d Forces::load(const Load& load, const Terms& terms, const State& state) const {
   return load.value.evaluate([&](const model::Variable& variable) {
-    const Eigen::Index at = 3 * load.point + variable.index;
-    switch (variable.quantity) {
-      case model::Quantity::kPointPosition:
-        return terms.p()[at];
-      case model::Quantity::kPointVelocity:
-        return v_[at];
-      default:
-        return value_in(state, variable);
-    }
+    return value_at(load.point, variable, terms, state);
   });
 }
 
@@ -147,12 +169,11 @@ void Forces::add_point_forces(const Terms& terms, const State& state) {
 
 double Forces::elastic_energy(const Vector& q, const VectorMap& p) const {
   double energy = 0;
-  for (const JointSpring& s : joint_springs_) {
-    energy += s.k / 2 * (q[s.joint] - s.rest) * (q[s.joint] - s.rest);
-  }
-  for (const PointSpring& s : point_springs_) {
-    const double l = (p.segment<3>(3 * s.point) - s.anchor).norm();
-    energy += s.k / 2 * (l - s.length) * (l - s.length);
+  for (const OfPoint& stored : energies_) {
+    energy += stored.value.evaluate([&](const model::Variable& place) {
+      return place.quantity == model::Quantity::kPosition ? q[place.index]
+                                                          : p[3 * stored.point + place.index];
+    });
   }
   for (const ContactLaw& contact : contacts_) {
     energy += contact.energy(p.segment<3>(3 * contact.point()));
@@ -161,23 +182,18 @@ double Forces::elastic_energy(const Vector& q, const VectorMap& p) const {
 }
 
 void Forces::append_forces(const Terms& terms, const State& state, std::vector<double>& values) {
-  for (const model::Expression& torque : drives_) {
-    values.push_back(value_of(torque, state));
+  if (terms.needs().points) {
+    v_.noalias() = terms.C().transpose() * state.qd;
   }
-  for (const JointSpring& s : joint_springs_) {
-    values.push_back(value_of(s.law, state));
+  for (const OfPoint& force : shown_) {
+    values.push_back(force.value.evaluate([&](const model::Variable& variable) {
+      return value_at(force.point, variable, terms, state);
+    }));
   }
-  if (!terms.needs().points) {
+  if (contacts_.empty()) {
     return;
   }
-  v_.noalias() = terms.C().transpose() * state.qd;
   const auto p = terms.p();
-  for (std::size_t k = 0; k < point_springs_.size(); ++k) {
-    const PointSpring& s = point_springs_[k];
-    const Eigen::Vector3d line = p.segment<3>(3 * s.point) - s.anchor;
-    const double l = line.norm();
-    values.push_back(l > 0 ? -line.dot(load(loads_[k], terms, state)) / l : 0);
-  }
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const int at = 3 * contacts_[k].point();
     const Eigen::Vector3d f = touching_[k] ? contacts_[k].force(p.segment<3>(at), v_.segment<3>(at))
@@ -188,15 +204,19 @@ void Forces::append_forces(const Terms& terms, const State& state, std::vector<d
 
 double Forces::elastic_power(const Terms& terms, const State& state) const {
   double power = 0;
-  for (const JointSpring& s : joint_springs_) {
-    power += s.k * (state.q[s.joint] - s.rest) * state.qd[s.joint];
+  for (const OfPoint& stored : energies_) {
+    const auto moving = [&](const model::Variable& place) {
+      const bool of_joint = place.quantity == model::Quantity::kPosition;
+      const Eigen::Index at = 3 * stored.point + place.index;
+      return of_joint ? Moving{state.q[place.index], state.qd[place.index]}
+                      : Moving{terms.p()[at], v_[at]};
+    };
+    power += stored.value.evaluate<Moving>([](double x) { return Moving{x, 0}; }, moving).rate;
+  }
+  if (contacts_.empty()) {
+    return power;
   }
   const auto p = terms.p();
-  for (const PointSpring& s : point_springs_) {
-    const Eigen::Vector3d line = p.segment<3>(3 * s.point) - s.anchor;
-    const double l = line.norm();
-    power += l > 0 ? s.k * (l - s.length) * line.dot(v_.segment<3>(3 * s.point)) / l : 0;
-  }
   for (const ContactLaw& contact : contacts_) {
     const int at = 3 * contact.point();
     power += contact.energy_rate(p.segment<3>(at), v_.segment<3>(at));

@@ -71,17 +71,9 @@ class Forces {
   void raise(std::size_t contact, double by) { contacts_[contact].raise(by); }
 
  private:
-  struct JointSpring {
-    int joint = 0;
-    double k = 0;
-    double rest = 0;
-    model::Expression law;
-  };
-  struct PointSpring {
-    int point = 0;
-    Eigen::Vector3d anchor;
-    double k = 0;
-    double length = 0;
+  struct OfPoint {
+    int point = -1;  ///< -1: of none
+    model::Expression value;
   };
   struct Load {
     int point = 0;
@@ -94,13 +86,15 @@ class Forces {
 
   void add_joint_forces(const State& state, Vector& Q) const;
   void add_point_forces(const Terms& terms, const State& state);
+  /// Of the expression of a point, after `v_` in the same state.
+  [[nodiscard]] double value_at(int point, const model::Variable& variable, const Terms& terms,
+                                const State& state) const;
   [[nodiscard]] Eigen::Vector3d load(const Load& load, const Terms& terms,
                                      const State& state) const;
 
-  std::vector<JointForce> joint_forces_;    ///< all, by joint
-  std::vector<model::Expression> drives_;   ///< of them, as the scene lists them
-  std::vector<JointSpring> joint_springs_;  ///< of them
-  std::vector<PointSpring> point_springs_;  ///< the first of `loads_`
+  std::vector<JointForce> joint_forces_;  ///< all, by joint
+  std::vector<OfPoint> shown_;            ///< of drives and springs, as the scene lists them
+  std::vector<OfPoint> energies_;         ///< that springs store, of places
   std::vector<Load> torques_;
   std::vector<Load> loads_;  ///< forces
   std::vector<ContactLaw> contacts_;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "model/force_laws.hpp"
 #include "model/reach.hpp"
 #include "program/row_rank.hpp"
 
@@ -17,7 +18,7 @@ Needs needs_of(const model::Scene& scene) {
   const bool holds = std::any_of(
       scene.constraints.begin(), scene.constraints.end(),
       [](const model::Constraint& c) { return c.kind == model::ConstraintKind::kOrientation; });
-  return {!scene.points.empty(), !scene.torques.empty() || holds};
+  return {!scene.points.empty(), model::has_moments(scene) || holds};
 }
 
 double largest(const Vector& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff(); }
@@ -36,10 +37,8 @@ System::System(const model::Scene& scene, Dynamics& dynamics, double stabilisati
       trial_(scene.tree.dof(), static_cast<int>(scene.points.size()), needs_of(scene)),
       reach_(model::reach_of(scene.tree, scene.points)),
       A_(scene.tree.dof()) {
-  for (const model::JointFriction& friction : scene.frictions) {
-    if (friction.slip_speed == 0) {
-      frictions_.push_back({friction.joint, static_cast<double>(friction.force), 0});
-    }
+  for (const model::DryFriction& friction : scene.frictions) {
+    frictions_.push_back({friction.joint, static_cast<double>(friction.force), 0});
   }
   for (const model::Armature& armature : scene.armatures) {
     armature_[armature.joint] += static_cast<double>(armature.inertia);

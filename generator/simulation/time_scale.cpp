@@ -113,7 +113,7 @@ Jet cos(const Jet& f) {
 Jet constant(double x) { return {{x, x}, {0, 0}, {0, 0}}; }
 
 Jet over(const model::Expression& expression, const State& state, double step) {
-  return expression.evaluate<Jet>([](const Real& x) { return constant(static_cast<double>(x)); },
+  return expression.evaluate<Jet>([](double x) { return constant(x); },
                                   [&](const model::Variable& variable) {
                                     return variable.quantity == model::Quantity::kTime
                                                ? Jet{{state.t, state.t + step}, {1, 1}, {0, 0}}
@@ -175,13 +175,11 @@ std::vector<model::Expression> timed_expressions(const model::Scene& scene) {
       result.push_back(expression);
     }
   };
-  for (const model::Motor& motor : scene.motors) {
-    add(motor.torque);
+  for (const model::JointLaw& law : scene.joint_laws) {
+    add(law.force);
   }
-  for (const auto* loads : {&scene.forces, &scene.torques}) {
-    for (const model::PointLoad& load : *loads) {
-      std::for_each(load.value.begin(), load.value.end(), add);
-    }
+  for (const model::PointLaw& law : scene.point_laws) {
+    std::ranges::for_each(law.value, add);
   }
   for (const model::Constraint& constraint : scene.constraints) {
     std::for_each(constraint.accelerations.begin(), constraint.accelerations.end(), add);

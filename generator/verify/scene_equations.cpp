@@ -188,22 +188,14 @@ void SceneEquations::apply(const model::Vector3& value, int point, const Values&
   }
 }
 
-void SceneEquations::add_load(const model::PointLoad& load, const Values& jacobian,
-                              Values& force) const {
-  const model::Vector3 components = {value(load.value[0], load.point),
-                                     value(load.value[1], load.point),
-                                     value(load.value[2], load.point)};
-  apply(components, load.point, jacobian, force);
-}
-
 SceneEquations::Values SceneEquations::force() const {
   Values force(to_index(dof_));
   add_joint_forces(force);
-  for (const model::PointLoad& load : model::point_forces(scene_)) {
-    add_load(load, C_, force);
-  }
-  for (const model::PointLoad& load : scene_.torques) {
-    add_load(load, H_, force);
+  for (const model::PointLaw& law : scene_.point_laws) {
+    const model::Vector3 components = {value(law.value[0], law.point),
+                                       value(law.value[1], law.point),
+                                       value(law.value[2], law.point)};
+    apply(components, law.point, law.is_moment ? H_ : C_, force);
   }
   return force;
 }

@@ -55,7 +55,6 @@ class SceneEquations {
   void add(Row& row, const model::Vector3& d, const Values& jacobian, const Values& gamma,
            int point, int sign) const;
   void add_joint_forces(Values& force) const;
-  void add_load(const model::PointLoad& load, const Values& jacobian, Values& force) const;
   void apply(const model::Vector3& value, int point, const Values& jacobian, Values& force) const;
 
   const model::Scene& scene_;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "hard/special.hpp"
+#include "support/damping.hpp"
 
 namespace treedyn::hard {
 
@@ -86,9 +87,7 @@ bool is_bounded(Scene scene, Dynamics source, const char* integrator, double h) 
 
 model::Scene undamped(Scene scene) {
   model::Scene result = scene;
-  for (model::JointSpring& spring : result.joint_springs) {
-    spring.damping = 0;
-  }
+  support::each_damping(result, [](Real& damping) { damping = 0; });
   return result;
 }
 

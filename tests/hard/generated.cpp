@@ -319,10 +319,8 @@ Strike GeneratedMotion::strike_all() {
 }
 
 int GeneratedMotion::slip_direction() {
-  const model::JointFriction& friction = scene_.frictions.front();
-  const double speed = shown_.qd[friction.joint];
-  const bool slips = std::fabs(speed) > 10 * static_cast<double>(friction.slip_speed);
-  return slips ? (speed > 0 ? 1 : -1) : 0;
+  const double speed = shown_.qd[scene_.frictions.front().joint];
+  return speed > 0 ? 1 : speed < 0 ? -1 : 0;
 }
 
 double GeneratedSource::rounded(double x) const {

@@ -8,6 +8,7 @@
 #include "dynamics/scene_dynamics.hpp"
 #include "formulate/scene_sticking.hpp"
 #include "hard/generated.hpp"
+#include "support/damping.hpp"
 
 namespace treedyn::hard {
 
@@ -75,11 +76,9 @@ bool share_code(const model::Scene& a, const model::Scene& b) {
     }
     return sum;
   };
-  const auto damping = [](const model::Scene& scene) {
+  const auto damping = [](model::Scene scene) {
     Real sum = 0;
-    for (const model::JointSpring& spring : scene.joint_springs) {
-      sum += spring.damping;
-    }
+    support::each_damping(scene, [&](const Real& d) { sum += d; });
     return sum;
   };
   return a.stepping.integrator == b.stepping.integrator && a.stepping.step == b.stepping.step &&

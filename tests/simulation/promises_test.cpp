@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "simulation/run_scene.hpp"
+#include "support/damping.hpp"
 
 namespace treedyn::simulation {
 namespace {
@@ -302,11 +303,11 @@ double limit_of(const model::Scene& scene, const std::string& integrator) {
 TEST(Stability, LimitsOfAnOscillatorAreThoseOfTheTextbooks) {
   model::Scene scene = description::read_scene(std::string(TREEDYN_SOURCE_DIR) +
                                                "/tests/data/hard_cases/s15_stiff_contact.json");
-  scene.joint_springs[0].damping = 0;
+  support::each_damping(scene, [](Real& damping) { damping = 0; });
   EXPECT_NEAR(limit_of(scene, "semi-implicit-euler"), 0.002, 1e-8);
   EXPECT_NEAR(limit_of(scene, "rk4"), 0.00282842712475, 1e-8);
-  EXPECT_EQ(limit_of(scene, "sdirk2"), 0);  // none
-  scene.joint_springs[0].damping = 1000;    // omega^2 h^2 + 2 d h = 4
+  EXPECT_EQ(limit_of(scene, "sdirk2"), 0);                              // none
+  support::each_damping(scene, [](Real& damping) { damping = 1000; });  // omega^2 h^2 + 2 d h = 4
   EXPECT_NEAR(limit_of(scene, "semi-implicit-euler"), (std::sqrt(5.0) - 1) * 1e-3, 1e-8);
 }
 

@@ -606,7 +606,7 @@ TEST(Effects, ThatAreOffLeaveNoTrace) {
   const model::Scene off = scene_of(text + "use: {gravity: off, armature: off, force: off}\n");
   EXPECT_EQ(off.gravity, (model::Vector3{0, 0, 0}));
   EXPECT_TRUE(off.armatures.empty());
-  EXPECT_TRUE(off.forces.empty());
+  EXPECT_TRUE(off.point_laws.empty());
   EXPECT_TRUE(off.points.empty());
 }
 

@@ -72,7 +72,7 @@ model::Expression clock(const std::string& text) {
       "scene: s\nmodel: drop.model.yaml\nduration: 1\neffects:\n  force:\n"
       "    - {point: ball, value: [0, 0, \"" +
       text + "\"]}\n");
-  return scene.forces[0].value[2];
+  return scene.point_laws[0].value[2];
 }
 
 double resolved(const std::string& text, double t) {

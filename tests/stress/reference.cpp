@@ -257,7 +257,7 @@ Values constrained_sizes(const Robot& robot, const Equations& e) {
       forces[j] += abs(e.rows[choice.rows[k]].J[j] * lambda[k]);
     }
   }
-  for (const model::JointSpring& spring : robot.scene.joint_springs) {
+  for (const Spring& spring : robot.springs) {
     const auto j = static_cast<std::size_t>(spring.joint);
     forces[j] +=
         spring.stiffness * (abs(robot.q[j]) + abs(spring.rest)) + spring.damping * abs(robot.qd[j]);

@@ -7,6 +7,7 @@
 
 #include "common/index.hpp"
 #include "engine/engine.hpp"
+#include "model/force_laws.hpp"
 
 namespace treedyn::stress {
 
@@ -73,10 +74,16 @@ void add_constraints(model::Scene& scene, Dice& dice) {
   }
 }
 
-void activate_all(model::Scene& scene) {
-  std::vector<int> all(scene.constraints.size());
+/// One phase with all constraints, and the springs in the scene.
+void activate_all(Robot& robot) {
+  std::vector<int> all(robot.scene.constraints.size());
   std::iota(all.begin(), all.end(), 0);
-  scene.phases = {{"all", all, {}}};
+  robot.scene.phases = {{"all", all, {}}};
+  robot.scene.joint_laws.clear();
+  for (const Spring& spring : robot.springs) {
+    robot.scene.joint_laws.push_back(
+        model::joint_spring(spring.joint, spring.stiffness, spring.damping, spring.rest));
+  }
 }
 
 }  // namespace
@@ -103,10 +110,10 @@ Robot random_robot(const std::string& name, int decades, Dice& dice) {
   scene.gravity = {0, 0, Real("-9.81")};
   add_constraints(scene, dice);
   if (dice.below(3) == 0) {
-    scene.joint_springs.push_back(
+    robot.springs.push_back(
         {dice.below(links), power(decades, dice), power(decades, dice), Real(dice.number(1))});
   }
-  activate_all(scene);
+  activate_all(robot);
   robot.q = inputs(links, 3, dice);
   robot.qd = inputs(links, 2, dice);
   robot.tau = inputs(links, 8, dice);
@@ -138,11 +145,12 @@ Robot perturbed(const Robot& robot, const Real& change, Dice& dice) {
   for (model::Point& point : result.scene.points) {
     vary_all(point.at);
   }
-  for (model::JointSpring& spring : result.scene.joint_springs) {
+  for (Spring& spring : result.springs) {
     vary(spring.stiffness);
     vary(spring.damping);
     vary(spring.rest);
   }
+  activate_all(result);
   vary(result.scene.gravity[2]);
   vary_all(result.q);
   vary_all(result.qd);
@@ -153,7 +161,7 @@ Robot perturbed(const Robot& robot, const Real& change, Dice& dice) {
 std::vector<Robot> smaller(const Robot& robot) {
   std::vector<Robot> result;
   const auto add = [&](Robot less) {
-    activate_all(less.scene);
+    activate_all(less);
     result.push_back(std::move(less));
   };
   for (std::size_t k = 0; k < robot.scene.constraints.size(); ++k) {
@@ -161,9 +169,9 @@ std::vector<Robot> smaller(const Robot& robot) {
     less.scene.constraints.erase(less.scene.constraints.begin() + static_cast<std::ptrdiff_t>(k));
     add(std::move(less));
   }
-  if (!robot.scene.joint_springs.empty()) {
+  if (!robot.springs.empty()) {
     Robot less = robot;
-    less.scene.joint_springs.clear();
+    less.springs.clear();
     add(std::move(less));
   }
   const int last = robot.scene.tree.size() - 1;
@@ -175,8 +183,7 @@ std::vector<Robot> smaller(const Robot& robot) {
     std::erase_if(less.scene.constraints, [&](const model::Constraint& constraint) {
       return less.scene.points[to_index(constraint.point)].link == last;
     });
-    std::erase_if(less.scene.joint_springs,
-                  [&](const model::JointSpring& spring) { return spring.joint == last; });
+    std::erase_if(less.springs, [&](const Spring& spring) { return spring.joint == last; });
     for (model::Point& point : less.scene.points) {
       point.link = std::min(point.link, last - 1);
     }
@@ -252,7 +259,7 @@ std::string case_text(const Robot& robot, const Values& qdd, const std::string& 
     constraints.push_back(constraint_text(robot, constraint, positions));
   }
   std::vector<std::string> springs;
-  for (const model::JointSpring& spring : scene.joint_springs) {
+  for (const Spring& spring : robot.springs) {
     springs.push_back(fmt::format("{{\"joint\": {}, \"k\": {}, \"d\": {}, \"q0\": {}}}",
                                   spring.joint + 1, text(spring.stiffness), text(spring.damping),
                                   text(spring.rest)));

@@ -11,10 +11,18 @@ namespace treedyn::stress {
 
 using Values = std::vector<Real>;
 
+struct Spring {
+  int joint = 0;
+  Real stiffness = 0;
+  Real damping = 0;
+  Real rest = 0;
+};
+
 /// A robot in one state; every number of the state is exact in float.
 struct Robot {
   std::string name;
-  model::Scene scene;  ///< one phase, in which all constraints act
+  model::Scene scene;           ///< one phase, in which all constraints act
+  std::vector<Spring> springs;  ///< of the scene
   Values q, qd, tau;
 };
 
