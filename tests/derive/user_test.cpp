@@ -299,7 +299,7 @@ struct Refusal {
   const char* message;
 };
 
-/// In the names of tests.
+/// In messages of tests.
 void PrintTo(const Refusal& refusal, std::ostream* out) { *out << '"' << refusal.value << '"'; }
 
 class Refused : public testing::TestWithParam<Refusal> {};
