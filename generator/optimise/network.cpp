@@ -186,9 +186,6 @@ Network without_duplicates(const Network& network) {
     for (Ref& operand : w.operands) {
       operand = program::with_sign(w.image[program::node_index(operand)], operand);
     }
-    if (item.kind == Kind::kAdd) {
-      std::erase(w.operands, 0);
-    }
     w.image[program::node_index(step.item)] = rebuild(builder, item, w.operands, step.position);
   }
   return builder.finish(mapped(w.image, network.outputs()));
@@ -251,9 +248,6 @@ Network flat(const Network& network, Workspace& w) {
     if (w.marks[program::node_index(k)] == 0) {
       w.operands.clear();
       append_flat(network, k, w);
-      if (network.item(k).kind == Kind::kAdd) {
-        std::erase(w.operands, 0);
-      }
       w.image[program::node_index(k)] =
           rebuild(builder, network.item(k), w.operands, network.item(k).position);
     }

@@ -173,6 +173,7 @@ bool NetworkBuilder::are_canonical(const std::vector<Ref>& terms) const {
 }
 
 Ref NetworkBuilder::sum(std::vector<Ref>& terms, int position) {
+  std::erase(terms, 0);
   if (!std::ranges::is_sorted(terms, by_magnitude)) {
     std::ranges::sort(terms, by_magnitude);
   }

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "cli/cli.hpp"
 
 namespace treedyn {
@@ -44,6 +46,27 @@ TEST_F(Compiles, LinksWhoseNamesBeginWithDigits) {
              "0], offset: [1, 0, 0]}\n    mass: 3\n    com: [0.4, 0, 0]\n");
   expect_compiles({scratch("m.yaml")}, "m");
   expect_compiles({scratch("m.yaml"), "--runtime", "2.mass"}, "m");
+}
+
+/// The third link does not turn: u + u - 2 u.
+TEST_F(Compiles, MimicJointsWhoseTurnsCancel) {
+  std::string text = R"(<robot name="m"><link name="base"/>)";
+  std::string father = "base";
+  for (const auto& [name, more] : {std::pair("a", ""),
+                                   {"b", R"(<mimic joint="a"/>)"},
+                                   {"c", R"(<mimic joint="a" multiplier="-2"/>)"}}) {
+    text += fmt::format(
+        R"(<link name="l{0}"><inertial><origin xyz="0.1 0 0.05"/><mass value="1"/>)"
+        R"(<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial></link>)"
+        R"(<joint name="{0}" type="continuous"><parent link="{1}"/><child link="l{0}"/>)"
+        R"(<origin xyz="0.3 0 0.1"/><axis xyz="0 1 0"/>{2}</joint>)",
+        name, father, more);
+    father = fmt::format("l{}", name);
+  }
+  write_file(scratch("m.urdf"), text + "</robot>");
+  expect_compiles({scratch("m.urdf"), "--functions",
+                   "kinetic_energy,bias_force,inverse_dynamics,forward_dynamics"},
+                  "m");
 }
 
 TEST_F(Compiles, LimbLanesThatTakeOneOfSineAndCosine) {

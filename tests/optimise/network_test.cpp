@@ -51,6 +51,19 @@ TEST_F(NetworkOf, CancelsOppositeTermsAndCountsEqualOnes) {
   EXPECT_EQ(operations(network), 1);
 }
 
+/// (a + a) - 2 a is zero here and not in the graph; 0.3 is the first of the constants.
+TEST_F(NetworkOf, TakesAZeroThatAppearsForNoConstant) {
+  const Ref scaled = graph_.multiply(graph_.constant(Real("0.3")), b_);
+  const Ref none = graph_.add(graph_.add(a_, a_), -graph_.multiply(graph_.constant(2), a_));
+  ASSERT_NE(none, 0);
+  const Network network = this->network({scaled, none, graph_.add(none, graph_.constant(7))});
+  EXPECT_EQ(network.outputs()[1], 0);
+  const Ref seven = network.outputs()[2];
+  ASSERT_TRUE(network.is_constant(seven));
+  EXPECT_EQ(network.magnitude(seven), 7);
+  EXPECT_GT(seven, 0);
+}
+
 TEST_F(NetworkOf, MultipliesConstantsOfOneProduct) {
   const Ref two = graph_.constant(2);
   const Ref three = graph_.constant(3);
