@@ -21,6 +21,7 @@ namespace {
 constexpr int kRow = 64;
 /// Beyond the places of links and points.
 constexpr int kParameterPlaces = 1 << 24;
+constexpr int kOrdinaryPlaces = 3 << 23;
 constexpr int kScenePlaces = 1 << 25;
 
 void see(model::Link& link, StandInNumbers& all) {
@@ -52,8 +53,24 @@ std::vector<int> groups_of(const model::Tree& tree) {
   return groups;
 }
 
+/// Near the nominal value and nowhere special: what is zero, equal or in a ratio there is so for
+/// all values.
+Digits ordinary(const Digits& nominal, StandIn quantity, int parameter) {
+  const Digits other = generic(quantity, kOrdinaryPlaces + parameter);
+  return nominal == 0 ? Digits(other / 16) : Digits(nominal * (1 + (other - floor(other)) / 64));
+}
+
+/// A number that is made of parameters, of these; where they have no value for it, as it is.
+void take(const std::vector<Real>& parameters, Real& number) {
+  if (number.recipe() != 0) {
+    const Real taken = evaluated(number.recipe(), parameters);
+    number = isfinite(taken) ? taken : number;
+  }
+}
+
 /// Of a scene all its numbers, behind those of the robot.
 std::shared_ptr<const model::Scene> seen_scene(const model::Scene& scene, const Seen& seen,
+                                               const std::vector<Real>& parameters,
                                                StandInNumbers& all) {
   auto result = std::make_shared<model::Scene>(scene);
   result->tree = seen.tree;
@@ -62,6 +79,7 @@ std::shared_ptr<const model::Scene> seen_scene(const model::Scene& scene, const 
   all.begin(kScenePlaces, 0);
   each_number(*result, [&](std::span<Real> numbers, const SceneMeaning& meaning) {
     all.begin(all.place(), group_of(meaning.what));
+    std::ranges::for_each(numbers, [&](Real& number) { take(parameters, number); });
     if (is_fixed(numbers)) {
       see(numbers, meaning.form, all);
     }
@@ -69,24 +87,29 @@ std::shared_ptr<const model::Scene> seen_scene(const model::Scene& scene, const 
   return result;
 }
 
-/// Numbers that are known at run time only are like no other number, zeros and ones as well.
+/// Numbers that are known at run time only are like no other number, zeros and ones as well, and
+/// have ordinary values.
 /// \param tree, points  as they are given
-void see_parameters(const model::Tree& tree, const std::vector<model::Point>& points, Seen& seen) {
+/// \return the parameters
+std::vector<Real> see_parameters(const model::Tree& tree, const std::vector<model::Point>& points,
+                                 Seen& seen) {
   constexpr std::array<StandIn, 7> kParts = {StandIn::kMass,   StandIn::kCom,    StandIn::kInertia,
                                              StandIn::kOffset, StandIn::kOffset, StandIn::kGravity,
                                              StandIn::kScene};
-  int index = 0;
+  std::vector<Real> result;
   for (const model::Parameter& parameter : seen.tree.parameters) {
+    const auto index = static_cast<int>(result.size());
     const StandIn quantity = kParts[static_cast<std::size_t>(parameter.quantity)];
     const Digits stand_in = generic(quantity, kParameterPlaces + index);
     const Real nominal = model::nominal(seen.tree, seen.options.gravity, parameter);
-    model::set(seen.tree, seen.options.gravity, parameter,
-               Real::of_parameter(index, nominal.digits(), stand_in));
-    ++index;
+    result.push_back(
+        Real::of_parameter(index, ordinary(nominal.digits(), quantity, index), stand_in));
+    model::set(seen.tree, seen.options.gravity, parameter, result.back());
   }
   for (const auto& [k, own] : model::points_with_parameters(tree, points)) {
     seen.options.points[k].at = seen.tree.points[own].at;
   }
+  return result;
 }
 
 Seen see(const model::Tree& tree, const Options& options) {
@@ -114,9 +137,16 @@ Seen see(const model::Tree& tree, const Options& options) {
   if (is_fixed(options.gravity)) {
     seen.options.gravity = all.vector(StandIn::kGravity, options.gravity);
   }
-  see_parameters(tree, options.points, seen);
+  const std::vector<Real> parameters = see_parameters(tree, options.points, seen);
   if (options.scene != nullptr) {
-    seen.scene = seen_scene(*options.scene, seen, all);
+    const auto of_scene = [&](Real& number) {
+      take(parameters, number);
+    };
+    std::ranges::for_each(seen.options.gravity, of_scene);
+    for (model::Point& point : seen.options.points) {
+      std::ranges::for_each(point.at, of_scene);
+    }
+    seen.scene = seen_scene(*options.scene, seen, parameters, all);
     seen.options.scene = seen.scene.get();
   }
   return seen;

@@ -611,6 +611,34 @@ TEST_F(RunTimeCli, RefusesOptionsThatReportNumbers) {
                      "--runtime is for models");
 }
 
+/// A turn whose sine is seen with another sign than it has takes x for -x where both are zero. The
+/// tool holds what it writes against its equations, with other values too.
+TEST_F(RunTimeCli, NominalZerosAreNotTakenForTheirNegatives) {
+  const auto accepted = [&](const std::string& links, const std::string& runtime) {
+    write_file(scratch("tilted.yaml"), "name: tilted\nlinks:\n" + links);
+    for (const char* const effort : {"0", "20"}) {
+      const Outcome outcome = treedyn({"generate", scratch("tilted.yaml"), "--runtime", runtime,
+                                       "--effort", effort, "-j", "1", "-o", out()});
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+    }
+  };
+  const std::string inertia = "mass: 1.5, inertia: [0.1, 0, 0, 0.1, 0, 0.1]";
+  for (const char* const turn : {"1.1", "1.3", "-2"}) {
+    accepted(
+        fmt::format("  - {{name: a, father: ground, joint: {{name: ja, type: revolute, axis: [0, "
+                    "1, 0], rotation: {{rpy: [{}, 0, 0]}}}}, com: [0.1, 0.2, 0.3], {}}}\n",
+                    turn, inertia),
+        "gravity");
+  }
+  accepted(
+      fmt::format("  - {{name: a, father: ground, joint: {{name: ja, type: revolute, axis: [0, 0, "
+                  "1]}}, {0}}}\n  - {{name: b, father: a, joint: {{name: jb, type: revolute, "
+                  "axis: [0, 1, 0]}}, {0}}}\n  - {{name: s, father: b, joint: {{name: js, type: "
+                  "prismatic, axis: [0, 1, 0], rotation: {{rpy: [-0.4, 0, 0]}}}}, {0}}}\n",
+                  inertia),
+      "s.com");
+}
+
 /// A nominal zero takes its spring out of the scene that is priced, and what it was multiplied
 /// with.
 TEST_F(RunTimeCli, PricesParametersThatOthersOfNominalZeroNeed) {
