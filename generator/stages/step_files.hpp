@@ -26,7 +26,8 @@ struct StepForm {
 };
 
 /// The files of a scene for several integrators, lengths of steps and scalars. What these share,
-/// the dynamics of the phases, is formulated once for each rate at which loops are stabilised.
+/// the dynamics of the phases, is formulated and held against its equations once for each rate at
+/// which loops are stabilised.
 class StepWriter {
  public:
   /// \param file  of the scene, for messages
