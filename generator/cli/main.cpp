@@ -281,12 +281,11 @@ int run_simulate(const Settings& settings) {
   }
   print(write_simulation(settings.simulation, result));
   if (!result.recording.stopped.empty()) {
-    const std::vector<simulation::Row>& rows = result.recording.rows;
     throw InputError(
         {settings.simulation.scene, 0, 0},
         fmt::format("the motion ends at t = {:.6g} s: {}; expected it to last {:.6g} s",
-                    rows.empty() ? static_cast<double>(result.scene.t0) : rows.back().t,
-                    result.recording.stopped, static_cast<double>(result.scene.duration)));
+                    result.recording.end, result.recording.stopped,
+                    static_cast<double>(result.scene.duration)));
   }
   return 0;
 }

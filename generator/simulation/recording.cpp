@@ -109,6 +109,7 @@ class Recorder {
   }
 
   Recording finish() {
+    recording_.end = simulator_.time();
     recording_.events = simulator_.events();
     recording_.cost = simulator_.cost();
     recording_.notices = simulator_.monitor().notices();

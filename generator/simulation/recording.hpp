@@ -41,6 +41,7 @@ struct Recording {
   double drift_warning = 0;     ///< beyond which there is one, m
   double drift = 0;             ///< largest position error of a row that acts, m or rad
   std::string stopped;          ///< why the motion ends early; empty: it does not
+  double end = 0;               ///< when it ends, s
 };
 
 /// How far a motion is, between 0 and 1; returns false to stop it.
