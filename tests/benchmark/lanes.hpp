@@ -13,8 +13,10 @@ struct LanesCode {
   using Run = void (*)(int function, Turn);
 
   const char* robot;
+  const char* scalar;
   const char* compiler;
   int lanes;
+  double epsilon;  ///< of the scalar
   /// Puts the same random states into every lane.
   void (*prepare)();
   /// Calls with consecutive states, each call for all lanes; mass_matrix, bias_force,
