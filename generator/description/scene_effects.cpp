@@ -202,7 +202,8 @@ void SceneEffects::read_entries(const Row& row, const SceneFields& effects, cons
 }
 
 void SceneEffects::viscous_friction(const SceneFields& fields) {
-  add(model::viscous_friction(context_.joint(fields), fields.amount("coefficient")));
+  const int joint = context_.joint(fields);
+  add(model::viscous_friction(joint, fields.amount("coefficient")));
 }
 
 /// Without slip_speed it sticks; phases tell how it acts then, which does not change at run time.

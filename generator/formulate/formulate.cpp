@@ -44,7 +44,8 @@ program::Function cheapest_seen(const model::Tree& tree, const Recipe& recipe,
                                 const Options& options) {
   const Seen seen = with_stand_ins(tree, options);
   program::Function function = cheapest(seen.tree, recipe, seen.options);
-  if (holds(function, tree, recipe, options)) {
+  const Seen numbers = numbers_alone(seen.tree, seen.options);
+  if (holds(function, numbers.tree, recipe, numbers.options)) {
     return function;
   }
   const Seen own = with_parameters(tree, options);
