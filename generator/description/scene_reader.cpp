@@ -123,8 +123,11 @@ class SceneReader {
 
   void read_joint_spring(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what, {"name", "joint", "k", "d", "q0"});
-    scene_.joint_laws.push_back(model::joint_spring(
-        joint(fields), fields.number("k"), fields.number_or("d", 0), fields.number_or("q0", 0)));
+    const int at = joint(fields);
+    const Real stiffness = fields.number("k");
+    const Real damping = fields.number_or("d", 0);
+    scene_.joint_laws.push_back(
+        model::joint_spring(at, stiffness, damping, fields.number_or("q0", 0)));
   }
 
   void read_armature(const Node& node, const std::string& what) {
@@ -135,9 +138,12 @@ class SceneReader {
   void read_point_spring(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what,
                              {"name", "body", "point", "anchor", "k", "d", "rest_length"});
-    scene_.point_laws.push_back(model::point_spring(point(fields), fields.vector("anchor"),
-                                                    fields.number("k"), fields.number_or("d", 0),
-                                                    fields.amount_or("rest_length", 0)));
+    const int at = point(fields);
+    const model::Vector3 anchor = fields.vector("anchor");
+    const Real stiffness = fields.number("k");
+    const Real damping = fields.number_or("d", 0);
+    scene_.point_laws.push_back(
+        model::point_spring(at, anchor, stiffness, damping, fields.amount_or("rest_length", 0)));
   }
 
   void read_torque(const Node& node, const std::string& what) {
