@@ -16,6 +16,7 @@
 #include "description/scene_bodies.hpp"
 #include "description/scene_fields.hpp"
 #include "description/scene_yaml.hpp"
+#include "model/force_laws.hpp"
 
 namespace treedyn::description {
 

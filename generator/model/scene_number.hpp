@@ -42,8 +42,8 @@ enum class SceneNumber : std::uint8_t {
 inline constexpr SceneNumber kLastOfExpressions = SceneNumber::kEvent;
 
 struct SceneNumberRow {
-  SceneNumber number;
-  const char* word;
+  SceneNumber number = SceneNumber::kDrive;
+  const char* word = "";
   Dimension dimension;  ///< of a point, or of a joint that slides
   Dimension turns;      ///< of a joint that turns
 };
