@@ -47,10 +47,11 @@ StepFiles StepWriter::files(model::Scene scene, const StepForm& form, const std:
   formulate::settle_sticking(*model.scene);
   const Key key{model::stabilisation_rate(*model.scene), model.scene->stepping.drift,
                 form.forward_dynamics, effects};
-  const auto [found, is_new] = formulated_.try_emplace(key);
-  if (is_new) {
-    found->second = formulate_model(model, request, [](const std::string&) {});
-    check_at_states(model, request, found->second);
+  auto found = formulated_.find(key);
+  if (found == formulated_.end()) {
+    program::Programs made = formulate_model(model, request, [](const std::string&) {});
+    check_at_states(model, request, made);
+    found = formulated_.emplace(key, std::move(made)).first;
   }
   program::Programs programs = found->second;
   programs.steppers = {stepper_of(model, request, programs)};
