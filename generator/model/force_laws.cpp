@@ -1,7 +1,6 @@
 #include "model/force_laws.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "common/index.hpp"
 
@@ -63,13 +62,6 @@ JointLaw stribeck_friction(int joint, const Real& force, const Real& static_forc
 }
 
 JointLaw drive(int joint, const Expression& torque) { return {"drive", joint, torque, {}}; }
-
-std::vector<JointLaw> laws_of(const Scene& scene, std::string_view effect) {
-  std::vector<JointLaw> result;
-  std::ranges::copy_if(scene.joint_laws, std::back_inserter(result),
-                       [&](const JointLaw& law) { return law.effect == effect; });
-  return result;
-}
 
 /// -(k (l - rest) + c l') along the unit vector from the anchor, l l' = u . v with u = p - anchor.
 PointLaw point_spring(int point, const Vector3& anchor, const Real& stiffness, const Real& damping,

@@ -3,7 +3,11 @@
 // simulator evaluate them.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "model/scene.hpp"
@@ -30,8 +34,19 @@ JointLaw stribeck_friction(int joint, const Real& force, const Real& static_forc
 /// A torque (force) of t, q, qd; controllers are expressions.
 JointLaw drive(int joint, const Expression& torque);
 
-/// The joints' laws of one effect, in the order of the scene.
-std::vector<JointLaw> laws_of(const Scene& scene, std::string_view effect);
+/// The laws of one effect, in the order of the scene.
+template <class Law>
+std::vector<Law> laws_of(const std::vector<Law>& laws, std::string_view effect) {
+  std::vector<Law> result;
+  std::ranges::copy_if(laws, std::back_inserter(result),
+                       [&](const Law& law) { return law.effect == effect; });
+  return result;
+}
+
+/// Effects whose forces a motion shows joint by joint, in this order, and the names of their
+/// columns.
+inline constexpr std::array<std::pair<const char*, const char*>, 2> kShownOfJoints = {
+    {{"drive", "drive"}, {"joint_spring", "spring"}}};
 
 /// What acts on the joint, N m or N, terms of a sum: the constant force of the scene and its laws.
 /// Without dry friction that sticks, what phases add, and the argument tau.

@@ -114,14 +114,14 @@ std::size_t entries_of(const Scene& scene, std::string_view effect) {
       {"stabilisation",
        scene.stepping.drift == Drift::kBaumgarte && !scene.constraints.empty() ? 1 : 0}};
   const auto other = others.find(effect);
-  return to_index(static_cast<int>(std::ranges::count(scene.joint_laws, effect, &JointLaw::effect) +
-                                   std::ranges::count(scene.point_laws, effect, &PointLaw::effect) +
-                                   (other == others.end() ? 0 : other->second)));
+  return static_cast<std::size_t>(std::ranges::count(scene.joint_laws, effect, &JointLaw::effect) +
+                                  std::ranges::count(scene.point_laws, effect, &PointLaw::effect) +
+                                  (other == others.end() ? 0 : other->second));
 }
 
 std::vector<int> passive_joints(const Scene& scene) {
   std::vector<int> result;
-  const std::vector<JointLaw> drives = laws_of(scene, "drive");
+  const std::vector<JointLaw> drives = laws_of(scene.joint_laws, "drive");
   for (int i = 0; i < scene.tree.dof(); ++i) {
     const bool driven = std::ranges::count(drives, i, &JointLaw::joint) > 0;
     const bool in_base = i < 6 && has_free_base(scene.tree);

@@ -75,16 +75,14 @@ void add_reactions(const model::Scene& scene, std::vector<Column>& result) {
 
 /// In the order of Forces::append_forces.
 void add_forces(const model::Scene& scene, std::vector<Column>& result) {
-  for (const auto& [effect, name] : {std::pair("drive", "drive"), {"joint_spring", "spring"}}) {
-    for (const model::JointLaw& law : model::laws_of(scene, effect)) {
+  for (const auto& [effect, name] : model::kShownOfJoints) {
+    for (const model::JointLaw& law : model::laws_of(scene.joint_laws, effect)) {
       result.push_back({fmt::format("{}[{}]", name, joint_name(scene.tree, law.joint)),
                         turns(scene.tree, law.joint) ? "N m" : "N"});
     }
   }
-  for (const model::PointLaw& law : scene.point_laws) {
-    if (law.effect == "point_spring") {
-      result.push_back({fmt::format("spring[{}]", point_name(scene, law.point)), "N"});
-    }
+  for (const model::PointLaw& law : model::laws_of(scene.point_laws, "point_spring")) {
+    result.push_back({fmt::format("spring[{}]", point_name(scene, law.point)), "N"});
   }
   for (const model::GroundContact& contact : scene.contacts) {
     for (const char axis : {'x', 'y', 'z'}) {

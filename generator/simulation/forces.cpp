@@ -84,10 +84,13 @@ Forces::Forces(const model::Scene& scene) {
       joint_forces_.push_back({joint, force});
     }
   }
-  for (const char* const effect : {"drive", "joint_spring"}) {
-    for (const model::JointLaw& law : model::laws_of(scene, effect)) {
+  for (const auto& [effect, name] : model::kShownOfJoints) {
+    for (const model::JointLaw& law : model::laws_of(scene.joint_laws, effect)) {
       shown_.push_back({-1, law.force});
     }
+  }
+  for (const model::PointLaw& law : model::laws_of(scene.point_laws, "point_spring")) {
+    shown_.push_back({law.point, law.tension});
   }
   for (const model::JointLaw& law : scene.joint_laws) {
     energies_.push_back({-1, law.energy});
@@ -95,9 +98,6 @@ Forces::Forces(const model::Scene& scene) {
   for (const model::PointLaw& law : scene.point_laws) {
     (law.is_moment ? torques_ : loads_).push_back({law.point, VectorValue(law.value)});
     energies_.push_back({law.point, law.energy});
-    if (law.effect == "point_spring") {
-      shown_.push_back({law.point, law.tension});
-    }
   }
   std::erase_if(energies_, [](const OfPoint& stored) { return stored.value.is_zero(); });
   for (const model::GroundContact& contact : scene.contacts) {
