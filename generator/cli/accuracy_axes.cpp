@@ -1,13 +1,12 @@
 #include "cli/accuracy_axes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 
 #include <fmt/format.h>
 
-#include "cli/scene_prices.hpp"
 #include "common/decimal.hpp"
+#include "model/effects.hpp"
 
 namespace treedyn {
 
@@ -72,15 +71,12 @@ void require_difference(const Axis& axis, const Subject& subject, const std::str
 void require_removable(const Subject& subject, const std::string& effect,
                        const std::string& integrator, StepWriter& writer) {
   const model::Scene& scene = subject.scene;
-  if (!names_effect(scene, effect)) {
+  if (model::entries_of(scene, effect) == 0) {
     throw UsageError(fmt::format("--without: the scene has no {}; expected an effect of the scene",
                                  shown(effect)));
   }
-  static constexpr std::array<std::string_view, 6> kDeciding = {
-      "locked_joint",      "point_constraint", "orientation_constraint",
-      "joined_constraint", "impact",           "stabilisation"};
   const bool sticks = effect == "coulomb_friction" && !scene.frictions.empty();
-  if (sticks || std::find(kDeciding.begin(), kDeciding.end(), effect) != kDeciding.end()) {
+  if (sticks || model::effect_named(effect).decides_rows) {
     throw UsageError(
         fmt::format("--without: {} decides which rows and events the step has; "
                     "expected an effect that adds a term",

@@ -5,25 +5,18 @@
 
 #include <fmt/format.h>
 
-#include "block/pattern.hpp"
+#include "cli/model_facts.hpp"
 #include "cli/parameter_prices.hpp"
 #include "cli/scene_prices.hpp"
 #include "common/decimal.hpp"
 #include "emit/header.hpp"
-#include "emit/json.hpp"
 #include "emit/layout.hpp"
-#include "emit/manifest.hpp"
-#include "emit/run_time.hpp"
 #include "equations/scene_table.hpp"
 #include "formulate/scene_functions.hpp"
-#include "stages/checked_siblings.hpp"
 
 namespace treedyn {
 
 namespace {
-
-using emit::json_object;
-using emit::json_string;
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -44,13 +37,6 @@ std::string table(const Rows& rows) {
   }
   return result;
 }
-
-const model::Link& link_of(const Model& model, int coordinate) {
-  const auto k = static_cast<std::size_t>(coordinate);
-  return model.tree.links[static_cast<std::size_t>(model.tree.coordinates[k])];
-}
-
-bool is_revolute(const model::Link& link) { return link.joint.type == model::JointType::kRevolute; }
 
 std::string joint_table(const Model& model) {
   Rows rows = {{"index", "joint", "type", "father", "link", "mass/kg"}};
@@ -80,25 +66,6 @@ std::string mimic_lines(const Model& model) {
   return result.empty() ? result : "\nmimic joints\n" + result;
 }
 
-/// The rows of D: 'x' where the column's link is the row's link or carries it.
-std::vector<std::string> reachability_rows(const model::Tree& tree) {
-  block::Index index;
-  for (const model::Link& link : tree.links) {
-    index.father.push_back(link.father);
-    index.revolute.push_back(is_revolute(link));
-  }
-  std::vector<std::string> rows(1);
-  for (const char c : block::to_text(block::reachability(index))) {
-    if (c == '\n') {
-      rows.emplace_back();
-    } else {
-      rows.back() += c;
-    }
-  }
-  rows.resize(tree.links.size());
-  return rows;
-}
-
 std::string reachability_text(const model::Tree& tree) {
   Rows rows;
   const std::vector<std::string> matrix = reachability_rows(tree);
@@ -110,14 +77,6 @@ std::string reachability_text(const model::Tree& tree) {
   return fmt::format("\nD, one row a link ({} of {} blocks are zero)\n{}",
                      matrix.size() * matrix.size() - blocks, matrix.size() * matrix.size(),
                      table(rows));
-}
-
-Real total_mass(const model::Tree& tree) {
-  Real sum = 0;
-  for (const model::Link& link : tree.links) {
-    sum += link.inertia.mass;
-  }
-  return sum;
 }
 
 std::string point_table(const Model& model) {
@@ -145,44 +104,6 @@ std::string snap_table(const model::Tree& tree) {
                     fmt::format("{:.1e}", snap.change.convert_to<double>())});
   }
   return "\nsnapped constants\n" + table(rows);
-}
-
-/// A function and the operations of one call.
-struct Priced {
-  program::Signature signature;
-  program::Cost cost;
-
-  [[nodiscard]] int values() const {
-    int sum = 0;
-    for (const program::Array& array : signature.outputs) {
-      sum += array.size;
-    }
-    return sum;
-  }
-};
-
-std::vector<Priced> priced(const Model& model, const Request& request,
-                           const program::Programs& programs) {
-  std::vector<Priced> result;
-  if (programs.update) {
-    const program::Function& update = *programs.update;
-    result.push_back({update.signature, program::cost(update)});
-  }
-  for (const program::Function& function : programs.functions) {
-    result.push_back({function.signature, program::cost(function)});
-  }
-  if (request.checked) {
-    for (const emit::Checked& checked : checked_siblings(model, programs.functions)) {
-      result.push_back({checked.signature, emit::cost(checked)});
-    }
-  }
-  for (const program::Staged& staged : programs.staged) {
-    result.push_back({staged.signature, program::cost(staged)});
-  }
-  for (const program::Stepper& stepper : programs.steppers) {
-    result.push_back({stepper.signature, program::step_cost(stepper)});
-  }
-  return result;
 }
 
 std::string cost_table(const Model& model, const Request& request,
@@ -248,117 +169,6 @@ std::string parameter_table(const Model& model, const Request& request,
          table(rows);
 }
 
-std::string json_list(const std::vector<std::string>& values) {
-  return fmt::format("[{}]", fmt::join(values, ", "));
-}
-
-std::string vector_json(const model::Vector3& v) {
-  return json_list({emit::decimal(v[0]), emit::decimal(v[1]), emit::decimal(v[2])});
-}
-
-std::vector<std::string> joints_json(const Model& model) {
-  std::vector<std::string> result;
-  for (int k = 0; k < model.tree.dof(); ++k) {
-    const model::Link& link = link_of(model, k);
-    result.push_back(
-        json_object({{"name", json_string(link.joint.name)},
-                     {"identifier", json_string(link.joint.identifier)},
-                     {"index", std::to_string(k)},
-                     {"type", json_string(is_revolute(link) ? "revolute" : "prismatic")},
-                     {"father", std::to_string(emit::father_coordinate(model.tree, k))},
-                     {"link", json_string(link.name)},
-                     {"mass", emit::decimal(link.inertia.mass)}}));
-  }
-  return result;
-}
-
-std::vector<std::string> links_json(const model::Tree& tree) {
-  std::vector<std::string> result;
-  const std::vector<std::string> matrix = reachability_rows(tree);
-  for (std::size_t i = 0; i < tree.links.size(); ++i) {
-    const model::Link& link = tree.links[i];
-    const model::Drive& drive = tree.drives[i];
-    result.push_back(json_object({{"name", json_string(link.name)},
-                                  {"father", std::to_string(link.father)},
-                                  {"mass", emit::decimal(link.inertia.mass)},
-                                  {"com", vector_json(link.inertia.com)},
-                                  {"coordinate", std::to_string(drive.coordinate)},
-                                  {"multiplier", emit::decimal(drive.multiplier)},
-                                  {"offset", emit::decimal(drive.offset)},
-                                  {"D", json_string(matrix[i])}}));
-  }
-  return result;
-}
-
-std::vector<std::string> points_json(const Model& model) {
-  std::vector<std::string> result;
-  for (const model::Point& point : model.points) {
-    result.push_back(json_object({{"name", json_string(point.name)},
-                                  {"identifier", json_string(point.identifier)},
-                                  {"link", json_string(point.link_name)},
-                                  {"at", vector_json(model::place_in_frame(model.tree, point))}}));
-  }
-  return result;
-}
-
-std::vector<std::string> snaps_json(const model::Tree& tree) {
-  std::vector<std::string> result;
-  for (const model::Snap& snap : tree.snaps) {
-    result.push_back(json_object({{"line", std::to_string(snap.where.line)},
-                                  {"column", std::to_string(snap.where.column)},
-                                  {"what", json_string(snap.what)},
-                                  {"from", json_string(snap.from)},
-                                  {"to", json_string(snap.to)},
-                                  {"change", emit::decimal(snap.change)}}));
-  }
-  return result;
-}
-
-std::vector<std::string> prices_json(const Model& model, const Request& request,
-                                     const program::Programs& programs) {
-  std::vector<std::string> result;
-  if (!model.scene) {
-    return result;
-  }
-  for (const Price& price : effect_prices(model, request, programs)) {
-    result.push_back(json_object({{"effect", json_string(price.effect)},
-                                  {"function", json_string(price.function)},
-                                  {"with", emit::operations_json(price.with)},
-                                  {"without", emit::operations_json(price.without)}}));
-  }
-  return result;
-}
-
-/// Nothing without run-time parameters.
-std::string parameters_json(const Model& model, const Request& request,
-                            const program::Programs& programs) {
-  if (!programs.update) {
-    return {};
-  }
-  std::vector<std::string> prices;
-  for (const ParameterPrice& price : parameter_prices(model, request, programs)) {
-    prices.push_back(json_object({{"declared", json_string(price.declared)},
-                                  {"function", json_string(price.function)},
-                                  {"with", emit::operations_json(price.with)},
-                                  {"without", emit::operations_json(price.without)}}));
-  }
-  return emit::parameters_json(model.tree, decided_request(model, request).gravity) +
-         fmt::format(",\n  \"parameter_prices\": {}", emit::json_lines(prices, 4));
-}
-
-std::vector<std::string> functions_json(const Model& model, const Request& request,
-                                        const program::Programs& programs) {
-  std::vector<std::string> result;
-  for (const Priced& function : priced(model, request, programs)) {
-    result.push_back(json_object({{"name", json_string(function.signature.name)},
-                                  {"equation", json_string(function.signature.equation)},
-                                  {"values", std::to_string(function.values())},
-                                  {"operations", emit::operations_json(function.cost)},
-                                  {"fused", std::to_string(function.cost.fused)}}));
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string info_text(const Model& model, const Request& request,
@@ -370,23 +180,6 @@ std::string info_text(const Model& model, const Request& request,
          joint_table(model) + mimic_lines(model) + reachability_text(model.tree) +
          point_table(model) + snap_table(model.tree) + cost_table(model, request, programs) +
          parameter_table(model, request, programs) + price_table(model, request, programs);
-}
-
-std::string info_json(const Model& model, const Request& request,
-                      const program::Programs& programs) {
-  const bool axes = decided_request(model, request).read.base == description::Base::kAxes;
-  return fmt::format(
-      "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
-      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}{}{}\n}}\n",
-      json_string(model.tree.name), json_string(axes ? "axes" : "fixed"), model.tree.dof(),
-      emit::decimal(total_mass(model.tree)), emit::json_lines(joints_json(model), 4),
-      emit::json_lines(links_json(model.tree), 4), emit::json_lines(points_json(model), 4),
-      emit::json_lines(snaps_json(model.tree), 4),
-      emit::json_lines(functions_json(model, request, programs), 4),
-      parameters_json(model, request, programs),
-      model.scene ? fmt::format(",\n  \"prices\": {}",
-                                emit::json_lines(prices_json(model, request, programs), 4))
-                  : "");
 }
 
 std::string passes_text(const Model& model, const Request& request) {

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/scene_prices.hpp"
 #include "dynamics/generated_run.hpp"
 #include "formulate/scene_sticking.hpp"
+#include "model/effects.hpp"
 #include "simulation/monitor.hpp"
 #include "simulation/simulator.hpp"
 
@@ -128,7 +128,7 @@ model::Scene stepped_scene(const Subject& subject, const Stepped& how) {
   const accuracy::Variant usual;
   model::Scene scene = variant.without == usual.without
                            ? subject.scene
-                           : without_effect(subject.scene, variant.without);
+                           : model::without_effect(subject.scene, variant.without);
   if (variant.stabilisation != usual.stabilisation) {
     scene.stepping.drift = variant.stabilisation == "none"        ? model::Drift::kNone
                            : variant.stabilisation == "baumgarte" ? model::Drift::kBaumgarte

@@ -72,7 +72,7 @@ void add_axes(CLI::App& command, AccuracyAxes& axes) {
   }
   add("--cuts", "shorter steps that look for an event; 0: at the end", cuts, axes.cuts);
   std::vector<std::string> effects;
-  for (const model::EffectRow& row : model::kEffects) {
+  for (const model::EffectRow& row : model::effects()) {
     effects.emplace_back(row.name);
   }
   add("--without", "effects that are left out, one at a time, beside the whole scene", effects,

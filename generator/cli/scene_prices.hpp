@@ -8,12 +8,6 @@
 
 namespace treedyn {
 
-/// Whether the scene names the effect.
-bool names_effect(const model::Scene& scene, std::string_view effect);
-
-/// The scene as if an effect had never been named. \pre `effect` is one of model::kEffects
-model::Scene without_effect(const model::Scene& scene, std::string_view effect);
-
 /// Operations of a function with and without an effect.
 struct Price {
   std::string effect;

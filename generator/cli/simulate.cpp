@@ -206,7 +206,7 @@ std::string write_simulation(const SimulateRequest& request, const SimulateResul
 
 std::string list_effects() {
   std::string result;
-  for (const model::EffectRow& row : model::kEffects) {
+  for (const model::EffectRow& row : model::effects()) {
     result += fmt::format("{:<24}{}\n", row.name, row.brief);
   }
   return result;

@@ -87,7 +87,7 @@ std::string effects_of(const model::Scene& scene) {
   static constexpr std::array<std::string_view, 3> kToldElsewhere = {"gravity", "impact",
                                                                      "stabilisation"};
   std::vector<std::string> names;
-  for (const model::EffectRow& effect : model::kEffects) {
+  for (const model::EffectRow& effect : model::effects()) {
     const std::size_t count = model::entries_of(scene, effect.name);
     if (count > 0 && std::ranges::count(kToldElsewhere, effect.name) == 0) {
       names.push_back(count > 1 ? fmt::format("{} {}", count, effect.name)

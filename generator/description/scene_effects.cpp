@@ -36,7 +36,7 @@ Real positive_at_run_time(const SceneFields& fields, std::string_view key) {
 
 std::vector<std::string_view> effect_names() {
   std::vector<std::string_view> result;
-  for (const model::EffectRow& row : model::kEffects) {
+  for (const model::EffectRow& row : model::effects()) {
     result.push_back(row.name);
   }
   return result;

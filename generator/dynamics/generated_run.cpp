@@ -176,7 +176,7 @@ bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& l
     if (!next.allFinite() || !vector_of(step_.at("qd")).allFinite()) {
       std::vector<double> last(q.begin(), q.end());
       last.insert(last.end(), qd.begin(), qd.end());
-      throw std::runtime_error(simulation::not_finite(scene_.tree, time(k + 1), last));
+      throw std::runtime_error(simulation::not_finite(scene_, time(k + 1), last));
     }
     changed = state() != before;
     Vector after(2 * next.size());

@@ -9,12 +9,11 @@
 
 #include "block/evaluate.hpp"
 #include "block/plan.hpp"
-#include "engine/coordinates.hpp"
 #include "engine/engine.hpp"
 #include "engine/inertia_factor.hpp"
 #include "engine/outputs.hpp"
 #include "engine/scales.hpp"
-#include "equations/kinematics.hpp"
+#include "engine/tree_leaves.hpp"
 
 namespace treedyn::engine {
 
@@ -23,27 +22,19 @@ class Engine<Scalar>::Implementation {
  public:
   Implementation(const model::Tree& tree, std::span<const model::Point> points,
                  const model::Vector3& gravity)
-      : coordinates_(tree, convert),
-        sizes_(tree, [](const Real& x) { return std::abs(static_cast<double>(x)); }),
+      : sizes_(tree, [](const Real& x) { return std::abs(static_cast<double>(x)); }),
         outputs_(equations::index_of(tree, points)),
         inertia_(*outputs_.find("mass_matrix")),
-        constants_(equations::constants_of<Scalar>(tree, points, convert)),
         evaluation_(outputs_.plan()),
-        leaves_(evaluation_),
-        poses_(tree.links.size()),
-        sine_(tree.links.size()),
-        cosine_(tree.links.size()),
-        q_(tree.links.size()),
+        leaves_(tree, points, gravity, evaluation_),
         full_(largest_output()),
         result_(full_.size()),
-        factor_(coordinates_.dof(), coordinates_.dof()),
-        solution_(coordinates_.dof()) {
-    write_constant_leaves(gravity);
-  }
+        factor_(dof(), dof()),
+        solution_(dof()) {}
 
-  [[nodiscard]] int dof() const { return coordinates_.dof(); }
-  [[nodiscard]] int links() const { return static_cast<int>(q_.size()); }
-  [[nodiscard]] int points() const { return static_cast<int>(constants_.points.size()); }
+  [[nodiscard]] int dof() const { return leaves_.coordinates().dof(); }
+  [[nodiscard]] int links() const { return static_cast<int>(leaves_.constants().links.size()); }
+  [[nodiscard]] int points() const { return static_cast<int>(leaves_.constants().points.size()); }
 
   /// nullptr if there is no such function.
   [[nodiscard]] const Output* find(std::string_view function) const {
@@ -64,15 +55,13 @@ class Engine<Scalar>::Implementation {
                              std::span<const std::span<const Scalar>> inputs) {
     evaluate(output, inputs);
     if (output.step < 0) {
-      return std::vector<double>(9 * constants_.points.size(), 1);
+      return std::vector<double>(9 * leaves_.constants().points.size(), 1);
     }
     const std::vector<double> sums = sizes_of_terms(output);
     return is_solved(output) ? sizes_of_solution(sums, inputs.back()) : sums;
   }
 
  private:
-  static Scalar convert(const Real& x) { return static_cast<Scalar>(x); }
-
   static bool is_solved(const Output& output) { return !output.function->unknown.empty(); }
 
   [[nodiscard]] std::size_t largest_output() const {
@@ -83,57 +72,26 @@ class Engine<Scalar>::Implementation {
     return static_cast<std::size_t>(largest);
   }
 
-  void write_constant_leaves(const model::Vector3& gravity) {
-    const std::span<Scalar> mass = evaluation_.leaf("m^d");
-    const std::span<Scalar> g = evaluation_.leaf("g");
-    for (std::size_t i = 0; i < q_.size(); ++i) {
-      mass[i] = constants_.links[i].mass;
-      for (std::size_t n = 0; n < 3; ++n) {
-        g[3 * i + n] = convert(gravity[n]);
-      }
-    }
-  }
-
   void set_inputs(const equations::Equation& function,
                   std::span<const std::span<const Scalar>> inputs) {
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const std::string_view name = function.inputs[k].name;
-      if (name == "q") {
-        set_positions(inputs[k]);
-      } else if (name == "qd") {
-        coordinates_.expand_rates(inputs[k], evaluation_.leaf("q̇"));
-        coordinates_.expand_rates(inputs[k], evaluation_.leaf("q̇^d"));
-      } else if (name == "qdd") {
-        coordinates_.expand_rates(inputs[k], evaluation_.leaf("q̈"));
-      } else if (name == "f" || name == "n") {
+      if (!leaves_.set(name, inputs[k]) && (name == "f" || name == "n")) {
         std::copy(inputs[k].begin(), inputs[k].end(),
                   evaluation_.leaf(name == "f" ? "f_b" : "n_b").begin());
       }
     }
   }
 
-  void set_positions(std::span<const Scalar> u) {
-    using std::cos;
-    using std::sin;
-    coordinates_.expand_positions(u, q_);
-    for (std::size_t i = 0; i < q_.size(); ++i) {
-      if (constants_.links[i].revolute) {
-        sine_[i] = sin(q_[i]);
-        cosine_[i] = cos(q_[i]);
-      }
-    }
-    equations::compute_poses<Scalar>(constants_, {sine_, cosine_, q_}, poses_);
-    leaves_.write(constants_, poses_);
-  }
-
   std::span<const Scalar> rotations() {
-    for (std::size_t p = 0; p < constants_.points.size(); ++p) {
-      const auto& [link, at, own] = constants_.points[p];
+    const auto& points = leaves_.constants().points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const auto& [link, at, own] = points[p];
       const equations::Matrix3<Scalar> R =
-          link == model::kGround ? own : poses_.R[static_cast<std::size_t>(link)] * own;
+          link == model::kGround ? own : leaves_.poses().R[static_cast<std::size_t>(link)] * own;
       std::copy_n(R.data(), 9, result_.data() + 9 * p);
     }
-    return {result_.data(), 9 * constants_.points.size()};
+    return {result_.data(), 9 * points.size()};
   }
 
   /// tau - B - G = A qdd. \pre `forces`, B + G, have run
@@ -188,18 +146,15 @@ class Engine<Scalar>::Implementation {
     const int cols = output.cols.count(links(), points());
     const std::span<Scalar> full(full_.data(), static_cast<std::size_t>(rows * cols));
     evaluation_.write(output.step, output.shape, full);
-    return coordinates_.reduce(output.reduction, full, static_cast<std::size_t>(cols), result_);
+    return leaves_.coordinates().reduce(output.reduction, full, static_cast<std::size_t>(cols),
+                                        result_);
   }
 
-  Coordinates<Scalar> coordinates_;
   Coordinates<double> sizes_;  ///< with the magnitudes of the multipliers
   Outputs outputs_;
   const Output& inertia_;  ///< A
-  equations::Constants<Scalar> constants_;
   block::Evaluation<Scalar> evaluation_;
-  equations::LeafWriter<Scalar> leaves_;
-  equations::Poses<Scalar> poses_;
-  std::vector<Scalar> sine_, cosine_, q_;
+  TreeLeaves<Scalar> leaves_;
   std::vector<Scalar> full_, result_;
   Matrix factor_;
   Vector solution_;

@@ -58,7 +58,7 @@ struct Constraint {
 
 /// What an effect does to one joint (model/force_laws.hpp), of t, q and qd.
 struct JointLaw {
-  std::string_view effect;  ///< of kEffects
+  std::string_view effect;  ///< name of a row in effects.hpp
   int joint = 0;
   Expression force;   ///< N m or N
   Expression energy;  ///< J, that it stores, of q
@@ -67,7 +67,7 @@ struct JointLaw {
 /// A force at a point, or a moment on its link, by an effect (model/force_laws.hpp); of t, q, qd
 /// and the position and velocity of the point.
 struct PointLaw {
-  std::string_view effect;  ///< of kEffects
+  std::string_view effect;  ///< name of a row in effects.hpp
   int point = 0;
   bool is_moment = false;
   VectorExpression value;  ///< N or N m, base frame

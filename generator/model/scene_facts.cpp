@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
+#include <cmath>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include "common/index.hpp"
@@ -92,31 +91,36 @@ bool has_anchor(const Scene& scene, const std::vector<int>& constraints) {
                      [&](int c) { return anchor_size(scene, c) > 0; });
 }
 
-std::size_t entries_of(const Scene& scene, std::string_view effect) {
-  const auto constraints = [&](ConstraintKind kind) {
-    return std::ranges::count(scene.constraints, kind, &Constraint::kind);
+std::string without_value(const Scene& scene, double time, const std::vector<double>& state) {
+  const auto has_value = [&](const Expression& law) {
+    bool is_known = true;
+    const double value = law.evaluate([&](const Variable& v) {
+      switch (v.quantity) {
+        case Quantity::kTime:
+          return time;
+        case Quantity::kPosition:
+          return state[to_index(v.index)];
+        case Quantity::kVelocity:
+          return state[state.size() / 2 + to_index(v.index)];
+        default:
+          is_known = false;
+          return 0.0;
+      }
+    });
+    return !is_known || std::isfinite(value);
   };
-  const auto strikes = [](const Phase& phase) {
-    return std::ranges::any_of(phase.until, [](const Event& e) { return e.impact.has_value(); });
-  };
-  const std::map<std::string_view, std::ptrdiff_t> others = {
-      {"gravity", scene.gravity != Vector3{} ? 1 : 0},
-      {"velocity_products", scene.velocity_products ? 1 : 0},
-      {"coulomb_friction", std::ssize(scene.frictions)},
-      {"armature", std::ssize(scene.armatures)},
-      {"drive", scene.tau.empty() ? 0 : 1},
-      {"locked_joint", constraints(ConstraintKind::kJoint)},
-      {"point_constraint", constraints(ConstraintKind::kPoint)},
-      {"orientation_constraint", constraints(ConstraintKind::kOrientation)},
-      {"joined_constraint", constraints(ConstraintKind::kJoined)},
-      {"ground_contact", std::ssize(scene.contacts)},
-      {"impact", std::ranges::count_if(scene.phases, strikes)},
-      {"stabilisation",
-       scene.stepping.drift == Drift::kBaumgarte && !scene.constraints.empty() ? 1 : 0}};
-  const auto other = others.find(effect);
-  return static_cast<std::size_t>(std::ranges::count(scene.joint_laws, effect, &JointLaw::effect) +
-                                  std::ranges::count(scene.point_laws, effect, &PointLaw::effect) +
-                                  (other == others.end() ? 0 : other->second));
+  for (const JointLaw& law : scene.joint_laws) {
+    if (!has_value(law.force)) {
+      const Link& link = scene.tree.links[to_index(scene.tree.coordinates[to_index(law.joint)])];
+      return std::string(law.effect) + " of joint '" + link.joint.name + "'";
+    }
+  }
+  for (const PointLaw& law : scene.point_laws) {
+    if (!std::ranges::all_of(law.value, has_value)) {
+      return std::string(law.effect) + " of point '" + scene.points[to_index(law.point)].name + "'";
+    }
+  }
+  return "";
 }
 
 std::vector<int> passive_joints(const Scene& scene) {

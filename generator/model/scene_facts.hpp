@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "common/step_method.hpp"
@@ -34,8 +33,10 @@ int anchor_offset(const Scene& scene, int constraint);
 /// True if one of the constraints has an anchor.
 bool has_anchor(const Scene& scene, const std::vector<int>& constraints);
 
-/// How many of an effect (model/effects.hpp) the scene names.
-std::size_t entries_of(const Scene& scene, std::string_view effect);
+/// "drive of joint 'elbow'": what acts and has no value at a state, among laws of joints, and of
+/// points that ask for nothing of the point; empty if there is none.
+/// \param state  q and behind it qd
+std::string without_value(const Scene& scene, double time, const std::vector<double>& state);
 
 /// Joints without a drive: all that the scene does not call actuated; where it names drives, all
 /// joints but theirs; else the six joints of a free base.

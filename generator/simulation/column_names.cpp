@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "model/force_laws.hpp"
+#include "model/scene_facts.hpp"
 
 namespace treedyn::simulation {
 
@@ -132,7 +133,12 @@ std::string event_name(const model::Scene& scene, int phase, std::size_t event) 
   return fmt::format("expression {}", event + 1);
 }
 
-std::string not_finite(const model::Tree& tree, double time, const std::vector<double>& state) {
+std::string not_finite(const model::Scene& scene, double time, const std::vector<double>& state) {
+  const std::string lost = model::without_value(scene, time, state);
+  if (!lost.empty()) {
+    return fmt::format("{} has no value at t = {:.6g} s", lost, time);
+  }
+  const model::Tree& tree = scene.tree;
   const std::size_t n = state.size() / 2;
   std::size_t fastest = 0;
   for (std::size_t k = 1; k < n; ++k) {

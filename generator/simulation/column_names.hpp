@@ -11,9 +11,9 @@ namespace treedyn::simulation {
 std::string joint_name(const model::Tree& tree, int coordinate);
 
 /// "the motion is not finite at t = 2 s; before, joint 'elbow' was at 1 and moved at 3e+09 rad/s":
-/// the fastest joint.
-/// \param state  the last one that was finite: q and behind it qd
-std::string not_finite(const model::Tree& tree, double time, const std::vector<double>& state);
+/// the fastest joint; what acts and has no value in the last state that was finite, if it is that.
+/// \param state  this one: q and behind it qd
+std::string not_finite(const model::Scene& scene, double time, const std::vector<double>& state);
 
 /// The names of the rows of constraints, one a reaction: "foot.x", "loop.2".
 std::vector<std::string> reaction_names(const model::Scene& scene);

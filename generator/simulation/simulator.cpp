@@ -188,13 +188,13 @@ void Simulator::land(double h, double time) {
     monitor_.turn(system_.constraints(), turns_[k], time, h * std::fabs(weights[k]));
   }
   if (!next_.allFinite()) {
-    throw std::runtime_error(not_finite(scene_.tree, time, {y_.begin(), y_.end()}));
+    throw std::runtime_error(not_finite(scene_, time, {y_.begin(), y_.end()}));
   }
   Vector arrived = next_;
   project(time, arrived);
   show_between(h, time);
   if (!arrived.allFinite()) {
-    throw std::runtime_error(not_finite(scene_.tree, time, {y_.begin(), y_.end()}));
+    throw std::runtime_error(not_finite(scene_, time, {y_.begin(), y_.end()}));
   }
   t_ = time;
   y_ = arrived;
@@ -299,7 +299,7 @@ void Simulator::show_between(double h, double end) {
     integrator_->step(rate_, from, time - from, state, trial_, trial_error_);
     project(time, trial_);
     if (!trial_.allFinite()) {
-      throw std::runtime_error(not_finite(scene_.tree, time, {state.begin(), state.end()}));
+      throw std::runtime_error(not_finite(scene_, time, {state.begin(), state.end()}));
     }
     t_ = time;
     y_ = trial_;

@@ -155,7 +155,7 @@ double Simulator::adaptive_step(double longest) {
           next_.size() == 0 || next_.allFinite()
               ? fmt::format("no step that advances time meets the tolerance of {} at t = {} s",
                             settings_.tolerance, t_)
-              : not_finite(scene_.tree, t_, {y_.begin(), y_.end()}));
+              : not_finite(scene_, t_, {y_.begin(), y_.end()}));
     }
     take(h);
     const double ratio = error_ratio(h);

@@ -1,6 +1,7 @@
 #include "verify/scene_at_states.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 
@@ -111,10 +112,17 @@ void at_some_state(const model::Scene& scene, const program::Signature& signatur
       return;
     }
   }
-  throw std::domain_error(
-      fmt::format("function '{}': an expression of the scene has no value where the scene starts, "
-                  "at t = {} s; expected one that is finite there",
-                  signature.name, static_cast<double>(scene.t0)));
+  std::vector<double> start;
+  for (const std::vector<Real>& part : {scene.q0, scene.qd0}) {
+    std::ranges::transform(part, std::back_inserter(start),
+                           [](const Real& x) { return static_cast<double>(x); });
+  }
+  const std::string lost = model::without_value(scene, static_cast<double>(scene.t0), start);
+  throw std::domain_error(fmt::format(
+      "function '{}': {} has no value where the scene starts, at t = {} s; expected one "
+      "that is finite there",
+      signature.name, lost.empty() ? "an expression of the scene" : lost,
+      static_cast<double>(scene.t0)));
 }
 
 /// \param sizes  of what is added up to it, the largest sum

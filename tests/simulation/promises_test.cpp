@@ -232,6 +232,13 @@ TEST(Contacts, WhoseLawIsNotANumberEndTheMotion) {
       << recording.stopped;
 }
 
+TEST(Drives, WithoutAValueAreNamed) {
+  Running run(
+      falling_ball("effects:\n  gravity: [0, 0, -10]\n  drive: [{joint: height, torque: "
+                   "\"1000*sqrt(t - 1/4)\"}]\nduration: 1\n"));
+  EXPECT_EQ(run.record(0.01).stopped, "drive of joint 'height' has no value at t = 0 s");
+}
+
 TEST(Guards, AreNotAskedBeforeTheirTime) {
   Running run(falling_ball(guarded("2 + sqrt(t - 1/4)", ", not_before: 0.3")));
   EXPECT_EQ(run.record(0.01).stopped, "");

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include "cli/info.hpp"
+#include "cli/model_facts.hpp"
+#include "cli/parameter_prices.hpp"
+#include "cli/scene_prices.hpp"
+#include "common/decimal.hpp"
+#include "emit/header.hpp"
+#include "emit/json.hpp"
+#include "emit/layout.hpp"
+#include "emit/manifest.hpp"
+#include "emit/run_time.hpp"
+
+namespace treedyn {
+
+namespace {
+
+using emit::json_object;
+using emit::json_string;
+
+std::string json_list(const std::vector<std::string>& values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
+
+std::string vector_json(const model::Vector3& v) {
+  return json_list({emit::decimal(v[0]), emit::decimal(v[1]), emit::decimal(v[2])});
+}
+
+std::vector<std::string> joints_json(const Model& model) {
+  std::vector<std::string> result;
+  for (int k = 0; k < model.tree.dof(); ++k) {
+    const model::Link& link = link_of(model, k);
+    result.push_back(
+        json_object({{"name", json_string(link.joint.name)},
+                     {"identifier", json_string(link.joint.identifier)},
+                     {"index", std::to_string(k)},
+                     {"type", json_string(is_revolute(link) ? "revolute" : "prismatic")},
+                     {"father", std::to_string(emit::father_coordinate(model.tree, k))},
+                     {"link", json_string(link.name)},
+                     {"mass", emit::decimal(link.inertia.mass)}}));
+  }
+  return result;
+}
+
+std::vector<std::string> links_json(const model::Tree& tree) {
+  std::vector<std::string> result;
+  const std::vector<std::string> matrix = reachability_rows(tree);
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const model::Link& link = tree.links[i];
+    const model::Drive& drive = tree.drives[i];
+    result.push_back(json_object({{"name", json_string(link.name)},
+                                  {"father", std::to_string(link.father)},
+                                  {"mass", emit::decimal(link.inertia.mass)},
+                                  {"com", vector_json(link.inertia.com)},
+                                  {"coordinate", std::to_string(drive.coordinate)},
+                                  {"multiplier", emit::decimal(drive.multiplier)},
+                                  {"offset", emit::decimal(drive.offset)},
+                                  {"D", json_string(matrix[i])}}));
+  }
+  return result;
+}
+
+std::vector<std::string> points_json(const Model& model) {
+  std::vector<std::string> result;
+  for (const model::Point& point : model.points) {
+    result.push_back(json_object({{"name", json_string(point.name)},
+                                  {"identifier", json_string(point.identifier)},
+                                  {"link", json_string(point.link_name)},
+                                  {"at", vector_json(model::place_in_frame(model.tree, point))}}));
+  }
+  return result;
+}
+
+std::vector<std::string> snaps_json(const model::Tree& tree) {
+  std::vector<std::string> result;
+  for (const model::Snap& snap : tree.snaps) {
+    result.push_back(json_object({{"line", std::to_string(snap.where.line)},
+                                  {"column", std::to_string(snap.where.column)},
+                                  {"what", json_string(snap.what)},
+                                  {"from", json_string(snap.from)},
+                                  {"to", json_string(snap.to)},
+                                  {"change", emit::decimal(snap.change)}}));
+  }
+  return result;
+}
+
+std::vector<std::string> prices_json(const Model& model, const Request& request,
+                                     const program::Programs& programs) {
+  std::vector<std::string> result;
+  if (!model.scene) {
+    return result;
+  }
+  for (const Price& price : effect_prices(model, request, programs)) {
+    result.push_back(json_object({{"effect", json_string(price.effect)},
+                                  {"function", json_string(price.function)},
+                                  {"with", emit::operations_json(price.with)},
+                                  {"without", emit::operations_json(price.without)}}));
+  }
+  return result;
+}
+
+/// Nothing without run-time parameters.
+std::string parameters_json(const Model& model, const Request& request,
+                            const program::Programs& programs) {
+  if (!programs.update) {
+    return {};
+  }
+  std::vector<std::string> prices;
+  for (const ParameterPrice& price : parameter_prices(model, request, programs)) {
+    prices.push_back(json_object({{"declared", json_string(price.declared)},
+                                  {"function", json_string(price.function)},
+                                  {"with", emit::operations_json(price.with)},
+                                  {"without", emit::operations_json(price.without)}}));
+  }
+  return emit::parameters_json(model.tree, decided_request(model, request).gravity) +
+         fmt::format(",\n  \"parameter_prices\": {}", emit::json_lines(prices, 4));
+}
+
+std::vector<std::string> functions_json(const Model& model, const Request& request,
+                                        const program::Programs& programs) {
+  std::vector<std::string> result;
+  for (const Priced& function : priced(model, request, programs)) {
+    result.push_back(json_object({{"name", json_string(function.signature.name)},
+                                  {"equation", json_string(function.signature.equation)},
+                                  {"values", std::to_string(function.values())},
+                                  {"operations", emit::operations_json(function.cost)},
+                                  {"fused", std::to_string(function.cost.fused)}}));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string info_json(const Model& model, const Request& request,
+                      const program::Programs& programs) {
+  const bool axes = decided_request(model, request).read.base == description::Base::kAxes;
+  return fmt::format(
+      "{{\n  \"name\": {},\n  \"base\": {},\n  \"dof\": {},\n  \"mass\": {},\n  \"joints\": {},\n"
+      "  \"links\": {},\n  \"points\": {},\n  \"snapped\": {},\n  \"functions\": {}{}{}\n}}\n",
+      json_string(model.tree.name), json_string(axes ? "axes" : "fixed"), model.tree.dof(),
+      emit::decimal(total_mass(model.tree)), emit::json_lines(joints_json(model), 4),
+      emit::json_lines(links_json(model.tree), 4), emit::json_lines(points_json(model), 4),
+      emit::json_lines(snaps_json(model.tree), 4),
+      emit::json_lines(functions_json(model, request, programs), 4),
+      parameters_json(model, request, programs),
+      model.scene ? fmt::format(",\n  \"prices\": {}",
+                                emit::json_lines(prices_json(model, request, programs), 4))
+                  : "");
+}
+
+}  // namespace treedyn
