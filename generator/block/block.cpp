@@ -1,5 +1,6 @@
 #include "block/block.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -95,6 +96,17 @@ void append(std::vector<Expression>& list, Kind kind, const Expression& a) {
   }
 }
 
+/// Numbers that the size rule blows up and that are a product of vectors stay one factor.
+void append_factor(std::vector<Expression>& factors, const Expression& a, bool blown_up) {
+  const bool of_vectors = std::ranges::any_of(
+      a.operands(), [](const Expression& operand) { return !scalar_blocks(operand.shape()); });
+  if (blown_up && scalar_blocks(a.shape()) && of_vectors) {
+    factors.push_back(a);
+  } else {
+    append(factors, Kind::kProduct, a);
+  }
+}
+
 const Expression& unnamed(const Expression& a) {
   return a.kind() == Kind::kNamed ? unnamed(a.operands().front()) : a;
 }
@@ -141,8 +153,8 @@ Expression operator*(const Expression& a, const Expression& b) {
   }
   const Shape shape = product_shape(a, b);
   std::vector<Expression> factors;
-  append(factors, Kind::kProduct, a);
-  append(factors, Kind::kProduct, b);
+  append_factor(factors, a, a.shape().cols.size != b.shape().rows.size);
+  append_factor(factors, b, a.shape().cols.size != b.shape().rows.size);
   return make(Kind::kProduct, shape, std::move(factors));
 }
 

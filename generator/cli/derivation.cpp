@@ -168,6 +168,7 @@ std::string derivation_text(const Model& model, const Request& request, const st
                     "equations or a function of (1) to (11)",
                     shown(name)));
   }
+  require_solution(model.tree, name);
   const bool is_own = own != model.equations.end();
   const block::Expression& e = is_own ? (*own)->equation.expression : *ours->expression;
   const bool of_rate = is_own && is_rate(**own);

@@ -40,6 +40,7 @@ class Writer {
   [[nodiscard]] std::string pair(const Statement& statement) const;
   void state_angles(const Statement& statement, Part& part, Body& body) const;
   [[nodiscard]] std::string broadcast(Ref value) const;
+  [[nodiscard]] bool is_of_scalars(const Statement& statement) const;
   [[nodiscard]] std::string right_side(const Statement& statement) const;
   void note_arrays(const Statement& statement, Part& part) const;
   void load(const Statement& statement, Part& part, Body& body);
@@ -60,6 +61,21 @@ std::string Writer::broadcast(Ref value) const {
              ? target_.number + "{}"
              : fmt::format("{}{{}} {} {}", target_.number, value < 0 ? '-' : '+',
                            number_text(words_, graph_.value(std::abs(value)), target_.scalar));
+}
+
+/// True if what becomes a vector is made of arguments that are none alone.
+bool Writer::is_of_scalars(const Statement& statement) const {
+  bool result = target_.lanes > 1 && statement.copy_of < 0 && statement.value != 0 &&
+                graph_.node(statement.value).kind != Kind::kConstant;
+  statements_.visit_atoms(statement, [&](Ref value) {
+    const program::Node& node = graph_.node(value);
+    const bool is_input = node.kind == Kind::kInput;
+    const std::string& number =
+        is_input ? function_.signature.inputs[static_cast<std::size_t>(node.a)].number : "";
+    result = result && (is_input ? number.empty() && target_.number != "Scalar"
+                                 : node.kind == Kind::kConstant);
+  });
+  return result;
 }
 
 std::string Writer::right_side(const Statement& statement) const {
@@ -142,7 +158,13 @@ std::string Writer::text(const Statement& statement) const {
   const std::string left = statement.output < 0 ? fmt::format("const {} {}", target_.number,
                                                               statements_.name(statement.value))
                                                 : statements_.element(statement.output);
-  const std::string right = right_side(statement) + ';';
+  std::string right = right_side(statement) + ';';
+  if (is_of_scalars(statement)) {  // a sum with zero would lose a negative zero
+    const std::string zero = fmt::format("- {}{{}};", target_.number);
+    const bool fits = kContinuation + right.size() + zero.size() <= kColumns;
+    right.back() = ' ';
+    right += fits ? zero : "\n" + std::string(kContinuation, ' ') + zero;
+  }
   const bool fits = kIndentation + left.size() + 3 + right.size() <= kColumns;
   TREEDYN_EXPECT(fits || kContinuation + right.size() <= kColumns);
   return fmt::format("{} ={}{}", left, fits ? " " : kNextLine, right);

@@ -32,6 +32,7 @@ class SearchWriter {
   [[nodiscard]] Lines look() const;
   [[nodiscard]] std::string approach() const;
   [[nodiscard]] std::string first_event() const;
+  [[nodiscard]] std::string beginning() const;
   [[nodiscard]] Lines event_lines(const StepEvent& event, int number) const;
   [[nodiscard]] std::string cut() const;
   [[nodiscard]] bool looks_halfway() const;
@@ -102,8 +103,13 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
     // a joint that runs against the way that its friction has stops, whatever was before
   } else if (event.cause == StepCause::kCross) {
     condition += fmt::format(" && !(from.guard[{}] < Scalar(0))", event.guard);
-  } else if (event.cause == StepCause::kFall) {
-    condition += fmt::format(" && to.guard[{}] < Scalar(0)", approach);
+  } else if (event.cause == StepCause::kFall || event.cause == StepCause::kLand) {
+    condition += event.cause == StepCause::kFall
+                     ? fmt::format(" && to.guard[{}] < Scalar(0)", approach)
+                     : fmt::format(
+                           " &&\n    (!(from.guard[{0}] < Scalar(0)) || "
+                           "begins(from.guard[{1}], to.guard[{1}]))",
+                           event.guard, approach);
     inner.push_back(fmt::format("const int k = from.guard[{0}] < Scalar(0) ? {1} : {0};",
                                 event.guard, approach));
     part = "chord(from.guard[k], to.guard[k])";
@@ -113,7 +119,12 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
     condition = fmt::format("to.guard[{0}] < {1} || from.guard[{0}] < {1}", event.guard, least);
   }
   inner.push_back(fmt::format("note({}, {}, first, part);", number, part));
-  Lines lines = {fmt::format("if ({}) {{", condition)};
+  const std::size_t line = condition.find('\n');
+  Lines lines = {
+      fmt::format("if ({}{}", condition.substr(0, line), line == std::string::npos ? ") {" : "")};
+  if (line != std::string::npos) {
+    lines.push_back(condition.substr(line + 1) + ") {");
+  }
   append(lines, inner, "  ");
   lines.emplace_back("}");
   if (event.not_before.none()) {
@@ -126,6 +137,18 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
   append(timed, lines, "  ");
   timed.emplace_back("}");
   return timed;
+}
+
+/// What tells that a point begins to fall.
+std::string SearchWriter::beginning() const {
+  const bool lands = std::ranges::any_of(stepper_.phases, [](const StepPhase& phase) {
+    return std::ranges::count(phase.events, StepCause::kLand, &StepEvent::cause) > 0;
+  });
+  return lands ? "\n/// Whether a point has begun to fall: before, no faster than by what its "
+                 "speed has grown since.\n"
+                 "bool begins(Scalar before, Scalar now) noexcept {\n"
+                 "  return now < Scalar(0) && now < Scalar(2) * before;\n}\n"
+               : "";
 }
 
 std::string SearchWriter::first_event() const {
@@ -284,7 +307,7 @@ std::string SearchWriter::text() const {
   return fill(template_text("step_search.cpp"),
               {{"motion_for_look", needs_motion ? kMotion : kUnusedMotion},
                {"look", joined(look(), "  ")},
-               {"approach", approach()},
+               {"approach", approach() + beginning()},
                {"first_event", first_event()},
                {"cut", cut() + dips()},
                {"becomes", cuts ? "It has\n/// just happened at `to`, unless the turn is the last."

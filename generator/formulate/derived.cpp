@@ -247,7 +247,7 @@ std::shared_ptr<const Derived> regrouped(const model::Tree& tree,
     return function;
   }
   result->fixed_length =
-      unit_lengths(tree).empty() || !program::same_results(formulated(result, 1), before);
+      unit_lengths(seen.tree).empty() || !program::same_results(formulated(result, 1), before);
   return result;
 }
 

@@ -146,9 +146,8 @@ void SceneFormulator::add_places(const std::vector<int>& active, program::Staged
 program::RowSolve SceneFormulator::solve_of(const program::Function& function, int rows,
                                             const std::vector<int>& constraints,
                                             const std::vector<int>& joints) const {
-  const program::OrdinaryRows ordinary = positions_.ordinary(constraints, joints);
   program::RowSolve solve =
-      program::solve_of(function, rows, ordinary.holds ? ordinary.rank : -1, ordinary.states);
+      program::solve_of(function, rows, positions_.ordinary(constraints, joints));
   solve.passes = step_method(scene_) &&
                  std::any_of(constraints.begin(), constraints.end(),
                              [&](int constraint) { return is_stabilised(scene_, constraint); });

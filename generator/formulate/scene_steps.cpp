@@ -26,14 +26,28 @@ using program::StepPhase;
 
 namespace {
 
-StepCause cause_of(const Event& event) {
+/// True if a touch-down stops its point or begins to hold it: a point that begins to fall below the
+/// plane, as where it was held until now, touches down as well.
+bool lands(const Scene& scene, const Event& event, const std::vector<int>& before,
+           const std::vector<int>& behind) {
+  const auto begins_to_hold = [&](int c) {
+    const model::Constraint& row = scene.constraints[to_index(c)];
+    return row.kind == model::ConstraintKind::kPoint && row.point == event.point &&
+           std::ranges::count(before, c) == 0;
+  };
+  return (event.impact && !event.impact->constraints.empty()) ||
+         std::ranges::any_of(behind, begins_to_hold);
+}
+
+/// \param lands  of a touch-down
+StepCause cause_of(const Event& event, bool lands) {
   switch (event.kind) {
     case EventKind::kTime:
       return StepCause::kTime;
     case EventKind::kReaction:
       return StepCause::kPull;
     case EventKind::kHeight:
-      return rebounds(event) ? StepCause::kFall : StepCause::kCross;
+      return rebounds(event) ? StepCause::kFall : lands ? StepCause::kLand : StepCause::kCross;
     case EventKind::kExpression:
       break;
   }
@@ -202,8 +216,11 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
     result.guard = static_cast<int>(guarded.size());
     guarded.push_back(event);
   }
-  result.cause = cause_of(event);
-  if (result.cause == StepCause::kFall || may_rest(scene_, event)) {
+  const std::vector<int>& before = states_[state].active;
+  result.cause = cause_of(
+      event, lands(scene_, event, before, active_behind(scene_, states_[state], event, false)));
+  if (result.cause == StepCause::kFall || result.cause == StepCause::kLand ||
+      may_rest(scene_, event)) {
     result.approach = static_cast<int>(approached.size());
     approached.push_back(event);
   }

@@ -99,6 +99,9 @@ class PhaseMaker {
       add(sticking, way, {first + ways - place * way, place}, result);
       place *= 3;
     }
+    // what friction decides comes first: reactions of joints that it cannot hold tell nothing
+    const auto own = static_cast<std::ptrdiff_t>(phase.until.size());
+    std::rotate(result.until.begin(), result.until.begin() + own, result.until.end());
     return result;
   }
 

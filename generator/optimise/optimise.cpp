@@ -16,10 +16,10 @@ namespace {
 constexpr int kParts = 4;
 
 /// `resubstitute` until it saves nothing more.
-Network resubstituted(Network network, const RoundingGuard& guard) {
+Network resubstituted(Network network, const RoundingGuard& guard, Quotients quotients) {
   for (int fewest = operations(network);;) {
     Network next = network;
-    if (resubstitute(next) == 0) {
+    if (resubstitute(next, quotients) == 0) {
       return network;
     }
     next = run_all_orders(normalise(next), 1);
@@ -37,10 +37,11 @@ Function optimised(const Function& function, const Effort& effort) {
   const Network start = network_of(function.graph, function.outputs);
   const RoundingGuard guard(start);
   Network best = run_all_orders(start, effort.rounds);
-  best = resubstituted(guard.accepts(best) ? best : start, guard);
+  best = resubstituted(guard.accepts(best) ? best : start, guard, effort.quotients);
   for (int part = 0; part < kParts && effort.moves > 0; ++part) {
     const auto seed = static_cast<std::uint64_t>(part + 1);
-    best = resubstituted(improve(std::move(best), effort.moves / kParts, guard, seed), guard);
+    best = resubstituted(improve(std::move(best), effort.moves / kParts, guard, seed), guard,
+                         effort.quotients);
   }
   Function result{function.signature, {}, {}};
   result.graph = graph_of(best, result.outputs);

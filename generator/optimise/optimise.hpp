@@ -2,6 +2,7 @@
 #pragma once
 
 #include "optimise/program_names.hpp"
+#include "optimise/resubstitute.hpp"
 
 namespace treedyn::optimise {
 
@@ -9,6 +10,7 @@ namespace treedyn::optimise {
 struct Effort {
   int rounds = 3;  ///< repetitions of each order of the passes
   int moves = 0;   ///< steps of the local search that follows; some 10,000 a second
+  Quotients quotients = Quotients::kAnywhere;
 };
 
 /// An equivalent function with at most as many operations (add + mul + div, sin, cos, sqrt).

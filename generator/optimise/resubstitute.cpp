@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "common/index.hpp"
 #include "optimise/samples.hpp"
 
 namespace treedyn::optimise {
@@ -51,7 +52,10 @@ std::vector<int> order_of_evaluation(const Network& network) {
 
 class Resubstitution {
  public:
-  explicit Resubstitution(Network& network) : network_(network), samples_(network) {
+  Resubstitution(Network& network, Quotients quotients) : network_(network), samples_(network) {
+    if (quotients == Quotients::kApart) {
+      note_quotients();
+    }
     for (int k = 0; k < network.size(); ++k) {
       reference_.push_back(samples_.errors(k));
       has_recipes_ |= k > 0 && network.is_constant(k) && network.magnitude(k).recipe() != 0;
@@ -68,6 +72,12 @@ class Resubstitution {
   }
   /// An item that pays and is free of cycles as an operand of a new form of `k`.
   Ref find_operand(double first, double second, int k);
+  void note_quotients();
+  /// True if k is no quotient, nor made of one, and `item` is.
+  [[nodiscard]] bool brings_quotient(int k, int item) const {
+    return !of_quotient_.empty() && !of_quotient_[program::node_index(k)] &&
+           of_quotient_[program::node_index(item)];
+  }
   bool may_use(int k, int item);
   int exclusive_operations(int k);
   void mark_dependents(int k);
@@ -89,10 +99,11 @@ class Resubstitution {
   std::vector<ErrorBounds> reference_;  ///< of the items at the start
   std::vector<int> order_;              ///< of evaluation
   std::vector<int> uses_;
-  std::vector<bool> exclusive_;  ///< needed by the item at hand alone
-  std::vector<bool> dependent_;  ///< needs the item at hand
-  int marked_ = 0;               ///< the item that dependent_ belongs to
-  bool has_recipes_ = false;     ///< some numbers are known at run time only
+  std::vector<bool> of_quotient_;  ///< of the items at the start; empty: it does not matter
+  std::vector<bool> exclusive_;    ///< needed by the item at hand alone
+  std::vector<bool> dependent_;    ///< needs the item at hand
+  int marked_ = 0;                 ///< the item that dependent_ belongs to
+  bool has_recipes_ = false;       ///< some numbers are known at run time only
 };
 
 /// After operands have changed.
@@ -126,8 +137,19 @@ void Resubstitution::mark_dependents(int k) {
   }
 }
 
+void Resubstitution::note_quotients() {
+  of_quotient_.assign(static_cast<std::size_t>(network_.size()), false);
+  for (const int k : order_of_evaluation(network_)) {
+    of_quotient_[program::node_index(k)] =
+        network_.item(k).kind == Kind::kDivide ||
+        std::ranges::any_of(network_.operands(k), [this](Ref operand) {
+          return of_quotient_[program::node_index(operand)];
+        });
+  }
+}
+
 bool Resubstitution::may_use(int k, int item) {
-  if (exclusive_[program::node_index(item)] ||
+  if (brings_quotient(k, item) || exclusive_[program::node_index(item)] ||
       (uses_[program::node_index(item)] == 0 && !network_.operands(item).empty())) {
     return false;
   }
@@ -171,6 +193,11 @@ std::optional<Ref> Resubstitution::append(Kind kind, std::array<Ref, 2> operands
     operands = {std::abs(operands[0]), std::abs(operands[1])};
   }
   const int made = network_.append(kind, operands, network_.item(k).position);
+  if (!of_quotient_.empty()) {
+    of_quotient_.resize(to_index(made) + 1, false);
+    of_quotient_.back() = std::ranges::any_of(
+        operands, [this](Ref operand) { return of_quotient_[program::node_index(operand)]; });
+  }
   samples_.append(made);
   if (!is_accurate(made, k)) {
     return std::nullopt;
@@ -189,8 +216,9 @@ void Resubstitution::replace(int k, Ref value) {
 bool Resubstitution::replace_equal(int k) {
   Ref same = 0;
   if (!samples_.is_zero(k)) {
-    same = samples_.find(samples_.fast(k)[0], samples_.fast(k)[1],
-                         [&](int item) { return item < k && is_accurate(item, k); });
+    same = samples_.find(samples_.fast(k)[0], samples_.fast(k)[1], [&](int item) {
+      return item < k && is_accurate(item, k) && !brings_quotient(k, item);
+    });
     if (same == 0 || !identical(sample(same), sample(k))) {
       return false;
     }
@@ -244,6 +272,9 @@ std::optional<Ref> Resubstitution::multiple_for(int k, int x) {
   }
   const int constant = network_.append_constant(abs(ratio));
   samples_.append(constant);
+  if (!of_quotient_.empty()) {
+    of_quotient_.resize(to_index(constant) + 1, false);
+  }
   return append(Kind::kMultiply, {ratio < 0 ? -constant : constant, x}, k);
 }
 
@@ -343,6 +374,8 @@ int Resubstitution::run() {
 
 }  // namespace
 
-int resubstitute(Network& network) { return Resubstitution(network).run(); }
+int resubstitute(Network& network, Quotients quotients) {
+  return Resubstitution(network, quotients).run();
+}
 
 }  // namespace treedyn::optimise

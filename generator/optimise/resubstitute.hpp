@@ -6,6 +6,10 @@
 
 namespace treedyn::optimise {
 
+/// Whether values that need no quotient may come to need one: of functions that share some values
+/// kApart keeps those that divide by nothing good for zeros.
+enum class Quotients { kAnywhere, kApart };
+
 /// Replaces values that are zero, equal to another value, a multiple of one, or the sum,
 /// difference or product of two others, where that saves operations; the same for two terms of a
 /// sum or two factors of a product: identities that no rule of
@@ -17,6 +21,6 @@ namespace treedyn::optimise {
 /// O(n log n).
 /// \param[in,out] network  normalised before, not afterwards
 /// \return the number of replacements
-int resubstitute(Network& network);
+int resubstitute(Network& network, Quotients quotients = Quotients::kAnywhere);
 
 }  // namespace treedyn::optimise

@@ -155,7 +155,8 @@ Separated separate_parameters(const std::vector<Function*>& functions, const Arr
   }
   update.signature.inputs = {parameters};
   update.signature.outputs = {sized};
-  return {numbers.count() > 0 ? optimised(update) : update, elements};
+  return {numbers.count() > 0 ? optimised(update, {.quotients = Quotients::kApart}) : update,
+          elements};
 }
 
 }  // namespace treedyn::optimise

@@ -74,13 +74,23 @@ std::vector<Real> values_at(const Function& function, std::vector<std::vector<Re
   return interpret<Real>(function, spans);
 }
 
+/// K with zeros for some rows and columns.
+template <class Wanted>
+std::vector<Real> without(std::vector<Real> lower, Wanted is_left_out) {
+  for (std::size_t i = 0, place = 0; place < lower.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j, ++place) {
+      lower[place] = is_left_out(i) || is_left_out(j) ? Real(0) : lower[place];
+    }
+  }
+  return lower;
+}
+
 /// With two digits.
 double rounded(const Real& x) { return std::stod(x.str(2, std::ios_base::scientific)); }
 
 }  // namespace
 
-RowSolve solve_of(const Function& function, int rows, int rank,
-                  const std::vector<std::vector<double>>& states) {
+RowSolve solve_of(const Function& function, int rows, const OrdinaryRows& ordinary) {
   Random random(1);
   std::vector<std::vector<Real>> inputs;
   for (const Array& array : function.signature.inputs) {
@@ -91,25 +101,29 @@ RowSolve solve_of(const Function& function, int rows, int rank,
   const std::vector<std::span<const Real>> spans(inputs.begin(), inputs.end());
   std::vector<Real> values = interpret<Real>(function, spans);
   values.resize(static_cast<std::size_t>(rows * (rows + 1) / 2));
+  const auto is_rounding = [&](std::size_t row) {
+    return ordinary.lengths[row] == 0;
+  };
   RowSolve solve;
   solve.rows = rows;
   for (std::size_t k = 0; k < values.size(); ++k) {
     solve.zeros.push_back(function.outputs[k] == 0);
   }
-  solve.rank = rank < 0 ? rank_of(values, rows) : rank;
+  solve.rank = ordinary.holds ? ordinary.rank : rank_of(without(values, is_rounding), rows);
   std::vector<Real> sizes(static_cast<std::size_t>(rows));
   Real least = 0;
-  for (const std::vector<double>& q : states) {
+  for (const std::vector<double>& q : ordinary.states) {
     std::vector<Real> K = values_at(function, inputs, q);
     for (std::size_t k = 0; k < sizes.size(); ++k) {
       sizes[k] = std::max(sizes[k], K[k * (k + 3) / 2]);
     }
     K.resize(values.size());
-    const std::vector<Real> shares = pivot_shares(K, rows);
+    const std::vector<Real> shares = pivot_shares(without(K, is_rounding), rows);
     const auto last = static_cast<std::size_t>(solve.rank);
     least = last > 0 && last <= shares.size() ? std::max(least, shares[last - 1]) : least;
   }
   solve.least = rounded(least);
+  ordinary.raise_rounding(std::span(sizes));
   std::transform(sizes.begin(), sizes.end(), std::back_inserter(solve.sizes), rounded);
   return solve;
 }

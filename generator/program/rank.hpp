@@ -1,6 +1,7 @@
 // The rank that rows have at almost every state.
 #pragma once
 
+#include "program/row_rank.hpp"
 #include "program/staged.hpp"
 
 namespace treedyn::program {
@@ -11,9 +12,8 @@ int rank_of(const std::vector<Real>& lower, int rows);
 
 /// The solve behind stage 0 of a function whose first outputs are K (lower half, row by row) and
 /// whose first input is q: its zeros, and the sizes of its rows in some states.
-/// \param rank    where the constraints hold; -1: that of a pseudo-random state
-/// \param states  values of q
-RowSolve solve_of(const Function& function, int rows, int rank,
-                  const std::vector<std::vector<double>>& states);
+/// \param ordinary  of the same rows; if they hold nowhere the rank is that of a pseudo-random
+/// state
+RowSolve solve_of(const Function& function, int rows, const OrdinaryRows& ordinary);
 
 }  // namespace treedyn::program

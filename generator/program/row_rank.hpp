@@ -1,7 +1,9 @@
 // How many constraint rows are independent where the constraints hold.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace treedyn::program {
@@ -21,8 +23,22 @@ struct OrdinaryRows {
   int rank = 0;                             ///< of J where the constraints hold
   bool holds = false;                       ///< a state was found in which they do
   std::vector<std::vector<double>> states;  ///< some, and others near them
-  std::vector<double> lengths;              ///< of the rows of J per reach, the largest there
+  std::vector<double> lengths;  ///< of the rows of J per reach, the largest there; 0 of rounding
+
+  /// Sizes of rows that are rounding become the largest of all, beside which they are nothing.
+  template <class Scalar>
+  void raise_rounding(std::span<Scalar> sizes) const;
 };
+
+template <class Scalar>
+void OrdinaryRows::raise_rounding(std::span<Scalar> sizes) const {
+  const Scalar largest = *std::ranges::max_element(sizes);
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    if (lengths[k] == 0) {
+      sizes[k] = largest > 0 ? largest : Scalar(1);
+    }
+  }
+}
 
 /// Singular values of J below this fraction of its rows count as zero: initial states are stated
 /// with eight digits and more. Inertia takes no part.

@@ -134,8 +134,9 @@ Cost choice_cost(const Stepper& stepper, const StepPhase& phase) {
   Cost sum;
   for (const StepEvent& event : phase.events) {
     const bool timed = !event.not_before.none();
-    sum =
-        sum + Cost{.add = 1, .div = 1} + (timed ? lasted_cost(stepper, event.not_before) : Cost{});
+    const bool begins = event.cause == StepCause::kLand;
+    sum = sum + Cost{.add = 1, .mul = begins ? 1 : 0, .div = 1} +
+          (timed ? lasted_cost(stepper, event.not_before) : Cost{});
   }
   return sum;
 }
@@ -291,8 +292,8 @@ bool tells_reactions(const Stepper& stepper) {
 std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase) {
   std::vector<int> guards;
   for (const StepEvent& event : phase.events) {
-    const bool falls = event.cause == StepCause::kCross || event.cause == StepCause::kFall;
-    if (falls || (event.cause == StepCause::kPull && tells_reactions(stepper))) {
+    const bool pulls = event.cause == StepCause::kPull;
+    if (pulls ? tells_reactions(stepper) : event.cause != StepCause::kTime) {
       guards.push_back(event.guard);
     }
   }

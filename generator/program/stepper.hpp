@@ -58,6 +58,7 @@ enum class StepCause {
   kTime,   ///< nothing but its time
   kCross,  ///< a guard that falls through zero
   kFall,   ///< a guard below zero, of a point that approaches
+  kLand,   ///< a guard that falls through zero, or below it a point that begins to approach
   kPull    ///< a guard below zero: of reactions
 };
 
@@ -74,7 +75,7 @@ struct StepEvent {
   std::string brief;  ///< for the reader: "touch_down of foot"
   StepCause cause = StepCause::kTime;
   int guard = -1;      ///< of `guards`
-  int approach = -1;   ///< of `approaches`: kFall, and where rebounds may come to rest
+  int approach = -1;   ///< of `approaches`: kFall, kLand, and where rebounds may come to rest
   Lasting not_before;  ///< not before the phase has lasted this long; kTime: then
   StepOutcome outcome;
   /// Instead, where `outcome` leaves an approach below rest_below.

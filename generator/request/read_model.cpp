@@ -91,17 +91,21 @@ void check_functions(const Model& model, const Location& where) {
                                           "joints follow others; expected --mimic independent",
                                           name, model.tree.size() - model.tree.dof()));
     }
-    const std::vector<Warning> singular = description::joints_without_inertia(model.tree);
-    if (equations::divides_by_pivots(name) && !singular.empty()) {
-      throw InputError(singular.front().where,
-                       fmt::format("{}; function '{}' has no solution, expected inertia or "
-                                   "--functions without it",
-                                   singular.front().message, name));
-    }
+    require_solution(model.tree, name);
   }
 }
 
 }  // namespace
+
+void require_solution(const model::Tree& tree, const std::string& function) {
+  const std::vector<Warning> singular = description::joints_without_inertia(tree);
+  if (equations::divides_by_pivots(function) && !singular.empty()) {
+    throw InputError(singular.front().where,
+                     fmt::format("{}; function '{}' has no solution, expected inertia or "
+                                 "--functions without it",
+                                 singular.front().message, function));
+  }
+}
 
 Request decided_request(const Model& model, Request request) {
   if (model.scene) {

@@ -34,6 +34,9 @@ struct Model {
 /// \throws InputError for mistakes in the model, or a function that it does not have.
 Model read(const Request& request);
 
+/// \throws InputError if a function solves for accelerations that the tree does not determine
+void require_solution(const model::Tree& tree, const std::string& function);
+
 /// The request with the gravity and the base that a scene decides.
 Request decided_request(const Model& model, Request request);
 

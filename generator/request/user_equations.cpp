@@ -1,6 +1,7 @@
 #include "request/user_equations.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -161,7 +162,12 @@ UserFunctions read_user_equations(const Request& request, const std::string& tre
   UserFunctions result;
   for (const equations::UserEquation& equation : equations::read_equations(texts, tree, points)) {
     check_points(equation, points.empty());
-    result.push_back(formulate::derived(equation, tree.size(), static_cast<int>(points.size())));
+    try {
+      result.push_back(formulate::derived(equation, tree.size(), static_cast<int>(points.size())));
+    } catch (const std::logic_error& error) {  // a mistake of ours: it says at least of what
+      throw std::logic_error(fmt::format("{}: equation '{}': {}", to_string(equation.where),
+                                         equation.name, error.what()));
+    }
   }
   return result;
 }

@@ -125,6 +125,7 @@ const OrdinarySizes& System::ordinary(double t, const Vector& q, const std::vect
     const Vector position = Eigen::Map<const Vector>(state.data(), dof());
     result.sizes = result.sizes.cwiseMax(sizes_at(position, sticking));
   }
+  found.raise_rounding(std::span(result.sizes.data(), found.lengths.size()));
   return ordinary_.emplace(key, std::move(result)).first->second;
 }
 

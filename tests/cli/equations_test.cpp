@@ -55,6 +55,31 @@ TEST_F(Cli, ComputesTheMomentumOfAPendulum) {
   }
 }
 
+/// Numbers that are products of vectors stay numbers, whatever stands beside them: r^T r of a link
+/// with its rotation, before and behind, by the product rule by hand.
+TEST_F(Cli, KeepsInnerProductsTogether) {
+  const std::string equations = scratch("products.yaml");
+  write_file(equations,
+             "equations:\n  - {name: by_hand, value: R(forearm) * dot(T(r) * r) + "
+             "dot(R(forearm)) * (T(r) * r)}\n"
+             "  - {name: behind, value: dot(R(forearm) * (T(r) * r))}\n"
+             "  - {name: before, value: dot((T(r) * r) * R(forearm))}\n"
+             "  - {name: row, value: T(Lam(T(ones_P) * t_d)) * (T(r) * z_d) * r}\n"
+             "  - {name: matrix, value: dot(J_d * (T(J_v) * m_d * J_v))}\n"
+             "  - {name: of_a, value: dot(J_d * A)}\n");
+  const auto code = support::generate_and_compile(
+      kModel, {"--equations", equations, "--functions", "by_hand,behind,before,row,matrix,of_a",
+               "--effort", "0"});
+  const support::CompiledModel::Inputs state = {{0.7, -0.4}, {1.3, 2.1}};
+  const auto expected = code.call("by_hand", state);
+  for (const char* const form : {"behind", "before"}) {
+    const auto values = code.call(form, state);
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      EXPECT_NEAR(values[k], expected[k], 1e-14 * 10) << form << k;
+    }
+  }
+}
+
 /// A link's name goes before that of a joint.
 TEST_F(Cli, FindsLinksBeforeJointsInEquations) {
   const std::string model = scratch("twice.yaml");

@@ -73,6 +73,18 @@ TEST_F(Cli, LeavesOutForwardDynamicsOfAJointWithoutInertia) {
   EXPECT_EQ(treedyn({"generate", model, "--functions", "mass_matrix", "-q", "-o", out()}).err, "");
 }
 
+TEST_F(Cli, DerivesNothingThatHasNoSolution) {
+  write_file(scratch("light.yaml"),
+             "name: light\nlinks:\n  - {name: a, father: ground, joint: {name: j, type: revolute, "
+             "axis: [0, 0, 1]}, mass: 0}\n");
+  for (const std::string function : {"forward_dynamics", "mass_matrix_solve"}) {
+    const Outcome outcome = treedyn({"info", scratch("light.yaml"), "--derivation", function});
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("function '" + function + "' has no solution"));
+  }
+  EXPECT_EQ(treedyn({"info", scratch("light.yaml"), "--derivation", "mass_matrix"}).status, 0);
+}
+
 TEST_F(Cli, RefusesPointFunctionsWithoutPoints) {
   const Outcome outcome =
       treedyn({"generate", one_joint("1"), "--functions", "point_positions", "-o", out()});

@@ -639,6 +639,47 @@ TEST_F(RunTimeCli, NominalZerosAreNotTakenForTheirNegatives) {
       "s.com");
 }
 
+/// Tensors that are none would tell nothing: what the code is held at stays a body.
+TEST_F(RunTimeCli, ScenesAreCheckedWithTensorsOfBodies) {
+  write_file(
+      scratch("arm.yaml"),
+      "name: m\nlinks:\n  - {name: body, father: ground, joint: {type: fixed}, mass: 1, "
+      "inertia: [0.1, 0, 0, 0.1, 0, 0.1]}\n  - {name: arm, father: body, joint: {name: elbow, "
+      "type: revolute, axis: [0, 1, 0]}, mass: 1, inertia: [0.1, 0, 0, 0.1, 0, 0.1], "
+      "runtime: [mass, com, inertia]}\n");
+  write_file(scratch("scene.yaml"),
+             "scene: s\nmodel: arm.yaml\nbase: axes\neffects:\n  point_constraint: [{point: "
+             "hand}]\npoints: [{name: hand, link: body, at: [0.1, 0, 0.2]}]\nduration: 1\n");
+  const Outcome outcome =
+      treedyn({"generate", "--scene", scratch("scene.yaml"), "--effort", "0", "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+/// Where the only lengths are known at run time there is no unit to measure them in.
+TEST_F(RunTimeCli, EquationsOfUsersTakeLengths) {
+  const std::string momentum = TREEDYN_SOURCE_DIR "/models/equations/momentum.yaml";
+  for (const char* const parameters : {"forearm.offset", "forearm.offset.x"}) {
+    const Outcome outcome = treedyn({"generate", kModel, "--equations", momentum, "--runtime",
+                                     parameters, "--effort", "0", "-o", out()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+}
+
+/// The energy divides by nothing and is good for masses of zero, beside a centre of mass too.
+TEST_F(RunTimeCli, WhatDividesIsNotSharedWithWhatDoesNot) {
+  write_file(scratch("two.yaml"),
+             "name: two\nlinks:\n  - {name: a, father: ground, joint: {name: ja, type: prismatic, "
+             "axis: [0, 0, 1], offset: [0.06, 0, 0], rotation: {rpy: [pi/2, 0, 0]}}, mass: 2.17, "
+             "inertia: [0.4, 0, 0, 0.4, 0, 0.4]}\n  - {name: b, father: ground, joint: {name: jb, "
+             "type: prismatic, axis: [0, 1, 0], offset: [-0.29, 0.32, 0.11]}, mass: 0.62, inertia: "
+             "[0.4, 0, 0, 0.4, 0, 0.4]}\nequations:\n  - {name: centre, value: "
+             "T(ones)*m_d*r/(T(ones)*m_d*ones)}\n");
+  const Outcome outcome =
+      treedyn({"generate", scratch("two.yaml"), "--functions", "potential_energy,centre",
+               "--runtime", "a.mass,b.mass,gravity", "--effort", "0", "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 /// A nominal zero takes its spring out of the scene that is priced, and what it was multiplied
 /// with.
 TEST_F(RunTimeCli, PricesParametersThatOthersOfNominalZeroNeed) {
