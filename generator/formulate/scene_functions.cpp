@@ -146,8 +146,11 @@ void SceneFormulator::add_places(const std::vector<int>& active, program::Staged
 program::RowSolve SceneFormulator::solve_of(const program::Function& function, int rows,
                                             const std::vector<int>& constraints,
                                             const std::vector<int>& joints) const {
-  program::RowSolve solve =
-      program::solve_of(function, rows, positions_.ordinary(constraints, joints));
+  program::OrdinaryRows ordinary = positions_.ordinary(constraints, joints);
+  if (!joints.empty()) {
+    ordinary.lengths.clear();  // K has a row for each of the joints
+  }
+  program::RowSolve solve = program::solve_of(function, rows, ordinary);
   solve.passes = step_method(scene_) &&
                  std::any_of(constraints.begin(), constraints.end(),
                              [&](int constraint) { return is_stabilised(scene_, constraint); });

@@ -101,9 +101,9 @@ bool is_watched(const Event& event, const std::vector<int>& active) {
   return !strikes_what_acts(event, active) && reacts;
 }
 
-bool rebounds(const Event& event) {
-  return event.impact && !event.impact->constraints.empty() && event.impact->restitution > 0;
-}
+bool strikes(const Event& event) { return event.impact && !event.impact->constraints.empty(); }
+
+bool rebounds(const Event& event) { return strikes(event) && event.impact->restitution > 0; }
 
 bool rests_unasked(const Scene& scene, const Event& event) {
   if (event.kind != EventKind::kHeight || !rebounds(event) || event.impact->restitution == 1 ||
@@ -119,7 +119,7 @@ bool rests_unasked(const Scene& scene, const Event& event) {
 }
 
 bool may_rest(const Scene& scene, const Event& event) {
-  return rebounds(event) && (event.impact->rest_below > 0 || rests_unasked(scene, event));
+  return strikes(event) && (event.impact->rest_below > 0 || rests_unasked(scene, event));
 }
 
 std::vector<int> active_behind(const Scene& scene, const PhaseState& state, const Event& event,

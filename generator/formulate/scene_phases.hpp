@@ -26,9 +26,10 @@ std::vector<PhaseState> phase_states(const model::Scene& scene, bool at_rest);
 /// A touch-down whose impact would strike constraints that act already does not happen, nor does
 /// what waits for the reaction of one that does not act.
 bool is_watched(const model::Event& event, const std::vector<int>& active);
-/// True if its impact gives speed back; true if it may come to rest as well; true if that is not
-/// said of it, but a step takes small rebounds of a point that loses speed back: then the point
-/// lifts off where the floor would pull.
+/// True if there is an impact; true if it gives speed back; true if it may come to rest as well;
+/// true if that is not said of it, but a step takes small rebounds of a point that loses speed
+/// back: then the point lifts off where the floor would pull.
+bool strikes(const model::Event& event);
 bool rebounds(const model::Event& event);
 bool may_rest(const model::Scene& scene, const model::Event& event);
 bool rests_unasked(const model::Scene& scene, const model::Event& event);

@@ -35,8 +35,7 @@ bool lands(const Scene& scene, const Event& event, const std::vector<int>& befor
     return row.kind == model::ConstraintKind::kPoint && row.point == event.point &&
            std::ranges::count(before, c) == 0;
   };
-  return (event.impact && !event.impact->constraints.empty()) ||
-         std::ranges::any_of(behind, begins_to_hold);
+  return strikes(event) || std::ranges::any_of(behind, begins_to_hold);
 }
 
 /// \param lands  of a touch-down

@@ -37,7 +37,11 @@ void remove_constraints(Scene& scene, ConstraintKind kind) {
   scene.constraints = std::move(kept);
   for (Phase& phase : scene.phases) {
     phase.active = renumbered(phase.active, place);
+    std::erase_if(phase.until, [&](const Event& event) {
+      return event.kind == EventKind::kReaction && place[to_index(event.constraint)] < 0;
+    });
     for (Event& event : phase.until) {
+      event.constraint = event.constraint < 0 ? -1 : place[to_index(event.constraint)];
       event.pins = renumbered(event.pins, place);
       if (event.impact) {
         event.impact->constraints = renumbered(event.impact->constraints, place);

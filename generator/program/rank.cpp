@@ -102,7 +102,7 @@ RowSolve solve_of(const Function& function, int rows, const OrdinaryRows& ordina
   std::vector<Real> values = interpret<Real>(function, spans);
   values.resize(static_cast<std::size_t>(rows * (rows + 1) / 2));
   const auto is_rounding = [&](std::size_t row) {
-    return ordinary.lengths[row] == 0;
+    return ordinary.is_rounding(row);
   };
   RowSolve solve;
   solve.rows = rows;

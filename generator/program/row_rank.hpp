@@ -25,6 +25,9 @@ struct OrdinaryRows {
   std::vector<std::vector<double>> states;  ///< some, and others near them
   std::vector<double> lengths;  ///< of the rows of J per reach, the largest there; 0 of rounding
 
+  [[nodiscard]] bool is_rounding(std::size_t row) const {
+    return row < lengths.size() && lengths[row] == 0;
+  }
   /// Sizes of rows that are rounding become the largest of all, beside which they are nothing.
   template <class Scalar>
   void raise_rounding(std::span<Scalar> sizes) const;
@@ -32,9 +35,12 @@ struct OrdinaryRows {
 
 template <class Scalar>
 void OrdinaryRows::raise_rounding(std::span<Scalar> sizes) const {
-  const Scalar largest = *std::ranges::max_element(sizes);
-  for (std::size_t k = 0; k < lengths.size(); ++k) {
-    if (lengths[k] == 0) {
+  Scalar largest = 0;
+  for (const Scalar& size : sizes) {
+    largest = std::max(largest, size);
+  }
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (is_rounding(k)) {
       sizes[k] = largest > 0 ? largest : Scalar(1);
     }
   }

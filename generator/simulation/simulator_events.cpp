@@ -238,7 +238,11 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
   record.impulse = system_.impact(t_, record.q, record.qd_after, impact.constraints, restitution);
   const auto C = system_.geometry(record.q).C().middleCols<3>(3 * event.point);
   const double rebound = (C * vector_of(event.plane.normal)).dot(record.qd_after);
-  if (restitution == 0 || rebound >= static_cast<double>(impact.rest_below)) {
+  if (restitution == 0 && impact.rest_below == 0) {
+    return false;
+  }
+  const bool may_lift_off = restitution < 1 && floor_of(event) >= 0;
+  if (rebound >= std::max(static_cast<double>(impact.rest_below), may_lift_off ? kAtRest : 0.0)) {
     return false;
   }
   record.qd_after = record.qd_before;
@@ -266,6 +270,13 @@ void Simulator::add_lift_off(const model::Event& event) {
   result.event.kind = model::EventKind::kReaction;
   result.event.plane.normal = event.plane.normal;
   result.event.then = event.then;
+  result.event.constraint = floor_of(event);
+  if (result.event.constraint >= 0) {
+    lift_offs_.push_back(result);
+  }
+}
+
+int Simulator::floor_of(const model::Event& event) const {
   const Eigen::Vector3d normal = vector_of(event.plane.normal);
   for (const int c : event.impact->constraints) {
     const model::Constraint& row = scene_.constraints[static_cast<std::size_t>(c)];
@@ -273,11 +284,10 @@ void Simulator::add_lift_off(const model::Event& event) {
         std::any_of(row.directions.begin(), row.directions.end(),
                     [&](const model::Vector3& d) { return vector_of(d).dot(normal) != 0; });
     if (row.kind == model::ConstraintKind::kPoint && row.point == event.point && along) {
-      result.event.constraint = c;
-      lift_offs_.push_back(result);
-      return;
+      return c;
     }
   }
+  return -1;
 }
 
 void Simulator::lift_off(const LiftOff& rest) {

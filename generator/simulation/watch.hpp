@@ -1,12 +1,16 @@
 // Functions of the state whose change of sign ends a step.
 #pragma once
 
+#include <limits>
+
 #include "simulation/system.hpp"
 
 namespace treedyn::simulation {
 
 /// Below this a height counts as zero and its rate decides the side, m.
 inline constexpr double kOnPlane = 1e-10;
+/// Below this its rate counts as zero, m/s: a point that was held there until now.
+inline constexpr double kAtRest = 1e-10;
 /// A height within this has not changed its side yet, m: roundings of a point that rests.
 inline constexpr double kPlaneRounding = 1e-12;
 
@@ -26,7 +30,8 @@ struct Watch {
   PlaneValues plane;
   int side = 0;  ///< sign of the function now
   const model::Event* event = nullptr;
-  double until = 0;   ///< before this time an event is not looked at, s
+  /// Before this time an event is not looked at, s; the others always are.
+  double until = -std::numeric_limits<double>::infinity();
   bool armed = true;  ///< `until` is over, `side` is that of now
   int next_side = 0;  ///< at the end of the step
 

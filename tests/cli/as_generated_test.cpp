@@ -80,28 +80,48 @@ std::vector<Json> both_ends_of(const std::string& model, const std::string& scen
   return result;
 }
 
+const std::string kBall =
+    "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: height, type: "
+    "prismatic, axis: [0, 0, 1]}\n    mass: 1\npoints: [{name: foot, link: ball, at: [0, 0, 0]}]\n";
+
 // A floor holds a ball for a while, lets go, and has to take it again: it is on the plane but for
 // roundings. What falls from rest below the plane touches down as well.
 TEST(AsGenerated, TouchesDownWhereAPhaseLetsGo) {
-  const std::string ball =
-      "name: ball\nlinks:\n  - name: ball\n    father: ground\n    joint: {name: height, type: "
-      "prismatic, axis: [0, 0, 1]}\n    mass: 1\npoints: [{name: foot, link: ball, at: [0, 0, "
-      "0]}]\n";
   for (const char* const method : {"rk4", "dopri5-fixed", "sdirk2", "semi-implicit-euler"}) {
     for (const double begin : {0.3, 0.1, 0.05}) {
       const std::vector<Json> ends = both_ends_of(
-          ball, fmt::format("effects:\n  gravity: [0, 0, -9.81]\n  point_constraint: [{{name: "
-                            "floor, point: foot, along: [z]}}]\nphases:\n  - name: air\n    "
-                            "active: []\n    until: [{{touch_down: {{point: foot, height: 0.1}}, "
-                            "impact: {{constraints: [floor]}}, then: stance}}]\n  - name: stance\n "
-                            "   active: [floor]\n    until: [{{time: 0.2, then: air}}]\ninitial: "
-                            "{{q: {{height: {}}}}}\nduration: 1\nstepping: {{integrator: {}, step: "
-                            "0.001}}\n",
-                            begin, method));
+          kBall,
+          fmt::format("effects:\n  gravity: [0, 0, -9.81]\n  point_constraint: [{{name: "
+                      "floor, point: foot, along: [z]}}]\nphases:\n  - name: air\n    "
+                      "active: []\n    until: [{{touch_down: {{point: foot, height: 0.1}}, "
+                      "impact: {{constraints: [floor]}}, then: stance}}]\n  - name: stance\n "
+                      "   active: [floor]\n    until: [{{time: 0.2, then: air}}]\ninitial: "
+                      "{{q: {{height: {}}}}}\nduration: 1\nstepping: {{integrator: {}, step: "
+                      "0.001}}\n",
+                      begin, method));
       EXPECT_NEAR(last_state(ends[0], 1)[0], std::min(begin, 0.1), 1e-5) << method << begin;
       if (begin > 0.1) {  // the simulator waits for what comes from above
         EXPECT_NEAR(last_state(ends[1], 1)[0], 0.1, 1e-9);
       }
+    }
+  }
+}
+
+// A ball comes to rest, and an event of the phase asks anew whether its floor holds it.
+TEST(AsGenerated, RestsOnThePlaneBehindOtherEvents) {
+  for (const char* const impact :
+       {"restitution: 0.4", "restitution: 0.4, rest_below: 0.05", "rest_below: 0.05"}) {
+    for (const Json& end : both_ends_of(
+             kBall,
+             fmt::format("effects:\n  gravity: [0, 0, -9.81]\n  point_constraint: [{{name: floor, "
+                         "point: foot, along: [z]}}]\nphases:\n  - name: A\n    active: []\n    "
+                         "until:\n      - {{touch_down: {{point: foot}}, impact: {{constraints: "
+                         "[floor], {}}}, then: A}}\n      - {{time: 0.3, then: A}}\ninitial: {{q: "
+                         "{{height: 0.0981}}}}\nduration: 1.2\nstepping: {{integrator: rk4, step: "
+                         "0.001}}\n",
+                         impact))) {
+      EXPECT_NEAR(last_state(end, 1)[0], 0, 1e-10) << impact;
+      EXPECT_NEAR(last_state(end, 3)[2], 9.81, 1e-8) << impact;  // the floor's reaction
     }
   }
 }

@@ -15,6 +15,23 @@ TEST_F(Cli, AScenesFilesDependOnSceneAndModel) {
               HasSubstr("to update: treedyn generate --scene " + scene + " -o " + out()));
 }
 
+/// A lift-off goes with the constraint that it waits for.
+TEST_F(Cli, PricesConstraintsThatLiftOff) {
+  write_file(scratch("ball.yaml"),
+             "name: ball\nlinks:\n  - {name: ball, father: ground, joint: {name: height, type: "
+             "prismatic, axis: [0, 0, 1]}, mass: 1}\npoints: [{name: foot, link: ball, at: [0, 0, "
+             "0]}]\n");
+  write_file(
+      scratch("scene.yaml"),
+      "scene: s\nmodel: ball.yaml\neffects:\n  gravity: [0, 0, -9.81]\n  point_constraint: "
+      "[{name: floor, point: foot, along: [z]}]\nphases:\n  - {name: A, active: [], until: "
+      "[{touch_down: {point: foot}, impact: {constraints: [floor]}, then: B}]}\n  - {name: B, "
+      "active: [floor], until: [{lift_off: {constraint: floor}, then: A}]}\nduration: 1\n");
+  const Outcome outcome = treedyn({"info", "--scene", scratch("scene.yaml"), "--effort", "0"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("point_constraint"));
+}
+
 TEST_F(Cli, RefusesWhatASceneHasNothingFor) {
   const std::string scene = TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml";  // of no fixed step
   for (const auto& [option, value] :

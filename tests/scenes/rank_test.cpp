@@ -93,6 +93,21 @@ TEST(Rank, RowsThatAreRoundingTakeNoPlace) {
   }
 }
 
+// Three rows, two joints without a drive: what is said of rows is not said of joints.
+TEST(Rank, OfJointsWithoutADriveIsNotThatOfRows) {
+  const SceneCode code(scene("plate",
+                             "effects:\n  gravity: [0, 0, -9.81]\n  locked_joint: [{joint: j0}]\n  "
+                             "point_constraint:\n    - {point: tip, along: [x, y]}\n"
+                             "actuated: [j0, j1, j3]\n"));
+  const CompiledModel::Inputs state = {
+      {0.1, -0.5, 0.8, 0.7, 0.4}, {0.2, 0.3, -0.1, 0.5, 0.6}, {0, 0.5, -0.3, 0.2, 0.7}};
+  const Measurement inverse = code.code().measure("constrained_inverse_dynamics", state);
+  EXPECT_EQ(inverse.status, 0);
+  for (const std::size_t passive : {3U, 4U}) {
+    EXPECT_NEAR(inverse.values[passive], 0, 1e-12 * 100);
+  }
+}
+
 TEST_P(InScalar, AllJointsOfAnArmAreLocked) {
   const Measurement held = called(code(kArm), {{0.3, 0.2, 0.7}, {0.1, -0.2, 0.3}, {0, 0, 0}});
   EXPECT_EQ(held.status, 0);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "simulation/run_scene.hpp"
@@ -230,6 +231,25 @@ TEST(Contacts, WhoseLawIsNotANumberEndTheMotion) {
   const Recording recording = run.record(0.05);
   EXPECT_NE(recording.stopped.find("the motion is not finite"), std::string::npos)
       << recording.stopped;
+}
+
+/// Nothing here depends on time: a motion that begins before t = 0 is the one that begins there.
+TEST(Motions, ThatBeginBeforeZeroAreTheSame) {
+  for (const char* const effect :
+       {"ground_contact: [{point: ball, stiffness: 150, exponent: 1.5, dissipation: 0.2}]",
+        "coulomb_friction: [{joint: height, force: 12}]"}) {
+    std::vector<std::vector<double>> ends;
+    for (const char* const begin : {"0", "-1.3"}) {
+      Running run(falling_ball(
+          fmt::format("effects:\n  gravity: [0, 0, -9.81]\n  {}\ninitial: {{q: {{height: 0.02}}, "
+                      "qd: {{height: -0.5}}, t: {}}}\nduration: 0.4\n",
+                      effect, begin)));
+      const Recording recording = run.record(0.1);
+      ends.push_back(recording.rows.back().values);  // q, qd
+    }
+    EXPECT_NEAR(ends[0][0], ends[1][0], 1e-9) << effect;
+    EXPECT_NEAR(ends[0][1], ends[1][1], 1e-8) << effect;
+  }
 }
 
 TEST(Drives, WithoutAValueAreNamed) {
