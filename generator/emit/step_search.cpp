@@ -108,7 +108,7 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
                      ? fmt::format(" && to.guard[{}] < Scalar(0)", approach)
                      : fmt::format(
                            " &&\n    (!(from.guard[{0}] < Scalar(0)) || "
-                           "begins(from.guard[{1}], to.guard[{1}]))",
+                           "begins_to_fall(from.guard[{1}], to.guard[{1}]))",
                            event.guard, approach);
     inner.push_back(fmt::format("const int k = from.guard[{0}] < Scalar(0) ? {1} : {0};",
                                 event.guard, approach));
@@ -146,7 +146,7 @@ std::string SearchWriter::beginning() const {
   });
   return lands ? "\n/// Whether a point has begun to fall: before, no faster than by what its "
                  "speed has grown since.\n"
-                 "bool begins(Scalar before, Scalar now) noexcept {\n"
+                 "bool begins_to_fall(Scalar before, Scalar now) noexcept {\n"
                  "  return now < Scalar(0) && now < Scalar(2) * before;\n}\n"
                : "";
 }
