@@ -153,8 +153,9 @@ Expression operator*(const Expression& a, const Expression& b) {
   }
   const Shape shape = product_shape(a, b);
   std::vector<Expression> factors;
-  append_factor(factors, a, a.shape().cols.size != b.shape().rows.size);
-  append_factor(factors, b, a.shape().cols.size != b.shape().rows.size);
+  const bool blown_up = a.shape().cols.size != b.shape().rows.size;
+  append_factor(factors, a, blown_up);
+  append_factor(factors, b, blown_up);
   return make(Kind::kProduct, shape, std::move(factors));
 }
 

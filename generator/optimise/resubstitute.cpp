@@ -272,9 +272,6 @@ std::optional<Ref> Resubstitution::multiple_for(int k, int x) {
   }
   const int constant = network_.append_constant(abs(ratio));
   samples_.append(constant);
-  if (!of_quotient_.empty()) {
-    of_quotient_.resize(to_index(constant) + 1, false);
-  }
   return append(Kind::kMultiply, {ratio < 0 ? -constant : constant, x}, k);
 }
 
