@@ -144,6 +144,30 @@ const CLI::App* find_command(const CLI::App& app, const std::string& word) {
   return nullptr;
 }
 
+/// `--stamp=$NOTHING`: CLI11 would take the next word for the value.
+void refuse_empty_values(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (word.starts_with("--") && word.ends_with("=")) {
+      throw CLI::ParseError(fmt::format("{} has no value; expected one behind it", shown(word)),
+                            kUsage);
+    }
+  }
+}
+
+/// Where the option of a settings file stands that CLI11 complains of; null: of the command line.
+const Location* place_of(const std::map<std::string, Location>& places, const std::string& what) {
+  std::istringstream words(what);
+  for (std::string word; words >> word;) {
+    if (word.ends_with(':')) {
+      word.pop_back();
+    }
+    if (const auto place = places.find(word); place != places.end()) {
+      return &place->second;
+    }
+  }
+  return nullptr;
+}
+
 /// What a scene says itself; its base may stand beside a MODEL, which has to be the scene's.
 void refuse_options_of_scene(const CLI::App& command, const Request& request) {
   std::vector<std::string> options = {"--points", "--gravity", "--snap", "--mimic"};
@@ -253,6 +277,14 @@ void split_equations(const CLI::App& app, Settings& settings) {
   if (settings.equations && !is_info) {
     throw CLI::ValidationError("--equations", "expected a FILE");
   }
+  const bool other = settings.json || settings.passes || settings.errors ||
+                     settings.base_parameters || !settings.derivation.empty();
+  if (settings.equations && other) {
+    throw CLI::ValidationError(
+        "--equations",
+        "without a FILE shows the block equations, as text and alone; expected no "
+        "--json, --passes, --accuracy, --derivation or --base-parameters");
+  }
 }
 
 void require_options(const CLI::App& app, Settings& settings) {
@@ -305,6 +337,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   try {
     const CLI::App* const command = find_command(app, argc > 1 ? argv[1] : "");
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    refuse_empty_values(words);
     if (command != nullptr && command->get_option_no_throw("--settings") != nullptr) {
       words = with_settings(words, *command, places);
     }
@@ -331,11 +364,11 @@ CommandLine read_command_line(int argc, const char* const* argv) {
                                fmt::join(app.remaining(true), " "));
   } catch (const CLI::ParseError& error) {
     const std::string what = error.what();
-    const auto place = places.find(what.substr(0, what.find(':')));
-    result.status = place == places.end() ? kUsage : kFailure;
-    result.error = place == places.end()
+    const Location* const place = place_of(places, what);
+    result.status = place == nullptr ? kUsage : kFailure;
+    result.error = place == nullptr
                        ? fmt::format("treedyn: {}; see treedyn --help\n", what)
-                       : fmt::format("{}\n", InputError(place->second, "settings: " + what).what());
+                       : fmt::format("{}\n", InputError(*place, "settings: " + what).what());
   }
   return result;
 }

@@ -11,8 +11,7 @@ bool is_angle(const model::Tree& tree, const model::Constraint& constraint) {
   if (constraint.kind != model::ConstraintKind::kJoint) {
     return constraint.kind == model::ConstraintKind::kOrientation;
   }
-  const int link = tree.coordinates[static_cast<std::size_t>(constraint.joint)];
-  return tree.links[static_cast<std::size_t>(link)].joint.type == model::JointType::kRevolute;
+  return tree.moved_by(constraint.joint).joint.type == model::JointType::kRevolute;
 }
 
 Drifts::Drifts(const model::Scene& scene, simulation::Dynamics& dynamics)

@@ -41,7 +41,7 @@ std::string table(const Rows& rows) {
 std::string joint_table(const Model& model) {
   Rows rows = {{"index", "joint", "type", "father", "link", "mass/kg"}};
   for (int k = 0; k < model.tree.dof(); ++k) {
-    const model::Link& link = link_of(model, k);
+    const model::Link& link = model.tree.moved_by(k);
     rows.push_back({std::to_string(k), shown(link.joint.name),
                     is_revolute(link) ? "revolute" : "prismatic",
                     std::to_string(emit::father_coordinate(model.tree, k)), shown(link.name),
@@ -59,7 +59,7 @@ std::string mimic_lines(const Model& model) {
     if (master != i) {
       result += fmt::format(
           "  {} = {} {} + {}\n", shown(model.tree.links[static_cast<std::size_t>(i)].joint.name),
-          emit::decimal(drive.multiplier), shown(link_of(model, drive.coordinate).joint.name),
+          emit::decimal(drive.multiplier), shown(model.tree.moved_by(drive.coordinate).joint.name),
           emit::decimal(drive.offset));
     }
   }

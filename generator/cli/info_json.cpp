@@ -29,7 +29,7 @@ std::string vector_json(const model::Vector3& v) {
 std::vector<std::string> joints_json(const Model& model) {
   std::vector<std::string> result;
   for (int k = 0; k < model.tree.dof(); ++k) {
-    const model::Link& link = link_of(model, k);
+    const model::Link& link = model.tree.moved_by(k);
     result.push_back(
         json_object({{"name", json_string(link.joint.name)},
                      {"identifier", json_string(link.joint.identifier)},

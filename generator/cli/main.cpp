@@ -197,7 +197,9 @@ int run_check(const Settings& settings) {
   if (settings.numeric) {
     print(numeric_report(model, settings.request, files, settings.output));
   }
-  print(fmt::format("to update: {}\n", update_command(settings.request, settings.output)));
+  print(fmt::format("to update: {}\n", report.starts_with("surplus: ")
+                                           ? "remove what is surplus"
+                                           : update_command(settings.request, settings.output)));
   return kFailure;
 }
 

@@ -5,11 +5,6 @@
 
 namespace treedyn {
 
-const model::Link& link_of(const Model& model, int coordinate) {
-  const auto k = static_cast<std::size_t>(coordinate);
-  return model.tree.links[static_cast<std::size_t>(model.tree.coordinates[k])];
-}
-
 bool is_revolute(const model::Link& link) { return link.joint.type == model::JointType::kRevolute; }
 
 std::vector<std::string> reachability_rows(const model::Tree& tree) {

@@ -8,8 +8,6 @@
 
 namespace treedyn {
 
-/// The link of an independent coordinate.
-const model::Link& link_of(const Model& model, int coordinate);
 bool is_revolute(const model::Link& link);
 
 /// The rows of D: 'x' where the column's link is the row's link or carries it.

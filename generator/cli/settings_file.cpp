@@ -1,6 +1,7 @@
 #include "cli/settings_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 #include <string_view>
 
@@ -9,6 +10,9 @@
 #include "description/read.hpp"
 
 namespace treedyn {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// True if the word of a command line is this option, with its value or without.
@@ -21,6 +25,13 @@ bool is_word_of(const CLI::Option& option, const std::string& word) {
 bool is_given(const CLI::Option& option, const std::vector<std::string>& words) {
   return std::any_of(words.begin(), words.end(),
                      [&](const std::string& word) { return is_word_of(option, word); });
+}
+
+/// A file or folder that a settings file names stands beside it.
+std::string in_folder_of(const std::string& file, const CLI::Option& option,
+                         const std::string& value) {
+  const std::string type = option.get_type_name();
+  return type == "FILE" || type == "DIR" ? (fs::path(file).parent_path() / value).string() : value;
 }
 
 /// The options of a settings file that are not given on the command line.
@@ -54,8 +65,12 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
       if (is_given(*option, result)) {
         refuse(fmt::format("--{} stands here twice; expected it once", item.name));
       }
+      const std::string value = fmt::format("{}", fmt::join(item.inputs, ","));
+      if (value.empty()) {
+        refuse(fmt::format("--{} has no value; expected one", item.name));
+      }
       if (!is_given(*option, given)) {
-        result.push_back(fmt::format("--{}={}", item.name, fmt::join(item.inputs, ",")));
+        result.push_back(fmt::format("--{}={}", item.name, in_folder_of(file, *option, value)));
         places["--" + item.name] = {file, at, 0};
       }
     }

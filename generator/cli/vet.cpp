@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "description/read.hpp"
 #include "emit/json.hpp"
+#include "request/user_equations.hpp"
 
 namespace treedyn {
 
@@ -23,8 +25,13 @@ std::string json_finding(const Finding& finding) {
 std::vector<Finding> vet(const Request& request) {
   std::vector<Finding> findings;
   try {
-    for (const Warning& warning : description::vet_model(request.model, request.read).findings) {
+    const std::string text = description::read_model_text(request.model);
+    const description::Vetted vetted = description::vet_model(text, request.model, request.read);
+    for (const Warning& warning : vetted.findings) {
       findings.push_back({warning.where, warning.message, false});
+    }
+    if (vetted.tree.dof() > 0) {
+      read_user_equations(request, request.model, text, vetted.tree, vetted.tree.points);
     }
   } catch (const InputError& error) {
     findings.push_back({error.where(), error.message(), true});

@@ -109,8 +109,8 @@ model::Tree parse_urdf(const std::string& text, const std::string& file,
   return resolve(read_urdf(text, file), options).tree;
 }
 
-Vetted vet_model(const std::string& path, const ReadOptions& options) {
-  Vetted result = resolve(parse_raw(read_model_text(path), path), options);
+Vetted vet_model(const std::string& text, const std::string& path, const ReadOptions& options) {
+  Vetted result = resolve(parse_raw(text, path), options);
   vet_tree(result);
   return result;
 }

@@ -77,6 +77,6 @@ struct Vetted {
       findings;  ///< near misses of snapping, doubtful inertias, joints without inertia
 };
 /// \throws InputError as `read_model`.
-Vetted vet_model(const std::string& path, const ReadOptions& options);
+Vetted vet_model(const std::string& text, const std::string& path, const ReadOptions& options);
 
 }  // namespace treedyn::description

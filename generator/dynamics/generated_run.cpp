@@ -46,7 +46,7 @@ class Run {
   void place(long k, const Values& q, const Values& qd, int state);
   [[nodiscard]] std::vector<double> reactions(int state) const;
   void note_status(int status, double time);
-  void note_change(double time, int before, const Values& qd_before);
+  void note_events(double time, int before, const Values& qd_before);
   [[nodiscard]] int state() const {
     return step_.has("phase") ? static_cast<int>(step_.at("phase")[0]) : scene_.start_phase;
   }
@@ -102,8 +102,8 @@ void Run::note_status(int status, double time) {
   }
 }
 
-/// By the name of what ended the phase, and of the state at rest that no phase of the scene is.
-void Run::note_change(double time, int before, const Values& qd_before) {
+/// By the names of what happened, and of the state at rest that no phase of the scene is.
+void Run::note_events(double time, int before, const Values& qd_before) {
   std::vector<std::string> names;
   for (const program::StepPhase& phase : step_.stepper().phases) {
     for (const program::StepEvent& event : phase.events) {
@@ -181,9 +181,10 @@ bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& l
     changed = state() != before;
     Vector after(2 * next.size());
     after << next, vector_of(step_.at("qd"));
-    simulator_.follow(h_, after, changed);
-    if (changed) {
-      note_change(time(k + 1), before, qd);
+    const bool happened = changed || !step_.events().empty();
+    simulator_.follow(h_, after, happened);
+    if (happened) {
+      note_events(time(k + 1), before, qd);
     }
     if (!progress(static_cast<double>(k + 1) / static_cast<double>(count_))) {
       return false;

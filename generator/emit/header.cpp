@@ -18,11 +18,6 @@ namespace treedyn::emit {
 
 namespace {
 
-const model::Link& link_of(const model::Tree& tree, int coordinate) {
-  const auto k = static_cast<std::size_t>(coordinate);
-  return tree.links[static_cast<std::size_t>(tree.coordinates[k])];
-}
-
 /// Rows of a table as comment lines, columns two spaces apart.
 std::string comment_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> width(rows.front().size(), 0);
@@ -45,7 +40,7 @@ std::string comment_table(const std::vector<std::vector<std::string>>& rows) {
 std::string joint_table(const model::Tree& tree) {
   std::vector<std::vector<std::string>> rows = {{"joint", "link", "index", "type", "unit"}};
   for (int k = 0; k < tree.dof(); ++k) {
-    const model::Link& link = link_of(tree, k);
+    const model::Link& link = tree.moved_by(k);
     const bool revolute = link.joint.type == model::JointType::kRevolute;
     rows.push_back({for_comment(link.joint.name, kLongestCell),
                     for_comment(link.name, kLongestCell), std::to_string(k),
@@ -100,7 +95,7 @@ std::string index_namespace(const std::string& name, const std::vector<std::stri
 std::vector<std::string> joint_identifiers(const model::Tree& tree) {
   std::vector<std::string> result;
   for (int k = 0; k < tree.dof(); ++k) {
-    result.push_back(link_of(tree, k).joint.identifier);
+    result.push_back(tree.moved_by(k).joint.identifier);
   }
   return result;
 }
@@ -316,7 +311,7 @@ std::string command_comment(const std::vector<std::string>& command) {
 }
 
 int father_coordinate(const model::Tree& tree, int k) {
-  int link = link_of(tree, k).father;
+  int link = tree.moved_by(k).father;
   while (link != model::kGround) {
     const auto found = std::find(tree.coordinates.begin(), tree.coordinates.end(), link);
     if (found != tree.coordinates.end()) {

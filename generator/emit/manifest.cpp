@@ -16,8 +16,7 @@ namespace treedyn::emit {
 namespace {
 
 std::string joint_json(const model::Tree& tree, int k) {
-  const auto link = static_cast<std::size_t>(tree.coordinates[static_cast<std::size_t>(k)]);
-  const model::Joint& joint = tree.links[link].joint;
+  const model::Joint& joint = tree.moved_by(k).joint;
   const bool revolute = joint.type == model::JointType::kRevolute;
   return json_object({{"name", json_string(joint.name)},
                       {"identifier", json_string(joint.identifier)},

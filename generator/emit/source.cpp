@@ -55,6 +55,11 @@ bool raises_to_powers(const Unit& unit) {
       unit.staged, [](const program::Staged& staged) { return program::worst_powers(staged) > 0; });
 }
 
+/// Some of its functions judge results.
+bool tells_no_numbers(const Unit& unit) {
+  return unit.self_test || !unit.checked.empty() || !unit.staged.empty() || !unit.steppers.empty();
+}
+
 /// Where sin, cos and sqrt come from.
 std::string mathematics(const Unit& unit, const std::string& functions) {
   const program::Cost total = total_cost(unit);
@@ -65,6 +70,7 @@ std::string mathematics(const Unit& unit, const std::string& functions) {
   result += library && total.sin > 0 ? "using std::sin;\n" : "";
   result += total.sqrt > 0 ? "using std::sqrt;\n" : "";
   result = result.empty() ? result : '\n' + result;
+  result += tells_no_numbers(unit) ? fmt::format("\n{}", template_text("finite_math.cpp")) : "";
   const bool numbers = std::ranges::any_of(unit.functions, [&](const program::Function& function) {
     const program::Cost cost = program::cost(function);
     return cost.sin + cost.cos > 0 && !has_angles_of_limbs_alone(function, unit.target);

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <stdexcept>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "common/identifier.hpp"
 #include "emit/body.hpp"
 #include "emit/c99.hpp"
 #include "emit/definitions.hpp"
@@ -125,6 +128,30 @@ Vocabulary words_of(const Unit& unit) {
   return words;
 }
 
+/// Words outside of comments.
+bool has_word(const std::string& text, std::string_view word) {
+  return std::ranges::any_of(lines_of(text), [&](const std::string& line) {
+    const std::string_view code = std::string_view(line).substr(0, line.find("//"));
+    const auto is_part = [&](std::size_t at) {
+      return at < code.size() && is_word_byte(code[at]);
+    };
+    for (std::size_t at = code.find(word); at != code.npos; at = code.find(word, at + 1)) {
+      if ((at == 0 || !is_part(at - 1)) && !is_part(at + word.size())) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+/// The build defines a macro for what it compiles, the header included.
+void require_free(const std::string& macro, const std::vector<const std::string*>& texts) {
+  if (std::ranges::any_of(texts, [&](const std::string* text) { return has_word(*text, macro); })) {
+    throw std::invalid_argument(
+        fmt::format("--section: {} is a name in the generated code; expected another", macro));
+  }
+}
+
 }  // namespace
 
 std::vector<File> emit_files(const Unit& unit) {
@@ -150,6 +177,7 @@ std::vector<File> emit_files(const Unit& unit) {
     std::tie(header, source) = in_c99(unit, header, source);
   }
   if (!unit.section.empty()) {
+    require_free(unit.section, {&header, &source});
     source = placed(source, unit.section);
   }
   sign(header, source);

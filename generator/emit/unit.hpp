@@ -83,7 +83,7 @@ std::vector<std::string> file_names(const std::string& name, Language language);
 
 /// NAME.hpp and NAME.cpp, or NAME.h and NAME.c, and NAME.json; header and source carry the digest
 /// of both. The same unit gives the same bytes everywhere. \throws std::range_error if a constant
-/// is too large for the scalar type.
+/// is too large for the scalar type, std::invalid_argument if `section` is a name in the code.
 std::vector<File> emit_files(const Unit& unit);
 
 }  // namespace treedyn::emit

@@ -184,10 +184,6 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
   return result;
 }
 
-const std::string& joint_name(const Scene& scene, int joint) {
-  return scene.tree.links[to_index(scene.tree.coordinates[to_index(joint)])].joint.name;
-}
-
 std::string brief_of(const Scene& scene, const Event& event) {
   switch (event.kind) {
     case EventKind::kHeight:
@@ -198,7 +194,7 @@ std::string brief_of(const Scene& scene, const Event& event) {
     }
     case EventKind::kExpression:
       return event.stops < 0 ? "the expression falls below zero"
-                             : fmt::format("{} stops", joint_name(scene, event.stops));
+                             : fmt::format("{} stops", scene.tree.moved_by(event.stops).joint.name);
     case EventKind::kTime:
       break;
   }

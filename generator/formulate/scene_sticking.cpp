@@ -44,10 +44,6 @@ std::vector<Sticking> sticking_joints(const Scene& scene) {
   return result;
 }
 
-const std::string& name_of(const Scene& scene, int joint) {
-  return scene.tree.links[to_index(scene.tree.coordinates[to_index(joint)])].joint.name;
-}
-
 /// Makes the phases of one scene.
 class PhaseMaker {
  public:
@@ -55,7 +51,7 @@ class PhaseMaker {
       : scene_(scene), before_(scene.phases), joints_(std::move(joints)), ways_(1) {
     for (Sticking& sticking : joints_) {
       model::Constraint row;
-      row.name = fmt::format("friction of {}", name_of(scene, sticking.joint));
+      row.name = fmt::format("friction of {}", scene.tree.moved_by(sticking.joint).joint.name);
       row.kind = model::ConstraintKind::kJoint;
       row.joint = sticking.joint;
       row.accelerations = {Expression(Real(0))};
@@ -95,7 +91,8 @@ class PhaseMaker {
     int place = 1;
     for (const Sticking& sticking : joints_) {
       const auto way = static_cast<SlipWay>(ways / place % 3);
-      result.name += fmt::format("_{}_{}", name_of(scene_, sticking.joint), kWayNames[way]);
+      result.name +=
+          fmt::format("_{}_{}", scene_.tree.moved_by(sticking.joint).joint.name, kWayNames[way]);
       add(sticking, way, {first + ways - place * way, place}, result);
       place *= 3;
     }
@@ -175,7 +172,7 @@ void forget_sticking(Scene& scene) {
   int ways = 1;
   std::string suffix;
   for (const int joint : scene.sticking) {
-    suffix += fmt::format("_{}_{}", name_of(scene, joint), kWayNames[kRests]);
+    suffix += fmt::format("_{}_{}", scene.tree.moved_by(joint).joint.name, kWayNames[kRests]);
     ways *= 3;
   }
   std::vector<Phase> phases;

@@ -111,8 +111,8 @@ std::string without_value(const Scene& scene, double time, const std::vector<dou
   };
   for (const JointLaw& law : scene.joint_laws) {
     if (!has_value(law.force)) {
-      const Link& link = scene.tree.links[to_index(scene.tree.coordinates[to_index(law.joint)])];
-      return std::string(law.effect) + " of joint '" + link.joint.name + "'";
+      return std::string(law.effect) + " of joint '" + scene.tree.moved_by(law.joint).joint.name +
+             "'";
     }
   }
   for (const PointLaw& law : scene.point_laws) {

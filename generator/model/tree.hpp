@@ -127,6 +127,10 @@ struct Tree {
 
   [[nodiscard]] int size() const { return static_cast<int>(links.size()); }
   [[nodiscard]] int dof() const { return static_cast<int>(coordinates.size()); }
+  /// The link that independent coordinate k moves.
+  [[nodiscard]] const Link& moved_by(int k) const {
+    return links[static_cast<std::size_t>(coordinates[static_cast<std::size_t>(k)])];
+  }
 };
 
 /// The sons of every link, ascending.

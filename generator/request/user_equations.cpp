@@ -17,7 +17,6 @@
 #include "equations/scene_table.hpp"
 #include "equations/table.hpp"
 #include "formulate/scene_functions.hpp"
-#include "system/files.hpp"
 
 namespace treedyn {
 namespace {
@@ -151,11 +150,7 @@ UserFunctions read_user_equations(const Request& request, const std::string& tre
     texts = description::equations_of_tree(tree_text, tree_file);
   }
   for (const std::string& file : request.equations) {
-    const std::optional<std::string> text = read_file(file);
-    if (!text) {
-      throw InputError({file, 0, 0}, "cannot be read; expected a file of equations");
-    }
-    const auto more = description::equations_of_file(*text, file);
+    const auto more = description::equations_of_file(description::read_text(file), file);
     texts.insert(texts.end(), more.begin(), more.end());
   }
   check_names(texts, tree, points);

@@ -1,6 +1,7 @@
 #include "simulation/column_names.hpp"
 
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -26,11 +27,6 @@ std::string direction_name(const model::Constraint& constraint, std::size_t row)
 }
 
 }  // namespace
-
-std::string joint_name(const model::Tree& tree, int coordinate) {
-  const int link = tree.coordinates[static_cast<std::size_t>(coordinate)];
-  return tree.links[static_cast<std::size_t>(link)].joint.name;
-}
 
 std::vector<std::string> reaction_names(const model::Scene& scene) {
   std::vector<std::string> result;
@@ -78,7 +74,7 @@ void add_reactions(const model::Scene& scene, std::vector<Column>& result) {
 void add_forces(const model::Scene& scene, std::vector<Column>& result) {
   for (const auto& [effect, name] : model::kShownOfJoints) {
     for (const model::JointLaw& law : model::laws_of(scene.joint_laws, effect)) {
-      result.push_back({fmt::format("{}[{}]", name, joint_name(scene.tree, law.joint)),
+      result.push_back({fmt::format("{}[{}]", name, scene.tree.moved_by(law.joint).joint.name),
                         turns(scene.tree, law.joint) ? "N m" : "N"});
     }
   }
@@ -92,13 +88,23 @@ void add_forces(const model::Scene& scene, std::vector<Column>& result) {
   }
 }
 
+/// A second spring of one joint is `spring[joint]#2`.
+void number_equals(std::vector<Column>& columns) {
+  std::map<std::string, int> counts;
+  for (Column& column : columns) {
+    if (const int count = ++counts[column.name]; count > 1) {
+      column.name += fmt::format("#{}", count);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Column> columns_of(const model::Scene& scene) {
   std::vector<Column> result;
   for (const bool rate : {false, true}) {
     for (int k = 0; k < scene.tree.dof(); ++k) {
-      result.push_back({fmt::format("{}[{}]", rate ? "qd" : "q", joint_name(scene.tree, k)),
+      result.push_back({fmt::format("{}[{}]", rate ? "qd" : "q", scene.tree.moved_by(k).joint.name),
                         std::string(turns(scene.tree, k) ? "rad" : "m") + (rate ? "/s" : "")});
     }
   }
@@ -115,6 +121,7 @@ std::vector<Column> columns_of(const model::Scene& scene) {
     result.push_back({energy, "J"});
   }
   result.push_back({"drift", ""});
+  number_equals(result);
   return result;
 }
 
@@ -148,7 +155,8 @@ std::string not_finite(const model::Scene& scene, double time, const std::vector
   return fmt::format(
       "the motion is not finite at t = {:.6g} s; before, joint '{}' was at {:.6g} and moved at "
       "{:.3g} {}",
-      time, joint_name(tree, joint), state[fastest], state[n + fastest], speed_unit(tree, joint));
+      time, tree.moved_by(joint).joint.name, state[fastest], state[n + fastest],
+      speed_unit(tree, joint));
 }
 
 }  // namespace treedyn::simulation

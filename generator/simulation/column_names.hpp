@@ -8,8 +8,6 @@
 
 namespace treedyn::simulation {
 
-std::string joint_name(const model::Tree& tree, int coordinate);
-
 /// "the motion is not finite at t = 2 s; before, joint 'elbow' was at 1 and moved at 3e+09 rad/s":
 /// the fastest joint; what acts and has no value in the last state that was finite, if it is that.
 /// \param state  this one: q and behind it qd

@@ -265,9 +265,6 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
                      const Work& work) {
   const double before = energy_;
   energy_ = simulation::energy(system, pose_, q, qd);
-  if (work.strikes && energy_ - before < work.done) {
-    return;
-  }
   unexplained_ += energy_ - before - work.done;
   const double excess = std::max(0.0, unexplained_);
   worked_ += std::fabs(work.done);

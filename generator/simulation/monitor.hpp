@@ -58,9 +58,8 @@ struct Turn {
 
 /// Of all forces without potential in a step.
 struct Work {
-  double done = 0;       ///< J
-  double power = 0;      ///< W, the largest
-  bool strikes = false;  ///< an impact within the step may have taken energy
+  double done = 0;   ///< J
+  double power = 0;  ///< W, the largest
 };
 
 /// Kinetic energy with that of armatures, potential energy with that of springs and contacts, J.

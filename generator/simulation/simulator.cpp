@@ -21,8 +21,6 @@ constexpr double kSettled = 1e-8;
 constexpr double kSettledSpeed = 1e-6;
 /// Times that differ by less than this part of a step are the same.
 constexpr double kSameTime = 1e-9;
-/// Velocity that a step gains beyond what accelerations explain, a part of it: it has struck.
-constexpr double kStroke = 0.05;
 
 Vector to_vector(const std::vector<Real>& values) {
   Vector result(static_cast<Eigen::Index>(values.size()));
@@ -51,8 +49,7 @@ double alpha(const Settings& settings) {
 std::vector<int> turning(const model::Tree& tree) {
   std::vector<int> result;
   for (int k = 0; k < tree.dof(); ++k) {
-    const int link = tree.coordinates[static_cast<std::size_t>(k)];
-    if (tree.links[static_cast<std::size_t>(link)].joint.type == model::JointType::kRevolute) {
+    if (tree.moved_by(k).joint.type == model::JointType::kRevolute) {
       result.push_back(k);
     }
   }
@@ -258,11 +255,11 @@ void Simulator::place(double time, const Vector& q, const Vector& qd, int phase,
   monitor_.drift(system_, t_, q);
 }
 
-void Simulator::follow(double h, const Vector& next, bool changes) {
+void Simulator::follow(double h, const Vector& next, bool happened) {
   const Eigen::Index n = system_.dof();
   const Vector position = next.head(n);
   const Vector velocity = next.tail(n);
-  if (changes) {
+  if (happened) {
     monitor_.restart_energy(system_, position, velocity);
     return;
   }
@@ -271,11 +268,8 @@ void Simulator::follow(double h, const Vector& next, bool changes) {
   dense_.set(h, y_, begin.qdd, next, end.qdd);
   const Vector middle = dense_.at(0.5);
   const Solution& half = system_.accelerate(t_ + h / 2, middle.head(n), middle.tail(n));
-  const Vector change = h / 6 * (begin.qdd + 4 * half.qdd + end.qdd);
-  const Vector scale = 1 + qd().array().abs().max(velocity.array().abs());
-  Work work{h / 6 * (begin.power + 4 * half.power + end.power),
-            std::max({std::fabs(begin.power), std::fabs(half.power), std::fabs(end.power)})};
-  work.strikes = ((velocity - qd() - change).array().abs() / scale.array()).maxCoeff() > kStroke;
+  const Work work{h / 6 * (begin.power + 4 * half.power + end.power),
+                  std::max({std::fabs(begin.power), std::fabs(half.power), std::fabs(end.power)})};
   monitor_.energy(system_, t_ + h, h, position, velocity, work);
 }
 

@@ -89,9 +89,9 @@ class Simulator {
   void place(double time, const Vector& q, const Vector& qd, int phase,
              const std::vector<int>& active);
   /// From there it moves to `next`, (q; qd), in a step of length h: its energy.
-  /// \param changes  whether an event ends the phase meanwhile
+  /// \param happened  whether there was an event meanwhile: what it takes is its own matter
   /// \throws std::runtime_error if that grows without power beyond the bound
-  void follow(double h, const Vector& next, bool changes);
+  void follow(double h, const Vector& next, bool happened);
   /// An event that it noted.
   void note(const EventRecord& event) { events_.push_back(event); }
 

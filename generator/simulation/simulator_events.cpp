@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "model/scene_facts.hpp"
-#include "simulation/column_names.hpp"
 #include "simulation/sign_changes.hpp"
 #include "simulation/simulator.hpp"
 
@@ -356,7 +355,7 @@ void Simulator::guard_against_pile(const Watch& watch) {
     const int joint = system_.frictions()[watch.index].joint;
     throw std::runtime_error(fmt::format(
         "joint '{}' sticks and slips to and fro at t = {} s: its friction needs a slip_speed",
-        joint_name(scene_.tree, joint), t_));
+        scene_.tree.moved_by(joint).joint.name, t_));
   }
   throw std::runtime_error(
       fmt::format("events pile up at t = {} s: the impact needs rest_below", t_));

@@ -21,8 +21,7 @@ std::vector<std::vector<double>> ordinary_states(const Model& model) {
   for (std::vector<double>& q : states) {
     for (int k = 0; k < model.tree.dof(); ++k) {
       const auto i = static_cast<std::size_t>(k);
-      const auto link = static_cast<std::size_t>(model.tree.coordinates[i]);
-      const bool turns = model.tree.links[link].joint.type == model::JointType::kRevolute;
+      const bool turns = model.tree.moved_by(k).joint.type == model::JointType::kRevolute;
       q.push_back((turns ? kTurn : reach[i]) * random.symmetric());
     }
   }

@@ -203,6 +203,8 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
     return emit::emit_files(unit);
   } catch (const std::range_error& error) {
     throw InputError({request.scene.value_or(request.model), 0, 0}, error.what());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <sys/stat.h>
 
+#include <map>
+
 namespace treedyn {
 namespace {
 
@@ -147,6 +149,9 @@ TEST_F(Cli, ShowsWhatDiffersWhatIsMissingAndWhatIsSurplus) {
               HasSubstr("to update: treedyn generate " + kModel + " -o " + out() + "\n"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("mine.cpp")));
   EXPECT_EQ(read_file(file("two_link.cpp")), source + "// edited\n");
+  treedyn({"generate", kModel, "-o", out()});
+  EXPECT_EQ(treedyn({"check", kModel, "-o", out()}).out,
+            "surplus: " + file("old_name.cpp").string() + "\nto update: remove what is surplus\n");
 }
 
 TEST_F(Cli, SaysThatOnlyEndsOfLinesDiffer) {
@@ -248,6 +253,50 @@ TEST_F(Cli, DependsOnItsSettingsAndNamesTheirLines) {
   EXPECT_THAT(refused.err, StartsWith(scratch("s.txt") + ":2: settings: --scalar: half"));
 }
 
+TEST_F(Cli, FindsFilesThatSettingsNameBesideThem) {
+  fs::create_directories(scratch("sub"));
+  write_file(scratch("sub/own.yaml"), "equations: [{name: own, value: T(ones) * m_d * ones}]\n");
+  write_file(scratch("sub/s.txt"), "effort = 0\nequations = own.yaml\n");
+  const Outcome outcome = treedyn(
+      {"generate", kModel, "-o", out(), "--settings", scratch("sub/s.txt"), "--functions", "own"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("void own("));
+}
+
+TEST_F(Cli, TakesNoOtherWordForAnEmptyValue) {
+  expect_usage_error(treedyn({"generate", kModel, "-o", out(), "--stamp=", "--checked"}),
+                     "--stamp= has no value; expected one behind it");
+  expect_usage_error(treedyn({"vet", kModel, "--error-format=", "-q"}),
+                     "--error-format= has no value");
+  EXPECT_FALSE(fs::exists("--checked"));
+  EXPECT_FALSE(fs::exists(out()));
+  for (const auto& [line, what] : std::map<std::string, std::string>{
+           {"scalar = ", "--scalar has no value; expected one"},
+           {"points = ''", "--points has no value; expected one"},
+           {"checked = maybe", "Could not convert: --checked = maybe"}}) {
+    write_file(scratch("s.txt"), "effort = 0\n" + line + "\n");
+    const Outcome refused =
+        treedyn({"generate", kModel, "-o", out(), "--settings", scratch("s.txt")});
+    EXPECT_EQ(refused.status, 1) << line;
+    EXPECT_THAT(refused.err, StartsWith(scratch("s.txt") + ":2: settings: " + what)) << line;
+  }
+}
+
+TEST_F(Cli, RefusesWhatBlockEquationsHaveNoFormFor) {
+  for (const char* option : {"--json", "--passes", "--accuracy", "--base-parameters"}) {
+    expect_usage_error(treedyn({"info", kModel, "--equations", option}),
+                       "--equations: without a FILE shows the block equations");
+  }
+}
+
+TEST_F(Cli, VetsEquationsOfTheModel) {
+  const std::string model = scratch("own.yaml");
+  write_file(model, read_file(kModel) + "equations: [{name: own, value: A + qd}]\n");
+  const Outcome outcome = treedyn({"vet", model});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("equation 'own': sum of A"));
+}
+
 TEST_F(Cli, VetsInThreeFormats) {
   EXPECT_EQ(treedyn({"vet", kModel}).status, 0);
   const std::string model = scratch("bad.yaml");
@@ -327,6 +376,12 @@ TEST_F(Cli, TakesNoTemplatesIntoSections) {
   expect_usage_error(
       treedyn({"generate", kModel, "--section", "RAM_CODE", "--sincos", "vector", "-o", out()}),
       "no --section");
+  for (const char* const name : {"q", "kDof", "joint", "Scalar"}) {
+    expect_usage_error(
+        treedyn({"generate", kModel, "--section", name, "--effort", "0", "-o", scratch("none")}),
+        std::string("--section: ") + name + " is a name in the generated code; expected another");
+  }
+  EXPECT_FALSE(fs::exists(scratch("none")));
 }
 
 /// Khalil and Dombre, Modeling, Identification and Control of Robots (2002): in the plane a link

@@ -2,6 +2,7 @@
 // functions usually need is there.
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,30 @@ class Compiles : public Cli {
     return scratch("s.yaml");
   }
 };
+
+/// What tells a number that is none has to see it.
+TEST_F(Compiles, NothingWithAStatusWhereEveryNumberIsFinite) {
+  const std::string scene = scene_of_ball("effects: {gravity: [0, 0, -9.81]}\nduration: 1\n");
+  using Words = std::vector<std::string>;
+  for (const auto& [words, name, refused] :
+       {std::tuple{Words{kModel, "--functions", "forward_dynamics"}, "two_link", false},
+        {Words{kModel, "--functions", "forward_dynamics", "--checked"}, "two_link", true},
+        {Words{kModel, "--functions", "forward_dynamics", "--self-test"}, "two_link", true},
+        {Words{kModel, "--checked", "--language", "c99"}, "two_link", true},
+        {Words{"--scene", scene}, "s", true}}) {
+    std::vector<std::string> command = {"generate"};
+    command.insert(command.end(), words.begin(), words.end());
+    command.insert(command.end(), {"-q", "--effort", "0", "--sincos", "libm", "-o", out()});
+    ASSERT_EQ(treedyn(command).status, 0);
+    const bool is_c = fs::exists(file(std::string(name) + ".c"));
+    const Outcome compiled =
+        support::run({TREEDYN_CXX, "-x", is_c ? "c" : "c++", "-ffinite-math-only", "-fsyntax-only",
+                      file(std::string(name) + (is_c ? ".c" : ".cpp")).string()});
+    EXPECT_EQ(compiled.status != 0, refused) << words.back();
+    EXPECT_EQ(compiled.err.find("not for -ffinite-math-only") != std::string::npos, refused);
+    fs::remove_all(out());
+  }
+}
 
 TEST_F(Compiles, LinksWhoseNamesBeginWithDigits) {
   write_file(scratch("m.yaml"),

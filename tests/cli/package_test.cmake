@@ -12,6 +12,7 @@ file(RENAME ${scratch}/first ${scratch}/second)
 file(WRITE ${scratch}/project/CMakeLists.txt [[
 cmake_minimum_required(VERSION 3.16)  # with policies that the package does not share
 project(consumer C CXX)
+set(CMAKE_CXX_STANDARD 11)  # generated code asks for no more
 find_package(treedyn 0.1 REQUIRED)
 treedyn_generate(arm MODEL arm.yaml OPTIONS --scalar float --functions gravity_force)
 add_executable(consumer main.cpp)
@@ -19,14 +20,19 @@ target_link_libraries(consumer PRIVATE arm)
 enable_testing()
 treedyn_generate(swing SCENE swing.yaml NAME swing OPTIONS --effort 0 CONTRACTION off)
 target_link_libraries(consumer PRIVATE swing)
-treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --equations own.yaml --settings=own.txt --functions mass_matrix,own CONTRACTION on)
+treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --settings=own.txt --functions mass_matrix,own CONTRACTION on)
 target_link_libraries(consumer PRIVATE in_c)
+treedyn_generate(default MODEL arm.yaml NAME arm_by_default OPTIONS ${nothing})
+set_target_properties(default PROPERTIES EXCLUDE_FROM_ALL TRUE)
+install(TARGETS arm EXPORT arms ARCHIVE DESTINATION lib)
+install(EXPORT arms DESTINATION lib/cmake/arms)
 treedyn_check(swing_is_fresh SCENE swing.yaml STEM swing FOLDER ${CMAKE_CURRENT_BINARY_DIR}/swing OPTIONS --effort 0)
 treedyn_check(arm_is_fresh MODEL arm.yaml FOLDER ${CMAKE_CURRENT_BINARY_DIR}/arm
               OPTIONS --scalar float --functions gravity_force)
 ]])
 file(WRITE ${scratch}/project/own.yaml "equations: [{name: own, value: T(ones) * m_d * ones}]\n")
-file(WRITE ${scratch}/project/own.txt "effort = 0\nlanguage = c99\n")
+set(settings "effort = 0\nequations = own.yaml\n")  # a file beside the settings
+file(WRITE ${scratch}/project/own.txt "${settings}language = c99\n")
 file(WRITE ${scratch}/project/main.cpp [[
 #include "in_c.h"
 #include "swing.hpp"
@@ -71,6 +77,9 @@ run(${CMAKE_COMMAND} --build ${build} --verbose)
 if(NOT output MATCHES "-ffp-contract=fast [^\n]*in_c\\.c" OR NOT output MATCHES "-ffp-contract=off [^\n]*swing\\.cpp")
   message(FATAL_ERROR "CONTRACTION did not reach the compiler:\n${output}")
 endif()
+if(NOT output MATCHES "-std=gnu\\+\\+11 [^\n]*swing\\.cpp" OR output MATCHES "-std=gnu\\+\\+1[2-9]")
+  message(FATAL_ERROR "C++11 is not what the project is compiled as:\n${output}")
+endif()
 run(${build}/consumer)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${build})
 
@@ -102,12 +111,12 @@ if(changed STREQUAL model OR NOT output MATCHES "treedyn generate swing.yaml")
 endif()
 
 # Settings that choose the other language change what is built.
-file(WRITE ${scratch}/project/own.txt "effort = 0\nlanguage = c++\n")
+file(WRITE ${scratch}/project/own.txt "${settings}language = c++\n")
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} OUTPUT_VARIABLE output RESULT_VARIABLE status)
 if(status EQUAL 0 OR NOT output MATCHES "in_c\\.cpp")  # the consumer wants C
   message(FATAL_ERROR "the language of settings changed, and files of the other one were built:\n${output}")
 endif()
-file(WRITE ${scratch}/project/own.txt "effort = 0\nlanguage = c99\n")
+file(WRITE ${scratch}/project/own.txt "${settings}language = c99\n")
 
 # The package that is found is the one that runs, also in a build that found another one before.
 file(RENAME ${scratch}/second ${scratch}/third)
@@ -115,16 +124,26 @@ run(${CMAKE_COMMAND} -S ${scratch}/project -B ${build} -DCMAKE_PREFIX_PATH=${scr
 run(${CMAKE_COMMAND} --build ${build})
 file(RENAME ${scratch}/third ${scratch}/second)
 
+# Calls that are wrong say what is wrong with them.
 file(READ ${scratch}/project/CMakeLists.txt project)
-string(REPLACE "CONTRACTION on" "CONTRACTION fast" wrong "${project}")
-file(WRITE ${scratch}/wrong/CMakeLists.txt "${wrong}")
 file(COPY ${scratch}/project/ DESTINATION ${scratch}/wrong PATTERN CMakeLists.txt EXCLUDE)
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${scratch}/wrong -B ${scratch}/wrong_build -G Ninja -DCMAKE_CXX_COMPILER=${CXX}
-                        -DCMAKE_PREFIX_PATH=${scratch}/second
-                OUTPUT_QUIET ERROR_VARIABLE error RESULT_VARIABLE status)
-if(status EQUAL 0 OR NOT error MATCHES "treedyn_generate: CONTRACTION 'fast'; expected on or off")
-  message(FATAL_ERROR "a wrong value of CONTRACTION was not refused:\n${error}")
-endif()
+function(expect_refusal from to message)
+  string(REPLACE "${from}" "${to}" wrong "${project}")
+  file(WRITE ${scratch}/wrong/CMakeLists.txt "${wrong}")
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${scratch}/wrong -B ${scratch}/wrong_build -G Ninja -DCMAKE_CXX_COMPILER=${CXX}
+                          -DCMAKE_PREFIX_PATH=${scratch}/second
+                  OUTPUT_QUIET ERROR_VARIABLE error RESULT_VARIABLE status)
+  string(REGEX REPLACE "[ \n]+" " " error "${error}")
+  string(FIND "${error}" "${message}" place)
+  if(status EQUAL 0 OR place EQUAL -1)
+    message(FATAL_ERROR "'${to}' for '${from}' was not refused by '${message}':\n${error}")
+  endif()
+endfunction()
+expect_refusal("CONTRACTION on" "CONTRACTION fast" "treedyn_generate: CONTRACTION 'fast'; expected on or off")
+expect_refusal("NAME in_c" "STEM in_c" "'STEM;in_c' is not expected in treedyn_generate(TARGET")
+expect_refusal("SCENE swing.yaml NAME swing" "NAME swing" "one of MODEL and SCENE is needed; expected treedyn_generate(TARGET")
+expect_refusal("FOLDER \${CMAKE_CURRENT_BINARY_DIR}/arm" "" "FOLDER has no value; expected treedyn_check(NAME")
+expect_refusal("project(consumer C CXX)" "project(consumer C)" "treedyn_generate: writes CXX; expected it among the LANGUAGES of project()")
 
 # A processor with 32 bits: the package is that of the machine that builds.
 if(EXISTS /usr/bin/arm-none-eabi-g++)

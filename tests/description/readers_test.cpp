@@ -227,7 +227,7 @@ std::vector<std::string> findings(const std::string& name, const std::string& te
   const std::string path = testing::TempDir() + name;
   std::ofstream(path) << text;
   std::vector<std::string> result;
-  for (const Warning& finding : vet_model(path, {}).findings) {
+  for (const Warning& finding : vet_model(read_model_text(path), path, {}).findings) {
     result.push_back(fmt::format("{}: {}", finding.where.line, finding.message));
   }
   return result;

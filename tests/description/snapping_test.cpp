@@ -181,7 +181,7 @@ TEST(Vet, NamesNearMissesWithoutTouchingThem) {
   const std::string text = one_joint("<origin rpy=\"0 1.5708 0\"/><axis xyz=\"0 0.00005 1\"/>");
   std::fwrite(text.data(), 1, text.size(), file);
   std::fclose(file);
-  const Vetted vetted = vet_model(path, options());
+  const Vetted vetted = vet_model(read_model_text(path), path, options());
   EXPECT_THAT(vetted.tree.snaps, SizeIs(0));
   ASSERT_GE(vetted.findings.size(), 2U);
   EXPECT_THAT(vetted.findings[0].message,
