@@ -90,7 +90,7 @@ Implementation compiled(const std::filesystem::path& model, const Vector& gravit
   }
   const std::vector<std::string> options{
       "--snap",      "0",  "--gravity", fmt::format("{},{},{}", gravity[0], gravity[1], gravity[2]),
-      "--functions", list, "--effort",  "200"};
+      "--functions", list, "--effort",  "60"};
   const support::CompiledModel code = support::generate_and_compile(model, options);
   return {"code", code.manifest().joints,
           [code](const std::string& function, const Inputs& inputs) {
@@ -114,7 +114,7 @@ Implementation interpreted(const model::Tree& tree, const Vector& gravity) {
   formulate::Options options;
   options.gravity = to_vector3(gravity);
   options.points = tree.points;
-  options.effort = 100;  // other variants than the executable finds with its default
+  options.effort = 30;  // other variants than the executable finds
   std::map<std::string, program::Function> programs;
   for (const std::string& name : functions()) {
     programs.emplace(name, formulate::formulated(tree, name, options));
@@ -329,7 +329,7 @@ Vector joint_forces(const Json& data) {
 void check_constrained(const Json& data, const std::filesystem::path& folder, Report& report) {
   const std::filesystem::path scene = folder / "scene.yaml";
   support::write_file(scene, scene_of(data).dump(1));
-  support::generate({}, {"--scene", scene.string(), "--effort", "100"}, folder / "scene");
+  support::generate({}, {"--scene", scene.string(), "--effort", "30"}, folder / "scene");
   const support::CompiledModel code(folder / "scene", "generated");
   const Json& expected = data.at("expected_constrained");
   const std::vector<std::size_t> rows = row_order(data.at("constraints"));

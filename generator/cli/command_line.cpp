@@ -154,18 +154,14 @@ void refuse_empty_values(const std::vector<std::string>& words) {
   }
 }
 
-/// Where the option of a settings file stands that CLI11 complains of; null: of the command line.
+/// Where the option stands that CLI11 complains of, the first that it names; null: not in a
+/// settings file.
 const Location* place_of(const std::map<std::string, Location>& places, const std::string& what) {
-  std::istringstream words(what);
-  for (std::string word; words >> word;) {
-    if (word.ends_with(':')) {
-      word.pop_back();
-    }
-    if (const auto place = places.find(word); place != places.end()) {
-      return &place->second;
-    }
-  }
-  return nullptr;
+  const std::size_t begin = what.find("--");
+  const std::size_t size = std::min(what.find_first_of(": ", begin), what.size()) - begin;
+  const auto place =
+      begin == std::string::npos ? places.end() : places.find(what.substr(begin, size));
+  return place == places.end() ? nullptr : &place->second;
 }
 
 /// What a scene says itself; its base may stand beside a MODEL, which has to be the scene's.

@@ -91,8 +91,9 @@ bool has_anchor(const Scene& scene, const std::vector<int>& constraints) {
                      [&](int c) { return anchor_size(scene, c) > 0; });
 }
 
-std::string without_value(const Scene& scene, double time, const std::vector<double>& state) {
-  const auto has_value = [&](const Expression& law) {
+std::string without_value(const Scene& scene, double time, const std::vector<double>& state,
+                          const AtPoint& at_point) {
+  const auto has_value = [&](const Expression& law, int point) {
     bool is_known = true;
     const double value = law.evaluate([&](const Variable& v) {
       switch (v.quantity) {
@@ -103,20 +104,22 @@ std::string without_value(const Scene& scene, double time, const std::vector<dou
         case Quantity::kVelocity:
           return state[state.size() / 2 + to_index(v.index)];
         default:
-          is_known = false;
-          return 0.0;
+          is_known = is_known && point >= 0 && at_point != nullptr;
+          return is_known ? at_point(point, v) : 0.0;
       }
     });
     return !is_known || std::isfinite(value);
   };
   for (const JointLaw& law : scene.joint_laws) {
-    if (!has_value(law.force)) {
+    if (!has_value(law.force, -1)) {
       return std::string(law.effect) + " of joint '" + scene.tree.moved_by(law.joint).joint.name +
              "'";
     }
   }
   for (const PointLaw& law : scene.point_laws) {
-    if (!std::ranges::all_of(law.value, has_value)) {
+    if (!std::ranges::all_of(law.value, [&](const Expression& component) {
+          return has_value(component, law.point);
+        })) {
       return std::string(law.effect) + " of point '" + scene.points[to_index(law.point)].name + "'";
     }
   }

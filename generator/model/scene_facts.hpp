@@ -1,6 +1,7 @@
 // What follows from the words of a scene alone, for whoever formulates, proves or writes it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,10 +34,13 @@ int anchor_offset(const Scene& scene, int constraint);
 /// True if one of the constraints has an anchor.
 bool has_anchor(const Scene& scene, const std::vector<int>& constraints);
 
-/// "drive of joint 'elbow'": what acts and has no value at a state, among laws of joints, and of
-/// points that ask for nothing of the point; empty if there is none.
+/// The value of a variable at a point of the scene.
+using AtPoint = std::function<double(int point, const Variable& variable)>;
+/// "drive of joint 'elbow'": what acts and has no value at a state; empty if there is none.
 /// \param state  q and behind it qd
-std::string without_value(const Scene& scene, double time, const std::vector<double>& state);
+/// \param at_point  position and velocity there; none: laws that ask for them are left out
+std::string without_value(const Scene& scene, double time, const std::vector<double>& state,
+                          const AtPoint& at_point = nullptr);
 
 /// Joints without a drive: all that the scene does not call actuated; where it names drives, all
 /// joints but theirs; else the six joints of a free base.

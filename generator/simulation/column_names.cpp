@@ -7,6 +7,8 @@
 
 #include "model/force_laws.hpp"
 #include "model/scene_facts.hpp"
+#include "simulation/forces.hpp"
+#include "simulation/pose.hpp"
 
 namespace treedyn::simulation {
 
@@ -88,6 +90,26 @@ void add_forces(const model::Scene& scene, std::vector<Column>& result) {
   }
 }
 
+/// x, y, z or vx, vy, vz of points in a state.
+model::AtPoint points_at(const model::Scene& scene, const std::vector<double>& state) {
+  const auto n = static_cast<Eigen::Index>(state.size() / 2);
+  const Eigen::Map<const Vector> values(state.data(), 2 * n);
+  Pose pose(scene.tree, scene.gravity);
+  pose.update(values.head(n), values.tail(n));
+  return [&scene, pose](int number, const model::Variable& variable) {
+    const model::Point& point = scene.points[static_cast<std::size_t>(number)];
+    const bool is_place = variable.quantity == model::Quantity::kPointPosition;
+    const Eigen::Vector3d at = vector_of(point.at);
+    if (point.link == model::kGround) {
+      return is_place ? at[variable.index] : 0;
+    }
+    const LinkState& link = pose.links()[static_cast<std::size_t>(point.link)];
+    const Eigen::Vector3d arm = link.R * at;
+    return is_place ? link.O[variable.index] + arm[variable.index]
+                    : link.v[variable.index] + link.omega.cross(arm)[variable.index];
+  };
+}
+
 /// A second spring of one joint is `spring[joint]#2`.
 void number_equals(std::vector<Column>& columns) {
   std::map<std::string, int> counts;
@@ -141,7 +163,7 @@ std::string event_name(const model::Scene& scene, int phase, std::size_t event) 
 }
 
 std::string not_finite(const model::Scene& scene, double time, const std::vector<double>& state) {
-  const std::string lost = model::without_value(scene, time, state);
+  const std::string lost = model::without_value(scene, time, state, points_at(scene, state));
   if (!lost.empty()) {
     return fmt::format("{} has no value at t = {:.6g} s", lost, time);
   }

@@ -259,6 +259,13 @@ TEST(Drives, WithoutAValueAreNamed) {
   EXPECT_EQ(run.record(0.01).stopped, "drive of joint 'height' has no value at t = 0 s");
 }
 
+TEST(PointSprings, WithoutADirectionAreNamed) {  // the damper's, where the point is at its anchor
+  Running run(falling_ball(
+      "effects:\n  gravity: [0, 0, -10]\n  point_spring: [{point: ball, anchor: [0, 0, "
+      "0], stiffness: 10, damping: 1}]\nduration: 1\n"));
+  EXPECT_EQ(run.record(0.01).stopped, "point_spring of point 'ball' has no value at t = 0 s");
+}
+
 TEST(Guards, AreNotAskedBeforeTheirTime) {
   Running run(falling_ball(guarded("2 + sqrt(t - 1/4)", ", not_before: 0.3")));
   EXPECT_EQ(run.record(0.01).stopped, "");
