@@ -5,6 +5,7 @@ cmake_policy(VERSION 3.20)  # at least; of depfiles (CMP0116), whatever the proj
 # Sets `arguments` to the model or scene of a call as the program wants it, `subject` to its file.
 function(_treedyn_subject call)
   list(REMOVE_ITEM ARG_KEYWORDS_MISSING_VALUES OPTIONS)  # OPTIONS ${none}
+  list(REMOVE_DUPLICATES ARG_KEYWORDS_MISSING_VALUES)
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "'${ARG_UNPARSED_ARGUMENTS}' is not expected in ${call}")
   elseif(ARG_KEYWORDS_MISSING_VALUES)
@@ -75,6 +76,9 @@ function(_treedyn_files name folder subject settings)
       message(FATAL_ERROR "treedyn_generate: treedyn is built in this project; expected NAME, the stem of the generated files")
     endif()
     get_target_property(program treedyn::treedyn IMPORTED_LOCATION)
+    if(NOT EXISTS "${program}")
+      message(FATAL_ERROR "treedyn_generate: there is no program '${program}'; expected TREEDYN_EXECUTABLE that is there, or NAME")
+    endif()
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${subject}")
     execute_process(COMMAND "${program}" outputs -q ${ARGN} -o "${folder}"
                     OUTPUT_VARIABLE files OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)

@@ -147,7 +147,7 @@ const CLI::App* find_command(const CLI::App& app, const std::string& word) {
 /// `--stamp=$NOTHING`: CLI11 would take the next word for the value.
 void refuse_empty_values(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
-    if (word.starts_with("--") && word.ends_with("=")) {
+    if (word.starts_with("--") && word.find('=') + 1 == word.size()) {
       throw CLI::ParseError(fmt::format("{} has no value; expected one behind it", shown(word)),
                             kUsage);
     }
@@ -158,7 +158,7 @@ void refuse_empty_values(const std::vector<std::string>& words) {
 /// settings file.
 const Location* place_of(const std::map<std::string, Location>& places, const std::string& what) {
   const std::size_t begin = what.find("--");
-  const std::size_t size = std::min(what.find_first_of(": ", begin), what.size()) - begin;
+  const std::size_t size = std::min(what.find_first_of(",: ", begin), what.size()) - begin;
   const auto place =
       begin == std::string::npos ? places.end() : places.find(what.substr(begin, size));
   return place == places.end() ? nullptr : &place->second;
@@ -185,11 +185,14 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
     throw CLI::ParseError("MODEL is required; expected a model or --scene FILE", kUsage);
   }
   const StepChoice& step = request.stepping;
-  if (!request.scene && (step.integrator || step.step || step.cuts || step.compensated)) {
+  const char* const of_step = step.integrator    ? "integrator"
+                              : step.step        ? "step"
+                              : step.cuts        ? "cuts"
+                              : step.compensated ? "state"
+                                                 : nullptr;
+  if (!request.scene && of_step != nullptr) {
     throw CLI::ParseError(
-        "--integrator, --step, --cuts and --state are of the step of a scene; expected --scene "
-        "FILE",
-        kUsage);
+        fmt::format("--{}: is of the step of a scene; expected --scene FILE", of_step), kUsage);
   }
   if (request.share_limbs && (request.scene || request.target.lanes > 1)) {
     throw CLI::ParseError(

@@ -107,7 +107,7 @@ void add_study(CLI::App& command, AccuracyRequest& request) {
               request.steps.push_back(static_cast<double>(positive("--steps", step)));
             }
           },
-          "s; default: a ladder, an interval by 1, 2, 5, 10 ..")
+          "s; default: the time between two comparisons, by 1, 2, 5, 10 ..")
       ->delimiter(',')
       ->type_name("LIST");
   add_positive(command, "--rate",

@@ -27,11 +27,11 @@ bool is_given(const CLI::Option& option, const std::vector<std::string>& words) 
                      [&](const std::string& word) { return is_word_of(option, word); });
 }
 
-/// A file or folder that a settings file names stands beside it.
-std::string in_folder_of(const std::string& file, const CLI::Option& option,
+/// A file that is read stands beside the settings that name it.
+std::string in_folder_of(const std::string& file, const std::string& option,
                          const std::string& value) {
-  const std::string type = option.get_type_name();
-  return type == "FILE" || type == "DIR" ? (fs::path(file).parent_path() / value).string() : value;
+  const bool is_read = (option == "equations" || option == "scene") && value != "-";
+  return is_read ? (fs::path(file).parent_path() / value).string() : value;
 }
 
 /// The options of a settings file that are not given on the command line.
@@ -70,7 +70,7 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
         refuse(fmt::format("--{} has no value; expected one", item.name));
       }
       if (!is_given(*option, given)) {
-        result.push_back(fmt::format("--{}={}", item.name, in_folder_of(file, *option, value)));
+        result.push_back(fmt::format("--{}={}", item.name, in_folder_of(file, item.name, value)));
         places["--" + item.name] = {file, at, 0};
       }
     }

@@ -198,11 +198,15 @@ class ForceList {
       }
       add(c.point, rows);
     }
+    // three columns a contact, whatever they are called
+    const auto first = std::ranges::find_if(
+        columns_, [](const std::string& name) { return name.starts_with("F["); });
+    auto at = static_cast<std::size_t>(first - columns_.begin());
     for (const model::GroundContact& contact : scene_.contacts) {
-      const std::string& name = scene_.points[static_cast<std::size_t>(contact.point)].name;
-      add(contact.point, {{fmt::format("F[{}.x]", name), {1, 0, 0}},
-                          {fmt::format("F[{}.y]", name), {0, 1, 0}},
-                          {fmt::format("F[{}.z]", name), {0, 0, 1}}});
+      add(contact.point, {{columns_[at], {1, 0, 0}},
+                          {columns_[at + 1], {0, 1, 0}},
+                          {columns_[at + 2], {0, 0, 1}}});
+      at += 3;
     }
     return bracketed(forces_);
   }

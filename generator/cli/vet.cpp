@@ -31,7 +31,10 @@ std::vector<Finding> vet(const Request& request) {
       findings.push_back({warning.where, warning.message, false});
     }
     if (vetted.tree.dof() > 0) {
-      read_user_equations(request, request.model, text, vetted.tree, vetted.tree.points);
+      // which points there are is a matter of --points or of a scene where the model has none
+      const std::vector<model::Point>& own = vetted.tree.points;
+      read_user_equations(request, request.model, text, vetted.tree,
+                          own.empty() ? description::resolve_points(vetted.tree, "all") : own);
     }
   } catch (const InputError& error) {
     findings.push_back({error.where(), error.message(), true});

@@ -76,7 +76,7 @@ struct Vetted {
   std::vector<Warning>
       findings;  ///< near misses of snapping, doubtful inertias, joints without inertia
 };
-/// \throws InputError as `read_model`.
+/// \param text  of the file `path` \throws InputError as `read_model`.
 Vetted vet_model(const std::string& text, const std::string& path, const ReadOptions& options);
 
 }  // namespace treedyn::description

@@ -116,9 +116,9 @@ void SceneContext::define_parameters(const Node* node, const std::vector<Text>& 
 
 std::optional<int> SceneContext::coordinate(std::string_view name) const {
   const model::Tree& tree = scene_.tree;
-  for (std::size_t k = 0; k < tree.coordinates.size(); ++k) {
-    if (tree.links[static_cast<std::size_t>(tree.coordinates[k])].joint.name == name) {
-      return static_cast<int>(k);
+  for (int k = 0; k < tree.dof(); ++k) {
+    if (tree.moved_by(k).joint.name == name) {
+      return k;
     }
   }
   return std::nullopt;

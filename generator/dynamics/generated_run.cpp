@@ -46,6 +46,7 @@ class Run {
   void place(long k, const Values& q, const Values& qd, int state);
   [[nodiscard]] std::vector<double> reactions(int state) const;
   void note_status(int status, double time);
+  [[nodiscard]] bool was_struck() const;
   void note_events(double time, int before, const Values& qd_before);
   [[nodiscard]] int state() const {
     return step_.has("phase") ? static_cast<int>(step_.at("phase")[0]) : scene_.start_phase;
@@ -100,6 +101,20 @@ void Run::note_status(int status, double time) {
       ++same->count;
     }
   }
+}
+
+/// True if an impact was in the last step.
+bool Run::was_struck() const {
+  std::vector<bool> strikes;
+  for (const program::StepPhase& phase : step_.stepper().phases) {
+    for (const program::StepEvent& event : phase.events) {
+      strikes.push_back(!event.outcome.impact.empty() ||
+                        (event.rest && !event.rest->impact.empty()));
+    }
+  }
+  return std::ranges::any_of(step_.events(), [&](const SteppedEvent& event) {
+    return strikes[static_cast<std::size_t>(event.number)];
+  });
 }
 
 /// By the names of what happened, and of the state at rest that no phase of the scene is.
@@ -181,9 +196,8 @@ bool Run::go(const simulation::ShowState& show, const simulation::LookAtState& l
     changed = state() != before;
     Vector after(2 * next.size());
     after << next, vector_of(step_.at("qd"));
-    const bool happened = changed || !step_.events().empty();
-    simulator_.follow(h_, after, happened);
-    if (happened) {
+    simulator_.follow(h_, after, changed || was_struck());
+    if (changed || !step_.events().empty()) {
       note_events(time(k + 1), before, qd);
     }
     if (!progress(static_cast<double>(k + 1) / static_cast<double>(count_))) {

@@ -17,7 +17,7 @@ struct StatusRecord {
 };
 
 struct GeneratedRun {
-  simulation::Recording recording;  ///< events: changes of phase, at the end of their step
+  simulation::Recording recording;  ///< events: those of the step, at its end
   std::vector<StatusRecord> statuses;
   long operations = 0;  ///< of all steps, as if no event were in any
 };

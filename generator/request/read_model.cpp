@@ -136,8 +136,7 @@ void check_scene(const model::Scene& scene, const Location& where) {
     if (!scene.sticking.empty()) {
       return;
     }
-    const std::string& joint =
-        scene.tree.links[static_cast<std::size_t>(friction.joint)].joint.name;
+    const std::string& joint = scene.tree.moved_by(friction.joint).joint.name;
     if (!model::step_method(scene)) {
       throw InputError(where,
                        fmt::format("coulomb friction of joint '{}' sticks, which takes a generated "

@@ -43,8 +43,7 @@ std::vector<std::string> reaction_names(const model::Scene& scene) {
 namespace {
 
 bool turns(const model::Tree& tree, int coordinate) {
-  const int link = tree.coordinates[static_cast<std::size_t>(coordinate)];
-  return tree.links[static_cast<std::size_t>(link)].joint.type == model::JointType::kRevolute;
+  return tree.moved_by(coordinate).joint.type == model::JointType::kRevolute;
 }
 
 /// rad or m, per second.
@@ -104,9 +103,9 @@ model::AtPoint points_at(const model::Scene& scene, const std::vector<double>& s
       return is_place ? at[variable.index] : 0;
     }
     const LinkState& link = pose.links()[static_cast<std::size_t>(point.link)];
-    const Eigen::Vector3d arm = link.R * at;
-    return is_place ? link.O[variable.index] + arm[variable.index]
-                    : link.v[variable.index] + link.omega.cross(arm)[variable.index];
+    const Eigen::Vector3d place = pose.point(point.link, at);
+    return is_place ? place[variable.index]
+                    : link.v[variable.index] + link.omega.cross(place - link.O)[variable.index];
   };
 }
 

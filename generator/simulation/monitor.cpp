@@ -31,9 +31,7 @@ constexpr double kNoSpeed = 1e-11;
 
 bool is_length(const model::Scene& scene, const model::Constraint& constraint) {
   if (constraint.kind == model::ConstraintKind::kJoint) {
-    const int link = scene.tree.coordinates[static_cast<std::size_t>(constraint.joint)];
-    return scene.tree.links[static_cast<std::size_t>(link)].joint.type ==
-           model::JointType::kPrismatic;
+    return scene.tree.moved_by(constraint.joint).joint.type == model::JointType::kPrismatic;
   }
   return constraint.kind != model::ConstraintKind::kOrientation;
 }

@@ -255,11 +255,11 @@ void Simulator::place(double time, const Vector& q, const Vector& qd, int phase,
   monitor_.drift(system_, t_, q);
 }
 
-void Simulator::follow(double h, const Vector& next, bool happened) {
+void Simulator::follow(double h, const Vector& next, bool jumps) {
   const Eigen::Index n = system_.dof();
   const Vector position = next.head(n);
   const Vector velocity = next.tail(n);
-  if (happened) {
+  if (jumps) {
     monitor_.restart_energy(system_, position, velocity);
     return;
   }

@@ -89,9 +89,9 @@ class Simulator {
   void place(double time, const Vector& q, const Vector& qd, int phase,
              const std::vector<int>& active);
   /// From there it moves to `next`, (q; qd), in a step of length h: its energy.
-  /// \param happened  whether there was an event meanwhile: what it takes is its own matter
+  /// \param jumps  whether its phase changed or it was struck meanwhile: what that takes is no work
   /// \throws std::runtime_error if that grows without power beyond the bound
-  void follow(double h, const Vector& next, bool happened);
+  void follow(double h, const Vector& next, bool jumps);
   /// An event that it noted.
   void note(const EventRecord& event) { events_.push_back(event); }
 

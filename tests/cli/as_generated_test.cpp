@@ -304,7 +304,6 @@ TEST(AsGenerated, EndsWhereEnergyGrowsOutOfNothing) {
   }
 }
 
-/// Work of a drive, losses of a contact and of impacts: no alarm.
 /// A pendulum under gravity alone: what its energy gains is what no force explains, however much
 /// the speed changes within a step; and that is no reason to end.
 TEST(AsGenerated, KeepsBooksOfCoarseSteps) {
@@ -351,6 +350,7 @@ duration: 2
   }
 }
 
+/// Work of a drive, losses of a contact and of impacts: no alarm.
 TEST(AsGenerated, ExplainsEnergyByWork) {
   for (const std::string scene : {"drop", "arm_circle", "four_bar"}) {
     const Outcome outcome = simulated(

@@ -269,9 +269,14 @@ TEST_F(Cli, TakesNoOtherWordForAnEmptyValue) {
   expect_usage_error(treedyn({"vet", kModel, "--error-format=", "-q"}),
                      "--error-format= has no value");
   EXPECT_FALSE(fs::exists("--checked"));
+  EXPECT_EQ(treedyn({"generate", kModel, "--effort", "0", "-o", scratch("some"),
+                     "--stamp=" + scratch("a=")})
+                .status,
+            0);
   EXPECT_FALSE(fs::exists(out()));
   for (const auto& [line, what] : std::map<std::string, std::string>{
            {"scalar = ", "--scalar has no value; expected one"},
+           {"step = 0.02", "--step: is of the step of a scene; expected --scene FILE"},
            {"points = ''", "--points has no value; expected one"},
            {"checked = maybe", "Could not convert: --checked = maybe"}}) {
     write_file(scratch("s.txt"), "effort = 0\n" + line + "\n");
@@ -295,6 +300,12 @@ TEST_F(Cli, VetsEquationsOfTheModel) {
   const Outcome outcome = treedyn({"vet", model});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.out, HasSubstr("equation 'own': sum of A"));
+  const std::string bare = scratch("bare.yaml");  // points are named elsewhere
+  write_file(bare,
+             "name: bare\nlinks: [{name: a, father: ground, joint: {name: j, type: revolute, "
+             "axis: [0, 0, 1]}, mass: 1, com: [1, 0, 0]}]\n"
+             "equations: [{name: own, value: T(C) * qd}]\n");
+  EXPECT_EQ(treedyn({"vet", bare}).out, "");
 }
 
 TEST_F(Cli, VetsInThreeFormats) {

@@ -127,11 +127,11 @@ file(RENAME ${scratch}/third ${scratch}/second)
 # Calls that are wrong say what is wrong with them.
 file(READ ${scratch}/project/CMakeLists.txt project)
 file(COPY ${scratch}/project/ DESTINATION ${scratch}/wrong PATTERN CMakeLists.txt EXCLUDE)
-function(expect_refusal from to message)
+function(expect_refusal from to message)  # more arguments are those of cmake
   string(REPLACE "${from}" "${to}" wrong "${project}")
   file(WRITE ${scratch}/wrong/CMakeLists.txt "${wrong}")
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${scratch}/wrong -B ${scratch}/wrong_build -G Ninja -DCMAKE_CXX_COMPILER=${CXX}
-                          -DCMAKE_PREFIX_PATH=${scratch}/second
+                          -DCMAKE_PREFIX_PATH=${scratch}/second ${ARGN}
                   OUTPUT_QUIET ERROR_VARIABLE error RESULT_VARIABLE status)
   string(REGEX REPLACE "[ \n]+" " " error "${error}")
   string(FIND "${error}" "${message}" place)
@@ -144,6 +144,8 @@ expect_refusal("NAME in_c" "STEM in_c" "'STEM;in_c' is not expected in treedyn_g
 expect_refusal("SCENE swing.yaml NAME swing" "NAME swing" "one of MODEL and SCENE is needed; expected treedyn_generate(TARGET")
 expect_refusal("FOLDER \${CMAKE_CURRENT_BINARY_DIR}/arm" "" "FOLDER has no value; expected treedyn_check(NAME")
 expect_refusal("project(consumer C CXX)" "project(consumer C)" "treedyn_generate: writes CXX; expected it among the LANGUAGES of project()")
+expect_refusal("CONTRACTION on" "CONTRACTION on" "there is no program '/nowhere/treedyn'; expected TREEDYN_EXECUTABLE"
+               -DTREEDYN_EXECUTABLE=/nowhere/treedyn)
 
 # A processor with 32 bits: the package is that of the machine that builds.
 if(EXISTS /usr/bin/arm-none-eabi-g++)
