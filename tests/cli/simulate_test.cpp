@@ -489,6 +489,50 @@ TEST_F(Simulate, ShowsContactsThatAreShorterThanRows) {
   EXPECT_GT(bounces, 1);
 }
 
+/// Each has columns, and arrows, of its own.
+TEST_F(Simulate, ShowsEveryContactOfOnePoint) {
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+             "/models/scenes/drop.model.yaml\neffects:\n  ground_contact:\n"
+             "    - {point: ball, stiffness: 1e3}\n"
+             "    - {point: ball, stiffness: 1e3, normal: [0, 0, -1], height: -2}\n"
+             "initial: {q: {height: 1}}\nduration: 0.1\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string(), "--report", "-o", out(), "-q"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json data = data_of(read_file(file("s.html")));
+  const std::vector<std::string> columns = data["columns"];
+  ASSERT_EQ(data["forces"].size(), 2U);
+  for (std::size_t contact = 0; contact < 2; ++contact) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t at = data["forces"][contact]["columns"][axis];
+      EXPECT_EQ(columns.at(at),
+                std::string("F[ball.") + "xyz"[axis] + "]" + (contact == 1 ? "#2" : ""));
+    }
+  }
+}
+
+/// The third joint of the model is the second that moves by itself.
+TEST_F(Simulate, NamesTheJointThatSticksBehindAMimic) {
+  std::string text = R"(<robot name="m"><link name="base"/>)";
+  std::string father = "base";
+  for (const auto& [name, more] :
+       {std::pair("a", ""), {"b", R"(<mimic joint="a" multiplier="2"/>)"}, {"c", ""}}) {
+    text += R"(<link name="l)" + std::string(name) +
+            R"("><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" )"
+            R"(izz="1"/></inertial></link><joint name=")" +
+            name + R"(" type="continuous"><parent link=")" + father + R"("/><child link="l)" +
+            name + R"("/><axis xyz="0 1 0"/>)" + more + "</joint>";
+    father = "l" + std::string(name);
+  }
+  write_file(scratch("m.urdf"), text + "</robot>");
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: m.urdf\neffects: {coulomb_friction: [{joint: c, force: 1}]}\n"
+             "stepping: {integrator: dopri5}\nduration: 1\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string(), "--as-generated"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("coulomb friction of joint 'c' sticks"));
+}
+
 /// Nine series, of which a plot holds eight.
 TEST_F(Simulate, KeepsComponentsOfAPointTogether) {
   write_file(scratch("m.yaml"),
