@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "common/decimal.hpp"
 #include "description/read.hpp"
 
 namespace treedyn {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/scene_facts.hpp"
+#include "simulation/column_names.hpp"
 #include "simulation/sign_changes.hpp"
 #include "simulation/simulator.hpp"
 
