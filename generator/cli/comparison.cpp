@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/step_sizes.hpp"
+#include "model/scene_facts.hpp"
 
 namespace treedyn {
 
@@ -46,7 +47,7 @@ Comparison::Comparison(const Subject& subject, std::vector<model::Point> points)
   const model::Scene& scene = subject.scene;
   for (const model::Constraint& c : scene.constraints) {
     const bool held = c.accelerations.empty();
-    (is_angle(scene.tree, c) ? turns_ : slides_) |= held;
+    (model::is_angular(scene.tree, c) ? turns_ : slides_) |= held;
   }
   const auto ends = [](const model::Phase& phase) {
     return !phase.until.empty();

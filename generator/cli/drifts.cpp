@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/scene_facts.hpp"
+
 namespace treedyn {
 
 using simulation::Vector;
-
-bool is_angle(const model::Tree& tree, const model::Constraint& constraint) {
-  if (constraint.kind != model::ConstraintKind::kJoint) {
-    return constraint.kind == model::ConstraintKind::kOrientation;
-  }
-  return tree.moved_by(constraint.joint).joint.type == model::JointType::kRevolute;
-}
 
 Drifts::Drifts(const model::Scene& scene, simulation::Dynamics& dynamics)
     : scene_(scene), system_(scene, dynamics, 0), states_(formulate::phase_states(scene, true)) {}
@@ -64,7 +59,7 @@ void Drifts::look(double t, const Vector& q, const Vector& qd) {
     if (!constraints.is_held(k) || c.sticks) {
       continue;
     }
-    const bool turns = is_angle(scene_.tree, c);
+    const bool turns = model::is_angular(scene_.tree, c);
     double& off = turns ? largest_.angle : largest_.length;
     double& speed = turns ? largest_.rate : largest_.speed;
     off = std::max(off, std::fabs(phi_[k]));

@@ -17,9 +17,6 @@ struct OffRows {
   double rate = 0;    ///< rad/s
 };
 
-/// True if rows of the constraint are about angles.
-bool is_angle(const model::Tree& tree, const model::Constraint& constraint);
-
 /// Follows a motion that a generated step computes. Rows that state their acceleration have no
 /// place, and joints that dry friction holds do not count.
 class Drifts {

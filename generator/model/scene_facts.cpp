@@ -91,6 +91,12 @@ bool has_anchor(const Scene& scene, const std::vector<int>& constraints) {
                      [&](int c) { return anchor_size(scene, c) > 0; });
 }
 
+bool is_angular(const Tree& tree, const Constraint& constraint) {
+  return constraint.kind == ConstraintKind::kJoint
+             ? tree.moved_by(constraint.joint).joint.type == JointType::kRevolute
+             : constraint.kind == ConstraintKind::kOrientation;
+}
+
 std::string without_value(const Scene& scene, double time, const std::vector<double>& state,
                           const AtPoint& at_point) {
   const auto has_value = [&](const Expression& law, int point) {

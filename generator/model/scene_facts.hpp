@@ -34,6 +34,9 @@ int anchor_offset(const Scene& scene, int constraint);
 /// True if one of the constraints has an anchor.
 bool has_anchor(const Scene& scene, const std::vector<int>& constraints);
 
+/// True if the rows of a constraint are about angles, and its reactions are moments.
+bool is_angular(const Tree& tree, const Constraint& constraint);
+
 /// The value of a variable at a point of the scene.
 using AtPoint = std::function<double(int point, const Variable& variable)>;
 /// "drive of joint 'elbow'": what acts and has no value at a state; empty if there is none.

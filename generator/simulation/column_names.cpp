@@ -55,18 +55,13 @@ const std::string& point_name(const model::Scene& scene, int point) {
   return scene.points[static_cast<std::size_t>(point)].name;
 }
 
-bool is_moment(const model::Scene& scene, const model::Constraint& constraint) {
-  return constraint.kind == model::ConstraintKind::kOrientation ||
-         (constraint.kind == model::ConstraintKind::kJoint && turns(scene.tree, constraint.joint));
-}
-
 void add_reactions(const model::Scene& scene, std::vector<Column>& result) {
   const std::vector<std::string> names = reaction_names(scene);
   std::size_t row = 0;
   for (const model::Constraint& constraint : scene.constraints) {
     for (std::size_t k = 0; k < constraint.rows(); ++k) {
-      result.push_back(
-          {fmt::format("R[{}]", names[row++]), is_moment(scene, constraint) ? "N m" : "N"});
+      result.push_back({fmt::format("R[{}]", names[row++]),
+                        model::is_angular(scene.tree, constraint) ? "N m" : "N"});
     }
   }
 }

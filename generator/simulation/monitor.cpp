@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "model/scene_facts.hpp"
 #include "simulation/column_names.hpp"
 
 namespace treedyn::simulation {
@@ -28,13 +29,6 @@ constexpr int kFirstSteps = 10;
 constexpr double kOwnSpeed = 1e-3;
 /// Speeds that roundings leave of an impact or of a stop, 1/s or sizes of the mechanism a second.
 constexpr double kNoSpeed = 1e-11;
-
-bool is_length(const model::Scene& scene, const model::Constraint& constraint) {
-  if (constraint.kind == model::ConstraintKind::kJoint) {
-    return scene.tree.moved_by(constraint.joint).joint.type == model::JointType::kPrismatic;
-  }
-  return constraint.kind != model::ConstraintKind::kOrientation;
-}
 
 Vector nearby(const Vector& q) {
   Vector result = q;
@@ -79,7 +73,7 @@ Monitor::Monitor(const model::Scene& scene, const Bounds& bounds)
 }
 
 double Monitor::scale_of(const model::Constraint& constraint) const {
-  return is_length(scene_, constraint) ? size_ : 1;
+  return model::is_angular(scene_.tree, constraint) ? 1 : size_;
 }
 
 Monitor::Row Monitor::row(const Constraints& constraints, int k) const {
@@ -211,9 +205,10 @@ void Monitor::drift(System& system, double t, const Vector& q) {
       continue;
     }
     const char* const unit =
-        is_length(scene_, scene_.constraints[static_cast<std::size_t>(constraints.constraint(k))])
-            ? "m"
-            : "rad";
+        model::is_angular(scene_.tree,
+                          scene_.constraints[static_cast<std::size_t>(constraints.constraint(k))])
+            ? "rad"
+            : "m";
     note({"drift", names_[row.name], t, off, bounds_.drift_warning * row.scale, 0, 0, unit,
           fmt::format("constraint '{}' acts and is {:.3g} {} off at t = {:.6g} s (bound {:.2g})",
                       names_[row.name], off, unit, t, bounds_.drift_warning * row.scale)});
