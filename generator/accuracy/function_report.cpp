@@ -26,7 +26,11 @@ Cells worst_cells(const Worst& worst, const char* format) {
 
 /// So that printing this many digits makes it no smaller.
 double rounded_up(double bound, int digits) {
-  return bound * (1 + 0.51 * std::pow(10, 1 - digits));
+  if (!(bound > 0) || !std::isfinite(bound)) {
+    return bound;
+  }
+  const double unit = std::pow(10, std::floor(std::log10(bound)) + 1 - digits);
+  return unit * std::ceil(bound / unit);
 }
 
 /// "1.9e-06 16x"; running bounds in brackets.

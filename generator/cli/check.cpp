@@ -109,7 +109,8 @@ std::string check_files(const std::vector<emit::File>& files, const std::string&
     const std::string path = (fs::path(folder) / file.name).string();
     const std::optional<std::string> present = content(path);
     if (!present) {
-      report += fmt::format("missing: {}\n", path);
+      std::error_code ignored;
+      report += fmt::format("{}: {}\n", fs::exists(path, ignored) ? "no file" : "missing", path);
     } else if (*present != file.text) {
       report += verdict(*present, file.text, path);
       diffs += without_returns(*present) == file.text

@@ -196,8 +196,10 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
   }
   if (request.share_limbs && (request.scene || request.target.lanes > 1)) {
     throw CLI::ParseError(
-        "--share-limbs: functions of a scene and of several states at once have no shared limbs; "
-        "expected a MODEL and 1 lane",
+        fmt::format(
+            "--{}: functions of a scene and of several states at once have no shared limbs; "
+            "expected a MODEL and 1 lane",
+            request.target.limb_lanes ? "limb-lanes" : "share-limbs"),
         kUsage);
   }
   const bool lanes = request.target.lanes > 1;

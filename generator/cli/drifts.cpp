@@ -12,10 +12,10 @@ using simulation::Vector;
 Drifts::Drifts(const model::Scene& scene, simulation::Dynamics& dynamics)
     : scene_(scene), system_(scene, dynamics, 0), states_(formulate::phase_states(scene, true)) {}
 
-void Drifts::begin(double t, const Vector& q) {
+void Drifts::begin(int state, double t, const Vector& q) {
   system_.constraints().activate({});
   largest_ = {};
-  act(scene_.start_phase, t, q);
+  act(state, t, q);
 }
 
 void Drifts::act(int state, double t, const Vector& q) {

@@ -24,8 +24,8 @@ class Drifts {
   /// \param scene  as its step has it: settle_sticking \pre both outlive this
   Drifts(const model::Scene& scene, simulation::Dynamics& dynamics);
 
-  /// The motion begins.
-  void begin(double t, const simulation::Vector& q);
+  /// The motion begins in a state of phase_states(scene, true).
+  void begin(int state, double t, const simulation::Vector& q);
   /// Events have led to a state of phase_states(scene, true): rows begin to act or are pinned.
   void change(int state, double t, const simulation::Vector& q);
   void look(double t, const simulation::Vector& q, const simulation::Vector& qd);

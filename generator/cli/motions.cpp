@@ -37,7 +37,7 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
   const auto t0 = static_cast<long double>(scene.t0);
   begin_motion(scene, start.q, start.qd, step);
   if (drifts != nullptr) {
-    drifts->begin(static_cast<double>(t0), start.q);
+    drifts->begin(scene.start_phase, static_cast<double>(t0), start.q);
   }
   const auto argument = [&](const char* name) {
     return step.has(name) ? &step.at(name) : nullptr;
@@ -157,10 +157,21 @@ StepFiles stepped_files(const Subject& subject, const Stepped& how, StepWriter& 
   return writer.files(stepped_scene(subject, how), form, how.variant.without);
 }
 
+namespace {
+
+/// The scene of a step from another state, which decides what sticks to begin with.
+model::Scene settled_at(model::Scene scene, const Start& start) {
+  scene.q0.assign(start.q.begin(), start.q.end());
+  scene.qd0.assign(start.qd.begin(), start.qd.end());
+  formulate::settle_sticking(scene);
+  return scene;
+}
+
+}  // namespace
+
 std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
                                     const StepFiles& files) {
-  model::Scene scene = stepped_scene(subject, how);
-  formulate::settle_sticking(scene);
+  const model::Scene scene = stepped_scene(subject, how);
   GeneratedStep step(files.name, files.files, files.stepper);
   std::optional<Drifts> drifts;
   model::Scene whole = subject.scene;  // the phases of a scene without some force are the same
@@ -172,16 +183,16 @@ std::vector<Motion> stepped_motions(const Subject& subject, const Stepped& how,
   std::vector<Motion> result;
   result.reserve(subject.starts.size());
   for (const Start& start : subject.starts) {
-    result.push_back(stepped_motion(subject, scene, start, step, drifts ? &*drifts : nullptr));
+    result.push_back(stepped_motion(subject, settled_at(scene, start), start, step,
+                                    drifts ? &*drifts : nullptr));
   }
   return result;
 }
 
 double step_seconds(const Subject& subject, const Stepped& how, const StepFiles& files) {
-  model::Scene scene = stepped_scene(subject, how);
-  formulate::settle_sticking(scene);
+  const Start& start = subject.starts.front();
   GeneratedStep step(files.name, files.files, files.stepper);
-  begin_motion(scene, subject.starts.front().q, subject.starts.front().qd, step);
+  begin_motion(settled_at(stepped_scene(subject, how), start), start.q, start.qd, step);
   return step.seconds();
 }
 

@@ -103,7 +103,14 @@ std::string numeric_report(const Model& model, const Request& request,
     report += old_values.contains(signature.name) && new_values.contains(signature.name)
                   ? distance_line(signature.name, old_values.at(signature.name),
                                   new_values.at(signature.name))
-                  : fmt::format("numeric: {}: the old files do not compile\n", signature.name);
+                  : fmt::format("numeric: {}: the old files do not compile, or are not all there\n",
+                                signature.name);
+  }
+  for (const std::string& name : model.scene_functions) {
+    report += fmt::format("numeric: {}: a function of a scene, not compared\n", name);
+  }
+  if (request.checked) {
+    report += "numeric: functions that return a status are not compared\n";
   }
   return report;
 }

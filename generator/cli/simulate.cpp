@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -30,6 +31,8 @@ constexpr int kRows = 500;
 constexpr double kDriftInFloat = 1e-4;
 /// Rows that a run may have.
 constexpr double kMostRows = 1e6;
+/// Rounding of a number of steps, as a part of it.
+constexpr double kWhole = 1e-9;
 
 /// The options of the command line go before what the scene says.
 void apply(const SimulateRequest& request, model::Scene& scene) {
@@ -144,6 +147,15 @@ std::unique_ptr<GeneratedStep> generated_step(const SimulateRequest& request,
   result.warnings = files.warnings;
   formulate::settle_loops(result.scene);
   formulate::settle_sticking(result.scene);
+  const auto step = static_cast<double>(result.scene.stepping.step);
+  const double count = static_cast<double>(result.scene.duration) / step;
+  if (std::fabs(count - std::round(count)) > kWhole * count) {
+    result.warnings.push_back(
+        {{request.scene, 0, 0},
+         fmt::format("the motion ends at t = {:.6g} s: no whole number of steps of {} s makes the "
+                     "duration",
+                     static_cast<double>(result.scene.t0) + std::round(count) * step, step)});
+  }
   return std::make_unique<GeneratedStep>(files.name, files.files, files.stepper);
 }
 

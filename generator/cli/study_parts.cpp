@@ -207,6 +207,11 @@ constexpr const char* kEnding = ".part";
 
 std::string name_of(std::size_t number) { return fmt::format("setting_{}", number); }
 
+/// What stands before the words of a part: they are its own, and all of them.
+std::string seal(const std::string& part, const std::string& words) {
+  return fmt::format("{} {}\n", part, emit::sha256(words));
+}
+
 /// As one word of a shell.
 std::string quoted(const std::string& word) {
   std::string text;
@@ -229,21 +234,29 @@ std::string StudyParts::path(const std::string& part) const {
 
 std::optional<std::string> StudyParts::read(const std::string& part) const {
   const std::optional<std::string> text = folder_.empty() ? std::nullopt : read_file(path(part));
-  const bool is_ours = text && text->starts_with(head_);
-  if (!text || (!is_ours && others_ == Others::kReplaced)) {
+  if (!text) {
     return std::nullopt;
   }
-  if (!is_ours) {
-    throw InputError({path(part), 1, 0},
-                     "is of another study, of other options, scene, model or version; expected "
-                     "another folder");
+  const bool is_ours = text->starts_with(head_);
+  const std::size_t start = text->find('\n', head_.size()) + 1;  // 0: there is none
+  std::string words = is_ours && start > 0 ? text->substr(start) : "";
+  if (is_ours && *text == head_ + seal(part, words) + words) {
+    return words;
   }
-  return text->substr(head_.size());
+  if (others_ == Others::kReplaced) {
+    return std::nullopt;
+  }
+  throw InputError({path(part), is_ours ? 2 : 1, 0},
+                   is_ours
+                       ? "is another part of the study, or was changed; expected the part as it "
+                         "was written"
+                       : "is of another study, of other options, scene, model or version; "
+                         "expected another folder");
 }
 
 void StudyParts::write(const std::string& part, const std::string& text) const {
   if (!folder_.empty()) {
-    write_files({{path(part), head_ + text}});
+    write_files({{path(part), head_ + seal(part, text) + text}});
   }
 }
 

@@ -116,7 +116,8 @@ class PhaseReader {
             fields.get("crossing").where,
             fmt::format("crossing '{}' is unknown; expected falling or rising", shown(crossing)));
       }
-      event.value = crossing == "rising" ? -event.value : event.value;
+      event.rises = crossing == "rising";
+      event.value = event.rises ? -event.value : event.value;
     } else if (kind == "touch_down") {
       const SceneFields at =
           context_.fields(cause, what + ": touch_down", {"point", "normal", "height"})

@@ -181,7 +181,14 @@ bool SceneEffects::entry_acts(std::string_view effect, const SceneFields& fields
   return acts(effect) && use != Use::kOff;
 }
 
-/// Entries that are off are checked like others and then left out.
+/// One that is zero does nothing; what is known at run time only is never zero.
+void SceneEffects::add(model::PointLaw law) {
+  entry_is_nothing_ = !scene().declares_parameters &&
+                      std::ranges::all_of(law.value, [](const auto& x) { return x.is_zero(); });
+  scene().point_laws.push_back(std::move(law));
+}
+
+/// Entries that are off or do nothing are checked like others and then left out.
 void SceneEffects::read_entries(const Row& row, const SceneFields& effects, const Node& node) {
   Keys keys = row.keys;
   keys.push_back("use");
@@ -192,10 +199,12 @@ void SceneEffects::read_entries(const Row& row, const SceneFields& effects, cons
     const bool used = entry_acts(row.effect, fields);
     const model::Scene before = scene();
     entry_is_off_ = !used;
+    entry_is_nothing_ = false;
     (this->*row.read)(fields);
     if (used) {
       ++acting_[std::string(row.effect)];
-    } else {
+    }
+    if (!used || entry_is_nothing_) {
       scene() = before;
     }
   }
@@ -211,7 +220,9 @@ void SceneEffects::coulomb_friction(const SceneFields& fields) {
   const int joint = context_.joint(fields);
   const Real slip_speed = positive_at_run_time(fields, "slip_speed");
   if (slip_speed == 0) {
-    scene().frictions.push_back({joint, fields.fixed().amount("force")});
+    const Real force = fields.fixed().amount("force");
+    entry_is_nothing_ = force == 0;
+    scene().frictions.push_back({joint, force});
   } else {
     add(model::coulomb_friction(joint, fields.amount("force"), slip_speed));
   }
@@ -231,7 +242,9 @@ void SceneEffects::stribeck_friction(const SceneFields& fields) {
 }
 
 void SceneEffects::armature(const SceneFields& fields) {
-  scene().armatures.push_back({context_.joint(fields), fields.amount("inertia")});
+  const Real inertia = fields.amount("inertia");
+  entry_is_nothing_ = inertia == 0 && !scene().declares_parameters;
+  scene().armatures.push_back({context_.joint(fields), inertia});
 }
 
 void SceneEffects::joint_spring(const SceneFields& fields) {
@@ -246,8 +259,7 @@ void SceneEffects::point_spring(const SceneFields& fields) {
   const model::Vector3 anchor = fields.vector("anchor");
   const Real stiffness = fields.amount("stiffness");
   const Real damping = fields.amount_or("damping", 0);
-  scene().point_laws.push_back(
-      model::point_spring(point, anchor, stiffness, damping, fields.amount_or("rest_length", 0)));
+  add(model::point_spring(point, anchor, stiffness, damping, fields.amount_or("rest_length", 0)));
 }
 
 /// A torque, or kp (target - q) + kd (target' - qd), or their sum.
@@ -288,12 +300,12 @@ model::VectorExpression SceneEffects::load(const SceneFields& fields) const {
 
 void SceneEffects::force(const SceneFields& fields) {
   const int point = context_.point(fields);
-  scene().point_laws.push_back(model::point_force(point, load(fields)));
+  add(model::point_force(point, load(fields)));
 }
 
 void SceneEffects::moment(const SceneFields& fields) {
   const int point = context_.point(fields);
-  scene().point_laws.push_back(model::moment(point, load(fields)));
+  add(model::moment(point, load(fields)));
 }
 
 void SceneEffects::ground_contact(const SceneFields& fields) {

@@ -62,6 +62,7 @@ class SceneEffects {
   void read_directions(const SceneFields& fields, model::Constraint& constraint) const;
   void read_accelerations(const SceneFields& fields, model::Constraint& constraint) const;
   void add(model::JointLaw law) { scene().joint_laws.push_back(std::move(law)); }
+  void add(model::PointLaw law);
   void add(const SceneFields& fields, model::Constraint constraint);
   void refuse_friction_at_rest(const SceneFields& root, const model::Constraint& constraint) const;
   void refuse_second(const SceneFields& fields, const std::string& name) const;
@@ -73,6 +74,7 @@ class SceneEffects {
   std::map<std::string, int, std::less<>> constraints_off_;
   std::map<std::string, Place, std::less<>> places_;  ///< of the entries of constraints
   bool entry_is_off_ = false;
+  bool entry_is_nothing_ = false;  ///< its numbers are zero
 };
 
 }  // namespace treedyn::description

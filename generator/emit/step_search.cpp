@@ -185,13 +185,18 @@ std::string SearchWriter::cut() const {
        {"further", literal(Real("0.0625"), scalar_)},
        {"beyond", literal(ldexp(Real(1), single ? -12 : -32), scalar_)},
        {"more", literal(Real(single ? 64 : 1024), scalar_)},
+       {"still", literal(ldexp(Real(1), single ? -6 : -14), scalar_)},
        {"lost", loses ? "/// A last correction beyond this part of h has not found the event.\n"
                         "constexpr " +
-                            type_name(scalar_) + " kLost = " + literal(Real("0.25"), scalar_) + ";"
+                            type_name(scalar_) + " kLost = " + literal(Real("0.25"), scalar_) +
+                            ";\nconstexpr " + type_name(scalar_) +
+                            " kLate = " + literal(Real("0.75"), scalar_) + " * h;"
                       : ""},
        {"begin", loses ? "  bool lost = false;" : ""},
        {"is_lost", loses ? "      lost = lost || way > kLost * h;" : ""},
-       {"end", loses ? "  to.failed |= lost ? status::event_missed : 0;" : ""},
+       {"end", loses ? "  lost = lost || (!behind && !(to.at < h) && low.at < kLate);\n"
+                       "  to.failed |= lost ? status::event_missed : 0;"
+                     : ""},
        {"one_half", literal(Real("0.5"), scalar_)},
        {"approach_now", stepper_.most_approaches() > 0 ? "    approach(motion, now);" : ""}});
 }

@@ -193,7 +193,8 @@ std::string brief_of(const Scene& scene, const Event& event) {
       return fmt::format("{} {}", row.sticks ? "beyond" : "lift_off of", row.name);
     }
     case EventKind::kExpression:
-      return event.stops < 0 ? "the expression falls below zero"
+      return event.stops < 0 ? fmt::format("the expression {} zero",
+                                           event.rises ? "rises above" : "falls below")
                              : fmt::format("{} stops", scene.tree.moved_by(event.stops).joint.name);
     case EventKind::kTime:
       break;

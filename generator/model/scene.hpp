@@ -128,7 +128,8 @@ struct Event {
   int point = 0;
   int constraint = -1;
   Plane plane;
-  Expression value;
+  Expression value;     ///< falls through zero
+  bool rises = false;   ///< `value` is the negative of what the scene says
   Real not_before = 0;  ///< s after the phase began
   std::optional<Impact> impact;
   std::vector<int> pins;  ///< constraints whose curve moves to where their points are

@@ -260,8 +260,10 @@ void refuse_parameters(const Request& request, const std::string& file) {
     if (given) {
       throw InputError(
           {file, 0, 0},
-          fmt::format("has run-time parameters, and {} is for models without; expected one of both",
-                      option));
+          fmt::format(
+              "numbers are known at run time only, and {} is for models without such; expected "
+              "one of both",
+              option));
     }
   }
 }

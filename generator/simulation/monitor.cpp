@@ -220,8 +220,9 @@ void Monitor::drift(System& system, double t, const Vector& q) {
   }
 }
 
-/// How large the robot is, and the energy of its fall by this size, or of roundings if it has none.
-void Monitor::measure(const Vector& q) {
+/// How large the robot is, and the energy of its fall by this size, or of roundings if it has
+/// none: of a motion of all joints by 1 rad/s and 1 m/s.
+void Monitor::measure(System& system, const Vector& q) {
   Eigen::AlignedBox3d box;
   double most = 0;
   double weight = 0;
@@ -240,17 +241,19 @@ void Monitor::measure(const Vector& q) {
     }
   }
   size_ = box.isEmpty() || box.diagonal().norm() == 0 ? 1 : box.diagonal().norm();
-  weight_ = std::max(weight * size_,
-                     kRoundings * std::numeric_limits<double>::epsilon() * (most + q.norm()));
+  const Vector ones = Vector::Ones(q.size());
+  pose_.update(q, ones);
+  most += pose_.kinetic_energy() + system.armature_energy(ones) + q.norm();
+  weight_ = std::max(weight * size_, kRoundings * std::numeric_limits<double>::epsilon() * most);
 }
 
 void Monitor::restart_energy(System& system, const Vector& q, const Vector& qd) {
   energy_ = simulation::energy(system, pose_, q, qd);
   if (!has_energy_) {
-    measure(q);
     has_energy_ = true;
     potential_ = pose_.potential_energy();
     exchanged_ = energy_ - potential_;
+    measure(system, q);
   }
 }
 
@@ -270,7 +273,7 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
                 Scale{kPowerSteps * h * work.power, "of its forces' power in a hundred steps"}},
                [](const Scale& a, const Scale& b) { return a.first < b.first; });
   const double part = unexplained_ / scale;
-  worst_energy_ = std::max(worst_energy_, std::fabs(unexplained_) / std::max(exchanged_, weight_));
+  most_unexplained_ = std::max(most_unexplained_, std::fabs(unexplained_));
   if (!scene_.velocity_products || ++energy_steps_ <= kFirstSteps ||
       !(part > bounds_.energy_warning)) {
     return;

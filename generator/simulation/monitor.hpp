@@ -1,6 +1,7 @@
 // What a motion promises, looked at in every step: warnings, and the end where a promise is broken.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,9 @@ class Monitor {
  public:
   Monitor(const model::Scene& scene, const Bounds& bounds);
 
+  /// A joint begins to move. Where nothing has moved before, the motion begins here: its first steps
+  /// are not judged by the energy that they have exchanged.
+  void break_away() { energy_steps_ = exchanged_ > weight_ ? energy_steps_ : 0; }
   /// The row equations in the state that `System::accelerate` has just seen.
   /// \throws std::runtime_error beyond the second bound, as all others
   void row_equations(const System& system, double t, double h);
@@ -93,7 +97,9 @@ class Monitor {
   [[nodiscard]] const std::vector<Notice>& notices() const { return notices_; }
   /// Largest energy that no force explains, as a part of what was exchanged until then, or of a
   /// fall by the size of the robot.
-  [[nodiscard]] double energy_error() const { return worst_energy_; }
+  [[nodiscard]] double energy_error() const {
+    return most_unexplained_ > 0 ? most_unexplained_ / std::max(exchanged_, weight_) : 0;
+  }
   [[nodiscard]] double unexplained() const { return unexplained_; }  ///< J, now
   [[nodiscard]] double largest_residual() const { return largest_residual_; }
   [[nodiscard]] double largest_drift() const { return largest_drift_; }
@@ -107,13 +113,13 @@ class Monitor {
   };
   [[nodiscard]] Row row(const Constraints& constraints, int k) const;
   [[nodiscard]] double scale_of(const model::Constraint& constraint) const;
-  void measure(const Vector& q);
+  void measure(System& system, const Vector& q);
 
   const model::Scene& scene_;
   Bounds bounds_;
   Pose pose_;
   double size_ = 1;
-  double weight_ = 0;  ///< J, of a fall by the size
+  double weight_ = 0;  ///< J, of a fall by the size, or of roundings
   std::vector<std::string> names_;
   std::vector<std::size_t> first_;  ///< of a constraint, in names_
   std::vector<double> lost_;        ///< velocity of each row
@@ -126,7 +132,7 @@ class Monitor {
   double worked_ = 0;     ///< J, by all forces, either way
   int energy_steps_ = 0;
   double unexplained_ = 0;  ///< J
-  double worst_energy_ = 0;
+  double most_unexplained_ = 0;  ///< J
   double largest_residual_ = 0;
   double largest_drift_ = 0;
 };

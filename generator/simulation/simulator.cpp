@@ -135,11 +135,10 @@ double Simulator::settle() {
   return (y_ - before).cwiseAbs().maxCoeff();
 }
 
-/// Points that begin below a plane from which they would rebound.
+/// Points that begin below a plane of an impact.
 void Simulator::note_points_below() {
   for (const Watch& watch : watches_) {
-    if (watch.kind != Watch::Kind::kEvent || watch.side > 0 || !watch.event->impact ||
-        watch.event->impact->restitution == 0) {
+    if (watch.kind != Watch::Kind::kEvent || watch.side > 0 || !watch.event->impact) {
       continue;
     }
     const double depth = -watch.value(system_, t_, y_);
@@ -350,9 +349,25 @@ void Simulator::guard_against_standstill(double end) {
   }
 }
 
+/// The acting constraints but for those of frictions that cannot hold their joint.
+std::vector<int> Simulator::holding() {
+  std::vector<int> result = system_.constraints().active();
+  for (const model::Event& event : scene_.phases[static_cast<std::size_t>(phase_)].until) {
+    if (event.kind == model::EventKind::kReaction &&
+        scene_.constraints[static_cast<std::size_t>(event.constraint)].sticks) {
+      const Eigen::Vector3d force = system_.reaction(t_, y_, event.constraint);
+      if (force.norm() > static_cast<double>(event.plane.height)) {
+        std::erase(result, event.constraint);
+      }
+    }
+  }
+  return result;
+}
+
 Stability Simulator::stability(Dynamics& dynamics) {
   System closed(scene_, dynamics, alpha(settings_));
   closed.constraints() = system_.constraints();
+  closed.constraints().activate(holding());
   closed.frictions() = system_.frictions();
   Stability result = stability_at(scene_, closed, t_, q(), qd());
   for (const StabilityLimit& limit : result.limits) {

@@ -215,6 +215,7 @@ void Simulator::happen(Watch& watch) {
     case Kind::kStick:
       y_[system_.dof() + system_.frictions()[watch.index].joint] = 0;
       stick_or_slip(watch.index);
+      monitor_.break_away();
       break;
   }
 }
@@ -227,7 +228,7 @@ void Simulator::stick_or_slip(std::size_t k) {
   if (friction.direction == 0) {
     system_.accelerate(t_, q(), qd());
     const double hold = system_.holding_force(k);
-    friction.direction = std::fabs(hold) <= friction.force ? 0 : hold > 0 ? -1 : 1;
+    friction.direction = std::fabs(hold) <= friction.hold() ? 0 : hold > 0 ? -1 : 1;
   }
 }
 

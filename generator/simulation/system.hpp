@@ -51,6 +51,9 @@ struct DryFriction {
   int joint = 0;
   double force = 0;
   int direction = 0;
+
+  /// A little more than `force`: a joint that breaks away is accelerated beyond rounding.
+  [[nodiscard]] double hold() const { return force * (1 + 1e-11); }
 };
 
 /// A point on its way along a normal: what presses it, and what would feel it.

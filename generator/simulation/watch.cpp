@@ -20,7 +20,7 @@ double Watch::value(System& system, double t, const Vector& y) const {
       return y[n + system.frictions()[index].joint];
     case Kind::kStick:
       system.accelerate(t, y.head(n), y.tail(n));
-      return system.frictions()[index].force - std::fabs(system.holding_force(index));
+      return system.frictions()[index].hold() - std::fabs(system.holding_force(index));
   }
   return 0;
 }

@@ -513,6 +513,16 @@ TEST_F(Accuracy, IsMadeInPartsToTheSameBytes) {
   EXPECT_THAT(resumed.err, Not(HasSubstr("float rk4 0.02: ")));
   EXPECT_THAT(resumed.err, Not(HasSubstr("reference")));
 
+  const std::string second = read_file(parts + "/setting_2.part");
+  for (const std::string& wrong : {read_file(parts + "/setting_1.part"), second + "0\n",
+                                   second.substr(0, second.size() - 2)}) {
+    write_file(parts + "/setting_2.part", wrong);
+    const Outcome changed = study_into(scratch("joined"), {"--gather", parts});
+    EXPECT_EQ(changed.status, 1);
+    EXPECT_THAT(changed.err, HasSubstr("setting_2.part:2: is another part of the study, or was"));
+  }
+  write_file(parts + "/setting_2.part", second);
+
   const Outcome other = treedyn({"accuracy", kPendulum, "--states", "3", "--gather", parts});
   EXPECT_EQ(other.status, 1);
   EXPECT_THAT(other.err, HasSubstr("reference.part:1: is of another study"));
@@ -618,6 +628,24 @@ TEST_F(Accuracy, WritesSettingsThatGenerateTakes) {
     EXPECT_EQ(refused.status, 1);
     EXPECT_THAT(refused.err, HasSubstr(settings + ":2: settings: " + what));
   }
+}
+
+/// 2 kg that 4 N of friction hold, and others that slide at up to 1 m/s until they stop: of rk4 the
+/// motion is a parabola, and its errors are those of the time at which it ends.
+TEST_F(Accuracy, FollowsOtherStatesThatDoNotStick) {
+  const std::string scene = scratch("rest.yaml");
+  write_file(scratch("slider.yaml"),
+             "name: slider\nlinks:\n  - {name: body, father: ground, joint: {name: x, type: "
+             "prismatic, axis: [1, 0, 0]}, mass: 2}\n");
+  write_file(scene,
+             "scene: rest\nmodel: slider.yaml\neffects:\n  coulomb_friction: [{joint: x, force: "
+             "4}]\nduration: 1\n");
+  const Outcome outcome =
+      treedyn({"accuracy", scene, "--steps", "0.01", "--states", "3", "--spread", "1",
+               "--integrators", "rk4", "--target", "1e-4", "-o", scratch("out")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("one of them is wrong")));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("error 0.00e+00")));
 }
 
 /// At 100 Hz a setting of 20 ms is none, though it would be the cheapest.

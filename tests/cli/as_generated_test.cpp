@@ -107,6 +107,54 @@ TEST(AsGenerated, TouchesDownWhereAPhaseLetsGo) {
   }
 }
 
+// On the plane and at rest, to begin with, what falls has hardly moved when the event is looked
+// for.
+TEST(AsGenerated, TouchesDownWhereItBeginsToFall) {
+  for (const char* const method : {"rk4", "dopri5-fixed", "sdirk2", "semi-implicit-euler"}) {
+    for (const double step : {0.001, 0.005, 0.01, 0.1}) {
+      const std::vector<Json> ends = both_ends_of(
+          kBall,
+          fmt::format("effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{{name: floor, "
+                      "point: foot, along: [z]}}]\nphases:\n  - name: fly\n    until: "
+                      "[{{touch_down: {{point: foot, height: 1}}, impact: {{constraints: "
+                      "[floor]}}, then: stand}}]\n  - name: stand\n    active: "
+                      "[floor]\ninitial: {{q: {{height: 1}}}}\nduration: 0.1\nstepping: "
+                      "{{integrator: {}, step: {}}}\n",
+                      method, step));
+      // the last cut is at least 2^-14 of the step behind; of Euler's the fall is twice g t^2/2
+      const double late = 0x1p-14 * step;
+      EXPECT_NEAR(last_state(ends[0], 1)[0], 1, 10.1 * late * late + 1e-14)
+          << method << ' ' << step;
+    }
+  }
+}
+
+const char* const kStiff =
+    "effects:\n  coulomb_friction: [{joint: height, force: 1}]\n  joint_spring: [{joint: height, "
+    "stiffness: 1e6}]\ninitial: {q: {height: 0.5}}\nstepping: {integrator: rk4, step: 0.01}\n";
+
+// What friction cannot hold moves in the first step: 1e3/s, a step of at most 2.83 ms.
+TEST(AsGenerated, WarnsOfStepsThatAreTooLongForWhatBreaksAway) {
+  const TemporaryFolder folder;
+  write_file((folder.path() / "model.yaml").string(), kBall);
+  const std::string file = (folder.path() / "s.yaml").string();
+  write_file(file, std::string("scene: s\nmodel: model.yaml\nduration: 0.05\n") + kStiff);
+  EXPECT_NE(
+      simulated(file, {"--as-generated"}).err.find("beyond the stability limit of rk4, 0.00283"),
+      std::string::npos);
+}
+
+TEST(AsGenerated, SaysWhereAMotionOfWholeStepsEnds) {
+  const TemporaryFolder folder;
+  write_file((folder.path() / "model.yaml").string(), kBall);
+  const std::string file = (folder.path() / "s.yaml").string();
+  write_file(file,
+             "scene: s\nmodel: model.yaml\nduration: 1\nstepping: {integrator: rk4, step: 0.3}\n");
+  EXPECT_NE(simulated(file, {"--as-generated"}).err.find("the motion ends at t = 0.9 s"),
+            std::string::npos);
+  EXPECT_EQ(simulated(file, {"--as-generated", "--step", "0.25"}).err, "");
+}
+
 // A ball comes to rest, and an event of the phase asks anew whether its floor holds it.
 TEST(AsGenerated, RestsOnThePlaneBehindOtherEvents) {
   for (const char* const impact :

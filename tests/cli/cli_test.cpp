@@ -203,6 +203,24 @@ TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
   EXPECT_THAT(outcome.out, HasSubstr("numeric: bias_force: largest distance 0,"));
 }
 
+TEST_F(Cli, NamesTheFunctionsWhoseValuesItDoesNotCompare) {
+  const std::vector<std::string> options = {
+      "--scene",     TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml",
+      "--functions", "constrained_dynamics,mass_matrix",
+      "--effort",    "0",
+      "-o",          out()};
+  std::vector<std::string> command = {"generate"};
+  command.insert(command.end(), options.begin(), options.end());
+  ASSERT_EQ(treedyn(command).status, 0);
+  write_file(file("pendulum.cpp"), read_file(file("pendulum.cpp")) + "// changed\n");
+  command.front() = "check";
+  command.emplace_back("--numeric");
+  const Outcome outcome = treedyn(command);
+  EXPECT_THAT(outcome.out, HasSubstr("numeric: mass_matrix: largest distance 0,"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("constrained_dynamics: a function of a scene, not compared\n"));
+}
+
 TEST_F(Cli, ComparesValuesInNamespacesAndSectionsOfTheUser) {
   const std::vector<std::string> options = {"--namespace", "arm", "--section", "RAM",
                                             "--effort",    "0",   "-o",        out()};

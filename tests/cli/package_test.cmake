@@ -22,7 +22,7 @@ treedyn_generate(swing SCENE swing.yaml NAME swing OPTIONS --effort 0 CONTRACTIO
 target_link_libraries(consumer PRIVATE swing)
 treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --settings=own.txt --functions mass_matrix,own CONTRACTION on)
 target_link_libraries(consumer PRIVATE in_c)
-treedyn_generate(default MODEL arm.yaml NAME arm_by_default OPTIONS ${nothing})
+treedyn_generate(default MODEL arm.yaml NAME no FOLDER off OPTIONS ${nothing})  # words like others
 set_target_properties(default PROPERTIES EXCLUDE_FROM_ALL TRUE)
 install(TARGETS arm EXPORT arms ARCHIVE DESTINATION lib)
 install(EXPORT arms DESTINATION lib/cmake/arms)

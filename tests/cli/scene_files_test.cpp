@@ -16,6 +16,23 @@ TEST_F(Cli, AScenesFilesDependOnSceneAndModel) {
 }
 
 /// A lift-off goes with the constraint that it waits for.
+TEST_F(Cli, SaysWhichWayAnExpressionCrossesZero) {
+  for (const std::string way : {"rising", "falling"}) {
+    const std::string scene = scratch(way + ".yaml");
+    write_file(scene, "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+                      "/models/two_link.yaml\nphases:\n  - {name: a, until: [{expression: "
+                      "\"q[elbow]-0.02\", crossing: " +
+                          way + ", then: b}]}\n  - {name: b}\nduration: 1\n");
+    EXPECT_EQ(treedyn({"generate", "--scene", scene, "--integrator", "rk4", "--step", "0.01",
+                       "--functions", "step", "--effort", "0", "-o", out()})
+                  .status,
+              0);
+    EXPECT_THAT(read_file(file("s.hpp")),
+                HasSubstr(way == "rising" ? "the expression rises above zero: b"
+                                          : "the expression falls below zero: b"));
+  }
+}
+
 TEST_F(Cli, PricesConstraintsThatLiftOff) {
   write_file(scratch("ball.yaml"),
              "name: ball\nlinks:\n  - {name: ball, father: ground, joint: {name: height, type: "

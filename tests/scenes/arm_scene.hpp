@@ -38,6 +38,8 @@ class SceneCode {
   [[nodiscard]] const CompiledModel& code() const { return *code_; }
   /// NAME.cpp without the comment that names the command.
   [[nodiscard]] std::string source() const { return read_file(folder_.path() / "generated.cpp"); }
+  /// NAME.hpp.
+  [[nodiscard]] std::string header() const { return read_file(folder_.path() / "generated.hpp"); }
   [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
   [[nodiscard]] Operations operations(const std::string& function) const {
     return code_->manifest().function(function).operations;

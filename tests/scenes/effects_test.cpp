@@ -214,6 +214,17 @@ TEST(Effects, PricesAreDifferencesOfCounts) {  // E2
 TEST(Effects, ZeroParametersAreFound) {  // E3
   EXPECT_EQ(ArmScene("  joint_spring:\n    - {joint: elbow, stiffness: 0, damping: 0}\n").source(),
             ArmScene("").source());
+  for (const char* const nothing :
+       {"coulomb_friction: [{joint: elbow, force: 0}]", "armature: [{joint: elbow, inertia: 0}]",
+        "force: [{point: tip, value: [0, t-t, 0*vx]}]",
+        "moment: [{point: tip, value: [0, 0, 0]}]",
+        "point_spring: [{point: tip, anchor: [1, 2, 3], stiffness: 0, rest_length: 0.3}]"}) {
+    const ArmScene scene(fmt::format("  {}\n", nothing));
+    EXPECT_EQ(scene.source(), ArmScene("").source()) << nothing;
+    EXPECT_EQ(scene.header(), ArmScene("").header()) << nothing;
+    EXPECT_EQ(scene.manifest("constrained_dynamics"),
+              ArmScene("").manifest("constrained_dynamics"));
+  }
   const ArmScene undamped("  joint_spring:\n    - {joint: elbow, stiffness: 30}\n");
   const ArmScene damped("  joint_spring:\n    - {joint: elbow, stiffness: 30, damping: 2}\n");
   EXPECT_EQ(total(damped.operations("constrained_dynamics")) -

@@ -49,6 +49,22 @@ TEST(Energy, OfDrivesAndLedPointsIsExplainedByTheirWork) {
   }
 }
 
+/// 2 kg that friction holds until the drive is stronger: the roundings of nothing are no energy.
+TEST(Energy, OfWhatHasNotMovedIsNone) {
+  for (const char* const step : {"0.001", "0.013", "0.03"}) {
+    model::Scene scene = falling_ball(
+        "effects:\n  coulomb_friction: [{joint: height, force: 4}]\n  drive: [{joint: height, "
+        "torque: 2*t}]\nduration: 4\n");
+    scene.stepping.integrator = "semi-implicit-euler";
+    scene.stepping.step = Real(step);
+    Running run(scene);
+    const Recording recording = run.record(0.1);
+    EXPECT_EQ(recording.stopped, "") << step;
+    EXPECT_EQ(find(recording.notices, "energy"), nullptr) << step;
+    EXPECT_LT(recording.energy_part, 1) << step;
+  }
+}
+
 /// The forces of a fixed step are its own quadrature: the balance closes to the method's order.
 TEST(Energy, IsBalancedByEveryMethod) {
   for (const char* const name : {"rk4", "dopri5-fixed", "sdirk2", "dopri5"}) {
