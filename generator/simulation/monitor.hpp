@@ -70,8 +70,8 @@ class Monitor {
  public:
   Monitor(const model::Scene& scene, const Bounds& bounds);
 
-  /// A joint begins to move. Where nothing has moved before, the motion begins here: its first steps
-  /// are not judged by the energy that they have exchanged.
+  /// A joint begins to move. Where nothing has moved before, the motion begins here: its first
+  /// steps are not judged by the energy that they have exchanged.
   void break_away() { energy_steps_ = exchanged_ > weight_ ? energy_steps_ : 0; }
   /// The row equations in the state that `System::accelerate` has just seen.
   /// \throws std::runtime_error beyond the second bound, as all others
@@ -131,7 +131,7 @@ class Monitor {
   double exchanged_ = 0;  ///< J
   double worked_ = 0;     ///< J, by all forces, either way
   int energy_steps_ = 0;
-  double unexplained_ = 0;  ///< J
+  double unexplained_ = 0;       ///< J
   double most_unexplained_ = 0;  ///< J
   double largest_residual_ = 0;
   double largest_drift_ = 0;

@@ -216,8 +216,7 @@ TEST(Effects, ZeroParametersAreFound) {  // E3
             ArmScene("").source());
   for (const char* const nothing :
        {"coulomb_friction: [{joint: elbow, force: 0}]", "armature: [{joint: elbow, inertia: 0}]",
-        "force: [{point: tip, value: [0, t-t, 0*vx]}]",
-        "moment: [{point: tip, value: [0, 0, 0]}]",
+        "force: [{point: tip, value: [0, t-t, 0*vx]}]", "moment: [{point: tip, value: [0, 0, 0]}]",
         "point_spring: [{point: tip, anchor: [1, 2, 3], stiffness: 0, rest_length: 0.3}]"}) {
     const ArmScene scene(fmt::format("  {}\n", nothing));
     EXPECT_EQ(scene.source(), ArmScene("").source()) << nothing;
