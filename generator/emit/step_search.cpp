@@ -108,7 +108,7 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
                      ? fmt::format(" && to.guard[{}] < Scalar(0)", approach)
                      : fmt::format(
                            " &&\n    (!(from.guard[{0}] < Scalar(0)) || "
-                           "begins_to_fall(from.guard[{1}], to.guard[{1}]))",
+                           "begins_to_fall(from.guard[{0}], from.guard[{1}], to.guard[{1}]))",
                            event.guard, approach);
     inner.push_back(fmt::format("const int k = from.guard[{0}] < Scalar(0) ? {1} : {0};",
                                 event.guard, approach));
@@ -144,10 +144,18 @@ std::string SearchWriter::beginning() const {
   const bool lands = std::ranges::any_of(stepper_.phases, [](const StepPhase& phase) {
     return std::ranges::count(phase.events, StepCause::kLand, &StepEvent::cause) > 0;
   });
-  return lands ? "\n/// Whether a point has begun to fall: before, no faster than by what its "
-                 "speed has grown since.\n"
-                 "bool begins_to_fall(Scalar before, Scalar now) noexcept {\n"
-                 "  return now < Scalar(0) && now < Scalar(2) * before;\n}\n"
+  return lands ? fmt::format(
+                     "\n/// Whether a point below its plane has begun to fall, before no faster "
+                     "than by "
+                     "what its speed\n/// has grown since, or has just passed the plane, as one "
+                     "does that "
+                     "lands beside another.\n"
+                     "bool begins_to_fall(Scalar height, Scalar before, Scalar now) noexcept {{\n"
+                     "  constexpr {} just = {} * h;\n"
+                     "  return now < Scalar(0) && (now < Scalar(2) * before || height > just * "
+                     "before);"
+                     "\n}}\n",
+                     type_name(scalar_), literal(Real("0.03125"), scalar_))
                : "";
 }
 

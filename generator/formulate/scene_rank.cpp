@@ -110,8 +110,11 @@ program::OrdinaryRows ScenePositions::ordinary(const std::vector<int>& constrain
   const Place start = place(q0_);
   program::ConstraintRows rows;
   rows.columns = scene_.tree.dof();
+  const double size = model::size_of(scene_.tree, scene_.points);
   for (const int c : constraints) {
-    rows.rows += static_cast<int>(scene_.constraints[to_index(c)].rows());
+    const model::Constraint& constraint = scene_.constraints[to_index(c)];
+    rows.rows += static_cast<int>(constraint.rows());
+    rows.scales.resize(to_index(rows.rows), model::is_angular(scene_.tree, constraint) ? 1 : size);
   }
   rows.evaluate = [&](const Doubles& q, Doubles& phi, Doubles& J) {
     const Place at = place(q);

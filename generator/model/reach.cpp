@@ -16,7 +16,7 @@ double longest(const Vector3& v) {
 
 }  // namespace
 
-std::vector<double> reach_of(const Tree& tree, const std::vector<Point>& points) {
+double size_of(const Tree& tree, const std::vector<Point>& points) {
   double size = 0;
   for (const Link& link : tree.links) {
     size = std::max({size, longest(link.joint.offset), longest(link.inertia.com)});
@@ -24,6 +24,11 @@ std::vector<double> reach_of(const Tree& tree, const std::vector<Point>& points)
   for (const Point& point : points) {
     size = std::max(size, longest(point.at));
   }
+  return size;
+}
+
+std::vector<double> reach_of(const Tree& tree, const std::vector<Point>& points) {
+  const double size = size_of(tree, points);
   std::vector<double> result;
   for (const int k : tree.coordinates) {
     const JointType type = tree.links[static_cast<std::size_t>(k)].joint.type;

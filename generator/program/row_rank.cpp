@@ -17,7 +17,7 @@ constexpr int kSamples = 8;          ///< states near the first one
 constexpr int kSteps = 60;           ///< of one search
 constexpr double kHolds = 1e-9;      ///< error of rows that hold, of what a reach changes
 constexpr double kMoves = 1e-2;      ///< in reaches: states of a mechanism that moves differ
-constexpr double kShortest = 1e-14;  ///< of rows: what is smaller is rounding
+constexpr double kShortest = 1e-14;  ///< of all rows and a row's scale: what is smaller is rounding
 
 /// phi and J in a state, columns per reach instead of per rad or m.
 struct Sample {
@@ -37,9 +37,12 @@ double norm(const double* x, std::size_t n) {
   return std::sqrt(std::inner_product(x, x + n, x, 0.0));
 }
 
-/// Errors as parts of what a reach of every coordinate changes.
-double error_of(const Sample& at) {
-  return norm(at.phi.data(), at.phi.size()) / std::max(norm(at.J.data(), at.J.size()), 1e-300);
+/// Errors as parts of what a reach of every coordinate changes, or of what it ordinarily would.
+double error_of(const Sample& at, const Values& scales) {
+  const double ordinary = norm(scales.data(), scales.size());
+  const double changes = norm(at.J.data(), at.J.size());
+  return norm(at.phi.data(), at.phi.size()) /
+         std::max(changes > kShortest * ordinary ? changes : ordinary, 1e-300);
 }
 
 /// x of S x = b by Cholesky's factors, in place. \pre S (n x n) is positive definite
@@ -64,12 +67,12 @@ void solve(Values& S, Values& b) {
 }
 
 /// Rows of one length, which is 1; rows that are rounding are zero.
-void normalise(Sample& at, std::size_t n) {
+void normalise(Sample& at, const Values& scales, std::size_t n) {
   const double longest = norm(at.J.data(), at.J.size());
   for (std::size_t i = 0; i < at.phi.size(); ++i) {
     double* const row = at.J.data() + i * n;
     const double length = norm(row, n);
-    const double scale = length > kShortest * longest ? 1 / length : 0;
+    const double scale = length > kShortest * std::max(longest, scales[i]) ? 1 / length : 0;
     std::transform(row, row + n, row, [&](double x) { return x * scale; });
     at.phi[i] *= scale;
   }
@@ -78,7 +81,7 @@ void normalise(Sample& at, std::size_t n) {
 /// One step towards phi = 0: (J^T J + mu) x = -J^T phi, mu = |phi|.
 void step(const ConstraintRows& rows, const Values& reach, Sample at, Values& q) {
   const std::size_t n = q.size();
-  normalise(at, n);
+  normalise(at, rows.scales, n);
   const double mu = norm(at.phi.data(), at.phi.size()) + 1e-14;
   Values S(n * n);
   Values x(n);
@@ -106,7 +109,7 @@ bool approach(const ConstraintRows& rows, const Values& reach, Values& q) {
   Values best = q;
   for (int k = 0; k < kSteps; ++k) {
     const Sample at = sample(rows, q, reach);
-    const double error = error_of(at);
+    const double error = error_of(at, rows.scales);
     if (!(error >= 0)) {
       break;
     }
@@ -170,8 +173,9 @@ Values sizes_of(const ConstraintRows& rows, const std::vector<Values>& states, c
       sizes[i] = std::max(sizes[i], std::sqrt(sum));
     }
   }
-  std::ranges::replace_if(
-      sizes, [&](double size) { return size <= kShortest * longest; }, 0);
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    sizes[i] = sizes[i] > kShortest * std::max(longest, rows.scales[i]) ? sizes[i] : 0;
+  }
   return sizes;
 }
 

@@ -14,6 +14,9 @@ struct ConstraintRows {
 
   int rows = 0;
   int columns = 0;  ///< length of q
+  /// By row, what J per reach is where a row is nothing special: 1 of an angle, the size of the
+  /// mechanism of a length.
+  Values scales = {};
   /// phi (rows, m or rad; 0 of a row without position) and J (rows x columns, row-major).
   std::function<void(const Values& q, Values& phi, Values& J)> evaluate;
 };

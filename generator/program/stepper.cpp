@@ -135,7 +135,7 @@ Cost choice_cost(const Stepper& stepper, const StepPhase& phase) {
   for (const StepEvent& event : phase.events) {
     const bool timed = !event.not_before.none();
     const bool begins = event.cause == StepCause::kLand;
-    sum = sum + Cost{.add = 1, .mul = begins ? 1 : 0, .div = 1} +
+    sum = sum + Cost{.add = 1, .mul = begins ? 2 : 0, .div = 1} +
           (timed ? lasted_cost(stepper, event.not_before) : Cost{});
   }
   return sum;

@@ -106,7 +106,25 @@ void Simulator::take(double h) {
   integrator_->step(rate_, t_, h, y_, next_, error_);
 }
 
+/// What leads an acting row is a number, and so is its rate.
+void Simulator::refuse_undefined_rows() {
+  Constraints& constraints = system_.constraints();
+  Vector errors;
+  Vector wanted;
+  constraints.errors(system_.geometry(q()), t_, q(), errors);
+  constraints.velocities(t_, wanted);
+  for (int k = 0; k < errors.size(); ++k) {
+    if (!std::isfinite(errors[k]) || !std::isfinite(wanted[k])) {
+      const auto c = static_cast<std::size_t>(constraints.constraint(k));
+      throw std::runtime_error(
+          fmt::format("constraint '{}' is led by what has no {} at t = {:.6g} s",
+                      scene_.constraints[c].name, std::isfinite(errors[k]) ? "rate" : "value", t_));
+    }
+  }
+}
+
 double Simulator::settle() {
+  refuse_undefined_rows();
   Vector position = q();
   Vector velocity = qd();
   for (int k = 0; k < kSettlingSteps; ++k) {

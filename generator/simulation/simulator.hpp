@@ -121,6 +121,7 @@ class Simulator {
     std::vector<int> constraints;  ///< that act no longer
   };
 
+  void refuse_undefined_rows();
   [[nodiscard]] std::vector<int> holding();
   void rate(double t, const Vector& y, Vector& dy);
   void take(double h);

@@ -37,6 +37,10 @@ System::System(const model::Scene& scene, Dynamics& dynamics, double stabilisati
       trial_(scene.tree.dof(), static_cast<int>(scene.points.size()), needs_of(scene)),
       reach_(model::reach_of(scene.tree, scene.points)),
       A_(scene.tree.dof()) {
+  const double size = model::size_of(scene.tree, scene.points);
+  for (const model::Constraint& constraint : scene.constraints) {
+    scales_.push_back(model::is_angular(scene.tree, constraint) ? 1 : size);
+  }
   for (const model::DryFriction& friction : scene.frictions) {
     frictions_.push_back({friction.joint, static_cast<double>(friction.force), 0});
   }
@@ -106,6 +110,12 @@ const OrdinarySizes& System::ordinary(double t, const Vector& q, const std::vect
   program::ConstraintRows rows;
   rows.rows = constraints_.rows() + static_cast<int>(sticking.size());
   rows.columns = dof();
+  for (int k = 0; k < constraints_.rows(); ++k) {
+    rows.scales.push_back(scales_[static_cast<std::size_t>(constraints_.constraint(k))]);
+  }
+  for (const int joint : sticking) {
+    rows.scales.push_back(reach_[static_cast<std::size_t>(joint)]);
+  }
   rows.evaluate = [&](const std::vector<double>& at, std::vector<double>& phi,
                       std::vector<double>& J) {
     const Vector position = Eigen::Map<const Vector>(at.data(), dof());

@@ -140,8 +140,9 @@ class System {
   Forces forces_;
   std::vector<DryFriction> frictions_;
   Terms terms_;
-  Terms trial_;                ///< in other positions
-  std::vector<double> reach_;  ///< model::reach_of
+  Terms trial_;                 ///< in other positions
+  std::vector<double> reach_;   ///< model::reach_of
+  std::vector<double> scales_;  ///< by constraint, of its rows
   std::map<RowSet, OrdinarySizes> ordinary_;
   Eigen::LLT<Eigen::MatrixXd> A_;
   MinimumNorm solve_;

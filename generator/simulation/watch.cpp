@@ -40,7 +40,8 @@ int Watch::side_of(System& system, double t, const Vector& y) const {
   }
   const double g = value(system, t, y);
   if (is_height() && std::fabs(g) < kOnPlane) {
-    return slope(system, y) > -kAtRest ? 1 : -1;
+    const bool strikes = kind == Kind::kEvent && event->impact;  // then it does so now
+    return strikes || slope(system, y) > -kAtRest ? 1 : -1;
   }
   return g >= 0 ? 1 : -1;
 }

@@ -129,6 +129,50 @@ TEST(AsGenerated, TouchesDownWhereItBeginsToFall) {
   }
 }
 
+const std::string kTwoBalls =
+    "name: balls\nlinks:\n  - name: left\n    father: ground\n    joint: {name: a, type: "
+    "prismatic, "
+    "axis: [0, 0, 1]}\n    mass: 1\n  - name: right\n    father: ground\n    joint: {name: b, "
+    "type: "
+    "prismatic, axis: [0, 0, 1]}\n    mass: 2\npoints: [{name: ta, link: left, at: [0, 0, 0]}, "
+    "{name: tb, link: right, at: [0, 0, 0]}]\n";
+
+// Two feet at one instant: the first touch-down ends the phase, the other follows in the next one.
+TEST(AsGenerated, LandsOnTwoPointsAtOnce) {
+  const std::string text =
+      "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: fa, point: ta, along: [z]}, "
+      "{name: fb, point: tb, along: [z]}]\nphases:\n  - name: fly\n    active: []\n    until:\n    "
+      "  "
+      "- {touch_down: {point: ta}, impact: {constraints: [fa]}, then: left}\n      - {touch_down: "
+      "{point: tb}, impact: {constraints: [fb]}, then: right}\n  - {name: left, active: [fa], "
+      "until: "
+      "[{touch_down: {point: tb}, impact: {constraints: [fa, fb]}, then: both}]}\n  - {name: "
+      "right, "
+      "active: [fb], until: [{touch_down: {point: ta}, impact: {constraints: [fa, fb]}, then: "
+      "both}]}\n  - {name: both, active: [fa, fb]}\ninitial: {q: {a: 1, b: 1}}\nduration: "
+      "1\nstepping: {integrator: rk4, step: 0.01}\n";
+  for (const Json& end : both_ends_of(kTwoBalls, text)) {
+    for (const double height : last_state(end, 2)) {
+      EXPECT_NEAR(height, 0, 1e-9);
+    }
+  }
+}
+
+// On the plane and on its way down, when the motion begins: a parabola of (1 - 0.5)/2 s, and rest.
+TEST(AsGenerated, TouchesDownOnThePlane) {
+  for (const Json& end : both_ends_of(
+           kBall,
+           "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: floor, point: foot, "
+           "along: "
+           "[z]}]\nphases:\n  - name: fall\n    active: []\n    until: [{touch_down: {point: "
+           "foot}, "
+           "impact: {constraints: [floor], restitution: 0.5, rest_below: 0.01}, then: "
+           "fall}]\ninitial: {q: {height: 0}, qd: {height: -1}}\nduration: 0.05\nstepping: "
+           "{integrator: rk4, step: 0.01}\n")) {
+    EXPECT_NEAR(last_state(end, 1)[0], 0.5 * 0.05 - 5 * 0.05 * 0.05, 1e-9);
+  }
+}
+
 const char* const kStiff =
     "effects:\n  coulomb_friction: [{joint: height, force: 1}]\n  joint_spring: [{joint: height, "
     "stiffness: 1e6}]\ninitial: {q: {height: 0.5}}\nstepping: {integrator: rk4, step: 0.01}\n";

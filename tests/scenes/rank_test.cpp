@@ -94,6 +94,33 @@ TEST(Rank, RowsThatAreRoundingTakeNoPlace) {
 }
 
 // Three rows, two joints without a drive: what is said of rows is not said of joints.
+/// Nothing that the plane does not keep by itself: J is 1e-16, with no other row beside it.
+const char* const kOfThePlane[] = {
+    "  orientation_constraint:\n    - {name: o, point: tip, along: [[0.7648421872844885, "
+    "0.644217687237691, 0]]}\n",
+    "  point_constraint:\n    - {name: n, point: tip, along: [[-0.644217687237691, "
+    "0.7648421872844885, 0]]}\n",
+    "  point_constraint:\n    - {name: n, point: tip, along: [[-sin(0.7), cos(0.7), 0]]}\n"};
+
+TEST_P(InScalar, RowsOfRoundingAloneMoveNothing) {
+  const std::string gravity = "effects:\n  gravity: [0, 0, -9.81]\n";
+  const CompiledModel::Inputs inputs = {{1, 0.5}, {1, 2}, {0, 0}};
+  const Measurement free = called(code(scene("planar", gravity)), inputs);
+  for (const char* const rows : kOfThePlane) {
+    CompiledModel::Inputs with_anchor = inputs;
+    const SceneCode held = code(scene("planar", gravity + rows));
+    if (held.code().manifest().function("constrained_dynamics").inputs.size() > 3) {
+      with_anchor.push_back({0, 0, 0});
+    }
+    const Measurement result = called(held, with_anchor);
+    EXPECT_EQ(result.status, 0) << rows;
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR(result.values[k], free.values[k], 100 * rounding()) << rows;
+    }
+    EXPECT_EQ(result.values[2], 0) << rows;
+  }
+}
+
 TEST(Rank, OfJointsWithoutADriveIsNotThatOfRows) {
   const SceneCode code(scene("plate",
                              "effects:\n  gravity: [0, 0, -9.81]\n  locked_joint: [{joint: j0}]\n  "

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "simulation/run_scene.hpp"
@@ -87,6 +88,40 @@ TEST(Impact, ComesToRestAfterAllItsRebounds) {
   EXPECT_NEAR(run.simulator.q()[0], 0, 1e-9);
   EXPECT_EQ(run.simulator.system().constraints().rows(), 1);
   EXPECT_NEAR(run.simulator.solution().lambda[0], 10, 1e-12);  // m g
+}
+
+TEST(Settling, TakesNoRowsOfRoundingForConstraints) {
+  const std::string scene =
+      "scene: s\nmodel: ../../tests/scenes/models/planar.yaml\neffects:\n  "
+      "gravity: [0, 0, -9.81]\n";
+  const std::string rest = "initial: {q: {ja: 1, jb: 0.5}, qd: {ja: 1, jb: 2}}\nduration: 1\n";
+  Running free(scene_of(scene + rest));
+  Running held(scene_of(scene +
+                        "  orientation_constraint:\n    - {name: o, point: tip, along: "
+                        "[[0.7648421872844885, 0.644217687237691, 0]]}\n" +
+                        rest));
+  free.advance_to(0.5);
+  held.advance_to(0.5);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_NEAR(held.simulator.q()[k], free.simulator.q()[k], 1e-9);
+  }
+  EXPECT_EQ(held.simulator.solution().lambda[0], 0);
+}
+
+TEST(Settling, NamesTheConstraintThatIsLedByNoNumber) {
+  for (const auto& [at, lacks] : {std::pair("sqrt(t-1)", "value"), std::pair("sqrt(t)", "rate")}) {
+    try {
+      const Running run(
+          scene_of(fmt::format("scene: s\nmodel: ../two_link.yaml\neffects:\n  locked_joint: "
+                               "[{{name: led, joint: elbow, "
+                               "at: {}}}]\nduration: 1\n",
+                               at)));
+      ADD_FAILURE() << at;
+    } catch (const std::runtime_error& problem) {
+      EXPECT_EQ(problem.what(),
+                fmt::format("constraint 'led' is led by what has no {} at t = 0 s", lacks));
+    }
+  }
 }
 
 TEST(Impact, OfAPointThatBeginsBelowThePlaneIsWarnedOf) {
