@@ -144,19 +144,18 @@ std::string SearchWriter::beginning() const {
   const bool lands = std::ranges::any_of(stepper_.phases, [](const StepPhase& phase) {
     return std::ranges::count(phase.events, StepCause::kLand, &StepEvent::cause) > 0;
   });
-  return lands ? fmt::format(
-                     "\n/// Whether a point below its plane has begun to fall, before no faster "
-                     "than by "
-                     "what its speed\n/// has grown since, or has just passed the plane, as one "
-                     "does that "
-                     "lands beside another.\n"
-                     "bool begins_to_fall(Scalar height, Scalar before, Scalar now) noexcept {{\n"
-                     "  constexpr {} just = {} * h;\n"
-                     "  return now < Scalar(0) && (now < Scalar(2) * before || height > just * "
-                     "before);"
-                     "\n}}\n",
-                     type_name(scalar_), literal(Real("0.03125"), scalar_))
-               : "";
+  if (!lands) {
+    return "";
+  }
+  return fmt::format(
+      "\n/// Whether a point below its plane has begun to fall, before no faster than by what its\n"
+      "/// speed has grown since, or has just passed the plane, as one does beside another that\n"
+      "/// lands.\n"
+      "bool begins_to_fall(Scalar height, Scalar before, Scalar now) noexcept {{\n"
+      "  constexpr {} just = {};\n"
+      "  return now < Scalar(0) && (now < Scalar(2) * before || "
+      "height > just * h * before);\n}}\n",
+      type_name(scalar_), literal(Real("0.03125"), scalar_));
 }
 
 std::string SearchWriter::first_event() const {
@@ -198,11 +197,11 @@ std::string SearchWriter::cut() const {
                         "constexpr " +
                             type_name(scalar_) + " kLost = " + literal(Real("0.25"), scalar_) +
                             ";\nconstexpr " + type_name(scalar_) +
-                            " kLate = " + literal(Real("0.75"), scalar_) + " * h;"
+                            " kLate = " + literal(Real("0.75"), scalar_) + ";"
                       : ""},
        {"begin", loses ? "  bool lost = false;" : ""},
        {"is_lost", loses ? "      lost = lost || way > kLost * h;" : ""},
-       {"end", loses ? "  lost = lost || (!behind && !(to.at < h) && low.at < kLate);\n"
+       {"end", loses ? "  lost = lost || (!behind && !(to.at < h) && low.at < kLate * h);\n"
                        "  to.failed |= lost ? status::event_missed : 0;"
                      : ""},
        {"one_half", literal(Real("0.5"), scalar_)},
