@@ -133,7 +133,10 @@ class SceneReader {
 
   void read_armature(const Node& node, const std::string& what) {
     const SceneFields fields(file_, node, what, {"name", "joint", "inertia"});
-    scene_.armatures.push_back({joint(fields), fields.amount("inertia")});
+    const model::Armature armature{joint(fields), fields.amount("inertia")};
+    if (armature.inertia != 0) {
+      scene_.armatures.push_back(armature);
+    }
   }
 
   void read_point_spring(const Node& node, const std::string& what) {
@@ -160,7 +163,10 @@ class SceneReader {
                               "height", "k", "n", "c", "mu", "vs"});
     const std::string type = fields.text("type").text;
     if (type == "joint_coulomb") {
-      scene_.frictions.push_back({joint(fields), fields.amount_or("friction", 0)});
+      const model::DryFriction friction{joint(fields), fields.amount_or("friction", 0)};
+      if (friction.force != 0) {
+        scene_.frictions.push_back(friction);
+      }
     } else if (type == "ground_point" || type == "ground_point_hc") {
       read_contact(fields, type == "ground_point_hc");
     } else {

@@ -104,12 +104,15 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
   } else if (event.cause == StepCause::kCross) {
     condition += fmt::format(" && !(from.guard[{}] < Scalar(0))", event.guard);
   } else if (event.cause == StepCause::kFall || event.cause == StepCause::kLand) {
-    condition += event.cause == StepCause::kFall
-                     ? fmt::format(" && to.guard[{}] < Scalar(0)", approach)
-                     : fmt::format(
-                           " &&\n    (!(from.guard[{0}] < Scalar(0)) || "
-                           "begins_to_fall(from.guard[{0}], from.guard[{1}], to.guard[{1}]))",
-                           event.guard, approach);
+    condition +=
+        event.cause == StepCause::kFall
+            ? fmt::format(" && to.guard[{}] < Scalar(0)", approach)
+            : fmt::format(
+                  " &&\n    (!(from.guard[{0}] < Scalar(0)) || "
+                  "{2}from.guard[{1}], to.guard[{1}]))",
+                  event.guard, approach,
+                  event.stops_point ? fmt::format("falls_now(from.guard[{}], ", event.guard)
+                                    : "begins_to_fall(");
     inner.push_back(fmt::format("const int k = from.guard[{0}] < Scalar(0) ? {1} : {0};",
                                 event.guard, approach));
     part = "chord(from.guard[k], to.guard[k])";
@@ -141,21 +144,32 @@ Lines SearchWriter::event_lines(const StepEvent& event, int number) const {
 
 /// What tells that a point begins to fall.
 std::string SearchWriter::beginning() const {
-  const bool lands = std::ranges::any_of(stepper_.phases, [](const StepPhase& phase) {
-    return std::ranges::count(phase.events, StepCause::kLand, &StepEvent::cause) > 0;
-  });
+  bool lands = false;
+  bool stops = false;
+  for (const StepPhase& phase : stepper_.phases) {
+    for (const StepEvent& event : phase.events) {
+      lands = lands || event.cause == StepCause::kLand;
+      stops = stops || (event.cause == StepCause::kLand && event.stops_point);
+    }
+  }
   if (!lands) {
     return "";
   }
-  return fmt::format(
-      "\n/// Whether a point below its plane has begun to fall, before no faster than by what its\n"
-      "/// speed has grown since, or has just passed the plane, as one does beside another that\n"
-      "/// lands.\n"
-      "bool begins_to_fall(Scalar height, Scalar before, Scalar now) noexcept {{\n"
-      "  constexpr {} just = {};\n"
-      "  return now < Scalar(0) && (now < Scalar(2) * before || "
-      "height > just * h * before);\n}}\n",
-      type_name(scalar_), literal(Real("0.03125"), scalar_));
+  const std::string begins =
+      "\n/// Whether a point has begun to fall: before, no faster than by what its speed has grown "
+      "since.\n"
+      "bool begins_to_fall(Scalar before, Scalar now) noexcept {\n"
+      "  return now < Scalar(0) && now < Scalar(2) * before;\n}\n";
+  return !stops
+             ? begins
+             : begins + fmt::format(
+                            "\n/// The same, or it has just passed the plane, as one does beside "
+                            "another that lands.\n"
+                            "bool falls_now(Scalar height, Scalar before, Scalar now) noexcept {{\n"
+                            "  constexpr {} just = {};\n"
+                            "  return begins_to_fall(before, now) ||\n"
+                            "         (now < Scalar(0) && height > just * h * before);\n}}\n",
+                            type_name(scalar_), literal(Real("0.03125"), scalar_));
 }
 
 std::string SearchWriter::first_event() const {

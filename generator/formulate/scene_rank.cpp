@@ -7,6 +7,7 @@
 #include "common/index.hpp"
 #include "formulate/functions.hpp"
 #include "model/reach.hpp"
+#include "model/scene_facts.hpp"
 #include "program/interpret.hpp"
 
 namespace treedyn::formulate {

@@ -225,6 +225,11 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
     result.rest_below = event.impact->rest_below;
   }
   result.goes_on = event.goes_on;
+  std::vector<int> rows = event.impact ? event.impact->constraints : std::vector<int>();
+  std::ranges::copy_if(active_behind(scene_, states_[state], event, false),
+                       std::back_inserter(rows),
+                       [&](int c) { return std::ranges::count(before, c) == 0; });
+  result.stops_point = model::stops_its_point(scene_, event, rows);
   result.holds = event.kind == EventKind::kReaction ? event.plane.height.plain() : Real(0);
   phase.events.push_back(std::move(result));
 }

@@ -152,4 +152,16 @@ bool strikes_what_acts(const Event& event, const std::vector<int>& active) {
          std::ranges::includes(active, event.impact->constraints);
 }
 
+bool stops_its_point(const Scene& scene, const Event& event, const std::vector<int>& rows) {
+  return std::ranges::any_of(rows, [&](int c) {
+    const Constraint& row = scene.constraints[to_index(c)];
+    return row.kind == ConstraintKind::kPoint && row.point == event.point &&
+           std::ranges::any_of(row.directions, [&](const Vector3& d) {
+             return d[0] * event.plane.normal[0] + d[1] * event.plane.normal[1] +
+                        d[2] * event.plane.normal[2] !=
+                    0;
+           });
+  });
+}
+
 }  // namespace treedyn::model

@@ -83,6 +83,7 @@ struct StepEvent {
   Real rest_below = 0;   ///< m/s
   Real holds = 0;        ///< kPull: the force that a guard is the rest of; roundings of it are none
   bool goes_on = false;  ///< the next phase lasts since this one began
+  bool stops_point = false;  ///< kLand: along the normal
 };
 
 /// Dynamics between two events, and the events.

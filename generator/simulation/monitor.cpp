@@ -244,7 +244,8 @@ void Monitor::measure(System& system, const Vector& q) {
   const Vector ones = Vector::Ones(q.size());
   pose_.update(q, ones);
   most += pose_.kinetic_energy() + system.armature_energy(ones) + q.norm();
-  weight_ = std::max(weight * size_, kRoundings * std::numeric_limits<double>::epsilon() * most);
+  rounding_ = kRoundings * std::numeric_limits<double>::epsilon() * most;
+  weight_ = std::max(weight * size_, rounding_);
 }
 
 void Monitor::restart_energy(System& system, const Vector& q, const Vector& qd) {

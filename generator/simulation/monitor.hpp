@@ -72,7 +72,7 @@ class Monitor {
 
   /// A joint begins to move. Where nothing has moved before, the motion begins here: its first
   /// steps are not judged by the energy that they have exchanged.
-  void break_away() { energy_steps_ = exchanged_ > weight_ ? energy_steps_ : 0; }
+  void break_away() { energy_steps_ = exchanged_ > rounding_ ? energy_steps_ : 0; }
   /// The row equations in the state that `System::accelerate` has just seen.
   /// \throws std::runtime_error beyond the second bound, as all others
   void row_equations(const System& system, double t, double h);
@@ -95,7 +95,7 @@ class Monitor {
   void note(Notice notice);
 
   [[nodiscard]] const std::vector<Notice>& notices() const { return notices_; }
-  /// Largest energy that no force explains, as a part of what was exchanged until then, or of a
+  /// Largest energy that no force explains, as a part of what has been exchanged until now, or of a
   /// fall by the size of the robot.
   [[nodiscard]] double energy_error() const {
     return most_unexplained_ > 0 ? most_unexplained_ / std::max(exchanged_, weight_) : 0;
@@ -119,7 +119,8 @@ class Monitor {
   Bounds bounds_;
   Pose pose_;
   double size_ = 1;
-  double weight_ = 0;  ///< J, of a fall by the size, or of roundings
+  double weight_ = 0;    ///< J, of a fall by the size, or `rounding_`
+  double rounding_ = 0;  ///< J, of a motion at ordinary speeds
   std::vector<std::string> names_;
   std::vector<std::size_t> first_;  ///< of a constraint, in names_
   std::vector<double> lost_;        ///< velocity of each row

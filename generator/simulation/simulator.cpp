@@ -75,7 +75,7 @@ Simulator::Simulator(const model::Scene& scene, Dynamics& dynamics, const Settin
   phase_start_ = t_;
   start_phase(scene.start_phase, scene.phases[static_cast<std::size_t>(scene.start_phase)].active);
   for (std::size_t k = 0; k < system_.frictions().size(); ++k) {
-    stick_or_slip(k);
+    stick_or_slip(system_, t_, y_, k);
   }
   build_watches();
   monitor_.restart_energy(system_, q(), qd());
@@ -106,7 +106,7 @@ void Simulator::take(double h) {
   integrator_->step(rate_, t_, h, y_, next_, error_);
 }
 
-/// What leads an acting row is a number, and so is its rate.
+/// The place and the rate of what leads an acting row are numbers.
 void Simulator::refuse_undefined_rows() {
   Constraints& constraints = system_.constraints();
   Vector errors;
@@ -144,7 +144,7 @@ double Simulator::settle() {
     const DryFriction& friction = system_.frictions()[k];
     double& speed = y_[system_.dof() + friction.joint];
     speed = friction.direction == 0 ? 0 : speed;
-    stick_or_slip(k);
+    stick_or_slip(system_, t_, y_, k);
   }
   build_watches();
   monitor_.restart_energy(system_, position, velocity);
@@ -367,26 +367,17 @@ void Simulator::guard_against_standstill(double end) {
   }
 }
 
-/// The acting constraints but for those of frictions that cannot hold their joint.
-std::vector<int> Simulator::holding() {
-  std::vector<int> result = system_.constraints().active();
-  for (const model::Event& event : scene_.phases[static_cast<std::size_t>(phase_)].until) {
-    if (event.kind == model::EventKind::kReaction &&
-        scene_.constraints[static_cast<std::size_t>(event.constraint)].sticks) {
-      const Eigen::Vector3d force = system_.reaction(t_, y_, event.constraint);
-      if (force.norm() > static_cast<double>(event.plane.height)) {
-        std::erase(result, event.constraint);
-      }
-    }
-  }
-  return result;
-}
-
 Stability Simulator::stability(Dynamics& dynamics) {
   System closed(scene_, dynamics, alpha(settings_));
   closed.constraints() = system_.constraints();
-  closed.constraints().activate(holding());
-  closed.frictions() = system_.frictions();
+  std::vector<int> active = system_.constraints().active();
+  std::erase_if(active, [&](int c) {  // frictions decide that below
+    return scene_.constraints[static_cast<std::size_t>(c)].sticks;
+  });
+  closed.constraints().activate(active);
+  for (std::size_t k = 0; k < closed.frictions().size(); ++k) {
+    stick_or_slip(closed, t_, y_, k);
+  }
   Stability result = stability_at(scene_, closed, t_, q(), qd());
   for (const StabilityLimit& limit : result.limits) {
     if (integrator_->error_order() > 0 || limit.integrator != settings_.integrator || !limit.step ||

@@ -121,8 +121,8 @@ class Simulator {
     std::vector<int> constraints;  ///< that act no longer
   };
 
+  [[nodiscard]] bool lands(const model::Event& event) const;
   void refuse_undefined_rows();
-  [[nodiscard]] std::vector<int> holding();
   void rate(double t, const Vector& y, Vector& dy);
   void take(double h);
   double fixed_step(double longest);
@@ -149,7 +149,7 @@ class Simulator {
   [[nodiscard]] int pieces(double h) const;
   double refine(const Watch& watch, double low, double high, double h);
   void happen(Watch& watch);
-  void stick_or_slip(std::size_t k);
+  static void stick_or_slip(System& system, double t, const Vector& y, std::size_t k);
   void fire(std::size_t index);
   void lift_off(const LiftOff& rest);
   void add_lift_off(const model::Event& event);

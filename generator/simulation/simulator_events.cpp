@@ -60,6 +60,7 @@ void Simulator::add_watch(const std::vector<Watch>& before, Kind kind, std::size
     watch.event = &event_at(index);
     watch.until = phase_start_ + static_cast<double>(watch.event->not_before);
     watch.armed = watch.until <= t_;
+    watch.lands = kind == Kind::kEvent && lands(*watch.event);
   }
   watch.side = watch.side_of(system_, t_, y_);
   const auto same = std::find_if(before.begin(), before.end(), [&](const Watch& w) {
@@ -67,6 +68,18 @@ void Simulator::add_watch(const std::vector<Watch>& before, Kind kind, std::size
   });
   watch.side = same == before.end() ? watch.side : same->side;
   watches_.push_back(watch);
+}
+
+/// The impact of a touch-down, or what begins to hold behind it, stops its point.
+bool Simulator::lands(const model::Event& event) const {
+  const std::vector<int>& active = system_.constraints().active();
+  std::vector<int> rows = event.impact ? event.impact->constraints : std::vector<int>();
+  for (const int c : scene_.phases[static_cast<std::size_t>(event.then)].active) {
+    if (!std::binary_search(active.begin(), active.end(), c)) {
+      rows.push_back(c);
+    }
+  }
+  return model::stops_its_point(scene_, event, rows);
 }
 
 /// Sides of contacts are kept: on the plane the state does not tell them.
@@ -214,20 +227,22 @@ void Simulator::happen(Watch& watch) {
     case Kind::kSlip:
     case Kind::kStick:
       y_[system_.dof() + system_.frictions()[watch.index].joint] = 0;
-      stick_or_slip(watch.index);
-      monitor_.break_away();
+      stick_or_slip(system_, t_, y_, watch.index);
+      if (system_.frictions()[watch.index].direction != 0) {
+        monitor_.break_away();
+      }
       break;
   }
 }
 
 /// A joint that moves slips; one at rest sticks if its friction can hold it.
-void Simulator::stick_or_slip(std::size_t k) {
-  DryFriction& friction = system_.frictions()[k];
-  const double speed = y_[system_.dof() + friction.joint];
+void Simulator::stick_or_slip(System& system, double t, const Vector& y, std::size_t k) {
+  DryFriction& friction = system.frictions()[k];
+  const double speed = y[system.dof() + friction.joint];
   friction.direction = speed > 0 ? 1 : speed < 0 ? -1 : 0;
   if (friction.direction == 0) {
-    system_.accelerate(t_, q(), qd());
-    const double hold = system_.holding_force(k);
+    system.accelerate(t, y.head(system.dof()), y.tail(system.dof()));
+    const double hold = system.holding_force(k);
     friction.direction = std::fabs(hold) <= friction.hold() ? 0 : hold > 0 ? -1 : 1;
   }
 }
@@ -338,7 +353,7 @@ void Simulator::fire(std::size_t index) {
     add_lift_off(event);
   }
   for (std::size_t k = 0; k < system_.frictions().size(); ++k) {  // an impact may have moved them
-    stick_or_slip(k);
+    stick_or_slip(system_, t_, y_, k);
   }
   monitor_.positions(system_, t_, record.q);
   monitor_.speeds(system_, t_, record.q, record.qd_after, record.qd_before);

@@ -8,6 +8,7 @@
 
 #include "model/force_laws.hpp"
 #include "model/reach.hpp"
+#include "model/scene_facts.hpp"
 #include "program/row_rank.hpp"
 
 namespace treedyn::simulation {

@@ -40,8 +40,7 @@ int Watch::side_of(System& system, double t, const Vector& y) const {
   }
   const double g = value(system, t, y);
   if (is_height() && std::fabs(g) < kOnPlane) {
-    const bool strikes = kind == Kind::kEvent && event->impact;  // then it does so now
-    return strikes || slope(system, y) > -kAtRest ? 1 : -1;
+    return lands || slope(system, y) > -kAtRest ? 1 : -1;
   }
   return g >= 0 ? 1 : -1;
 }

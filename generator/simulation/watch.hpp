@@ -28,7 +28,8 @@ struct Watch {
   std::size_t index = 0;  ///< of the event in its phase, the contact, the friction
   int point = 0;
   PlaneValues plane;
-  int side = 0;  ///< sign of the function now
+  int side = 0;        ///< sign of the function now
+  bool lands = false;  ///< its event stops the point
   const model::Event* event = nullptr;
   /// Before this time an event is not looked at, s; the others always are.
   double until = -std::numeric_limits<double>::infinity();

@@ -121,7 +121,8 @@ TEST(AsGenerated, TouchesDownWhereItBeginsToFall) {
                       "[floor]\ninitial: {{q: {{height: 1}}}}\nduration: 0.1\nstepping: "
                       "{{integrator: {}, step: {}}}\n",
                       method, step));
-      // the last cut is at least 2^-14 of the step behind; of Euler's the fall is twice g t^2/2
+      // the chord begins where the event is, so the last cut is 2^-14 of the step behind; of
+      // Euler's the fall is twice g t^2/2
       const double late = 0x1p-14 * step;
       EXPECT_NEAR(last_state(ends[0], 1)[0], 1, 10.1 * late * late + 1e-14)
           << method << ' ' << step;
@@ -173,19 +174,44 @@ TEST(AsGenerated, TouchesDownOnThePlane) {
   }
 }
 
-const char* const kStiff =
-    "effects:\n  coulomb_friction: [{joint: height, force: 1}]\n  joint_spring: [{joint: height, "
-    "stiffness: 1e6}]\ninitial: {q: {height: 0.5}}\nstepping: {integrator: rk4, step: 0.01}\n";
+// What the impact of a touch-down does not stop goes on, and is struck once.
+TEST(AsGenerated, PassesAPlaneWhoseImpactIsBesideIt) {
+  const std::string model =
+      "name: foot\nlinks:\n  - name: cart\n    father: ground\n    joint: {name: x, type: "
+      "prismatic, "
+      "axis: [1, 0, 0]}\n    mass: 1\n  - name: ball\n    father: cart\n    joint: {name: height, "
+      "type: prismatic, axis: [0, 0, 1]}\n    mass: 1\npoints: [{name: foot, link: ball, at: [0, "
+      "0, "
+      "0]}]\n";
+  for (const Json& end : both_ends_of(
+           model,
+           "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: rub, point: foot, along: "
+           "[x]}]\nphases:\n  - name: fly\n    active: []\n    until: [{touch_down: {point: foot}, "
+           "impact: {constraints: [rub]}, then: fly}]\ninitial: {q: {height: 0.05}, qd: {x: "
+           "1}}\nduration: 0.2\nstepping: {integrator: rk4, step: 0.01}\n")) {
+    EXPECT_NEAR(last_state(end, 2)[1], 0.05 - 5 * 0.2 * 0.2, 1e-9);
+    EXPECT_EQ(end.at("events").size(), 1U);
+  }
+}
 
-// What friction cannot hold moves in the first step: 1e3/s, a step of at most 2.83 ms.
+// What friction cannot hold moves in the first step: 1e3/s, a step of at most 2.83 ms. The spring
+// draws with 5e5 N.
 TEST(AsGenerated, WarnsOfStepsThatAreTooLongForWhatBreaksAway) {
-  const TemporaryFolder folder;
-  write_file((folder.path() / "model.yaml").string(), kBall);
-  const std::string file = (folder.path() / "s.yaml").string();
-  write_file(file, std::string("scene: s\nmodel: model.yaml\nduration: 0.05\n") + kStiff);
-  EXPECT_NE(
-      simulated(file, {"--as-generated"}).err.find("beyond the stability limit of rk4, 0.00283"),
-      std::string::npos);
+  for (const auto& [force, warns] : {std::pair(1.0, true), std::pair(3e5, true),
+                                     std::pair(4.9e5, true), std::pair(6e5, false)}) {
+    const TemporaryFolder folder;
+    write_file((folder.path() / "model.yaml").string(), kBall);
+    const std::string file = (folder.path() / "s.yaml").string();
+    write_file(file,
+               fmt::format("scene: s\nmodel: model.yaml\nduration: 0.05\neffects:\n  "
+                           "coulomb_friction: [{{joint: height, force: {}}}]\n  joint_spring: "
+                           "[{{joint: height, stiffness: 1e6}}]\ninitial: {{q: {{height: "
+                           "0.5}}}}\nstepping: {{integrator: rk4, step: 0.01}}\n",
+                           force));
+    const std::string err = simulated(file, {"--as-generated"}).err;
+    EXPECT_EQ(err.find("beyond the stability limit of rk4, 0.00283") != std::string::npos, warns)
+        << force << err;
+  }
 }
 
 TEST(AsGenerated, SaysWhereAMotionOfWholeStepsEnds) {

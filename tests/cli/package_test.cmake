@@ -88,6 +88,10 @@ function(a_second_later)
   run(${CMAKE_COMMAND} -E sleep 1)
 endfunction()
 
+run(${CMAKE_COMMAND} --build ${build} --target default)
+if(NOT EXISTS ${scratch}/project/off/no.hpp)
+  message(FATAL_ERROR "NAME no FOLDER off: there is no off/no.hpp")
+endif()
 run(${CMAKE_COMMAND} --build ${build})  # nothing is left to do
 if(NOT output MATCHES "no work to do")
   message(FATAL_ERROR "the second build did something:\n${output}")

@@ -15,7 +15,6 @@ TEST_F(Cli, AScenesFilesDependOnSceneAndModel) {
               HasSubstr("to update: treedyn generate --scene " + scene + " -o " + out()));
 }
 
-/// A lift-off goes with the constraint that it waits for.
 TEST_F(Cli, SaysWhichWayAnExpressionCrossesZero) {
   for (const std::string way : {"rising", "falling"}) {
     const std::string scene = scratch(way + ".yaml");
@@ -33,6 +32,7 @@ TEST_F(Cli, SaysWhichWayAnExpressionCrossesZero) {
   }
 }
 
+/// A lift-off goes with the constraint that it waits for.
 TEST_F(Cli, PricesConstraintsThatLiftOff) {
   write_file(scratch("ball.yaml"),
              "name: ball\nlinks:\n  - {name: ball, father: ground, joint: {name: height, type: "

@@ -93,7 +93,6 @@ TEST(Rank, RowsThatAreRoundingTakeNoPlace) {
   }
 }
 
-// Three rows, two joints without a drive: what is said of rows is not said of joints.
 /// Nothing that the plane does not keep by itself: J is 1e-16, with no other row beside it.
 const char* const kOfThePlane[] = {
     "  orientation_constraint:\n    - {name: o, point: tip, along: [[0.7648421872844885, "
@@ -121,6 +120,7 @@ TEST_P(InScalar, RowsOfRoundingAloneMoveNothing) {
   }
 }
 
+// Three rows, two joints without a drive: what is said of rows is not said of joints.
 TEST(Rank, OfJointsWithoutADriveIsNotThatOfRows) {
   const SceneCode code(scene("plate",
                              "effects:\n  gravity: [0, 0, -9.81]\n  locked_joint: [{joint: j0}]\n  "
