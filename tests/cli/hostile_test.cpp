@@ -129,7 +129,7 @@ TEST_F(Hostile, PipesAndDevicesAreNoOutput) {
   const Outcome checked = support::run(
       {"timeout", "60", TREEDYN_EXECUTABLE, "check", kModel, "--effort", "0", "-o", out()});
   EXPECT_EQ(checked.status, 1) << "waits for what the pipe says";
-  EXPECT_THAT(checked.out, HasSubstr("missing: " + file("two_link.cpp").string()));
+  EXPECT_THAT(checked.out, HasSubstr("no file: " + file("two_link.cpp").string()));
   EXPECT_THAT(
       treedyn({"generate", kModel, "--effort", "0", "-o", scratch("o"), "--depfile", "/dev/full"})
           .err,

@@ -542,7 +542,7 @@ TEST_F(Simulate, KeepsComponentsOfAPointTogether) {
              "  - {name: d, link: a, at: [1, 0, -1]}\n");
   write_file(scratch("s.yaml"),
              "scene: s\nmodel: m.yaml\nduration: 0.1\neffects:\n  force:\n"
-             "    - {point: b, value: [0, 0, 0]}\n    - {point: c, value: [0, 0, 0]}\n"
+             "    - {point: b, value: [1, 0, 0]}\n    - {point: c, value: [0, 1, 0]}\n"
              "    - {point: d, value: [0, 0, 1]}\n");
   const Outcome made = treedyn({scratch("s.yaml").string(), "-o", out(), "--report"});
   ASSERT_EQ(made.status, 0) << made.err;
