@@ -110,12 +110,7 @@ bool rests_unasked(const Scene& scene, const Event& event) {
       event.impact->rest_below > 0 || event.impact->constraints.size() != 1) {
     return false;
   }
-  const model::Constraint& row = scene.constraints[to_index(event.impact->constraints.front())];
-  return step_method(scene) && row.kind == model::ConstraintKind::kPoint &&
-         row.point == event.point &&
-         std::any_of(row.directions.begin(), row.directions.end(), [&](const model::Vector3& d) {
-           return dot(d, event.plane.normal).plain() != 0;
-         });
+  return step_method(scene) && model::floor_of(scene, event, event.impact->constraints) >= 0;
 }
 
 bool may_rest(const Scene& scene, const Event& event) {

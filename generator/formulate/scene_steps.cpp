@@ -229,7 +229,7 @@ void StepMaker::add_event(const Event& event, std::size_t state, StepPhase& phas
   std::ranges::copy_if(active_behind(scene_, states_[state], event, false),
                        std::back_inserter(rows),
                        [&](int c) { return std::ranges::count(before, c) == 0; });
-  result.stops_point = model::stops_its_point(scene_, event, rows);
+  result.stops_point = model::floor_of(scene_, event, rows) >= 0;
   result.holds = event.kind == EventKind::kReaction ? event.plane.height.plain() : Real(0);
   phase.events.push_back(std::move(result));
 }

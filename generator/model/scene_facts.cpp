@@ -152,16 +152,17 @@ bool strikes_what_acts(const Event& event, const std::vector<int>& active) {
          std::ranges::includes(active, event.impact->constraints);
 }
 
-bool stops_its_point(const Scene& scene, const Event& event, const std::vector<int>& rows) {
-  return std::ranges::any_of(rows, [&](int c) {
+int floor_of(const Scene& scene, const Event& event, const std::vector<int>& rows) {
+  const auto holds = [&](int c) {
     const Constraint& row = scene.constraints[to_index(c)];
+    const Vector3& normal = event.plane.normal;
     return row.kind == ConstraintKind::kPoint && row.point == event.point &&
            std::ranges::any_of(row.directions, [&](const Vector3& d) {
-             return d[0] * event.plane.normal[0] + d[1] * event.plane.normal[1] +
-                        d[2] * event.plane.normal[2] !=
-                    0;
+             return Real(d[0] * normal[0] + d[1] * normal[1] + d[2] * normal[2]).plain() != 0;
            });
-  });
+  };
+  const auto found = std::ranges::find_if(rows, holds);
+  return found == rows.end() ? -1 : *found;
 }
 
 }  // namespace treedyn::model

@@ -37,8 +37,9 @@ bool has_anchor(const Scene& scene, const std::vector<int>& constraints);
 /// True if the rows of a constraint are about angles, and its reactions are moments.
 bool is_angular(const Tree& tree, const Constraint& constraint);
 
-/// True if one of `rows` holds the point of a touch-down along the normal of its plane.
-bool stops_its_point(const Scene& scene, const Event& event, const std::vector<int>& rows);
+/// The first of `rows` that holds the point of a touch-down along the normal of its plane, -1:
+/// none.
+int floor_of(const Scene& scene, const Event& event, const std::vector<int>& rows);
 
 /// The value of a variable at a point of the scene.
 using AtPoint = std::function<double(int point, const Variable& variable)>;

@@ -153,8 +153,6 @@ class Simulator {
   void fire(std::size_t index);
   void lift_off(const LiftOff& rest);
   void add_lift_off(const model::Event& event);
-  /// The constraint of its impact that can tell where its point would be pulled; -1: none.
-  [[nodiscard]] int floor_of(const model::Event& event) const;
   [[nodiscard]] const model::Event& event_at(std::size_t event) const;
   [[nodiscard]] std::string name_of(std::size_t event) const;
   bool strike(const model::Event& event, EventRecord& record);

@@ -79,7 +79,7 @@ bool Simulator::lands(const model::Event& event) const {
       rows.push_back(c);
     }
   }
-  return model::stops_its_point(scene_, event, rows);
+  return model::floor_of(scene_, event, rows) >= 0;
 }
 
 /// Sides of contacts are kept: on the plane the state does not tell them.
@@ -257,7 +257,8 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
   if (restitution == 0 && impact.rest_below == 0) {
     return false;
   }
-  const bool may_lift_off = restitution < 1 && floor_of(event) >= 0;
+  const bool may_lift_off =
+      restitution < 1 && model::floor_of(scene_, event, impact.constraints) >= 0;
   if (rebound >= std::max(static_cast<double>(impact.rest_below), may_lift_off ? kAtRest : 0.0)) {
     return false;
   }
@@ -286,24 +287,10 @@ void Simulator::add_lift_off(const model::Event& event) {
   result.event.kind = model::EventKind::kReaction;
   result.event.plane.normal = event.plane.normal;
   result.event.then = event.then;
-  result.event.constraint = floor_of(event);
+  result.event.constraint = model::floor_of(scene_, event, event.impact->constraints);
   if (result.event.constraint >= 0) {
     lift_offs_.push_back(result);
   }
-}
-
-int Simulator::floor_of(const model::Event& event) const {
-  const Eigen::Vector3d normal = vector_of(event.plane.normal);
-  for (const int c : event.impact->constraints) {
-    const model::Constraint& row = scene_.constraints[static_cast<std::size_t>(c)];
-    const bool along =
-        std::any_of(row.directions.begin(), row.directions.end(),
-                    [&](const model::Vector3& d) { return vector_of(d).dot(normal) != 0; });
-    if (row.kind == model::ConstraintKind::kPoint && row.point == event.point && along) {
-      return c;
-    }
-  }
-  return -1;
 }
 
 void Simulator::lift_off(const LiftOff& rest) {
