@@ -99,6 +99,13 @@ Wide scaled(const Wide& mantissa, long exponent) {
                       : Wide(mantissa * power_of_ten(exponent));
 }
 
+/// The largest is 0.1 * 10^301 itself.
+bool is_in_range(const Parts& parts) {
+  const bool is_largest = parts.exponent == kLargestExponent + 1 && parts.digits.front() == '1' &&
+                          parts.digits.find_first_not_of('0', 1) == std::string::npos;
+  return parts.exponent > -kLargestExponent && (parts.exponent <= kLargestExponent || is_largest);
+}
+
 Real value_of(const Parts& parts) {
   const std::size_t used = std::min<std::size_t>(parts.digits.size(), kUsedDigits);
   Wide mantissa = 0;
@@ -122,7 +129,7 @@ Decimal read_decimal(std::string_view text) {
   if (parts.digits.empty()) {
     return {};
   }
-  if (parts.exponent > kLargestExponent || parts.exponent <= -kLargestExponent) {
+  if (!is_in_range(parts)) {
     return {0, DecimalError::kOutOfRange};
   }
   return {value_of(parts), DecimalError::kNone};

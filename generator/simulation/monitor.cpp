@@ -276,13 +276,16 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
   const double part = unexplained_ / scale;
   most_unexplained_ = std::max(most_unexplained_, std::fabs(unexplained_));
   if (!scene_.velocity_products || ++energy_steps_ <= kFirstSteps ||
-      !(part > bounds_.energy_warning)) {
+      !(std::fabs(part) > bounds_.energy_warning)) {
     return;
   }
-  note({"energy", "energy", t, unexplained_, bounds_.energy_warning * scale, 0, 0, "J",
-        fmt::format("energy grows without power: by {:.3g} J in the step of {:.3g} s that ends at "
-                    "t = {:.6g} s, {:.3g} J in all, beside {:.3g} J {}",
-                    energy_ - before - work.done, h, t, unexplained_, scale, name)});
+  const double change = energy_ - before - work.done;
+  note({"energy", part > 0 ? "gained" : "lost", t, std::fabs(unexplained_),
+        bounds_.energy_warning * scale, 0, 0, "J",
+        fmt::format("energy {}: by {:.3g} J in the step of {:.3g} s that ends at t = {:.6g} s, "
+                    "{:.3g} J in all, beside {:.3g} J {}",
+                    part > 0 ? "grows without power" : "is lost to no force",
+                    part > 0 ? change : -change, h, t, std::fabs(unexplained_), scale, name)});
   if (part > bounds_.energy_end) {
     throw std::runtime_error(fmt::format(
         "energy grows without power: {:.3g} J more than forces explain, beside {:.3g} J "

@@ -37,7 +37,7 @@ Bounds unbounded();
 /// A warning: what was noticed first, and the worst of it.
 struct Notice {
   std::string kind;  ///< drift, residual, energy, guard, position, speed, branch, step, below
-  std::string name;  ///< the row, the event, the integrator, the point
+  std::string name;  ///< the row, the event, the integrator, the point, whether energy is gained
   double time = 0;   ///< s, when it was first beyond its bound
   double value = 0;  ///< then
   double bound = 0;
@@ -85,7 +85,7 @@ class Monitor {
   void turn(const Constraints& constraints, const Turn& turn, double t, double h);
   /// Position errors of the rows after a step.
   void drift(System& system, double t, const Vector& q);
-  /// Energy after a step of length h.
+  /// Energy after a step of length h: what is lost to no force is a warning, what is gained ends.
   void energy(System& system, double t, double h, const Vector& q, const Vector& qd,
               const Work& work);
   /// Energy behind an event: what it takes is its own matter.

@@ -44,7 +44,11 @@ TEST(ReadDecimal, RefusesWhatNoDoubleHolds) {
   EXPECT_EQ(error("1e999999999"), DecimalError::kOutOfRange);
   EXPECT_EQ(error("-1e-400"), DecimalError::kOutOfRange);
   EXPECT_EQ(error("1e-99999999999999999999999999"), DecimalError::kOutOfRange);
-  EXPECT_EQ(value("1e299"), Real("1e299"));
+  EXPECT_EQ(value("1e300"), Real("1e300"));
+  EXPECT_EQ(value("-10.0e299"), Real("-1e300"));
+  EXPECT_EQ(value("1e-300"), Real("1e-300"));
+  EXPECT_EQ(error("1.0000001e300"), DecimalError::kOutOfRange);
+  EXPECT_EQ(error("9.9e-301"), DecimalError::kOutOfRange);
   EXPECT_EQ(error("10e300"), DecimalError::kOutOfRange);
 }
 

@@ -39,6 +39,22 @@ TEST(Energy, OutOfNothingEndsTheMotion) {
   EXPECT_LT(most(column(recording, "energy")), 2 * 9.81);
 }
 
+/// A pendulum let go at 120 degrees: steps of a seventh of its period take a third of its energy
+/// away.
+TEST(Energy, LostToNoForceIsTold) {
+  model::Scene scene = committed("pendulum");
+  scene.stepping.integrator = "rk4";
+  scene.stepping.step = Real("0.4");
+  Running run(scene);
+  const Recording recording = run.record(0.4);
+  EXPECT_EQ(recording.stopped, "");
+  const Notice* const notice = find(recording.notices, "energy");
+  ASSERT_NE(notice, nullptr);
+  EXPECT_NE(notice->text.find("energy is lost to no force"), std::string::npos) << notice->text;
+  const std::vector<double> energy = column(recording, "energy");
+  EXPECT_NEAR(notice->worst, energy.front() - energy.back(), 1e-12);
+}
+
 TEST(Energy, OfDrivesAndLedPointsIsExplainedByTheirWork) {
   for (const char* const name : {"arm_circle", "four_bar", "drop", "biped_double_support"}) {
     Running run(committed(name));
