@@ -78,6 +78,9 @@ std::string numeric_report(const Model& model, const Request& request,
   std::error_code ignored;
   const std::string header =
       fs::is_regular_file(present, ignored) ? read_file(present.string()).value_or("") : "";
+  if (!header.empty() && header.find(fmt::format("namespace {} {{", space)) == std::string::npos) {
+    return fmt::format("numeric: the old files have another namespace than {}\n", space);
+  }
   std::vector<program::Signature> common;
   std::string report;
   const auto points = static_cast<int>(model.points.size());

@@ -72,6 +72,13 @@ void check_name(const Location& where, std::string_view name, std::string_view k
   }
 }
 
+namespace {
+
+/// True of `link.com` and `link.com.x`.
+bool has(const Named& whole, const Named& part) { return part.name.starts_with(whole.name + '.'); }
+
+}  // namespace
+
 void check_identifiers(const std::vector<Named>& names, const std::string& kind) {
   std::map<std::string, const Named*> taken;
   for (const Named& named : names) {
@@ -80,6 +87,12 @@ void check_identifiers(const std::vector<Named>& names, const std::string& kind)
       throw InputError(named.where,
                        fmt::format("{} '{}' is defined twice; expected different names", kind,
                                    shown(named.name)));
+    }
+    if (!is_new && (has(*other->second, named) || has(named, *other->second))) {
+      throw InputError(named.where,
+                       fmt::format("{}s '{}' and '{}' declare the same number; expected "
+                                   "one of them",
+                                   kind, shown(other->second->name), shown(named.name)));
     }
     if (!is_new) {
       throw InputError(

@@ -91,7 +91,7 @@ class Resolver {
     resolve_named_points(raw_, numbers_, tree_);
     resolve_parameters(raw_, options_.runtime, tree_);
     tree_.snaps = in_file_order(snapper_.log().snaps);
-    findings_.insert(findings_.begin(), raw_.oddities.begin(), raw_.oddities.end());
+    tree_.warnings.insert(tree_.warnings.begin(), raw_.oddities.begin(), raw_.oddities.end());
     findings_.insert(findings_.begin(), snapper_.log().misses.begin(), snapper_.log().misses.end());
     return {std::move(tree_), in_file_order(std::move(findings_))};
   }

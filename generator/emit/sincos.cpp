@@ -321,7 +321,11 @@ std::string sincos_text(Target target, const std::string& functions, bool has_nu
     others.pop_back();
   }
   const std::string order = order_of_sums(
-      "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos libm is",
+      needs_no_numbers(target)
+          ? "sine_cosine of lanes rounds by adding and subtracting, and tells what is no number: "
+            "not for -ffast-math, -ffinite-math-only or x87"
+          : "sine_cosine rounds by adding and subtracting: not for -ffast-math or x87; --sincos "
+            "libm is",
       needs_no_numbers(target) ? kFiniteMath : "");
   return fill(template_text("sincos.cpp"),
               {{"order_of_sums", order}, {"pair", pair}, {"others", others}});

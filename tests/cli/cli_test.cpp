@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <map>
 
 namespace treedyn {
@@ -234,6 +235,9 @@ TEST_F(Cli, ComparesValuesInNamespacesAndSectionsOfTheUser) {
   command.front() = "check";
   command.emplace_back("--numeric");
   EXPECT_THAT(treedyn(command).out, HasSubstr("numeric: mass_matrix: largest distance 0.5,"));
+  *std::ranges::find(command, "arm") = "leg";
+  EXPECT_THAT(treedyn(command).out,
+              HasSubstr("numeric: the old files have another namespace than leg\n"));
   expect_usage_error(treedyn({"check", kModel, "-o", out(), "--numeric", "--layout", "packed"}),
                      "--numeric: compares functions of one state, in C++, with dense matrices");
 }

@@ -233,6 +233,14 @@ std::vector<std::string> findings(const std::string& name, const std::string& te
   return result;
 }
 
+TEST(ReadUrdf, WarnsOfAttributesThatItDoesNotRead) {
+  const model::Tree tree =
+      urdf(one_joint("<origin quat_xyzw=\"0.7 0 0 0.7\"/><axis xyz=\"0 0 1\"/>"));
+  ASSERT_EQ(tree.warnings.size(), 1U);
+  EXPECT_THAT(tree.warnings.front().message,
+              testing::EndsWith("attribute 'quat_xyzw' of <origin> is unknown and not read"));
+}
+
 TEST(Vet, FindsWhatIsNotReadAndLooksLikeASlip) {
   const std::string robot =
       "<robot name=\"r\" xmlns:x=\"u\"><link name=\"b\"/>\n<link name=\"a\"><inertial><mass "
