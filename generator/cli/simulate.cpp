@@ -29,6 +29,8 @@ namespace {
 constexpr int kRows = 500;
 /// Of constraints in a motion in float a warning, Bounds::drift_warning.
 constexpr double kDriftInFloat = 1e-4;
+/// And Bounds::no_speed.
+constexpr double kSpeedInFloat = 1e-5;
 /// Rows that a run may have.
 constexpr double kMostRows = 1e6;
 /// Rounding of a number of steps, as a part of it.
@@ -53,6 +55,7 @@ simulation::Settings settings_of(const SimulateRequest& request, const model::St
   result.stabilisation = static_cast<double>(stepping.stabilisation);
   if (request.scalar.value_or("") == "float") {
     result.bounds.drift_warning = kDriftInFloat;
+    result.bounds.no_speed = kSpeedInFloat;
   }
   if (request.most_steps) {
     result.most_steps = static_cast<double>(*request.most_steps);

@@ -1,6 +1,9 @@
 // Methods with an error estimate, from Boost.odeint.
+#include <algorithm>
+#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
 #include <vector>
 
 #include "simulation/integrator.hpp"
@@ -26,6 +29,31 @@ const std::vector<double>& weights_of_order(int order) {
   return order == 4 ? dopri5 : fehlberg78;
 }
 
+/// What the last stages of Fehlberg's method, a sixth of the step apart as Newton and Cotes' seven
+/// points, tell of the error where its own estimate says nothing: that compares rates at the
+/// beginning and at the end only, and they agree wherever forces follow t or a coordinate of
+/// constant speed. The rule's error is 9/8400 h of the eighth difference, which the fourth and
+/// fifth ones let expect if differences go on to shrink as they do. \param rates  of the 13 stages
+/// \return of component k, 1/h of it
+double cotes_error(const std::vector<OdeintState>& rates, std::size_t k) {
+  static constexpr std::array<std::size_t, 7> kStages = {11, 7, 9, 5, 8, 6, 12};
+  std::array<double, 7> f{};
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    f[i] = rates[kStages[i]][k];
+  }
+  double fourth = 0;
+  double fifth = 0;
+  for (std::size_t order = 1; order <= 5; ++order) {
+    for (std::size_t i = 0; i + order < f.size(); ++i) {
+      f[i] = f[i + 1] - f[i];
+      double& largest = order == 4 ? fourth : fifth;
+      largest = order < 4 ? 0 : std::max(largest, std::fabs(f[i]));
+    }
+  }
+  const double ratio = fifth < fourth ? fifth / fourth : 1;
+  return 9.0 / 8400 * fourth * std::pow(ratio, 4);
+}
+
 template <class Stepper, int order>
 class OdeintIntegrator final : public Integrator {
  public:
@@ -35,7 +63,9 @@ class OdeintIntegrator final : public Integrator {
       copy(x, x_);
       rate(time, x_, rate_);
       std::copy(rate_.begin(), rate_.end(), dxdt.begin());
+      rates_.push_back(dxdt);
     };
+    rates_.clear();
     from_.assign(y.begin(), y.end());
     to_.resize(from_.size());
     error_.resize(from_.size());
@@ -58,11 +88,15 @@ class OdeintIntegrator final : public Integrator {
       stepper_.do_step(system, from_, derivative_, t, to_, end, h, error_);
     } else {
       stepper_.do_step(system, from_, derivative_, t, to_, h, error_);
+      for (std::size_t k = 0; k < error_.size(); ++k) {
+        error_[k] = std::max(std::fabs(error_[k]), std::fabs(h) * cotes_error(rates_, k));
+      }
     }
   }
 
   Stepper stepper_;
   OdeintState from_, to_, error_, derivative_;
+  std::vector<OdeintState> rates_;  ///< of the stages
   Vector x_, rate_;
 };
 

@@ -27,8 +27,6 @@ constexpr double kPowerSteps = 100;
 constexpr int kFirstSteps = 10;
 /// The part of the speeds that a row adds up that counts as a speed of its own.
 constexpr double kOwnSpeed = 1e-3;
-/// Speeds that roundings leave of an impact or of a stop, 1/s or sizes of the mechanism a second.
-constexpr double kNoSpeed = 1e-11;
 
 Vector nearby(const Vector& q) {
   Vector result = q;
@@ -145,26 +143,27 @@ void Monitor::positions(System& system, double t, const Vector& q) {
 }
 
 void Monitor::speeds(System& system, double t, const Vector& q, const Vector& qd,
-                     const Vector& qd_before) {
+                     const Vector& qd_before, const std::vector<int>& acted) {
   const Vector moving = qd.cwiseAbs() + qd_before.cwiseAbs();
   Matrix J;
   Vector wanted;
   system.constraints().jacobian(system.geometry(q), J);
   system.constraints().velocities(t, wanted);
   for (int k = 0; k < J.rows(); ++k) {
-    const double off = std::fabs(J.row(k).dot(qd) - wanted[k]);
+    const double own = std::fabs(J.row(k).dot(qd) - wanted[k]);
+    const bool is_new = !std::ranges::binary_search(acted, system.constraints().constraint(k));
+    const double off = is_new ? own : own - std::fabs(J.row(k).dot(qd_before) - wanted[k]);
     const Row row = this->row(system.constraints(), k);
-    const double bound =
-        kNoSpeed * row.scale + kOwnSpeed * (J.row(k).cwiseAbs().dot(moving) + std::fabs(wanted[k]));
+    const double bound = bounds_.no_speed * row.scale +
+                         kOwnSpeed * (J.row(k).cwiseAbs().dot(moving) + std::fabs(wanted[k]));
     if (!system.constraints().is_held(k) || !(off > bound)) {
       continue;
     }
     const char* const unit = row.scale == size_ ? "m/s" : "1/s";
     note({"speed", names_[row.name], t, off, bound, 0, 0, unit,
           fmt::format(
-              "constraint '{}' begins to act at t = {:.6g} s at a speed of {:.3g} {} that no "
-              "impact has taken",
-              names_[row.name], t, off, unit)});
+              "constraint '{}' {} at t = {:.6g} s at a speed of {:.3g} {} that no impact has taken",
+              names_[row.name], is_new ? "begins to act" : "acts on", t, off, unit)});
   }
 }
 
@@ -279,13 +278,11 @@ void Monitor::energy(System& system, double t, double h, const Vector& q, const 
       !(std::fabs(part) > bounds_.energy_warning)) {
     return;
   }
-  const double change = energy_ - before - work.done;
   note({"energy", part > 0 ? "gained" : "lost", t, std::fabs(unexplained_),
         bounds_.energy_warning * scale, 0, 0, "J",
-        fmt::format("energy {}: by {:.3g} J in the step of {:.3g} s that ends at t = {:.6g} s, "
-                    "{:.3g} J in all, beside {:.3g} J {}",
+        fmt::format("energy {}: by {:.3g} J in all up to t = {:.6g} s, beside {:.3g} J {}",
                     part > 0 ? "grows without power" : "is lost to no force",
-                    part > 0 ? change : -change, h, t, std::fabs(unexplained_), scale, name)});
+                    std::fabs(unexplained_), t, scale, name)});
   if (part > bounds_.energy_end) {
     throw std::runtime_error(fmt::format(
         "energy grows without power: {:.3g} J more than forces explain, beside {:.3g} J "

@@ -19,6 +19,8 @@ struct Bounds {
   /// it has lost by that, rad/s or sizes of the robot a second.
   double residual_warning = 1e-6;
   double residual_end = 1e-1;
+  /// Speeds that roundings leave of an impact or of a stop, 1/s or sizes of the robot a second.
+  double no_speed = 1e-11;
   /// Energy beyond that of the beginning and the work of all forces, as a part of the energy that
   /// the motion has exchanged, of the fall of the robot by its size or of the power of a hundred
   /// such steps, whatever is more.
@@ -79,8 +81,10 @@ class Monitor {
   /// A row that moves elsewhere and has J = 0 here; when rows begin to act.
   void positions(System& system, double t, const Vector& q);
   /// Rows that begin to act at a speed that no impact has taken, beyond roundings of the speeds
-  /// before.
-  void speeds(System& system, double t, const Vector& q, const Vector& qd, const Vector& qd_before);
+  /// before; those of constraints that have acted only where they have gained it.
+  /// \param acted  constraints, ascending
+  void speeds(System& system, double t, const Vector& q, const Vector& qd, const Vector& qd_before,
+              const std::vector<int>& acted);
   /// A stage that counts for the time h in the step that ends at t.
   void turn(const Constraints& constraints, const Turn& turn, double t, double h);
   /// Position errors of the rows after a step.

@@ -259,8 +259,9 @@ void Simulator::place(double time, const Vector& q, const Vector& qd, int phase,
   t_ = time;
   y_ << q, qd;
   if (phase != phase_ || active != system_.constraints().active()) {
+    const std::vector<int> acted = system_.constraints().active();
     start_phase(phase, active);
-    monitor_.speeds(system_, t_, q, qd, qd_before);
+    monitor_.speeds(system_, t_, q, qd, qd_before, acted);
   }
   for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
     system_.forces().touch(k, true);  // the depth tells

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -317,6 +319,7 @@ void Simulator::fire(std::size_t index) {
     return;
   }
   std::vector<int> active = scene_.phases[static_cast<std::size_t>(event.then)].active;
+  const std::vector<int> acted = system_.constraints().active();
   const bool rests = event.impact && strike(event, record);
   const std::vector<LiftOff> before = lift_offs_;
   if (rests) {
@@ -343,7 +346,7 @@ void Simulator::fire(std::size_t index) {
     stick_or_slip(system_, t_, y_, k);
   }
   monitor_.positions(system_, t_, record.q);
-  monitor_.speeds(system_, t_, record.q, record.qd_after, record.qd_before);
+  monitor_.speeds(system_, t_, record.q, record.qd_after, record.qd_before, acted);
   events_.push_back(std::move(record));
 }
 
@@ -361,8 +364,16 @@ void Simulator::guard_against_pile(const Watch& watch) {
         "joint '{}' sticks and slips to and fro at t = {} s: its friction needs a slip_speed",
         scene_.tree.moved_by(joint).joint.name, t_));
   }
+  std::set<std::string> names;
+  const std::size_t count = std::min(events_.size(), static_cast<std::size_t>(pile_));
+  for (std::size_t k = events_.size() - count; k < events_.size(); ++k) {
+    names.insert(fmt::format("'{}'", events_[k].name));
+  }
+  const bool bounces = names.size() < 2;
   throw std::runtime_error(
-      fmt::format("events pile up at t = {} s: the impact needs rest_below", t_));
+      fmt::format("events pile up at t = {} s: {}", t_,
+                  bounces ? "the impact needs rest_below"
+                          : fmt::format("{} undo one another", fmt::join(names, " and "))));
 }
 
 }  // namespace treedyn::simulation

@@ -109,9 +109,6 @@ double Simulator::longest_step(double longest) {
   scale_ = longest;
   for (const model::Expression& expression : timed_) {
     scale_ = resolved_step(expression, now, scale_);
-    if (integrator_->error_order() > 0) {
-      scale_ = integrated_step(expression, now, scale_, settings_.tolerance);
-    }
   }
   double turn = 0;
   for (const int k : turning_) {

@@ -1,7 +1,6 @@
 #include "simulation/time_scale.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -133,37 +132,6 @@ double resolved_step(const model::Expression& expression, const State& state, do
       return step;
     }
     step /= 2;
-  }
-  return longest;
-}
-
-double integrated_step(const model::Expression& expression, const State& state, double longest,
-                       double tolerance) {
-  static constexpr std::array<double, 4> kCotes = {41.0 / 840, 9.0 / 35, 9.0 / 280, 34.0 / 105};
-  // Gauss and Legendre's five points
-  static constexpr std::array<std::array<double, 2>, 3> kGauss = {
-      {{0, 64.0 / 225},
-       {0.269234655052841544, 0.239314335249683234},
-       {0.453089922969331996, 0.118463442528094544}}};
-  double step = longest;
-  for (int halving = 0; halving < kScaleHalvings; ++halving, step /= 2) {
-    double cotes = 0;
-    double gauss = 0;
-    double size = 0;
-    const auto at = [&](double s) {
-      const double e = value_of(expression, {state.t + s * step, state.q, state.qd});
-      size = std::max(size, std::fabs(e));
-      return e;
-    };
-    for (std::size_t k = 0; k <= 6; ++k) {
-      cotes += kCotes[std::min(k, 6 - k)] * at(static_cast<double>(k) / 6);
-    }
-    for (const auto& [x, weight] : kGauss) {
-      gauss += x == 0 ? weight * at(0.5) : weight * (at(0.5 - x) + at(0.5 + x));
-    }
-    if (std::fabs(cotes - gauss) <= tolerance * size) {
-      return step;
-    }
   }
   return longest;
 }

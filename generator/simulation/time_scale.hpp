@@ -21,12 +21,6 @@ inline constexpr double kFlat = 1e-4;
 /// that no pulse falls between samples. `longest` where no step does: a pole, the root of zero.
 double resolved_step(const model::Expression& expression, const State& state, double longest);
 
-/// The longest step up to `longest` over which Newton and Cotes' rule of seven points, which is
-/// that of Fehlberg's order 8, integrates an expression to a part of its size; `longest` where none
-/// does. Fehlberg's estimate of the error is zero for a function of time alone.
-double integrated_step(const model::Expression& expression, const State& state, double longest,
-                       double tolerance);
-
 /// Of the forces, curves and accelerations of a scene, those that depend on t.
 std::vector<model::Expression> timed_expressions(const model::Scene& scene);
 

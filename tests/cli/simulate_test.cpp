@@ -97,6 +97,30 @@ TEST_F(Simulate, WarnsWhenItMovesTheInitialState) {
   EXPECT_THAT(outcome.err, HasSubstr("warning: the initial state was moved by"));
 }
 
+/// A leg stands in both phases; they change where it turns, when its drift is all the speed there
+/// is.
+TEST_F(Simulate, WarnsOfNoImpactForWhatHasActedBefore) {
+  write_file(
+      scratch("leg.yaml"),
+      "name: leg\nlinks:\n"
+      "  - {name: sx, father: ground, joint: {name: x, type: prismatic, axis: [1, 0, 0]}}\n"
+      "  - {name: sz, father: sx, joint: {name: z, type: prismatic, axis: [0, 0, 1]}, mass: 1}\n"
+      "  - {name: leg, father: sz, joint: {name: a, type: revolute, axis: [0, 1, 0]}, mass: 1, "
+      "com: [0, 0, -0.3]}\npoints: [{name: foot, link: leg, at: [0, 0, -1]}]\n");
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: leg.yaml\nduration: 0.5\neffects:\n  gravity: [0, 0, -9.81]\n"
+             "  point_constraint: [{name: stand, point: foot, along: [x, z]}]\nphases:\n"
+             "  - {name: one, active: [stand], until: [{expression: \"qd[a]\", crossing: rising, "
+             "then: two}]}\n  - {name: two, active: [stand]}\n"
+             "initial: {q: {z: cos(0.3), x: sin(0.3), a: 0.3}, qd: {a: -0.8, x: -0.8*cos(0.3), "
+             "z: 0.8*sin(0.3)}}\nstepping: {integrator: semi-implicit-euler, step: 0.001}\n");
+  const Outcome outcome =
+      treedyn({scratch("s.yaml").string(), "--drift", "none", "--json", "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(json::parse(read_file(file("s.json")))["events"].size(), 1U);
+  EXPECT_THAT(outcome.err, Not(HasSubstr("no impact")));
+}
+
 TEST_F(Simulate, GivesTheSameBytesTwice) {
   const Outcome first = treedyn({scene("compass_walk"), "--duration", "3"});
   const Outcome second = treedyn({scene("compass_walk"), "--duration", "3"});

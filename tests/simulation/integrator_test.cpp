@@ -1,6 +1,7 @@
 // Every integrator against exact solutions of its own differential equation.
 #include "simulation/integrator.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,38 @@ double stiff_oscillator(const char* name, int steps) {
 TEST(Sdirk2, DampsWhatIsStifferThanTheStep) { EXPECT_LT(stiff_oscillator("sdirk2", 10), 1e-6); }
 
 TEST(Rk4, IsUnstableWhereSdirk2IsNot) { EXPECT_GT(stiff_oscillator("rk4", 3), 1e6); }
+
+/// v' = 3 / (0.01 + (x - 5.3)^2) with x' = 1: the rates at the beginning and at the end agree in
+/// all stages. Steps that keep the tolerance by the estimate, halved or longer by a half: the
+/// errors of all are at most as many tolerances.
+TEST(Integrators, SeeForcesAlongACoordinateOfConstantSpeed) {
+  constexpr double kTolerance = 1e-10;
+  const Rate rate = [](double, const Vector& y, Vector& dy) {
+    dy.resize(2);
+    dy << 1, 3 / (0.01 + (y[0] - 5.3) * (y[0] - 5.3));
+  };
+  const double exact = 30 * (std::atan(47.0) + std::atan(53.0));
+  for (const char* const name : {"fehlberg78", "dopri5"}) {
+    const auto integrator = make_integrator(name);
+    Vector y = Vector::Zero(2);
+    Vector next;
+    Vector error;
+    int steps = 0;
+    for (double h = 0.1; 10 - y[0] > 1e-12 && steps < 10000;) {
+      h = std::min(h, 10 - y[0]);
+      integrator->step(rate, 0, h, y, next, error);
+      if (std::fabs(error[1]) > kTolerance * exact) {
+        h /= 2;
+        continue;
+      }
+      y = next;
+      h *= 1.5;
+      ++steps;
+    }
+    EXPECT_NEAR(y[1], exact, steps * kTolerance * exact) << name << ' ' << steps;
+    EXPECT_LT(steps, 1000) << name;
+  }
+}
 
 TEST(Integrators, AreFoundByTheirNames) {
   for (const IntegratorRow& row : integrators()) {
