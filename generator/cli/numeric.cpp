@@ -58,6 +58,19 @@ std::string distance_line(const std::string& function, const std::vector<double>
                      distance, largest);
 }
 
+/// Of functions of the model and equations of users.
+std::vector<program::Signature> signatures_of(const Model& model) {
+  const auto points = static_cast<int>(model.points.size());
+  std::vector<program::Signature> result;
+  for (const std::string& name : model.functions) {
+    result.push_back(formulate::signature(name, model.tree.dof(), points));
+  }
+  for (const auto& equation : model.equations) {
+    result.push_back(signature_of(*equation, model.tree.dof(), points));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string numeric_report(const Model& model, const Request& request,
@@ -83,15 +96,7 @@ std::string numeric_report(const Model& model, const Request& request,
   }
   std::vector<program::Signature> common;
   std::string report;
-  const auto points = static_cast<int>(model.points.size());
-  std::vector<program::Signature> signatures;
-  for (const std::string& name : model.functions) {
-    signatures.push_back(formulate::signature(name, model.tree.dof(), points));
-  }
-  for (const auto& equation : model.equations) {
-    signatures.push_back(signature_of(*equation, model.tree.dof(), points));
-  }
-  for (const program::Signature& signature : signatures) {
+  for (const program::Signature& signature : signatures_of(model)) {
     if (header.find(emit::declaration_text(signature)) != std::string::npos) {
       common.push_back(signature);
     } else {
