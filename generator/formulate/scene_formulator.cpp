@@ -122,6 +122,13 @@ program::RowSolve SceneFormulator::solve_of(const program::Function& function, i
   return solve;
 }
 
+/// Equations that are solved between the parts of a function: they go out, the solution comes in.
+void SceneFormulator::add_rows(int rows, program::Signature& inner) {
+  inner.inputs.push_back({program::kMultiplierArray, rows, ""});
+  inner.outputs.insert(inner.outputs.begin(), {{program::kMatrixArray, rows * (rows + 1) / 2, ""},
+                                               {program::kRightArray, rows, ""}});
+}
+
 /// Contacts press on what follows.
 void SceneFormulator::add_contacts(program::Staged& staged) const {
   staged.gates.push_back(program::Gate::kPress);
@@ -171,13 +178,10 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   }
   if (r > 0) {
     staged.signature.outputs.push_back({"lambda", r, "N|N m"});
-    inner.inputs.push_back({program::kMultiplierArray, r, ""});
+    inner.outputs = staged.signature.outputs;
+    add_rows(r, inner);
     staged.gates.push_back(program::Gate::kSolve);
     staged.levels.push_back(static_cast<int>(staged.gates.size()));
-    inner.outputs = {{program::kMatrixArray, r * (r + 1) / 2, ""},
-                     {program::kRightArray, r, ""},
-                     qdd,
-                     staged.signature.outputs.back()};
   }
   add_depths(inner);
   if (arrays.t >= 0) {
@@ -221,12 +225,8 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
                       "none where reactions can do without.",
                       {q(), qd(), qdd},
                       {tau, lambda}};
-  staged.function.signature = {
-      staged.signature.name,
-      "",
-      "",
-      {q(), qd(), qdd, {program::kMultiplierArray, p, ""}},
-      {{program::kMatrixArray, p * (p + 1) / 2, ""}, {program::kRightArray, p, ""}, tau, lambda}};
+  staged.function.signature = staged.signature;
+  add_rows(p, staged.function.signature);
   add_depths(staged.function.signature);
   staged.levels = {0, 0, 0, 1};
   if (arrays.force >= 0) {
@@ -264,12 +264,8 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
                       "Joint velocities after an impact, and its impulses.",
                       {q(), minus},
                       {plus, P}};
-  staged.function.signature = {
-      impact.name,
-      "",
-      "",
-      {q(), minus, {program::kMultiplierArray, r, ""}},
-      {{program::kMatrixArray, r * (r + 1) / 2, ""}, {program::kRightArray, r, ""}, plus, P}};
+  staged.function.signature = staged.signature;
+  add_rows(r, staged.function.signature);
   staged.levels = {0, 0, 1};
   staged.gates = {program::Gate::kSolve};
   staged.solves = {solve_of(staged.function, r, impact.constraints)};

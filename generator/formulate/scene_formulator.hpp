@@ -36,6 +36,7 @@ class SceneFormulator {
  private:
   static void add_forces(const PhaseState& state, program::Staged& staged);
   static void add_input(const program::Array& input, program::Staged& staged);
+  static void add_rows(int rows, program::Signature& inner);
   void add_places(const std::vector<int>& active, program::Staged& staged) const;
   /// \param joints  whose columns of J the rows of K stand for; empty: K stands for rows of J
   [[nodiscard]] program::RowSolve solve_of(const program::Function& function, int rows,

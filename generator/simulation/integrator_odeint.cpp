@@ -29,14 +29,16 @@ const std::vector<double>& weights_of_order(int order) {
   return order == 4 ? dopri5 : fehlberg78;
 }
 
-/// What the last stages of Fehlberg's method, a sixth of the step apart as Newton and Cotes' seven
-/// points, tell of the error where its own estimate says nothing: that compares rates at the
-/// beginning and at the end only, and they agree wherever forces follow t or a coordinate of
-/// constant speed. The rule's error is 9/8400 h of the eighth difference, which the fourth and
-/// fifth ones let expect if differences go on to shrink as they do. \param rates  of the 13 stages
+/// The error of Fehlberg's method where its own estimate says nothing. That compares rates at the
+/// beginning and at the end of the step only, and they agree wherever forces follow t or a
+/// coordinate of constant speed. The last stages are Newton and Cotes' seven points, whose rule is
+/// wrong by 9/8400 h of the eighth difference: what the fourth and fifth ones let expect if
+/// differences go on to shrink as they do.
+///
+/// \param rates  of the 13 stages
 /// \return of component k, 1/h of it
 double cotes_error(const std::vector<OdeintState>& rates, std::size_t k) {
-  static constexpr std::array<std::size_t, 7> kStages = {11, 7, 9, 5, 8, 6, 12};
+  static constexpr std::array<std::size_t, 7> kStages = {11, 7, 9, 5, 8, 6, 12};  // by time
   std::array<double, 7> f{};
   for (std::size_t i = 0; i < f.size(); ++i) {
     f[i] = rates[kStages[i]][k];
@@ -63,7 +65,9 @@ class OdeintIntegrator final : public Integrator {
       copy(x, x_);
       rate(time, x_, rate_);
       std::copy(rate_.begin(), rate_.end(), dxdt.begin());
-      rates_.push_back(dxdt);
+      if constexpr (order == 7) {
+        rates_.push_back(dxdt);
+      }
     };
     rates_.clear();
     from_.assign(y.begin(), y.end());
@@ -96,7 +100,7 @@ class OdeintIntegrator final : public Integrator {
 
   Stepper stepper_;
   OdeintState from_, to_, error_, derivative_;
-  std::vector<OdeintState> rates_;  ///< of the stages
+  std::vector<OdeintState> rates_;  ///< of the stages of Fehlberg's method
   Vector x_, rate_;
 };
 

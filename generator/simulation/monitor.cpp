@@ -46,7 +46,8 @@ double energy(System& system, Pose& pose, const Vector& q, const Vector& qd) {
 
 Bounds unbounded() {
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  return {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};
+  static_assert(sizeof(Bounds) == 10 * sizeof(double));
+  return {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};
 }
 
 std::string to_string(const Notice& notice) {

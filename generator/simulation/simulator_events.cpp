@@ -369,11 +369,13 @@ void Simulator::guard_against_pile(const Watch& watch) {
   for (std::size_t k = events_.size() - count; k < events_.size(); ++k) {
     names.insert(fmt::format("'{}'", events_[k].name));
   }
-  const bool bounces = names.size() < 2;
+  const bool bounces =
+      names.size() == 1 && watch.kind == Watch::Kind::kEvent && event_at(watch.index).impact;
   throw std::runtime_error(
       fmt::format("events pile up at t = {} s: {}", t_,
-                  bounces ? "the impact needs rest_below"
-                          : fmt::format("{} undo one another", fmt::join(names, " and "))));
+                  bounces         ? "the impact needs rest_below"
+                  : names.empty() ? "a contact opens and closes again and again"
+                                  : fmt::format("{} again and again", fmt::join(names, " and "))));
 }
 
 }  // namespace treedyn::simulation

@@ -121,6 +121,39 @@ TEST_F(Simulate, WarnsOfNoImpactForWhatHasActedBefore) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("no impact")));
 }
 
+/// What holds a foot in both directions lets go of both where the floor would pull: the motion of
+/// the other one drives it into the floor again at once.
+TEST_F(Simulate, NamesTheEventsThatPileUp) {
+  write_file(
+      scratch("hopper.yaml"),
+      "name: hopper\nlinks:\n"
+      "  - {name: sx, father: ground, joint: {name: px, type: prismatic, axis: [1, 0, 0]}}\n"
+      "  - {name: sz, father: sx, joint: {name: pz, type: prismatic, axis: [0, 0, 1]}}\n"
+      "  - {name: body, father: sz, joint: {name: ry, type: revolute, axis: [0, 1, 0]}, mass: 2, "
+      "com: [0.03, 0, 0.05], inertia: [0.02, 0, 0, 0.03, 0, 0.02]}\n"
+      "  - {name: arm, father: body, joint: {name: ar, type: revolute, axis: [0, 1, 0], offset: "
+      "[0.1, 0, 0.1]}, mass: 0.4, com: [0.1, 0, 0], inertia: [0, 0, 0, 0.001, 0, 0.001]}\n"
+      "points: [{name: b, link: body, at: [0.25, 0, -0.12]}]\n");
+  write_file(
+      scratch("s.yaml"),
+      "scene: s\nmodel: hopper.yaml\nduration: 2.5\neffects:\n  gravity: [0.2, 0, -9.8]\n"
+      "  joint_spring:\n    - {joint: px, stiffness: 20}\n"
+      "    - {joint: ry, stiffness: 60, damping: 0.4, rest: 0.25}\n"
+      "    - {joint: ar, stiffness: 3, damping: 0.05}\n"
+      "  drive: [{joint: ar, torque: 18*sin(9*t)}]\n"
+      "  point_constraint: [{name: B, point: b, along: [[0.14943813247359922, 0, "
+      "0.9887710779360422], [0.9887710779360422, 0, -0.14943813247359922]]}]\n"
+      "phases:\n  - name: fly\n    active: []\n    until:\n"
+      "      - {touch_down: {point: b, normal: [0.14943813247359922, 0, 0.9887710779360422], "
+      "height: 0.02}, impact: {constraints: [B], restitution: 0.3, rest_below: 0.3}, then: fly}\n"
+      "      - {lift_off: {constraint: B, normal: [0.14943813247359922, 0, 0.9887710779360422]}, "
+      "then: fly}\n"
+      "initial: {q: {pz: 0.35, ry: 0.25}}\n");
+  const Outcome outcome = treedyn({scratch("s.yaml").string(), "-o", out()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("'lift_off of B' and 'touch_down of b' again and again"));
+}
+
 TEST_F(Simulate, GivesTheSameBytesTwice) {
   const Outcome first = treedyn({scene("compass_walk"), "--duration", "3"});
   const Outcome second = treedyn({scene("compass_walk"), "--duration", "3"});

@@ -220,6 +220,18 @@ TEST(Constraints, ThatBeginAtASpeedAreNoticed) {
   }
 }
 
+/// A plastic impact that returns to the fall: the next one comes at once.
+TEST(Rest, IsAskedForWhereImpactsPileUp) {
+  Running run(falling_ball(
+      "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: floor, point: ball, along: "
+      "[z]}]\nphases:\n  - name: fall\n    active: []\n    until:\n      - {touch_down: {point: "
+      "ball}, impact: {constraints: [floor], restitution: 0}, then: fall}\n"
+      "initial: {q: {height: 0.2}}\nduration: 1\n"));
+  const Recording recording = run.record(0.01);
+  EXPECT_NE(recording.stopped.find("the impact needs rest_below"), std::string::npos)
+      << recording.stopped;
+}
+
 TEST(Rest, ThatNobodyAskedForEndsWhereTheFloorWouldPull) {
   Running run(falling_ball(
       "effects:\n  gravity: [0, 0, -10]\n  force: [{point: ball, value: [0, 0, 5*t]}]\n"
