@@ -196,10 +196,9 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
   }
   if (request.share_limbs && (request.scene || request.target.lanes > 1)) {
     throw CLI::ParseError(
-        fmt::format(
-            "--{}: functions of a scene and of several states at once have no shared limbs; "
-            "expected a MODEL and 1 lane",
-            request.target.limb_lanes ? "limb-lanes" : "share-limbs"),
+        fmt::format("{}: functions of a scene and of several states at once have no shared limbs; "
+                    "expected a MODEL and 1 lane",
+                    sharing_option(request)),
         kUsage);
   }
   const bool lanes = request.target.lanes > 1;
@@ -211,8 +210,10 @@ void require_model_or_scene(const CLI::App& command, const Settings& settings) {
   }
   if (request.checked && (request.share_limbs || request.target.lanes > 1)) {
     throw CLI::ParseError(
-        "--checked: a status is that of one state and of code that is not shared; expected no "
-        "--share-limbs and 1 lane",
+        fmt::format(
+            "--checked: a status is that of one state and of code that is not shared; expected no "
+            "{} and 1 lane",
+            sharing_option(request)),
         kUsage);
   }
   if (!request.scene) {
@@ -229,8 +230,9 @@ void require_words_of_language(const Request& request) {
   const bool c = request.language == emit::Language::kC99;
   if (c && (request.share_limbs || request.target.lanes > 1)) {
     throw CLI::ParseError(
-        "--language c99: has no lanes and no code that limbs share; expected no --share-limbs and "
-        "1 lane",
+        fmt::format("--language c99: has no lanes and no code that limbs share; expected no {} and "
+                    "1 lane",
+                    sharing_option(request)),
         kUsage);
   }
   if (c && request.space) {

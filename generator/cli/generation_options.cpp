@@ -176,8 +176,9 @@ void add_checked(CLI::App& command, Request& request) {
 
 void add_model(CLI::App& command, Request& request) {
   command
-      .add_option("MODEL", request.model,
-                  "URDF (*.urdf) or tree description (*.yaml); -: YAML on standard input")
+      .add_option(
+          "MODEL", request.model,
+          "URDF (*.urdf) or tree description (*.yaml, *.yml, *.json); -: YAML on standard input")
       ->required();
   command
       .add_option_function<std::string>(
@@ -268,8 +269,8 @@ void settle_vectors(Request& request) {
   if (request.target.vectors && !room) {
     throw CLI::ValidationError("--sincos vector",
                                "all angles of one state first, in C++; expected 1 lane, no "
-                               "--trig late, no --core of a microcontroller, no --section and no "
-                               "--language c99");
+                               "--trig late (with --core of a microcontroller: --trig early), no "
+                               "--section and no --language c99");
   }
 }
 
@@ -430,7 +431,8 @@ void add_generation(CLI::App& command, Request& request) {
   command
       .add_option_function<std::string>(
           "--settings", [&request](const std::string& file) { request.settings.push_back(file); },
-          "a file with options of this list, a line each: step = 0.01; `accuracy` writes one")
+          "a file with options of this list, a line each: scalar = \"float\"; accuracy --target "
+          "writes one")
       ->type_name("FILE");
   command.get_option("MODEL")->required(false);
   command

@@ -31,6 +31,16 @@ std::string roff(const std::string& text) {
   return "\\&" + result;
 }
 
+/// `early|late` as "early late"; empty if an option takes something else.
+std::string choices_of(const CLI::Option& option) {
+  std::string type = option.get_type_name();
+  if (type.find('|') == std::string::npos) {
+    return {};
+  }
+  std::replace(type.begin(), type.end(), '|', ' ');
+  return type;
+}
+
 /// "-o, --output DIR"
 std::string words_of(const CLI::Option& option) {
   std::string words = option.get_positional() ? option.get_name(true) : "";
@@ -40,18 +50,9 @@ std::string words_of(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) {
     words += fmt::format("{}--{}", words.empty() ? "" : ", ", name);
   }
-  const std::string type = option.get_positional() ? "" : option.get_type_name();
+  const std::string type =
+      option.get_positional() && choices_of(option).empty() ? "" : option.get_type_name();
   return type.empty() ? words : words + " " + type;
-}
-
-/// `early|late` as "early late"; empty if an option takes something else.
-std::string choices_of(const CLI::Option& option) {
-  std::string type = option.get_type_name();
-  if (type.find('|') == std::string::npos) {
-    return {};
-  }
-  std::replace(type.begin(), type.end(), '|', ' ');
-  return type;
 }
 
 std::string names_of(const CLI::Option& option, const char* between) {
@@ -81,8 +82,9 @@ std::string manual_page(const CLI::App& app) {
     }
   }
   return text +
-         ".SH EXIT STATUS\n0: success; 1: files, models, points or writing, or a check that "
-         "differs; 2: wrong usage.\n";
+         ".SH EXIT STATUS\n0: success; 1: files, models, points or writing, a check that "
+         "differs, findings of vet, a motion that ends early, a --target of accuracy that is not "
+         "reached; 2: wrong usage.\n";
 }
 
 std::string bash_completion(const CLI::App& app) {

@@ -81,16 +81,21 @@ void add_axes(CLI::App& command, AccuracyAxes& axes) {
 
 /// What is studied, and what is looked for.
 void add_study(CLI::App& command, AccuracyRequest& request) {
-  command.add_option("SCENE", request.scene, "scene (*.yaml)")->required();
+  command.add_option("SCENE", request.scene, "scene (*.yaml), or a case of hard_cases (*.json)")
+      ->required();
   command
       .add_option("-o,--output", request.output,
-                  "folder of NAME_accuracy.html, .svg, .csv and .json")
+                  "folder of NAME_accuracy.html, .svg, .csv and .json; with --target "
+                  "NAME_accuracy_CORE.toml of each processor, for generate --settings")
       ->type_name("DIR");
   std::vector<std::string> names;
   for (const accuracy::Core& core : accuracy::cores()) {
     names.emplace_back(core.name);
   }
-  command.add_option("--on", request.on, "processors, whose tables of cycles count")
+  command
+      .add_option("--on", request.on,
+                  fmt::format("processors, whose tables of cycles count: {}; default {}",
+                              fmt::join(names, ","), fmt::join(request.on, ",")))
       ->delimiter(',')
       ->check(one_of(names))
       ->type_name("LIST");
@@ -118,17 +123,27 @@ void add_study(CLI::App& command, AccuracyRequest& request) {
                request.target);
 }
 
+/// What is wrong with a value of --spread.
+std::string check_spread(const std::string& text) {
+  const Decimal decimal = read_decimal(text);
+  const bool is_part = decimal && decimal.value >= Real("1e-9") && decimal.value <= 1;
+  return is_part ? "" : fmt::format("{} is no part; expected 1e-9 to 1", shown(text));
+}
+
 /// Which motions are compared, and by what.
 void add_comparison(CLI::App& command, AccuracyRequest& request) {
-  command.add_option("--states", request.states, "initial states, the scene's own among them")
+  command
+      .add_option(
+          "--states", request.states,
+          fmt::format("initial states, the scene's own among them; default {}", request.states))
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
   command
       .add_option(
           "--spread", request.spread,
-          "by which part of their size coordinates and speeds of the others differ at most; "
-          "default 0.01")
-      ->check(CLI::Range(1e-9, 1.0))
+          "by which part of their size coordinates and speeds of the others differ at most, "
+          "1e-9 to 1; default 0.01")
+      ->check(CLI::Validator(check_spread, ""))
       ->type_name("PART");
   std::vector<std::string> errors;
   for (const accuracy::ErrorRow& row : accuracy::kErrors) {
@@ -138,7 +153,7 @@ void add_comparison(CLI::App& command, AccuracyRequest& request) {
       .add_option("--error", request.error,
                   "which one targets, fronts and pictures are of; default joints")
       ->check(one_of(errors))
-      ->type_name("NAME");
+      ->type_name(fmt::format("{}", fmt::join(errors, "|")));
   command
       .add_option("--points", request.points,
                   "whose places are compared, as in generate; default: those of the scene")
@@ -247,14 +262,20 @@ void add_simulate(CLI::App& app, Settings& settings) {
   for (const simulation::IntegratorRow& row : simulation::integrators()) {
     integrators.emplace_back(row.name);
   }
-  command.add_option("--integrator", request.integrator, "treedyn list integrators names them")
+  command
+      .add_option("--integrator", request.integrator,
+                  "treedyn list integrators names them; default the scene's, which is fehlberg78 "
+                  "unless it says another")
       ->check(one_of(integrators))
       ->type_name("NAME");
-  add_positive(command, "--step", "s; the longest one of an adaptive integrator", "H",
-               request.step);
-  add_positive(command, "--tolerance", "error of a step of an adaptive integrator", "T",
+  add_positive(command, "--step",
+               "s; the longest one of an adaptive integrator, default no limit; of others default "
+               "the scene's, or 1e-3",
+               "H", request.step);
+  add_positive(command, "--tolerance",
+               "error of a step of an adaptive integrator; default the scene's, or 1e-10", "T",
                request.tolerance);
-  add_positive(command, "--duration", "s", "T", request.duration);
+  add_positive(command, "--duration", "s; default the scene's", "T", request.duration);
   add_positive(command, "--max-steps", "end where more steps would be needed; default 1e7", "N",
                request.most_steps);
   add_positive(command, "--drift-limit",
@@ -273,7 +294,7 @@ void add_simulate(CLI::App& app, Settings& settings) {
                             : drift == "baumgarte" ? model::Drift::kBaumgarte
                                                    : model::Drift::kProjection;
           },
-          "what is done about the drift of constraints")
+          "what is done about the drift of constraints; default the scene's, or projection")
       ->check(one_of({"none", "baumgarte", "projection"}))
       ->type_name("none|baumgarte|projection");
   add_talk(command, settings);

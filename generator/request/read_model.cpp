@@ -248,22 +248,19 @@ void choose(const StepChoice& choice, model::Stepping& stepping) {
   stepping.compensated = choice.compensated.value_or(stepping.compensated);
 }
 
-/// What knows of numbers that are the same at run time only.
+/// \throws UsageError for what knows of numbers that are the same at run time only
 void refuse_parameters(const Request& request, const std::string& file) {
   const std::array<std::pair<bool, const char*>, 5> others = {
       {{request.target.lanes > 1, "--lanes"},
-       {request.share_limbs, "--share-limbs"},
+       {request.share_limbs, sharing_option(request)},
        {request.self_test, "--self-test"},
        {request.checked, "--checked"},
        {request.accuracy_samples > 0, "--accuracy-samples"}}};
   for (const auto& [given, option] : others) {
     if (given) {
-      throw InputError(
-          {file, 0, 0},
-          fmt::format(
-              "numbers are known at run time only, and {} is for models without such; expected "
-              "one of both",
-              option));
+      throw UsageError(fmt::format(
+          "{}: is for models without run-time parameters, which {} has; expected one of both",
+          option, shown(file)));
     }
   }
 }
@@ -388,7 +385,8 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request) {
   if (request.share_limbs && formulate::find_limbs(model.tree).empty()) {
     const Location where{request.model, 0, 0};
     warnings.push_back(
-        {where, "no two limbs have the same structure; --share-limbs changes nothing"});
+        {where, fmt::format("no two limbs have the same structure; {} changes nothing",
+                            sharing_option(request))});
   }
   if (request.checked && std::ranges::none_of(model.functions, equations::divides_by_pivots)) {
     const Location where{request.scene.value_or(request.model), 0, 0};

@@ -90,6 +90,10 @@ bool room_for_vectors(const Request& request) {
          request.section.empty();  // g++ before 14 takes no section for templates
 }
 
+const char* sharing_option(const Request& request) {
+  return request.target.limb_lanes ? "--limb-lanes" : "--share-limbs";
+}
+
 std::vector<std::pair<std::string, std::string>> manifest_options(const Request& request) {
   std::vector<std::pair<std::string, std::string>> options = {
       {"scalar", in_quotes(emit::type_name(request.target.scalar))},
@@ -137,7 +141,7 @@ namespace {
 std::vector<std::string> options_without_value(const Request& request) {
   std::vector<std::string> result;
   if (request.share_limbs) {
-    result.emplace_back(request.target.limb_lanes ? "--limb-lanes" : "--share-limbs");
+    result.emplace_back(sharing_option(request));
   }
   if (request.self_test) {
     result.emplace_back("--self-test");

@@ -64,6 +64,9 @@ bool has_late_sines(const std::string& core);
 /// before all that needs them, in C++.
 bool room_for_vectors(const Request& request);
 
+/// The option that lets limbs share code: --share-limbs, or --limb-lanes.
+const char* sharing_option(const Request& request);
+
 /// How a command names its files.
 enum class Paths { kAsGiven, kBaseNames };
 

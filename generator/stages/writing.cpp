@@ -134,11 +134,10 @@ emit::Processor processor_of(const accuracy::Core& core, const emit::Unit& unit)
   return result;
 }
 
-/// \throws InputError for a self-test of nothing
-void require_tested(const emit::Unit& unit, const Request& request) {
+/// \throws UsageError for a self-test of nothing
+void require_tested(const emit::Unit& unit) {
   if (unit.self_test && unit.functions.empty()) {
-    throw InputError({request.scene.value_or(request.model), 0, 0},
-                     "--self-test tests functions of the model; expected some among --functions");
+    throw UsageError("--self-test: tests functions of the model; expected some among --functions");
   }
 }
 
@@ -181,7 +180,7 @@ std::vector<emit::File> emit_files(const Model& model, const Request& request,
     require_length(stepper.step, request);
   }
   unit.self_test = request.self_test;
-  require_tested(unit, request);
+  require_tested(unit);
   if (request.accuracy_samples > 0) {
     unit.errors = measured_errors(model, request, unit.functions);
   }

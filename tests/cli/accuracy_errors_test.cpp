@@ -307,6 +307,7 @@ TEST_F(AccuracyErrors, RefusesWhatCannotBeJudged) {
   expect_usage_error(with(kPendulum, {"--target", "1", "--flash", "1000"}),
                      "limits of processors with flash; expected --on with m0plus, m4f, m33 or m7");
   expect_usage_error(with(kPendulum, {"--on", "m4f", "--stack", "1000"}), "expected --target");
+  expect_usage_error(with(kPendulum, {"--spread", "2"}), "--spread: 2 is no part; expected 1e-9");
   expect_usage_error(with(kPendulum, {"--on", "host", "--sizes"}), "no processor with flash");
   expect_usage_error(with(kPendulum, {"--error", "jerk"}), "jerk not in {joints,energy,drift,");
   expect_usage_error(with(kPendulum, {"--error", "events"}),

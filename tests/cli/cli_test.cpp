@@ -346,6 +346,7 @@ TEST_F(Cli, PagesComeFromTheHelp) {
   const std::string man = treedyn({"pages", "man"}).out;
   EXPECT_THAT(man, HasSubstr(".SS \\&treedyn accuracy\n"));
   EXPECT_THAT(man, HasSubstr(".B \\&\\-\\-language c++|c99\n"));
+  EXPECT_THAT(man, HasSubstr(".B \\&WHAT functions|effects|integrators\n"));
   const std::string script = treedyn({"pages", "bash"}).out;
   const Outcome complete = support::run(
       {"bash", "-c",

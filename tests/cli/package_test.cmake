@@ -145,7 +145,7 @@ function(expect_refusal from to message)  # more arguments are those of cmake
 endfunction()
 expect_refusal("CONTRACTION on" "CONTRACTION fast" "treedyn_generate: CONTRACTION 'fast'; expected on or off")
 expect_refusal("NAME in_c" "STEM in_c" "'STEM;in_c' is not expected in treedyn_generate(TARGET")
-expect_refusal("SCENE swing.yaml NAME swing" "NAME swing" "one of MODEL and SCENE is needed; expected treedyn_generate(TARGET")
+expect_refusal("SCENE swing.yaml NAME swing" "NAME swing" "exactly one of MODEL and SCENE is needed; expected treedyn_generate(TARGET")
 expect_refusal("FOLDER \${CMAKE_CURRENT_BINARY_DIR}/arm" "" "FOLDER has no value; expected treedyn_check(NAME")
 expect_refusal("project(consumer C CXX)" "project(consumer C)" "treedyn_generate: writes CXX; expected it among the LANGUAGES of project()")
 expect_refusal("CONTRACTION on" "CONTRACTION on" "there is no program '/nowhere/treedyn'; expected TREEDYN_EXECUTABLE"

@@ -594,15 +594,18 @@ TEST_F(RunTimeCli, RefusesWhatItDoesNotTake) {
           "'length' cannot be known at run time only; expected "
           "mass, com, inertia, offset; of one component com.x or inertia.xx");
   refused({"--runtime", "forearm.mass,forearm.mass"}, "'forearm.mass' is defined twice");
-  for (const std::string option :
-       {"--lanes=2", "--share-limbs", "--self-test", "--checked", "--accuracy-samples=3"}) {
-    refused({"--runtime", "forearm.mass", option}, option.substr(0, option.find('=')));
-  }
 }
 
 TEST_F(RunTimeCli, RefusesOptionsThatReportNumbers) {
   for (const std::string option : {"--accuracy", "--passes"}) {
     expect_usage_error(treedyn({"info", kModel, "--runtime", "forearm.mass", option}), option);
+  }
+  for (const std::string option : {"--lanes=2", "--share-limbs", "--limb-lanes", "--self-test",
+                                   "--checked", "--accuracy-samples=3"}) {
+    expect_usage_error(
+        treedyn({"generate", kModel, "--runtime", "forearm.mass", option, "-o", out()}),
+        option.substr(0, option.find('=')) + ": is for models without run-time parameters");
+    EXPECT_FALSE(fs::exists(out()));
   }
   expect_usage_error(
       treedyn({"check", kModel, "--runtime", "forearm.mass", "--numeric", "-o", out()}),

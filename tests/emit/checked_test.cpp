@@ -239,12 +239,13 @@ support::Outcome generated(const std::vector<std::string>& options) {
 
 TEST(CheckedOption, IsForOneStateAndCodeOfItsOwn) {
   for (const std::vector<std::string>& options :
-       {std::vector<std::string>{"--lanes", "4"}, {"--share-limbs"}}) {
+       {std::vector<std::string>{"--lanes", "4"}, {"--share-limbs"}, {"--limb-lanes"}}) {
     const support::Outcome outcome = generated(options);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err,
-              "treedyn: --checked: a status is that of one state and of code that is not shared; "
-              "expected no --share-limbs and 1 lane; see treedyn --help\n");
+              fmt::format("treedyn: --checked: a status is that of one state and of code that is "
+                          "not shared; expected no {} and 1 lane; see treedyn --help\n",
+                          options.size() == 1 ? options[0] : "--share-limbs"));
   }
 }
 

@@ -71,8 +71,8 @@ TEST_P(SelfTest, FindsNothingWrongAndNamesAWrongDigit) {
 
 TEST_F(SelfTest, NeedsFunctionsOfTheModel) {
   generate({"--scene", TREEDYN_SOURCE_DIR "/models/scenes/drop.yaml"});
-  EXPECT_EQ(outcome_.status, 1);
-  EXPECT_THAT(outcome_.err, HasSubstr("--self-test tests functions of the model"));
+  EXPECT_EQ(outcome_.status, 2);
+  EXPECT_THAT(outcome_.err, HasSubstr("--self-test: tests functions of the model"));
   support::write_file(at() + "/e.yaml",
                       "equations:\n  - {name: known_q, value: T(ones) * m_d * J_v * qd, doc: x}\n");
   generate({kPuma, "--equations", at() + "/e.yaml", "--functions", "known_q"});
