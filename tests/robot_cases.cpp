@@ -46,6 +46,9 @@ std::vector<std::size_t> places(const std::vector<std::string>& joints, const Js
   return result;
 }
 
+/// Robots on a fixed base of more joints are searched for as short as free ones.
+constexpr std::size_t kMostSearched = 12;
+
 /// \param snapped  the robot on a fixed base is searched as users do, other runs are short
 Robot make_robot(const std::filesystem::path& file, const Json& data, bool snapped) {
   const bool fixed = data.at("base").get<std::string>() == "fixed";
@@ -68,7 +71,7 @@ Robot make_robot(const std::filesystem::path& file, const Json& data, bool snapp
   if (!snapped) {
     options.insert(options.end(), {"--snap", "0"});
   }
-  if (!snapped || !fixed) {
+  if (!snapped || !fixed || data.at("joint_names").size() > kMostSearched) {
     options.insert(options.end(), {"--effort", "100"});
   }
   CompiledModel code = support::generate_and_compile(

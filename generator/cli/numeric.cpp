@@ -30,7 +30,7 @@ NamedValues values_of(std::vector<std::string> command, const std::string& name,
   const std::string program = (scratch.path() / "driver").string();
   const std::string printed = (scratch.path() / "values").string();
   write_files({{driver, emit::numeric_driver(name, space, functions)}});
-  command.insert(command.end(), {"-std=c++17", "-O1", "-I", fs::absolute(folder).string(), driver,
+  command.insert(command.end(), {"-std=c++11", "-O1", "-I", fs::absolute(folder).string(), driver,
                                  fs::absolute(folder / (name + ".cpp")).string(), "-o", program});
   if (!succeeds(command, printed) || !succeeds({program}, printed)) {
     return {};

@@ -180,7 +180,7 @@ std::string build(const Workshop& workshop, const StepFiles& files, const accura
   Words compile = common;
   compile.insert(
       compile.end(),
-      {"-std=c++17", "-Os", "-ffp-contract=off", "-fno-math-errno", "-fno-exceptions", "-fno-rtti",
+      {"-std=c++11", "-Os", "-ffp-contract=off", "-fno-math-errno", "-fno-exceptions", "-fno-rtti",
        "-ffunction-sections", "-fcallgraph-info=su", "-I" + workshop.path(""), "-c",
        workshop.path(files.name + ".cpp"), "-o", workshop.path("step.o")});
   static_cast<void>(workshop.output(compile));

@@ -113,11 +113,11 @@ std::unique_ptr<simulation::Dynamics> compiled_dynamics(const model::Scene& scen
   const std::size_t geometry = programs.geometry.outputs.size();
   write_files(sources(scene, std::move(programs), folder.path()));
   command.insert(command.end(),
-                 {"-std=c++17", "-O2", "-shared", "-fPIC", path("simulate.cpp"),
+                 {"-std=c++11", "-O2", "-shared", "-fPIC", path("simulate.cpp"),
                   path((std::string(kName) + ".cpp").c_str()), "-o", path("scene.so")});
   if (!succeeds(command, path("log"))) {
     throw InputError({},
-                     "--compiled: the generated functions do not compile; expected a C++17 "
+                     "--compiled: the generated functions do not compile; expected a C++11 "
                      "compiler");
   }
   return std::make_unique<CompiledDynamics>(path("scene.so"), geometry);

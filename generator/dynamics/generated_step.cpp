@@ -119,11 +119,11 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
     sources.push_back({path(file.name), file.text});
   }
   write_files(sources);
-  command.insert(command.end(), {"-std=c++17", "-O2", "-ffp-contract=off", "-shared", "-fPIC",
+  command.insert(command.end(), {"-std=c++11", "-O2", "-ffp-contract=off", "-shared", "-fPIC",
                                  path("adapter.cpp"), path(name + ".cpp"), "-o", path("step.so")});
   if (!succeeds(command, path("log"))) {
     throw InputError({},
-                     "--as-generated: the generated step does not compile; expected a C++17 "
+                     "--as-generated: the generated step does not compile; expected a C++11 "
                      "compiler");
   }
   library_ = std::make_unique<Library>(path("step.so"));

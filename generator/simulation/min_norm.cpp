@@ -5,6 +5,10 @@
 
 namespace treedyn::simulation {
 
+Vector singular_values(const Eigen::MatrixXd& matrix) {
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
+}
+
 void MinimumNorm::factor(const Matrix& W, const OrdinarySizes& ordinary) {
   scale_ = ordinary.sizes.size() == W.cols() ? ordinary.sizes : Vector(W.colwise().norm());
   scale_ = (scale_.array() > 0).select(scale_.array().inverse(), 1.0).matrix().eval();

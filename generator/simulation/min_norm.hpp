@@ -11,6 +11,9 @@ namespace treedyn::simulation {
 /// The square of a singular value of W, scaled to columns of one size, below this is rounding.
 inline constexpr double kRounding = 1e-26;
 
+/// The largest first.
+[[nodiscard]] Vector singular_values(const Eigen::MatrixXd& matrix);
+
 /// What the rows of K are where nothing is special.
 struct OrdinarySizes {
   Vector sizes;    ///< roots of the diagonal entries of K; empty: as they are now

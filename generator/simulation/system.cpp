@@ -150,7 +150,7 @@ OrdinarySizes System::sizes_now(double t, const Vector& q, const std::vector<int
   for (Eigen::Index k = 0; k < J.rows(); ++k) {
     J.row(k) /= result.lengths[k] > 0 ? result.lengths[k] : 1;
   }
-  const Vector sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(J).singularValues();
+  const Vector sigma = singular_values(J);
   const auto here = (sigma.array() > std::sqrt(rank_threshold_)).count();
   result.rank =
       result.rank < 0 ? static_cast<int>(here) : std::min(result.rank, static_cast<int>(here));

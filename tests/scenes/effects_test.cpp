@@ -18,7 +18,7 @@ namespace {
 /// The names that the object of a scene's code defines and calls.
 std::string symbols(const ArmScene& scene) {
   const std::string object = (scene.folder() / "generated.o").string();
-  const Outcome compiled = run({TREEDYN_CXX, "-std=c++17", "-O2", "-c", "-o", object,
+  const Outcome compiled = run({TREEDYN_CXX, "-std=c++11", "-O2", "-c", "-o", object,
                                 (scene.folder() / "generated.cpp").string()});
   EXPECT_EQ(compiled.status, 0) << compiled.err;
   return run({"nm", "-C", object}).out;

@@ -84,7 +84,7 @@ Count count(const Effects& effects) {
   succeed({TREEDYN_EXECUTABLE, "generate", "-q", "--scene", stem + ".yaml", "--functions",
            "constrained_dynamics", "--sincos", "libm",  // the calls of which move few registers
            "-o", folder.path().string()});
-  succeed({TREEDYN_CXX, "-std=c++17", "-O2", "-ffp-contract=off", "-fno-math-errno",
+  succeed({TREEDYN_CXX, "-std=c++11", "-O2", "-ffp-contract=off", "-fno-math-errno",
            "-fno-tree-vectorize", "-c", stem + ".cpp", "-o", stem + ".o"});
   const Outcome listing = run({"objdump", "-dr", "--no-show-raw-insn", stem + ".o"});
   EXPECT_EQ(listing.status, 0) << listing.err;

@@ -92,7 +92,7 @@ Batch::Batch(const std::vector<Robot>& robots, const std::string& scalar) {
   const auto object = folder.path() / "all.so";
   support::write_file(source, includes + kConversions + calls);
   const support::Outcome outcome =
-      support::run({TREEDYN_CXX, "-std=c++17", "-O1", "-ffp-contract=off", "-fPIC", "-shared",
+      support::run({TREEDYN_CXX, "-std=c++11", "-O1", "-ffp-contract=off", "-fPIC", "-shared",
                     source, "-o", object});
   if (outcome.status != 0) {
     throw std::runtime_error("generated code does not compile:\n" + outcome.err);
