@@ -49,13 +49,19 @@ void require_difference(const Axis& axis, const Subject& subject, const std::str
     variant.*axis.choice = word;
     return statements(subject, integrator, variant, writer);
   };
-  if (of(axis.probes[0]) == of(axis.probes[1])) {
-    throw UsageError(
-        fmt::format("{}: {} and {} give the same step, {}; expected a scene that has "
-                    "what is varied",
-                    axis.option, axis.probes[0], axis.probes[1], axis.lacks));
+  const std::string least = of(axis.probes[0]);
+  if (least == of(axis.probes[1])) {
+    throw UsageError(fmt::format(
+        "{}: makes no difference in a step {}; expected a scene that has what is varied",
+        axis.option, axis.lacks));
   }
   const std::vector<std::string>& words = *axis.words;
+  for (const std::string& word : words) {
+    if (word != axis.probes[0] && of(word) == least) {
+      throw UsageError(fmt::format("{}: {} gives the step of {}; expected that, or another",
+                                   axis.option, word, axis.probes[0]));
+    }
+  }
   for (std::size_t a = 0; a < words.size(); ++a) {
     for (std::size_t b = a + 1; b < words.size(); ++b) {
       if (of(words[a]) == of(words[b])) {
@@ -98,18 +104,18 @@ void require_removable(const Subject& subject, const std::string& effect,
 std::vector<Variant> variants_of(const AccuracyAxes& axes, const Subject& subject,
                                  const std::string& integrator, StepWriter& writer) {
   const Axis all[] = {
-      {"--sincos", &Variant::sincos, &axes.sincos, {"pair", "libm"}, "which takes no sine"},
+      {"--sincos", &Variant::sincos, &axes.sincos, {"pair", "libm"}, "that takes no sine"},
       {"--forward-dynamics",
        &Variant::forward_dynamics,
        &axes.forward_dynamics,
        {"factor", "articulated"},
-       "as with constraints and armatures"},
+       "with constraints or armatures"},
       {"--stabilisation",
        &Variant::stabilisation,
        &axes.stabilisation,
        {"none", "baumgarte"},
-       "which has no constraints"},
-      {"--cuts", &Variant::cuts, &axes.cuts, {"0", "3"}, "which looks for no event"}};
+       "without constraints"},
+      {"--cuts", &Variant::cuts, &axes.cuts, {"0", "3"}, "that looks for no event"}};
   std::vector<Variant> result = {{}};
   for (const Axis& axis : all) {
     if (axis.words->empty()) {

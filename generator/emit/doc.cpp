@@ -214,11 +214,13 @@ std::string doc(const program::Stepper& stepper) {
       stepper.turning.empty()
           ? ""
           : fmt::format(" Where joints turn far, parts of the step, {} at most.", stepper.parts);
+  const char* const drifts =
+      stepper.drifts ? " Positions of rows drift: nothing stabilises them." : "";
   return signature_doc(stepper.signature) + events_doc(stepper) +
          wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number", bits), "/// ") +
-         wrapped(fmt::format("By {}, {} s.{}{} Cost{}{}: {}. Never more than {}.",
+         wrapped(fmt::format("By {}, {} s.{}{}{} Cost{}{}: {}. Never more than {}.",
                              method_text(stepper.method), decimal(stepper.step), parts, fails,
-                             where, with, cost_text(program::step_cost(stepper)),
+                             drifts, where, with, cost_text(program::step_cost(stepper)),
                              cost_text(program::worst_step_cost(stepper))),
                  "/// ");
 }

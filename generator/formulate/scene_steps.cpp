@@ -88,6 +88,7 @@ class StepMaker {
   }
   [[nodiscard]] program::Array q() const { return {"q", scene_.tree.dof(), "rad|m"}; }
   [[nodiscard]] program::Array qd() const { return {"qd", scene_.tree.dof(), "rad/s|m/s"}; }
+  [[nodiscard]] bool drifts() const;
   static void count_steps(program::Stepper& stepper);
   void sign(const Staged& dynamics, program::Stepper& stepper) const;
 
@@ -322,6 +323,18 @@ void StepMaker::count_steps(program::Stepper& stepper) {
   stepper.counted += stepper.begun ? 1 : 0;
 }
 
+/// Rows of points and bodies, whose equations are no line in the joints, that only accelerations
+/// keep.
+bool StepMaker::drifts() const {
+  return std::ranges::any_of(states_, [&](const PhaseState& state) {
+    return std::ranges::any_of(state.active, [&](int c) {
+      const model::Constraint& constraint = scene_.constraints[to_index(c)];
+      return constraint.kind != model::ConstraintKind::kJoint && constraint.accelerations.empty() &&
+             !model::is_stabilised(scene_, c);
+    });
+  });
+}
+
 program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
   program::Stepper result;
   result.method = *step_method(scene_);
@@ -351,6 +364,7 @@ program::Stepper StepMaker::make(const std::vector<Staged>& dynamics) const {
     result.takes_time = result.takes_time || program::takes_time(result.anchors.front());
   }
   result.sticking = scene_.sticking;
+  result.drifts = drifts();
   result.first = states_[to_index(scene_.start_phase)].identifier;
   sign(dynamics.front(), result);
   return result;

@@ -91,10 +91,11 @@ Cost integration_cost(const Stepper& stepper, const Cost& dynamics, Which which)
   if (turning == 0) {
     return part;
   }
-  const Cost looks{.add = 2 + turning + (stepper.takes_time ? 1 : 0),
+  const Cost looks{.add = 1 + turning + (stepper.takes_time ? 1 : 0),
                    .mul = turning,
                    .div = worst ? turning : 0};
-  return (worst ? stepper.parts : 1) * (part + looks);
+  const int parts = worst ? stepper.parts : 1;
+  return parts * (part + looks) + (parts - 1) * Cost{.add = 1};  // what is done, but for the last
 }
 
 /// When a phase has lasted so long.

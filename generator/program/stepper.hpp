@@ -126,6 +126,7 @@ struct Stepper {
   bool compensated = false;    ///< rest: what q and qd lost by rounding
   bool tells = false;          ///< calls treedyn_event, treedyn_again, not there: for studies
   std::string first;           ///< the phase in which the scene begins
+  bool drifts = false;         ///< rows without an acceleration of their own are not stabilised
   bool tests_pivots = false;   ///< the dynamics tell lost pivots of A
   /// Revolute joints that turn without bound beside a position without accelerations, as the outer
   /// angles of a free body do: steps are done in parts in which they turn little.

@@ -312,13 +312,17 @@ TEST_F(AccuracyErrors, RefusesWhatCannotBeJudged) {
   expect_usage_error(with(kPendulum, {"--error", "jerk"}), "jerk not in {joints,energy,drift,");
   expect_usage_error(with(kPendulum, {"--error", "events"}),
                      "the scene has no events; expected joints, energy, points");
-  expect_usage_error(with(kPendulum, {"--cuts", "0,3"}), "which looks for no event");
-  expect_usage_error(with(kPendulum, {"--stabilisation", "none"}), "which has no constraints");
+  expect_usage_error(with(kPendulum, {"--cuts", "0,3"}),
+                     "makes no difference in a step that looks for no event");
+  expect_usage_error(with(kPendulum, {"--stabilisation", "none"}), "in a step without constraints");
+  expect_usage_error(
+      with(TREEDYN_SOURCE_DIR "/models/scenes/arm_circle.yaml", {"--stabilisation", "projection"}),
+      "projection gives the step of none");
   expect_usage_error(with(kPendulum, {"--forward-dynamics", "factor"}),
-                     "factor and articulated give the same step");
+                     "makes no difference in a step with constraints or armatures");
   expect_usage_error(with(kPendulum, {"--sincos", "pair,pair"}),
                      "pair and pair give the same step");
-  expect_usage_error(with(ball(), {"--sincos", "libm"}), "which takes no sine");
+  expect_usage_error(with(ball(), {"--sincos", "libm"}), "in a step that takes no sine");
   expect_usage_error(with(kPendulum, {"--without", "drive"}), "the scene has no drive");
   expect_usage_error(with(kPendulum, {"--without", "velocity_products"}),
                      "the step is the same without velocity_products");
