@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "simulation/column_names.hpp"
-#include "simulation/time_scale.hpp"
 
 namespace treedyn::simulation {
 
@@ -69,7 +68,7 @@ Simulator::Simulator(const model::Scene& scene, Dynamics& dynamics, const Settin
       t_(start_),
       y_(2 * scene.tree.dof()),
       trial_start_(start_),
-      timed_(timed_expressions(scene)),
+      changing_(changing_expressions(scene)),
       turning_(turning(scene.tree)) {
   y_ << to_vector(scene.q0), to_vector(scene.qd0);
   phase_start_ = t_;
@@ -153,20 +152,29 @@ double Simulator::settle() {
   return (y_ - before).cwiseAbs().maxCoeff();
 }
 
-/// Points that begin below a plane of an impact.
+/// A touch-down whose point is below the plane without having been above since it is looked at; it
+/// waits, which is told unless the point rises.
+void Simulator::note_below(const Watch& watch, double t, const Vector& y) {
+  const bool stops = watch.event != nullptr && (watch.event->impact || watch.lands);
+  if (watch.kind != Watch::Kind::kEvent || !stops) {
+    return;
+  }
+  const double depth = -watch.value(system_, t, y);
+  if (depth > kOnPlane && (t <= start_ || watch.slope(system_, y) <= kAtRest)) {
+    const std::string& name = scene_.points[static_cast<std::size_t>(watch.point)].name;
+    monitor_.note({"below", name, t, depth, kOnPlane, 0, 0, "m",
+                   fmt::format("at t = {:.6g} s point '{}' is {:.3g} m below the plane of its "
+                               "touch_down, which waits until it has been above; a generated step "
+                               "may let it touch down before",
+                               t, name, depth)});
+  }
+}
+
+/// Of events that are looked at from now on.
 void Simulator::note_points_below() {
   for (const Watch& watch : watches_) {
-    if (watch.kind != Watch::Kind::kEvent || watch.side > 0 || !watch.event->impact) {
-      continue;
-    }
-    const double depth = -watch.value(system_, t_, y_);
-    if (depth > kOnPlane) {
-      const std::string& name = scene_.points[static_cast<std::size_t>(watch.point)].name;
-      monitor_.note({"below", name, t_, depth, kOnPlane, 0, 0, "m",
-                     fmt::format("point '{}' begins {:.3g} m below the plane of its touch_down, "
-                                 "which waits until it has been above; a generated step lets it "
-                                 "touch down as soon as it falls",
-                                 name, depth)});
+    if (watch.armed) {
+      note_below(watch, t_, y_);
     }
   }
 }
@@ -226,6 +234,7 @@ bool Simulator::advance_to(double end, const Observe& observe) {
     const bool fixed = integrator_->error_order() == 0;
     double h = fixed ? fixed_step(longest) : adaptive_step(longest);
     if (fixed) {
+      expected_ = qdd_;
       longest_step(longest);
     }
     const std::optional<Crossing> crossing = first_crossing(h);
@@ -243,6 +252,7 @@ bool Simulator::advance_to(double end, const Observe& observe) {
       }
       happen(watch);
       build_watches();
+      note_points_below();
       monitor_.restart_energy(system_, q(), qd());
       suggested_ = 0;
     }

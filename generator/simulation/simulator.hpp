@@ -13,6 +13,7 @@
 #include "simulation/monitor.hpp"
 #include "simulation/stability.hpp"
 #include "simulation/system.hpp"
+#include "simulation/time_scale.hpp"
 #include "simulation/watch.hpp"
 
 namespace treedyn::simulation {
@@ -128,7 +129,9 @@ class Simulator {
   double fixed_step(double longest);
   double adaptive_step(double longest);
   double error_ratio(double h);
-  bool is_resolved(double h);
+  double resolved_by(double h);
+  double resolved(const Motion& motion, double longest);
+  std::pair<Vector, Vector> coordinates(const Vector& y);
   void propose();
   double longest_step(double longest);
   [[nodiscard]] double least_step() const;
@@ -142,6 +145,7 @@ class Simulator {
   void start_phase(int phase, const std::vector<int>& active);
   void build_watches();
   void note_points_below();
+  void note_below(const Watch& watch, double t, const Vector& y);
   void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
                  const model::Plane& plane);
   std::optional<Crossing> first_crossing(double h);
@@ -168,6 +172,7 @@ class Simulator {
   double t_;
   Vector y_, next_, error_, trial_, trial_error_;
   Vector qdd_;                  ///< at the beginning of the step
+  Vector expected_;             ///< of the next one, or of this one before it is taken
   std::vector<double> powers_;  ///< of the calls of `rate` in this step
   std::vector<Turn> turns_;     ///< of the same
   double suggested_ = 0;        ///< 0: to be proposed
@@ -184,9 +189,9 @@ class Simulator {
   long shown_ = 0;
   Show show_;
   Dense dense_;
-  std::vector<model::Expression> timed_;  ///< what depends on t by itself
-  double scale_ = 0;                      ///< in which that changes, s
-  std::vector<int> turning_;              ///< revolute coordinates
+  std::vector<Changing> changing_;  ///< forces and what else is no constant
+  double scale_ = 0;                ///< in which they have no pulse, s
+  std::vector<int> turning_;        ///< revolute coordinates
   std::vector<Watch> watches_;
   std::vector<LiftOff> lift_offs_;  ///< events behind those of the phase
   std::vector<EventRecord> events_;

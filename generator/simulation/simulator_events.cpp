@@ -128,7 +128,7 @@ std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
     return first;
   }
   if (integrator_->error_order() == 0) {
-    dense_.set(h, y_, qdd_, next_);  // else `is_resolved` has set it
+    dense_.set(h, y_, qdd_, next_);  // else `resolved_by` has set it
   }
   for (std::size_t k = 0; k < watches_.size(); ++k) {
     look_for(k, h, first);
@@ -136,6 +136,9 @@ std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
   for (Watch& watch : watches_) {  // behind a crossing they are built anew
     watch.side = watch.next_side;
     watch.armed = watch.until <= t_ + h;
+    if (!first && watch.armed && watch.side < 0) {
+      note_below(watch, t_ + h, next_);
+    }
   }
   return first;
 }
@@ -160,6 +163,9 @@ void Simulator::look_for(std::size_t k, double h, std::optional<Crossing>& first
   };
   const Vector start = watch.armed ? y_ : dense_.at(from);
   int side = watch.armed ? watch.side : watch.side_of(system_, t_ + from * h, start);
+  if (!watch.armed && side < 0) {
+    note_below(watch, t_ + from * h, start);
+  }
   const SignChanges changes =
       sign_changes(g, side, pieces(h), watch.is_height() ? kPlaneRounding : 0);
   for (std::size_t n = 0; n < changes.places.size(); ++n) {

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "simulation/column_names.hpp"
 #include "simulation/simulator.hpp"
-#include "simulation/time_scale.hpp"
 
 namespace treedyn::simulation {
 
@@ -26,6 +26,8 @@ constexpr double kResolved = 1e-2;
 constexpr double kAcross = 1e3;
 /// A step below this many roundings of the time does not advance it.
 constexpr double kRoundingsOfTime = 16;
+/// Shorter pulses are not looked for, nor are corners approached any closer, s.
+constexpr double kPulse = 1e-9;
 /// How often a fixed step is halved when it does not lead anywhere.
 constexpr int kHalvings = 20;
 
@@ -84,6 +86,7 @@ void Simulator::propose() {
   Vector f0;
   Vector f1;
   rate(t_, y_, f0);
+  expected_ = f0.tail(f0.size() / 2);
   const double d0 = norm(y_);
   const double d1 = norm(f0);
   const double h0 = d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1;
@@ -102,41 +105,67 @@ void Simulator::propose() {
   turns_.clear();
 }
 
-/// What the clock of forces and guards allows, and the turn of the joints if there are guards.
+/// \return the longest step in which no force and no guard has a pulse between samples
+double Simulator::resolved(const Motion& motion, double longest) {
+  double step = longest;
+  for (const Changing& changing : changing_) {
+    step = resolved_step(changing, motion, step);
+  }
+  for (const Watch& watch : watches_) {
+    if (watch.kind == Watch::Kind::kExpression) {
+      step = resolved_step({watch.event->value}, motion, step);
+    }
+  }
+  return std::max(step, std::min(longest, std::max(kPulse, least_step())));
+}
+
+/// Places and speeds of joints and, where forces depend on them, of points.
+std::pair<Vector, Vector> Simulator::coordinates(const Vector& y) {
+  const Eigen::Index n = y.size() / 2;
+  std::pair<Vector, Vector> result{y.head(n), y.tail(n)};
+  if (std::ranges::any_of(changing_, [](const Changing& one) { return one.point >= 0; })) {
+    const Terms& terms = system_.geometry(y.head(n));
+    const Eigen::Index points = terms.p().size();
+    result.first.conservativeResize(n + points);
+    result.first.tail(points) = terms.p();
+    result.second.conservativeResize(n + points);
+    result.second.tail(points) = terms.C().transpose() * y.tail(n);
+  }
+  return result;
+}
+
+/// What forces and guards allow, and the turn of the joints if there are guards.
 double Simulator::longest_step(double longest) {
   const Eigen::Index n = y_.size() / 2;
-  const State now{t_, y_.head(n), y_.tail(n)};
-  scale_ = longest;
-  for (const model::Expression& expression : timed_) {
-    scale_ = resolved_step(expression, now, scale_);
-  }
+  const auto [x, v] = coordinates(y_);
+  scale_ = resolved(going_on(t_, x, v, expected_), longest);
   double turn = 0;
   for (const int k : turning_) {
     turn += std::fabs(y_[n + k]);
   }
-  for (const Watch& watch : watches_) {
-    if (watch.kind == Watch::Kind::kExpression && watch.event->value.uses(model::Quantity::kTime)) {
-      scale_ = resolved_step(watch.event->value, now, scale_);
-    }
-  }
-  scale_ = std::max(scale_, std::min(longest, least_step()));
   return watches_.empty() || turn * scale_ < kTurns * kTurn ? scale_ : kTurns * kTurn / turn;
 }
 
-/// A second opinion on a step whose error estimate is small, for that of Fehlberg sees neither what
-/// depends on time alone nor a force that begins and ends inside the step: the velocity changes by
-/// about what Simpson's rule says.
-bool Simulator::is_resolved(double h) {
+/// A second opinion on a step whose error estimate is small, for that sees no force that begins and
+/// ends between its samples: the velocity changes by about what Simpson's rule says, and no force
+/// has a pulse along the motion that the step has found. \return a step to try instead, or h
+double Simulator::resolved_by(double h) {
   const Eigen::Index n = y_.size() / 2;
   cost_.evaluations += 2;
-  const Vector end = system_.accelerate(t_ + h, next_.head(n), next_.tail(n)).qdd;
-  dense_.set(h, y_, qdd_, next_, end);
+  expected_ = system_.accelerate(t_ + h, next_.head(n), next_.tail(n)).qdd;
+  dense_.set(h, y_, qdd_, next_, expected_);
   const Vector middle = dense_.at(0.5);
   const Vector qdd = system_.accelerate(t_ + h / 2, middle.head(n), middle.tail(n)).qdd;
-  const Vector change = h / 6 * (qdd_ + 4 * qdd + end);
+  const Vector change = h / 6 * (qdd_ + 4 * qdd + expected_);
   const auto scale = 1 + y_.tail(n).array().abs().max(next_.tail(n).array().abs());
   const auto off = (next_.tail(n) - y_.tail(n) - change).array().abs();
-  return !((off / scale).maxCoeff() > kResolved);
+  if ((off / scale).maxCoeff() > kResolved) {
+    return h / 2;
+  }
+  const auto [x, v] = coordinates(y_);
+  return resolved(
+      gone(t_, h, static_cast<int>(n), x, v, coordinates(middle).second, coordinates(next_).second),
+      h);
 }
 
 /// `next_` after the longest step that meets the tolerance. \return its length
@@ -157,13 +186,13 @@ double Simulator::adaptive_step(double longest) {
     take(h);
     const double ratio = error_ratio(h);
     const double factor = kCaution * std::pow(ratio, -1.0 / (order + 1));
-    if (ratio <= 1 && !is_resolved(h)) {
-      ++cost_.rejected;
-      h /= 2;
-      suggested_ = h;
-      continue;
-    }
     if (ratio <= 1) {
+      const double resolved = resolved_by(h);
+      if (resolved < h) {
+        ++cost_.rejected;
+        suggested_ = h = resolved;
+        continue;
+      }
       const double grown = h * std::clamp(factor, kLeastFactor, kMostFactor);
       suggested_ = h < longest ? grown : std::max(suggested_, grown);
       return h;

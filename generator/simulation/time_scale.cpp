@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "simulation/forces.hpp"
+
 namespace treedyn::simulation {
 
 namespace {
@@ -111,21 +113,93 @@ Jet cos(const Jet& f) {
 
 Jet constant(double x) { return {{x, x}, {0, 0}, {0, 0}}; }
 
-Jet over(const model::Expression& expression, const State& state, double step) {
-  return expression.evaluate<Jet>([](double x) { return constant(x); },
-                                  [&](const model::Variable& variable) {
-                                    return variable.quantity == model::Quantity::kTime
-                                               ? Jet{{state.t, state.t + step}, {1, 1}, {0, 0}}
-                                               : constant(value_in(state, variable));
-                                  });
-}
+Interval only(double x) { return {x, x}; }
+
+/// Variables along a step.
+class Along {
+ public:
+  Along(const Changing& changing, const Motion& motion, double step)
+      : motion_(motion),
+        step_(step),
+        normal_(vector_of(changing.plane.normal)),
+        height_(static_cast<double>(changing.plane.height)) {
+    const auto points = static_cast<int>(motion.x.size()) - motion.joints;
+    first_ = changing.point < 0 || points == 0 ? -1 : motion.joints + 3 * changing.point;
+  }
+
+  Jet operator()(const model::Variable& variable) const {
+    switch (variable.quantity) {
+      case model::Quantity::kTime:
+        return {{motion_.t, motion_.t + step_}, {1, 1}, {0, 0}};
+      case model::Quantity::kPosition:
+        return place(variable.index);
+      case model::Quantity::kVelocity:
+        return speed(variable.index);
+      default:
+        break;
+    }
+    if (first_ < 0) {
+      return constant(0);
+    }
+    switch (variable.quantity) {
+      case model::Quantity::kPointPosition:
+        return place(first_ + variable.index);
+      case model::Quantity::kPointVelocity:
+        return speed(first_ + variable.index);
+      case model::Quantity::kDepth:
+        return constant(height_) - along_normal(&Along::place);
+      case model::Quantity::kNormalSpeed:
+        return along_normal(&Along::speed);
+      default:
+        return constant(0);
+    }
+  }
+
+ private:
+  [[nodiscard]] Jet place(int k) const {
+    const Jet v = speed(k);
+    return {only(motion_.x[k]) + v.x * Interval{0, step_}, v.x, v.v};
+  }
+  [[nodiscard]] Jet speed(int k) const {
+    const Interval a{motion_.least[k], motion_.most[k]};
+    return {only(motion_.v[k]) + a * Interval{0, step_}, a, only(motion_.rate[k])};
+  }
+  [[nodiscard]] Jet along_normal(Jet (Along::*of)(int) const) const {
+    return constant(normal_[0]) * (this->*of)(first_) +
+           constant(normal_[1]) * (this->*of)(first_ + 1) +
+           constant(normal_[2]) * (this->*of)(first_ + 2);
+  }
+
+  const Motion& motion_;
+  double step_;
+  Eigen::Vector3d normal_;
+  double height_;
+  int first_;  ///< coordinate of the point; -1: none
+};
 
 }  // namespace
 
-double resolved_step(const model::Expression& expression, const State& state, double longest) {
+Motion going_on(double t, const Vector& x, const Vector& v, const Vector& a) {
+  Vector all = Vector::Zero(x.size());
+  all.head(a.size()) = a;
+  return {t, static_cast<int>(a.size()), x, v, all, all, Vector::Zero(x.size())};
+}
+
+Motion gone(double t, double h, int joints, const Vector& x, const Vector& v, const Vector& middle,
+            const Vector& end) {
+  const Vector first = (middle - v) * (2 / h);
+  const Vector second = (end - middle) * (2 / h);
+  const Vector more = (second - first) / 2;
+  const Vector begin = first - more;
+  const Vector last = second + more;
+  return {t, joints, x, v, begin.cwiseMin(last), begin.cwiseMax(last), more * (4 / h)};
+}
+
+double resolved_step(const Changing& changing, const Motion& motion, double longest) {
   double step = longest;
   for (int k = 0; k < kScaleHalvings; ++k) {
-    const Jet jet = over(expression, state, step);
+    const Jet jet = changing.value.evaluate<Jet>([](double x) { return constant(x); },
+                                                 Along(changing, motion, step));
     const double bend = std::max(std::fabs(jet.a.low), std::fabs(jet.a.high)) * step * step;
     const double size = std::max(std::fabs(jet.x.low), std::fabs(jet.x.high));
     if (bend <= kBend * (jet.x.high - jet.x.low) + kFlat * size) {
@@ -136,22 +210,34 @@ double resolved_step(const model::Expression& expression, const State& state, do
   return longest;
 }
 
-std::vector<model::Expression> timed_expressions(const model::Scene& scene) {
-  std::vector<model::Expression> result;
-  const auto add = [&](const model::Expression& expression) {
-    if (expression.uses(model::Quantity::kTime)) {
-      result.push_back(expression);
+std::vector<Changing> changing_expressions(const model::Scene& scene) {
+  std::vector<Changing> result;
+  const auto add = [&](const model::Expression& value, int point = -1,
+                       const model::Plane& plane = {}) {
+    if (!value.is_constant()) {
+      result.push_back({value, point, plane});
     }
   };
   for (const model::JointLaw& law : scene.joint_laws) {
     add(law.force);
   }
   for (const model::PointLaw& law : scene.point_laws) {
-    std::ranges::for_each(law.value, add);
+    for (const model::Expression& value : law.value) {
+      add(value, law.point);
+    }
+  }
+  for (const model::GroundContact& contact : scene.contacts) {
+    if (contact.law) {
+      add(*contact.law, contact.point, contact.plane);
+    }
   }
   for (const model::Constraint& constraint : scene.constraints) {
-    std::for_each(constraint.accelerations.begin(), constraint.accelerations.end(), add);
-    std::for_each(constraint.curve.acceleration.begin(), constraint.curve.acceleration.end(), add);
+    for (const model::Expression& value : constraint.accelerations) {
+      add(value);
+    }
+    for (const model::Expression& value : constraint.curve.acceleration) {
+      add(value);
+    }
   }
   return result;
 }

@@ -1,4 +1,4 @@
-// How fast expressions change by themselves, whatever the joints do.
+// How fast expressions change with time and with the joints.
 #pragma once
 
 #include <vector>
@@ -16,12 +16,34 @@ inline constexpr double kBend = 64;
 /// What an expression may bend besides, as a part of its size.
 inline constexpr double kFlat = 1e-4;
 
-/// The longest step up to `longest` in which an expression bends no more than kBend says, q and qd
-/// held where they are. The bounds of e and its derivatives are those of interval arithmetic, so
-/// that no pulse falls between samples. `longest` where no step does: a pole, the root of zero.
-double resolved_step(const model::Expression& expression, const State& state, double longest);
+/// Coordinates along a step, from places x at speeds v: joints, behind them x, y, z of the points.
+struct Motion {
+  double t = 0;
+  int joints = 0;
+  Vector x, v;
+  Vector least, most;  ///< bounds of the accelerations
+  Vector rate;         ///< of these, on the average
+};
 
-/// Of the forces, curves and accelerations of a scene, those that depend on t.
-std::vector<model::Expression> timed_expressions(const model::Scene& scene);
+/// As all move now, which a step has yet to show. \param a  of the joints
+Motion going_on(double t, const Vector& x, const Vector& v, const Vector& a);
+/// As they have moved. \param v, middle, end  speeds in the step of length h
+Motion gone(double t, double h, int joints, const Vector& x, const Vector& v, const Vector& middle,
+            const Vector& end);
+
+/// An expression, and what it belongs to.
+struct Changing {
+  model::Expression value;
+  int point = -1;           ///< -1: none
+  model::Plane plane = {};  ///< of the depth of this point
+};
+
+/// The longest step up to `longest` in which an expression bends no more than kBend says. The
+/// bounds of e and its derivatives are those of interval arithmetic, so that no pulse falls between
+/// samples. `longest` where no step does: a pole, the root of zero.
+double resolved_step(const Changing& changing, const Motion& motion, double longest);
+
+/// Of the forces, laws, curves and accelerations of a scene, those that are not constant.
+std::vector<Changing> changing_expressions(const model::Scene& scene);
 
 }  // namespace treedyn::simulation

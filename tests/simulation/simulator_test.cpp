@@ -140,6 +140,27 @@ TEST(Impact, OfAPointThatBeginsBelowThePlaneIsWarnedOf) {
   EXPECT_TRUE(Running(scene_of(kBall)).simulator.monitor().notices().empty());
 }
 
+TEST(Impact, OfAPointThatIsBelowThePlaneWhenItIsLookedAtIsWarnedOf) {
+  const std::string begin = "initial:\n  q: {height: 1.25}";
+  const auto notices = [&](const std::string& not_before, const std::string& initial) {
+    std::string text = kBall;
+    text.insert(text.find("        then: flight"), "        not_before: " + not_before + "\n");
+    text.replace(text.find(begin), begin.size(), "initial:\n" + initial);
+    Running run(scene_of(text));
+    run.advance_to(1);
+    return run.simulator.monitor().notices();
+  };
+  const std::vector<Notice> below = notices("0.6", "  q: {height: 1.25}");
+  ASSERT_EQ(below.size(), 1U);
+  EXPECT_EQ(below[0].kind, "below");
+  EXPECT_NEAR(below[0].value, 0.55, 1e-9);
+  EXPECT_NEAR(below[0].time, 0.6, 1e-12);
+  EXPECT_TRUE(notices("0.4", "  q: {height: 1.25}").empty());
+  // on its way up: to 0.25 m above, or to 0.55 m below
+  EXPECT_TRUE(notices("0.1", "  q: {height: -1}\n  qd: {height: 5}").empty());
+  EXPECT_EQ(notices("0.1", "  q: {height: -1}\n  qd: {height: 3}").size(), 1U);
+}
+
 /// 22.5 kg m^2 of a forearm break away from 300 N m where 300 t exceeds them and its weight; from
 /// there classical steps of 0.1 ms, whose error is below 1e-12. The simulator is known to 1e-9 of
 /// speeds of up to 30 rad/s.

@@ -77,7 +77,7 @@ model::Expression clock(const std::string& text) {
 
 double resolved(const std::string& text, double t) {
   const Vector none = Vector::Zero(1);
-  return resolved_step(clock(text), {t, none, none}, 1000);
+  return resolved_step({clock(text)}, going_on(t, none, none, none), 1000);
 }
 
 TEST(ResolvedSteps, AreThoseOfTheClockOfAForce) {
@@ -167,6 +167,84 @@ TEST(Windows, OfAForceAreFeltAtEveryDuration) {
     run.advance_to(6);
     const double impulse = 2 * std::numbers::pi / 8 / std::sin(std::numbers::pi / 8);
     EXPECT_NEAR(run.simulator.qd()[0], impulse, 1e-6) << duration;
+  }
+}
+
+/// max(0, 1 - |x / width|)
+std::string triangle(const std::string& x, const std::string& width) {
+  const std::string side = "(1 - sqrt((" + x + ")^2)/" + width + ")";
+  return "(" + side + " + sqrt(" + side + "^2))/2";
+}
+
+model::Scene driven(const std::string& torque, const std::string& speed,
+                    const std::string& integrator) {
+  model::Scene scene =
+      scene_of("scene: s\nmodel: drop.model.yaml\neffects:\n  drive: [{joint: height, torque: \"" +
+               torque + "\"}]\ninitial: {qd: {height: " + speed + "}}\nduration: 100\n");
+  scene.stepping.integrator = integrator;
+  return scene;
+}
+
+/// 0.375 J on 1 kg that passes at 1 m/s, however narrow.
+TEST(Windows, OfAForceAlongACoordinateAreFelt) {
+  for (const char* const width : {"0.05", "0.01", "0.001", "0.00001"}) {
+    for (const char* const integrator : {"fehlberg78", "dopri5"}) {
+      Running run(driven(std::string("0.375/") + width + "*" + triangle("q[height] - 0.7", width),
+                         "1", integrator));
+      run.advance_to(1.5);
+      EXPECT_NEAR(run.simulator.qd()[0], std::sqrt(1.75), 1e-8) << width << integrator;
+    }
+  }
+}
+
+/// The same of a force at a point, 0.375 J, and of ground that pushes in a band of its depth. Each
+/// step is off by the tolerance at most.
+TEST(Windows, OfAForceAlongThePlaceOfAPointAreFelt) {
+  for (const char* const width : {"0.05", "0.001", "0.00001"}) {
+    for (const std::string integrator : {"fehlberg78", "dopri5"}) {
+      const auto expect_end = [&](const std::string& effect, double speed) {
+        Running run(scene_of("scene: s\nmodel: drop.model.yaml\neffects: " + effect +
+                             "\ninitial: {q: {height: 1}, qd: {height: -1}}\nstepping: "
+                             "{integrator: " +
+                             integrator + ", tolerance: 1e-10}\nduration: 100\n"));
+        run.advance_to(3);
+        const double error = 1e-10 * static_cast<double>(run.simulator.cost().steps);
+        EXPECT_LT(error, 1e-6);
+        EXPECT_NEAR(run.simulator.qd()[0], speed, error) << effect << integrator;
+      };
+      const std::string size = std::string("0.375/") + width + "*";
+      expect_end(
+          "{force: [{point: ball, value: [0, 0, \"-" + size + triangle("z - 0.3", width) + "\"]}]}",
+          -std::sqrt(1.75));
+      expect_end(
+          "{ground_contact: [{point: ball, law: \"" + size + triangle("d - 0.3", width) + "\"}]}",
+          -std::sqrt(0.25));
+    }
+  }
+}
+
+/// A resistance of 10 N at 0.5 m/s, none beyond 0.1 m/s from there: 1 N gets to 0.41 m/s.
+TEST(Windows, OfAForceOfSpeedAreFelt) {
+  for (const char* const width : {"0.1", "0.01", "0.0001"}) {
+    for (const char* const integrator : {"fehlberg78", "dopri5"}) {
+      Running run(driven("1 - 10*" + triangle("qd[height] - 0.5", width), "0", integrator));
+      run.advance_to(2);
+      const double expected = 0.5 - 0.9 * std::stod(width);
+      EXPECT_NEAR(run.simulator.qd()[0], expected, 1e-6) << width << integrator;
+    }
+  }
+}
+
+/// Below zero while |sin(q) - 0.6| < 0.01, q = t.
+TEST(Windows, OfAGuardAlongACoordinateAreFound) {
+  const std::string scene =
+      "initial: {qd: {height: 1}}\nphases:\n  - name: a\n    until:\n"
+      "      - {expression: \"0.5 - 1/(1 + ((sin(q[height]) - 0.6)/0.01)^2)\", then: b}\n"
+      "  - name: b\n";
+  for (const char* const duration : {"1.5", "30"}) {
+    for (const char* const integrator : {"fehlberg78", "dopri5", "rk4"}) {
+      EXPECT_NEAR(first_event(scene, duration, integrator), std::asin(0.59), 1e-9) << integrator;
+    }
   }
 }
 
