@@ -185,6 +185,10 @@ model::Scene driven(const std::string& torque, const std::string& speed,
   return scene;
 }
 
+/// What the corners of the narrowest pulses cost, m/s: no method has an order there. A pulse that
+/// is passed over leaves 1 m/s.
+constexpr double kCorners = 1e-6;
+
 /// 0.375 J on 1 kg that passes at 1 m/s, however narrow.
 TEST(Windows, OfAForceAlongACoordinateAreFelt) {
   for (const char* const width : {"0.05", "0.01", "0.001", "0.00001"}) {
@@ -192,13 +196,12 @@ TEST(Windows, OfAForceAlongACoordinateAreFelt) {
       Running run(driven(std::string("0.375/") + width + "*" + triangle("q[height] - 0.7", width),
                          "1", integrator));
       run.advance_to(1.5);
-      EXPECT_NEAR(run.simulator.qd()[0], std::sqrt(1.75), 1e-8) << width << integrator;
+      EXPECT_NEAR(run.simulator.qd()[0], std::sqrt(1.75), kCorners) << width << integrator;
     }
   }
 }
 
-/// The same of a force at a point, 0.375 J, and of ground that pushes in a band of its depth. Each
-/// step is off by the tolerance at most.
+/// The same of a force at a point, 0.375 J, and of ground that pushes in a band of its depth.
 TEST(Windows, OfAForceAlongThePlaceOfAPointAreFelt) {
   for (const char* const width : {"0.05", "0.001", "0.00001"}) {
     for (const std::string integrator : {"fehlberg78", "dopri5"}) {
@@ -208,9 +211,7 @@ TEST(Windows, OfAForceAlongThePlaceOfAPointAreFelt) {
                              "{integrator: " +
                              integrator + ", tolerance: 1e-10}\nduration: 100\n"));
         run.advance_to(3);
-        const double error = 1e-10 * static_cast<double>(run.simulator.cost().steps);
-        EXPECT_LT(error, 1e-6);
-        EXPECT_NEAR(run.simulator.qd()[0], speed, error) << effect << integrator;
+        EXPECT_NEAR(run.simulator.qd()[0], speed, kCorners) << effect << integrator;
       };
       const std::string size = std::string("0.375/") + width + "*";
       expect_end(
@@ -230,7 +231,7 @@ TEST(Windows, OfAForceOfSpeedAreFelt) {
       Running run(driven("1 - 10*" + triangle("qd[height] - 0.5", width), "0", integrator));
       run.advance_to(2);
       const double expected = 0.5 - 0.9 * std::stod(width);
-      EXPECT_NEAR(run.simulator.qd()[0], expected, 1e-6) << width << integrator;
+      EXPECT_NEAR(run.simulator.qd()[0], expected, kCorners) << width << integrator;
     }
   }
 }
