@@ -37,8 +37,8 @@ TEST_F(Cli, SaysWhereRowsOfAStepDrift) {
     const std::string scene = scratch(method + ".yaml");
     write_file(scene, "scene: s\nmodel: " TREEDYN_SOURCE_DIR
                       "/models/scenes/drop.model.yaml\neffects:\n  point_constraint: [{point: "
-                      "ball, along: [z]}]\nstepping: {integrator: rk4}\nstabilisation: {method: " +
-                          method + "}\nduration: 1\n");
+                      "ball, along: [z]}]\n  stabilisation: {method: " +
+                          method + "}\nstepping: {integrator: rk4}\nduration: 1\n");
     EXPECT_EQ(treedyn({"generate", "--scene", scene, "--effort", "0", "-o", out()}).status, 0);
     const bool told = read_file(file("s.hpp")).find("rows drift") != std::string::npos;
     EXPECT_EQ(told, method != "baumgarte") << method;
