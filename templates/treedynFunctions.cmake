@@ -114,6 +114,8 @@ function(treedyn_generate target)
   set(language C)
   if("${files}" MATCHES "\\.hpp")
     set(language CXX)
+  elseif(UNIX AND NOT APPLE)
+    target_link_libraries(${target} PUBLIC m)  # of sin, cos and pow, which the drivers of C++ link themselves
   endif()
   get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
   if(NOT language IN_LIST languages)
