@@ -212,6 +212,27 @@ void keep_once(std::vector<Value>& values) {
   values = once;
 }
 
+/// How the motion is integrated.
+void add_integration(CLI::App& command, SimulateRequest& request) {
+  std::vector<std::string> integrators;
+  for (const simulation::IntegratorRow& row : simulation::integrators()) {
+    integrators.emplace_back(row.name);
+  }
+  command
+      .add_option("--integrator", request.integrator,
+                  "treedyn list integrators names them; default the scene's, which is fehlberg78 "
+                  "unless it says another")
+      ->check(one_of(integrators))
+      ->type_name("NAME");
+  add_positive(command, "--step",
+               "s; the longest one of an adaptive integrator, default no limit; of others default "
+               "the scene's, or 1e-3",
+               "H", request.step);
+  add_positive(command, "--tolerance",
+               "error of a step of an adaptive integrator; default the scene's, or 1e-10", "T",
+               request.tolerance);
+}
+
 }  // namespace
 
 void tidy_study(AccuracyRequest& request) {
@@ -258,23 +279,7 @@ void add_simulate(CLI::App& app, Settings& settings) {
       ->needs(generated)
       ->check(one_of({"double", "float"}))
       ->type_name("double|float");
-  std::vector<std::string> integrators;
-  for (const simulation::IntegratorRow& row : simulation::integrators()) {
-    integrators.emplace_back(row.name);
-  }
-  command
-      .add_option("--integrator", request.integrator,
-                  "treedyn list integrators names them; default the scene's, which is fehlberg78 "
-                  "unless it says another")
-      ->check(one_of(integrators))
-      ->type_name("NAME");
-  add_positive(command, "--step",
-               "s; the longest one of an adaptive integrator, default no limit; of others default "
-               "the scene's, or 1e-3",
-               "H", request.step);
-  add_positive(command, "--tolerance",
-               "error of a step of an adaptive integrator; default the scene's, or 1e-10", "T",
-               request.tolerance);
+  add_integration(command, request);
   add_positive(command, "--duration", "s; default the scene's", "T", request.duration);
   add_positive(command, "--max-steps", "end where more steps would be needed; default 1e7", "N",
                request.most_steps);

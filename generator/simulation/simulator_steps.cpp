@@ -108,12 +108,13 @@ void Simulator::propose() {
 /// \return the longest step in which no force and no guard has a pulse between samples
 double Simulator::resolved(const Motion& motion, double longest) {
   double step = longest;
-  for (const Changing& changing : changing_) {
+  for (Changing& changing : changing_) {
     step = resolved_step(changing, motion, step);
   }
   for (const Watch& watch : watches_) {
     if (watch.kind == Watch::Kind::kExpression) {
-      step = resolved_step({watch.event->value}, motion, step);
+      Changing guard{watch.event->value};
+      step = resolved_step(guard, motion, step);
     }
   }
   return std::max(step, std::min(longest, std::max(kPulse, least_step())));
@@ -164,8 +165,7 @@ double Simulator::resolved_by(double h) {
   }
   const auto [x, v] = coordinates(y_);
   return resolved(
-      gone(t_, h, static_cast<int>(n), x, v, coordinates(middle).second, coordinates(next_).second),
-      h);
+      gone(h, going_on(t_, x, v, qdd_), coordinates(middle).second, coordinates(next_).second), h);
 }
 
 /// `next_` after the longest step that meets the tolerance. \return its length

@@ -185,24 +185,27 @@ Motion going_on(double t, const Vector& x, const Vector& v, const Vector& a) {
   return {t, static_cast<int>(a.size()), x, v, all, all, Vector::Zero(x.size())};
 }
 
-Motion gone(double t, double h, int joints, const Vector& x, const Vector& v, const Vector& middle,
-            const Vector& end) {
-  const Vector first = (middle - v) * (2 / h);
+Motion gone(double h, const Motion& begin, const Vector& middle, const Vector& end) {
+  const Vector first = (middle - begin.v) * (2 / h);
   const Vector second = (end - middle) * (2 / h);
   const Vector more = (second - first) / 2;
-  const Vector begin = first - more;
+  const Vector start = first - more;
   const Vector last = second + more;
-  return {t, joints, x, v, begin.cwiseMin(last), begin.cwiseMax(last), more * (4 / h)};
+  return {begin.t,       begin.joints, begin.x, begin.v, start.cwiseMin(last), start.cwiseMax(last),
+          more * (4 / h)};
 }
 
-double resolved_step(const Changing& changing, const Motion& motion, double longest) {
+double resolved_step(Changing& changing, const Motion& motion, double longest) {
   double step = longest;
   for (int k = 0; k < kScaleHalvings; ++k) {
     const Jet jet = changing.value.evaluate<Jet>([](double x) { return constant(x); },
                                                  Along(changing, motion, step));
     const double bend = std::max(std::fabs(jet.a.low), std::fabs(jet.a.high)) * step * step;
     const double size = std::max(std::fabs(jet.x.low), std::fabs(jet.x.high));
-    if (bend <= kBend * (jet.x.high - jet.x.low) + kFlat * size) {
+    const double range = jet.x.high - jet.x.low;
+    const bool is_flat = bend <= kBend * range + kFlat * size || range <= kNothing * changing.most;
+    if (std::isfinite(range) && is_flat) {
+      changing.most = std::max(changing.most, size);
       return step;
     }
     step /= 2;

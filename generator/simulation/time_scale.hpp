@@ -15,6 +15,8 @@ inline constexpr int kScaleHalvings = 20;
 inline constexpr double kBend = 64;
 /// What an expression may bend besides, as a part of its size.
 inline constexpr double kFlat = 1e-4;
+/// Nor does it matter within this part of the largest size that it has had.
+inline constexpr double kNothing = 1e-10;
 
 /// Coordinates along a step, from places x at speeds v: joints, behind them x, y, z of the points.
 struct Motion {
@@ -27,21 +29,21 @@ struct Motion {
 
 /// As all move now, which a step has yet to show. \param a  of the joints
 Motion going_on(double t, const Vector& x, const Vector& v, const Vector& a);
-/// As they have moved. \param v, middle, end  speeds in the step of length h
-Motion gone(double t, double h, int joints, const Vector& x, const Vector& v, const Vector& middle,
-            const Vector& end);
+/// As they have moved, from `begin`. \param middle, end  speeds in the step of length h
+Motion gone(double h, const Motion& begin, const Vector& middle, const Vector& end);
 
 /// An expression, and what it belongs to.
 struct Changing {
   model::Expression value;
   int point = -1;           ///< -1: none
   model::Plane plane = {};  ///< of the depth of this point
+  double most = 0;          ///< its largest size so far
 };
 
 /// The longest step up to `longest` in which an expression bends no more than kBend says. The
 /// bounds of e and its derivatives are those of interval arithmetic, so that no pulse falls between
-/// samples. `longest` where no step does: a pole, the root of zero.
-double resolved_step(const Changing& changing, const Motion& motion, double longest);
+/// samples. `longest` where no step does: a pole that stays, the root of zero.
+double resolved_step(Changing& changing, const Motion& motion, double longest);
 
 /// Of the forces, laws, curves and accelerations of a scene, those that are not constant.
 std::vector<Changing> changing_expressions(const model::Scene& scene);

@@ -77,7 +77,8 @@ model::Expression clock(const std::string& text) {
 
 double resolved(const std::string& text, double t) {
   const Vector none = Vector::Zero(1);
-  return resolved_step({clock(text)}, going_on(t, none, none, none), 1000);
+  Changing force{clock(text)};
+  return resolved_step(force, going_on(t, none, none, none), 1000);
 }
 
 TEST(ResolvedSteps, AreThoseOfTheClockOfAForce) {
@@ -222,6 +223,29 @@ TEST(Windows, OfAForceAlongThePlaceOfAPointAreFelt) {
           -std::sqrt(0.25));
     }
   }
+}
+
+/// The same pulse twice; over what is expanded, bounds of the denominator contain zero.
+TEST(Windows, OfAForceAreFeltHoweverItIsWritten) {
+  const auto end = [](const std::string& pulse) {
+    Running run(
+        driven("10*((" + pulse + " - 0.5) + sqrt((" + pulse + " - 0.5)^2))/2", "1", "fehlberg78"));
+    run.advance_to(6);
+    return run.simulator.qd()[0];
+  };
+  const double speed = end("1/(1 + ((q[height] - 3)/0.1)^2)");
+  EXPECT_GT(speed, 1.4);
+  EXPECT_NEAR(end("0.01/(q[height]^2 - 6*q[height] + 9.01)"), speed, kCorners);
+}
+
+/// Corners are not approached any more where a motion has died away.
+TEST(Windows, CostNothingOnceAMotionHasDecayed) {
+  Running run(
+      driven("-100*q[height] - 2*qd[height] - 5*qd[height]*sqrt(qd[height]^2)", "1", "fehlberg78"));
+  run.advance_to(20);
+  const long steps = run.simulator.cost().steps;
+  run.advance_to(90);
+  EXPECT_LT(run.simulator.cost().steps, 2 * steps);
 }
 
 /// A resistance of 10 N at 0.5 m/s, none beyond 0.1 m/s from there: 1 N gets to 0.41 m/s.
