@@ -55,19 +55,18 @@ void require_difference(const Axis& axis, const Subject& subject, const std::str
         "{}: makes no difference in a step {}; expected a scene that has what is varied",
         axis.option, axis.lacks));
   }
-  const std::vector<std::string>& words = *axis.words;
-  for (const std::string& word : words) {
-    if (word != axis.probes[0] && of(word) == least) {
+  std::vector<std::string> steps;
+  for (const std::string& word : *axis.words) {
+    steps.push_back(of(word));
+    if (steps.back() == least && word != axis.probes[0]) {
       throw UsageError(fmt::format("{}: {} gives the step of {}; expected that, or another",
                                    axis.option, word, axis.probes[0]));
     }
-  }
-  for (std::size_t a = 0; a < words.size(); ++a) {
-    for (std::size_t b = a + 1; b < words.size(); ++b) {
-      if (of(words[a]) == of(words[b])) {
-        throw UsageError(fmt::format("{}: {} and {} give the same step; expected one of them",
-                                     axis.option, words[a], words[b]));
-      }
+    const auto same = std::ranges::find(steps, steps.back()) - steps.begin();
+    if (static_cast<std::size_t>(same) + 1 < steps.size()) {
+      throw UsageError(fmt::format("{}: {} and {} give the same step; expected one of them",
+                                   axis.option, (*axis.words)[static_cast<std::size_t>(same)],
+                                   word));
     }
   }
 }

@@ -215,7 +215,7 @@ std::string doc(const program::Stepper& stepper) {
           ? ""
           : fmt::format(" Where joints turn far, parts of the step, {} at most.", stepper.parts);
   const char* const drifts =
-      stepper.drifts ? " Positions of rows drift: nothing stabilises them." : "";
+      stepper.drifts ? " Positions of rows may drift: nothing stabilises them." : "";
   return signature_doc(stepper.signature) + events_doc(stepper) +
          wrapped(fmt::format("\\return 0 or bits of status: {}not_a_number", bits), "/// ") +
          wrapped(fmt::format("By {}, {} s.{}{}{} Cost{}{}: {}. Never more than {}.",

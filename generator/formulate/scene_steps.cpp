@@ -323,14 +323,15 @@ void StepMaker::count_steps(program::Stepper& stepper) {
   stepper.counted += stepper.begun ? 1 : 0;
 }
 
-/// Rows of points and bodies, whose equations are no line in the joints, that only accelerations
-/// keep.
+/// Rows that have a position and that accelerations alone keep there; a joint that rests does.
 bool StepMaker::drifts() const {
   return std::ranges::any_of(states_, [&](const PhaseState& state) {
     return std::ranges::any_of(state.active, [&](int c) {
-      const model::Constraint& constraint = scene_.constraints[to_index(c)];
-      return constraint.kind != model::ConstraintKind::kJoint && constraint.accelerations.empty() &&
-             !model::is_stabilised(scene_, c);
+      const model::Constraint& row = scene_.constraints[to_index(c)];
+      const bool rests =
+          row.kind == model::ConstraintKind::kJoint && row.curve.acceleration.front().is_zero();
+      const bool turns = row.kind == model::ConstraintKind::kOrientation && row.rows() < 3;
+      return !rests && !turns && row.accelerations.empty() && !model::is_stabilised(scene_, c);
     });
   });
 }

@@ -148,34 +148,29 @@ double Simulator::settle() {
   build_watches();
   monitor_.restart_energy(system_, position, velocity);
   monitor_.positions(system_, t_, position);
-  note_points_below();
+  for (const Watch& watch : watches_) {
+    if (watch.armed) {
+      note_below(watch, t_, y_);
+    }
+  }
   return (y_ - before).cwiseAbs().maxCoeff();
 }
 
 /// A touch-down whose point is below the plane without having been above since it is looked at; it
-/// waits, which is told unless the point rises.
+/// waits, which is told where the point begins so, or falls.
 void Simulator::note_below(const Watch& watch, double t, const Vector& y) {
   const bool stops = watch.event != nullptr && (watch.event->impact || watch.lands);
   if (watch.kind != Watch::Kind::kEvent || !stops) {
     return;
   }
   const double depth = -watch.value(system_, t, y);
-  if (depth > kOnPlane && (t <= start_ || watch.slope(system_, y) <= kAtRest)) {
+  if (depth > kOnPlane && (t <= start_ || watch.slope(system_, y) < -kAtRest)) {
     const std::string& name = scene_.points[static_cast<std::size_t>(watch.point)].name;
     monitor_.note({"below", name, t, depth, kOnPlane, 0, 0, "m",
                    fmt::format("at t = {:.6g} s point '{}' is {:.3g} m below the plane of its "
                                "touch_down, which waits until it has been above; a generated step "
                                "may let it touch down before",
                                t, name, depth)});
-  }
-}
-
-/// Of events that are looked at from now on.
-void Simulator::note_points_below() {
-  for (const Watch& watch : watches_) {
-    if (watch.armed) {
-      note_below(watch, t_, y_);
-    }
   }
 }
 
@@ -233,7 +228,7 @@ bool Simulator::advance_to(double end, const Observe& observe) {
     const double longest = goal - t_;
     const bool fixed = integrator_->error_order() == 0;
     double h = fixed ? fixed_step(longest) : adaptive_step(longest);
-    if (fixed) {
+    if (fixed && !watches_.empty()) {
       expected_ = qdd_;
       longest_step(longest);
     }
@@ -252,7 +247,6 @@ bool Simulator::advance_to(double end, const Observe& observe) {
       }
       happen(watch);
       build_watches();
-      note_points_below();
       monitor_.restart_energy(system_, q(), qd());
       suggested_ = 0;
     }

@@ -144,7 +144,6 @@ class Simulator {
 
   void start_phase(int phase, const std::vector<int>& active);
   void build_watches();
-  void note_points_below();
   void note_below(const Watch& watch, double t, const Vector& y);
   void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
                  const model::Plane& plane);
@@ -190,6 +189,7 @@ class Simulator {
   Show show_;
   Dense dense_;
   std::vector<Changing> changing_;  ///< forces and what else is no constant
+  std::vector<Changing> guards_;    ///< expressions that events wait for
   double scale_ = 0;                ///< in which they have no pulse, s
   std::vector<int> turning_;        ///< revolute coordinates
   std::vector<Watch> watches_;

@@ -107,6 +107,12 @@ void Simulator::build_watches() {
     add_watch(before, direction == 0 ? Kind::kStick : Kind::kSlip, k, 0, {});
     watches_.back().side = direction == 0 ? 1 : direction;
   }
+  guards_.clear();
+  for (const Watch& watch : watches_) {
+    if (watch.kind == Kind::kExpression) {
+      guards_.push_back({watch.event->value});
+    }
+  }
 }
 
 /// Pieces of a step in which guards are looked at to begin with: short against the turn of the

@@ -108,13 +108,9 @@ void Simulator::propose() {
 /// \return the longest step in which no force and no guard has a pulse between samples
 double Simulator::resolved(const Motion& motion, double longest) {
   double step = longest;
-  for (Changing& changing : changing_) {
-    step = resolved_step(changing, motion, step);
-  }
-  for (const Watch& watch : watches_) {
-    if (watch.kind == Watch::Kind::kExpression) {
-      Changing guard{watch.event->value};
-      step = resolved_step(guard, motion, step);
+  for (auto* const all : {&changing_, &guards_}) {
+    for (Changing& changing : *all) {
+      step = resolved_step(changing, motion, step);
     }
   }
   return std::max(step, std::min(longest, std::max(kPulse, least_step())));

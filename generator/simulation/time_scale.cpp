@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "simulation/forces.hpp"
-
 namespace treedyn::simulation {
 
 namespace {
@@ -119,10 +117,7 @@ Interval only(double x) { return {x, x}; }
 class Along {
  public:
   Along(const Changing& changing, const Motion& motion, double step)
-      : motion_(motion),
-        step_(step),
-        normal_(vector_of(changing.plane.normal)),
-        height_(static_cast<double>(changing.plane.height)) {
+      : motion_(motion), step_(step), plane_(changing.plane) {
     const auto points = static_cast<int>(motion.x.size()) - motion.joints;
     first_ = changing.point < 0 || points == 0 ? -1 : motion.joints + 3 * changing.point;
   }
@@ -147,7 +142,7 @@ class Along {
       case model::Quantity::kPointVelocity:
         return speed(first_ + variable.index);
       case model::Quantity::kDepth:
-        return constant(height_) - along_normal(&Along::place);
+        return constant(-plane_.height(Eigen::Vector3d::Zero())) - along_normal(&Along::place);
       case model::Quantity::kNormalSpeed:
         return along_normal(&Along::speed);
       default:
@@ -165,15 +160,15 @@ class Along {
     return {only(motion_.v[k]) + a * Interval{0, step_}, a, only(motion_.rate[k])};
   }
   [[nodiscard]] Jet along_normal(Jet (Along::*of)(int) const) const {
-    return constant(normal_[0]) * (this->*of)(first_) +
-           constant(normal_[1]) * (this->*of)(first_ + 1) +
-           constant(normal_[2]) * (this->*of)(first_ + 2);
+    const Eigen::Vector3d& normal = plane_.normal();
+    return constant(normal[0]) * (this->*of)(first_) +
+           constant(normal[1]) * (this->*of)(first_ + 1) +
+           constant(normal[2]) * (this->*of)(first_ + 2);
   }
 
   const Motion& motion_;
   double step_;
-  Eigen::Vector3d normal_;
-  double height_;
+  const PlaneValues& plane_;
   int first_;  ///< coordinate of the point; -1: none
 };
 
@@ -218,7 +213,7 @@ std::vector<Changing> changing_expressions(const model::Scene& scene) {
   const auto add = [&](const model::Expression& value, int point = -1,
                        const model::Plane& plane = {}) {
     if (!value.is_constant()) {
-      result.push_back({value, point, plane});
+      result.push_back({value, point, PlaneValues(plane)});
     }
   };
   for (const model::JointLaw& law : scene.joint_laws) {

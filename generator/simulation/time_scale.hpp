@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/scene.hpp"
+#include "simulation/forces.hpp"
 #include "simulation/state.hpp"
 
 namespace treedyn::simulation {
@@ -35,9 +36,9 @@ Motion gone(double h, const Motion& begin, const Vector& middle, const Vector& e
 /// An expression, and what it belongs to.
 struct Changing {
   model::Expression value;
-  int point = -1;           ///< -1: none
-  model::Plane plane = {};  ///< of the depth of this point
-  double most = 0;          ///< its largest size so far
+  int point = -1;         ///< -1: none
+  PlaneValues plane{{}};  ///< of the depth of this point
+  double most = 0;        ///< its largest size so far
 };
 
 /// The longest step up to `longest` in which an expression bends no more than kBend says. The

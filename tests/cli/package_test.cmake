@@ -22,6 +22,9 @@ treedyn_generate(swing SCENE swing.yaml NAME swing OPTIONS --effort 0 CONTRACTIO
 target_link_libraries(consumer PRIVATE swing)
 treedyn_generate(in_c MODEL arm.yaml NAME in_c OPTIONS --settings=own.txt --functions mass_matrix,own CONTRACTION on)
 target_link_libraries(consumer PRIVATE in_c)
+treedyn_generate(in_c_by_libm MODEL arm.yaml NAME by_libm OPTIONS --language c99 --sincos libm --functions gravity_force)
+add_executable(consumer_in_c main.c)
+target_link_libraries(consumer_in_c PRIVATE in_c_by_libm)
 treedyn_generate(default MODEL arm.yaml NAME no FOLDER off OPTIONS ${nothing})  # words like others
 set_target_properties(default PROPERTIES EXCLUDE_FROM_ALL TRUE)
 install(TARGETS arm EXPORT arms ARCHIVE DESTINATION lib)
@@ -46,6 +49,16 @@ int main() {
   double A[4];
   in_c_mass_matrix(pose, A);
   return G[two_link::joint::elbow] > 0 && A[0] > 0 ? 0 : 1;
+}
+]])
+file(WRITE ${scratch}/project/main.c [[
+#include "by_libm.h"
+
+int main(void) {
+  const double q[BY_LIBM_DOF] = {0, 0};
+  double G[BY_LIBM_DOF];
+  by_libm_gravity_force(q, G);
+  return G[0] > 0 ? 0 : 1;
 }
 ]])
 file(COPY_FILE ${SOURCE}/models/two_link.yaml ${scratch}/project/arm.yaml)

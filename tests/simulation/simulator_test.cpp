@@ -161,6 +161,20 @@ TEST(Impact, OfAPointThatIsBelowThePlaneWhenItIsLookedAtIsWarnedOf) {
   EXPECT_EQ(notices("0.1", "  q: {height: -1}\n  qd: {height: 3}").size(), 1U);
 }
 
+/// A held point that has drifted leaves the floor; nothing falls.
+TEST(Impact, OfAPointThatLeavesItsPlaneIsNoneToWarnOf) {
+  std::string text =
+      "scene: s\nmodel: drop.model.yaml\neffects:\n  gravity: [0, 0, -10]\n  point_constraint:\n"
+      "    - {name: floor, point: ball, along: [z]}\n  drive: [{joint: height, torque: 20*t}]\n"
+      "phases:\n  - name: stand\n    active: [floor]\n    until: [{lift_off: {constraint: floor}, "
+      "then: fly}]\n  - name: fly\n    until: [{touch_down: {point: ball, height: 1e-9}, impact: "
+      "{constraints: [floor]}, then: stand}]\nduration: 1\n";
+  Running run(scene_of(text));  // the plane is 1 nm above where it stands
+  run.advance_to(1);
+  EXPECT_EQ(run.simulator.events().size(), 1U);
+  EXPECT_TRUE(run.simulator.monitor().notices().empty());
+}
+
 /// 22.5 kg m^2 of a forearm break away from 300 N m where 300 t exceeds them and its weight; from
 /// there classical steps of 0.1 ms, whose error is below 1e-12. The simulator is known to 1e-9 of
 /// speeds of up to 30 rad/s.
