@@ -139,7 +139,10 @@ class Sources {
     steps_.push_back({{a, b}, {rate_a, rate_b}, kNone, dimension});
     return static_cast<int>(steps_.size()) - 1;
   }
-  /// The first way to a number counts.
+  /// The first way to a number counts; a number of a search alone has no digits of the robot.
+  [[nodiscard]] bool would_note(const Real& number) const {
+    return number.digits() != number.seen() && !by_number_.contains(magnitude(number));
+  }
   void note(const Real& number, int a, double rate_a, int b, double rate_b,
             const Dimension& dimension) {
     if ((a == kNone && b == kNone) || number.digits() == number.seen()) {
@@ -302,6 +305,9 @@ void note_result(RecipeKind kind, const Real& of, const Real& result) {
 
 void note_ratio(std::span<const Real> of, const Real& result) {
   Sources& all = sources();
+  if (!all.would_note(result)) {
+    return;
+  }
   int sum = Sources::kNone;
   double rate = seen(result);
   for (const Real& number : of) {

@@ -110,6 +110,16 @@ Outcome with_small_disk(const std::string& arguments) {
   return support::run({"sh", "-c", "ulimit -f 2; exec " TREEDYN_EXECUTABLE " " + arguments});
 }
 
+/// A search forgets what it has tried: 40 MB are enough, of which the program alone takes half.
+TEST_F(Cli, SearchesInLittleMemory) {
+  const Outcome outcome = support::run(
+      {"sh", "-c",
+       "ulimit -v 40000; exec " TREEDYN_EXECUTABLE
+       " generate -q -j 1 --functions mass_matrix " TREEDYN_SOURCE_DIR "/models/puma560.yaml -o " +
+           out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST_F(Cli, LeavesNothingHalfWrittenOnAFullDisk) {
   const Outcome fresh = with_small_disk("generate " + kModel + " -o " + out() + "/deep");
   EXPECT_EQ(fresh.status, 1);
