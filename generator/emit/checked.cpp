@@ -94,7 +94,8 @@ std::string checked_text(const Checked& checked, const Body& body, const Target&
   if (body.parts.size() == 1) {
     append(lines, body.parts.front().lines);
   } else {
-    const SplitText split = split_text(checked.function.signature, body);
+    const SplitText split =
+        split_text(checked.function.signature, checked.function.signature.name, body);
     parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
     if (!split.declaration.empty()) {
       lines.push_back(split.declaration);

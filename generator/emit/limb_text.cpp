@@ -269,7 +269,7 @@ PhaseText phase_text(const program::Function& function, const LimbPhase& phase,
   arguments.push_back(declared[3]);
   std::vector<std::string> lines = text.parts.front().lines;
   if (text.parts.size() > 1) {
-    const SplitText split = split_text(named.signature, text);
+    const SplitText split = split_text(named.signature, named.signature.name, text);
     result.text += split.parts;
     lines = split.calls;
     if (!split.declaration.empty()) {
@@ -379,7 +379,7 @@ std::string trunk_text(const program::Function& function, const std::vector<Phas
       lines.push_back(part.lines[line]);
     }
   } else {
-    const SplitText split = split_text(trunk.signature, text);
+    const SplitText split = split_text(trunk.signature, trunk.signature.name, text);
     parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
     if (!split.declaration.empty()) {
       lines.push_back(split.declaration);

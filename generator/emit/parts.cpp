@@ -1,8 +1,11 @@
 #include "emit/parts.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "emit/layout.hpp"
+#include "emit/taken_names.hpp"
 
 namespace treedyn::emit {
 
@@ -57,7 +60,8 @@ void unite(std::vector<bool>& uses, const std::vector<bool>& more) {
   }
 }
 
-SplitText split_text(const program::Signature& signature, const Body& body) {
+SplitText split_text(const program::Signature& signature, const std::string& stem,
+                     const Body& body) {
   const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
   const std::vector<std::string> names = names_of_arrays(signature);
   SplitText text;
@@ -69,7 +73,7 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
   }
   for (std::size_t k = 0; k < body.parts.size(); ++k) {
     const Part& part = body.parts[k];
-    const std::string name = fmt::format("{}_{}", signature.name, k + 1);
+    const std::string name = fmt::format("{}_{}", stem, k + 1);
     std::vector<std::string> declared = chosen(parameters(signature, all), names, part);
     std::vector<std::string> passed = chosen(names, names, part);
     if (part.uses_workspace) {
@@ -82,6 +86,23 @@ SplitText split_text(const program::Signature& signature, const Body& body) {
     unite(text.used, part.uses);
   }
   return text;
+}
+
+std::vector<std::string> stems_of_parts(const std::vector<std::string>& names) {
+  std::vector<std::string> taken = names;
+  std::vector<std::string> stems;
+  for (const std::string& name : names) {
+    std::string stem = name;
+    const auto is_in_use = [&](const std::string& other) {
+      return is_part_of(other, stem) || (other == stem && stem != name);
+    };
+    while (std::ranges::any_of(taken, is_in_use)) {
+      stem += "_part";
+    }
+    taken.push_back(stem);
+    stems.push_back(stem);
+  }
+  return stems;
 }
 
 ZerosText zeros_text(const program::Signature& signature, const Body& body) {

@@ -21,8 +21,13 @@ struct SplitText {
   std::vector<bool> used;          ///< arrays: inputs, then outputs
 };
 
-/// The parts of a body as functions name_1, name_2, ...
-SplitText split_text(const program::Signature& signature, const Body& body);
+/// The parts of a body as functions stem_1, stem_2, ...
+SplitText split_text(const program::Signature& signature, const std::string& stem,
+                     const Body& body);
+
+/// Stems for the parts of functions with these names: the names, but where another function has the
+/// name that a part would get, as those of phases `stance` and `stance_2`.
+std::vector<std::string> stems_of_parts(const std::vector<std::string>& names);
 
 /// The zeros of a body: their function, and its call, which is empty if there is none.
 struct ZerosText {

@@ -36,7 +36,7 @@ std::string whole_function(const program::Signature& signature, const Body& body
 
 /// A function in parts: a workspace, the parts, and the function that calls them in order.
 std::string split_function(const program::Signature& signature, const Body& body) {
-  SplitText text = split_text(signature, body);
+  SplitText text = split_text(signature, signature.name, body);
   if (const ZerosText zeros = zeros_text(signature, body); !zeros.call.empty()) {
     text.calls.push_back(zeros.call);
     unite(text.used, body.zeros.uses);

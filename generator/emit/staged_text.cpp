@@ -310,8 +310,9 @@ std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& 
   return result;
 }
 
-std::string function_text(const Staged& staged, const Body& text, const Solves& all,
-                          const Target& target) {
+/// \param stem  what its parts are named by
+std::string function_text(const Staged& staged, const std::string& stem, const Body& text,
+                          const Solves& all, const Target& target) {
   std::vector<std::string> lines = local_arrays(staged);
   std::string parts;
   std::vector<bool> used;
@@ -327,7 +328,7 @@ std::string function_text(const Staged& staged, const Body& text, const Solves& 
     append_unused_gates(staged, stage, all, target, lines);
     used = part.uses;
   } else {
-    const SplitText split = split_text(staged.function.signature, text);
+    const SplitText split = split_text(staged.function.signature, stem, text);
     parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
     if (!split.declaration.empty()) {
       lines.push_back(split.declaration);
@@ -367,7 +368,8 @@ std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary
       const std::string& name = contact.signature.name;
       if (std::find(done.begin(), done.end(), name) == done.end()) {
         done.push_back(name);
-        result += '\n' + function_text(contact, staged_body(contact, words, target), {}, target);
+        result +=
+            '\n' + function_text(contact, name, staged_body(contact, words, target), {}, target);
       }
     }
   }
@@ -385,7 +387,8 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
                             const Target& target) {
   std::string result;
   for (const Staged& staged : functions) {
-    result += '\n' + function_text(staged, staged_body(staged, words, target), {}, target);
+    result += '\n' + function_text(staged, staged.signature.name,
+                                   staged_body(staged, words, target), {}, target);
   }
   return result;
 }
@@ -397,9 +400,14 @@ std::string staged_text(const std::vector<Staged>& functions, const std::vector<
                                  [](const Staged& staged) { return staged.tells; });
   std::string result = (tells ? "extern \"C\" void treedyn_again(int what);\n" : "") +
                        solvers_text(all, target) + contacts_text(functions, words, target);
+  std::vector<std::string> names;
+  for (const Staged& staged : functions) {
+    names.push_back(staged.signature.name);
+  }
+  const std::vector<std::string> stems = stems_of_parts(names);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result += "\n";
-    result += function_text(functions[k], bodies[k], all, target);
+    result += function_text(functions[k], stems[k], bodies[k], all, target);
   }
   return result;
 }

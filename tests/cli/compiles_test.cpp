@@ -73,6 +73,24 @@ TEST_F(Compiles, LinksWhoseNamesBeginWithDigits) {
   expect_compiles({scratch("m.yaml"), "--runtime", "2.mass"}, "m");
 }
 
+/// The function of the phase called stance_2 has the name that the second part of that of the phase
+/// stance would get.
+TEST_F(Compiles, PhasesThatAreNamedAsPartsWouldBe) {
+  write_file(
+      scratch("s.yaml"),
+      "scene: s\nmodel: " TREEDYN_SOURCE_DIR
+      "/models/quadruped.yaml\nbase: axes\neffects:\n  gravity: [0, 0, -9.81]\n"
+      "  point_constraint: [{point: front_left_foot}, {point: front_right_foot}]\nphases:\n"
+      "  - {name: stance, active: [front_left_foot], until: [{time: 0.1, then: stance_2}]}\n"
+      "  - {name: stance_2, active: [front_right_foot], until: [{time: 0.1, then: stance}]}\n"
+      "duration: 1\n");
+  for (const char* language : {"c++", "c99"}) {
+    expect_compiles({"--scene", scratch("s.yaml"), "--functions", "constrained_dynamics",
+                     "--language", language},
+                    "s");
+  }
+}
+
 /// The third link does not turn: u + u - 2 u.
 TEST_F(Compiles, MimicJointsWhoseTurnsCancel) {
   std::string text = R"(<robot name="m"><link name="base"/>)";
