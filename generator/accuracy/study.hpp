@@ -67,7 +67,7 @@ struct PhaseSteps {
 /// What came of a setting over the band of initial states.
 struct Outcome {
   Setting setting;
-  /// Of all motions; a step in which an event is located counts as those that look for it.
+  /// Of all motions.
   std::vector<PhaseSteps> phases;
   /// Of each initial state the largest along the motion; not finite where it ended, not there
   /// where the scene has nothing of the kind.

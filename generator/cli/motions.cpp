@@ -49,7 +49,6 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
   const auto phase = [&] {
     return number != nullptr ? static_cast<std::size_t>((*number)[0]) : std::size_t{0};
   };
-  const long of_event = scene.stepping.cuts > 0 ? scene.stepping.cuts + 1 : 0;
   for (long k = 0; k < every * subject.times; ++k) {
     motion.steps.resize(std::max(motion.steps.size(), phase() + 1));
     program::StepCount& steps = motion.steps[phase()];
@@ -57,8 +56,7 @@ Motion stepped_motion(const Subject& subject, const model::Scene& scene, const S
       (*time)[0] = t0 + static_cast<long double>(k) * h;
     }
     motion.status |= step.call();
-    steps +=
-        {1 + of_event * static_cast<long>(step.events().size()), step.repeated(), step.repeated()};
+    steps += {1, step.repeated(), step.repeated()};
     if (!is_finite(q)) {
       break;
     }

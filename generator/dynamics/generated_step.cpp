@@ -178,6 +178,8 @@ int GeneratedStep::call() {
   for (std::size_t what = 0; what < repeated_.size(); ++what) {
     repeated_[what] = library_->repeated()(static_cast<int>(what));
   }
+  long& advances = repeated_[static_cast<std::size_t>(program::Repeated::kAdvance)];
+  advances = std::max(advances - 1, 0L);
   events_.clear();
   SteppedEvent event;
   while ((event.number = library_->events()(static_cast<int>(events_.size()), &event.at)) >= 0) {
@@ -190,14 +192,14 @@ int GeneratedStep::call() {
 }
 
 std::string status_names(int status) {
-  constexpr std::array<const char*, 8> kNames = {"rank_lost",    "row_given_up", "no_convergence",
-                                                 "event_missed", "not_a_number", "guard_undefined",
-                                                 "event_late",   "turned_far"};
+  constexpr std::array<const char*, 8> kBits = {"rank_lost",    "row_given_up", "no_convergence",
+                                                "event_missed", "not_a_number", "guard_undefined",
+                                                "event_late",   "turned_far"};
   std::string result;
-  for (std::size_t k = 0; k < kNames.size(); ++k) {
+  for (std::size_t k = 0; k < kBits.size(); ++k) {
     if ((status >> k) % 2 != 0) {
       result += result.empty() ? "" : ", ";
-      result += kNames[k];
+      result += kBits[k];
     }
   }
   return result;

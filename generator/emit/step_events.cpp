@@ -126,6 +126,10 @@ Lines EventWriter::advance() const {
   if (program::tells_reactions(stepper_)) {
     arguments.emplace_back("to.halfway");
   }
+  if (stepper_.tells) {
+    lines.push_back(
+        fmt::format("treedyn_again({});", static_cast<int>(program::Repeated::kAdvance)));
+  }
   lines.push_back(call_text("to.failed = integrate", arguments, 2));
   append(lines, stuck_lines());
   return lines;

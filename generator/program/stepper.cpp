@@ -326,8 +326,10 @@ Cost least_step_cost(const Stepper& stepper, const StepPhase& phase) {
 
 std::vector<Cost> repeated_costs(const Stepper& stepper, const StepPhase& phase) {
   const int n = stepper.signature.inputs.front().size;
-  std::vector<Cost> result = {
-      integration_cost(stepper, phase.dynamics_cost, Which::kLeast), {}, {}};
+  std::vector<Cost> result = {integration_cost(stepper, phase.dynamics_cost, Which::kLeast),
+                              {},
+                              {},
+                              advance_cost(stepper, phase, Which::kLeast) + guard_cost(phase)};
   if (stepper.method == StepMethod::kSdirk2) {
     result[1] = newton_cost(n, phase.dynamics_cost);
     result[2] = factor_cost(n, phase.dynamics_cost);

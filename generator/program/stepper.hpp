@@ -23,6 +23,7 @@ enum class Repeated {
   kPart,        ///< of an integration, beyond the first
   kNewtonStep,  ///< of kSdirk2, all
   kJacobian,    ///< the same
+  kAdvance,     ///< a shorter step of a step with events, beyond the first
   kPress,       ///< of the first contact; those of the others follow
 };
 /// By its number.
