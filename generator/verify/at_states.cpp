@@ -171,7 +171,7 @@ Values identity(std::size_t n) {
 }
 
 /// What all functions are held against.
-struct Comparison {
+struct Judge {
   std::vector<model::Point> points;
   model::Vector3 gravity;
   const UserEquations& equations;
@@ -211,29 +211,28 @@ Numbers times_parameters(const Numbers& Y, const std::vector<model::Link>& links
 
 /// A column that is wrong differs for random parameters.
 void check_regressor(const Numbers& Y, const std::vector<Values>& inputs, const model::Tree& tree,
-                     Comparison& comparison) {
+                     Judge& judge) {
   model::Tree drawn = tree;
   for (model::Link& link : drawn.links) {
-    link.inertia.mass = comparison.states.next();
-    std::ranges::generate(link.inertia.com, [&] { return comparison.states.next(); });
-    const Real xy = comparison.states.next();
-    const Real xz = comparison.states.next();
-    const Real yz = comparison.states.next();
-    link.inertia.about_com = {comparison.states.next(), xy, xz, xy,
-                              comparison.states.next(), yz, xz, yz,
-                              comparison.states.next()};
+    link.inertia.mass = judge.states.next();
+    std::ranges::generate(link.inertia.com, [&] { return judge.states.next(); });
+    const Real xy = judge.states.next();
+    const Real xz = judge.states.next();
+    const Real yz = judge.states.next();
+    link.inertia.about_com = {judge.states.next(), xy, xz, xy, judge.states.next(), yz, xz, yz,
+                              judge.states.next()};
   }
-  engine::Engine<Real> engine(drawn, {}, comparison.gravity);
+  engine::Engine<Real> engine(drawn, {}, judge.gravity);
   compare("inverse_dynamics_regressor", times_parameters(Y, drawn.links),
           engine.evaluate("inverse_dynamics", inputs), largest_inertia(tree));
 }
 
 /// Functions that have no equation of their own are held against the equations they stand for.
-void check_function(const program::Function& function, engine::Engine<Real>& engine,
-                    Comparison& comparison, const model::Tree& tree, const Numbers& derived) {
+void check_function(const program::Function& function, engine::Engine<Real>& engine, Judge& judge,
+                    const model::Tree& tree, const Numbers& derived) {
   const Real largest = largest_inertia(tree);
   const std::string& name = function.signature.name;
-  const std::vector<Values> inputs = comparison.states.inputs(function.signature);
+  const std::vector<Values> inputs = judge.states.inputs(function.signature);
   const Numbers ours = interpreted(function, inputs, derived);
   const auto n = static_cast<std::size_t>(engine.dof());
   const auto mass_matrix = [&] {
@@ -254,7 +253,7 @@ void check_function(const program::Function& function, engine::Engine<Real>& eng
   } else if (name == "mass_matrix_inverse") {
     compare(name, times_inertia(ours), identity(n), largest);
   } else if (name == "inverse_dynamics_regressor") {
-    check_regressor(ours, inputs, tree, comparison);
+    check_regressor(ours, inputs, tree, judge);
   } else if (name == "dynamics_terms") {
     Values expected = mass_matrix();
     for (const Values& term :
@@ -275,56 +274,56 @@ const equations::UserEquation* find(const UserEquations& equations, const std::s
 }
 
 /// Every function at a state.
-void check_at_state(Comparison& comparison, const model::Tree& tree,
+void check_at_state(Judge& judge, const model::Tree& tree,
                     const std::vector<const program::Function*>& functions,
                     const Numbers& derived) {
-  engine::Engine<Real> engine(tree, comparison.points, comparison.gravity);
+  engine::Engine<Real> engine(tree, judge.points, judge.gravity);
   const Real largest = largest_inertia(tree);
   for (const program::Function* const function : functions) {
     if (const equations::UserEquation* const of_user =
-            find(comparison.equations, function->signature.name)) {
-      const std::vector<Values> inputs = comparison.states.inputs(function->signature);
-      engine::UserFunction<Real> expected(*of_user, tree, comparison.points, comparison.gravity);
+            find(judge.equations, function->signature.name)) {
+      const std::vector<Values> inputs = judge.states.inputs(function->signature);
+      engine::UserFunction<Real> expected(*of_user, tree, judge.points, judge.gravity);
       compare(function->signature.name, interpreted(*function, inputs, derived), expected(inputs),
               largest);
     } else {
-      check_function(*function, engine, comparison, tree, derived);
+      check_function(*function, engine, judge, tree, derived);
     }
   }
 }
 
 /// At run time as `update` and the functions compute it, with other numbers than the nominal ones.
-void check_at_run_time(Comparison& comparison, const model::Tree& tree,
+void check_at_run_time(Judge& judge, const model::Tree& tree,
                        const std::vector<const program::Function*>& functions,
                        const program::Function& update) {
   enum class Draw { kNominal, kFirst, kSecond, kZero };
-  const model::Vector3 gravity = comparison.gravity;
-  const auto places = model::points_with_parameters(tree, comparison.points);
+  const model::Vector3 gravity = judge.gravity;
+  const auto places = model::points_with_parameters(tree, judge.points);
   for (const Draw draw : {Draw::kNominal, Draw::kFirst, Draw::kSecond, Draw::kZero}) {
     model::Tree changed = tree;
     Values values;
     for (const model::Parameter& parameter : tree.parameters) {
       const bool positive = parameter.quantity == model::ParameterKind::kMass;
-      const Real random = comparison.states.next();
+      const Real random = judge.states.next();
       // gravity of a scene stands beside the tree: it is nominal
       const bool of_scene = parameter.quantity == model::ParameterKind::kScene;
       values.push_back(draw == Draw::kNominal || of_scene ? model::nominal(tree, gravity, parameter)
                        : draw == Draw::kZero              ? Real(0)
                        : positive                         ? abs(random)
                                                           : random);
-      model::set(changed, comparison.gravity, parameter, values.back());
+      model::set(changed, judge.gravity, parameter, values.back());
     }
     for (const auto& [k, own] : places) {
-      comparison.points[k].at = changed.points[own].at;
+      judge.points[k].at = changed.points[own].at;
     }
     std::vector<const program::Function*> checked = functions;
     if (draw == Draw::kZero) {
       std::erase_if(checked, [&](const program::Function* f) {
         return equations::divides_by_pivots(f->signature.name) ||
-               find(comparison.equations, f->signature.name) != nullptr;
+               find(judge.equations, f->signature.name) != nullptr;
       });
     }
-    check_at_state(comparison, changed, checked, interpreted(update, {values}, {}));
+    check_at_state(judge, changed, checked, interpreted(update, {values}, {}));
   }
 }
 
@@ -334,7 +333,7 @@ void check_at_states(const model::Tree& tree, const std::vector<model::Point>& p
                      const model::Vector3& gravity, const UserEquations& equations,
                      const std::vector<program::Function>& functions,
                      const program::Function* update) {
-  Comparison comparison{points, gravity, equations};
+  Judge judge{points, gravity, equations};
   std::vector<const program::Function*> fixed;
   std::vector<const program::Function*> at_run_time;
   for (const program::Function& function : functions) {
@@ -343,10 +342,10 @@ void check_at_states(const model::Tree& tree, const std::vector<model::Point>& p
     (takes_derived ? at_run_time : fixed).push_back(&function);
   }
   for (int count = tree.size() <= kLargestForTwoStates ? 2 : 1; count > 0; --count) {
-    check_at_state(comparison, tree, fixed, {});
+    check_at_state(judge, tree, fixed, {});
   }
   if (!at_run_time.empty()) {
-    check_at_run_time(comparison, tree, at_run_time, *update);
+    check_at_run_time(judge, tree, at_run_time, *update);
   }
 }
 
