@@ -1,12 +1,29 @@
 #include "verify/scene_equations.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/index.hpp"
+#include "engine/reaction_rows.hpp"
 #include "model/force_laws.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn {
+
+namespace {
+
+/// Where a row of a constraint acts: along its direction, and against it at the other point.
+std::vector<engine::RowPart> parts_of(const model::Constraint& c, const model::Vector3& direction) {
+  const bool is_moment = c.kind == model::ConstraintKind::kOrientation;
+  std::vector<engine::RowPart> parts = {{c.point, is_moment, direction}};
+  if (c.kind == model::ConstraintKind::kJoined) {
+    parts.push_back({c.other, false, {-direction[0], -direction[1], -direction[2]}});
+    std::ranges::sort(parts, {}, &engine::RowPart::point);
+  }
+  return parts;
+}
+
+}  // namespace
 
 SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, const Real& t,
                                Values anchor)
@@ -30,11 +47,43 @@ SceneEquations::SceneEquations(const model::Scene& scene, Values q, Values qd, c
   if (!scene.points.empty()) {
     C_ = engine.evaluate("force_jacobian_transpose", {q_});
     H_ = engine.evaluate("moment_jacobian_transpose", {q_});
-    gamma_f_ = engine.evaluate("point_bias_acceleration", {q_, rates});
-    gamma_n_ = engine.evaluate("angular_bias_acceleration", {q_, rates});
     p_ = engine.evaluate("point_positions", {q_});
     v_ = engine.evaluate("point_velocities", {q_, qd_});
     R_ = engine.evaluate("point_rotations", {q_});
+  }
+  evaluate_rows(rates);
+}
+
+/// J of 6.2, and γ with these rates, of all constraints; a joint's own row is a unit row.
+void SceneEquations::evaluate_rows(const Values& rates) {
+  std::vector<std::vector<engine::RowPart>> parts;
+  std::vector<Row*> of_points;
+  for (const model::Constraint& c : scene_.constraints) {
+    rows_.emplace_back(c.rows(), Row{Values(to_index(dof_)), 0, 0});
+  }
+  for (std::size_t c = 0; c < rows_.size(); ++c) {
+    const model::Constraint& constraint = scene_.constraints[c];
+    for (std::size_t k = 0; k < rows_[c].size(); ++k) {
+      if (constraint.kind == model::ConstraintKind::kJoint) {
+        rows_[c][k].J[to_index(constraint.joint)] = 1;
+      } else {
+        of_points.push_back(&rows_[c][k]);
+        parts.push_back(parts_of(constraint, constraint.directions[k]));
+      }
+    }
+  }
+  if (of_points.empty()) {
+    return;
+  }
+  engine::ReactionRows<Real> rows(scene_.tree, scene_.points, parts);
+  rows.set(q_, rates);
+  const Values columns = rows.jacobian_transpose();
+  const Values gamma = rows.bias_acceleration();
+  for (std::size_t r = 0; r < of_points.size(); ++r) {
+    for (std::size_t i = 0; i < of_points[r]->J.size(); ++i) {
+      of_points[r]->J[i] = columns[i * of_points.size() + r];
+    }
+    of_points[r]->gamma = gamma[r];
   }
 }
 
@@ -64,7 +113,7 @@ std::vector<SceneEquations::Row> SceneEquations::rows(const std::vector<int>& ac
   for (const int c : active) {
     const model::Constraint& constraint = scene_.constraints[to_index(c)];
     for (std::size_t k = 0; k < constraint.rows(); ++k) {
-      result.push_back(row(constraint, k));
+      result.push_back(rows_[to_index(c)][k]);
       result.back().wanted = wanted(constraint, k);
       if (model::is_stabilised(scene_, c)) {
         result.back().wanted += correction(result.back(), c, k);
@@ -72,32 +121,6 @@ std::vector<SceneEquations::Row> SceneEquations::rows(const std::vector<int>& ac
     }
   }
   return result;
-}
-
-SceneEquations::Row SceneEquations::row(const model::Constraint& c, std::size_t k) const {
-  Row result{Values(to_index(dof_)), 0, 0};
-  if (c.kind == model::ConstraintKind::kJoint) {
-    result.J[to_index(c.joint)] = 1;
-    return result;
-  }
-  const bool turning = c.kind == model::ConstraintKind::kOrientation;
-  add(result, c.directions[k], turning ? H_ : C_, turning ? gamma_n_ : gamma_f_, c.point, 1);
-  if (c.kind == model::ConstraintKind::kJoined) {
-    add(result, c.directions[k], C_, gamma_f_, c.other, -1);
-  }
-  return result;
-}
-
-void SceneEquations::add(Row& row, const model::Vector3& d, const Values& jacobian,
-                         const Values& gamma, int point, int sign) const {
-  const std::size_t width = 3 * scene_.points.size();
-  for (std::size_t n = 0; n < 3; ++n) {
-    const std::size_t column = 3 * to_index(point) + n;
-    for (std::size_t i = 0; i < row.J.size(); ++i) {
-      row.J[i] += sign * d[n] * jacobian[i * width + column];
-    }
-    row.gamma += sign * d[n] * gamma[column];
-  }
 }
 
 Real SceneEquations::wanted(const model::Constraint& c, std::size_t k) const {

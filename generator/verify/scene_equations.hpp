@@ -47,13 +47,11 @@ class SceneEquations {
                                 const Real& depth, const Real& press) const;
   [[nodiscard]] Real value(const model::Expression& expression, int point) const;
   [[nodiscard]] Real variable(const model::Variable& variable, int point) const;
-  [[nodiscard]] Row row(const model::Constraint& constraint, std::size_t k) const;
+  void evaluate_rows(const Values& rates);
   [[nodiscard]] Real wanted(const model::Constraint& constraint, std::size_t k) const;
   [[nodiscard]] Real position_error(int constraint, std::size_t k) const;
   [[nodiscard]] model::Vector3 turn_from(const Real* anchor, int point) const;
   [[nodiscard]] Real correction(const Row& row, int constraint, std::size_t k) const;
-  void add(Row& row, const model::Vector3& d, const Values& jacobian, const Values& gamma,
-           int point, int sign) const;
   void add_joint_forces(Values& force) const;
   void apply(const model::Vector3& value, int point, const Values& jacobian, Values& force) const;
 
@@ -62,7 +60,8 @@ class SceneEquations {
   Real t_;
   int dof_;
   std::vector<Values> A_;
-  Values bias_, C_, H_, gamma_f_, gamma_n_, p_, v_, R_;
+  Values bias_, C_, H_, p_, v_, R_;
+  std::vector<std::vector<Row>> rows_;  ///< of every constraint; nothing is wanted of them
 };
 
 }  // namespace treedyn
