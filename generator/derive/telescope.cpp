@@ -1,9 +1,13 @@
 #include "derive/telescope.hpp"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
+#include <tuple>
 
 #include <ginac/ginac.h>
+
+#include "common/index.hpp"
 
 namespace treedyn::derive {
 namespace {
@@ -56,6 +60,30 @@ std::optional<Chain> chain_of(const Values& values,
   return chain;
 }
 
+/// Of a term: its factor, and which columns it multiplies: 0 for w, 1 for D w, 2 for N w.
+using Shape = std::vector<std::tuple<Ratio, int, int>>;
+
+/// δ - (g(ω) - g(ω_f)) is the zero polynomial.
+bool is_identity(const Shape& shape) {
+  const Vector w = symbols("w");
+  const Vector father = symbols("f");
+  Vector own;
+  std::transform(w.begin(), w.end(), father.begin(), std::back_inserter(own),
+                 [](const GiNaC::ex& a, const GiNaC::ex& b) { return a + b; });
+  const std::array<GiNaC::matrix, 3> skews = {skew(w), skew(own), skew(father)};
+  GiNaC::matrix difference = skews[2].mul(skews[2]).sub(skews[1].mul(skews[1]));
+  for (const auto& [factor, a, b] : shape) {
+    const GiNaC::numeric ratio = GiNaC::numeric(factor.numerator) / factor.denominator;
+    difference = difference.add(skews[to_index(a)].mul(skews[to_index(b)]).mul_scalar(ratio));
+  }
+  for (std::size_t n = 0; n < difference.nops(); ++n) {
+    if (!difference.op(n).expand().is_zero()) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<int> telescopes(const Values& values,
@@ -64,30 +92,21 @@ std::optional<int> telescopes(const Values& values,
   if (!chain) {
     return std::nullopt;
   }
-  static std::mutex ginac;  // which counts references without atomics
-  const std::scoped_lock lock(ginac);
-  const Vector w = symbols("w");
-  const Vector father = symbols("f");
-  Vector own;
-  std::transform(w.begin(), w.end(), father.begin(), std::back_inserter(own),
-                 [](const GiNaC::ex& a, const GiNaC::ex& b) { return a + b; });
-  const auto vector = [&](int a) {
-    return a == chain->w ? w : a == chain->own ? own : father;
+  const auto column = [&](int a) {
+    return a == chain->w ? 0 : a == chain->own ? 1 : 2;
   };
-  GiNaC::matrix difference =  // δ - (g(ω) - g(ω_f))
-      skew(father).mul(skew(father)).sub(skew(own).mul(skew(own)));
+  Shape shape;
   for (const auto& [factor, x] : terms) {
-    const GiNaC::matrix product =
-        skew(vector(values[x].operands[0])).mul(skew(vector(values[x].operands[1])));
-    difference = difference.add(
-        product.mul_scalar(GiNaC::numeric(factor.numerator) / GiNaC::numeric(factor.denominator)));
+    shape.emplace_back(factor, column(values[x].operands[0]), column(values[x].operands[1]));
   }
-  for (std::size_t n = 0; n < difference.nops(); ++n) {
-    if (!difference.op(n).expand().is_zero()) {
-      return std::nullopt;
-    }
+  static std::mutex ginac;  // which counts references without atomics
+  static std::vector<std::pair<Shape, bool>> decided;
+  const std::scoped_lock lock(ginac);
+  auto known = std::ranges::find(decided, shape, &std::pair<Shape, bool>::first);
+  if (known == decided.end()) {
+    known = decided.insert(decided.end(), {shape, is_identity(shape)});
   }
-  return chain->w;
+  return known->second ? std::optional(chain->w) : std::nullopt;
 }
 
 }  // namespace treedyn::derive
