@@ -335,8 +335,8 @@ Lines EventWriter::end_lines() const {
   }
   if (stepper_.begun) {
     append(lines, {"begun_next[0] = changed ? h + motion.begun : begun[0];",
-                   "if (!(begun_next[0] < h)) {  // a whole step", "  steps_next[0] = 1;",
-                   "  begun_next[0] = Scalar(0);", "}"});
+                   "if (changed && !(begun_next[0] < h)) {  // a whole step",
+                   "  steps_next[0] = 1;", "  begun_next[0] = Scalar(0);", "}"});
   }
   return lines;
 }
