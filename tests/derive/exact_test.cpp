@@ -78,7 +78,8 @@ namespace {
 struct Mechanism {
   const char* name;
   support::TreeShape shape;
-  const char* file = nullptr;  ///< below models/, instead of a random one
+  const char* file = nullptr;               ///< below models/, instead of a random one
+  std::vector<std::string_view> dear = {};  ///< functions whose polynomials take minutes
 };
 void PrintTo(const Mechanism& mechanism, std::ostream* stream) { *stream << mechanism.name; }
 
@@ -199,6 +200,9 @@ class Programs : public testing::TestWithParam<Mechanism> {
   void expect_equations() const {
     const expansion::Expansion expansion(tree_, options_.points, options_.gravity);
     for (const equations::Equation& equation : equations::table()) {
+      if (std::ranges::find(GetParam().dear, equation.name) != GetParam().dear.end()) {
+        continue;
+      }
       const formulate::Recipe& recipe = formulate::recipe_of(std::string(equation.name));
       const program::Function function = formulate::formulated(tree_, recipe.name, options_);
       EXPECT_TRUE(is(expansion, recipe, function, *equation.expression)) << equation.name;
@@ -222,7 +226,15 @@ INSTANTIATE_TEST_SUITE_P(Committed, Models,
                                          Mechanism{"polar", {}, "polar.yaml"},
                                          Mechanism{"compass_walker", {}, "compass_walker.yaml"},
                                          Mechanism{"puma560", {}, "puma560.yaml"},
-                                         Mechanism{"quadruped", {}, "quadruped.yaml"}),
+                                         Mechanism{"quadruped", {}, "quadruped.yaml"},
+                                         Mechanism{"drop", {}, "scenes/drop.model.yaml"},
+                                         Mechanism{"four_bar", {}, "scenes/four_bar.model.yaml"},
+                                         Mechanism{"pendulum", {}, "scenes/pendulum.model.yaml"},
+                                         Mechanism{"panda",
+                                                   {},
+                                                   "panda.yaml",
+                                                   {"mass_matrix", "bias_force", "inverse_dynamics",
+                                                    "kinetic_energy"}}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Programs, AreTheirEquationsInEveryFrame) {
