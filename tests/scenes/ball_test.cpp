@@ -222,6 +222,22 @@ TEST(PhaseStep, TakesTimesWithinTheStep) {
   }
 }
 
+/// Held for 0.1 s before the first step, which is longer than a step: it falls 0.15 s later.
+TEST(PhaseStep, BeginsInTheMiddleOfAPhase) {
+  const BallCode scene(
+      "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: hold, point: tip, along: "
+      "[z]}]\n"
+      "phases:\n  - {name: wait, active: [hold], until: [{time: 0.25, then: fall}]}\n"
+      "  - {name: fall, active: [], until: [{time: 0.1, impact: {constraints: [hold]}, then: "
+      "wait}]}\n"
+      "duration: 1\nstepping: {integrator: rk4, step: 0.04}\n");
+  Vector next = {0, 0, 0, 0, 0, 0.1};
+  for (int k = 0; k < 4; ++k) {
+    next = scene.code().call("step", {{next[0]}, {next[1]}, {0}, {next[3]}, {next[4]}, {next[5]}});
+  }
+  EXPECT_NEAR(next.at(0), -5 * 0.01 * 0.01, 1e-15);
+}
+
 TEST(PhaseStep, CountsStepsForEventsInTime) {
   const BallCode scene(
       "effects:\n  gravity: [0, 0, -10]\n  point_constraint: [{name: hold, point: tip, along: "
