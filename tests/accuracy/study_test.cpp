@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -83,7 +84,7 @@ TEST(Study, DrawsStabilityLimitsThatAreInThePicture) {
   Study study = study_of_order_four();
   study.stability = {{"rk4", 0.025}, {"sdirk2", 3}};
   const std::string picture = step_chart(study);
-  EXPECT_THAT(picture, testing::HasSubstr("rk4 is stable up to 0.025 s"));
+  EXPECT_THAT(picture, testing::HasSubstr(">rk4 is stable up to 0.025 s"));
   EXPECT_THAT(picture, testing::Not(testing::HasSubstr("sdirk2")));
 }
 
@@ -98,7 +99,71 @@ std::size_t text_with(const std::string& picture, const std::string& name) {
   return picture.rfind("<text", picture.find(name));
 }
 
-/// Two floors closer than a name is high: the name of each is next to its own line.
+/// The names of limits stand above the plot, one above the other.
+TEST(Study, NamesOfStabilityLimitsStandAboveThePlot) {
+  Study study = study_of_order_four();
+  study.stability = {{"dopri5-fixed", 0.06}, {"rk4", 0.025}};
+  const std::string picture = step_chart(study);
+  const double shorter = number_behind(picture, " y=\"", text_with(picture, "rk4 is stable"));
+  const double longer = number_behind(picture, " y=\"", text_with(picture, "dopri5-fixed is"));
+  const std::size_t first_of_grid = picture.find("stroke=\"#ddd\"");
+  const double top = number_behind(picture, " ", picture.rfind("<path d=\"M", first_of_grid) + 10);
+  EXPECT_GT(shorter - longer, 11);
+  EXPECT_GT(longer, 18 + 11);    // the title
+  EXPECT_LT(shorter, top - 12);  // crosses
+}
+
+/// Each line of text from its beginning to the right edge, letters about 5.8 wide.
+TEST(Study, LongNamesOfMethodsFitIntoThePicture) {
+  Study study = study_of_order_four();
+  for (Outcome& one : study.outcomes) {
+    one.setting.integrator = "semi-implicit-euler";
+    one.setting.variant = {"libm", "articulated", "projection", "12", "velocity_products"};
+  }
+  const std::string picture = step_chart(study);
+  const std::string name = method_of(study.outcomes.front().setting);
+  ASSERT_GT(name.size(), 100U);
+  const double left = number_behind(picture, " x=\"", text_with(picture, ">" + name + "</text>"));
+  EXPECT_LT(left + 5.8 * static_cast<double>(name.size()), number_behind(picture, " width=\""));
+}
+
+/// The legend's marks and colours.
+TEST(Study, ThirtyMethodsLookDifferent) {
+  Study study;
+  for (int k = 0; k < 30; ++k) {
+    study.outcomes.push_back(outcome(State::kDouble, "rk4", 0.1, 1e-3, 1));
+    study.outcomes.back().setting.variant.cuts = std::to_string(k);
+  }
+  const std::string picture = step_chart(study);
+  std::set<std::string> looks;
+  for (std::size_t at = picture.find("\"/><text"); at != std::string::npos;
+       at = picture.find("\"/><text", at + 1)) {
+    const std::size_t mark = picture.find('m', picture.rfind("<path d=\"M", at) + 10);
+    if (mark < at && picture.substr(mark, at - mark).find(" fill=") != std::string::npos) {
+      looks.insert(picture.substr(mark, at - mark));
+    }
+  }
+  EXPECT_EQ(looks.size(), 30U);
+}
+
+TEST(Study, ErrorsOfZeroAreNotDrawn) {
+  Study study;
+  for (const double step : {0.1, 0.05, 0.02}) {
+    study.outcomes.push_back(outcome(State::kDouble, "rk4", step, step < 0.1 ? 0 : 1e-7, 1));
+  }
+  const std::string picture = step_chart(study);
+  EXPECT_THAT(picture, testing::HasSubstr("not drawn: 2 errors of exactly 0"));
+  EXPECT_THAT(picture, testing::HasSubstr(": 1.00e-07</title>"));
+  EXPECT_THAT(picture, testing::Not(testing::HasSubstr(": 0.00e+00")));
+  EXPECT_THAT(picture, testing::Not(testing::HasSubstr("floor of")));
+  study.outcomes.erase(study.outcomes.begin());
+  const std::string nothing = step_chart(study);
+  EXPECT_THAT(nothing, testing::HasSubstr("all errors are exactly 0"));
+  EXPECT_THAT(nothing, testing::Not(testing::HasSubstr("</title>")));
+  EXPECT_THAT(nothing, testing::Not(testing::HasSubstr(" text-anchor=\"end\">1e")));
+}
+
+/// Two floors closer than a name is high: their names stand beside their lines in their order.
 TEST(Study, NamesOfNearFloorsStandAtTheirLines) {
   for (const bool plain_is_lower : {true, false}) {
     Study study;
@@ -127,10 +192,11 @@ TEST(Study, NamesOfNearFloorsStandAtTheirLines) {
         number_behind(picture, " y=\"", text_with(picture, plain_is_lower ? kept : plain));
     const double lower =
         number_behind(picture, " y=\"", text_with(picture, plain_is_lower ? plain : kept));
-    EXPECT_LT(upper, lines[0]);
-    EXPECT_GT(upper, lines[0] - 5);
-    EXPECT_GT(lower, lines[1] + 8);
-    EXPECT_LT(lower, lines[1] + 14);
+    EXPECT_NEAR(upper, lines[0] + 4, 0.1);  // the line is at half the height of its letters
+    EXPECT_GT(lower, upper + 11);
+    EXPECT_LT(lower, lines[1] + 4 + 11);
+    const double left = number_behind(picture, " x=\"", text_with(picture, kept));
+    EXPECT_GT(left, number_behind(picture, "H", picture.find(level)));
   }
 }
 
