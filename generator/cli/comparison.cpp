@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "cli/step_sizes.hpp"
-#include "model/scene_facts.hpp"
 
 namespace treedyn {
 
@@ -45,10 +44,6 @@ long reference_parts(const Subject& subject, const program::Cost& step) {
 Comparison::Comparison(const Subject& subject, std::vector<model::Point> points)
     : subject_(subject), points_(std::move(points)), energies_(subject) {
   const model::Scene& scene = subject.scene;
-  for (const model::Constraint& c : scene.constraints) {
-    const bool held = c.accelerations.empty();
-    (model::is_angular(scene.tree, c) ? turns_ : slides_) |= held;
-  }
   const auto ends = [](const model::Phase& phase) {
     return !phase.until.empty();
   };
@@ -60,7 +55,10 @@ void Comparison::set_reference(std::vector<Motion> exact) {
   exact_ = std::move(exact);
   exact_energies_.clear();
   exact_places_.clear();
+  slides_ = turns_ = false;
   for (const Motion& motion : exact_) {
+    slides_ |= motion.off.length >= 0;
+    turns_ |= motion.off.angle >= 0;
     exact_energies_.push_back(energies_.of(motion));
     exact_places_.push_back(places(subject_.scene, points_, motion));
   }
@@ -75,7 +73,7 @@ std::map<Error, std::vector<double>> Comparison::errors(const std::vector<Motion
     result[Error::kEnergy].push_back(distance(energies_.of(motion), exact_energies_[k]));
     const auto add = [&](bool there, Error error, double value) {
       if (there) {  // of a motion that ends nothing is known
-        result[error].push_back(std::isfinite(joints) ? value : joints);
+        result[error].push_back(std::isfinite(joints) ? std::max(value, 0.0) : joints);
       }
     };
     add(slides_, Error::kDrift, motion.off.length);

@@ -30,7 +30,7 @@ class Comparison {
   const Subject& subject_;
   std::vector<model::Point> points_;
   Energies energies_;
-  bool slides_ = false;   ///< there are rows in m
+  bool slides_ = false;   ///< in the reference rows in m act
   bool turns_ = false;    ///< in rad
   bool happens_ = false;  ///< there are events
   std::vector<Motion> exact_;

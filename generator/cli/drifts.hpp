@@ -9,12 +9,12 @@
 
 namespace treedyn {
 
-/// Largest sizes of phi and of J qd less what is led, over the rows that act.
+/// Largest sizes of phi and of J qd less what is led, over the rows that act; below zero: none did.
 struct OffRows {
-  double length = 0;  ///< m
-  double angle = 0;   ///< rad
-  double speed = 0;   ///< m/s
-  double rate = 0;    ///< rad/s
+  double length = -1;  ///< m
+  double angle = -1;   ///< rad
+  double speed = -1;   ///< m/s
+  double rate = -1;    ///< rad/s
 };
 
 /// Follows a motion that a generated step computes. Rows that state their acceleration have no
