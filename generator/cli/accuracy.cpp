@@ -357,7 +357,7 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
   const std::vector<accuracy::Variant> variants =
       variants_of(request.axes, subject, integrators.front(), writer);
   const std::vector<accuracy::Setting> settings = settings_of(integrators, variants, steps);
-  if (request.part && (*request.part < 1 || *request.part > settings.size())) {
+  if (request.part && (*request.part < 1 || *request.part > std::ssize(settings))) {
     throw UsageError(fmt::format("--part {}: the study has {} settings; expected 1 to {}",
                                  *request.part, settings.size(), settings.size()));
   }
@@ -375,7 +375,7 @@ std::optional<accuracy::Study> study_accuracy(const AccuracyRequest& request,
     return std::nullopt;
   }
   for (std::size_t number = 1; number <= settings.size(); ++number) {
-    if (request.part && number != *request.part) {
+    if (request.part && static_cast<long>(number) != *request.part) {
       continue;
     }
     const accuracy::Setting& setting = settings[number - 1];

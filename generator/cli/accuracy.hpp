@@ -31,7 +31,7 @@ struct AccuracyRequest {
   std::string parts;                 ///< folder of what is measured; empty: none
   bool joined = false;               ///< everything is there already
   std::string plan;                  ///< file of the commands of all settings that are not
-  std::optional<std::size_t> part;   ///< the number of the only setting that is measured
+  std::optional<long> part;          ///< the number of the only setting that is measured
   std::vector<std::string> command;  ///< words that measure the study, without those of a plan
 };
 

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include "common/decimal.hpp"
+#include "formulate/constrained.hpp"
+#include "formulate/scene_phases.hpp"
+#include "formulate/scene_system.hpp"
 #include "model/effects.hpp"
 
 namespace treedyn {
@@ -19,8 +22,24 @@ struct Axis {
   std::string Variant::*choice;
   const std::vector<std::string>* words;
   std::vector<std::string> probes;  ///< differ where the scene has what is varied
-  const char* lacks;
+  std::string lacks;
 };
+
+/// The step that has one method for forward dynamics only.
+std::string with_one_method(const model::Scene& scene) {
+  if (!scene.armatures.empty()) {
+    return "with armatures";
+  }
+  if (!formulate::can_be_articulated(scene)) {
+    return "with joints that follow others";
+  }
+  const std::vector<formulate::PhaseState> states = formulate::phase_states(scene, true);
+  const bool is_free = std::ranges::any_of(states, [&](const formulate::PhaseState& state) {
+    return formulate::rows_of(scene, state.active) == 0;
+  });
+  return is_free ? "whose equations both methods solve alike, as of a single joint"
+                 : "with constraints";
+}
 
 /// The statements of a step: comments name the options, on as many lines as these need; of them the
 /// digest is, too.
@@ -108,7 +127,7 @@ std::vector<Variant> variants_of(const AccuracyAxes& axes, const Subject& subjec
        &Variant::forward_dynamics,
        &axes.forward_dynamics,
        {"factor", "articulated"},
-       "with constraints or armatures"},
+       with_one_method(subject.scene)},
       {"--stabilisation",
        &Variant::stabilisation,
        &axes.stabilisation,

@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -204,6 +205,13 @@ void result(Words& words, Result& all) {
 }
 
 constexpr const char* kEnding = ".part";
+constexpr std::string_view kOfStudy = "treedyn: a part of study ";
+
+/// True if a part begins with the whole of its first line, of whatever study.
+bool names_a_study(const std::string& text) {
+  constexpr std::size_t kDigits = 64;  // of SHA-256
+  return text.starts_with(kOfStudy) && text.find('\n') == kOfStudy.size() + kDigits;
+}
 
 std::string name_of(std::size_t number) { return fmt::format("setting_{}", number); }
 
@@ -225,7 +233,7 @@ std::string quoted(const std::string& word) {
 
 StudyParts::StudyParts(std::string folder, const std::string& study, Others others)
     : folder_(std::move(folder)),
-      head_(fmt::format("treedyn: a part of study {}\n", emit::sha256(study))),
+      head_(fmt::format("{}{}\n", kOfStudy, emit::sha256(study))),
       others_(others) {}
 
 std::string StudyParts::path(const std::string& part) const {
@@ -245,6 +253,11 @@ std::optional<std::string> StudyParts::read(const std::string& part) const {
   }
   if (others_ == Others::kReplaced) {
     return std::nullopt;
+  }
+  if (!names_a_study(*text)) {
+    throw InputError({path(part), 1, 0},
+                     "is damaged: no part of a study begins like this; expected the part as it was "
+                     "written");
   }
   throw InputError({path(part), is_ours ? 2 : 1, 0},
                    is_ours

@@ -332,8 +332,15 @@ TEST_F(AccuracyErrors, RefusesWhatCannotBeJudged) {
   expect_usage_error(
       with(TREEDYN_SOURCE_DIR "/models/scenes/arm_circle.yaml", {"--stabilisation", "projection"}),
       "projection gives the step of none");
-  expect_usage_error(with(kPendulum, {"--forward-dynamics", "factor"}),
-                     "makes no difference in a step with constraints or armatures");
+  expect_usage_error(
+      with(kPendulum, {"--forward-dynamics", "factor"}),
+      "makes no difference in a step whose equations both methods solve alike, as of a "
+      "single joint; expected");
+  expect_usage_error(
+      with(TREEDYN_SOURCE_DIR "/models/scenes/arm_circle.yaml", {"--forward-dynamics", "factor"}),
+      "makes no difference in a step with constraints; expected");
+  expect_usage_error(with(kPendulum, {"--parts", scratch("parts"), "--part", "-1"}),
+                     "--part -1: the study has 9 settings; expected 1 to 9");
   expect_usage_error(with(kPendulum, {"--sincos", "pair,pair"}),
                      "pair and pair give the same step");
   expect_usage_error(with(ball(), {"--sincos", "libm"}), "in a step that takes no sine");

@@ -521,6 +521,11 @@ TEST_F(Accuracy, IsMadeInPartsToTheSameBytes) {
     EXPECT_EQ(changed.status, 1);
     EXPECT_THAT(changed.err, HasSubstr("setting_2.part:2: is another part of the study, or was"));
   }
+  for (const std::size_t size : {0U, 20U}) {  // of the first line not all
+    write_file(parts + "/setting_2.part", second.substr(0, size));
+    EXPECT_THAT(study_into(scratch("joined"), {"--gather", parts}).err,
+                HasSubstr("setting_2.part:1: is damaged"));
+  }
   write_file(parts + "/setting_2.part", second);
 
   const Outcome other = treedyn({"accuracy", kPendulum, "--states", "3", "--gather", parts});
