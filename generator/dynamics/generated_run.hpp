@@ -19,7 +19,7 @@ struct StatusRecord {
 struct GeneratedRun {
   simulation::Recording recording;  ///< events: those of the step, at its end
   std::vector<StatusRecord> statuses;
-  long operations = 0;  ///< of all steps, as if no event were in any
+  long operations = 0;  ///< of all steps, without impacts and choices among events
 };
 
 /// Rounded to double.

@@ -178,6 +178,7 @@ int GeneratedStep::call() {
   for (std::size_t what = 0; what < repeated_.size(); ++what) {
     repeated_[what] = library_->repeated()(static_cast<int>(what));
   }
+  // a step with events tells every integration; the first belongs to all
   long& advances = repeated_[static_cast<std::size_t>(program::Repeated::kAdvance)];
   advances = std::max(advances - 1, 0L);
   events_.clear();

@@ -88,9 +88,9 @@ SplitText split_text(const program::Signature& signature, const std::string& ste
   return text;
 }
 
-std::vector<std::string> stems_of_parts(const std::vector<std::string>& names) {
-  std::vector<std::string> taken = names;
-  std::vector<std::string> stems;
+std::map<std::string, std::string> stems_of_parts(const std::set<std::string>& names) {
+  std::set<std::string> taken = names;
+  std::map<std::string, std::string> stems;
   for (const std::string& name : names) {
     std::string stem = name;
     const auto is_in_use = [&](const std::string& other) {
@@ -99,8 +99,8 @@ std::vector<std::string> stems_of_parts(const std::vector<std::string>& names) {
     while (std::ranges::any_of(taken, is_in_use)) {
       stem += "_part";
     }
-    taken.push_back(stem);
-    stems.push_back(stem);
+    taken.insert(stem);
+    stems.emplace(name, stem);
   }
   return stems;
 }

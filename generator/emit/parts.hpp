@@ -1,6 +1,8 @@
 // A function body in several C++ functions that share a workspace.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,7 @@ SplitText split_text(const program::Signature& signature, const std::string& ste
 
 /// Stems for the parts of functions with these names: the names, but where another function has the
 /// name that a part would get, as those of phases `stance` and `stance_2`.
-std::vector<std::string> stems_of_parts(const std::vector<std::string>& names);
+std::map<std::string, std::string> stems_of_parts(const std::set<std::string>& names);
 
 /// The zeros of a body: their function, and its call, which is empty if there is none.
 struct ZerosText {

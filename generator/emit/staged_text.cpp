@@ -310,8 +310,7 @@ std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& 
   return result;
 }
 
-/// \param stem  what its parts are named by
-std::string function_text(const Staged& staged, const std::string& stem, const Body& text,
+std::string function_text(const Staged& staged, const Vocabulary& words, const Body& text,
                           const Solves& all, const Target& target) {
   std::vector<std::string> lines = local_arrays(staged);
   std::string parts;
@@ -328,7 +327,8 @@ std::string function_text(const Staged& staged, const std::string& stem, const B
     append_unused_gates(staged, stage, all, target, lines);
     used = part.uses;
   } else {
-    const SplitText split = split_text(staged.function.signature, stem, text);
+    const SplitText split =
+        split_text(staged.function.signature, words.stems.at(staged.signature.name), text);
     parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
     if (!split.declaration.empty()) {
       lines.push_back(split.declaration);
@@ -369,7 +369,7 @@ std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary
       if (std::find(done.begin(), done.end(), name) == done.end()) {
         done.push_back(name);
         result +=
-            '\n' + function_text(contact, name, staged_body(contact, words, target), {}, target);
+            '\n' + function_text(contact, words, staged_body(contact, words, target), {}, target);
       }
     }
   }
@@ -387,8 +387,7 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
                             const Target& target) {
   std::string result;
   for (const Staged& staged : functions) {
-    result += '\n' + function_text(staged, staged.signature.name,
-                                   staged_body(staged, words, target), {}, target);
+    result += '\n' + function_text(staged, words, staged_body(staged, words, target), {}, target);
   }
   return result;
 }
@@ -400,14 +399,9 @@ std::string staged_text(const std::vector<Staged>& functions, const std::vector<
                                  [](const Staged& staged) { return staged.tells; });
   std::string result = (tells ? "extern \"C\" void treedyn_again(int what);\n" : "") +
                        solvers_text(all, target) + contacts_text(functions, words, target);
-  std::vector<std::string> names;
-  for (const Staged& staged : functions) {
-    names.push_back(staged.signature.name);
-  }
-  const std::vector<std::string> stems = stems_of_parts(names);
   for (std::size_t k = 0; k < functions.size(); ++k) {
     result += "\n";
-    result += function_text(functions[k], stems[k], bodies[k], all, target);
+    result += function_text(functions[k], words, bodies[k], all, target);
   }
   return result;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "block/evaluate.hpp"
@@ -12,7 +11,8 @@
 
 namespace treedyn::engine {
 
-/// A row acts at a point along a direction of the base frame that stays, as a force or a moment.
+/// Where a part of a row acts: at a point along a direction of the base frame that stays, as a
+/// force or a moment.
 struct RowPart {
   int point = 0;
   bool is_moment = false;
@@ -23,7 +23,7 @@ struct RowPart {
 template <class Scalar>
 class ReactionRows {
  public:
-  /// \param rows  the parts of each, points ascending
+  /// \param rows  the parts of each, their points ascending, none twice
   ReactionRows(const model::Tree& tree, std::span<const model::Point> points,
                const std::vector<std::vector<RowPart>>& rows)
       : plan_(index_of(tree, points, rows)),

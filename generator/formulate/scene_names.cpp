@@ -71,6 +71,31 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
   return result;
 }
 
+namespace {
+
+/// That of the point; further ones of a point are counted, beside points that are called so.
+std::vector<std::string> names_of_contacts(const model::Scene& scene) {
+  std::vector<std::string> names;
+  std::vector<std::size_t> further;
+  std::set<std::string> taken;
+  for (const model::GroundContact& contact : scene.contacts) {
+    const auto point = static_cast<std::size_t>(contact.point);
+    names.push_back(to_identifier(scene.points[point].identifier));
+    if (!taken.insert(names.back()).second) {
+      further.push_back(names.size() - 1);
+    }
+  }
+  for (const std::size_t contact : further) {
+    const std::string name = names[contact];
+    for (int k = 2; !taken.insert(names[contact]).second; ++k) {
+      names[contact] = fmt::format("{}_{}", name, k);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
 std::vector<std::string> row_names(const model::Scene& scene, const std::vector<int>& active) {
   std::vector<std::string> names;
   for (const int c : active) {
@@ -107,13 +132,9 @@ std::vector<std::string> anchor_names(const model::Scene& scene) {
 }
 
 std::string contact_name(const model::Scene& scene, std::size_t contact, const std::string& stem) {
-  const auto point = static_cast<std::size_t>(scene.contacts[contact].point);
-  const auto same = std::count_if(
-      scene.contacts.begin(), scene.contacts.begin() + static_cast<std::ptrdiff_t>(contact),
-      [&](const model::GroundContact& c) { return c.point == scene.contacts[contact].point; });
-  const std::string name =
-      fmt::format("{}_{}", stem, to_identifier(scene.points[point].identifier));
-  return scene.contacts.size() == 1 ? stem : same > 0 ? fmt::format("{}_{}", name, same + 1) : name;
+  return scene.contacts.size() == 1
+             ? stem
+             : fmt::format("{}_{}", stem, names_of_contacts(scene).at(contact));
 }
 
 std::string phase_name(const model::Scene& scene, std::size_t phase, const std::string& function) {

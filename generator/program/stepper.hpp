@@ -23,7 +23,7 @@ enum class Repeated {
   kPart,        ///< of an integration, beyond the first
   kNewtonStep,  ///< of kSdirk2, all
   kJacobian,    ///< the same
-  kAdvance,     ///< a shorter step of a step with events, beyond the first
+  kAdvance,     ///< an integration in a step with events, beyond the first
   kPress,       ///< of the first contact; those of the others follow
 };
 /// By its number.
@@ -168,7 +168,7 @@ Cost step_cost(const Stepper& stepper);
 /// The same of a step that repeats nothing, and what each repetition adds.
 Cost least_step_cost(const Stepper& stepper, const StepPhase& phase);
 std::vector<Cost> repeated_costs(const Stepper& stepper, const StepPhase& phase);
-/// Calls of the dynamics in steps that repeat so much, without those that look for events.
+/// Calls of the dynamics in steps that repeat so much.
 long step_evaluations(const Stepper& stepper, const StepCount& count);
 /// A bound of the operations of any step.
 Cost worst_step_cost(const Stepper& stepper);

@@ -91,6 +91,60 @@ TEST_F(Compiles, PhasesThatAreNamedAsPartsWouldBe) {
   }
 }
 
+/// The second contact of the point `foot` is not that of the point `foot_2`.
+TEST_F(Compiles, ContactsThatAreNamedAsOthersWouldBe) {
+  std::string model = kBall + "points:\n";
+  for (const char* point : {"foot", "foot_2"}) {
+    model += fmt::format("  - {{name: {}, link: ball}}\n", point);
+  }
+  write_file(scratch("m.yaml"), model);
+  write_file(
+      scratch("s.yaml"),
+      "scene: s\nmodel: m.yaml\neffects:\n  ground_contact:\n"
+      "    - {point: foot, stiffness: 1000}\n    - {point: foot, stiffness: 2000, height: -5}\n"
+      "    - {point: foot_2, stiffness: 7000}\n"
+      "initial: {q: {height: -0.001}}\nduration: 0.002\n");
+  expect_compiles({"--scene", scratch("s.yaml")}, "s");
+  expect_compiles({"--scene", scratch("s.yaml"), "--language", "c99"}, "s");
+  const std::string header = read_file(file("s.hpp"));
+  for (const char* name :
+       {"contact_force_foot(", "contact_force_foot_2(", "contact_force_foot_3("}) {
+    EXPECT_EQ(header.find(name), header.rfind(name)) << name;
+    EXPECT_NE(header.find(name), std::string::npos) << name;
+  }
+}
+
+/// Its guards have parts, one of them beside the guards of the phase `stance_2`.
+TEST_F(Compiles, GuardsThatAreNamedAsPartsWouldBe) {
+  std::string links;
+  std::string father = "ground";
+  for (int k = 0; k < 40; ++k) {
+    links += fmt::format(
+        "  - {{name: l{0}, father: {1}, mass: 1, joint: {{name: j{0}, type: prismatic, axis: [0, "
+        "0, "
+        "1]}}}}\n",
+        k, father);
+    father = fmt::format("l{}", k);
+  }
+  std::string events;
+  for (int k = 0; k < 30; ++k) {
+    events += "      - {expression: '1";
+    for (int n = 0; n < 40; ++n) {
+      events += fmt::format(" + {}*q[j{}]*qd[j{}]", k + n + 2, n, (n + k) % 40);
+    }
+    events += "', then: stance_2}\n";
+  }
+  write_file(scratch("m.yaml"), "name: m\nlinks:\n" + links);
+  write_file(scratch("s.yaml"),
+             "scene: s\nmodel: m.yaml\neffects: {gravity: [0, 0, -9.81]}\n"
+             "phases:\n  - name: stance\n    until:\n" +
+                 events +
+                 "  - {name: stance_2, until: [{expression: 'q[j0] - 1', then: "
+                 "stance}]}\nduration: 1\nstepping: {integrator: rk4, step: "
+                 "0.001}\n");
+  expect_compiles({"--scene", scratch("s.yaml"), "--functions", "step", "--language", "c99"}, "s");
+}
+
 /// The third link does not turn: u + u - 2 u.
 TEST_F(Compiles, MimicJointsWhoseTurnsCancel) {
   std::string text = R"(<robot name="m"><link name="base"/>)";
