@@ -63,6 +63,7 @@ class Translator {
   }
   [[nodiscard]] std::string words(const std::string& line) const;
   [[nodiscard]] std::string word(const std::string& word, bool called) const;
+  void rename_own(const std::string& text);
   [[nodiscard]] std::string with_tables(std::string line) const;
   bool header_frame(const std::string& line, Lines& result) const;
   void header_line(const Lines& lines, std::size_t& at, Lines& result, bool& in_list);
@@ -74,7 +75,9 @@ class Translator {
   void structure(const Lines& lines, std::size_t& at, Lines& result) const;
 
   const Unit& unit_;
-  std::set<std::string> functions_;  ///< with external linkage
+  std::set<std::string> functions_;             ///< with external linkage
+  std::set<std::string> exported_;              ///< all that the header names, with the prefix
+  std::map<std::string, std::string> renamed_;  ///< what the source alone has and is called so
   ReferencePlaces by_reference_;
 };
 
@@ -91,6 +94,40 @@ Translator::Translator(const Unit& unit) : unit_(unit) {
   add(unit.checked);
   add(unit.staged);
   add(unit.steppers);
+  for (const std::string& function : functions_) {
+    exported_.insert(prefixed(function));
+  }
+  for (const char* const type : {"Scalar", kParameters, kDerivedParameters}) {
+    exported_.insert(prefixed(type));
+  }
+}
+
+/// The words of a text, those of comments too.
+std::set<std::string> all_words(const std::string& text) {
+  std::set<std::string> result;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const std::size_t begin = at;
+    while (at < text.size() && is_word_byte(text[at])) {
+      ++at;
+    }
+    result.insert(text.substr(begin, at - begin));
+  }
+  return result;
+}
+
+/// Constants, tables, helpers and variables give way to names of the header: they get a `_` more.
+void Translator::rename_own(const std::string& text) {
+  std::set<std::string> taken = all_words(text);
+  for (const std::string& name : exported_) {
+    if (!taken.contains(name)) {
+      continue;
+    }
+    std::string other = name;
+    do {
+      other += '_';
+    } while (exported_.contains(other) || !taken.insert(other).second);
+    renamed_.emplace(name, other);
+  }
 }
 
 /// One word of code.
@@ -99,6 +136,9 @@ std::string Translator::word(const std::string& word, bool called) const {
   static const std::set<std::string> kOfLibrary = {"sqrt", "pow", "sin", "cos"};
   if (called && functions_.contains(word)) {
     return prefixed(word);
+  }
+  if (const auto own = renamed_.find(word); own != renamed_.end()) {
+    return own->second;
   }
   if (kConstants.contains(word)) {
     return macro(word);
@@ -130,8 +170,11 @@ std::string Translator::words(const std::string& line) const {
     while (end < code.size() && is_word_byte(code[end])) {
       ++end;
     }
-    result += end == at ? std::string(1, code[at])
-                        : word(code.substr(at, end - at), end < code.size() && code[end] == '(');
+    const std::string one = code.substr(at, end - at);
+    const bool is_member = result.ends_with('.');
+    result += end == at   ? std::string(1, code[at])
+              : is_member ? one
+                          : word(one, end < code.size() && code[end] == '(');
     at = std::max(end, at + 1);
   }
   return result + comment;
@@ -242,6 +285,7 @@ std::string Translator::header(const std::string& text) {
     header_line(lines, at, result, in_list);
     if (in_list && result.size() > before && result.back().ends_with(',')) {
       result.back() = "  " + prefixed(list) + "_" + result.back().substr(2);
+      exported_.insert(result.back().substr(2, result.back().find(" = ") - 2));
     }
   }
   return replaced(fmt::format("{}\n", fmt::join(result, "\n")), unit_.name + ".hpp",
@@ -278,13 +322,12 @@ std::set<std::string> Translator::function(const std::string& line, bool is_loca
   for (std::string& argument : parts.arguments) {
     const std::string given = give_name(argument);
     if (!given.empty()) {
-      unused.push_back(fmt::format("  (void){};", given));
+      unused.push_back(fmt::format("  (void){};", this->word(given, false)));
     }
     const std::size_t reference = argument.find("& ");
     if (reference != std::string::npos) {
-      references.insert(argument.substr(reference + 2));
-      by_reference_[functions_.contains(word) ? prefixed(word) : word].insert(
-          &argument - parts.arguments.data());
+      references.insert(this->word(argument.substr(reference + 2), false));
+      by_reference_[this->word(word, true)].insert(&argument - parts.arguments.data());
       argument.replace(reference, 1, "*");
     }
     for (const std::string& type : {std::string("Scalar "), fmt::format("{}* ", kParameters),
@@ -316,9 +359,9 @@ void Translator::statement(const Lines& lines, std::size_t& at, Lines& result) c
   const std::string_view code = std::string_view(line).substr(indentation);
   const std::string blank(indentation, ' ');
   if (const auto both = behind(code, "const auto "); !both.empty()) {
-    result.push_back(fmt::format("{}const SineCosine {}", blank, both));
+    result.push_back(words(fmt::format("{}const SineCosine {}", blank, both)));
   } else if (const auto member = behind(code, "const Scalar& "); !member.empty()) {
-    result.push_back(fmt::format("{}const Scalar {}", blank, member));
+    result.push_back(words(fmt::format("{}const Scalar {}", blank, member)));
   } else if (const auto unused = behind(code, "static_cast<void>"); !unused.empty()) {
     result.push_back(words(fmt::format("{}(void){}", blank, unused)));
   } else if (const auto integer = behind(code, "constexpr int "); !integer.empty()) {
@@ -402,6 +445,7 @@ std::string with_beginning(std::string text, const std::string& scalar, const st
 
 std::string Translator::source(const std::string& text) {
   const std::string type = type_name(unit_.target.scalar);
+  rename_own(text);
   Lines lines = lines_of(in_plain_words(text, type));
   Lines result;
   bool is_local = false;

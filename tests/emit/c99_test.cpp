@@ -126,5 +126,60 @@ TEST(C99Names, AFileMayBeCalledLikeAListOfNames) {
   }
 }
 
+/// Constants, tables of the self-test and parts of functions stand beside what the header names.
+TEST(C99Names, OfTheSourceGiveWayToNamesOfTheHeader) {
+  const support::TemporaryFolder folder;
+  const std::string at = folder.path();
+  const std::string link =
+      "mass: 1.7, com: [0.17, 0, 0.1], inertia: [0.11, 0, 0, 0.12, 0, 0.13]}\n";
+  const auto model = [&](const std::string& name, const std::string& joint,
+                         const std::string& more) {
+    return fmt::format(
+        "name: arm\nlinks:\n  - {{name: {}, father: ground, joint: {{name: {}, type: revolute, "
+        "axis: [0, 0, 1]}}, {}{}",
+        name, joint, link, more);
+  };
+  const auto equation = [](const std::string& name) {
+    return fmt::format("equations: [{{name: {}, value: A * qdd}}]\n", name);
+  };
+  struct Collision {
+    std::string model;
+    const char* prefix;
+    std::vector<std::string> options;
+    std::vector<std::string> lines;  ///< of the source
+  };
+  const Collision collisions[] = {
+      {model("arm_joint", "I1", ""), "arm", {}, {"const double arm_joint_I1_ = 0.17913;"}},
+      {model("arm_point", "j", "points: [{name: I1, link: arm_point, at: [0.3, 0, 0]}]\n"),
+       "arm",
+       {},
+       {"const double arm_point_I1_ = 0.17913;"}},
+      {model("arm", "j", equation("I1")),
+       "arm",
+       {},
+       {"const double arm_I1_ = 0.17913;", "void arm_I1(", "const double arm_p1 = "}},
+      {model("a", "j", equation("mass_matrix_A")),
+       "known",
+       {"--self-test"},
+       {"const Scalar known_mass_matrix_A_[2]", "void known_mass_matrix_A(", "known_q[2]"}},
+      {support::read_file(TREEDYN_SOURCE_DIR "/models/puma560.yaml") + equation("regressor_0"),
+       "inverse_dynamics",
+       {"--functions", "regressor_0,inverse_dynamics_regressor"},
+       {"void inverse_dynamics_regressor_0_(", "void inverse_dynamics_regressor_0("}}};
+  for (const Collision& collision : collisions) {
+    support::write_file(at + "/model.yaml", collision.model);
+    std::vector<std::string> options = {at + "/model.yaml", "--name", "m", "-o", at};
+    options.insert(options.end(), {"--language", "c99", "--prefix", collision.prefix});
+    options.insert(options.end(), collision.options.begin(), collision.options.end());
+    const Outcome outcome = treedyn(options);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string source = support::read_file(at + "/m.c");
+    for (const std::string& line : collision.lines) {
+      EXPECT_NE(source.find(line), std::string::npos) << line;
+    }
+    compile(fmt::format("-x c -std=c99 {0} -c {1}/m.c -o {1}/o", kWarnings, at));
+  }
+}
+
 }  // namespace
 }  // namespace treedyn
