@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <sstream>
 #include <string_view>
 
@@ -35,6 +36,101 @@ std::string in_folder_of(const std::string& file, const std::string& option,
   return is_read ? (fs::path(file).parent_path() / value).string() : value;
 }
 
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && is_blank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+/// What stands behind `name =`: a value, values with commas or spaces between them, or a list of
+/// them in brackets; in quotes as they stand; a comment behind.
+class Values {
+ public:
+  /// \param refuse  throws
+  Values(std::string_view text, const std::function<void(const std::string&)>& refuse)
+      : rest_(text), refuse_(refuse) {}
+
+  std::vector<std::string> all() {
+    std::vector<std::string> result;
+    const bool is_list = rest_.starts_with('[');
+    rest_.remove_prefix(is_list ? 1 : 0);
+    bool comma_may_follow = false;
+    while (more(is_list, !result.empty() && !comma_may_follow)) {
+      if (rest_.front() != ',') {
+        result.push_back(one(is_list));
+        comma_may_follow = true;
+        continue;
+      }
+      if (!comma_may_follow) {
+        refuse_("has a comma without a value before it; expected one");
+      }
+      comma_may_follow = false;
+      rest_.remove_prefix(1);
+    }
+    return result;
+  }
+
+ private:
+  /// False at the end of the values.
+  bool more(bool is_list, bool behind_comma) {
+    rest_ = trimmed(rest_);
+    const bool at_end = rest_.empty() || rest_.front() == '#';
+    if (!is_list) {
+      if (at_end && behind_comma) {
+        refuse_("has no value behind its last comma; expected one");
+      }
+      return !at_end;
+    }
+    if (at_end) {
+      refuse_("has a list without end; expected a ] in the same line");
+    }
+    if (rest_.front() != ']') {
+      return true;
+    }
+    rest_ = trimmed(rest_.substr(1));
+    if (!rest_.empty() && rest_.front() != '#') {
+      refuse_("has more behind its list; expected nothing or a comment");
+    }
+    return false;
+  }
+
+  std::string one(bool is_list) {
+    const char quote = rest_.front();
+    const bool is_quoted = quote == '"' || quote == '\'';
+    const auto ends = [&](char c) {
+      return is_blank(c) || c == ',' || c == '#' || (is_list && c == ']');
+    };
+    std::size_t size = 0;
+    if (is_quoted) {
+      size = rest_.find(quote, 1);
+      if (size == rest_.npos) {
+        refuse_(fmt::format("has a value without its second {}; expected one", quote));
+      }
+      ++size;
+    }
+    const std::string_view value = rest_.substr(0, size);
+    std::size_t end = size;
+    while (end < rest_.size() && !ends(rest_[end])) {
+      ++end;
+    }
+    const std::string_view bare = rest_.substr(size, end - size);
+    if ((is_quoted && !bare.empty()) || bare.find_first_of("\"'") != bare.npos) {
+      refuse_("has a quote within a value; expected the whole value in quotes");
+    }
+    rest_.remove_prefix(end);
+    return std::string(is_quoted ? value.substr(1, value.size() - 2) : bare);
+  }
+
+  std::string_view rest_;
+  const std::function<void(const std::string&)>& refuse_;
+};
+
 /// The options of a settings file that are not given on the command line.
 std::vector<std::string> settings_words(const std::string& file, const CLI::App& command,
                                         const std::vector<std::string>& given,
@@ -42,38 +138,45 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
   std::vector<std::string> result;
   std::istringstream text(description::read_text(file));
   int at = 0;
-  for (std::string line; std::getline(text, line);) {
+  for (std::string whole; std::getline(text, whole);) {
     ++at;
-    if (at == 1 && line.starts_with("\xEF\xBB\xBF")) {  // a byte order mark
-      line.erase(0, 3);
+    if (at == 1 && whole.starts_with("\xEF\xBB\xBF")) {  // a byte order mark
+      whole.erase(0, 3);
+    }
+    const std::string_view line = trimmed(whole);
+    if (line.empty() || line.front() == '#' || line.front() == ';') {
+      continue;
     }
     const auto refuse = [&](const std::string& what) {
       throw InputError({file, at, 0}, "settings: " + what);
     };
-    std::istringstream one(line);
-    for (const CLI::ConfigItem& item : CLI::ConfigTOML().from_config(one)) {
-      if (line.find('=') == std::string::npos || !item.parents.empty() || item.inputs.empty()) {
-        refuse(fmt::format("'{}' is not usable; expected a line like scalar = \"float\"",
-                           shown(line)));
-      }
-      const CLI::Option* const option = command.get_option_no_throw("--" + item.name);
-      if (option == nullptr || item.name == "settings" || item.name == "help") {
-        refuse(
-            fmt::format("--{0} is no option of {1} that may stand here; expected one of "
-                        "treedyn {1} --help",
-                        shown(item.name), command.get_name()));
-      }
-      if (is_given(*option, result)) {
-        refuse(fmt::format("--{} stands here twice; expected it once", item.name));
-      }
-      const std::string value = fmt::format("{}", fmt::join(item.inputs, ","));
-      if (value.empty()) {
-        refuse(fmt::format("--{} has no value; expected one", item.name));
-      }
-      if (!is_given(*option, given)) {
-        result.push_back(fmt::format("--{}={}", item.name, in_folder_of(file, item.name, value)));
-        places["--" + item.name] = {file, at, 0};
-      }
+    const std::size_t equals = line.find('=');
+    if (equals == line.npos || line.front() == '[') {
+      refuse(
+          fmt::format("'{}' is not usable; expected a line like scalar = \"float\"", shown(whole)));
+    }
+    const std::string name(trimmed(line.substr(0, equals)));
+    const CLI::Option* const option = command.get_option_no_throw("--" + name);
+    if (option == nullptr || name == "settings" || name == "help") {
+      refuse(
+          fmt::format("--{0} is no option of {1} that may stand here; expected one of "
+                      "treedyn {1} --help",
+                      shown(name), command.get_name()));
+    }
+    if (is_given(*option, result)) {
+      refuse(fmt::format("--{} stands here twice; expected it once", name));
+    }
+    const std::function<void(const std::string&)> refuse_value = [&](const std::string& what) {
+      refuse(fmt::format("--{} {}", name, what));
+    };
+    const std::string value = fmt::format(
+        "{}", fmt::join(Values(trimmed(line.substr(equals + 1)), refuse_value).all(), ","));
+    if (value.empty()) {
+      refuse_value("has no value; expected one");
+    }
+    if (!is_given(*option, given)) {
+      result.push_back(fmt::format("--{}={}", name, in_folder_of(file, name, value)));
+      places["--" + name] = {file, at, 0};
     }
   }
   return result;

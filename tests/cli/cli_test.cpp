@@ -275,6 +275,38 @@ TEST_F(Cli, DependsOnItsSettingsAndNamesTheirLines) {
   EXPECT_THAT(refused.err, StartsWith(scratch("s.txt") + ":2: settings: --scalar: half"));
 }
 
+/// A # in quotes begins no comment.
+TEST_F(Cli, TakesQuotedSettingsAsTheyStand) {
+  std::string model = read_file(kModel);
+  model.replace(model.find("name: forearm"), 13, "name: \"arm #2\"");
+  model.replace(model.find("link: forearm"), 13, "link: \"arm #2\"");
+  write_file(scratch("m.yaml"), model);
+  for (const std::string line :
+       {"points = \"p=arm #2\"  # of the 2nd", "points = 'p=arm #2'# of the 2nd",
+        "points = [ \"p=upper_arm\", 'r=arm #2:1,0,0', ]  # ]", "points=p=upper_arm, tip # r"}) {
+    write_file(scratch("s.toml"), "effort = 0  # fast\n# all\n\n" + line + "\r\n");
+    const Outcome outcome = treedyn(
+        {"generate", "-q", scratch("m.yaml"), "-o", out(), "--settings", scratch("s.toml")});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+  EXPECT_THAT(read_file(file("two_link.hpp")), HasSubstr("constexpr int tip = 1;"));
+  for (const auto& [line, what] : std::map<std::string, std::string>{
+           {"points = \"p=arm #2", "has a value without its second \"; expected one"},
+           {"points = ['p', 'arm #2]", "has a value without its second '; expected one"},
+           {"points = ['p', 'arm'", "has a list without end; expected a ] in the same line"},
+           {"points = ['p'] q", "has more behind its list; expected nothing or a comment"},
+           {"points = p=\"arm #2\"", "has a quote within a value; expected the whole value in"},
+           {"points = \"p\"q", "has a quote within a value; expected the whole value in quotes"},
+           {"points = , p", "has a comma without a value before it; expected one"},
+           {"points = p,", "has no value behind its last comma; expected one"}}) {
+    write_file(scratch("s.toml"), "effort = 0\n" + line + "\n");
+    const Outcome refused =
+        treedyn({"generate", kModel, "-o", out(), "--settings", scratch("s.toml")});
+    EXPECT_EQ(refused.status, 1) << line;
+    EXPECT_THAT(refused.err, StartsWith(scratch("s.toml") + ":2: settings: --points " + what));
+  }
+}
+
 TEST_F(Cli, FindsFilesThatSettingsNameBesideThem) {
   fs::create_directories(scratch("sub"));
   write_file(scratch("sub/own.yaml"), "equations: [{name: own, value: T(ones) * m_d * ones}]\n");
