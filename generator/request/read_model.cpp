@@ -331,6 +331,21 @@ Model read_scene_model(const Request& request) {
   return model;
 }
 
+/// A point that is generated stands for the model's point of that name, whose place is known at run
+/// time only: its own place is the nominal one.
+void take_places(const std::vector<model::Point>& generated, model::Tree& tree) {
+  for (const model::Parameter& parameter : tree.parameters) {
+    if (parameter.quantity != model::ParameterKind::kPoint) {
+      continue;
+    }
+    model::Point& own = tree.points[static_cast<std::size_t>(parameter.link)];
+    const auto found = std::ranges::find(generated, own.name, &model::Point::name);
+    if (found != generated.end()) {
+      own = *found;
+    }
+  }
+}
+
 }  // namespace
 
 Model read(const Request& request) {
@@ -353,6 +368,7 @@ Model read(const Request& request) {
   }
   model.points =
       request.points ? description::resolve_points(model.tree, *request.points) : model.tree.points;
+  take_places(model.points, model.tree);
   require_size(model.tree, model.points, where);
   model.equations =
       chosen(read_user_equations(request, request.model, loaded.text, model.tree, model.points),

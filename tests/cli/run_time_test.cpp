@@ -764,6 +764,30 @@ TEST_F(RunTimeCli, SaysWhatParametersOfScenesCost) {
   EXPECT_THAT(outcome.out, HasSubstr("  c         update_parameters "));
 }
 
+/// A point of --points with the name of the model's: its place is the nominal one, and functions
+/// take it from the fields.
+TEST_F(RunTimeCli, PlacesAreThoseOfThePointsThatAreGenerated) {
+  const auto places = [&](const std::string& model, const std::string& points) {
+    const Outcome outcome =
+        treedyn({"generate", "-q", model, "--points", points, "--runtime", "tip.at", "--functions",
+                 "point_positions", "--effort", "0", "--name", "m", "-o", out()});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(read_file(file("m.cpp")), HasSubstr("derived."));
+  };
+  places(kModel, "tip=forearm:0.5,0.2,0");
+  EXPECT_THAT(read_file(file("m.hpp")),
+              testing::ContainsRegex("kNominalParameters = \\{[^0]*0\\.5[^0]*0\\.2"));
+  places(kModel, "tip=upper_arm");
+  EXPECT_THAT(read_file(file("m.hpp")), HasSubstr("place x of point tip, frame of link upper_arm"));
+  std::string model = read_file(kModel);
+  for (std::size_t at = 0; (at = model.find("forearm", at)) != std::string::npos;) {
+    model.replace(at, 7, "tip");
+  }
+  write_file(scratch("tips.yaml"), model);
+  places(scratch("tips.yaml"), "tip=tip");
+  places(scratch("tips.yaml"), "all");
+}
+
 TEST_F(RunTimeCli, SaysWhatEachCosts) {
   const Outcome outcome =
       treedyn({"info", kModel, "--effort", "0", "--runtime", "forearm.mass,forearm.com"});
