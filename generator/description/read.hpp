@@ -16,6 +16,8 @@ enum class Base { kFixed, kAxes };
 
 /// What carries the root of a tree that was read.
 Base base_of(const model::Tree& tree);
+/// True for the links of a base on axes, by their numbers.
+bool is_base_link(const model::Tree& tree, int link);
 
 /// URDF mimic joints: eliminated (`Tree::drives`), or joints of their own.
 enum class Mimic { kReduce, kIndependent };

@@ -53,6 +53,10 @@ Base base_of(const model::Tree& tree) {
   return axes ? Base::kAxes : Base::kFixed;
 }
 
+bool is_base_link(const model::Tree& tree, int link) {
+  return base_of(tree) == Base::kAxes && link < static_cast<int>(kBaseAxes.size());
+}
+
 namespace {
 
 /// Snaps or findings by line and column.

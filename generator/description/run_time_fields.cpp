@@ -7,6 +7,8 @@
 
 #include "common/decimal.hpp"
 #include "description/identifiers.hpp"
+#include "description/read.hpp"
+#include "description/vectors.hpp"
 #include "model/parameters.hpp"
 
 namespace treedyn::description {
@@ -32,8 +34,21 @@ model::Declared quantity_of(const std::string& name, bool of_point, const Locati
   return *found;
 }
 
+/// True for the only link with inertia on the last link of a base on axes, if it is in its frame:
+/// the numbers of both are the same.
+bool is_whole_base(const RawTree& raw, const model::Tree& tree, const model::Frame& frame) {
+  const auto has_inertia = [&](const model::Frame& other) {
+    const auto link = std::ranges::find_if(
+        raw.links, [&](const RawLink& candidate) { return candidate.name.text == other.name; });
+    return other.link == frame.link && link != raw.links.end() && link->inertia;
+  };
+  return frame.origin == Vector3{} && frame.rotation == identity() && has_inertia(frame) &&
+         std::ranges::count_if(tree.frames, has_inertia) == 1;
+}
+
 /// The moving link of that name. What is fixed to a link has no numbers of its own.
-int moving_link(const model::Tree& tree, const std::string& name, const Location& where) {
+int moving_link(const RawTree& raw, const model::Tree& tree, const std::string& name,
+                const std::string& quantity, const Location& where) {
   const auto frame =
       std::find_if(tree.frames.begin(), tree.frames.end(),
                    [&](const model::Frame& candidate) { return candidate.name == name; });
@@ -46,20 +61,30 @@ int moving_link(const model::Tree& tree, const std::string& name, const Location
                                         shown(name)));
   }
   const model::Link& link = tree.links[static_cast<std::size_t>(frame->link)];
-  if (link.name != name) {
+  if (link.name == name) {
+    return frame->link;
+  }
+  if (!is_base_link(tree, frame->link)) {
     throw InputError(where, fmt::format("runtime: link '{}' is fixed to link '{}'; expected that "
                                         "one, whose numbers are those of both",
                                         shown(name), shown(link.name)));
+  }
+  if (quantity.starts_with("offset") || !is_whole_base(raw, tree, *frame)) {
+    throw InputError(where, fmt::format("runtime: link '{0}' is fixed to base link '{1}' and is "
+                                        "not all of it; expected mass, com or inertia of the only "
+                                        "link with inertia there, in its frame, or --runtime "
+                                        "{1}.{2}, which scenes do not take",
+                                        shown(name), link.name, shown(quantity)));
   }
   return frame->link;
 }
 
 class Declarations {
  public:
-  explicit Declarations(model::Tree& tree) : tree_(tree) {}
+  Declarations(const RawTree& raw, model::Tree& tree) : raw_(raw), tree_(tree) {}
 
   void add_of_link(const std::string& link, const std::string& quantity, const Location& where) {
-    const int i = moving_link(tree_, link, where);
+    const int i = moving_link(raw_, tree_, link, quantity, where);
     const std::string what = fmt::format("link '{}': runtime", shown(link));
     add(i, quantity_of(quantity, false, where, what), where);
   }
@@ -97,6 +122,7 @@ class Declarations {
     }
   }
 
+  const RawTree& raw_;
   model::Tree& tree_;
   std::vector<Named> named_;
 };
@@ -126,7 +152,7 @@ std::size_t split(const std::string& text, const model::Tree& tree) {
 
 void resolve_parameters(const RawTree& raw, const std::vector<std::string>& list,
                         model::Tree& tree) {
-  Declarations declarations(tree);
+  Declarations declarations(raw, tree);
   for (const RawRuntime& runtime : raw.runtime) {
     const Location where = location(raw, runtime.quantity.where);
     if (runtime.of_point) {

@@ -658,6 +658,40 @@ TEST_F(RunTimeCli, ScenesAreCheckedWithTensorsOfBodies) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
+/// What alone is fixed to a base on axes has its numbers, in scenes too.
+TEST_F(RunTimeCli, KnowsTheBodyOnABaseOnAxesAtRunTime) {
+  const auto write_body = [&](const std::string& joint, const std::string& runtime,
+                              const std::string& frame) {
+    write_file(
+        scratch("body.yaml"),
+        fmt::format("name: m\nlinks:\n  - {{name: body, father: ground, joint: {{{}}}, mass: "
+                    "1, com: [0.1, 0, 0], inertia: [0.1, 0, 0, 0.1, 0, 0.1], runtime: "
+                    "[{}]}}\n  - {{name: imu, father: ground, joint: {{type: fixed}}{}}}\n",
+                    joint, runtime, frame));
+  };
+  write_file(scratch("scene.yaml"),
+             "scene: s\nmodel: body.yaml\nbase: axes\neffects:\n  point_constraint: [{point: "
+             "hand}]\npoints: [{name: hand, link: body, at: [0.1, 0, 0.2]}]\nduration: 1\n");
+  const std::vector<std::string> of_model = {scratch("body.yaml"), "--base", "axes"};
+  const std::vector<std::string> of_scene = {"--scene", scratch("scene.yaml")};
+  write_body("type: fixed", "mass, com.x, inertia", "");
+  for (std::vector<std::string> arguments : {of_model, of_scene}) {
+    arguments.insert(arguments.begin(), "generate");
+    arguments.insert(arguments.end(), {"-q", "--effort", "0", "--name", "m", "-o", out()});
+    const Outcome outcome = treedyn(arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(read_file(file("m.hpp")), HasSubstr("Scalar base_rx_mass;"));
+    fs::remove_all(out());
+  }
+  const std::string part = "link 'body' is fixed to base link 'base_rx' and is not all of it";
+  write_body("type: fixed", "mass", ", mass: 0.1");
+  expect_refused(of_scene, part);
+  write_body("type: fixed, offset: [0, 0, 1]", "mass", "");
+  expect_refused(of_model, part);
+  write_body("type: fixed", "offset", "");
+  expect_refused(of_model, part);
+}
+
 /// Where the only lengths are known at run time there is no unit to measure them in.
 TEST_F(RunTimeCli, EquationsOfUsersTakeLengths) {
   const std::string momentum = TREEDYN_SOURCE_DIR "/models/equations/momentum.yaml";
