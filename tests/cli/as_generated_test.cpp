@@ -308,6 +308,7 @@ TEST(AsGenerated, WalksLikeTheSimulator) {
 }
 
 /// Every step has a row here: its operations are those that the manifest tells of its phase.
+/// Two steps with a touch-down among 180: three shorter ones look for it, one is what is left.
 TEST(AsGenerated, CountsItsOwnSteps) {
   const TemporaryFolder folder;
   const std::string out = folder.path().string();
@@ -317,7 +318,7 @@ TEST(AsGenerated, CountsItsOwnSteps) {
                        "0.01", "--duration", "1.8", "-v", "--report", "-o", out});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("180 steps, "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("720 evaluations of the dynamics, "), std::string::npos);
+  EXPECT_NE(outcome.err.find("752 evaluations of the dynamics, "), std::string::npos);
   const Outcome made =
       run({TREEDYN_EXECUTABLE, "generate", "--scene", walk, "--functions", "step", "--integrator",
            "rk4", "--step", "0.01", "--scalar", "float", "-o", out + "/made"});
@@ -337,12 +338,15 @@ TEST(AsGenerated, CountsItsOwnSteps) {
   }
   EXPECT_EQ(result.at("steps"), 180);
   EXPECT_EQ(result.at("as_generated"), "float");
-  EXPECT_EQ(result.at("cost").at("evaluations"), 720);
-  EXPECT_EQ(result.at("cost").at("operations"), expected);
+  EXPECT_EQ(result.at("events").size(), 2U);
+  EXPECT_EQ(result.at("cost").at("evaluations"), 4 * (180 + 2 * 4));
+  const long counted = result.at("cost").at("operations");
+  EXPECT_GT(counted, expected + expected * 8 / 180 / 2);
+  EXPECT_LT(counted, expected + expected * 8 / 180);
   EXPECT_EQ(result.at("events").at(0).at("event"), "touch_down of right_foot");
   const std::string page = read_file(out + "/compass_walk.html");
   EXPECT_NE(page.find("generated step in float, --as-generated"), std::string::npos);
-  EXPECT_NE(page.find("180 (0 rejected), 720 evaluations"), std::string::npos);
+  EXPECT_NE(page.find("180 (0 rejected), 752 evaluations"), std::string::npos);
   EXPECT_EQ(page.find("\"projection\""), std::string::npos);
   EXPECT_NE(page.find("touch_down of right_foot"), std::string::npos);
 }
