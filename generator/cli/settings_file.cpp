@@ -50,10 +50,10 @@ std::string_view trimmed(std::string_view text) {
 
 /// What stands behind `name =`: a value, values with commas or spaces between them, or a list of
 /// them in brackets; in quotes as they stand; a comment behind.
-class Values {
+class SettingValues {
  public:
   /// \param refuse  throws
-  Values(std::string_view text, const std::function<void(const std::string&)>& refuse)
+  SettingValues(std::string_view text, const std::function<void(const std::string&)>& refuse)
       : rest_(text), refuse_(refuse) {}
 
   std::vector<std::string> all() {
@@ -170,7 +170,7 @@ std::vector<std::string> settings_words(const std::string& file, const CLI::App&
       refuse(fmt::format("--{} {}", name, what));
     };
     const std::string value = fmt::format(
-        "{}", fmt::join(Values(trimmed(line.substr(equals + 1)), refuse_value).all(), ","));
+        "{}", fmt::join(SettingValues(trimmed(line.substr(equals + 1)), refuse_value).all(), ","));
     if (value.empty()) {
       refuse_value("has no value; expected one");
     }
