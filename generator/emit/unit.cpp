@@ -86,10 +86,8 @@ Vocabulary words_of(const Unit& unit) {
   Vocabulary words = vocabulary(*unit.tree);
   std::vector<const program::Function*> functions;
   std::set<std::string> taken = {"self_test", "compare"};
-  std::set<std::string> names;
   const auto take = [&](const program::Signature& signature) {
     taken.insert(signature.name);
-    names.insert(signature.name);
     for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
       for (const program::Array& array : *arrays) {
         taken.insert(array.name);
@@ -126,7 +124,7 @@ Vocabulary words_of(const Unit& unit) {
     }
     std::ranges::for_each(stepper.anchors, take_staged);
   }
-  words.stems = stems_of_parts(names);
+  words.stems = stems_of_parts(taken);
   words.constants =
       std::make_shared<const ConstantNames>(functions, of_tables, words, std::move(taken));
   return words;
