@@ -42,7 +42,7 @@ struct Vocabulary {
   std::vector<std::string> joints;         ///< by coordinate, short
   std::vector<std::string> body_comments;  ///< by link, the name as a comment shows it
   std::shared_ptr<const ConstantNames> constants = nullptr;  ///< null: all numbers are literals
-  std::map<std::string, std::string> stems = {};  ///< of functions of scenes, for their parts
+  std::map<std::string, std::string> stems = {};  ///< by function: what its parts are called by
 };
 Vocabulary vocabulary(const model::Tree& tree);
 

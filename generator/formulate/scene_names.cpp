@@ -25,6 +25,33 @@ std::string direction_text(const model::Vector3& d) {
                      d[1].convert_to<double>(), d[2].convert_to<double>());
 }
 
+/// The name, or the first of name_2, name_3, .. that is not taken; it is taken then.
+std::string counted(const std::string& name, std::set<std::string>& taken) {
+  std::string result = name;
+  for (int k = 2; !taken.insert(result).second; ++k) {
+    result = fmt::format("{}_{}", name, k);
+  }
+  return result;
+}
+
+/// That of the point; further ones of a point are counted, beside points that are called so.
+std::vector<std::string> names_of_contacts(const model::Scene& scene) {
+  std::vector<std::string> names;
+  std::vector<std::size_t> further;
+  std::set<std::string> taken;
+  for (const model::GroundContact& contact : scene.contacts) {
+    const auto point = static_cast<std::size_t>(contact.point);
+    names.push_back(to_identifier(scene.points[point].identifier));
+    if (!taken.insert(names.back()).second) {
+      further.push_back(names.size() - 1);
+    }
+  }
+  for (const std::size_t contact : further) {
+    names[contact] = counted(names[contact], taken);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::vector<ImpactName> impacts_of(const model::Scene& scene) {
@@ -63,38 +90,10 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
   }
   std::set<std::string> taken;
   for (ImpactName& impact : result) {
-    const std::string name = impact.name;
-    for (int k = 2; !taken.insert(impact.name).second; ++k) {
-      impact.name = fmt::format("{}_{}", name, k);
-    }
+    impact.name = counted(impact.name, taken);
   }
   return result;
 }
-
-namespace {
-
-/// That of the point; further ones of a point are counted, beside points that are called so.
-std::vector<std::string> names_of_contacts(const model::Scene& scene) {
-  std::vector<std::string> names;
-  std::vector<std::size_t> further;
-  std::set<std::string> taken;
-  for (const model::GroundContact& contact : scene.contacts) {
-    const auto point = static_cast<std::size_t>(contact.point);
-    names.push_back(to_identifier(scene.points[point].identifier));
-    if (!taken.insert(names.back()).second) {
-      further.push_back(names.size() - 1);
-    }
-  }
-  for (const std::size_t contact : further) {
-    const std::string name = names[contact];
-    for (int k = 2; !taken.insert(names[contact]).second; ++k) {
-      names[contact] = fmt::format("{}_{}", name, k);
-    }
-  }
-  return names;
-}
-
-}  // namespace
 
 std::vector<std::string> row_names(const model::Scene& scene, const std::vector<int>& active) {
   std::vector<std::string> names;
