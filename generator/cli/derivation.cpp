@@ -85,12 +85,21 @@ std::string rules_text(std::set<derive::Rule> acted, const Rates& rates = {}) {
   return result;
 }
 
+/// The line, and behind it the rules that made it.
+std::string with_rules(const derive::Line& line) {
+  std::string names;
+  for (const derive::Rule rule : line.rules) {
+    names += fmt::format(" {}", derive::row_of(rule).name);
+  }
+  return names.empty() ? line.text : fmt::format("{}  <-{}", line.text, names);
+}
+
 std::string lines_text(const derive::Derivation& derivation,
                        const std::vector<program::Cost>& costs) {
   std::string result;
   for (const derive::Line& line : derive::lines(derivation)) {
     const program::Cost& cost = costs[static_cast<std::size_t>(line.id)];
-    result += fmt::format("  {:>5}  {}\n", cost.total(), line.text);
+    result += fmt::format("  {:>5}  {}\n", cost.total(), with_rules(line));
   }
   return result;
 }
@@ -107,7 +116,7 @@ std::string recursion_text(const formulate::Derived& function,
   if (function.to_root) {
     result += "\nor from one point E e_j to the root\n";
     for (const derive::Line& line : derive::lines(*function.to_root)) {
-      result += fmt::format("         {}\n", line.text);
+      result += fmt::format("         {}\n", with_rules(line));
     }
     result += rules_text(function.to_root->values.acted());
   }

@@ -31,9 +31,9 @@ int Algebra::bilinear(Op op, Type type, int a, int b) {
   if (right.op == Op::kScale && is_common(right.operands.back()) &&
       (op == Op::kCross || op == Op::kDot)) {
     const std::vector<int> numbers(right.operands.begin(), right.operands.end() - 1);
-    note(Rule::kCommon);
-    return linear(
-        {{multiply(p, q), bilinear(op, type, scaled(numbers, x), right.operands.back())}});
+    return note(
+        Rule::kCommon,
+        linear({{multiply(p, q), bilinear(op, type, scaled(numbers, x), right.operands.back())}}));
   }
   const int product = values_.intern({op, set, type, {}, 0, {x, y}, {}});
   const Ratio factor = multiply(p, q);
@@ -42,8 +42,7 @@ int Algebra::bilinear(Op op, Type type, int a, int b) {
 
 int Algebra::leaf(const std::string& name, Set set, Type type) {
   if (name == "l^d" && !values_.choices().keeps_joints) {
-    note(Rule::kPlaces);
-    return zero(set, type);
+    return note(Rule::kPlaces, zero(set, type));
   }
   return values_.intern({Op::kLeaf, set, type, name, 0, {}, {}});
 }
@@ -78,11 +77,10 @@ int Algebra::turned_twice(int a, int b) {
            (value(omega).op == Op::kPath || value(omega).op == Op::kPathStrict);
   };
   if (turns(a, b) || turns(b, a)) {
-    note(Rule::kTwiceTurned);
     const bool swapped = !turns(a, b);
     const int omega = swapped ? b : a;
     const int x = value(swapped ? a : b).operands[1];
-    const int result = apply(skew_product(omega, omega), x);
+    const int result = note(Rule::kTwiceTurned, apply(skew_product(omega, omega), x));
     return swapped ? negative(result) : result;
   }
   const auto any = [&](int omega, int y) {
@@ -115,6 +113,11 @@ int Algebra::skew(int a) {
                          ? sum_along(v.op, v.set, skew(v.operands.front()))
                          : values_.intern({Op::kSkew, v.set, Type::kTensor, {}, 0, {x}, {}});
   return factor == kPlus ? result : linear({{factor, result}});
+}
+
+int Algebra::in_place_of(int from, int to) {
+  values_.note(values_.made_by(from), to);
+  return to;
 }
 
 /// One canonical product: all numbers in ascending order, then what is no number.
@@ -227,19 +230,16 @@ int Algebra::sum_along(Op op, Set set, int x) {
   }
   if (op == Op::kSubtree || op == Op::kSubtreeStrict) {
     if (const int known = of_places(op, x); known >= 0) {
-      return known;
+      return in_place_of(x, known);
     }
   }
   if (const int known = of_kind(op, set, x); known >= 0) {
-    note(Rule::kKinds);
-    return known;
+    return note(Rule::kKinds, in_place_of(x, known));
   }
   if (const int known = of_common(op, set, x); known >= 0) {
-    note(Rule::kCommon);
-    return known;
+    return note(Rule::kCommon, in_place_of(x, known));
   }
-  note(Rule::kSums);
-  return values_.intern({op, set, type, {}, 0, {x}, {}});
+  return note(Rule::kSums, values_.intern({op, set, type, {}, 0, {x}, {}}));
 }
 
 /// What all links or points have in common, for those of another set.
@@ -340,19 +340,20 @@ int Algebra::of_levers(Set set, int x) {
   if (value(lever).op == Op::kLinear) {
     return of_terms(lever, [&](int z) { return sum(cross(z, y)); });
   }
-  note(Rule::kTransposes);
-  return sum(cross(value(lever).operands.front(), sum_along(Op::kSubtree, v.set, y)));
+  return note(Rule::kTransposes,
+              sum(cross(value(lever).operands.front(), sum_along(Op::kSubtree, v.set, y))));
 }
 
 /// Sums of multiples of E and of skew blocks are such; -1 for other blocks and for points.
 int Algebra::of_kind(Op op, Set set, int x) {
   const Value v = value(x);
   if (v.op == Op::kSkew && op != Op::kPick) {
-    return skew(sum_along(op, set, v.operands.front()));
+    return skew(note(Rule::kKinds, sum_along(op, set, v.operands.front())));
   }
   if (v.op == Op::kScale && value(v.operands.back()).op == Op::kIdentity) {
     const std::vector<int> numbers(v.operands.begin(), v.operands.end() - 1);
-    return scale(sum_along(op, set, scaled(numbers, ones(v.set))), identity(set));
+    return scale(note(Rule::kKinds, sum_along(op, set, scaled(numbers, ones(v.set)))),
+                 identity(set));
   }
   return -1;
 }
@@ -371,9 +372,12 @@ int Algebra::telescoped(Op op, int x) {
   if (!w) {
     return -1;
   }
-  note(Rule::kTelescope);
   const int omega = sum_along(op, Set::kLinks, *w);
-  return skew_product(omega, omega);
+  const int square = in_place_of(x, skew_product(omega, omega));
+  for (const auto& [factor, term] : terms) {
+    in_place_of(term, square);
+  }
+  return note(Rule::kTelescope, square);
 }
 
 }  // namespace treedyn::derive

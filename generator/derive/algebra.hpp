@@ -46,7 +46,7 @@ class Algebra {
   int component(int x, int k);
   /// x on the way from the column that is asked for to the root: without N y, which is zero there.
   /// \pre made with `Choices::composites` \throws NoComposites if N y is not
-  int on_way_to_root(int x);
+  int on_way_to_root(int x) { return in_place_of(x, rows_on_way_to_root(x)); }
   int assemble(const std::vector<int>& components);
   /// Steps of links as blocks: a number y stands for y E, a vector a for Λ(a). a b; -1: E.
   int product_of_steps(int a, int b);
@@ -54,9 +54,12 @@ class Algebra {
   int step(int X, int y);
 
   [[nodiscard]] const Value& value(int id) const { return values_[id]; }
-  void note(Rule rule) { values_.note(rule); }
+  int note(Rule rule, int id) { return values_.note(rule, id); }
+  /// `to`, which takes the place of `from`, with the rules that made that.
+  int in_place_of(int from, int to);
 
  private:
+  int rows_on_way_to_root(int x);
   [[nodiscard]] bool is_zero(int x) const { return value(x).op == Op::kZero; }
   [[nodiscard]] Set set_of(int a, int b) const;
   /// The factor in front of x, and what it multiplies.
@@ -115,6 +118,7 @@ class Algebra {
   int of_places(Op op, int x);
 
   Terms flattened(const Terms& terms);
+  int opened(const Terms& terms, int sum);
   [[nodiscard]] int body_of(const Value& v) const;
   void merge_sums(Terms& terms);
   void merge_backward(Terms& terms);
@@ -138,7 +142,7 @@ int Algebra::of_terms(int x, Of of) {
   for (std::size_t k = 0; k < v.operands.size(); ++k) {
     terms.emplace_back(v.factors[k], of(v.operands[k]));
   }
-  return linear(terms);
+  return in_place_of(x, linear(terms));
 }
 
 }  // namespace treedyn::derive

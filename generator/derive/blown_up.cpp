@@ -64,12 +64,11 @@ int Columns::blown_up(const Expression& A, bool transposed, int x) {
     const int row = apply(A, !transposed, algebra_.ones(Set::kOne));
     return algebra_.sum_along(Op::kCollect, Set::kOne, algebra_.scale(row, x));
   }
-  algebra_.note(Rule::kBlownUp);
   std::vector<int> components;
   for (int k = 0; k < 3; ++k) {
     components.push_back(apply(A, transposed, algebra_.component(x, k)));
   }
-  return algebra_.assemble(components);
+  return algebra_.note(Rule::kBlownUp, algebra_.assemble(components));
 }
 
 }  // namespace treedyn::derive

@@ -215,12 +215,11 @@ int Columns::sum(const Factors& terms, bool transposed, int x) {
       return algebra_.scale(algebra_.leaf("E-σ", Set::kLinks, Type::kScalar), x);
     }
   }
-  algebra_.note(Rule::kDistribute);
   Terms result;
   for (const Expression& term : terms) {
     result.emplace_back(Ratio{}, apply(term, transposed, x));
   }
-  return algebra_.linear(result);
+  return algebra_.note(Rule::kDistribute, algebra_.linear(result));
 }
 
 int Columns::skew(const Expression& Y, bool transposed, int x) {
@@ -271,11 +270,11 @@ int Columns::skew_of_product(Factors factors, bool transposed, int x) {
   const Factors left(factors.begin(), begin);
   const Factors right(end, factors.end());
   if (!left.empty() || !right.empty()) {
-    algebra_.note(Rule::kSkewPasses);
     const Expression core = std::accumulate(
         begin + 1, end, *begin, [](const Expression& a, const Expression& b) { return a * b; });
     const int inner = product(transposed ? left : right, transposed, x);
-    return product(transposed ? right : left, transposed, skew(core, transposed, inner));
+    return algebra_.note(Rule::kSkewPasses, product(transposed ? right : left, transposed,
+                                                    skew(core, transposed, inner)));
   }
   if (v->kind() == Kind::kSum) {
     const Factors terms = v->operands();
@@ -300,9 +299,10 @@ int Columns::skew_of_product(Factors factors, bool transposed, int x) {
   }
   const Expression u = std::accumulate(
       v + 1, end, *v, [](const Expression& a, const Expression& b) { return a * b; });
-  algebra_.note(Rule::kCrossWords);  // Λ(Λ(P) u) x = (P×u)×x = x×(u×P)
+  // Λ(Λ(P) u) x = (P×u)×x = x×(u×P)
   const int theta = algebra_.skew_product(x, narrow(u, u.shape().cols.set));
-  const int result = cross_word(factors.front().operands().front(), theta);
+  const int result =
+      algebra_.note(Rule::kCrossWords, cross_word(factors.front().operands().front(), theta));
   return factors.front().kind() == Kind::kSkew ? result : algebra_.negative(result);
 }
 
@@ -336,7 +336,6 @@ int Columns::cross_word(const Expression& P, int theta) {
 /// Λ(Y) x = Σ (Y x_k)×e_k; (Λ(Y))^T x = Σ e_k Y^T (e_k×x). Holds for every Y.
 int Columns::by_components(const Expression& Y, bool transposed, int x) {
   require_narrow();
-  algebra_.note(Rule::kComponents);
   const auto unit = [&](int k, Set set) {
     const int zero = algebra_.zero(set, Type::kScalar);
     std::vector<int> components(3, zero);
@@ -354,7 +353,7 @@ int Columns::by_components(const Expression& Y, bool transposed, int x) {
       result.emplace_back(Ratio{}, algebra_.cross(y, unit(k, Y.shape().rows.set)));
     }
   }
-  return algebra_.linear(result);
+  return algebra_.note(Rule::kComponents, algebra_.linear(result));
 }
 
 }  // namespace treedyn::derive

@@ -136,22 +136,19 @@ int Algebra::of_composites(Op op, Set set, int x) {
   if (opened.paths.empty()) {
     return -1;
   }
-  if (op != Op::kCollect) {
-    note(Rule::kComposites);
-  }
   join(opened.paths);
+  const Rule rule = op == Op::kCollect ? Rule::kPlaceSums : Rule::kComposites;
   Terms terms;
   for (const auto& [factor, y] : opened.rest) {
     terms.emplace_back(factor, sum_along(op, set, y));
   }
   for (const Opened::Path& path : opened.paths) {
     const int X = path.step < 0 ? ones(Set::kLinks) : path.step;
-    const int below = sum_along(Op::kSubtreeStrict, Set::kLinks, X);
-    const int whole = with_links(X, below);
+    const int below = note(rule, sum_along(Op::kSubtreeStrict, Set::kLinks, X));
+    const int whole = note(rule, with_links(X, below));
     const int first = path.strict ? step(below, path.y) : step(whole, path.y);
     if (op == Op::kCollect) {
-      note(Rule::kPlaceSums);
-      terms.emplace_back(path.factor, sum_along(op, set, first));
+      terms.emplace_back(path.factor, note(rule, sum_along(op, set, first)));
       continue;
     }
     const int father = sum_along(Op::kPathStrict, Set::kLinks, path.y);
@@ -162,7 +159,7 @@ int Algebra::of_composites(Op op, Set set, int x) {
     }
     terms.emplace_back(path.factor, step(inclusive ? whole : below, father));
   }
-  return linear(terms);
+  return note(rule, in_place_of(x, linear(terms)));
 }
 
 Algebra::Lever Algebra::lever_of(int x) {
@@ -248,18 +245,16 @@ int Algebra::of_places(Op op, int x) {
   const int rest = op == Op::kSubtree ? whole_of(product.rest) : sum(product.rest);
   const int first = with(product.lever, rest);
   if (is_common(product.lever)) {
-    note(Rule::kCommon);
-    return first;
+    return note(Rule::kCommon, first);
   }
-  note(Rule::kPlaceSums);
   const int s = value(product.lever).operands.front();
   const int whole = whole_of(product.rest);
-  return linear(
-      {{kPlus, first}, {kPlus, sum_along(Op::kSubtreeStrict, Set::kLinks, with(s, whole))}});
+  const int below = sum_along(Op::kSubtreeStrict, Set::kLinks, with(s, whole));
+  return note(Rule::kPlaceSums, linear({{kPlus, first}, {kPlus, below}}));
 }
 
 /// The rows of x on the way from the column that is asked for to the root: there N y is zero.
-int Algebra::on_way_to_root(int x) {
+int Algebra::rows_on_way_to_root(int x) {
   const Value v = value(x);
   if (!values_.of_unit(x)) {
     return x;

@@ -89,13 +89,8 @@ class Printer {
     }
     for (const int id : values_.needed(roots)) {
       const Value& value = values_[id];
-      if (value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
-          value.op == Op::kUnit || value.op == Op::kIdentity || value.op == Op::kTravelling) {
-        names_[id] = symbol(value);
-        continue;
-      }
-      if (value.op == Op::kAtLink && values_[value.operands.front()].op == Op::kLeaf) {
-        names_[id] = name(value.operands.front());
+      if (is_symbol(value)) {
+        names_[id] = value.op == Op::kAtLink ? name(value.operands.front()) : symbol(value);
         continue;
       }
       if (!value.name.empty()) {
@@ -105,12 +100,29 @@ class Printer {
       if (names_.count(id) == 0) {
         names_[id] = fmt::format("x{}", ++count_);
       }
-      result.push_back({id, fmt::format("{} = {}", names_[id], text)});
+      result.push_back({id, fmt::format("{} = {}", names_[id], text), rules(id)});
     }
     return result;
   }
 
  private:
+  [[nodiscard]] bool is_symbol(const Value& value) const {
+    return value.op == Op::kLeaf || value.op == Op::kOnes || value.op == Op::kZero ||
+           value.op == Op::kUnit || value.op == Op::kIdentity || value.op == Op::kTravelling ||
+           (value.op == Op::kAtLink && values_[value.operands.front()].op == Op::kLeaf);
+  }
+
+  /// A symbol has no line: what made it (h of m c) stands where it is used.
+  [[nodiscard]] std::set<Rule> rules(int id) const {
+    std::set<Rule> result = values_.made_by(id);
+    for (const int operand : values_[id].operands) {
+      if (is_symbol(values_[operand])) {
+        result.insert(values_.made_by(operand).begin(), values_.made_by(operand).end());
+      }
+    }
+    return result;
+  }
+
   static std::string symbol(const Value& value) {
     switch (value.op) {
       case Op::kOnes:

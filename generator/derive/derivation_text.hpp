@@ -1,6 +1,7 @@
 // A derivation as text, in the field's symbols.
 #pragma once
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@ namespace treedyn::derive {
 struct Line {
   int id = 0;
   std::string text;
+  std::set<Rule> rules;  ///< that made it, or a symbol in it
 };
 
 /// The recursion of a derivation, operands before their users.

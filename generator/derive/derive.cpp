@@ -29,7 +29,6 @@ bool derive_wide(const block::Expression& expression, Derivation& result) {
     return false;
   }
   Values values(result.values.choices());
-  values.note(Rule::kUnits);
   Columns columns(values, true);
   Algebra& algebra = columns.algebra();
   const int E = algebra.scale(algebra.unit(side.set, Type::kScalar), algebra.identity(side.set));
@@ -37,8 +36,8 @@ bool derive_wide(const block::Expression& expression, Derivation& result) {
                                       ? columns.meet(expression, E, algebra.ones(Set::kOne))
                                       : columns.wide(expression, result.by_rows, E);
   if (root) {
+    result.roots = {values.note(Rule::kUnits, *root)};
     result.values = std::move(values);
-    result.roots = {*root};
     result.wide = result.by_units = true;
   }
   return root.has_value();
@@ -65,13 +64,12 @@ bool derive_symmetric(const block::Expression& expression, Derivation& result) {
   }
   choices.composites = true;
   Values values(choices);
-  values.note(Rule::kUnits);
-  values.note(Rule::kSymmetric);
   try {
     const int root = column(values, false);
     if (places(values, root).beside) {
       return false;
     }
+    values.note({Rule::kUnits, Rule::kSymmetric}, root);
     result.roots = {root};
   } catch (const NoComposites&) {
     return false;
@@ -86,10 +84,9 @@ void derive_by_composites(const block::Expression& expression, Derivation& resul
   Choices choices = result.values.choices();
   choices.composites = true;
   result.values = Values(choices);
-  result.values.note(Rule::kUnits);
   Columns columns(result.values);
-  result.roots = {
-      columns.apply(expression, false, columns.algebra().unit(Set::kLinks, Type::kScalar))};
+  const int unit = columns.algebra().unit(Set::kLinks, Type::kScalar);
+  result.roots = {result.values.note(Rule::kUnits, columns.apply(expression, false, unit))};
 }
 
 /// The same of a matrix of numbers between links.
@@ -128,11 +125,11 @@ bool derive_sums(const block::Expression& expression, Derivation& result) {
 /// The columns (or rows) one by one.
 void derive_unit(const block::Expression& expression, Derivation& result) {
   const block::Side& side = result.by_rows ? result.shape.rows : result.shape.cols;
-  result.values.note(Rule::kUnits);
   Columns columns(result.values);
   const Type type = side.size == 1 ? Type::kScalar : Type::kVector;
+  const int unit = columns.algebra().unit(side.set, type);
   result.roots = {
-      columns.apply(expression, result.by_rows, columns.algebra().unit(side.set, type))};
+      result.values.note(Rule::kUnits, columns.apply(expression, result.by_rows, unit))};
 }
 
 Derivation derive_with(const block::Expression& expression, bool by_rows, const Choices& choices) {

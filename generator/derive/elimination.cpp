@@ -43,6 +43,7 @@ class Eliminator {
   int sum(const Terms& terms);
   int travelling(const char* name, Type type) { return made(Op::kTravelling, type, {}, 0, name); }
   int fold(int travelling, int own, int handed);
+  int yields(int x) { return values_.note(Rule::kYields, x); }
   void eliminate(int r, Elimination& result);
   int onward(Elimination& result);
 
@@ -260,12 +261,14 @@ void Eliminator::eliminate(int r, Elimination& result) {
     zeta_[k] = made(Op::kAtLink, Type::kVector, {opening_.rest(y_[k].own, Type::kVector)}, 0,
                     k == 0 ? "" : "ζ");
     const int scaled = made(Op::kScale, Type::kVector, {inverse_, U_[k]});
-    V[k] = made(Op::kAlong, Type::kVector, {scaled, b[k], algebra_.ones(Set::kLinks)});
+    V[k] = yields(made(Op::kAlong, Type::kVector, {scaled, b[k], algebra_.ones(Set::kLinks)}));
     const int more = made(Op::kScale, Type::kVector, {u_, V[k]});
-    q[k] = made(Op::kAlong, Type::kVector, {sum({{kPlus, p[k]}, {kPlus, more}}), b[k], r});
+    const int taken = values_.note(Rule::kElimination, sum({{kPlus, p[k]}, {kPlus, more}}));
+    q[k] = yields(made(Op::kAlong, Type::kVector, {taken, b[k], r}));
   }
   const auto without = [&](int K, std::size_t k, std::size_t l) {
-    return made(Op::kAcross, Type::kTensor, {K, U_[k], V[l], b[k], b[l]});
+    const int rest = made(Op::kAcross, Type::kTensor, {K, U_[k], V[l], b[k], b[l]});
+    return yields(values_.note(Rule::kElimination, rest));
   };
   const int I1 = without(I, 0, 0);
   const int H1 = without(H, 0, 1);
@@ -317,10 +320,8 @@ int Eliminator::run(int root, Elimination& result) {
   if (!find_states(root) || !is_symmetric()) {
     return -1;
   }
-  values_.note(Rule::kElimination);
-  values_.note(Rule::kYields);
   eliminate(u_, result);
-  return onward(result);
+  return values_.note(Rule::kElimination, onward(result));
 }
 
 }  // namespace

@@ -39,8 +39,7 @@ class Factoring {
   int right();
   bool factor(const Sum& A);
   int solve(Op op, int r, const std::string& name) {
-    values_.note(Rule::kTriangles);
-    return made(op, {r, below_}, name);
+    return values_.note(Rule::kTriangles, made(op, {r, below_}, name));
   }
   bool solve(const Expression& matrix);
 
@@ -109,9 +108,8 @@ bool Factoring::factor(const Sum& A) {
   if (!derive(result_.given.back().second, false, false).symmetric) {
     return false;
   }
-  values_.note(Rule::kFactors);
   below_ = made(Op::kTravelling, {}, "L'");
-  const int a = made(Op::kEliminated, {matrix, below_}, "a");
+  const int a = values_.note(Rule::kFactors, made(Op::kEliminated, {matrix, below_}, "a"));
   const int diagonal = made(Op::kDiagonal, {a}, "Δ");
   inverse_ = made(Op::kReciprocal, {diagonal}, "Δ^-1");
   values_.define(below_, made(Op::kScale, {inverse_, sum({{kPlus, a}, {kMinus, diagonal}})}));

@@ -1,6 +1,7 @@
 #include "derive/forms.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 
 #include "derive/algebra.hpp"
@@ -33,14 +34,18 @@ class Forms {
       : old_(values), new_(values.choices(), values.acted()), algebra_(new_) {}
 
   Values run(std::vector<int>& roots) {
-    remake(old_, roots, [this](Value value) { return replaced(std::move(value)); });
+    remake(old_, new_, roots, [this](Value value) { return replaced(std::move(value)); });
     return std::move(new_);
   }
 
  private:
-  int noted(Rule rule, Value value) {
-    new_.note(rule);
-    return new_.intern(std::move(value));
+  /// \param of  the values that it takes the place of
+  int noted(Rule rule, Value value, std::initializer_list<int> of = {}) {
+    const int result = new_.note(rule, new_.intern(std::move(value)));
+    for (const int x : of) {
+      algebra_.in_place_of(x, result);
+    }
+    return result;
   }
 
   int replaced(Value value) {
@@ -59,7 +64,8 @@ class Forms {
     } else if (value.op == Op::kDot && is_momentum(value.operands[1]) &&
                new_[value.operands[1]].operands[1] == value.operands[0]) {
       const int omega = value.operands[0];
-      return noted(Rule::kSquare, {Op::kSquare, value.set, value.type, {}, 0, {omega}, {}});
+      return noted(Rule::kSquare, {Op::kSquare, value.set, value.type, {}, 0, {omega}, {}},
+                   {value.operands[1]});
     } else if (value.op == Op::kLinear) {
       if (const int path = started(value); path >= 0) {
         return path;
@@ -111,7 +117,8 @@ class Forms {
           value.factors[k] == kPlus) {
         const int x = path.operands[0];
         const int start = algebra_.linear({{value.factors[1 - k], g}});
-        return noted(Rule::kStart, {Op::kPath, value.set, value.type, {}, 0, {x, start}, {}});
+        return noted(Rule::kStart, {Op::kPath, value.set, value.type, {}, 0, {x, start}, {}},
+                     {value.operands[k]});
       }
     }
     return -1;
@@ -133,7 +140,8 @@ class Forms {
         const int Omega = algebra_.linear(
             {{kPlus, algebra_.skew(alpha)}, {kPlus, algebra_.skew_product(omega, omega)}});
         sum.operands[a] = noted(Rule::kPseudoInertia,
-                                {Op::kMoment, sum.set, sum.type, {}, 0, {Omega, alpha, omega}, {}});
+                                {Op::kMoment, sum.set, sum.type, {}, 0, {Omega, alpha, omega}, {}},
+                                {sum.operands[a], sum.operands[b]});
         sum.operands.erase(sum.operands.begin() + static_cast<std::ptrdiff_t>(b));
         sum.factors.erase(sum.factors.begin() + static_cast<std::ptrdiff_t>(b));
         return;
@@ -208,7 +216,8 @@ class Forms {
       if (ms >= 0 && new_[ms].op == Op::kScale && new_[ms].operands.size() == 2 &&
           new_[ms].operands[1] == s && algebra_.linear({{kPlus, h}, {kPlus, ms}}) == shifted) {
         return noted(Rule::kComposite,
-                     {Op::kComposite, sum.set, sum.type, {}, 0, {new_[ms].operands[0], h, s}, {}});
+                     {Op::kComposite, sum.set, sum.type, {}, 0, {new_[ms].operands[0], h, s}, {}},
+                     {X.operands[k], X.operands[1 - k], sum.operands[1]});
       }
     }
     return -1;
@@ -224,13 +233,12 @@ class Forms {
                     [](const Ratio& f) { return f.numerator % 2 != 0; })) {
       return -1;
     }
-    new_.note(Rule::kTwice);
     Terms inner = {{kPlus, a}};
     for (std::size_t k = 0; k < both.operands.size(); ++k) {
       inner.emplace_back(multiply({1, 2}, both.factors[k]), both.operands[k]);
     }
     const int below = algebra_.sum_along(Op::kSubtreeStrict, sum.set, algebra_.linear(inner));
-    return algebra_.linear({{kPlus, a}, {{2, 1}, below}});
+    return new_.note(Rule::kTwice, algebra_.linear({{kPlus, a}, {{2, 1}, below}}));
   }
 
   /// I x.

@@ -67,8 +67,10 @@ void Algebra::merge(Terms& terms, Key key, Merged merged) {
       rest.push_back(group.front());
       continue;
     }
-    note(Rule::kMerge);
-    const int result = merged(group);
+    const int result = note(Rule::kMerge, merged(group));
+    for (const auto& [factor, x] : group) {
+      in_place_of(x, result);
+    }
     if (!is_zero(result)) {
       rest.emplace_back(kPlus, result);
     }
@@ -287,9 +289,25 @@ void Algebra::merge_backward(Terms& terms) {
   const std::vector<int> gone = {a->second, b->second};
   std::erase_if(terms,
                 [&](const auto& term) { return term.second == gone[0] || term.second == gone[1]; });
-  note(Rule::kMerge);
-  terms.emplace_back(negative ? kMinus : kPlus,
-                     values_.intern({Op::kBackward, v.set, v.type, {}, 0, {own, of_sons}, {}}));
+  const int both =
+      note(Rule::kMerge, values_.intern({Op::kBackward, v.set, v.type, {}, 0, {own, of_sons}, {}}));
+  for (const int sum : gone) {
+    in_place_of(sum, both);
+  }
+  terms.emplace_back(negative ? kMinus : kPlus, both);
+}
+
+/// A sum with the rules that made the sums among its terms.
+int Algebra::opened(const Terms& terms, int sum) {
+  const auto is_sum = [this](int x) {
+    return value(x).op == Op::kLinear || value(x).op == Op::kBackward;
+  };
+  for (const auto& [factor, x] : terms) {
+    if (is_sum(x) && is_sum(sum)) {
+      in_place_of(x, sum);
+    }
+  }
+  return sum;
 }
 
 int Algebra::linear(const Terms& terms) {
@@ -313,7 +331,7 @@ int Algebra::linear(const Terms& terms) {
     return zero(first.set, first.type);
   }
   if (rest.size() == 1 && rest.front().first == kPlus) {
-    return rest.front().second;
+    return opened(terms, rest.front().second);
   }
   std::sort(rest.begin(), rest.end(),
             [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -322,7 +340,7 @@ int Algebra::linear(const Terms& terms) {
     value.operands.push_back(x);
     value.factors.push_back(factor);
   }
-  return values_.intern(std::move(value));
+  return opened(terms, values_.intern(std::move(value)));
 }
 
 }  // namespace treedyn::derive

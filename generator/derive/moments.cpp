@@ -84,10 +84,9 @@ int Algebra::with_moments(const std::vector<int>& numbers, int x) {
   if (v.op != Op::kLeaf) {
     return -1;
   }
-  note(Rule::kParameters);
   std::vector<int> others = numbers;
   others.erase(others.begin() + (mass - numbers.begin()));
-  return scaled(others, leaf("h^d", v.set, Type::kVector));
+  return note(Rule::kParameters, scaled(others, leaf("h^d", v.set, Type::kVector)));
 }
 
 /// R10: c×(m x + Ω h) = h×x + c×(Ω h). \pre has_mass(x)
@@ -129,12 +128,11 @@ int Algebra::moment_of_turning(int S) {
   if (v.op == Op::kLinear) {
     return of_terms(S, [this](int term) { return moment_of_turning(term); });
   }
-  note(Rule::kParameters);
   const int x = v.operands[0];
   const int I = leaf("I^d", v.set, Type::kTensor);
   const int J = leaf("J_c^d", v.set, Type::kTensor);
   const int more = linear({{kPlus, apply(I, x)}, {{-1, 1}, apply(J, x)}});
-  return v.op == Op::kSkew ? more : cross(x, more);
+  return note(Rule::kParameters, v.op == Op::kSkew ? more : cross(x, more));
 }
 
 }  // namespace treedyn::derive

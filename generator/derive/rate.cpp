@@ -34,7 +34,7 @@ class Rates {
     if (const auto found = known.find(x); found != known.end()) {
       return found->second;
     }
-    const int result = made(x, seen);
+    const int result = values_.note(Rule::kValueRates, made(x, seen));
     known.emplace(x, result);
     return result;
   }
@@ -205,10 +205,11 @@ std::optional<Derivation> rate(const Derivation& derivation) {
   }
   Derivation result = derivation;
   Rates rates(result.values);
-  result.values.note(Rule::kValueRates);
   try {
     for (int& root : result.roots) {
-      root = rates.of(root, Seen::kFromLink);
+      const int whole = root;
+      root = rates.of(whole, Seen::kFromLink);
+      result.values.note(result.values.made_by(whole), root);
     }
   } catch (const NoRate&) {
     return std::nullopt;

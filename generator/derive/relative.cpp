@@ -16,7 +16,7 @@ class Relative {
       : old_(values), new_(values.choices(), values.acted()), algebra_(new_) {}
 
   Values run(std::vector<int>& roots) {
-    remake(old_, roots, [this](Value value) { return replaced(std::move(value)); });
+    remake(old_, new_, roots, [this](Value value) { return replaced(std::move(value)); });
     return std::move(new_);
   }
 
@@ -51,14 +51,16 @@ class Relative {
       gather_momentum(terms);
       return algebra_.linear(terms);
     }
+    const std::vector<int> operands = value.operands;
     const int result = value.op != Op::kBackward     ? -1
                        : value.type == Type::kVector ? rate_of_moment(value)
                                                      : rate_of_inertia(value);
     if (result < 0) {
       return new_.intern(std::move(value));
     }
-    new_.note(Rule::kRelative);
-    return result;
+    algebra_.in_place_of(operands.front(), result);
+    algebra_.in_place_of(operands.back(), result);
+    return new_.note(Rule::kRelative, result);
   }
 
   /// What `sum` is the rate of h^c of; nothing for other sums.
@@ -163,9 +165,10 @@ class Relative {
                                            algebra_.apply(inertia, algebra_.cross(omega_f, x))};
       const auto found = std::ranges::find(terms, other);
       if (found != terms.end()) {
-        new_.note(Rule::kMomentum);
-        found->second = algebra_.cross(algebra_.apply(pseudo, omega_f), x);
-        term = algebra_.apply(rest, x);
+        found->second =
+            new_.note(Rule::kMomentum, algebra_.cross(algebra_.apply(pseudo, omega_f), x));
+        algebra_.in_place_of(v.operands[0], found->second);
+        term = new_.note(Rule::kMomentum, algebra_.apply(rest, x));
         return;
       }
     }

@@ -22,15 +22,16 @@ class Transposer {
     if (v.op == Op::kLinear && v.operands.size() == 1) {
       return algebra_.linear({{v.factors[0], *run(v.operands[0])}});
     }
-    values_.note(Rule::kTransposes);
     factors_[root] = {{kPlus, algebra_.ones(Set::kOne)}};
     std::map<int, int> rest;  // factors by what they stand in front of
+    std::vector<int> handed_on;
     while (!factors_.empty()) {
       const auto [x, terms] = *factors_.rbegin();
       factors_.erase(x);
       const int factor = algebra_.linear(terms);
       if (has_subtrees(x)) {
         hand_on(Value(values_[x]), factor);
+        handed_on.push_back(x);
       } else {
         rest[x] = factor;
       }
@@ -39,7 +40,11 @@ class Transposer {
     for (const auto& [x, factor] : rest) {
       result.emplace_back(kPlus, collected(factor, x));
     }
-    return algebra_.linear(result);
+    const int sum = values_.note(Rule::kTransposes, algebra_.linear(result));
+    for (const int x : handed_on) {
+      algebra_.in_place_of(x, sum);
+    }
+    return sum;
   }
 
  private:

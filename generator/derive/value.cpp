@@ -52,18 +52,36 @@ int Values::intern(Value value) {
                        std::any_of(value.operands.begin(), value.operands.end(),
                                    [this](int operand) { return of_unit(operand); }));
     values_.push_back(std::move(value));
+    made_by_.emplace_back();
   }
   return place->second;
 }
 
-void remake(const Values& values, std::vector<int>& roots, const std::function<int(Value)>& made) {
+int Values::note(Rule rule, int id) {
+  note(std::set{rule}, id);
+  return id;
+}
+
+void Values::note(const std::set<Rule>& rules, int id) {
+  acted_.insert(rules.begin(), rules.end());
+  made_by_[static_cast<std::size_t>(id)].insert(rules.begin(), rules.end());
+  const Value& value = (*this)[id];
+  if (value.op == Op::kLinear && value.operands.size() == 1) {  // sums take it apart
+    note(rules, value.operands.front());
+  }
+}
+
+void remake(const Values& values, Values& anew, std::vector<int>& roots,
+            const std::function<int(Value)>& made) {
   std::vector<int> place(static_cast<std::size_t>(values.size()), -1);
   for (const int id : values.needed(roots)) {
     Value value = values[id];
     for (int& operand : value.operands) {
       operand = place[static_cast<std::size_t>(operand)];
     }
-    place[static_cast<std::size_t>(id)] = made(std::move(value));
+    const int made_anew = made(std::move(value));
+    anew.note(values.made_by(id), made_anew);
+    place[static_cast<std::size_t>(id)] = made_anew;
   }
   for (int& root : roots) {
     root = place[static_cast<std::size_t>(root)];

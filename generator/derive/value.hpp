@@ -109,8 +109,16 @@ class Values {
   /// True for what depends on the column that is asked for.
   [[nodiscard]] bool of_unit(int id) const { return of_unit_[static_cast<std::size_t>(id)]; }
 
-  void note(Rule rule) { acted_.insert(rule); }
+  /// The rules that acted, also those that left nothing where they did.
   [[nodiscard]] const std::set<Rule>& acted() const { return acted_; }
+  /// Those that made the value, or a value that is a part of it.
+  [[nodiscard]] const std::set<Rule>& made_by(int id) const {
+    return made_by_[static_cast<std::size_t>(id)];
+  }
+  void note(Rule rule) { acted_.insert(rule); }
+  /// \return the value that the rule made
+  int note(Rule rule, int id);
+  void note(const std::set<Rule>& rules, int id);
 
   /// The values that `roots` are computed from, themselves included, ascending.
   [[nodiscard]] std::vector<int> needed(const std::vector<int>& roots) const;
@@ -119,14 +127,16 @@ class Values {
   Choices choices_;
   std::vector<Value> values_;
   std::vector<bool> of_unit_;
+  std::vector<std::set<Rule>> made_by_;
   std::map<std::string, int> known_;
   std::map<int, int> definitions_;
   std::set<Rule> acted_;
 };
 
-/// Makes what `roots` need anew, operands before their users; `roots` follow.
-/// \param made  gets a value with its new operands
-void remake(const Values& values, std::vector<int>& roots, const std::function<int(Value)>& made);
+/// Makes what `roots` need anew, operands before their users; `roots` follow, and what made a
+/// value. \param made  adds a value with its new operands to `anew`
+void remake(const Values& values, Values& anew, std::vector<int>& roots,
+            const std::function<int(Value)>& made);
 
 /// a * b in lowest terms.
 Ratio multiply(const Ratio& a, const Ratio& b);

@@ -69,8 +69,8 @@ int Columns::met(const Expression& e, int x, int c) {
       }
       if (block::blows_up({first, factors.end()},
                           algebra_.value(c).type == Type::kScalar ? 1 : 3)) {
-        algebra_.note(Rule::kMeet);
-        return contract(x, apply_narrow(product_of(first, factors.end()), c));
+        const int column = apply_narrow(product_of(first, factors.end()), c);
+        return algebra_.note(Rule::kMeet, contract(x, column));
       }
       while (factors.end() - 1 != first) {
         c = apply_narrow(factors.back(), c);
@@ -79,8 +79,7 @@ int Columns::met(const Expression& e, int x, int c) {
       return met(*first, x, c);
     }
     default:
-      algebra_.note(Rule::kMeet);
-      return contract(x, apply_narrow(e, c));
+      return algebra_.note(Rule::kMeet, contract(x, apply_narrow(e, c)));
   }
 }
 
@@ -111,14 +110,14 @@ int Columns::contract_skew(int r, int c) {
   if (v.op != Op::kCross || algebra_.value(v.operands[0]).op != Op::kPathStrict) {
     return algebra_.cross(c, r);
   }
-  algebra_.note(Rule::kJacobi);
-  algebra_.note(Rule::kTransposes);
   const int above = v.operands[0];
   const int a = algebra_.value(above).operands.front();
   const int b = v.operands[1];
   const int below = algebra_.sum_along(Op::kSubtreeStrict, Set::kLinks, algebra_.cross(b, r));
-  return algebra_.linear({{Ratio{1, 1}, algebra_.cross(a, below)},
-                          {Ratio{-1, 1}, algebra_.cross(b, algebra_.cross(above, r))}});
+  const int moved = algebra_.note(Rule::kTransposes, algebra_.cross(a, below));
+  return algebra_.note(
+      Rule::kJacobi,
+      algebra_.linear({{kPlus, moved}, {kMinus, algebra_.cross(b, algebra_.cross(above, r))}}));
 }
 
 /// v^T X as a vector: of X = y E it is y v, of X = Λ(r) it is v×r.

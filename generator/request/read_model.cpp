@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -396,8 +397,34 @@ std::vector<std::string> input_files(const Model& model, const Request& request)
   return files;
 }
 
+namespace {
+
+/// Points with places that are known at run time, of which no function is generated.
+std::vector<Warning> places_without_effect(const Model& model, const Location& where) {
+  std::vector<Warning> result;
+  std::set<int> known;
+  for (const model::Parameter& parameter : model.tree.parameters) {
+    if (parameter.quantity != model::ParameterKind::kPoint ||
+        !known.insert(parameter.link).second) {
+      continue;
+    }
+    const std::string& name = model.tree.points[static_cast<std::size_t>(parameter.link)].name;
+    if (std::ranges::find(model.points, name, &model::Point::name) == model.points.end()) {
+      result.push_back({where, fmt::format("--points leaves point '{}' out; what is known of it at "
+                                           "run time changes nothing",
+                                           shown(name))});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<Warning> warnings_of(const Model& model, const Request& request) {
   std::vector<Warning> warnings = model.tree.warnings;
+  for (Warning& place : places_without_effect(model, {request.model, 0, 0})) {
+    warnings.push_back(std::move(place));
+  }
   if (request.share_limbs && formulate::find_limbs(model.tree).empty()) {
     const Location where{request.model, 0, 0};
     warnings.push_back(

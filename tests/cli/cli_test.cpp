@@ -531,5 +531,15 @@ TEST_F(Cli, SaysThatARobotHasNoLimbsToShare) {
   EXPECT_EQ(read_file(file("two_link.cpp")).find("limb_"), std::string::npos);
 }
 
+TEST_F(Cli, SaysThatARunTimePlaceOfAPointWithoutFunctionsChangesNothing) {
+  const auto said = [&](const char* points) {
+    const Outcome outcome = treedyn({"info", kModel, "--runtime", "tip.at", "--points", points});
+    EXPECT_EQ(outcome.status, 0);
+    return outcome.err;
+  };
+  EXPECT_THAT(said("other=forearm:0.1,0,0"), HasSubstr("--points leaves point 'tip' out"));
+  EXPECT_THAT(said("tip=forearm:0.1,0,0"), testing::Not(HasSubstr("leaves")));
+}
+
 }  // namespace
 }  // namespace treedyn

@@ -649,6 +649,54 @@ TEST(R9, EliminatesJointByJoint) {
   EXPECT_TRUE(of_solved(mass_matrix() * qdd - tau).has_value());
 }
 
+/// Lines of a derivation with the rules behind them.
+std::map<std::string, std::set<Rule>> rules_of_lines(const Derivation& derivation) {
+  std::map<std::string, std::set<Rule>> result;
+  for (const Line& line : lines(derivation)) {
+    result.emplace(line.text, line.rules);
+  }
+  return result;
+}
+
+TEST(Lines, NameTheRulesThatMadeThem) {
+  const auto of_A = rules_of_lines(derive(mass_matrix(), false, false));
+  EXPECT_EQ(of_A.at("m^c = D^T m^d"), (std::set{Rule::kSums, Rule::kComposites}));
+  const auto has = [](const std::set<Rule>& rules, std::initializer_list<Rule> wanted) {
+    return std::ranges::all_of(wanted, [&](Rule rule) { return rules.contains(rule); });
+  };
+  bool composite = false;
+  for (const auto& [text, rules] : of_A) {
+    if (text.starts_with("I^c = ")) {
+      composite = true;
+      EXPECT_TRUE(has(rules, {Rule::kSums, Rule::kMerge, Rule::kComposites, Rule::kComposite}))
+          << text;
+    }
+    EXPECT_FALSE(rules.contains(Rule::kTelescope)) << text;
+  }
+  EXPECT_TRUE(composite);
+  const auto of_tau = rules_of_lines(derive(inverse_dynamics(), false, false));
+  EXPECT_EQ(std::ranges::count_if(
+                of_tau, [](const auto& line) { return line.second.contains(Rule::kTelescope); }),
+            1);  // Λ(ω)²
+}
+
+/// No rule that made something is lost on the way to the lines; F1 leaves nothing.
+TEST(Lines, NameEveryRuleThatActed) {
+  for (const Expression& e :
+       {mass_matrix(), bias_force(), gravity_force(), inverse_dynamics(), kinetic_energy(),
+        potential_energy(), point_positions(), point_velocities(), point_bias_acceleration(),
+        force_jacobian_transpose(points()), coriolis_matrix()}) {
+    const Derivation derivation = derive(e, false, false);
+    std::set<Rule> named = {Rule::kPlaces};
+    for (const Line& line : lines(derivation)) {
+      named.insert(line.rules.begin(), line.rules.end());
+    }
+    for (const Rule rule : derivation.values.acted()) {
+      EXPECT_TRUE(named.contains(rule)) << block::print(e) << ": " << row_of(rule).name;
+    }
+  }
+}
+
 TEST(R9, SolvesSymmetricMatricesAlone) {
   EXPECT_FALSE(of_solved(forward_dynamics() + (E - sigma) * mass_matrix() * qdd).has_value());
   EXPECT_FALSE(of_solved(sigma * mass_matrix() * qdd - tau).has_value());
@@ -769,6 +817,22 @@ TEST_F(Identities, OfF5) {
   const Matrix F = h.mul(s.transpose()).add(s.mul(h.transpose())).add(ms.mul(s.transpose()));
   const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   EXPECT_TRUE(equal(shift.mul_scalar(-1), one.mul_scalar(F.trace()).sub(F)));
+}
+
+/// R7': what a father takes of a body, X^T M X, keeps the kinds of its blocks: m E, Λ(h), I = I^T.
+TEST_F(Identities, OfTheKindsOfComposites) {
+  const Matrix one{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Matrix I = symmetric("I");
+  const Matrix h = vector("h");
+  const Matrix s = vector("s");
+  const Matrix mass = one.mul_scalar(m_);
+  const Matrix shift = lambda(s);  // y_1 has Λ^T(s) y_0 of the father
+  const Matrix mixed = lambda(h).add(shift.mul(mass));
+  const Matrix turning = I.add(shift.mul(lambda(h).transpose())).sub(mixed.mul(shift));
+  EXPECT_TRUE(equal(mixed, lambda(h.add(s.mul_scalar(m_)))));
+  EXPECT_TRUE(equal(turning, turning.transpose()));
+  const Matrix sum = lambda(h).add(lambda(s));  // and so do sums of them
+  EXPECT_TRUE(equal(sum, lambda(h.add(s))));
 }
 
 TEST_F(Identities, OfF6) {
