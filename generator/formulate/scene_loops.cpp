@@ -24,17 +24,6 @@ bool contains(const std::vector<int>& all, int one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// True if it acts in every phase and no event moves its place: one that is let go, such as a foot,
-/// begins to act again where it lands.
-bool stays(const Scene& scene, int constraint) {
-  return std::all_of(scene.phases.begin(), scene.phases.end(), [&](const model::Phase& phase) {
-    return contains(phase.active, constraint) &&
-           std::none_of(phase.until.begin(), phase.until.end(), [&](const model::Event& event) {
-             return contains(event.pins, constraint);
-           });
-  });
-}
-
 /// True if the rows of some phase in which it acts depend on each other.
 bool is_redundant(const Scene& scene, const ScenePositions& positions, int constraint) {
   return std::any_of(scene.phases.begin(), scene.phases.end(), [&](const model::Phase& phase) {
@@ -86,7 +75,7 @@ void settle_loops(Scene& scene) {
   for (int c = 0; c < static_cast<int>(scene.constraints.size()); ++c) {
     const Constraint& constraint = scene.constraints[to_index(c)];
     if (constraint.kind != model::ConstraintKind::kJoined && constraint.accelerations.empty() &&
-        stays(scene, c) && model::closes_loop(scene, c)) {
+        model::stays(scene, c) && model::closes_loop(scene, c)) {
       loops.push_back(c);
     }
   }

@@ -76,9 +76,10 @@ double ScenePositions::turned(int point, std::size_t n, const Place& at, const P
 }
 
 /// Position error and J of one row. Rows about one or two directions have no angle to return to.
-void ScenePositions::add_row(const model::Constraint& c, std::size_t row, const Place& at,
-                             const Place& start, double& phi, double* J) const {
-  const bool held = c.accelerations.empty();
+void ScenePositions::add_row(int constraint, std::size_t row, const Place& at, const Place& start,
+                             double& phi, double* J) const {
+  const model::Constraint& c = scene_.constraints[to_index(constraint)];
+  const bool held = c.accelerations.empty() && !model::is_placed_by_events(scene_, constraint);
   if (c.kind == ConstraintKind::kJoint) {
     const double goal = c.pinned ? start.q[to_index(c.joint)] : curve(c.curve.position[0]);
     phi = held ? at.q[to_index(c.joint)] - goal : 0;
@@ -121,9 +122,8 @@ program::OrdinaryRows ScenePositions::ordinary(const std::vector<int>& constrain
     const Place at = place(q);
     std::size_t k = 0;
     for (const int c : constraints) {
-      const model::Constraint& constraint = scene_.constraints[to_index(c)];
-      for (std::size_t row = 0; row < constraint.rows(); ++row, ++k) {
-        add_row(constraint, row, at, start, phi[k], J.data() + k * q.size());
+      for (std::size_t row = 0; row < scene_.constraints[to_index(c)].rows(); ++row, ++k) {
+        add_row(c, row, at, start, phi[k], J.data() + k * q.size());
       }
     }
   };

@@ -15,7 +15,7 @@ class ScenePositions {
   explicit ScenePositions(const model::Scene& scene);
 
   /// Where some constraints hold near the initial state. A pinned one holds where that state has
-  /// it, and so does an orientation.
+  /// it, and so does an orientation; what events place (a foot, where it lands) holds anywhere.
   /// \param columns  joints whose columns of J count; empty: all
   [[nodiscard]] program::OrdinaryRows ordinary(const std::vector<int>& constraints,
                                                const std::vector<int>& columns = {}) const;
@@ -24,8 +24,8 @@ class ScenePositions {
   struct Place;
   [[nodiscard]] Place place(const std::vector<double>& q) const;
   static double turned(int point, std::size_t n, const Place& at, const Place& start);
-  void add_row(const model::Constraint& constraint, std::size_t row, const Place& at,
-               const Place& start, double& phi, double* J) const;
+  void add_row(int constraint, std::size_t row, const Place& at, const Place& start, double& phi,
+               double* J) const;
   [[nodiscard]] double curve(const model::Expression& of_time) const;
 
   const model::Scene& scene_;

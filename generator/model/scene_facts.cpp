@@ -50,6 +50,21 @@ std::vector<std::string> step_method_names() {
   return names;
 }
 
+bool stays(const Scene& scene, int constraint) {
+  const auto contains = [constraint](const std::vector<int>& all) {
+    return std::ranges::find(all, constraint) != all.end();
+  };
+  return std::ranges::all_of(scene.phases, [&](const Phase& phase) {
+    return contains(phase.active) && std::ranges::none_of(phase.until, [&](const Event& event) {
+             return contains(event.pins);
+           });
+  });
+}
+
+bool is_placed_by_events(const Scene& scene, int constraint) {
+  return begins_anywhere(scene, constraint) && !stays(scene, constraint);
+}
+
 bool is_stabilised(const Scene& scene, int constraint) {
   const Constraint& c = scene.constraints[to_index(constraint)];
   const bool loop = (c.kind == ConstraintKind::kJoined || c.loop) && step_method(scene) &&

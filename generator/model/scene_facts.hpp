@@ -20,6 +20,11 @@ std::vector<std::string> step_method_names();
 /// where the scene asks for it, and, unless it asks for none, on closed loops that a step goes
 /// round.
 bool is_stabilised(const Scene& scene, int constraint);
+/// True if it acts in every phase and no event moves its place: one that is let go, such as a foot,
+/// begins to act again where it lands.
+bool stays(const Scene& scene, int constraint);
+/// True if events decide where its rows hold, not the initial state.
+bool is_placed_by_events(const Scene& scene, int constraint);
 /// True if it is drawn to where the initial state of the scene has it, Constraint::loop.
 bool has_place(const Scene& scene, int constraint);
 /// Its alpha, 1/s: that of the scene; of loops never more than half of what a step resolves.

@@ -20,14 +20,16 @@ inline double sample_input(int array, int element, int point) {
 
 /// Sine and cosine are replaced by rational points 2t / (1 + t^2), (1 - t^2) / (1 + t^2) of the
 /// circle, t an odd irrational function of the argument: every machine computes the same and only
-/// c^2 + s^2 = 1 and what follows from it holds; sums of angles mean nothing. Roots exist of
-/// negative numbers as well, and are not those of their opposites.
+/// c^2 + s^2 = 1 and what follows from it holds; sums of angles mean nothing. So are roots, of
+/// which nothing holds: the root of x^2 is x in states where x is positive, and no others. They
+/// exist of negative numbers as well, and are not those of their opposites.
 template <class Scalar>
 Scalar sample_function(Kind kind, const Scalar& a) {
   using std::sqrt;
   const Scalar square = a * a;
   if (kind == Kind::kSqrt) {
-    return a < 0 ? Scalar(Scalar(0.75) * sqrt(Scalar(-a))) : Scalar(sqrt(a));
+    const Scalar root = a * Scalar(sqrt(square + Scalar(1.5)));
+    return a < 0 ? Scalar(Scalar(-0.75) * root) : root;
   }
   const Scalar t = a * Scalar(sqrt(square + Scalar(1.25)));
   const Scalar scale = 1 / (1 + t * t);

@@ -79,6 +79,54 @@ TEST(Effects, RootsAreTakenOfDifferences) {
 }
 
 /// Reactions of a locked joint that is driven help no other joint: tau is that of free motion.
+/// sqrt(x^2) is |x|, not x: what tells values apart must not take it for x in states in which x is
+/// positive, or negative, by chance.
+TEST(Effects, RootsOfSquaresAreMagnitudes) {
+  const ArmScene plain("");
+  using State = CompiledModel::Inputs;
+  const std::vector<std::pair<std::string, double (*)(double, double, double, double)>> roots = {
+      {"sqrt((q[shoulder]*qd[elbow])^2)",
+       [](double a, double, double, double v) {
+         return std::abs(a * v);
+       }},
+      {"sqrt(q[shoulder]^2)",
+       [](double a, double, double, double) {
+         return std::abs(a);
+       }},
+      {"qd[shoulder]*sqrt(qd[shoulder]^2)",
+       [](double, double, double u, double) {
+         return u * std::abs(u);
+       }},
+      {"sqrt((q[elbow] - qd[shoulder])^2)",
+       [](double, double b, double u, double) {
+         return std::abs(b - u);
+       }},
+      {"((q[elbow] - q[shoulder]) + sqrt((q[elbow] - q[shoulder])^2))/2",
+       [](double a, double b, double, double) {
+         return std::max(b - a, 0.0);
+       }}};
+  for (const auto& [text, value] : roots) {
+    const ArmScene driven("  drive: [{joint: shoulder, torque: \"" +
+                          text + "\"}]\n");
+    for (int signs = 0; signs < 16; ++signs) {
+      const auto signed_by = [&](int bit, double x) {
+        return (signs >> bit & 1) != 0 ? -x : x;
+      };
+      const double a = signed_by(0, 0.4);
+      const double b = signed_by(1, 0.7);
+      const double u = signed_by(2, 1.1);
+      const double v = signed_by(3, 0.6);
+      const State with = {{a, b}, {u, v}, {0, 0}};
+      const State without = {{a, b}, {u, v}, {value(a, b, u, v), 0}};
+      const Measurement one = driven.code().measure("constrained_dynamics", with);
+      const Measurement other = plain.code().measure("constrained_dynamics", without);
+      for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_NEAR(one.values[k], other.values[k], 1e-11) << text << ' ' << signs;
+      }
+    }
+  }
+}
+
 TEST(Effects, RowsThatReachNoPassiveJointLeaveTheirDrivesAlone) {
   const SceneCode locked(fmt::format(
       "scene: s\nmodel: {}/models/two_link.yaml\nactuated: [shoulder]\neffects:\n  gravity: [0, 0, "

@@ -121,6 +121,36 @@ TEST_P(InScalar, RowsOfRoundingAloneMoveNothing) {
 }
 
 // Three rows, two joints without a drive: what is said of rows is not said of joints.
+/// The feet are together where the scene starts, where three of their four rows are independent,
+/// and apart where they stand: what events place does not hold where the initial state has it.
+TEST(Rank, OfFeetIsThatWhereTheyLand) {
+  const SceneCode code(
+      "scene: rank\nmodel: " TREEDYN_SOURCE_DIR
+      "/models/compass_walker.yaml\neffects:\n  gravity: [0, 0, -9.81]\n  point_constraint:\n"
+      "    - {name: left, point: left_foot, along: [x, z]}\n"
+      "    - {name: right, point: right_foot, along: [x, z]}\n"
+      "phases:\n  - {name: swing, active: [left], until: [{touch_down: {point: right_foot}, "
+      "not_before: 0.2, impact: {constraints: [left, right]}, then: both}]}\n"
+      "  - {name: both, active: [left, right]}\n"
+      "initial: {q: {hip_z: 1}, qd: {left_hip: 0.4, hip_x: 0.4}}\nduration: 1\n",
+      Variant::kPlain, {});
+  EXPECT_EQ(code.manifest("constrained_dynamics_swing").at("rank"), 2);
+  for (const char* function : {"constrained_dynamics_both", "impact"}) {
+    EXPECT_EQ(code.manifest(function).at("rank"), 4) << function;
+  }
+  const std::vector<double> landed = {0.331, 0.943, 0.338, -0.338};
+  const std::vector<double> fast = {1.2, -0.1, 1.2, 1.4};
+  const Measurement struck = code.code().measure("impact", {landed, fast});
+  const Measurement standing =
+      code.code().measure("constrained_dynamics_both", {landed, {0, 0, 0, 0}, {1, 2, 3, 4}});
+  for (const Measurement& still : {struck, standing}) {
+    EXPECT_EQ(still.status, 0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_NEAR(still.values[k], 0, 1e-11) << k;
+    }
+  }
+}
+
 TEST(Rank, OfJointsWithoutADriveIsNotThatOfRows) {
   const SceneCode code(scene("plate",
                              "effects:\n  gravity: [0, 0, -9.81]\n  locked_joint: [{joint: j0}]\n  "
