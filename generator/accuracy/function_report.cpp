@@ -140,6 +140,35 @@ std::string measured_json(const Measured& measured) {
                             {"operations", emit::operations_json(measured.cost)}});
 }
 
+/// Why there is no bound over the ranges, or what was taken for them; "": neither.
+std::string reason(const Bound& bound) {
+  if (!bound.obstacle.empty()) {
+    return fmt::format("{}, because {} as far as intervals tell",
+                       std::isfinite(bound.error) ? "running" : "none", bound.obstacle);
+  }
+  if (!bound.assumed.empty()) {
+    return fmt::format("proven for the ranges taken of {}, which have no limits", bound.assumed);
+  }
+  return "";
+}
+
+/// The reasons of a row, one line for both scalars where they agree; of an option behind the first
+/// one only obstacles that were not `said` of the function.
+std::string reasons_text(const FunctionRow& row, bool is_first, std::set<std::string>& said) {
+  const auto unsaid = [&](const char* scalar, const Bound& bound) {
+    const std::string why = is_first || !bound.obstacle.empty() ? reason(bound) : "";
+    return said.insert(row.function + scalar + why).second ? why : "";
+  };
+  const std::string of = is_first ? row.function : row.function + " " + row.option;
+  const std::string in_float = unsaid(" in float", row.in_float.bound);
+  const std::string in_double = unsaid(" in double", row.in_double.bound);
+  const auto line = [&](const char* scalar, const std::string& why) {
+    return why.empty() ? "" : fmt::format("  {}{}: {}\n", of, scalar, why);
+  };
+  return in_float == in_double ? line("", in_float)
+                               : line(" in float", in_float) + line(" in double", in_double);
+}
+
 /// What the bounds of the first rows hold for, and where there is none over the ranges.
 std::string bounds_text(const FunctionStudy& study) {
   std::string text =
@@ -147,16 +176,9 @@ std::string bounds_text(const FunctionStudy& study) {
       "operations; of the scale where\nevery argument is at the end of its range (16x: the largest "
       "error in the states, of that scale); (running): of the state\nof the largest error alone\n";
   std::set<std::string> seen;
+  std::set<std::string> said;
   for (const FunctionRow& row : study.rows) {
-    const Bound& bound = row.in_double.bound;
-    if (!seen.insert(row.function).second || (bound.assumed.empty() && bound.obstacle.empty())) {
-      continue;
-    }
-    text += bound.obstacle.empty()
-                ? fmt::format("  {}: proven for the ranges taken of {}, which have no limits\n",
-                              row.function, bound.assumed)
-                : fmt::format("  {}: running, because {} as far as intervals tell\n", row.function,
-                              bound.obstacle);
+    text += reasons_text(row, seen.insert(row.function).second, said);
   }
   return text;
 }

@@ -119,6 +119,31 @@ TEST_F(FunctionAccuracy, HasProvenBoundsAndSaysWhereThereAreNone) {
                                      "far as intervals tell"));
 }
 
+/// Of a pendulum with these limits of its angle.
+std::string pendulum_between(const char* lower, const char* upper) {
+  return fmt::format(
+      "name: p\nlinks: [{{name: a, father: ground, mass: 1, com: [0.1, 0, 0.2], joint: {{name: j, "
+      "type: revolute, axis: [1, 0, 0], limits: {{lower: {}, upper: {}}}}}}}]\n",
+      lower, upper);
+}
+
+TEST_F(FunctionAccuracy, SaysWhyABoundIsNone) {
+  const std::string model = scratch("far.yaml");
+  write_file(model, pendulum_between("-1e6", "1e6"));
+  const auto text = [&](const std::string& sines) {
+    return treedyn({"info", "--accuracy", model, "--effort", "0", "--functions", "gravity_force",
+                    "--sincos", sines, "-q"})
+        .out;
+  };
+  const char* const why =
+      "in float: none, because an angle may leave the range of the sines as far as intervals tell";
+  const std::string pair = text("pair");
+  EXPECT_THAT(pair, HasSubstr("(none)"));
+  EXPECT_THAT(pair, HasSubstr(std::string("  gravity_force ") + why + "\n"));
+  EXPECT_THAT(pair, Not(HasSubstr("in double:")));
+  EXPECT_THAT(text("libm"), HasSubstr(std::string("  gravity_force sincos pair ") + why + "\n"));
+}
+
 TEST_F(FunctionAccuracy, TakesEquationsOfUsers) {
   const Json result = study({"--equations", TREEDYN_SOURCE_DIR "/models/equations/power.yaml",
                              "--functions", "total_power", "--accuracy-samples", "10"});
