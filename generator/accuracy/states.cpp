@@ -59,10 +59,10 @@ States::States(const model::Tree& tree) : dof_(static_cast<std::size_t>(tree.dof
     const double usual = joint.type == model::JointType::kRevolute ? std::numbers::pi : 1;
     joints_.push_back(joint.name);
     turns_.push_back(joint.type == model::JointType::kRevolute);
-    const bool stated = limits.lower && limits.upper;
-    position_.push_back(
-        stated ? Range{static_cast<double>(*limits.lower), static_cast<double>(*limits.upper)}
-               : Range{-usual, usual});
+    const Range between{limits.lower ? static_cast<double>(*limits.lower) : 0,
+                        limits.upper ? static_cast<double>(*limits.upper) : 0};
+    const bool stated = limits.lower && limits.upper && between.low < between.high;
+    position_.push_back(stated ? between : Range{-usual, usual});
     if (!stated) {
       without_position_.push_back(joint.name);
     }

@@ -23,7 +23,8 @@ struct Dependence {
 
 /// States number 0, 1, .. of a model, the same on every machine and for every function; all numbers
 /// are exact in float. Where a joint states no limit: -pi to pi rad, -1 to 1 m, rad/s, m/s, N, N m.
-/// A limit of zero for speed or effort, which URDF asks for and nobody means, is none.
+/// A limit of zero for speed or effort, and a lower limit of position that is not below the upper,
+/// which URDF asks for and nobody means, are none.
 class States {
  public:
   explicit States(const model::Tree& tree);

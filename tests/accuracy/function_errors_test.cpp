@@ -265,5 +265,47 @@ TEST(States, NameMissingLimits) {
             "m or N)");
 }
 
+/// As exporters of URDF write it, and with the limits exchanged.
+TEST(States, TakeLimitsThatLeaveNoRangeForNone) {
+  const model::Tree tree = description::parse_yaml(R"(
+name: placeholders
+links:
+  - {name: a, father: ground, mass: 1,
+     joint: {name: j, type: revolute, axis: [0, 0, 1], limits: {lower: 0, upper: 0}}}
+  - {name: b, father: a, mass: 1,
+     joint: {name: k, type: prismatic, axis: [0, 0, 1], limits: {lower: 0.2, upper: 0.2}}}
+  - {name: c, father: b, mass: 1,
+     joint: {name: l, type: revolute, axis: [0, 0, 1], limits: {lower: 1, upper: -1}}}
+  - {name: d, father: c, mass: 1,
+     joint: {name: m, type: revolute, axis: [0, 0, 1], limits: {lower: -1, upper: 0}}}
+)",
+                                                   "placeholders.yaml", {});
+  const States states(tree);
+  EXPECT_THAT(states.missing(), testing::StartsWith("the model states no limits of position for j, "
+                                                    "k, l (taken: -pi to pi rad, -1 to 1 m), of"));
+  const program::Signature G = formulate::signature("gravity_force", 4, 0);
+  EXPECT_EQ(states.assumed(G, {{0, 1, 2, 3}, {0, 1, 2, 3}}), "q of j, k, l");
+  const std::vector<Interval> ranges = states.ranges(G);
+  const std::vector<std::pair<double, double>> expected = {{-std::numbers::pi, std::numbers::pi},
+                                                           {-1, 1},
+                                                           {-std::numbers::pi, std::numbers::pi},
+                                                           {-1, 0}};
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_NEAR(ranges[k].low, expected[k].first, 1e-15) << k;
+    EXPECT_NEAR(ranges[k].high, expected[k].second, 1e-15) << k;
+  }
+  std::vector<double> widest(4, 0);
+  for (int number = 0; number < 200; ++number) {
+    const Inputs inputs = states(G, number);
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_TRUE(ranges[k].contains(inputs[0][k])) << k;
+      widest[k] = std::max(widest[k], std::abs(inputs[0][k]));
+    }
+  }
+  EXPECT_GT(widest[0], 3);
+  EXPECT_GT(widest[1], 0.9);
+  EXPECT_GT(widest[2], 3);
+}
+
 }  // namespace
 }  // namespace treedyn::accuracy

@@ -144,6 +144,24 @@ TEST_F(FunctionAccuracy, SaysWhyABoundIsNone) {
   EXPECT_THAT(text("libm"), HasSubstr(std::string("  gravity_force sincos pair ") + why + "\n"));
 }
 
+/// Placeholders, and limits that are exchanged.
+TEST_F(FunctionAccuracy, TakesLimitsThatLeaveNoRangeForNone) {
+  for (const auto& [lower, upper] : {std::pair{"0", "0"}, std::pair{"1", "-1"}}) {
+    const std::string model = scratch("no_range.yaml");
+    write_file(model, pendulum_between(lower, upper));
+    const Outcome outcome = treedyn({"info", "--accuracy", model, "--effort", "0", "--functions",
+                                     "gravity_force", "--json", "-q"});
+    const Json result = Json::parse(outcome.out);
+    EXPECT_THAT(result.at("missing_limits").get<std::string>(),
+                HasSubstr("no limits of position for any joint (taken: -pi to pi rad"));
+    const Json& in_float = result.at("rows").at(0).at("float");
+    EXPECT_GT(in_float.at("scaled").at("error").get<double>(), 1e-8);
+    EXPECT_EQ(in_float.at("bound").at("kind"), "proven");
+    EXPECT_LT(in_float.at("bound").at("error").get<double>(),
+              10 * in_float.at("scaled").at("error").get<double>());
+  }
+}
+
 TEST_F(FunctionAccuracy, TakesEquationsOfUsers) {
   const Json result = study({"--equations", TREEDYN_SOURCE_DIR "/models/equations/power.yaml",
                              "--functions", "total_power", "--accuracy-samples", "10"});
