@@ -76,7 +76,7 @@ std::vector<Warning> joints_without_inertia(const model::Tree& tree,
 struct Vetted {
   model::Tree tree;
   std::vector<Warning>
-      findings;  ///< near misses of snapping, doubtful inertias, joints without inertia
+      findings;  ///< near misses of snapping, doubtful inertias and limits, joints without inertia
 };
 /// \param text  of the file `path` \throws InputError as `read_model`.
 Vetted vet_model(const std::string& text, const std::string& path, const ReadOptions& options);

@@ -261,6 +261,11 @@ class Resolver {
           {location(raw_, raw.limits.lower->where),
            fmt::format("{}: lower limit {} is above the upper limit {}", name,
                        shown(raw.limits.lower->text), shown(raw.limits.upper->text))});
+    } else if (result.lower && result.lower == result.upper && raw.type.text != "continuous") {
+      findings_.push_back(
+          {location(raw_, raw.limits.lower->where),
+           fmt::format("{}: lower and upper limit are both {}, which leaves it one position", name,
+                       shown(raw.limits.lower->text))});
     }
     return result;
   }

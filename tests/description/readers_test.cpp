@@ -241,6 +241,37 @@ TEST(ReadUrdf, WarnsOfAttributesThatItDoesNotRead) {
               testing::EndsWith("attribute 'quat_xyzw' of <origin> is unknown and not read"));
 }
 
+TEST(Vet, FindsLimitsThatLeaveAJointOnePosition) {
+  using testing::ElementsAre;
+  const std::string body =
+      "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" "
+      "izz=\"1\"/></inertial>";
+  const auto joint = [&](const char* type, const char* limits) {
+    return findings("still.urdf",
+                    one_joint(fmt::format("<axis xyz=\"0 0 1\"/><limit {}/>", limits), body, type));
+  };
+  const char* const still = "lower=\"0\" upper=\"0.0\" effort=\"0\" velocity=\"0\"";
+  const std::string finding =
+      "4: joint 'j': lower and upper limit are both 0, which leaves it one position";
+  EXPECT_THAT(joint("revolute", still), ElementsAre(finding));
+  EXPECT_THAT(joint("prismatic", still), ElementsAre(finding));
+  EXPECT_THAT(joint("continuous", still), ElementsAre()) << "has no limits of position";
+  EXPECT_THAT(joint("revolute", "lower=\"0\" upper=\"1\" effort=\"0\" velocity=\"0\""),
+              ElementsAre());
+  EXPECT_THAT(joint("revolute", "effort=\"0\" velocity=\"0\""), ElementsAre());
+  EXPECT_THAT(findings("still.yaml", one_link("type: revolute, axis: [0, 0, 1], limits: {lower: "
+                                              "pi/2, upper: pi/2}",
+                                              "mass: 1\n  inertia: [1, 0, 0, 1, 0, 1]")),
+              ElementsAre("5: joint 'j': lower and upper limit are both pi/2, which leaves it one "
+                          "position"));
+  std::string with_tip = one_joint("<axis xyz=\"0 0 1\"/>", body);
+  with_tip.insert(with_tip.find("</robot>"),
+                  fmt::format("<link name=\"tip\"/><joint name=\"f\" type=\"fixed\"><parent "
+                              "link=\"a\"/><child link=\"tip\"/><limit {}/></joint>",
+                              still));
+  EXPECT_THAT(findings("still.urdf", with_tip), ElementsAre());
+}
+
 TEST(Vet, FindsWhatIsNotReadAndLooksLikeASlip) {
   const std::string robot =
       "<robot name=\"r\" xmlns:x=\"u\"><link name=\"b\"/>\n<link name=\"a\"><inertial><mass "
