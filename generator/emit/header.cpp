@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -11,6 +10,7 @@
 #include "emit/names.hpp"
 #include "emit/run_time.hpp"
 #include "emit/self_test.hpp"
+#include "emit/shell.hpp"
 #include "emit/sincos.hpp"
 #include "emit/template_file.hpp"
 
@@ -261,31 +261,6 @@ std::string declarations(const Unit& unit) {
   return result;
 }
 
-bool is_plain(char c) {
-  constexpr std::string_view kPlain = "_-.,:=/+%@";
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         kPlain.find(c) != std::string_view::npos;
-}
-
-/// `word` for a shell: as it is, in quotes, or with octal escapes if it holds anything that could
-/// end a comment or a line.
-std::string quoted(const std::string& word) {
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) {
-    return word;
-  }
-  const bool simple = std::all_of(word.begin(), word.end(),
-                                  [](char c) { return is_plain(c) || c == ' ' || c == '('; });
-  if (simple) {
-    return "'" + word + "'";
-  }
-  std::string result = "$'";
-  for (const char c : word) {
-    result += is_plain(c) || c == ' ' ? std::string(1, c)
-                                      : fmt::format("\\{:03o}", static_cast<std::uint8_t>(c));
-  }
-  return result + "'";
-}
-
 /// The length of a step, without line feed.
 std::string step_constant(const Unit& unit) {
   return unit.steppers.empty()
@@ -297,17 +272,8 @@ std::string step_constant(const Unit& unit) {
 
 }  // namespace
 
-std::string shell_line(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) {
-    line += line.empty() ? "" : " ";
-    line += quoted(word);
-  }
-  return line;
-}
-
 std::string command_comment(const std::vector<std::string>& command) {
-  return wrapped(shell_line(command), "//   ", 4);
+  return wrapped(shell_comment(command), "//   ", 4);
 }
 
 int father_coordinate(const model::Tree& tree, int k) {

@@ -13,9 +13,6 @@ inline constexpr const char* kNoDigest = "0x0000000000000000ULL";
 /// The header, with `kNoDigest`.
 std::string header_text(const Unit& unit);
 
-/// Words as one line that a POSIX shell (bash, zsh) reads back; nothing in it can end a comment.
-std::string shell_line(const std::vector<std::string>& words);
-
 /// The command line as comment lines.
 std::string command_comment(const std::vector<std::string>& command);
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "emit/header.hpp"
+#include "emit/shell.hpp"
 
 namespace treedyn {
 
@@ -233,6 +233,11 @@ std::string make_word(const std::string& path) {
   return result;
 }
 
+/// False of a path that make reads as something else in front of a colon: a pattern, a variable.
+bool can_be_target(const std::string& path) {
+  return path.find_first_of("%=;&") == std::string::npos && !path.ends_with('\\');
+}
+
 }  // namespace
 
 std::string depfile_text(const std::vector<std::string>& outputs,
@@ -244,7 +249,13 @@ std::string depfile_text(const std::vector<std::string>& outputs,
     }
     return result;
   };
-  return fmt::format("{}:{}\n", words(outputs, ""), words(inputs, " "));
+  std::string result = fmt::format("{}:{}\n", words(outputs, ""), words(inputs, " "));
+  for (const std::string& input : inputs) {
+    if (can_be_target(input)) {
+      result += make_word(input) + ":\n";
+    }
+  }
+  return result;
 }
 
 }  // namespace treedyn

@@ -120,9 +120,28 @@ TEST_F(Cli, ProvesFunctionsInWhichSumsVanish) {
 
 TEST_F(Cli, WritesADependencyFile) {
   treedyn({"generate", kModel, "-o", out(), "--depfile", scratch("d.d")});
-  EXPECT_EQ(read_file(scratch("d.d")), file("two_link.hpp").string() + " " +
-                                           file("two_link.cpp").string() + " " +
-                                           file("two_link.json").string() + ": " + kModel + "\n");
+  EXPECT_EQ(read_file(scratch("d.d")),
+            file("two_link.hpp").string() + " " + file("two_link.cpp").string() + " " +
+                file("two_link.json").string() + ": " + kModel + "\n" + kModel + ":\n");
+  fs::copy_file(kModel, scratch("a=b.yaml"));  // to make an assignment
+  treedyn({"generate", scratch("a=b.yaml"), "-o", out(), "--depfile", scratch("d.d")});
+  EXPECT_THAT(read_file(scratch("d.d")), testing::EndsWith(".json: " + scratch("a=b.yaml") + "\n"));
+}
+
+TEST_F(Cli, SaysHowToUpdateInWordsOfAnyShell) {
+  const std::string folder = scratch("it's $HOME M\xc3\xbcller");
+  fs::create_directories(folder);
+  fs::copy_file(kModel, folder + "/m.yaml");
+  const std::vector<std::string> check = {"check", folder + "/m.yaml", "--effort",
+                                          "0",     "--functions",      "gravity_force",
+                                          "-o",    folder + "/out"};
+  const std::string report = treedyn(check).out;
+  const std::string before = "to update: treedyn ";
+  ASSERT_THAT(report, HasSubstr(before));
+  const std::string command = report.substr(report.find(before) + before.size());
+  const Outcome updated = support::run({"sh", "-c", TREEDYN_EXECUTABLE " " + command});
+  EXPECT_EQ(updated.status, 0) << command << updated.err;
+  EXPECT_EQ(treedyn(check).status, 0);
 }
 
 TEST_F(Cli, ChecksThatFilesAreUpToDate) {

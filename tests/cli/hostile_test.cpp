@@ -109,6 +109,8 @@ TEST_F(Hostile, DependencyFilesAreReadByMake) {
   const Outcome read = shell("cd " + scratch("") + " && make -r");
   EXPECT_EQ(read.status, 0) << read.err;
   EXPECT_THAT(read.out, HasSubstr("'" + folder + "/out/two_link.hpp'"));
+  fs::remove(folder + "/m.yaml");
+  EXPECT_EQ(shell("cd " + scratch("") + " && make -r").status, 0) << "needs a file that is gone";
 }
 
 TEST_F(Hostile, LineBreaksAreRefusedInDependencyFiles) {

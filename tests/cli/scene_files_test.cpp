@@ -11,7 +11,8 @@ TEST_F(Cli, AScenesFilesDependOnSceneAndModel) {
   treedyn({"generate", "--scene", scene, "-o", out(), "--depfile", scratch("d.d")});
   EXPECT_THAT(
       read_file(scratch("d.d")),
-      HasSubstr(".json: " + scene + " " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.model.yaml\n"));
+      HasSubstr(".json: " + scene + " " TREEDYN_SOURCE_DIR "/models/scenes/pendulum.model.yaml\n" +
+                scene + ":\n" TREEDYN_SOURCE_DIR "/models/scenes/pendulum.model.yaml:\n"));
   support::write_file(file("pendulum.cpp"), "");
   EXPECT_THAT(treedyn({"check", "--scene", scene, "-o", out()}).out,
               HasSubstr("to update: treedyn generate --scene " + scene + " -o " + out()));

@@ -11,6 +11,7 @@
 #include "emit/literal.hpp"
 #include "emit/names.hpp"
 #include "emit/sha256.hpp"
+#include "emit/shell.hpp"
 #include "emit/template_file.hpp"
 
 namespace treedyn::emit {
@@ -85,12 +86,23 @@ TEST(Wrapped, BreaksAtSpacesOnly) {
   EXPECT_EQ(wrapped(word + " " + word, "// ", 2), "// " + word + "\n//   " + word + "\n");
 }
 
-TEST(ShellLine, QuotesWhatAShellOrACommentWouldMisread) {
-  EXPECT_EQ(shell_line({"treedyn", "a-b_c.yaml"}), "treedyn a-b_c.yaml");
-  EXPECT_EQ(shell_line({"my robot.yaml"}), "'my robot.yaml'");
-  EXPECT_EQ(shell_line({"a\nb*/\\"}), "$'a\\012b\\052/\\134'");
-  EXPECT_EQ(shell_line({"it's"}), "$'it\\047s'");
-  EXPECT_EQ(shell_line({""}), "''");
+TEST(ShellComment, QuotesWhatAShellOrACommentWouldMisread) {
+  EXPECT_EQ(shell_comment({"treedyn", "a-b_c.yaml"}), "treedyn a-b_c.yaml");
+  EXPECT_EQ(shell_comment({"my robot.yaml"}), "'my robot.yaml'");
+  EXPECT_EQ(shell_comment({"a\nb*/\\"}), "$'a\\012b\\052/\\134'");
+  EXPECT_EQ(shell_comment({"it's"}), "$'it\\047s'");
+  EXPECT_EQ(shell_comment({""}), "''");
+}
+
+TEST(ShellLine, IsForAnyPosixShellWhereItCanBe) {
+  EXPECT_EQ(shell_line({"treedyn", "a-b_c.yaml", ""}), "treedyn a-b_c.yaml ''");
+  EXPECT_EQ(shell_line({"my $robot*/\\?? .yaml"}), "'my $robot*/\\?? .yaml'");
+  EXPECT_EQ(shell_line({"it's"}), "'it'\\''s'");
+  EXPECT_EQ(shell_line({"M\xc3\xbcller"}), "'M\xc3\xbcller'");
+  EXPECT_EQ(shell_line({"a\nb*"}), "$'a\\012b\\052'");
+  EXPECT_EQ(shell_line({"a\x7f"}), "$'a\\177'");
+  EXPECT_EQ(shell_line({"a\xc2\x9b"}), "$'a\\302\\233'");  // a control character beyond ASCII
+  EXPECT_EQ(shell_line({"a\xff"}), "$'a\\377'");
 }
 
 TEST(Shortened, DropsLinkAndShortensWords) {
