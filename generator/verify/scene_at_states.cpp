@@ -450,7 +450,7 @@ void check_contacts(const model::Scene& scene, const program::Staged& staged, St
   for (std::size_t c = 0; c < staged.contacts.size(); ++c) {
     const program::Staged& press = staged.contacts[c];
     at_some_states(scene, press.function.signature, source,
-                  [&](State& state) { return check_contact(scene, press, c, state); });
+                   [&](State& state) { return check_contact(scene, press, c, state); });
   }
 }
 
@@ -467,11 +467,11 @@ void check_scene_at_states(const model::Scene& scene, const program::Programs& p
   for (const program::Staged& staged : programs.staged) {
     if (staged.signature.name.starts_with("constrained_dynamics")) {
       at_some_states(scene, staged.function.signature, source,
-                    [&](State& state) { return check_constrained(scene, staged, state); });
+                     [&](State& state) { return check_constrained(scene, staged, state); });
       check_contacts(scene, staged, source);
     } else if (staged.signature.name.starts_with("constrained_inverse")) {
       at_some_states(scene, staged.function.signature, source,
-                    [&](State& state) { return check_inverse(scene, staged, state); });
+                     [&](State& state) { return check_inverse(scene, staged, state); });
     } else if (staged.signature.name.starts_with("impact")) {
       check_impact(scene, staged, source);
     }

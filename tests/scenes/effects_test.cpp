@@ -106,8 +106,7 @@ TEST(Effects, RootsOfSquaresAreMagnitudes) {
          return std::max(b - a, 0.0);
        }}};
   for (const auto& [text, value] : roots) {
-    const ArmScene driven("  drive: [{joint: shoulder, torque: \"" +
-                          text + "\"}]\n");
+    const ArmScene driven("  drive: [{joint: shoulder, torque: \"" + text + "\"}]\n");
     for (int signs = 0; signs < 16; ++signs) {
       const auto signed_by = [&](int bit, double x) {
         return (signs >> bit & 1) != 0 ? -x : x;
