@@ -64,7 +64,9 @@ int Values::note(Rule rule, int id) {
 
 void Values::note(const std::set<Rule>& rules, int id) {
   acted_.insert(rules.begin(), rules.end());
-  made_by_[static_cast<std::size_t>(id)].insert(rules.begin(), rules.end());
+  if (&rules != &made_by(id)) {
+    made_by_[static_cast<std::size_t>(id)].insert(rules.begin(), rules.end());
+  }
   const Value& value = (*this)[id];
   if (value.op == Op::kLinear && value.operands.size() == 1) {  // sums take it apart
     note(rules, value.operands.front());

@@ -62,7 +62,18 @@ bool stays(const Scene& scene, int constraint) {
 }
 
 bool is_placed_by_events(const Scene& scene, int constraint) {
-  return begins_anywhere(scene, constraint) && !stays(scene, constraint);
+  const auto contains = [constraint](const std::vector<int>& all) {
+    return std::ranges::find(all, constraint) != all.end();
+  };
+  const auto places = [&](const Phase& phase, const Event& event) {
+    const Phase& next = scene.phases[to_index(event.then)];
+    return contains(event.pins) || (contains(next.active) && !contains(phase.active));
+  };
+  return begins_anywhere(scene, constraint) &&
+         std::ranges::any_of(scene.phases, [&](const Phase& phase) {
+           return std::ranges::any_of(phase.until,
+                                      [&](const Event& event) { return places(phase, event); });
+         });
 }
 
 bool is_stabilised(const Scene& scene, int constraint) {

@@ -23,7 +23,8 @@ bool is_stabilised(const Scene& scene, int constraint);
 /// True if it acts in every phase and no event moves its place: one that is let go, such as a foot,
 /// begins to act again where it lands.
 bool stays(const Scene& scene, int constraint);
-/// True if events decide where its rows hold, not the initial state.
+/// True if an event pins it, or begins a phase in which it acts behind one in which it does not:
+/// then not the initial state alone decides where its rows hold.
 bool is_placed_by_events(const Scene& scene, int constraint);
 /// True if it is drawn to where the initial state of the scene has it, Constraint::loop.
 bool has_place(const Scene& scene, int constraint);

@@ -27,8 +27,11 @@ Sample SampleTable::evaluate(int k) const {
   return operation<Sample>(
       network_, k, [this](Ref a) { return sample(a); },
       [](Kind kind, const Sample& a) -> Sample {
-        if (kind != Kind::kSqrt && identical(a.first, a.second)) {  // the same in every state
-          const Real value = kind == Kind::kSin ? sin(a.first) : cos(a.first);
+        const bool has_root = kind != Kind::kSqrt || a.first.seen() >= 0;
+        if (has_root && identical(a.first, a.second)) {  // the same in every state
+          const Real value = kind == Kind::kSin   ? sin(a.first)
+                             : kind == Kind::kCos ? cos(a.first)
+                                                  : sqrt(a.first);
           return {value, value};
         }
         return {sample_function(kind, a.first), sample_function(kind, a.second)};

@@ -78,7 +78,6 @@ TEST(Effects, RootsAreTakenOfDifferences) {
   }
 }
 
-/// Reactions of a locked joint that is driven help no other joint: tau is that of free motion.
 /// sqrt(x^2) is |x|, not x: what tells values apart must not take it for x in states in which x is
 /// positive, or negative, by chance.
 TEST(Effects, RootsOfSquaresAreMagnitudes) {
@@ -96,6 +95,10 @@ TEST(Effects, RootsOfSquaresAreMagnitudes) {
       {"qd[shoulder]*sqrt(qd[shoulder]^2)",
        [](double, double, double u, double) {
          return u * std::abs(u);
+       }},
+      {"qd[elbow]*sqrt((q[elbow]^2 - 1)*3/((q[elbow] - 1)*(q[elbow] + 1)))",  // one number
+       [](double, double, double, double v) {
+         return v * std::sqrt(3.0);
        }},
       {"sqrt((q[elbow] - qd[shoulder])^2)",
        [](double, double b, double u, double) {
@@ -126,6 +129,7 @@ TEST(Effects, RootsOfSquaresAreMagnitudes) {
   }
 }
 
+/// Reactions of a locked joint that is driven help no other joint: tau is that of free motion.
 TEST(Effects, RowsThatReachNoPassiveJointLeaveTheirDrivesAlone) {
   const SceneCode locked(fmt::format(
       "scene: s\nmodel: {}/models/two_link.yaml\nactuated: [shoulder]\neffects:\n  gravity: [0, 0, "

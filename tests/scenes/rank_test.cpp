@@ -120,7 +120,6 @@ TEST_P(InScalar, RowsOfRoundingAloneMoveNothing) {
   }
 }
 
-// Three rows, two joints without a drive: what is said of rows is not said of joints.
 /// The feet are together where the scene starts, where three of their four rows are independent,
 /// and apart where they stand: what events place does not hold where the initial state has it.
 TEST(Rank, OfFeetIsThatWhereTheyLand) {
@@ -151,6 +150,24 @@ TEST(Rank, OfFeetIsThatWhereTheyLand) {
   }
 }
 
+/// A foot that is let go and never set down again holds where the scene starts.
+TEST(Rank, OfFeetThatAreLetGoIsThatWhereTheyStand) {
+  const SceneCode code(
+      "scene: rank\nmodel: " TREEDYN_SOURCE_DIR
+      "/models/compass_walker.yaml\neffects:\n  gravity: [0, 0, -9.81]\n  point_constraint:\n"
+      "    - {name: left, point: left_foot, along: [x, z]}\n"
+      "    - {name: right, point: right_foot, along: [x, z]}\n"
+      "phases:\n  - {name: stand, active: [left, right], until: [{time: 0.3, then: swing}]}\n"
+      "  - {name: swing, active: [left]}\n"
+      "initial: {q: {hip_z: 1, left_hip: 0.1, right_hip: 0.1}}\nduration: 0.6\n",
+      Variant::kPlain, {});
+  EXPECT_EQ(code.manifest("constrained_dynamics_stand").at("rank"), 3);
+  const Measurement standing = code.code().measure("constrained_dynamics_stand",
+                                                   {{0, 1, 0.1, 0.1}, {0, 0, 0, 0}, {0, 0, 0, 0}});
+  EXPECT_EQ(standing.status, 0);
+}
+
+// Three rows, two joints without a drive: what is said of rows is not said of joints.
 TEST(Rank, OfJointsWithoutADriveIsNotThatOfRows) {
   const SceneCode code(scene("plate",
                              "effects:\n  gravity: [0, 0, -9.81]\n  locked_joint: [{joint: j0}]\n  "
