@@ -115,7 +115,6 @@ class Values {
   [[nodiscard]] const std::set<Rule>& made_by(int id) const {
     return made_by_[static_cast<std::size_t>(id)];
   }
-  void note(Rule rule) { acted_.insert(rule); }
   /// \return the value that the rule made
   int note(Rule rule, int id);
   void note(const std::set<Rule>& rules, int id);
@@ -133,8 +132,9 @@ class Values {
   std::set<Rule> acted_;
 };
 
-/// Makes what `roots` need anew, operands before their users; `roots` follow, and what made a
-/// value. \param made  adds a value with its new operands to `anew`
+/// Makes what `roots` need anew, operands before their users; `roots` follow, and so do the rules
+/// that made a value.
+/// \param made  adds a value with its new operands to `anew`
 void remake(const Values& values, Values& anew, std::vector<int>& roots,
             const std::function<int(Value)>& made);
 

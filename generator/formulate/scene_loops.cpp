@@ -20,14 +20,10 @@ using model::Constraint;
 using model::Scene;
 using Values = std::vector<Real>;
 
-bool contains(const std::vector<int>& all, int one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
-
 /// True if the rows of some phase in which it acts depend on each other.
 bool is_redundant(const Scene& scene, const ScenePositions& positions, int constraint) {
   return std::any_of(scene.phases.begin(), scene.phases.end(), [&](const model::Phase& phase) {
-    if (!contains(phase.active, constraint)) {
+    if (std::ranges::find(phase.active, constraint) == phase.active.end()) {
       return false;
     }
     std::size_t rows = 0;

@@ -19,16 +19,30 @@ constexpr std::array<std::pair<const char*, StepMethod>, 4> kMethods = {
      {"dopri5-fixed", StepMethod::kDopri5},
      {"sdirk2", StepMethod::kSdirk2}}};
 
+bool contains(const std::vector<int>& all, int one) {
+  return std::ranges::find(all, one) != all.end();
+}
+
+/// \param is_so  (phase, event that ends it) -> bool
+template <class Predicate>
+bool any_event(const Scene& scene, Predicate is_so) {
+  return std::ranges::any_of(scene.phases, [&](const Phase& phase) {
+    return std::ranges::any_of(phase.until,
+                               [&](const Event& event) { return is_so(phase, event); });
+  });
+}
+
+/// True if an event moves its curve to where its point is.
+bool is_pinned_later(const Scene& scene, int constraint) {
+  return any_event(scene, [constraint](const Phase& /*phase*/, const Event& event) {
+    return contains(event.pins, constraint);
+  });
+}
+
 /// True if its curve, or its orientation, is that of the moment when it begins to act.
 bool begins_anywhere(const Scene& scene, int constraint) {
   const Constraint& c = scene.constraints[to_index(constraint)];
-  const auto pins = [&](const Event& event) {
-    return std::find(event.pins.begin(), event.pins.end(), constraint) != event.pins.end();
-  };
-  return c.pinned || c.kind == ConstraintKind::kOrientation ||
-         std::any_of(scene.phases.begin(), scene.phases.end(), [&](const Phase& phase) {
-           return std::any_of(phase.until.begin(), phase.until.end(), pins);
-         });
+  return c.pinned || c.kind == ConstraintKind::kOrientation || is_pinned_later(scene, constraint);
 }
 
 }  // namespace
@@ -51,29 +65,19 @@ std::vector<std::string> step_method_names() {
 }
 
 bool stays(const Scene& scene, int constraint) {
-  const auto contains = [constraint](const std::vector<int>& all) {
-    return std::ranges::find(all, constraint) != all.end();
-  };
-  return std::ranges::all_of(scene.phases, [&](const Phase& phase) {
-    return contains(phase.active) && std::ranges::none_of(phase.until, [&](const Event& event) {
-             return contains(event.pins);
-           });
-  });
+  return !is_pinned_later(scene, constraint) &&
+         std::ranges::all_of(scene.phases, [constraint](const Phase& phase) {
+           return contains(phase.active, constraint);
+         });
 }
 
 bool is_placed_by_events(const Scene& scene, int constraint) {
-  const auto contains = [constraint](const std::vector<int>& all) {
-    return std::ranges::find(all, constraint) != all.end();
+  const auto begins = [&](const Phase& phase, const Event& event) {
+    return contains(scene.phases[to_index(event.then)].active, constraint) &&
+           !contains(phase.active, constraint);
   };
-  const auto places = [&](const Phase& phase, const Event& event) {
-    const Phase& next = scene.phases[to_index(event.then)];
-    return contains(event.pins) || (contains(next.active) && !contains(phase.active));
-  };
-  return begins_anywhere(scene, constraint) &&
-         std::ranges::any_of(scene.phases, [&](const Phase& phase) {
-           return std::ranges::any_of(phase.until,
-                                      [&](const Event& event) { return places(phase, event); });
-         });
+  return is_pinned_later(scene, constraint) ||
+         (begins_anywhere(scene, constraint) && any_event(scene, begins));
 }
 
 bool is_stabilised(const Scene& scene, int constraint) {

@@ -120,18 +120,22 @@ TEST_P(InScalar, RowsOfRoundingAloneMoveNothing) {
   }
 }
 
+/// Both feet can be held; phases follow.
+const std::string kWalker =
+    "scene: rank\nmodel: " TREEDYN_SOURCE_DIR
+    "/models/compass_walker.yaml\neffects:\n  gravity: [0, 0, -9.81]\n  point_constraint:\n"
+    "    - {name: left, point: left_foot, along: [x, z]}\n"
+    "    - {name: right, point: right_foot, along: [x, z]}\nphases:\n";
+
 /// The feet are together where the scene starts, where three of their four rows are independent,
 /// and apart where they stand: what events place does not hold where the initial state has it.
 TEST(Rank, OfFeetIsThatWhereTheyLand) {
   const SceneCode code(
-      "scene: rank\nmodel: " TREEDYN_SOURCE_DIR
-      "/models/compass_walker.yaml\neffects:\n  gravity: [0, 0, -9.81]\n  point_constraint:\n"
-      "    - {name: left, point: left_foot, along: [x, z]}\n"
-      "    - {name: right, point: right_foot, along: [x, z]}\n"
-      "phases:\n  - {name: swing, active: [left], until: [{touch_down: {point: right_foot}, "
-      "not_before: 0.2, impact: {constraints: [left, right]}, then: both}]}\n"
-      "  - {name: both, active: [left, right]}\n"
-      "initial: {q: {hip_z: 1}, qd: {left_hip: 0.4, hip_x: 0.4}}\nduration: 1\n",
+      kWalker +
+          "  - {name: swing, active: [left], until: [{touch_down: {point: right_foot}, "
+          "not_before: 0.2, impact: {constraints: [left, right]}, then: both}]}\n"
+          "  - {name: both, active: [left, right]}\n"
+          "initial: {q: {hip_z: 1}, qd: {left_hip: 0.4, hip_x: 0.4}}\nduration: 1\n",
       Variant::kPlain, {});
   EXPECT_EQ(code.manifest("constrained_dynamics_swing").at("rank"), 2);
   for (const char* function : {"constrained_dynamics_both", "impact"}) {
@@ -153,13 +157,10 @@ TEST(Rank, OfFeetIsThatWhereTheyLand) {
 /// A foot that is let go and never set down again holds where the scene starts.
 TEST(Rank, OfFeetThatAreLetGoIsThatWhereTheyStand) {
   const SceneCode code(
-      "scene: rank\nmodel: " TREEDYN_SOURCE_DIR
-      "/models/compass_walker.yaml\neffects:\n  gravity: [0, 0, -9.81]\n  point_constraint:\n"
-      "    - {name: left, point: left_foot, along: [x, z]}\n"
-      "    - {name: right, point: right_foot, along: [x, z]}\n"
-      "phases:\n  - {name: stand, active: [left, right], until: [{time: 0.3, then: swing}]}\n"
-      "  - {name: swing, active: [left]}\n"
-      "initial: {q: {hip_z: 1, left_hip: 0.1, right_hip: 0.1}}\nduration: 0.6\n",
+      kWalker +
+          "  - {name: stand, active: [left, right], until: [{time: 0.3, then: swing}]}\n"
+          "  - {name: swing, active: [left]}\n"
+          "initial: {q: {hip_z: 1, left_hip: 0.1, right_hip: 0.1}}\nduration: 0.6\n",
       Variant::kPlain, {});
   EXPECT_EQ(code.manifest("constrained_dynamics_stand").at("rank"), 3);
   const Measurement standing = code.code().measure("constrained_dynamics_stand",
