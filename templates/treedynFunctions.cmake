@@ -87,22 +87,24 @@ function(_treedyn_files name folder subject settings)
   set(files ${files} PARENT_SCOPE)
 endfunction()
 
-# Warns if another target writes a header of this name, in the same namespace, by other arguments (with its model or scene).
+# Warns if another target writes functions of the same namespace or prefix by other arguments (with its model or scene).
+# What settings files say of it is not seen.
 function(_treedyn_warn_of_twins target header)
-  get_filename_component(stem "${header}" NAME_WE)
+  get_filename_component(names "${header}" NAME_WE)
+  get_filename_component(language "${header}" EXT)
   string(REGEX REPLACE "(^|;)--name[;=][^;]*" "" asked "${ARGN}")  # the default may be the same
-  get_filename_component(key "${header}" NAME)
   if("${ARGN}" MATCHES "(^|;)--(namespace|prefix)[;=]([^;]*)")
-    string(APPEND key ":${CMAKE_MATCH_3}")
+    set(names "${CMAKE_MATCH_3}")
   endif()
+  set(key "${names}${language}")
   get_property(first GLOBAL PROPERTY "TREEDYN_TARGET_OF_${key}")
   get_property(first_asked GLOBAL PROPERTY "TREEDYN_ASKED_OF_${key}")
   if(NOT first)
     set_property(GLOBAL PROPERTY "TREEDYN_TARGET_OF_${key}" "${target}")
     set_property(GLOBAL PROPERTY "TREEDYN_ASKED_OF_${key}" "${asked}")
   elseif(NOT asked STREQUAL first_asked)
-    message(WARNING "treedyn_generate: ${first} and ${target} both write ${stem}, and not the same: a program that links both "
-                    "calls the functions of one for both; expected a NAME that no other target has")
+    message(WARNING "treedyn_generate: ${first} and ${target} both write functions of ${names}, and not the same: a program that "
+                    "links both calls those of one for both; expected a NAME (or --namespace, --prefix) that no other target has")
   endif()
 endfunction()
 

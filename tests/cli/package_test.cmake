@@ -212,6 +212,7 @@ set_target_properties(again same PROPERTIES EXCLUDE_FROM_ALL TRUE)
 if(TWIN)
   treedyn_generate(twin SCENE falling.yaml OPTIONS --settings=c.toml --scalar float)
   treedyn_generate(other_symbols SCENE falling.yaml OPTIONS --settings=c.toml --prefix other)
+  treedyn_generate(like_other SCENE falling.yaml NAME like OPTIONS --settings=c.toml --prefix other --scalar float)
 endif()
 ")
 file(WRITE ${scratch}/small/c.toml "language = [ 'c99' ]\neffort = 0\nfunctions = gravity_force\n")
@@ -248,8 +249,8 @@ run(${CMAKE_COMMAND} --build ${scratch}/small_build/Ninja --target again)
 # Targets with the same symbols for something else.
 run(${CMAKE_COMMAND} -S ${scratch}/small -B ${scratch}/small_build/Ninja -DTWIN=ON)
 string(REGEX REPLACE "[ \n]+" " " output "${output}")
-if(NOT output MATCHES "falling and twin both write falling, and not the same.*expected a NAME" OR output MATCHES "and other_symbols")
-  message(FATAL_ERROR "expected a warning of falling and twin, and no other:\n${output}")
+if(NOT output MATCHES "falling and twin both write functions of falling, and not the same.*other_symbols and like_other both write functions of other" OR output MATCHES "and other_symbols both")
+  message(FATAL_ERROR "expected warnings of falling and twin, other_symbols and like_other, and no other:\n${output}")
 endif()
 
 foreach(file IN ITEMS share/doc/treedyn/LICENSE share/treedyn/templates/model.cpp.in bin/treedyn
