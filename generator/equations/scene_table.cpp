@@ -2,24 +2,44 @@
 
 #include <algorithm>
 
+#include "common/error.hpp"
+
 namespace treedyn::equations {
 
 const std::vector<SceneFunctionInfo>& scene_function_infos() {
   static const std::vector<SceneFunctionInfo> infos = {
-      {"reaction_jacobian_transpose", "(10)", "J^T of the constraint rows."},
+      {"reaction_jacobian_transpose", "(10)",
+       "J^T of the constraint rows: joint forces by unit reactions; N x r, row-major."},
       {"reaction_bias_acceleration", "6.1", "gamma = d/dt(J) qd of the constraint rows."},
-      {"constrained_dynamics", "(8),(12)", "Joint accelerations and reactions."},
-      {"constrained_inverse_dynamics", "(8),(12)", "Joint forces and reactions of a motion."},
+      {"constrained_dynamics", "(8),(12)", "Joint accelerations and reactions of the scene."},
+      {"constrained_inverse_dynamics", "(8),(12)",
+       "Joint forces and reactions that make a motion; joints without a drive get none where "
+       "reactions can do without."},
       {"impact", "6.4", "Joint velocities after an impact, and its impulses."},
       {"step", "(8),(12)", "State one step of the scene's integrator later; phases change inside."},
-      {"contact_force", "6.5", "Force of the ground on a point, base frame."}};
+      {"contact_force", "6.5",
+       "Force of the ground on a point, base frame; zero above the ground."}};
   return infos;
 }
 
-bool is_scene_function(const std::string& name) {
+namespace {
+
+auto found(std::string_view name) {
   const std::vector<SceneFunctionInfo>& infos = scene_function_infos();
-  return std::any_of(infos.begin(), infos.end(),
-                     [&](const SceneFunctionInfo& info) { return info.name == name; });
+  return std::find_if(infos.begin(), infos.end(),
+                      [&](const SceneFunctionInfo& info) { return info.name == name; });
+}
+
+}  // namespace
+
+bool is_scene_function(std::string_view name) {
+  return found(name) != scene_function_infos().end();
+}
+
+const SceneFunctionInfo& scene_function_info(std::string_view name) {
+  const auto info = found(name);
+  TREEDYN_EXPECT(info != scene_function_infos().end());
+  return *info;
 }
 
 }  // namespace treedyn::equations

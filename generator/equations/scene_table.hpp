@@ -1,12 +1,12 @@
 // The functions of a scene.
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace treedyn::equations {
 
-/// A function that a scene may call for, as `treedyn list` shows it.
+/// A function that a scene may call for, as `treedyn list` and headers show it.
 struct SceneFunctionInfo {
   const char* name;  ///< without the suffixes of phases, contacts and impacts
   const char* equation;
@@ -16,6 +16,8 @@ struct SceneFunctionInfo {
 /// All of them, in order.
 const std::vector<SceneFunctionInfo>& scene_function_infos();
 /// \return true if `name` is one of theirs.
-bool is_scene_function(const std::string& name);
+bool is_scene_function(std::string_view name);
+/// \pre is_scene_function(name)
+const SceneFunctionInfo& scene_function_info(std::string_view name);
 
 }  // namespace treedyn::equations

@@ -101,7 +101,7 @@ class Parser : public Grammar<Exact> {
   static std::size_t expect_variable_power(std::size_t place, const GiNaC::ex& exponent) {
     const auto& e = GiNaC::ex_to<GiNaC::numeric>(exponent);
     if (e.denom() > 2) {
-      fail(place, "exponent of a variable is no multiple of 1/2; expected an integer or a root");
+      fail(place, "exponent of a variable is no multiple of 1/2; expected one such as -1, 1/2, 2");
     }
     return static_cast<std::size_t>(abs(e.numer()).to_int()) + 1;
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/index.hpp"
+#include "equations/scene_table.hpp"
 #include "formulate/constrained.hpp"
 #include "formulate/constrained_inverse.hpp"
 #include "formulate/contacts.hpp"
@@ -27,6 +28,19 @@ Seen scene_with_stand_ins(const model::Scene& scene, Options options) {
   options.points = scene.points;
   options.scene = &scene;
   return with_stand_ins(scene.tree, options);
+}
+
+/// Of a function of the family that the table of a scene's functions calls so.
+program::Signature signature_of(std::string_view family, std::string name,
+                                std::vector<program::Array> inputs,
+                                std::vector<program::Array> outputs) {
+  const equations::SceneFunctionInfo& info = equations::scene_function_info(family);
+  return {std::move(name), info.equation, info.what, std::move(inputs), std::move(outputs)};
+}
+
+program::Signature signature_of(const char* name, std::vector<program::Array> inputs,
+                                std::vector<program::Array> outputs) {
+  return signature_of(name, name, std::move(inputs), std::move(outputs));
 }
 
 }  // namespace
@@ -66,21 +80,14 @@ program::Function SceneFormulator::plain(const program::Signature& signature,
 }
 
 program::Function SceneFormulator::jacobian() const {
-  return plain({"reaction_jacobian_transpose",
-                "(10)",
-                "J^T of the constraint rows: joint forces by unit reactions; N x r, row-major.",
-                {q()},
-                {{"J", dof_ * rows(), "m|1"}}},
+  return plain(signature_of("reaction_jacobian_transpose", {q()}, {{"J", dof_ * rows(), "m|1"}}),
                build_reaction_jacobian);
 }
 
 program::Function SceneFormulator::bias() const {
-  return plain({"reaction_bias_acceleration",
-                "6.1",
-                "gamma = d/dt(J) qd of the constraint rows.",
-                {q(), qd()},
-                {{"gamma", rows(), kAcceleration}}},
-               build_reaction_bias);
+  return plain(
+      signature_of("reaction_bias_acceleration", {q(), qd()}, {{"gamma", rows(), kAcceleration}}),
+      build_reaction_bias);
 }
 
 void SceneFormulator::add_forces(const PhaseState& state, program::Staged& staged) {
@@ -162,12 +169,12 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   staged.function = cheapest_by_structure(tree_, recipe, options);
   const program::Array tau = {"tau", dof_, kForceUnit};
   const program::Array qdd = {"qdd", dof_, kAcceleration};
-  staged.signature = {"constrained_dynamics" + state.ending,
-                      r > 0 ? "(8),(12)" : "(8)",
-                      r > 0 ? "Joint accelerations and reactions of the scene."
-                            : "Joint accelerations of the scene.",
-                      {q(), qd(), tau},
-                      {qdd}};
+  staged.signature = signature_of("constrained_dynamics", "constrained_dynamics" + state.ending,
+                                  {q(), qd(), tau}, {qdd});
+  if (r == 0) {
+    staged.signature.equation = "(8)";
+    staged.signature.brief = "Joint accelerations of the scene.";
+  }
   program::Signature& inner = staged.function.signature;
   inner = staged.signature;
   staged.levels = {0, 0, 0};
@@ -219,12 +226,9 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
   const program::Array qdd = {"qdd", dof_, kAcceleration};
   const program::Array tau = {"tau", dof_, kForceUnit};
   const program::Array lambda = {"lambda", r, "N|N m"};
-  staged.signature = {"constrained_inverse_dynamics" + state.ending,
-                      "(8),(12)",
-                      "Joint forces and reactions that make a motion; joints without a drive get "
-                      "none where reactions can do without.",
-                      {q(), qd(), qdd},
-                      {tau, lambda}};
+  staged.signature =
+      signature_of("constrained_inverse_dynamics", "constrained_inverse_dynamics" + state.ending,
+                   {q(), qd(), qdd}, {tau, lambda});
   staged.function.signature = staged.signature;
   add_rows(p, staged.function.signature);
   add_depths(staged.function.signature);
@@ -259,11 +263,7 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   const program::Array minus = {"qd_minus", dof_, "rad/s|m/s"};
   const program::Array plus = {"qd_plus", dof_, "rad/s|m/s"};
   const program::Array P = {"P", r, "N s|N m s"};
-  staged.signature = {impact.name,
-                      "6.4",
-                      "Joint velocities after an impact, and its impulses.",
-                      {q(), minus},
-                      {plus, P}};
+  staged.signature = signature_of("impact", impact.name, {q(), minus}, {plus, P});
   staged.function.signature = staged.signature;
   add_rows(r, staged.function.signature);
   staged.levels = {0, 0, 1};
@@ -323,11 +323,8 @@ program::Staged SceneFormulator::contact_force(std::size_t contact) const {
   staged.function = cheapest_by_structure(scene_.tree, recipe, options);
   const program::Array depth = {program::kDepthArray, 1, "m"};
   const program::Array f = {"f", 3, "N"};
-  staged.signature = {contact_name(scene_, contact, "contact_force"),
-                      "6.5",
-                      "Force of the ground on a point, base frame; zero above the ground.",
-                      {q(), qd()},
-                      {f}};
+  staged.signature = signature_of("contact_force", contact_name(scene_, contact, "contact_force"),
+                                  {q(), qd()}, {f});
   staged.function.signature = {staged.signature.name,
                                "",
                                "",

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/index.hpp"
+#include "equations/scene_table.hpp"
 #include "formulate/scene_drift.hpp"
 #include "formulate/scene_guards.hpp"
 #include "formulate/search.hpp"
@@ -274,7 +275,7 @@ void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
   const int n = scene_.tree.dof();
   program::Signature& s = stepper.signature;
   s = {"step",
-       "(8),(12)",
+       equations::scene_function_info("step").equation,
        stepper.ends()
            ? "Joint positions and velocities one step later, behind the events within "
              "the step; lambda is that of the beginning."
