@@ -37,7 +37,7 @@ std::string six_digits(const Real& value) {
   return fmt::format("{:.6g}", value.convert_to<double>());
 }
 
-void check_moments(const RawTree& raw, const RawLink& link, const Matrix3& tensor,
+void check_moments(const RawTree& raw, const RawLink& link, const Matrix3& tensor, bool moves,
                    std::vector<Warning>& warnings) {
   const Numbers& written = *link.inertia->tensor;
   const Real tolerance = moment_tolerance(written, tensor);
@@ -46,10 +46,14 @@ void check_moments(const RawTree& raw, const RawLink& link, const Matrix3& tenso
   const std::string moments =
       fmt::format("{}, {}, {}", six_digits(m[0]), six_digits(m[1]), six_digits(m[2]));
   if (m[0] < -tolerance) {
-    throw InputError(
-        location(raw, written.where),
-        fmt::format("{} is indefinite, its principal moments are {}; expected none below 0", name,
-                    moments));
+    const std::string fault =
+        fmt::format("{} is indefinite, its principal moments are {}", name, moments);
+    if (moves) {
+      throw InputError(location(raw, written.where), fault + "; expected none below 0");
+    }
+    warnings.push_back({location(raw, written.where),
+                        fault + "; the link does not move, so it is in no equation"});
+    return;
   }
   if (m[0] + m[1] < m[2] - 2 * tolerance) {
     warnings.push_back(
@@ -63,7 +67,7 @@ void check_moments(const RawTree& raw, const RawLink& link, const Matrix3& tenso
 }  // namespace
 
 model::Inertia resolve_inertia(const RawTree& raw, const RawLink& link, const NumberReader& numbers,
-                               Snapper& snapper, std::vector<Warning>& warnings) {
+                               Snapper& snapper, bool moves, std::vector<Warning>& warnings) {
   model::Inertia result;
   if (!link.inertia) {
     return result;
@@ -79,7 +83,7 @@ model::Inertia resolve_inertia(const RawTree& raw, const RawLink& link, const Nu
   result.com = numbers.vector(written.pose.xyz, name + ": com");
   if (written.tensor) {
     const Matrix3 tensor = numbers.tensor(*written.tensor, name + ": inertia");
-    check_moments(raw, link, tensor, warnings);
+    check_moments(raw, link, tensor, moves, warnings);
     result.about_com = tensor;
   }
   if (written.pose.rpy) {

@@ -12,9 +12,10 @@ namespace treedyn::description {
 /// The mass properties of a link in its own frame.
 ///
 /// A tensor with a negative principal moment is refused unless the rounding of its decimals
-/// explains it. A violated triangle inequality becomes a warning. \throws InputError
+/// explains it; of a link that is fixed to the ground it becomes a warning, as does a violated
+/// triangle inequality. \throws InputError
 model::Inertia resolve_inertia(const RawTree& raw, const RawLink& link, const NumberReader& numbers,
-                               Snapper& snapper, std::vector<Warning>& warnings);
+                               Snapper& snapper, bool moves, std::vector<Warning>& warnings);
 
 /// `inertia` seen from a frame in which its own frame stands at `origin`, turned by `rotation`.
 model::Inertia moved(const model::Inertia& inertia, const Matrix3& rotation, const Vector3& origin);

@@ -279,16 +279,17 @@ class Resolver {
   void add_inertias() {
     std::vector<std::vector<model::Inertia>> bodies(tree_.links.size());
     for (std::size_t k = 0; k < raw_.links.size(); ++k) {
+      const int carrier = carrier_index(placements_[k]);
+      const bool moves = carrier != model::kGround;
       const model::Inertia inertia =
-          resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, tree_.warnings);
+          resolve_inertia(raw_, raw_.links[k], numbers_, snapper_, moves, tree_.warnings);
       vet_inertia(raw_.links[k], inertia);
       if (raw_.links[k].inertia && raw_.links[k].inertia->pose.rpy) {
         const Numbers& rpy = *raw_.links[k].inertia->pose.rpy;
         const std::string what = fmt::format("link '{}': rpy", shown(raw_.links[k].name.text));
         vet_angles(numbers_.vector(rpy, what), rpy, what);
       }
-      const int carrier = carrier_index(placements_[k]);
-      if (carrier != model::kGround && raw_.links[k].inertia) {
+      if (moves && raw_.links[k].inertia) {
         bodies[to_index(carrier)].push_back(
             moved(inertia, placements_[k].rotation, placements_[k].origin));
       }

@@ -242,8 +242,10 @@ RawJoint read_joint(const std::string& file, const Element& element) {
   joint.pose = read_origin(part);
   joint.axis = Numbers{{{"1", {}}, {"0", {}}, {"0", {}}}, element.where};  // of the URDF format
   if (const Element* const axis = part.find("axis")) {
-    joint.axis = numbers(*axis, "xyz");
-    if (!joint.axis) {
+    const std::optional<Numbers> written = numbers(*axis, "xyz");
+    if (written) {
+      joint.axis = written;
+    } else if (joint.type.text != "fixed") {
       part.fail(axis->where, "<axis> has no attribute 'xyz'; expected it here");
     }
   }

@@ -35,6 +35,23 @@ TEST(ResolveInertia, RefusesAnIndefiniteTensor) {
   EXPECT_NE(error_of_inertia("1e-3, 0, 0, 1e-3, 0, -1e-5"), "");
 }
 
+/// An antenna on a base that stands: its joint needs no axis, and its inertia is in no equation.
+TEST(ResolveInertia, WarnsOfAnIndefiniteTensorThatDoesNotMove) {
+  const model::Tree tree = urdf(R"(<robot name="m">
+<link name="base"/>
+<link name="antenna"><inertial><mass value="0.1"/>
+<inertia ixx="-3e-6" ixy="0" ixz="0" iyy="3e-6" iyz="0" izz="9e-6"/></inertial></link>
+<link name="arm"><inertial><mass value="2"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<joint name="f" type="fixed"><parent link="base"/><child link="antenna"/><axis/></joint>
+<joint name="j" type="continuous"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/></joint>
+</robot>)");
+  ASSERT_THAT(tree.warnings, SizeIs(1));
+  EXPECT_THAT(tree.warnings[0].message,
+              HasSubstr("link 'antenna': inertia is indefinite, its principal moments are -3e-06, "
+                        "3e-06, 9e-06; the link does not move, so it is in no equation"));
+}
+
 TEST(ResolveInertia, AcceptsWhatTheRoundingOfItsDecimalsExplains) {
   EXPECT_EQ(error_of_inertia("0, 0, 0, 0, 0, 0"), "");
   EXPECT_EQ(error_of_inertia("0, 0, 0, 0, 0, -5e-20"), "");
