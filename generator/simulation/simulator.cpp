@@ -18,8 +18,10 @@ constexpr int kSettlingSteps = 20;
 constexpr double kSettled = 1e-8;
 /// The velocity error (m/s, rad/s) that it may keep: what a singular position lets go is below it.
 constexpr double kSettledSpeed = 1e-6;
-/// Times that differ by less than this part of a step are the same.
+/// Times that differ by less than this part of a step are the same, and those that differ by less
+/// than so many roundings of a time.
 constexpr double kSameTime = 1e-9;
+constexpr double kSameRoundings = 2;
 
 Vector to_vector(const std::vector<Real>& values) {
   Vector result(static_cast<Eigen::Index>(values.size()));
@@ -174,14 +176,21 @@ void Simulator::note_below(const Watch& watch, double t, const Vector& y) {
   }
 }
 
+double Simulator::same_time(double step) const {
+  const double largest = std::max(std::fabs(t_), std::fabs(start_));
+  return std::max(kSameTime * step,
+                  kSameRoundings * std::numeric_limits<double>::epsilon() * largest);
+}
+
 /// Where the next step ends at the latest: the next t0 + k step, or the end.
 double Simulator::goal(double end) const {
   if (integrator_->error_order() > 0) {
     return end;
   }
-  const double k = std::floor((t_ - start_) / settings_.step + kSameTime) + 1;
+  const double same = same_time(settings_.step);
+  const double k = std::floor((t_ - start_ + same) / settings_.step) + 1;
   const double next = start_ + k * settings_.step;
-  return next < end - kSameTime * settings_.step ? next : end;
+  return next < end - same ? next : end;
 }
 
 void Simulator::project(double t, Vector& y) {
@@ -310,7 +319,7 @@ void Simulator::show_between(double h, double end) {
   const auto row = [&] {
     return start_ + static_cast<double>(shown_ + 1) * show_step_;
   };
-  for (; row() < end - kSameTime * std::min(h, show_step_); ++shown_) {
+  for (; row() < end - same_time(std::min(h, show_step_)); ++shown_) {
     const double time = row();
     integrator_->step(rate_, from, time - from, state, trial_, trial_error_);
     project(time, trial_);
@@ -328,7 +337,7 @@ void Simulator::show_between(double h, double end) {
 /// The row of now, if there is one; its time is t0 + k step, or the end of the motion.
 void Simulator::show_now(double end) {
   const double row = start_ + static_cast<double>(shown_ + 1) * show_step_;
-  if (!show_ || row > t_ + kSameTime * std::min(last_, show_step_)) {
+  if (!show_ || row > t_ + same_time(std::min(last_, show_step_))) {
     return;
   }
   const double now = t_;

@@ -136,6 +136,8 @@ class Simulator {
   double longest_step(double longest);
   [[nodiscard]] double least_step() const;
   [[nodiscard]] double goal(double end) const;
+  /// Times of a motion in steps of this length that differ by less are the same.
+  [[nodiscard]] double same_time(double step) const;
   void land(double h, double time);
   void project(double t, Vector& y);
   void show_between(double h, double end);

@@ -39,6 +39,26 @@ double drift_of(model::Drift drift, const std::string& integrator) {
   return worst;
 }
 
+/// The times t0 + k step are rounded by more than a billionth of a step there.
+TEST(Steps, AreAllTakenWhereTimeBeginsLate) {
+  const std::string late = R"yaml(
+scene: late
+model: drop.model.yaml
+effects: {gravity: [0, 0, -10]}
+initial: {t: 20000}
+duration: 2
+stepping: {integrator: rk4, step: 1e-3}
+)yaml";
+  for (const char* t : {"20000", "1e6", "-1e6", "1e8"}) {
+    std::string text = late;
+    text.replace(text.find("20000"), 5, t);
+    Running run(scene_of(text));
+    run.simulator.advance_to(std::stod(t) + 2, [] { return true; });
+    EXPECT_NEAR(run.simulator.qd()[0], -20, 20 * 2e-8) << t;  // the steps' lengths are rounded
+    EXPECT_NEAR(static_cast<double>(run.simulator.cost().steps), 2000, 1) << t;
+  }
+}
+
 TEST(Drift, GrowsWithoutStabilisationAndIsHeldWithIt) {
   const double none = drift_of(model::Drift::kNone, "semi-implicit-euler");
   const double baumgarte = drift_of(model::Drift::kBaumgarte, "semi-implicit-euler");
