@@ -8,34 +8,42 @@ namespace treedyn::formulate {
 namespace {
 
 template <auto field, class Enum>
-void set_enum(Variant& variant, const std::vector<int>& links, int setting) {
-  set_links(variant, links, field, static_cast<Enum>(setting));
+void set_enum(Variant& variant, const Choice& choice, int setting) {
+  set_links(variant, choice.links, field, static_cast<Enum>(setting));
 }
 
 template <auto field>
-void set_flag(Variant& variant, const std::vector<int>& links, int setting) {
-  set_links(variant, links, field, setting != 0);
+void set_flag(Variant& variant, const Choice& choice, int setting) {
+  set_links(variant, choice.links, field, setting != 0);
 }
 
-void set_cut(Variant& variant, const std::vector<int>& links, int setting) {
-  const std::uint8_t cut =
-      setting == 3 ? LinkVariant::kWholeRun : static_cast<std::uint8_t>(setting);
-  set_links(variant, links, &LinkVariant::cut, cut);
+constexpr int kCuts = 4;
+
+std::uint8_t cut_of(int setting) {
+  return setting == kCuts - 1 ? LinkVariant::kWholeRun : static_cast<std::uint8_t>(setting);
+}
+
+void set_cut(Variant& variant, const Choice& choice, int setting) {
+  set_links(variant, choice.links, &LinkVariant::cut, cut_of(setting));
+}
+
+void set_run(Variant& variant, const Choice& choice, int setting) {
+  set_links(variant, choice.links, &LinkVariant::merge_parallel, true);
+  set_links(variant, choice.heads, &LinkVariant::cut, cut_of(setting));
 }
 
 void add_link_choices(const Freedom& freedom, const Options& options, const std::vector<int>& links,
                       bool parallel, std::vector<Choice>& choices) {
-  const auto add = [&](bool wanted, int settings,
-                       void (*set)(Variant&, const std::vector<int>&, int)) {
+  const auto add = [&](bool wanted, int settings, void (*change)(Variant&, const Choice&, int)) {
     if (wanted) {
-      choices.push_back({settings, links, set});
+      choices.push_back({settings, links, change});
     }
   };
   const bool runs = options.has(Pass::kParallel);
   const bool frames = options.has(Pass::kNormals);
   const bool gauges = freedom.regrouping && options.has(Pass::kRegrouping);
   add(parallel && runs, 2, set_flag<&LinkVariant::merge_parallel>);
-  add(runs, 4, set_cut);
+  add(runs, kCuts, set_cut);
   add(frames, 4, set_enum<&LinkVariant::angle, FrameAngle>);
   add(frames && !freedom.fixed_frames, 4, set_enum<&LinkVariant::slide, Slide>);
   add(gauges, 6, set_enum<&LinkVariant::mass, MassGauge>);
@@ -54,21 +62,30 @@ bool chooses_unit(const Freedom& freedom, const Options& options) {
 
 void add_global_choices(const model::Tree& tree, const Freedom& freedom, const Options& options,
                         std::vector<Choice>& choices) {
-  const auto add = [&](bool wanted, int settings,
-                       void (*set)(Variant&, const std::vector<int>&, int)) {
+  const auto add = [&](bool wanted, int settings, void (*change)(Variant&, const Choice&, int)) {
     if (wanted && settings > 1) {
-      choices.push_back({settings, {}, set});
+      choices.push_back({settings, {}, change});
     }
   };
   const bool units = chooses_unit(freedom, options) && !options.metres;
   const int lengths = units ? static_cast<int>(unit_lengths(tree).size()) + 1 : 1;
-  add(true, lengths, [](Variant& v, const std::vector<int>&, int k) { v.unit_length = k; });
+  add(true, lengths, [](Variant& v, const Choice&, int k) { v.unit_length = k; });
   add(freedom.tensor_form && options.has(Pass::kPseudoInertia), 2,
-      [](Variant& v, const std::vector<int>&, int k) { v.inertia_tensor = k != 0; });
+      [](Variant& v, const Choice&, int k) { v.inertia_tensor = k != 0; });
   add(freedom.trunk && has_trunk(tree) && options.has(Pass::kTrunk), 2,
-      [](Variant& v, const std::vector<int>&, int k) { v.trunk = k != 0; });
-  add(freedom.any_way, 3,
-      [](Variant& v, const std::vector<int>&, int k) { v.way = static_cast<Way>(k); });
+      [](Variant& v, const Choice&, int k) { v.trunk = k != 0; });
+  add(freedom.any_way, 3, [](Variant& v, const Choice&, int k) { v.way = static_cast<Way>(k); });
+}
+
+bool has_parallel_father(const NormalLink& link, const NormalTree& normal) {
+  return link.revolute && link.father != model::kGround && link.euler.alpha.is_identity() &&
+         normal.links[static_cast<std::size_t>(link.father)].revolute;
+}
+
+/// The first link of the run of parallel axes that link i is in.
+int head_of(int i, const NormalTree& normal) {
+  const NormalLink& link = normal.links[static_cast<std::size_t>(i)];
+  return has_parallel_father(link, normal) ? head_of(link.father, normal) : i;
 }
 
 }  // namespace
@@ -83,12 +100,27 @@ std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom,
   for (const std::vector<int>& links : similar_links(tree)) {
     const NormalLink& first = normal.links[static_cast<std::size_t>(links.front())];
     if (first.revolute) {
-      const bool parallel = first.father != model::kGround && first.euler.alpha.is_identity() &&
-                            normal.links[static_cast<std::size_t>(first.father)].revolute;
-      add_link_choices(freedom, options, links, parallel, choices);
+      add_link_choices(freedom, options, links, has_parallel_father(first, normal), choices);
     }
   }
   add_global_choices(tree, freedom, options, choices);
+  return choices;
+}
+
+std::vector<Choice> run_choices_of(const model::Tree& tree, const Options& options) {
+  std::vector<Choice> choices;
+  if (!options.has(Pass::kSearch) || !options.has(Pass::kParallel)) {
+    return choices;
+  }
+  const NormalTree normal = normal_form(tree, {}, plain_variant(tree));
+  for (const std::vector<int>& links : similar_links(tree)) {
+    if (has_parallel_father(normal.links[static_cast<std::size_t>(links.front())], normal)) {
+      Choice& run = choices.emplace_back(Choice{kCuts, links, set_run});
+      for (const int i : links) {
+        run.heads.push_back(head_of(i, normal));
+      }
+    }
+  }
   return choices;
 }
 

@@ -12,7 +12,10 @@ struct Choice {
   int settings = 0;
   std::vector<int>
       links;  ///< symmetric links that take the same setting; empty: a choice of the whole variant
-  void (*set)(Variant&, const std::vector<int>& links, int setting) = nullptr;
+  void (*change)(Variant&, const Choice&, int setting) = nullptr;
+  std::vector<int> heads = {};  ///< first links of the runs of parallel axes that `links` are in
+
+  void set(Variant& variant, int setting) const { change(variant, *this, setting); }
 };
 
 template <class Field, class Value>
@@ -25,6 +28,10 @@ void set_links(Variant& variant, const std::vector<int>& links, Field field, Val
 /// All of a function, none without a search. Links that look the same to it choose together.
 std::vector<Choice> choices_of(const model::Tree& tree, const Freedom& freedom,
                                const Options& options);
+
+/// Two choices at once, where neither alone may pay: one frame for links with parallel axes, and
+/// where their run is cut. None without a search.
+std::vector<Choice> run_choices_of(const model::Tree& tree, const Options& options);
 
 /// Variants that differ from one in a single choice.
 int other_settings(const std::vector<Choice>& choices);

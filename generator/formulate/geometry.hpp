@@ -28,9 +28,9 @@ Matrix3 operator+(const Matrix3& a, const Matrix3& b);
 Matrix3 operator-(const Matrix3& a, const Matrix3& b);
 Matrix3 operator*(const Real& s, const Matrix3& a);
 
-/// The numbers themselves, without stand-ins.
 /// True if the numbers are the same at run time.
 bool is_fixed(std::span<const Real> numbers);
+/// The numbers themselves, without stand-ins.
 Vector3 plain(const Vector3& v);
 
 /// Makes entries exact that rounding left next to -1, 0 or 1.

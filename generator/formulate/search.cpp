@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <random>
 #include <string>
 
+#include "common/index.hpp"
 #include "common/parallel.hpp"
 #include "formulate/choices.hpp"
 #include "formulate/gate.hpp"
@@ -32,6 +34,12 @@ constexpr int kReferenceOperations = 3000;
 constexpr std::size_t kFinalists = 24;
 /// Random changes between two restarts from the best variant.
 constexpr int kCycle = 400;
+/// For each so many moves of the search one is left for what single choices do not reach.
+constexpr int kMovesForRuns = 4;
+/// What cannot be used.
+constexpr int kNever = std::numeric_limits<int>::max();
+/// A length in m below this one is none.
+constexpr double kShortestUnit = 1e-9;
 
 class Search {
  public:
@@ -43,6 +51,9 @@ class Search {
         seen_(stand_ins_alone(tree, options)),
         formulations_(seen_.tree, recipe, seen_.options),
         choices_(choices_of(tree, recipe.freedom, options)) {
+    for (const program::LengthUnit& unit : unit_lengths(tree)) {
+      has_unit_.push_back(abs(unit.metres.digits()) > kShortestUnit);
+    }
     const program::Function first = formulations_.build(start).function;
     const std::size_t size = std::max(first.graph.size(), kReferenceSize);
     moves_ = static_cast<int>(static_cast<std::size_t>(options.effort) * kReferenceSize / size);
@@ -72,6 +83,10 @@ class Search {
   }
   [[nodiscard]] optimise::Effort algebra_effort(const program::Function& function) const;
   void note(const Variant& variant, int cost);
+  /// False if its unit of length is none: a length that is seen as one and is zero.
+  [[nodiscard]] bool is_usable(const Variant& variant) const {
+    return variant.unit_length == 0 || has_unit_[to_index(variant.unit_length - 1)];
+  }
   void drop_what_does_not_pay(Variant& variant, int& cost);
   int raw_cost(const Variant& variant);
   int optimised_cost(const Variant& variant);
@@ -82,6 +97,9 @@ class Search {
   template <class Evaluate>
   bool descend_once(Variant& variant, int& cost, int limit, const std::vector<std::size_t>& order,
                     Evaluate& evaluate);
+  /// Both choices of a run of parallel axes at once, and a descent where that pays.
+  template <class Evaluate>
+  void cut_runs(Variant& best, int& cost, Evaluate evaluate);
   template <class Evaluate>
   void anneal(Variant& best, int& best_cost, int limit, int cycle, Evaluate evaluate);
   Variant perturbed(Variant variant);
@@ -93,6 +111,7 @@ class Search {
   const Seen seen_;
   Formulations formulations_;  ///< with stand-ins alone
   std::vector<Choice> choices_;
+  std::vector<bool> has_unit_;  ///< by unit of length
   Variant best_;
   int best_cost_ = 0;
   int moves_ = 0;
@@ -113,6 +132,9 @@ void Search::note(const Variant& variant, int cost) {
 }
 
 int Search::raw_cost(const Variant& variant) {
+  if (!is_usable(variant)) {
+    return kNever;
+  }
   const auto known = raw_.find(variant);
   if (known != raw_.end()) {
     return known->second;
@@ -124,6 +146,9 @@ int Search::raw_cost(const Variant& variant) {
 }
 
 int Search::optimised_cost(const Variant& variant) {
+  if (!is_usable(variant)) {
+    return kNever;
+  }
   const auto known = optimised_.find(variant);
   if (known != optimised_.end()) {
     return known->second;
@@ -157,7 +182,7 @@ bool Search::descend_once(Variant& variant, int& cost, int limit,
         return false;
       }
       Variant trial = variant;
-      choices_[n].set(trial, choices_[n].links, setting);
+      choices_[n].set(trial, setting);
       const int trial_cost = evaluate(trial);
       if (trial_cost < cost) {
         cost = trial_cost;
@@ -169,12 +194,30 @@ bool Search::descend_once(Variant& variant, int& cost, int limit,
   return improved;
 }
 
+template <class Evaluate>
+void Search::cut_runs(Variant& best, int& cost, Evaluate evaluate) {
+  const std::vector<Choice> runs = run_choices_of(tree_, options_);
+  for (int before = kNever; cost < before && moves_ > 0;) {
+    before = cost;
+    for (const Choice& run : runs) {
+      for (int setting = 0; setting < run.settings && moves_ > 0; ++setting) {
+        Variant trial = best;
+        run.set(trial, setting);
+        if (const int trial_cost = evaluate(trial); trial_cost < cost) {
+          cost = trial_cost;
+          best = trial;
+          descend(best, cost, 0, evaluate);
+        }
+      }
+    }
+  }
+}
+
 Variant Search::perturbed(Variant variant) {
   const std::uint64_t changes = 1 + random(3);
   for (std::uint64_t k = 0; k < changes; ++k) {
     const Choice& choice = choices_[random(choices_.size())];
-    choice.set(variant, choice.links,
-               static_cast<int>(random(static_cast<std::size_t>(choice.settings))));
+    choice.set(variant, static_cast<int>(random(static_cast<std::size_t>(choice.settings))));
   }
   return variant;
 }
@@ -270,6 +313,8 @@ void Search::run() {
     descend(best, cost, half / 2, optimised);
     anneal(best, cost, half / 4, kCycle / 4, optimised);
     descend(best, cost, 0, optimised);
+    moves_ = std::max(moves_, 0) + options_.effort / kMovesForRuns;
+    cut_runs(best, cost, optimised);
   }
   best_ = best;
   best_cost_ = cost;

@@ -107,6 +107,42 @@ bool is_exact(const Array& values) {
   return std::ranges::all_of(values, [](const Real& x) { return x == 0 || x == 1 || x == -1; });
 }
 
+bool is_zero(const Digits& x) { return abs(x) < Digits("1e-38"); }
+
+/// A vector in terms of two axes.
+struct Along {
+  bool parallel = false;
+  Real father;          ///< along the father's axis
+  Real axis;            ///< along the other one; of parallel axes zero
+  Real across;          ///< along the common normal; of parallel axes the distance
+  Vector3 direction{};  ///< of `across`
+};
+
+/// \param u, w  unit vectors
+Along along(const Vector3& d, const Vector3& u, const Vector3& w) {
+  Along result;
+  const Vector3 normal = cross(u, w);
+  const Real square = dot(normal, normal);
+  result.parallel = is_zero(square.digits());
+  if (result.parallel) {
+    result.father = dot(d, u);
+    const Vector3 rest = d - result.father * u;
+    result.across = sqrt(dot(rest, rest));
+    const bool apart = !is_zero(result.across.digits());
+    result.direction = apart ? Real(1 / result.across) * rest : rest;
+  } else {
+    const Real cosine = dot(u, w);
+    result.father = (dot(d, u) - cosine * dot(d, w)) / square;
+    result.axis = (dot(d, w) - cosine * dot(d, u)) / square;
+    result.direction = Real(1 / sqrt(square)) * normal;
+    result.across = dot(d, result.direction);
+  }
+  return result;
+}
+
+/// True if something zero is not seen so.
+bool is_lost(const Real& x) { return is_zero(x.digits()) && !is_zero(x.seen()); }
+
 }  // namespace
 
 Digits generic(StandIn quantity, int place) {
@@ -156,6 +192,26 @@ Vector3 StandInNumbers::vector(StandIn quantity, const Vector3& v) {
   const Real x = number(quantity, v[0]);
   const Real y = number(quantity, v[1]);
   return {x, y, number(quantity, v[2])};
+}
+
+Vector3 StandInNumbers::offset(const Vector3& d, const Vector3& father_axis, const Vector3& axis) {
+  const StandInNumbers before = *this;
+  const Vector3 seen = vector(StandIn::kOffset, d);
+  const Along parts = along(seen, father_axis, axis);
+  if (!is_lost(parts.across) && !(parts.parallel && is_lost(parts.father))) {
+    return seen;
+  }
+  *this = before;
+  const Along own = along(plain(d), plain(father_axis), plain(axis));
+  const auto see = [this](const Real& x) {
+    return number(StandIn::kOffset, is_zero(x.digits()) ? Real(0) : x);
+  };
+  const Vector3 along_father = see(own.father) * father_axis;
+  const Vector3 along_axis = see(own.axis) * axis;
+  const Vector3 along_both = along_father + along_axis;
+  Vector3 stand_in = along_both + see(own.across) * own.direction;
+  std::ranges::for_each(stand_in, [](Real& x) { x = x.seen(); });
+  return seen_as(d, stand_in);
 }
 
 Matrix3 StandInNumbers::symmetric(const Matrix3& m) {

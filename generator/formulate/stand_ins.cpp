@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/index.hpp"
 #include "common/recipe.hpp"
 #include "formulate/find_limbs.hpp"
 #include "formulate/geometry.hpp"
@@ -24,10 +25,22 @@ constexpr int kParameterPlaces = 1 << 24;
 constexpr int kOrdinaryPlaces = 3 << 23;
 constexpr int kScenePlaces = 1 << 25;
 
-void see(model::Link& link, StandInNumbers& all) {
+/// The offset between two axes; where there are no two, its components.
+Vector3 offset_of(const model::Joint& joint, const model::Joint* father, StandInNumbers& all) {
+  const auto turns = [](const model::Joint& of) {
+    return of.type == model::JointType::kRevolute && is_fixed(of.axis);
+  };
+  if (father == nullptr || !turns(joint) || !turns(*father) || !is_fixed(joint.rotation)) {
+    return all.vector(StandIn::kOffset, joint.offset);
+  }
+  return all.offset(joint.offset, father->axis, multiply(joint.rotation, joint.axis));
+}
+
+/// \param father  null: the ground
+void see(model::Link& link, const model::Joint* father, StandInNumbers& all) {
   link.joint.axis = all.axis(link.joint.axis);
   link.joint.rotation = all.rotation(link.joint.rotation);
-  link.joint.offset = all.vector(StandIn::kOffset, link.joint.offset);
+  link.joint.offset = offset_of(link.joint, father, all);
   link.inertia.mass = all.number(StandIn::kMass, link.inertia.mass);
   link.inertia.com = all.vector(StandIn::kCom, link.inertia.com);
   link.inertia.about_com = all.symmetric(link.inertia.about_com);
@@ -119,7 +132,8 @@ Seen see(const model::Tree& tree, const Options& options) {
   int rows = 0;
   for (model::Link& link : seen.tree.links) {
     all.begin(kRow * rows, groups[static_cast<std::size_t>(rows)]);
-    see(link, all);
+    const bool is_root = link.father == model::kGround;
+    see(link, is_root ? nullptr : &seen.tree.links[to_index(link.father)].joint, all);
     ++rows;
   }
   for (model::Frame& frame : seen.tree.frames) {

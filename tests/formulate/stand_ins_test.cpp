@@ -1,9 +1,12 @@
 // Numbers that are seen as others: no rewriting rests on the stand-ins alone.
 #include "formulate/stand_ins.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "formulate/geometry.hpp"
+#include "formulate/stand_in_numbers.hpp"
 #include "program/graph.hpp"
 
 namespace treedyn::formulate {
@@ -62,6 +65,46 @@ TEST(StandIns, LeaveEulerAnglesThoseOfBothRotations) {
     const Matrix3 x = {1, 0, 0, 0, euler.alpha.c, -euler.alpha.s, 0, euler.alpha.s, euler.alpha.c};
     expect_same(multiply(multiply(about_z(euler.gamma), x), about_z(euler.epsilon)), r);
   }
+}
+
+/// Stand-ins of (x, y, z), a joint's offset, between these axes.
+Vector3 offset_between(const Vector3& d, const Vector3& father_axis, const Vector3& axis) {
+  StandInNumbers all;
+  all.begin(0, 1);
+  const Vector3 result = all.offset(d, father_axis, axis);
+  for (std::size_t k = 0; k < d.size(); ++k) {
+    EXPECT_EQ(result[k].plain(), d[k]) << k;
+    EXPECT_NE(result[k].seen(), d[k].digits()) << k;
+  }
+  return result;
+}
+
+/// Axes that meet, lie in one plane across parallel ones or are one, and whose components say
+/// nothing of it: a leg's hip behind a turned mounting.
+TEST(StandIns, KeepWhatAxesHaveInCommon) {
+  const Vector3 x = {1, 0, 0};
+  const Vector3 tilted = {0, Real("0.6"), Real("0.8")};
+  const auto expect_zero = [](const Real& number) {
+    EXPECT_TRUE(negligible(number, 1)) << number.digits() << " seen as " << number.seen();
+  };
+  const Vector3 meeting = {Real("0.06"), Real("0.054"), Real("0.072")};
+  expect_zero(dot(offset_between(meeting, x, tilted), cross(x, tilted)));
+  const Vector3 across = {Real("0.3"), Real("0.16"), Real("-0.12")};
+  expect_zero(dot(offset_between(across, tilted, tilted), tilted));
+  const Vector3 skew = {Real("0.6"), Real("-0.48"), Real("0.64")};
+  const Vector3 common = Real("0.25") * skew;
+  const Vector3 around = cross(offset_between(common, skew, skew), skew);
+  std::ranges::for_each(around, expect_zero);
+}
+
+TEST(StandIns, OfOtherOffsetsAreThoseOfTheirComponents) {
+  const Vector3 x = {1, 0, 0};
+  const Vector3 tilted = {0, Real("0.6"), Real("0.8")};
+  const Vector3 d = {Real("0.06"), Real("0.05"), Real("0.07")};
+  StandInNumbers all;
+  all.begin(0, 1);
+  const Vector3 components = all.vector(StandIn::kOffset, d);
+  EXPECT_EQ(offset_between(d, x, tilted), components);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ const Target kTargets[] = {
     {"panda", "panda.yaml", kFixed, 286, 511, 457, 985, 70, 6},
     {"kinova", "kinova.urdf", kFixed, 178, 309, 271, 613, 35, 5},
     {"hyq_fixed", "hyq_no_sensors.urdf", kFixed, 136, 440, 200, 472, 72, 12},
+    {"anymal_fixed", "anymal.urdf", kFixed, 116, 393, 180, 456, 72, 12},
     {"hyq_axes", "hyq_no_sensors.urdf", kAxes, 794, 1301, 1196, 2836, 132, 15},
     {"bolt_axes", "bolt.urdf", kAxes, 395, 670, 613, 1433, 68, 9},
 };
@@ -67,6 +68,15 @@ TEST_P(Targets, AreMetByTheDefaultOptions) {
     EXPECT_LE(cost.total(), limit) << function;
     EXPECT_LE(std::max(cost.sin, cost.cos), target.pairs) << function;
   }
+}
+
+/// A length that is zero and seen as another number is no unit; as one it cost 423.
+TEST(UnitOfLength, IsNoLengthThatIsZero) {
+  const model::Tree tree =
+      description::read_model(TREEDYN_SOURCE_DIR "/tests/formulate/hidden_wrist.yaml", {});
+  Options options;
+  options.gravity = {0, 0, Real("-9.81")};
+  EXPECT_LE(program::cost(formulated(tree, std::string("forward_dynamics"), options)).total(), 420);
 }
 
 /// The rows of README.md's table are these ceilings.
