@@ -97,7 +97,9 @@ class Search {
   template <class Evaluate>
   bool descend_once(Variant& variant, int& cost, int limit, const std::vector<std::size_t>& order,
                     Evaluate& evaluate);
-  /// Both choices of a run of parallel axes at once, and a descent where that pays.
+  /// Both choices of the runs of parallel axes at once, and a descent where that pays.
+  template <class Evaluate>
+  bool cut_run(const Choice& run, Variant& best, int& cost, Evaluate& evaluate);
   template <class Evaluate>
   void cut_runs(Variant& best, int& cost, Evaluate evaluate);
   template <class Evaluate>
@@ -195,20 +197,27 @@ bool Search::descend_once(Variant& variant, int& cost, int limit,
 }
 
 template <class Evaluate>
+bool Search::cut_run(const Choice& run, Variant& best, int& cost, Evaluate& evaluate) {
+  const int before = cost;
+  for (int setting = 0; setting < run.settings && moves_ > 0; ++setting) {
+    Variant trial = best;
+    run.set(trial, setting);
+    if (const int trial_cost = evaluate(trial); trial_cost < cost) {
+      cost = trial_cost;
+      best = trial;
+      descend(best, cost, 0, evaluate);
+    }
+  }
+  return cost < before;
+}
+
+template <class Evaluate>
 void Search::cut_runs(Variant& best, int& cost, Evaluate evaluate) {
   const std::vector<Choice> runs = run_choices_of(tree_, options_);
-  for (int before = kNever; cost < before && moves_ > 0;) {
-    before = cost;
+  for (bool improved = true; improved;) {
+    improved = false;
     for (const Choice& run : runs) {
-      for (int setting = 0; setting < run.settings && moves_ > 0; ++setting) {
-        Variant trial = best;
-        run.set(trial, setting);
-        if (const int trial_cost = evaluate(trial); trial_cost < cost) {
-          cost = trial_cost;
-          best = trial;
-          descend(best, cost, 0, evaluate);
-        }
-      }
+      improved = cut_run(run, best, cost, evaluate) || improved;
     }
   }
 }

@@ -196,7 +196,7 @@ Vector3 StandInNumbers::vector(StandIn quantity, const Vector3& v) {
 
 Vector3 StandInNumbers::offset(const Vector3& d, const Vector3& father_axis, const Vector3& axis) {
   const StandInNumbers before = *this;
-  const Vector3 seen = vector(StandIn::kOffset, d);
+  Vector3 seen = vector(StandIn::kOffset, d);
   const Along parts = along(seen, father_axis, axis);
   if (!is_lost(parts.across) && !(parts.parallel && is_lost(parts.father))) {
     return seen;
