@@ -6,7 +6,8 @@
 
 namespace treedyn::equations {
 
-/// A function that a scene may call for, as `treedyn list` and headers show it.
+/// A function that a scene may call for, as `treedyn list` shows it, and headers but for steps and
+/// scenes without rows.
 struct SceneFunctionInfo {
   const char* name;  ///< without the suffixes of phases, contacts and impacts
   const char* equation;

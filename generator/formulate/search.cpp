@@ -34,7 +34,7 @@ constexpr int kReferenceOperations = 3000;
 constexpr std::size_t kFinalists = 24;
 /// Random changes between two restarts from the best variant.
 constexpr int kCycle = 400;
-/// For each so many moves of the search one is left for what single choices do not reach.
+/// For each so many moves of the search there is one more for what single choices do not reach.
 constexpr int kMovesForRuns = 4;
 /// What cannot be used.
 constexpr int kNever = std::numeric_limits<int>::max();
@@ -306,7 +306,8 @@ void Search::run() {
   Variant best = finalists_.front().second;
   int cost = finalists_.front().first;
   drop_what_does_not_pay(best, cost);
-  const int half = moves_ / 2;
+  const int all = moves_;
+  const int half = all / 2;
   if (!choices_.empty()) {
     descend(best, cost, half, raw);
     anneal(best, cost, half, kCycle, raw);
@@ -322,7 +323,7 @@ void Search::run() {
     descend(best, cost, half / 2, optimised);
     anneal(best, cost, half / 4, kCycle / 4, optimised);
     descend(best, cost, 0, optimised);
-    moves_ = std::max(moves_, 0) + options_.effort / kMovesForRuns;
+    moves_ = all / kMovesForRuns;
     cut_runs(best, cost, optimised);
   }
   best_ = best;

@@ -208,8 +208,11 @@ Vector3 StandInNumbers::offset(const Vector3& d, const Vector3& father_axis, con
   };
   const Vector3 along_father = see(own.father) * father_axis;
   const Vector3 along_axis = see(own.axis) * axis;
-  const Vector3 along_both = along_father + along_axis;
-  Vector3 stand_in = along_both + see(own.across) * own.direction;
+  const Real across = see(own.across);
+  Vector3 stand_in = along_father + along_axis;
+  if (across != 0) {
+    stand_in = stand_in + across * parts.direction;  // as it is seen: no value of d decides
+  }
   std::ranges::for_each(stand_in, [](Real& x) { x = x.seen(); });
   return seen_as(d, stand_in);
 }

@@ -30,8 +30,9 @@ class StandInNumbers {
 
   Real number(StandIn quantity, const Real& x);
   model::Vector3 vector(StandIn quantity, const model::Vector3& v);
-  /// From a joint to the next one, of these axes: what of it is zero along them, along their common
-  /// normal or across parallel ones stays so, whatever axes its components are along.
+  /// From a joint to the next one, of these axes: what of it is zero along their common normal, or
+  /// along or across parallel ones, stays so, whatever axes its components are along. Its parts
+  /// along the axes are seen as others then, instead of its components.
   model::Vector3 offset(const model::Vector3& d, const model::Vector3& father_axis,
                         const model::Vector3& axis);
   model::Matrix3 symmetric(const model::Matrix3& m);

@@ -19,13 +19,14 @@ struct Seen {
 /// tree decides (link, quantity, component): robots of one structure get one formulation. Zero, one
 /// and minus one and multiples of 15 degrees are seen as they are; numbers of one quantity that are
 /// equal or opposite stay so in one link and in links that are alike (`similar_links`), angles and
-/// distances of joints in the whole robot; rotations keep their zeros, ones and equal entries.
-/// Signs decide nothing: of equal and opposite numbers the first is seen as a positive one. Of
-/// lengths below a micrometre and angles below a milliradian the order of magnitude is seen;
-/// rotations that no three angles describe are seen as they are. Numbers that are known at run time
-/// only have recipes (`Tree::parameters`). Numbers of a scene are seen in the same way; its
-/// exponents, step and times stay, and of numbers of one meaning (scene_numbers.hpp) equal ones
-/// stay equal in the whole scene. O(N).
+/// distances of joints in the whole robot; rotations keep their zeros, ones and equal entries. Of
+/// an offset between two axes that meet, or lie across or along parallel ones, that stays so
+/// instead of its components. Signs decide nothing: of equal and opposite numbers the first is seen
+/// as a positive one. Of lengths below a micrometre and angles below a milliradian the order of
+/// magnitude is seen; rotations that no three angles describe are seen as they are. Numbers that
+/// are known at run time only have recipes (`Tree::parameters`). Numbers of a scene are seen in the
+/// same way; its exponents, step and times stay, and of numbers of one meaning (scene_numbers.hpp)
+/// equal ones stay equal in the whole scene. O(N).
 Seen with_stand_ins(const model::Tree& tree, const Options& options);
 
 /// Only what is known at run time is seen as other numbers.

@@ -21,7 +21,7 @@ constexpr double kSettledSpeed = 1e-6;
 /// Times that differ by less than this part of a step are the same, and those that differ by less
 /// than so many roundings of a time.
 constexpr double kSameTime = 1e-9;
-constexpr double kSameRoundings = 2;
+constexpr double kSameRoundings = 4;
 
 Vector to_vector(const std::vector<Real>& values) {
   Vector result(static_cast<Eigen::Index>(values.size()));
@@ -177,7 +177,7 @@ void Simulator::note_below(const Watch& watch, double t, const Vector& y) {
 }
 
 double Simulator::same_time(double step) const {
-  const double largest = std::max(std::fabs(t_), std::fabs(start_));
+  const double largest = std::max({std::fabs(t_), std::fabs(start_), std::fabs(t_ - start_)});
   return std::max(kSameTime * step,
                   kSameRoundings * std::numeric_limits<double>::epsilon() * largest);
 }

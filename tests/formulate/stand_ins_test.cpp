@@ -97,6 +97,24 @@ TEST(StandIns, KeepWhatAxesHaveInCommon) {
   std::ranges::for_each(around, expect_zero);
 }
 
+/// Axes that are seen as others themselves; what the components are decides nothing.
+TEST(StandIns, AreAcrossTheAxesThatAreSeen) {
+  const auto seen = [](const Vector3& d) {
+    StandInNumbers all;
+    all.begin(0, 1);
+    const Vector3 axis = all.axis({0, Real("0.6"), Real("0.8")});
+    EXPECT_NE(axis[1].seen(), axis[1].digits());
+    const Vector3 result = all.offset(d, axis, axis);
+    EXPECT_TRUE(abs(Digits(dot(result, axis).seen())) < Digits("1e-40"));
+    return result;
+  };
+  const Vector3 one = seen({Real("0.3"), Real("0.16"), Real("-0.12")});
+  const Vector3 other = seen({Real("0.2"), Real("0.08"), Real("-0.06")});
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_EQ(one[k].seen(), other[k].seen()) << k;
+  }
+}
+
 TEST(StandIns, OfOtherOffsetsAreThoseOfTheirComponents) {
   const Vector3 x = {1, 0, 0};
   const Vector3 tilted = {0, Real("0.6"), Real("0.8")};
