@@ -13,7 +13,9 @@ struct Choice {
   std::vector<int>
       links;  ///< symmetric links that take the same setting; empty: a choice of the whole variant
   void (*change)(Variant&, const Choice&, int setting) = nullptr;
-  std::vector<int> heads = {};  ///< first links of the runs of parallel axes that `links` are in
+  /// The first links of the chains of parallel axes that `links` are in: heads of their runs where
+  /// no link between stands apart and no brother goes on with the run.
+  std::vector<int> heads = {};
 
   void set(Variant& variant, int setting) const { change(variant, *this, setting); }
 };
