@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "accuracy/picture_places.hpp"
+#include "emit/template_file.hpp"
 
 namespace treedyn::accuracy {
 
@@ -74,14 +75,6 @@ const char* dashes(State state) {
   return "";
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return result;
-}
-
 /// The size of a name, at most.
 double width_of(const std::string& name) { return 6.2 * static_cast<double>(name.size()); }
 
@@ -128,8 +121,8 @@ class Chart {
         "viewBox=\"0 0 {0:.0f} {1}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect "
         "width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"{2}\" y=\"18\" "
         "font-size=\"13\">{3}</text>\n{4}{5}{6}{7}{8}{9}{10}</svg>\n",
-        width, foot, kLeft, escaped(title), note(), grid(axis), front_line(front), limit_lines(),
-        series(), floors(), names);
+        width, foot, kLeft, emit::html_text(title), note(), grid(axis), front_line(front),
+        limit_lines(), series(), floors(), names);
   }
 
  private:
@@ -195,7 +188,7 @@ class Chart {
            fmt::format(
                "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n<text x=\"14\" y=\"{}\" "
                "transform=\"rotate(-90 14 {})\" text-anchor=\"middle\">largest {}</text>\n",
-               (kLeft + right_) / 2, bottom_ + 38, escaped(axis), top_ + kPlot / 2,
+               (kLeft + right_) / 2, bottom_ + 38, emit::html_text(axis), top_ + kPlot / 2,
                top_ + kPlot / 2, row_of(study_.error).text);
   }
 
@@ -277,7 +270,7 @@ class Chart {
     double y = bottom_ + 62;
     const auto add = [&](const std::string& name, const std::string& line) {
       text += fmt::format("<path d=\"M{0} {1}h20\" {2}<text x=\"{3}\" y=\"{4}\">{5}</text>\n", x, y,
-                          line, x + kLine, y + 4, escaped(name));
+                          line, x + kLine, y + 4, emit::html_text(name));
     };
     for (const State state : kStates) {
       if (std::ranges::any_of(study_.outcomes, [&](const Outcome& outcome) {
@@ -317,7 +310,7 @@ class Chart {
     return fmt::format(
         "<path d=\"M{:.1f} {}l8 8m0 -8l-8 8\" stroke=\"{}\" stroke-width=\"2\"><title>{}: "
         "failed</title></path>\n",
-        (box.left + box.right) / 2 - 4, top_ - 12, colour, escaped(what));
+        (box.left + box.right) / 2 - 4, top_ - 12, colour, emit::html_text(what));
   }
 
   [[nodiscard]] std::string one_series(std::size_t method, State state, Places& crosses) const {
@@ -343,7 +336,7 @@ class Chart {
           "stroke-width=\"3\"/><path d=\"M{0:.1f} {2:.1f}{4}\" fill=\"{3}\"><title>{5}: "
           "{6:.2e}</title></path>\n",
           x, py(std::max(outcome.least(study_.error), 1e-300)), py(error), colour, mark,
-          escaped(text_of(outcome.setting)), error);
+          emit::html_text(text_of(outcome.setting)), error);
     }
     if (path.empty()) {
       return marks;

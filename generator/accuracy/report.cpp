@@ -218,19 +218,11 @@ std::string facts_text(const Study& study) {
   return text;
 }
 
-std::string html(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return result;
-}
-
 std::string html_rows(const Study& study, const std::vector<const Core*>& on) {
   std::string text;
   for (const Outcome& outcome : study.outcomes) {
     text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>", name_of(outcome.setting.state),
-                        html(method_of(outcome.setting)), outcome.setting.step);
+                        emit::html_text(method_of(outcome.setting)), outcome.setting.step);
     const char* const instead = outcome.failed() ? "failed" : nullptr;
     for (const Error error : chosen_first(study)) {
       text += fmt::format("<td>{}</td>",
@@ -279,11 +271,12 @@ std::string report_page(const Study& study, const std::vector<const Core*>& on) 
   for (const Core* core : on) {
     charts += work_chart(study, *core);
   }
-  return emit::fill(emit::template_text("accuracy.html"), {{"title", html(study.scene)},
-                                                           {"facts", html(report_text(study, on))},
-                                                           {"charts", charts},
-                                                           {"heads", html_heads(study, on)},
-                                                           {"rows", html_rows(study, on)}});
+  return emit::fill(emit::template_text("accuracy.html"),
+                    {{"title", emit::html_text(study.scene)},
+                     {"facts", emit::html_text(report_text(study, on))},
+                     {"charts", charts},
+                     {"heads", html_heads(study, on)},
+                     {"rows", html_rows(study, on)}});
 }
 
 namespace {

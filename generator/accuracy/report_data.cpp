@@ -1,5 +1,6 @@
 // A study for programs: CSV, JSON and settings.
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -14,13 +15,10 @@ const char* scalar_of(State state) { return state == State::kDouble ? "double" :
 
 const char* kept_of(State state) { return state == State::kCompensated ? "compensated" : "plain"; }
 
-/// A JSON array; null: not finite.
 std::string numbers(const std::vector<double>& values) {
   std::vector<std::string> result;
-  for (const double value : values) {
-    result.push_back(std::isfinite(value) ? fmt::format("{}", value) : "null");
-  }
-  return fmt::format("[{}]", fmt::join(result, ", "));
+  std::ranges::transform(values, std::back_inserter(result), emit::json_number);
+  return emit::json_list(result);
 }
 
 /// Columns of all errors, empty where the scene has none.
@@ -154,20 +152,16 @@ std::string report_json(const Study& study) {
   for (const StepLimit& limit : study.stability) {
     limits.emplace_back(limit.integrator, fmt::format("{:.3g}", limit.step));
   }
-  std::vector<std::string> points;
-  for (const std::string& point : study.points) {
-    points.push_back(emit::json_string(point));
-  }
   return fmt::format(
       "{{\n  \"scene\": {},\n  \"duration\": {},\n  \"states\": {},\n  \"spread\": {},\n  "
-      "\"error\": \"{}\",\n  \"points\": [{}],\n  \"reference_agreement\": {:.3g},\n  "
+      "\"error\": \"{}\",\n  \"points\": {},\n  \"reference_agreement\": {:.3g},\n  "
       "\"reference_differences\": {},\n  \"check_difference\": {:.3g},\n  \"stability_limits\": "
       "{},\n  "
       "\"settings\": {}\n}}\n",
       emit::json_string(study.scene), study.duration, study.states, study.spread,
-      row_of(study.error).name, fmt::join(points, ", "), study.reference.agreement,
-      emit::json_object(differences), study.reference.check_difference, emit::json_object(limits),
-      emit::json_lines(rows, 4));
+      row_of(study.error).name, emit::json_list(emit::json_strings(study.points)),
+      study.reference.agreement, emit::json_object(differences), study.reference.check_difference,
+      emit::json_object(limits), emit::json_lines(rows, 4));
 }
 
 std::string settings_text(const Study& study, const Setting& setting) {

@@ -1,7 +1,5 @@
 #include "block/association.hpp"
 
-#include <algorithm>
-
 #include "common/index.hpp"
 
 namespace treedyn::block {

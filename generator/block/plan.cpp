@@ -1,7 +1,6 @@
 #include "block/plan.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "block/association.hpp"
 #include "block/rewrite.hpp"

@@ -14,9 +14,7 @@
 #include "cli/scene_commands.hpp"
 #include "cli/settings_file.hpp"
 #include "common/decimal.hpp"
-#include "common/identifier.hpp"
 #include "equations/scene_table.hpp"
-#include "formulate/scene_functions.hpp"
 #include "version.hpp"
 
 namespace treedyn {
@@ -164,6 +162,12 @@ const Location* place_of(const std::map<std::string, Location>& places, const st
   return place == places.end() ? nullptr : &place->second;
 }
 
+void refuse(bool wrong, const std::string& what) {
+  if (wrong) {
+    throw CLI::ParseError(what, kUsage);
+  }
+}
+
 /// What a scene says itself; its base may stand beside a MODEL, which has to be the scene's.
 void refuse_options_of_scene(const CLI::App& command, const Request& request) {
   std::vector<std::string> options = {"--points", "--gravity", "--snap", "--mimic"};
@@ -171,102 +175,74 @@ void refuse_options_of_scene(const CLI::App& command, const Request& request) {
     options.emplace_back("--base");
   }
   for (const std::string& option : options) {
-    if (command.count(option) > 0) {
-      throw CLI::ParseError(
-          fmt::format("{}: is a matter of the scene; expected --scene without it", option), kUsage);
-    }
+    refuse(command.count(option) > 0,
+           fmt::format("{}: is a matter of the scene; expected --scene without it", option));
   }
 }
 
 /// A model or a scene, and only what goes with a scene.
 void require_model_or_scene(const CLI::App& command, const Settings& settings) {
   const Request& request = settings.request;
-  if (request.model.empty() && !request.scene) {
-    throw CLI::ParseError("MODEL is required; expected a model or --scene FILE", kUsage);
-  }
+  refuse(request.model.empty() && !request.scene,
+         "MODEL is required; expected a model or --scene FILE");
   const StepChoice& step = request.stepping;
   const char* const of_step = step.integrator    ? "integrator"
                               : step.step        ? "step"
                               : step.cuts        ? "cuts"
                               : step.compensated ? "state"
-                                                 : nullptr;
-  if (!request.scene && of_step != nullptr) {
-    throw CLI::ParseError(
-        fmt::format("--{}: is of the step of a scene; expected --scene FILE", of_step), kUsage);
-  }
-  if (request.share_limbs && (request.scene || request.target.lanes > 1)) {
-    throw CLI::ParseError(
-        fmt::format("{}: functions of a scene and of several states at once have no shared limbs; "
-                    "expected a MODEL and 1 lane",
-                    sharing_option(request)),
-        kUsage);
-  }
+                                                 : "";
+  refuse(!request.scene && *of_step != 0,
+         fmt::format("--{}: is of the step of a scene; expected --scene FILE", of_step));
   const bool lanes = request.target.lanes > 1;
-  if ((request.target.limb_lanes || lanes) && request.target.sincos == emit::Sincos::kLibm) {
-    throw CLI::ParseError(
-        fmt::format("--{}lanes: <cmath> has no sines of vectors; expected no --sincos libm",
-                    lanes ? "" : "limb-"),
-        kUsage);
+  refuse(request.share_limbs && (request.scene || lanes),
+         fmt::format("{}: functions of a scene and of several states at once have no shared limbs; "
+                     "expected a MODEL and 1 lane",
+                     sharing_option(request)));
+  refuse((request.target.limb_lanes || lanes) && request.target.sincos == emit::Sincos::kLibm,
+         fmt::format("--{}lanes: <cmath> has no sines of vectors; expected no --sincos libm",
+                     lanes ? "" : "limb-"));
+  refuse(request.checked && (request.share_limbs || lanes),
+         fmt::format(
+             "--checked: a status is that of one state and of code that is not shared; expected no "
+             "{} and 1 lane",
+             sharing_option(request)));
+  if (request.scene) {
+    refuse(lanes, "--lanes: functions of a scene branch; expected 1 lane");
+    refuse_options_of_scene(command, request);
   }
-  if (request.checked && (request.share_limbs || request.target.lanes > 1)) {
-    throw CLI::ParseError(
-        fmt::format(
-            "--checked: a status is that of one state and of code that is not shared; expected no "
-            "{} and 1 lane",
-            sharing_option(request)),
-        kUsage);
-  }
-  if (!request.scene) {
-    return;
-  }
-  if (request.target.lanes > 1) {
-    throw CLI::ParseError("--lanes: functions of a scene branch; expected 1 lane", kUsage);
-  }
-  refuse_options_of_scene(command, request);
 }
 
 /// What the language and the functions have words for.
 void require_words_of_language(const Request& request) {
   const bool c = request.language == emit::Language::kC99;
-  if (c && (request.share_limbs || request.target.lanes > 1)) {
-    throw CLI::ParseError(
-        fmt::format("--language c99: has no lanes and no code that limbs share; expected no {} and "
-                    "1 lane",
-                    sharing_option(request)),
-        kUsage);
-  }
-  if (c && request.space) {
-    throw CLI::ParseError("--namespace: C has none; expected --prefix", kUsage);
-  }
-  if (!c && request.prefix) {
-    throw CLI::ParseError("--prefix: is that of --language c99; expected --namespace", kUsage);
-  }
-  if (request.self_test && request.target.lanes > 1) {
-    throw CLI::ParseError("--self-test: tests functions of one state; expected 1 lane", kUsage);
-  }
+  const bool lanes = request.target.lanes > 1;
+  refuse(
+      c && (request.share_limbs || lanes),
+      fmt::format("--language c99: has no lanes and no code that limbs share; expected no {} and "
+                  "1 lane",
+                  sharing_option(request)));
+  refuse(c && request.space, "--namespace: C has none; expected --prefix");
+  refuse(!c && request.prefix, "--prefix: is that of --language c99; expected --namespace");
+  refuse(request.self_test && lanes, "--self-test: tests functions of one state; expected 1 lane");
 }
 
 /// Functions of a scene need one.
 void require_scene_of_functions(const Request& request) {
-  const auto of_scene = std::find_if(request.functions.begin(), request.functions.end(),
-                                     equations::is_scene_function);
-  if (!request.scene && of_scene != request.functions.end()) {
-    throw CLI::ParseError(
-        fmt::format("--functions: {} is a function of a scene; expected --scene FILE", *of_scene),
-        kUsage);
+  const auto of_scene = std::ranges::find_if(request.functions, equations::is_scene_function);
+  if (of_scene != request.functions.end()) {
+    refuse(
+        !request.scene,
+        fmt::format("--functions: {} is a function of a scene; expected --scene FILE", *of_scene));
   }
 }
 
 /// Passes are shown of functions of a model, beside a scene too.
 void require_functions_of_passes(const Settings& settings) {
   const Request& request = settings.request;
-  if (settings.passes && request.scene &&
-      std::all_of(request.functions.begin(), request.functions.end(),
-                  equations::is_scene_function)) {
-    throw CLI::ParseError(
-        "--passes: functions of a scene have no table of passes; expected --functions of its model",
-        kUsage);
-  }
+  refuse(
+      settings.passes && request.scene &&
+          std::ranges::all_of(request.functions, equations::is_scene_function),
+      "--passes: functions of a scene have no table of passes; expected --functions of its model");
 }
 
 /// `info --equations` without a file shows the block equations.
@@ -302,9 +278,8 @@ void require_options(const CLI::App& app, Settings& settings) {
     require_scene_of_functions(settings.request);
     require_functions_of_passes(settings);
   }
-  if (app.got_subcommand("info") && settings.request.accuracy_samples > 0 && !settings.errors) {
-    throw CLI::ParseError("--accuracy-samples: is a number of states; expected --accuracy", kUsage);
-  }
+  refuse(app.got_subcommand("info") && settings.request.accuracy_samples > 0 && !settings.errors,
+         "--accuracy-samples: is a number of states; expected --accuracy");
   if (settings.simulation.report && settings.simulation.output.empty()) {
     throw CLI::RequiredError("--report: -o DIR");
   }

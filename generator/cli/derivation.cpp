@@ -12,7 +12,6 @@
 #include "equations/table.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/trunk.hpp"
-#include "pipeline.hpp"
 
 namespace treedyn {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "equations/table.hpp"
 #include "expansion/equations_text.hpp"
-#include "pipeline.hpp"
 
 namespace treedyn {
 

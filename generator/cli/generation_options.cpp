@@ -10,10 +10,7 @@
 #include "common/identifier.hpp"
 #include "common/parallel.hpp"
 #include "equations/scene_table.hpp"
-#include "formulate/scene_functions.hpp"
-#include "formulate/scene_steps.hpp"
 #include "model/scene_facts.hpp"
-#include "pipeline.hpp"
 
 namespace treedyn {
 
@@ -38,19 +35,16 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::IsMember(words).description("");
 }
 
-namespace {
-
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> result(1);
-  for (const char c : list) {
-    if (c == ',') {
-      result.emplace_back();
-    } else {
-      result.back() += c;
-    }
-  }
-  return result;
+CLI::Option* add_choice(CLI::App& command, const std::string& name,
+                        const std::vector<std::string>& words,
+                        const std::function<void(const std::string&)>& set,
+                        const std::string& help) {
+  return command.add_option_function<std::string>(name, set, help)
+      ->check(one_of(words))
+      ->type_name(fmt::format("{}", fmt::join(words, "|")));
 }
+
+namespace {
 
 /// A word of the user's that the output takes as a name.
 void add_output_word(CLI::App& command, const char* option, const char* what, const char* help,
@@ -72,15 +66,12 @@ void add_output_word(CLI::App& command, const char* option, const char* what, co
 }
 
 void add_language(CLI::App& command, Request& request) {
-  command
-      .add_option_function<std::string>(
-          "--language",
-          [&request](const std::string& language) {
-            request.language = language == "c99" ? emit::Language::kC99 : emit::Language::kCpp;
-          },
-          "c99: the same statements as NAME.h and NAME.c, for C and C++; default c++")
-      ->check(one_of({"c++", "c99"}))
-      ->type_name("c++|c99");
+  add_choice(
+      command, "--language", {"c++", "c99"},
+      [&request](const std::string& language) {
+        request.language = language == "c99" ? emit::Language::kC99 : emit::Language::kCpp;
+      },
+      "c99: the same statements as NAME.h and NAME.c, for C and C++; default c++");
   add_output_word(command, "--name", "a namespace",
                   "file stem, namespace and prefix; default: the model's own name",
                   [&request](const std::string& name) { request.name = name; });
@@ -97,10 +88,9 @@ void add_language(CLI::App& command, Request& request) {
 
 void set_functions(Request& request, const std::string& list) {
   std::vector<std::string> known = formulate::function_names();
-  for (const equations::SceneFunctionInfo& info : equations::scene_function_infos()) {
-    known.emplace_back(info.name);
-  }
-  for (const std::string& name : split(list)) {
+  const std::vector<std::string> of_scenes = words_of(equations::scene_function_infos());
+  known.insert(known.end(), of_scenes.begin(), of_scenes.end());
+  for (const std::string& name : split(list, ',')) {
     if (is_reserved_word(name)) {
       throw CLI::ValidationError(
           "--functions", fmt::format("{} is a reserved word and no name of a function; expected "
@@ -118,7 +108,7 @@ void set_functions(Request& request, const std::string& list) {
 }
 
 void set_gravity(Request& request, const std::string& text) {
-  const std::vector<std::string> values = split(text);
+  const std::vector<std::string> values = split(text, ',');
   if (values.size() != 3) {
     throw CLI::ValidationError("--gravity", "expected three numbers x,y,z");
   }
@@ -136,7 +126,7 @@ void set_forward_dynamics(Request& request, const std::string& choice) {
 
 /// Names of passes, comma-separated.
 void set_without(Request& request, const std::string& list) {
-  for (const std::string& name : split(list)) {
+  for (const std::string& name : split(list, ',')) {
     const auto& known = formulate::passes();
     const auto found =
         std::find_if(known.begin(), known.end(),
@@ -207,16 +197,13 @@ void add_model(CLI::App& command, Request& request) {
           },
           "tolerance in rad below which decimals become exact angles; default 1e-9, 0: off")
       ->type_name("TOL");
-  command
-      .add_option_function<std::string>(
-          "--mimic",
-          [&request](const std::string& mimic) {
-            request.read.mimic = mimic == "independent" ? description::Mimic::kIndependent
-                                                        : description::Mimic::kReduce;
-          },
-          "URDF mimic joints; default reduce")
-      ->check(one_of({"reduce", "independent"}))
-      ->type_name("reduce|independent");
+  add_choice(
+      command, "--mimic", {"reduce", "independent"},
+      [&request](const std::string& mimic) {
+        request.read.mimic =
+            mimic == "independent" ? description::Mimic::kIndependent : description::Mimic::kReduce;
+      },
+      "URDF mimic joints; default reduce");
 }
 
 namespace {
@@ -226,7 +213,7 @@ void add_runtime(CLI::App& command, Request& request) {
       .add_option_function<std::string>(
           "--runtime",
           [&request](const std::string& list) {
-            for (const std::string& name : split(list)) {
+            for (const std::string& name : split(list, ',')) {
               request.read.runtime.push_back(name);
             }
           },
@@ -252,13 +239,10 @@ void add_stepping(CLI::App& command, StepChoice& stepping) {
       .add_option("--cuts", stepping.cuts, "shorter steps that look for an event; 0: at the end")
       ->check(CLI::Range(0, model::kMostCuts))
       ->type_name("N");
-  command
-      .add_option_function<std::string>(
-          "--state",
-          [&stepping](const std::string& state) { stepping.compensated = state == "compensated"; },
-          "compensated: the step keeps what rounding takes from the state; default plain")
-      ->check(one_of({"plain", "compensated"}))
-      ->type_name("plain|compensated");
+  add_choice(
+      command, "--state", {"plain", "compensated"},
+      [&stepping](const std::string& state) { stepping.compensated = state == "compensated"; },
+      "compensated: the step keeps what rounding takes from the state; default plain");
 }
 
 }  // namespace
@@ -282,21 +266,15 @@ void add_core(CLI::App& command, Request& request) {
   const auto late = [](bool is_late) {
     return is_late ? program::Trigonometry::kLate : program::Trigonometry::kEarly;
   };
-  CLI::Option* const trig =
-      command
-          .add_option_function<std::string>(
-              "--trig",
-              [&request, late](const std::string& place) {
-                request.target.trigonometry = late(place == "late");
-              },
-              "sines and cosines at the beginning, or just before their first use, for processors "
-              "that execute in order; default early, with --core of a microcontroller late")
-          ->check(one_of({"early", "late"}))
-          ->type_name("early|late");
-  std::vector<std::string> names = {"generic"};
-  for (const accuracy::Core& core : accuracy::cores()) {
-    names.emplace_back(core.name);
-  }
+  CLI::Option* const trig = add_choice(
+      command, "--trig", {"early", "late"},
+      [&request, late](const std::string& place) {
+        request.target.trigonometry = late(place == "late");
+      },
+      "sines and cosines at the beginning, or just before their first use, for processors "
+      "that execute in order; default early, with --core of a microcontroller late");
+  std::vector<std::string> names = words_of(accuracy::cores());
+  names.insert(names.begin(), "generic");
   std::vector<std::string> known = names;
   known.emplace_back("m4");  // with its FPU
   command
@@ -315,16 +293,12 @@ void add_core(CLI::App& command, Request& request) {
 }
 
 void add_target(CLI::App& command, Request& request) {
-  command
-      .add_option_function<std::string>(
-          "--scalar",
-          [&request](const std::string& scalar) {
-            request.target.scalar =
-                scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
-          },
-          "the only floating-point type of the output; default double")
-      ->check(one_of({"double", "float"}))
-      ->type_name("double|float");
+  add_choice(
+      command, "--scalar", {"double", "float"},
+      [&request](const std::string& scalar) {
+        request.target.scalar = scalar == "float" ? emit::Scalar::kFloat : emit::Scalar::kDouble;
+      },
+      "the only floating-point type of the output; default double");
   command
       .add_option("--lanes", request.target.lanes,
                   "states computed at once, one a lane of a vector")
@@ -345,14 +319,11 @@ void add_target(CLI::App& command, Request& request) {
       ->check(one_of({"vector", "pair", "libm", "builtin"}))
       ->type_name("vector|pair|libm");
   add_core(command, request);
-  command
-      .add_option_function<std::string>(
-          "--layout",
-          [&request](const std::string& layout) { request.target.packed = layout == "packed"; },
-          "of A and of matrices of users: dense, or the structural nonzeros, of A on and below the "
-          "diagonal, with index tables in the header; default dense")
-      ->check(one_of({"dense", "packed"}))
-      ->type_name("dense|packed");
+  add_choice(
+      command, "--layout", {"dense", "packed"},
+      [&request](const std::string& layout) { request.target.packed = layout == "packed"; },
+      "of A and of matrices of users: dense, or the structural nonzeros, of A on and below the "
+      "diagonal, with index tables in the header; default dense");
 }
 
 /// Which functions there are, and of what.
@@ -404,20 +375,15 @@ void add_formulation(CLI::App& command, Request& request) {
           "--without", [&request](const std::string& list) { set_without(request, list); },
           "passes to switch off, comma-separated; treedyn info --passes shows what each one gains")
       ->type_name("LIST");
-  command
-      .add_option_function<std::string>(
-          "--units", [&request](const std::string& choice) { request.metres = choice == "si"; },
-          "unit of length inside functions: metres, or a length of the robot where that saves 2 % "
-          "of the operations; default auto")
-      ->check(one_of({"auto", "si"}))
-      ->type_name("auto|si");
-  command
-      .add_option_function<std::string>(
-          "--forward-dynamics",
-          [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
-          "method of forward_dynamics; default cheapest")
-      ->check(one_of({"cheapest", "factor", "articulated"}))
-      ->type_name("cheapest|factor|articulated");
+  add_choice(
+      command, "--units", {"auto", "si"},
+      [&request](const std::string& choice) { request.metres = choice == "si"; },
+      "unit of length inside functions: metres, or a length of the robot where that saves 2 % "
+      "of the operations; default auto");
+  add_choice(
+      command, "--forward-dynamics", {"cheapest", "factor", "articulated"},
+      [&request](const std::string& choice) { set_forward_dynamics(request, choice); },
+      "method of forward_dynamics; default cheapest");
 }
 
 }  // namespace

@@ -2,11 +2,14 @@
 // scene_commands, settings_file and command_line.cpp only.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "common/closest.hpp"
 #include "request/request.hpp"
 
 namespace treedyn {
@@ -19,6 +22,19 @@ Real positive(const std::string& option, const std::string& text);
 
 /// A check whose words the option's type name already shows.
 CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// An option of a few words, which its type name shows; `set` gets the one that is given.
+CLI::Option* add_choice(CLI::App& command, const std::string& name,
+                        const std::vector<std::string>& words,
+                        const std::function<void(const std::string&)>& set,
+                        const std::string& help);
+
+/// The names of rows of a table.
+template <class List>
+std::vector<std::string> words_of(const List& rows) {
+  const std::vector<std::string_view> names = names_of(rows);
+  return {names.begin(), names.end()};
+}
 
 /// MODEL and how it is read: --base, --snap, --mimic.
 void add_model(CLI::App& command, Request& request);

@@ -1,42 +1,22 @@
 #include "cli/info.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "cli/model_facts.hpp"
-#include "cli/parameter_prices.hpp"
-#include "cli/scene_prices.hpp"
+#include "cli/prices.hpp"
 #include "common/decimal.hpp"
 #include "emit/header.hpp"
 #include "emit/layout.hpp"
 #include "equations/scene_table.hpp"
-#include "formulate/scene_functions.hpp"
 
 namespace treedyn {
 
 namespace {
 
+using emit::table;
 using Rows = std::vector<std::vector<std::string>>;
-
-/// Columns two spaces apart, two spaces in front.
-std::string table(const Rows& rows) {
-  std::vector<std::size_t> width(rows.front().size(), 0);
-  for (const auto& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      width[k] = std::max(width[k], row[k].size());
-    }
-  }
-  std::string result;
-  for (const auto& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      result += fmt::format("  {:{}}", row[k], k + 1 < row.size() ? width[k] : 0);
-    }
-    result += "\n";
-  }
-  return result;
-}
 
 std::string joint_table(const Model& model) {
   Rows rows = {{"index", "joint", "type", "father", "link", "mass/kg"}};
@@ -134,19 +114,25 @@ std::string change_text(const program::Cost& with, const program::Cost& without)
   return result.empty() ? "0" : result;
 }
 
-std::string price_table(const Model& model, const Request& request,
-                        const program::Programs& programs) {
-  if (!model.scene) {
-    return {};
-  }
-  Rows rows = {{"effect", "function", "without", "with", "price"}};
-  for (const Price& price : effect_prices(model, request, programs)) {
-    rows.push_back({price.effect, price.function.empty() ? "none" : price.function,
+/// \param head  of the first column
+std::string price_table(const char* head, const std::vector<Price>& prices) {
+  Rows rows = {{head, "function", "without", "with", "price"}};
+  for (const Price& price : prices) {
+    rows.push_back({shown(price.of), price.function.empty() ? "none" : price.function,
                     std::to_string(price.without.total()), std::to_string(price.with.total()),
                     change_text(price.with, price.without)});
   }
+  return table(rows);
+}
+
+std::string effects_text(const Model& model, const Request& request,
+                         const program::Programs& programs) {
+  if (!model.scene) {
+    return {};
+  }
+  const std::vector<Price> prices = effect_prices(model, request, programs);
   std::string result = "\nprice of every effect: operations with it less those without it\n";
-  result += rows.size() > 1 ? table(rows) : "  the scene names no effect\n";
+  result += prices.empty() ? "  the scene names no effect\n" : price_table("effect", prices);
   for (const ContactPrice& contact : contact_prices(programs)) {
     result += fmt::format("  closed contact {}: {} more\n", contact.contact,
                           emit::cost_text(contact.cost));
@@ -154,19 +140,12 @@ std::string price_table(const Model& model, const Request& request,
   return result;
 }
 
-std::string parameter_table(const Model& model, const Request& request,
+std::string parameters_text(const Model& model, const Request& request,
                             const program::Programs& programs) {
-  if (!programs.update) {
-    return {};
-  }
-  Rows rows = {{"declared", "function", "without", "with", "price"}};
-  for (const ParameterPrice& price : parameter_prices(model, request, programs)) {
-    rows.push_back({shown(price.declared), price.function.empty() ? "none" : price.function,
-                    std::to_string(price.without.total()), std::to_string(price.with.total()),
-                    change_text(price.with, price.without)});
-  }
-  return "\nprice of every run-time parameter: operations with it less those without it\n" +
-         table(rows);
+  return !programs.update
+             ? ""
+             : "\nprice of every run-time parameter: operations with it less those without it\n" +
+                   price_table("declared", parameter_prices(model, request, programs));
 }
 
 }  // namespace
@@ -179,7 +158,7 @@ std::string info_text(const Model& model, const Request& request,
                      emit::decimal(total_mass(model.tree)), axes ? "axes" : "fixed") +
          joint_table(model) + mimic_lines(model) + reachability_text(model.tree) +
          point_table(model) + snap_table(model.tree) + cost_table(model, request, programs) +
-         parameter_table(model, request, programs) + price_table(model, request, programs);
+         parameters_text(model, request, programs) + effects_text(model, request, programs);
 }
 
 std::string passes_text(const Model& model, const Request& request) {

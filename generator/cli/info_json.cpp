@@ -2,12 +2,10 @@
 
 #include "cli/info.hpp"
 #include "cli/model_facts.hpp"
-#include "cli/parameter_prices.hpp"
-#include "cli/scene_prices.hpp"
+#include "cli/prices.hpp"
 #include "common/decimal.hpp"
 #include "emit/header.hpp"
 #include "emit/json.hpp"
-#include "emit/layout.hpp"
 #include "emit/manifest.hpp"
 #include "emit/run_time.hpp"
 
@@ -15,12 +13,9 @@ namespace treedyn {
 
 namespace {
 
+using emit::json_list;
 using emit::json_object;
 using emit::json_string;
-
-std::string json_list(const std::vector<std::string>& values) {
-  return fmt::format("[{}]", fmt::join(values, ", "));
-}
 
 std::string vector_json(const model::Vector3& v) {
   return json_list({emit::decimal(v[0]), emit::decimal(v[1]), emit::decimal(v[2])});
@@ -84,19 +79,16 @@ std::vector<std::string> snaps_json(const model::Tree& tree) {
   return result;
 }
 
-std::vector<std::string> prices_json(const Model& model, const Request& request,
-                                     const program::Programs& programs) {
+/// \param key  what the prices are of
+std::string prices_json(const char* key, const std::vector<Price>& prices) {
   std::vector<std::string> result;
-  if (!model.scene) {
-    return result;
-  }
-  for (const Price& price : effect_prices(model, request, programs)) {
-    result.push_back(json_object({{"effect", json_string(price.effect)},
+  for (const Price& price : prices) {
+    result.push_back(json_object({{key, json_string(price.of)},
                                   {"function", json_string(price.function)},
                                   {"with", emit::operations_json(price.with)},
                                   {"without", emit::operations_json(price.without)}}));
   }
-  return result;
+  return emit::json_lines(result, 4);
 }
 
 /// Nothing without run-time parameters.
@@ -105,15 +97,9 @@ std::string parameters_json(const Model& model, const Request& request,
   if (!programs.update) {
     return {};
   }
-  std::vector<std::string> prices;
-  for (const ParameterPrice& price : parameter_prices(model, request, programs)) {
-    prices.push_back(json_object({{"declared", json_string(price.declared)},
-                                  {"function", json_string(price.function)},
-                                  {"with", emit::operations_json(price.with)},
-                                  {"without", emit::operations_json(price.without)}}));
-  }
   return emit::parameters_json(model.tree, decided_request(model, request).gravity) +
-         fmt::format(",\n  \"parameter_prices\": {}", emit::json_lines(prices, 4));
+         fmt::format(",\n  \"parameter_prices\": {}",
+                     prices_json("declared", parameter_prices(model, request, programs)));
 }
 
 std::vector<std::string> functions_json(const Model& model, const Request& request,
@@ -144,7 +130,7 @@ std::string info_json(const Model& model, const Request& request,
       emit::json_lines(functions_json(model, request, programs), 4),
       parameters_json(model, request, programs),
       model.scene ? fmt::format(",\n  \"prices\": {}",
-                                emit::json_lines(prices_json(model, request, programs), 4))
+                                prices_json("effect", effect_prices(model, request, programs)))
                   : "");
 }
 

@@ -13,14 +13,7 @@ std::vector<std::string> reachability_rows(const model::Tree& tree) {
     index.father.push_back(link.father);
     index.revolute.push_back(is_revolute(link));
   }
-  std::vector<std::string> rows(1);
-  for (const char c : block::to_text(block::reachability(index))) {
-    if (c == '\n') {
-      rows.emplace_back();
-    } else {
-      rows.back() += c;
-    }
-  }
+  std::vector<std::string> rows = split(block::to_text(block::reachability(index)), '\n');
   rows.resize(tree.links.size());
   return rows;
 }

@@ -9,7 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "emit/numeric_driver.hpp"
+#include "emit/layout.hpp"
+#include "emit/template_file.hpp"
 #include "system/compiler.hpp"
 #include "system/files.hpp"
 
@@ -18,6 +19,38 @@ namespace treedyn {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// A function that fills the inputs, calls and prints.
+std::string probe(const std::string& space, const program::Signature& signature) {
+  std::string result = fmt::format("\nvoid probe_{}() {{\n", signature.name);
+  std::vector<std::string> names;
+  for (const program::Array& array : signature.inputs) {
+    result += fmt::format("  Scalar {}[{}];\n  ::fill({}, {});\n", array.name, array.size,
+                          array.name, array.size);
+    names.push_back(array.name);
+  }
+  std::string printing;
+  for (const program::Array& array : signature.outputs) {
+    result += fmt::format("  Scalar {}[{}];\n", array.name, array.size);
+    printing += fmt::format("  ::print(\"{}\", {}, {});\n", signature.name, array.name, array.size);
+    names.push_back(array.name);
+  }
+  return result + fmt::format("  {}::{}({});\n{}}}\n", space, signature.name,
+                              fmt::join(names, ", "), printing);
+}
+
+/// A program that prints the values of the given functions of a namespace at fixed states.
+std::string driver_text(const std::string& name, const std::string& space,
+                        const std::vector<program::Signature>& functions) {
+  std::string probes;
+  std::string calls;
+  for (const program::Signature& signature : functions) {
+    probes += probe(space, signature);
+    calls += fmt::format("    probe_{}();\n", signature.name);
+  }
+  return emit::fill(emit::template_text("numeric.cpp"),
+                    {{"name", name}, {"space", space}, {"probes", probes}, {"calls", calls}});
+}
 
 using NamedValues = std::map<std::string, std::vector<double>>;
 
@@ -29,7 +62,7 @@ NamedValues values_of(std::vector<std::string> command, const std::string& name,
   const std::string driver = (scratch.path() / "driver.cpp").string();
   const std::string program = (scratch.path() / "driver").string();
   const std::string printed = (scratch.path() / "values").string();
-  write_files({{driver, emit::numeric_driver(name, space, functions)}});
+  write_files({{driver, driver_text(name, space, functions)}});
   command.insert(command.end(), {"-std=c++11", "-O1", "-I", fs::absolute(folder).string(), driver,
                                  fs::absolute(folder / (name + ".cpp")).string(), "-o", program});
   if (!succeeds(command, printed) || !succeeds({program}, printed)) {
@@ -97,7 +130,8 @@ std::string numeric_report(const Model& model, const Request& request,
   std::vector<program::Signature> common;
   std::string report;
   for (const program::Signature& signature : signatures_of(model)) {
-    if (header.find(emit::declaration_text(signature)) != std::string::npos) {
+    // equal text, equal signature
+    if (header.find(emit::declaration(signature, " noexcept;")) != std::string::npos) {
       common.push_back(signature);
     } else {
       const bool other = header.find(fmt::format("void {}(", signature.name)) != std::string::npos;

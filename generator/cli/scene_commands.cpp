@@ -9,7 +9,6 @@
 
 #include "cli/generation_options.hpp"
 #include "common/decimal.hpp"
-#include "formulate/scene_steps.hpp"
 #include "model/effects.hpp"
 #include "model/scene.hpp"
 #include "model/scene_facts.hpp"
@@ -71,12 +70,8 @@ void add_axes(CLI::App& command, AccuracyAxes& axes) {
     cuts.push_back(std::to_string(k));
   }
   add("--cuts", "shorter steps that look for an event; 0: at the end", cuts, axes.cuts);
-  std::vector<std::string> effects;
-  for (const model::EffectRow& row : model::effects()) {
-    effects.emplace_back(row.name);
-  }
-  add("--without", "effects that are left out, one at a time, beside the whole scene", effects,
-      axes.without);
+  add("--without", "effects that are left out, one at a time, beside the whole scene",
+      words_of(model::effects()), axes.without);
 }
 
 /// What is studied, and what is looked for.
@@ -88,10 +83,7 @@ void add_study(CLI::App& command, AccuracyRequest& request) {
                   "folder of NAME_accuracy.html, .svg, .csv and .json; with --target "
                   "NAME_accuracy_CORE.toml of each processor, for generate --settings")
       ->type_name("DIR");
-  std::vector<std::string> names;
-  for (const accuracy::Core& core : accuracy::cores()) {
-    names.emplace_back(core.name);
-  }
+  const std::vector<std::string> names = words_of(accuracy::cores());
   command
       .add_option("--on", request.on,
                   fmt::format("processors, whose tables of cycles count: {}; default {}",
@@ -99,10 +91,9 @@ void add_study(CLI::App& command, AccuracyRequest& request) {
       ->delimiter(',')
       ->check(one_of(names))
       ->type_name("LIST");
-  std::vector<std::string> methods = model::step_method_names();
   command.add_option("--integrators", request.integrators, "default: the explicit ones")
       ->delimiter(',')
-      ->check(one_of(methods))
+      ->check(one_of(model::step_method_names()))
       ->type_name("LIST");
   command
       .add_option_function<std::vector<std::string>>(
@@ -145,10 +136,7 @@ void add_comparison(CLI::App& command, AccuracyRequest& request) {
           "1e-9 to 1; default 0.01")
       ->check(CLI::Validator(check_spread, ""))
       ->type_name("PART");
-  std::vector<std::string> errors;
-  for (const accuracy::ErrorRow& row : accuracy::kErrors) {
-    errors.emplace_back(row.name);
-  }
+  const std::vector<std::string> errors = words_of(accuracy::kErrors);
   command
       .add_option("--error", request.error,
                   "which one targets, fronts and pictures are of; default joints")
@@ -214,15 +202,11 @@ void keep_once(std::vector<Value>& values) {
 
 /// How the motion is integrated.
 void add_integration(CLI::App& command, SimulateRequest& request) {
-  std::vector<std::string> integrators;
-  for (const simulation::IntegratorRow& row : simulation::integrators()) {
-    integrators.emplace_back(row.name);
-  }
   command
       .add_option("--integrator", request.integrator,
                   "treedyn list integrators names them; default the scene's, which is fehlberg78 "
                   "unless it says another")
-      ->check(one_of(integrators))
+      ->check(one_of(words_of(simulation::integrators())))
       ->type_name("NAME");
   add_positive(command, "--step",
                "s; the longest one of an adaptive integrator, default no limit; of others default "
@@ -291,17 +275,14 @@ void add_simulate(CLI::App& app, Settings& settings) {
                "end where more energy appears without power: parts of what the motion has "
                "exchanged; default 1",
                "E", request.energy_limit);
-  command
-      .add_option_function<std::string>(
-          "--drift",
-          [&request](const std::string& drift) {
-            request.drift = drift == "none"        ? model::Drift::kNone
-                            : drift == "baumgarte" ? model::Drift::kBaumgarte
-                                                   : model::Drift::kProjection;
-          },
-          "what is done about the drift of constraints; default the scene's, or projection")
-      ->check(one_of({"none", "baumgarte", "projection"}))
-      ->type_name("none|baumgarte|projection");
+  add_choice(
+      command, "--drift", {"none", "baumgarte", "projection"},
+      [&request](const std::string& drift) {
+        request.drift = drift == "none"        ? model::Drift::kNone
+                        : drift == "baumgarte" ? model::Drift::kBaumgarte
+                                               : model::Drift::kProjection;
+      },
+      "what is done about the drift of constraints; default the scene's, or projection");
   add_talk(command, settings);
 }
 

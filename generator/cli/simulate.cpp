@@ -12,7 +12,6 @@
 #include "description/scene_reader.hpp"
 #include "dynamics/scene_dynamics.hpp"
 #include "formulate/scene_loops.hpp"
-#include "formulate/scene_steps.hpp"
 #include "formulate/scene_sticking.hpp"
 #include "model/effects.hpp"
 #include "model/scene_facts.hpp"
@@ -176,6 +175,16 @@ void run(GeneratedStep* step, simulation::Simulator& simulator,
   result.generated->operations = run.operations;
 }
 
+/// Names with a line about each.
+template <class List>
+std::string list_of(const List& rows) {
+  std::string result;
+  for (const auto& row : rows) {
+    result += fmt::format("{:<24}{}\n", row.name, row.brief);
+  }
+  return result;
+}
+
 }  // namespace
 
 SimulateResult simulate(const SimulateRequest& request, const simulation::Progress& progress) {
@@ -219,20 +228,8 @@ std::string write_simulation(const SimulateRequest& request, const SimulateResul
   return "";
 }
 
-std::string list_effects() {
-  std::string result;
-  for (const model::EffectRow& row : model::effects()) {
-    result += fmt::format("{:<24}{}\n", row.name, row.brief);
-  }
-  return result;
-}
+std::string list_effects() { return list_of(model::effects()); }
 
-std::string list_integrators() {
-  std::string result;
-  for (const simulation::IntegratorRow& row : simulation::integrators()) {
-    result += fmt::format("{:<24}{}\n", row.name, row.brief);
-  }
-  return result;
-}
+std::string list_integrators() { return list_of(simulation::integrators()); }
 
 }  // namespace treedyn

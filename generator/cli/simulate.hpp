@@ -1,7 +1,6 @@
 // `treedyn simulate`: a scene to a table, a JSON file and a page to look at.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 

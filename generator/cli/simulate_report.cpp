@@ -241,24 +241,12 @@ std::string bounds_json(const SimulateResult& result) {
   return fmt::format("[{{\"name\": \"warning\", \"value\": {}}}]", result.recording.drift_warning);
 }
 
-std::vector<std::string> quoted(const std::vector<std::string>& texts) {
-  std::vector<std::string> result;
-  for (const std::string& text : texts) {
-    result.push_back(emit::json_string(text));
-  }
-  return result;
-}
-
 std::string units_json(const model::Scene& scene) {
   std::vector<std::pair<std::string, std::string>> members;
   for (const simulation::Column& column : simulation::columns_of(scene)) {
     members.emplace_back(column.name, emit::json_string(column.unit));
   }
-  std::vector<std::string> lines;
-  for (const auto& [name, unit] : members) {
-    lines.push_back(fmt::format("{}: {}", emit::json_string(name), unit));
-  }
-  return fmt::format("{{{}}}", fmt::join(lines, ", "));
+  return emit::json_object(members);
 }
 
 /// What the page shows, as JSON that may stand inside a script element.
@@ -280,11 +268,11 @@ std::string report_data(const SimulateResult& result) {
       "\"forces\": {},\n\"bounds\": {},\n\"rows\": [\n{}]}}",
       emit::json_string(scene.name), scene.tree.dof(), scene.tree.size(), recording.rows.size(),
       emit::json_string(recording.stopped), run_json(result),
-      bracketed(quoted(warnings_of(result))), events_json(result),
-      bracketed(quoted(recording.columns)), units_json(scene), bracketed(quoted(phases)),
-      bracketed(quoted(recording.figure.names)), fmt::join(recording.figure.visible, ","),
-      bracketed(lines), planes_json(scene), ForceList(scene, recording.columns).text(),
-      bounds_json(result), rows_json(recording));
+      bracketed(emit::json_strings(warnings_of(result))), events_json(result),
+      bracketed(emit::json_strings(recording.columns)), units_json(scene),
+      bracketed(emit::json_strings(phases)), bracketed(emit::json_strings(recording.figure.names)),
+      fmt::join(recording.figure.visible, ","), bracketed(lines), planes_json(scene),
+      ForceList(scene, recording.columns).text(), bounds_json(result), rows_json(recording));
   std::string safe;
   for (const char c : text) {  // no name ends the script
     safe += c == '<' ? "\\u003c" : std::string(1, c);
@@ -292,19 +280,11 @@ std::string report_data(const SimulateResult& result) {
   return safe;
 }
 
-std::string html_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string report_text(const SimulateResult& result) {
   return emit::fill(emit::template_text("report.html"),
-                    {{"scene", html_text(result.scene.name)}, {"data", report_data(result)}});
+                    {{"scene", emit::html_text(result.scene.name)}, {"data", report_data(result)}});
 }
 
 }  // namespace treedyn

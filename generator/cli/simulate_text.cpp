@@ -1,6 +1,6 @@
 // The results of a simulation as text.
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -30,26 +30,15 @@ std::string csv_field(const std::string& name) {
   return result + "\"";
 }
 
-/// JSON has no word for what is not finite.
-std::string json_number(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "null";
-}
+using emit::json_number;
 
 template <class List>
 std::string json_numbers(const List& values) {
-  std::string result;
+  std::vector<std::string> result;
   for (const double value : values) {
-    result += (result.empty() ? "" : ", ") + json_number(value);
+    result.push_back(json_number(value));
   }
-  return "[" + result + "]";
-}
-
-std::string json_strings(const std::vector<std::string>& values) {
-  std::string result;
-  for (const std::string& value : values) {
-    result += (result.empty() ? "" : ", ") + emit::json_string(value);
-  }
-  return "[" + result + "]";
+  return emit::json_list(result);
 }
 
 std::string event_json(const SimulateResult& result, const simulation::EventRecord& event) {
@@ -130,12 +119,10 @@ std::string stable_json(const SimulateResult& result) {
 }
 
 std::string row_json(const SimulateResult& result, const simulation::Row& row) {
-  std::string text =
-      fmt::format("[{}, {}", json_number(row.t), emit::json_string(result.phase_name(row.phase)));
-  for (const double value : row.values) {
-    text += ", " + json_number(value);
-  }
-  return text + "]";
+  std::vector<std::string> values = {json_number(row.t),
+                                     emit::json_string(result.phase_name(row.phase))};
+  std::ranges::transform(row.values, std::back_inserter(values), json_number);
+  return emit::json_list(values);
 }
 
 /// Forces and reactions are not counted, as they are no straight-line code.
@@ -241,8 +228,8 @@ std::string json_text(const SimulateResult& result) {
       result.generated ? emit::json_string(result.generated->scalar) : "null",
       result.recording.cost.steps, emit::json_string(result.recording.stopped),
       warnings_json(result), emit::json_lines(statuses, 4), cost_json(result), kept_json(result),
-      stable_json(result), json_strings(columns), emit::json_lines(events, 4),
-      emit::json_lines(rows, 4));
+      stable_json(result), emit::json_list(emit::json_strings(columns)),
+      emit::json_lines(events, 4), emit::json_lines(rows, 4));
 }
 
 }  // namespace treedyn

@@ -1,7 +1,6 @@
 #include "cli/step_sizes.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <regex>
 #include <set>

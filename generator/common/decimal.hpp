@@ -1,7 +1,6 @@
 // Decimal numbers as files write them, read without a locale and with limits.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 

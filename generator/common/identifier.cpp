@@ -20,6 +20,18 @@ bool has_word(std::string_view text, std::string_view word) {
   return false;
 }
 
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
 std::string to_identifier(std::string_view name) {
   std::string result(name);
   std::ranges::replace_if(

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace treedyn {
 
@@ -13,6 +14,9 @@ bool is_word_byte(char c);  ///< [A-Za-z0-9_]
 
 /// True if `word` stands in `text`, not as a part of a longer word.
 bool has_word(std::string_view text, std::string_view word);
+
+/// What stands between separators; the whole text if there are none.
+std::vector<std::string> split(std::string_view text, char separator);
 
 /// True for what no identifier may be: keywords of C, C++ and the GNU modes of their compilers,
 /// names that C headers or the compiler's environment define as macros (`NULL`, `NAN`, `linux`),

@@ -185,26 +185,11 @@ Real cos(const Real& x) {
 Real tan(const Real& x) {
   return ratio(x, Real::map(x, [](const Digits& a) { return Digits(tan(a)); }));
 }
-Real asin(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(asin(a)); }));
-}
-Real acos(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(acos(a)); }));
-}
-Real atan(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(atan(a)); }));
-}
-Real exp(const Real& x) {
-  return ratio(x, Real::map(x, [](const Digits& a) { return Digits(exp(a)); }));
-}
 Real log(const Real& x) {
   return ratio(x, Real::map(x, [](const Digits& a) { return Digits(log(a)); }));
 }
 Real floor(const Real& x) {
   return Real::map(x, [](const Digits& a) { return Digits(floor(a)); });
-}
-Real ceil(const Real& x) {
-  return Real::map(x, [](const Digits& a) { return Digits(ceil(a)); });
 }
 Real round(const Real& x) {
   return Real::map(x, [](const Digits& a) { return Digits(round(a)); });
@@ -223,7 +208,6 @@ Real ldexp(const Real& x, int exponent) {
 }
 long lround(const Real& x) { return lround(x.digits()); }
 bool isfinite(const Real& x) { return isfinite(x.digits()) && isfinite(x.seen()); }
-bool isnan(const Real& x) { return isnan(x.digits()); }
 
 Real larger(const Real& a, const Real& b) {
   return Real::map(a, b, [](const Digits& x, const Digits& y) {

@@ -157,20 +157,14 @@ Real sqrt(const Real& x);
 Real sin(const Real& x);
 Real cos(const Real& x);
 Real tan(const Real& x);
-Real asin(const Real& x);
-Real acos(const Real& x);
-Real atan(const Real& x);
-Real exp(const Real& x);
 Real log(const Real& x);
 Real floor(const Real& x);
-Real ceil(const Real& x);
 Real round(const Real& x);
 Real atan2(const Real& y, const Real& x);
 Real pow(const Real& x, const Real& y);
 Real ldexp(const Real& x, int exponent);
 long lround(const Real& x);
 bool isfinite(const Real& x);
-bool isnan(const Real& x);
 
 /// The larger magnitude, of the numbers and of their stand-ins.
 Real larger(const Real& a, const Real& b);

@@ -13,16 +13,12 @@ namespace {
 
 using Parameters = std::vector<std::pair<std::string, Real>>;
 
-Location located(const std::string& file, const Place& place) {
-  return {file, place.line, place.column};
-}
-
 model::InputText read_input(const std::string& file, const Node& node, std::size_t index) {
   const Fields fields(file, node, called("input", node, index), {"name", "per", "size"});
   model::InputText input;
   const Text name = fields.text("name");
   input.name = name.text;
-  input.where = located(file, name.where);
+  input.where = name.where.in(file);
   if (const auto per = fields.optional_text("per")) {
     input.per = per->text;
     if (per->text != "link" && per->text != "point") {
@@ -46,10 +42,10 @@ model::EquationText read_equation(const std::string& file, const Node& node, std
   const Text name = fields.text("name");
   const Text value = fields.text("value");
   equation.name = name.text;
-  equation.where = located(file, name.where);
+  equation.where = name.where.in(file);
   equation.value = value.text;
   equation.value_at = [file, where = value.where](std::size_t offset) {
-    return located(file, where.at(offset));
+    return where.at(offset).in(file);
   };
   equation.parameters = parameters;
   if (const auto doc = fields.optional_text("doc")) {
@@ -76,7 +72,7 @@ Parameters read_parameters(const std::string& file, const Node& node) {
       constants.define(item.key.text, item.text);
       result.emplace_back(item.key.text, constants.evaluate(item.key.text));
     } catch (const TextError& problem) {
-      throw InputError(located(file, item.where.at(problem.offset())),
+      throw InputError(item.where.at(problem.offset()).in(file),
                        fmt::format("parameter '{}': {}", shown(item.key.text), problem.what()));
     }
   }
@@ -98,7 +94,7 @@ std::vector<model::EquationText> read_all(const Node& root, const std::string& f
     return {};
   }
   if (equations->kind != NodeKind::kSequence) {
-    throw InputError(located(file, equations->where), "equations: is no list; expected one");
+    throw InputError(equations->where.in(file), "equations: is no list; expected one");
   }
   const Node* const parameters = entry(root, "parameters");
   const Parameters values =

@@ -41,7 +41,7 @@ Fields::Fields(const std::string& file, const Node& node, std::string what, cons
 }
 
 void Fields::fail(const Place& where, const std::string& message) const {
-  throw InputError({file_, where.line, where.column}, fmt::format("{}: {}", what_, message));
+  throw InputError(where.in(file_), fmt::format("{}: {}", what_, message));
 }
 
 const Node* Fields::find(std::string_view key) const {

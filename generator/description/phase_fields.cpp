@@ -47,12 +47,10 @@ class PhaseReader {
   void read_phase(const Node& node, const std::string& what) {
     const SceneFields fields = context_.fields(node, what, phase_keys());
     const Text name = fields.name("name", "phase");
-    if (std::any_of(scene_.phases.begin(), scene_.phases.end(),
-                    [&](const model::Phase& p) { return p.name == name.text; })) {
+    if (is_known(name.text, names_of(scene_.phases))) {
       fields.fail(name.where, "another phase has this name; expected different names");
     }
-    names_.push_back(
-        {name.text, to_identifier(name.text), {fields.file(), name.where.line, name.where.column}});
+    names_.push_back({name.text, to_identifier(name.text), name.where.in(fields.file())});
     scene_.phases.push_back({name.text, constraints(fields, "active"), {}});
   }
 
@@ -129,8 +127,7 @@ class PhaseReader {
       event.kind = EventKind::kReaction;
       event.constraint = reacting(at);
       const Place& where = at.get("constraint").where;
-      lift_offs_.push_back(
-          {{at.file(), where.line, where.column}, at.what(), reading_, event.constraint});
+      lift_offs_.push_back({where.in(at.file()), at.what(), reading_, event.constraint});
       event.plane = {normal(at), 0};
     }
   }

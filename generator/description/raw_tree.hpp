@@ -25,6 +25,7 @@ struct Place {
     return characters != nullptr ? (*characters)[std::min(offset, characters->size() - 1)]
                                  : Place{line, column + static_cast<int>(offset)};
   }
+  [[nodiscard]] Location in(const std::string& file) const { return {file, line, column}; }
 };
 
 struct Text {
@@ -116,8 +117,6 @@ struct RawTree {
   std::vector<Warning> oddities;  ///< what is not read and looks like a slip
 };
 
-inline Location location(const RawTree& raw, const Place& place) {
-  return {raw.file, place.line, place.column};
-}
+inline Location location(const RawTree& raw, const Place& place) { return place.in(raw.file); }
 
 }  // namespace treedyn::description

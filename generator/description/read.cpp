@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "description/findings.hpp"
 #include "description/resolve.hpp"
 #include "description/urdf_reader.hpp"
 #include "description/yaml_reader.hpp"
@@ -99,19 +98,11 @@ model::Tree parse_model(const std::string& text, const std::string& path,
   return resolve(parse_raw(text, path), options).tree;
 }
 
-model::Tree parse_yaml(const std::string& text, const std::string& file,
-                       const ReadOptions& options) {
-  return resolve(read_yaml(text, file), options).tree;
-}
-
-model::Tree parse_urdf(const std::string& text, const std::string& file,
-                       const ReadOptions& options) {
-  return resolve(read_urdf(text, file), options).tree;
-}
-
 Vetted vet_model(const std::string& text, const std::string& path, const ReadOptions& options) {
   Vetted result = resolve(parse_raw(text, path), options);
-  vet_tree(result);
+  for (const auto& more : {result.tree.warnings, joints_without_inertia(result.tree)}) {
+    result.findings.insert(result.findings.end(), more.begin(), more.end());
+  }
   return result;
 }
 

@@ -53,12 +53,6 @@ model::Tree read_model(const std::string& path, const ReadOptions& options);
 model::Tree parse_model(const std::string& text, const std::string& path,
                         const ReadOptions& options);
 
-/// The same from text of a known kind; `file` is the name in messages.
-model::Tree parse_yaml(const std::string& text, const std::string& file,
-                       const ReadOptions& options);
-model::Tree parse_urdf(const std::string& text, const std::string& file,
-                       const ReadOptions& options);
-
 /// The points of `--points LIST`, INTERFACE.md 2: comma-separated `name`, `name=link`,
 /// `name=link:x,y,z`, or `all`. \throws InputError for an unknown link, a malformed number or a
 /// name used twice.

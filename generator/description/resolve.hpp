@@ -2,8 +2,6 @@
 // here or in what this calls: skeleton (names, fathers), numbers, rotation, bodies, mimic, points.
 #pragma once
 
-#include <vector>
-
 #include "description/raw_tree.hpp"
 #include "description/read.hpp"
 

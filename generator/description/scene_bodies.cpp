@@ -1,7 +1,5 @@
 #include "description/scene_bodies.hpp"
 
-#include <algorithm>
-#include <array>
 #include <set>
 
 #include <fmt/format.h>

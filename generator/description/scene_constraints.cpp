@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "description/scene_effects.hpp"
 
@@ -13,9 +14,7 @@ using model::ConstraintKind;
 using Of = SceneContext::Of;
 
 void SceneEffects::refuse_second(const SceneFields& fields, const std::string& name) const {
-  const auto& all = context_.scene().constraints;
-  if (constraints_off_.count(name) > 0 ||
-      std::any_of(all.begin(), all.end(), [&](const auto& c) { return c.name == name; })) {
+  if (constraints_off_.count(name) > 0 || is_known(name, names_of(context_.scene().constraints))) {
     fields.fail(fields.where(), fmt::format("another constraint is called '{}'; expected different "
                                             "names",
                                             shown(name)));

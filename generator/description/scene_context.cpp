@@ -59,7 +59,7 @@ void refuse_variable(const std::string& file, const Text& name, const std::strin
   constexpr std::array<std::string_view, 5> kOthers = {"t", "q", "qd", "d", "v"};
   if (component(name.text) ||
       std::find(kOthers.begin(), kOthers.end(), name.text) != kOthers.end()) {
-    throw InputError({file, name.where.line, name.where.column},
+    throw InputError(name.where.in(file),
                      what + " has the name of a variable of expressions; expected a new name");
   }
 }
@@ -81,22 +81,20 @@ void SceneContext::define(const Node& item, const std::string& what, bool run_ti
     }
   } catch (const TextError& problem) {
     const Place where = item.where.at(problem.offset());
-    throw InputError({file_, where.line, where.column},
-                     fmt::format("{}: {}", what, problem.what()));
+    throw InputError(where.in(file_), fmt::format("{}: {}", what, problem.what()));
   }
 }
 
 void SceneContext::define_parameters(const Node* node, const std::vector<Text>& run_time) {
   if (node != nullptr && node->kind != NodeKind::kMapping) {
-    throw InputError({file_, node->where.line, node->where.column},
-                     "parameters: is no mapping; expected name: value");
+    throw InputError(node->where.in(file_), "parameters: is no mapping; expected name: value");
   }
   std::vector<Text> missing = run_time;
   std::vector<std::string_view> names;
   for (const Node& item : node == nullptr ? std::vector<Node>{} : node->items) {
     const std::string what = fmt::format("parameter '{}'", shown(item.key.text));
     if (item.kind != NodeKind::kScalar || item.empty) {
-      throw InputError({file_, item.where.line, item.where.column},
+      throw InputError(item.where.in(file_),
                        what + " has no value; expected a number or an expression");
     }
     refuse_variable(file_, item.key, what);
@@ -107,7 +105,7 @@ void SceneContext::define_parameters(const Node* node, const std::vector<Text>& 
   }
   if (!missing.empty()) {
     const Text& name = missing.front();
-    throw InputError({file_, name.where.line, name.where.column},
+    throw InputError(name.where.in(file_),
                      fmt::format("runtime: there is no parameter '{}'{}; expected one of "
                                  "'parameters'",
                                  shown(name.text), did_you_mean(name.text, names)));

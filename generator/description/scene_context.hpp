@@ -1,7 +1,6 @@
 // What the effects of a scene file refer to: its model, points, parameters and expressions.
 #pragma once
 
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/index.hpp"
 #include "model/effects.hpp"
@@ -32,14 +32,6 @@ Use use_of(const Fields& fields, const Text& text) {
 Real positive_at_run_time(const SceneFields& fields, std::string_view key) {
   const Real value = fields.amount_or(key, 0);
   return value.recipe() == 0 ? value : fields.positive(key);
-}
-
-std::vector<std::string_view> effect_names() {
-  std::vector<std::string_view> result;
-  for (const model::EffectRow& row : model::effects()) {
-    result.push_back(row.name);
-  }
-  return result;
 }
 
 }  // namespace
@@ -107,7 +99,7 @@ SceneEffects::SceneEffects(SceneContext& context, const SceneFields& root) : con
 }
 
 void SceneEffects::read_use(const Node& node) {
-  const SceneFields fields = context_.fields(node, "use", effect_names());
+  const SceneFields fields = context_.fields(node, "use", names_of(model::effects()));
   for (const Node& item : node.items) {
     use_[item.key.text] = use_of(fields, fields.scalar(item));
   }

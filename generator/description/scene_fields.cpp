@@ -53,7 +53,7 @@ model::Vector3 SceneFields::vector_or(std::string_view key, const model::Vector3
 
 Text SceneFields::name(std::string_view key, std::string_view kind) const {
   Text name = text(key);
-  check_name({file(), name.where.line, name.where.column}, name.text, kind);
+  check_name(name.where.in(file()), name.text, kind);
   return name;
 }
 

@@ -1,7 +1,6 @@
 // Numbers, vectors and directions of a scene file.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,13 +1,11 @@
 #include "description/scene_reader.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/identifiers.hpp"
@@ -217,17 +215,10 @@ class SceneReader {
   [[nodiscard]] model::Curve curve(const Node& node, const std::string& what) const {
     const SceneFields fields(file_, node, what + ": curve",
                              {"center", "velocity", "u", "v", "A1", "A2", "omega", "phase"});
-    const auto vector = [&](const char* key) {
-      return fields.find(key) == nullptr ? model::Vector3{} : fields.vector(key);
-    };
-    const Harmonic harmonic{fields.vector("center"),
-                            vector("velocity"),
-                            vector("u"),
-                            vector("v"),
-                            fields.number_or("A1", 0),
-                            fields.number_or("A2", 0),
-                            fields.number_or("omega", 0),
-                            fields.number_or("phase", 0)};
+    const Harmonic harmonic{fields.vector("center"),      fields.vector_or("velocity", {}),
+                            fields.vector_or("u", {}),    fields.vector_or("v", {}),
+                            fields.number_or("A1", 0),    fields.number_or("A2", 0),
+                            fields.number_or("omega", 0), fields.number_or("phase", 0)};
     return curve_of(harmonic);
   }
 
@@ -255,9 +246,7 @@ class SceneReader {
   }
 
   void refuse_second(const std::string& name, const SceneFields& fields) const {
-    const bool exists = std::any_of(scene_.constraints.begin(), scene_.constraints.end(),
-                                    [&](const model::Constraint& c) { return c.name == name; });
-    if (exists) {
+    if (is_known(name, names_of(scene_.constraints))) {
       fields.fail(fields.where(), "another constraint has this name; expected different names");
     }
   }
@@ -307,8 +296,7 @@ class SceneReader {
       const std::string what = called("phase", nodes[k], k);
       const SceneFields fields(file_, nodes[k], what, {"name", "active", "until"});
       const Text name = fields.name("name", "phase");
-      names.push_back(
-          {name.text, to_identifier(name.text), {file_, name.where.line, name.where.column}});
+      names.push_back({name.text, to_identifier(name.text), name.where.in(file_)});
       scene_.phases.push_back({name.text, constraints(fields, "active"), {}});
     }
     check_identifiers(names, "phase");

@@ -80,7 +80,7 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
   model::Stepping& stepping = scene.stepping;
   if (const std::optional<Text> name = fields.optional_text("integrator")) {
     stepping.integrator = name->text;
-    stepping.where = {fields.file(), name->where.line, name->where.column};
+    stepping.where = name->where.in(fields.file());
   }
   const auto positive = [&](const char* key, Real& value) {
     value = fields.find(key) == nullptr ? value : fields.positive(key);
@@ -94,7 +94,7 @@ void read_stepping(const SceneContext& context, const SceneFields& root, model::
   count("parts", 1, model::kMostParts, stepping.parts);
   if (const std::optional<Text> state = fields.optional_text("state")) {
     if (state->text != "plain" && state->text != "compensated") {
-      throw InputError({fields.file(), state->where.line, state->where.column},
+      throw InputError(state->where.in(fields.file()),
                        fmt::format("stepping: state {} is unknown; expected plain or compensated",
                                    shown(state->text)));
     }
@@ -159,9 +159,7 @@ void check_names(const std::vector<Text>& run_time, const std::string& file,
   for (const model::Parameter& parameter : tree.parameters) {
     const auto found = std::ranges::find(run_time, parameter.declared, &Text::text);
     names.push_back({parameter.declared, parameter.identifier,
-                     found == run_time.end()
-                         ? Location{file, 0, 0}
-                         : Location{file, found->where.line, found->where.column}});
+                     found == run_time.end() ? Location{file, 0, 0} : found->where.in(file)});
   }
   check_identifiers(names, "run-time parameter");
 }

@@ -1,8 +1,6 @@
 // The dynamics of a scene by generated functions.
 #include <dlfcn.h>
 
-#include <array>
-
 #include <fmt/format.h>
 
 #include "common/error.hpp"

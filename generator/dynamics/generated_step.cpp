@@ -127,10 +127,8 @@ GeneratedStep::GeneratedStep(const std::string& name, const std::vector<emit::Fi
                      "compiler");
   }
   library_ = std::make_unique<Library>(path("step.so"));
-  for (const auto* arrays : {&stepper_.signature.inputs, &stepper_.signature.outputs}) {
-    for (const program::Array& array : *arrays) {
-      values_[array.name].resize(static_cast<std::size_t>(array.size));
-    }
+  for (const program::Array& array : stepper_.signature.arrays()) {
+    values_[array.name].resize(static_cast<std::size_t>(array.size));
   }
   for (const program::Array& array : stepper_.signature.inputs) {
     in_.push_back(&at(array.name));

@@ -1,6 +1,7 @@
 #include "dynamics/scene_dynamics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 #include "formulate/functions.hpp"
 #include "model/force_laws.hpp"
 #include "program/combine.hpp"
-#include "simulation/tape_dynamics.hpp"
+#include "program/tape.hpp"
 
 namespace treedyn {
 
@@ -38,6 +39,41 @@ program::Function combined(const model::Scene& scene, const std::vector<std::str
   }
   return program::combine(functions, arrays);
 }
+
+std::span<const double> span_of(const simulation::Vector& x) {
+  return {x.data(), static_cast<std::size_t>(x.size())};
+}
+
+/// A scene's own programs, interpreted.
+class TapeDynamics final : public simulation::Dynamics {
+ public:
+  explicit TapeDynamics(const ScenePrograms& programs)
+      : terms_(programs.terms),
+        geometry_(programs.geometry),
+        buffer_(programs.geometry.outputs.size()) {}
+
+  void evaluate(const simulation::Vector& q, const simulation::Vector& qd,
+                simulation::Terms& terms) override {
+    const std::array<std::span<const double>, 2> inputs{span_of(q), span_of(qd)};
+    terms_.evaluate(inputs, terms.values());
+  }
+  void evaluate_geometry(const simulation::Vector& q, simulation::Terms& terms) override {
+    if (buffer_.empty()) {
+      return;
+    }
+    const std::array<std::span<const double>, 1> inputs{span_of(q)};
+    geometry_.evaluate(inputs, buffer_);
+    terms.set_geometry(buffer_);
+  }
+  [[nodiscard]] std::optional<long> operations() const override {
+    return static_cast<long>(terms_.instructions());
+  }
+
+ private:
+  program::Tape terms_;
+  program::Tape geometry_;
+  std::vector<double> buffer_;
+};
 
 /// Evaluates the block equations themselves.
 class EngineDynamics final : public simulation::Dynamics {
@@ -77,7 +113,7 @@ class EngineDynamics final : public simulation::Dynamics {
     std::array<std::span<const double>, 3> spans;
     std::size_t count = 0;
     for (const simulation::Vector& input : inputs) {
-      spans[count++] = {input.data(), static_cast<std::size_t>(input.size())};
+      spans[count++] = span_of(input);
     }
     const std::span<const double> result =
         engine_.evaluate(function, std::span<const std::span<const double>>(spans.data(), count));
@@ -120,8 +156,7 @@ ScenePrograms scene_programs(const model::Scene& scene) {
 }
 
 std::unique_ptr<simulation::Dynamics> program_dynamics(const model::Scene& scene) {
-  const ScenePrograms programs = scene_programs(scene);
-  return std::make_unique<simulation::TapeDynamics>(programs.terms, programs.geometry);
+  return std::make_unique<TapeDynamics>(scene_programs(scene));
 }
 
 std::unique_ptr<simulation::Dynamics> engine_dynamics(const model::Scene& scene) {

@@ -137,8 +137,7 @@ void Writer::state_angles(const Statement& statement, Part& part, Body& body) co
     for (std::size_t k = begin; k < std::min(begin + most, count); ++k) {
       arguments.push_back(statements_.atom(statement.angles[k].angle));
     }
-    part.lines.push_back(
-        declaration(fmt::format("  {}", kSinesCosines), arguments, ";").substr(kIndentation));
+    part.lines.push_back(call_text(kSinesCosines, arguments));
   }
   for (std::size_t k = 0; k < count; ++k) {
     const Angle& angle = statement.angles[k];

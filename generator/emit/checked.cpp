@@ -89,37 +89,21 @@ program::Cost cost(const Checked& checked) {
 }
 
 std::string checked_text(const Checked& checked, const Body& body, const Target& target) {
+  const program::Signature& inner = checked.function.signature;
+  const WholeText text = whole_text(inner, inner.name, body);
   std::vector<std::string> lines = local_arrays(checked);
-  std::string parts;
-  if (body.parts.size() == 1) {
-    append(lines, body.parts.front().lines);
-  } else {
-    const SplitText split =
-        split_text(checked.function.signature, checked.function.signature.name, body);
-    parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
-    if (!split.declaration.empty()) {
-      lines.push_back(split.declaration);
-    }
-    append(lines, split.calls);
-  }
+  append(lines, text.lines);
   lines.emplace_back("int failed = 0;");
   append(lines, pivot_tests(checked.pivots, checked.signature.inputs.front().size, target));
   append(lines, return_lines(checked));
-  const std::vector<bool> all(checked.signature.inputs.size() + checked.signature.outputs.size(),
-                              true);
-  return parts +
-         declaration(returned(checked.signature), parameters(checked.signature, all),
-                     " noexcept {") +
-         block(lines);
+  return definition(text.parts, checked.signature, all_arrays(checked.signature), lines);
 }
 
 std::string check_text(const Target& target) {
   const bool single = target.scalar == Scalar::kFloat;
-  return "\nnamespace {\n" +
-         fill(template_text("check.cpp"),
-              {{"type", type_name(target.scalar)},
-               {"largest", single ? "3.40282347e38f" : "1.7976931348623157e308"}}) +
-         "\n}  // namespace\n";
+  return unnamed(fill(template_text("check.cpp"),
+                      {{"type", type_name(target.scalar)},
+                       {"largest", single ? "3.40282347e38f" : "1.7976931348623157e308"}}));
 }
 
 }  // namespace treedyn::emit

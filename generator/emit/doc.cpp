@@ -1,7 +1,6 @@
 #include "emit/doc.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -15,25 +14,19 @@ namespace treedyn::emit {
 namespace {
 
 std::string array_doc(const program::Array& array, bool output, std::size_t name_width) {
-  const std::string unit = array.unit.empty() ? "" : fmt::format(", {}", array.unit);
-  if (!array.type.empty()) {
-    return wrapped(
-        array.type == kDerivedParameters ? std::string("made by update_parameters")
-                                         : fmt::format("{} numbers, SI units", array.size),
-        fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name, name_width));
-  }
-  return wrapped(
-      fmt::format("{}{}", array.size, unit),
-      fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name, name_width));
+  const std::string what = array.type == kDerivedParameters ? "made by update_parameters"
+                           : !array.type.empty() ? fmt::format("{} numbers, SI units", array.size)
+                           : array.unit.empty()  ? std::to_string(array.size)
+                                                 : fmt::format("{}, {}", array.size, array.unit);
+  return wrapped(what, fmt::format("/// \\param{} {:{}}  ", output ? "[out]" : "     ", array.name,
+                                   name_width));
 }
 
 /// What it does and its arguments.
 std::string signature_doc(const program::Signature& signature) {
   std::size_t name_width = 0;
-  for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
-    for (const program::Array& array : *arrays) {
-      name_width = std::max(name_width, array.name.size());
-    }
+  for (const program::Array& array : signature.arrays()) {
+    name_width = std::max(name_width, array.name.size());
   }
   std::string result = wrapped(signature.brief, "/// ") + "///\n";
   for (const program::Array& array : signature.inputs) {

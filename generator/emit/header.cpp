@@ -1,7 +1,6 @@
 #include "emit/header.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -18,25 +17,6 @@ namespace treedyn::emit {
 
 namespace {
 
-/// Rows of a table as comment lines, columns two spaces apart.
-std::string comment_table(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> width(rows.front().size(), 0);
-  for (const auto& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      width[k] = std::max(width[k], row[k].size());
-    }
-  }
-  std::string result;
-  for (const auto& row : rows) {
-    std::string line = "// ";
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      line += fmt::format("  {:{}}", row[k], k + 1 < row.size() ? width[k] : 0);
-    }
-    result += line + "\n";
-  }
-  return result;
-}
-
 std::string joint_table(const model::Tree& tree) {
   std::vector<std::vector<std::string>> rows = {{"joint", "link", "index", "type", "unit"}};
   for (int k = 0; k < tree.dof(); ++k) {
@@ -46,7 +26,7 @@ std::string joint_table(const model::Tree& tree) {
                     for_comment(link.name, kLongestCell), std::to_string(k),
                     revolute ? "revolute" : "prismatic", revolute ? "rad" : "m"});
   }
-  return comment_table(rows);
+  return table(rows, "// ");
 }
 
 std::string point_table(const model::Tree& tree, const std::vector<model::Point>& points) {
@@ -62,7 +42,7 @@ std::string point_table(const model::Tree& tree, const std::vector<model::Point>
                     fmt::format("{:.6g}, {:.6g}, {:.6g}", at[0].convert_to<double>(),
                                 at[1].convert_to<double>(), at[2].convert_to<double>())});
   }
-  return "//\n" + comment_table(rows);
+  return "//\n" + table(rows, "// ");
 }
 
 /// `constexpr int name = value;`, broken where clang-format breaks what is too long.
@@ -213,11 +193,6 @@ constexpr int turned_far = 128;
       checked ? ", or an argument of a checked function," : "");
 }
 
-std::string prototype(const program::Signature& signature) {
-  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
-  return declaration(returned(signature), parameters(signature, all), " noexcept;") + "\n";
-}
-
 /// "/// About 4400 cycles on a Cortex-M4F."; nothing if the files are for any processor.
 std::string cycles_doc(const Unit& unit, const program::Signature& signature) {
   if (!unit.processor) {
@@ -242,22 +217,15 @@ std::string processor_comment(const Unit& unit) {
 
 std::string declarations(const Unit& unit) {
   std::string result;
-  for (const program::Function& function : unit.functions) {
-    result +=
-        '\n' + doc(function) + cycles_doc(unit, function.signature) + prototype(function.signature);
-  }
+  const auto add = [&](const auto& function) {
+    result += '\n' + doc(function) + cycles_doc(unit, function.signature) +
+              declaration(function.signature, " noexcept;\n");
+  };
+  std::ranges::for_each(unit.functions, add);
   result += unit.self_test ? self_test_declaration(unit) : "";
-  for (const Checked& checked : unit.checked) {
-    result +=
-        '\n' + doc(checked) + cycles_doc(unit, checked.signature) + prototype(checked.signature);
-  }
-  for (const program::Staged& staged : unit.staged) {
-    result += '\n' + doc(staged) + cycles_doc(unit, staged.signature) + prototype(staged.signature);
-  }
-  for (const program::Stepper& stepper : unit.steppers) {
-    result +=
-        '\n' + doc(stepper) + cycles_doc(unit, stepper.signature) + prototype(stepper.signature);
-  }
+  std::ranges::for_each(unit.checked, add);
+  std::ranges::for_each(unit.staged, add);
+  std::ranges::for_each(unit.steppers, add);
   return result;
 }
 

@@ -1,6 +1,9 @@
 #include "emit/json.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -47,12 +50,26 @@ std::string json_string(std::string_view text) {
   return result + "\"";
 }
 
+std::vector<std::string> json_strings(const std::vector<std::string>& texts) {
+  std::vector<std::string> result;
+  std::ranges::transform(texts, std::back_inserter(result), json_string);
+  return result;
+}
+
+std::string json_number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
 std::string json_object(const std::vector<std::pair<std::string, std::string>>& members) {
   std::string result = "{";
   for (const auto& [key, value] : members) {
     result += fmt::format("{}{}: {}", result.size() > 1 ? ", " : "", json_string(key), value);
   }
   return result + "}";
+}
+
+std::string json_list(const std::vector<std::string>& values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
 }
 
 std::string json_lines(const std::vector<std::string>& values, int indentation) {

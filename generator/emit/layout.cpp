@@ -69,8 +69,41 @@ std::vector<std::string> parameters(const program::Signature& signature,
   return result;
 }
 
-std::string returned(const program::Signature& signature) {
-  return (signature.status ? "int " : "void ") + signature.name;
+std::vector<bool> all_arrays(const program::Signature& signature) {
+  return std::vector<bool>(signature.inputs.size() + signature.outputs.size(), true);
+}
+
+std::string declaration(const program::Signature& signature, const std::string& ending) {
+  return declaration(signature, all_arrays(signature), ending);
+}
+
+std::string declaration(const program::Signature& signature, const std::vector<bool>& uses,
+                        const std::string& ending) {
+  return declaration((signature.status ? "int " : "void ") + signature.name,
+                     parameters(signature, uses), ending);
+}
+
+std::string call_text(const std::string& head, const std::vector<std::string>& arguments,
+                      std::size_t indentation) {
+  return declaration(std::string(indentation, ' ') + head, arguments, ";").substr(indentation);
+}
+
+std::string table(const std::vector<std::vector<std::string>>& rows, std::string_view prefix) {
+  std::vector<std::size_t> width(rows.front().size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      width[k] = std::max(width[k], row[k].size());
+    }
+  }
+  std::string result;
+  for (const auto& row : rows) {
+    result += prefix;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      result += fmt::format("  {:{}}", row[k], k + 1 < row.size() ? width[k] : 0);
+    }
+    result += "\n";
+  }
+  return result;
 }
 
 std::string camel_case(const std::string& name) {

@@ -33,9 +33,21 @@ std::string declaration(const std::string& head, const std::vector<std::string>&
 /// not hold is an unnamed parameter, `const Scalar /*q*/[6]`. Structs are references.
 std::vector<std::string> parameters(const program::Signature& signature,
                                     const std::vector<bool>& uses);
+/// True for every input and output.
+std::vector<bool> all_arrays(const program::Signature& signature);
 
-/// `int name` of a function that returns a status, else `void name`.
-std::string returned(const program::Signature& signature);
+/// Columns two spaces apart, each row behind `prefix`.
+std::string table(const std::vector<std::vector<std::string>>& rows, std::string_view prefix = "");
+
+/// `void name(..)` of a function, `int name(..)` of one that returns a status, with all arguments
+/// named, or those that `uses` holds, and `ending`.
+std::string declaration(const program::Signature& signature, const std::string& ending);
+std::string declaration(const program::Signature& signature, const std::vector<bool>& uses,
+                        const std::string& ending);
+
+/// `head(arguments);` behind an indentation, which is not part of it.
+std::string call_text(const std::string& head, const std::vector<std::string>& arguments,
+                      std::size_t indentation = 2);
 
 /// mass_matrix -> MassMatrix
 std::string camel_case(const std::string& name);

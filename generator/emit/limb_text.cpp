@@ -252,14 +252,10 @@ PhaseText phase_text(const program::Function& function, const LimbPhase& phase,
     }
   }
   const Body text = body(named, limb_words(*function.limb_code, phase.limb_class, words), numbers);
-  const std::vector<bool> all(4, true);
-  std::vector<std::string> declared = parameters(named.signature, all);
-  result.uses.assign(2, false);
-  for (const Part& part : text.parts) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      result.uses[k] = result.uses[k] || part.uses[k];
-    }
-  }
+  const WholeText whole = whole_text(named.signature, result.name, text);
+  const std::vector<std::string> declared =
+      parameters(named.signature, all_arrays(named.signature));
+  result.uses = {whole.used[0], whole.used[1]};
   std::vector<std::string> arguments;
   for (std::size_t k = 0; k < 2; ++k) {
     if (result.uses[k]) {
@@ -267,18 +263,9 @@ PhaseText phase_text(const program::Function& function, const LimbPhase& phase,
     }
   }
   arguments.push_back(declared[3]);
-  std::vector<std::string> lines = text.parts.front().lines;
-  if (text.parts.size() > 1) {
-    const SplitText split = split_text(named.signature, named.signature.name, text);
-    result.text += split.parts;
-    lines = split.calls;
-    if (!split.declaration.empty()) {
-      lines.insert(lines.begin(), split.declaration);
-    }
-  }
-  result.text += '\n' +
-                 declaration("[[gnu::noinline]] void " + result.name, arguments, " noexcept {") +
-                 block(lines);
+  result.text = whole.parts + '\n' +
+                declaration("[[gnu::noinline]] void " + result.name, arguments, " noexcept {") +
+                block(whole.lines);
   return result;
 }
 
@@ -303,7 +290,7 @@ std::vector<std::string> calls(const program::Function& function,
       }
       arguments.push_back(together ? vector_array(phase.limb_class)
                                    : limb_array(limb_class, limb, words));
-      lines.push_back(declaration("  " + phases[k].name, arguments, ";").substr(2));
+      lines.push_back(call_text(phases[k].name, arguments));
     }
   }
   return lines;
@@ -356,49 +343,26 @@ std::string trunk_text(const program::Function& function, const std::vector<Phas
   const Body text = body(trunk, words, target, [&](int array, int element) {
     return function.limb_code->level(array, element);
   });
-  const int last_stage = function.limb_code->phases.back().stage;
+  const auto calls_before = [&](int stage) {
+    return calls(function, phases, stage - 1, words, together);
+  };
+  const WholeText whole = whole_text(trunk.signature, trunk.signature.name, text, calls_before);
   std::vector<std::string> lines = local_arrays(function, words, together);
   std::vector<bool> passed(to_index(function.limb_code->arguments()), false);
   if (together) {
     append(lines, gathered(*function.limb_code, passed));
   }
-  std::vector<bool> uses = text.parts.front().uses;
-  std::string parts;
-  int stage = 0;
-  const auto call_before = [&](int level) {
-    for (; stage < level; ++stage) {
-      append(lines, calls(function, phases, stage, words, together));
-    }
-  };
-  if (text.parts.size() == 1) {
-    const Part& part = text.parts.front();
-    for (std::size_t line = 0; line < part.lines.size(); ++line) {
-      const auto begun =
-          std::ranges::count_if(text.stages, [&](std::size_t begin) { return begin <= line; });
-      call_before(static_cast<int>(begun));
-      lines.push_back(part.lines[line]);
-    }
-  } else {
-    const SplitText split = split_text(trunk.signature, trunk.signature.name, text);
-    parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
-    if (!split.declaration.empty()) {
-      lines.push_back(split.declaration);
-    }
-    for (std::size_t k = 0; k < text.parts.size(); ++k) {
-      call_before(text.parts[k].level);
-      lines.push_back(split.calls[k]);
-    }
-    uses = split.used;
+  append(lines, whole.lines);
+  for (int stage = whole.stages; stage <= function.limb_code->phases.back().stage; ++stage) {
+    append(lines, calls_before(stage + 1));
   }
-  call_before(last_stage + 1);
+  std::vector<bool> uses = whole.used;
   if (const ZerosText zeros = zeros_text(trunk.signature, text); !zeros.call.empty()) {
     lines.push_back(zeros.call);
     unite(uses, text.zeros.uses);
   }
   const program::Signature& outer = function.signature;
-  const std::vector<bool> used = outer_uses(outer, trunk.signature, uses, passed);
-  return parts + declaration(returned(outer), parameters(outer, used), " noexcept {") +
-         block(lines);
+  return definition(whole.parts, outer, outer_uses(outer, trunk.signature, uses, passed), lines);
 }
 
 }  // namespace
@@ -452,7 +416,7 @@ std::string limb_vectors(const std::vector<program::Function>& functions, const 
         "using {1} [[gnu::vector_size({0} * sizeof(Scalar))]] = Scalar;\n{2}",
         count, numbers.number, angles ? '\n' + sincos_of_limbs(numbers, text) : "");
   }
-  return result.empty() ? result : "\nnamespace {\n" + result + "\n}  // namespace\n";
+  return unnamed(result);
 }
 
 std::string limb_text(const program::Function& function, const Vocabulary& words,
@@ -467,8 +431,7 @@ std::string limb_text(const program::Function& function, const Vocabulary& words
     phases.push_back(phase_text(function, phase, words, target));
     inner += phases.back().text;
   }
-  return "namespace {\n" + inner + "\n}  // namespace\n\n" +
-         trunk_text(function, phases, words, target);
+  return unnamed(inner).substr(1) + '\n' + trunk_text(function, phases, words, target);
 }
 
 }  // namespace treedyn::emit

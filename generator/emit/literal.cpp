@@ -1,7 +1,6 @@
 #include "emit/literal.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>

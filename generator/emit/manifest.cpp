@@ -46,7 +46,7 @@ std::string points_json(const std::vector<model::Point>& points) {
 }
 
 std::string arrays_json(const std::vector<program::Array>& arrays) {
-  std::string result = "[";
+  std::vector<std::string> result;
   for (const program::Array& array : arrays) {
     std::vector<std::pair<std::string, std::string>> fields = {{"name", json_string(array.name)},
                                                                {"size", std::to_string(array.size)},
@@ -61,9 +61,9 @@ std::string arrays_json(const std::vector<program::Array>& arrays) {
     if (array.integer) {
       fields.emplace_back("type", json_string("int"));
     }
-    result += fmt::format("{}{}", result.size() > 1 ? ", " : "", json_object(fields));
+    result.push_back(json_object(fields));
   }
-  return result + "]";
+  return json_list(result);
 }
 
 /// What a status says: "int" and its bits.
@@ -92,9 +92,7 @@ std::string rounding_json(const program::Rounding& rounding) {
   }
   std::string result = fmt::format(",\n     \"rounding\": {}", number(rounding.amplification));
   if (!rounding.left_out.empty()) {
-    std::vector<std::string> names;
-    std::ranges::transform(rounding.left_out, std::back_inserter(names), json_string);
-    result += fmt::format(", \"rounding_without\": [{}]", fmt::join(names, ", "));
+    result += fmt::format(", \"rounding_without\": {}", json_list(json_strings(rounding.left_out)));
   }
   return result;
 }
@@ -109,10 +107,8 @@ std::string errors_json(const Unit& unit, const std::string& function) {
 std::string staged_cost(const program::Staged& staged) {
   std::string result = operations_json(program::cost(staged));
   for (const program::RowSolve& solve : staged.solves) {
-    std::vector<std::string> rows;
-    std::transform(staged.rows.begin(), staged.rows.end(), std::back_inserter(rows), json_string);
-    result +=
-        fmt::format(",\n     \"rows\": [{}], \"rank\": {}", fmt::join(rows, ", "), solve.rank);
+    result += fmt::format(",\n     \"rows\": {}, \"rank\": {}",
+                          json_list(json_strings(staged.rows)), solve.rank);
   }
   for (const program::Staged& contact : staged.contacts) {
     result += fmt::format(",\n     \"{}\": {}", contact.signature.name,

@@ -1,7 +1,6 @@
 #include "emit/names.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <map>
 
@@ -20,22 +19,6 @@ constexpr std::size_t kLongestBody = 16;
 constexpr std::size_t kLongestJoint = 22;
 constexpr std::size_t kLongestCommentName = 60;
 
-bool is_alphanumeric(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
-std::vector<std::string> words_of(const std::string& identifier) {
-  std::vector<std::string> words(1);
-  for (const char c : identifier) {
-    if (c == '_') {
-      words.emplace_back();
-    } else {
-      words.back() += c;
-    }
-  }
-  return words;
-}
-
 std::string joined_words(const std::vector<std::string>& words, std::size_t letters) {
   std::string result;
   for (const std::string& word : words) {
@@ -47,7 +30,7 @@ std::string joined_words(const std::vector<std::string>& words, std::size_t lett
 
 /// As many letters of every word as fit; empty if not even one does.
 std::string shorter_words(const std::string& identifier, std::size_t longest) {
-  const std::vector<std::string> words = words_of(identifier);
+  const std::vector<std::string> words = split(identifier, '_');
   for (std::size_t letters = longest; letters > 0; --letters) {
     std::string candidate = joined_words(words, letters);
     if (candidate.size() <= longest) {
@@ -70,7 +53,7 @@ std::string without_link_ending(const std::string& identifier) {
 std::string identifier_part(std::string_view text) {
   std::string result(text);
   std::replace_if(
-      result.begin(), result.end(), [](char c) { return !is_alphanumeric(c); }, '_');
+      result.begin(), result.end(), [](char c) { return !is_word_byte(c); }, '_');
   return result;
 }
 
@@ -93,7 +76,7 @@ bool is_harmless(std::string_view text, std::size_t k) {
     case '<':
       return after == ' ' || after == '=';
     default:
-      return is_alphanumeric(c) || kAlways.find(c) != std::string_view::npos;
+      return is_word_byte(c) || kAlways.find(c) != std::string_view::npos;
   }
 }
 
@@ -167,9 +150,9 @@ Vocabulary vocabulary(const model::Tree& tree) {
 
 std::string common_words(const std::vector<std::string>& names) {
   std::string result;
-  for (const std::string& word : words_of(names.front())) {
+  for (const std::string& word : split(names.front(), '_')) {
     const bool everywhere = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-      const std::vector<std::string> words = words_of(name);
+      const std::vector<std::string> words = split(name, '_');
       return std::find(words.begin(), words.end(), word) != words.end();
     });
     if (everywhere && !word.empty()) {
@@ -185,10 +168,7 @@ LocalNames::LocalNames(const program::Function& function, const Vocabulary& word
       words_(words),
       names_(function.graph.size()),
       stems_(function.graph.size()) {
-  for (const program::Array& array : function.signature.inputs) {
-    taken_.insert(array.name);
-  }
-  for (const program::Array& array : function.signature.outputs) {
+  for (const program::Array& array : function.signature.arrays()) {
     taken_.insert(array.name);
   }
   taken_.insert("w");                             // the workspace

@@ -1,10 +1,10 @@
 #include "emit/parts.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
-#include "emit/layout.hpp"
 #include "emit/taken_names.hpp"
 
 namespace treedyn::emit {
@@ -30,19 +30,11 @@ std::vector<std::string> chosen(const std::vector<std::string>& values,
 
 std::vector<std::string> names_of_arrays(const program::Signature& signature) {
   std::vector<std::string> names;
-  for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
-    for (const program::Array& array : *arrays) {
-      names.push_back(array.name);
-    }
-  }
+  std::ranges::transform(signature.arrays(), std::back_inserter(names), &program::Array::name);
   return names;
 }
 
 std::string part_head(const std::string& name) { return "[[gnu::noinline]] void " + name; }
-
-std::string call_of(const std::string& name, const std::vector<std::string>& passed) {
-  return declaration("  " + name, passed, ";").substr(2);
-}
 
 }  // namespace
 
@@ -60,19 +52,45 @@ void unite(std::vector<bool>& uses, const std::vector<bool>& more) {
   }
 }
 
-SplitText split_text(const program::Signature& signature, const std::string& stem,
-                     const Body& body) {
-  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
+std::string definition(const std::string& parts, const program::Signature& signature,
+                       const std::vector<bool>& uses, const std::vector<std::string>& lines) {
+  return (parts.empty() ? "" : unnamed(parts).substr(1) + '\n') +
+         declaration(signature, uses, " noexcept {") + block(lines);
+}
+
+std::string unnamed(const std::string& functions) {
+  return functions.empty() ? "" : "\nnamespace {\n" + functions + "\n}  // namespace\n";
+}
+
+WholeText whole_text(const program::Signature& signature, const std::string& stem, const Body& body,
+                     const std::function<Lines(int)>& before) {
+  const std::vector<bool> all = all_arrays(signature);
+  WholeText text;
+  const auto begin_stages = [&](int level) {
+    while (text.stages < level) {
+      append(text.lines, before(++text.stages));
+    }
+  };
+  if (body.parts.size() == 1) {
+    const Part& part = body.parts.front();
+    for (std::size_t at = 0; at < part.lines.size(); ++at) {
+      begin_stages(static_cast<int>(
+          std::ranges::count_if(body.stages, [&](std::size_t begin) { return begin <= at; })));
+      text.lines.push_back(part.lines[at]);
+    }
+    text.used = part.uses;
+    return text;
+  }
   const std::vector<std::string> names = names_of_arrays(signature);
-  SplitText text;
-  text.used.assign(all.size(), false);
   const std::string workspace =
       fmt::format("{} {}[{}]", body.number, body.workspace_name, body.workspace);
   if (body.workspace > 0) {
-    text.declaration = workspace + ";";
+    text.lines.push_back(workspace + ";");
   }
+  text.used.assign(all.size(), false);
   for (std::size_t k = 0; k < body.parts.size(); ++k) {
     const Part& part = body.parts[k];
+    begin_stages(part.level);
     const std::string name = fmt::format("{}_{}", stem, k + 1);
     std::vector<std::string> declared = chosen(parameters(signature, all), names, part);
     std::vector<std::string> passed = chosen(names, names, part);
@@ -80,9 +98,8 @@ SplitText split_text(const program::Signature& signature, const std::string& ste
       declared.push_back(workspace);
       passed.push_back(body.workspace_name);
     }
-    text.parts += "\n";
-    text.parts += declaration(part_head(name), declared, " noexcept {") + block(part.lines);
-    text.calls.push_back(call_of(name, passed));
+    text.parts += '\n' + declaration(part_head(name), declared, " noexcept {") + block(part.lines);
+    text.lines.push_back(call_text(name, passed));
     unite(text.used, part.uses);
   }
   return text;
@@ -109,12 +126,12 @@ ZerosText zeros_text(const program::Signature& signature, const Body& body) {
   if (body.zeros.lines.empty()) {
     return {};
   }
-  const std::vector<bool> all(body.zeros.uses.size(), true);
   const std::vector<std::string> names = names_of_arrays(signature);
   const std::string name = signature.name + "_0";
-  const std::vector<std::string> declared = chosen(parameters(signature, all), names, body.zeros);
+  const std::vector<std::string> declared =
+      chosen(parameters(signature, all_arrays(signature)), names, body.zeros);
   return {declaration(part_head(name), declared, " noexcept {") + block(body.zeros.lines),
-          call_of(name, chosen(names, names, body.zeros))};
+          call_text(name, chosen(names, names, body.zeros))};
 }
 
 }  // namespace treedyn::emit

@@ -1,12 +1,14 @@
 // A function body in several C++ functions that share a workspace.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "emit/body.hpp"
+#include "emit/layout.hpp"
 
 namespace treedyn::emit {
 
@@ -16,16 +18,24 @@ std::string block(const std::vector<std::string>& lines);
 /// Adds arrays to those that are used.
 void unite(std::vector<bool>& uses, const std::vector<bool>& more);
 
-struct SplitText {
-  std::string parts;               ///< the functions of the parts
-  std::string declaration;         ///< of the workspace in the caller; empty: none
-  std::vector<std::string> calls;  ///< one per part
+/// A function by the lines between its braces, behind its `parts`, if there are some.
+std::string definition(const std::string& parts, const program::Signature& signature,
+                       const std::vector<bool>& uses, const std::vector<std::string>& lines);
+
+/// Functions in a namespace without a name, behind an empty line; empty without functions.
+std::string unnamed(const std::string& functions);
+
+struct WholeText {
+  std::string parts;               ///< the functions of the parts; empty: the body is in one
+  std::vector<std::string> lines;  ///< the statements, or the workspace and a call of each part
   std::vector<bool> used;          ///< arrays: inputs, then outputs
+  int stages = 0;                  ///< how many have begun
 };
 
-/// The parts of a body as functions stem_1, stem_2, ...
-SplitText split_text(const program::Signature& signature, const std::string& stem,
-                     const Body& body);
+/// A body of one part, or of several as functions stem_1, stem_2, ...
+/// \param before  what stands in front of stage 1, 2, ..
+WholeText whole_text(const program::Signature& signature, const std::string& stem, const Body& body,
+                     const std::function<Lines(int)>& before = {});
 
 /// Stems for the parts of functions with these names: the names, but where another function has the
 /// name that a part would get, as those of phases `stance` and `stance_2`.

@@ -1,7 +1,6 @@
 #include "emit/sha256.hpp"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 #include <fmt/format.h>

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/identifier.hpp"
 #include "common/utf8.hpp"
 
 namespace treedyn::emit {
@@ -13,9 +14,8 @@ namespace treedyn::emit {
 namespace {
 
 bool is_plain(char c) {
-  constexpr std::string_view kPlain = "_-.,:=/+%@";
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         kPlain.find(c) != std::string_view::npos;
+  constexpr std::string_view kPlain = "-.,:=/+%@";
+  return is_word_byte(c) || kPlain.find(c) != std::string_view::npos;
 }
 
 bool needs_no_quotes(const std::string& word) {

@@ -1,6 +1,5 @@
 #include "emit/sincos.hpp"
 
-#include <map>
 #include <utility>
 #include <vector>
 

@@ -23,31 +23,14 @@ namespace {
 constexpr const char* kOrderComment =
     ",\n// and would put statements into another order, which keeps more values on the stack";
 
-/// With a call of the function of its zeros, if there is one.
-std::string whole_function(const program::Signature& signature, const Body& body) {
-  Part part = body.parts.front();
+/// A function, behind its parts; with a call of the function of its zeros, if there is one.
+std::string plain_text(const program::Signature& signature, const Body& body) {
+  WholeText text = whole_text(signature, signature.name, body);
   if (const ZerosText zeros = zeros_text(signature, body); !zeros.call.empty()) {
-    part.lines.push_back(zeros.call);
-    unite(part.uses, body.zeros.uses);
-  }
-  return declaration(returned(signature), parameters(signature, part.uses), " noexcept {") +
-         block(part.lines);
-}
-
-/// A function in parts: a workspace, the parts, and the function that calls them in order.
-std::string split_function(const program::Signature& signature, const Body& body) {
-  SplitText text = split_text(signature, signature.name, body);
-  if (const ZerosText zeros = zeros_text(signature, body); !zeros.call.empty()) {
-    text.calls.push_back(zeros.call);
+    text.lines.push_back(zeros.call);
     unite(text.used, body.zeros.uses);
   }
-  std::vector<std::string> calls = text.calls;
-  if (!text.declaration.empty()) {
-    calls.insert(calls.begin(), text.declaration);
-  }
-  return "namespace {\n" + text.parts + "\n}  // namespace\n\n" +
-         declaration(returned(signature), parameters(signature, text.used), " noexcept {") +
-         block(calls);
+  return definition(text.parts, signature, text.used, text.lines);
 }
 
 bool raises_to_powers(const Unit& unit) {
@@ -111,7 +94,6 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies,
                         const Vocabulary& words) {
   std::string functions;
   for (std::size_t k = 0; k < unit.functions.size(); ++k) {
-    const program::Signature& signature = unit.functions[k].signature;
     functions += "\n" + unit_comment(unit.functions[k], *unit.tree);
     if (unit.functions[k].limb_code) {
       Target target = unit.target;
@@ -119,8 +101,7 @@ std::string source_text(const Unit& unit, const std::vector<Body>& bodies,
       functions += limb_text(unit.functions[k], words, target);
       continue;
     }
-    functions += bodies[k].parts.size() == 1 ? whole_function(signature, bodies[k])
-                                             : split_function(signature, bodies[k]);
+    functions += plain_text(unit.functions[k].signature, bodies[k]);
   }
   functions += unit.self_test ? self_test_text(unit) : "";
   if (!unit.checked.empty() || !unit.staged.empty()) {

@@ -1,11 +1,12 @@
 #include "emit/staged_text.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "common/index.hpp"
 #include "emit/checked.hpp"
 #include "emit/layout.hpp"
 #include "emit/parts.hpp"
@@ -98,18 +99,12 @@ std::string regular_text(const RowSolve& solve, const std::string& name, const T
   const program::Function function = program::regular_solve(solve);
   const Body text = body(function, {}, target,
                          [](int array, int element) { return array == 2 ? element + 1 : 0; });
-  std::vector<std::string> lines;
-  lines.push_back(fmt::format("Scalar d[{}];", solve.rows));
-  const Part& part = text.parts.front();
-  std::size_t stage = 0;
-  for (std::size_t at = 0; at < part.lines.size(); ++at) {
-    for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
-      lines.push_back(fmt::format("if (!({})) {{", pivot_test(solve, stage, target)));
-      lines.push_back("  return false;");
-      lines.push_back("}");
-    }
-    lines.push_back(part.lines[at]);
-  }
+  const auto test = [&](int stage) {
+    return Lines{fmt::format("if (!({})) {{", pivot_test(solve, to_index(stage - 1), target)),
+                 "  return false;", "}"};
+  };
+  Lines lines = {fmt::format("Scalar d[{}];", solve.rows)};
+  append(lines, whole_text(function.signature, name, text, test).lines);
   lines.push_back("return true;");
   return fmt::format(
              "\n/// K x = b; false if K (lower half, row by row) is not safely positive definite.\n"
@@ -163,21 +158,13 @@ std::string deficient_text(int rows, const Target& target) {
 }
 
 std::string solvers_text(const Solves& all, const Target& target) {
-  if (all.empty()) {
-    return {};
-  }
   std::string result;
   std::set<int> done;
   for (const RowSolve& solve : all) {
     result += done.insert(solve.rows).second ? deficient_text(solve.rows, target) : "";
     result += solve_text(solve, all, target);
   }
-  return "\nnamespace {\n" + result + "\n}  // namespace\n";
-}
-
-bool has(const std::vector<program::Array>& arrays, const std::string& name) {
-  return std::any_of(arrays.begin(), arrays.end(),
-                     [&](const program::Array& array) { return array.name == name; });
+  return unnamed(result);
 }
 
 /// Declarations of the arrays that callers do not see.
@@ -207,18 +194,13 @@ std::vector<std::string> press_lines(const Staged& staged) {
   for (std::size_t k = 0; k < staged.contacts.size(); ++k) {
     std::vector<std::string> passed;
     const program::Signature& signature = staged.contacts[k].signature;
-    for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
-      for (const program::Array& array : *arrays) {
-        passed.push_back(array.name);
-      }
-    }
+    std::ranges::transform(signature.arrays(), std::back_inserter(passed), &program::Array::name);
     lines.push_back(fmt::format("if ({}[{}] > Scalar(0)) {{", program::kDepthArray, k));
     if (staged.tells) {
       lines.push_back(fmt::format("  treedyn_again({});",
                                   static_cast<std::size_t>(program::Repeated::kPress) + k));
     }
-    lines.push_back(
-        fmt::format("  {}({});", staged.contacts[k].signature.name, fmt::join(passed, ", ")));
+    lines.push_back(fmt::format("  {}({});", signature.name, fmt::join(passed, ", ")));
     lines.push_back("}");
   }
   return lines;
@@ -312,37 +294,13 @@ std::vector<bool> used_arguments(const Staged& staged, const std::vector<bool>& 
 
 std::string function_text(const Staged& staged, const Vocabulary& words, const Body& text,
                           const Solves& all, const Target& target) {
+  const auto stem = words.stems.find(staged.signature.name);
+  const WholeText whole = whole_text(
+      staged.function.signature, stem == words.stems.end() ? staged.signature.name : stem->second,
+      text, [&](int stage) { return between(staged, to_index(stage), all, target); });
   std::vector<std::string> lines = local_arrays(staged);
-  std::string parts;
-  std::vector<bool> used;
-  if (text.parts.size() == 1) {
-    std::size_t stage = 0;
-    const Part& part = text.parts.front();
-    for (std::size_t at = 0; at < part.lines.size(); ++at) {
-      for (; stage < text.stages.size() && text.stages[stage] == at; ++stage) {
-        append(lines, between(staged, stage + 1, all, target));
-      }
-      lines.push_back(part.lines[at]);
-    }
-    append_unused_gates(staged, stage, all, target, lines);
-    used = part.uses;
-  } else {
-    const SplitText split =
-        split_text(staged.function.signature, words.stems.at(staged.signature.name), text);
-    parts = "namespace {\n" + split.parts + "\n}  // namespace\n\n";
-    if (!split.declaration.empty()) {
-      lines.push_back(split.declaration);
-    }
-    int stage = 0;
-    for (std::size_t k = 0; k < text.parts.size(); ++k) {
-      for (; stage < text.parts[k].level; ++stage) {
-        append(lines, between(staged, static_cast<std::size_t>(stage) + 1, all, target));
-      }
-      lines.push_back(split.calls[k]);
-    }
-    append_unused_gates(staged, static_cast<std::size_t>(stage), all, target, lines);
-    used = split.used;
-  }
+  append(lines, whole.lines);
+  append_unused_gates(staged, to_index(whole.stages), all, target, lines);
   if (!staged.pivots.empty()) {
     if (staged.solves.empty()) {
       lines.emplace_back("int failed = 0;");
@@ -352,28 +310,23 @@ std::string function_text(const Staged& staged, const Vocabulary& words, const B
   if (staged.signature.status) {
     lines.push_back(return_line(staged));
   }
-  return parts +
-         declaration(returned(staged.signature),
-                     parameters(staged.signature, used_arguments(staged, used)), " noexcept {") +
-         block(lines);
+  return definition(whole.parts, staged.signature, used_arguments(staged, whole.used), lines);
 }
 
 /// The functions that closed contacts call, each once, without namespace.
 std::string contacts_text(const std::vector<Staged>& functions, const Vocabulary& words,
                           const Target& target) {
   std::string result;
-  std::vector<std::string> done;
+  std::set<std::string> done;
   for (const Staged& staged : functions) {
     for (const Staged& contact : staged.contacts) {
-      const std::string& name = contact.signature.name;
-      if (std::find(done.begin(), done.end(), name) == done.end()) {
-        done.push_back(name);
+      if (done.insert(contact.signature.name).second) {
         result +=
             '\n' + function_text(contact, words, staged_body(contact, words, target), {}, target);
       }
     }
   }
-  return result.empty() ? result : "\nnamespace {\n" + result + "\n}  // namespace\n";
+  return unnamed(result);
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 #include <iterator>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "emit/operation_text.hpp"
 
 namespace treedyn::emit {
@@ -56,10 +54,6 @@ bool Statements::is_trigonometric(Ref a) const {
 
 bool Statements::is_operation(Ref a) const {
   return a != 0 && graph_.node(a).kind != Kind::kConstant && graph_.node(a).kind != Kind::kInput;
-}
-
-bool Statements::is_large() const {
-  return operations_.size() + function_.outputs.size() > kLargestFunction;
 }
 
 void Statements::find_levels(const std::function<int(int, int)>& level) {
@@ -394,12 +388,7 @@ std::size_t Statements::output_array(int output) const {
 
 std::string Statements::array_name(const std::string& stem) const {
   std::string name = stem;
-  const auto is_name = [&](const program::Array& array) {
-    return array.name == name;
-  };
-  const program::Signature& signature = function_.signature;
-  while (std::ranges::any_of(signature.inputs, is_name) ||
-         std::ranges::any_of(signature.outputs, is_name)) {
+  while (has(function_.signature.arrays(), name)) {
     name += '_';
   }
   return name;

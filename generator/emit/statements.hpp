@@ -2,7 +2,6 @@
 // values.
 #pragma once
 
-#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -99,7 +98,6 @@ class Statements {
   [[nodiscard]] std::vector<std::size_t> last_parts() const;
   void assign_slots();
   [[nodiscard]] std::string input(const program::Node& node) const;
-  [[nodiscard]] bool is_large() const;
   [[nodiscard]] int available(program::Ref value) const;
 
   const program::Function& function_;

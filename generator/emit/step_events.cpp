@@ -130,7 +130,7 @@ Lines EventWriter::advance() const {
     lines.push_back(
         fmt::format("treedyn_again({});", static_cast<int>(program::Repeated::kAdvance)));
   }
-  lines.push_back(call_text("to.failed = integrate", arguments, 2));
+  lines.push_back(call_text("to.failed = integrate", arguments));
   append(lines, stuck_lines());
   return lines;
 }
@@ -342,8 +342,6 @@ Lines EventWriter::end_lines() const {
 }
 
 std::string EventWriter::turns() const {
-  const program::Signature& signature = stepper_.signature;
-  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
   Lines restart;
   if (counts()) {
     restart = {"changed = true;", "motion.steps = 0;"};
@@ -360,13 +358,12 @@ std::string EventWriter::turns() const {
   if (stepper_.tells) {
     restart.insert(restart.begin(), "treedyn_event(event, static_cast<double>(from.at));");
   }
-  return fill(
-      template_text("step_turns.cpp"),
-      {{"declaration", declaration(returned(signature), parameters(signature, all), " noexcept {")},
-       {"begin", joined(begin_lines(), "  ")},
-       {"turn", joined(turn_lines(), "    ")},
-       {"restart", joined(restart, "      ")},
-       {"end", joined(end_lines(), "  ")}});
+  return fill(template_text("step_turns.cpp"),
+              {{"declaration", declaration(stepper_.signature, " noexcept {")},
+               {"begin", joined(begin_lines(), "  ")},
+               {"turn", joined(turn_lines(), "    ")},
+               {"restart", joined(restart, "      ")},
+               {"end", joined(end_lines(), "  ")}});
 }
 
 }  // namespace

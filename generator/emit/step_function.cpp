@@ -1,6 +1,5 @@
 #include "emit/step_function.hpp"
 
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

@@ -286,12 +286,6 @@ void add_sdirk2_slots(const Stepper& stepper, Form form, Scalar scalar, Slots& s
       {"try", fmt::format("try_step({})", fmt::join(arguments, ", "))}};
 }
 
-std::string step_declaration(const Stepper& stepper) {
-  const program::Signature& signature = stepper.signature;
-  const std::vector<bool> all(signature.inputs.size() + signature.outputs.size(), true);
-  return declaration(returned(signature), parameters(signature, all), " noexcept {");
-}
-
 /// What stands behind the integration.
 std::string integration_end(const Stepper& stepper, Form form) {
   Lines lines;
@@ -329,22 +323,23 @@ std::string integration(const Stepper& stepper, Form form, Scalar scalar) {
   const auto plus = [&](const std::string& x) {
     return stepper.compensated ? fmt::format("add({}[i],", x) : x + "[i] +";
   };
-  Slots slots = {{"declaration", own ? step_declaration(stepper) + kept_lines(stepper)
-                                     : declaration(stepper.turning.empty() ? "int integrate"
-                                                                           : "int integrate_part",
-                                                   integrate_list(stepper, true), " noexcept {")},
-                 {"dynamics", dynamics_name(stepper)},
-                 {"phase", !stepper.switches() ? ""
-                           : own               ? "phase[0], "
-                                               : "which, "},
-                 {"t", stepper.takes_time ? ", t" : ""},
-                 {"anchor", behind_time(stepper)},
-                 {"lambda", reacts ? ", lambda" : ""},
-                 {"end", integration_end(stepper, form)},
-                 {"q_plus", plus("q")},
-                 {"qd_plus", plus("qd")},
-                 {"q_rest", stepper.compensated ? ", &rest_next[i])" : ""},
-                 {"qd_rest", stepper.compensated ? ", &rest_next[kDof + i])" : ""}};
+  Slots slots = {
+      {"declaration",
+       own ? declaration(stepper.signature, " noexcept {") + kept_lines(stepper)
+           : declaration(stepper.turning.empty() ? "int integrate" : "int integrate_part",
+                         integrate_list(stepper, true), " noexcept {")},
+      {"dynamics", dynamics_name(stepper)},
+      {"phase", !stepper.switches() ? ""
+                : own               ? "phase[0], "
+                                    : "which, "},
+      {"t", stepper.takes_time ? ", t" : ""},
+      {"anchor", behind_time(stepper)},
+      {"lambda", reacts ? ", lambda" : ""},
+      {"end", integration_end(stepper, form)},
+      {"q_plus", plus("q")},
+      {"qd_plus", plus("qd")},
+      {"q_rest", stepper.compensated ? ", &rest_next[i])" : ""},
+      {"qd_rest", stepper.compensated ? ", &rest_next[kDof + i])" : ""}};
   if (stepper.method == StepMethod::kSemiImplicitEuler) {
     slots["lengths"] = lengths(stepper, form, scalar, {}, true);
     return fill(template_text("step_semi_implicit_euler.cpp"), slots);
@@ -404,9 +399,9 @@ std::string step_of_parts(const Stepper& stepper, Scalar scalar) {
     const auto found = own.find(argument);
     argument = found == own.end() ? argument : found->second;
   }
-  return step_declaration(stepper) + kept_lines(stepper) + "\n" +
+  return declaration(stepper.signature, " noexcept {") + kept_lines(stepper) + "\n" +
          (stepper.rows > 0 ? fmt::format("  Scalar later[{}];\n", stepper.rows) : "") +
-         call_text("  const int failed = integrate", arguments, 2) + "\n" +
+         call_text("  const int failed = integrate", arguments) + "\n" +
          integration_end(stepper, Form::kStep) + "\n}\n";
 }
 

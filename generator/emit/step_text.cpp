@@ -14,11 +14,6 @@ namespace {
 
 constexpr std::size_t kLongestBrief = 80;
 
-bool has_input(const program::Staged& staged, const std::string& name) {
-  return std::any_of(staged.signature.inputs.begin(), staged.signature.inputs.end(),
-                     [&](const program::Array& array) { return array.name == name; });
-}
-
 }  // namespace
 
 std::string derived_parameter() {
@@ -29,20 +24,15 @@ std::string call(const program::Staged& staged, const StateText& state, const st
   Lines arguments = {state.q};
   for (const auto& [name, text] :
        {std::pair("qd", &state.qd), std::pair("t", &state.t), std::pair("lambda", &state.lambda)}) {
-    if (has_input(staged, name)) {
+    if (has(staged.signature.inputs, name)) {
       arguments.push_back(*text);
     }
   }
-  if (has_input(staged, derived_array().name)) {
+  if (has(staged.signature.inputs, derived_array().name)) {
     arguments.emplace_back(kDerivedOfMotion);
   }
   arguments.push_back(result);
   return fmt::format("{}({});", staged.signature.name, fmt::join(arguments, ", "));
-}
-
-std::string call_text(const std::string& head, const std::vector<std::string>& arguments,
-                      std::size_t indentation) {
-  return declaration(std::string(indentation, ' ') + head, arguments, ";").substr(indentation);
 }
 
 Lines by_phase(const program::Stepper& stepper, const std::string& which,

@@ -23,10 +23,6 @@ struct StateText {
 };
 std::string call(const program::Staged& staged, const StateText& state, const std::string& result);
 
-/// `head(arguments);` within columns behind an indentation.
-std::string call_text(const std::string& head, const std::vector<std::string>& arguments,
-                      std::size_t indentation);
-
 /// What depends on the phase `which`: a switch, or the lines of the only phase.
 Lines by_phase(const program::Stepper& stepper, const std::string& which,
                const std::function<Lines(const program::StepPhase&)>& lines_of);

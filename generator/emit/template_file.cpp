@@ -28,4 +28,12 @@ std::string fill(std::string_view text, const std::map<std::string, std::string>
   return result.append(text.substr(at));
 }
 
+std::string html_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  }
+  return result;
+}
+
 }  // namespace treedyn::emit

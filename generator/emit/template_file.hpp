@@ -14,4 +14,7 @@ std::string_view template_text(std::string_view name);
 /// takes the line with it. An unknown or an unused slot is a broken invariant.
 std::string fill(std::string_view text, const std::map<std::string, std::string>& slots);
 
+/// Text with `<`, `>` and `&` as HTML and SVG write them.
+std::string html_text(std::string_view text);
+
 }  // namespace treedyn::emit

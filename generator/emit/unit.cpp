@@ -88,11 +88,9 @@ Vocabulary words_of(const Unit& unit) {
   std::set<std::string> taken = {"self_test", "compare"};
   const auto take = [&](const program::Signature& signature) {
     taken.insert(signature.name);
-    for (const auto* arrays : {&signature.inputs, &signature.outputs}) {
-      for (const program::Array& array : *arrays) {
-        taken.insert(array.name);
-        taken.insert("known_" + array.name);  // of the self-test
-      }
+    for (const program::Array& array : signature.arrays()) {
+      taken.insert(array.name);
+      taken.insert("known_" + array.name);  // of the self-test
     }
   };
   for (const DescribedNumber& field : described(unit.derived, words)) {
@@ -130,25 +128,17 @@ Vocabulary words_of(const Unit& unit) {
   return words;
 }
 
-/// Words outside of comments.
-bool has_word(const std::string& text, std::string_view word) {
+/// Outside of comments.
+bool has_word_of_code(const std::string& text, std::string_view word) {
   return std::ranges::any_of(lines_of(text), [&](const std::string& line) {
-    const std::string_view code = std::string_view(line).substr(0, line.find("//"));
-    const auto is_part = [&](std::size_t at) {
-      return at < code.size() && is_word_byte(code[at]);
-    };
-    for (std::size_t at = code.find(word); at != code.npos; at = code.find(word, at + 1)) {
-      if ((at == 0 || !is_part(at - 1)) && !is_part(at + word.size())) {
-        return true;
-      }
-    }
-    return false;
+    return has_word(std::string_view(line).substr(0, line.find("//")), word);
   });
 }
 
 /// The build defines a macro for what it compiles, the header included.
 void require_free(const std::string& macro, const std::vector<const std::string*>& texts) {
-  if (std::ranges::any_of(texts, [&](const std::string* text) { return has_word(*text, macro); })) {
+  if (std::ranges::any_of(
+          texts, [&](const std::string* text) { return has_word_of_code(*text, macro); })) {
     throw std::invalid_argument(
         fmt::format("--section: {} is a name in the generated code; expected another", macro));
   }

@@ -1,9 +1,7 @@
 // What Engine is made of; included by the files that instantiate it.
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <memory>
 #include <span>
 #include <vector>
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
 
 #include "block/evaluate.hpp"
 #include "block/plan.hpp"

@@ -2,7 +2,6 @@
 // evaluated.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>

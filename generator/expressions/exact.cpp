@@ -7,7 +7,6 @@
 #include <string>
 
 #include "common/error.hpp"
-#include "expressions/constant.hpp"
 
 namespace treedyn::expressions {
 

@@ -1,6 +1,5 @@
 #include "formulate/constrained.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 #include "common/index.hpp"

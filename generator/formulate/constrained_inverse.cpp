@@ -1,7 +1,5 @@
 #include "formulate/constrained_inverse.hpp"
 
-#include <algorithm>
-
 #include "common/index.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/derived.hpp"

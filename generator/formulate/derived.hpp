@@ -1,8 +1,6 @@
 // Derived values in frames: from sums along the tree and steps of links to expressions.
 #pragma once
 
-#include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>

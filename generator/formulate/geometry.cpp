@@ -1,7 +1,6 @@
 #include "formulate/geometry.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "common/provenance.hpp"
 

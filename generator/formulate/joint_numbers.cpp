@@ -1,8 +1,5 @@
 #include "formulate/joint_numbers.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-
 #include "common/error.hpp"
 #include "common/index.hpp"
 #include "formulate/functions.hpp"

@@ -1,9 +1,7 @@
 #include "formulate/lowering.hpp"
 
 #include <algorithm>
-#include <array>
 
-#include "common/error.hpp"
 #include "common/index.hpp"
 
 namespace treedyn::formulate {

@@ -1,6 +1,5 @@
 #include "formulate/origins.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>

@@ -1,11 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string_view>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "equations/table.hpp"
 #include "formulate/factored.hpp"
-#include "formulate/regressor.hpp"
 #include "formulate/trunk.hpp"
 
 namespace treedyn::formulate {
@@ -78,6 +79,72 @@ std::vector<Expr> build_dynamics_terms(const Task& task) {
   result.insert(result.end(), bias.begin(), bias.end());
   result.insert(result.end(), gravity.begin(), gravity.end());
   return result;
+}
+
+constexpr int kParameters = 10;
+/// Rows and columns of xx xy xz yy yz zz.
+constexpr std::array<std::array<std::size_t, 2>, 6> kEntries = {
+    {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+
+/// Pseudo-inertia of a tensor J = tr(E) 1 - E with one entry.
+Matrix3 pseudo_inertia(std::size_t row, std::size_t column) {
+  Matrix3 result{};
+  if (row == column) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      result[4 * k] = Real(1) / 2;
+    }
+    result[4 * row] -= 1;
+  } else {
+    result[3 * row + column] = -1;
+    result[3 * column + row] = -1;
+  }
+  return result;
+}
+
+/// Gives a link a unit of one parameter, which counts in the model's frame of the link.
+void add_unit(NormalLink& link, int parameter) {
+  const auto k = static_cast<std::size_t>(parameter);
+  Vector3 moment{};
+  Matrix3 pseudo{};
+  if (k == 0) {
+    link.mass = 1;
+  } else if (k < 4) {
+    moment[k - 1] = 1;
+  } else {
+    pseudo = pseudo_inertia(kEntries[k - 4][0], kEntries[k - 4][1]);
+  }
+  const Vector3& o = link.origin;
+  pseudo = pseudo - outer(o, moment) - outer(moment, o) + link.mass * outer(o, o);
+  link.moment = multiply(link.to_normal, moment - link.mass * o);
+  link.pseudo = congruence(link.to_normal, pseudo);
+}
+
+/// Y of tau = Y theta, N x 10 N, row-major. tau is linear in the mass, the first moment and the
+/// inertia tensor about its origin of every link, so a column is (1) of a robot that has nothing
+/// but a unit of that parameter. All columns share the kinematics.
+/// \pre every link has a coordinate of its own
+std::vector<Expr> build_regressor(const Task& task) {
+  const Kinematics& k = task.kinematics;
+  model::Tree bare = task.tree;
+  for (model::Link& link : bare.links) {
+    link.inertia = {};
+  }
+  const NormalTree nothing = normal_form(bare, task.options.gravity, k.variant());
+  const std::size_t columns = kParameters * bare.links.size();
+  std::vector<Expr> Y(bare.links.size() * columns);
+  for (int link = 0; link < bare.size(); ++link) {
+    for (int parameter = 0; parameter < kParameters; ++parameter) {
+      NormalTree normal = nothing;
+      add_unit(normal.links[to_index(link)], parameter);
+      const Kinematics own(k.graph(), bare, normal, k.variant(), k.inputs());
+      const std::vector<Expr> tau =
+          build_equation({bare, normal, task.options, own}, "inverse_dynamics");
+      for (std::size_t row = 0; row < tau.size(); ++row) {
+        Y[row * columns + to_index(kParameters * link + parameter)] = tau[row];
+      }
+    }
+  }
+  return Y;
 }
 
 std::vector<Expr> build_point_rotations(const Task& task) {

@@ -1,7 +1,5 @@
 #include "formulate/regrouping.hpp"
 
-#include <algorithm>
-
 namespace treedyn::formulate {
 
 namespace {

@@ -1,10 +1,7 @@
 #include "formulate/scene_drift.hpp"
 
-#include <algorithm>
-
 #include "common/index.hpp"
 #include "formulate/scene_frame.hpp"
-#include "formulate/scene_steps.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::formulate {

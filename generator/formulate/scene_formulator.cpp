@@ -9,7 +9,6 @@
 #include "formulate/constrained.hpp"
 #include "formulate/constrained_inverse.hpp"
 #include "formulate/contacts.hpp"
-#include "formulate/scene_drift.hpp"
 #include "formulate/scene_system.hpp"
 #include "formulate/search.hpp"
 #include "model/mass_unit.hpp"

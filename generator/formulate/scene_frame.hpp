@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <vector>
 
 #include "formulate/derived.hpp"
 #include "formulate/trunk.hpp"

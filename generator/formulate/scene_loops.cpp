@@ -1,11 +1,9 @@
 #include "formulate/scene_loops.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <span>
 
 #include "common/index.hpp"
-#include "formulate/scene_drift.hpp"
 #include "formulate/scene_rank.hpp"
 #include "formulate/scene_steps.hpp"
 #include "model/loops.hpp"

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "common/identifier.hpp"
-#include "formulate/scene_drift.hpp"
 #include "formulate/scene_phases.hpp"
 #include "model/scene_facts.hpp"
 

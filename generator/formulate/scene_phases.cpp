@@ -9,7 +9,6 @@
 #include "common/index.hpp"
 #include "formulate/geometry.hpp"
 #include "formulate/scene_names.hpp"
-#include "formulate/scene_steps.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::formulate {

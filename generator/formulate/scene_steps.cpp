@@ -1,14 +1,12 @@
 #include "formulate/scene_steps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "common/index.hpp"
 #include "equations/scene_table.hpp"
-#include "formulate/scene_drift.hpp"
 #include "formulate/scene_guards.hpp"
 #include "formulate/search.hpp"
 #include "model/scene_facts.hpp"
@@ -52,11 +50,6 @@ StepCause cause_of(const Event& event, bool lands) {
       break;
   }
   return StepCause::kCross;
-}
-
-bool has(const std::vector<program::Array>& arrays, const std::string& name) {
-  return std::any_of(arrays.begin(), arrays.end(),
-                     [&](const program::Array& array) { return array.name == name; });
 }
 
 /// Makes the stepper of one scene.

@@ -1,8 +1,6 @@
 // `step`: the phases of a scene as those that its integrator goes through.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "formulate/formulate.hpp"

@@ -1,7 +1,5 @@
 #include "formulate/scene_values.hpp"
 
-#include <utility>
-
 #include "common/error.hpp"
 
 namespace treedyn::formulate {

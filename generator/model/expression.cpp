@@ -97,15 +97,4 @@ bool Expression::uses(Quantity quantity) const {
   });
 }
 
-std::vector<Variable> Expression::variables() const {
-  std::vector<Variable> result;
-  for (const Instruction& i : program_) {
-    if (i.operation == Operation::kVariable &&
-        std::find(result.begin(), result.end(), i.variable) == result.end()) {
-      result.push_back(i.variable);
-    }
-  }
-  return result;
-}
-
 }  // namespace treedyn::model

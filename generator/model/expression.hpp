@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "common/error.hpp"
@@ -80,8 +79,6 @@ class Expression {
     return program_.front().constant;
   }
   [[nodiscard]] bool uses(Quantity quantity) const;
-  /// The variables that occur, each once, in order of first use.
-  [[nodiscard]] std::vector<Variable> variables() const;
   [[nodiscard]] std::size_t size() const { return program_.size(); }
   /// Calls `change` for its numbers, in the order of its program.
   /// \param change  Real&, what it is of an effect ->; zero and one have to stay

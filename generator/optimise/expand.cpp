@@ -1,6 +1,5 @@
 #include "optimise/expand.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace treedyn::optimise {

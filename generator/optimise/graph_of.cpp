@@ -1,6 +1,5 @@
 // From sums and products of any number of operands back to binary operations.
 #include <algorithm>
-#include <cstdlib>
 
 #include "optimise/network.hpp"
 

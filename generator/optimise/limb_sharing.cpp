@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "common/error.hpp"

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "common/error.hpp"
 #include "optimise/kept.hpp"
 #include "optimise/network_builder.hpp"
 

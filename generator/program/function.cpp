@@ -1,7 +1,6 @@
 #include "program/function.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "program/limb_code.hpp"
 
@@ -29,6 +28,16 @@ int fused(const Graph& graph, const std::vector<Ref>& nodes, std::span<const Ref
 }
 
 }  // namespace
+
+bool has(const std::vector<Array>& arrays, std::string_view name) {
+  return std::ranges::find(arrays, name, &Array::name) != arrays.end();
+}
+
+std::vector<Array> Signature::arrays() const {
+  std::vector<Array> result = inputs;
+  result.insert(result.end(), outputs.begin(), outputs.end());
+  return result;
+}
 
 Cost cost(const Graph& graph, std::span<const Ref> outputs) {
   const std::vector<Ref> nodes = reachable(graph, outputs);

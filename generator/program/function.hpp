@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "program/graph.hpp"
@@ -24,6 +25,9 @@ struct Array {
   int columns = 0;
 };
 
+/// True if one of the arrays is called so.
+bool has(const std::vector<Array>& arrays, std::string_view name);
+
 /// What the header, the manifest and `treedyn list` say of a function.
 struct Signature {
   std::string name;      ///< mass_matrix
@@ -32,6 +36,8 @@ struct Signature {
   std::vector<Array> inputs;
   std::vector<Array> outputs;
   bool status = false;  ///< returns an int, the bits of namespace status; else nothing
+  /// Inputs, then outputs.
+  [[nodiscard]] std::vector<Array> arrays() const;
 };
 
 /// What rounding costs in a function: bounds of its errors, as quotients of those of the same

@@ -1,5 +1,4 @@
 // Shared code of limbs as a function without it.
-#include <cstdlib>
 #include <utility>
 
 #include "common/index.hpp"

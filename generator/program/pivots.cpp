@@ -4,7 +4,6 @@
 #include <functional>
 #include <ios>
 #include <set>
-#include <string>
 
 #include "program/interpret.hpp"
 #include "program/random.hpp"

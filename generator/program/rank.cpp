@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <ios>
-#include <string>
 
 #include "program/interpret.hpp"
 #include "program/random.hpp"

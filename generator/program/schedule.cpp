@@ -4,8 +4,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "common/error.hpp"
-
 namespace treedyn::program {
 
 namespace {

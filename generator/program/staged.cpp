@@ -1,7 +1,6 @@
 #include "program/staged.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace treedyn::program {
 

@@ -275,11 +275,7 @@ std::vector<Lasting> clocks(const StepPhase& phase) {
   return result;
 }
 
-bool takes_time(const Staged& staged) {
-  const std::vector<Array>& inputs = staged.signature.inputs;
-  return std::any_of(inputs.begin(), inputs.end(),
-                     [](const Array& array) { return array.name == "t"; });
-}
+bool takes_time(const Staged& staged) { return has(staged.signature.inputs, "t"); }
 
 bool tells_reactions(const Stepper& stepper) {
   const auto pulls = [](const StepPhase& phase) {

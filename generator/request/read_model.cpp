@@ -18,7 +18,6 @@
 #include "formulate/scene_functions.hpp"
 #include "formulate/scene_loops.hpp"
 #include "formulate/scene_phases.hpp"
-#include "formulate/scene_steps.hpp"
 #include "formulate/scene_sticking.hpp"
 #include "formulate/stand_ins.hpp"
 #include "model/parameters.hpp"
@@ -72,11 +71,8 @@ std::vector<std::string> functions_of(const Request& request, const model::Tree&
 }
 
 bool is_empty(const program::Signature& signature) {
-  const auto empty = [](const program::Array& array) {
-    return array.size == 0;
-  };
-  return std::any_of(signature.inputs.begin(), signature.inputs.end(), empty) ||
-         std::any_of(signature.outputs.begin(), signature.outputs.end(), empty);
+  return std::ranges::any_of(signature.arrays(),
+                             [](const program::Array& array) { return array.size == 0; });
 }
 
 void check_functions(const Model& model, const Location& where) {

@@ -16,7 +16,6 @@
 #include "emit/taken_names.hpp"
 #include "equations/scene_table.hpp"
 #include "equations/table.hpp"
-#include "formulate/scene_functions.hpp"
 
 namespace treedyn {
 namespace {

@@ -1,7 +1,6 @@
 // Equations of users on their way through the stages, INTERFACE.md 7.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>

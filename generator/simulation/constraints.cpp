@@ -68,10 +68,6 @@ void Constraints::activate(const std::vector<int>& constraints) {
   }
 }
 
-bool Constraints::is_force(int row) const {
-  return item(at(row).item).kind == ConstraintKind::kPoint;
-}
-
 Eigen::Vector3d Constraints::position(const Item& item, double t) const {
   return item.curve[0].at(t) + item.shift;
 }

@@ -19,8 +19,6 @@ class Constraints {
   void activate(const std::vector<int>& constraints);
   [[nodiscard]] const std::vector<int>& active() const { return active_; }
   [[nodiscard]] int rows() const { return static_cast<int>(rows_.size()); }
-  /// True for rows whose reaction is a force from outside (not a moment, not inside a loop).
-  [[nodiscard]] bool is_force(int row) const;
   [[nodiscard]] const Eigen::Vector3d& direction(int row) const { return at(row).d; }
   [[nodiscard]] int constraint(int row) const { return at(row).item; }
   /// Which of its constraint's rows it is.

@@ -44,12 +44,6 @@ double energy(System& system, Pose& pose, const Vector& q, const Vector& qd) {
          system.elastic_energy(q);
 }
 
-Bounds unbounded() {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  static_assert(sizeof(Bounds) == 10 * sizeof(double));
-  return {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};
-}
-
 std::string to_string(const Notice& notice) {
   if (!(notice.worst > notice.value)) {
     return notice.text;

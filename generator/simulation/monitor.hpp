@@ -33,9 +33,6 @@ struct Bounds {
   double beside = 0.05;
 };
 
-/// No bound is ever exceeded.
-Bounds unbounded();
-
 /// A warning: what was noticed first, and the worst of it.
 struct Notice {
   std::string kind;  ///< drift, residual, energy, guard, position, speed, branch, step, below

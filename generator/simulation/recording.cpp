@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "simulation/column_names.hpp"
 
 namespace treedyn::simulation {

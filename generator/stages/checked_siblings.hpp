@@ -1,7 +1,6 @@
 // Functions that can fail, and their siblings that tell so (`--checked`).
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "pipeline.hpp"

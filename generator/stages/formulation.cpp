@@ -5,7 +5,6 @@
 #include <functional>
 #include <mutex>
 #include <numeric>
-#include <stdexcept>
 
 #include <fmt/format.h>
 

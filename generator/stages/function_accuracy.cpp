@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "equations/scene_table.hpp"
-#include "formulate/scene_functions.hpp"
 
 namespace treedyn {
 

@@ -42,10 +42,8 @@ void refuse_names(const program::Signature& signature, const Location& where) {
     }
   };
   refuse(signature.name);
-  for (const auto* const arrays : {&signature.inputs, &signature.outputs}) {
-    for (const program::Array& array : *arrays) {
-      refuse(array.name);
-    }
+  for (const program::Array& array : signature.arrays()) {
+    refuse(array.name);
   }
 }
 

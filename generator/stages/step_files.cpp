@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "formulate/scene_drift.hpp"
 #include "formulate/scene_loops.hpp"
 #include "formulate/scene_phases.hpp"
 #include "formulate/scene_steps.hpp"

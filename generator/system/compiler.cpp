@@ -7,7 +7,6 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <iterator>
 #include <sstream>
 #include <system_error>
 

@@ -1,7 +1,6 @@
 // The equations of a scene at one state in 50 digits, as the engine evaluates them.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "engine/engine.hpp"

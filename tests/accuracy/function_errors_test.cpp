@@ -187,7 +187,7 @@ TEST(Measured, SeesPlantedMistakes) {
 }
 
 model::Tree limited() {
-  return description::parse_yaml(R"(
+  return description::parse_model(R"(
 name: limited
 links:
   - {name: a, father: ground, mass: 1,
@@ -195,7 +195,7 @@ links:
              limits: {lower: 0.1, upper: 0.3, velocity: 2, effort: 0}}}
   - {name: b, father: a, mass: 1, joint: {name: k, type: prismatic, axis: [0, 0, 1]}}
 )",
-                                 "limited.yaml", {});
+                                  "limited.yaml", {});
 }
 
 TEST(States, StayInsideTheLimits) {
@@ -267,7 +267,7 @@ TEST(States, NameMissingLimits) {
 
 /// As exporters of URDF write it, and with the limits exchanged.
 TEST(States, TakeLimitsThatLeaveNoRangeForNone) {
-  const model::Tree tree = description::parse_yaml(R"(
+  const model::Tree tree = description::parse_model(R"(
 name: placeholders
 links:
   - {name: a, father: ground, mass: 1,
@@ -279,7 +279,7 @@ links:
   - {name: d, father: c, mass: 1,
      joint: {name: m, type: revolute, axis: [0, 0, 1], limits: {lower: -1, upper: 0}}}
 )",
-                                                   "placeholders.yaml", {});
+                                                    "placeholders.yaml", {});
   const States states(tree);
   EXPECT_THAT(states.missing(), testing::StartsWith("the model states no limits of position for j, "
                                                     "k, l (taken: -pi to pi rad, -1 to 1 m), of"));

@@ -56,7 +56,7 @@ points:
 )";
 
 model::Tree robot(const std::string& name) {
-  model::Tree tree = name == "ur5_like" ? description::parse_yaml(kUr5, "ur5_like.yaml", {})
+  model::Tree tree = name == "ur5_like" ? description::parse_model(kUr5, "ur5_like.yaml", {})
                                         : description::read_model(
                                               TREEDYN_SOURCE_DIR "/models/" + name + ".yaml", {});
   if (tree.points.empty()) {

@@ -29,7 +29,7 @@ model::Tree read(const fs::path& file, description::Base base) {
 
 Subject chain(int size, std::size_t states) {
   return {fmt::format("chain of {}", size),
-          description::parse_yaml(growing_robot(true, size), "chain.yaml", {}), states, 0};
+          description::parse_model(growing_robot(true, size), "chain.yaml", {}), states, 0};
 }
 
 std::string shown(const Errors& errors) {

@@ -32,11 +32,11 @@ inline std::string one_joint(const std::string& joint, const std::string& link =
 }
 
 inline model::Tree yaml(const std::string& text, const ReadOptions& how = options()) {
-  return parse_yaml(text, "m.yaml", how);
+  return parse_model(text, "m.yaml", how);
 }
 
 inline model::Tree urdf(const std::string& text, const ReadOptions& how = options()) {
-  return parse_urdf(text, "m.urdf", how);
+  return parse_model(text, "m.urdf", how);
 }
 
 /// The line that `main` prints for the text, "" if it is accepted.

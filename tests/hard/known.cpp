@@ -27,7 +27,9 @@ double total_vertical(const Context& c, const Vector& reactions) {
   const simulation::Constraints& rows = c.run.system().constraints();
   double sum = 0;
   for (int k = 0; k < reactions.size(); ++k) {
-    sum += rows.is_force(k) ? reactions[k] * rows.direction(k).dot(upward(c.scene)) : 0;
+    const auto row = static_cast<std::size_t>(rows.constraint(k));
+    const bool force = c.scene.constraints[row].kind == model::ConstraintKind::kPoint;
+    sum += force ? reactions[k] * rows.direction(k).dot(upward(c.scene)) : 0;
   }
   return sum;
 }

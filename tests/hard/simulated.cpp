@@ -1,3 +1,4 @@
+#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -11,6 +12,13 @@ namespace treedyn::hard {
 namespace {
 
 constexpr double kTolerance = 1e-12;
+
+/// No bound is ever exceeded.
+simulation::Bounds unbounded() {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  static_assert(sizeof(simulation::Bounds) == 10 * sizeof(double));
+  return {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};
+}
 
 /// What motions have cost.
 struct Count {
@@ -105,7 +113,7 @@ class SimulatorSource final : public Source {
     simulation::Settings how;
     how.integrator = integrator;
     how.step = step;
-    how.bounds = simulation::unbounded();  // cases ask what happens beyond them
+    how.bounds = unbounded();  // cases ask what happens beyond them
     return motion_by(scene, how);
   }
   double sensitivity(const model::Scene& scene) override {

@@ -226,7 +226,7 @@ TEST_P(NearAligned, RobotsKeepTheAccuracyOfTheEquations) {
     description::ReadOptions read;
     read.snap = k % 3 == 0 ? Real(0) : read.snap;
     read.base = is_free ? description::Base::kAxes : read.base;
-    expect_accurate(description::parse_urdf(text, "near.urdf", read), options_number(k, joints),
+    expect_accurate(description::parse_model(text, "near.urdf", read), options_number(k, joints),
                     random);
   }
 }
@@ -241,7 +241,7 @@ TEST(NearAlignedLimbs, KeepTheAccuracyOfTheEquations) {
     description::ReadOptions read;
     read.snap = k % 2 == 0 ? Real(0) : read.snap;
     read.base = is_free ? description::Base::kAxes : read.base;
-    const model::Tree tree = description::parse_urdf(text, "near.urdf", read);
+    const model::Tree tree = description::parse_model(text, "near.urdf", read);
     formulate::Options options = options_number(k, 4);
     options.share_limbs = true;
     shared += formulate::formulated(tree, "inverse_dynamics", options).limb_code != nullptr ? 1 : 0;

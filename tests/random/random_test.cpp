@@ -105,7 +105,7 @@ void expect_agreement(Trio& trio, const program::Function& function,
 
 model::Tree read(const nlohmann::json& description) {
   description::ReadOptions options;
-  return description::parse_yaml(description.dump(), "random.yaml", options);
+  return description::parse_model(description.dump(), "random.yaml", options);
 }
 
 RC_GTEST_PROP(RandomTree, ProgramAndEngineAndOracleAgree, ()) {

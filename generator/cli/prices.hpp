@@ -1,4 +1,4 @@
-// What every effect of a scene costs.
+// What the effects of a scene cost, and that numbers are known at run time only.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace treedyn {
 
-/// Operations of a function with and without an effect.
+/// Operations of a function with and without something.
 struct Price {
-  std::string effect;
+  std::string of;  ///< an effect, or a declaration, "forearm.com"
   std::string function;
   program::Cost with;
-  program::Cost without;  ///< zero if the function is not there without the effect
+  program::Cost without;  ///< zero if the function is not there without it
 };
 
 /// The prices of the effects that the scene names: one row for every function whose operations
@@ -21,6 +21,11 @@ struct Price {
 /// for each effect.
 std::vector<Price> effect_prices(const Model& model, const Request& request,
                                  const program::Programs& programs);
+
+/// The same of declarations of run-time parameters; formulates the model once for each of them.
+/// \param programs  of the model, separated
+std::vector<Price> parameter_prices(const Model& model, const Request& request,
+                                    const program::Programs& programs);
 
 /// Operations that one closed contact adds to constrained_dynamics.
 struct ContactPrice {
