@@ -35,8 +35,7 @@ std::string mimic_lines(const Model& model) {
   std::string result;
   for (int i = 0; i < model.tree.size(); ++i) {
     const model::Drive& drive = model.tree.drives[static_cast<std::size_t>(i)];
-    const int master = model.tree.coordinates[static_cast<std::size_t>(drive.coordinate)];
-    if (master != i) {
+    if (model.tree.is_mimic(i)) {
       result += fmt::format(
           "  {} = {} {} + {}\n", shown(model.tree.links[static_cast<std::size_t>(i)].joint.name),
           emit::decimal(drive.multiplier), shown(model.tree.moved_by(drive.coordinate).joint.name),

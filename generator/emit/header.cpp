@@ -29,6 +29,20 @@ std::string joint_table(const model::Tree& tree) {
   return table(rows, "// ");
 }
 
+/// The joints that have no element of q; empty without such.
+std::string mimic_table(const model::Tree& tree) {
+  std::vector<std::vector<std::string>> rows = {{"mimic joint", "is at (rad or m)"}};
+  for (int i = 0; i < tree.size(); ++i) {
+    const model::Drive& drive = tree.drives[static_cast<std::size_t>(i)];
+    if (tree.is_mimic(i)) {
+      rows.push_back({for_comment(tree.links[static_cast<std::size_t>(i)].joint.name, kLongestCell),
+                      fmt::format("{:.6g} q[{}] + {:.6g}", drive.multiplier.convert_to<double>(),
+                                  drive.coordinate, drive.offset.convert_to<double>())});
+    }
+  }
+  return rows.size() == 1 ? "" : "//\n" + comment_table(rows);
+}
+
 std::string point_table(const model::Tree& tree, const std::vector<model::Point>& points) {
   if (points.empty()) {
     return {};
@@ -263,7 +277,7 @@ std::string header_text(const Unit& unit) {
                {"space", unit.space()},
                {"model", for_comment(tree.name, kLongestCell * 2)},
                {"command", command_comment(unit.command) + processor_comment(unit)},
-               {"joints", joint_table(tree)},
+               {"joints", joint_table(tree) + mimic_table(tree)},
                {"points", point_table(*unit.tree, unit.points)},
                {"scalar", scalar_declaration(unit.target)},
                {"dof", std::to_string(tree.dof())},

@@ -34,6 +34,22 @@ std::string joints_json(const model::Tree& tree) {
   return json_lines(joints, 4);
 }
 
+/// The joints that have no element of q; nothing without such.
+std::string mimics_json(const model::Tree& tree) {
+  std::vector<std::string> mimics;
+  for (int i = 0; i < tree.size(); ++i) {
+    const model::Drive& drive = tree.drives[static_cast<std::size_t>(i)];
+    if (tree.is_mimic(i)) {
+      mimics.push_back(
+          json_object({{"name", json_string(tree.links[static_cast<std::size_t>(i)].joint.name)},
+                       {"index", std::to_string(drive.coordinate)},
+                       {"multiplier", decimal(drive.multiplier)},
+                       {"offset", decimal(drive.offset)}}));
+    }
+  }
+  return mimics.empty() ? "" : fmt::format(",\n  \"mimics\": {}", json_lines(mimics, 4));
+}
+
 std::string points_json(const std::vector<model::Point>& points) {
   std::vector<std::string> result;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -200,13 +216,13 @@ std::string manifest_text(const Unit& unit, const std::vector<Body>& bodies) {
   }
   return fmt::format(
       "{{\n  \"name\": {},\n  \"tool\": {},\n  \"model\": {},\n  \"options\": {},\n"
-      "  \"dof\": {},\n  \"joints\": {},\n  \"points\": {}{},\n  \"functions\": {}\n}}\n",
+      "  \"dof\": {},\n  \"joints\": {}{},\n  \"points\": {}{},\n  \"functions\": {}\n}}\n",
       json_string(unit.name), json_string(unit.tool),
       json_object(
           {{"file", json_string(unit.model_file)}, {"sha256", json_string(unit.model_sha256)}}),
       json_object(unit.options) + sincos_json(unit) + processor_json(unit), unit.tree->dof(),
-      joints_json(*unit.tree), points_json(unit.points), parameters_json(*unit.tree, unit.gravity),
-      json_lines(functions, 4));
+      joints_json(*unit.tree), mimics_json(*unit.tree), points_json(unit.points),
+      parameters_json(*unit.tree, unit.gravity), json_lines(functions, 4));
 }
 
 }  // namespace treedyn::emit

@@ -127,6 +127,11 @@ struct Tree {
 
   [[nodiscard]] int size() const { return static_cast<int>(links.size()); }
   [[nodiscard]] int dof() const { return static_cast<int>(coordinates.size()); }
+  /// True if joint i mimics another one: it has no coordinate of its own.
+  [[nodiscard]] bool is_mimic(int i) const {
+    const Drive& drive = drives[static_cast<std::size_t>(i)];
+    return coordinates[static_cast<std::size_t>(drive.coordinate)] != i;
+  }
   /// The link that independent coordinate k moves.
   [[nodiscard]] const Link& moved_by(int k) const {
     return links[static_cast<std::size_t>(coordinates[static_cast<std::size_t>(k)])];

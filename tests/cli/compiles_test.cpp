@@ -164,6 +164,11 @@ TEST_F(Compiles, MimicJointsWhoseTurnsCancel) {
   expect_compiles({scratch("m.urdf"), "--functions",
                    "kinetic_energy,bias_force,inverse_dynamics,forward_dynamics"},
                   "m");
+  for (const auto& [output, line] :
+       {std::pair("m.hpp", "//   c            -2 q[0] + 0\n"),
+        {"m.json", R"({"name": "c", "index": 0, "multiplier": -2, "offset": 0})"}}) {
+    EXPECT_NE(read_file(file(output)).find(line), std::string::npos) << output;
+  }
 }
 
 TEST_F(Compiles, LimbLanesThatTakeOneOfSineAndCosine) {
