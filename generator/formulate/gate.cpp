@@ -12,6 +12,9 @@ namespace treedyn::formulate {
 namespace {
 
 constexpr double kMostAmplification = 4;
+/// Another seed of the algebraic search can mend so many times that much; so many are tried.
+constexpr double kNearly = 2;
+constexpr int kSeeds = 3;
 
 /// The passes that can be left out and are not yet. Sums of angles are as exact as angles that were
 /// rounded themselves.
@@ -64,7 +67,8 @@ class Gate {
   void note_plain(bool articulated);
   /// Against the formulation that the function may have come from.
   [[nodiscard]] double amplification(const program::Function& function) const;
-  [[nodiscard]] program::Function formulate(const std::vector<Pass>& left_out, int effort) const;
+  [[nodiscard]] program::Function formulate(const std::vector<Pass>& left_out, int effort,
+                                            int seed = 0) const;
   [[nodiscard]] program::Function without_culprits() const;
 
   const model::Tree& tree_;
@@ -96,9 +100,10 @@ double Gate::amplification(const program::Function& function) const {
   return least;
 }
 
-program::Function Gate::formulate(const std::vector<Pass>& left_out, int effort) const {
+program::Function Gate::formulate(const std::vector<Pass>& left_out, int effort, int seed) const {
   Options options = without(options_, left_out);
   options.effort = effort;
+  options.seed = seed;
   program::Function function = formulate_(tree_, recipe_, options);
   function.rounding.amplification = amplification(function);
   for (const PassInfo& info : passes()) {
@@ -141,11 +146,16 @@ program::Function Gate::without_culprits() const {
 
 program::Function Gate::run() const {
   program::Function function = formulate({}, options_.effort);
+  const double refused = function.rounding.amplification;
+  const int seeds = refused <= kNearly * kMostAmplification && options_.effort > 0 ? kSeeds : 1;
+  for (int seed = 1; seed < seeds && !is_accurate(function); ++seed) {
+    function = formulate({}, options_.effort, seed);
+  }
   if (is_accurate(function)) {
     return function;
   }
   program::Function better = without_culprits();
-  better.rounding.refused = function.rounding.amplification;
+  better.rounding.refused = refused;
   return better;
 }
 

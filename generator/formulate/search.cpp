@@ -287,6 +287,7 @@ void Search::drop_what_does_not_pay(Variant& variant, int& cost) {
 /// Moves of the algebraic local search, fewer for large functions; none without a search.
 optimise::Effort Search::algebra_effort(const program::Function& function) const {
   optimise::Effort effort;
+  effort.seed = options_.seed;
   if (options_.has(Pass::kSearch)) {
     const std::int64_t operations = std::max(program::cost(function).total(), kReferenceOperations);
     effort.moves = static_cast<int>(std::int64_t{kAlgebraMoves} * options_.effort *

@@ -39,7 +39,7 @@ Function optimised(const Function& function, const Effort& effort) {
   Network best = run_all_orders(start, effort.rounds);
   best = resubstituted(guard.accepts(best) ? best : start, guard, effort.quotients);
   for (int part = 0; part < kParts && effort.moves > 0; ++part) {
-    const auto seed = static_cast<std::uint64_t>(part + 1);
+    const auto seed = static_cast<std::uint64_t>(effort.seed * kParts + part + 1);
     best = resubstituted(improve(std::move(best), effort.moves / kParts, guard, seed), guard,
                          effort.quotients);
   }

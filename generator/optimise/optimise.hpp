@@ -10,6 +10,7 @@ namespace treedyn::optimise {
 struct Effort {
   int rounds = 3;  ///< repetitions of each order of the passes
   int moves = 0;   ///< steps of the local search that follows; some 10,000 a second
+  int seed = 0;    ///< of these steps
   Quotients quotients = Quotients::kAnywhere;
 };
 
