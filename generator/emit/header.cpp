@@ -40,7 +40,7 @@ std::string mimic_table(const model::Tree& tree) {
                                   drive.coordinate, drive.offset.convert_to<double>())});
     }
   }
-  return rows.size() == 1 ? "" : "//\n" + comment_table(rows);
+  return rows.size() == 1 ? "" : "//\n" + table(rows, "// ");
 }
 
 std::string point_table(const model::Tree& tree, const std::vector<model::Point>& points) {
