@@ -1,4 +1,4 @@
-# cmake --install: the program, the templates, the CMake package, manual page, completion and the licence; `cpack` packs
+# cmake --install: the program, the templates, the CMake package, manual page, completion, equations, interface and the licence; `cpack` packs
 # the same as a Debian package.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -28,7 +28,8 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/treedynConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/treedynConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/templates/treedynFunctions.cmake DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/treedyn/templates)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${CMAKE_CURRENT_SOURCE_DIR}/equations/EQUATIONS.md
+              ${CMAKE_CURRENT_SOURCE_DIR}/cli/INTERFACE.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_GENERATOR DEB)

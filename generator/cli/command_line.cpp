@@ -21,13 +21,12 @@ namespace treedyn {
 
 namespace {
 
-CLI::App* add_output_command(CLI::App& app, const char* name, const char* what,
-                             Settings& settings) {
+CLI::App* add_output_command(CLI::App& app, const char* name, const char* what, Settings& settings,
+                             const char* folder = "folder of the files") {
   CLI::App* command = app.add_subcommand(name, what);
   add_generation(*command, settings.request);
   add_talk(*command, settings);
-  command->add_option("-o,--output", settings.output, "folder of the files; created if missing")
-      ->type_name("DIR");
+  command->add_option("-o,--output", settings.output, folder)->type_name("DIR");
   return command;
 }
 
@@ -74,8 +73,9 @@ void add_info(CLI::App& app, Settings& settings) {
 }
 
 void add_commands(CLI::App& app, Settings& settings) {
-  CLI::App* generate = add_output_command(
-      app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder", settings);
+  CLI::App* generate =
+      add_output_command(app, "generate", "write NAME.hpp, NAME.cpp and NAME.json into a folder",
+                         settings, "folder of the files; created if missing");
   CLI::Option* const depfile =
       generate->add_option("--depfile", settings.depfile, "also write a Make-style dependency file")
           ->type_name("FILE");

@@ -269,7 +269,7 @@ void add_simulate(CLI::App& app, Settings& settings) {
                request.most_steps);
   add_positive(command, "--drift-limit",
                "end where a constraint is further off: rad, or parts of the robot's size; default "
-               "0.01",
+               "0.01, 0.1 with --drift none",
                "D", request.drift_limit);
   add_positive(command, "--energy-limit",
                "end where more energy appears without power: parts of what the motion has "

@@ -22,7 +22,7 @@ std::string array_doc(const program::Array& array, bool output, std::size_t name
                                    name_width));
 }
 
-/// What it does and its arguments.
+/// What it does, its arguments and the rows of constraints.
 std::string signature_doc(const program::Signature& signature) {
   std::size_t name_width = 0;
   for (const program::Array& array : signature.arrays()) {
@@ -35,6 +35,10 @@ std::string signature_doc(const program::Signature& signature) {
   for (const program::Array& array : signature.outputs) {
     result += array_doc(array, true, name_width);
   }
+  for (std::size_t k = 0; k < signature.rows.size(); ++k) {
+    const std::string text = for_comment(signature.rows[k], kLongestCell * 2);
+    result += wrapped(fmt::format("Row {}: {}", k, text), "/// ", 4);
+  }
   return result;
 }
 
@@ -44,8 +48,13 @@ std::string doc(const program::Function& function) {
   const program::Signature& signature = function.signature;
   const std::string equation =
       signature.equation.empty() ? "" : fmt::format("Equation {}. ", signature.equation);
+  const program::Cost cost = program::cost(function);
+  const char* const divides =
+      cost.div > 0 ? "Results mean nothing where a divisor is zero, as that of a singular A; "
+                     "functions of --checked tell. "
+                   : "";
   return signature_doc(signature) +
-         wrapped(fmt::format("{}Cost: {}.{}", equation, cost_text(program::cost(function)),
+         wrapped(fmt::format("{}{}Cost: {}.{}", divides, equation, cost_text(cost),
                              function.limb_code ? " Equal limbs share code." : ""),
                  "/// ");
 }
@@ -79,13 +88,9 @@ std::string status_doc(const program::Staged& staged) {
 
 }  // namespace
 
-/// The rows of lambda, the cost of the regular path and the bound.
+/// The cost of the regular path and the bound.
 std::string doc(const program::Staged& staged) {
   std::string result = signature_doc(staged.signature);
-  for (std::size_t k = 0; k < staged.rows.size(); ++k) {
-    const std::string text = for_comment(staged.rows[k], kLongestCell * 2);
-    result += wrapped(fmt::format("Row {}: {}", k, text), "/// ", 4);
-  }
   for (const std::string& anchor : staged.anchors) {
     result += wrapped(for_comment(anchor, kLongestCell * 3), "/// ", 4);
   }
@@ -165,7 +170,11 @@ std::string events_doc(const program::Stepper& stepper) {
     return result;
   }
   const std::string begins =
-      stepper.switches() ? fmt::format(" The scene begins in {}.", stepper.first) : "";
+      stepper.switches()
+          ? fmt::format(
+                " The scene begins in {}. With the index of no phase results are not numbers.",
+                stepper.first)
+          : "";
   const std::string where =
       stepper.cuts == 0
           ? "Events are taken where the step ends, up to a step late: behind an event the error is "
@@ -176,7 +185,7 @@ std::string events_doc(const program::Stepper& stepper) {
                 stepper.cuts, stepper.cuts + 1);
   return result + wrapped(where +
                               fmt::format(" {} events of a step, and times that they wait for, at "
-                                          "most. Reactions are those at the beginning of the step.",
+                                          "most.",
                                           stepper.events) +
                               begins,
                           "/// ");

@@ -150,13 +150,30 @@ std::string packing_tables(const Unit& unit) {
   return result;
 }
 
+/// " The base frame is the ground's; gravity in it is 0, 0, -9.81 m/s^2."
+std::string base_text(const Unit& unit) {
+  const auto& g = unit.gravity;
+  const bool given = std::ranges::any_of(unit.tree->parameters, [](const model::Parameter& p) {
+    return p.quantity == model::ParameterKind::kGravity;
+  });
+  const std::string pulls = given ? "; gravity in it is an argument"
+                            : g == model::Vector3{}
+                                ? ""
+                                : fmt::format("; gravity in it is {}, {}, {} m/s^2", decimal(g[0]),
+                                              decimal(g[1]), decimal(g[2]));
+  return fmt::format(" The base frame is the ground's{}.", pulls);
+}
+
 std::string arrays_comment(const Unit& unit) {
+  const bool reacts = !unit.staged.empty();
   const char* const packed = unit.packed.empty() ? "" : ", but for those with tables of places";
   return wrapped(
-      fmt::format("Arrays are dense{}, matrices row-major; SI units and radians. Outputs "
-                  "are written completely and must not overlap inputs. Nothing is "
-                  "allocated, thrown or kept between calls.{}",
-                  packed, has_sincos(unit) ? " " + sincos_comment(unit.target) : ""),
+      fmt::format("Arrays are dense{}, matrices row-major; SI units and radians, a|b by joints "
+                  "that are revolute|prismatic{}.{} Equations have the numbers of treedyn's "
+                  "EQUATIONS.md. Outputs are written completely and must not overlap inputs. "
+                  "Nothing is allocated, thrown or kept between calls.{}",
+                  packed, reacts ? ", by reactions that are forces|moments" : "", base_text(unit),
+                  has_sincos(unit) ? " " + sincos_comment(unit.target) : ""),
       "// ");
 }
 

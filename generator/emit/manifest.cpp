@@ -124,7 +124,7 @@ std::string staged_cost(const program::Staged& staged) {
   std::string result = operations_json(program::cost(staged));
   for (const program::RowSolve& solve : staged.solves) {
     result += fmt::format(",\n     \"rows\": {}, \"rank\": {}",
-                          json_list(json_strings(staged.rows)), solve.rank);
+                          json_list(json_strings(staged.signature.rows)), solve.rank);
   }
   for (const program::Staged& contact : staged.contacts) {
     result += fmt::format(",\n     \"{}\": {}", contact.signature.name,

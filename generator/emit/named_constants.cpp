@@ -259,9 +259,9 @@ std::string ConstantNames::table(const Vocabulary& words, Scalar scalar) const {
       "\nnamespace {\n\n" +
       wrapped(fmt::format(
                   "The numbers that functions take from the {0}, under the first link whose "
-                  "inertia is in them; above each its unit and the numbers of the {0} that it is "
-                  "made of, but for those that are exactly 0 or 1. Other literals are numbers of "
-                  "the equations.",
+                  "inertia is in them; above each the numbers of the {0} that it is made of, but "
+                  "for those that are exactly 0 or 1, behind its unit, which a length or mass of "
+                  "exactly 1 hides. Other literals are numbers of the equations.",
                   has_scene ? "model and the scene" : "model"),
               "// ");
   int link = kNoLink - 1;

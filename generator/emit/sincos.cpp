@@ -357,7 +357,8 @@ std::string sincos_comment(const Target& target) {
   const Approximation& a = approximation(target.scalar);
   return fmt::format(
       "Sines and cosines, without contraction the same bits everywhere, have errors below {} for "
-      "angles below {} rad; they are not a number beyond {} rad.",
+      "arguments below {} rad; they are not a number beyond {} rad. Arguments are angles and, of "
+      "parallel axes, their rounded sums.",
       a.error, a.range, a.end);
 }
 

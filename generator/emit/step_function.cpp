@@ -68,17 +68,21 @@ std::string dispatch(const Stepper& stepper) {
     parameters.push_back(fmt::format("Scalar lambda[{}]", stepper.rows));
   }
   std::vector<std::string> lines = {"switch (which) {"};
-  for (std::size_t k = 0; k < stepper.phases.size(); ++k) {
-    const StepPhase& phase = stepper.phases[k];
-    const bool last = k + 1 == stepper.phases.size();
-    lines.push_back(last ? "  default: {" : fmt::format("  case phase::{}: {{", phase.identifier));
+  for (const StepPhase& phase : stepper.phases) {
+    lines.push_back(fmt::format("  case phase::{}: {{", phase.identifier));
     for (const std::string& line : dynamics_lines(stepper, phase)) {
       lines.push_back("    " + line);
     }
     append(lines, {"    return failed;", "  }"});
   }
-  lines.emplace_back("}");
-  return "\n/// Accelerations and reactions in a phase.\n" +
+  append(lines, {"  default:", "    break;", "}", "const Scalar none = Scalar(0) / (q[0] - q[0]);",
+                 fmt::format("for (int i = 0; i < {}; ++i) {{", n), "  qdd[i] = none;", "}"});
+  if (stepper.rows > 0) {
+    append(lines, {fmt::format("for (int i = 0; i < {}; ++i) {{", stepper.rows),
+                   "  lambda[i] = none;", "}"});
+  }
+  lines.emplace_back("return status::not_a_number;");
+  return "\n/// Accelerations and reactions in a phase; not a number in none.\n" +
          declaration("int dynamics_in", parameters, " noexcept {") + block(lines);
 }
 

@@ -79,14 +79,17 @@ program::Function SceneFormulator::plain(const program::Signature& signature,
 }
 
 program::Function SceneFormulator::jacobian() const {
-  return plain(signature_of("reaction_jacobian_transpose", {q()}, {{"J", dof_ * rows(), "m|1"}}),
-               build_reaction_jacobian);
+  program::Signature signature =
+      signature_of("reaction_jacobian_transpose", {q()}, {{"J", dof_ * rows(), "m|1"}});
+  signature.rows = row_names(scene_, all_);
+  return plain(std::move(signature), build_reaction_jacobian);
 }
 
 program::Function SceneFormulator::bias() const {
-  return plain(
-      signature_of("reaction_bias_acceleration", {q(), qd()}, {{"gamma", rows(), kAcceleration}}),
-      build_reaction_bias);
+  program::Signature signature =
+      signature_of("reaction_bias_acceleration", {q(), qd()}, {{"gamma", rows(), kAcceleration}});
+  signature.rows = row_names(scene_, all_);
+  return plain(std::move(signature), build_reaction_bias);
 }
 
 void SceneFormulator::add_forces(const PhaseState& state, program::Staged& staged) {
@@ -201,7 +204,7 @@ program::Staged SceneFormulator::constrained_dynamics(const PhaseState& state) c
   if (r > 0) {
     staged.solves.push_back(solve_of(staged.function, r, options.active));
   }
-  staged.rows = row_names(scene_, options.active);
+  staged.signature.rows = row_names(scene_, options.active);
   staged.constraints = options.active;
   add_forces(state, staged);
   return staged;
@@ -242,7 +245,7 @@ program::Staged SceneFormulator::inverse_dynamics(const PhaseState& state) const
   }
   staged.gates.push_back(program::Gate::kSolve);
   staged.solves = {solve_of(staged.function, p, options.active, passive_joints(scene_))};
-  staged.rows = row_names(scene_, options.active);
+  staged.signature.rows = row_names(scene_, options.active);
   staged.constraints = options.active;
   add_forces(state, staged);
   return staged;
@@ -268,7 +271,7 @@ program::Staged SceneFormulator::impact(const ImpactName& impact) const {
   staged.levels = {0, 0, 1};
   staged.gates = {program::Gate::kSolve};
   staged.solves = {solve_of(staged.function, r, impact.constraints)};
-  staged.rows = row_names(scene_, impact.constraints);
+  staged.signature.rows = row_names(scene_, impact.constraints);
   staged.constraints = impact.constraints;
   staged.restitution = impact.restitution.plain();
   return staged;

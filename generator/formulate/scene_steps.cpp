@@ -269,11 +269,12 @@ void StepMaker::sign(const Staged& dynamics, program::Stepper& stepper) const {
   program::Signature& s = stepper.signature;
   s = {"step",
        equations::scene_function_info("step").equation,
-       stepper.ends()
-           ? "Joint positions and velocities one step later, behind the events within "
-             "the step; lambda is that of the beginning."
-           : "Joint positions and velocities one step later, within the phase; lambda is "
-             "that of the beginning.",
+       fmt::format("Joint positions and velocities one step later{}{}; tau comes on top of the "
+                   "scene's own joint forces.",
+                   stepper.ends()       ? ", behind the events within the step"
+                   : stepper.switches() ? ", within the phase"
+                                        : "",
+                   stepper.rows > 0 ? "; lambda is that of the beginning" : ""),
        {dynamics.signature.inputs.begin(), dynamics.signature.inputs.begin() + 3},
        {{"q_next", n, "rad|m"}, {"qd_next", n, "rad/s|m/s"}},
        true};

@@ -36,6 +36,7 @@ struct Signature {
   std::vector<Array> inputs;
   std::vector<Array> outputs;
   bool status = false;  ///< returns an int, the bits of namespace status; else nothing
+  std::vector<std::string> rows = {};  ///< what the rows of constraints are, for the reader
   /// Inputs, then outputs.
   [[nodiscard]] std::vector<Array> arrays() const;
 };

@@ -56,7 +56,6 @@ struct Staged {
   std::vector<int> constraints;  ///< of the scene: those that act
   std::vector<std::pair<int, Real>> forces;  ///< of joints, of its phase alone
   Real restitution = 0;                      ///< of an impact
-  std::vector<std::string> rows;             ///< what the rows of lambda are, for the reader
   std::vector<std::string> anchors;          ///< what the parts of `anchor` are
 };
 
