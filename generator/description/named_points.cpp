@@ -50,6 +50,18 @@ std::string some_names(std::vector<std::string_view> all) {
   return fmt::format("{}{}", fmt::join(names, ", "), more ? ", .." : "");
 }
 
+/// What is wrong with a link that is none of the model's frames.
+std::string unknown_link(const model::Tree& tree, std::string_view point, std::string_view name) {
+  if (name == "ground") {
+    return fmt::format(
+        "point '{}': 'ground' is in front of the base's joints; expected a link, as base_rx",
+        shown(point));
+  }
+  return fmt::format("point '{}': link '{}' is unknown{}; expected one of {}", shown(point),
+                     shown(name), did_you_mean(name, names_of(tree.frames)),
+                     some_names(names_of(tree.frames)));
+}
+
 /// The elements of `--points`, one at a time.
 class PointList {
  public:
@@ -85,9 +97,7 @@ class PointList {
   [[nodiscard]] const model::Frame& frame(std::string_view name, std::string_view point) const {
     const model::Frame* const found = find_frame(tree_, name);
     if (found == nullptr) {
-      fail(fmt::format("point '{}': link '{}' is unknown{}; expected one of {}", shown(point),
-                       shown(name), did_you_mean(name, names_of(tree_.frames)),
-                       some_names(names_of(tree_.frames))));
+      fail(unknown_link(tree_, point, name));
     }
     return *found;
   }
@@ -182,16 +192,13 @@ std::vector<model::Point> resolve_points(const model::Tree& tree, const std::str
 void resolve_named_points(const RawTree& raw, const NumberReader& numbers, model::Tree& tree) {
   std::vector<Named> names;
   for (const RawPoint& point : raw.points) {
-    const std::string what = fmt::format("point '{}'", shown(point.name.text));
     const model::Frame* const frame = find_frame(tree, point.link.text);
     if (frame == nullptr) {
-      throw InputError(
-          location(raw, point.link.where),
-          fmt::format("{}: link '{}' is unknown{}; expected one of {}", what,
-                      shown(point.link.text), did_you_mean(point.link.text, names_of(tree.frames)),
-                      some_names(names_of(tree.frames))));
+      throw InputError(location(raw, point.link.where),
+                       unknown_link(tree, point.name.text, point.link.text));
     }
-    const Vector3 at = numbers.vector(point.at, what + ": at");
+    const Vector3 at =
+        numbers.vector(point.at, fmt::format("point '{}': at", shown(point.name.text)));
     tree.points.push_back(on_frame(point.name.text, *frame, at));
     names.push_back(
         {point.name.text, tree.points.back().identifier, location(raw, point.name.where)});

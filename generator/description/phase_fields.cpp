@@ -9,6 +9,7 @@
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
 #include "description/identifiers.hpp"
+#include "model/scene_facts.hpp"
 
 namespace treedyn::description {
 
@@ -85,7 +86,7 @@ class PhaseReader {
     result.not_before = fields.amount_or("not_before", 0);
     read_cause(fields, *cause, what, result);
     if (const Node* const impact = fields.find("impact")) {
-      result.impact = read_impact(*impact, what + ": impact");
+      result.impact = read_impact(*impact, what + ": impact", result);
     }
     result.then = phase(fields, fields.text("then"));
     return result;
@@ -149,7 +150,8 @@ class PhaseReader {
     return *found;
   }
 
-  [[nodiscard]] model::Impact read_impact(const Node& node, const std::string& what) {
+  [[nodiscard]] model::Impact read_impact(const Node& node, const std::string& what,
+                                          const model::Event& event) {
     const SceneFields fields =
         context_.fields(node, what, {"constraints", "restitution", "rest_below"});
     model::Impact impact{constraints(fields, "constraints"), fields.amount_or("restitution", 0),
@@ -160,7 +162,28 @@ class PhaseReader {
     if (impact.constraints.empty()) {
       fields.fail(node.where, "has no constraint that acts; expected at least one");
     }
+    if (impact.rest_below > 0) {
+      check_rest(fields, event, impact.constraints);
+    }
     return impact;
+  }
+
+  /// A rebound is the speed of a point that lands, behind an impact that may stop it.
+  void check_rest(const SceneFields& fields, const model::Event& event,
+                  const std::vector<int>& rows) const {
+    const auto is_elsewhere = [&](int c) {
+      const model::Constraint& row = scene_.constraints[static_cast<std::size_t>(c)];
+      return row.kind != model::ConstraintKind::kPoint || row.point != event.point;
+    };
+    const Place& where = fields.get("rest_below").key.where;
+    if (event.kind != EventKind::kHeight) {
+      fields.fail(where, "'rest_below' without a point that lands; expected it beside touch_down");
+    }
+    if (model::floor_of(scene_, event, rows) < 0 && std::ranges::none_of(rows, is_elsewhere)) {
+      fields.fail(where,
+                  "'rest_below' of an impact that does not stop the point that lands; expected a "
+                  "constraint along the normal of its plane");
+    }
   }
 
   /// Nothing for a constraint that is switched off.

@@ -167,7 +167,7 @@ std::string source_text(const Provenance& source, const Vocabulary& words) {
 std::string stem_of(const Provenance& source, const Vocabulary& words) {
   const int link = owner(source);
   const std::string body = link == kNoLink ? "base" : words.bodies[static_cast<std::size_t>(link)];
-  return fmt::format("{}{}_{}", is_digit(body.front()) ? "n" : "", body,
+  return fmt::format("{}{}_{}", is_digit(body.front()) || body.front() == '_' ? "n" : "", body,
                      letter_of(source.dimension));
 }
 

@@ -134,7 +134,7 @@ bool calls(const std::string& text, const std::string& name) {
 std::string singles(const Target& target, const std::string& functions,
                     const std::string& argument) {
   std::string text;
-  const char* const unused = target.limb_lanes ? "[[gnu::unused]] " : "";
+  const char* const unused = target.limb_lanes ? "[[gnu::always_inline, gnu::unused]] " : "";
   for (const auto& [name, member] : {std::pair("sin", "sine"), std::pair("cos", "cosine")}) {
     if (calls(functions, name)) {
       text += fmt::format("\n{0}inline {1} {2}({3} x) noexcept {{ return sine_cosine(x).{4}; }}",

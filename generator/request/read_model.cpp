@@ -255,9 +255,11 @@ void refuse_parameters(const Request& request, const std::string& file) {
        {request.accuracy_samples > 0, "--accuracy-samples"}}};
   for (const auto& [given, option] : others) {
     if (given) {
-      throw UsageError(fmt::format(
-          "{}: is for models without run-time parameters, which {} has; expected one of both",
-          option, shown(file)));
+      throw UsageError(
+          fmt::format("{0}: is for models without run-time parameters; expected neither --runtime "
+                      "nor `runtime` "
+                      "in {1}, or no {0}",
+                      option, shown(file)));
     }
   }
 }
@@ -414,6 +416,24 @@ std::vector<Warning> places_without_effect(const Model& model, const Location& w
   return result;
 }
 
+/// Impacts that end an event at an expression: a point that lands may come to rest, they may not.
+std::vector<Warning> rebounds_without_rest(const model::Scene& scene, const Location& where) {
+  std::vector<Warning> result;
+  for (const model::Phase& phase : scene.phases) {
+    for (const model::Event& event : phase.until) {
+      if (event.kind == model::EventKind::kExpression && event.impact &&
+          event.impact->restitution > 0 && event.impact->restitution < 1) {
+        result.push_back(
+            {where, fmt::format("phase '{}': rebounds at an expression never come to rest; once "
+                                "they are too small to be seen it falls on below zero (touch_down "
+                                "may rest)",
+                                shown(phase.name))});
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Warning> warnings_of(const Model& model, const Request& request) {
@@ -433,6 +453,12 @@ std::vector<Warning> warnings_of(const Model& model, const Request& request) {
         {where,
          "no function that is generated divides by the pivots of A; --checked changes "
          "nothing"});
+  }
+  if (model.scene) {
+    const Location where{request.scene.value_or(request.model), 0, 0};
+    for (Warning& rebound : rebounds_without_rest(*model.scene, where)) {
+      warnings.push_back(std::move(rebound));
+    }
   }
   for (Warning singular : model.scene ? description::joints_without_inertia(*model.scene)
                                       : description::joints_without_inertia(model.tree)) {

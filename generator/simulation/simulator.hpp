@@ -147,6 +147,8 @@ class Simulator {
   void start_phase(int phase, const std::vector<int>& active);
   void build_watches();
   void note_below(const Watch& watch, double t, const Vector& y);
+  double slope_of(const Watch& watch, const Vector& y);
+  void refuse_small_rebounds(const Watch& watch, double t, const Vector& y);
   void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
                  const model::Plane& plane);
   std::optional<Crossing> first_crossing(double h);
@@ -195,7 +197,8 @@ class Simulator {
   double scale_ = 0;                ///< in which they have no pulse, s
   std::vector<int> turning_;        ///< revolute coordinates
   std::vector<Watch> watches_;
-  std::vector<LiftOff> lift_offs_;  ///< events behind those of the phase
+  std::vector<LiftOff> lift_offs_;           ///< events behind those of the phase
+  const model::Event* rebounded_ = nullptr;  ///< whose impact turned its expression upwards
   std::vector<EventRecord> events_;
 };
 

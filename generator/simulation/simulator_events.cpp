@@ -144,6 +144,7 @@ std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
     watch.armed = watch.until <= t_ + h;
     if (!first && watch.armed && watch.side < 0) {
       note_below(watch, t_ + h, next_);
+      refuse_small_rebounds(watch, t_ + h, next_);
     }
   }
   return first;
@@ -226,15 +227,40 @@ double Simulator::refine(const Watch& watch, double low, double high, double h) 
   return far_side(g, watch.side, from, to, resolution);
 }
 
+/// Rate of an expression in a state of now, by a difference.
+double Simulator::slope_of(const Watch& watch, const Vector& y) {
+  constexpr double kSpan = 1e-6;  // s
+  const Eigen::Index n = system_.dof();
+  Vector later = y;
+  later.head(n) += kSpan * y.tail(n);
+  return (watch.value(system_, t_ + kSpan, later) - watch.value(system_, t_, y)) / kSpan;
+}
+
+/// Rebounds that no longer lift an expression above zero would let it fall through unseen.
+void Simulator::refuse_small_rebounds(const Watch& watch, double t, const Vector& y) {
+  if (watch.kind == Kind::kExpression && watch.event == rebounded_ &&
+      watch.value(system_, t, y) < watch.value(system_, t_, y_)) {
+    throw std::runtime_error(
+        fmt::format("rebounds of '{}' pile up at t = {} s until none is seen: expected a "
+                    "touch_down, which may come to rest, or an impact without restitution",
+                    name_of(watch.index), t_));
+  }
+}
+
 void Simulator::happen(Watch& watch) {
   guard_against_pile(watch);
   switch (watch.kind) {
     case Kind::kEvent:
     case Kind::kReaction:
     case Kind::kTime:
-    case Kind::kExpression:
       fire(watch.index);
       break;
+    case Kind::kExpression: {
+      const double before = slope_of(watch, y_);
+      fire(watch.index);
+      rebounded_ = before < 0 && slope_of(watch, y_) > 0 ? watch.event : nullptr;
+      break;
+    }
     case Kind::kContact:
       watch.side = -watch.side;
       break;
@@ -266,11 +292,11 @@ bool Simulator::strike(const model::Event& event, EventRecord& record) {
   const model::Impact& impact = *event.impact;
   const auto restitution = static_cast<double>(impact.restitution);
   record.impulse = system_.impact(t_, record.q, record.qd_after, impact.constraints, restitution);
-  const auto C = system_.geometry(record.q).C().middleCols<3>(3 * event.point);
-  const double rebound = (C * vector_of(event.plane.normal)).dot(record.qd_after);
-  if (restitution == 0 && impact.rest_below == 0) {
+  if (event.kind != model::EventKind::kHeight || (restitution == 0 && impact.rest_below == 0)) {
     return false;
   }
+  const auto C = system_.geometry(record.q).C().middleCols<3>(3 * event.point);
+  const double rebound = (C * vector_of(event.plane.normal)).dot(record.qd_after);
   const bool may_lift_off =
       restitution < 1 && model::floor_of(scene_, event, impact.constraints) >= 0;
   if (rebound >= std::max(static_cast<double>(impact.rest_below), may_lift_off ? kAtRest : 0.0)) {
@@ -358,6 +384,7 @@ void Simulator::fire(std::size_t index) {
     stick_or_slip(system_, t_, y_, k);
   }
   monitor_.positions(system_, t_, record.q);
+  monitor_.drift(system_, t_, record.q);  // before projections take it
   monitor_.speeds(system_, t_, record.q, record.qd_after, record.qd_before, acted);
   events_.push_back(std::move(record));
 }

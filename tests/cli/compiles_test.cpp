@@ -171,6 +171,17 @@ TEST_F(Compiles, MimicJointsWhoseTurnsCancel) {
   }
 }
 
+/// Identifiers that begin with _ and a capital, or with two, are the language's.
+TEST_F(Compiles, LinksWhoseNamesBeginLikeThoseOfTheLanguage) {
+  write_file(scratch("m.yaml"),
+             "name: m\nlinks:\n  - {name: \"_Bool\", father: ground, joint: {name: _J, type: "
+             "revolute, axis: [0, 1, 0]}, mass: 2, com: [0.3, 0, 0]}\n");
+  expect_compiles({scratch("m.yaml"), "--functions", "gravity_force"}, "m");
+  const std::string text = read_file(file("m.cpp"));
+  EXPECT_NE(text.find("constexpr double n_Bool_"), std::string::npos) << text;
+  EXPECT_EQ(text.find(" _B"), std::string::npos);
+}
+
 TEST_F(Compiles, LimbLanesThatTakeOneOfSineAndCosine) {
   std::string text = "name: arms\nlinks:\n";
   for (const char* const arm : {"left", "right"}) {
@@ -185,6 +196,11 @@ TEST_F(Compiles, LimbLanesThatTakeOneOfSineAndCosine) {
   write_file(scratch("arms.yaml"), text);
   for (const char* const function : {"mass_matrix", "gravity_force", "inverse_dynamics"}) {
     expect_compiles({scratch("arms.yaml"), "--limb-lanes", "--functions", function}, "arms");
+    for (const char* const compiler : {TREEDYN_CXX, "clang++"}) {  // vectors cross no call
+      const Outcome compiled = support::run({compiler, "-std=c++11", "-O2", "-Werror", "-c",
+                                             file("arms.cpp").string(), "-o", scratch("arms.o")});
+      EXPECT_EQ(compiled.status, 0) << compiled.err;
+    }
   }
 }
 

@@ -92,6 +92,8 @@ TEST(ResolvePoints, NameTheMistake) {
             "heel, ns:foot, shank, table");
   EXPECT_EQ(error_of("a=b"),
             "--points: point 'a': link 'b' is unknown; expected one of ns:foot, shank, table");
+  EXPECT_EQ(error_of("a=b:1,2,3"),
+            "--points: point 'a': link 'b' is unknown; expected one of ns:foot, shank, table");
   EXPECT_EQ(error_of("hell"),
             "--points: 'hell' is neither a point nor a link of the model (did you mean 'heel'?); "
             "expected one of ankle, heel, ns:foot, shank, table");

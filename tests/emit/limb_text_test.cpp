@@ -33,9 +33,9 @@ void expect_clean(const std::string& model, const std::string& option = "--share
   support::write_file(folder.path() / "robot.yaml", model);
   support::generate(folder.path() / "robot.yaml", {option, "--effort", "0", "-q"}, folder.path());
   for (const char* compiler : {"g++", "clang++"}) {
-    const support::Outcome outcome = support::run(
-        {compiler, "-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wno-psabi",
-         "-Werror", "-O1", "-c", folder.path() / "generated.cpp", "-o", "/dev/null"});
+    const support::Outcome outcome =
+        support::run({compiler, "-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow",
+                      "-Werror", "-O1", "-c", folder.path() / "generated.cpp", "-o", "/dev/null"});
     EXPECT_EQ(outcome.status, 0) << outcome.err.substr(0, 1000);
   }
 }

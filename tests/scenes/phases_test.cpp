@@ -257,6 +257,18 @@ TEST(PhaseStep, KeepsItsOrderBehindEvents) {
   EXPECT_LE(error_behind_events("integrator: dopri5-fixed, cuts: 4", 0.01, exact), 5e-8);
 }
 
+TEST(PhaseStep, WithTheIndexOfNoPhaseGivesNoNumber) {
+  const SceneCode scene(walk("integrator: rk4, step: 1e-3"), Variant::kMeasured);
+  const Walker::State s = Walker::start();
+  for (const double phase : {-1.0, 2.0, 7.0}) {
+    const Measurement step = scene.code().measure(
+        "step", {vector_of(s.q), vector_of(s.qd), {0, 0, 0, 0}, {phase}, {0}, {0}});
+    EXPECT_EQ(step.status & 16, 16) << phase;  // not_a_number
+    EXPECT_TRUE(std::isnan(step.values.at(4))) << phase;
+    EXPECT_EQ(step.values.at(10), phase);
+  }
+}
+
 TEST(PhaseStep, WithoutCutsTakesEventsAtTheEndOfTheStep) {
   const SceneCode scene(walk("integrator: rk4, step: 1e-3, cuts: 0"));
   // two events, each up to h late; speeds change by up to 20/s around them and errors grow tenfold

@@ -279,6 +279,51 @@ TEST(Warnings, OfSpeedsThatNoImpactHasTakenLeaveOutRoundings) {
   EXPECT_TRUE(notices_of_lock("1e-15").empty());
 }
 
+/// A ball that a stop of its joint throws back, at no point.
+const std::string kStop = R"yaml(
+scene: stop
+model: drop.model.yaml
+effects:
+  gravity: [0, 0, -10]
+  locked_joint: [{joint: height}]
+phases:
+  - name: free
+    until:
+      - {expression: "q[height] + 1", impact: {constraints: [height], restitution: 0.5}, then: free}
+initial: {q: {height: 0.25}}
+duration: 3
+)yaml";
+
+TEST(Impact, AtAnExpressionThrowsBackUntilItsReboundsCannotBeSeen) {
+  Running run(scene_of(kStop));
+  // v = sqrt(2 g h) = 5 m/s; rebounds by halves, all of them within 0.5 s + 2 v e / g (1 - e)
+  EXPECT_THROW(run.advance_to(3), std::runtime_error);
+  const auto& events = run.simulator.events();
+  ASSERT_GE(events.size(), 10U);
+  EXPECT_NEAR(events[0].time, 0.5, 1e-9);
+  EXPECT_NEAR(events[0].qd_after[0], 2.5, 1e-9);
+  EXPECT_NEAR(events[1].qd_after[0], 1.25, 1e-9);
+  EXPECT_NEAR(run.simulator.time(), 1.5, 1e-6);
+  EXPECT_NEAR(run.simulator.q()[0], -1, 1e-9);
+}
+
+TEST(Drift, OfAPhaseThatBeginsElsewhereEndsTheMotion) {
+  Running run(scene_of(R"yaml(
+scene: elsewhere
+model: drop.model.yaml
+effects:
+  locked_joint: [{joint: height, at: 0.4}]
+phases:
+  - name: free
+    until: [{time: 0.1, then: held}]
+  - {name: held, active: [height]}
+duration: 0.2
+)yaml"));
+  EXPECT_THROW(run.advance_to(0.2), std::runtime_error);
+  EXPECT_EQ(run.simulator.time(), 0.1);
+  EXPECT_EQ(run.simulator.q()[0], 0);
+}
+
 TEST(Impact, CanBeSwitchedOff) {
   model::Scene scene = scene_of(kBall + "use: {impact: off}\n");
   EXPECT_FALSE(scene.phases.front().until.front().impact.has_value());
