@@ -2,14 +2,15 @@
 //
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate biped.yaml
 
 #include "biped.hpp"
 
 namespace biped {
 
-static_assert(kDigest == 0x7f15d153a902fb88ULL, "header and source are of different runs");
+static_assert(kDigest == 0x26b99da03a09d54cULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -291,8 +292,9 @@ template <class Number, class... Angle>
 namespace {
 
 // The numbers that functions take from the model, under the first link whose inertia is in them;
-// above each its unit and the numbers of the model that it is made of, but for those that are
-// exactly 0 or 1. Other literals are numbers of the equations.
+// above each the numbers of the model that it is made of, but for those that are exactly 0 or 1,
+// behind its unit, which a length or mass of exactly 1 hides. Other literals are numbers of the
+// equations.
 
 // m: offset y of left_hip_block, right_hip_block
 constexpr double left_hip_block_l1 = 0.08064;

@@ -2,14 +2,15 @@
 //
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate biped.yaml --base axes
 
 #include "biped.hpp"
 
 namespace biped {
 
-static_assert(kDigest == 0xed546ce5d9d5f9e8ULL, "header and source are of different runs");
+static_assert(kDigest == 0xc2f5d9484bcdc83fULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -323,8 +324,9 @@ template <class Number, class... Angle>
 namespace {
 
 // The numbers that functions take from the model, under the first link whose inertia is in them;
-// above each its unit and the numbers of the model that it is made of, but for those that are
-// exactly 0 or 1. Other literals are numbers of the equations.
+// above each the numbers of the model that it is made of, but for those that are exactly 0 or 1,
+// behind its unit, which a length or mass of exactly 1 hides. Other literals are numbers of the
+// equations.
 
 // m/s^2: gravity
 constexpr double base_g1 = -9.81;

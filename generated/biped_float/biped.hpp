@@ -3,7 +3,8 @@
 // This file was generated from your model and belongs to you; wherever a licence is needed:
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate biped.yaml --scalar float
 //
 //   joint              link               index  type      unit
@@ -37,7 +38,7 @@ constexpr int kDof = 12;
 /// Number of points.
 constexpr int kPoints = 4;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x46d186504d98e96dULL;
+constexpr unsigned long long kDigest = 0xb4bf3497d203097fULL;
 
 /// Index of every joint.
 namespace joint {
@@ -63,10 +64,13 @@ constexpr int right_heel = 2;
 constexpr int right_toe = 3;
 }  // namespace point
 
-// Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and
-// must not overlap inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines,
-// without contraction the same bits everywhere, have errors below 1e-7 for angles below 1e5 rad;
-// they are not a number beyond 1.03e5 rad.
+// Arrays are dense, matrices row-major; SI units and radians, a|b by joints that are
+// revolute|prismatic. The base frame is the ground's; gravity in it is 0, 0, -9.81 m/s^2. Equations
+// have the numbers of treedyn's EQUATIONS.md. Outputs are written completely and must not overlap
+// inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines, without
+// contraction the same bits everywhere, have errors below 1e-7 for arguments below 1e5 rad; they
+// are not a number beyond 1.03e5 rad. Arguments are angles and, of parallel axes, their rounded
+// sums.
 
 /// Joint-space inertia matrix A(q); N x N, row-major, symmetric.
 ///
@@ -106,7 +110,8 @@ void inverse_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar qdd[
 /// \param      qd   12, rad/s|m/s
 /// \param      tau  12, N m|N
 /// \param[out] qdd  12, rad/s^2|m/s^2
-/// Equation (1). Cost: 724 mul, 706 add, 11 div, 10 sin, 10 cos.
+/// Results mean nothing where a divisor is zero, as that of a singular A; functions of --checked
+/// tell. Equation (1). Cost: 724 mul, 706 add, 11 div, 10 sin, 10 cos.
 void forward_dynamics(const Scalar q[12], const Scalar qd[12], const Scalar tau[12],
                       Scalar qdd[12]) noexcept;
 

@@ -2,14 +2,15 @@
 //
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate compass_walker.yaml
 
 #include "compass_walker.hpp"
 
 namespace compass_walker {
 
-static_assert(kDigest == 0xc24103f4a4dc633aULL, "header and source are of different runs");
+static_assert(kDigest == 0x08b4e349ab1349e2ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -157,8 +158,9 @@ template <class Number, class... Angle>
 namespace {
 
 // The numbers that functions take from the model, under the first link whose inertia is in them;
-// above each its unit and the numbers of the model that it is made of, but for those that are
-// exactly 0 or 1. Other literals are numbers of the equations.
+// above each the numbers of the model that it is made of, but for those that are exactly 0 or 1,
+// behind its unit, which a length or mass of exactly 1 hides. Other literals are numbers of the
+// equations.
 
 // gravity
 constexpr double base_p1 = -9.81;

@@ -3,7 +3,8 @@
 // This file was generated from your model and belongs to you; wherever a licence is needed:
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate compass_walker.yaml
 //
 //   joint      link       index  type       unit
@@ -27,7 +28,7 @@ constexpr int kDof = 4;
 /// Number of points.
 constexpr int kPoints = 2;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xc24103f4a4dc633aULL;
+constexpr unsigned long long kDigest = 0x08b4e349ab1349e2ULL;
 
 /// Index of every joint.
 namespace joint {
@@ -43,10 +44,13 @@ constexpr int left_foot = 0;
 constexpr int right_foot = 1;
 }  // namespace point
 
-// Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and
-// must not overlap inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines,
-// without contraction the same bits everywhere, have errors below 1.7e-16 for angles below 1.3e7
-// rad; they are not a number beyond 1.32e7 rad.
+// Arrays are dense, matrices row-major; SI units and radians, a|b by joints that are
+// revolute|prismatic. The base frame is the ground's; gravity in it is 0, 0, -9.81 m/s^2. Equations
+// have the numbers of treedyn's EQUATIONS.md. Outputs are written completely and must not overlap
+// inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines, without
+// contraction the same bits everywhere, have errors below 1.7e-16 for arguments below 1.3e7 rad;
+// they are not a number beyond 1.32e7 rad. Arguments are angles and, of parallel axes, their
+// rounded sums.
 
 /// Joint-space inertia matrix A(q); N x N, row-major, symmetric.
 ///
@@ -86,7 +90,8 @@ void inverse_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar qdd[4]
 /// \param      qd   4, rad/s|m/s
 /// \param      tau  4, N m|N
 /// \param[out] qdd  4, rad/s^2|m/s^2
-/// Equation (1). Cost: 35 mul, 21 add, 2 div, 2 sin, 2 cos.
+/// Results mean nothing where a divisor is zero, as that of a singular A; functions of --checked
+/// tell. Equation (1). Cost: 35 mul, 21 add, 2 div, 2 sin, 2 cos.
 void forward_dynamics(const Scalar q[4], const Scalar qd[4], const Scalar tau[4],
                       Scalar qdd[4]) noexcept;
 

@@ -3,7 +3,8 @@
 // This file was generated from your model and belongs to you; wherever a licence is needed:
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate panda.yaml
 //
 //   joint   link   index  type      unit
@@ -29,7 +30,7 @@ constexpr int kDof = 7;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0x571e0443085f3092ULL;
+constexpr unsigned long long kDigest = 0xbf4f20dd38602351ULL;
 
 /// Index of every joint.
 namespace joint {
@@ -47,10 +48,13 @@ namespace point {
 constexpr int flange = 0;
 }  // namespace point
 
-// Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and
-// must not overlap inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines,
-// without contraction the same bits everywhere, have errors below 1.7e-16 for angles below 1.3e7
-// rad; they are not a number beyond 1.32e7 rad.
+// Arrays are dense, matrices row-major; SI units and radians, a|b by joints that are
+// revolute|prismatic. The base frame is the ground's; gravity in it is 0, 0, -9.81 m/s^2. Equations
+// have the numbers of treedyn's EQUATIONS.md. Outputs are written completely and must not overlap
+// inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines, without
+// contraction the same bits everywhere, have errors below 1.7e-16 for arguments below 1.3e7 rad;
+// they are not a number beyond 1.32e7 rad. Arguments are angles and, of parallel axes, their
+// rounded sums.
 
 /// Joint-space inertia matrix A(q); N x N, row-major, symmetric.
 ///
@@ -90,7 +94,8 @@ void inverse_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar qdd[7]
 /// \param      qd   7, rad/s|m/s
 /// \param      tau  7, N m|N
 /// \param[out] qdd  7, rad/s^2|m/s^2
-/// Equation (1). Cost: 511 mul, 468 add, 6 div, 6 sin, 6 cos.
+/// Results mean nothing where a divisor is zero, as that of a singular A; functions of --checked
+/// tell. Equation (1). Cost: 511 mul, 468 add, 6 div, 6 sin, 6 cos.
 void forward_dynamics(const Scalar q[7], const Scalar qd[7], const Scalar tau[7],
                       Scalar qdd[7]) noexcept;
 

@@ -2,14 +2,15 @@
 //
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate polar.yaml
 
 #include "polar.hpp"
 
 namespace polar {
 
-static_assert(kDigest == 0xf43bdd14b40d6cafULL, "header and source are of different runs");
+static_assert(kDigest == 0xb5b3001ea3aafed1ULL, "header and source are of different runs");
 // g++ would gather scalars into vectors, which makes nothing faster and some functions slower.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-slp-vectorize")
@@ -77,8 +78,9 @@ SineCosine<Number> sine_cosine(const Number& x) noexcept {
 namespace {
 
 // The numbers that functions take from the model, under the first link whose inertia is in them;
-// above each its unit and the numbers of the model that it is made of, but for those that are
-// exactly 0 or 1. Other literals are numbers of the equations.
+// above each the numbers of the model that it is made of, but for those that are exactly 0 or 1,
+// behind its unit, which a length or mass of exactly 1 hides. Other literals are numbers of the
+// equations.
 
 // m/s^2: gravity
 constexpr double base_g1 = -9.81;

@@ -3,7 +3,8 @@
 // This file was generated from your model and belongs to you; wherever a licence is needed:
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate polar.yaml
 //
 //   joint     link           index  type       unit
@@ -24,7 +25,7 @@ constexpr int kDof = 2;
 /// Number of points.
 constexpr int kPoints = 1;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xf43bdd14b40d6cafULL;
+constexpr unsigned long long kDigest = 0xb5b3001ea3aafed1ULL;
 
 /// Index of every joint.
 namespace joint {
@@ -37,10 +38,13 @@ namespace point {
 constexpr int hand = 0;
 }  // namespace point
 
-// Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and
-// must not overlap inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines,
-// without contraction the same bits everywhere, have errors below 1.7e-16 for angles below 1.3e7
-// rad; they are not a number beyond 1.32e7 rad.
+// Arrays are dense, matrices row-major; SI units and radians, a|b by joints that are
+// revolute|prismatic. The base frame is the ground's; gravity in it is 0, 0, -9.81 m/s^2. Equations
+// have the numbers of treedyn's EQUATIONS.md. Outputs are written completely and must not overlap
+// inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines, without
+// contraction the same bits everywhere, have errors below 1.7e-16 for arguments below 1.3e7 rad;
+// they are not a number beyond 1.32e7 rad. Arguments are angles and, of parallel axes, their
+// rounded sums.
 
 /// Joint-space inertia matrix A(q); N x N, row-major, symmetric.
 ///
@@ -80,7 +84,8 @@ void inverse_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar qdd[2]
 /// \param      qd   2, rad/s|m/s
 /// \param      tau  2, N m|N
 /// \param[out] qdd  2, rad/s^2|m/s^2
-/// Equation (1). Cost: 11 mul, 7 add, 1 div, 1 sin, 1 cos.
+/// Results mean nothing where a divisor is zero, as that of a singular A; functions of --checked
+/// tell. Equation (1). Cost: 11 mul, 7 add, 1 div, 1 sin, 1 cos.
 void forward_dynamics(const Scalar q[2], const Scalar qd[2], const Scalar tau[2],
                       Scalar qdd[2]) noexcept;
 

@@ -3,7 +3,8 @@
 // This file was generated from your model and belongs to you; wherever a licence is needed:
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate puma560.yaml
 //
 //   joint   link   index  type      unit
@@ -25,7 +26,7 @@ constexpr int kDof = 6;
 /// Number of points.
 constexpr int kPoints = 0;
 /// Of header and source: neither compiles with that of another run.
-constexpr unsigned long long kDigest = 0xb110384207c19ac7ULL;
+constexpr unsigned long long kDigest = 0xef5f456836840c01ULL;
 
 /// Index of every joint.
 namespace joint {
@@ -37,10 +38,13 @@ constexpr int joint5 = 4;
 constexpr int joint6 = 5;
 }  // namespace joint
 
-// Arrays are dense, matrices row-major; SI units and radians. Outputs are written completely and
-// must not overlap inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines,
-// without contraction the same bits everywhere, have errors below 1.7e-16 for angles below 1.3e7
-// rad; they are not a number beyond 1.32e7 rad.
+// Arrays are dense, matrices row-major; SI units and radians, a|b by joints that are
+// revolute|prismatic. The base frame is the ground's; gravity in it is 0, 0, -9.81 m/s^2. Equations
+// have the numbers of treedyn's EQUATIONS.md. Outputs are written completely and must not overlap
+// inputs. Nothing is allocated, thrown or kept between calls. Sines and cosines, without
+// contraction the same bits everywhere, have errors below 1.7e-16 for arguments below 1.3e7 rad;
+// they are not a number beyond 1.32e7 rad. Arguments are angles and, of parallel axes, their
+// rounded sums.
 
 /// Joint-space inertia matrix A(q); N x N, row-major, symmetric.
 ///
@@ -80,7 +84,8 @@ void inverse_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar qdd[6]
 /// \param      qd   6, rad/s|m/s
 /// \param      tau  6, N m|N
 /// \param[out] qdd  6, rad/s^2|m/s^2
-/// Equation (1). Cost: 251 mul, 180 add, 4 div, 4 sin, 4 cos.
+/// Results mean nothing where a divisor is zero, as that of a singular A; functions of --checked
+/// tell. Equation (1). Cost: 251 mul, 180 add, 4 div, 4 sin, 4 cos.
 void forward_dynamics(const Scalar q[6], const Scalar qd[6], const Scalar tau[6],
                       Scalar qdd[6]) noexcept;
 

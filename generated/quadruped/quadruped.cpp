@@ -2,14 +2,15 @@
 //
 // SPDX-License-Identifier: 0BSD
 //
-// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run
+// GENERATED, DO NOT EDIT. To change it, change the model or the generator and run,
+// with -o DIR,
 //   treedyn generate quadruped.yaml
 
 #include "quadruped.hpp"
 
 namespace quadruped {
 
-static_assert(kDigest == 0x866a09031a2efce5ULL, "header and source are of different runs");
+static_assert(kDigest == 0x92642b7f0fb38a12ULL, "header and source are of different runs");
 
 // Zeros, where compilers may store neighbours at once.
 namespace {
@@ -363,8 +364,9 @@ template <class Number, class... Angle>
 namespace {
 
 // The numbers that functions take from the model, under the first link whose inertia is in them;
-// above each its unit and the numbers of the model that it is made of, but for those that are
-// exactly 0 or 1. Other literals are numbers of the equations.
+// above each the numbers of the model that it is made of, but for those that are exactly 0 or 1,
+// behind its unit, which a length or mass of exactly 1 hides. Other literals are numbers of the
+// equations.
 
 // m: offset x of front_left_hip, front_right_hip, hind_left_hip, hind_right_hip
 constexpr double front_left_hip_l1 = 0.19;
