@@ -162,7 +162,8 @@ class PhaseReader {
     if (impact.constraints.empty()) {
       fields.fail(node.where, "has no constraint that acts; expected at least one");
     }
-    if (impact.rest_below > 0) {
+    const bool is_whole = fields.list("constraints").size() == impact.constraints.size();
+    if (impact.rest_below > 0 && is_whole) {  // else one is switched off
       check_rest(fields, event, impact.constraints);
     }
     return impact;

@@ -50,9 +50,9 @@ std::string doc(const program::Function& function) {
       signature.equation.empty() ? "" : fmt::format("Equation {}. ", signature.equation);
   const program::Cost cost = program::cost(function);
   const char* const divides =
-      cost.div > 0 ? "Results mean nothing where a divisor is zero, as that of a singular A; "
-                     "functions of --checked tell. "
-                   : "";
+      cost.div > 0 && signature.name != kUpdate
+          ? "Results mean nothing where a divisor is zero, as where A is singular. "
+          : "";
   return signature_doc(signature) +
          wrapped(fmt::format("{}{}Cost: {}.{}", divides, equation, cost_text(cost),
                              function.limb_code ? " Equal limbs share code." : ""),
@@ -158,6 +158,11 @@ std::string event_text(const program::Stepper& stepper, const program::StepPhase
                      rest);
 }
 
+std::string phases_text(const program::Stepper& stepper) {
+  return fmt::format("The scene begins in {}. With the index of no phase results are not numbers.",
+                     stepper.first);
+}
+
 /// What the events do, and how late.
 std::string events_doc(const program::Stepper& stepper) {
   std::string result;
@@ -167,14 +172,8 @@ std::string events_doc(const program::Stepper& stepper) {
     }
   }
   if (result.empty()) {
-    return result;
+    return stepper.switches() ? wrapped(phases_text(stepper), "/// ") : "";
   }
-  const std::string begins =
-      stepper.switches()
-          ? fmt::format(
-                " The scene begins in {}. With the index of no phase results are not numbers.",
-                stepper.first)
-          : "";
   const std::string where =
       stepper.cuts == 0
           ? "Events are taken where the step ends, up to a step late: behind an event the error is "
@@ -187,7 +186,7 @@ std::string events_doc(const program::Stepper& stepper) {
                               fmt::format(" {} events of a step, and times that they wait for, at "
                                           "most.",
                                           stepper.events) +
-                              begins,
+                              (stepper.switches() ? " " + phases_text(stepper) : ""),
                           "/// ");
 }
 

@@ -36,8 +36,9 @@ std::string mimic_table(const model::Tree& tree) {
     const model::Drive& drive = tree.drives[static_cast<std::size_t>(i)];
     if (tree.is_mimic(i)) {
       rows.push_back({for_comment(tree.links[static_cast<std::size_t>(i)].joint.name, kLongestCell),
-                      fmt::format("{:.6g} q[{}] + {:.6g}", drive.multiplier.convert_to<double>(),
-                                  drive.coordinate, drive.offset.convert_to<double>())});
+                      fmt::format("{:.6g} q[{}] {} {:.6g}", drive.multiplier.convert_to<double>(),
+                                  drive.coordinate, drive.offset < 0 ? "-" : "+",
+                                  abs(drive.offset).convert_to<double>())});
     }
   }
   return rows.size() == 1 ? "" : "//\n" + table(rows, "// ");
@@ -250,7 +251,7 @@ std::string declarations(const Unit& unit) {
   std::string result;
   const auto add = [&](const auto& function) {
     result += '\n' + doc(function) + cycles_doc(unit, function.signature) +
-              declaration(function.signature, " noexcept;\n");
+              declaration(function.signature, " noexcept;") + "\n";
   };
   std::ranges::for_each(unit.functions, add);
   result += unit.self_test ? self_test_declaration(unit) : "";

@@ -11,7 +11,8 @@ const std::vector<SceneFunctionInfo>& scene_function_infos() {
       {"reaction_jacobian_transpose", "(10)",
        "J^T of the constraint rows: joint forces by unit reactions; N x r, row-major."},
       {"reaction_bias_acceleration", "6.1", "gamma = d/dt(J) qd of the constraint rows."},
-      {"constrained_dynamics", "(8),(12)", "Joint accelerations and reactions; tau comes on top of the scene's own joint forces."},
+      {"constrained_dynamics", "(8),(12)",
+       "Joint accelerations and reactions; tau comes on top of the scene's own joint forces."},
       {"constrained_inverse_dynamics", "(8),(12)",
        "Joint forces and reactions that make a motion; joints without a drive get none where "
        "reactions can do without."},

@@ -12,7 +12,8 @@ namespace treedyn::formulate {
 namespace {
 
 constexpr double kMostAmplification = 4;
-/// Another seed of the algebraic search can mend so many times that much; so many are tried.
+/// So many seeds of the algebraic search are taken, the first included, where it is beyond that by
+/// a small factor.
 constexpr double kNearly = 2;
 constexpr int kSeeds = 3;
 
@@ -147,7 +148,10 @@ program::Function Gate::without_culprits() const {
 program::Function Gate::run() const {
   program::Function function = formulate({}, options_.effort);
   const double refused = function.rounding.amplification;
-  const int seeds = refused <= kNearly * kMostAmplification && options_.effort > 0 ? kSeeds : 1;
+  const int seeds = refused <= kNearly * kMostAmplification && options_.effort > 0 &&
+                            options_.has(Pass::kSearch) && options_.has(Pass::kAlgebra)
+                        ? kSeeds
+                        : 1;
   for (int seed = 1; seed < seeds && !is_accurate(function); ++seed) {
     function = formulate({}, options_.effort, seed);
   }

@@ -416,18 +416,19 @@ std::vector<Warning> places_without_effect(const Model& model, const Location& w
   return result;
 }
 
-/// Impacts that end an event at an expression: a point that lands may come to rest, they may not.
+/// Rebounds at an expression in a phase that goes on: a point that lands may come to rest, they may
+/// not, and a generated step does not see it.
 std::vector<Warning> rebounds_without_rest(const model::Scene& scene, const Location& where) {
   std::vector<Warning> result;
-  for (const model::Phase& phase : scene.phases) {
-    for (const model::Event& event : phase.until) {
-      if (event.kind == model::EventKind::kExpression && event.impact &&
-          event.impact->restitution > 0 && event.impact->restitution < 1) {
+  for (std::size_t k = 0; model::step_method(scene) && k < scene.phases.size(); ++k) {
+    for (const model::Event& event : scene.phases[k].until) {
+      if (event.kind == model::EventKind::kExpression && event.then == static_cast<int>(k) &&
+          event.impact && event.impact->restitution > 0 && event.impact->restitution < 1) {
         result.push_back(
-            {where, fmt::format("phase '{}': rebounds at an expression never come to rest; once "
-                                "they are too small to be seen it falls on below zero (touch_down "
-                                "may rest)",
-                                shown(phase.name))});
+            {where, fmt::format("phase '{}': rebounds at an expression never come to rest: once "
+                                "they are too small to be seen `step` lets it go on beyond zero "
+                                "(at a touch_down they may)",
+                                shown(scene.phases[k].name))});
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -198,7 +199,7 @@ class Simulator {
   std::vector<int> turning_;        ///< revolute coordinates
   std::vector<Watch> watches_;
   std::vector<LiftOff> lift_offs_;           ///< events behind those of the phase
-  const model::Event* rebounded_ = nullptr;  ///< whose impact turned its expression upwards
+  std::set<const model::Event*> rebounded_;  ///< whose impacts turned their expressions upwards
   std::vector<EventRecord> events_;
 };
 

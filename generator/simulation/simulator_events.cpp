@@ -50,6 +50,9 @@ void Simulator::start_phase(int phase, const std::vector<int>& active) {
       system_.constraints().begin(c, t_, q(), terms);
     }
   }
+  if (phase != phase_) {
+    rebounded_.clear();
+  }
   phase_ = phase;
   phase_start_ = t_;
   lift_offs_.clear();
@@ -144,6 +147,8 @@ std::optional<Simulator::Crossing> Simulator::first_crossing(double h) {
     watch.armed = watch.until <= t_ + h;
     if (!first && watch.armed && watch.side < 0) {
       note_below(watch, t_ + h, next_);
+    }
+    if (!first && watch.kind == Kind::kExpression) {
       refuse_small_rebounds(watch, t_ + h, next_);
     }
   }
@@ -236,10 +241,12 @@ double Simulator::slope_of(const Watch& watch, const Vector& y) {
   return (watch.value(system_, t_ + kSpan, later) - watch.value(system_, t_, y)) / kSpan;
 }
 
-/// Rebounds that no longer lift an expression above zero would let it fall through unseen.
+/// What rebounds and begins below zero without having been above since falls through unseen.
 void Simulator::refuse_small_rebounds(const Watch& watch, double t, const Vector& y) {
-  if (watch.kind == Kind::kExpression && watch.event == rebounded_ &&
-      watch.value(system_, t, y) < watch.value(system_, t_, y_)) {
+  if (watch.side > 0) {
+    rebounded_.erase(watch.event);
+  } else if (const double here = watch.value(system_, t_, y_);
+             here <= 0 && watch.value(system_, t, y) < here && rebounded_.contains(watch.event)) {
     throw std::runtime_error(
         fmt::format("rebounds of '{}' pile up at t = {} s until none is seen: expected a "
                     "touch_down, which may come to rest, or an impact without restitution",
@@ -258,7 +265,12 @@ void Simulator::happen(Watch& watch) {
     case Kind::kExpression: {
       const double before = slope_of(watch, y_);
       fire(watch.index);
-      rebounded_ = before < 0 && slope_of(watch, y_) > 0 ? watch.event : nullptr;
+      if (watch.event->impact && watch.event->not_before == 0) {
+        const auto restitution = static_cast<double>(watch.event->impact->restitution);
+        if (restitution > 0 && before < 0 && slope_of(watch, y_) > -before * restitution / 2) {
+          rebounded_.insert(watch.event);
+        }
+      }
       break;
     }
     case Kind::kContact:
@@ -383,10 +395,10 @@ void Simulator::fire(std::size_t index) {
   for (std::size_t k = 0; k < system_.frictions().size(); ++k) {  // an impact may have moved them
     stick_or_slip(system_, t_, y_, k);
   }
+  events_.push_back(record);
   monitor_.positions(system_, t_, record.q);
-  monitor_.drift(system_, t_, record.q);  // before projections take it
   monitor_.speeds(system_, t_, record.q, record.qd_after, record.qd_before, acted);
-  events_.push_back(std::move(record));
+  monitor_.drift(system_, t_, record.q);  // before projections take it
 }
 
 /// What happens again and again at one instant would never end.

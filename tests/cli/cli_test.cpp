@@ -223,6 +223,31 @@ TEST_F(Cli, ComparesTheValuesOfOldAndNewFunctions) {
   EXPECT_THAT(outcome.out, HasSubstr("numeric: bias_force: largest distance 0,"));
 }
 
+/// Declarations of 100 columns stand on one line, where they are looked for.
+TEST_F(Cli, ComparesFunctionsWhoseDeclarationsFillTheirLine) {
+  std::string name = "tq";
+  std::string line;
+  for (; line.size() < 100; name += 'x') {
+    write_file(scratch("e.yaml"), "equations: [{name: " + name + ", value: A * qd}]\n");
+    const std::vector<std::string> options = {kModel,        "--equations", scratch("e.yaml"),
+                                              "--functions", name,          "--effort",
+                                              "0",           "-o",          out()};
+    std::vector<std::string> command = {"generate"};
+    command.insert(command.end(), options.begin(), options.end());
+    ASSERT_EQ(treedyn(command).status, 0);
+    const std::string header = read_file(file("two_link.hpp"));
+    const std::size_t begin = header.find("void " + name);
+    line = header.substr(begin, header.find('\n', begin) - begin);
+    if (line.size() > 97) {
+      write_file(file("two_link.cpp"), read_file(file("two_link.cpp")) + "// changed\n");
+      command.front() = "check";
+      command.emplace_back("--numeric");
+      EXPECT_THAT(treedyn(command).out, HasSubstr(name + ": largest distance 0,")) << line;
+    }
+  }
+  EXPECT_EQ(line.size(), 100U) << line;
+}
+
 TEST_F(Cli, NamesTheFunctionsWhoseValuesItDoesNotCompare) {
   const std::vector<std::string> options = {
       "--scene",     TREEDYN_SOURCE_DIR "/models/scenes/pendulum.yaml",

@@ -4,6 +4,14 @@
 namespace treedyn {
 namespace {
 
+TEST_F(Cli, SaysThatGroundIsInFrontOfTheBasesJoints) {
+  const Outcome outcome =
+      treedyn({"generate", kModel, "--base", "axes", "--points", "p=ground:1,2,3", "-o", out()});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("point 'p': 'ground' is in front of the base's joints; "
+                                     "expected a link, as base_rx"));
+}
+
 TEST_F(Cli, ReturnsTwoForWrongUsage) {
   expect_usage_error(treedyn({}), "subcommand");
   expect_usage_error(treedyn({"generate"}), "MODEL");

@@ -122,6 +122,23 @@ TEST_F(Cli, RefusesBesideASceneWhatTheSceneSays) {
   }
 }
 
+TEST_F(Cli, WarnsOfReboundsThatNeverRest) {
+  const auto warnings = [&](const std::string& then, const std::string& stepping) {
+    write_file(scratch("s.yaml"),
+               "scene: s\nmodel: " + kModel +
+                   "\nduration: 1\neffects:\n  locked_joint: [{joint: elbow}]\nphases:\n"
+                   "  - name: free\n    until:\n      - {expression: \"q[elbow]\", impact: "
+                   "{constraints: [elbow], restitution: 0.5}, then: " +
+                   then + "}\n  - {name: other}\n" + stepping);
+    return treedyn({"generate", "--scene", scratch("s.yaml"), "--effort", "0", "-o", out()}).err;
+  };
+  const std::string step = "stepping: {integrator: rk4, step: 1e-3}\n";
+  EXPECT_THAT(warnings("free", step),
+              HasSubstr("phase 'free': rebounds at an expression never come to rest"));
+  EXPECT_THAT(warnings("other", step), Not(HasSubstr("rebounds")));
+  EXPECT_THAT(warnings("free", ""), Not(HasSubstr("rebounds")));
+}
+
 TEST_F(Cli, SaysWhatTheRowsOfASceneAre) {
   write_file(scratch("s.yaml"), "scene: s\nmodel: " + kModel +
                                     "\nduration: 1\nactuated: []\neffects:\n  point_constraint:\n"

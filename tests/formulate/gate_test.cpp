@@ -32,6 +32,40 @@ TEST(Gate, LeavesOutThePassThatAmplifiesRounding) {
   EXPECT_GT(function.rounding.refused, 1e9);
 }
 
+/// Of `cancelling`, with the first seed of the algebraic search alone.
+double g_lost = 0;
+program::Function unlucky(const model::Tree& tree, const Recipe& recipe, const Options& options) {
+  program::Function function = build(tree, recipe, options, plain_variant(tree));
+  if (options.seed == 0 && options.has(Pass::kAlgebra)) {
+    program::Graph& graph = function.graph;
+    const program::Ref large = graph.multiply(graph.constant(Real(g_lost)), graph.input(0, 0));
+    for (program::Ref& output : function.outputs) {
+      output = graph.add(graph.add(output, large), -large);
+    }
+  }
+  return function;
+}
+
+TEST(Gate, TriesOtherSeedsWhereLittleIsLost) {
+  const model::Tree tree = description::read_model(TREEDYN_SOURCE_DIR "/models/two_link.yaml", {});
+  const Recipe& recipe = recipe_of("bias_force");
+  Options options;
+  options.effort = 0;
+  g_lost = 0.1;
+  double refused = 0;
+  for (; refused == 0; g_lost *= 1.2) {
+    refused = held_to_rounding(tree, recipe, options, unlucky).rounding.refused;
+  }
+  g_lost /= 1.2;
+  ASSERT_LE(refused, 8);
+  EXPECT_THAT(held_to_rounding(tree, recipe, options, unlucky).rounding.left_out,
+              testing::ElementsAre("algebra"));
+  options.effort = 10;
+  const program::Function function = held_to_rounding(tree, recipe, options, unlucky);
+  EXPECT_THAT(function.rounding.left_out, testing::IsEmpty());
+  EXPECT_EQ(function.rounding.refused, 0);
+}
+
 TEST(Gate, LeavesFormulationsThatKeepTheirRoundingAlone) {
   const model::Tree tree = description::read_model(TREEDYN_SOURCE_DIR "/models/two_link.yaml", {});
   Options options;
