@@ -37,12 +37,14 @@ Costs by_name(const program::Programs& programs) {
 
 /// The rows of one effect or declaration.
 template <class List>
-void add_prices(const std::string& of, const List& with, Costs without,
+void add_prices(const std::string& of, const List& with, const Costs& without,
                 std::vector<Price>& result) {
   const std::size_t before = result.size();
   for (const auto& [function, cost] : with) {
-    if (without[function] != cost) {
-      result.push_back({of, function, cost, without[function]});
+    const auto found = without.find(function);
+    const program::Cost rest = found == without.end() ? program::Cost{} : found->second;
+    if (rest != cost) {
+      result.push_back({of, function, cost, rest});
     }
   }
   if (result.size() == before) {

@@ -82,14 +82,14 @@ program::Function SceneFormulator::jacobian() const {
   program::Signature signature =
       signature_of("reaction_jacobian_transpose", {q()}, {{"J", dof_ * rows(), "m|1"}});
   signature.rows = row_names(scene_, all_);
-  return plain(std::move(signature), build_reaction_jacobian);
+  return plain(signature, build_reaction_jacobian);
 }
 
 program::Function SceneFormulator::bias() const {
   program::Signature signature =
       signature_of("reaction_bias_acceleration", {q(), qd()}, {{"gamma", rows(), kAcceleration}});
   signature.rows = row_names(scene_, all_);
-  return plain(std::move(signature), build_reaction_bias);
+  return plain(signature, build_reaction_bias);
 }
 
 void SceneFormulator::add_forces(const PhaseState& state, program::Staged& staged) {

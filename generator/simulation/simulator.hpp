@@ -149,6 +149,7 @@ class Simulator {
   void build_watches();
   void note_below(const Watch& watch, double t, const Vector& y);
   double slope_of(const Watch& watch, const Vector& y);
+  void strike_expression(const Watch& watch);
   void refuse_small_rebounds(const Watch& watch, double t, const Vector& y);
   void add_watch(const std::vector<Watch>& before, Watch::Kind kind, std::size_t index, int point,
                  const model::Plane& plane);

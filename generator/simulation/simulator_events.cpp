@@ -243,14 +243,30 @@ double Simulator::slope_of(const Watch& watch, const Vector& y) {
 
 /// What rebounds and begins below zero without having been above since falls through unseen.
 void Simulator::refuse_small_rebounds(const Watch& watch, double t, const Vector& y) {
+  if (!rebounded_.contains(watch.event)) {
+    return;
+  }
   if (watch.side > 0) {
     rebounded_.erase(watch.event);
   } else if (const double here = watch.value(system_, t_, y_);
-             here <= 0 && watch.value(system_, t, y) < here && rebounded_.contains(watch.event)) {
+             here <= 0 && watch.value(system_, t, y) < here) {
     throw std::runtime_error(
         fmt::format("rebounds of '{}' pile up at t = {} s until none is seen: expected a "
                     "touch_down, which may come to rest, or an impact without restitution",
                     name_of(watch.index), t_));
+  }
+}
+
+/// Its event; notes an impact that throws it back.
+void Simulator::strike_expression(const Watch& watch) {
+  const double before = slope_of(watch, y_);
+  fire(watch.index);
+  if (!watch.event->impact || watch.event->not_before != 0) {
+    return;
+  }
+  const auto restitution = static_cast<double>(watch.event->impact->restitution);
+  if (restitution > 0 && before < 0 && slope_of(watch, y_) > -before * restitution / 2) {
+    rebounded_.insert(watch.event);
   }
 }
 
@@ -262,17 +278,9 @@ void Simulator::happen(Watch& watch) {
     case Kind::kTime:
       fire(watch.index);
       break;
-    case Kind::kExpression: {
-      const double before = slope_of(watch, y_);
-      fire(watch.index);
-      if (watch.event->impact && watch.event->not_before == 0) {
-        const auto restitution = static_cast<double>(watch.event->impact->restitution);
-        if (restitution > 0 && before < 0 && slope_of(watch, y_) > -before * restitution / 2) {
-          rebounded_.insert(watch.event);
-        }
-      }
+    case Kind::kExpression:
+      strike_expression(watch);
       break;
-    }
     case Kind::kContact:
       watch.side = -watch.side;
       break;
