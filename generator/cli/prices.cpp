@@ -123,7 +123,7 @@ std::vector<Price> parameter_prices(const Model& model, const Request& request,
     const program::Programs other = without(model, request, declared);
     Costs less = by_name(other);
     less[emit::kUpdate] = update_cost(other);
-    add_prices(declared, with, std::move(less), result);
+    add_prices(declared, with, less, result);
   }
   return result;
 }
