@@ -257,8 +257,7 @@ void refuse_parameters(const Request& request, const std::string& file) {
     if (given) {
       throw UsageError(
           fmt::format("{0}: is for models without run-time parameters; expected neither --runtime "
-                      "nor `runtime` "
-                      "in {1}, or no {0}",
+                      "nor `runtime` in {1}, or no {0}",
                       option, shown(file)));
     }
   }

@@ -8,17 +8,21 @@
 namespace treedyn::formulate {
 namespace {
 
-/// The plain formulation; with the pass `algebra` 1e12 q[0] is added to every output and taken away
-/// again.
+/// Adds `factor` q[0] to every output and takes it away again.
+void cancel(program::Function& function, double factor) {
+  program::Graph& graph = function.graph;
+  const program::Ref large = graph.multiply(graph.constant(Real(factor)), graph.input(0, 0));
+  for (program::Ref& output : function.outputs) {
+    output = graph.add(graph.add(output, large), -large);
+  }
+}
+
+/// The plain formulation, cancelled with the pass `algebra`.
 program::Function cancelling(const model::Tree& tree, const Recipe& recipe,
                              const Options& options) {
   program::Function function = build(tree, recipe, options, plain_variant(tree));
   if (options.has(Pass::kAlgebra)) {
-    program::Graph& graph = function.graph;
-    const program::Ref large = graph.multiply(graph.constant(Real("1e12")), graph.input(0, 0));
-    for (program::Ref& output : function.outputs) {
-      output = graph.add(graph.add(output, large), -large);
-    }
+    cancel(function, 1e12);
   }
   return function;
 }
@@ -32,16 +36,12 @@ TEST(Gate, LeavesOutThePassThatAmplifiesRounding) {
   EXPECT_GT(function.rounding.refused, 1e9);
 }
 
-/// Of `cancelling`, with the first seed of the algebraic search alone.
+/// The same by `g_lost`, with the first seed of the algebraic search alone.
 double g_lost = 0;
 program::Function unlucky(const model::Tree& tree, const Recipe& recipe, const Options& options) {
   program::Function function = build(tree, recipe, options, plain_variant(tree));
   if (options.seed == 0 && options.has(Pass::kAlgebra)) {
-    program::Graph& graph = function.graph;
-    const program::Ref large = graph.multiply(graph.constant(Real(g_lost)), graph.input(0, 0));
-    for (program::Ref& output : function.outputs) {
-      output = graph.add(graph.add(output, large), -large);
-    }
+    cancel(function, g_lost);
   }
   return function;
 }
