@@ -27,6 +27,8 @@ constexpr double kPowerSteps = 100;
 constexpr int kFirstSteps = 10;
 /// The part of the speeds that a row adds up that counts as a speed of its own.
 constexpr double kOwnSpeed = 1e-3;
+/// The part of them that a projection may take at the end of a step.
+constexpr double kPulled = 1e-2;
 
 Vector nearby(const Vector& q) {
   Vector result = q;
@@ -159,6 +161,24 @@ void Monitor::speeds(System& system, double t, const Vector& q, const Vector& qd
           fmt::format(
               "constraint '{}' {} at t = {:.6g} s at a speed of {:.3g} {} that no impact has taken",
               names_[row.name], is_new ? "begins to act" : "acts on", t, off, unit)});
+  }
+}
+
+void Monitor::pull(const System& system, double t, const Vector& qd) {
+  const Constraints& constraints = system.constraints();
+  for (int k = 0; k < system.pulled().size(); ++k) {
+    const double off = std::fabs(system.pulled()[k]);
+    const Row row = this->row(constraints, k);
+    const double bound =
+        kPulled * system.rows().row(k).cwiseAbs().dot(qd.cwiseAbs()) + bounds_.pull * row.scale;
+    if (!(off > bound)) {
+      continue;
+    }
+    const char* const unit = row.scale == size_ ? "m/s" : "1/s";
+    note({"pull", names_[row.name], t, off, bound, 0, 0, unit,
+          fmt::format("constraint '{}' pulls the motion by {:.3g} {} in no time at t = {:.6g} s: "
+                      "what leads it jumps, or steps are too long",
+                      names_[row.name], off, unit, t)});
   }
 }
 

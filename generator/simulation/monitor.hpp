@@ -21,6 +21,8 @@ struct Bounds {
   double residual_end = 1e-1;
   /// Speeds that roundings leave of an impact or of a stop, 1/s or sizes of the robot a second.
   double no_speed = 1e-11;
+  /// Speeds that a projection may take beside a hundredth of those that the row adds up, likewise.
+  double pull = 1e-5;
   /// Energy beyond that of the beginning and the work of all forces, as a part of the energy that
   /// the motion has exchanged, of the fall of the robot by its size or of the power of a hundred
   /// such steps, whatever is more.
@@ -35,7 +37,7 @@ struct Bounds {
 
 /// A warning: what was noticed first, and the worst of it.
 struct Notice {
-  std::string kind;  ///< drift, residual, energy, guard, position, speed, branch, step, below
+  std::string kind;  ///< drift, residual, energy, guard, position, speed, pull, branch, step, below
   std::string name;  ///< the row, the event, the integrator, the point, whether energy is gained
   double time = 0;   ///< s, when it was first beyond its bound
   double value = 0;  ///< then
@@ -82,6 +84,8 @@ class Monitor {
   /// \param acted  constraints, ascending
   void speeds(System& system, double t, const Vector& q, const Vector& qd, const Vector& qd_before,
               const std::vector<int>& acted);
+  /// Speeds along the rows that the projection at the end of a step has taken, \p qd behind it.
+  void pull(const System& system, double t, const Vector& qd);
   /// A stage that counts for the time h in the step that ends at t.
   void turn(const Constraints& constraints, const Turn& turn, double t, double h);
   /// Position errors of the rows after a step.

@@ -314,6 +314,7 @@ void System::factor_rows(double t, const Vector& q, const Vector& qd) {
 void System::project(double t, Vector& q, Vector& qd) {
   const int rows = constraints_.rows();
   if (rows == 0 && sticking_joints().empty()) {
+    pulled_.resize(0);
     return;
   }
   for (int k = 0;; ++k) {
@@ -329,6 +330,7 @@ void System::project(double t, Vector& q, Vector& qd) {
   pad(rate_);
   rate_ = J_ * qd - rate_;
   keep_held(rate_);
+  pulled_ = rate_.head(rows);
   qd -= A_.matrixU().solve(solve_.preimage(rate_));  // J dqd = -(J qd - c')
 }
 

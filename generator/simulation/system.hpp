@@ -92,6 +92,8 @@ class System {
   /// q and qd on the active rows by the smallest corrections in the metric A, those that reactions
   /// make: what a singular position let go is undone behind it.
   void project(double t, Vector& q, Vector& qd);
+  /// Speeds along the rows that the last `project` has taken.
+  [[nodiscard]] const Vector& pulled() const { return pulled_; }
   /// Takes from an error of y = (q; qd) what `project` corrects: its part across the rows.
   void remove_normal(double t, const Vector& y, Vector& error);
   /// EQUATIONS.md 6.4 for all rows of `constraints`; changes qd. \return impulses, N s or N m s
@@ -148,7 +150,7 @@ class System {
   Solution solution_;
   Eigen::MatrixXd inertia_;
   Matrix J_, W_;
-  Vector Q_, rhs_, bend_, phi_, rate_, x_;
+  Vector Q_, rhs_, bend_, phi_, rate_, pulled_, x_;
   Vector all_lambda_;
 };
 
