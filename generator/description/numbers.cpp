@@ -10,10 +10,6 @@ namespace treedyn::description {
 
 namespace {
 
-bool is_xacro(const std::string& text) {
-  return text.find("${") != std::string::npos || text.find("$(") != std::string::npos;
-}
-
 [[noreturn]] void rethrow(const RawTree& raw, const Text& text, const std::string& what,
                           const TextError& problem) {
   const Place where = text.where.at(problem.offset());
@@ -21,6 +17,15 @@ bool is_xacro(const std::string& text) {
 }
 
 }  // namespace
+
+bool is_xacro(const std::string& text) {
+  return text.find("${") != std::string::npos || text.find("$(") != std::string::npos;
+}
+
+std::string of_xacro(const std::string& text) {
+  return fmt::format("{} is of xacro; expected the URDF that it makes: xacro FILE > robot.urdf",
+                     text);
+}
 
 NumberReader::NumberReader(const RawTree& raw) : raw_(raw) {
   for (const RawParameter& parameter : raw.parameters) {
@@ -39,11 +44,8 @@ Real NumberReader::number(const Text& text, const std::string& what) const {
     return decimal.value;
   }
   if (raw_.format == Format::kUrdf && is_xacro(text.text)) {
-    throw InputError(
-        location(raw_, text.where),
-        fmt::format("{}: '{}' is of xacro; expected the URDF that it makes: xacro FILE "
-                    "> robot.urdf",
-                    what, shown(text.text)));
+    throw InputError(location(raw_, text.where),
+                     fmt::format("{}: {}", what, of_xacro(fmt::format("'{}'", shown(text.text)))));
   }
   if (decimal.error != DecimalError::kSyntax || raw_.format == Format::kUrdf) {
     throw InputError(location(raw_, text.where),

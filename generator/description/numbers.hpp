@@ -10,6 +10,11 @@
 
 namespace treedyn::description {
 
+/// True for what xacro replaces.
+bool is_xacro(const std::string& text);
+/// What is said of it.
+std::string of_xacro(const std::string& text);
+
 /// Evaluates numbers. `what` names the value in messages: "joint 'elbow': axis".
 class NumberReader {
  public:

@@ -17,6 +17,9 @@ namespace {
 
 using Kind = model::ParameterKind;
 
+/// What messages begin with: of the command line the place says it.
+const char* prefix(const Location& where) { return where.line > 0 ? "runtime: " : ""; }
+
 std::string expected(const std::vector<const char*>& names) {
   return fmt::format("{}; of one component com.x or inertia.xx", fmt::join(names, ", "));
 }
@@ -53,28 +56,28 @@ int moving_link(const RawTree& raw, const model::Tree& tree, const std::string& 
       std::find_if(tree.frames.begin(), tree.frames.end(),
                    [&](const model::Frame& candidate) { return candidate.name == name; });
   if (frame == tree.frames.end()) {
-    throw InputError(where, fmt::format("runtime: there is no link '{}'; expected one of the model",
-                                        shown(name)));
+    throw InputError(where, fmt::format("{}there is no link '{}'; expected one of the model",
+                                        prefix(where), shown(name)));
   }
   if (frame->link == model::kGround) {
-    throw InputError(where, fmt::format("runtime: link '{}' does not move; expected one that does",
-                                        shown(name)));
+    throw InputError(where, fmt::format("{}link '{}' does not move; expected one that does",
+                                        prefix(where), shown(name)));
   }
   const model::Link& link = tree.links[static_cast<std::size_t>(frame->link)];
   if (link.name == name) {
     return frame->link;
   }
   if (!is_base_link(tree, frame->link)) {
-    throw InputError(where, fmt::format("runtime: link '{}' is fixed to link '{}'; expected that "
+    throw InputError(where, fmt::format("{}link '{}' is fixed to link '{}'; expected that "
                                         "one, whose numbers are those of both",
-                                        shown(name), shown(link.name)));
+                                        prefix(where), shown(name), shown(link.name)));
   }
   if (quantity.starts_with("offset") || !is_whole_base(raw, tree, *frame)) {
-    throw InputError(where, fmt::format("runtime: link '{0}' is fixed to base link '{1}' and is "
+    throw InputError(where, fmt::format("{3}link '{0}' is fixed to base link '{1}' and is "
                                         "not all of it; expected mass, com or inertia of the only "
                                         "link with inertia there, in its frame, or --runtime "
                                         "{1}.{2}, which scenes do not take",
-                                        shown(name), link.name, shown(quantity)));
+                                        shown(name), link.name, shown(quantity), prefix(where)));
   }
   return frame->link;
 }
@@ -85,18 +88,19 @@ class Declarations {
 
   void add_of_link(const std::string& link, const std::string& quantity, const Location& where) {
     const int i = moving_link(raw_, tree_, link, quantity, where);
-    const std::string what = fmt::format("link '{}': runtime", shown(link));
+    const std::string what =
+        fmt::format("link '{}'{}", shown(link), where.line > 0 ? ": runtime" : "");
     add(i, quantity_of(quantity, false, where, what), where);
   }
   void add_of_point(const std::string& point, const std::string& quantity, const Location& where) {
     const auto found = std::ranges::find(tree_.points, point, &model::Point::name);
     if (found == tree_.points.end()) {
-      throw InputError(where,
-                       fmt::format("runtime: there is no point '{}'; expected one of the model's "
-                                   "own points",
-                                   shown(point)));
+      throw InputError(
+          where, fmt::format("{}there is no point '{}'; expected one of the model's own points",
+                             prefix(where), shown(point)));
     }
-    const std::string what = fmt::format("point '{}': runtime", shown(point));
+    const std::string what =
+        fmt::format("point '{}'{}", shown(point), where.line > 0 ? ": runtime" : "");
     add(static_cast<int>(found - tree_.points.begin()), quantity_of(quantity, true, where, what),
         where);
   }
@@ -105,10 +109,10 @@ class Declarations {
     const std::optional<model::Declared> found = model::find_quantity(name);
     if (!found || found->quantity != Kind::kGravity) {
       throw InputError(
-          where, fmt::format("runtime: '{}' cannot be known at run time only; expected gravity, or "
-                             "LINK.mass, LINK.com, LINK.inertia, LINK.offset, POINT.at on the "
-                             "command line",
-                             shown(name)));
+          where,
+          fmt::format("{}'{}' cannot be known at run time only; expected gravity, or LINK.mass, "
+                      "LINK.com, LINK.inertia, LINK.offset, POINT.at on the command line",
+                      prefix(where), shown(name)));
     }
     add(model::kGround, *found, where);
   }
@@ -164,7 +168,7 @@ void resolve_parameters(const RawTree& raw, const std::vector<std::string>& list
     }
   }
   for (const std::string& text : list) {
-    const Location where{raw.file, 0, 0};
+    const Location where{"--runtime", 0, 0};
     const std::size_t dot = split(text, tree);
     if (dot == std::string::npos || text.starts_with("gravity.")) {
       declarations.add(text, where);

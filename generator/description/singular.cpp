@@ -331,6 +331,10 @@ std::vector<Movement> free_movements(const model::Tree& tree, const std::vector<
   return result;
 }
 
+constexpr const char* kNoSolution = "forward dynamics has no solution";
+constexpr const char* kNoInverse =
+    "the mass matrix has no inverse, which motions under constraints need, too";
+
 /// "joint 'a': what it moves has ..", or "joints 'a', 'b' ..": at most eight of them.
 std::string description_of(const model::Tree& tree, const Movement& movement) {
   constexpr std::size_t kMost = 8;
@@ -348,18 +352,23 @@ std::string description_of(const model::Tree& tree, const Movement& movement) {
                      movement.size() > kMost ? ", .." : "");
 }
 
-}  // namespace
-
-std::vector<Warning> joints_without_inertia(const model::Tree& tree,
-                                            const std::vector<Real>& armature) {
+std::vector<Warning> warnings(const model::Tree& tree, const std::vector<Real>& armature,
+                              const char* consequence) {
   std::vector<Warning> result;
   for (const Movement& movement : free_movements(tree, armature)) {
     result.push_back(
         {tree.links[movement.front()].joint.where,
-         fmt::format("{}{}; forward dynamics has no solution", description_of(tree, movement),
-                     tree.parameters.empty() ? "" : ", with its nominal values")});
+         fmt::format("{}{}; {}", description_of(tree, movement),
+                     tree.parameters.empty() ? "" : ", with its nominal values", consequence)});
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Warning> joints_without_inertia(const model::Tree& tree,
+                                            const std::vector<Real>& armature) {
+  return warnings(tree, armature, kNoSolution);
 }
 
 std::vector<Warning> joints_without_inertia(const model::Tree& tree) {
@@ -372,7 +381,7 @@ std::vector<Warning> joints_without_inertia(const model::Scene& scene) {
   for (const model::Armature& added : scene.armatures) {
     armature[to_index(added.joint)] += added.inertia;
   }
-  return joints_without_inertia(scene.tree, armature);
+  return warnings(scene.tree, armature, scene.constraints.empty() ? kNoSolution : kNoInverse);
 }
 
 void require_inertia(const model::Scene& scene) {

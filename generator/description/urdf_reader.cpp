@@ -9,6 +9,7 @@
 
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
+#include "description/numbers.hpp"
 #include "description/xml_element.hpp"
 
 namespace treedyn::description {
@@ -196,10 +197,7 @@ void vet_element(const Part& part, std::vector<Warning>& findings) {
 void refuse_xacro(const Part& robot) {
   for (const Text& stray : robot.element.strays) {
     if (stray.text.starts_with("xacro:")) {
-      robot.fail(stray.where,
-                 fmt::format("<{}> is of xacro; expected the URDF that it makes: xacro "
-                             "FILE > robot.urdf",
-                             shown(stray.text)));
+      robot.fail(stray.where, of_xacro(fmt::format("<{}>", shown(stray.text))));
     }
   }
 }
@@ -214,9 +212,18 @@ RawInertia read_inertia(const Part& part) {
   return inertia;
 }
 
+/// The name of a link or joint.
+Text read_name(const Part& part, const Element& element, std::string_view key) {
+  Text name = part.text(element, key);
+  if (is_xacro(name.text)) {
+    part.fail(name.where, of_xacro(fmt::format("'{}'", shown(name.text))));
+  }
+  return name;
+}
+
 RawLink read_link(const std::string& file, const Element& element) {
   const Part part{file, element, called("link", element)};
-  RawLink link{part.text(element, "name"), std::nullopt, element.where};
+  RawLink link{read_name(part, element, "name"), std::nullopt, element.where};
   if (const Element* const inertial = part.find("inertial")) {
     link.inertia = read_inertia({file, *inertial, part.what});
   }
@@ -235,10 +242,10 @@ RawJoint read_joint(const std::string& file, const Element& element) {
   const Part part{file, element, called("joint", element)};
   RawJoint joint;
   joint.where = element.where;
-  joint.name = part.text(element, "name");
+  joint.name = read_name(part, element, "name");
   joint.type = part.text(element, "type");
-  joint.father = part.text(part.get("parent"), "link");
-  joint.son = part.text(part.get("child"), "link");
+  joint.father = read_name(part, part.get("parent"), "link");
+  joint.son = read_name(part, part.get("child"), "link");
   joint.pose = read_origin(part);
   joint.axis = Numbers{{{"1", {}}, {"0", {}}, {"0", {}}}, element.where};  // of the URDF format
   if (const Element* const axis = part.find("axis")) {

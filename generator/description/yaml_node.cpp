@@ -3,6 +3,8 @@
 #include <yaml.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -30,6 +32,35 @@ Place place_of_byte(const std::string& text, std::size_t offset) {
   const std::size_t start = text.rfind('\n', offset == 0 ? 0 : offset - 1);
   const std::size_t column = start == std::string::npos || line == 0 ? offset : offset - start - 1;
   return {static_cast<int>(line) + 1, to_int(column) + 1};
+}
+
+/// The 16 bits of an escape \uXXXX at `at`.
+std::optional<unsigned> escaped_at(std::string_view text, std::size_t at) {
+  constexpr std::size_t kDigits = 4;
+  unsigned code = 0;
+  if (at > text.size() || !text.substr(at).starts_with("\\u") || text.size() < at + 2 + kDigits) {
+    return std::nullopt;
+  }
+  const char* const first = text.data() + at + 2;
+  const bool is_code = std::from_chars(first, first + kDigits, code, 16).ptr == first + kDigits;
+  return is_code ? std::optional(code) : std::nullopt;
+}
+
+/// JSON escapes a character beyond 16 bits by two surrogates, YAML by one \UXXXXXXXX.
+std::string with_yaml_escapes(std::string text) {
+  constexpr std::size_t kLength = 6;
+  for (std::size_t at = text.find("\\u"); at != std::string::npos; at = text.find("\\u", at + 1)) {
+    const std::size_t before = text.find_last_not_of('\\', at);
+    const std::size_t backslashes = before == std::string::npos ? at : at - before - 1;
+    const std::optional<unsigned> high = escaped_at(text, at);
+    const std::optional<unsigned> low = escaped_at(text, at + kLength);
+    if (backslashes % 2 == 0 && high && low && *high >= 0xD800 && *high < 0xDC00 &&
+        *low >= 0xDC00 && *low < 0xE000) {
+      const unsigned code = 0x10000 + ((*high - 0xD800) << 10U) + (*low - 0xDC00);
+      text.replace(at, 2 * kLength, fmt::format("\\U{:08X}", code));
+    }
+  }
+  return text;
 }
 
 /// Finds lines of a text, asked for in ascending order. Linear in all.
@@ -277,7 +308,8 @@ class NodeBuilder {
 
 }  // namespace
 
-Node parse_yaml_node(const std::string& text, const std::string& file, const std::string& what) {
+Node parse_yaml_node(const std::string& given, const std::string& file, const std::string& what) {
+  const std::string text = with_yaml_escapes(given);
   Events events(text, file);
   NodeBuilder builder(text, file);
   int documents = 0;

@@ -26,10 +26,15 @@ class Compiles : public Cli {
     const Outcome outcome = treedyn(command);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const bool is_c = std::ranges::find(command, "c99") != command.end();
-    const Outcome compiled =
-        support::run({TREEDYN_CXX, is_c ? "-std=c99" : "-std=c++11", "-x", is_c ? "c" : "c++",
-                      "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror",
-                      "-Wno-psabi", "-fsyntax-only", file(name + (is_c ? ".c" : ".cpp")).string()});
+    std::vector<std::string> compiler = {TREEDYN_CXX,  "-Wall",      "-Wextra",
+                                         "-Wpedantic", "-Wshadow",   "-Wconversion",
+                                         "-Werror",    "-Wno-psabi", "-fsyntax-only"};
+    const std::vector<std::string> language =
+        is_c ? std::vector<std::string>{"-std=c99", "-x", "c", file(name + ".c").string()}
+             : std::vector<std::string>{"-std=c++11", "-Wuseless-cast",
+                                        file(name + ".cpp").string()};
+    compiler.insert(compiler.end(), language.begin(), language.end());
+    const Outcome compiled = support::run(compiler);
     EXPECT_EQ(compiled.status, 0) << compiled.err;
   }
   [[nodiscard]] std::string scene_of_ball(const std::string& lines) const {
@@ -224,6 +229,14 @@ TEST_F(Compiles, LimbsBehindTiltsOfRounding) {
                  "b, at: [0, -0.3, 0]}\n");
   expect_compiles(
       {scratch("m.yaml"), "--snap", "0", "--share-limbs", "--functions", "point_rotations"}, "m");
+}
+
+TEST_F(Compiles, StepsThatEventsCut) {
+  for (const char* scalar : {"double", "float"}) {
+    expect_compiles({"--scene", TREEDYN_SOURCE_DIR "/models/scenes/compass_walk.yaml",
+                     "--integrator", "rk4", "--name", "walk", "--scalar", scalar},
+                    "walk");
+  }
 }
 
 TEST_F(Compiles, MassMatricesOfNothing) {

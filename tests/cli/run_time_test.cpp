@@ -581,15 +581,16 @@ TEST_F(RunTimeCli, RefusesWhatItDoesNotTake) {
     arguments.insert(arguments.begin(), kModel);
     expect_refused(arguments, what);
   };
-  refused({"--runtime", "hand.mass"}, "runtime: there is no link 'hand'; expected one");
+  refused({"--runtime", "hand.mass"}, "--runtime: there is no link 'hand'; expected one");
   refused({"--runtime", "mass"},
-          "runtime: 'mass' cannot be known at run time only; expected gravity");
+          "--runtime: 'mass' cannot be known at run time only; expected gravity");
   refused({"--runtime", "nose.at"},
-          "runtime: there is no point 'nose'; expected one of the model's");
+          "--runtime: there is no point 'nose'; expected one of the model's");
   refused({"--runtime", "forearm.com.w"},
-          "link 'forearm': runtime: 'com.w' cannot be known at run time only; expected mass");
+          "--runtime: link 'forearm': 'com.w' cannot be known at run time only; expected mass");
   refused({"--runtime", "forearm.at"}, "there is no point 'forearm'");
-  refused({"--runtime", "gravity,gravity"}, "run-time parameter 'gravity' is defined twice");
+  refused({"--runtime", "gravity,gravity"},
+          "--runtime: run-time parameter 'gravity' is defined twice");
   refused({"--runtime", "forearm.length"},
           "'length' cannot be known at run time only; expected "
           "mass, com, inertia, offset; of one component com.x or inertia.xx");
