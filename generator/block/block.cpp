@@ -1,12 +1,15 @@
 #include "block/block.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "block/print.hpp"
+#include "common/error.hpp"
 
 namespace treedyn::block {
 namespace {
@@ -111,6 +114,18 @@ const Expression& unnamed(const Expression& a) {
   return a.kind() == Kind::kNamed ? unnamed(a.operands().front()) : a;
 }
 
+Ratio lowest(std::int64_t numerator, std::int64_t denominator) {
+  const std::int64_t divisor = std::gcd(numerator, denominator);
+  const std::int64_t n = numerator / divisor;
+  const std::int64_t d = denominator / divisor;
+  if (!std::in_range<int>(n) || !std::in_range<int>(d)) {
+    throw TooLarge(fmt::format(
+        "its numbers make the fraction {}/{}; expected numerators and denominators below 2^31", n,
+        d));
+  }
+  return {static_cast<int>(n), static_cast<int>(d)};
+}
+
 }  // namespace
 
 std::string to_string(const Shape& shape) {
@@ -126,6 +141,17 @@ Expression leaf(const std::string& name, Structure structure, const Shape& shape
   node.name = name;
   node.structure = structure;
   return Expression(std::move(node));
+}
+
+Ratio multiply(const Ratio& a, const Ratio& b) {
+  return lowest(std::int64_t{a.numerator} * b.numerator,
+                std::int64_t{a.denominator} * b.denominator);
+}
+
+Ratio add(const Ratio& a, const Ratio& b) {
+  return lowest(
+      std::int64_t{a.numerator} * b.denominator + std::int64_t{b.numerator} * a.denominator,
+      std::int64_t{a.denominator} * b.denominator);
 }
 
 Expression named(const std::string& name, const Expression& expression) {
@@ -165,8 +191,7 @@ Expression operator*(const Ratio& factor, const Expression& a) {
   Ratio total = factor;
   Expression scaled = a;
   if (a.kind() == Kind::kScaled) {
-    total.numerator *= a.node().factor.numerator;
-    total.denominator *= a.node().factor.denominator;
+    total = multiply(total, a.node().factor);
     scaled = a.operands().front();
   }
   Node node;

@@ -65,6 +65,10 @@ struct Ratio {
   friend bool operator==(const Ratio&, const Ratio&) = default;
 };
 
+/// Both in lowest terms. \throws TooLarge beyond 31 bits
+Ratio multiply(const Ratio& a, const Ratio& b);
+Ratio add(const Ratio& a, const Ratio& b);
+
 class Expression;
 
 struct Node {

@@ -105,13 +105,48 @@ bool blows_up(std::span<const Expression> factors, int size) {
   return false;
 }
 
+std::optional<Expression> without(const Expression& e, const std::set<std::string>& zeros) {
+  if (e.kind() == Kind::kLeaf) {
+    return zeros.contains(e.node().name) ? std::nullopt : std::optional(e);
+  }
+  const bool adds = e.kind() == Kind::kSum;
+  std::optional<Expression> result;
+  for (const Expression& operand : e.operands()) {
+    const std::optional<Expression> rest = without(operand, zeros);
+    if (!rest && !adds) {
+      return std::nullopt;
+    }
+    if (rest) {
+      result = !result ? *rest : adds ? *result + *rest : *result * *rest;
+    }
+  }
+  if (!result) {
+    return std::nullopt;
+  }
+  switch (e.kind()) {
+    case Kind::kNamed:
+      return block::equal(*result, e.operands().front()) ? e : *result;
+    case Kind::kScaled:
+      return e.node().factor * *result;
+    case Kind::kTranspose:
+      return transpose(*result);
+    case Kind::kSkew:
+      return skew(*result);
+    case Kind::kSkewTranspose:
+      return skew_transpose(*result);
+    case Kind::kDiagonal:
+      return diagb(*result);
+    default:
+      return result;
+  }
+}
+
 void flatten(const Expression& e, std::vector<Expression>& factors, Ratio& factor) {
   switch (e.kind()) {
     case Kind::kNamed:
       return flatten(e.operands().front(), factors, factor);
     case Kind::kScaled:
-      factor.numerator *= e.node().factor.numerator;
-      factor.denominator *= e.node().factor.denominator;
+      factor = multiply(factor, e.node().factor);
       return flatten(e.operands().front(), factors, factor);
     case Kind::kProduct:
       for (const Expression& operand : e.operands()) {

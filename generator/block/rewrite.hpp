@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +28,9 @@ bool blows_up(std::span<const Expression> factors, int size);
 
 /// e with other expressions in place of named ones. \param others  of the same shape, by name
 Expression replaced(const Expression& e, const std::map<std::string, Expression>& others);
+
+/// e where leaves of these names are zero; nothing where all of it is.
+std::optional<Expression> without(const Expression& e, const std::set<std::string>& zeros);
 
 /// Appends the factors of a product, names and nested products opened, to `factors` and multiplies
 /// `factor` by the rational factors.

@@ -1,8 +1,11 @@
 #include "block/step.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -109,18 +112,30 @@ Step same_blocks(const Step& a, Operation operation) {
   return result;
 }
 
-int folded_term(const Step& step, const Term& term, const std::vector<const Step*>& operands) {
+/// \throws TooLarge beyond 31 bits
+int narrowed(std::int64_t x) {
+  if (!std::in_range<int>(x)) {
+    throw TooLarge(
+        fmt::format("multiplies constant matrices to the number {}; expected less than 2^31", x));
+  }
+  return static_cast<int>(x);
+}
+
+std::int64_t folded_term(const Step& step, const Term& term,
+                         const std::vector<const Step*>& operands) {
+  const auto constant = [&](std::size_t operand, int place) {
+    return std::int64_t{operands[operand]->constants[to_index(place)]};
+  };
   switch (step.operation) {
     case Operation::kSum: {
       const Ratio& factor = step.factors[to_index(term.right)];
       TREEDYN_EXPECT(factor.denominator == 1);
-      return factor.numerator * operands[to_index(term.right)]->constants[to_index(term.left)];
+      return factor.numerator * constant(to_index(term.right), term.left);
     }
     case Operation::kProduct:
-      return operands[0]->constants[to_index(term.left)] *
-             operands[1]->constants[to_index(term.right)];
+      return constant(0, term.left) * constant(1, term.right);
     default:
-      return operands[0]->constants[to_index(term.left)];
+      return constant(0, term.left);
   }
 }
 
@@ -212,7 +227,8 @@ Step diagonal_step(const Step& a) {
 Step folded(const Step& step, const std::vector<const Step*>& operands) {
   std::vector<int> values(to_index(step.pattern.blocks()), 0);
   for (const Term& term : step.terms) {
-    values[to_index(term.target)] += folded_term(step, term, operands);
+    int& sum = values[to_index(term.target)];
+    sum = narrowed(sum + folded_term(step, term, operands));
   }
   Rows rows(to_index(step.pattern.rows()));
   std::vector<int> kept;

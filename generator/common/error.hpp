@@ -29,6 +29,12 @@ class InputError : public std::runtime_error {
   std::string message_;
 };
 
+/// An input that is right, but beyond what the program carries.
+class TooLarge : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A remark that does not stop the program (`info`, `vet` and `generate` print it).
 struct Warning {
   Location where;

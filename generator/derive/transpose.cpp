@@ -22,6 +22,14 @@ class Transposer {
     if (v.op == Op::kLinear && v.operands.size() == 1) {
       return algebra_.linear({{v.factors[0], *run(v.operands[0])}});
     }
+    if (v.op == Op::kScale) {  // numbers in front stay there
+      const auto x = std::ranges::find_if(v.operands, [this](int y) { return has_subtrees(y); });
+      int result = *run(*x);
+      for (auto y = v.operands.begin(); y != v.operands.end(); ++y) {
+        result = y == x ? result : algebra_.scale(*y, result);
+      }
+      return result;
+    }
     factors_[root] = {{kPlus, algebra_.ones(Set::kOne)}};
     std::map<int, int> rest;  // factors by what they stand in front of
     std::vector<int> handed_on;

@@ -1,8 +1,6 @@
 #include "derive/value.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -11,13 +9,7 @@
 namespace treedyn::derive {
 namespace {
 
-Ratio lowest(std::int64_t numerator, std::int64_t denominator) {
-  const std::int64_t divisor = std::gcd(numerator, denominator);
-  const std::int64_t n = numerator / divisor;
-  const std::int64_t d = denominator / divisor;
-  TREEDYN_EXPECT(static_cast<int>(n) == n && static_cast<int>(d) == d);
-  return {static_cast<int>(n), static_cast<int>(d)};
-}
+constexpr int kMostValues = 5000;
 
 std::string key_of(const Value& value) {
   std::string key =
@@ -34,18 +26,11 @@ std::string key_of(const Value& value) {
 
 }  // namespace
 
-Ratio multiply(const Ratio& a, const Ratio& b) {
-  return lowest(std::int64_t{a.numerator} * b.numerator,
-                std::int64_t{a.denominator} * b.denominator);
-}
-
-Ratio add(const Ratio& a, const Ratio& b) {
-  return lowest(
-      std::int64_t{a.numerator} * b.denominator + std::int64_t{b.numerator} * a.denominator,
-      std::int64_t{a.denominator} * b.denominator);
-}
-
 int Values::intern(Value value) {
+  if (size() == kMostValues) {
+    throw TooLarge(fmt::format(
+        "derives to more than {} values; expected fewer factors that are sums", kMostValues));
+  }
   const auto [place, is_new] = known_.emplace(key_of(value), size());
   if (is_new) {
     of_unit_.push_back(value.op == Op::kUnit ||

@@ -13,6 +13,8 @@
 
 namespace treedyn::derive {
 
+using block::add;
+using block::multiply;
 using block::Ratio;
 
 inline constexpr Ratio kPlus{1, 1};
@@ -39,7 +41,7 @@ enum class Op {
   kSkew,            ///< Λ(a)
   kSkewProduct,     ///< Λ(a) Λ(b)
   kProduct,         ///< S T of blocks
-  kApply,           ///< S v
+  kApply,           ///< S v; of a matrix of numbers and a column
   kApplyTranspose,  ///< S^T v
   kComposite,       ///< D^T I - N^T (Λ(h)Λ(s) + Λ(s)Λ(h + m s)) of m, h, s
   kMoment,          ///< vee(Ω E) of Ω, α, ω: I α + ω×I ω by the pseudo-inertia E
@@ -69,6 +71,7 @@ enum class Op {
   kFromLeaves,      ///< x = r - L'^T x, of r, L'
   kFromRoot,        ///< x = r - L' x, of r, L'
   kDiagonal,        ///< the diagonal of a matrix of numbers
+  kTransposed,      ///< the transpose of a matrix of numbers
   kCongruence,      ///< Y d Y^T of Y, d
 };
 
@@ -137,9 +140,5 @@ class Values {
 /// \param made  adds a value with its new operands to `anew`
 void remake(const Values& values, Values& anew, std::vector<int>& roots,
             const std::function<int(Value)>& made);
-
-/// a * b in lowest terms.
-Ratio multiply(const Ratio& a, const Ratio& b);
-Ratio add(const Ratio& a, const Ratio& b);
 
 }  // namespace treedyn::derive

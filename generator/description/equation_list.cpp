@@ -67,7 +67,7 @@ model::EquationText read_equation(const std::string& file, const Node& node, std
 Parameters read_parameters(const std::string& file, const Node& node) {
   expressions::Constants constants;
   Parameters result;
-  for (const Node& item : node.items) {
+  for (const Node& item : parameters(file, node)) {
     try {
       constants.define(item.key.text, item.text);
       result.emplace_back(item.key.text, constants.evaluate(item.key.text));

@@ -107,4 +107,19 @@ std::string called(std::string_view kind, const Node& node, std::size_t index) {
   return fmt::format("{} {}", kind, index + 1);
 }
 
+const std::vector<Node>& parameters(const std::string& file, const Node& node) {
+  if (node.kind != NodeKind::kMapping) {
+    throw InputError(node.where.in(file), "parameters: is no mapping; expected name: value");
+  }
+  for (const Node& item : node.items) {
+    if (item.kind != NodeKind::kScalar || item.empty) {
+      throw InputError(
+          item.where.in(file),
+          fmt::format("parameter '{}' has no value; expected a number or an expression",
+                      shown(item.key.text)));
+    }
+  }
+  return node.items;
+}
+
 }  // namespace treedyn::description

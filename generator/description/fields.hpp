@@ -47,4 +47,7 @@ std::string described(const Node& node);
 /// "kind 'name'" if the mapping has a name, else "kind 3".
 std::string called(std::string_view kind, const Node& node, std::size_t index);
 
+/// The entries of `parameters:`, name and value.
+const std::vector<Node>& parameters(const std::string& file, const Node& node);
+
 }  // namespace treedyn::description

@@ -86,17 +86,10 @@ void SceneContext::define(const Node& item, const std::string& what, bool run_ti
 }
 
 void SceneContext::define_parameters(const Node* node, const std::vector<Text>& run_time) {
-  if (node != nullptr && node->kind != NodeKind::kMapping) {
-    throw InputError(node->where.in(file_), "parameters: is no mapping; expected name: value");
-  }
   std::vector<Text> missing = run_time;
   std::vector<std::string_view> names;
-  for (const Node& item : node == nullptr ? std::vector<Node>{} : node->items) {
+  for (const Node& item : node == nullptr ? std::vector<Node>{} : parameters(file_, *node)) {
     const std::string what = fmt::format("parameter '{}'", shown(item.key.text));
-    if (item.kind != NodeKind::kScalar || item.empty) {
-      throw InputError(item.where.in(file_),
-                       what + " has no value; expected a number or an expression");
-    }
     refuse_variable(file_, item.key, what);
     const std::size_t at_run_time =
         std::erase_if(missing, [&](const Text& text) { return text.text == item.key.text; });

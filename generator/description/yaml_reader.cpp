@@ -81,21 +81,6 @@ void read_point(const Node& node, std::size_t index, RawTree& raw) {
   }
 }
 
-void read_parameters(const Node& node, RawTree& raw) {
-  if (node.kind != NodeKind::kMapping) {
-    throw InputError(location(raw, node.where), "parameters: is no mapping; expected name: value");
-  }
-  for (const Node& item : node.items) {
-    if (item.kind != NodeKind::kScalar || item.empty) {
-      throw InputError(
-          location(raw, item.where),
-          fmt::format("parameter '{}' has no value; expected a number or an expression",
-                      shown(item.key.text)));
-    }
-    raw.parameters.push_back({item.key, {item.text, item.where}});
-  }
-}
-
 /// A scene where a model belongs is a slip that deserves better words than an unknown key.
 void refuse_scene(const Node& root, const std::string& file) {
   for (const Node& item : root.items) {
@@ -118,8 +103,10 @@ RawTree read_yaml(const std::string& text, const std::string& file) {
   const Fields fields(raw.file, root, "tree description",
                       {"name", "parameters", "links", "points", "equations", "runtime"});
   raw.name = fields.text("name");
-  if (const Node* const parameters = fields.find("parameters")) {
-    read_parameters(*parameters, raw);
+  if (const Node* const node = fields.find("parameters")) {
+    for (const Node& item : parameters(raw.file, *node)) {
+      raw.parameters.push_back({item.key, {item.text, item.where}});
+    }
   }
   const std::vector<Node>& links = fields.sequence(fields.get("links"));
   for (std::size_t k = 0; k < links.size(); ++k) {

@@ -186,10 +186,12 @@ class Parser : public Grammar<Term> {
 
   static Number in_range(std::size_t offset, const Number& x) {
     if (!isfinite(x.value) || abs(x.value) > Real("1e300")) {
-      fail(offset, "is no real number of at most 1e300");
+      fail(offset, fmt::format("has a constant that is {}; expected a real number of at most 1e300",
+                               x.value.str(6)));
     }
     if (x.value != 0 && abs(x.value) < Real("1e-300")) {
-      fail(offset, "is a number below 1e-300 and not zero");
+      fail(offset,
+           fmt::format("has a constant that is {}; expected 0 or at least 1e-300", x.value.str(6)));
     }
     return x;
   }

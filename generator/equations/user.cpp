@@ -71,6 +71,16 @@ void Reader::check_names() const {
                                                shown(text.name)));
     }
   }
+  for (const model::EquationText& text : texts_) {
+    for (const model::InputText& input : text.inputs) {
+      if (names.contains(input.name)) {
+        throw InputError(input.where,
+                         fmt::format("input '{}' of equation '{}' has the name of an equation; "
+                                     "expected another one",
+                                     shown(input.name), text.name));
+      }
+    }
+  }
 }
 
 UserEquation Reader::read(const model::EquationText& text) {

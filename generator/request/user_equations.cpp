@@ -1,10 +1,12 @@
 #include "request/user_equations.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "block/plan.hpp"
 #include "common/closest.hpp"
 #include "common/decimal.hpp"
 #include "common/identifier.hpp"
@@ -14,6 +16,7 @@
 #include "emit/run_time.hpp"
 #include "emit/self_test.hpp"
 #include "emit/taken_names.hpp"
+#include "equations/kinematics.hpp"
 #include "equations/scene_table.hpp"
 #include "equations/table.hpp"
 
@@ -102,11 +105,14 @@ void check_points(const equations::UserEquation& equation, bool no_points) {
   const auto counts = [](const block::Side& side) {
     return side.set == block::Set::kPoints;
   };
-  const block::Shape& shape = equation.expression.shape();
   const bool arguments =
       std::any_of(equation.arguments.begin(), equation.arguments.end(),
                   [&](const equations::UserArgument& argument) { return counts(argument.side); });
-  if (no_points && (arguments || counts(shape.rows) || counts(shape.cols))) {
+  const std::function<bool(const block::Expression&)> uses = [&](const block::Expression& e) {
+    return counts(e.shape().rows) || counts(e.shape().cols) ||
+           std::ranges::any_of(e.operands(), uses);
+  };
+  if (no_points && (arguments || uses(equation.expression))) {
     throw InputError(equation.where, fmt::format("equation '{}' needs points and the model has "
                                                  "none; expected --points",
                                                  equation.name));
@@ -157,7 +163,11 @@ UserFunctions read_user_equations(const Request& request, const std::string& tre
   for (const equations::UserEquation& equation : equations::read_equations(texts, tree, points)) {
     check_points(equation, points.empty());
     try {
+      block::Plan(equations::index_of(tree, points)).add(equation.expression);  // if it can be
       result.push_back(formulate::derived(equation, tree.size(), static_cast<int>(points.size())));
+    } catch (const TooLarge& error) {
+      throw InputError(equation.where,
+                       fmt::format("equation '{}': {}", equation.name, error.what()));
     } catch (const std::logic_error& error) {  // a mistake of ours: it says at least of what
       throw std::logic_error(fmt::format("{}: equation '{}': {}", to_string(equation.where),
                                          equation.name, error.what()));

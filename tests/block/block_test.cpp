@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "block/print.hpp"
+#include "block/rewrite.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::block {
@@ -90,6 +92,21 @@ TEST(Equal, ComparesStructureAndLooksThroughNames) {
   EXPECT_FALSE(equal(D * s_d, D * l_d));
   EXPECT_FALSE(equal(2 * D, 3 * D));
   EXPECT_FALSE(equal(D + E, E + D));
+}
+
+TEST(Without, DropsTermsWithZeros) {
+  const auto column = [](const char* name) {
+    return leaf(name, Structure::kFull, {{Set::kLinks, 1}, {Set::kOne, 1}});
+  };
+  const Expression a = column("a");
+  const Expression b = column("b");
+  const Expression zero = column("z");
+  EXPECT_TRUE(equal(without(2 * a + zero - b, {"z"}).value(), 2 * a - b));
+  EXPECT_TRUE(equal(without(transpose(a + zero) * b, {"z"}).value(), transpose(a) * b));
+  EXPECT_EQ(print(without(named("s", a + b), {"z"}).value()), "s");
+  EXPECT_EQ(print(without(named("s", a + zero), {"z"}).value()), "a");
+  EXPECT_FALSE(without(3 * (transpose(a) * zero), {"z"}));
+  EXPECT_FALSE(without(transpose(diagb(zero)) * a, {"z"}));
 }
 
 }  // namespace

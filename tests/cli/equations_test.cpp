@@ -124,6 +124,59 @@ TEST_F(Cli, RefusesAWrongEquationInOneLine) {
               HasSubstr("taken"));
 }
 
+TEST_F(Cli, RefusesEquationsThatItCannotCarry) {
+  const std::string equations = scratch("mine.yaml");
+  const auto message = [&](const std::string& text) {
+    write_file(equations, text);
+    const Outcome outcome = treedyn({"generate", kModel, "--equations", equations, "-o", out()});
+    EXPECT_EQ(outcome.status, 1) << text;
+    EXPECT_FALSE(fs::exists(out()));
+    return outcome.err.substr(std::min(outcome.err.size(), equations.size()));
+  };
+  const auto value = [&](const std::string& text) {
+    return message("equations:\n  - {name: mine, value: \"" + text + "\"}\n");
+  };
+  const auto repeated = [](const std::string& factor, int times) {
+    std::string result;
+    for (int k = 0; k < times; ++k) {
+      result += factor + "*";
+    }
+    return result;
+  };
+  EXPECT_THAT(value("1/997*E + 1/991*E + 1/983*E + 1/977*E"),
+              testing::AllOf(testing::StartsWith(":2:"), HasSubstr("make the fraction")));
+  EXPECT_THAT(value(repeated("2*D", 32) + "ones"), HasSubstr("make the fraction"));
+  EXPECT_THAT(value(repeated("(D+E)", 40) + "ones"), HasSubstr("expected less than 2^31"));
+  EXPECT_THAT(value(repeated("(E+sigma)*(D-2*N)", 16) + "ones"),
+              HasSubstr("expected fewer factors that are sums"));
+  EXPECT_THAT(value("sqrt(-1)*A"), HasSubstr("has a constant that is nan; expected a real number"));
+  EXPECT_THAT(value("T(ones_P)*p"), HasSubstr("needs points and the model has none"));
+  EXPECT_THAT(message("equations:\n  - {name: eb, value: A}\n"
+                      "  - {name: ea, value: eb*G, inputs: [{name: eb}]}\n"),
+              HasSubstr("input 'eb' of equation 'ea' has the name of an equation"));
+  EXPECT_THAT(message("parameters: 5\nequations:\n  - {name: ea, value: G}\n"),
+              HasSubstr("parameters: is no mapping; expected name: value"));
+  EXPECT_THAT(message("parameters: {a: [1]}\nequations:\n  - {name: ea, value: G}\n"),
+              HasSubstr("parameter 'a' has no value"));
+}
+
+/// Numbers in front, fractions or not, change nothing of what they multiply.
+TEST_F(Cli, TakesAnyNumberInFrontOfAnEnergy) {
+  const auto operations = [&](const std::string& number) {
+    const std::string equations = scratch("mine.yaml");
+    write_file(equations, "parameters: {half: 1/2}\nequations:\n  - {name: mine, value: " + number +
+                              "*T(qd)*A*qd}\n");
+    const std::string text =
+        treedyn({"info", kModel, "--equations", equations, "--functions", "mine"}).out;
+    const std::size_t row = text.find("mine");
+    return text.substr(row, text.find('\n', row) - row);
+  };
+  const std::string known = operations("1/2");
+  EXPECT_THAT(known, HasSubstr("mine"));
+  EXPECT_EQ(operations("0.3712"), known);
+  EXPECT_EQ(operations("half"), known);
+}
+
 TEST_F(Cli, TellsReservedNamesOfEquations) {
   const std::string equations = scratch("reserved.yaml");
   write_file(equations, "equations:\n  - {name: class, value: A}\n");
@@ -289,8 +342,15 @@ TEST_F(Cli, ShowsHowCodeComesAbout) {
   EXPECT_THAT(factored.out, HasSubstr("equation 7.4 for L, zero there"));
   EXPECT_THAT(factored.out, HasSubstr("\n  R12  A = A^T"));
   EXPECT_THAT(factored.out, HasSubstr("a = A - L'^T a, from the leaves"));
+  const Outcome rows = treedyn({"info", kModel, "--derivation", "constrained_dynamics"});
+  EXPECT_THAT(rows.out, HasSubstr("equation (8),(12) for q̈ and λ, zero there"));
+  EXPECT_THAT(rows.out, HasSubstr("\n  J^T = C S_f + H S_n\n"));
+  EXPECT_THAT(rows.out, HasSubstr("\n  R12'' A x = r + J^T λ"));
+  EXPECT_THAT(treedyn({"info", kModel, "--derivation", "reaction_bias_acceleration"}).out,
+              HasSubstr("\n  γ = S_f^T γ_f + S_n^T γ_n\n"));
   expect_usage_error(treedyn({"info", kModel, "--derivation", "dynamics_terms"}),
                      "is no block equation");
+  expect_usage_error(treedyn({"info", kModel, "--derivation", "step"}), "is no block equation");
   EXPECT_THAT(treedyn({"generate", kModel, "--dump", "derive"}).out, HasSubstr("mass_matrix: "));
 }
 
