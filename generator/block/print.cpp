@@ -47,7 +47,7 @@ std::string scaled(const Expression& e) {
   return fmt::format("{} {}", factor.numerator, body);
 }
 
-/// z^d becomes z^dT; anything that is not one word takes brackets.
+/// z^d becomes z^dT, J^T becomes J; anything that is not one word takes brackets.
 std::string transposed(const Expression& e) {
   const Expression& operand = e.operands().front();
   const bool symbol = operand.kind() == Kind::kLeaf || operand.kind() == Kind::kNamed;
@@ -55,6 +55,9 @@ std::string transposed(const Expression& e) {
     return fmt::format("({})^T", text(operand, Binding::kSum));
   }
   const std::string& name = operand.node().name;
+  if (name.ends_with("^T")) {
+    return name.substr(0, name.size() - 2);
+  }
   const bool superscript = name.find('^') != std::string::npos;
   return fmt::format("{}{}", name, superscript ? "T" : "^T");
 }

@@ -3,15 +3,18 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "block/print.hpp"
 #include "cli/dump.hpp"
 #include "common/decimal.hpp"
 #include "derive/derivation_text.hpp"
 #include "derive/words.hpp"
+#include "equations/scene_table.hpp"
 #include "equations/table.hpp"
 #include "formulate/factored.hpp"
 #include "formulate/trunk.hpp"
+#include "stages/formulation.hpp"
 
 namespace treedyn {
 namespace {
@@ -28,6 +31,28 @@ void define(const block::Expression& e, std::vector<std::string>& lines) {
       lines.push_back(line);
     }
   }
+}
+
+std::vector<std::string> definitions(const std::vector<block::Expression>& equations) {
+  std::vector<std::string> lines;
+  for (const block::Expression& equation : equations) {
+    define(equation, lines);
+    if (equation.kind() != block::Kind::kNamed) {
+      lines.push_back(block::print(equation));
+    }
+  }
+  return lines;
+}
+
+/// Those of scenes that are derived.
+std::vector<std::string_view> scene_functions() {
+  std::vector<std::string_view> names;
+  for (const equations::SceneFunctionInfo& info : equations::scene_function_infos()) {
+    if (!info.equations.empty()) {
+      names.emplace_back(info.name);
+    }
+  }
+  return names;
 }
 
 /// \param ours  null: of the user
@@ -97,8 +122,9 @@ std::string lines_text(const derive::Derivation& derivation,
                        const std::vector<program::Cost>& costs) {
   std::string result;
   for (const derive::Line& line : derive::lines(derivation)) {
-    const program::Cost& cost = costs[static_cast<std::size_t>(line.id)];
-    result += fmt::format("  {:>5}  {}\n", cost.total(), with_rules(line));
+    const std::string cost =
+        costs.empty() ? "" : fmt::to_string(costs[static_cast<std::size_t>(line.id)].total());
+    result += fmt::format("  {:>5}  {}\n", cost, with_rules(line));
   }
   return result;
 }
@@ -136,13 +162,12 @@ std::string derived_text(const Model& model, const Request& request, const Deriv
                                                               formulate_options(model, request)));
 }
 
-std::string factored_text(const Model& model, const Request& request, const std::string& name) {
-  const formulate::FactoredFunction& function = formulate::factored(name);
-  std::string result =
-      "\nnumbers of joints" + rules_text(function.derivation.values.acted()) +
-      "\nrecursion, row by row\n" +
-      lines_text(function.derivation,
-                 formulate::costs_of_numbers(model.tree, name, formulate_options(model, request)));
+/// \param costs  empty: of rows, whose number a scene decides
+std::string factored_text(const Model& model, const Request& request,
+                          const formulate::FactoredFunction& function,
+                          const std::vector<program::Cost>& costs) {
+  std::string result = "\nnumbers of joints" + rules_text(function.derivation.values.acted()) +
+                       "\nrecursion, row by row\n" + lines_text(function.derivation, costs);
   for (const auto& [leaf, of] : function.given) {
     const std::string text = block::print(of->equation.expression);
     result += fmt::format("\n{}\n{}", text == leaf ? leaf : fmt::format("{} = {}", leaf, text),
@@ -164,6 +189,26 @@ std::string trunk_text(const Model& model, const Request& request) {
   return result;
 }
 
+/// Of functions of scenes: what holds for all of them.
+std::string scene_text(const Model& model, const Request& request, const std::string& name) {
+  if (!equations::is_scene_function(name) ||
+      equations::scene_function_info(name).equations.empty()) {
+    throw UsageError(
+        fmt::format("--derivation: {} is no block equation; expected one of the equations, a "
+                    "function of (1) to (11), or of a scene: {}",
+                    shown(name), fmt::join(scene_functions(), ", ")));
+  }
+  const equations::SceneFunctionInfo& info = equations::scene_function_info(name);
+  const bool solved = info.equations.size() > 1;
+  std::string result =
+      fmt::format("{}: equation {}{}\n", name, info.equation,
+                  solved ? fmt::format(" for {} and λ, zero there", info.unknown) : std::string());
+  for (const std::string& line : definitions(info.equations)) {
+    result += fmt::format("  {}\n", line);
+  }
+  return result + factored_text(model, request, formulate::factored(name), {});
+}
+
 }  // namespace
 
 std::string derivation_text(const Model& model, const Request& request, const std::string& name) {
@@ -171,10 +216,7 @@ std::string derivation_text(const Model& model, const Request& request, const st
                                 [&](const auto& f) { return f->equation.name == name; });
   const equations::Equation* const ours = equations::find_solved(name);
   if (own == model.equations.end() && ours == nullptr) {
-    throw UsageError(
-        fmt::format("--derivation: {} is no block equation; expected one of the "
-                    "equations or a function of (1) to (11)",
-                    shown(name)));
+    return scene_text(model, request, name);
   }
   require_solution(model.tree, name);
   const bool is_own = own != model.equations.end();
@@ -193,7 +235,11 @@ std::string derivation_text(const Model& model, const Request& request, const st
         is_own ? formulate::regrouped(model.tree, *own, formulate_options(model, request))
                : formulate::derived(name));
   }
-  return is_solved ? result + factored_text(model, request, name) : result;
+  return is_solved
+             ? result + factored_text(model, request, formulate::factored(name),
+                                      formulate::costs_of_numbers(
+                                          model.tree, name, formulate_options(model, request)))
+             : result;
 }
 
 }  // namespace treedyn

@@ -4,6 +4,9 @@
 
 #include "equations/table.hpp"
 #include "expansion/equations_text.hpp"
+#include "stages/formulation.hpp"
+#include "stages/run_time_parameters.hpp"
+#include "stages/writing.hpp"
 
 namespace treedyn {
 

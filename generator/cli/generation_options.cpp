@@ -11,6 +11,7 @@
 #include "common/parallel.hpp"
 #include "equations/scene_table.hpp"
 #include "model/scene_facts.hpp"
+#include "stages/formulation.hpp"
 
 namespace treedyn {
 

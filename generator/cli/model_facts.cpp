@@ -1,6 +1,7 @@
 #include "cli/model_facts.hpp"
 
 #include "block/pattern.hpp"
+#include "common/identifier.hpp"
 #include "stages/checked_siblings.hpp"
 
 namespace treedyn {

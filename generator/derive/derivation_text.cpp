@@ -258,6 +258,8 @@ class Printer {
         return fmt::format("{}, along {} {}", first(value), name(value.operands[1]), last(value));
       case Op::kDiagonal:
         return fmt::format("diagonal of {}", first(value));
+      case Op::kTransposed:
+        return fmt::format("{}^T", first(value));
       case Op::kCongruence:
         return fmt::format("{0} {1} {0}^T", first(value), last(value));
       case Op::kAssemble:

@@ -46,7 +46,7 @@ std::optional<Derivation> derive_rows(const block::Expression& column, bool keep
 /// symmetric or if joints do not either turn or slide.
 std::optional<Derivation> solved(const Derivation& system, const std::string& x);
 
-/// Numbers of links and matrices of them; of symmetric matrices the lower half.
+/// Numbers of links, points and rows, and matrices of them; of symmetric matrices the lower half.
 struct Factored {
   Derivation derivation;  ///< the unknown; of A = L^T Δ L: L, Δ, Δ^-1
   std::vector<std::pair<std::string, block::Expression>> given;  ///< leaves that stand for these
@@ -55,5 +55,15 @@ struct Factored {
 /// The unknown for which `equation` is zero, by R12: A x + b, A X - E, A - L^T Δ L, with factors L,
 /// or L x + b and L^T x + b. Nothing for other equations or if A is not symmetric.
 std::optional<Factored> factored(const block::Expression& equation, const std::string& unknown);
+
+/// A sum of products with S, the directions of rows at points: what S multiplies is given. Nothing
+/// for other expressions.
+std::optional<Factored> with_directions(const block::Expression& e);
+
+/// The unknowns for which a motion A x - J^T λ - r and its rows J x - s are zero, by R12'': the
+/// lower half of K and b of K λ = b, and x, which is made of λ. Nothing for other equations or if A
+/// is not symmetric.
+std::optional<Factored> constrained(const block::Expression& motion, const block::Expression& rows,
+                                    const std::string& unknown, const std::string& reaction);
 
 }  // namespace treedyn::derive

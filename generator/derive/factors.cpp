@@ -1,5 +1,6 @@
 // R12: equations for numbers of joints, by factors of A whose zeros are those of D.
 #include <algorithm>
+#include <iterator>
 
 #include "derive/derive.hpp"
 
@@ -18,65 +19,95 @@ bool holds(const Expression& e, const std::string& name) {
                                          [&](const Expression& f) { return holds(f, name); });
 }
 
+using Sum = std::vector<std::pair<Ratio, Expression>>;
+
+void open(const Ratio& factor, const Expression& e, Sum& terms) {
+  if (e.kind() == Kind::kScaled) {
+    open(multiply(factor, e.node().factor), e.operands().front(), terms);
+  } else if (e.kind() == Kind::kSum) {
+    for (const Expression& term : e.operands()) {
+      open(factor, term, terms);
+    }
+  } else {
+    terms.emplace_back(factor, e);
+  }
+}
+
+Sum terms_of(const Expression& e) {
+  Sum terms;
+  open(kPlus, e, terms);
+  return terms;
+}
+
+/// The terms with a symbol, or those without it.
+Sum with(const Sum& terms, const std::string& name, bool wanted = true) {
+  Sum result;
+  std::copy_if(terms.begin(), terms.end(), std::back_inserter(result),
+               [&](const auto& term) { return holds(term.second, name) == wanted; });
+  return result;
+}
+
+/// M of the one term M x with the unknown; nothing of others.
+std::optional<Expression> factor_of(const Sum& terms, const std::string& unknown,
+                                    const Ratio& sign) {
+  const Sum one = with(terms, unknown);
+  if (one.size() != 1 || one.front().second.kind() != Kind::kProduct || one.front().first != sign) {
+    return std::nullopt;
+  }
+  const std::vector<Expression>& f = one.front().second.operands();
+  Expression matrix = f.front();
+  for (std::size_t k = 1; k + 1 < f.size(); ++k) {
+    matrix = matrix * f[k];
+  }
+  return is_leaf(f.back(), unknown) && !holds(matrix, unknown) ? std::optional(matrix)
+                                                               : std::nullopt;
+}
+
 class Factoring {
  public:
   Factoring(Factored& result, std::string unknown)
       : result_(result), values_(result.derivation.values), unknown_(std::move(unknown)) {}
 
   bool run(const Expression& equation);
+  bool constrain(const Expression& motion, const Expression& rows, const std::string& reaction);
+  bool along(const Expression& e);
 
  private:
-  using Sum = std::vector<std::pair<Ratio, Expression>>;
   using Terms = std::vector<std::pair<Ratio, int>>;
 
-  void open(const Ratio& factor, const Expression& e);
-  int made(Op op, std::vector<int> operands, const std::string& name = "") {
-    return values_.intern({op, Set::kLinks, Type::kScalar, name, 0, std::move(operands), {}});
+  int made(Op op, std::vector<int> operands, const std::string& name = "", Set set = Set::kLinks) {
+    return values_.intern({op, set, Type::kScalar, name, 0, std::move(operands), {}});
   }
   int identity() { return made(Op::kLeaf, {}, "E"); }
-  int given(const char* name, const Sum& sum);
+  int given(const std::string& name, const Sum& sum);
   int sum(const Terms& terms);
-  int right();
+  int right(const Sum& terms);
   bool factor(const Sum& A);
   int solve(Op op, int r, const std::string& name) {
     return values_.note(Rule::kTriangles, made(op, {r, below_}, name));
   }
-  bool solve(const Expression& matrix);
+  bool solve(const Expression& matrix, const Sum& others);
 
   Factored& result_;
   Values& values_;
   std::string unknown_;
-  Sum with_;          ///< terms with the unknown
-  Sum without_;       ///< the others
   int below_ = -1;    ///< L' = L - E
   int inverse_ = -1;  ///< Δ^-1
 };
 
-void Factoring::open(const Ratio& factor, const Expression& e) {
-  if (e.kind() == Kind::kScaled) {
-    open(multiply(factor, e.node().factor), e.operands().front());
-  } else if (e.kind() == Kind::kSum) {
-    for (const Expression& term : e.operands()) {
-      open(factor, term);
-    }
-  } else {
-    (holds(e, unknown_) ? with_ : without_).emplace_back(factor, e);
-  }
-}
-
 /// A leaf that stands for a sum.
-int Factoring::given(const char* name, const Sum& sum) {
+int Factoring::given(const std::string& name, const Sum& sum) {
   std::optional<Expression> all;
   for (const auto& [factor, e] : sum) {
     const Expression term = factor == kPlus ? e : factor * e;
     all = all ? *all + term : term;
   }
   result_.given.emplace_back(name, *all);
-  return made(Op::kLeaf, {}, name);
+  return made(Op::kLeaf, {}, name, all->shape().rows.set);
 }
 
 int Factoring::sum(const Terms& terms) {
-  Value value{Op::kLinear, Set::kLinks, Type::kScalar, {}, 0, {}, {}};
+  Value value{Op::kLinear, values_[terms.front().second].set, Type::kScalar, {}, 0, {}, {}};
   for (const auto& [factor, x] : terms) {
     value.factors.push_back(factor);
     value.operands.push_back(x);
@@ -84,22 +115,26 @@ int Factoring::sum(const Terms& terms) {
   return value.factors == std::vector{kPlus} ? value.operands.front() : values_.intern(value);
 }
 
-/// What the unknown's term is equal to: symbols as they are, less one column h of all else.
-int Factoring::right() {
+/// What the unknown's term is equal to: symbols as they are, less one column of all else, which is
+/// called h where it has no name.
+int Factoring::right(const Sum& terms) {
   Sum rest;
-  std::copy_if(without_.begin(), without_.end(), std::back_inserter(rest),
+  std::copy_if(terms.begin(), terms.end(), std::back_inserter(rest),
                [](const auto& term) { return term.second.kind() != Kind::kLeaf; });
-  const int h = rest.empty() ? -1 : given("h", rest);
-  Terms terms;
-  for (const auto& [factor, e] : without_) {
+  const bool has_name =
+      rest.size() == 1 && rest.front().first == kPlus && rest.front().second.kind() == Kind::kNamed;
+  const int h = rest.empty() ? -1 : given(has_name ? rest.front().second.node().name : "h", rest);
+  Terms result;
+  for (const auto& [factor, e] : terms) {
     if (e.kind() == Kind::kLeaf) {
-      terms.emplace_back(multiply(kMinus, factor), made(Op::kLeaf, {}, e.node().name));
+      result.emplace_back(multiply(kMinus, factor),
+                          made(Op::kLeaf, {}, e.node().name, e.shape().rows.set));
     }
   }
   if (h >= 0) {
-    terms.emplace_back(kMinus, h);
+    result.emplace_back(kMinus, h);
   }
-  return sum(terms);
+  return sum(result);
 }
 
 /// A = L^T Δ L: L^T a = A for the lower half of a = Δ L.
@@ -119,10 +154,10 @@ bool Factoring::factor(const Sum& A) {
 }
 
 /// A x = r: L^T y = r, Δ w = y, L x = w; A X = E: X = Y Δ^-1 Y^T, L Y = E.
-bool Factoring::solve(const Expression& matrix) {
+bool Factoring::solve(const Expression& matrix, const Sum& others) {
   const bool one = matrix.shape().rows.size == 1 && result_.derivation.shape.cols.size == 1;
   const bool column = result_.derivation.shape.cols.set == Set::kOne;
-  const int r = without_.empty() ? -1 : right();
+  const int r = others.empty() ? -1 : right(others);
   const bool turned = matrix.kind() == Kind::kTranspose;
   const Expression& L = turned ? matrix.operands().front() : matrix;
   if (r >= 0 && L.kind() == Kind::kLeaf && L.node().structure == block::Structure::kAlongPaths) {
@@ -143,24 +178,88 @@ bool Factoring::solve(const Expression& matrix) {
   return true;
 }
 
-bool Factoring::run(const Expression& equation) {
-  open(kPlus, equation);
-  result_.derivation.shape = equation.shape();
-  if (with_.size() != 1 || with_.front().second.kind() != Kind::kProduct) {
+/// L^T Y = J^T, L^T y = r: K = Y^T Δ^-1 Y, b = s - Y^T Δ^-1 y, L x = Δ^-1 (y + Y λ).
+bool Factoring::constrain(const Expression& motion, const Expression& rows,
+                          const std::string& reaction) {
+  const Sum terms = terms_of(motion);
+  const std::optional<Expression> A = factor_of(terms, unknown_, kPlus);
+  const std::optional<Expression> J_T = factor_of(terms, reaction, kMinus);
+  const std::optional<Expression> J = factor_of(terms_of(rows), unknown_, kPlus);
+  const Sum others = with(with(terms, unknown_, false), reaction, false);
+  const Sum wanted = with(terms_of(rows), unknown_, false);
+  if (!A || !J_T || !J || !block::equal(*J, block::transpose(*J_T)) || wanted.empty()) {
     return false;
   }
-  const auto& [sign, term] = with_.front();
+  result_.derivation.shape = motion.shape();
+  const int r = others.empty() ? -1 : right(others);
+  const int s = right(wanted);
+  const int jacobian = given("J^T", {{kPlus, *J_T}});
+  if (!factor({{kPlus, *A}})) {
+    return false;
+  }
+  const int Y = solve(Op::kFromLeaves, jacobian, "Y");
+  const int rows_of_Y = made(Op::kTransposed, {Y}, "", Set::kRows);
+  const int K = made(Op::kCongruence, {rows_of_Y, inverse_}, "K", Set::kRows);
+  const int reactions = made(Op::kLeaf, {}, reaction, Set::kRows);
+  const int pulled = made(Op::kApply, {made(Op::kScale, {inverse_, Y}), reactions});
+  int b = s;
+  int w = pulled;
+  if (r >= 0) {
+    const int free = made(Op::kScale, {inverse_, solve(Op::kFromLeaves, r, "y")}, "w");
+    b = sum({{kPlus, s}, {kMinus, made(Op::kApply, {rows_of_Y, free}, "", Set::kRows)}});
+    w = sum({{kPlus, free}, {kPlus, pulled}});
+  }
+  const int x = solve(Op::kFromRoot, w, unknown_);
+  result_.derivation.roots = {values_.note(Rule::kReactions, K), b, x};
+  return true;
+}
+
+/// Sums of X S and S^T x.
+bool Factoring::along(const Expression& e) {
+  const auto is_S = [](const Expression& f) {
+    return f.node().structure == block::Structure::kRowPoints && f.kind() == Kind::kLeaf;
+  };
+  Terms terms;
+  for (const auto& [factor, term] : terms_of(e.kind() == Kind::kNamed ? e.operands().front() : e)) {
+    const std::vector<Expression>& f = term.operands();
+    if (term.kind() != Kind::kProduct || f.size() != 2) {
+      return false;
+    }
+    const bool first = f[0].kind() == Kind::kTranspose && is_S(f[0].operands().front());
+    const Expression& S = first ? f[0].operands().front() : f[1];
+    const Expression& x = first ? f[1] : f[0];
+    if (!is_S(S) || x.kind() != Kind::kNamed) {
+      return false;
+    }
+    const int directions = made(Op::kLeaf, {}, S.node().name, Set::kPoints);
+    const int others = given(x.node().name, {{kPlus, x}});
+    const int product =
+        first ? made(Op::kApply, {made(Op::kTransposed, {directions}, "", Set::kRows), others}, "",
+                     Set::kRows)
+              : made(Op::kApply, {others, directions});
+    terms.emplace_back(factor, product);
+  }
+  result_.derivation.shape = e.shape();
+  result_.derivation.roots = {values_.note(Rule::kDistribute, sum(terms))};
+  return true;
+}
+
+bool Factoring::run(const Expression& equation) {
+  const Sum terms = terms_of(equation);
+  const Sum unknown = with(terms, unknown_);
+  const Sum others = with(terms, unknown_, false);
+  result_.derivation.shape = equation.shape();
+  if (unknown.size() != 1 || unknown.front().second.kind() != Kind::kProduct) {
+    return false;
+  }
+  const auto& [sign, term] = unknown.front();
   const std::vector<Expression>& f = term.operands();
-  const bool last = is_leaf(f.back(), unknown_);
-  if (last && f.size() == 3 && block::equal(f[0], block::transpose(f[2])) && sign == kMinus &&
-      f[1].node().structure == block::Structure::kDiagonal) {
-    return factor(without_);
+  if (is_leaf(f.back(), unknown_) && f.size() == 3 && block::equal(f[0], block::transpose(f[2])) &&
+      sign == kMinus && f[1].node().structure == block::Structure::kDiagonal) {
+    return factor(others);
   }
-  Expression matrix = f.front();
-  for (std::size_t k = 1; k + 1 < f.size(); ++k) {
-    matrix = matrix * f[k];
-  }
-  return last && sign == kPlus && !holds(matrix, unknown_) && solve(matrix);
+  const std::optional<Expression> matrix = factor_of(terms, unknown_, kPlus);
+  return matrix && solve(*matrix, others);
 }
 
 }  // namespace
@@ -168,6 +267,18 @@ bool Factoring::run(const Expression& equation) {
 std::optional<Factored> factored(const Expression& equation, const std::string& unknown) {
   Factored result;
   return Factoring(result, unknown).run(equation) ? std::optional(result) : std::nullopt;
+}
+
+std::optional<Factored> with_directions(const Expression& e) {
+  Factored result;
+  return Factoring(result, "").along(e) ? std::optional(result) : std::nullopt;
+}
+
+std::optional<Factored> constrained(const Expression& motion, const Expression& rows,
+                                    const std::string& unknown, const std::string& reaction) {
+  Factored result;
+  return Factoring(result, unknown).constrain(motion, rows, reaction) ? std::optional(result)
+                                                                      : std::nullopt;
 }
 
 }  // namespace treedyn::derive

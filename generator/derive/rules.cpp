@@ -6,7 +6,7 @@ namespace treedyn::derive {
 
 namespace {
 
-constexpr std::array<RuleRow, 36> kRules = {{
+constexpr std::array<RuleRow, 37> kRules = {{
     {Rule::kRates, "R11",
      "dot: (X Y)' = X' Y + X Y', D, σ, m are constant, vectors of links turn, s has the slide"},
     {Rule::kValueRates, "R11'",
@@ -63,6 +63,8 @@ constexpr std::array<RuleRow, 36> kRules = {{
      "L'^T a"},
     {Rule::kTriangles, "R12'",
      "L x = r: x = r - L' x from the root; L^T x = r: x = r - L'^T x from the leaves"},
+    {Rule::kReactions, "R12''",
+     "A x = r + J^T λ, J x = s: L^T Y = J^T, L^T y = r, K λ = s - Y^T Δ^-1 y with K = Y^T Δ^-1 Y"},
     {Rule::kTrunk, "R13",
      "joints at the root that move a link in every way: y = B q̈ + γ along its axes takes their "
      "place, B^T f = τ"},

@@ -43,6 +43,7 @@ enum class Rule {
   kYields,
   kFactors,
   kTriangles,
+  kReactions,
   kTrunk,
 };
 

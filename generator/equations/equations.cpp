@@ -1,5 +1,6 @@
 #include "equations/equations.hpp"
 
+#include "block/rewrite.hpp"
 #include "equations/symbols.hpp"
 
 namespace treedyn::equations {
@@ -151,6 +152,25 @@ Expression reaction_bias_acceleration() {
   const Expression gamma_f = point_bias_acceleration() + skew(diagb(omega)) * u;
   return named("γ", transpose(S_f) * gamma_f + transpose(S_n) * angular_bias_acceleration() +
                         transpose(Sd_f) * transpose(C) * qd + transpose(Sd_n) * omega);
+}
+
+Expression bias_of_attached_rows() {
+  return named("γ", block::without(reaction_bias_acceleration(), {"u", "Ṡ_f", "Ṡ_n"}).value());
+}
+
+// (8) with R = S λ, for q̈ and λ
+Constrained constrained_dynamics() {
+  const Expression J_T = reaction_jacobian_transpose();
+  return {
+      mass_matrix() * qdd + bias_force() + gravity_force() - applied_force() - tau - J_T * lambda,
+      transpose(J_T) * qdd + bias_of_attached_rows() - a_des};
+}
+
+// 6.4, for Δ = q̇+ - q̇-; q̇ is that before
+Constrained impact() {
+  const Expression J_T = reaction_jacobian_transpose();
+  return {mass_matrix() * qd_change - J_T * lambda,
+          transpose(J_T) * qd_change + named("v", transpose(J_T) * qd * rebound)};
 }
 
 Expression point_positions() { return named("p", points().D_P * s_d * ones + t_d * ones_P); }

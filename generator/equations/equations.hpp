@@ -90,6 +90,18 @@ Expression reaction_jacobian_transpose();
 /// 6.2 γ, r: J q̈ + γ is the acceleration along the rows. With Ṡ for directions that move and u for
 /// contact points that creep over their links.
 Expression reaction_bias_acceleration();
+/// The same of points that stay on their links and directions that stay in the base: u and Ṡ are 0.
+Expression bias_of_attached_rows();
+
+/// Two columns, zero for an unknown of the joints and for λ of the rows.
+struct Constrained {
+  Expression motion;
+  Expression rows;
+};
+/// (8) and 6.2: A q̈ + B + G - Q - τ - J^T λ and J q̈ + γ - a, for q̈ and λ.
+Constrained constrained_dynamics();
+/// 6.4: A Δq̇ - J^T λ and J (Δq̇ + (1+e) q̇), for Δq̇ and impulses λ; q̇ is that before.
+Constrained impact();
 
 /// p, 3P: positions, base frame (s_i of a root link is P_i here).
 Expression point_positions();

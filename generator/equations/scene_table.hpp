@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "block/block.hpp"
+
 namespace treedyn::equations {
 
 /// A function that a scene may call for, as `treedyn list` shows it, and headers but for steps and
@@ -12,6 +14,9 @@ struct SceneFunctionInfo {
   const char* name;  ///< without the suffixes of phases, contacts and impacts
   const char* equation;
   const char* what;
+  std::vector<block::Expression>
+      equations{};           ///< zero where there are two; none: no block equation
+  const char* unknown = "";  ///< of two equations, beside λ
 };
 
 /// All of them, in order.

@@ -46,6 +46,13 @@ inline const Expression Sd_n = leaf("Ṡ_n", block::Structure::kRowPoints, {kPoi
 /// links.
 inline const Expression u = leaf("u", block::Structure::kFull, {kPoints3, kOne});
 
+/// Reactions, or impulses, of the rows; accelerations that the rows want.
+inline const Expression lambda = leaf("λ", block::Structure::kFull, {kRows, kOne});
+inline const Expression a_des = leaf("a_des", block::Structure::kFull, {kRows, kOne});
+/// Velocities after an impact less those before; 1 + the coefficient of restitution.
+inline const Expression qd_change = leaf("Δq̇", block::Structure::kFull, {kLinks, kOne});
+inline const Expression rebound = leaf("(1+e)", block::Structure::kFull, {kOne, kOne});
+
 // Motion and forces.
 inline const Expression qd_d = leaf("q̇^d", block::Structure::kDiagonal, {kLinks, kLinks});
 inline const Expression qd = leaf("q̇", block::Structure::kFull, {kLinks, kOne});

@@ -5,78 +5,70 @@
 #include "common/index.hpp"
 #include "formulate/contacts.hpp"
 #include "formulate/factored.hpp"
+#include "formulate/joint_numbers.hpp"
 #include "formulate/scene_drift.hpp"
 #include "formulate/scene_rows.hpp"
+#include "formulate/scene_system.hpp"
 #include "model/scene_facts.hpp"
 
 namespace treedyn::formulate {
 
 namespace {
 
-/// a . b over the places that both have.
-Expr product(const SparseRow& a, const SparseRow& b) {
-  Expr sum;
-  for (const auto& [k, value] : a) {
-    const auto other = b.find(k);
-    if (other != b.end()) {
-      sum += value * other->second;
+/// J^T, a row for every joint.
+SparseRows transposed(const std::vector<Row>& rows, std::size_t joints) {
+  SparseRows result(joints);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (const auto& [k, value] : rows[r].columns) {
+      result[to_index(k)][static_cast<int>(r)] = value;
     }
   }
-  return sum;
+  return result;
 }
 
-SparseRows transposed(const SparseRow& row, std::size_t size) {
-  SparseRows column(size);
-  for (const auto& [k, value] : row) {
-    column[to_index(k)][0] = value;
-  }
-  return column;
-}
+/// The equations of a scene and its rows, solved but for λ.
+class Solution {
+ public:
+  /// \param leaf  of all symbols but A and J^T
+  Solution(const char* function, Graph& graph, const SceneSystem& system, const SceneRows& rows,
+           const Numbers::Leaf& leaf)
+      : size_(rows.size()),
+        numbers_(
+            graph, system.dof(), factored(function).derivation,
+            [&](const std::string& symbol) {
+              return symbol == "A"     ? sparse(system.dof(), system.inertia())
+                     : symbol == "J^T" ? transposed(rows.rows(), to_index(system.dof()))
+                                       : leaf(symbol);
+            },
+            size_) {}
 
-SparseRow transposed(const SparseRows& column) {
-  SparseRow row;
-  for (std::size_t k = 0; k < column.size(); ++k) {
-    if (!column[k].empty()) {
-      row[static_cast<int>(k)] = column[k].at(0);
+  /// The lower half of K, row by row, and b behind it.
+  [[nodiscard]] std::vector<Expr> equations() const {
+    std::vector<Expr> result;
+    for (int i = 0; i < size_; ++i) {
+      const SparseRow& row = numbers_.root(0)[to_index(i)];
+      for (int j = 0; j <= i; ++j) {
+        const auto found = row.find(j);
+        result.push_back(found == row.end() ? Expr() : found->second);
+      }
     }
+    const std::vector<Expr> b = column_of(numbers_.root(1));
+    result.insert(result.end(), b.begin(), b.end());
+    return result;
   }
-  return row;
-}
+  [[nodiscard]] std::vector<Expr> x() const { return column_of(numbers_.root(2)); }
 
-/// Y, Delta^-1 Y and the right side in the coordinates of L.
-struct Reduced {
-  std::vector<SparseRow> Y;
-  std::vector<SparseRow> scaled;
-  std::vector<Expr> free;  ///< Delta^-1 L^-T right
+ private:
+  int size_;
+  Numbers numbers_;
 };
 
-Reduced reduce(const Factors& factor, const std::vector<Row>& rows,
-               const std::vector<Expr>& right) {
-  Reduced r;
-  r.free = column_of(factor.to_root(sparse(right)));
-  for (std::size_t k = 0; k < right.size(); ++k) {
-    r.free[k] = r.free[k] * factor.inverse_pivot(static_cast<int>(k));
+std::vector<Expr> inputs(Graph& graph, int array, int count) {
+  std::vector<Expr> result;
+  for (int k = 0; k < count; ++k) {
+    result.push_back(input(graph, array, k));
   }
-  for (const Row& row : rows) {
-    r.Y.push_back(transposed(factor.to_root(transposed(row.columns, right.size()))));
-    r.scaled.push_back(r.Y.back());
-    for (auto& [k, value] : r.scaled.back()) {
-      value = value * factor.inverse_pivot(k);
-    }
-  }
-  return r;
-}
-
-/// The sum of right_k and the columns of the rows times mu.
-std::vector<Expr> with_reactions(const Reduced& r, const std::vector<Expr>& mu) {
-  std::vector<Expr> x = r.free;
-  for (std::size_t i = 0; i < mu.size(); ++i) {
-    for (const auto& [k, value] : r.scaled[i]) {
-      const Expr term = value * mu[i];
-      x[to_index(k)] += term;
-    }
-  }
-  return x;
+  return result;
 }
 
 std::vector<int> all_constraints(const model::Scene& scene) {
@@ -110,17 +102,6 @@ SceneArrays constrained_arrays(const model::Scene& scene, const std::vector<int>
 
 namespace {
 
-/// The lower half of K = Y^T Delta^-1 Y, row by row.
-std::vector<Expr> lower_half(const Reduced& reduced) {
-  std::vector<Expr> K;
-  for (std::size_t i = 0; i < reduced.Y.size(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      K.push_back(product(reduced.Y[i], reduced.scaled[j]));
-    }
-  }
-  return K;
-}
-
 /// Of a scene without rows: qdd and the depths of contacts.
 std::vector<Expr> articulated_dynamics(const Task& task, const SceneArrays& arrays) {
   const SceneForces forces(task, arrays);
@@ -140,7 +121,6 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
     return articulated_dynamics(task, arrays);
   }
   const SceneSystem system(task, arrays);
-  const Factors factor(graph, task.tree.dof(), system.inertia());
   const SceneRows::Correction correction = [&](int constraint) {
     return is_stabilised(*task.options.scene, constraint)
                ? drift_corrections(task, system.forces(), constraint, arrays.anchor)
@@ -148,20 +128,17 @@ std::vector<Expr> build_constrained_dynamics(const Task& task) {
   };
   const SceneRows rows(*task.options.scene, active, system.frame(), graph, system.meaning(),
                        correction);
-  const Reduced reduced = reduce(factor, rows.rows(), system.right());
-
-  std::vector<Expr> result = lower_half(reduced);
-  std::vector<Expr> mu;
-  for (int i = 0; i < rows.size(); ++i) {
-    Expr b = rows.rows()[to_index(i)].right;
-    for (const auto& [k, value] : reduced.Y[to_index(i)]) {
-      b -= value * reduced.free[to_index(k)];
-    }
-    result.push_back(b);
-    mu.push_back(input(graph, arrays.mu, i));
-  }
-  const std::vector<Expr> x = factor.from_root(with_reactions(reduced, mu));
-  const std::vector<Expr> qdd = system.accelerations(x);
+  const std::vector<Expr> mu = inputs(graph, arrays.mu, rows.size());
+  const Solution solution("constrained_dynamics", graph, system, rows,
+                          [&](const std::string& symbol) {
+                            return sparse(symbol == "τ"       ? system.tau()
+                                          : symbol == "h"     ? system.h()
+                                          : symbol == "a_des" ? rows.wanted()
+                                          : symbol == "γ"     ? rows.gamma()
+                                                              : mu);
+                          });
+  std::vector<Expr> result = solution.equations();
+  const std::vector<Expr> qdd = system.accelerations(solution.x());
   result.insert(result.end(), qdd.begin(), qdd.end());
   const std::vector<Expr> lambda = system.reactions(rows.reactions(mu));
   result.insert(result.end(), lambda.begin(), lambda.end());
@@ -175,30 +152,27 @@ std::vector<Expr> build_impact(const Task& task) {
   const model::Scene& scene = *task.options.scene;
   const SceneArrays& arrays = kImpactArrays;
   const SceneSystem system(task, arrays, false);
-  const Factors factor(graph, task.tree.dof(), system.inertia());
   const Meaning nothing = [&](const model::Variable&) {  // what rows want takes no part
     return constant(graph, Real(1));
   };
   const SceneRows rows(scene, task.options.active, system.frame(), graph, nothing);
-  const Reduced reduced = reduce(factor, rows.rows(), system.right());
-  std::vector<Expr> qd;
-  for (int i = 0; i < task.tree.dof(); ++i) {
-    qd.push_back(input(graph, arrays.qd, i));
-  }
+  const std::vector<Expr> qd = inputs(graph, arrays.qd, task.tree.dof());
   const std::vector<Expr> velocity = system.velocities(qd);
   const Expr rebound = constant(graph, 1 + task.options.restitution);
-  std::vector<Expr> result = lower_half(reduced);
-  std::vector<Expr> mu;
-  for (int i = 0; i < rows.size(); ++i) {
+  std::vector<Expr> v;
+  for (const Row& row : rows.rows()) {
     Expr speed;
-    for (const auto& [k, value] : rows.rows()[to_index(i)].columns) {
+    for (const auto& [k, value] : row.columns) {
       speed += value * velocity[to_index(k)];
     }
-    result.push_back(-(rebound * speed));
-    mu.push_back(input(graph, arrays.mu, i));
+    v.push_back(rebound * speed);
   }
-  const std::vector<Expr> change =
-      system.joint_velocities(factor.from_root(with_reactions(reduced, mu)));
+  const std::vector<Expr> mu = inputs(graph, arrays.mu, rows.size());
+  const Solution solution("impact", graph, system, rows, [&](const std::string& symbol) {
+    return sparse(symbol == "v" ? v : mu);
+  });
+  std::vector<Expr> result = solution.equations();
+  const std::vector<Expr> change = system.joint_velocities(solution.x());
   for (std::size_t i = 0; i < qd.size(); ++i) {
     result.push_back(qd[i] + change[i]);
   }
@@ -227,7 +201,7 @@ std::vector<Expr> build_reaction_bias(const Task& task) {
   const SceneFrame frame(task, task.options.scene->velocity_products);
   std::vector<Expr> result;
   for (const Row& row : base_rows(*task.options.scene, frame, task.kinematics.graph())) {
-    result.push_back(-row.right);
+    result.push_back(row.gamma);
   }
   return result;
 }

@@ -4,8 +4,9 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "common/error.hpp"
 #include "common/index.hpp"
-#include "equations/symbols.hpp"
+#include "equations/scene_table.hpp"
 #include "equations/table.hpp"
 
 namespace treedyn::formulate {
@@ -21,15 +22,27 @@ std::shared_ptr<const Derived> derived_leaf(const std::string& name, const block
   return derived_part(name, e);
 }
 
-FactoredFunction make(const equations::Equation& equation) {
-  std::optional<derive::Factored> f =
-      derive::factored(*equation.expression, std::string(equation.unknown));
+std::optional<derive::Factored> solution_of(const std::string& name) {
+  if (const equations::Equation* const equation = equations::find_solved(name)) {
+    return derive::factored(*equation->expression, std::string(equation->unknown));
+  }
+  const equations::SceneFunctionInfo& info = equations::scene_function_info(name);
+  TREEDYN_EXPECT(!info.equations.empty());
+  return info.equations.size() == 1
+             ? derive::with_directions(info.equations[0])
+             : derive::constrained(info.equations[0], info.equations[1], info.unknown, "λ");
+}
+
+FactoredFunction make(const std::string& name) {
+  std::optional<derive::Factored> f = solution_of(name);
   if (!f) {
-    throw std::domain_error("R12 does not solve " + std::string(equation.name));
+    throw std::domain_error("R12 does not solve " + name);
   }
   FactoredFunction result{std::move(f->derivation), {}};
   for (const auto& [leaf, e] : f->given) {
-    result.given.emplace_back(leaf, derived_leaf(leaf, e));
+    if (e.shape().rows.set != block::Set::kRows && e.shape().cols.set != block::Set::kRows) {
+      result.given.emplace_back(leaf, derived_leaf(leaf, e));
+    }
   }
   return result;
 }
@@ -82,17 +95,6 @@ std::vector<Expr> dense(const SparseRows& rows, bool mirrored) {
   return result;
 }
 
-const block::Expression kL =
-    block::leaf("L", block::Structure::kAlongPaths, {equations::kLinks, equations::kLinks});
-
-/// x of T x = r.
-derive::Derivation triangle(const block::Expression& T) {
-  const block::Shape column{equations::kLinks, equations::kOne};
-  const block::Expression x = block::leaf("x", block::Structure::kFull, column);
-  const block::Expression r = block::leaf("r", block::Structure::kFull, column);
-  return derive::factored(T * x - r, "x").value().derivation;
-}
-
 }  // namespace
 
 const FactoredFunction& factored(const std::string& name) {
@@ -100,9 +102,7 @@ const FactoredFunction& factored(const std::string& name) {
   static std::map<std::string, FactoredFunction> known;
   const std::scoped_lock lock(mutex);
   const auto found = known.find(name);
-  return found != known.end()
-             ? found->second
-             : known.emplace(name, make(*equations::find_solved(name))).first->second;
+  return found != known.end() ? found->second : known.emplace(name, make(name)).first->second;
 }
 
 std::vector<Expr> build_factored(const Task& task, const std::string& name) {
@@ -118,29 +118,6 @@ std::vector<Expr> build_factored(const Task& task, const std::string& name) {
     result.insert(result.end(), x.begin(), x.end());
   }
   return result;
-}
-
-Factors::Factors(Graph& graph, int size, const SparseSymmetric& A)
-    : graph_(graph),
-      size_(size),
-      factors_(graph, size, factored("mass_matrix_factor").derivation,
-               [&](const std::string&) { return sparse(size, A); }) {}
-
-SparseRows Factors::solve(const derive::Derivation& triangle, const SparseRows& right) const {
-  const auto leaf = [&](const std::string& name) {
-    return name == "L" ? factors_.root() : right;
-  };
-  return Numbers(graph_, size_, triangle, leaf).root();
-}
-
-SparseRows Factors::to_root(const SparseRows& right) const {
-  static const derive::Derivation kTriangle = triangle(block::transpose(kL));
-  return solve(kTriangle, right);
-}
-
-std::vector<Expr> Factors::from_root(const std::vector<Expr>& right) const {
-  static const derive::Derivation kTriangle = triangle(kL);
-  return column_of(solve(kTriangle, sparse(right)));
 }
 
 std::vector<program::Cost> costs_of_numbers(const model::Tree& tree, const std::string& name,

@@ -48,9 +48,11 @@ std::vector<Expr> column_of(const SparseRows& rows) {
   return column;
 }
 
-Numbers::Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf)
+Numbers::Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf,
+                 int reactions)
     : graph_(graph),
       size_(to_index(size)),
+      reactions_(to_index(reactions)),
       derivation_(derivation),
       needed_(derivation.values.needed(derivation.roots)),
       rows_(to_index(derivation.values.size())),
@@ -74,8 +76,9 @@ void Numbers::run(int id, const Leaf& leaf) {
       hand_on(id, v.operands[1], k);
     }
   } else {
-    rows_[to_index(id)].resize(size_);
-    for (std::size_t k = 0; k < size_; ++k) {
+    const std::size_t size = v.set == block::Set::kRows ? reactions_ : size_;
+    rows_[to_index(id)].resize(size);
+    for (std::size_t k = 0; k < size; ++k) {
       make(id, k);
     }
   }
@@ -122,6 +125,9 @@ void Numbers::make(int id, std::size_t k) {
 
 SparseRow Numbers::row(int id, std::size_t k) const {
   const derive::Value& v = derivation_.values[id];
+  if (v.op == Op::kTransposed) {
+    return transposed(v, k);
+  }
   const int place = static_cast<int>(k);
   const Expr one = constant(graph_, Real(1));
   SparseRow x = v.operands.empty() ? SparseRow{{place, one}} : of(v.operands[0], k);
@@ -152,6 +158,8 @@ SparseRow Numbers::row(int id, std::size_t k) const {
       }
       return x;
     }
+    case Op::kApply:
+      return applied(v, k);
     case Op::kCongruence:
       return congruent(v, k);
     default:
@@ -165,6 +173,29 @@ SparseRow Numbers::linear(const derive::Value& v, std::size_t k) const {
     const Expr factor = constant(graph_, Real(v.factors[n].numerator) / v.factors[n].denominator);
     for (const auto& [j, x] : of(v.operands[n], k)) {
       sum[j] += factor * x;
+    }
+  }
+  return sum;
+}
+
+SparseRow Numbers::transposed(const derive::Value& v, std::size_t k) const {
+  SparseRow result;
+  const SparseRows& rows = rows_[to_index(defined(v.operands[0]))];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const SparseRow& row = rows[i];
+    if (const auto entry = row.find(static_cast<int>(k)); entry != row.end()) {
+      result.emplace(static_cast<int>(i), entry->second);
+    }
+  }
+  return result;
+}
+
+/// Row k of a matrix times a column.
+SparseRow Numbers::applied(const derive::Value& v, std::size_t k) const {
+  SparseRow sum;
+  for (const auto& [j, factor] : of(v.operands[0], k)) {
+    for (const auto& [place, x] : of(v.operands[1], to_index(j))) {
+      sum[place] += factor * x;
     }
   }
   return sum;

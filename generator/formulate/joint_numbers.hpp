@@ -1,4 +1,5 @@
-// Numbers of joints and matrices of them, as R12 derives them: zeros are absent and cost nothing.
+// Numbers of joints (and rows of reactions) and matrices of them, as R12 derives them: zeros are
+// absent and cost nothing.
 #pragma once
 
 #include <functional>
@@ -31,10 +32,12 @@ class Numbers {
   /// What a leaf stands for; of symmetric matrices the lower half.
   using Leaf = std::function<SparseRows(const std::string&)>;
 
-  /// \param size  rows
+  /// \param size  of what counts joints
+  /// \param reactions  rows of reactions
   /// \param derivation  outlives this
   /// \throws std::range_error for a pivot that is zero
-  Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf);
+  Numbers(Graph& graph, int size, const derive::Derivation& derivation, const Leaf& leaf,
+          int reactions = 0);
 
   [[nodiscard]] const SparseRows& root(std::size_t k = 0) const {
     return rows_[static_cast<std::size_t>(derivation_.roots[k])];
@@ -49,6 +52,8 @@ class Numbers {
   void make(int id, std::size_t k);
   [[nodiscard]] SparseRow row(int id, std::size_t k) const;
   [[nodiscard]] SparseRow linear(const derive::Value& v, std::size_t k) const;
+  [[nodiscard]] SparseRow transposed(const derive::Value& v, std::size_t k) const;
+  [[nodiscard]] SparseRow applied(const derive::Value& v, std::size_t k) const;
   [[nodiscard]] SparseRow congruent(const derive::Value& v, std::size_t i) const;
   [[nodiscard]] int defined(int id) const;
   [[nodiscard]] const SparseRow& of(int id, std::size_t k) const {
@@ -57,6 +62,7 @@ class Numbers {
 
   Graph& graph_;
   std::size_t size_;
+  std::size_t reactions_;
   const derive::Derivation& derivation_;
   std::vector<int> needed_;
   std::vector<SparseRows> rows_;  ///< by value

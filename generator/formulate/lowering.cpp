@@ -359,6 +359,7 @@ Block Lowering::made(int id, const Value& v, int e) {
     case Op::kFromLeaves:
     case Op::kFromRoot:
     case Op::kDiagonal:
+    case Op::kTransposed:
     case Op::kCongruence:
       break;
   }

@@ -24,6 +24,8 @@ class SceneFrame {
   /// \param trunk  null: none; no point is on a link above it
   SceneFrame(const Task& task, bool velocity_products, const Trunk* trunk = nullptr);
 
+  /// Number of the coordinates.
+  [[nodiscard]] int dof() const { return task_.tree.dof(); }
   /// Acceleration of a point, in F; in the trunk's frame that against free fall.
   [[nodiscard]] MotionMap point(const model::Point& point) const;
   /// Angular acceleration of the link of a point, in F.

@@ -1,7 +1,12 @@
 #include "formulate/scene_rows.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "common/index.hpp"
+#include "formulate/factored.hpp"
 #include "formulate/geometry.hpp"
+#include "formulate/joint_numbers.hpp"
 
 namespace treedyn::formulate {
 
@@ -9,44 +14,86 @@ using model::ConstraintKind;
 
 namespace {
 
-MotionMap difference(MotionMap a, const MotionMap& b) {
-  for (const auto& [k, column] : b.columns) {
-    Vec3& sum = a.columns[k];
-    sum = sum - column;
-  }
-  a.gamma = a.gamma - b.gamma;
-  return a;
-}
-
-/// One component of a motion: of an axis of F, or along a direction.
-template <class Component>
-Row row_of(const MotionMap& map, Expr wanted, Component component) {
-  Row row;
-  for (const auto& [k, column] : map.columns) {
-    const Expr entry = component(column);
-    if (!entry.is_zero()) {
-      row.columns[k] = entry;
-    }
-  }
-  const Expr gamma = component(map.gamma);
-  row.right = wanted - gamma;
-  return row;
-}
-
-/// The motion that the rows of a constraint see. \pre not kJoint
-MotionMap motion_of(const model::Scene& scene, const model::Constraint& c,
-                    const SceneFrame& frame) {
+/// The motions that the rows of a constraint see: of its point, and of the other that it is joined
+/// to. \pre not kJoint
+std::vector<MotionMap> motions_of(const model::Scene& scene, const model::Constraint& c,
+                                  const SceneFrame& frame) {
   const model::Point& point = scene.points[to_index(c.point)];
   if (c.kind == ConstraintKind::kOrientation) {
-    return frame.turning(point);
+    return {frame.turning(point)};
   }
   MotionMap map = frame.point(point);
   if (c.kind == ConstraintKind::kJoined) {
-    return difference(std::move(map), frame.point(scene.points[to_index(c.other)]));
+    return {std::move(map), frame.point(scene.points[to_index(c.other)])};
   }
   const Vec3 fall = frame.free_fall();
   map.gamma = map.gamma + fall;
-  return map;
+  return {std::move(map)};
+}
+
+/// S: a row along each direction at the first point, against it at the second.
+SparseRows directions_at(const std::vector<Vec3>& directions, std::size_t points) {
+  SparseRows S(3 * points);
+  for (std::size_t r = 0; r < directions.size(); ++r) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      const Expr d = directions[r][n];
+      for (std::size_t p = 0; p < points && !d.is_zero(); ++p) {
+        S[3 * p + n][static_cast<int>(r)] = p == 0 ? d : -d;
+      }
+    }
+  }
+  return S;
+}
+
+/// C, or H.
+SparseRows columns_of(const std::vector<MotionMap>& points, int dof) {
+  SparseRows rows(to_index(dof));
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const auto& [k, column] : points[p].columns) {
+      for (std::size_t n = 0; n < 3; ++n) {
+        rows[to_index(k)][static_cast<int>(3 * p + n)] = column[n];
+      }
+    }
+  }
+  return rows;
+}
+
+SparseRows gamma_of(const std::vector<MotionMap>& points) {
+  std::vector<Expr> column;
+  for (const MotionMap& point : points) {
+    column.insert(column.end(), point.gamma.begin(), point.gamma.end());
+  }
+  return sparse(column);
+}
+
+/// Rows along directions, without what they want: (10) and 6.2.
+std::vector<Row> rows_along(const std::vector<Vec3>& directions,
+                            const std::vector<MotionMap>& points, bool turning, int dof,
+                            Graph& graph) {
+  const auto leaf = [&](const std::string& symbol) {
+    const bool acts = turning == (symbol == "H" || symbol == "S_n" || symbol == "γ_n");
+    if (symbol == "C" || symbol == "H") {
+      return acts ? columns_of(points, dof) : SparseRows(to_index(dof));
+    }
+    const bool is_S = symbol == "S_f" || symbol == "S_n";
+    return !acts  ? SparseRows(3 * points.size())
+           : is_S ? directions_at(directions, points.size())
+                  : gamma_of(points);
+  };
+  const int r = static_cast<int>(directions.size());
+  const Numbers jacobian(graph, dof, factored("reaction_jacobian_transpose").derivation, leaf, r);
+  const Numbers bias(graph, dof, factored("reaction_bias_acceleration").derivation, leaf, r);
+  std::vector<Row> rows(directions.size());
+  for (int k = 0; k < dof; ++k) {
+    for (const auto& [row, entry] : jacobian.root()[to_index(k)]) {
+      rows[to_index(row)].columns[k] = entry;
+    }
+  }
+  const std::vector<Expr> gamma = column_of(bias.root());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].gamma = gamma[k];
+  }
+  return rows;
 }
 
 }  // namespace
@@ -72,7 +119,7 @@ SceneRows::SceneRows(const model::Scene& scene, const std::vector<int>& active,
     : scene_(scene), frame_(frame), graph_(graph), meaning_(meaning) {
   for (const int c : active) {
     const model::Constraint& constraint = scene.constraints[to_index(c)];
-    std::vector<Expr> a = wanted(constraint);
+    std::vector<Expr> a = wanted_of(constraint);
     const std::vector<Expr> more = correction ? correction(c) : std::vector<Expr>();
     for (std::size_t k = 0; k < more.size(); ++k) {
       a[k] += more[k];
@@ -82,7 +129,7 @@ SceneRows::SceneRows(const model::Scene& scene, const std::vector<int>& active,
 }
 
 /// a_des of every row.
-std::vector<Expr> SceneRows::wanted(const model::Constraint& c) const {
+std::vector<Expr> SceneRows::wanted_of(const model::Constraint& c) const {
   std::vector<Expr> result;
   for (const model::Expression& a : c.accelerations) {
     result.push_back(value_of(graph_, a, meaning_));
@@ -108,46 +155,58 @@ void SceneRows::add_constraint(const model::Constraint& c, const std::vector<Exp
     add_joint(c, a);
     return;
   }
-  const MotionMap map = motion_of(scene_, c, frame_);
-  direction_.clear();
+  std::vector<Vec3> directions;
   for (const model::Vector3& d : c.directions) {
-    direction_.push_back(frame_.direction(d));
+    directions.push_back(frame_.direction(d));
   }
-  if (is_triad(c.directions)) {
-    add_triad(map, a);
-  } else {
-    add_directions(map, a);
+  std::vector<Expr> goals = a;
+  const bool triad = is_triad(c.directions);
+  if (triad) {
+    add_triad(directions, goals);
+  }
+  std::vector<Row> rows = rows_along(directions, motions_of(scene_, c, frame_),
+                                     c.kind == ConstraintKind::kOrientation, frame_.dof(), graph_);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (!triad) {
+      turn_.push_back({constant(graph_, Real(1))});
+      first_.push_back(size());
+    }
+    rows[k].wanted = goals[k];
+    rows_.push_back(std::move(rows[k]));
   }
 }
 
 void SceneRows::add_joint(const model::Constraint& c, const std::vector<Expr>& a) {
   turn_.push_back({constant(graph_, Real(1))});
   first_.push_back(size());
-  rows_.push_back({{{c.joint, constant(graph_, Real(1))}}, a.front()});
+  rows_.push_back({{{c.joint, constant(graph_, Real(1))}}, Expr(), a.front()});
 }
 
-/// Rows along the axes of F: mu = sum of lambda_k d_k, so lambda_k = d_k . mu.
-void SceneRows::add_triad(const MotionMap& map, const std::vector<Expr>& a) {
+/// Rows along the axes of F instead: mu = sum of lambda_k d_k, so lambda_k = d_k . mu.
+void SceneRows::add_triad(std::vector<Vec3>& directions, std::vector<Expr>& goals) {
   Vec3 goal;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 part = a[k] * direction_[k];
+    const Vec3& d = directions[k];
+    const Vec3 part = goals[k] * d;
     goal = goal + part;
-    const Vec3& d = direction_[k];
     turn_.push_back({d[0], d[1], d[2]});
     first_.push_back(size());
   }
-  for (std::size_t n = 0; n < 3; ++n) {
-    rows_.push_back(row_of(map, goal[n], [n](const Vec3& v) { return v[n]; }));
-  }
+  const Mat3 axes = constant(graph_, identity());
+  directions.assign(axes.begin(), axes.end());
+  goals.assign(goal.begin(), goal.end());
 }
 
-void SceneRows::add_directions(const MotionMap& map, const std::vector<Expr>& a) {
-  for (std::size_t k = 0; k < direction_.size(); ++k) {
-    const Vec3 d = direction_[k];
-    turn_.push_back({constant(graph_, Real(1))});
-    first_.push_back(size());
-    rows_.push_back(row_of(map, a[k], [&d](const Vec3& v) { return dot(d, v); }));
-  }
+std::vector<Expr> SceneRows::gamma() const {
+  std::vector<Expr> result;
+  std::ranges::transform(rows_, std::back_inserter(result), &Row::gamma);
+  return result;
+}
+
+std::vector<Expr> SceneRows::wanted() const {
+  std::vector<Expr> result;
+  std::ranges::transform(rows_, std::back_inserter(result), &Row::wanted);
+  return result;
 }
 
 std::vector<Expr> SceneRows::reactions(const std::vector<Expr>& mu) const {
@@ -166,14 +225,17 @@ std::vector<Row> base_rows(const model::Scene& scene, const SceneFrame& frame, G
   std::vector<Row> rows;
   for (const model::Constraint& c : scene.constraints) {
     if (c.kind == ConstraintKind::kJoint) {
-      rows.push_back({{{c.joint, constant(graph, Real(1))}}, Expr()});
+      rows.push_back({{{c.joint, constant(graph, Real(1))}}, {}, {}});
       continue;
     }
-    const MotionMap map = motion_of(scene, c, frame);
-    for (const model::Vector3& direction : c.directions) {
-      const Vec3 d = constant(graph, direction);
-      rows.push_back(row_of(map, Expr(), [&d](const Vec3& v) { return dot(d, v); }));
+    std::vector<Vec3> directions;
+    for (const model::Vector3& d : c.directions) {
+      directions.push_back(constant(graph, d));
     }
+    const std::vector<Row> more =
+        rows_along(directions, motions_of(scene, c, frame), c.kind == ConstraintKind::kOrientation,
+                   frame.dof(), graph);
+    rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;
 }

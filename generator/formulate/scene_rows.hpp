@@ -10,10 +10,11 @@
 
 namespace treedyn::formulate {
 
-/// sum of columns[k] x_k = right, with right = a_des - gamma.
+/// sum of columns[k] x_k + gamma = wanted.
 struct Row {
   std::map<int, Expr> columns;
-  Expr right;
+  Expr gamma;
+  Expr wanted;
 };
 
 /// The rows of a set of constraints.
@@ -32,27 +33,27 @@ class SceneRows {
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   [[nodiscard]] int size() const { return static_cast<int>(rows_.size()); }
+  [[nodiscard]] std::vector<Expr> gamma() const;
+  [[nodiscard]] std::vector<Expr> wanted() const;
   /// lambda in scene order for the multipliers mu of `rows`.
   [[nodiscard]] std::vector<Expr> reactions(const std::vector<Expr>& mu) const;
 
  private:
   void add_constraint(const model::Constraint& constraint, const std::vector<Expr>& a);
   void add_joint(const model::Constraint& constraint, const std::vector<Expr>& a);
-  void add_triad(const MotionMap& map, const std::vector<Expr>& a);
-  void add_directions(const MotionMap& map, const std::vector<Expr>& a);
-  [[nodiscard]] std::vector<Expr> wanted(const model::Constraint& constraint) const;
+  void add_triad(std::vector<Vec3>& directions, std::vector<Expr>& goals);
+  [[nodiscard]] std::vector<Expr> wanted_of(const model::Constraint& constraint) const;
 
   const model::Scene& scene_;
   const SceneFrame& frame_;
   Graph& graph_;
   const Meaning& meaning_;
   std::vector<Row> rows_;
-  std::vector<Vec3> direction_;          ///< in F, of the constraint that is being added
   std::vector<std::vector<Expr>> turn_;  ///< lambda_k = turn_[k] . mu[first_[k]..]
   std::vector<int> first_;
 };
 
-/// The rows of all constraints along their directions in the base frame; `right` is -gamma.
+/// The rows of all constraints along their directions in the base frame, without what they want.
 /// \pre `frame` is that of no trunk
 std::vector<Row> base_rows(const model::Scene& scene, const SceneFrame& frame, Graph& graph);
 

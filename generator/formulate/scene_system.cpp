@@ -69,7 +69,7 @@ void SceneSystem::add_armatures() {
 
 void SceneSystem::add_loads() {
   each_load(scene_, forces_, *frame_,
-            [&](std::size_t k, const Expr& force) { right_[k] += in_unit(force); });
+            [&](std::size_t k, const Expr& force) { h_[k] -= in_unit(force); });
 }
 
 Expr SceneSystem::in_unit(const Expr& force) const {
@@ -96,18 +96,14 @@ void SceneSystem::add_equations(bool forces) {
       a_[{i, j}] = a[static_cast<std::size_t>(i * n + j)];
     }
   }
-  right_.resize(static_cast<std::size_t>(n));
   if (!forces) {
     return;
   }
-  const std::vector<Expr> bias = build_equation(task, "inverse_dynamics");
+  h_ = build_equation(task, "inverse_dynamics");
   for (int i = 0; i < n; ++i) {
-    right_[static_cast<std::size_t>(i)] = in_unit(forces_.joint(i));
+    tau_.push_back(in_unit(forces_.joint(i)));
   }
-  right_ = trunk_ ? trunk_->forces(right_) : right_;
-  for (std::size_t i = 0; i < right_.size(); ++i) {
-    right_[i] -= bias[i];
-  }
+  tau_ = trunk_ ? trunk_->forces(tau_) : tau_;
 }
 
 std::vector<Expr> SceneSystem::accelerations(const std::vector<Expr>& x) const {

@@ -1,4 +1,4 @@
-// The equations of motion of a scene without its constraints: A x = right, EQUATIONS.md (8), 6.5.
+// The equations of motion of a scene without its constraints: A x + h = tau, EQUATIONS.md (8), 6.5.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,16 @@ namespace treedyn::formulate {
 /// scene's tree. \pre the task's tree is in that unit
 class SceneSystem {
  public:
-  /// \param forces  false: A alone; `right` is zero and only q is read
+  /// \param forces  false: A alone; only q is read
   SceneSystem(const Task& task, const SceneArrays& arrays, bool forces = true);
 
   [[nodiscard]] const SceneFrame& frame() const { return *frame_; }
+  [[nodiscard]] int dof() const { return task_.tree.dof(); }
   [[nodiscard]] const SparseSymmetric& inertia() const { return a_; }
-  [[nodiscard]] const std::vector<Expr>& right() const { return right_; }
+  /// Forces of the joints: drives, springs, friction ..
+  [[nodiscard]] const std::vector<Expr>& tau() const { return tau_; }
+  /// B + G less what loads do: C f + H n.
+  [[nodiscard]] const std::vector<Expr>& h() const { return h_; }
   [[nodiscard]] const SceneForces& forces() const { return forces_; }
   /// Variables of expressions that belong to the scene as a whole.
   [[nodiscard]] const Meaning& meaning() const { return forces_.meaning(); }
@@ -44,7 +48,8 @@ class SceneSystem {
   std::optional<Trunk> trunk_;
   std::optional<SceneFrame> frame_;
   SparseSymmetric a_;
-  std::vector<Expr> right_;
+  std::vector<Expr> tau_;
+  std::vector<Expr> h_;
 };
 
 /// True if scenes of this tree without constraints can do with articulated bodies.

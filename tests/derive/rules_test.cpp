@@ -949,6 +949,42 @@ TEST(R12, SolvesTrianglesFromTheirEnds) {
   EXPECT_EQ(of_numbers(L * x - b, "x").back(), Op::kFromRoot);
 }
 
+TEST(R12, EliminatesAccelerationsFromRows) {
+  const auto& [motion, rows] = constrained_dynamics();
+  const Factored f = constrained(motion, rows, "q̈", "λ").value();
+  EXPECT_TRUE(f.derivation.values.acted().contains(Rule::kReactions));
+  ASSERT_EQ(f.given.size(), 4U);
+  EXPECT_EQ(f.given[0].first, "h");
+  EXPECT_TRUE(block::equal(f.given[0].second, bias_force() + gravity_force() - applied_force()));
+  EXPECT_EQ(f.given[1].first, "γ");
+  EXPECT_TRUE(block::equal(f.given[2].second, reaction_jacobian_transpose()));
+  EXPECT_TRUE(block::equal(f.given[3].second, mass_matrix()));
+  ASSERT_EQ(f.derivation.roots.size(), 3U);
+  EXPECT_EQ(f.derivation.values[f.derivation.roots[0]].op, Op::kCongruence);
+  EXPECT_EQ(f.derivation.values[f.derivation.roots[2]].op, Op::kFromRoot);
+}
+
+TEST(R12, LeavesRowsThatAreNotThoseOfTheReactions) {
+  const auto& [motion, rows] = constrained_dynamics();
+  EXPECT_FALSE(
+      constrained(motion, 2 * (transpose(reaction_jacobian_transpose()) * qdd) - a_des, "q̈", "λ"));
+  EXPECT_FALSE(constrained(motion, transpose(S_f) * point_bias_acceleration() - a_des, "q̈", "λ"));
+  EXPECT_FALSE(constrained(motion + 2 * (reaction_jacobian_transpose() * lambda), rows, "q̈", "λ"));
+}
+
+TEST(R0, MultipliesWhatIsDerivedByDirections) {
+  const Factored J = with_directions(reaction_jacobian_transpose()).value();
+  ASSERT_EQ(J.given.size(), 2U);
+  EXPECT_TRUE(block::equal(J.given[0].second, force_jacobian_transpose(points())));
+  EXPECT_TRUE(block::equal(J.given[1].second, moment_jacobian_transpose(points())));
+  const Factored gamma = with_directions(bias_of_attached_rows()).value();
+  ASSERT_EQ(gamma.given.size(), 2U);
+  EXPECT_TRUE(block::equal(gamma.given[0].second, point_bias_acceleration()));
+  EXPECT_TRUE(block::equal(gamma.given[1].second, angular_bias_acceleration()));
+  EXPECT_FALSE(with_directions(reaction_bias_acceleration()));  // directions that move
+  EXPECT_FALSE(with_directions(mass_matrix()));
+}
+
 TEST(R12, LeavesOtherEquations) {
   EXPECT_FALSE(factored(D * x - b, "x"));                        // not symmetric
   EXPECT_FALSE(factored(transpose(D) * m_d * x - b, "x"));       // not symmetric

@@ -1,4 +1,6 @@
 // What R12 derives, carried out with numbers: matrices with the zeros of a tree and without.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "equations/equations.hpp"
@@ -114,6 +116,67 @@ TEST_P(Factored, ErrorsOfEquationsArrive) {
   const SparseRows wrong = of(equations::mass_matrix() * x + 3 * b, "x");
   for (int i = 0; i < GetParam().size; ++i) {
     EXPECT_LE(abs(times(wrong, i, 0) + 3 * b_[static_cast<std::size_t>(i)].value()), kTolerance);
+  }
+}
+
+/// A x = r + J^T λ, and J x - s = K λ - b for every λ.
+TEST_P(Factored, MotionsUnderRowsAreSolvedButForTheReactions) {
+  constexpr int kRows = 3;
+  const int n = GetParam().size;
+  const auto number = [this](int k) {
+    return constant(graph_, Real((23 * k + 5) % 17 - 8) / 10);
+  };
+  SparseRows J_T(static_cast<std::size_t>(n));
+  std::vector<Expr> lambda;
+  std::vector<Expr> s;
+  for (int r = 0; r < kRows; ++r) {
+    for (int i = r; i < n; i += 2) {  // some are zero
+      J_T[static_cast<std::size_t>(i)][r] = number(7 * r + i);
+    }
+    lambda.push_back(number(40 + r));
+    s.push_back(number(50 + r));
+  }
+  const block::Side joints = equations::kLinks;
+  const block::Side rows = equations::kRows;
+  const auto leaf = [](const char* name, const block::Side& height, const block::Side& width) {
+    return block::leaf(name, block::Structure::kFull, {height, width});
+  };
+  const block::Expression J = leaf("J_T", joints, rows);
+  const block::Expression x = leaf("x", joints, equations::kOne);
+  const block::Expression reactions = leaf("λ", rows, equations::kOne);
+  const derive::Derivation derivation =
+      derive::constrained(
+          equations::mass_matrix() * x - leaf("r", joints, equations::kOne) - J * reactions,
+          block::transpose(J) * x - leaf("s", rows, equations::kOne), "x", "λ")
+          .value()
+          .derivation;
+  const Numbers solved(
+      graph_, n, derivation,
+      [&](const std::string& name) {
+        return name == "A"     ? sparse(n, A_)
+               : name == "J^T" ? J_T
+               : name == "r"   ? sparse(b_)
+               : name == "s"   ? sparse(s)
+                               : sparse(lambda);
+      },
+      kRows);
+  for (int i = 0; i < n; ++i) {
+    Real rest = times(solved.root(2), i, 0) - b_[static_cast<std::size_t>(i)].value();
+    for (int r = 0; r < kRows; ++r) {
+      rest -= at(J_T, i, r) * lambda[static_cast<std::size_t>(r)].value();
+    }
+    EXPECT_LE(abs(rest), kTolerance) << i;
+  }
+  for (int r = 0; r < kRows; ++r) {
+    Real rest = at(solved.root(1), r, 0) - s[static_cast<std::size_t>(r)].value();
+    for (int i = 0; i < n; ++i) {
+      rest += at(J_T, i, r) * at(solved.root(2), i, 0);
+    }
+    for (int k = 0; k < kRows; ++k) {
+      rest -= at(solved.root(0), std::max(r, k), std::min(r, k)) *
+              lambda[static_cast<std::size_t>(k)].value();
+    }
+    EXPECT_LE(abs(rest), kTolerance) << r;
   }
 }
 
