@@ -211,7 +211,7 @@ double OutputError::operator()(const Box& box) {
   if (!obstacle_.empty()) {
     return kInfinity;
   }
-  std::fill(slopes_.begin(), slopes_.end(), Interval{});
+  std::ranges::fill(slopes_, Interval{});
   slopes_.back() = kOne;
   double bound = 0;
   for (std::size_t k = steps_.size(); k-- > 0;) {

@@ -194,7 +194,7 @@ std::string functions_text(const FunctionStudy& study) {
        "bound/scale"}};
   std::vector<std::string> seen;
   for (const FunctionRow& row : study.rows) {
-    if (std::find(seen.begin(), seen.end(), row.function) == seen.end()) {
+    if (std::ranges::find(seen, row.function) == seen.end()) {
       seen.push_back(row.function);
       const std::vector<Cells> more = cells_of_function(study.rows, row.function);
       rows.insert(rows.end(), more.begin(), more.end());

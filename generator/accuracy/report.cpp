@@ -15,7 +15,7 @@ namespace {
 /// The error that the study is about, and behind it the others.
 std::vector<Error> chosen_first(const Study& study) {
   std::vector<Error> result = errors_of(study);
-  const auto chosen = std::find(result.begin(), result.end(), study.error);
+  const auto chosen = std::ranges::find(result, study.error);
   if (chosen != result.end()) {
     std::rotate(result.begin(), chosen, chosen + 1);
   }
@@ -79,7 +79,7 @@ std::string front_text(const Study& study, const Core& core) {
   const std::vector<Error> errors = chosen_first(study);
   const std::string name(core.name);
   const std::vector<std::string> measured = measured_cores(study);
-  const bool sized = std::find(measured.begin(), measured.end(), name) != measured.end();
+  const bool sized = std::ranges::find(measured, name) != measured.end();
   std::string text = fmt::format("\ncheapest settings on {} ({}):\n", core.name, core.brief);
   for (const Error error : errors) {
     text += fmt::format("{:>12} ", row_of(error).head);
@@ -116,7 +116,7 @@ std::vector<std::string> methods_of(const Study& study) {
   std::vector<std::string> names;
   for (const Outcome& outcome : study.outcomes) {
     const std::string name = method_of(outcome.setting);
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
+    if (std::ranges::find(names, name) == names.end()) {
       names.push_back(name);
     }
   }

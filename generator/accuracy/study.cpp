@@ -67,7 +67,7 @@ double Outcome::error(Error of) const { return largest(errors.at(of)); }
 
 double Outcome::least(Error of) const {
   const std::vector<double>& values = errors.at(of);
-  return *std::min_element(values.begin(), values.end());
+  return *std::ranges::min_element(values);
 }
 
 bool Reference::refuted() const {
@@ -89,8 +89,8 @@ double Reference::uncertainty(Error of) const {
 std::vector<Error> errors_of(const Study& study) {
   std::vector<Error> result;
   for (const ErrorRow& row : kErrors) {
-    if (std::any_of(study.outcomes.begin(), study.outcomes.end(),
-                    [&](const Outcome& outcome) { return outcome.has(row.error); })) {
+    if (std::ranges::any_of(study.outcomes,
+                            [&](const Outcome& outcome) { return outcome.has(row.error); })) {
       result.push_back(row.error);
     }
   }
@@ -187,8 +187,7 @@ std::vector<std::size_t> by_cost(const Study& study, const Core& core) {
                                                           ? std::numeric_limits<double>::infinity()
                                                           : outcome.error(study.error));
   };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   return order;
 }
 
@@ -255,7 +254,7 @@ bool fits(const Study& study, const Core& core, const Outcome& outcome) {
 
 std::optional<std::size_t> cheapest(const Study& study, const Core& core, double target) {
   const std::vector<std::size_t> order = by_cost(study, core);
-  const auto found = std::find_if(order.begin(), order.end(), [&](std::size_t k) {
+  const auto found = std::ranges::find_if(order, [&](std::size_t k) {
     const Outcome& outcome = study.outcomes[k];
     return reaches(study, outcome, target) && fits(study, core, outcome);
   });

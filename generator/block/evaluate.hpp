@@ -260,7 +260,7 @@ void Evaluation<Scalar>::write(int step, const Shape& shape, std::span<Scalar> o
   const int width = shape.cols.size;
   const int stride = s.pattern.cols() * width;
   const auto block_size = static_cast<std::size_t>(s.block_size());
-  std::fill(out.begin(), out.end(), Scalar(0));
+  std::ranges::fill(out, Scalar(0));
   s.pattern.visit([&](int i, int j, int block) {
     const std::span<const Scalar> source =
         blocks(step).subspan(static_cast<std::size_t>(block) * block_size, block_size);

@@ -56,7 +56,7 @@ Pattern unite(const Pattern& a, const Pattern& b) {
   for (int i = 0; i < a.rows(); ++i) {
     const std::vector<int> x = row(a, i);
     const std::vector<int> y = row(b, i);
-    std::set_union(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(rows[to_index(i)]));
+    std::ranges::set_union(x, y, std::back_inserter(rows[to_index(i)]));
   }
   return {a.cols(), rows};
 }

@@ -96,7 +96,7 @@ std::vector<int> Plan::needed(const std::vector<int>& results) const {
       wanted[to_index(operand)] = true;
     }
   }
-  std::reverse(list.begin(), list.end());
+  std::ranges::reverse(list);
   return list;
 }
 
@@ -110,8 +110,8 @@ std::vector<const Step*> Plan::operands(const std::vector<int>& ids) const {
 }
 
 bool Plan::is_constant(const std::vector<int>& ids) const {
-  return std::all_of(ids.begin(), ids.end(),
-                     [this](int id) { return step(id).operation == Operation::kConstant; });
+  return std::ranges::all_of(ids,
+                             [this](int id) { return step(id).operation == Operation::kConstant; });
 }
 
 int Plan::append(Step step) {
@@ -138,8 +138,8 @@ int Plan::constant(Step step) {
 /// Completes a step whose operands are set: constants are folded, the rest is remembered under
 /// `key`.
 int Plan::finish(const Key& key, Step step) {
-  const bool integers = std::all_of(step.factors.begin(), step.factors.end(),
-                                    [](const Ratio& factor) { return factor.denominator == 1; });
+  const bool integers = std::ranges::all_of(
+      step.factors, [](const Ratio& factor) { return factor.denominator == 1; });
   if (is_constant(step.operands) && step.block_size() == 1 && integers) {
     return constant(folded(step, operands(step.operands)));
   }

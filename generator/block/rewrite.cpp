@@ -82,7 +82,7 @@ bool constant_expression(const Expression& e) {
   if (e.kind() == Kind::kLeaf) {
     return is_constant(e.node().structure);
   }
-  return std::all_of(e.operands().begin(), e.operands().end(), constant_expression);
+  return std::ranges::all_of(e.operands(), constant_expression);
 }
 
 bool has_numbers(const Expression& e) {

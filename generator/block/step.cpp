@@ -17,7 +17,7 @@ using Rows = std::vector<std::vector<int>>;
 
 std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> result;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  std::ranges::set_union(a, b, std::back_inserter(result));
   return result;
 }
 
@@ -45,7 +45,7 @@ std::vector<Edge> edges(const PathSum& sum, const Index& index) {
     }
   }
   if (sum.subtree) {
-    std::reverse(result.begin(), result.end());
+    std::ranges::reverse(result);
   }
   return result;
 }

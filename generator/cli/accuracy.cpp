@@ -44,8 +44,8 @@ bool has_placed_loop(const Subject& subject) {
   how.integrator = "rk4";
   model::Scene scene = stepped_scene(subject, how);
   formulate::settle_loops(scene);
-  return std::any_of(scene.constraints.begin(), scene.constraints.end(),
-                     [](const model::Constraint& c) { return c.loop && !c.loop->empty(); });
+  return std::ranges::any_of(scene.constraints,
+                             [](const model::Constraint& c) { return c.loop && !c.loop->empty(); });
 }
 
 /// The scene's own initial state and others within `spread`, moved onto the constraints.
@@ -61,9 +61,9 @@ std::vector<Start> band(const AccuracyRequest& request, const Subject& subject) 
     };
     if (k > 0) {
       if (!speeds_only) {
-        std::for_each(other.q0.begin(), other.q0.end(), move);
+        std::ranges::for_each(other.q0, move);
       }
-      std::for_each(other.qd0.begin(), other.qd0.end(), move);
+      std::ranges::for_each(other.qd0, move);
     }
     simulation::Simulator simulator(other, *subject.dynamics, {});
     simulator.settle();

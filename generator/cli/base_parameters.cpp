@@ -56,7 +56,7 @@ std::vector<std::size_t> reduce(std::vector<Row>& rows, std::size_t columns) {
     std::iter_swap(from, largest);
     Row& pivot = *from;
     const Real scale = 1 / pivot[column];
-    std::for_each(pivot.begin(), pivot.end(), [&](Real& x) { x *= scale; });
+    std::ranges::for_each(pivot, [&](Real& x) { x *= scale; });
     for (Row& row : rows) {
       if (&row == &pivot || row[column] == 0) {
         continue;

@@ -68,10 +68,10 @@ std::set<std::string> surplus_files(const std::vector<emit::File>& files, const 
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
     const std::string ending = entry.path().extension().string();
-    const bool ours = std::any_of(files.begin(), files.end(),
-                                  [&](const emit::File& file) { return file.name == name; });
+    const bool ours =
+        std::ranges::any_of(files, [&](const emit::File& file) { return file.name == name; });
     constexpr std::array<std::string_view, 5> kOurs = {".hpp", ".cpp", ".h", ".c", ".json"};
-    if (ours || std::find(kOurs.begin(), kOurs.end(), ending) == kOurs.end()) {
+    if (ours || std::ranges::find(kOurs, ending) == kOurs.end()) {
       continue;
     }
     const std::optional<std::string> text = content(entry.path());

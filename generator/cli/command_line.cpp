@@ -270,8 +270,7 @@ void require_options(const CLI::App& app, Settings& settings) {
   split_equations(app, settings);
   tidy_study(settings.accuracy);
   const auto generation = {"generate", "check", "outputs", "info"};
-  if (std::any_of(generation.begin(), generation.end(),
-                  [&](const char* name) { return app.got_subcommand(name); })) {
+  if (std::ranges::any_of(generation, [&](const char* name) { return app.got_subcommand(name); })) {
     require_model_or_scene(*app.get_subcommands().front(), settings);
     require_words_of_language(settings.request);
     settle_vectors(settings.request);
@@ -320,7 +319,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
       words = with_settings(words, *command, places);
     }
     result.settings.accuracy.command = without_plan(argc > 0 ? argv[0] : "treedyn", words);
-    std::reverse(words.begin(), words.end());
+    std::ranges::reverse(words);
     app.parse(std::move(words));
     require_options(app, result.settings);
     result.settings.command = app.get_subcommands().front()->get_name();

@@ -47,8 +47,7 @@ Comparison::Comparison(const Subject& subject, std::vector<model::Point> points)
   const auto ends = [](const model::Phase& phase) {
     return !phase.until.empty();
   };
-  happens_ =
-      std::any_of(scene.phases.begin(), scene.phases.end(), ends) || !scene.frictions.empty();
+  happens_ = std::ranges::any_of(scene.phases, ends) || !scene.frictions.empty();
 }
 
 void Comparison::set_reference(std::vector<Motion> exact) {
@@ -137,8 +136,7 @@ std::vector<Motion> reference(const Subject& subject, Comparison& comparison, St
   for (const auto& [error, values] : comparison.errors(stepped_motions(subject, how, files()))) {
     const bool is_compared = error == Error::kJoints || error == Error::kEnergy ||
                              error == Error::kEvents || error == Error::kPoints;
-    study.reference.differences[error] =
-        is_compared ? *std::max_element(values.begin(), values.end()) : 0;
+    study.reference.differences[error] = is_compared ? *std::ranges::max_element(values) : 0;
   }
   study.reference.agreement = study.reference.differences.at(Error::kJoints);
   study.reference.methods =

@@ -27,7 +27,7 @@ void define(const block::Expression& e, std::vector<std::string>& lines) {
   }
   if (e.kind() == block::Kind::kNamed) {
     const std::string line = block::print_definition(e);
-    if (std::find(lines.begin(), lines.end(), line) == lines.end()) {
+    if (std::ranges::find(lines, line) == lines.end()) {
       lines.push_back(line);
     }
   }
@@ -212,8 +212,8 @@ std::string scene_text(const Model& model, const Request& request, const std::st
 }  // namespace
 
 std::string derivation_text(const Model& model, const Request& request, const std::string& name) {
-  const auto own = std::find_if(model.equations.begin(), model.equations.end(),
-                                [&](const auto& f) { return f->equation.name == name; });
+  const auto own = std::ranges::find_if(model.equations,
+                                        [&](const auto& f) { return f->equation.name == name; });
   const equations::Equation* const ours = equations::find_solved(name);
   if (own == model.equations.end() && ours == nullptr) {
     return scene_text(model, request, name);

@@ -224,8 +224,7 @@ bool is_literal(std::string_view word) {
   constexpr std::size_t kSha256 = 64;
   const bool decimal =
       is_digit(word.front()) && word.find_first_of(".ex") != std::string_view::npos;
-  return decimal ||
-         (word.size() == kSha256 && std::all_of(word.begin(), word.end(), is_hexadecimal));
+  return decimal || (word.size() == kSha256 && std::ranges::all_of(word, is_hexadecimal));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void Drifts::act(int state, double t, const Vector& q) {
   constraints.activate(now);
   const simulation::Terms& terms = system_.geometry(q);
   for (const int c : now) {
-    if (!std::binary_search(before.begin(), before.end(), c)) {
+    if (!std::ranges::binary_search(before, c)) {
       constraints.begin(c, t, q, terms);
     }
   }

@@ -99,7 +99,7 @@ void set_functions(Request& request, const std::string& list) {
                                      shown(name), fmt::join(known, ",")));
     }
     const bool may_be_users = !name.empty() && to_identifier(name) == name;
-    if (!may_be_users && std::find(known.begin(), known.end(), name) == known.end()) {
+    if (!may_be_users && std::ranges::find(known, name) == known.end()) {
       throw CLI::ValidationError(
           "--functions", fmt::format("there is no function {}; expected some of {}", shown(name),
                                      fmt::join(known, ",")));
@@ -129,9 +129,8 @@ void set_forward_dynamics(Request& request, const std::string& choice) {
 void set_without(Request& request, const std::string& list) {
   for (const std::string& name : split(list, ',')) {
     const auto& known = formulate::passes();
-    const auto found =
-        std::find_if(known.begin(), known.end(),
-                     [&](const formulate::PassInfo& info) { return name == info.name; });
+    const auto found = std::ranges::find_if(
+        known, [&](const formulate::PassInfo& info) { return name == info.name; });
     if (found == known.end()) {
       throw CLI::ValidationError(
           "--without", fmt::format("there is no pass {}; expected some of {}", shown(name),

@@ -51,7 +51,7 @@ std::string reachability_text(const model::Tree& tree) {
   std::size_t blocks = 0;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     rows.push_back({matrix[i], shown(tree.links[i].name)});
-    blocks += static_cast<std::size_t>(std::count(matrix[i].begin(), matrix[i].end(), 'x'));
+    blocks += static_cast<std::size_t>(std::ranges::count(matrix[i], 'x'));
   }
   return fmt::format("\nD, one row a link ({} of {} blocks are zero)\n{}",
                      matrix.size() * matrix.size() - blocks, matrix.size() * matrix.size(),

@@ -47,7 +47,7 @@ Warn warn_of(const Settings& settings) {
 }
 
 void print_warnings(const Settings& settings, const std::vector<Warning>& warnings) {
-  std::for_each(warnings.begin(), warnings.end(), warn_of(settings));
+  std::ranges::for_each(warnings, warn_of(settings));
 }
 
 Trace trace_of(const Settings& settings) {

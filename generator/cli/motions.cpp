@@ -24,7 +24,7 @@ using Values = GeneratedStep::Values;
 constexpr long kLooks = 10;
 
 bool is_finite(const Values& values) {
-  return std::all_of(values.begin(), values.end(), [](long double x) { return std::isfinite(x); });
+  return std::ranges::all_of(values, [](long double x) { return std::isfinite(x); });
 }
 
 Motion stepped_motion(const Subject& subject, const model::Scene& scene, const Start& start,

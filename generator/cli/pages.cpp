@@ -36,7 +36,7 @@ std::string choices_of(const CLI::Option& option) {
   if (type.find('|') == std::string::npos) {
     return {};
   }
-  std::replace(type.begin(), type.end(), '|', ' ');
+  std::ranges::replace(type, '|', ' ');
   return type;
 }
 

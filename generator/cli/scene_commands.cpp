@@ -193,7 +193,7 @@ template <class Value>
 void keep_once(std::vector<Value>& values) {
   std::vector<Value> once;
   for (const Value& value : values) {
-    if (std::find(once.begin(), once.end(), value) == once.end()) {
+    if (std::ranges::find(once, value) == once.end()) {
       once.push_back(value);
     }
   }

@@ -25,8 +25,8 @@ bool is_word_of(const CLI::Option& option, const std::string& word) {
 }
 
 bool is_given(const CLI::Option& option, const std::vector<std::string>& words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const std::string& word) { return is_word_of(option, word); });
+  return std::ranges::any_of(words,
+                             [&](const std::string& word) { return is_word_of(option, word); });
 }
 
 /// A file that is read stands beside the settings that name it.

@@ -40,7 +40,7 @@ std::string short_numbers(const List& values) {
 std::string short_row(const simulation::Row& row, const std::vector<double>& contacts,
                       std::ptrdiff_t column) {
   std::vector<double> values = row.values;
-  std::copy(contacts.begin(), contacts.end(), values.begin() + column);
+  std::ranges::copy(contacts, values.begin() + column);
   std::vector<double> nodes;
   for (const Eigen::Vector3d& node : row.nodes) {
     nodes.insert(nodes.end(), {node[0], node[1], node[2]});
@@ -163,7 +163,7 @@ std::string planes_json(const model::Scene& scene) {
     const std::string text =
         emit::json_object({{"normal", short_vector_json(plane.normal)},
                            {"height", fmt::format("{:.6g}", static_cast<double>(plane.height))}});
-    if (std::find(result.begin(), result.end(), text) == result.end()) {
+    if (std::ranges::find(result, text) == result.end()) {
       result.push_back(text);
     }
   };
@@ -220,7 +220,7 @@ class ForceList {
     std::vector<std::string> columns;
     std::vector<std::string> directions;
     for (const auto& [name, direction] : rows) {
-      const auto at = std::find(columns_.begin(), columns_.end(), name);
+      const auto at = std::ranges::find(columns_, name);
       columns.push_back(std::to_string(at - columns_.begin()));
       directions.push_back(short_vector_json(direction));
     }

@@ -33,7 +33,7 @@ bool read_exponent(std::string_view text, long& exponent) {
     negative = text.front() == '-';
     text.remove_prefix(1);
   }
-  if (text.empty() || !std::all_of(text.begin(), text.end(), is_digit)) {
+  if (text.empty() || !std::ranges::all_of(text, is_digit)) {
     return false;
   }
   for (const char c : text) {
@@ -50,7 +50,7 @@ bool read_digits(std::string_view mantissa, Parts& parts) {
   const std::string_view fraction =
       point == std::string_view::npos ? std::string_view{} : mantissa.substr(point + 1);
   parts.digits = std::string(whole) + std::string(fraction);
-  if (parts.digits.empty() || !std::all_of(parts.digits.begin(), parts.digits.end(), is_digit)) {
+  if (parts.digits.empty() || !std::ranges::all_of(parts.digits, is_digit)) {
     return false;
   }
   const std::size_t leading = std::min(parts.digits.find_first_not_of('0'), parts.digits.size());

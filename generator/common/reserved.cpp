@@ -213,8 +213,8 @@ Words split(const std::string& text) {
 std::string_view without_type(std::string_view name) {
   name = name.ends_with("_r") ? name.substr(0, name.size() - 2) : name;  // lgammaf64_r
   constexpr std::array<std::string_view, 5> kTypes = {"f32", "f32x", "f64", "f64x", "f128"};
-  const auto* const type = std::find_if(kTypes.begin(), kTypes.end(),
-                                        [&](std::string_view t) { return name.ends_with(t); });
+  const auto* const type =
+      std::ranges::find_if(kTypes, [&](std::string_view t) { return name.ends_with(t); });
   return type == kTypes.end() ? name : name.substr(0, name.size() - type->size());
 }
 

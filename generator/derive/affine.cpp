@@ -6,7 +6,7 @@ namespace treedyn::derive {
 bool Opening::depends(int x) const {
   const Value& v = values_[x];
   return v.name == unknown_ ||
-         std::any_of(v.operands.begin(), v.operands.end(), [this](int y) { return depends(y); });
+         std::ranges::any_of(v.operands, [this](int y) { return depends(y); });
 }
 
 int Opening::rest(const Affine& a, Type type) {

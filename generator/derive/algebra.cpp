@@ -130,7 +130,7 @@ int Algebra::scaled(const std::vector<int>& numbers, int x) {
       factors.push_back(number);
     }
   };
-  std::for_each(numbers.begin(), numbers.end(), take);
+  std::ranges::for_each(numbers, take);
   const Value v = value(x);
   int body = -1;
   if (v.type == Type::kScalar) {
@@ -143,8 +143,8 @@ int Algebra::scaled(const std::vector<int>& numbers, int x) {
   }
   if (body >= 0 && value(body).op == Op::kCross && !factors.empty()) {  // m (a×b) = (m a)×b
     const Value c = value(body);
-    const bool has_mass = std::any_of(factors.begin(), factors.end(),
-                                      [this](int y) { return value(y).name == "m^d"; });
+    const bool has_mass =
+        std::ranges::any_of(factors, [this](int y) { return value(y).name == "m^d"; });
     for (std::size_t k = 0; k < 2; ++k) {
       const Value factor = value(c.operands[k]);
       if (factor.op == Op::kLeaf || (has_mass && has_centre(c.operands[k])) ||
@@ -160,7 +160,7 @@ int Algebra::scaled(const std::vector<int>& numbers, int x) {
   if (const int known = body < 0 ? -1 : with_moments(factors, body); known >= 0) {
     return known;
   }
-  std::sort(factors.begin(), factors.end());
+  std::ranges::sort(factors);
   if (body >= 0) {
     factors.push_back(body);
   }
@@ -304,8 +304,7 @@ int Algebra::of_weighed_paths(Set set, int x) {
                    : term.op == Op::kScale && term.type == Type::kVector &&
                          of_weighed_paths(set, y) >= 0;
   };
-  if (inner.op != Op::kLinear ||
-      std::none_of(inner.operands.begin(), inner.operands.end(), has_path)) {
+  if (inner.op != Op::kLinear || std::ranges::none_of(inner.operands, has_path)) {
     return -1;
   }
   return of_terms(body, [&](int term) { return sum_along(Op::kCollect, set, scaled_term(term)); });

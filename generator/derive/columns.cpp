@@ -61,7 +61,7 @@ Parted parted(const Expression& product) {
   Parted result;
   std::vector<Expression> factors;
   block::flatten(product, factors, result.factor);
-  const auto begin = std::find_if_not(factors.begin(), factors.end(), has_numbers);
+  const auto begin = std::ranges::find_if_not(factors, has_numbers);
   auto end = std::find_if(factors.rbegin(), factors.rend(), is_vector).base();
   while (end != factors.end() && is_diagonal(*(end - 1)) && is_diagonal(*end)) {
     ++end;
@@ -81,12 +81,12 @@ bool is_sum_of_words(const Expression& P) {
     case Kind::kNamed:
     case Kind::kScaled:
     case Kind::kSum:
-      return std::all_of(P.operands().begin(), P.operands().end(), is_sum_of_words);
+      return std::ranges::all_of(P.operands(), is_sum_of_words);
     case Kind::kProduct: {
       const Parted parts = parted(P);
       const bool shorter = !parts.left.empty() || !parts.right.empty() || parts.middle.size() == 1;
-      const bool numbers = std::all_of(parts.left.begin(), parts.left.end(), is_of_numbers) &&
-                           std::all_of(parts.right.begin(), parts.right.end(), is_of_numbers);
+      const bool numbers = std::ranges::all_of(parts.left, is_of_numbers) &&
+                           std::ranges::all_of(parts.right, is_of_numbers);
       return shorter && numbers &&
              is_sum_of_words(product_of(parts.middle.begin(), parts.middle.end()));
     }
@@ -111,7 +111,7 @@ bool is_diagonal(const Expression& e) {
     case Kind::kDiagonal:
       return true;
     default:
-      return std::all_of(e.operands().begin(), e.operands().end(), is_diagonal);
+      return std::ranges::all_of(e.operands(), is_diagonal);
   }
 }
 

@@ -116,8 +116,7 @@ bool Algebra::has_sum(int x) const {
   }
   const bool of_subtree = v.op == Op::kSubtree || v.op == Op::kSubtreeStrict ||
                           v.op == Op::kBackward || v.op == Op::kSons || v.op == Op::kCollect;
-  return of_subtree ||
-         std::any_of(v.operands.begin(), v.operands.end(), [this](int y) { return has_sum(y); });
+  return of_subtree || std::ranges::any_of(v.operands, [this](int y) { return has_sum(y); });
 }
 
 /// D^T x of N^T x; of what is a sum over subtrees itself x + N^T x.

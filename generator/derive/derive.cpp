@@ -166,7 +166,7 @@ Derivation derive_with(const block::Expression& expression, bool by_rows, const 
 /// Sums along the tree that cannot be carried out while code is generated.
 auto sums(const Derivation& derivation) {
   const std::vector<int> needed = derivation.values.needed(derivation.roots);
-  return std::count_if(needed.begin(), needed.end(), [&](int id) {
+  return std::ranges::count_if(needed, [&](int id) {
     const Value& v = derivation.values[id];
     return v.type != Type::kScalar && v.op >= Op::kPath && v.op <= Op::kBackward;
   });

@@ -149,9 +149,8 @@ bool Eliminator::find_motion(const Affine& force) {
   for (const auto& [atom, block] : force.blocks) {
     const Value path = values_[atom.first];
     Affine own = path.op == Op::kPath ? opened(path.operands[0]) : Affine{};
-    const auto x = std::find_if(own.blocks.begin(), own.blocks.end(), [this](const auto& part) {
-      return values_[part.first.first].op == Op::kLeaf;
-    });
+    const auto x = std::ranges::find_if(
+        own.blocks, [this](const auto& part) { return values_[part.first.first].op == Op::kLeaf; });
     State* const motion = x == own.blocks.end() ? nullptr : place(y_, x->second, atom.first);
     if (motion == nullptr || atom.second) {
       return false;
@@ -179,8 +178,8 @@ bool Eliminator::is_symmetric_tensor(int S) const {
   const Value& v = values_[S];
   return v.name == "I^d" || v.name == "J_c^d" || v.op == Op::kIdentity ||
          (v.op == Op::kScale && is_symmetric_tensor(v.operands.back())) ||
-         (v.op == Op::kLinear && std::all_of(v.operands.begin(), v.operands.end(),
-                                             [this](int x) { return is_symmetric_tensor(x); }));
+         (v.op == Op::kLinear &&
+          std::ranges::all_of(v.operands, [this](int x) { return is_symmetric_tensor(x); }));
 }
 
 /// True if what travels to the root mirrors what comes from it: A = P^T M P with M^T = M.

@@ -15,8 +15,8 @@ bool is_leaf(const Expression& e, const std::string& name) {
 }
 
 bool holds(const Expression& e, const std::string& name) {
-  return is_leaf(e, name) || std::any_of(e.operands().begin(), e.operands().end(),
-                                         [&](const Expression& f) { return holds(f, name); });
+  return is_leaf(e, name) ||
+         std::ranges::any_of(e.operands(), [&](const Expression& f) { return holds(f, name); });
 }
 
 using Sum = std::vector<std::pair<Ratio, Expression>>;

@@ -229,8 +229,7 @@ class Forms {
     const Terms rest = {{kPlus, sum.operands[1]}, {kMinus, a}};
     const Value both = new_[algebra_.linear(rest)];
     if (both.op != Op::kLinear ||
-        std::any_of(both.factors.begin(), both.factors.end(),
-                    [](const Ratio& f) { return f.numerator % 2 != 0; })) {
+        std::ranges::any_of(both.factors, [](const Ratio& f) { return f.numerator % 2 != 0; })) {
       return -1;
     }
     Terms inner = {{kPlus, a}};

@@ -139,7 +139,7 @@ void Algebra::merge_applied(Terms& terms) {
     }
   }
   const auto is_applied = [&](int v) {
-    return std::find(applied.begin(), applied.end(), v) != applied.end();
+    return std::ranges::find(applied, v) != applied.end();
   };
   const auto place = [&](const Value& v) {  // of the vector that a matrix multiplies
     return v.op == Op::kApply || is_applied(v.operands[1]) ? 1U : 0U;
@@ -274,8 +274,8 @@ void Algebra::merge_levers(Terms& terms, std::size_t common) {
 /// D^T a + N^T b: sons hand on b and their own sum.
 void Algebra::merge_backward(Terms& terms) {
   const auto find = [&](Op op) {
-    return std::find_if(terms.begin(), terms.end(),
-                        [&](const auto& term) { return value(term.second).op == op; });
+    return std::ranges::find_if(terms,
+                                [&](const auto& term) { return value(term.second).op == op; });
   };
   const auto a = find(Op::kSubtree);
   const auto b = find(Op::kSubtreeStrict);
@@ -333,8 +333,7 @@ int Algebra::linear(const Terms& terms) {
   if (rest.size() == 1 && rest.front().first == kPlus) {
     return opened(terms, rest.front().second);
   }
-  std::sort(rest.begin(), rest.end(),
-            [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::ranges::sort(rest, [](const auto& a, const auto& b) { return a.second < b.second; });
   Value value{Op::kLinear, first.set, first.type, {}, 0, {}, {}};
   for (const auto& [factor, x] : rest) {
     value.operands.push_back(x);

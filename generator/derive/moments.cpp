@@ -16,8 +16,7 @@ bool Algebra::has_centre(int x) const {
       return about_joint && has(v.operands[1]);
     case Op::kCross:
     case Op::kLinear:
-      return (about_joint || v.op == Op::kLinear) &&
-             std::any_of(v.operands.begin(), v.operands.end(), has);
+      return (about_joint || v.op == Op::kLinear) && std::ranges::any_of(v.operands, has);
     default:
       return v.name == "c^d";
   }
@@ -27,8 +26,8 @@ bool Algebra::has_centre(int x) const {
 bool Algebra::is_turning(int S) const {
   const Value& v = value(S);
   return v.op == Op::kSkew || (v.op == Op::kSkewProduct && v.operands[0] == v.operands[1]) ||
-         (v.op == Op::kLinear && std::all_of(v.operands.begin(), v.operands.end(),
-                                             [this](int x) { return is_turning(x); }));
+         (v.op == Op::kLinear &&
+          std::ranges::all_of(v.operands, [this](int x) { return is_turning(x); }));
 }
 
 /// True for h, m x and sums of nothing else.
@@ -53,11 +52,9 @@ bool Algebra::has_mass(int x) const {
   }
   switch (v.op) {
     case Op::kLinear:
-      return std::any_of(v.operands.begin(), v.operands.end(),
-                         [this](int y) { return has_mass(y); });
+      return std::ranges::any_of(v.operands, [this](int y) { return has_mass(y); });
     case Op::kScale:
-      return std::any_of(v.operands.begin(), v.operands.end(),
-                         [this](int y) { return value(y).name == "m^d"; });
+      return std::ranges::any_of(v.operands, [this](int y) { return value(y).name == "m^d"; });
     case Op::kApply:
       return value(v.operands[1]).name == "h^d" && is_turning(v.operands[0]);
     case Op::kCross:
@@ -70,8 +67,7 @@ bool Algebra::has_mass(int x) const {
 /// R10: m c = h, m (x + Ω c) = m x + Ω h; -1 if there is no m or no c.
 int Algebra::with_moments(const std::vector<int>& numbers, int x) {
   const Value v = value(x);
-  const auto mass = std::find_if(numbers.begin(), numbers.end(),
-                                 [this](int y) { return value(y).name == "m^d"; });
+  const auto mass = std::ranges::find_if(numbers, [this](int y) { return value(y).name == "m^d"; });
   if (mass == numbers.end() || !has_centre(x)) {
     return -1;
   }

@@ -68,8 +68,8 @@ bool is_identity(const Shape& shape) {
   const Vector w = symbols("w");
   const Vector father = symbols("f");
   Vector own;
-  std::transform(w.begin(), w.end(), father.begin(), std::back_inserter(own),
-                 [](const GiNaC::ex& a, const GiNaC::ex& b) { return a + b; });
+  std::ranges::transform(w, father, std::back_inserter(own),
+                         [](const GiNaC::ex& a, const GiNaC::ex& b) { return a + b; });
   const std::array<GiNaC::matrix, 3> skews = {skew(w), skew(own), skew(father)};
   GiNaC::matrix difference = skews[2].mul(skews[2]).sub(skews[1].mul(skews[1]));
   for (const auto& [factor, a, b] : shape) {

@@ -84,8 +84,7 @@ class Transposer {
       return v.type == Type::kVector;
     }
     const std::vector<int> operands = linear_operands(v);
-    const auto those =
-        std::count_if(operands.begin(), operands.end(), [this](int y) { return has_subtrees(y); });
+    const auto those = std::ranges::count_if(operands, [this](int y) { return has_subtrees(y); });
     return those == 1 || (those > 0 && v.op == Op::kLinear);
   }
 
@@ -128,8 +127,7 @@ class Transposer {
   }
 
   void hand_on_product(const Value& v, int factor) {
-    const auto x = std::find_if(v.operands.begin(), v.operands.end(),
-                                [this](int y) { return has_subtrees(y); });
+    const auto x = std::ranges::find_if(v.operands, [this](int y) { return has_subtrees(y); });
     for (auto y = v.operands.begin(); y != v.operands.end(); ++y) {
       if (y != x) {
         const bool vectors =
@@ -161,8 +159,8 @@ class Transposer {
     const auto last = [this](int y) {
       return std::pair(values_[y].op != Op::kLeaf, y);
     };
-    const auto front = std::max_element(three.begin(), three.end(),
-                                        [&](int y, int z) { return last(y) < last(z); });
+    const auto front =
+        std::ranges::max_element(three, [&](int y, int z) { return last(y) < last(z); });
     std::rotate(three.begin(), front, three.end());
     const bool swaps = three[1] > three[2];
     const int area =

@@ -33,9 +33,9 @@ int Values::intern(Value value) {
   }
   const auto [place, is_new] = known_.emplace(key_of(value), size());
   if (is_new) {
-    of_unit_.push_back(value.op == Op::kUnit ||
-                       std::any_of(value.operands.begin(), value.operands.end(),
-                                   [this](int operand) { return of_unit(operand); }));
+    of_unit_.push_back(
+        value.op == Op::kUnit ||
+        std::ranges::any_of(value.operands, [this](int operand) { return of_unit(operand); }));
     values_.push_back(std::move(value));
     made_by_.emplace_back();
   }

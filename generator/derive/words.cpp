@@ -58,7 +58,7 @@ Words Opener::product(const std::vector<Expression>& factors) const {
 
 Words Opener::transposed(Words inner) const {
   for (Word& word : inner) {
-    std::reverse(word.factors.begin(), word.factors.end());
+    std::ranges::reverse(word.factors);
     for (Expression& f : word.factors) {
       f = f.kind() == Kind::kTranspose ? f.operands().front() : block::transpose(f);
     }
@@ -70,14 +70,14 @@ Words Opener::transposed(Words inner) const {
 Words Opener::skew(const Expression& e) const {
   Words result = open(e.operands().front());
   for (Word& word : result) {
-    const auto vectors = std::count_if(word.factors.begin(), word.factors.end(), is_vector);
-    const bool crossed = std::any_of(
-        word.factors.begin(), word.factors.end(),
-        [](const Expression& f) { return f.shape().rows.size == 3 && f.shape().cols.size == 3; });
+    const auto vectors = std::ranges::count_if(word.factors, is_vector);
+    const bool crossed = std::ranges::any_of(word.factors, [](const Expression& f) {
+      return f.shape().rows.size == 3 && f.shape().cols.size == 3;
+    });
     if (vectors != 1 || crossed) {
       return {{{}, {e}}};
     }
-    const auto v = std::find_if(word.factors.begin(), word.factors.end(), is_vector);
+    const auto v = std::ranges::find_if(word.factors, is_vector);
     *v = e.kind() == Kind::kSkew ? block::skew(*v) : block::skew_transpose(*v);
   }
   return result;

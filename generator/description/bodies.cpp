@@ -24,8 +24,8 @@ void tidy(Matrix3& tensor) {
 /// sum of six roundings (Gershgorin); 1e-6 of the largest entry for single precision inside of a
 /// CAD program, and 1e-15 kg m^2 for what it leaves of zero.
 Real moment_tolerance(const Numbers& written, const Matrix3& tensor) {
-  const Real scale = *std::max_element(
-      tensor.begin(), tensor.end(), [](const Real& a, const Real& b) { return abs(a) < abs(b); });
+  const Real scale = *std::ranges::max_element(
+      tensor, [](const Real& a, const Real& b) { return abs(a) < abs(b); });
   Real largest = 0;
   for (const Text& text : written.values) {
     largest = std::max(largest, NumberReader::rounding(text, abs(scale)));

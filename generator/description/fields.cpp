@@ -45,8 +45,8 @@ void Fields::fail(const Place& where, const std::string& message) const {
 }
 
 const Node* Fields::find(std::string_view key) const {
-  const auto item = std::find_if(node_.items.begin(), node_.items.end(),
-                                 [key](const Node& n) { return n.key.text == key; });
+  const auto item =
+      std::ranges::find_if(node_.items, [key](const Node& n) { return n.key.text == key; });
   return item == node_.items.end() ? nullptr : &*item;
 }
 

@@ -124,8 +124,8 @@ class PointList {
   }
 
   void add_bare(std::string_view name, std::vector<model::Point>& result) const {
-    const auto point = std::find_if(tree_.points.begin(), tree_.points.end(),
-                                    [name](const model::Point& p) { return p.name == name; });
+    const auto point = std::ranges::find_if(
+        tree_.points, [name](const model::Point& p) { return p.name == name; });
     if (point != tree_.points.end()) {
       result.push_back(*point);
     } else if (name == "all" && frames_.count(name) == 0) {
@@ -177,8 +177,8 @@ class PointList {
 
 const model::Frame* find_frame(const model::Tree& tree, std::string_view name) {
   static const model::Frame ground{"ground", model::kGround, identity(), {}};
-  const auto found = std::find_if(tree.frames.begin(), tree.frames.end(),
-                                  [&](const model::Frame& frame) { return frame.name == name; });
+  const auto found = std::ranges::find_if(
+      tree.frames, [&](const model::Frame& frame) { return frame.name == name; });
   if (found != tree.frames.end()) {
     return &*found;
   }

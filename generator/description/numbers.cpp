@@ -71,8 +71,8 @@ std::array<Real, size> NumberReader::list(const Numbers& numbers, const std::str
                                  numbers.values.size() == 1 ? "" : "s", size));
   }
   std::array<Real, size> result;
-  std::transform(numbers.values.begin(), numbers.values.end(), result.begin(),
-                 [&](const Text& text) { return number(text, what); });
+  std::ranges::transform(numbers.values, result.begin(),
+                         [&](const Text& text) { return number(text, what); });
   return result;
 }
 

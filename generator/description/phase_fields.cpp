@@ -248,7 +248,7 @@ class PhaseReader {
       if (listed_.count(static_cast<int>(k)) == 0) {
         for (model::Phase& phase : scene_.phases) {
           phase.active.push_back(static_cast<int>(k));
-          std::sort(phase.active.begin(), phase.active.end());
+          std::ranges::sort(phase.active);
         }
       }
     }
@@ -257,7 +257,7 @@ class PhaseReader {
   /// An impact makes the constraints act that its rebound comes to rest on.
   [[nodiscard]] bool may_act(int constraint, std::size_t phase) const {
     const auto has = [constraint](const std::vector<int>& list) {
-      return std::find(list.begin(), list.end(), constraint) != list.end();
+      return std::ranges::find(list, constraint) != list.end();
     };
     bool result = has(scene_.phases[phase].active);
     for (const model::Phase& other : scene_.phases) {

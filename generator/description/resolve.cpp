@@ -62,14 +62,14 @@ namespace {
 /// Snaps or findings by line and column.
 template <typename Record>
 std::vector<Record> in_file_order(std::vector<Record> records) {
-  std::stable_sort(records.begin(), records.end(), [](const Record& a, const Record& b) {
+  std::ranges::stable_sort(records, [](const Record& a, const Record& b) {
     return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
   });
   return records;
 }
 
 bool is_zero(const Matrix3& tensor) {
-  return std::all_of(tensor.begin(), tensor.end(), [](const Real& x) { return x == 0; });
+  return std::ranges::all_of(tensor, [](const Real& x) { return x == 0; });
 }
 
 /// One model in the making.
@@ -246,7 +246,7 @@ class Resolver {
                                           const std::string& what) const {
     constexpr std::array<std::string_view, 6> kNone = {"inf",  "-inf",  "+inf",
                                                        ".inf", "-.inf", "+.inf"};
-    const bool none = !text || std::find(kNone.begin(), kNone.end(), text->text) != kNone.end() ||
+    const bool none = !text || std::ranges::find(kNone, text->text) != kNone.end() ||
                       read_decimal(text->text).error == DecimalError::kOutOfRange;
     return none ? std::nullopt : std::optional(numbers_.number(*text, what));
   }

@@ -41,7 +41,7 @@ model::Point point_of_frame(const std::string& name, const model::Frame& frame, 
 constexpr std::array<std::string_view, 6> kComponents = {"x", "y", "z", "vx", "vy", "vz"};
 
 std::optional<Variable> component(std::string_view name) {
-  const auto* const found = std::find(kComponents.begin(), kComponents.end(), name);
+  const auto* const found = std::ranges::find(kComponents, name);
   if (found == kComponents.end()) {
     return std::nullopt;
   }
@@ -57,8 +57,7 @@ bool same_place(const model::Point& a, const model::Point& b) {
 /// A parameter hides no variable of any expression.
 void refuse_variable(const std::string& file, const Text& name, const std::string& what) {
   constexpr std::array<std::string_view, 5> kOthers = {"t", "q", "qd", "d", "v"};
-  if (component(name.text) ||
-      std::find(kOthers.begin(), kOthers.end(), name.text) != kOthers.end()) {
+  if (component(name.text) || std::ranges::find(kOthers, name.text) != kOthers.end()) {
     throw InputError(name.where.in(file),
                      what + " has the name of a variable of expressions; expected a new name");
   }

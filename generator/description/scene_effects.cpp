@@ -81,9 +81,8 @@ SceneEffects::SceneEffects(SceneContext& context, const SceneFields& root) : con
     const SceneFields effects = context_.fields(*node, "effects", keys);
     read_gravity(effects);
     for (const Node& entries : node->items) {  // constraints and points get the order of the file
-      const auto row = std::find_if(rows().begin(), rows().end(), [&](const Row& other) {
-        return other.effect == entries.key.text;
-      });
+      const auto row = std::ranges::find_if(
+          rows(), [&](const Row& other) { return other.effect == entries.key.text; });
       if (row != rows().end()) {
         read_entries(*row, effects, entries);
       }
@@ -117,9 +116,8 @@ void SceneEffects::check_on(const SceneFields& root, const Node* effects) const 
                             effect == "stabilisation" || acting_.count(effect) > 0;
     if (use == Use::kOn && !has_values) {
       const Node& node = root.get("use");
-      const auto item =
-          std::find_if(node.items.begin(), node.items.end(),
-                       [&name = effect](const Node& n) { return n.key.text == name; });
+      const auto item = std::ranges::find_if(
+          node.items, [&name = effect](const Node& n) { return n.key.text == name; });
       root.fail(item->where, fmt::format("effect '{}' is on and {}; expected {}", effect,
                                          effects == nullptr ? "there are no effects"
                                                             : "nothing in 'effects' acts",

@@ -45,7 +45,7 @@ model::Curve curve_of(const Harmonic& h) {
 
 /// A file of hard_cases: its bodies stand in it.
 bool is_case(const Node& root) {
-  return std::any_of(root.items.begin(), root.items.end(), [](const Node& item) {
+  return std::ranges::any_of(root.items, [](const Node& item) {
     return item.key.text == "schema" ||
            (item.key.text == "model" && item.kind == NodeKind::kMapping);
   });
@@ -268,7 +268,7 @@ class SceneReader {
     for (const Node& item : fields.list(key)) {
       result.push_back(constraint(fields, item));
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
@@ -276,8 +276,8 @@ class SceneReader {
   [[nodiscard]] int phase(const SceneFields& fields, const char* key) const {
     const std::string name = fields.text(key).text;
     const auto& phases = scene_.phases;
-    const auto found = std::find_if(phases.begin(), phases.end(),
-                                    [&](const model::Phase& p) { return p.name == name; });
+    const auto found =
+        std::ranges::find_if(phases, [&](const model::Phase& p) { return p.name == name; });
     if (found == phases.end()) {
       fields.fail(fields.get(key).where,
                   fmt::format("phase '{}' is not defined; expected one of 'phases'", shown(name)));

@@ -114,7 +114,7 @@ void read_actuated(const SceneContext& context, const SceneFields& root, model::
     const Text name = root.scalar(item);
     const int joint = context.joint(root, name);
     std::vector<int>& joints = *scene.actuated;
-    if (std::find(joints.begin(), joints.end(), joint) != joints.end()) {
+    if (std::ranges::find(joints, joint) != joints.end()) {
       root.fail(name.where, fmt::format("joint '{}' is actuated twice; expected every joint once",
                                         shown(name.text)));
     }

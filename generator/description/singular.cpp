@@ -68,8 +68,7 @@ Real spatial_dot(const Motion& a, const Motion& b) {
 }
 
 void add(Spatial& a, const Spatial& b) {
-  std::transform(a.begin(), a.end(), b.begin(), a.begin(),
-                 [](const Real& x, const Real& y) { return Real(x + y); });
+  std::ranges::transform(a, b, a.begin(), [](const Real& x, const Real& y) { return Real(x + y); });
 }
 
 /// Inertia about the link's origin: [ J - m Lambda(c)^2, m Lambda(c); -m Lambda(c), m E ].
@@ -249,7 +248,7 @@ std::vector<Real> reduced_mass_matrix(const model::Tree& tree) {
 /// \return whose pivots are zero
 std::vector<bool> eliminated(std::vector<Real>& a, const std::vector<Real>& diagonal) {
   const std::size_t n = diagonal.size();
-  const Real scale = *std::max_element(diagonal.begin(), diagonal.end());
+  const Real scale = *std::ranges::max_element(diagonal);
   std::vector<bool> zero(n, false);
   for (std::size_t k = n; k-- > 0;) {
     const Real d = a[k * n + k];
@@ -277,8 +276,8 @@ Movement free_reduced_movement(const std::vector<Real>& a, const std::vector<boo
       x[j] -= a[j * n + i] * x[i] / a[j * n + j];
       size += abs(a[j * n + i]) / a[j * n + j];
     }
-    const Real largest = abs(*std::max_element(
-        x.begin(), x.end(), [](const Real& l, const Real& r) { return abs(l) < abs(r); }));
+    const Real largest = abs(
+        *std::ranges::max_element(x, [](const Real& l, const Real& r) { return abs(l) < abs(r); }));
     if (abs(x[j]) > size * largest * Real("1e-25")) {
       movement.push_back(j);
     }
@@ -325,8 +324,8 @@ std::vector<Movement> free_movements(const model::Tree& tree, const std::vector<
   }
   result = free_reduced_movements(tree, armature);
   for (Movement& movement : result) {
-    std::transform(movement.begin(), movement.end(), movement.begin(),
-                   [&](std::size_t k) { return to_index(tree.coordinates[k]); });
+    std::ranges::transform(movement, movement.begin(),
+                           [&](std::size_t k) { return to_index(tree.coordinates[k]); });
   }
   return result;
 }

@@ -189,7 +189,7 @@ void sort_links(const RawTree& raw, Skeleton& skeleton) {
     for (const int link : skeleton.order) {
       reached[to_index(link)] = true;
     }
-    const auto lost = std::find(reached.begin(), reached.end(), false);
+    const auto lost = std::ranges::find(reached, false);
     fail_with_cycle(raw, skeleton, static_cast<int>(lost - reached.begin()));
   }
 }

@@ -67,9 +67,9 @@ std::string angle_text(long k) {
 /// The exact value next to `entry`.
 Exact nearest_exact(const Real& entry) {
   const Real size = abs(entry);
-  const auto* const best = std::min_element(
-      sines().begin(), sines().end(),
-      [&](const Exact& a, const Exact& b) { return abs(a.value - size) < abs(b.value - size); });
+  const auto* const best = std::ranges::min_element(sines(), [&](const Exact& a, const Exact& b) {
+    return abs(a.value - size) < abs(b.value - size);
+  });
   const bool negative = entry < 0 && best->value != 0;
   return {negative ? Real(-best->value) : best->value,
           fmt::format("{}{}", negative ? "-" : "", best->text)};
@@ -94,8 +94,8 @@ Matrix3 nearest_rotation(Matrix3 m) {
     const Real det = dot(x, yz);
     const Matrix3 cofactors = {yz[0], yz[1], yz[2], zx[0], zx[1], zx[2], xy[0], xy[1], xy[2]};
     Matrix3 next;
-    std::transform(m.begin(), m.end(), cofactors.begin(), next.begin(),
-                   [&](const Real& a, const Real& c) { return Real((a + c / det) / 2); });
+    std::ranges::transform(m, cofactors, next.begin(),
+                           [&](const Real& a, const Real& c) { return Real((a + c / det) / 2); });
     const Real change = distance(m, next);
     m = next;
     if (change <= Real("1e-30")) {  // quadratic: the next change is below 1e-50
@@ -117,8 +117,9 @@ struct Entry {
 template <std::size_t size, typename Project>
 bool settled(std::array<Entry, size>& entries, const Project& project,
              std::array<Real, size>& result) {
-  std::transform(entries.begin(), entries.end(), result.begin(),
-                 [](const Entry& entry) { return entry.snaps ? entry.exact.value : entry.value; });
+  std::ranges::transform(entries, result.begin(), [](const Entry& entry) {
+    return entry.snaps ? entry.exact.value : entry.value;
+  });
   result = project(result);
   bool all = true;
   for (std::size_t k = 0; k < size; ++k) {
@@ -186,7 +187,7 @@ std::array<Real, size> Snapper::snap_entries(const std::array<Real, size>& given
                                              const Numbers& written, const std::string& what,
                                              const Project& project) {
   std::array<Entry, size> entries;
-  std::transform(given.begin(), given.end(), entries.begin(), [this](const Real& value) {
+  std::ranges::transform(given, entries.begin(), [this](const Real& value) {
     const Exact exact = nearest_exact(value);
     const bool near = abs(value - exact.value) <= std::max(tolerance_, rounding_limit());
     return Entry{value, exact, near};
@@ -235,7 +236,7 @@ Vector3 Snapper::unit_axis(const Vector3& axis, const Numbers& written, const st
 
 Matrix3 tidied(const Matrix3& rotation) {
   Matrix3 result;
-  std::transform(rotation.begin(), rotation.end(), result.begin(), tidied_entry);
+  std::ranges::transform(rotation, result.begin(), tidied_entry);
   return result;
 }
 

@@ -33,7 +33,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kRead = 
 }};
 
 bool wanted(std::string_view father, std::string_view child) {
-  return std::find(kRead.begin(), kRead.end(), std::pair(father, child)) != kRead.end();
+  return std::ranges::find(kRead, std::pair(father, child)) != kRead.end();
 }
 
 /// An element and how messages call it.
@@ -162,8 +162,8 @@ const std::vector<KnownRow>& known_rows() {
 /// unknown elements, and those of namespaces, belong to other programs.
 void vet_element(const Part& part, std::vector<Warning>& findings) {
   const Element& element = part.element;
-  const auto row = std::find_if(known_rows().begin(), known_rows().end(),
-                                [&](const KnownRow& r) { return r.element == element.name; });
+  const auto row = std::ranges::find_if(
+      known_rows(), [&](const KnownRow& r) { return r.element == element.name; });
   if (row == known_rows().end()) {
     return;
   }

@@ -18,8 +18,8 @@ Vector3 operator*(const Real& s, const Vector3& a) { return {s * a[0], s * a[1],
 
 Matrix3 operator+(const Matrix3& a, const Matrix3& b) {
   Matrix3 result;
-  std::transform(a.begin(), a.end(), b.begin(), result.begin(),
-                 [](const Real& x, const Real& y) { return Real(x + y); });
+  std::ranges::transform(a, b, result.begin(),
+                         [](const Real& x, const Real& y) { return Real(x + y); });
   return result;
 }
 
@@ -102,7 +102,7 @@ Vector3 eigenvalues(const Matrix3& a) {
     rotate(rest, 1, 2);
   }
   Vector3 result = {rest[0], rest[4], rest[8]};
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   return result;
 }
 

@@ -142,8 +142,8 @@ class ElementBuilder {
 }  // namespace
 
 const std::string* Element::attribute(std::string_view key) const {
-  const auto found = std::find_if(attributes.begin(), attributes.end(),
-                                  [key](const auto& a) { return a.first == key; });
+  const auto found =
+      std::ranges::find_if(attributes, [key](const auto& a) { return a.first == key; });
   return found == attributes.end() ? nullptr : &found->second;
 }
 

@@ -285,11 +285,10 @@ class NodeBuilder {
     for (const Node& item : mapping.items) {
       sorted.push_back(&item);
     }
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Node* a, const Node* b) { return a->key.text < b->key.text; });
-    const auto twice =
-        std::adjacent_find(sorted.begin(), sorted.end(),
-                           [](const Node* a, const Node* b) { return a->key.text == b->key.text; });
+    std::ranges::stable_sort(
+        sorted, [](const Node* a, const Node* b) { return a->key.text < b->key.text; });
+    const auto twice = std::ranges::adjacent_find(
+        sorted, [](const Node* a, const Node* b) { return a->key.text == b->key.text; });
     if (twice != sorted.end()) {
       const Text& second = (*std::next(twice))->key;
       fail(second.where, fmt::format("key '{}' is repeated, first in line {}; expected it once",

@@ -79,7 +79,7 @@ std::vector<double> Run::reactions(int state) const {
   std::size_t row = 0;
   for (std::size_t c = 0; c < scene_.constraints.size(); ++c) {
     const std::size_t rows = scene_.constraints[c].rows();
-    const bool acts = std::find(active.begin(), active.end(), static_cast<int>(c)) != active.end();
+    const bool acts = std::ranges::find(active, static_cast<int>(c)) != active.end();
     for (std::size_t k = 0; k < rows; ++k) {
       result.push_back(acts ? static_cast<double>(step_.at("lambda")[row + k]) : 0);
     }
@@ -93,8 +93,8 @@ void Run::note_status(int status, double time) {
     if ((status & bit) == 0) {
       continue;
     }
-    const auto same = std::find_if(statuses_.begin(), statuses_.end(),
-                                   [bit](const StatusRecord& s) { return s.bit == bit; });
+    const auto same =
+        std::ranges::find_if(statuses_, [bit](const StatusRecord& s) { return s.bit == bit; });
     if (same == statuses_.end()) {
       statuses_.push_back({bit, 1, time});
     } else {
@@ -225,7 +225,7 @@ void begin_motion(const model::Scene& scene, const Vector& q, const Vector& qd,
   }
   for (const char* name : {"steps", "begun", "rest"}) {
     if (step.has(name)) {
-      std::fill(step.at(name).begin(), step.at(name).end(), 0);
+      std::ranges::fill(step.at(name), 0);
     }
   }
   if (step.has("phase")) {

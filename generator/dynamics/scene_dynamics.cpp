@@ -31,8 +31,8 @@ program::Function function_of(const model::Scene& scene, const std::string& name
 program::Function combined(const model::Scene& scene, const std::vector<std::string>& names,
                            const std::vector<std::string>& inputs) {
   std::vector<program::Function> functions;
-  std::transform(names.begin(), names.end(), std::back_inserter(functions),
-                 [&](const std::string& name) { return function_of(scene, name); });
+  std::ranges::transform(names, std::back_inserter(functions),
+                         [&](const std::string& name) { return function_of(scene, name); });
   std::vector<program::Array> arrays;
   for (const std::string& input : inputs) {
     arrays.push_back({input, scene.tree.dof(), ""});
@@ -117,8 +117,8 @@ class EngineDynamics final : public simulation::Dynamics {
     }
     const std::span<const double> result =
         engine_.evaluate(function, std::span<const std::span<const double>>(spans.data(), count));
-    std::copy(result.begin(), result.end(),
-              terms.values().begin() + static_cast<std::ptrdiff_t>(terms.offset(array)));
+    std::ranges::copy(result,
+                      terms.values().begin() + static_cast<std::ptrdiff_t>(terms.offset(array)));
   }
 
   engine::Engine<double> engine_;
@@ -131,10 +131,9 @@ simulation::Needs needs_of(const model::Scene& scene) {
   simulation::Needs needs;
   needs.points = !scene.points.empty();
   needs.rotations = model::has_moments(scene) ||
-                    std::any_of(scene.constraints.begin(), scene.constraints.end(),
-                                [](const model::Constraint& c) {
-                                  return c.kind == model::ConstraintKind::kOrientation;
-                                });
+                    std::ranges::any_of(scene.constraints, [](const model::Constraint& c) {
+                      return c.kind == model::ConstraintKind::kOrientation;
+                    });
   return needs;
 }
 

@@ -250,8 +250,7 @@ Body Writer::write() {
     result.zeros.lines.push_back(text(zero));
     ++result.statements;
   }
-  result.structural_zeros =
-      static_cast<int>(std::count(function_.outputs.begin(), function_.outputs.end(), Ref{0}));
+  result.structural_zeros = static_cast<int>(std::ranges::count(function_.outputs, Ref{0}));
   return result;
 }
 

@@ -61,8 +61,7 @@ bool begins_function(const std::string& line) {
   constexpr std::array<std::string_view, 7> kTypes = {"void ",  "int ",    "bool ",     "Scalar ",
                                                       "float ", "double ", "SineCosine"};
   return line.find('(') != std::string::npos && !line.ends_with(';') &&
-         std::any_of(kTypes.begin(), kTypes.end(),
-                     [&](std::string_view type) { return line.starts_with(type); });
+         std::ranges::any_of(kTypes, [&](std::string_view type) { return line.starts_with(type); });
 }
 
 std::string placed(const std::string& source, const std::string& section) {

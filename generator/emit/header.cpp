@@ -197,8 +197,9 @@ std::string status_bits(const Unit& unit) {
   }
   const bool checked = !unit.checked.empty();
   const bool pivots =
-      checked || std::any_of(unit.staged.begin(), unit.staged.end(),
-                             [](const program::Staged& staged) { return !staged.pivots.empty(); });
+      checked || std::ranges::any_of(unit.staged, [](const program::Staged& staged) {
+        return !staged.pivots.empty();
+      });
   return fmt::format(
       R"(
 /// Bits of the int that functions return; 0: all is right.
@@ -279,7 +280,7 @@ std::string command_comment(const std::vector<std::string>& command) {
 int father_coordinate(const model::Tree& tree, int k) {
   int link = tree.moved_by(k).father;
   while (link != model::kGround) {
-    const auto found = std::find(tree.coordinates.begin(), tree.coordinates.end(), link);
+    const auto found = std::ranges::find(tree.coordinates, link);
     if (found != tree.coordinates.end()) {
       return static_cast<int>(found - tree.coordinates.begin());
     }

@@ -151,9 +151,9 @@ Vocabulary vocabulary(const model::Tree& tree) {
 std::string common_words(const std::vector<std::string>& names) {
   std::string result;
   for (const std::string& word : split(names.front(), '_')) {
-    const bool everywhere = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    const bool everywhere = std::ranges::all_of(names, [&](const std::string& name) {
       const std::vector<std::string> words = split(name, '_');
-      return std::find(words.begin(), words.end(), word) != words.end();
+      return std::ranges::find(words, word) != words.end();
     });
     if (everywhere && !word.empty()) {
       result += (result.empty() ? "" : "_") + word;

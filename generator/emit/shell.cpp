@@ -19,7 +19,7 @@ bool is_plain(char c) {
 }
 
 bool needs_no_quotes(const std::string& word) {
-  return !word.empty() && std::all_of(word.begin(), word.end(), is_plain);
+  return !word.empty() && std::ranges::all_of(word, is_plain);
 }
 
 /// Escapes for every byte that is not plain.
@@ -67,8 +67,8 @@ std::string word_in_comment(const std::string& word) {
   if (needs_no_quotes(word)) {
     return word;
   }
-  const bool simple = std::all_of(word.begin(), word.end(),
-                                  [](char c) { return is_plain(c) || c == ' ' || c == '('; });
+  const bool simple =
+      std::ranges::all_of(word, [](char c) { return is_plain(c) || c == ' ' || c == '('; });
   return simple ? "'" + word + "'" : with_octal_escapes(word);
 }
 

@@ -27,7 +27,7 @@ Solves solves_of(const std::vector<Staged>& functions) {
   Solves result;
   for (const Staged& staged : functions) {
     for (const RowSolve& solve : staged.solves) {
-      if (std::find(result.begin(), result.end(), solve) == result.end()) {
+      if (std::ranges::find(result, solve) == result.end()) {
         result.push_back(solve);
       }
     }
@@ -348,8 +348,8 @@ std::string local_functions(const std::vector<Staged>& functions, const Vocabula
 std::string staged_text(const std::vector<Staged>& functions, const std::vector<Body>& bodies,
                         const Vocabulary& words, const Target& target) {
   const Solves all = solves_of(functions);
-  const bool tells = std::any_of(functions.begin(), functions.end(),
-                                 [](const Staged& staged) { return staged.tells; });
+  const bool tells =
+      std::ranges::any_of(functions, [](const Staged& staged) { return staged.tells; });
   std::string result = (tells ? "extern \"C\" void treedyn_again(int what);\n" : "") +
                        solvers_text(all, target) + contacts_text(functions, words, target);
   for (std::size_t k = 0; k < functions.size(); ++k) {

@@ -163,7 +163,7 @@ Lines EventWriter::stuck_lines() const {
   const auto is_free = [](const StepPhase& phase) {
     return phase.stuck.empty();
   };
-  if (std::all_of(stepper_.phases.begin(), stepper_.phases.end(), is_free)) {
+  if (std::ranges::all_of(stepper_.phases, is_free)) {
     return {};
   }
   return by_phase(stepper_, "motion.which", [](const StepPhase& phase) {
@@ -177,9 +177,8 @@ Lines EventWriter::stuck_lines() const {
 }
 
 bool EventWriter::goes_on() const {
-  return std::any_of(stepper_.phases.begin(), stepper_.phases.end(), [](const StepPhase& phase) {
-    return std::any_of(phase.events.begin(), phase.events.end(),
-                       [](const StepEvent& event) { return event.goes_on; });
+  return std::ranges::any_of(stepper_.phases, [](const StepPhase& phase) {
+    return std::ranges::any_of(phase.events, [](const StepEvent& event) { return event.goes_on; });
   });
 }
 

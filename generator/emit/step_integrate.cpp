@@ -263,7 +263,7 @@ void add_sdirk2_slots(const Stepper& stepper, Form form, Scalar scalar, Slots& s
     arguments[1] = "phase[0]";
   }
   if (stepper.rows > 0) {  // of the beginning
-    *std::find(arguments.begin(), arguments.end(), "lambda") = "done > Scalar(0) ? later : lambda";
+    *std::ranges::find(arguments, "lambda") = "done > Scalar(0) ? later : lambda";
   }
   Lines first_part;
   std::string unused;
@@ -371,7 +371,7 @@ std::string parts_text(const Stepper& stepper, Scalar scalar) {
   std::string unused;
   if (stepper.rows > 0) {  // reactions of the beginning, and of the middle
     unused = fmt::format("  Scalar unused[{}];", stepper.rows);
-    *std::find(arguments.begin(), arguments.end(), "lambda") = "done > Scalar(0) ? unused : lambda";
+    *std::ranges::find(arguments, "lambda") = "done > Scalar(0) ? unused : lambda";
   }
   if (program::tells_reactions(stepper)) {
     arguments.back() = "done + done < h ? halfway : unused";

@@ -45,7 +45,7 @@ class SearchWriter {
     return ldexp(Real(1), scalar_ == Scalar::kFloat ? -19 : -48);
   }
   [[nodiscard]] bool looks_at_time() const {
-    return std::any_of(stepper_.phases.begin(), stepper_.phases.end(), [](const StepPhase& phase) {
+    return std::ranges::any_of(stepper_.phases, [](const StepPhase& phase) {
       return !phase.guards.empty() && program::takes_time(phase.guards.front());
     });
   }
@@ -223,7 +223,7 @@ std::string SearchWriter::cut() const {
 }
 
 bool SearchWriter::looks_halfway() const {
-  return std::any_of(stepper_.phases.begin(), stepper_.phases.end(), [&](const StepPhase& phase) {
+  return std::ranges::any_of(stepper_.phases, [&](const StepPhase& phase) {
     return !program::dipping(stepper_, phase).empty();
   });
 }

@@ -50,7 +50,7 @@ class Coordinates {
       case Reduction::kNone:
         break;
     }
-    std::copy(full.begin(), full.end(), out.begin());
+    std::ranges::copy(full, out.begin());
     return out.first(full.size());
   }
 
@@ -65,7 +65,7 @@ class Coordinates {
   [[nodiscard]] std::span<const Scalar> rows(std::span<const Scalar> full, std::size_t cols,
                                              std::span<Scalar> out) const {
     const std::span<Scalar> result = out.first(size() * cols);
-    std::fill(result.begin(), result.end(), Scalar(0));
+    std::ranges::fill(result, Scalar(0));
     for (std::size_t i = 0; i < drives_.size(); ++i) {
       for (std::size_t j = 0; j < cols; ++j) {
         result[drives_[i].coordinate * cols + j] += drives_[i].multiplier * full[i * cols + j];
@@ -77,7 +77,7 @@ class Coordinates {
   [[nodiscard]] std::span<const Scalar> rows_and_cols(std::span<const Scalar> full,
                                                       std::span<Scalar> out) const {
     const std::span<Scalar> result = out.first(size() * size());
-    std::fill(result.begin(), result.end(), Scalar(0));
+    std::ranges::fill(result, Scalar(0));
     for (std::size_t i = 0; i < drives_.size(); ++i) {
       for (std::size_t j = 0; j < drives_.size(); ++j) {
         result[drives_[i].coordinate * size() + drives_[j].coordinate] +=

@@ -75,8 +75,7 @@ class Engine<Scalar>::Implementation {
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const std::string_view name = function.inputs[k].name;
       if (!leaves_.set(name, inputs[k]) && (name == "f" || name == "n")) {
-        std::copy(inputs[k].begin(), inputs[k].end(),
-                  evaluation_.leaf(name == "f" ? "f_b" : "n_b").begin());
+        std::ranges::copy(inputs[k], evaluation_.leaf(name == "f" ? "f_b" : "n_b").begin());
       }
     }
   }

@@ -76,7 +76,7 @@ class UserFunction {
     }
     for (const auto& [leaf, values] : equation_.constants) {
       std::vector<Scalar> numbers;
-      std::transform(values.begin(), values.end(), std::back_inserter(numbers), Leaves::convert);
+      std::ranges::transform(values, std::back_inserter(numbers), Leaves::convert);
       write(leaf, numbers);
     }
     for (const auto& [leaf, divisor] : equation_.reciprocals) {

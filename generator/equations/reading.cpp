@@ -73,7 +73,7 @@ JointKinds kinds_of(const model::Tree& tree) {
 
 bool is_taken(const std::string& name) {
   const std::vector<std::string_view> known = known_names();
-  return std::find(known.begin(), known.end(), name) != known.end() ||
+  return std::ranges::find(known, name) != known.end() ||
          std::find(std::begin(kTaken), std::end(kTaken), name) != std::end(kTaken);
 }
 
@@ -138,7 +138,7 @@ Expression Reading::number(const Real& value) {
 Expression Reading::reciprocal(const Expression& e) {
   std::set<std::string> leaves;
   collect_leaves(e, leaves);
-  const bool constant_leaves = std::all_of(leaves.begin(), leaves.end(), [&](const auto& name) {
+  const bool constant_leaves = std::ranges::all_of(leaves, [&](const auto& name) {
     const bool of_tree = name == "D" || name == "E" || name == "σ" || name == "W" ||
                          name == "1_N" || name == "1_P" || name == "m^d";
     return of_tree || made.constants.count(name) > 0 || made.reciprocals.count(name) > 0;
@@ -279,8 +279,8 @@ void Reading::finish(const Expression& e) {
   std::vector<UserArgument> arguments;
   for (const ArgumentRow& row : argument_rows()) {
     const bool turned = std::string_view(row.name) == "q" && !made.frames.empty();
-    const auto found = std::find_if(row.leaves.begin(), row.leaves.end(),
-                                    [&](const char* name) { return leaves.count(name) > 0; });
+    const auto found =
+        std::ranges::find_if(row.leaves, [&](const char* name) { return leaves.count(name) > 0; });
     if (found != row.leaves.end() || turned) {
       arguments.push_back({row.name, found == row.leaves.end() ? "" : *found, row.side, row.unit});
     }

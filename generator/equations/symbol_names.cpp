@@ -63,8 +63,7 @@ const std::vector<Row>& rows() {
 }  // namespace
 
 std::optional<Expression> find_name(std::string_view name) {
-  const auto found =
-      std::find_if(rows().begin(), rows().end(), [&](const Row& row) { return row.name == name; });
+  const auto found = std::ranges::find_if(rows(), [&](const Row& row) { return row.name == name; });
   return found == rows().end() ? std::nullopt : std::optional(found->expression);
 }
 

@@ -152,7 +152,7 @@ std::string to_string(const Units& units) {
   for (const auto& [i, j] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 0), std::pair(1, 1)}) {
     const auto& unit = units[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     const std::string text = unit ? to_string(*unit) : "";
-    if (!text.empty() && std::find(texts.begin(), texts.end(), text) == texts.end()) {
+    if (!text.empty() && std::ranges::find(texts, text) == texts.end()) {
       texts.push_back(text);
     }
   }

@@ -141,8 +141,8 @@ std::string dump(const model::Tree& tree, std::span<const model::Point> points,
                                    tree.size(), points.size(), links_text(tree));
   result += dump.matrix(equations::D);
   for (const equations::Equation& equation : equations::table()) {
-    const bool asked = std::find(options.functions.begin(), options.functions.end(),
-                                 equation.name) != options.functions.end();
+    const bool asked =
+        std::ranges::find(options.functions, equation.name) != options.functions.end();
     if (options.functions.empty() || asked) {
       result += dump.equation(equation);
     }

@@ -11,7 +11,7 @@ namespace {
 
 void copy(const std::vector<Expanded>& values, std::span<Expanded> leaf) {
   if (!leaf.empty()) {
-    std::copy(values.begin(), values.end(), leaf.begin());
+    std::ranges::copy(values, leaf.begin());
   }
 }
 

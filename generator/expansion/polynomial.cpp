@@ -33,7 +33,7 @@ void add_term(const Ring& ring, const ex& term, Polynomial& result) {
   } else {
     add_factor(ring, term, monomial, coefficient);
   }
-  std::sort(monomial.begin(), monomial.end());
+  std::ranges::sort(monomial);
   if (!coefficient.is_zero()) {
     result.emplace(monomial, coefficient);
   }

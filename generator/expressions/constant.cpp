@@ -18,8 +18,8 @@ Constants::Constants(Constants&&) noexcept = default;
 Constants& Constants::operator=(Constants&&) noexcept = default;
 
 void Constants::check_name(const std::string& name) const {
-  const bool identifier = !name.empty() && is_letter(name.front()) &&
-                          std::all_of(name.begin(), name.end(), is_word_byte);
+  const bool identifier =
+      !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_word_byte);
   if (!identifier) {
     throw TextError(0, fmt::format("parameter name '{}' is no word; expected letters, digits and _",
                                    shown(name)));

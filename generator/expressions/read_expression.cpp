@@ -30,7 +30,7 @@ struct Part {
 };
 
 void sort(std::vector<Part>& parts) {
-  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+  std::ranges::sort(parts, [](const Part& a, const Part& b) {
     return std::tie(a.key, a.negative) < std::tie(b.key, b.negative);
   });
 }
@@ -73,8 +73,8 @@ class Symbols final : public Variables {
     return &*found;
   }
   [[nodiscard]] model::Variable variable(const GiNaC::ex& symbol) const {
-    const auto found = std::find_if(known_.begin(), known_.end(),
-                                    [&](const auto& row) { return symbol.is_equal(row.second); });
+    const auto found =
+        std::ranges::find_if(known_, [&](const auto& row) { return symbol.is_equal(row.second); });
     TREEDYN_EXPECT(found != known_.end());
     return found->first;
   }
@@ -193,7 +193,7 @@ class Converter {
       (inverse ? below : above).push_back(std::move(p));
     };
     if (GiNaC::is_a<GiNaC::mul>(value)) {
-      std::for_each(value.begin(), value.end(), take);
+      std::ranges::for_each(value, take);
     } else {
       take(value);
     }

@@ -16,7 +16,7 @@ Vec3 unit(Graph& graph, std::size_t k) {
 }  // namespace
 
 bool is_zero(const Vec3& v) {
-  return std::all_of(v.begin(), v.end(), [](const Expr& x) { return x.is_zero(); });
+  return std::ranges::all_of(v, [](const Expr& x) { return x.is_zero(); });
 }
 
 FrameChanges::FrameChanges(const Kinematics& kinematics, Way way)
@@ -65,8 +65,8 @@ Tensor FrameChanges::moved(const Tensor& t, int to) const {
   }
   const auto rows = [&](const Mat3& m) {
     Mat3 result;
-    std::transform(m.begin(), m.end(), result.begin(),
-                   [&](const Vec3& row) { return moved(row, t.frame, to); });
+    std::ranges::transform(m, result.begin(),
+                           [&](const Vec3& row) { return moved(row, t.frame, to); });
     return result;
   };
   return {to, transposed(rows(transposed(rows(t.value))))};
@@ -84,8 +84,8 @@ Parts FrameChanges::risen(Parts parts, int frame) const {
     return is_above(part.frame, frame) ? -1 : part.frame;
   };
   const auto deepest = [&] {
-    return std::max_element(parts.begin(), parts.end(),
-                            [&](const Part& a, const Part& b) { return below(a) < below(b); });
+    return std::ranges::max_element(
+        parts, [&](const Part& a, const Part& b) { return below(a) < below(b); });
   };
   for (auto part = deepest(); part != parts.end() && below(*part) >= 0; part = deepest()) {
     const Part from = *part;
@@ -109,8 +109,8 @@ Vec3 FrameChanges::in(const Parts& parts, int frame) const {
 void FrameChanges::add(Parts& a, const Parts& b, Expr factor) const {
   for (const Part& part : b) {
     const Vec3 value = factor * part.value;
-    const auto place = std::find_if(a.begin(), a.end(),
-                                    [&](const Part& other) { return other.frame == part.frame; });
+    const auto place =
+        std::ranges::find_if(a, [&](const Part& other) { return other.frame == part.frame; });
     if (is_zero(value)) {
       continue;
     }

@@ -32,7 +32,7 @@ struct Options {
   bool metres = false;       ///< no other unit of length
 
   [[nodiscard]] bool has(Pass pass) const {
-    return std::find(without.begin(), without.end(), pass) == without.end();
+    return std::ranges::find(without, pass) == without.end();
   }
 };
 

@@ -56,8 +56,7 @@ Matrix3 frame_with_z(const Vector3& axis) {
     }
   }
   const auto largest = static_cast<std::size_t>(
-      std::max_element(axis.begin(), axis.end(),
-                       [](const Real& a, const Real& b) { return abs(a) < abs(b); }) -
+      std::ranges::max_element(axis, [](const Real& a, const Real& b) { return abs(a) < abs(b); }) -
       axis.begin());
   Vector3 helper{};
   helper[(largest + 1) % 3] = 1;
@@ -362,7 +361,7 @@ UnitLengths unit_lengths(const model::Tree& tree) {
   for (std::size_t i = 0; i < normal.links.size(); ++i) {
     for (const Real& component : normal.links[i].offset) {
       const Real length = abs(component);
-      const bool known = std::any_of(lengths.begin(), lengths.end(), [&](const auto& other) {
+      const bool known = std::ranges::any_of(lengths, [&](const auto& other) {
         return abs(other.metres - length) < Real("1e-9") * length;
       });
       if (length > Real("1e-9") && length.recipe() == 0 && !known) {

@@ -76,9 +76,9 @@ void Lowering::arrange() {
     const Value& v = value(id);
     memo_[to_index(id)].resize(to_index(count(v.set)));
     known_[to_index(id)].assign(to_index(count(v.set)), false);
-    of_unit_[to_index(id)] =
-        v.op == Op::kUnit || std::any_of(v.operands.begin(), v.operands.end(),
-                                         [this](int x) { return of_unit_[to_index(x)]; });
+    of_unit_[to_index(id)] = v.op == Op::kUnit || std::ranges::any_of(v.operands, [this](int x) {
+                               return of_unit_[to_index(x)];
+                             });
   }
   for (bool settled = false; !settled;) {
     settled = true;
@@ -187,9 +187,8 @@ void Lowering::need(int id, int e) {
       need(operand, e);
     }
   }
-  const auto turning =
-      std::find_if(turnings_.begin(), turnings_.end(),
-                   [&](const derive::Turning& t) { return t.alpha == id || t.Omega == id; });
+  const auto turning = std::ranges::find_if(
+      turnings_, [&](const derive::Turning& t) { return t.alpha == id || t.Omega == id; });
   const std::size_t before = graph().size();
   if (turning != turnings_.end()) {
     need(turning->omega, e);

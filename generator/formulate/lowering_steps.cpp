@@ -16,8 +16,7 @@ using derive::Type;
 bool Lowering::is_absent(int id, int e) const {
   const Value& v = value(id);
   const bool is_product = v.op == Op::kScale || v.op == Op::kCross || v.op == Op::kApply;
-  return is_product ? std::any_of(v.operands.begin(), v.operands.end(),
-                                  [&](int x) { return is_absent(x, e); })
+  return is_product ? std::ranges::any_of(v.operands, [&](int x) { return is_absent(x, e); })
                     : v.op == Op::kLeaf && v.type == Type::kScalar && of(id, e).number.is_zero();
 }
 

@@ -161,10 +161,10 @@ const char* Lowering::symbol(int id) const {
   switch (v.op) {
     case Op::kPath:
     case Op::kPathStrict:
-      return x.op == Op::kScale && value(x.operands.back()).name == "z^d"    ? "omega"
-             : std::any_of(turnings_.begin(), turnings_.end(), is_alpha)     ? "alpha"
-             : std::any_of(x.operands.begin(), x.operands.end(), with_Omega) ? "a"
-                                                                             : "";
+      return x.op == Op::kScale && value(x.operands.back()).name == "z^d" ? "omega"
+             : std::ranges::any_of(turnings_, is_alpha)                   ? "alpha"
+             : std::ranges::any_of(x.operands, with_Omega)                ? "a"
+                                                                          : "";
     case Op::kSubtree:
     case Op::kSubtreeStrict:
       return derivation_.wide ? "r" : "F";
@@ -177,7 +177,7 @@ const char* Lowering::symbol(int id) const {
 void Lowering::name_sums(int e) {
   constexpr std::array<const char*, 9> kEntry = {"xx", "xy", "xz", "yx", "yy",
                                                  "yz", "zx", "zy", "zz"};
-  std::sort(named_.begin(), named_.end());
+  std::ranges::sort(named_);
   for (const int id : named_) {
     const Value& v = value(id);
     if (derivation_.symmetric && of_unit_[to_index(id)]) {

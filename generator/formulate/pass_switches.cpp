@@ -45,8 +45,7 @@ std::vector<PassCost> pass_costs(const model::Tree& tree, const std::string& fun
   }
   std::vector<PassCost> rows = {{"link frames", cost(formulated(tree, function, reduced))}};
   for (const PassInfo& info : passes()) {
-    if (std::find(options.without.begin(), options.without.end(), info.pass) ==
-        options.without.end()) {
+    if (std::ranges::find(options.without, info.pass) == options.without.end()) {
       std::erase(reduced.without, info.pass);
       rows.push_back({info.name, cost(formulated(tree, function, reduced))});
     }

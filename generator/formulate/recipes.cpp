@@ -208,8 +208,8 @@ const std::vector<Recipe>& recipes() {
 }
 
 const Recipe& recipe_of(const std::string& name) {
-  const auto found = std::find_if(recipes().begin(), recipes().end(),
-                                  [&](const Recipe& recipe) { return name == recipe.name; });
+  const auto found =
+      std::ranges::find_if(recipes(), [&](const Recipe& recipe) { return name == recipe.name; });
   TREEDYN_EXPECT(found != recipes().end());
   return *found;
 }

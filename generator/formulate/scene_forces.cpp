@@ -19,7 +19,7 @@ namespace {
 bool of_time(const model::Expression& e) { return e.uses(Quantity::kTime); }
 
 bool of_time(const model::VectorExpression& v) {
-  return std::any_of(v.begin(), v.end(), [](const model::Expression& e) { return of_time(e); });
+  return std::ranges::any_of(v, [](const model::Expression& e) { return of_time(e); });
 }
 
 }  // namespace
@@ -111,10 +111,10 @@ bool uses_time(const model::Scene& scene, const std::vector<int>& active) {
     return constraint.accelerations.empty()
                ? of_time(constraint.curve.acceleration) ||
                      (stabilised && of_time(constraint.curve.position))
-               : std::any_of(constraint.accelerations.begin(), constraint.accelerations.end(),
-                             [](const model::Expression& e) { return of_time(e); });
+               : std::ranges::any_of(constraint.accelerations,
+                                     [](const model::Expression& e) { return of_time(e); });
   };
-  return std::any_of(active.begin(), active.end(), row_uses) ||
+  return std::ranges::any_of(active, row_uses) ||
          std::ranges::any_of(scene.joint_laws,
                              [](const model::JointLaw& law) { return of_time(law.force); }) ||
          std::ranges::any_of(scene.point_laws,

@@ -124,9 +124,9 @@ program::RowSolve SceneFormulator::solve_of(const program::Function& function, i
     ordinary.lengths.clear();  // K has a row for each of the joints
   }
   program::RowSolve solve = program::solve_of(function, rows, ordinary);
-  solve.passes = step_method(scene_) &&
-                 std::any_of(constraints.begin(), constraints.end(),
-                             [&](int constraint) { return is_stabilised(scene_, constraint); });
+  solve.passes = step_method(scene_) && std::ranges::any_of(constraints, [&](int constraint) {
+                   return is_stabilised(scene_, constraint);
+                 });
   solve.tolerance = scene_.rank_tolerance.convert_to<double>();
   return solve;
 }

@@ -23,7 +23,7 @@ bool has_inverse_dynamics(const model::Scene& scene, const PhaseState& state) {
 }
 
 bool wants(const std::vector<std::string>& wanted, const std::string& name) {
-  return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  return wanted.empty() || std::ranges::find(wanted, name) != wanted.end();
 }
 
 /// The functions of a scene that are wanted, formulated at the same time.

@@ -43,11 +43,11 @@ GuardArrays guard_arrays(const std::vector<Event>& events) {
   const auto uses_time = [](const Event& event) {
     return event.kind == EventKind::kExpression && event.value.uses(model::Quantity::kTime);
   };
-  if (std::any_of(events.begin(), events.end(), uses_time)) {
+  if (std::ranges::any_of(events, uses_time)) {
     arrays.t = next++;
   }
-  if (std::any_of(events.begin(), events.end(),
-                  [](const Event& event) { return event.kind == EventKind::kReaction; })) {
+  if (std::ranges::any_of(events,
+                          [](const Event& event) { return event.kind == EventKind::kReaction; })) {
     arrays.lambda = next;
   }
   return arrays;
@@ -92,7 +92,7 @@ bool anchors_use_time(const model::Scene& scene) {
     const auto of_time = [](const model::Expression& e) {
       return e.uses(model::Quantity::kTime);
     };
-    if (anchor_size(scene, c) > 0 && std::any_of(curve.begin(), curve.end(), of_time)) {
+    if (anchor_size(scene, c) > 0 && std::ranges::any_of(curve, of_time)) {
       return true;
     }
   }

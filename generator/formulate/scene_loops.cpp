@@ -20,7 +20,7 @@ using Values = std::vector<Real>;
 
 /// True if the rows of some phase in which it acts depend on each other.
 bool is_redundant(const Scene& scene, const ScenePositions& positions, int constraint) {
-  return std::any_of(scene.phases.begin(), scene.phases.end(), [&](const model::Phase& phase) {
+  return std::ranges::any_of(scene.phases, [&](const model::Phase& phase) {
     if (std::ranges::find(phase.active, constraint) == phase.active.end()) {
       return false;
     }

@@ -59,7 +59,7 @@ std::vector<ImpactName> impacts_of(const model::Scene& scene) {
     const auto same = [&](const ImpactName& other) {
       return other.same_as(impact);
     };
-    if (!impact.constraints.empty() && std::none_of(result.begin(), result.end(), same)) {
+    if (!impact.constraints.empty() && std::ranges::none_of(result, same)) {
       result.push_back(impact);
     }
   };

@@ -21,13 +21,13 @@ namespace {
 
 std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> result;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  std::ranges::set_union(a, b, std::back_inserter(result));
   return result;
 }
 
 std::vector<int> without(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> result;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  std::ranges::set_difference(a, b, std::back_inserter(result));
   return result;
 }
 
@@ -41,7 +41,7 @@ std::vector<Event> lift_offs(const Scene& scene, int phase, const std::vector<in
       };
       if (!rests_unasked(scene, event) ||
           !std::ranges::includes(resting, event.impact->constraints) ||
-          std::any_of(result.begin(), result.end(), is_known)) {
+          std::ranges::any_of(result, is_known)) {
         continue;
       }
       Event lift_off;
@@ -69,7 +69,7 @@ PhaseState resting(const Scene& scene, const std::vector<PhaseState>& states, in
                       lift_offs(scene, phase, without(rests, plain.active))};
   };
   const auto is_taken = [&](const PhaseState& state) {
-    return std::any_of(states.begin(), states.end(), [&](const PhaseState& other) {
+    return std::ranges::any_of(states, [&](const PhaseState& other) {
       return other.identifier == state.identifier || other.ending == state.ending;
     });
   };
@@ -96,7 +96,7 @@ void add_resting(const Scene& scene, int phase, const std::vector<int>& rests,
 
 bool is_watched(const Event& event, const std::vector<int>& active) {
   const bool reacts = event.kind != EventKind::kReaction ||
-                      std::find(active.begin(), active.end(), event.constraint) != active.end();
+                      std::ranges::find(active, event.constraint) != active.end();
   return !strikes_what_acts(event, active) && reacts;
 }
 
@@ -139,7 +139,7 @@ std::vector<Event> events_of(const Scene& scene, const PhaseState& state) {
 }
 
 int find_state(const std::vector<PhaseState>& states, int phase, const std::vector<int>& active) {
-  const auto found = std::find_if(states.begin(), states.end(), [&](const PhaseState& state) {
+  const auto found = std::ranges::find_if(states, [&](const PhaseState& state) {
     return state.phase == phase && state.active == active;
   });
   return found == states.end() ? -1 : static_cast<int>(found - states.begin());

@@ -37,8 +37,8 @@ struct ScenePositions::Place {
 
 ScenePositions::ScenePositions(const model::Scene& scene)
     : scene_(scene), reach_(model::reach_of(scene.tree, scene.points)) {
-  std::transform(scene.q0.begin(), scene.q0.end(), std::back_inserter(q0_),
-                 [](const Real& x) { return x.convert_to<double>(); });
+  std::ranges::transform(scene.q0, std::back_inserter(q0_),
+                         [](const Real& x) { return x.convert_to<double>(); });
   q0_.resize(to_index(scene.tree.dof()));
   if (!scene.points.empty()) {
     for (const char* name : {"point_positions", "force_jacobian_transpose",

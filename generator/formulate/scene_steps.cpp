@@ -158,8 +158,8 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
     const ImpactName wanted{event.impact->constraints,
                             at_rest ? Real(0) : event.impact->restitution, ""};
     const std::vector<ImpactName> all = impacts_of(scene_);
-    const auto found = std::find_if(
-        all.begin(), all.end(), [&](const ImpactName& impact) { return impact.same_as(wanted); });
+    const auto found =
+        std::ranges::find_if(all, [&](const ImpactName& impact) { return impact.same_as(wanted); });
     const Staged& impact = impacts_[static_cast<std::size_t>(found - all.begin())];
     result.impact = impact.signature.name;
     result.impulses = impact.signature.outputs.back().size;
@@ -170,7 +170,7 @@ StepOutcome StepMaker::outcome(const Event& event, std::size_t state, bool at_re
   for (int c = 0; c < static_cast<int>(scene_.constraints.size()); ++c) {
     const model::Constraint& constraint = scene_.constraints[to_index(c)];
     const bool moves = constraint.pinned || constraint.kind == model::ConstraintKind::kOrientation;
-    const bool pinned = std::find(event.pins.begin(), event.pins.end(), c) != event.pins.end();
+    const bool pinned = std::ranges::find(event.pins, c) != event.pins.end();
     if (anchor_size(scene_, c) > 0 && (pinned || (moves && std::ranges::count(active, c) > 0 &&
                                                   std::ranges::count(before, c) == 0))) {
       result.renewals.push_back({anchor_offset(scene_, c), anchor_size(scene_, c)});
@@ -245,7 +245,7 @@ StepPhase StepMaker::phase(std::size_t state, const Staged& dynamics) const {
       add_event(event, state, result, guarded, approached);
     }
   }
-  result.guards_speed = std::any_of(guarded.begin(), guarded.end(), [](const Event& event) {
+  result.guards_speed = std::ranges::any_of(guarded, [](const Event& event) {
     return event.kind == EventKind::kExpression && event.value.uses(model::Quantity::kVelocity);
   });
   for (const int c : states_[state].active) {
@@ -312,8 +312,8 @@ void StepMaker::count_steps(program::Stepper& stepper) {
       }
     }
   }
-  const bool counts = std::any_of(stepper.phases.begin(), stepper.phases.end(),
-                                  [](const StepPhase& phase) { return !clocks(phase).empty(); });
+  const bool counts = std::ranges::any_of(
+      stepper.phases, [](const StepPhase& phase) { return !clocks(phase).empty(); });
   stepper.begun = counts && within && stepper.cuts > 0;
   stepper.counted += stepper.begun ? 1 : 0;
 }

@@ -34,14 +34,14 @@ bool can_use_trunk(const Task& task) {
     return link != model::kGround && link < kTrunkLink;
   };
   const bool plain =
-      std::none_of(scene.points.begin(), scene.points.end(),
-                   [&](const model::Point& p) { return in_base(p.link); }) &&
-      std::none_of(scene.constraints.begin(), scene.constraints.end(),
-                   [](const model::Constraint& c) {
-                     return c.kind == model::ConstraintKind::kJoint && c.joint <= kTrunkLink;
-                   }) &&
-      std::none_of(scene.armatures.begin(), scene.armatures.end(),
-                   [](const model::Armature& a) { return a.joint <= kTrunkLink; });
+      std::ranges::none_of(scene.points, [&](const model::Point& p) { return in_base(p.link); }) &&
+      std::ranges::none_of(scene.constraints,
+                           [](const model::Constraint& c) {
+                             return c.kind == model::ConstraintKind::kJoint &&
+                                    c.joint <= kTrunkLink;
+                           }) &&
+      std::ranges::none_of(scene.armatures,
+                           [](const model::Armature& a) { return a.joint <= kTrunkLink; });
   return plain && task.kinematics.variant().trunk && has_trunk(task.tree) &&
          task.tree.dof() == task.tree.size();
 }

@@ -47,7 +47,7 @@ Vec3 taken(const std::vector<Expr>& x, int first) {
 }
 
 void put(const Vec3& v, int first, std::vector<Expr>& x) {
-  std::copy(v.begin(), v.end(), x.begin() + first);
+  std::ranges::copy(v, x.begin() + first);
 }
 
 }  // namespace

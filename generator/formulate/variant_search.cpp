@@ -54,7 +54,7 @@ VariantSearch::VariantSearch(const model::Tree& tree, const Recipe& recipe, cons
 void VariantSearch::note(const Variant& variant, int cost) {
   raw_.emplace(variant, cost);
   const std::pair<int, Variant> entry(cost, variant);
-  finalists_.insert(std::upper_bound(finalists_.begin(), finalists_.end(), entry), entry);
+  finalists_.insert(std::ranges::upper_bound(finalists_, entry), entry);
   if (finalists_.size() > kFinalists) {
     finalists_.pop_back();
   }

@@ -92,7 +92,7 @@ Expression cos(const Expression& a) {
 }
 
 bool Expression::uses(Quantity quantity) const {
-  return std::any_of(program_.begin(), program_.end(), [quantity](const Instruction& i) {
+  return std::ranges::any_of(program_, [quantity](const Instruction& i) {
     return i.operation == Operation::kVariable && i.variable.quantity == quantity;
   });
 }

@@ -79,8 +79,8 @@ bool closes_loop(const Scene& scene, int constraint) {
   }
   const Ends ends = ends_of(scene, c);
   const int base = base_joints(scene);
-  return std::any_of(scene.phases.begin(), scene.phases.end(), [&](const Phase& phase) {
-    if (std::find(phase.active.begin(), phase.active.end(), constraint) == phase.active.end()) {
+  return std::ranges::any_of(scene.phases, [&](const Phase& phase) {
+    if (std::ranges::find(phase.active, constraint) == phase.active.end()) {
       return false;
     }
     Groups groups(scene.tree.size());

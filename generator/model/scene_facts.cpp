@@ -116,8 +116,7 @@ int anchor_offset(const Scene& scene, int constraint) {
 }
 
 bool has_anchor(const Scene& scene, const std::vector<int>& constraints) {
-  return std::any_of(constraints.begin(), constraints.end(),
-                     [&](int c) { return anchor_size(scene, c) > 0; });
+  return std::ranges::any_of(constraints, [&](int c) { return anchor_size(scene, c) > 0; });
 }
 
 bool is_angular(const Tree& tree, const Constraint& constraint) {

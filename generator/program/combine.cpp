@@ -13,8 +13,8 @@ namespace {
 std::vector<int> places_of(const Signature& signature, const std::vector<Array>& inputs) {
   std::vector<int> places;
   for (const Array& array : signature.inputs) {
-    const auto found = std::find_if(inputs.begin(), inputs.end(),
-                                    [&](const Array& a) { return a.name == array.name; });
+    const auto found =
+        std::ranges::find_if(inputs, [&](const Array& a) { return a.name == array.name; });
     TREEDYN_EXPECT(found == inputs.end() || found->size == array.size);
     places.push_back(found == inputs.end() ? -1 : static_cast<int>(found - inputs.begin()));
   }

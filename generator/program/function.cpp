@@ -14,14 +14,14 @@ int fused(const Graph& graph, const std::vector<Ref>& nodes, std::span<const Ref
   const auto use = [&uses](Ref a) {
     ++uses[node_index(a)];
   };
-  std::for_each(outputs.begin(), outputs.end(), use);
+  std::ranges::for_each(outputs, use);
   for (const Ref k : nodes) {
     for_each_operand(graph.node(k), use);
   }
   const auto takes_in = [&](Ref a) {
     return graph.node(a).kind == Kind::kMultiply && uses[node_index(a)] == 1;
   };
-  return static_cast<int>(std::count_if(nodes.begin(), nodes.end(), [&](Ref k) {
+  return static_cast<int>(std::ranges::count_if(nodes, [&](Ref k) {
     const Node& node = graph.node(k);
     return node.kind == Kind::kAdd && (takes_in(node.a) || takes_in(node.b));
   }));

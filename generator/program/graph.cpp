@@ -213,7 +213,7 @@ std::vector<Ref> reachable(const Graph& graph, std::span<const Ref> outputs) {
                        [&](Ref operand) { needed[node_index(operand)] = true; });
     }
   }
-  std::reverse(order.begin(), order.end());
+  std::ranges::reverse(order);
   return order;
 }
 

@@ -10,8 +10,8 @@ namespace treedyn::program {
 namespace {
 
 bool same(const std::vector<Real>& a, const std::vector<Real>& b, int sign) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [sign](const Real& x, const Real& y) { return identical(x, Real(sign * y)); });
+  return std::ranges::equal(
+      a, b, [sign](const Real& x, const Real& y) { return identical(x, Real(sign * y)); });
 }
 
 /// The column with these values (+k + 1) or their negatives (-(k + 1)); 0: none.

@@ -123,7 +123,7 @@ RowSolve solve_of(const Function& function, int rows, const OrdinaryRows& ordina
   }
   solve.least = rounded(least);
   ordinary.raise_rounding(std::span(sizes));
-  std::transform(sizes.begin(), sizes.end(), std::back_inserter(solve.sizes), rounded);
+  std::ranges::transform(sizes, std::back_inserter(solve.sizes), rounded);
   return solve;
 }
 

@@ -74,8 +74,7 @@ Function regular_solve(const RowSolve& solve) {
       x[k] -= t.l[i][k] * x[i];
     }
   }
-  std::transform(x.begin(), x.end(), std::back_inserter(f.outputs),
-                 [](const Expr& e) { return e.ref(); });
+  std::ranges::transform(x, std::back_inserter(f.outputs), [](const Expr& e) { return e.ref(); });
   return f;
 }
 
@@ -115,7 +114,7 @@ Cost cost(const Staged& staged) {
 }
 
 int worst_powers(const Staged& staged) {
-  auto count = std::count(staged.gates.begin(), staged.gates.end(), Gate::kPower);
+  auto count = std::ranges::count(staged.gates, Gate::kPower);
   for (const Staged& contact : staged.contacts) {
     count += worst_powers(contact);
   }

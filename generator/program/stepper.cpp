@@ -234,14 +234,13 @@ StepCount& StepCount::operator+=(const StepCount& other) {
 }
 
 bool Stepper::ends() const {
-  return std::any_of(phases.begin(), phases.end(),
-                     [](const StepPhase& phase) { return !phase.events.empty(); });
+  return std::ranges::any_of(phases, [](const StepPhase& phase) { return !phase.events.empty(); });
 }
 
 bool Stepper::has_times() const {
-  return std::any_of(phases.begin(), phases.end(), [](const StepPhase& phase) {
-    return std::any_of(phase.events.begin(), phase.events.end(),
-                       [](const StepEvent& event) { return event.cause == StepCause::kTime; });
+  return std::ranges::any_of(phases, [](const StepPhase& phase) {
+    return std::ranges::any_of(
+        phase.events, [](const StepEvent& event) { return event.cause == StepCause::kTime; });
   });
 }
 
@@ -268,7 +267,7 @@ std::vector<Lasting> clocks(const StepPhase& phase) {
   std::vector<Lasting> result;
   for (const StepEvent& event : phase.events) {
     const Lasting& time = event.not_before;
-    if (!time.none() && std::find(result.begin(), result.end(), time) == result.end()) {
+    if (!time.none() && std::ranges::find(result, time) == result.end()) {
       result.push_back(time);
     }
   }
@@ -279,11 +278,11 @@ bool takes_time(const Staged& staged) { return has(staged.signature.inputs, "t")
 
 bool tells_reactions(const Stepper& stepper) {
   const auto pulls = [](const StepPhase& phase) {
-    return std::any_of(phase.events.begin(), phase.events.end(),
-                       [](const StepEvent& event) { return event.cause == StepCause::kPull; });
+    return std::ranges::any_of(
+        phase.events, [](const StepEvent& event) { return event.cause == StepCause::kPull; });
   };
   return stepper.method != StepMethod::kSemiImplicitEuler &&
-         std::any_of(stepper.phases.begin(), stepper.phases.end(), pulls);
+         std::ranges::any_of(stepper.phases, pulls);
 }
 
 std::vector<int> dipping(const Stepper& stepper, const StepPhase& phase) {

@@ -63,7 +63,7 @@ std::vector<std::string> functions_of(const Request& request, const model::Tree&
   }
   std::vector<std::string> result;
   for (const std::string& name : formulate::function_names()) {
-    if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) {
+    if (std::ranges::find(wanted, name) != wanted.end()) {
       result.push_back(name);
     }
   }
@@ -122,7 +122,7 @@ void check_inertia(const Model& model) {
   const auto solves = [](const std::string& name) {
     return name == "constrained_dynamics" || name == "impact" || name == "step";
   };
-  if (all || std::any_of(wanted.begin(), wanted.end(), solves)) {
+  if (all || std::ranges::any_of(wanted, solves)) {
     description::require_inertia(*model.scene);
   }
 }
@@ -153,7 +153,7 @@ void check_scene(const model::Scene& scene, const Location& where) {
 /// A step that was asked for needs an integrator whose steps are of a fixed length.
 void check_step(const Model& model) {
   const std::vector<std::string>& wanted = model.scene_functions;
-  const bool asked = std::find(wanted.begin(), wanted.end(), "step") != wanted.end();
+  const bool asked = std::ranges::find(wanted, "step") != wanted.end();
   if (asked && !model::step_method(*model.scene)) {
     throw InputError(model.scene->stepping.where,
                      fmt::format("function 'step': integrator '{}' is not for generated code; "
@@ -188,7 +188,7 @@ void check_impact(const model::Scene& scene, const model::Phase& phase,
   for (const int c : constraints) {
     const model::Constraint& row = scene.constraints[static_cast<std::size_t>(c)];
     const auto& speed = row.curve.velocity;
-    if (!std::all_of(speed.begin(), speed.end(), [](const auto& v) { return v.is_zero(); })) {
+    if (!std::ranges::all_of(speed, [](const auto& v) { return v.is_zero(); })) {
       throw InputError(where, fmt::format("phase '{}': an impact strikes constraint '{}', which "
                                           "is led along a curve; expected one at rest, or "
                                           "--functions without impact and step",
@@ -200,10 +200,9 @@ void check_impact(const model::Scene& scene, const model::Phase& phase,
 /// Generated impacts bring rows to rest, or let them rebound: they do not know of speeds of curves.
 void check_impacts(const Model& model, const Location& where) {
   const std::vector<std::string>& wanted = model.scene_functions;
-  const bool none =
-      !wanted.empty() && std::none_of(wanted.begin(), wanted.end(), [](const auto& name) {
-        return name == "impact" || name == "step";
-      });
+  const bool none = !wanted.empty() && std::ranges::none_of(wanted, [](const auto& name) {
+    return name == "impact" || name == "step";
+  });
   for (const model::Phase& phase : model.scene->phases) {
     for (const model::Event& event : phase.until) {
       if (event.impact && !none) {
@@ -307,9 +306,8 @@ Model read_scene_model(const Request& request) {
   model.equations = chosen(read_user_equations(request, file, model_text, model.tree, model.points),
                            request.functions, model.tree);
   for (const std::string& name : request.functions) {
-    const bool of_user =
-        std::any_of(model.equations.begin(), model.equations.end(),
-                    [&](const auto& function) { return function->equation.name == name; });
+    const bool of_user = std::ranges::any_of(
+        model.equations, [&](const auto& function) { return function->equation.name == name; });
     if (!of_user) {
       (equations::is_scene_function(name) ? model.scene_functions : model.functions)
           .push_back(name);

@@ -46,8 +46,7 @@ std::string mimic_text(description::Mimic mimic) {
 std::vector<std::string> names_without(const Request& request) {
   std::vector<std::string> names;
   for (const formulate::PassInfo& info : formulate::passes()) {
-    if (std::find(request.without.begin(), request.without.end(), info.pass) !=
-        request.without.end()) {
+    if (std::ranges::find(request.without, info.pass) != request.without.end()) {
       names.emplace_back(info.name);
     }
   }

@@ -63,8 +63,7 @@ bool is_index(std::string_view name, const model::Tree& tree,
 
 bool is_function(const std::string& name) {
   const std::vector<std::string>& names = formulate::function_names();
-  return equations::is_scene_function(name) ||
-         std::find(names.begin(), names.end(), name) != names.end();
+  return equations::is_scene_function(name) || std::ranges::find(names, name) != names.end();
 }
 
 /// Names of generated code, which of them there are depends on options.
@@ -179,7 +178,7 @@ UserFunctions read_user_equations(const Request& request, const std::string& tre
 UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& wanted,
                      const model::Tree& tree) {
   for (const std::string& name : wanted) {
-    const bool known = is_function(name) || std::any_of(all.begin(), all.end(), [&](const auto& f) {
+    const bool known = is_function(name) || std::ranges::any_of(all, [&](const auto& f) {
                          return f->equation.name == name;
                        });
     if (!known) {
@@ -194,9 +193,8 @@ UserFunctions chosen(const UserFunctions& all, const std::vector<std::string>& w
     }
   }
   UserFunctions result;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(result), [&](const auto& function) {
-    return wanted.empty() ||
-           std::find(wanted.begin(), wanted.end(), function->equation.name) != wanted.end();
+  std::ranges::copy_if(all, std::back_inserter(result), [&](const auto& function) {
+    return wanted.empty() || std::ranges::find(wanted, function->equation.name) != wanted.end();
   });
   for (const auto& function : result) {
     if (tree.dof() != tree.size()) {

@@ -64,7 +64,7 @@ class OdeintIntegrator final : public Integrator {
     const auto system = [&](const OdeintState& x, OdeintState& dxdt, double time) {
       copy(x, x_);
       rate(time, x_, rate_);
-      std::copy(rate_.begin(), rate_.end(), dxdt.begin());
+      std::ranges::copy(rate_, dxdt.begin());
       if constexpr (order == 7) {
         rates_.push_back(dxdt);
       }

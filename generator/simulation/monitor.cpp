@@ -80,9 +80,8 @@ Monitor::Row Monitor::row(const Constraints& constraints, int k) const {
 void Monitor::note(Notice notice) {
   notice.worst = notice.value;
   notice.worst_time = notice.time;
-  const auto same = std::find_if(notices_.begin(), notices_.end(), [&](const Notice& n) {
-    return n.kind == notice.kind && n.name == notice.name;
-  });
+  const auto same = std::ranges::find_if(
+      notices_, [&](const Notice& n) { return n.kind == notice.kind && n.name == notice.name; });
   if (same == notices_.end()) {
     notices_.push_back(std::move(notice));
   } else if (notice.value > same->worst) {

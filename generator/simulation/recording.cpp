@@ -219,7 +219,7 @@ Recording record_states(const model::Scene& scene, Simulator& simulator,
   const auto show = [&](const std::vector<double>& reactions) {
     recorder.add_row(simulator.phase());
     std::vector<double>& values = recorder.recording().rows.back().values;
-    std::copy(reactions.begin(), reactions.end(), values.begin() + 2 * scene.tree.dof());
+    std::ranges::copy(reactions, values.begin() + 2 * scene.tree.dof());
   };
   try {
     recorder.recording().stopped = drive(show, [&] { recorder.look(); }) ? "" : "interrupted";

@@ -79,7 +79,7 @@ class Search {
     if (v.g * sign_ < 0 && std::fabs(v.g) > band_ && l.g * v.g < 0 && m.g * v.g < 0 &&
         r.g * v.g < 0) {  // between samples of the other sign
       std::array<Sample, 5> all{l, m, r, v, b};
-      std::sort(all.begin(), all.end(), [](const Sample& x, const Sample& y) { return x.s < y.s; });
+      std::ranges::sort(all, [](const Sample& x, const Sample& y) { return x.s < y.s; });
       for (const Sample& x : all) {
         note(x);
       }

@@ -24,8 +24,8 @@ constexpr double kSameRoundings = 4;
 
 Vector to_vector(const std::vector<Real>& values) {
   Vector result(static_cast<Eigen::Index>(values.size()));
-  std::transform(values.begin(), values.end(), result.begin(),
-                 [](const Real& x) { return static_cast<double>(x); });
+  std::ranges::transform(values, result.begin(),
+                         [](const Real& x) { return static_cast<double>(x); });
   return result;
 }
 
@@ -362,9 +362,9 @@ void Simulator::guard_against_standstill(double end) {
   trial_start_ = t_;
   trial_events_ = events_.size();
   const std::vector<Notice>& notices = monitor_.notices();
-  const bool stuck = integrator_->error_order() > 0 &&
-                     std::any_of(notices.begin(), notices.end(),
-                                 [](const Notice& notice) { return notice.kind == "position"; });
+  const bool stuck =
+      integrator_->error_order() > 0 &&
+      std::ranges::any_of(notices, [](const Notice& notice) { return notice.kind == "position"; });
   const double most =
       stuck ? std::min(kHopelessWhereStuck, settings_.most_steps) : settings_.most_steps;
   if (advance * (most / static_cast<double>(kTrial)) < end - t_) {

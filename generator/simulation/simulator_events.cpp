@@ -46,7 +46,7 @@ void Simulator::start_phase(int phase, const std::vector<int>& active) {
   system_.constraints().activate(active);
   const Terms& terms = system_.geometry(q());
   for (const int c : active) {
-    if (std::find(before.begin(), before.end(), c) == before.end()) {
+    if (std::ranges::find(before, c) == before.end()) {
       system_.constraints().begin(c, t_, q(), terms);
     }
   }
@@ -68,7 +68,7 @@ void Simulator::add_watch(const std::vector<Watch>& before, Kind kind, std::size
     watch.lands = kind == Kind::kEvent && lands(*watch.event);
   }
   watch.side = watch.side_of(system_, t_, y_);
-  const auto same = std::find_if(before.begin(), before.end(), [&](const Watch& w) {
+  const auto same = std::ranges::find_if(before, [&](const Watch& w) {
     return kind == Kind::kContact && w.kind == kind && w.index == index;
   });
   watch.side = same == before.end() ? watch.side : same->side;
@@ -80,7 +80,7 @@ bool Simulator::lands(const model::Event& event) const {
   const std::vector<int>& active = system_.constraints().active();
   std::vector<int> rows = event.impact ? event.impact->constraints : std::vector<int>();
   for (const int c : scene_.phases[static_cast<std::size_t>(event.then)].active) {
-    if (!std::binary_search(active.begin(), active.end(), c)) {
+    if (!std::ranges::binary_search(active, c)) {
       rows.push_back(c);
     }
   }
@@ -357,14 +357,14 @@ void Simulator::lift_off(const LiftOff& rest) {
   const double began = phase_start_;
   std::vector<int> active = system_.constraints().active();
   std::erase_if(active, [&](int c) {
-    return std::find(rest.constraints.begin(), rest.constraints.end(), c) != rest.constraints.end();
+    return std::ranges::find(rest.constraints, c) != rest.constraints.end();
   });
   const std::vector<LiftOff> others = lift_offs_;
   start_phase(phase_, active);
   phase_start_ = began;
-  std::copy_if(
-      others.begin(), others.end(), std::back_inserter(lift_offs_),
-      [&](const LiftOff& other) { return other.event.constraint != rest.event.constraint; });
+  std::ranges::copy_if(others, std::back_inserter(lift_offs_), [&](const LiftOff& other) {
+    return other.event.constraint != rest.event.constraint;
+  });
 }
 
 void Simulator::fire(std::size_t index) {
@@ -383,7 +383,7 @@ void Simulator::fire(std::size_t index) {
   if (rests) {
     const std::vector<int>& resting = event.impact->constraints;
     active.insert(active.end(), resting.begin(), resting.end());
-    std::sort(active.begin(), active.end());
+    std::ranges::sort(active);
     active.erase(std::unique(active.begin(), active.end()), active.end());
   }
   const Terms& terms = system_.geometry(record.q);
@@ -392,11 +392,9 @@ void Simulator::fire(std::size_t index) {
   }
   y_ << record.q, record.qd_after;
   start_phase(event.then, active);
-  std::copy_if(before.begin(), before.end(), std::back_inserter(lift_offs_),
-               [&](const LiftOff& other) {
-                 return event.then == record.phase &&
-                        std::binary_search(active.begin(), active.end(), other.event.constraint);
-               });
+  std::ranges::copy_if(before, std::back_inserter(lift_offs_), [&](const LiftOff& other) {
+    return event.then == record.phase && std::ranges::binary_search(active, other.event.constraint);
+  });
   if (rests && event.impact->rest_below == 0) {
     add_lift_off(event);
   }

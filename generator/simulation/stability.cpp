@@ -207,8 +207,8 @@ Stability stability_at(const model::Scene& scene, System& system, double t, cons
   M.topRightCorner(n, n).setIdentity();
   M.bottomRows(n) = f;
   Eigen::VectorXcd lambdas = M.eigenvalues();
-  std::sort(lambdas.begin(), lambdas.end(),
-            [](const Complex& a, const Complex& b) { return std::abs(a) > std::abs(b); });
+  std::ranges::sort(lambdas,
+                    [](const Complex& a, const Complex& b) { return std::abs(a) > std::abs(b); });
   for (const Complex& lambda : lambdas) {
     result.fastest = std::abs(lambda) > std::abs(result.fastest) ? lambda : result.fastest;
   }

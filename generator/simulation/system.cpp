@@ -16,9 +16,9 @@ namespace treedyn::simulation {
 namespace {
 
 Needs needs_of(const model::Scene& scene) {
-  const bool holds = std::any_of(
-      scene.constraints.begin(), scene.constraints.end(),
-      [](const model::Constraint& c) { return c.kind == model::ConstraintKind::kOrientation; });
+  const bool holds = std::ranges::any_of(scene.constraints, [](const model::Constraint& c) {
+    return c.kind == model::ConstraintKind::kOrientation;
+  });
   return {!scene.points.empty(), model::has_moments(scene) || holds};
 }
 
@@ -124,7 +124,7 @@ const OrdinarySizes& System::ordinary(double t, const Vector& q, const std::vect
     Vector errors;
     constraints_.errors(trial_, t, position, errors);
     errors -= start;
-    std::copy(errors.begin(), errors.end(), phi.begin());
+    std::ranges::copy(errors, phi.begin());
     Eigen::Map<Matrix>(J.data(), rows.rows, dof()) = rows_at(trial_, sticking);
   };
   const program::OrdinaryRows found =

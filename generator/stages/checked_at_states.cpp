@@ -77,10 +77,10 @@ void check_scene(const Model& model, const program::Programs& programs) {
 void check_at_states(const Model& model, const Request& request,
                      const program::Programs& programs) {
   std::vector<program::Function> of_model;
-  std::copy_if(programs.functions.begin(), programs.functions.end(), std::back_inserter(of_model),
-               [](const program::Function& function) {
-                 return !equations::is_scene_function(function.signature.name);
-               });
+  std::ranges::copy_if(programs.functions, std::back_inserter(of_model),
+                       [](const program::Function& function) {
+                         return !equations::is_scene_function(function.signature.name);
+                       });
   model::Vector3 gravity = decided_request(model, request).gravity;
   std::ranges::for_each(gravity, [](Real& x) { x = x.plain(); });
   UserEquations equations;

@@ -32,7 +32,7 @@ std::vector<Option> options_of(const Request& request, const std::string& functi
   std::vector<formulate::Pass> all;
   for (const formulate::PassInfo& info : formulate::passes()) {
     const auto& without = request.without;
-    if (std::find(without.begin(), without.end(), info.pass) == without.end()) {
+    if (std::ranges::find(without, info.pass) == without.end()) {
       add(fmt::format("without {}", info.name)).without.push_back(info.pass);
     }
     all.push_back(info.pass);
@@ -89,9 +89,8 @@ class Functions {
 
  private:
   [[nodiscard]] std::shared_ptr<const formulate::Derived> find(const std::string& name) const {
-    const auto found =
-        std::find_if(model_.equations.begin(), model_.equations.end(),
-                     [&](const auto& function) { return function->equation.name == name; });
+    const auto found = std::ranges::find_if(
+        model_.equations, [&](const auto& function) { return function->equation.name == name; });
     return found == model_.equations.end() ? nullptr : *found;
   }
 

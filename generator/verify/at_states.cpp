@@ -267,8 +267,8 @@ void check_function(const program::Function& function, engine::Engine<Real>& eng
 
 /// The user's equation of that name; nullptr: one of ours.
 const equations::UserEquation* find(const UserEquations& equations, const std::string& name) {
-  const auto found = std::find_if(equations.begin(), equations.end(),
-                                  [&](const auto* equation) { return equation->name == name; });
+  const auto found =
+      std::ranges::find_if(equations, [&](const auto* equation) { return equation->name == name; });
   return found == equations.end() ? nullptr : *found;
 }
 

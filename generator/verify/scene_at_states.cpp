@@ -59,7 +59,7 @@ class State {
     }
   }
   Values& at(const std::string& name) {
-    const auto found = std::find(names_.begin(), names_.end(), name);
+    const auto found = std::ranges::find(names_, name);
     TREEDYN_EXPECT(found != names_.end());
     return values_[static_cast<std::size_t>(found - names_.begin())];
   }
@@ -80,7 +80,7 @@ class State {
     }
   }
   [[nodiscard]] bool has(const std::string& name) const {
-    return std::find(names_.begin(), names_.end(), name) != names_.end();
+    return std::ranges::find(names_, name) != names_.end();
   }
   [[nodiscard]] Values evaluate(const program::Function& function) const {
     const std::vector<std::span<const Real>> spans(values_.begin(), values_.end());

@@ -12,7 +12,7 @@ Solution solved(Matrix s, Values b, const Real& least) {
   Solution result{Values(n), 1};
   Values& x = result.x;
   const auto free = [&](std::size_t i) {
-    return std::find(order.begin(), order.end(), i) == order.end();
+    return std::ranges::find(order, i) == order.end();
   };
   const Matrix whole = s;
   const auto share = [&](std::size_t i) {  // of its own diagonal entry
@@ -54,10 +54,9 @@ Solution least_squares(const Matrix& K, const Values& b) {
   Values right;
   for (const Values& row : K) {  // of the symmetric K
     square.emplace_back();
-    std::transform(K.begin(), K.end(), std::back_inserter(square.back()),
-                   [&](const Values& column) {
-                     return std::inner_product(row.begin(), row.end(), column.begin(), Real(0));
-                   });
+    std::ranges::transform(K, std::back_inserter(square.back()), [&](const Values& column) {
+      return std::inner_product(row.begin(), row.end(), column.begin(), Real(0));
+    });
     right.push_back(std::inner_product(row.begin(), row.end(), b.begin(), Real(0)));
   }
   Solution result = solved(std::move(square), std::move(right));
